@@ -1,0 +1,18 @@
+# adore_core_library(<folder> [DEPENDS <folder>...] [LINK <target>...])
+# One static library per folder of core/, named adore_<folder>, built from every .cpp in it.
+# DEPENDS are the folders whose headers it may include (design: the dependency rule).
+function(adore_core_library name)
+  cmake_parse_arguments(ARG "" "" "DEPENDS;LINK" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  list(TRANSFORM ARG_DEPENDS PREPEND adore_)
+  if(sources)
+    add_library(adore_${name} STATIC ${sources})
+    set_target_properties(adore_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_include_directories(adore_${name} PUBLIC ${CMAKE_SOURCE_DIR}/core)
+    target_link_libraries(adore_${name} PUBLIC ${ARG_DEPENDS} ${ARG_LINK} PRIVATE adore_options)
+  else()
+    add_library(adore_${name} INTERFACE)
+    target_include_directories(adore_${name} INTERFACE ${CMAKE_SOURCE_DIR}/core)
+    target_link_libraries(adore_${name} INTERFACE ${ARG_DEPENDS} ${ARG_LINK})
+  endif()
+endfunction()

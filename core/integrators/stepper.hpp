@@ -1,0 +1,99 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// One interface for every integrator. This folder knows nothing of bearings: it solves y' = f(t, y).
+namespace adore::integrators {
+
+enum class EvalStatus : unsigned char {
+  Ok,
+  Retry,  ///< the point lies outside the model's validity: try a smaller step
+  Fail    ///< no step size helps: stop
+};
+
+/// The right-hand side. Implemented by dynamics; one instance is used by one stepper at a time.
+class OdeSystem {
+ public:
+  virtual ~OdeSystem() = default;
+  /// Number of components of y, quadratures included.
+  [[nodiscard]] virtual int size() const noexcept = 0;
+  /// Components [0, controlled_size) enter the error norm; the rest are quadratures (y_q' = g(t, y_controlled)),
+  /// integrated with the same formula and never controlling the step.
+  [[nodiscard]] virtual int controlled_size() const noexcept = 0;
+  /// Scale of each controlled component: error is |e_i| / scale_i, to be held below tol. All > 0.
+  [[nodiscard]] virtual std::span<const double> scales() const noexcept = 0;
+  /// Writes dydt[0..size). No allocation, no throw.
+  virtual EvalStatus rhs(double t, const double* y, double* dydt) noexcept = 0;
+  /// Called on every accepted state (normalises quaternions). Returns true when it changed y.
+  virtual bool project(double t, double* y) noexcept { (void)t, (void)y; return false; }
+  /// Longest step that resolves prescribed motion at time t [s]: the guard for y' = f(t), whose error an embedded
+  /// high-order pair may not see. Infinity when nothing is prescribed.
+  [[nodiscard]] virtual double step_guard(double t) const noexcept;
+  /// Name of a component for diagnoses, e.g. "element[3].r [m]".
+  [[nodiscard]] virtual std::string component_name(int index) const;
+};
+
+struct StepControl {
+  double initial = 0.0;  ///< first trial step [s]; 0: chosen by the stepper
+  double minimum = 0.0;  ///< a step of this size is accepted whatever its error, and counted
+  double maximum = 0.0;  ///< [s], > 0
+  double tolerance = 1e-6;  ///< bound on max_i |e_i| / scale_i per step
+};
+
+/// What one accepted step was.
+struct StepInfo {
+  double t = 0.0;      ///< time reached
+  double h = 0.0;      ///< step size used
+  double h_next = 0.0; ///< proposed next step
+  double error = 0.0;  ///< error norm divided by tolerance (<= 1 unless at_minimum)
+  bool at_minimum = false;  ///< accepted because h = minimum
+};
+
+struct Counters {
+  long steps = 0, rejected = 0, evaluations = 0, at_minimum = 0, restarts = 0, jacobians = 0, nonlinear_iterations = 0;
+};
+
+/// The stepper cannot go on. The text names time, step size and the worst component.
+class StepFailure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+class Stepper {
+ public:
+  virtual ~Stepper() = default;
+  /// Name as of the command line ("rkf5", "pece8", "cvode-bdf", ...).
+  [[nodiscard]] virtual std::string_view name() const noexcept = 0;
+  /// Order of the propagated solution (highest order for variable-order methods).
+  [[nodiscard]] virtual int order() const noexcept = 0;
+  /// Can this method keep h fixed (minimum = maximum)? A deck that asks for a constant step is refused by name if not.
+  [[nodiscard]] virtual bool holds_constant_step() const noexcept = 0;
+  /// Takes the system and the start state. `system` must outlive the stepper. May be called again (restart).
+  /// @throws StepFailure when the right-hand side fails at the start.
+  virtual void start(OdeSystem& system, double t0, std::span<const double> y0, const StepControl& control) = 0;
+  /// One accepted step, never beyond t_stop (the last step is shortened to hit it exactly).
+  /// @throws StepFailure
+  virtual StepInfo step(double t_stop) = 0;
+  [[nodiscard]] virtual double time() const noexcept = 0;
+  /// Current state, size() values; valid until the next step.
+  [[nodiscard]] virtual std::span<const double> state() const noexcept = 0;
+  /// Derivative at the current state, size() values.
+  [[nodiscard]] virtual std::span<const double> derivative() const noexcept = 0;
+  [[nodiscard]] virtual const Counters& counters() const noexcept = 0;
+};
+
+/// All names in a fixed order: rkf1..rkf7, pece1..pece8, cvode-adams, cvode-bdf, arkode-erk, arkode-dirk, arkode-imex.
+std::span<const std::string_view> stepper_names();
+
+/// @throws std::invalid_argument naming the valid names.
+std::unique_ptr<Stepper> make_stepper(std::string_view name);
+
+/// Name for the deck's intMet (1-7, 11-18; extensions 21, 22, 31, 32, 33); empty for any other code.
+std::string_view name_of_int_met(int int_met) noexcept;
+
+}  // namespace adore::integrators
