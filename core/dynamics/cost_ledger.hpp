@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <string>
+#include <vector>
+
+/// Where the time of a run goes. Timers inside the right-hand side are sampled (every n-th call is measured in full) so
+/// that the ledger costs below 2 % and still adds up to the run's time.
+namespace adore::dynamics {
+
+class CostLedger {
+ public:
+  using Clock = std::chrono::steady_clock;
+  /// Registers an entry and returns its handle.
+  int add_entry(std::string name);
+  /// Called at the start of each right-hand side; true when this call is to be measured.
+  bool sample() noexcept { return (calls_++ % kSampleEvery) == 0; }
+  /// Adds measured time of one sampled call (scaled up by the sampling rate on report).
+  void add_sampled(int entry, Clock::duration duration) noexcept;
+  /// Adds time that was measured in full (output, stepper ...).
+  void add(int entry, Clock::duration duration) noexcept;
+  struct Row {
+    std::string name;
+    long calls = 0;
+    double seconds = 0.0;
+  };
+  [[nodiscard]] std::vector<Row> rows() const;
+  [[nodiscard]] long calls() const noexcept { return calls_; }
+  static constexpr int kSampleEvery = 64;
+
+ private:
+  struct Entry {
+    std::string name;
+    long calls = 0;
+    Clock::duration full{}, sampled{};
+    long samples = 0;
+  };
+  std::vector<Entry> entries_;
+  long calls_ = 0;
+};
+
+}  // namespace adore::dynamics

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bearing/bearing.hpp"
+#include "dynamics/cost_ledger.hpp"
+#include "dynamics/scene_plan.hpp"
+#include "dynamics/snapshot.hpp"
+#include "dynamics/state_layout.hpp"
+#include "statics/ball_statics.hpp"
+#include "tribology/ellipse_traction.hpp"
+
+/// The equations of motion of one ball bearing, assembled from the effects of its scene plan (mode 0).
+namespace adore::dynamics {
+
+/// Scales of the dimensionless time, length and force (N7, N11).
+struct Scales {
+  double length = 0.0;  ///< rolling-element radius [m]
+  double force = 0.0;   ///< largest applied load [N]
+  double time = 0.0;    ///< sqrt(m/k) of the stiffest element/race contact at the static solution [s]
+};
+
+struct SystemOptions {
+  int ellipse_major = 12, ellipse_minor = 4;  ///< quadrature nodes of the run
+  tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;
+  int land_slices = 3;
+};
+
+enum class RhsStatus : unsigned char { Ok, Retry, Fail };
+
+class System {
+ public:
+  /// Allocates everything. `statics` must be a solution with Curvature::Fixed at `fixed_angle` (so that forces agree).
+  System(const bearing::Bearing& bearing, const ScenePlan& plan, const statics::StaticSolution& statics,
+         const std::array<double, 2>& fixed_angle, const SystemOptions& options);
+  ~System();
+  System(System&&) noexcept;
+
+  [[nodiscard]] const StateLayout& layout() const noexcept;
+  [[nodiscard]] const Scales& scales() const noexcept;
+  void set_scales(const Scales& scales);  ///< continuation keeps the first run's scales (N7)
+  /// Start from statics and record 9.6.
+  [[nodiscard]] std::vector<double> initial_state() const;
+  /// Fixes the reference of the energy ledger (call once with the start state).
+  void set_start(double t, std::span<const double> y);
+
+  /// y' = f(t, y). No allocation, no throw. Retry: a ball left its pocket radially or the like in a trial step.
+  RhsStatus rhs(double t, const double* y, double* dydt) noexcept;
+  /// Renormalises quaternions; true when y changed.
+  bool project(double t, double* y) const noexcept;
+  /// Throws SolverError with a sentence when an accepted state is physically meaningless (ball outside its pocket ...).
+  void check_state(double t, const double* y) const;
+
+  [[nodiscard]] Snapshot snapshot(double t, std::span<const double> y);
+  /// Largest error of the run's ellipse rule against the converged integrals over all loaded contacts of this state, relative to
+  /// each contact's κ-weighted load (dimensionless).
+  [[nodiscard]] double quadrature_error(double t, std::span<const double> y);
+  [[nodiscard]] CostLedger& cost() noexcept;
+  [[nodiscard]] const bearing::Bearing& bearing() const noexcept;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace adore::dynamics
