@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// Readers of the classic result files SOL1-SOL8 (formats: columns, never blanks; N51-N53, N59-N61, N65, N103). They also
+/// read files cut off anywhere: complete steps are returned and `note` says what is missing.
+namespace adore::results {
+
+enum class SolKind : unsigned char { Element, Cage, Race, Power, Animation };
+
+/// Header of SOL1-SOL7 (outputs.md 5.1).
+struct SolHeader {
+  std::string version, run_id, title;
+  int value_count = 0;     ///< values per step
+  int elements = 0;        ///< rolling elements
+  int per_segment = 0;     ///< pockets per cage segment
+  int segments = 0;
+  int index = 0;           ///< element number: 1..n, cages, outer, inner; 0 = SOL7
+  bool outer_flange = false, inner_flange = false;
+  int bearing_type = 1, pocket_type = 0, pocket_surfaces = 1;
+  std::array<std::string, 10> units;  ///< slots of outputs.md §2, blanks trimmed by the stored length
+};
+
+struct SolStep {
+  long step = 0;
+  double revolutions = 0.0;          ///< bearing rotation [rev]
+  double element_revolutions = 0.0;  ///< [rev]
+  double step_size = 0.0, time = 0.0;  ///< [s]
+  std::vector<double> values;        ///< in the file's units; NaN where the file shows stars
+};
+
+/// Which steps to keep: positions in the file, counted from 1.
+struct SolRange {
+  long from = 1;
+  long to = 5000;  ///< N81
+  long every = 1;
+};
+
+struct SolFile {
+  std::filesystem::path path;
+  SolKind kind = SolKind::Element;
+  SolHeader header;
+  std::vector<SolStep> steps;
+  std::string note;  ///< empty, or what was wrong with the file ("cut off in step 120")
+};
+
+/// @throws InputError when the file cannot be read or is no SOL1-SOL7 file (the sentence says why).
+SolFile read_sol(const std::filesystem::path& path, const SolRange& range = {});
+
+/// Geometry line of SOL8, in file units (outputs.md 7.1).
+struct Sol8Geometry {
+  double cage_outer_radius = 0, cage_inner_radius = 0, cage_outer_clearance = 0, cage_inner_clearance = 0;
+  double pocket_clearance_1 = 0, pocket_clearance_2 = 0, element_radius = 0, pitch_diameter = 0;
+  double outer_race_outer_radius = 0, outer_race_inner_radius = 0, inner_race_outer_radius = 0, inner_race_inner_radius = 0;
+};
+
+struct Sol8Element {
+  double x = 0, r = 0, theta = 0;       ///< mass centre, theta [rad]
+  std::array<double, 3> angles{};       ///< η, ξ, λ [rad]
+  std::array<double, 3> pocket_vector{};  ///< pocket centre -> element centre
+  double pocket_force = 0, pocket_angle = 0;  ///< [rad]
+};
+
+struct Sol8Body {
+  std::array<double, 3> position{}, angles{};
+};
+
+struct Sol8Frame {
+  long step = 0;
+  double revolutions = 0, time = 0;
+  std::vector<Sol8Element> elements;
+  Sol8Body cage;
+  std::array<double, 2> land_force{}, land_angle{};  ///< cage to race contact, lands 1 and 2 [rad]
+  std::array<Sol8Body, 2> races;
+};
+
+struct Sol8File {
+  std::filesystem::path path;
+  std::string version, run_id;
+  int bearing_type = 1;
+  int elements = 0;
+  std::array<std::string, 10> units;
+  Sol8Geometry geometry;
+  std::vector<Sol8Frame> frames;
+  std::string note;
+};
+
+Sol8File read_sol8(const std::filesystem::path& path, const SolRange& range = {1, 1000000000, 1});
+
+/// Looks at the header only. @throws InputError when the file is none of ours.
+SolKind sol_kind(const std::filesystem::path& path);
+
+}  // namespace adore::results
