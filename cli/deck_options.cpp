@@ -1,10 +1,10 @@
 #include "cli/deck_options.hpp"
 
+#include "base/errors.hpp"
+
 #include <fmt/format.h>
 
 #include <cstdio>
-
-#include "base/errors.hpp"
 
 namespace adore::cli {
 namespace {
@@ -19,9 +19,14 @@ std::pair<std::string, std::string> split(const std::string& text, const char* o
 }  // namespace
 
 void DeckOptions::add_to(CLI::App& command) {
-  command.add_option("deck", deck, "deck file, or a folder that holds DATA.txt")->capture_default_str();
-  command.add_option("--set", sets, "change a deck variable: name=value, name[i]=value (deck units)")->take_all();
-  command.add_option("--opt", options, "set a run option: name=value (see `adore run --list-options`)")->take_all();
+  command.add_option("deck", deck, "deck file, or a folder that holds DATA.txt")
+      ->capture_default_str();
+  command
+      .add_option("--set", sets, "change a deck variable: name=value, name[i]=value (deck units)")
+      ->take_all();
+  command
+      .add_option("--opt", options, "set a run option: name=value (see `adore run --list-options`)")
+      ->take_all();
 }
 
 void DeckOptions::fill(facade::DeckRequest& request) const {

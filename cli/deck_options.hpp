@@ -1,11 +1,11 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include "facade/prepare.hpp"
 
 #include <CLI/CLI.hpp>
 
-#include "facade/prepare.hpp"
+#include <string>
+#include <vector>
 
 namespace adore::cli {
 

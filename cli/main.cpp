@@ -1,13 +1,12 @@
+#include "base/errors.hpp"
+#include "base/version.hpp"
+#include "cli/commands.hpp"
+
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <new>
-
-#include <CLI/CLI.hpp>
-
-#include "base/errors.hpp"
-#include "base/version.hpp"
-#include "cli/commands.hpp"
 
 namespace {
 
@@ -19,8 +18,10 @@ int report(const char* text, int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app{"Adore: rolling-bearing dynamics. Exit codes: 0 done, 1 a bug or a failed reference case, 2 wrong input, "
-               "3 the numerics gave up, 130 interrupted."};
+  CLI::App app{
+      "Adore: rolling-bearing dynamics. Exit codes: 0 done, 1 a bug or a failed reference case, 2 "
+      "wrong input, "
+      "3 the numerics gave up, 130 interrupted."};
   app.set_version_flag("--version", std::string(adore::kVersionText));
   app.require_subcommand(1);
   int exit_code = 0;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "dynamics/scene_plan.hpp"
+
+#include <nlohmann/json.hpp>
 
 namespace adore::facade {
 

@@ -1,21 +1,21 @@
 #include "facade/prepare.hpp"
 
-#include <fmt/format.h>
-
-#include <cmath>
-#include <fstream>
-
-#include <nlohmann/json.hpp>
-
 #include "build/build_bearing.hpp"
 #include "build/scene_plan.hpp"
 #include "dynamics/scene_estimate.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
 
 namespace adore::facade {
 namespace fs = std::filesystem;
 namespace {
 
-/// ADORE.json beside the deck: one object of named run options; values may be numbers, strings or booleans.
+/// ADORE.json beside the deck: one object of named run options; values may be numbers, strings or
+/// booleans.
 std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
   const fs::path path = deck_file.parent_path() / "ADORE.json";
   std::map<std::string, std::string> out;
@@ -28,19 +28,27 @@ std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
     throw InputError(fmt::format("{} is not valid JSON: {}", path.string(), error.what()));
   }
   if (!json.is_object())
-    throw InputError(fmt::format("{} must hold one object of run options, e.g. {{\"ellipseMajor\": 16}}", path.string()));
+    throw InputError(fmt::format(
+        "{} must hold one object of run options, e.g. {{\"ellipseMajor\": 16}}", path.string()));
   for (const auto& [name, value] : json.items()) {
-    if (value.is_string()) out[name] = value.get<std::string>();
-    else if (value.is_boolean()) out[name] = value.get<bool>() ? "1" : "0";
-    else if (value.is_number()) out[name] = value.dump();
-    else throw InputError(fmt::format("{}: run option {} must be a number, a text or true/false", path.string(), name));
+    if (value.is_string())
+      out[name] = value.get<std::string>();
+    else if (value.is_boolean())
+      out[name] = value.get<bool>() ? "1" : "0";
+    else if (value.is_number())
+      out[name] = value.dump();
+    else
+      throw InputError(fmt::format("{}: run option {} must be a number, a text or true/false",
+                                   path.string(), name));
   }
   return out;
 }
 
-/// Load-weighted mean contact angle of each race: where a dynamic run freezes its Hertz constants, so that the contact
-/// forces have a potential (decision 001). The free angle when nothing is loaded.
-std::array<double, 2> mean_contact_angles(const statics::StaticSolution& solution, double free_angle) {
+/// Load-weighted mean contact angle of each race: where a dynamic run freezes its Hertz constants,
+/// so that the contact forces have a potential (decision 001). The free angle when nothing is
+/// loaded.
+std::array<double, 2> mean_contact_angles(const statics::StaticSolution& solution,
+                                          double free_angle) {
   std::array<double, 2> out{free_angle, free_angle};
   for (std::size_t j = 0; j < 2; ++j) {
     double weight = 0.0, sum = 0.0;
@@ -60,11 +68,15 @@ fs::path deck_path(const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error)) {
     if (fs::exists(path / "DATA.txt", error)) return path / "DATA.txt";
-    throw InputError(fmt::format("there is no DATA.txt in the folder {}; give a deck, or make one with `adore new ball --out {}`",
-                                 path.string(), (path / "DATA.txt").string()));
+    throw InputError(
+        fmt::format("there is no DATA.txt in the folder {}; give a deck, or make one with `adore "
+                    "new ball --out {}`",
+                    path.string(), (path / "DATA.txt").string()));
   }
   if (!fs::exists(path, error))
-    throw InputError(fmt::format("there is no deck {}; `adore new ball --out {}` writes a complete one", path.string(), path.string()));
+    throw InputError(
+        fmt::format("there is no deck {}; `adore new ball --out {}` writes a complete one",
+                    path.string(), path.string()));
   return path;
 }
 
@@ -109,7 +121,8 @@ Prepared prepare(const DeckRequest& request) {
 }
 
 dynamics::System make_system(const Prepared& prepared) {
-  return dynamics::System(prepared.bearing, prepared.plan, prepared.start, prepared.fixed_angle, prepared.options.system);
+  return dynamics::System(prepared.bearing, prepared.plan, prepared.start, prepared.fixed_angle,
+                          prepared.options.system);
 }
 
 dynamics::ScenePlan plan_with_estimates(const Prepared& prepared) {
@@ -121,12 +134,14 @@ dynamics::ScenePlan plan_with_estimates(const Prepared& prepared) {
 }
 
 std::string plan_text(const Prepared& prepared, const dynamics::ScenePlan& plan) {
-  std::string out = fmt::format("{}\n{}\n\nbodies\n", prepared.input.path.string(), prepared.bearing.run_id);
+  std::string out =
+      fmt::format("{}\n{}\n\nbodies\n", prepared.input.path.string(), prepared.bearing.run_id);
   for (const dynamics::BodyEntry& body : plan.bodies)
     out += fmt::format("  {:<24} {:<52} {:>5} unknowns\n", body.name, body.degrees, body.unknowns);
   out += fmt::format("  {:<24} {:<52} {:>5}\n\neffects\n", "together", "", plan.unknowns);
   for (const dynamics::EffectEntry& effect : plan.effects)
-    out += fmt::format("  {:<3} {:<28} {}\n", effect.on ? "on" : "off", effect.name, effect.because);
+    out +=
+        fmt::format("  {:<3} {:<28} {}\n", effect.on ? "on" : "off", effect.name, effect.because);
   if (!prepared.control.dynamic) return out;
   out += fmt::format(
       "\nestimates\n"
@@ -134,8 +149,8 @@ std::string plan_text(const Prepared& prepared, const dynamics::ScenePlan& plan)
       "  expected step            {:.3g} s ({})\n"
       "  steps per revolution     {:.4g}\n"
       "  computing per revolution {:.3g} s\n",
-      plan.fastest_frequency, plan.fastest_contact, plan.expected_step, prepared.control.integrator, plan.steps_per_revolution,
-      plan.seconds_per_revolution);
+      plan.fastest_frequency, plan.fastest_contact, plan.expected_step, prepared.control.integrator,
+      plan.steps_per_revolution, plan.seconds_per_revolution);
   return out;
 }
 

@@ -1,11 +1,5 @@
 #pragma once
 
-#include <filesystem>
-#include <map>
-#include <string>
-#include <utility>
-#include <vector>
-
 #include "bearing/bearing.hpp"
 #include "build/run_control.hpp"
 #include "deck/deck.hpp"
@@ -13,14 +7,22 @@
 #include "dynamics/system.hpp"
 #include "statics/ball_statics.hpp"
 
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
 /// From a deck file to everything a run starts from. Apps and CLI call this and nothing below it.
 namespace adore::facade {
 
 /// What the user asked for beyond the deck.
 struct DeckRequest {
   std::filesystem::path deck = ".";  ///< the deck, or a folder that holds DATA.txt
-  std::vector<std::pair<std::string, std::string>> sets;     ///< --set variable=value, in the deck's units
-  std::vector<std::pair<std::string, std::string>> options;  ///< --opt name=value, over those of ADORE.json
+  std::vector<std::pair<std::string, std::string>>
+      sets;  ///< --set variable=value, in the deck's units
+  std::vector<std::pair<std::string, std::string>>
+      options;  ///< --opt name=value, over those of ADORE.json
 };
 
 struct LoadedDeck {
@@ -30,7 +32,8 @@ struct LoadedDeck {
   std::map<std::string, std::string> option_values;  ///< ADORE.json and --opt, as given
 };
 
-/// The deck file that a path means: itself, or DATA.txt in it. @throws InputError when there is none.
+/// The deck file that a path means: itself, or DATA.txt in it. @throws InputError when there is
+/// none.
 [[nodiscard]] std::filesystem::path deck_path(const std::filesystem::path& path);
 
 /// Reads, applies the sets, checks again. @throws InputError with every error of the deck.
@@ -43,9 +46,11 @@ struct Prepared {
   build::RunControl control;
   build::RunOptions options;
   dynamics::ScenePlan plan;
-  statics::StaticSolution statics;         ///< actual curvature: the quasi-static page
-  std::array<double, 2> fixed_angle{};     ///< contact angles that the run's Hertz constants are frozen at [rad]
-  statics::StaticSolution start;           ///< with those constants: start of a dynamic run (empty when quasi-static)
+  statics::StaticSolution statics;  ///< actual curvature: the quasi-static page
+  std::array<double, 2>
+      fixed_angle{};  ///< contact angles that the run's Hertz constants are frozen at [rad]
+  statics::StaticSolution
+      start;  ///< with those constants: start of a dynamic run (empty when quasi-static)
 };
 
 /// @throws InputError, SolverError (no equilibrium).
