@@ -22,10 +22,12 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"integrators", {}},
     {"statics", {"base", "bearing", "contact", "tribology"}},
     {"dynamics", {"base", "bearing", "contact", "tribology", "statics"}},
-    {"build", {"base", "deck", "bearing", "contact", "tribology", "statics", "dynamics", "integrators"}},
+    {"build",
+     {"base", "deck", "bearing", "contact", "tribology", "statics", "dynamics", "integrators"}},
     {"results", {"base", "deck", "bearing", "contact", "tribology", "statics", "dynamics"}},
     {"facade",
-     {"base", "deck", "bearing", "contact", "tribology", "statics", "dynamics", "integrators", "build", "results"}},
+     {"base", "deck", "bearing", "contact", "tribology", "statics", "dynamics", "integrators",
+      "build", "results"}},
 };
 /// Apps see core through deck, results and facade only; base holds errors and files.
 const std::set<std::string> kAppsMaySee = {"base", "deck", "results", "facade"};
@@ -34,7 +36,8 @@ std::vector<fs::path> sources(const fs::path& folder) {
   std::vector<fs::path> out;
   if (!fs::exists(folder)) return out;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.path().extension() == ".hpp" || entry.path().extension() == ".cpp") out.push_back(entry.path());
+    if (entry.path().extension() == ".hpp" || entry.path().extension() == ".cpp")
+      out.push_back(entry.path());
   return out;
 }
 
@@ -88,7 +91,8 @@ TEST_CASE("apps reach the core through deck, results and facade only", "[unit][a
         if (!include.quoted) continue;
         INFO(file.string() << " includes " << include.target);
         const std::string target = first_folder(include.target);
-        const bool own = target == app || target == "desktop" || include.target.find('/') == std::string::npos;
+        const bool own =
+            target == app || target == "desktop" || include.target.find('/') == std::string::npos;
         CHECK((own || kAppsMaySee.count(target) == 1));
       }
 }
