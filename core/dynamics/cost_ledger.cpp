@@ -33,7 +33,7 @@ int CostLedger::add_entry(std::string name) {
 void CostLedger::add_sampled(int entry, Clock::duration duration) noexcept {
   Entry& e = entries_[static_cast<std::size_t>(entry)];
   e.sampled += std::max(duration - clock_cost(), Clock::duration::zero());
-  ++e.samples;
+  e.is_sampled = true;
 }
 
 void CostLedger::add(int entry, Clock::duration duration) noexcept {
@@ -45,11 +45,12 @@ void CostLedger::add(int entry, Clock::duration duration) noexcept {
 std::vector<CostLedger::Row> CostLedger::rows() const {
   std::vector<Row> result;
   result.reserve(entries_.size());
+  const long sampled_calls = (calls_ + kSampleEvery - 1) / kSampleEvery;
   for (const Entry& e : entries_) {
     Row row{e.name, e.calls, seconds(e.full)};
-    if (e.samples > 0) {
+    if (e.is_sampled) {
       row.calls += calls_;
-      row.seconds += seconds(e.sampled) * static_cast<double>(calls_) / static_cast<double>(e.samples);
+      row.seconds += seconds(e.sampled) * static_cast<double>(calls_) / static_cast<double>(sampled_calls);
     }
     result.push_back(std::move(row));
   }

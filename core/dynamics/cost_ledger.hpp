@@ -16,7 +16,8 @@ class CostLedger {
   int add_entry(std::string name);
   /// Called at the start of each right-hand side; true when this call is to be measured.
   bool sample() noexcept { return (calls_++ % kSampleEvery) == 0; }
-  /// Adds measured time of one sampled call (scaled up by calls / samples on report). What one reading of the clock costs
+  /// Adds measured time of one sampled call (scaled up by calls / sampled calls on report; an entry may be added to
+  /// several times per call). What one reading of the clock costs
   /// (measured once) is taken off, so that short entries are not overestimated.
   void add_sampled(int entry, Clock::duration duration) noexcept;
   /// Adds time that was measured in full (output, stepper ...).
@@ -36,7 +37,7 @@ class CostLedger {
     std::string name;
     long calls = 0;
     Clock::duration full{}, sampled{};
-    long samples = 0;
+    bool is_sampled = false;
   };
   std::vector<Entry> entries_;
   long calls_ = 0;
