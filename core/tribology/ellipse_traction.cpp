@@ -63,6 +63,11 @@ EllipseRule make_ellipse_rule(int major, int minor) {
     rule.v.push_back(2 * j == minor + 1 ? 0.0 : std::cos(angle));
     rule.weight_v.push_back(2.0 * std::sin(angle) * std::sin(angle) / (minor + 1.0));
   }
+  for (double x : rule.s) rule.chord.push_back(std::sqrt(1.0 - x * x));
+  for (int j = 0; j < minor; ++j) {
+    rule.weight_v1.push_back(rule.weight_v[j] * rule.v[j]);
+    rule.weight_v2.push_back(rule.weight_v1[j] * rule.v[j]);
+  }
   return rule;
 }
 
@@ -104,9 +109,7 @@ EllipseTraction ellipse_traction(const bearing::TractionCurve& curve,
                                  const EllipseGeometry& geometry, const EllipseKinematics& motion,
                                  const EllipseRule& rule) noexcept {
   EllipseTraction result;
-  const double epsilon = regularisation_slip(curve);
-  const double tiny =
-      std::max(epsilon * epsilon, 1e-24);  // keeps u/s finite at rest, s = sqrt(u² + tiny)
+  const double tiny = slip_floor(curve);
   double fastest = 0.0;
   const auto height = [&](double xi) {
     if (geometry.rho <= 0.0) return geometry.h0;
@@ -122,7 +125,7 @@ EllipseTraction ellipse_traction(const bearing::TractionCurve& curve,
   for (int i = 0; i < rule.major; ++i) {
     const double xi = rule.s[i] * geometry.a;
     const double h = height(xi);
-    const double half_width = geometry.b * std::sqrt(1.0 - rule.s[i] * rule.s[i]);
+    const double half_width = geometry.b * rule.chord[i];
     const double u_t = motion.u_t + motion.W_n * xi - motion.W_c * h;
     const double mean = motion.u_c + motion.W_t * h;
     const double swing = motion.W_n * half_width;      // u_c = mean - swing v

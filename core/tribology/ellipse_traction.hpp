@@ -64,6 +64,10 @@ struct EllipseRule {
   std::vector<double> weight_s;
   std::vector<double> v;  ///< η/(b sqrt(1-s²)) of each minor node, ascending
   std::vector<double> weight_v;
+  // Derived, so that the hot path need not repeat them.
+  std::vector<double> chord;      ///< sqrt(1-s²)
+  std::vector<double> weight_v1;  ///< weight_v v
+  std::vector<double> weight_v2;  ///< weight_v v²
 };
 /// @throws InputError unless 1 <= major, minor <= 200.
 [[nodiscard]] EllipseRule make_ellipse_rule(int major, int minor);

@@ -191,4 +191,9 @@ double regularisation_slip(const TractionCurve& curve) noexcept {
   return std::abs(at_rest) > kZeroCoefficient ? kRegularisationSlip : 0.0;
 }
 
+double slip_floor(const TractionCurve& curve) noexcept {
+  const double epsilon = regularisation_slip(curve);
+  return epsilon > 0.0 ? epsilon * epsilon : 1e-24;
+}
+
 }  // namespace adore::tribology

@@ -43,6 +43,9 @@ inline constexpr double kRegularisationSlip = 1e-5;
 /// ε of a curve: kRegularisationSlip when κ(0) ≠ 0, otherwise 0.
 [[nodiscard]] double regularisation_slip(const bearing::TractionCurve& curve) noexcept;
 
+/// What is added to u² before the root [m²/s²]: ε², or (1e-12 m/s)² so that u/s is finite at rest.
+[[nodiscard]] double slip_floor(const bearing::TractionCurve& curve) noexcept;
+
 /// Slip beyond which no rolling bearing goes [m/s]; a two-slope law may turn negative only above
 /// it.
 inline constexpr double kLargestSlip = 100.0;
