@@ -68,6 +68,7 @@ void estimate(ScenePlan& plan, const bearing::Bearing& bearing, const statics::S
     stiffest = k;
     element = i;
   }
+  plan.quadratures = system.layout().size() - system.layout().controlled_size();
   constexpr double kTurn = 2.0 * std::numbers::pi;
   if (stiffest.largest > 0.0) {
     plan.fastest_frequency = std::sqrt(stiffest.largest / bearing.ball_inertia.mass) / kTurn;

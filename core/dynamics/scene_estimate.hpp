@@ -14,7 +14,7 @@ inline constexpr double kPeriodsPerStep = 0.1;
 /// Right-hand sides per step of that stepper (Fehlberg 5(6)).
 inline constexpr int kEvaluationsPerStep = 8;
 
-/// Fills the estimates of `plan`:
+/// Fills the estimates of `plan` and its number of quadratures:
 /// fastest_frequency: largest f = √(λ/m)/2π over the balls, λ the larger eigenvalue of the contact stiffness of a ball
 ///   between its two contacts in its axial plane, Σ 1.5 Q/δ n nᵀ + Q/l (I - n nᵀ), l groove centre to ball centre;
 ///   fastest_contact names the stiffer contact of that ball. Without a loaded contact: of a contact at 1e-3 of the force

@@ -86,6 +86,7 @@ void System::Impl::set_up_races(const std::array<double, 2>& fixed_angle, const 
     model.effective_modulus = bearing::contact_modulus(bearing.ball_material, bearing.race_material[j]);
     model.hertz = contact::hertz_constants(
         contact::race_curvature(bearing.balls, static_cast<int>(j), fixed_angle[j]), model.effective_modulus);
+    model.shoulder_radius = 0.5 * bearing.balls.shoulder_diameter[j];
     model.traction = traction;
     model.curve = bearing.race_traction;
     model.surface = options.surface;

@@ -20,19 +20,6 @@ Vec3 vector_of(std::span<const double> y, const Slice& slice) {
   return {component(y, slice, 0), component(y, slice, 1), component(y, slice, 2)};
 }
 
-/// Edge of the contact ellipse on its race (outputs.md §16): outer, depth below the shoulder radius; inner, half chord
-/// from the plane of the groove centres.
-double contact_edge(const bearing::Bearing& bearing, const contact::GrooveGeometry& groove, int race,
-                    const RaceContactSnapshot& contact) {
-  const auto j = static_cast<std::size_t>(race);
-  const double radius = groove.groove_radius[j], half_angle = contact.half_major / radius;
-  const double angle = std::abs(contact.angle);
-  if (race == bearing::kOuter)
-    return radius * std::cos(angle + half_angle) + groove.centre_radius[j] -
-           0.5 * bearing.balls.shoulder_diameter[j];
-  return radius * std::sin(angle - half_angle);
-}
-
 }  // namespace
 
 Snapshot System::snapshot(double t, std::span<const double> y) {
@@ -65,8 +52,6 @@ Snapshot System::snapshot(double t, std::span<const double> y) {
         RaceContactSnapshot& contact = ball.race[j];
         contact = race_contact_detail(s.contacts[j], e.balls, i, e.race[j].motion);
         contact.contact_temperature = s.bearing.race_temperature[j] + contact.temperature_rise;
-        if (contact.load > 0.0)
-          contact.edge = contact_edge(s.bearing, s.contacts[j].groove, static_cast<int>(j), contact);
       }
     if (s.pockets) {
       ball.pocket = {s.pockets->report(i)};
@@ -132,6 +117,27 @@ Snapshot System::snapshot(double t, std::span<const double> y) {
     power.qv_element1[j] = integral(q.wear_element1[j]);
   }
   return result;
+}
+
+double System::quadrature_error(double t, std::span<const double> y) {
+  Impl& s = *impl_;
+  s.evaluate_for_report(t, y);
+  double largest = 0.0;
+  if (!s.has_race_contact) return largest;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const RaceContactModel& model = s.contacts[j];
+    if (!model.traction) continue;
+    for (std::size_t i = 0; i < s.e.balls.n; ++i) {
+      const RaceContactState contact = race_contact_state(model, s.e.balls, i, s.e.race[j].motion);
+      if (!(contact.ellipse.Q > 0.0)) continue;
+      const auto fixed = tribology::ellipse_traction(model.curve, contact.ellipse, contact.motion, model.rule);
+      const auto exact = tribology::ellipse_traction_converged(model.curve, contact.ellipse, contact.motion);
+      if (!(exact.heat > 0.0)) continue;
+      const double friction = exact.heat * contact.ellipse.Q / exact.load_slip;
+      largest = std::max(largest, std::hypot(fixed.F_c - exact.F_c, fixed.F_t - exact.F_t) / friction);
+    }
+  }
+  return largest;
 }
 
 }  // namespace adore::dynamics
