@@ -18,6 +18,7 @@ struct CageSolid {
   double clearance_1 = 0.0, clearance_2 = 0.0;          ///< C1, C2 of the pocket [m]
   double roller_length = 0.0;  ///< > 0: rectangular roller pocket of this axial length [m]
   double density = 0.0;        ///< [kg/m^3]
+  double cone_angle = 0.0;     ///< > 0: radii fall with x; one piece only [rad]
   // Segmented cage; segments <= 1: one piece.
   int segments = 1;
   double cut_angle = 0.0;  ///< angle removed between segments [rad]
