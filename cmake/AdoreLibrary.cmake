@@ -3,7 +3,7 @@
 # DEPENDS are the folders whose headers it may include (design: the dependency rule).
 function(adore_core_library name)
   cmake_parse_arguments(ARG "" "" "DEPENDS;LINK" ${ARGN})
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
   list(TRANSFORM ARG_DEPENDS PREPEND adore_)
   if(sources)
     add_library(adore_${name} STATIC ${sources})
