@@ -22,7 +22,7 @@ int main(int argc, char** argv) {
       "Adore: rolling-bearing dynamics. Exit codes: 0 done, 1 a bug or a failed reference case, 2 "
       "wrong input, "
       "3 the numerics gave up, 130 interrupted."};
-  app.set_version_flag("--version", std::string(adore::kVersionText));
+  app.set_version_flag("--version", std::string(adore::kProgramVersion));
   app.require_subcommand(1);
   int exit_code = 0;
   adore::cli::add_run(app, exit_code);

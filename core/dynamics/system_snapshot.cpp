@@ -20,19 +20,6 @@ Vec3 vector_of(std::span<const double> y, const Slice& slice) {
   return {component(y, slice, 0), component(y, slice, 1), component(y, slice, 2)};
 }
 
-/// Edge of the contact ellipse on its race (outputs.md §16): outer, depth below the shoulder radius; inner, half chord
-/// from the plane of the groove centres.
-double contact_edge(const bearing::Bearing& bearing, const contact::GrooveGeometry& groove, int race,
-                    const RaceContactSnapshot& contact) {
-  const auto j = static_cast<std::size_t>(race);
-  const double radius = groove.groove_radius[j], half_angle = contact.half_major / radius;
-  const double angle = std::abs(contact.angle);
-  if (race == bearing::kOuter)
-    return radius * std::cos(angle + half_angle) + groove.centre_radius[j] -
-           0.5 * bearing.balls.shoulder_diameter[j];
-  return radius * std::sin(angle - half_angle);
-}
-
 }  // namespace
 
 Snapshot System::snapshot(double t, std::span<const double> y) {
@@ -65,8 +52,6 @@ Snapshot System::snapshot(double t, std::span<const double> y) {
         RaceContactSnapshot& contact = ball.race[j];
         contact = race_contact_detail(s.contacts[j], e.balls, i, e.race[j].motion);
         contact.contact_temperature = s.bearing.race_temperature[j] + contact.temperature_rise;
-        if (contact.load > 0.0)
-          contact.edge = contact_edge(s.bearing, s.contacts[j].groove, static_cast<int>(j), contact);
       }
     if (s.pockets) {
       ball.pocket = {s.pockets->report(i)};
@@ -78,9 +63,11 @@ Snapshot System::snapshot(double t, std::span<const double> y) {
     ball.oriented = true;
     ball.orientation = quaternion_of(y, oriented.orientation);
     ball.total_rotation = component(y, oriented.rotation);
-    const Vec3 axis = e.to_cylindrical(oriented.element, rotation_matrix(normalise(ball.orientation)).col(0));
+    const Vec3 axis =
+        e.to_cylindrical(oriented.element, rotation_matrix(normalise(ball.orientation)).col(0));
     ball.x_axis = Vec3(axis[0], -axis[2], axis[1]);
-    result.max_quaternion_error = std::max(result.max_quaternion_error, std::abs(norm(ball.orientation) - 1.0));
+    result.max_quaternion_error =
+        std::max(result.max_quaternion_error, std::abs(norm(ball.orientation) - 1.0));
   }
 
   if (s.has_cage()) {
@@ -92,7 +79,8 @@ Snapshot System::snapshot(double t, std::span<const double> y) {
     cage.omega = e.cage.omega;
     cage.total_rotation = component(y, s.cage.rotation);
     for (const LandModel& land : s.lands) cage.lands.push_back(report(land, e));
-    result.max_quaternion_error = std::max(result.max_quaternion_error, std::abs(norm(cage.orientation) - 1.0));
+    result.max_quaternion_error =
+        std::max(result.max_quaternion_error, std::abs(norm(cage.orientation) - 1.0));
     result.cages.push_back(std::move(cage));
   }
 
@@ -102,13 +90,16 @@ Snapshot System::snapshot(double t, std::span<const double> y) {
     race.position = state.motion.centre - s.free_centre[j];
     race.velocity = state.motion.velocity;
     race.total_rotation = state.motion.speed * t;
-    race.orientation = multiply(s.race_attitude[j], quaternion_about(Vec3::UnitX(), race.total_rotation));
+    race.orientation =
+        multiply(s.race_attitude[j], quaternion_about(Vec3::UnitX(), race.total_rotation));
     race.omega = state.motion.speed * state.motion.axis;
     race.applied_force = -state.force;
     race.applied_moment = -state.moment;
   }
 
-  const auto integral = [&y](int index) { return index < 0 ? 0.0 : y[static_cast<std::size_t>(index)]; };
+  const auto integral = [&y](int index) {
+    return index < 0 ? 0.0 : y[static_cast<std::size_t>(index)];
+  };
   const QuadratureIndices& q = s.integrals;
   const StoredEnergy stored = s.stored_energy();
   EnergySnapshot& energy = result.energy;
@@ -132,6 +123,30 @@ Snapshot System::snapshot(double t, std::span<const double> y) {
     power.qv_element1[j] = integral(q.wear_element1[j]);
   }
   return result;
+}
+
+double System::quadrature_error(double t, std::span<const double> y) {
+  Impl& s = *impl_;
+  s.evaluate_for_report(t, y);
+  double largest = 0.0;
+  if (!s.has_race_contact) return largest;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const RaceContactModel& model = s.contacts[j];
+    if (!model.traction) continue;
+    for (std::size_t i = 0; i < s.e.balls.n; ++i) {
+      const RaceContactState contact = race_contact_state(model, s.e.balls, i, s.e.race[j].motion);
+      if (!(contact.ellipse.Q > 0.0)) continue;
+      const auto fixed =
+          tribology::ellipse_traction(model.curve, contact.ellipse, contact.motion, model.rule);
+      const auto exact =
+          tribology::ellipse_traction_converged(model.curve, contact.ellipse, contact.motion);
+      if (!(exact.heat > 0.0)) continue;
+      const double friction = exact.heat * contact.ellipse.Q / exact.load_slip;
+      largest =
+          std::max(largest, std::hypot(fixed.F_c - exact.F_c, fixed.F_t - exact.F_t) / friction);
+    }
+  }
+  return largest;
 }
 
 }  // namespace adore::dynamics
