@@ -119,21 +119,33 @@ double nice_step(double span, int parts) {
 
 AxisScale value_axis(double low, double high, std::string_view unit, int parts) {
   AxisScale axis = scaled(drawable(low, high), unit, parts);
-  // Rounding errors must not add an empty tick interval.
-  const double min = std::floor(axis.min / axis.step + 1e-6),
-               max = std::ceil(axis.max / axis.step - 1e-6);
-  // The smaller step that still leaves room: at most parts + 1 intervals after rounding outwards.
-  if (max - min > parts + 1) {
-    axis.step = nice_step(axis.max - axis.min, std::max(1, parts / 2));
+  const double data_min = axis.min, data_max = axis.max;
+  const auto round_out = [&] {
+    // Rounding errors must not add an empty tick interval.
+    axis.min = axis.step * std::floor(data_min / axis.step + 1e-6);
+    axis.max = axis.step * std::ceil(data_max / axis.step - 1e-6);
+  };
+  round_out();
+  if (axis.max - axis.min > (parts + 1.5) * axis.step) {
+    axis.step = nice_step(data_max - data_min, std::max(1, parts / 2));
     axis.decimals = decimals_for(axis.step);
+    round_out();
   }
-  axis.min = axis.step * std::floor(axis.min / axis.step + 1e-6);
-  axis.max = axis.step * std::ceil(axis.max / axis.step - 1e-6);
+  // A line that touches the frame gets a little air, so that it is seen whole.
+  const double air = 0.03 * (axis.max - axis.min);
+  if (data_min < axis.min + air) axis.min -= air;
+  if (data_max > axis.max - air) axis.max += air;
   return axis;
 }
 
 AxisScale tight_axis(double low, double high, std::string_view unit, int parts) {
   return scaled(drawable(low, high), unit, parts);
+}
+
+std::string tick_text(double value, int decimals) {
+  const std::string digits = fmt::format("{:.{}f}", std::abs(value), decimals);
+  const bool zero = digits.find_first_not_of("0.") == std::string::npos;
+  return (value < 0 && !zero ? "−" : "") + digits;
 }
 
 std::string pretty_unit(std::string_view unit) {

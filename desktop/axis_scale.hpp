@@ -31,6 +31,9 @@ AxisScale value_axis(double low, double high, std::string_view unit, int parts);
 /// Scale whose range is exactly the data's range (an abscissa); ticks are multiples of `step`.
 AxisScale tight_axis(double low, double high, std::string_view unit, int parts);
 
+/// "−0.40": fixed decimals, a true minus sign, no negative zero.
+std::string tick_text(double value, int decimals);
+
 /// "m/s^2" -> "m/s²", "N.m" -> "N·m"; anything else stays.
 std::string pretty_unit(std::string_view unit);
 

@@ -2,6 +2,7 @@
 
 #include <QChart>
 #include <QFontMetricsF>
+#include <QGraphicsLayout>
 #include <QGraphicsLineItem>
 #include <QGraphicsTextItem>
 #include <QImage>
@@ -306,30 +307,82 @@ QChart* ChartScene::addChart(const QRectF& area, const AxisScale& x_scale, const
   chart->setGeometry(frame);
   chart->setPlotArea(area.translated(-frame.topLeft()));
   const auto style = [&](QValueAxis* axis, const AxisScale& scale, const QString& title) {
-    axis->setRange(scale.min, scale.max);
+    // A hair beyond the ends, so that a tick on the end is not lost to rounding.
+    const double hair = 1e-7 * (scale.max - scale.min);
+    axis->setRange(scale.min - hair, scale.max + hair);
     axis->setTickType(QValueAxis::TicksDynamic);
     axis->setTickAnchor(0.0);
     axis->setTickInterval(scale.step);
-    axis->setLabelFormat(QString("%.%1f").arg(scale.decimals));
-    axis->setLabelsFont(ui_font(m.tick_font));
-    axis->setLabelsColor(theme_->muted);
     axis->setGridLinePen(QPen(theme_->grid, 1));
     axis->setLinePen(QPen(theme_->frame, 1));
-    axis->setTitleFont(ui_font(m.text_font));
-    axis->setTitleBrush(theme_->text);
     axis->setTitleText(title);
-    axis->setTitleVisible(!title.isEmpty());
-    axis->setTruncateLabels(false);
+    axis->setTitleVisible(false);
+    axis->setLabelsVisible(false);
   };
   auto* x = new QValueAxis;
   auto* y = new QValueAxis;
   style(x, x_scale, x_title);
   style(y, y_scale, y_title);
-  x->setLabelsVisible(x_labels);
   chart->addAxis(x, Qt::AlignBottom);
   chart->addAxis(y, Qt::AlignLeft);
+  // Axes are placed when the layout runs, which would otherwise wait for the event loop; a picture
+  // is painted now.
+  chart->layout()->invalidate();
+  chart->layout()->activate();
   charts_.push_back(chart);
+  addLabels(area, x_scale, y_scale, x_title, y_title, x_labels, m);
   return chart;
+}
+
+// Our own tick labels and titles: Qt Charts writes "-0.0", cuts long labels, and sets titles at a
+// different place in each panel.
+void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
+                           const QString& x_title, const QString& y_title, bool x_labels,
+                           const Metrics& m) {
+  const QFont font = ui_font(m.tick_font), title_font = ui_font(m.text_font);
+  const QFontMetricsF metrics(font), title_metrics(title_font);
+  const auto ticks = [](const AxisScale& scale) {
+    std::vector<double> values;
+    const double slack = 1e-6 * scale.step;
+    for (double k = std::ceil((scale.min - slack) / scale.step);
+         k * scale.step <= scale.max + slack; ++k)
+      values.push_back(k * scale.step);
+    return values;
+  };
+  const auto add = [&](const QString& text, const QFont& used, const QColor& colour,
+                       QPointF position) {
+    auto* item = addSimpleText(text, used);
+    item->setBrush(colour);
+    item->setPos(position);
+    return item;
+  };
+  for (const double value : ticks(y_scale)) {
+    const QString text = text_of(tick_text(value, y_scale.decimals));
+    const qreal y =
+        area.bottom() - (value - y_scale.min) / (y_scale.max - y_scale.min) * area.height();
+    add(text, font, theme_->muted,
+        {area.left() - 8 - metrics.horizontalAdvance(text), y - 0.5 * metrics.height()});
+  }
+  if (x_labels)
+    for (const double value : ticks(x_scale)) {
+      const QString text = text_of(tick_text(value, x_scale.decimals));
+      const qreal x =
+          area.left() + (value - x_scale.min) / (x_scale.max - x_scale.min) * area.width();
+      const qreal width = metrics.horizontalAdvance(text);
+      add(text, font, theme_->muted,
+          {std::min(x - 0.5 * width, size_.width() - width - 2), area.bottom() + 7});
+    }
+  if (x_labels) {
+    const qreal width = title_metrics.horizontalAdvance(x_title);
+    add(x_title, title_font, theme_->text,
+        {area.center().x() - 0.5 * width, area.bottom() + 10 + metrics.height()});
+  }
+  // A title longer than its panel may use the gaps above and below before it is shortened.
+  const QString shown = title_metrics.elidedText(y_title, Qt::ElideRight, area.height() + m.gap);
+  auto* title = add(shown, title_font, theme_->text, {});
+  title->setRotation(-90);
+  title->setPos(area.left() - m.left + 8,
+                area.center().y() + 0.5 * title_metrics.horizontalAdvance(shown));
 }
 
 void ChartScene::addSeries(QChart* chart, const Polyline& line, const AxisScale& x_axis,

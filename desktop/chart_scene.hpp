@@ -58,6 +58,8 @@ class ChartScene : public QGraphicsScene {
   void addMessage(const QRectF& area, const QString& text, const Metrics& m);
   QChart* addChart(const QRectF& area, const AxisScale& x_axis, const AxisScale& y_axis,
                    const QString& x_title, const QString& y_title, bool x_labels, const Metrics& m);
+  void addLabels(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
+                 const QString& x_title, const QString& y_title, bool x_labels, const Metrics& m);
   void addSeries(QChart* chart, const Polyline& line, const AxisScale& x_axis,
                  const AxisScale& y_axis, const QString& name, int colour, qreal width);
 
