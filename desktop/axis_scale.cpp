@@ -167,11 +167,16 @@ std::string pretty_number(double value, int digits) {
   const double size = std::abs(value);
   const std::string sign = value < 0 ? "−" : "";
   if (size == 0.0) return "0";
-  if (size >= 1e-3 && size < 1e6)
-    return sign +
-           fmt::format("{:.{}g}", size,
-                       size >= 1e5 ? std::max(digits, 6) : std::max(digits, 5 * (size >= 1e4)));
-  int exponent = static_cast<int>(std::floor(std::log10(size)));
+  const int exponent = static_cast<int>(std::floor(std::log10(size)));
+  if (size >= 1e-3 && size < 1e6) {
+    // Whole numbers keep all their digits; zeros at the end of a fraction go.
+    std::string text = fmt::format("{:.{}f}", size, std::max(0, digits - 1 - exponent));
+    if (text.find('.') != std::string::npos) {
+      text.erase(text.find_last_not_of('0') + 1);
+      if (text.back() == '.') text.pop_back();
+    }
+    return sign + text;
+  }
   return sign + fmt::format("{:.{}g}", size / std::pow(10.0, exponent), digits) + "·10" +
          superscript(exponent);
 }

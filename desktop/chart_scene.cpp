@@ -48,7 +48,7 @@ struct ChartScene::Metrics {
 };
 
 ChartScene::Metrics ChartScene::metrics() const {
-  if (style_ == ChartStyle::Compact) return {74, 14, 30, 46, 26, 17, 13, 11, 10, 1.4, 1.0};
+  if (style_ == ChartStyle::Compact) return {74, 14, 46, 46, 26, 17, 13, 11, 10, 1.4, 1.0};
   const qreal note = page_.note.empty() || page_.panels.empty() ? 0 : 20;
   return {86, 28, 66 + note, 54, 34, 22, 18, 13, 12, 1.6, 1.2};
 }
