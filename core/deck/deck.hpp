@@ -1,15 +1,16 @@
 #pragma once
 
+#include "base/errors.hpp"
+#include "deck/schema.hpp"
+
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
-#include "base/errors.hpp"
-#include "deck/schema.hpp"
-
-/// A deck as data: the user's own numbers in the user's own units. Plain value: copy, compare, undo and diff it.
+/// A deck as data: the user's own numbers in the user's own units. Plain value: copy, compare, undo
+/// and diff it.
 namespace adore::deck {
 
 /// Empty (std::monostate) = left out with `,,` or `/` and without default.
@@ -18,7 +19,7 @@ using Value = std::variant<std::monostate, long long, double, std::string>;
 struct RecordData {
   std::string id;    ///< schema record id, "7.2.i" for every instance
   int instance = 1;  ///< 1.. for repeated records
-  int line = 0;      ///< 1-based line it started on; 0 when not read from a file. Not part of equality.
+  int line = 0;  ///< 1-based line it started on; 0 when not read from a file. Not part of equality.
   std::vector<std::vector<Value>> values;  ///< [variable in schema order, recID first][element]
   bool operator==(const RecordData& other) const {
     return id == other.id && instance == other.instance && values == other.values;
@@ -27,18 +28,21 @@ struct RecordData {
 
 class Deck {
  public:
-  std::string file;                    ///< where it was read from; messages only
-  std::vector<RecordData> records;     ///< in deck order
-  std::vector<std::string> user_lines; ///< raw lines after the last required record (12.x)
+  std::string file;                     ///< where it was read from; messages only
+  std::vector<RecordData> records;      ///< in deck order
+  std::vector<std::string> user_lines;  ///< raw lines after the last required record (12.x)
 
-  bool operator==(const Deck& other) const { return records == other.records && user_lines == other.user_lines; }
+  bool operator==(const Deck& other) const {
+    return records == other.records && user_lines == other.user_lines;
+  }
 
   [[nodiscard]] bool has_record(std::string_view id, int instance = 1) const;
   /// Is there a value of that name in a record that is present?
   [[nodiscard]] bool has(std::string_view name) const;
   /// Integer variable; 0 when its record is absent (the rule of the conditions).
   [[nodiscard]] long long integer(std::string_view name, int index = 1) const;
-  /// Real variable in the deck's units. `instance` picks a repeated record, `index` an array element (both from 1).
+  /// Real variable in the deck's units. `instance` picks a repeated record, `index` an array
+  /// element (both from 1).
   /// @throws InternalError when no present record has the name: ask has() first.
   [[nodiscard]] double real(std::string_view name, int instance = 1, int index = 1) const;
   /// The same in coherent SI with radians (UnitPair factors of the deck's kUnit).
@@ -46,21 +50,22 @@ class Deck {
   [[nodiscard]] std::string text(std::string_view name) const;
   [[nodiscard]] UnitSystem units() const;
 
-  /// Sets one variable from text as `--set` does: "pitchDia", "cageGsCls[2]" (instance of a repeated record, else array
-  /// element). Records that a changed option makes necessary are NOT invented: call complete() or check() after.
+  /// Sets one variable from text as `--set` does: "pitchDia", "cageGsCls[2]" (instance of a
+  /// repeated record, else array element). Records that a changed option makes necessary are NOT
+  /// invented: call complete() or check() after.
   /// @throws InputError naming close matches for an unknown variable, or the type that is expected.
   void set(std::string_view name, std::string_view value);
-  /// Adds required records that are missing (default values; 0 / "" where there is none) and drops those that no longer
-  /// apply, in schema order.
+  /// Adds required records that are missing (default values; 0 / "" where there is none) and drops
+  /// those that no longer apply, in schema order.
   void complete();
   /// An Issue that points at a variable of this deck (file, line, record, value filled in).
-  [[nodiscard]] Issue issue(Severity severity, std::string_view name, std::string message, std::string remedy = {},
-                            int instance = 1) const;
+  [[nodiscard]] Issue issue(Severity severity, std::string_view name, std::string message,
+                            std::string remedy = {}, int instance = 1) const;
 };
 
 struct ReadResult {
-  Deck deck;                  ///< everything that could be understood
-  std::vector<Issue> issues;  ///< syntax, types, counts, options, ranges: all of them at once
+  Deck deck;                      ///< everything that could be understood
+  std::vector<Issue> issues;      ///< syntax, types, counts, options, ranges: all of them at once
   [[nodiscard]] bool ok() const;  ///< no issue of severity Error
 };
 
@@ -69,13 +74,15 @@ ReadResult read_deck_text(std::string_view text, std::string file_name);
 /// @throws InputError when the file cannot be read (missing, a folder, larger than 16 MiB, binary).
 ReadResult read_deck(const std::filesystem::path& path);
 
-/// One line per record, comma delimited, decimal point whatever the locale; reads back to an equal deck.
+/// One line per record, comma delimited, decimal point whatever the locale; reads back to an equal
+/// deck.
 std::string write_deck(const Deck& deck);
 /// Replaces the file atomically. @throws InputError when it cannot be written.
 void write_deck(const Deck& deck, const std::filesystem::path& path);
 
-/// Checks values against the schema and against each other (geometry that cannot close, contradictory flags ...), as far as
-/// it needs no physics. Called by read_deck; call again after set().
+/// Checks values against the schema and against each other (geometry that cannot close,
+/// contradictory flags ...), as far as it needs no physics. Called by read_deck; call again after
+/// set().
 std::vector<Issue> check_deck(const Deck& deck);
 
 }  // namespace adore::deck

@@ -16,7 +16,9 @@ class CostLedger {
   int add_entry(std::string name);
   /// Called at the start of each right-hand side; true when this call is to be measured.
   bool sample() noexcept { return (calls_++ % kSampleEvery) == 0; }
-  /// Adds measured time of one sampled call (scaled up by the sampling rate on report).
+  /// Adds measured time of one sampled call (scaled up by calls / sampled calls on report; an entry may be added to
+  /// several times per call). What one reading of the clock costs
+  /// (measured once) is taken off, so that short entries are not overestimated.
   void add_sampled(int entry, Clock::duration duration) noexcept;
   /// Adds time that was measured in full (output, stepper ...).
   void add(int entry, Clock::duration duration) noexcept;
@@ -25,6 +27,7 @@ class CostLedger {
     long calls = 0;
     double seconds = 0.0;
   };
+  /// One row per entry, in the order of add_entry. Sampled entries count every right-hand side as a call.
   [[nodiscard]] std::vector<Row> rows() const;
   [[nodiscard]] long calls() const noexcept { return calls_; }
   static constexpr int kSampleEvery = 64;
@@ -34,7 +37,7 @@ class CostLedger {
     std::string name;
     long calls = 0;
     Clock::duration full{}, sampled{};
-    long samples = 0;
+    bool is_sampled = false;
   };
   std::vector<Entry> entries_;
   long calls_ = 0;

@@ -1,33 +1,44 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
-
 #include "bearing/bearing.hpp"
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
 #include "dynamics/snapshot.hpp"
 #include "tribology/ellipse_traction.hpp"
 
-/// The hot path: all ball/race contacts of one race in one call, vectorised over the balls (structure of arrays).
+#include <array>
+#include <cstddef>
+
+/// The hot path: all ball/race contacts of one race in one call, vectorised over the balls
+/// (structure of arrays).
 ///
-/// Geometry, slip, force and moment: tests/reference/dynamics_README.md ("Ball/race contact geometry", "Traction").
-/// The normal force -Q n acts through the ball centre; the traction on the ball is along the slip (race minus ball).
+/// With d = ball centre - P_j, race axis k, radial unit vector e of d about k, G = Rc_j e, v = d -
+/// G, l = |v|:
+///   n = v/l,  δ = l - s_j,  Q = K δ^1.5 (δ > 0, else open),  t = k × e,  c = t × n
+///   slip at the ball centre u0 = V_P + Ω k × d - V_ball,  W = Ω k - ω_ball,  traction as in
+///   ellipse_traction.hpp on the ball:  F = -Q n + F_c c + F_t t,  M = M_c c + M_t t + M_n n about
+///   its centre on the race:  -Σ F,  about P_j: -Σ (d × F + M)
+/// Source: tests/reference/dynamics_README.md ("Ball/race contact geometry", "Traction"). The
+/// traction power on ball and race together is -heat identically (also for the quadrature rule).
+/// Limits: r_ball > a; ball centre off the race axis. At zero contact angle c is -e_x on the outer
+/// race and +e_x on the inner.
 namespace adore::dynamics {
 
-/// States of n balls; each pointer addresses n values. Azimuth unit vectors e_r = (0,-s,c), e_θ = (0,-c,-s).
+/// States of n balls; each pointer addresses n values. Azimuth unit vectors e_r = (0,-s,c), e_θ =
+/// (0,-c,-s).
 struct BallArrays {
   std::size_t n = 0;
-  const double *x, *r, *sin_theta, *cos_theta;       ///< centre [m], azimuth
-  const double *x_dot, *r_dot, *theta_dot;           ///< [m/s, m/s, rad/s]
-  const double *omega_x, *omega_r, *omega_theta;     ///< absolute angular velocity on e_x, e_r, e_θ [rad/s]
+  const double *x, *r, *sin_theta, *cos_theta;  ///< centre [m], azimuth
+  const double *x_dot, *r_dot, *theta_dot;      ///< [m/s, m/s, rad/s]
+  const double *omega_x, *omega_r,
+      *omega_theta;  ///< absolute angular velocity on e_x, e_r, e_θ [rad/s]
 };
 
 /// Pose and motion of one race, base frame.
 struct RaceMotion {
-  Vec3 centre;        ///< P_j [m] (see groove.hpp)
-  Vec3 axis;          ///< unit vector of the race's x axis
-  double speed = 0.0; ///< Ω about its axis [rad/s]
+  Vec3 centre;                   ///< P_j [m] (see groove.hpp)
+  Vec3 axis;                     ///< unit vector of the race's x axis
+  double speed = 0.0;            ///< Ω about its axis [rad/s]
   Vec3 velocity = Vec3::Zero();  ///< of P_j [m/s]
 };
 
@@ -35,21 +46,22 @@ struct RaceMotion {
 struct RaceContactModel {
   bearing::Race race = bearing::kOuter;
   contact::GrooveGeometry groove;
-  contact::HertzConstants hertz;             ///< one constant per race: the load has a potential 0.4 K δ^2.5
-  double effective_modulus = 0.0;            ///< E* [Pa], reports only
+  contact::HertzConstants hertz;   ///< one constant per race: the load has a potential 0.4 K δ^2.5
+  double effective_modulus = 0.0;  ///< E* [Pa], reports only
+  double shoulder_radius = 0.0;    ///< of this race [m], reports only; 0 = not given
   bool traction = true;
   bearing::TractionCurve curve;
   tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;
-  tribology::EllipseRule rule;               ///< fixed quadrature rule of the run
+  tribology::EllipseRule rule;  ///< fixed quadrature rule of the run (make_ellipse_rule)
 };
 
 /// Results, n values each; forces and moments are ADDED to what is there.
 struct BallForces {
-  double *F_x, *F_r, *F_theta;   ///< on the ball [N]
-  double *M_x, *M_r, *M_theta;   ///< about the ball centre [N m]
-  double *load;                  ///< Q of this race [N] (assigned)
-  double *heat;                  ///< ∫ κ p u dA [W] (assigned)
-  double *load_slip;             ///< ∫ p u dA [W] (assigned); not touched when null
+  double *F_x, *F_r, *F_theta;  ///< on the ball [N]
+  double *M_x, *M_r, *M_theta;  ///< about the ball centre [N m]
+  double* load;                 ///< Q of this race [N] (assigned)
+  double* heat;                 ///< ∫ κ p u dA [W] (assigned)
+  double* load_slip;            ///< ∫ p u dA [W] (assigned); not touched when null
 };
 
 struct RaceSums {
@@ -59,16 +71,62 @@ struct RaceSums {
   double heat = 0.0, load_slip = 0.0;
 };
 
-/// Evaluates one race. No allocation, no throw. Chooses the widest vector unit of the machine at first use.
-RaceSums evaluate_race_contacts(const RaceContactModel& model, const BallArrays& balls, const RaceMotion& race,
-                                const BallForces& out) noexcept;
+/// Evaluates one race. No allocation, no throw. Chooses the widest vector unit of the machine at
+/// first use; the environment variable ADORE_ISA = baseline, avx2 or avx512 asks for another one.
+/// With traction off, heat is 0.
+RaceSums evaluate_race_contacts(const RaceContactModel& model, const BallArrays& balls,
+                                const RaceMotion& race, const BallForces& out) noexcept;
 
-/// Everything a report wants of one contact (angles, ellipse, spin-to-roll, largest slip ...); not for the hot path.
-/// With `converged` the traction integrals are split at kinks and reversals instead of using model.rule.
-RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const BallArrays& balls, std::size_t index,
-                                        const RaceMotion& race, bool converged = false);
+/// Everything a report wants of one contact (angles, ellipse, spin-to-roll, largest slip ...); not
+/// for the hot path. Contact angle: outer atan2(n_x', n_r'), inner atan2(-n_x', -n_r') in the
+/// race's own meridional plane; both positive when the inner race pushes the ball towards +x.
+/// spin_to_roll = W_n / W_c, signed, 0 without rolling. `edge` is how far the contact stays below
+/// the shoulder (N94), negative when it runs over; 0 when open or shoulder_radius is 0. film,
+/// temperature_rise and contact_temperature are left at 0.
+/// With `converged` the traction integrals are split at kinks and reversals instead of using
+/// model.rule.
+RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const BallArrays& balls,
+                                        std::size_t index, const RaceMotion& race,
+                                        bool converged = false);
+
+/// Geometry and kinematics of one contact in its own axes; what race_contact_detail integrates.
+struct RaceContactState {
+  double approach = 0.0;               ///< δ [m], negative when open
+  Vec3 n, t, c;                        ///< contact axes in the base frame
+  Vec3 arm;                            ///< d = ball centre - P_j, base frame [m]
+  double angle = 0.0;                  ///< contact angle [rad]
+  tribology::EllipseGeometry ellipse;  ///< Q = a = b = 0 when open
+  tribology::EllipseKinematics motion;
+};
+RaceContactState race_contact_state(const RaceContactModel& model, const BallArrays& balls,
+                                    std::size_t index, const RaceMotion& race);
+
+/// Where the contact ends on the groove (outputs §16, N94), f D = groove radius, a = half major
+/// axis:
+struct ContactEdges {
+  double shoulder_depth = 0.0;  ///< s = fD cos(|α| + a/(fD)) + Rc - r_shoulder (outer; inner:
+                                ///< r_shoulder - Rc + fD cos) [m]
+  double centre_chord = 0.0;    ///< t = fD sin(|α| - a/(fD)), inner end of the contact from the
+                                ///< groove's centre plane [m]
+};
+ContactEdges contact_edges(const RaceContactModel& model, double angle, double half_major) noexcept;
+
+enum class InstructionSet : unsigned char { Baseline, Avx2, Avx512 };
+[[nodiscard]] bool instruction_set_available(InstructionSet set) noexcept;
+[[nodiscard]] const char* instruction_set_name(InstructionSet set) noexcept;
+
+/// The same with a given instruction set, for tests and benchmarks. An unavailable one falls back
+/// to Baseline.
+RaceSums evaluate_race_contacts(InstructionSet set, const RaceContactModel& model,
+                                const BallArrays& balls, const RaceMotion& race,
+                                const BallForces& out) noexcept;
 
 /// Name of the instruction set that evaluate_race_contacts uses here: "avx512", "avx2", "baseline".
 const char* race_contact_instruction_set() noexcept;
+
+/// Call once at start-up: a wrong ADORE_ISA is the user's error, but the hot path cannot throw (it
+/// then uses the best set).
+/// @throws InputError when ADORE_ISA names no instruction set or one that this machine lacks.
+void check_instruction_set_request();
 
 }  // namespace adore::dynamics

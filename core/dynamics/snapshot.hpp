@@ -25,7 +25,8 @@ struct RaceContactSnapshot {
   double film = 0.0;            ///< 0 with the hypothetical law [m]
   double temperature_rise = 0.0;      ///< 0 until a thermal model exists [K]
   double contact_temperature = 0.0;   ///< race temperature + rise [K]
-  double edge = 0.0;            ///< s (outer), t (inner), outputs.md §16 [m]
+  double edge = 0.0;            ///< depth s of the contact below the shoulder, either race (N94) [m]
+  double centre_chord = 0.0;    ///< t, inner end of the contact from the groove's centre plane [m]
 };
 
 struct PocketContactSnapshot {

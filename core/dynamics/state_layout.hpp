@@ -15,7 +15,7 @@ struct Slice {
 /// Grown while a System is built, then constant. Controlled components come first, quadratures last.
 class StateLayout {
  public:
-  /// Adds `count` components called "<name>[k] [unit]" (count 1: "<name> [unit]") with one error scale.
+  /// Adds `count` components called "<name>[k] [unit]", k = 1..count (count 1: "<name> [unit]"), with one error scale.
   Slice add(std::string name, std::string_view unit, int count, double scale);
   /// From here on components are quadratures (no error control).
   void begin_quadratures();

@@ -55,8 +55,9 @@ class System {
   void check_state(double t, const double* y) const;
 
   [[nodiscard]] Snapshot snapshot(double t, std::span<const double> y);
-  /// Largest error of the run's ellipse rule against the converged integrals over all loaded contacts of this state, relative to
-  /// each contact's κ-weighted load (dimensionless).
+  /// Largest error of the traction force by the run's ellipse rule against the converged integrals over all loaded contacts of
+  /// this state, relative to each contact's κ-weighted load κ̄ Q, κ̄ = ∫ κ p u dA / ∫ p u dA (dimensionless).
+  /// 0 without traction.
   [[nodiscard]] double quadrature_error(double t, std::span<const double> y);
   [[nodiscard]] CostLedger& cost() noexcept;
   [[nodiscard]] const bearing::Bearing& bearing() const noexcept;

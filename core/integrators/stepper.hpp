@@ -7,7 +7,8 @@
 #include <string_view>
 #include <vector>
 
-/// One interface for every integrator. This folder knows nothing of bearings: it solves y' = f(t, y).
+/// One interface for every integrator. This folder knows nothing of bearings: it solves y' = f(t,
+/// y).
 namespace adore::integrators {
 
 enum class EvalStatus : unsigned char {
@@ -22,40 +23,58 @@ class OdeSystem {
   virtual ~OdeSystem() = default;
   /// Number of components of y, quadratures included.
   [[nodiscard]] virtual int size() const noexcept = 0;
-  /// Components [0, controlled_size) enter the error norm; the rest are quadratures (y_q' = g(t, y_controlled)),
-  /// integrated with the same formula and never controlling the step.
+  /// Components [0, controlled_size) enter the error norm; the rest are quadratures (y_q' = g(t,
+  /// y_controlled)), integrated with the same formula and never controlling the step.
   [[nodiscard]] virtual int controlled_size() const noexcept = 0;
   /// Scale of each controlled component: error is |e_i| / scale_i, to be held below tol. All > 0.
   [[nodiscard]] virtual std::span<const double> scales() const noexcept = 0;
   /// Writes dydt[0..size). No allocation, no throw.
   virtual EvalStatus rhs(double t, const double* y, double* dydt) noexcept = 0;
+  /// Can the right-hand side be split for implicit-explicit methods? Then rhs = rhs_stiff + rest,
+  /// where rhs_stiff holds what limits an explicit step (normal contact forces) and is the part
+  /// that arkode-imex takes implicitly. Without a split arkode-imex refuses to start, because it
+  /// would be another method under its name.
+  [[nodiscard]] virtual bool has_stiff_part() const noexcept { return false; }
+  /// Writes the stiff part alone, dydt[0..size). The rest is formed as rhs - rhs_stiff, so both
+  /// always add up.
+  virtual EvalStatus rhs_stiff(double t, const double* y, double* dydt) noexcept {
+    (void)t, (void)y, (void)dydt;
+    return EvalStatus::Fail;
+  }
   /// Called on every accepted state (normalises quaternions). Returns true when it changed y.
-  virtual bool project(double t, double* y) noexcept { (void)t, (void)y; return false; }
-  /// Longest step that resolves prescribed motion at time t [s]: the guard for y' = f(t), whose error an embedded
-  /// high-order pair may not see. Infinity when nothing is prescribed.
+  virtual bool project(double t, double* y) noexcept {
+    (void)t, (void)y;
+    return false;
+  }
+  /// Longest step from time t [s] that still resolves prescribed motion: the guard for y' = f(t),
+  /// whose error an embedded high-order pair may not see. A step that starts at t never exceeds it
+  /// (but never goes below StepControl::minimum), so it must also stop short of the next event,
+  /// e.g. a pulse that begins later. Infinity when nothing is prescribed.
   [[nodiscard]] virtual double step_guard(double t) const noexcept;
   /// Name of a component for diagnoses, e.g. "element[3].r [m]".
   [[nodiscard]] virtual std::string component_name(int index) const;
 };
 
 struct StepControl {
-  double initial = 0.0;  ///< first trial step [s]; 0: chosen by the stepper
-  double minimum = 0.0;  ///< a step of this size is accepted whatever its error, and counted
-  double maximum = 0.0;  ///< [s], > 0
+  double initial = 0.0;     ///< first trial step [s]; 0: chosen by the stepper
+  double minimum = 0.0;     ///< a step of this size is accepted whatever its error, and counted
+  double maximum = 0.0;     ///< [s], > 0; equal to minimum: constant step
   double tolerance = 1e-6;  ///< bound on max_i |e_i| / scale_i per step
 };
 
 /// What one accepted step was.
 struct StepInfo {
-  double t = 0.0;      ///< time reached
-  double h = 0.0;      ///< step size used
-  double h_next = 0.0; ///< proposed next step
-  double error = 0.0;  ///< error norm divided by tolerance (<= 1 unless at_minimum)
+  double t = 0.0;       ///< time reached
+  double h = 0.0;       ///< step size used
+  double h_next = 0.0;  ///< proposed next step
+  double error = 0.0;   ///< error norm divided by tolerance (<= 1 unless at_minimum); 0 where the
+                       ///< method forms no estimate (ARKODE holding a constant step)
   bool at_minimum = false;  ///< accepted because h = minimum
 };
 
 struct Counters {
-  long steps = 0, rejected = 0, evaluations = 0, at_minimum = 0, restarts = 0, jacobians = 0, nonlinear_iterations = 0;
+  long steps = 0, rejected = 0, evaluations = 0, at_minimum = 0, restarts = 0, jacobians = 0,
+       nonlinear_iterations = 0;
 };
 
 /// The stepper cannot go on. The text names time, step size and the worst component.
@@ -71,13 +90,19 @@ class Stepper {
   [[nodiscard]] virtual std::string_view name() const noexcept = 0;
   /// Order of the propagated solution (highest order for variable-order methods).
   [[nodiscard]] virtual int order() const noexcept = 0;
-  /// Can this method keep h fixed (minimum = maximum)? A deck that asks for a constant step is refused by name if not.
+  /// Can this method keep h fixed (minimum = maximum)? A deck that asks for a constant step is
+  /// refused by name if not.
   [[nodiscard]] virtual bool holds_constant_step() const noexcept = 0;
-  /// Takes the system and the start state. `system` must outlive the stepper. May be called again (restart).
-  /// @throws StepFailure when the right-hand side fails at the start.
-  virtual void start(OdeSystem& system, double t0, std::span<const double> y0, const StepControl& control) = 0;
-  /// One accepted step, never beyond t_stop (the last step is shortened to hit it exactly).
-  /// @throws StepFailure
+  /// Takes the system and the start state. `system` must outlive the stepper. May be called again
+  /// (restart).
+  /// @throws StepFailure when the right-hand side fails at the start, or the method cannot do what
+  /// `control` or `system` asks; std::invalid_argument when `control` or `system` contradict
+  /// themselves.
+  virtual void start(OdeSystem& system, double t0, std::span<const double> y0,
+                     const StepControl& control) = 0;
+  /// One accepted step, never beyond t_stop (the last step is shortened to hit it exactly, or
+  /// stretched by at most one part in a million).
+  /// @throws StepFailure, and std::invalid_argument when t_stop does not lie after time()
   virtual StepInfo step(double t_stop) = 0;
   [[nodiscard]] virtual double time() const noexcept = 0;
   /// Current state, size() values; valid until the next step.
@@ -87,13 +112,15 @@ class Stepper {
   [[nodiscard]] virtual const Counters& counters() const noexcept = 0;
 };
 
-/// All names in a fixed order: rkf1..rkf7, pece1..pece8, cvode-adams, cvode-bdf, arkode-erk, arkode-dirk, arkode-imex.
+/// All names in a fixed order: rkf1..rkf7, pece1..pece8, cvode-adams, cvode-bdf, arkode-erk,
+/// arkode-dirk, arkode-imex.
 std::span<const std::string_view> stepper_names();
 
 /// @throws std::invalid_argument naming the valid names.
 std::unique_ptr<Stepper> make_stepper(std::string_view name);
 
-/// Name for the deck's intMet (1-7, 11-18; extensions 21, 22, 31, 32, 33); empty for any other code.
+/// Name for the deck's intMet (1-7, 11-18; extensions 21, 22, 31, 32, 33); empty for any other
+/// code.
 std::string_view name_of_int_met(int int_met) noexcept;
 
 }  // namespace adore::integrators

@@ -1,17 +1,33 @@
 #pragma once
 
-#include <vector>
-
 #include "bearing/bearing.hpp"
 
+#include <functional>
+#include <vector>
+
 /// Traction, moment and heat of one Hertz contact ellipse at given kinematics.
-/// Local axes (c, t, n): t rolling direction, n into the race, c = t × n along the major axis; point p = ξ c + η t + h(ξ) n from
-/// the ball centre. Slip u = race minus ball. Formulas: tests/reference/dynamics_README.md, "Traction".
+///
+/// Local axes (c, t, n), right-handed c × t = n: t rolling direction, n from the ball into the
+/// race, c = t × n along the major axis. Point of the ellipse from the ball centre: p = ξ c + η t +
+/// h(ξ) n. Slip u is race minus ball, the traction on the ball is along it
+/// (tests/reference/dynamics_README.md):
+///
+///   u_c = u0_c + W_t h - W_n η          dF = κ(|u|) p (u/|u|) dA on the ball
+///   u_t = u0_t + W_n ξ - W_c h          dM = p × dF = (-h f_t, h f_c, ξ f_t - η f_c) in (c, t, n)
+///
+/// At fixed ξ, u_t does not depend on η and u_c is linear in it. Tractions lie in the (c, t) plane
+/// of the contact centre also on curved surfaces. Limits: a < ρ; no micro-slip, no elastic creep.
 namespace adore::tribology {
 
-/// Height h(ξ) of the contact surface over the ball centre. CurvedEdge (Heathcote) is the run's default.
+/// Height h(ξ) of the contact surface over the ball centre. CurvedEdge (Heathcote) is the run's
+/// default.
 enum class ContactSurface : unsigned char {
-  CurvedEdge, CurvedHalf, CurvedUndeformed, FlatUndeformed, FlatHalf, FlatEdge
+  CurvedEdge,  ///< arc of radius ρ through the two ends of the major axis on the undeformed ball
+  CurvedHalf,  ///< arc of radius ρ, half the approach below the ball's surface at the centre
+  CurvedUndeformed,  ///< arc of radius ρ touching the undeformed ball at the centre
+  FlatUndeformed,    ///< plane at the ball radius ("without Heathcote")
+  FlatHalf,          ///< plane half the approach below it
+  FlatEdge           ///< plane through the two ends of the major axis
 };
 
 struct EllipseKinematics {
@@ -21,35 +37,62 @@ struct EllipseKinematics {
 
 struct EllipseGeometry {
   double Q = 0.0, a = 0.0, b = 0.0;  ///< load [N], semi axes along c and t [m]
-  double rho = 0.0;   ///< radius of the deformed surface [m]; 0 = flat
-  double h0 = 0.0;    ///< h(0) [m]; h(ξ) = h0 - (ρ - sqrt(ρ²-ξ²)), flat: h0
+  double rho = 0.0;                  ///< radius of the deformed surface [m]; 0 = flat
+  double h0 = 0.0;                   ///< h(0) [m]; h(ξ) = h0 - (ρ - sqrt(ρ²-ξ²)), flat: h0
 };
+
+/// Sets ρ = 2 r_b R/(r_b + R) (or 0) and h(0) of a surface convention. Needs a < r_b < R.
+/// @param approach δ [m], read by the two "half" conventions.
+void set_contact_surface(EllipseGeometry& geometry, ContactSurface surface, double ball_radius,
+                         double groove_radius, double approach) noexcept;
 
 struct EllipseTraction {
-  double F_c = 0.0, F_t = 0.0;               ///< on the ball [N]
-  double M_c = 0.0, M_t = 0.0, M_n = 0.0;    ///< on the ball about its centre [N m]
-  double heat = 0.0;       ///< ∫ κ p |u| dA [W]
-  double load_slip = 0.0;  ///< ∫ p |u| dA [W]
-  double max_slip = 0.0;   ///< over the quadrature points and the ellipse edge [m/s]
+  double F_c = 0.0, F_t = 0.0;             ///< on the ball [N]
+  double M_c = 0.0, M_t = 0.0, M_n = 0.0;  ///< on the ball about its centre [N m]
+  double heat = 0.0;                       ///< ∫ κ p |u| dA [W]
+  double load_slip = 0.0;                  ///< ∫ p |u| dA [W]
+  double max_slip = 0.0;  ///< largest |u|; it lies on the edge of the ellipse [m/s]
 };
 
-/// Product rule of a run: Gauss points for the Hertz pressure weight, `major` nodes over ξ and `minor` over η.
-/// Flat list of points in unit coordinates with weights that sum to 1 (∫ p dA = Q).
+/// Product rule of a run: Gauss points for the Hertz pressure weight, `major` nodes over ξ and
+/// `minor` over η. With s = ξ/a and v = η/(b sqrt(1-s²)) the load element is p dA = Q ¾(1-s²) ds
+/// (2/π)sqrt(1-v²) dv: Gauss-Gegenbauer in s, Gauss-Chebyshev of the second kind in v. Each set of
+/// weights sums to 1.
 struct EllipseRule {
   int major = 0, minor = 0;
-  std::vector<double> s;       ///< ξ/a of each major node
+  std::vector<double> s;  ///< ξ/a of each major node, ascending
   std::vector<double> weight_s;
-  std::vector<double> v;       ///< η/(b sqrt(1-s²)) of each minor node
+  std::vector<double> v;  ///< η/(b sqrt(1-s²)) of each minor node, ascending
   std::vector<double> weight_v;
+  // Derived, so that the hot path need not repeat them.
+  std::vector<double> chord;      ///< sqrt(1-s²)
+  std::vector<double> weight_v1;  ///< weight_v v
+  std::vector<double> weight_v2;  ///< weight_v v²
 };
+/// @throws InputError unless 1 <= major, minor <= 200.
 [[nodiscard]] EllipseRule make_ellipse_rule(int major, int minor);
 
-/// The fixed rule (scalar reference of the vectorised kernel).
-[[nodiscard]] EllipseTraction ellipse_traction(const bearing::TractionCurve& curve, const EllipseGeometry& geometry,
-                                               const EllipseKinematics& motion, const EllipseRule& rule) noexcept;
+/// The fixed rule (scalar reference of the vectorised kernel). Laws with κ(0) ≠ 0 are regularised
+/// (kRegularisationSlip); max_slip is taken at the edge points of the major nodes and at the two
+/// ends.
+[[nodiscard]] EllipseTraction ellipse_traction(const bearing::TractionCurve& curve,
+                                               const EllipseGeometry& geometry,
+                                               const EllipseKinematics& motion,
+                                               const EllipseRule& rule) noexcept;
 
-/// The converged answer: integrals split at slip reversals and at the kink of the law; relative accuracy ~1e-10.
-[[nodiscard]] EllipseTraction ellipse_traction_converged(const bearing::TractionCurve& curve, const EllipseGeometry& geometry,
+/// The converged answer: integrals split at slip reversals and at the kink of the law; relative
+/// accuracy ~1e-10. No regularisation: κ(0) ≠ 0 means no force at exactly zero slip.
+[[nodiscard]] EllipseTraction ellipse_traction_converged(const bearing::TractionCurve& curve,
+                                                         const EllipseGeometry& geometry,
+                                                         const EllipseKinematics& motion);
+
+/// A traction law that may depend on the local pressure.
+struct PressureLaw {
+  std::function<double(double slip, double pressure)> coefficient;  ///< κ, smooth except at `kink`
+  double kink = 0.0;  ///< slip where κ bends [m/s]; 0 = none
+};
+[[nodiscard]] EllipseTraction ellipse_traction_converged(const PressureLaw& law,
+                                                         const EllipseGeometry& geometry,
                                                          const EllipseKinematics& motion);
 
 }  // namespace adore::tribology

@@ -1,0 +1,84 @@
+#include "base/atomic_file.hpp"
+#include "base/errors.hpp"
+#include "cli/commands.hpp"
+#include "facade/calculators.hpp"
+#include "facade/validate.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+
+namespace adore::cli {
+namespace {
+
+std::string read_all(const std::string& name) {
+  if (name == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  std::ifstream file(name, std::ios::binary);
+  if (!file)
+    throw InputError(
+        fmt::format("cannot read {}; give a JSON file, or - for standard input", name));
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void calc(const std::string& name, const std::string& source) {
+  nlohmann::json input;
+  try {
+    input = nlohmann::json::parse(read_all(source));
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(fmt::format("{} is not valid JSON: {}",
+                                 source == "-" ? "standard input" : source, error.what()));
+  }
+  fmt::print("{}\n", facade::calculate(name, input).dump(2));
+}
+
+int validate(const std::vector<std::string>& files, const std::string& report_file, bool verbose) {
+  const std::vector<std::filesystem::path> paths(files.begin(), files.end());
+  const facade::ValidateReport report = facade::validate_files(paths);
+  fmt::print("{}", facade::report_text(report, verbose));
+  if (!report_file.empty())
+    write_file_atomically(report_file, facade::report_json(report).dump(2) + "\n");
+  return report.failed() ? 1 : 0;
+}
+
+}  // namespace
+
+void add_calc(CLI::App& app, int& exit_code) {
+  {
+    CLI::App* command = app.add_subcommand("calc", "component calculators: JSON in, JSON out");
+    auto name = std::make_shared<std::string>();
+    auto source = std::make_shared<std::string>("-");
+    auto list = std::make_shared<bool>(false);
+    command->add_option("name", *name, "calculator; see --list");
+    command->add_option("--json", *source, "file of inputs, or - for standard input")
+        ->capture_default_str();
+    command->add_flag("--list", *list, "list the calculators");
+    command->callback([=] {
+      if (*list) {
+        for (const facade::CalculatorInfo& info : facade::calculators())
+          fmt::print("{:<20} {} [{}]\n", info.name, info.help, info.family);
+        return;
+      }
+      if (name->empty()) throw InputError("name a calculator; `adore calc --list` shows them");
+      calc(*name, *source);
+    });
+  }
+  {
+    CLI::App* command =
+        app.add_subcommand("validate", "run reference cases and print error against tolerance");
+    auto files = std::make_shared<std::vector<std::string>>();
+    auto report = std::make_shared<std::string>();
+    auto verbose = std::make_shared<bool>(false);
+    command->add_option("files", *files, "case files")->required();
+    command->add_option("--report", *report, "write the results as JSON");
+    command->add_flag("--verbose", *verbose, "every case, not only those that do not pass");
+    command->callback([=, &exit_code] { exit_code = validate(*files, *report, *verbose); });
+  }
+}
+
+}  // namespace adore::cli

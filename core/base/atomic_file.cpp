@@ -1,0 +1,130 @@
+#include "base/atomic_file.hpp"
+
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <fcntl.h>
+#include <string>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace adore {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path& path, int error, std::string_view step) {
+  std::string remedy;
+  switch (error) {
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      remedy = "make the folder writable or choose another one";
+      break;
+    case ENOENT:
+    case ENOTDIR:
+      remedy = "create the folder first or choose another one";
+      break;
+    case ENOSPC:
+    case EDQUOT:
+      remedy = "free some disk space or choose another disk";
+      break;
+    case EISDIR:
+      remedy = "give the name of a file";
+      break;
+    default:
+      remedy = "choose another place";
+  }
+  Issue issue;
+  issue.file = path.string();
+  issue.message = fmt::format("the file cannot be written ({}: {})", step,
+                              std::generic_category().message(error));
+  issue.remedy = remedy;
+  throw InputError({issue});
+}
+
+/// The temporary file: closed and removed on every way out unless it was renamed.
+class TemporaryFile {
+ public:
+  TemporaryFile(const fs::path& target, const fs::path& shown) : shown_(shown) {
+    name_ = (target.parent_path() / fmt::format(".{}.XXXXXX", target.filename().string())).string();
+    descriptor_ = ::mkostemp(name_.data(), O_CLOEXEC);
+    if (descriptor_ < 0) fail(shown_, errno, "creating a file in its folder");
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!renamed_) ::unlink(name_.c_str());
+  }
+
+  void write(std::string_view content) {
+    while (!content.empty()) {
+      const ssize_t count = ::write(descriptor_, content.data(), content.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) fail(shown_, errno, "writing");
+      content.remove_prefix(static_cast<std::size_t>(count));
+    }
+  }
+
+  /// mkstemp makes private files; a data file should be readable as the user's mask says.
+  void set_permissions_like(const fs::path& target) {
+    struct stat old {};
+    mode_t mode = 0;
+    if (::stat(target.c_str(), &old) == 0) {
+      mode = old.st_mode & 07777;
+    } else {
+      const mode_t mask = ::umask(0);
+      ::umask(mask);
+      mode = 0666 & ~mask;
+    }
+    if (::fchmod(descriptor_, mode) != 0) fail(shown_, errno, "setting its permissions");
+  }
+
+  void rename_to(const fs::path& target) {
+    if (::fsync(descriptor_) != 0) fail(shown_, errno, "flushing to the disk");
+    const int descriptor = descriptor_;
+    descriptor_ = -1;
+    if (::close(descriptor) != 0) fail(shown_, errno, "closing");
+    if (::rename(name_.c_str(), target.c_str()) != 0) fail(shown_, errno, "replacing");
+    renamed_ = true;
+  }
+
+ private:
+  fs::path shown_;
+  std::string name_;
+  int descriptor_ = -1;
+  bool renamed_ = false;
+};
+
+/// Makes the rename itself durable; not every file system allows it, and then nothing is lost but
+/// this.
+void flush_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+}  // namespace
+
+void write_file_atomically(const fs::path& path, std::string_view content) {
+  std::error_code error;
+  fs::path target = fs::weakly_canonical(path, error);  // follows a link, so that it survives
+  if (error || target.empty()) target = fs::absolute(path, error);
+  if (error || path.empty())
+    fail(path, path.empty() ? ENOENT : error.value(), "finding its folder");
+  if (fs::is_directory(target, error)) fail(path, EISDIR, "opening");
+
+  TemporaryFile file(target, path);
+  file.write(content);
+  file.set_permissions_like(target);
+  file.rename_to(target);
+  flush_folder(target.parent_path());
+}
+
+}  // namespace adore

@@ -1,0 +1,129 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+/// Orientation of bodies and frames. Header-only: the right-hand side calls these.
+///
+/// Passive matrices: T = Rz(λ) Ry(ξ) Rx(η) turns parent components into turned-frame components; Rx
+/// has +sin in (2,3), Ry has -sin in (1,3), Rz has +sin in (1,2). As motions: turn by η about X,
+/// then ξ about y', then λ about z''. A quaternion q = (w, x, y, z) is of unit length and turns
+/// body components into parent components: v_parent = R(q) v_body, R(q) = T^T; q and -q are the
+/// same attitude. Angles in rad. Only the angles are singular (at ξ = ±90°, where λ is set to the
+/// sum or difference and η to 0); quaternion and matrix never are.
+namespace adore {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+using Quat = std::array<double, 4>;  ///< (w, x, y, z), body -> parent
+
+/// Passive rotations about one axis, parent components -> turned-frame components.
+[[nodiscard]] inline Mat3 passive_x(double angle) noexcept {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return (Mat3() << 1, 0, 0, 0, c, s, 0, -s, c).finished();
+}
+[[nodiscard]] inline Mat3 passive_y(double angle) noexcept {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return (Mat3() << c, 0, -s, 0, 1, 0, s, 0, c).finished();
+}
+[[nodiscard]] inline Mat3 passive_z(double angle) noexcept {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return (Mat3() << c, s, 0, -s, c, 0, 0, 0, 1).finished();
+}
+
+/// T(η, ξ, λ) = Rz(λ) Ry(ξ) Rx(η), parent -> turned frame. `eta_xi_lambda` in this order [rad].
+[[nodiscard]] inline Mat3 passive_matrix(const Vec3& eta_xi_lambda) noexcept {
+  return passive_z(eta_xi_lambda[2]) * passive_y(eta_xi_lambda[1]) * passive_x(eta_xi_lambda[0]);
+}
+
+/// (η, ξ, λ) of a passive matrix T: η = atan2(-T32, T33), ξ = asin T31, λ = atan2(-T21, T11).
+[[nodiscard]] inline Vec3 angles_from_matrix(const Mat3& T) noexcept {
+  const double sin_xi = std::clamp(T(2, 0), -1.0, 1.0);
+  if (std::abs(T(2, 1)) + std::abs(T(2, 2)) < 1e-12)  // ξ = ±90°: only λ ± η is defined
+    return {0.0, std::asin(sin_xi), std::atan2(T(0, 1), T(1, 1))};
+  return {std::atan2(-T(2, 1), T(2, 2)), std::asin(sin_xi), std::atan2(-T(1, 0), T(0, 0))};
+}
+
+/// Hamilton product a ⊗ b.
+[[nodiscard]] inline Quat multiply(const Quat& a, const Quat& b) noexcept {
+  return {a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
+          a[0] * b[1] + a[1] * b[0] + a[2] * b[3] - a[3] * b[2],
+          a[0] * b[2] - a[1] * b[3] + a[2] * b[0] + a[3] * b[1],
+          a[0] * b[3] + a[1] * b[2] - a[2] * b[1] + a[3] * b[0]};
+}
+
+[[nodiscard]] inline double norm(const Quat& q) noexcept {
+  return std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+}
+
+/// Unit quaternion of the same attitude; the identity for the zero quaternion.
+[[nodiscard]] inline Quat normalise(const Quat& q) noexcept {
+  const double n = norm(q);
+  if (!(n > 0.0)) return {1.0, 0.0, 0.0, 0.0};
+  return {q[0] / n, q[1] / n, q[2] / n, q[3] / n};
+}
+
+/// The one of q and -q with w >= 0, for output.
+[[nodiscard]] inline Quat with_positive_w(const Quat& q) noexcept {
+  return q[0] < 0.0 ? Quat{-q[0], -q[1], -q[2], -q[3]} : q;
+}
+
+/// R(q), body -> parent, of a unit quaternion.
+[[nodiscard]] inline Mat3 rotation_matrix(const Quat& q) noexcept {
+  const double w = q[0], x = q[1], y = q[2], z = q[3];
+  return (Mat3() << 1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y),
+          2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x), 2 * (x * z - w * y),
+          2 * (y * z + w * x), 1 - 2 * (x * x + y * y))
+      .finished();
+}
+
+/// Quaternion of a turn by `angle` about the unit vector `axis`.
+[[nodiscard]] inline Quat quaternion_about(const Vec3& axis, double angle) noexcept {
+  const double s = std::sin(0.5 * angle);
+  return {std::cos(0.5 * angle), s * axis[0], s * axis[1], s * axis[2]};
+}
+
+/// Attitude of the frame turned by η about X, then ξ about y', then λ about z''.
+[[nodiscard]] inline Quat quaternion_from_angles(const Vec3& eta_xi_lambda) noexcept {
+  return multiply(multiply(quaternion_about(Vec3::UnitX(), eta_xi_lambda[0]),
+                           quaternion_about(Vec3::UnitY(), eta_xi_lambda[1])),
+                  quaternion_about(Vec3::UnitZ(), eta_xi_lambda[2]));
+}
+
+/// (η, ξ, λ), each modulo one turn, |ξ| <= 90°.
+[[nodiscard]] inline Vec3 angles_from_quaternion(const Quat& q) noexcept {
+  return angles_from_matrix(rotation_matrix(q).transpose());
+}
+
+/// q̇ = ½ q ⊗ (0, ω), ω in body components [rad/s].
+[[nodiscard]] inline Quat quaternion_rate(const Quat& q, const Vec3& omega_body) noexcept {
+  return multiply(q, {0.0, 0.5 * omega_body[0], 0.5 * omega_body[1], 0.5 * omega_body[2]});
+}
+
+/// ω in body components from the angles and their rates:
+/// (ξ̇ sin λ + η̇ cos ξ cos λ, ξ̇ cos λ - η̇ cos ξ sin λ, λ̇ + η̇ sin ξ).
+[[nodiscard]] inline Vec3 omega_from_angle_rates(const Vec3& eta_xi_lambda,
+                                                 const Vec3& rates) noexcept {
+  const double c2 = std::cos(eta_xi_lambda[1]), s2 = std::sin(eta_xi_lambda[1]);
+  const double c3 = std::cos(eta_xi_lambda[2]), s3 = std::sin(eta_xi_lambda[2]);
+  return {rates[1] * s3 + rates[0] * c2 * c3, rates[1] * c3 - rates[0] * c2 * s3,
+          rates[2] + rates[0] * s2};
+}
+
+/// Azimuth unit vectors of the base frame: e_r(ψ) = (0, -sin ψ, cos ψ), e_θ = e_x × e_r = (0, -cos
+/// ψ, -sin ψ).
+[[nodiscard]] inline Vec3 radial_direction(double psi) noexcept {
+  return {0.0, -std::sin(psi), std::cos(psi)};
+}
+[[nodiscard]] inline Vec3 circumferential_direction(double psi) noexcept {
+  return {0.0, -std::cos(psi), -std::sin(psi)};
+}
+
+/// Azimuth of a vector about +X, measured from Z: atan2(-y, z), in (-π, π].
+[[nodiscard]] inline double azimuth(const Vec3& v) noexcept { return std::atan2(-v[1], v[2]); }
+
+}  // namespace adore

@@ -1,0 +1,202 @@
+#include "build/build_bearing.hpp"
+
+#include "contact/cage_inertia.hpp"
+#include "contact/groove.hpp"
+#include "tribology/traction_curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace adore::build {
+namespace {
+
+using bearing::Bearing;
+using bearing::Material;
+using bearing::Part;
+using deck::Deck;
+
+constexpr double kPi = std::numbers::pi;
+
+/// Material of one part: its code, and for code 1 the deck's own record, whose variables share a
+/// prefix and a suffix.
+Material material(const Deck& deck, const char* code_variable, Part part, const std::string& prefix,
+                  const std::string& suffix) {
+  const int code = static_cast<int>(deck.integer(code_variable));
+  if (code != 1) return bearing::material_from_table(code, part);
+  auto value = [&](const char* stem) {
+    const std::string name = prefix + stem + suffix;
+    return deck.has(name) ? deck.si(name) : 0.0;
+  };
+  Material out;
+  out.code = 1;
+  out.name = "given in the deck";
+  out.density = value("Den");
+  out.elastic_modulus = value("EM");
+  out.poisson_ratio = value("PR");
+  out.thermal_expansion = value("CTE");
+  out.conductivity = value("TC");
+  out.specific_heat = value("SH");
+  out.elastic_strain_limit = value("ESL");
+  if (deck.has(prefix + "H" + suffix))
+    out.hardness = bearing::hardness_from_hrc(deck.real(prefix + "H" + suffix));
+  out.wear_coefficient = value("WC");
+  out.fatigue_limit_stress = value("VM");
+  out.provenance = "deck";
+  return out;
+}
+
+bearing::BallGeometry ball_geometry(const Deck& deck) {
+  bearing::BallGeometry out;
+  out.count = static_cast<int>(deck.integer("nRe"));
+  out.diameter = deck.si("bReDia");
+  out.pitch_diameter = deck.si("pitchDia");
+  out.groove_factor = {deck.si("raceCurFac1"), deck.si("raceCurFac2")};
+  out.shim = {deck.si("shimThickness1"), deck.si("shimThickness2")};
+  out.shoulder_diameter = {deck.si("shoulderDia1"), deck.si("shoulderDia2")};
+  out.roughness = {deck.si("rmsAspHt1"), deck.si("rmsAspHt2")};
+  const contact::FreeState free = contact::free_state(out.diameter, out.groove_factor, out.shim,
+                                                      deck.si("freeConAng"), deck.si("freeIntCls"));
+  out.contact_angle = free.contact_angle;
+  out.clearance = free.clearance;
+  return out;
+}
+
+/// Solid ball: m = ρπD³/6, I = m D²/10.
+bearing::Inertia ball_inertia(double diameter, double density) {
+  bearing::Inertia out;
+  out.mass = density * kPi * diameter * diameter * diameter / 6.0;
+  out.moments.setConstant(out.mass * diameter * diameter / 10.0);
+  return out;
+}
+
+/// Hollow cylinder between two diameters: polar m(R²+r²)/2, transverse m(3(R²+r²)+w²)/12. The ideal
+/// ring of N6: its groove is a small part of it and enters nothing but reports while races are
+/// prescribed.
+bearing::Inertia ring_inertia(double outer, double inner, double width, double density) {
+  const double R2 = outer * outer / 4.0, r2 = inner * inner / 4.0;
+  bearing::Inertia out;
+  out.mass = density * kPi * (R2 - r2) * width;
+  out.moments.x() = out.mass * (R2 + r2) / 2.0;
+  out.moments.y() = out.moments.z() = out.mass * (3.0 * (R2 + r2) + width * width) / 12.0;
+  return out;
+}
+
+bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const std::string& stem,
+                             const char* record) {
+  const std::array<double, 4> tc{deck.si(stem + "1"), deck.si(stem + "2"), deck.si(stem + "3"),
+                                 deck.si(stem + "4")};
+  try {
+    return tribology::traction_curve(static_cast<int>(deck.integer(type_variable)), tc);
+  } catch (const InputError& error) {
+    throw InputError({deck.issue(Severity::Error, stem + "1",
+                                 fmt::format("record {}: {}", record, error.what()))});
+  }
+}
+
+bearing::Cage cage(const Deck& deck, const bearing::BallGeometry& balls) {
+  bearing::Cage out;
+  out.outer_diameter = deck.si("cageDia1");
+  out.inner_diameter = deck.si("cageDia2");
+  out.width = deck.si("cageWidth");
+  out.clearance_outer = deck.si("cageCls1");
+  out.clearance_inner = deck.si("cageCls2");
+  out.pocket_clearance_1 = deck.si("bPocCls1");
+  out.pocket_clearance_2 = deck.si("bPocCls2");
+  const int lands = static_cast<int>(deck.integer("nGL"));
+  for (int i = 1; i <= lands; ++i) {
+    bearing::GuideLand land;
+    const long long guide = deck.integer("iCageGuide", i);
+    land.guide = guide == 1   ? bearing::GuideLand::Guide::Outer
+                 : guide == 2 ? bearing::GuideLand::Guide::Inner
+                              : bearing::GuideLand::Guide::None;
+    land.diameter = deck.si("cageGsDia", i);
+    land.width = deck.si("cageGsWidth", i);
+    land.edge = deck.si("cageGsPos", i);
+    land.clearance = deck.si("cageGsCls", i);
+    out.lands.push_back(land);
+  }
+  out.material = material(deck, "kCageMat", Part::Cage, "cage", "");
+  out.inertia = contact::cage_inertia(out, balls.count, balls.diameter, balls.pitch_diameter,
+                                      out.material.density);
+  if (deck.has("avRatio")) {
+    out.whirl_ratio = deck.si("wvRatio");
+    out.speed_ratio = deck.si("avRatio");
+    for (int k = 0; k < 3; ++k) {
+      out.start_offset[k] = deck.si("cageGcPos", 1, k + 1);
+      out.start_angles[k] = deck.si("cageAngPos", 1, k + 1);
+    }
+  }
+  return out;
+}
+
+bearing::StaticConstraints constraints(const Deck& deck) {
+  bearing::StaticConstraints out;
+  constexpr const char* kFlags[] = {"kFS1", "kFS2", "kFS3", "kFS4", "kFS5"};
+  constexpr const char* kLoads[] = {"appLoadX", "appLoadY", "appLoadZ", "appMomY", "appMomZ"};
+  constexpr const char* kDisplacements[] = {"appDispX", "appDispY", "appDispZ", "appMis12",
+                                            "appMis22"};
+  for (int i = 0; i < 5; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    out.displacement_given[k] = deck.integer(kFlags[i]) == 1;
+    out.load[k] = deck.si(kLoads[i]);
+    out.displacement[k] = deck.si(kDisplacements[i]);
+  }
+  out.outer_misalignment = {deck.si("appMis11"), deck.si("appMis21")};
+  return out;
+}
+
+}  // namespace
+
+Bearing build_bearing(const Deck& deck) {
+  std::vector<Issue> issues = check_buildable(deck);
+  std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::Error; });
+  if (!issues.empty()) throw InputError(std::move(issues));
+
+  Bearing out;
+  out.run_id = deck.text("runID");
+  out.ball_material = material(deck, "kReMat", Part::RollingElement, "re", "");
+  out.race_material = {material(deck, "kRaceMat1", Part::OuterRace, "race", "1"),
+                       material(deck, "kRaceMat2", Part::InnerRace, "race", "2")};
+  out.balls = ball_geometry(deck);
+  out.envelope = {deck.si("brgBore"),
+                  deck.si("brgOD"),
+                  deck.si("shftID"),
+                  deck.si("hsngOD"),
+                  {deck.si("raceWidth1"), deck.si("raceWidth2")}};
+  out.ball_inertia = ball_inertia(out.balls.diameter, out.ball_material.density);
+  const double groove_bottom_outer = out.balls.pitch_diameter + out.balls.diameter;
+  const double groove_bottom_inner = out.balls.pitch_diameter - out.balls.diameter;
+  out.race_inertia = {ring_inertia(out.envelope.outer_diameter, groove_bottom_outer,
+                                   out.envelope.race_width[0], out.race_material[0].density),
+                      ring_inertia(groove_bottom_inner, out.envelope.bore,
+                                   out.envelope.race_width[1], out.race_material[1].density)};
+  out.race_traction = curve(deck, "kTracType", "reRaceTC", "10.1");
+  if (deck.integer("mode") >= 0 && deck.integer("nCseg") == 1) {
+    out.cage = cage(deck, out.balls);
+    out.pocket_traction = curve(deck, "kCPTracType", "reCageTC", "10.5.1");
+    const bool guided = std::any_of(out.cage->lands.begin(), out.cage->lands.end(),
+                                    [](const bearing::GuideLand& land) {
+                                      return land.guide != bearing::GuideLand::Guide::None;
+                                    });
+    if (guided) out.land_traction = curve(deck, "kCRTracType", "cageRaceTC", "10.5.2");
+  }
+  out.constraints = constraints(deck);
+  constexpr bearing::SpinRule kRules[] = {bearing::SpinRule::MinimumHeat,
+                                          bearing::SpinRule::RaceControl,
+                                          bearing::SpinRule::Prescribed};
+  out.spin_rule = kRules[deck.integer("kAngVel")];
+  out.spin_angle = deck.si("angVelOrient");
+  out.speed = {deck.si("rpm1"), deck.si("rpm2")};
+  if (deck.has("gravityVecX"))
+    out.gravity = {deck.si("gravityVecX"), deck.si("gravityVecY"), deck.si("gravityVecZ")};
+  out.room_temperature = deck.si("roomTemp");
+  out.race_temperature = {deck.si("raceTemp1"), deck.si("raceTemp2")};
+  out.ball_temperature = deck.si("reTemp");
+  out.cage_temperature = deck.si("cageTemp");
+  return out;
+}
+
+}  // namespace adore::build

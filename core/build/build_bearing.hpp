@@ -1,0 +1,22 @@
+#pragma once
+
+#include "base/errors.hpp"
+#include "bearing/bearing.hpp"
+#include "deck/deck.hpp"
+
+#include <vector>
+
+/// Deck -> SI model: the only place where deck variables become physics, and where units end.
+namespace adore::build {
+
+/// What this deck asks for that the program cannot simulate yet, as errors that name record and
+/// variable, and what it asks for that has no effect, as warnings. Empty when everything asked for
+/// will be simulated.
+[[nodiscard]] std::vector<Issue> check_buildable(const deck::Deck& deck);
+
+/// The SI model of a deck that reads without errors.
+/// @throws InputError with every reason at once: what is not built yet (check_buildable) and
+/// geometry that cannot close.
+[[nodiscard]] bearing::Bearing build_bearing(const deck::Deck& deck);
+
+}  // namespace adore::build

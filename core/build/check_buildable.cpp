@@ -1,0 +1,143 @@
+#include "build/build_bearing.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace adore::build {
+namespace {
+
+using deck::Deck;
+
+/// One switch that only some codes are simulated of.
+struct Gate {
+  const char* variable;
+  long long supported;  ///< the code that is simulated
+  const char* asks_for;
+};
+
+// A deck with another code parses and checks clean, but cannot run.
+constexpr Gate kAlways[] = {
+    {"kBrg", 1, "a roller bearing"},
+    {"kTherm", 0, "the thermal analysis"},
+    {"kRaceFlex", 0, "a flexible outer race (announced by the classic program, never available)"},
+    {"kReGeoImp", 0, "geometric imperfections of the rolling elements"},
+    {"kRaceGeoImp1", 0, "geometric imperfections of the outer race"},
+    {"kRaceGeoImp2", 0, "geometric imperfections of the inner race"},
+    {"kStif", 0, "the stiffness-speed table"},
+    {"kTrac", 0, "a lubricant's traction model (or user routine ADRX7)"},
+};
+constexpr Gate kDynamic[] = {
+    {"mode", 0, "a constrained mode"},
+    {"kDOF", 0, "suppressed degrees of freedom"},
+    {"kVarLoad", 0, "a time-varying load"},
+    {"kVarSpeed", 0, "a time-varying speed"},
+    {"kRotFrame", 0, "a moving base frame"},
+    {"kReIP", 0, "given rolling-element inertia"},
+    {"kRaceIP1", 0, "given outer-race inertia"},
+    {"kRaceIP2", 0, "given inner-race inertia"},
+    {"nCseg", 1, "a segmented cage or a bearing without cage (element to element contact)"},
+    {"kChrn", 0, "churning and drag"},
+};
+constexpr Gate kCage[] = {
+    {"kPocType", 0, "a pocket shape other than cylindrical"},
+    {"kCagePocImp", 0, "pocket imperfections"},
+    {"kCageGsImp", 0, "cage guide-land imperfections"},
+    {"kRaceGsImp", 0, "race guide-land imperfections"},
+    {"kPocHydro", 0, "pocket hydrodynamics"},
+    {"kGsHydro", 0, "guide-land hydrodynamics"},
+    {"kCageIP", 0, "given cage inertia"},
+    {"kCPTrac", 0, "a user routine for element to cage traction"},
+    {"kCRTrac", 0, "a user routine for cage to race traction"},
+};
+
+class Checker {
+ public:
+  explicit Checker(const Deck& deck) : deck_(deck) {}
+
+  void gates(std::span<const Gate> gates) {
+    for (const Gate& gate : gates)
+      if (deck_.has(gate.variable) && deck_.integer(gate.variable) != gate.supported)
+        error(gate.variable,
+              fmt::format("asks for {}, which this version does not simulate yet", gate.asks_for),
+              fmt::format("set {} to {}", gate.variable, gate.supported));
+  }
+
+  void error(const char* variable, std::string message, std::string remedy) {
+    issues_.push_back(
+        deck_.issue(Severity::Error, variable, std::move(message), std::move(remedy)));
+  }
+  void warning(const char* variable, std::string message, std::string remedy = {}) {
+    issues_.push_back(
+        deck_.issue(Severity::Warning, variable, std::move(message), std::move(remedy)));
+  }
+
+  std::vector<Issue> take() { return std::move(issues_); }
+
+ private:
+  const Deck& deck_;
+  std::vector<Issue> issues_;
+};
+
+/// Fits, temperatures and growth of rings change the operating geometry; until that is modelled
+/// only the neutral values run.
+void check_operating_geometry(const Deck& deck, Checker& check) {
+  for (const char* fit : {"raceFit1", "raceFit2"})
+    if (deck.has(fit) && deck.real(fit) != 0.0)
+      check.error(
+          fit, "asks for a shrink fit, whose growth of the ring this version does not compute yet",
+          "set it to 0 and give the mounted clearance or contact angle on record 5A");
+  if (!deck.has("roomTemp")) return;
+  const double room = deck.real("roomTemp");
+  for (const char* temperature :
+       {"hsngTemp", "shftTemp", "raceTemp1", "raceTemp2", "reTemp", "cageTemp"})
+    if (deck.has(temperature) && deck.real(temperature) != room)
+      check.error(
+          temperature, "differs from roomTemp, and thermal growth is not computed yet",
+          fmt::format("set it to roomTemp = {} and give the operating clearance on record 5A",
+                      room));
+}
+
+}  // namespace
+
+std::vector<Issue> check_buildable(const Deck& deck) {
+  Checker check(deck);
+  const bool dynamic = deck.integer("mode") >= 0;
+  check.gates(kAlways);
+  if (dynamic) check.gates(kDynamic);
+  if (dynamic && deck.integer("nCseg") > 0) {
+    check.gates(kCage);
+    if (deck.has("cageConeAng") && deck.real("cageConeAng") != 0.0)
+      check.error("cageConeAng",
+                  "asks for a conical cage, which this version does not simulate yet",
+                  "set it to 0");
+  }
+  if (dynamic && deck.integer("kDCR") == 1)
+    for (const char* flag :
+         {"kFD11", "kFD21", "kFD31", "kFD12", "kFD22", "kFD32", "kMD11", "kMD12"})
+      if (deck.integer(flag) == 0)
+        check.error(
+            flag,
+            "asks for a race that moves under its loads, which this version does not simulate yet",
+            "set it to 1 (prescribed motion)");
+  for (const char* material :
+       {"kReMat", "kRaceMat1", "kRaceMat2", "kHsngMat", "kShftMat", "kCageMat"})
+    if (deck.integer(material) == 2)
+      check.error(material, "asks for user routine ADRX0, which this version does not call yet",
+                  "use 0, 1 or a code of the material table");
+  if (!deck.user_lines.empty())
+    check.warning("runID",
+                  "the deck has lines after its last record, for user routines that this version "
+                  "does not call");
+  check_operating_geometry(deck, check);
+
+  if (deck.integer("kBrg") == 1)
+    for (const char* flange : {"kFlngInd11", "kFlngInd21", "kFlngInd12", "kFlngInd22"})
+      if (deck.integer(flange) != 0)
+        check.warning(flange, "a ball bearing has no roller flanges: no effect");
+  if (deck.integer("kLifeCons") == 1)
+    check.warning("kLifeCons", "fatigue life is not computed yet: the constants have no effect");
+  return check.take();
+}
+
+}  // namespace adore::build

@@ -1,0 +1,157 @@
+#include "build/run_control.hpp"
+
+#include "integrators/stepper.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+
+namespace adore::build {
+
+RunControl build_run_control(const deck::Deck& deck) {
+  RunControl out;
+  out.dynamic = deck.integer("mode") >= 0;
+  out.print_option = static_cast<int>(deck.integer("kPrtOpt"));
+  out.print_every = static_cast<int>(deck.integer("kPrtFreq"));
+  out.plot_every = static_cast<int>(deck.integer("kPltFreq"));
+  out.animate_every = static_cast<int>(deck.integer("kAGraf"));
+  out.animate = out.animate_every > 0;
+  if (!out.dynamic) return out;
+
+  const long long start = deck.integer("kIcOpt");
+  out.start = start == 0  ? StartState::Statics
+              : start < 0 ? StartState::FromFinal
+                          : StartState::Continue;
+  out.max_steps = static_cast<long>(deck.integer("maxStps"));
+  out.substeps = static_cast<int>(std::max(deck.integer("nStps"), 1LL));  // N8
+  const int code = static_cast<int>(deck.integer("intMet"));
+  out.integrator = integrators::name_of_int_met(code);
+  if (out.integrator.empty())
+    throw InputError({deck.issue(Severity::Error, "intMet", "is no integrator",
+                                 "use 1-7 (Runge-Kutta-Fehlberg), 11-18 (predictor-corrector), 21, "
+                                 "22 (CVODE), 31-33 (ARKODE)")});
+  out.step_initial = deck.si("stpInit");
+  out.step_minimum = deck.si("stpMin");
+  out.step_maximum = deck.si("stpMax");
+  out.end_time = deck.si("fTime");
+  out.tolerance = deck.si("tol");
+  if (deck.real("qFac") > 0.0)
+    throw InputError({deck.issue(Severity::Error, "qFac",
+                                 "asks for force balance of lightly loaded elements, which this "
+                                 "version does not simulate yet",
+                                 "set it to 0")});
+  const int count = static_cast<int>(deck.integer("kNumPltElem"));
+  for (int i = 1; i <= count; ++i)
+    out.monitored.push_back(static_cast<int>(deck.integer("kPltElemInd", i)));
+  if (deck.has_record("2.3")) {
+    out.master_file = deck.text("masName");
+    out.final_file = deck.text("finName");
+    for (std::size_t i = 0; i < out.sol_files.size(); ++i)
+      out.sol_files[i] = deck.text(fmt::format("pltNames{}", i + 1));
+  }
+  return out;
+}
+
+namespace {
+
+/// One option: how it is shown and how a text sets it.
+struct Option {
+  OptionInfo info;
+  std::function<bool(RunOptions&, std::string_view)> set;  ///< false: the text is no valid value
+};
+
+template <class T>
+bool parse(std::string_view text, T& out) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+bool parse_count(std::string_view text, int& out, int low, int high) {
+  int value = 0;
+  if (!parse(text, value) || value < low || value > high) return false;
+  out = value;
+  return true;
+}
+
+constexpr std::pair<std::string_view, tribology::ContactSurface> kSurfaces[] = {
+    {"curved_edge", tribology::ContactSurface::CurvedEdge},
+    {"curved_half", tribology::ContactSurface::CurvedHalf},
+    {"curved_undeformed", tribology::ContactSurface::CurvedUndeformed},
+    {"flat_undeformed", tribology::ContactSurface::FlatUndeformed},
+    {"flat_half", tribology::ContactSurface::FlatHalf},
+    {"flat_edge", tribology::ContactSurface::FlatEdge}};
+
+const std::vector<Option>& options() {
+  static const std::vector<Option> table = [] {
+    const RunOptions defaults;
+    return std::vector<Option>{
+        {{"ellipseMajor", fmt::format("{}", defaults.system.ellipse_major),
+          "quadrature nodes along the contact ellipse's major axis, 2 to 64"},
+         [](RunOptions& o, std::string_view v) {
+           return parse_count(v, o.system.ellipse_major, 2, 64);
+         }},
+        {{"ellipseMinor", fmt::format("{}", defaults.system.ellipse_minor),
+          "quadrature nodes along its minor axis, 1 to 64"},
+         [](RunOptions& o, std::string_view v) {
+           return parse_count(v, o.system.ellipse_minor, 1, 64);
+         }},
+        {{"contactSurface", "curved_edge",
+          "height of the contact surface: curved_edge, curved_half, curved_undeformed, "
+          "flat_undeformed, flat_half, flat_edge"},
+         [](RunOptions& o, std::string_view v) {
+           for (const auto& [name, surface] : kSurfaces)
+             if (name == v) return o.system.surface = surface, true;
+           return false;
+         }},
+        {{"landSlices", fmt::format("{}", defaults.system.land_slices),
+          "slices along each cage guide land, 1 to 99"},
+         [](RunOptions& o, std::string_view v) {
+           return parse_count(v, o.system.land_slices, 1, 99);
+         }},
+        {{"checkpointSeconds", fmt::format("{}", defaults.checkpoint_seconds),
+          "computing time between two writes of FINAL and MASTER [s], above 0"},
+         [](RunOptions& o, std::string_view v) {
+           return parse(v, o.checkpoint_seconds) && o.checkpoint_seconds > 0.0;
+         }},
+        {{"resultsH5", "1", "write RESULTS.h5: 1 or 0"},
+         [](RunOptions& o, std::string_view v) {
+           int value = 0;
+           if (!parse_count(v, value, 0, 1)) return false;
+           o.results_h5 = value == 1;
+           return true;
+         }},
+    };
+  }();
+  return table;
+}
+
+}  // namespace
+
+std::vector<OptionInfo> run_option_list() {
+  std::vector<OptionInfo> out;
+  for (const Option& option : options()) out.push_back(option.info);
+  return out;
+}
+
+RunOptions build_run_options(const std::map<std::string, std::string>& values) {
+  RunOptions out;
+  for (const auto& [name, value] : values) {
+    const auto found = std::find_if(options().begin(), options().end(),
+                                    [&](const Option& o) { return o.info.name == name; });
+    if (found == options().end()) {
+      std::string names;
+      for (const Option& option : options())
+        names += (names.empty() ? "" : ", ") + option.info.name;
+      throw InputError(
+          fmt::format("there is no run option named \"{}\"; the options are {}", name, names));
+    }
+    if (!found->set(out, value))
+      throw InputError(
+          fmt::format("run option {} = {} is not valid: {}", name, value, found->info.meaning));
+  }
+  return out;
+}
+
+}  // namespace adore::build

@@ -1,0 +1,93 @@
+#include "build/scene_plan.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace adore::build {
+namespace {
+
+using dynamics::Effect;
+
+bool can_push(const bearing::TractionCurve& c) {
+  return c.A != 0.0 || c.B != 0.0 || c.C != 0.0 || c.D != 0.0;
+}
+
+/// The traction law named by its switch, e.g. "kTracType = 0".
+std::string curve_reason(const deck::Deck& deck, const char* type,
+                         const bearing::TractionCurve& curve) {
+  return fmt::format("{} = {}{}", type, deck.integer(type),
+                     can_push(curve) ? "" : ", all coefficients 0");
+}
+
+}  // namespace
+
+dynamics::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing& bearing,
+                                    const RunControl& control) {
+  dynamics::ScenePlan plan;
+  const int n = bearing.balls.count;
+  const bool dynamic = control.dynamic;
+  const std::string mode = fmt::format("mode = {}", deck.integer("mode"));
+  const std::string cage_switch = fmt::format("nCseg = {}", deck.integer("nCseg"));
+  const bool cage = dynamic && bearing.cage.has_value();
+  const bool guided = cage && bearing.land_traction.has_value();
+
+  auto effect = [&](Effect id, const char* name, bool on, std::string because) {
+    plan.effects.push_back(
+        {id, name, dynamic && on, dynamic ? std::move(because) : mode + " (quasi-static)"});
+  };
+  effect(Effect::RaceContact, "ball / race contact", true, mode);
+  effect(Effect::RaceTraction, "ball / race traction", can_push(bearing.race_traction),
+         curve_reason(deck, "kTracType", bearing.race_traction));
+  effect(Effect::CageMotion, "cage motion", cage, cage_switch);
+  effect(Effect::PocketContact, "ball / pocket contact", cage, cage_switch);
+  effect(Effect::PocketTraction, "ball / pocket traction",
+         cage && can_push(*bearing.pocket_traction),
+         cage ? curve_reason(deck, "kCPTracType", *bearing.pocket_traction) : cage_switch);
+  effect(Effect::LandContact, "cage / race guide lands", guided,
+         cage ? fmt::format("nGL = {}{}", deck.integer("nGL"), guided ? "" : ", no guided land")
+              : cage_switch);
+  effect(Effect::LandTraction, "cage / race traction", guided && can_push(*bearing.land_traction),
+         guided ? curve_reason(deck, "kCRTracType", *bearing.land_traction)
+                : std::string("no guided land"));
+  effect(Effect::Gravity, "gravity", bearing.gravity.norm() > 0.0,
+         fmt::format("gravityVec = ({:g}, {:g}, {:g}) m/s^2", bearing.gravity.x(),
+                     bearing.gravity.y(), bearing.gravity.z()));
+
+  // A perfect sphere's orientation is integrated only for elements that a file shows.
+  const bool sections = dynamic && control.print_option >= 1;
+  for (int i = 0; i < n && dynamic; ++i) {
+    const bool monitored = std::find(control.monitored.begin(), control.monitored.end(), i + 1) !=
+                           control.monitored.end();
+    if (control.animate || monitored || (sections && i % control.print_option == 0))
+      plan.oriented_elements.push_back(i);
+  }
+  const int oriented = static_cast<int>(plan.oriented_elements.size());
+  effect(Effect::ElementOrientation, "ball orientation", oriented > 0,
+         control.animate ? fmt::format("kAGraf = {}: all balls", control.animate_every)
+                         : fmt::format("{} of {} balls in kPltElemInd or kPrtOpt", oriented, n));
+  effect(Effect::WearIntegrals, "wear and power integrals", true, "SOL7 and PRINT show them");
+
+  auto rpm = [](double speed) { return speed * 30.0 / std::numbers::pi; };
+  if (dynamic) {
+    plan.bodies.push_back({fmt::format("balls ({})", n),
+                           "x, r, theta, angular velocity: 6 degrees of freedom each", 9 * n});
+    if (oriented > 0)
+      plan.bodies.push_back({fmt::format("orientation of balls ({})", oriented),
+                             "quaternion and total rotation", 5 * oriented});
+    if (cage) plan.bodies.push_back({"cage", "6 degrees of freedom and total rotation", 14});
+  } else {
+    plan.bodies.push_back({fmt::format("balls ({})", n), "x, r in equilibrium", 2 * n});
+  }
+  const char* how = dynamic ? "at the static position" : "in equilibrium";
+  plan.bodies.push_back(
+      {"outer race", fmt::format("fixed, speed {:g} rpm", rpm(bearing.speed[0])), 0});
+  plan.bodies.push_back({"inner race",
+                         fmt::format("{}, speed {:g} rpm", how, rpm(bearing.speed[1])),
+                         dynamic ? 0 : 5});
+  for (const dynamics::BodyEntry& body : plan.bodies) plan.unknowns += body.unknowns;
+  return plan;
+}
+
+}  // namespace adore::build

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "build/run_control.hpp"
+#include "dynamics/scene_plan.hpp"
+
+namespace adore::build {
+
+/// What a run of this deck simulates and why: bodies, degrees of freedom, effects with the deck
+/// switch that decides each.
+[[nodiscard]] dynamics::ScenePlan make_scene_plan(const deck::Deck& deck,
+                                                  const bearing::Bearing& bearing,
+                                                  const RunControl& control);
+
+}  // namespace adore::build

@@ -1,0 +1,131 @@
+#include "contact/ball_pocket.hpp"
+
+namespace adore::contact {
+namespace {
+
+using bearing::PocketShape;
+
+/// From the ball centre to a point that is never on the medial axis.
+WallPoint to_point(const Vec3& q, const Vec3& w, double ball_radius) noexcept {
+  const Vec3 d = w - q;
+  const double distance = d.norm();
+  return {w, distance > 0.0 ? Vec3(d / distance) : Vec3::Zero(), distance - ball_radius};
+}
+
+WallPoint spherical(const BallPocket& pocket, const Vec3& q) noexcept {
+  const double r_b = 0.5 * pocket.ball_diameter;
+  const double rho = r_b + 0.5 * pocket.clearance_1;
+  const double d = std::hypot(q[0], q[1]), s = std::hypot(d, q[2]);
+  double radius = rho, height = 0.0;
+  if (s > kMedialAxisRadius * r_b) {
+    radius = rho * d / s;
+    height = rho * q[2] / s;
+  }
+  const double inside = std::clamp(height, pocket.z_low, pocket.z_high);
+  if (inside != height) {  // beyond the cut: the rim circle
+    height = inside;
+    radius = std::sqrt(std::max(rho * rho - height * height, 0.0));
+  }
+  return wall_of_revolution(q, radius, height, r_b);
+}
+
+WallPoint elongated(const BallPocket& pocket, const Vec3& q) noexcept {
+  const double r_b = 0.5 * pocket.ball_diameter;
+  const double half = 0.5 * std::max(pocket.clearance_2, 0.0);
+  const double y_arc = std::clamp(q[1], -half, half);
+  const Vec3 from_arc(q[0], q[1] - y_arc, q[2]);
+  const CylindricalPocket arc{r_b + 0.5 * pocket.clearance_1, pocket.z_low, pocket.z_high};
+  WallPoint point = nearest_wall(arc, from_arc, r_b);
+  point.w[1] += y_arc;
+  return point;
+}
+
+WallPoint conical(const BallPocket& pocket, const Vec3& q) noexcept {
+  const double r_b = 0.5 * pocket.ball_diameter;
+  const double r1 = r_b + 0.5 * pocket.clearance_1, r2 = r_b + 0.5 * pocket.clearance_2;
+  const double dr = r2 - r1, dz = pocket.z_high - pocket.z_low;
+  const double d = std::hypot(q[0], q[1]);
+  const double along = ((d - r1) * dr + (q[2] - pocket.z_low) * dz) / (dr * dr + dz * dz);
+  const double t = std::clamp(along, 0.0, 1.0);
+  return wall_of_revolution(q, r1 + t * dr, pocket.z_low + t * dz, r_b);
+}
+
+WallPoints rectangular(const BallPocket& pocket, const Vec3& q, double rotation_sign) noexcept {
+  const double r_b = 0.5 * pocket.ball_diameter;
+  const double y = std::copysign(r_b + 0.5 * pocket.clearance_1, rotation_sign);
+  const double x = r_b + 0.5 * pocket.clearance_2;
+  const double z = std::clamp(q[2], pocket.z_low, pocket.z_high);
+  return {{to_point(q, {q[0], y, z}, r_b), to_point(q, {x, q[1], z}, r_b),
+           to_point(q, {q[0], -y, z}, r_b), to_point(q, {-x, q[1], z}, r_b)},
+          4};
+}
+
+}  // namespace
+
+WallPoints nearest_walls(const BallPocket& pocket, const Vec3& q, double rotation_sign) noexcept {
+  const double r_b = 0.5 * pocket.ball_diameter;
+  switch (pocket.shape) {
+    case PocketShape::Spherical:
+      return {{spherical(pocket, q)}, 1};
+    case PocketShape::Elongated:
+      return {{elongated(pocket, q)}, 1};
+    case PocketShape::Conical:
+      return {{conical(pocket, q)}, 1};
+    case PocketShape::Rectangular:
+      return rectangular(pocket, q, rotation_sign);
+    case PocketShape::Cylindrical:
+      break;
+  }
+  const CylindricalPocket wall{r_b + 0.5 * pocket.clearance_1, pocket.z_low, pocket.z_high};
+  return {{nearest_wall(wall, q, r_b)}, 1};
+}
+
+std::array<double, 2> wall_curvatures(const BallPocket& pocket, const Vec3& q) {
+  const double r_b = 0.5 * pocket.ball_diameter;
+  const double rho = r_b + 0.5 * pocket.clearance_1;
+  switch (pocket.shape) {
+    case PocketShape::Cylindrical:
+      return {-1.0 / rho, 0.0};
+    case PocketShape::Spherical:
+      return {-1.0 / rho, -1.0 / rho};
+    case PocketShape::Elongated:
+      if (std::abs(q[1]) < 0.5 * pocket.clearance_2) return {0.0, 0.0};
+      return {-1.0 / rho, 0.0};
+    case PocketShape::Conical: {
+      const double r2 = r_b + 0.5 * pocket.clearance_2;
+      const double cos_alpha = std::cos(std::atan2(r2 - rho, pocket.z_high - pocket.z_low));
+      return {-cos_alpha / (0.5 * (rho + r2)), 0.0};
+    }
+    case PocketShape::Rectangular:
+      break;
+  }
+  return {0.0, 0.0};
+}
+
+WallPoint nearest_wall_half(const CylindricalPocket& pocket, const Vec3& q, double ball_radius,
+                            int half_side, double y_cut) noexcept {
+  const WallPoint full = nearest_wall(pocket, q, ball_radius);
+  const double side = half_side < 0 ? -1.0 : 1.0;
+  if (side * full.w[1] >= y_cut) return full;
+  const double rho = pocket.wall_radius;
+  const double x_end = std::copysign(std::sqrt(std::max(rho * rho - y_cut * y_cut, 0.0)), q[0]);
+  return to_point(q, {x_end, side * y_cut, full.w[2]}, ball_radius);
+}
+
+PocketFrame pocket_frame(const PocketPlacement& placement) noexcept {
+  PocketFrame frame;
+  frame.centre = placement.pitch_radius * radial_direction(placement.azimuth) +
+                 placement.axial_variation * Vec3::UnitX();
+  frame.cage_to_pocket = passive_matrix(placement.tilt) * passive_y(placement.cone_angle) *
+                         passive_x(placement.azimuth);
+  return frame;
+}
+
+std::array<double, 2> wall_height(double outer_diameter, double inner_diameter,
+                                  double pitch_diameter, double thickness_variation) noexcept {
+  const double middle = 0.25 * (outer_diameter + inner_diameter) - 0.5 * pitch_diameter;
+  const double half = 0.5 * (0.5 * (outer_diameter - inner_diameter) + thickness_variation);
+  return {middle - half, middle + half};
+}
+
+}  // namespace adore::contact

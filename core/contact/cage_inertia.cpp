@@ -1,0 +1,303 @@
+#include "contact/cage_inertia.hpp"
+
+#include "base/errors.hpp"
+#include "base/gauss.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace adore::contact {
+namespace {
+
+using bearing::PocketShape;
+constexpr double kPi = 3.14159265358979323846;
+
+/// Volume, first and second moments of a body of unit density.
+struct Moments {
+  double volume = 0.0;
+  Vec3 first = Vec3::Zero();
+  Mat3 second = Mat3::Zero();  ///< ∫ r r^T dV
+
+  void add(const Moments& other, double sign = 1.0) {
+    volume += sign * other.volume;
+    first += sign * other.first;
+    second += sign * other.second;
+  }
+  /// The same body turned about x by ψ.
+  [[nodiscard]] Moments turned(double psi) const {
+    const Mat3 R = passive_x(psi).transpose();
+    return {volume, R * first, R * second * R.transpose()};
+  }
+};
+
+/// Cross-section of a pocket: half chord along x over the pocket's y and z.
+struct PocketSection {
+  const CageSolid& solid;
+  double half_y = 0.0;      ///< half width along y: faces of a rectangle, radius ρ (r1 for a cone)
+  double flat = 0.0;        ///< half length of the straight part along y (elongated)
+  double cone_slope = 0.0;  ///< dρ/dz
+  double cone_z = 0.0;      ///< z where the radius is half_y
+  double half_x = 0.0;      ///< rectangle only
+
+  explicit PocketSection(const CageSolid& s) : solid(s) {
+    half_y = 0.5 * (s.element_diameter + s.clearance_1);
+    if (s.pocket == PocketShape::Elongated) flat = 0.5 * s.clearance_2;
+    if (s.pocket == PocketShape::Rectangular)
+      half_x = s.roller_length > 0.0 ? 0.5 * s.roller_length
+                                     : 0.5 * (s.element_diameter + s.clearance_2);
+    if (s.pocket == PocketShape::Conical) {
+      const double low = 0.5 * (s.inner_diameter - s.pitch_diameter);
+      const double high = 0.5 * (s.outer_diameter - s.pitch_diameter);
+      cone_z = low;
+      cone_slope = 0.5 * (s.clearance_2 - s.clearance_1) / (high - low);
+    }
+  }
+  [[nodiscard]] double half_chord(double y, double z) const {
+    double squared = half_y * half_y - y * y;
+    switch (solid.pocket) {
+      case PocketShape::Rectangular:
+        return half_x;
+      case PocketShape::Elongated: {
+        const double beyond = std::max(std::abs(y) - flat, 0.0);
+        squared = half_y * half_y - beyond * beyond;
+        break;
+      }
+      case PocketShape::Spherical:
+        squared -= z * z;
+        break;
+      case PocketShape::Conical: {
+        const double radius = half_y + cone_slope * (z - cone_z);
+        squared = radius * radius - y * y;
+        break;
+      }
+      case PocketShape::Cylindrical:
+        break;
+    }
+    return std::sqrt(std::max(squared, 0.0));
+  }
+  /// Half angle of the void on the circle of radius r about the cage axis; 0 when that circle
+  /// misses the pocket.
+  [[nodiscard]] double half_angle(double r) const {
+    const double r_p = 0.5 * solid.pitch_diameter;
+    if (solid.pocket == PocketShape::Spherical) {
+      const double c = (r * r + r_p * r_p - half_y * half_y) / (2 * r * r_p);
+      return c >= 1.0 ? 0.0 : std::acos(std::max(c, -1.0));
+    }
+    if (solid.pocket == PocketShape::Conical) {
+      const double k = cone_slope, b = half_y - k * (r_p + cone_z);  // r sin φ - k r cos φ = b
+      return std::asin(std::clamp(b / (r * std::sqrt(1 + k * k)), -1.0, 1.0)) + std::atan(k);
+    }
+    return std::asin(std::min((half_y + flat) / r, 1.0));
+  }
+};
+
+/// Half of a void, φ from `from` to its end on the side of `sign`, pocket at azimuth 0.
+Moments half_void(const PocketSection& section, double from, double sign) {
+  const CageSolid& s = section.solid;
+  const double r1 = 0.5 * s.outer_diameter, r2 = 0.5 * s.inner_diameter,
+               r_p = 0.5 * s.pitch_diameter;
+  Moments sum;
+  for (const GaussPoint& radial : kGauss20) {
+    const double r = 0.5 * (r1 + r2) + 0.5 * (r1 - r2) * radial.node;
+    const double end = section.half_angle(r);
+    const double kink = section.flat > 0.0 ? std::asin(std::min(section.flat / r, 1.0)) : 0.0;
+    const std::array<double, 3> pieces = {from, std::clamp(kink, from, std::max(end, from)), end};
+    for (std::size_t p = 0; p < 2; ++p) {
+      const double length = pieces[p + 1] - pieces[p];
+      if (!(length > 0.0)) continue;
+      for (const GaussPoint& around : kGauss20) {
+        const double t =
+            0.25 * kPi * (1 + around.node);  // φ = start + length sin t: smooth at the end
+        const double phi = sign * (pieces[p] + length * std::sin(t));
+        const double y = -r * std::sin(phi), z = r * std::cos(phi);
+        const double chord = section.half_chord(y, z - r_p);
+        const double dV = radial.weight * 0.5 * (r1 - r2) * r * around.weight * 0.25 * kPi *
+                          length * std::cos(t) * 2 * chord;
+        const Vec3 point(0.0, y, z);
+        sum.volume += dV;
+        sum.first += dV * point;
+        sum.second += dV * point * point.transpose();
+        sum.second(0, 0) += dV * chord * chord / 3;
+      }
+    }
+  }
+  return sum;
+}
+
+/// Shell sector of half angle β, its middle at azimuth 0.
+Moments sector(const CageSolid& s, double beta) {
+  const double r1 = 0.5 * s.outer_diameter, r2 = 0.5 * s.inner_diameter, w = s.width;
+  const double third = (r1 * r1 * r1 - r2 * r2 * r2) / 3,
+               fourth = (r1 * r1 * r1 * r1 - r2 * r2 * r2 * r2) / 4;
+  Moments m;
+  m.volume = beta * (r1 * r1 - r2 * r2) * w;
+  m.first = Vec3(0.0, 0.0, 2 * std::sin(beta) * third * w);
+  m.second.diagonal() = Vec3(m.volume * w * w / 12, fourth * w * (beta - 0.5 * std::sin(2 * beta)),
+                             fourth * w * (beta + 0.5 * std::sin(2 * beta)));
+  return m;
+}
+
+/// Conical shell, radius R - x tan γ: exact polynomials in x.
+Moments cone(const CageSolid& s) {
+  const double r1 = 0.5 * s.outer_diameter, r2 = 0.5 * s.inner_diameter, t = std::tan(s.cone_angle);
+  Moments m;
+  for (const GaussPoint& axial : kGauss20) {
+    const double x = 0.5 * s.width * axial.node, a = r1 - x * t, b = r2 - x * t;
+    const double area = 0.5 * s.width * axial.weight * kPi * (a * a - b * b);
+    m.volume += area;
+    m.first[0] += area * x;
+    m.second(0, 0) += area * x * x;
+    const double across = 0.25 * area * (a * a + b * b);
+    m.second(1, 1) += across;
+    m.second(2, 2) += across;
+  }
+  return m;
+}
+
+/// Void of a pocket of constant section in a conical cage: along the pocket's own normal between
+/// the two cones.
+Moments cone_void(const PocketSection& section) {
+  const CageSolid& s = section.solid;
+  const double t = std::tan(s.cone_angle);
+  const Mat3 to_cage = passive_y(s.cone_angle).transpose();
+  const Vec3 normal = to_cage.col(2);
+  const auto end = [&](const Vec3& p,
+                       double radius) {  // where p + z·normal meets the cone of that mid radius
+    const double R = radius - p[0] * t, slope = normal[0] * t;
+    const double a = normal[1] * normal[1] + normal[2] * normal[2] - slope * slope;
+    const double b = p[1] * normal[1] + p[2] * normal[2] + R * slope;
+    const double c = p[1] * p[1] + p[2] * p[2] - R * R;
+    return (-b + std::sqrt(std::max(b * b - a * c, 0.0))) / a;
+  };
+  Moments sum;
+  const double total = section.half_y + section.flat;
+  const std::array<double, 4> edges = {-total, -section.flat, section.flat, total};
+  const bool round = s.pocket != PocketShape::Rectangular;
+  for (std::size_t piece = 0; piece < 3; ++piece) {
+    const double y0 = edges[piece], length = edges[piece + 1] - y0;
+    if (!(length > 0.0)) continue;
+    for (const GaussPoint& gy : kGauss20) {
+      // sin² map: the chord's square-root end becomes smooth.
+      const double u = 0.5 * (1 + gy.node);
+      const double part = round ? std::pow(std::sin(0.5 * kPi * u), 2) : u;
+      const double slope = round ? 0.5 * kPi * std::sin(kPi * u) : 1.0;
+      const double y = y0 + length * part, half = section.half_chord(y, 0.0);
+      for (const GaussPoint& gx : kGauss20) {
+        const double area = 0.5 * gy.weight * length * slope * gx.weight * half;
+        const Vec3 p = Vec3(0, 0, 0.5 * s.pitch_diameter) + to_cage * Vec3(half * gx.node, y, 0.0);
+        const double low = end(p, 0.5 * s.inner_diameter), high = end(p, 0.5 * s.outer_diameter);
+        const double n1 = high - low, n2 = (high * high - low * low) / 2;
+        const double n3 = (high * high * high - low * low * low) / 3;
+        sum.volume += area * n1;
+        sum.first += area * (n1 * p + n2 * normal);
+        sum.second += area * (n1 * p * p.transpose() + n3 * normal * normal.transpose() +
+                              n2 * (p * normal.transpose() + normal * p.transpose()));
+      }
+    }
+  }
+  return sum;
+}
+
+void check(const CageSolid& s, const PocketSection& section) {
+  if (!(s.inner_diameter > 0.0) || !(s.outer_diameter > s.inner_diameter) || !(s.width > 0.0) ||
+      !(s.density > 0.0) || s.pockets < 1 || !(s.element_diameter > 0.0) ||
+      !(s.pitch_diameter > 0.0))
+    throw InputError(fmt::format(
+        "cage inertia: outer diameter {} m must exceed inner diameter {} m, and width {} m, "
+        "density {} kg/m^3, element "
+        "diameter {} m, pitch diameter {} m and the number of pockets {} must be positive",
+        s.outer_diameter, s.inner_diameter, s.width, s.density, s.element_diameter,
+        s.pitch_diameter, s.pockets));
+  double widest = 0.0, chord = 0.0;
+  for (const double d :
+       {s.inner_diameter, std::clamp(s.pitch_diameter, s.inner_diameter, s.outer_diameter),
+        s.outer_diameter}) {
+    widest = std::max(widest, section.half_angle(0.5 * d));
+    chord = std::max(chord, section.half_chord(0.0, 0.5 * (d - s.pitch_diameter)));
+  }
+  if (widest >= kPi / s.pockets)
+    throw InputError(
+        fmt::format("cage inertia: the {} pockets overlap, each spans {:.3f} degrees of {:.3f} "
+                    "available; give less pocket "
+                    "clearance, fewer elements, or the cage's mass and inertia",
+                    s.pockets, widest * 360 / kPi, 360.0 / s.pockets));
+  if (2 * chord >= s.width)
+    throw InputError(fmt::format(
+        "cage inertia: the pocket is {} m long but the cage only {} m wide; give a wider cage",
+        2 * chord, s.width));
+  if (s.cone_angle != 0.0 &&
+      (s.segments > 1 || s.pocket == PocketShape::Spherical || s.pocket == PocketShape::Conical))
+    throw InputError(
+        "cage inertia: a conical cage must be in one piece with cylindrical, elongated or "
+        "rectangular "
+        "pockets; give its mass and inertia instead");
+  if (s.segments > 1 && s.pockets % s.segments != 0)
+    throw InputError(fmt::format("cage inertia: {} pockets cannot be shared equally by {} segments",
+                                 s.pockets, s.segments));
+}
+
+}  // namespace
+
+SolidInertia cage_solid_inertia(const CageSolid& s) {
+  const PocketSection section(s);
+  check(s, section);
+  const double pitch = 2 * kPi / s.pockets;
+  Moments body;
+  if (s.segments <= 1) {
+    Moments pocket;
+    if (s.cone_angle != 0.0) {
+      body = cone(s);
+      pocket = cone_void(section);
+    } else {
+      body = sector(s, kPi);
+      pocket = half_void(section, 0.0, 1.0);
+      pocket.add(half_void(section, 0.0, -1.0));
+    }
+    for (int i = 0; i < s.pockets; ++i) body.add(pocket.turned(i * pitch), -1.0);
+  } else {
+    const double half = kPi / s.segments;
+    body = sector(s, half - 0.5 * s.cut_angle);
+    const int per_segment = s.pockets / s.segments,
+              whole = s.cut_at_pocket ? per_segment - 1 : per_segment;
+    Moments pocket = half_void(section, 0.0, 1.0);
+    pocket.add(half_void(section, 0.0, -1.0));
+    for (int i = 0; i < whole; ++i) body.add(pocket.turned((i - 0.5 * (whole - 1)) * pitch), -1.0);
+    if (s.cut_at_pocket) {
+      body.add(half_void(section, 0.5 * s.cut_angle, -1.0).turned(half), -1.0);
+      body.add(half_void(section, 0.5 * s.cut_angle, 1.0).turned(-half), -1.0);
+    }
+  }
+  SolidInertia result;
+  result.volume = body.volume;
+  result.mass = s.density * body.volume;
+  result.mass_centre = body.first / body.volume;
+  const Mat3 second =
+      body.second - body.volume * result.mass_centre * result.mass_centre.transpose();
+  result.inertia = s.density * (second.trace() * Mat3::Identity() - second);
+  return result;
+}
+
+bearing::Inertia cage_inertia(const bearing::Cage& cage, int pockets, double ball_diameter,
+                              double pitch_diameter, double density) {
+  if (cage.cone_angle != 0.0)
+    throw InputError(
+        "cage inertia: the mass centre of a conical cage lies off its geometric centre; give the "
+        "cage's "
+        "mass, inertia and offset");
+  CageSolid solid;
+  solid.pocket = cage.pocket;
+  solid.outer_diameter = cage.outer_diameter;
+  solid.inner_diameter = cage.inner_diameter;
+  solid.width = cage.width;
+  solid.pockets = pockets;
+  solid.element_diameter = ball_diameter;
+  solid.pitch_diameter = pitch_diameter;
+  solid.clearance_1 = cage.pocket_clearance_1;
+  solid.clearance_2 = cage.pocket_clearance_2;
+  solid.density = density;
+  const SolidInertia inertia = cage_solid_inertia(solid);
+  return {inertia.mass, inertia.inertia.diagonal()};
+}
+
+}  // namespace adore::contact

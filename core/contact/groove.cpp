@@ -1,0 +1,118 @@
+#include "contact/groove.hpp"
+
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace adore::contact {
+namespace {
+
+constexpr std::array<const char*, 2> kRaceName{"outer", "inner"};
+
+void check_groove_factor(double factor, int race) {
+  if (!(factor > 0.5 && factor < 1.0)) {
+    throw InputError(
+        fmt::format("ball bearing: the {} groove factor is {}; the groove radius over the ball "
+                    "diameter must lie above 0.5 "
+                    "(else the groove grips the ball) and below 1 (else the contact ellipse lies "
+                    "along the groove)",
+                    kRaceName[static_cast<std::size_t>(race)], factor));
+  }
+}
+
+void check(const bearing::BallGeometry& balls) {
+  if (!(std::isfinite(balls.diameter) && balls.diameter > 0.0)) {
+    throw InputError(fmt::format("ball bearing: the ball diameter is {} m; it must be positive",
+                                 balls.diameter));
+  }
+  if (!(std::isfinite(balls.pitch_diameter) && balls.pitch_diameter > balls.diameter)) {
+    throw InputError(fmt::format(
+        "ball bearing: the pitch diameter is {} m; it must be larger than the ball diameter, {} m",
+        balls.pitch_diameter, balls.diameter));
+  }
+  if (!(balls.contact_angle >= 0.0 && balls.contact_angle < 1.5707)) {
+    throw InputError(fmt::format(
+        "ball bearing: the free contact angle is {} rad; it must lie between 0 and 90 degrees",
+        balls.contact_angle));
+  }
+  for (int race = 0; race < 2; ++race) {
+    check_groove_factor(balls.groove_factor[static_cast<std::size_t>(race)], race);
+  }
+}
+
+}  // namespace
+
+GrooveGeometry groove_geometry(const bearing::BallGeometry& balls) {
+  check(balls);
+  GrooveGeometry g;
+  g.ball_radius = 0.5 * balls.diameter;
+  for (std::size_t j = 0; j < 2; ++j) {
+    g.groove_radius[j] = balls.groove_factor[j] * balls.diameter;
+    g.offset[j] = (balls.groove_factor[j] - 0.5) * balls.diameter;
+    const double sign =
+        j == bearing::kOuter ? -1.0 : 1.0;  // the inner groove centre lies outside the ball circle
+    if (balls.contact_angle > 0.0) {
+      g.centre_radius[j] =
+          0.5 * balls.pitch_diameter + sign * g.offset[j] * std::cos(balls.contact_angle);
+      g.centre_x[j] = sign * g.offset[j] * std::sin(balls.contact_angle);
+    } else {
+      g.centre_radius[j] =
+          0.5 * balls.pitch_diameter + sign * (g.offset[j] - 0.25 * balls.clearance);
+      g.centre_x[j] = 0.0;
+    }
+  }
+  return g;
+}
+
+RelativeCurvature race_curvature(const bearing::BallGeometry& balls, int race,
+                                 double contact_angle) {
+  const auto j = static_cast<std::size_t>(race);
+  check_groove_factor(balls.groove_factor[j], race);
+  const double D = balls.diameter;
+  const double sign = race == bearing::kInner ? 1.0 : -1.0;
+  const double c = std::cos(contact_angle);
+  const double rolling = 2.0 / D + sign * 2.0 * c / (balls.pitch_diameter - sign * D * c);
+  const double transverse = 2.0 / D - 1.0 / (balls.groove_factor[j] * D);
+  return {transverse, rolling};
+}
+
+FreeState free_state(double diameter, const std::array<double, 2>& groove_factor,
+                     const std::array<double, 2>& shim, double contact_angle,
+                     double measured_clearance) {
+  for (int race = 0; race < 2; ++race) {
+    check_groove_factor(groove_factor[static_cast<std::size_t>(race)], race);
+  }
+  const double play_of_90_degrees = 2.0 * diameter * (groove_factor[0] + groove_factor[1] - 1.0);
+  if (contact_angle > 0.0) {
+    return {contact_angle, play_of_90_degrees * (1.0 - std::cos(contact_angle))};
+  }
+  double clearance = measured_clearance;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double chord = (2.0 * groove_factor[j] - 1.0) * diameter;
+    const double sine = shim[j] / chord;
+    if (!(sine >= 0.0 && sine < 1.0)) {
+      throw InputError(fmt::format(
+          "ball bearing: the shim of the {} race is {} m; it must not be negative and must stay "
+          "below {} m, twice the "
+          "distance between ball and groove centre, or the ball could not touch the split groove",
+          kRaceName[j], shim[j], chord));
+    }
+    clearance += chord * (1.0 - std::sqrt((1.0 - sine) * (1.0 + sine)));
+  }
+  if (!(clearance < play_of_90_degrees)) {
+    throw InputError(fmt::format(
+        "ball bearing: the diametral clearance of the circular grooves is {} m; it must stay below "
+        "{} m, where the free "
+        "contact angle reaches 90 degrees; give a smaller clearance or larger groove factors",
+        clearance, play_of_90_degrees));
+  }
+  // 1 - cos α0 = clearance/play, written with the half angle so that small clearances keep their
+  // digits.
+  const double angle =
+      clearance > 0.0 ? 2.0 * std::asin(std::sqrt(0.5 * clearance / play_of_90_degrees)) : 0.0;
+  return {angle, clearance};
+}
+
+}  // namespace adore::contact

@@ -1,0 +1,206 @@
+#include "deck/schema_parts.hpp"
+
+#include <fmt/format.h>
+
+/// Records 6 (inertia of rolling elements and races) and 7 (cage).
+namespace adore::deck {
+namespace {
+
+using range::between;
+using range::kAny;
+using range::kNotNegative;
+using range::kPositive;
+using range::kTilt;
+using unit::kAngle;
+using unit::kLength;
+
+RecordSpec cage_options() {
+  const auto land_errors = [](std::string_view name, std::string_view what) {
+    return choice(
+        name, {{"0", "ideal"}, {"1", "elliptical"}, {"2", "sinusoidal"}},
+        keep(fmt::format("Geometry errors of the guide lands of the {}, used when nGL is above 0.",
+                         what)));
+  };
+  const auto hydrodynamics = [](std::string_view name, std::string_view where) {
+    return choice(
+        name, {{"0", "neglect"}, {"1", "include"}},
+        keep(fmt::format("Hydrodynamic film forces {}; not with a segmented cage.", where)));
+  };
+  return record(
+      "7.0", "Cage options", "nCseg > 0",
+      {choice("kPocType",
+              {{"-1", "rollers: cylindrical pockets of a roller-guided cage"},
+               {"0", "balls: cylindrical, rollers: rectangular"},
+               {"1", "balls: spherical, rollers: one surface pair"},
+               {"2", "balls: elongated cylindrical, rollers: two surface pairs"},
+               {"3", "balls: rectangular, rollers: three surface pairs"},
+               {"4", "balls: conical"}},
+              "Shape of the pockets; what a code means depends on kBrg. For rollers a positive "
+              "value is the number of guide "
+              "surface pairs on records 7.3.i."),
+       choice("kCagePocImp",
+              {{"0", "ideal"},
+               {"1", "pocket 1 only"},
+               {"2", "same error in all pockets"},
+               {"3", "random, normally distributed"},
+               {"4", "user routine ADRX8"}},
+              "Geometry errors of the pockets."),
+       land_errors("kCageGsImp", "cage"), land_errors("kRaceGsImp", "race"),
+       hydrodynamics("kPocHydro", "in the pockets"),
+       hydrodynamics("kGsHydro", "at the guide lands"),
+       with_table(choice("kCageMat",
+                         {{"0", "mild steel"}, {"1", "record 8.5"}, {"2", "user routine ADRX0"}},
+                         "Material of the cage: 0 mild steel, 1 properties in the deck, or a code "
+                         "of the material table.",
+                         "0"),
+                  "@materials"),
+       choice("kCageIP", {{"0", "from ideal geometry"}, {"1", "record 7.7"}},
+              "Where mass and inertia of the cage come from.", "0"),
+       counted("nGL", between(0, 4),
+               {{"0", "not race guided"}, {"n", "number of guide lands, at most 4"}},
+               "Number of lands on which the cage is guided by a race, at most 4; 0 for none."),
+       array(choice("iCageGuide", {{"0", "no guidance"}, {"1", "outer race"}, {"2", "inner race"}},
+                    "Race that guides each land."),
+             "nGL")});
+}
+
+RecordSpec cage_geometry() {
+  return record("7.1", "Cage geometry", "nCseg > 0",
+                {real("cageDia1", kLength, kPositive, "Outer diameter of the cage."),
+                 real("cageDia2", kLength, kPositive, "Inner diameter of the cage."),
+                 real("cageWidth", kLength, kPositive, "Width of the cage."),
+                 real("cageCls1", kLength, kAny,
+                      "Diametral clearance between cage and outer race away from the guide lands; "
+                      "lands have their own on records 7.2.i."),
+                 real("cageCls2", kLength, kAny,
+                      "Diametral clearance between cage and inner race away from the guide lands; "
+                      "lands have their own on records 7.2.i."),
+                 real("bPocCls1", kLength, kAny,
+                      "Pocket clearance I: pocket size minus element diameter around the "
+                      "circumference; axial for elongated ball pockets, "
+                      "inner opening minus ball diameter for conical ones. Unused for rollers with "
+                      "guide surface pairs."),
+                 real("bPocCls2", kLength, kAny,
+                      "Pocket clearance II: centre offset of elongated, axial clearance of "
+                      "rectangular, outer opening minus ball diameter "
+                      "of conical ball pockets. Zero for the others and for rollers."),
+                 real("cageAngCut", kAngle, between(0.0, 360.0),
+                      "Angular width of the cut between two segments; 0 for a one-piece cage."),
+                 real("cageConeAng", kAngle, kTilt,
+                      "Half cone angle of a conical cage; 0 for a cylindrical one.")});
+}
+
+RecordSpec guide_lands() {
+  return repeated("7.2.i", "Cage guide land geometry", "nCseg > 0 && nGL > 0", "nGL",
+                  {real("cageGsDia", kLength, kPositive, "Diameter of the land on the cage."),
+                   real("cageGsWidth", kLength, kPositive, "Width of the land."),
+                   real("cageGsPos", kLength, kAny,
+                        "Axial distance from the cage centre to the outer edge of the land; "
+                        "negative on the negative x side."),
+                   real("cageGsCls", kLength, kAny,
+                        "Diametral clearance between the land and the race that guides it.")});
+}
+
+RecordSpec pocket_surfaces() {
+  RecordSpec spec = repeated("7.3.i", "Roller pocket guide surfaces",
+                             "nCseg > 0 && kBrg > 1 && kPocType > 0", "kPocType", {});
+  for (const char axis : {'x', 'y', 'z'})
+    spec.variables.push_back(real(
+        keep(fmt::format("bPocGsAng{}", axis - 'x' + 1)), kAngle, kAny,
+        keep(fmt::format(
+            "Rotation about {} that turns the pocket frame into the frame of the guide surface.",
+            axis))));
+  spec.variables.push_back(
+      real("bPocGsCen1", kLength, kAny, "x of the surface centre from the pocket centre."));
+  spec.variables.push_back(real("bPocGsCen2", kLength, kAny,
+                                "y of the surface centre from the pocket centre, on the positive "
+                                "side; its mate is the mirror "
+                                "image in the pocket's x-z plane."));
+  spec.variables.push_back(
+      real("bPocGsCen3", kLength, kAny, "z of the surface centre from the pocket centre."));
+  spec.variables.push_back(
+      real("bPocGsLen1", kLength, kPositive, "Extent of the surface along z (width)."));
+  spec.variables.push_back(
+      real("bPocGsLen2", kLength, kPositive, "Extent of the surface along x (length)."));
+  return spec;
+}
+
+RecordSpec pocket_errors() {
+  return record(
+      "7.4", "Pocket imperfections", "nCseg > 0 && kCagePocImp in (1,2,3)",
+      {real("bPocClsVar1", kLength, kAny,
+            "Deviation of pocket clearance I; its rms value when kCagePocImp is 3."),
+       real("bPocClsVar2", kLength, kAny,
+            "Deviation of pocket clearance II; its rms value when kCagePocImp is 3."),
+       real("bPocThknsVar", kLength, kAny,
+            "Deviation of the pocket thickness from outer minus inner cage radius."),
+       real("bPocCenVar1", kLength, kAny, "Axial shift of the pocket centre."),
+       real("bPocCenVar2", kAngle, kAny,
+            "Angular shift of the pocket centre along the pitch circle."),
+       real("bPocAngVar1", kAngle, kAny, "Tilt of the pocket frame, first angle (about x)."),
+       real("bPocAngVar2", kAngle, kAny,
+            "Tilt of the pocket frame, second angle (about the new y)."),
+       real("bPocAngVar3", kAngle, kAny,
+            "Tilt of the pocket frame, third angle (about the newest z).")});
+}
+
+/// Records 7.5.i (cage) and 7.6.i (race). The second value is a length or a count, depending on the
+/// code.
+RecordSpec land_errors(std::string_view id, std::string_view title, std::string_view condition,
+                       std::string_view prefix, std::string_view code, std::string_view where) {
+  VariableSpec second =
+      real(keep(fmt::format("{}GsRadVar2", prefix)), kLength, kAny,
+           keep(fmt::format(
+               "{0} land: half z axis minus nominal radius when {1} is 1, number of waves per "
+               "turn (no unit) when it is 2.",
+               where, code)));
+  second.unitless_when = keep(fmt::format("{} == 2", code));
+  return repeated(
+      id, title, condition, "nGL",
+      {real(keep(fmt::format("{}GsRadVar1", prefix)), kLength, kAny,
+            keep(fmt::format(
+                "{} land: half y axis minus nominal radius when {} is 1, amplitude of the radius "
+                "wave when it is 2.",
+                where, code))),
+       second,
+       real(keep(fmt::format("{}GsRadVar3", prefix)), kAngle, kAny,
+            keep(fmt::format(
+                "{} land: unused (0) when {} is 1, phase of the radius wave when it is 2.", where,
+                code)))});
+}
+
+}  // namespace
+
+void add_inertia_records(std::vector<RecordSpec>& out) {
+  out.push_back(record("6.1", "Rolling element inertia", "mode >= 0 && kReIP in (1,2)",
+                       inertia_variables("bRe", "", "rolling element", "its geometric frame")));
+  out.push_back(record("6.2.1", "Outer race inertia", "mode == 0 && kRaceIP1 == 1",
+                       inertia_variables("race", "1", "outer race", "the race frame")));
+  out.push_back(record("6.2.2", "Inner race inertia", "mode == 0 && kRaceIP2 == 1",
+                       inertia_variables("race", "2", "inner race", "the race frame")));
+}
+
+void add_cage_records(std::vector<RecordSpec>& out) {
+  out.push_back(cage_options());
+  out.push_back(
+      record("7.0.1", "Cage segmentation", "nCseg > 1",
+             {array(integer("lSeg", between(-10000, 10000),
+                            "Rolling element at the start of each segment. Positive cuts the cage "
+                            "just before that "
+                            "element, negative cuts through its pocket; absolute values increase."),
+                    "nCseg")}));
+  out.push_back(cage_geometry());
+  out.push_back(guide_lands());
+  out.push_back(pocket_surfaces());
+  out.push_back(pocket_errors());
+  out.push_back(land_errors("7.5.i", "Cage guide land imperfections",
+                            "nCseg > 0 && nGL > 0 && kCageGsImp in (1,2)", "cage", "kCageGsImp",
+                            "Cage"));
+  out.push_back(land_errors("7.6.i", "Race guide land imperfections",
+                            "nCseg > 0 && nGL > 0 && kRaceGsImp in (1,2)", "race", "kRaceGsImp",
+                            "Race"));
+  out.push_back(record("7.7", "Cage inertia", "nCseg > 0 && kCageIP > 0",
+                       inertia_variables("cage", "", "cage", "the cage frame")));
+}
+
+}  // namespace adore::deck

@@ -1,0 +1,375 @@
+#include "deck/schema_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+/// Records 1 to 3.5: run control, names, options.
+namespace adore::deck {
+namespace {
+
+using range::between;
+
+constexpr Range kCount = between(0, range::kInfinity);
+
+RecordSpec run_mode() {
+  return record(
+      "1", "Run mode and output control", "true",
+      {choice("mode",
+              {{"-n", "as -1"},
+               {"-1", "quasi-static solution only"},
+               {"0", "full six-degree-of-freedom dynamics"},
+               {"1", "dynamics with rolling elements held in axial and radial force balance"},
+               {"2", "as 1 and the races are held in force balance too"}},
+              "Kind of simulation. 0 integrates the motion of every body; 1 and 2 replace fast "
+              "contact vibration by "
+              "equilibrium and so allow larger steps; any negative value stops after the static "
+              "solution."),
+       choice("kDCR",
+              {{"0", "built-in race constraints (prescribed displacement)"},
+               {"1", "flags given on record 2.2"}},
+              "Where the dynamic constraints of the races come from. The built-in ones let both "
+              "races keep the position "
+              "of the static solution and turn at their given speeds.",
+              "0"),
+       choice("kDOF",
+              {{"0", "nothing extra suppressed"},
+               {"1", "no axial translation of rolling elements and cage"},
+               {"2", "as 1 and no rotation about y and z"},
+               {"3", "no axial translation of rolling elements"},
+               {"4", "as 3 and no rotation about y and z"},
+               {"5", "all six accelerations of rolling elements zero"},
+               {"6", "chosen in user routine ADRX1"}},
+              "Degrees of freedom suppressed on top of mode. A suppressed one keeps its initial "
+              "velocity: its "
+              "acceleration is zero, no force balance is solved."),
+       choice("kIcOpt",
+              {{"-1", "start state from file FINAL, new files, time zero"},
+               {"0", "start from the quasi-static solution"},
+               {"1", "continue the run of MASTER and FINAL, else as -1"}},
+              "Where a dynamic run starts. Use -1 for a fresh study from an old end state, 1 to "
+              "append to a run that "
+              "was stopped.",
+              "0"),
+       choice("kFnOpt", {{"0", "default file names"}, {"1", "names given on record 2.3"}},
+              "Names of the data files. The defaults are MASTER, FINAL and SOL1 to SOL8.", "0"),
+       choice("kPrtOpt",
+              {{"-2", "section 4 only"},
+               {"-1", "sections 3 and 4"},
+               {"0", "sections 2, 3 and 4"},
+               {"1", "all sections, every element"},
+               {"n", "all sections, every n-th rolling element"}},
+              "How much of each printed step goes to PRINT.txt. Its sections are 1 rolling "
+              "elements, 2 races and cage, "
+              "3 applied parameters, 4 summary of the step."),
+       choice("kPrtFreq",
+              {{"0", "first and last step only"}, {"1", "every step"}, {"n", "every n-th step"}},
+              "Step interval of printed output; step 0 is time zero."),
+       choice("kPltFreq",
+              {{"0", "first and last step only"}, {"1", "every step"}, {"n", "every n-th step"}},
+              "Step interval at which records are stored in the plot files SOL1 to SOL7."),
+       choice("kAGraf", {{"0", "no animation file"}, {"n", "store every n-th step"}},
+              "Whether and at which step interval animation data is stored in SOL8."),
+       choice("kLifeFreq",
+              {{"0", "first and last step only"}, {"1", "every step"}, {"n", "every n-th step"}},
+              "Step interval at which fatigue life is computed."),
+       choice("kTherm", {{"0", "off"}, {"1", "on"}},
+              "Thermal analysis. When on, records 3.5 and 9.7 describe coolant and heat flow, and "
+              "temperatures follow "
+              "the heat that the run generates."),
+       integer("maxStps", kCount,
+               "Largest number of counted steps; the run ends at this or at fTime, whichever comes "
+               "first."),
+       integer("nStps", kCount,
+               "Integration steps inside one counted step, of which only the last is counted and "
+               "stored. 0 and 1 mean "
+               "that every step counts."),
+       choice("intMet",
+              {{"1", "explicit Runge-Kutta-Fehlberg, order 1"},
+               {"2", "explicit, order 2"},
+               {"3", "explicit, order 3"},
+               {"4", "explicit, order 4"},
+               {"5", "explicit, order 5"},
+               {"6", "explicit, order 6"},
+               {"7", "explicit, order 7"},
+               {"11", "predictor-corrector, order 1"},
+               {"12", "predictor-corrector, order 2"},
+               {"13", "predictor-corrector, order 3"},
+               {"14", "predictor-corrector, order 4"},
+               {"15", "predictor-corrector, order 5"},
+               {"16", "predictor-corrector, order 6"},
+               {"17", "predictor-corrector, order 7"},
+               {"18", "predictor-corrector, order 8"},
+               {"21", "CVODE Adams (extension)"},
+               {"22", "CVODE BDF (extension)"},
+               {"31", "ARKODE explicit (extension)"},
+               {"32", "ARKODE diagonally implicit (extension)"},
+               {"33", "ARKODE implicit-explicit (extension)"}},
+              "Integration method. Order 5 of the explicit family suits most runs; codes above 18 "
+              "are extensions that the "
+              "classic program does not know.",
+              "5")});
+}
+
+RecordSpec step_control() {
+  return record(
+      "2.1", "Time step control", "mode >= 0",
+      {real("stpInit", unit::kPure, range::kNotNegative,
+            "First trial step in dimensionless time (multiples of the time scale that PRINT.txt "
+            "reports). 0 in a "
+            "continuation reuses the last step kept in MASTER.",
+            "0.050"),
+       real("stpMin", unit::kPure, range::kPositive,
+            "Smallest step, dimensionless. A step of this size is accepted whatever its error and "
+            "counted; equal to "
+            "stpMax it asks for a constant step.",
+            "5.0e-04"),
+       real("stpMax", unit::kPure, range::kPositive,
+            "Largest step, dimensionless. It bounds how coarse plots get.", "0.50"),
+       real("fTime", unit::kPure, range::kNotNegative, "End time, dimensionless.", "1000"),
+       real("tol", unit::kPure, Range{0.0, 1.0, true},
+            "Error allowed per step, relative to the scales of the problem. Smaller is more "
+            "accurate and slower.",
+            "1.0e-06"),
+       real("qFac", unit::kPure, range::kNotNegative,
+            "Contact load over largest applied load at or below which an element is held in force "
+            "balance although mode "
+            "is 0. 0 never does.")});
+}
+
+RecordSpec race_constraints() {
+  RecordSpec spec = record("2.2", "Race force or displacement constraints", "kDCR == 1", {});
+  constexpr std::array<std::pair<int, std::string_view>, 2> kRaces = {{{1, "outer"}, {2, "inner"}}};
+  constexpr std::array<std::string_view, 3> kAxes = {"x", "y", "z"};
+  for (const auto& [race, race_name] : kRaces)
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
+      spec.variables.push_back(
+          choice(keep(fmt::format("kFD{}{}", axis + 1, race)),
+                 {{"0", "race accelerates under the prescribed force"},
+                  {"1", "race position fixed or from equilibrium or from prescribed acceleration"}},
+                 keep(fmt::format("Translation constraint of the {} race along {}. 0 sets the race "
+                                  "free to move under its "
+                                  "load.",
+                                  race_name, kAxes[axis])),
+                 "1"));
+  for (const auto& [race, race_name] : kRaces)
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
+      spec.variables.push_back(
+          choice(keep(fmt::format("kMD{}{}", axis + 1, race)),
+                 {{"0", "race accelerates under a moment given in ADRX1"},
+                  {"1", "fixed speed or prescribed angular acceleration"}},
+                 keep(fmt::format("Rotation constraint of the {} race about {}. 0 lets moments "
+                                  "turn it; without ADRX1 the "
+                                  "external moment is zero.",
+                                  race_name, kAxes[axis])),
+                 "1"));
+  return spec;
+}
+
+RecordSpec file_names() {
+  RecordSpec spec = record(
+      "2.3", "Names of data files", "kFnOpt == 1",
+      {text("masName", 10, "Master file with the bookkeeping of restarts, at most 10 characters.",
+            "MASTER"),
+       text("finName", 10,
+            "File of the final state, at most 10 characters; also read as start state.", "FINAL")});
+  for (int i = 1; i <= 6; ++i)
+    spec.variables.push_back(
+        text(keep(fmt::format("pltNames{}", i)), 10,
+             keep(fmt::format("Plot file of the monitored body {}, at most 10 characters.", i)),
+             keep(fmt::format("SOL{}", i))));
+  spec.variables.push_back(
+      text("pltNames7", 10, "File of power loss and life, at most 10 characters.", "SOL7"));
+  spec.variables.push_back(
+      text("pltNames8", 10, "File of animation data, at most 10 characters.", "SOL8"));
+  return spec;
+}
+
+RecordSpec run_identification() {
+  return record("3.1", "Run identification", "true",
+                {text("runID", 36,
+                      "Bearing code or name of the run, at most 36 characters. It is printed on "
+                      "every page, stored in "
+                      "every data file and must match when a run is continued.")});
+}
+
+VariableSpec race_imperfection(int race, std::string_view race_name) {
+  return choice(keep(fmt::format("kRaceGeoImp{}", race)),
+                {{"0", "ideal"},
+                 {"1", "elliptical roundness, other errors sinusoidal"},
+                 {"2", "all errors sinusoidal"},
+                 {"3", "user routine ADRX6"}},
+                keep(fmt::format("Geometry errors of the {} race.", race_name)));
+}
+
+VariableSpec flange(int side, int race, std::string_view where) {
+  return choice(
+      keep(fmt::format("kFlngInd{}{}", side, race)), {{"0", "none"}, {"1", "present"}},
+      keep(fmt::format(
+          "Roller guide flange on the {} x side. Ball and spherical roller bearings have none.",
+          where)));
+}
+
+RecordSpec bearing_type() {
+  return record(
+      "3.2", "Program options 1: bearing type and imperfections", "true",
+      {choice("kUnit", {{"1", "SI"}, {"2", "English"}},
+              "Unit system of every dimensional value of the deck, also of the output files."),
+       choice("kBrg",
+              {{"1", "ball"},
+               {"2", "cylindrical roller"},
+               {"3", "spherical roller, one radially loaded row"},
+               {"4", "tapered roller"},
+               {"5", "spherical tapered roller"}},
+              "Bearing type. It decides which geometry record (5A to 5E) follows."),
+       integer("nRe", between(1, 10000),
+               "Number of rolling elements. The classic limit of 40 does not apply, though some "
+               "classic file formats "
+               "end at 88."),
+       counted("nCseg", between(0, 1000),
+               {{"0", "no cage"}, {"1", "one-piece cage"}, {"n", "cage cut in n equal segments"}},
+               "Number of cage segments: 0 no cage, 1 a one-piece cage, n a cage cut in n equal "
+               "segments.",
+               "1"),
+       choice("kRaceFlex", {{"0", "rigid"}, {"1", "flexible (announced, not available)"}},
+              "Flexibility of the outer race. Only rigid races can be simulated.", "0"),
+       choice("kReGeoImp",
+              {{"0", "ideal"},
+               {"1", "random, normally distributed"},
+               {"2", "diameters listed one by one"},
+               {"3", "user routine ADRX8"}},
+              "Geometry errors of the rolling elements. A list of diameters holds 40 elements."),
+       race_imperfection(1, "outer"), race_imperfection(2, "inner"),
+       flange(1, 1, "outer race, negative"), flange(2, 1, "outer race, positive"),
+       flange(1, 2, "inner race, negative"), flange(2, 2, "inner race, positive")});
+}
+
+VariableSpec static_constraint(std::string_view name, std::string_view direction, bool rotation) {
+  if (rotation)
+    return choice(
+        name, {{"0", "moment given"}, {"1", "misalignment given"}},
+        keep(fmt::format("Whether the static solution is given the moment or the tilt {}.",
+                         direction)));
+  return choice(
+      name, {{"0", "force given"}, {"1", "displacement given"}},
+      keep(fmt::format("Whether the static solution is given the force or the displacement {}.",
+                       direction)));
+}
+
+VariableSpec material(std::string_view name, std::string_view default_material,
+                      std::string_view given, std::string_view part) {
+  return with_table(
+      choice(name, {{"0", default_material}, {"1", given}, {"2", "user routine ADRX0"}},
+             keep(fmt::format(
+                 "Material of the {}: 0 the usual one, 1 properties in the deck, or a code of "
+                 "the material table.",
+                 part)),
+             "0"),
+      "@materials");
+}
+
+RecordSpec statics_and_materials() {
+  return record(
+      "3.3", "Program options 2: static constraints and materials", "true",
+      {static_constraint("kFS1", "along x, the bearing axis (thrust is normally positive)", false),
+       static_constraint("kFS2", "along y", false),
+       static_constraint("kFS3", "along z, the usual radial load axis", false),
+       static_constraint("kFS4", "about y", true), static_constraint("kFS5", "about z", true),
+       choice("kAngVel",
+              {{"0", "least frictional heat"},
+               {"1", "race control"},
+               {"2", "spin axis direction from record 9.0"}},
+              "Rule for the direction of ball spin in the static solution. Race control suits fast "
+              "bearings, least heat the "
+              "others."),
+       counted("kStif", between(0, 10000), {{"0", "none"}, {"n", "number of speed points"}},
+               "Number of speeds in the table of stiffness against speed; 0 for no table."),
+       with_table(choice("kChrn", {}, "Medium that churns and drags on elements and cage."),
+                  "@churning"),
+       material("kReMat", "AISI 52100 steel", "record 8.1", "rolling elements"),
+       material("kRaceMat1", "AISI 52100 steel", "record 8.2.1", "outer race"),
+       material("kRaceMat2", "AISI 52100 steel", "record 8.2.2", "inner race"),
+       material("kHsngMat", "mild steel", "housing record 8.4", "housing"),
+       material("kShftMat", "mild steel", "shaft record 8.3", "shaft"),
+       choice("kLifeCons", {{"0", "built-in constants"}, {"1", "records 8.6.0 to 8.6.3"}},
+              "Where the constants of the fatigue life models come from.", "0")});
+}
+
+RecordSpec time_variation() {
+  return record(
+      "3.4", "Program options 3: time variation, inertia, monitored elements", "mode >= 0",
+      {choice("kVarLoad",
+              {{"0", "steady"},
+               {"1", "rotating load by race orbits (record 9.3A)"},
+               {"2", "sinusoidal race motion (record 9.3B)"}},
+              "How loads vary in time."),
+       choice("kVarSpeed",
+              {{"0", "steady"},
+               {"1", "constant acceleration in a time window (record 9.4A)"},
+               {"2", "sinusoidal (record 9.4B)"}},
+              "How race speeds vary in time."),
+       choice("kRotFrame",
+              {{"0", "base frame fixed in space"}, {"1", "base frame orbits (record 9.5)"}},
+              "Whether the bearing as a whole is carried round, as in a planetary gear.", "0"),
+       choice("kReIP",
+              {{"0", "from ideal geometry"},
+               {"1", "record 6.1 for element 1 only"},
+               {"2", "record 6.1 for all"},
+               {"3", "user routine ADRX8"}},
+              "Where mass and inertia of the rolling elements come from.", "0"),
+       choice("kRaceIP1", {{"0", "standard"}, {"1", "record 6.2.1"}},
+              "Where mass and inertia of the outer race come from; needed only when that race is "
+              "free to move.",
+              "0"),
+       choice("kRaceIP2", {{"0", "standard"}, {"1", "record 6.2.2"}},
+              "Where mass and inertia of the inner race come from; needed only when that race is "
+              "free to move.",
+              "0"),
+       integer("kNumPltElem", between(0, 12000),
+               "Number of bodies whose motion is stored for plots. The classic files SOL1 to SOL6 "
+               "hold six."),
+       array(integer("kPltElemInd", between(1, 12000),
+                     "Bodies whose motion is stored, in increasing order: 1 to nRe are rolling "
+                     "elements, then come the "
+                     "nCseg cage segments, the outer race and the inner race."),
+             "kNumPltElem")});
+}
+
+RecordSpec thermal_options() {
+  return record(
+      "3.5", "Thermal options", "kTherm > 0",
+      {with_table(choice("kCoolant", {},
+                         "Coolant that carries the heat away; 0 for no circulating coolant."),
+                  "@coolants"),
+       choice("kBaseTemp",
+              {{"0", "outer race at housing interface"},
+               {"1", "housing outer diameter"},
+               {"2", "coolant outlet"},
+               {"3", "coolant inlet"},
+               {"4", "inner race at shaft interface"},
+               {"5", "shaft bore"}},
+              "Place where the reference temperature of record 9.7 is known."),
+       choice("kHTC", {{"0", "computed"}, {"1", "given on record 9.7"}},
+              "Where the convection coefficients of rolling elements and cage come from."),
+       choice("kGeoMod",
+              {{"0", "geometry not changed"},
+               {"1", "changed at each thermal step"},
+               {"n", "changed at every n-th thermal step"}},
+              "How often thermal growth changes the geometry."),
+       choice("kMatPropMod",
+              {{"0", "constant properties"},
+               {"1", "properties follow temperature before geometry is changed"}},
+              "Whether material properties follow the temperature.")});
+}
+
+}  // namespace
+
+void add_control_records(std::vector<RecordSpec>& out) {
+  for (RecordSpec (*make)() :
+       {run_mode, step_control, race_constraints, file_names, run_identification, bearing_type,
+        statics_and_materials, time_variation, thermal_options})
+    out.push_back(make());
+}
+
+}  // namespace adore::deck

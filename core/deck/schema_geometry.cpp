@@ -1,0 +1,235 @@
+#include "deck/schema_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+/// Records 4 to 5F: envelope, rolling elements, raceways, flanges.
+namespace adore::deck {
+namespace {
+
+using range::kAny;
+using range::kConformity;
+using range::kNotNegative;
+using range::kPositive;
+using range::kQuadrant;
+using range::kTilt;
+using unit::kAngle;
+using unit::kLength;
+using unit::kPure;
+
+constexpr std::string_view kAnyFlange =
+    "(kFlngInd11 > 0 || kFlngInd21 > 0 || kFlngInd12 > 0 || kFlngInd22 > 0)";
+
+VariableSpec roughness(int race, std::string_view name) {
+  return real(
+      keep(fmt::format("rmsAspHt{}", race)), kLength, kNotNegative,
+      keep(fmt::format(
+          "Composite rms roughness of element and {} race: the root of the sum of both squares. It "
+          "decides how thin a film may get.",
+          name)));
+}
+
+RecordSpec envelope() {
+  return record(
+      "4", "Bearing envelope", "true",
+      {real("brgBore", kLength, kPositive, "Bore diameter of the bearing."),
+       real("brgOD", kLength, kPositive, "Outside diameter of the bearing."),
+       real("shftID", kLength, kNotNegative,
+            "Inside diameter of a hollow shaft, 0 for a solid one. Thermal analysis replaces 0 by "
+            "a small bore "
+            "and says so."),
+       real("hsngOD", kLength, kNotNegative,
+            "Outside diameter of the housing. It decides how far a fit shrinks the outer race."),
+       real("raceWidth1", kLength, kPositive, "Width of the outer race."),
+       real("raceWidth2", kLength, kPositive, "Width of the inner race.")});
+}
+
+RecordSpec ball_geometry() {
+  return record(
+      "5A", "Ball bearing geometry", "kBrg == 1",
+      {real("bReDia", kLength, kPositive, "Nominal ball diameter."),
+       real("pitchDia", kLength, kPositive, "Pitch diameter: the circle of the ball centres."),
+       real("freeConAng", kAngle, kQuadrant,
+            "Free contact angle. When it is above 0 it rules and the clearance follows from it; 0 "
+            "derives it from freeIntCls."),
+       real("freeIntCls", kLength, kAny,
+            "Free internal diametral clearance, used when freeConAng is 0. Negative means "
+            "interference."),
+       real("raceCurFac1", kPure, kConformity,
+            "Outer groove radius divided by ball diameter; above 0.5, usually 0.515 to 0.53."),
+       real("raceCurFac2", kPure, kConformity,
+            "Inner groove radius divided by ball diameter; above 0.5, usually 0.515 to 0.53."),
+       real(
+           "shoulderDia1", kLength, kNotNegative,
+           "Shoulder diameter of the outer race; only tells how far the contact is from the edge."),
+       real(
+           "shoulderDia2", kLength, kNotNegative,
+           "Shoulder diameter of the inner race; only tells how far the contact is from the edge."),
+       real("shimThickness1", kLength, kNotNegative,
+            "Grinding shim of a split outer race (gothic arch); 0 when not split."),
+       real("shimThickness2", kLength, kNotNegative,
+            "Grinding shim of a split inner race (gothic arch); 0 when not split."),
+       roughness(1, "outer"), roughness(2, "inner")});
+}
+
+VariableSpec corner_radius(int end, std::string_view where) {
+  return real(
+      keep(fmt::format("bReCorRad{}", end)), kLength, kNotNegative,
+      keep(fmt::format(
+          "Corner radius at the {}; it shortens the part of the roller that can touch.", where)));
+}
+
+/// Records 5B.2 and 5D.2 are alike.
+std::vector<VariableSpec> straight_raceways() {
+  std::vector<VariableSpec> variables;
+  for (const auto& [race, name] : {std::pair{1, "outer"}, std::pair{2, "inner"}}) {
+    variables.push_back(real(
+        keep(fmt::format("raceLandLmt{}", race)), kLength, kPositive,
+        keep(fmt::format(
+            "Usable surface width of the {} race along the roller, undercuts excluded.", name))));
+    variables.push_back(
+        real(keep(fmt::format("raceCenLen{}", race)), kLength, kNotNegative,
+             keep(fmt::format("Flat land width of a part-crowned {} race; reserved, set 0.", name)),
+             "0"));
+    variables.push_back(
+        real(keep(fmt::format("raceCrn{}", race)), kLength, kNotNegative,
+             keep(fmt::format("Crown radius of the {} race; reserved, set 0.", name)), "0"));
+  }
+  variables.push_back(roughness(1, "outer"));
+  variables.push_back(roughness(2, "inner"));
+  return variables;
+}
+
+VariableSpec crown_radius() {
+  return real("bReCrn", kLength, kPositive,
+              "Crown radius of the roller profile. 1.0e+10 together with bReCenLen equal to bReLen "
+              "means no crown.");
+}
+
+VariableSpec spherical_crown_radius() {
+  return real("bReCrn", kLength, kPositive,
+              "Crown radius: the radius of the barrel-shaped roller profile.");
+}
+
+VariableSpec roller_length() {
+  return real("bReLen", kLength, kPositive, "Roller length from end to end.");
+}
+
+VariableSpec central_land() {
+  return real("bReCenLen", kLength, kNotNegative,
+              "Length of the uncrowned central land, at most the roller length.");
+}
+
+VariableSpec roller_groove(int race, std::string_view name) {
+  return real(keep(fmt::format("raceCurFac{}", race)), kPure, kConformity,
+              keep(fmt::format("Groove radius of the {} race divided by twice the crown radius of "
+                               "the roller; above 0.5.",
+                               name)));
+}
+
+VariableSpec cone_angle(int race, std::string_view name) {
+  return real(
+      keep(fmt::format("raceTaper{}", race)), kAngle, kQuadrant,
+      keep(fmt::format(
+          "Half cone angle of the {} race. The pitch diameter follows from both cones, which share "
+          "their apex.",
+          name)));
+}
+
+VariableSpec end_radius(int end, std::string_view where) {
+  return real(
+      keep(fmt::format("bReEndRad{}", end)), kLength, kNotNegative,
+      keep(fmt::format("Sphere radius of the {} of the roller, where it meets a flange.", where)));
+}
+
+RecordSpec cylindrical_roller() {
+  return record(
+      "5B.1", "Cylindrical roller geometry", "kBrg == 2",
+      {real("bReDia", kLength, kPositive, "Nominal roller diameter."), crown_radius(),
+       roller_length(), central_land(), corner_radius(1, "negative x end"),
+       corner_radius(2, "positive x end"),
+       real("pitchDia", kLength, kPositive, "Pitch diameter: the circle of the roller centres."),
+       real("freeIntCls", kLength, kAny, "Free diametral play; negative means preload.")});
+}
+
+RecordSpec spherical_roller() {
+  return record(
+      "5C", "Spherical roller bearing geometry", "kBrg == 3",
+      {real("bReDia", kLength, kPositive, "Nominal roller diameter at its largest section."),
+       spherical_crown_radius(), roller_length(), corner_radius(1, "negative x end"),
+       corner_radius(2, "positive x end"),
+       real("pitchDia", kLength, kPositive, "Pitch diameter: the circle of the roller centres."),
+       real("freeIntCls", kLength, kAny, "Free diametral play; negative means preload."),
+       roller_groove(1, "outer"), roller_groove(2, "inner"),
+       real("freeConAng", kAngle, kQuadrant,
+            "Nominal contact angle of the row, from the radial plane: the tilt of the inner race "
+            "surface from the shaft axis."),
+       roughness(1, "outer"), roughness(2, "inner")});
+}
+
+RecordSpec tapered_roller() {
+  return record(
+      "5D.1", "Tapered roller geometry", "kBrg == 4",
+      {real("bReDia", kLength, kPositive, "Roller diameter at mid length."), crown_radius(),
+       roller_length(), central_land(), end_radius(1, "large end"), end_radius(2, "small end"),
+       corner_radius(1, "negative x end, which is the large end"),
+       corner_radius(2, "positive x end, which is the small end"), cone_angle(1, "outer"),
+       cone_angle(2, "inner")});
+}
+
+RecordSpec spherical_tapered_roller() {
+  return record("5E", "Spherical tapered roller bearing geometry", "kBrg == 5",
+                {real("bReDia", kLength, kPositive, "Roller diameter at mid length."),
+                 spherical_crown_radius(), roller_length(), end_radius(1, "large end"),
+                 end_radius(2, "small end"), cone_angle(1, "outer"), cone_angle(2, "inner"),
+                 roller_groove(1, "outer"), roller_groove(2, "inner"), roughness(1, "outer"),
+                 roughness(2, "inner")});
+}
+
+RecordSpec flanges() {
+  RecordSpec spec = record("5F", "Race flange geometry", kAnyFlange, {});
+  struct Place {
+    std::string_view code, where;
+  };
+  constexpr std::array<Place, 4> kPlaces = {{{"11", "outer race, negative x side"},
+                                             {"21", "outer race, positive x side"},
+                                             {"12", "inner race, negative x side"},
+                                             {"22", "inner race, positive x side"}}};
+  for (const Place& place : kPlaces)
+    spec.variables.push_back(
+        real(keep(fmt::format("flngAng{}", place.code)), kAngle, kTilt,
+             keep(fmt::format("Layback angle of the flange on the {}; used when kFlngInd{} is 1.",
+                              place.where, place.code))));
+  for (const Place& place : kPlaces)
+    spec.variables.push_back(
+        real(keep(fmt::format("flngHt{}", place.code)), kLength, kNotNegative,
+             keep(fmt::format("Height of the flange on the {}; used when kFlngInd{} is 1.",
+                              place.where, place.code))));
+  for (const auto& [race, name] : {std::pair{1, "outer"}, std::pair{2, "inner"}})
+    spec.variables.push_back(real(keep(fmt::format("flngCls{}", race)), kLength, kAny,
+                                  keep(fmt::format("Total free axial travel of a roller between "
+                                                   "the two flanges of the {0} race; used when "
+                                                   "kFlngInd1{1} and kFlngInd2{1} are both 1.",
+                                                   name, race))));
+  return spec;
+}
+
+}  // namespace
+
+void add_geometry_records(std::vector<RecordSpec>& out) {
+  out.push_back(envelope());
+  out.push_back(ball_geometry());
+  out.push_back(cylindrical_roller());
+  out.push_back(
+      record("5B.2", "Cylindrical roller bearing raceways", "kBrg == 2", straight_raceways()));
+  out.push_back(spherical_roller());
+  out.push_back(tapered_roller());
+  out.push_back(
+      record("5D.2", "Tapered roller bearing raceways", "kBrg == 4", straight_raceways()));
+  out.push_back(spherical_tapered_roller());
+  out.push_back(flanges());
+}
+
+}  // namespace adore::deck

@@ -1,0 +1,169 @@
+#include "deck/schema_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <utility>
+
+/// Records 10: traction, lubricants, churning.
+namespace adore::deck {
+namespace {
+
+using range::kAny;
+using range::kNotNegative;
+using range::kPositive;
+using unit::kPerSpeed;
+using unit::kPure;
+using unit::kSpeed;
+
+constexpr std::string_view kAnyFlange =
+    "(kFlngInd11 > 0 || kFlngInd21 > 0 || kFlngInd12 > 0 || kFlngInd22 > 0)";
+
+VariableSpec curve_form(std::string_view name, std::string_view pair, std::string_view more = "") {
+  return choice(name,
+                {{"-1", "coefficients A B C D given"},
+                 {"0", "two slopes"},
+                 {"1", "four conditions for A B C D"},
+                 {"2", "asymptote with initial slope"}},
+                keep(fmt::format("Form of the hypothetical traction curve, {}.{}", pair, more)));
+}
+
+VariableSpec curve_source(std::string_view name, std::string_view pair,
+                          std::string_view more = "") {
+  return choice(name, {{"-1", "user routine ADRX7"}, {"0", "hypothetical curve"}},
+                keep(fmt::format("Where the traction coefficient comes from, {}.{}", pair, more)));
+}
+
+RecordSpec traction_options() {
+  return record(
+      "10.0", "Traction model options", "true",
+      {with_table(
+           choice("kTrac", {}, "Traction model or lubricant between rolling elements and races."),
+           "@lubricants"),
+       curve_form("kTracType", "element to race",
+                  " It is always needed: it takes over where the film is thinner than reRaceFilm."),
+       curve_source("kCPTrac", "element to cage"), curve_form("kCPTracType", "element to cage"),
+       curve_source("kCRTrac", "cage to race"), curve_form("kCRTracType", "cage to race"),
+       curve_source("kRFTrac", "roller to flange"), curve_form("kRFTracType", "roller to flange"),
+       curve_source("kRRTrac", "element to element", " Used without a cage."),
+       curve_form("kRRTracType", "element to element", " Used without a cage."),
+       choice(
+           "iTherm", {{"0", "off"}, {"1", "on"}},
+           "Simplified thermal correction of the visco-elastic model; applies only to kTrac 12.")});
+}
+
+/// The four forms A to D of one traction pair; k is the traction coefficient, u the slip speed.
+void add_traction_curves(std::vector<RecordSpec>& out, std::string_view id, std::string_view stem,
+                         std::string_view title, std::string_view pair, std::string_view condition,
+                         std::string_view type_variable) {
+  const auto name = [&](int i) { return keep(fmt::format("{}{}", stem, i)); };
+  const auto add = [&](char variant, int code, std::string_view form,
+                       std::vector<VariableSpec> variables) {
+    const std::string type = fmt::format("{} == {}", type_variable, code);
+    out.push_back(record(keep(fmt::format("{}{}", id, variant)),
+                         keep(fmt::format("{}, {}", title, form)),
+                         keep(condition.empty() ? type : fmt::format("{} && {}", condition, type)),
+                         std::move(variables)));
+  };
+  const auto help = [&](std::string_view text) { return keep(fmt::format("{}, {}.", text, pair)); };
+  const std::string_view at_rest = help("Traction coefficient at zero slip");
+
+  add('A', -1, "coefficients",
+      {real(name(1), kPure, kAny, help("Coefficient A of k = (A + B u) exp(-C u) + D")),
+       real(name(2), kPerSpeed, kAny, help("Coefficient B of k = (A + B u) exp(-C u) + D")),
+       real(name(3), kPerSpeed, kAny, help("Coefficient C of k = (A + B u) exp(-C u) + D")),
+       real(name(4), kPure, kAny,
+            help("Coefficient D of k = (A + B u) exp(-C u) + D: the value at large slip"))});
+  add('B', 0, "two slopes",
+      {real(name(1), kPure, kAny, at_rest),
+       real(name(2), kPerSpeed, kAny,
+            keep(fmt::format("Slope of the curve up to slip speed {}.", name(4)))),
+       real(name(3), kPerSpeed, kAny,
+            keep(fmt::format("Slope of the curve above slip speed {}.", name(4)))),
+       real(name(4), kSpeed, kNotNegative, help("Slip speed where the slope changes"))});
+  add('C', 1, "four conditions",
+      {real(name(1), kPure, kAny, at_rest),
+       real(name(2), kPure, kAny, help("Largest traction coefficient")),
+       real(name(3), kPure, kAny, help("Traction coefficient at infinite slip")),
+       real(name(4), kSpeed, kPositive, help("Slip speed at which the traction is largest"))});
+  add('D', 2, "asymptote",
+      {real(name(1), kPure, kAny, at_rest),
+       real(name(2), kPure, kAny,
+            help("Traction coefficient that the curve approaches at infinite slip")),
+       real(name(3), kPerSpeed, kAny, help("Slope of the curve at zero slip")),
+       real(name(4), kPure, kAny, "Not used; set 0.", "0")});
+}
+
+void add_user_lubricant(std::vector<RecordSpec>& out) {
+  out.push_back(
+      record("10.4.0", "User lubricant name", "kTrac == 9",
+             {text("lubName", 36,
+                   "Name of the lubricant, at most 36 characters; for documentation only.")}));
+  out.push_back(
+      record("10.4.1", "User lubricant, low-pressure properties", "kTrac == 9",
+             {real("refTemp", unit::kTemperature, kPositive,
+                   "Reference temperature T0 (absolute) of the properties."),
+              real("refVis", unit::kViscosity, kPositive,
+                   "Viscosity at the reference temperature and low pressure."),
+              real("prVisCoeff", unit::kPerStress, kNotNegative, "Pressure-viscosity coefficient."),
+              real("tempVisCoeff", unit::kTemperature, kNotNegative,
+                   "Temperature-viscosity coefficient b of the law exp(b (1/T - 1/T0))."),
+              real("lubTherCond", unit::kConductivity, kPositive,
+                   "Thermal conductivity (a real, although its name starts with l)."),
+              real("lubDen", unit::kDensity, kPositive,
+                   "Density (a real, although its name starts with l)."),
+              real("lubSpHeat", unit::kSpecificHeat, kPositive,
+                   "Specific heat (a real, although its name starts with l).")}));
+  out.push_back(record("10.4.4", "User lubricant, high-pressure traction viscosity", "kTrac == 9",
+                       {real("refTracVis", unit::kViscosity, kPositive,
+                             "Reference viscosity for traction in the contact."),
+                        real("tracVisCoeff1", unit::kPerStress, kNotNegative,
+                             "Pressure coefficient a of the law exp(a p + b (T0 - T))."),
+                        real("tracVisCoeff2", unit::kPerTemperature, kNotNegative,
+                             "Temperature coefficient b of the law exp(a p + b (T0 - T)).")}));
+}
+
+}  // namespace
+
+void add_lubrication_records(std::vector<RecordSpec>& out) {
+  out.push_back(traction_options());
+  add_traction_curves(out, "10.1", "reRaceTC", "Element to race traction", "element to race", "",
+                      "kTracType");
+  add_traction_curves(out, "10.2", "reFlngTC", "Roller to flange traction", "roller to flange",
+                      kAnyFlange, "kRFTracType");
+  out.push_back(record(
+      "10.3", "Critical film and starvation", "kTrac > 0",
+      {real("reRaceFilm", unit::kLength, kNotNegative,
+            "Film thickness below which the hypothetical curve replaces the lubricant model."),
+       real("strParam", kPure, kNotNegative,
+            "Distance of the oil meniscus from the contact edge over the contact half width: 10 or "
+            "more is "
+            "flooded, 1 or less heavily starved.")}));
+  add_user_lubricant(out);
+  add_traction_curves(out, "10.5.1", "reCageTC", "Element to cage traction", "element to cage",
+                      "nCseg > 0", "kCPTracType");
+  add_traction_curves(out, "10.5.2", "cageRaceTC", "Cage to race traction", "cage to race",
+                      "nCseg > 0 && max(iCageGuide) > 0", "kCRTracType");
+  add_traction_curves(out, "10.5.3", "reReTC", "Element to element traction", "element to element",
+                      "nCseg == 0", "kRRTracType");
+  out.push_back(record("10.6", "Oil for cage hydrodynamics",
+                       "kTrac <= 0 && nCseg > 0 && (kPocHydro != 0 || kGsHydro != 0)",
+                       {real("pocVis", unit::kViscosity, kPositive,
+                             "Effective viscosity of the oil in the pockets."),
+                        real("gsVis", unit::kViscosity, kPositive,
+                             "Effective viscosity of the oil at the guide lands.")}));
+  out.push_back(record("10.7A", "Churning medium, given properties", "kChrn == 2",
+                       {real("chnDen", unit::kDensity, kPositive,
+                             "Effective density of the oil-air mixture that drags."),
+                        real("chnVis", unit::kViscosity, kPositive,
+                             "Effective viscosity of the oil-air mixture that drags.")}));
+  out.push_back(record("10.7B", "Churning medium, ratios to built-in data",
+                       "kChrn == 1 || kChrn > 2",
+                       {real("denRatio", kPure, kNotNegative,
+                             "Effective density of the medium divided by its built-in value; an "
+                             "oil mist has far less than 1."),
+                        real("visRatio", kPure, kNotNegative,
+                             "Effective viscosity of the medium divided by its built-in value.")}));
+}
+
+}  // namespace adore::deck

@@ -1,0 +1,246 @@
+#include "deck/schema_parts.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+/// Records 9: fits, loads, speeds, temperatures, variation in time, cage start, heat; records 11
+/// and 12.
+namespace adore::deck {
+namespace {
+
+using range::kAny;
+using range::kNotNegative;
+using range::kPositive;
+using unit::kAngle;
+using unit::kLength;
+using unit::kPure;
+using unit::kRotation;
+using unit::kTemperature;
+
+RecordSpec room_and_fits() {
+  return record("9.0", "Room temperature, fits, residual stress", "true",
+                {real("roomTemp", kTemperature, kPositive,
+                      "Room temperature (absolute), at which all dimensions and fits are given."),
+                 real("raceFit1", kLength, kAny,
+                      "Diametral fit of the outer race in the housing, mounted at room "
+                      "temperature; positive is interference."),
+                 real("raceFit2", kLength, kAny,
+                      "Diametral fit of the inner race on the shaft, mounted at room temperature; "
+                      "positive is interference."),
+                 real("angVelOrient", kAngle, kAny,
+                      "Angle of the ball spin axis from x; used only when kAngVel is 2."),
+                 real("res1", unit::kStress, kAny,
+                      "Residual stress of the outer race in operation; enters the life models."),
+                 real("res2", unit::kStress, kAny,
+                      "Residual stress of the inner race in operation; enters the life models."),
+                 real("facStrLimit", kPure, kNotNegative,
+                      "Multiplier on the fatigue limit stress. 1 puts it at the octahedral shear "
+                      "stress that belongs to the von Mises "
+                      "stress of the race material; 1.28 reproduces ISO 281 for AISI 52100.",
+                      "1.0")});
+}
+
+RecordSpec loads() {
+  RecordSpec spec = record("9.1.1", "Applied loads or displacements", "true", {});
+  constexpr std::array<std::pair<char, int>, 3> kAxes = {{{'X', 1}, {'Y', 2}, {'Z', 3}}};
+  for (const auto& [axis, number] : kAxes)
+    spec.variables.push_back(
+        real(keep(fmt::format("appLoad{}", axis)), unit::kForce, kAny,
+             keep(fmt::format("Force that the shaft applies to the inner race along {}, used when "
+                              "kFS{} is 0.",
+                              static_cast<char>(axis - 'A' + 'a'), number))));
+  for (const auto& [axis, number] : kAxes)
+    spec.variables.push_back(
+        real(keep(fmt::format("appDisp{}", axis)), kLength, kAny,
+             keep(fmt::format(
+                 "Displacement of the inner race relative to the outer along {1} when kFS{0} "
+                 "is 1; first guess when kFS{0} is 0, where 0 asks for an estimate.",
+                 number, static_cast<char>(axis - 'A' + 'a')))));
+  return spec;
+}
+
+RecordSpec moments_and_speeds() {
+  return record(
+      "9.1.2", "Applied moments, misalignments, speeds", "true",
+      {real("appMomY", unit::kMoment, kAny,
+            "Moment that the shaft applies to the inner race about y, used when kFS4 is 0."),
+       real("appMomZ", unit::kMoment, kAny,
+            "Moment that the shaft applies to the inner race about z, used when kFS5 is 0."),
+       real("appMis11", unit::kRadian, kAny, "Misalignment of the reference (outer) race about y."),
+       real("appMis21", unit::kRadian, kAny, "Misalignment of the reference (outer) race about z."),
+       real("appMis12", unit::kRadian, kAny,
+            "Misalignment of the moving (inner) race about y when kFS4 is 1; otherwise a first "
+            "guess."),
+       real("appMis22", unit::kRadian, kAny,
+            "Misalignment of the moving (inner) race about z when kFS5 is 1; otherwise a first "
+            "guess."),
+       real("rpm1", kRotation, kAny, "Speed of the outer race, positive about x."),
+       real("rpm2", kRotation, kAny, "Speed of the inner race, positive about x.")});
+}
+
+RecordSpec temperatures() {
+  RecordSpec spec = record("9.1.3", "Initial temperatures", "true", {});
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kParts = {
+      {{"hsngTemp", "housing"},
+       {"shftTemp", "shaft"},
+       {"raceTemp1", "outer race"},
+       {"raceTemp2", "inner race"},
+       {"reTemp", "rolling elements"},
+       {"cageTemp", "cage"}}};
+  for (const auto& [name, part] : kParts)
+    spec.variables.push_back(real(
+        name, kTemperature, kPositive,
+        keep(fmt::format("Temperature (absolute) of the {}; dimensions grow with its difference "
+                         "from room temperature.",
+                         part))));
+  return spec;
+}
+
+RecordSpec stiffness_table() {
+  return record(
+      "9.2", "Stiffness table", "kStif > 0",
+      {real("pctDisp", unit::kPercent, kPositive,
+            "Displacement increment for the stiffness, in percent of the contact deflection."),
+       real("rpmRange11", kRotation, kAny, "First outer race speed of the table."),
+       real("rpmRange21", kRotation, kAny, "Last outer race speed of the table."),
+       real("rpmRange12", kRotation, kAny, "First inner race speed of the table."),
+       real("rpmRange22", kRotation, kAny, "Last inner race speed of the table.")});
+}
+
+RecordSpec race_vibration() {
+  RecordSpec spec = record("9.3B", "Sinusoidal race motion", "mode >= 0 && kVarLoad == 2", {});
+  constexpr std::array<std::pair<int, std::string_view>, 2> kRaces = {{{1, "Outer"}, {2, "Inner"}}};
+  for (const auto& [race, name] : kRaces)
+    for (const char axis : {'x', 'y', 'z'})
+      spec.variables.push_back(
+          real(keep(fmt::format("raceVibAmp{}{}", axis - 'x' + 1, race)), kLength, kAny,
+               keep(fmt::format("{} race amplitude along {}; the motion is A sin(2 pi f t).", name,
+                                axis))));
+  for (const auto& [race, name] : kRaces)
+    spec.variables.push_back(real(keep(fmt::format("raceVibFreq{}", race)), unit::kFrequency,
+                                  kNotNegative, keep(fmt::format("{} race frequency.", name))));
+  return spec;
+}
+
+std::vector<VariableSpec> cage_start(std::string_view body) {
+  return {
+      real("pocLubFilm", kLength, kNotNegative,
+           "Largest lubricant film in the pockets; elements closer than this to the pocket wall "
+           "feel the film."),
+      real("wvRatio", kPure, kAny,
+           keep(fmt::format(
+               "Whirl speed of the {} mass centre at the start, divided by the {}'s angular speed.",
+               body, body))),
+      real("avRatio", kPure, kAny,
+           keep(fmt::format("Angular speed of the {} at the start, divided by the epicyclic speed.",
+                            body)),
+           ""),
+      array(
+          real("cageGcPos", kLength, kAny,
+               keep(fmt::format(
+                   "x, y, z of the {} mass centre at the start, from the locus of element centres.",
+                   body))),
+          "3"),
+      array(real("cageAngPos", kAngle, kAny,
+                 keep(fmt::format(
+                     "Three transformation angles of the {} from the inertial frame at the start.",
+                     body))),
+            "3")};
+}
+
+RecordSpec thermal_inputs() {
+  return record("9.7", "Thermal inputs", "kTherm > 0",
+                {real("baseTemp", kTemperature, kPositive,
+                      "Reference temperature (absolute) at the place chosen by kBaseTemp."),
+                 real("cFlowRate", unit::kVolumeFlow, kNotNegative,
+                      "Volume flow of the coolant; not used when kCoolant is 0."),
+                 real("reHTC", unit::kConvection, kNotNegative,
+                      "Convection coefficient of the rolling elements; 0 when computed (kHTC 0)."),
+                 real("cageHTC", unit::kConvection, kNotNegative,
+                      "Convection coefficient of the cage; 0 when computed (kHTC 0)."),
+                 real("aveTime", unit::kTime, kPositive,
+                      "Real time over which heat is averaged for one thermal step."),
+                 real("skipTime", unit::kTime, kNotNegative,
+                      "Real time at the start without thermal updates of the geometry.")});
+}
+
+}  // namespace
+
+void add_operation_records(std::vector<RecordSpec>& out) {
+  out.push_back(room_and_fits());
+  out.push_back(loads());
+  out.push_back(moments_and_speeds());
+  out.push_back(temperatures());
+  out.push_back(stiffness_table());
+  out.push_back(record(
+      "9.3A", "Rotating load", "mode >= 0 && kVarLoad == 1",
+      {real("rotLoadFrac1", kPure, kAny,
+            "Orbit radius of the outer race divided by the relative radial deflection."),
+       real("rotLoadFrac2", kPure, kAny,
+            "Orbit radius of the inner race divided by the relative radial deflection."),
+       real("rotLoadRpm1", kRotation, kAny, "Speed of the load that turns with the outer race."),
+       real("rotLoadRpm2", kRotation, kAny, "Speed of the load that turns with the inner race.")}));
+  out.push_back(race_vibration());
+  out.push_back(record(
+      "9.4A", "Constant race acceleration", "mode >= 0 && kVarSpeed == 1",
+      {real("raceAngAcc1", unit::kRotationRate, kAny, "Angular acceleration of the outer race."),
+       real("raceAngAcc2", unit::kRotationRate, kAny, "Angular acceleration of the inner race."),
+       real("startTime1", unit::kTime, kNotNegative,
+            "Time at which the outer race starts to accelerate."),
+       real("endTime1", unit::kTime, kNotNegative,
+            "Time at which the outer race stops accelerating."),
+       real("startTime2", unit::kTime, kNotNegative,
+            "Time at which the inner race starts to accelerate."),
+       real("endTime2", unit::kTime, kNotNegative,
+            "Time at which the inner race stops accelerating.")}));
+  out.push_back(record(
+      "9.4B", "Sinusoidal race speed", "mode >= 0 && kVarSpeed == 2",
+      {real("raceSpeedAmp1", kRotation, kAny,
+            "Amplitude of the outer race speed about rpm1: A sin(2 pi f t)."),
+       real("raceSpeedAmp2", kRotation, kAny,
+            "Amplitude of the inner race speed about rpm2: A sin(2 pi f t)."),
+       real("raceSpeedFreq1", unit::kFrequency, kNotNegative, "Frequency of the outer race speed."),
+       real("raceSpeedFreq2", unit::kFrequency, kNotNegative,
+            "Frequency of the inner race speed.")}));
+  out.push_back(record(
+      "9.5", "Rotating base frame", "mode >= 0 && kRotFrame == 1",
+      {real("brgOrbitRad", kLength, kNotNegative, "Orbit radius of the bearing centre."),
+       real("brgAngPos", kAngle, kAny, "Angle of the bearing centre on its orbit at the start."),
+       real("brgAngVel", kRotation, kAny, "Orbit speed of the bearing centre."),
+       real("brgLoadFrac1", kPure, kAny,
+            "Part of the outer race's inertia load that the bearing carries."),
+       real("brgLoadFrac2", kPure, kAny,
+            "Part of the inner race's inertia load that the bearing carries.")}));
+  out.push_back(record("9.6", "Cage initial state, one-piece", "nCseg == 1", cage_start("cage")));
+  out.push_back(repeated("9.6.k", "Cage initial state, per segment", "nCseg > 1", "nCseg",
+                         cage_start("segment")));
+  out.push_back(thermal_inputs());
+  out.push_back(record(
+      "9.8", "Coolant properties", "kTherm > 0 && kCoolant == 2",
+      {real("xRo", unit::kDensity, kPositive, "Density of the coolant at base temperature."),
+       real("xMu", unit::kViscosity, kPositive, "Viscosity of the coolant at base temperature."),
+       real("xCp", unit::kSpecificHeat, kPositive, "Specific heat of the coolant."),
+       real("xK", unit::kConductivityAsForce, kPositive,
+            "Thermal conductivity of the coolant (the same as W/m/K).")}));
+}
+
+void add_final_records(std::vector<RecordSpec>& out) {
+  RecordSpec gravity = record("11", "Gravity", "mode >= 0", {});
+  for (const char axis : {'x', 'y', 'z'})
+    gravity.variables.push_back(real(
+        keep(fmt::format("gravityVec{}", static_cast<char>(axis - 'a' + 'A'))), unit::kAcceleration,
+        kAny,
+        keep(fmt::format(
+            "Gravity acceleration along {}.{}", axis,
+            axis == 'z' ? " Negative points away from the usual radial load direction." : ""))));
+  out.push_back(std::move(gravity));
+  RecordSpec user{"12", "User routine inputs", "user() > 0", "user()", {}};
+  user.variables.push_back(
+      text("userLine", 0,
+           "One raw line per record 12.1 to 12.n, as the active user routine asks for it."));
+  out.push_back(std::move(user));
+}
+
+}  // namespace adore::deck

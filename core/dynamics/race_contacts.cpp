@@ -1,0 +1,187 @@
+#include "dynamics/race_contacts.hpp"
+
+#include "base/errors.hpp"
+#include "dynamics/race_kernel.hpp"
+#include "tribology/traction_curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace adore::dynamics {
+namespace {
+
+using tribology::ContactSurface;
+
+constexpr const char* kRequestVariable = "ADORE_ISA";
+constexpr InstructionSet kAllSets[] = {InstructionSet::Avx512, InstructionSet::Avx2,
+                                       InstructionSet::Baseline};
+
+std::optional<InstructionSet> named_instruction_set(std::string_view name) noexcept {
+  for (InstructionSet set : kAllSets) {
+    if (name == instruction_set_name(set)) return set;
+  }
+  return std::nullopt;
+}
+
+InstructionSet choose_instruction_set() noexcept {
+  if (const char* request = std::getenv(kRequestVariable)) {
+    const auto set = named_instruction_set(request);
+    if (set && instruction_set_available(*set)) return *set;
+  }
+  return *std::find_if(std::begin(kAllSets), std::end(kAllSets), instruction_set_available);
+}
+
+InstructionSet chosen_instruction_set() noexcept {
+  static const InstructionSet set = choose_instruction_set();
+  return set;
+}
+
+RaceKernel kernel_of(InstructionSet set) noexcept {
+#if defined(__x86_64__)
+  if (set == InstructionSet::Avx512 && instruction_set_available(set)) return race_kernel_avx512;
+  if (set == InstructionSet::Avx2 && instruction_set_available(set)) return race_kernel_avx2;
+#endif
+  (void)set;
+  return race_kernel_baseline;
+}
+
+bool is_curved(ContactSurface surface) noexcept {
+  return surface == ContactSurface::CurvedEdge || surface == ContactSurface::CurvedHalf ||
+         surface == ContactSurface::CurvedUndeformed;
+}
+
+KernelHeight kernel_height(ContactSurface surface) noexcept {
+  switch (surface) {
+    case ContactSurface::CurvedEdge:
+    case ContactSurface::FlatEdge:
+      return KernelHeight::ThroughEdge;
+    case ContactSurface::CurvedHalf:
+    case ContactSurface::FlatHalf:
+      return KernelHeight::HalfApproach;
+    case ContactSurface::CurvedUndeformed:
+    case ContactSurface::FlatUndeformed:
+      break;
+  }
+  return KernelHeight::Undeformed;
+}
+
+RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const BallArrays& balls,
+                       const RaceMotion& race, const BallForces& out) noexcept {
+  RaceKernelInput in;
+  const auto j = static_cast<std::size_t>(model.race);
+  const contact::GrooveGeometry& groove = model.groove;
+  const double root_of_K = std::cbrt(model.hertz.K);  // Q^(1/3) = K^(1/3) sqrt(δ)
+  in.centre_radius = groove.centre_radius[j];
+  in.offset = groove.offset[j];
+  in.K = model.hertz.K;
+  in.major = model.hertz.a_hat * root_of_K;
+  in.minor = model.hertz.b_hat * root_of_K;
+  in.ball_radius = groove.ball_radius;
+  in.rho = is_curved(model.surface) ? 2.0 * groove.ball_radius * groove.groove_radius[j] /
+                                          (groove.ball_radius + groove.groove_radius[j])
+                                    : 0.0;
+  in.height = kernel_height(model.surface);
+  in.traction = model.traction;
+  in.two_slope = model.curve.form == bearing::TractionCurve::Form::TwoSlope;
+  in.A = model.curve.A, in.B = model.curve.B, in.C = model.curve.C, in.D = model.curve.D;
+  in.u0 = model.curve.u0;
+  in.slip_floor = tribology::slip_floor(model.curve);
+  const tribology::EllipseRule& rule = model.rule;
+  in.major_nodes = rule.major;
+  in.minor_nodes = rule.minor;
+  in.s = rule.s.data(), in.chord = rule.chord.data(), in.weight_s = rule.weight_s.data();
+  in.v = rule.v.data(), in.weight_v = rule.weight_v.data();
+  in.weight_v1 = rule.weight_v1.data(), in.weight_v2 = rule.weight_v2.data();
+  for (int i = 0; i < 3; ++i) {
+    in.centre[i] = race.centre[i];
+    in.axis[i] = race.axis[i];
+    in.velocity[i] = race.velocity[i];
+  }
+  in.speed = race.speed;
+  in.n = balls.n;
+  in.x = balls.x, in.r = balls.r, in.sin_theta = balls.sin_theta, in.cos_theta = balls.cos_theta;
+  in.x_dot = balls.x_dot, in.r_dot = balls.r_dot, in.theta_dot = balls.theta_dot;
+  in.omega_x = balls.omega_x, in.omega_r = balls.omega_r, in.omega_theta = balls.omega_theta;
+  in.F_x = out.F_x, in.F_r = out.F_r, in.F_theta = out.F_theta;
+  in.M_x = out.M_x, in.M_r = out.M_r, in.M_theta = out.M_theta;
+  in.load = out.load, in.heat = out.heat, in.load_slip = out.load_slip;
+
+  const RaceKernelSums sums = kernel(in);
+  RaceSums result;
+  result.force = {sums.force[0], sums.force[1], sums.force[2]};
+  result.moment = {sums.moment[0], sums.moment[1], sums.moment[2]};
+  result.elastic_energy = sums.elastic_energy;
+  result.heat = sums.heat;
+  result.load_slip = sums.load_slip;
+  return result;
+}
+
+}  // namespace
+
+RaceSums evaluate_race_contacts(const RaceContactModel& model, const BallArrays& balls,
+                                const RaceMotion& race, const BallForces& out) noexcept {
+  static const RaceKernel kernel = kernel_of(chosen_instruction_set());
+  return evaluate_with(kernel, model, balls, race, out);
+}
+
+RaceSums evaluate_race_contacts(InstructionSet set, const RaceContactModel& model,
+                                const BallArrays& balls, const RaceMotion& race,
+                                const BallForces& out) noexcept {
+  return evaluate_with(kernel_of(set), model, balls, race, out);
+}
+
+bool instruction_set_available(InstructionSet set) noexcept {
+#if defined(__x86_64__)
+  if (set == InstructionSet::Avx512) {
+    return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+           __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx2") &&
+           __builtin_cpu_supports("fma");
+  }
+  if (set == InstructionSet::Avx2)
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#endif
+  return set == InstructionSet::Baseline;
+}
+
+const char* instruction_set_name(InstructionSet set) noexcept {
+  switch (set) {
+    case InstructionSet::Avx512:
+      return "avx512";
+    case InstructionSet::Avx2:
+      return "avx2";
+    case InstructionSet::Baseline:
+      break;
+  }
+  return "baseline";
+}
+
+const char* race_contact_instruction_set() noexcept {
+  return instruction_set_name(chosen_instruction_set());
+}
+
+void check_instruction_set_request() {
+  const char* request = std::getenv(kRequestVariable);
+  if (request == nullptr) return;
+  const auto set = named_instruction_set(request);
+  if (!set) {
+    throw InputError(
+        fmt::format("the environment variable {} = \"{}\" names no instruction set; use baseline, "
+                    "avx2 or avx512, or unset it",
+                    kRequestVariable, request));
+  }
+  if (!instruction_set_available(*set)) {
+    throw InputError(
+        fmt::format("the environment variable {} asks for {}, which this machine lacks; it has {}",
+                    kRequestVariable, request,
+                    instruction_set_name(*std::find_if(std::begin(kAllSets), std::end(kAllSets),
+                                                       instruction_set_available))));
+  }
+}
+
+}  // namespace adore::dynamics

@@ -1,0 +1,88 @@
+#include "dynamics/scene_estimate.hpp"
+
+#include "contact/groove.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+namespace adore::dynamics {
+namespace {
+
+struct BallStiffness {
+  double largest = 0.0;  ///< eigenvalue [N/m]
+  int stiffer_race = 0;
+};
+
+BallStiffness ball_stiffness(const statics::StaticBall& ball, const contact::GrooveGeometry& groove) {
+  BallStiffness result;
+  double xx = 0.0, xr = 0.0, rr = 0.0;  // the symmetric 2 x 2 matrix
+  std::array<double, 2> normal{};
+  for (std::size_t j = 0; j < 2; ++j) {
+    if (!(ball.Q[j] > 0.0) || !(ball.delta[j] > 0.0)) continue;
+    const double nx = std::sin(ball.alpha[j]), nr = std::cos(ball.alpha[j]);
+    normal[j] = 1.5 * ball.Q[j] / ball.delta[j];
+    const double across = ball.Q[j] / (groove.offset[j] + ball.delta[j]);
+    xx += normal[j] * nx * nx + across * nr * nr;
+    xr += (normal[j] - across) * nx * nr;
+    rr += normal[j] * nr * nr + across * nx * nx;
+  }
+  result.largest = 0.5 * (xx + rr) + std::hypot(0.5 * (xx - rr), xr);
+  result.stiffer_race = normal[1] > normal[0] ? 1 : 0;
+  return result;
+}
+
+double seconds_per_evaluation(System& system) {
+  using Clock = std::chrono::steady_clock;
+  const CostLedger ledger = system.cost();
+  const std::vector<double> y = system.initial_state();
+  std::vector<double> dydt(y.size());
+  system.check_state(0.0, y.data());
+  constexpr int kBatches = 5, kPerBatch = 8;
+  double least = std::numeric_limits<double>::infinity();
+  for (int batch = 0; batch < kBatches; ++batch) {
+    const auto start = Clock::now();
+    for (int i = 0; i < kPerBatch; ++i) system.rhs(0.0, y.data(), dydt.data());
+    least = std::min(least, std::chrono::duration<double>(Clock::now() - start).count() / kPerBatch);
+  }
+  system.cost() = ledger;
+  return least;
+}
+
+}  // namespace
+
+void estimate(ScenePlan& plan, const bearing::Bearing& bearing, const statics::StaticSolution& statics,
+              System& system) {
+  const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls);
+  BallStiffness stiffest;
+  std::size_t element = 0;
+  for (std::size_t i = 0; i < statics.balls.size(); ++i) {
+    const BallStiffness k = ball_stiffness(statics.balls[i], groove);
+    if (k.largest <= stiffest.largest) continue;
+    stiffest = k;
+    element = i;
+  }
+  plan.quadratures = system.layout().size() - system.layout().controlled_size();
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  if (stiffest.largest > 0.0) {
+    plan.fastest_frequency = std::sqrt(stiffest.largest / bearing.ball_inertia.mass) / kTurn;
+    plan.fastest_contact =
+        fmt::format("element {} / {} race", element + 1, stiffest.stiffer_race == 0 ? "outer" : "inner");
+  } else {
+    plan.fastest_frequency = 1.0 / (kTurn * system.scales().time);
+    plan.fastest_contact = "no contact is loaded; a contact at 0.001 of the force scale";
+  }
+  plan.expected_step = kPeriodsPerStep / plan.fastest_frequency;
+  const double speed = std::abs(bearing.speed[1] - bearing.speed[0]);
+  plan.steps_per_revolution = speed > 0.0 ? kTurn / speed / plan.expected_step : 0.0;
+  plan.seconds_per_revolution =
+      plan.steps_per_revolution * kEvaluationsPerStep * seconds_per_evaluation(system);
+}
+
+}  // namespace adore::dynamics

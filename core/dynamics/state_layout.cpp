@@ -1,0 +1,40 @@
+#include "dynamics/state_layout.hpp"
+
+#include "base/errors.hpp"
+
+namespace adore::dynamics {
+
+Slice StateLayout::add(std::string name, std::string_view unit, int count, double scale) {
+  demand(count >= 0, "a group of state components has a negative size");
+  demand(scale > 0.0, "the error scale of a state component must be positive");
+  const Slice slice{size_, count};
+  groups_.push_back({std::move(name), std::string(unit), slice});
+  scales_.insert(scales_.end(), static_cast<std::size_t>(count), scale);
+  size_ += count;
+  return slice;
+}
+
+void StateLayout::begin_quadratures() {
+  demand(controlled_ < 0, "quadratures were begun twice");
+  controlled_ = size_;
+}
+
+std::string StateLayout::component_name(int index) const {
+  for (const Group& group : groups_) {
+    const int k = index - group.slice.first;
+    if (k < 0 || k >= group.slice.count) continue;
+    std::string name = group.name;
+    if (group.slice.count > 1) name += '[' + std::to_string(k + 1) + ']';
+    return name + " [" + group.unit + ']';
+  }
+  demand(false, "no state component has this index");
+  return {};
+}
+
+void StateLayout::set_scale(const Slice& slice, double scale) {
+  demand(scale > 0.0, "the error scale of a state component must be positive");
+  for (int i = slice.first; i < slice.first + slice.count; ++i)
+    scales_.at(static_cast<std::size_t>(i)) = scale;
+}
+
+}  // namespace adore::dynamics

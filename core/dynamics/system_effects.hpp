@@ -1,0 +1,124 @@
+#pragma once
+
+#include "base/rotation.hpp"
+#include "bearing/bearing.hpp"
+#include "dynamics/race_contacts.hpp"
+#include "dynamics/state_layout.hpp"
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+/// Inside of System: what one evaluation of the right-hand side works on, and the blocks that it is made of.
+/// A block is one effect over all its contacts: one virtual call per block, none per contact. Blocks of effects that are
+/// off are never made.
+namespace adore::dynamics {
+
+/// Where each quantity of the balls stands in the state: one slice per quantity, all balls in it.
+struct BallSlices {
+  Slice x, r, theta, x_dot, r_dot, theta_dot, omega_x, omega_r, omega_theta;
+};
+
+/// Cage: mass centre from the base origin and its velocity in base axes, quaternion body -> base, ω in body axes,
+/// ∫ω_x dt. Empty slices (count 0) without cage motion.
+struct CageSlices {
+  Slice position, velocity, orientation, omega, rotation;
+};
+
+/// Pose and motion of the cage at this evaluation, and what acts on it (base axes, moment about the mass centre).
+struct CageState {
+  Vec3 position = Vec3::Zero(), velocity = Vec3::Zero();  ///< [m, m/s]
+  Mat3 to_base = Mat3::Identity();                        ///< R, body -> base
+  Vec3 omega = Vec3::Zero(), omega_body = Vec3::Zero();   ///< [rad/s]
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();       ///< [N, N m]
+  /// Velocity of the body point that is at `point` of the base frame now.
+  [[nodiscard]] Vec3 velocity_at(const Vec3& point) const noexcept {
+    return velocity + omega.cross(point - position);
+  }
+  void add_force(const Vec3& f, const Vec3& point) noexcept {
+    force += f;
+    moment += (point - position).cross(f);
+  }
+};
+
+/// Prescribed race and the sum of all contacts with it: forces on the race, moment about its centre.
+struct RaceState {
+  RaceMotion motion;
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< [N, N m]
+  [[nodiscard]] Vec3 velocity_at(const Vec3& point) const noexcept {
+    return motion.velocity + motion.speed * motion.axis.cross(point - motion.centre);
+  }
+  void add_force(const Vec3& f, const Vec3& point) noexcept {
+    force += f;
+    moment += (point - motion.centre).cross(f);
+  }
+  /// Power that the race exerts on what it touches [W].
+  [[nodiscard]] double power() const noexcept {
+    return -force.dot(motion.velocity) - motion.speed * moment.dot(motion.axis);
+  }
+};
+
+/// Working memory of one evaluation. Sized at set-up, reused for ever.
+struct Evaluation {
+  explicit Evaluation(std::size_t balls);
+
+  double t = 0.0;
+  const double* y = nullptr;
+  double* dydt = nullptr;
+
+  BallArrays balls{};  ///< views into y, and into sin_theta, cos_theta
+  std::vector<double> sin_theta, cos_theta;
+  std::vector<double> F_x, F_r, F_theta, M_x, M_r, M_theta;
+  std::array<std::vector<double>, 2> load, heat, load_slip;  ///< per race and ball
+  CageState cage;
+  std::array<RaceState, 2> race;
+
+  double elastic = 0.0;                             ///< [J]
+  std::array<double, 2> race_power{};               ///< of each race on balls and cage [W]
+  std::array<double, 2> heat_race{}, wear_race{};   ///< [W]; wear: ∫ p u dA
+  std::array<double, 2> wear_element1{};
+  double heat_pockets = 0.0, heat_lands = 0.0, wear_cage = 0.0;
+  bool valid = true;  ///< false: outside the model's validity
+
+  void begin(double time, const double* state, double* rates) noexcept;
+  [[nodiscard]] Vec3 ball_centre(std::size_t i) const noexcept {
+    return {balls.x[i], -balls.r[i] * sin_theta[i], balls.r[i] * cos_theta[i]};
+  }
+  /// (x, r, θ) components at ball i -> base axes, and back.
+  [[nodiscard]] Vec3 to_base(std::size_t i, double x, double r, double theta) const noexcept {
+    return {x, -sin_theta[i] * r - cos_theta[i] * theta, cos_theta[i] * r - sin_theta[i] * theta};
+  }
+  [[nodiscard]] Vec3 to_cylindrical(std::size_t i, const Vec3& v) const noexcept {
+    return {v[0], -sin_theta[i] * v[1] + cos_theta[i] * v[2], -cos_theta[i] * v[1] - sin_theta[i] * v[2]};
+  }
+  [[nodiscard]] Vec3 ball_velocity(std::size_t i) const noexcept {
+    return to_base(i, balls.x_dot[i], balls.r_dot[i], balls.r[i] * balls.theta_dot[i]);
+  }
+  [[nodiscard]] Vec3 ball_omega(std::size_t i) const noexcept {
+    return to_base(i, balls.omega_x[i], balls.omega_r[i], balls.omega_theta[i]);
+  }
+};
+
+class EffectBlock {
+ public:
+  virtual ~EffectBlock() = default;
+  /// Adds this effect's share to `e`.
+  virtual void apply(Evaluation& e) noexcept = 0;
+};
+
+/// Friction force per newton of normal load, along a slip of size u: κ(u) u_vec/|u|. Laws with κ(0) ≠ 0 are smoothed by
+/// u/√(u²+ε²), ε = tribology::kRegularisationSlip; laws with κ(0) = 0 are smooth as they are.
+class SlipFriction {
+ public:
+  SlipFriction() = default;
+  explicit SlipFriction(const bearing::TractionCurve& curve);
+  /// Factor g such that friction = N g u_vec, u = |u_vec|.
+  [[nodiscard]] double per_slip(double u) const noexcept;
+
+ private:
+  bearing::TractionCurve curve_;
+  double smoothing_ = std::numeric_limits<double>::min();  ///< ε² [m²/s²], never 0
+};
+
+}  // namespace adore::dynamics

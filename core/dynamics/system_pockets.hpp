@@ -1,0 +1,69 @@
+#pragma once
+
+#include "contact/ball_pocket.hpp"
+#include "contact/conformal.hpp"
+#include "dynamics/snapshot.hpp"
+#include "dynamics/system_effects.hpp"
+
+/// Balls in the cylindrical pockets of a one-piece cage.
+///
+/// Normal: N = law(-gap) on the ball along -m, gap and m of contact/ball_pocket.hpp. Friction acts at the ball surface
+/// point p = r_b m (not shortened by the penetration): slip u = cage velocity - ball velocity there, its part along m
+/// removed; friction on the ball N κ(|u|) u/|u|; opposite force on the cage at the same point of space. Heat = friction · u.
+/// The force is minus the gradient of law.energy with respect to ball and cage pose.
+/// Limit: the ball centre is inside the hole; otherwise the state is not valid.
+namespace adore::dynamics {
+
+class PocketSet {
+ public:
+  /// @param azimuths of the pocket centres in the cage frame [rad]
+  PocketSet(const bearing::Bearing& bearing, const std::vector<double>& azimuths);
+
+  /// Centres of all balls in their pocket frames, kept for the other calls.
+  void locate(const Evaluation& e) noexcept;
+  [[nodiscard]] Vec3 centre(std::size_t i) const noexcept { return {qx_[i], qy_[i], qz_[i]}; }
+  /// Is the ball centre inside the hole of the wall and within one radius of its height?
+  [[nodiscard]] bool inside(std::size_t i) const noexcept {
+    const double d2 = qx_[i] * qx_[i] + qy_[i] * qy_[i];
+    return d2 < hole2_ && qz_[i] > wall_.z_low - ball_radius_ && qz_[i] < wall_.z_high + ball_radius_;
+  }
+  /// Conservative and cheap: the gap is never less than ρ - r_b - √(x²+y²).
+  [[nodiscard]] bool surely_open(std::size_t i) const noexcept {
+    return qx_[i] * qx_[i] + qy_[i] * qy_[i] < play2_;
+  }
+  [[nodiscard]] contact::WallPoint wall_point(std::size_t i) const noexcept {
+    return contact::nearest_wall(wall_, centre(i), ball_radius_);
+  }
+  [[nodiscard]] Vec3 to_base(std::size_t i, const Vec3& v, const Mat3& cage_to_base) const noexcept {
+    return cage_to_base * Vec3(v[0], cos_[i] * v[1] - sin_[i] * v[2], sin_[i] * v[1] + cos_[i] * v[2]);
+  }
+  [[nodiscard]] std::size_t size() const noexcept { return sin_.size(); }
+  [[nodiscard]] const contact::CappedHertz& law() const noexcept { return law_; }
+  [[nodiscard]] double ball_radius() const noexcept { return ball_radius_; }
+  /// Force, gap and angles of pocket i; call locate() first.
+  [[nodiscard]] PocketContactSnapshot report(std::size_t i) const;
+
+ private:
+  contact::CylindricalPocket wall_;
+  contact::CappedHertz law_;
+  double ball_radius_ = 0.0, pitch_radius_ = 0.0, rotation_sign_ = 1.0;
+  double hole2_ = 0.0, play2_ = 0.0;  ///< ρ², (ρ - r_b)² [m²]; play2_ 0 for a pocket without play
+  std::vector<double> sin_, cos_;     ///< of the pocket azimuths
+  std::vector<double> qx_, qy_, qz_;
+};
+
+/// Effect "pocket contact", with friction when Traction. `set` must outlive the block.
+template <bool Traction>
+class PocketBlock final : public EffectBlock {
+ public:
+  PocketBlock(PocketSet& set, const SlipFriction& friction) : set_(set), friction_(friction) {}
+  void apply(Evaluation& e) noexcept override;
+
+ private:
+  PocketSet& set_;
+  SlipFriction friction_;
+};
+extern template class PocketBlock<false>;
+extern template class PocketBlock<true>;
+
+}  // namespace adore::dynamics

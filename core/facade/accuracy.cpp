@@ -1,0 +1,165 @@
+#include "facade/accuracy.hpp"
+
+#include "facade/system_ode.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+namespace adore::facade {
+namespace {
+
+struct EndState {
+  std::vector<double> y;
+  std::vector<double> loads;  ///< Q of every ball and race [N]
+  double energy_residual = 0.0;
+  integrators::Counters counters;
+  double seconds = 0.0;
+};
+
+/// Integrates the deck's start state over the span with one method and tolerance.
+EndState integrate(const Prepared& prepared, const std::string& method, double tolerance,
+                   double end, std::stop_token stop) {
+  dynamics::System system = make_system(prepared);
+  const std::vector<double> start = system.initial_state();
+  system.set_start(0.0, start);
+  SystemOde ode(system);
+  const auto stepper = integrators::make_stepper(method);
+  const double scale = system.scales().time;
+  integrators::StepControl control;
+  control.initial = prepared.control.step_initial * scale;
+  control.minimum = 0.0;
+  control.maximum = std::max(prepared.control.step_maximum, 1.0) * scale;
+  control.tolerance = tolerance;
+  const auto begin = std::chrono::steady_clock::now();
+  stepper->start(ode, 0.0, start, control);
+  while (stepper->time() < end && !stop.stop_requested()) stepper->step(end);
+  EndState out;
+  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  out.y.assign(stepper->state().begin(), stepper->state().end());
+  out.counters = stepper->counters();
+  const dynamics::Snapshot snapshot = system.snapshot(stepper->time(), out.y);
+  out.energy_residual = std::abs(snapshot.energy.residual());
+  for (const dynamics::ElementSnapshot& element : snapshot.elements)
+    for (const dynamics::RaceContactSnapshot& contact : element.race)
+      out.loads.push_back(contact.load);
+  return out;
+}
+
+double state_difference(const std::vector<double>& a, const std::vector<double>& b,
+                        std::span<const double> scales, int controlled) {
+  double out = 0.0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(controlled); ++i)
+    out = std::max(out, std::abs(a[i] - b[i]) / scales[i]);
+  return out;
+}
+
+double load_difference(const std::vector<double>& a, const std::vector<double>& b) {
+  double difference = 0.0, largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    difference = std::max(difference, std::abs(a[i] - b[i]));
+    largest = std::max(largest, std::abs(b[i]));
+  }
+  return largest > 0.0 ? difference / largest : difference;
+}
+
+}  // namespace
+
+AccuracyStudy study_accuracy(const AccuracyRequest& request,
+                             const std::function<void(const AccuracyRow&)>& row_done,
+                             std::stop_token stop) {
+  const Prepared prepared = prepare(request);
+  if (!prepared.control.dynamic)
+    throw InputError(
+        "an accuracy study integrates in time, and this deck is quasi-static (mode < 0); set mode "
+        "= 0");
+  for (const std::string& method : request.methods) {
+    try {
+      (void)integrators::make_stepper(method);
+    } catch (const std::invalid_argument& error) {
+      throw InputError(error.what());
+    }
+  }
+  const dynamics::System system = make_system(prepared);
+  const auto scales = system.layout().scales();
+  const int controlled = system.layout().controlled_size();
+  const double end = request.span * system.scales().time;
+
+  AccuracyStudy study;
+  study.span_seconds = end;
+  study.span_revolutions =
+      (prepared.bearing.speed[1] - prepared.bearing.speed[0]) * end / (2.0 * std::numbers::pi);
+  const double tight = std::min(
+      1e-11, 1e-2 * *std::min_element(request.tolerances.begin(), request.tolerances.end()));
+  study.reference =
+      fmt::format("rkf7 at {:.0e}, checked against rkf5 at {:.0e}", tight, 10.0 * tight);
+  EndState reference, check;
+  try {
+    reference = integrate(prepared, "rkf7", tight, end, stop);
+    check = integrate(prepared, "rkf5", 10.0 * tight, end, stop);
+  } catch (const integrators::StepFailure& failure) {
+    throw SolverError(fmt::format("no reference solution: {}", failure.what()));
+  }
+  study.reference_check = state_difference(check.y, reference.y, scales, controlled);
+
+  for (const std::string& method : request.methods)
+    for (const double tolerance : request.tolerances) {
+      if (stop.stop_requested()) return study;
+      AccuracyRow row;
+      row.method = method;
+      row.tolerance = tolerance;
+      try {
+        const EndState result = integrate(prepared, method, tolerance, end, stop);
+        row.error = state_difference(result.y, reference.y, scales, controlled);
+        row.load_error = load_difference(result.loads, reference.loads);
+        row.energy_residual = result.energy_residual;
+        row.steps = result.counters.steps;
+        row.rejected = result.counters.rejected;
+        row.evaluations = result.counters.evaluations;
+        row.seconds = result.seconds;
+      } catch (const integrators::StepFailure& failure) {
+        row.failure = failure.what();
+      } catch (const std::invalid_argument& refusal) {
+        row.failure = refusal.what();
+      }
+      study.rows.push_back(row);
+      if (row_done) row_done(row);
+    }
+  return study;
+}
+
+std::string accuracy_table(const AccuracyStudy& study) {
+  std::string out = fmt::format(
+      "span {:.4g} s, {:.3g} revolutions; reference: {} (they differ by {:.1e})\n\n"
+      "{:<12} {:>8} {:>10} {:>10} {:>12} {:>8} {:>8} {:>10} {:>9}\n",
+      study.span_seconds, study.span_revolutions, study.reference, study.reference_check, "method",
+      "tol", "error", "load error", "energy [J]", "steps", "rejected", "rhs calls", "time [s]");
+  for (const AccuracyRow& row : study.rows) {
+    if (row.failure.empty())
+      out +=
+          fmt::format("{:<12} {:>8.0e} {:>10.2e} {:>10.2e} {:>12.2e} {:>8} {:>8} {:>10} {:>9.3f}\n",
+                      row.method, row.tolerance, row.error, row.load_error, row.energy_residual,
+                      row.steps, row.rejected, row.evaluations, row.seconds);
+    else
+      out += fmt::format("{:<12} {:>8.0e} gave up: {}\n", row.method, row.tolerance, row.failure);
+  }
+  return out;
+}
+
+std::string accuracy_csv(const AccuracyStudy& study) {
+  std::string out =
+      "method,tol,error,load_error,energy_residual_J,steps,rejected,rhs_calls,seconds,failure\n";
+  for (const AccuracyRow& row : study.rows) {
+    std::string failure = row.failure;
+    std::replace(failure.begin(), failure.end(), '"', '\'');
+    out += fmt::format("{},{},{},{},{},{},{},{},{},\"{}\"\n", row.method, row.tolerance, row.error,
+                       row.load_error, row.energy_residual, row.steps, row.rejected,
+                       row.evaluations, row.seconds, failure);
+  }
+  return out;
+}
+
+}  // namespace adore::facade

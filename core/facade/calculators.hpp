@@ -1,0 +1,26 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Component calculators: JSON in, JSON out (`adore calc`). The names of the reference families
+/// work too, so that any case of tests/reference can be fed to its calculator.
+namespace adore::facade {
+
+struct CalculatorInfo {
+  std::string name;    ///< "hertz"
+  std::string family;  ///< reference family whose README explains inputs and results
+  std::string kind;    ///< kind given to the family's calculator; may be empty
+  std::string help;
+};
+
+[[nodiscard]] const std::vector<CalculatorInfo>& calculators();
+
+/// @param input the object of inputs, or a whole reference case with "inputs" (and "kind").
+/// @throws InputError naming the calculators, or what the input lacks.
+[[nodiscard]] nlohmann::json calculate(std::string_view name, const nlohmann::json& input);
+
+}  // namespace adore::facade

@@ -1,0 +1,157 @@
+#include "facade/prepare.hpp"
+
+#include "build/build_bearing.hpp"
+#include "build/scene_plan.hpp"
+#include "dynamics/scene_estimate.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <fstream>
+
+namespace adore::facade {
+namespace fs = std::filesystem;
+namespace {
+
+/// ADORE.json beside the deck: one object of named run options; values may be numbers, strings or
+/// booleans.
+std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
+  const fs::path path = deck_file.parent_path() / "ADORE.json";
+  std::map<std::string, std::string> out;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return out;
+  nlohmann::json json;
+  try {
+    json = nlohmann::json::parse(file);
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(fmt::format("{} is not valid JSON: {}", path.string(), error.what()));
+  }
+  if (!json.is_object())
+    throw InputError(fmt::format(
+        "{} must hold one object of run options, e.g. {{\"ellipseMajor\": 16}}", path.string()));
+  for (const auto& [name, value] : json.items()) {
+    if (value.is_string())
+      out[name] = value.get<std::string>();
+    else if (value.is_boolean())
+      out[name] = value.get<bool>() ? "1" : "0";
+    else if (value.is_number())
+      out[name] = value.dump();
+    else
+      throw InputError(fmt::format("{}: run option {} must be a number, a text or true/false",
+                                   path.string(), name));
+  }
+  return out;
+}
+
+/// Load-weighted mean contact angle of each race: where a dynamic run freezes its Hertz constants,
+/// so that the contact forces have a potential (decision 001). The free angle when nothing is
+/// loaded.
+std::array<double, 2> mean_contact_angles(const statics::StaticSolution& solution,
+                                          double free_angle) {
+  std::array<double, 2> out{free_angle, free_angle};
+  for (std::size_t j = 0; j < 2; ++j) {
+    double weight = 0.0, sum = 0.0;
+    for (const statics::StaticBall& ball : solution.balls)
+      if (ball.Q[j] > 0.0 && std::isfinite(ball.alpha[j])) {
+        weight += ball.Q[j];
+        sum += ball.Q[j] * std::abs(ball.alpha[j]);
+      }
+    if (weight > 0.0) out[j] = sum / weight;
+  }
+  return out;
+}
+
+}  // namespace
+
+fs::path deck_path(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) {
+    if (fs::exists(path / "DATA.txt", error)) return path / "DATA.txt";
+    throw InputError(
+        fmt::format("there is no DATA.txt in the folder {}; give a deck, or make one with `adore "
+                    "new ball --out {}`",
+                    path.string(), (path / "DATA.txt").string()));
+  }
+  if (!fs::exists(path, error))
+    throw InputError(
+        fmt::format("there is no deck {}; `adore new ball --out {}` writes a complete one",
+                    path.string(), path.string()));
+  return path;
+}
+
+LoadedDeck load_deck(const DeckRequest& request) {
+  LoadedDeck out;
+  out.path = deck_path(request.deck);
+  deck::ReadResult read = deck::read_deck(out.path);
+  std::vector<Issue> issues = std::move(read.issues);
+  out.deck = std::move(read.deck);
+  if (!request.sets.empty() && read.ok()) {
+    for (const auto& [name, value] : request.sets) out.deck.set(name, value);
+    out.deck.complete();
+    issues = deck::check_deck(out.deck);
+  }
+  bool wrong = false;
+  for (const Issue& issue : issues) wrong = wrong || issue.severity == Severity::Error;
+  if (wrong) throw InputError(std::move(issues));
+  out.warnings = std::move(issues);
+  out.option_values = options_beside(out.path);
+  for (const auto& [name, value] : request.options) out.option_values[name] = value;
+  return out;
+}
+
+Prepared prepare(const DeckRequest& request) {
+  Prepared out;
+  out.input = load_deck(request);
+  const deck::Deck& deck = out.input.deck;
+  out.options = build::build_run_options(out.input.option_values);
+  out.bearing = build::build_bearing(deck);
+  for (Issue& issue : build::check_buildable(deck)) out.input.warnings.push_back(std::move(issue));
+  out.control = build::build_run_control(deck);
+  out.plan = build::make_scene_plan(deck, out.bearing, out.control);
+  out.statics = statics::solve_ball_statics(out.bearing);
+  if (out.control.dynamic) {
+    out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls.contact_angle);
+    statics::StaticsOptions frozen;
+    frozen.curvature = statics::Curvature::Fixed;
+    frozen.fixed_angle = out.fixed_angle;
+    out.start = statics::solve_ball_statics(out.bearing, frozen);
+  }
+  return out;
+}
+
+dynamics::System make_system(const Prepared& prepared) {
+  return dynamics::System(prepared.bearing, prepared.plan, prepared.start, prepared.fixed_angle,
+                          prepared.options.system);
+}
+
+dynamics::ScenePlan plan_with_estimates(const Prepared& prepared) {
+  dynamics::ScenePlan plan = prepared.plan;
+  if (!prepared.control.dynamic) return plan;
+  dynamics::System system = make_system(prepared);
+  dynamics::estimate(plan, prepared.bearing, prepared.start, system);
+  return plan;
+}
+
+std::string plan_text(const Prepared& prepared, const dynamics::ScenePlan& plan) {
+  std::string out =
+      fmt::format("{}\n{}\n\nbodies\n", prepared.input.path.string(), prepared.bearing.run_id);
+  for (const dynamics::BodyEntry& body : plan.bodies)
+    out += fmt::format("  {:<24} {:<52} {:>5} unknowns\n", body.name, body.degrees, body.unknowns);
+  out += fmt::format("  {:<24} {:<52} {:>5}\n\neffects\n", "together", "", plan.unknowns);
+  for (const dynamics::EffectEntry& effect : plan.effects)
+    out +=
+        fmt::format("  {:<3} {:<28} {}\n", effect.on ? "on" : "off", effect.name, effect.because);
+  if (!prepared.control.dynamic) return out;
+  out += fmt::format(
+      "\nestimates\n"
+      "  fastest frequency        {:.4g} Hz, {}\n"
+      "  expected step            {:.3g} s ({})\n"
+      "  steps per revolution     {:.4g}\n"
+      "  computing per revolution {:.3g} s\n",
+      plan.fastest_frequency, plan.fastest_contact, plan.expected_step, prepared.control.integrator,
+      plan.steps_per_revolution, plan.seconds_per_revolution);
+  return out;
+}
+
+}  // namespace adore::facade

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "bearing/bearing.hpp"
+#include "build/run_control.hpp"
+#include "deck/deck.hpp"
+#include "dynamics/scene_plan.hpp"
+#include "dynamics/system.hpp"
+#include "statics/ball_statics.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// From a deck file to everything a run starts from. Apps and CLI call this and nothing below it.
+namespace adore::facade {
+
+/// What the user asked for beyond the deck.
+struct DeckRequest {
+  std::filesystem::path deck = ".";  ///< the deck, or a folder that holds DATA.txt
+  std::vector<std::pair<std::string, std::string>>
+      sets;  ///< --set variable=value, in the deck's units
+  std::vector<std::pair<std::string, std::string>>
+      options;  ///< --opt name=value, over those of ADORE.json
+};
+
+struct LoadedDeck {
+  std::filesystem::path path;  ///< the deck file
+  deck::Deck deck;             ///< with the sets applied
+  std::vector<Issue> warnings;
+  std::map<std::string, std::string> option_values;  ///< ADORE.json and --opt, as given
+};
+
+/// The deck file that a path means: itself, or DATA.txt in it. @throws InputError when there is
+/// none.
+[[nodiscard]] std::filesystem::path deck_path(const std::filesystem::path& path);
+
+/// Reads, applies the sets, checks again. @throws InputError with every error of the deck.
+[[nodiscard]] LoadedDeck load_deck(const DeckRequest& request);
+
+/// A deck understood as a physical model with its plan.
+struct Prepared {
+  LoadedDeck input;
+  bearing::Bearing bearing;
+  build::RunControl control;
+  build::RunOptions options;
+  dynamics::ScenePlan plan;
+  statics::StaticSolution statics;  ///< actual curvature: the quasi-static page
+  std::array<double, 2>
+      fixed_angle{};  ///< contact angles that the run's Hertz constants are frozen at [rad]
+  statics::StaticSolution
+      start;  ///< with those constants: start of a dynamic run (empty when quasi-static)
+};
+
+/// @throws InputError, SolverError (no equilibrium).
+[[nodiscard]] Prepared prepare(const DeckRequest& request);
+
+/// The equations of motion of a prepared dynamic deck.
+[[nodiscard]] dynamics::System make_system(const Prepared& prepared);
+
+/// Plan with its estimates (frequencies, step, cost) as text or JSON.
+[[nodiscard]] dynamics::ScenePlan plan_with_estimates(const Prepared& prepared);
+[[nodiscard]] std::string plan_text(const Prepared& prepared, const dynamics::ScenePlan& plan);
+
+}  // namespace adore::facade

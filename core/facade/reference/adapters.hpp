@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "facade/reference/adapter.hpp"
+
+namespace adore::facade::reference {
+
+/// The adapters of every family that the program understands.
+[[nodiscard]] std::vector<Adapter> all_adapters();
+
+}  // namespace adore::facade::reference

@@ -1,0 +1,171 @@
+#include "facade/reference/cases_motion.hpp"
+
+#include "dynamics/rigid_body.hpp"
+#include "facade/reference/json_access.hpp"
+#include "facade/reference/trajectory.hpp"
+
+namespace adore::facade::reference {
+namespace {
+
+Json angles_case(const Json& in) {
+  const Vec3 angles = vec3(in.at("angles_deg")) * kDegree;
+  const Quat q = quaternion_from_angles(angles);
+  return {{"matrix_parent_to_body", json(passive_matrix(angles))},
+          {"quaternion_body_to_parent", json(with_positive_w(q))},
+          {"angles_back_deg", json(Vec3(angles_from_quaternion(q) / kDegree))}};
+}
+
+Json angle_rates_case(const Json& in) {
+  const Vec3 angles = vec3(in.at("angles_deg")) * kDegree;
+  const Quat q = with_positive_w(quaternion_from_angles(angles));
+  const Vec3 omega = omega_from_angle_rates(angles, vec3(in.at("angle_rates")));
+  return {{"omega_body", json(omega)},
+          {"omega_parent", json(Vec3(rotation_matrix(q) * omega))},
+          {"quaternion_body_to_parent", json(q)},
+          {"quaternion_rate", json(quaternion_rate(q, omega))}};
+}
+
+Json cylindrical_case(const Json& in) {
+  const Vec3 place = vec3(in.at("position_x_r_theta"));
+  const dynamics::PointMotion motion =
+      dynamics::from_cylindrical(place, vec3(in.at("rates")), vec3(in.at("second_rates")));
+  const Vec3 force = get(in, "mass") * motion.acceleration;
+  const Vec3 components(force[0], force.dot(radial_direction(place[2])),
+                        force.dot(circumferential_direction(place[2])));
+  return {{"position", json(motion.position)},
+          {"velocity", json(motion.velocity)},
+          {"acceleration", json(motion.acceleration)},
+          {"force_needed_x_r_theta", json(components)}};
+}
+
+Json azimuth_spin_case(const Json& in) {
+  const double polar = get(in, "polar_inertia"), transverse = get(in, "transverse_inertia");
+  const Vec3 axis = vec3(in.at("axis_azimuth")).normalized(), omega = vec3(in.at("omega_azimuth"));
+  const dynamics::SpinRates rates = dynamics::axisymmetric_spin(
+      polar, transverse, get(in, "theta_rate"), omega, axis, vec3(in.at("moment_azimuth")));
+  const double spin = omega.dot(axis);
+  return {{"omega_rate_azimuth", json(rates.omega_azimuth)},
+          {"axis_rate_azimuth", json(rates.axis_azimuth)},
+          {"omega_rate_inertial_components", json(rates.omega_inertial)},
+          {"kinetic_energy",
+           0.5 * polar * spin * spin + 0.5 * transverse * (omega.squaredNorm() - spin * spin)}};
+}
+
+dynamics::RigidBody rigid_body(const Json& in) {
+  dynamics::RigidBody body;
+  body.mass = get(in, "mass");
+  body.inertia = dynamics::inertia_in_geometric_axes(vec3(in.at("principal_moments")),
+                                                     vec3(in.at("frame_angles_deg")) * kDegree);
+  body.to_geometric_centre = vec3(in.at("mass_centre_to_geometric_centre"));
+  return body;
+}
+
+Json rigid_body_case(const Json& in) {
+  const dynamics::RigidBody body = rigid_body(in);
+  const Mat3 R = rotation_matrix(quaternion(in.at("quaternion_geometric_to_inertial")));
+  const Vec3 omega = vec3(in.at("omega_geometric")), v = vec3(in.at("mass_centre_velocity"));
+  const Vec3 force = vec3(in.at("force_inertial"));
+  const Vec3 arm = body.to_geometric_centre + vec3(in.at("force_point_geometric"));
+  const Vec3 moment =
+      R.transpose() * vec3(in.at("moment_inertial")) + arm.cross(R.transpose() * force);
+  const Vec3 a = force / body.mass, omega_rate = dynamics::euler_rate(body.inertia, omega, moment);
+  return {
+      {"inertia_geometric", json(body.inertia)},
+      {"mass_centre_acceleration", json(a)},
+      {"omega_rate_geometric", json(omega_rate)},
+      {"geometric_centre_velocity", json(dynamics::geometric_centre_velocity(body, R, v, omega))},
+      {"geometric_centre_acceleration",
+       json(dynamics::geometric_centre_acceleration(body, R, a, omega, omega_rate))},
+      {"kinetic_energy", dynamics::kinetic_energy(body, v, omega)}};
+}
+
+/// State: quaternion, ω (geometric axes), mass centre, its velocity.
+Json trajectory_case(const Json& in) {
+  const dynamics::RigidBody body = rigid_body(in);
+  const Quat q0 = quaternion(in.at("initial_quaternion"));
+  const Vec3 omega0 = vec3(in.at("initial_omega_geometric"));
+  const Mat3 R0 = rotation_matrix(q0);
+  const Vec3 G0 = vec3(in.at("initial_geometric_centre")) - R0 * body.to_geometric_centre;
+  const Vec3 v0 = vec3(in.at("initial_geometric_centre_velocity")) -
+                  R0 * omega0.cross(body.to_geometric_centre);
+  const Vec3 force = vec3(in.at("force_inertial_at_geometric_centre"));
+  Problem problem;
+  problem.start = {q0[0], q0[1], q0[2], q0[3], omega0[0], omega0[1], omega0[2],
+                   G0[0], G0[1], G0[2], v0[0], v0[1],     v0[2]};
+  const double speed = omega0.norm(), size = 1e-3;
+  problem.scales = {
+      1, 1, 1, 1, speed, speed, speed, size, size, size, size * speed, size * speed, size * speed};
+  problem.rates = [&](double, const double* y, double* d) {
+    const Quat q = {y[0], y[1], y[2], y[3]};
+    const Vec3 omega(y[4], y[5], y[6]);
+    const Vec3 moment = body.to_geometric_centre.cross(rotation_matrix(q).transpose() * force);
+    const Quat q_rate = quaternion_rate(q, omega);
+    const Vec3 omega_rate = dynamics::euler_rate(body.inertia, omega, moment);
+    for (int i = 0; i < 4; ++i) d[i] = q_rate[static_cast<std::size_t>(i)];
+    for (int i = 0; i < 3; ++i) {
+      d[4 + i] = omega_rate[i];
+      d[7 + i] = y[10 + i];
+      d[10 + i] = force[i] / body.mass;
+    }
+  };
+  const auto times = in.at("times").get<std::vector<double>>();
+  const Solution solution = solve(problem, times);
+  Json quaternions = Json::array(), centres = Json::array();
+  for (const State& y : solution.samples) {
+    const Quat q = normalise({y[0], y[1], y[2], y[3]});
+    quaternions.push_back(json(with_positive_w(q)));
+    centres.push_back(
+        json(Vec3(Vec3(y[7], y[8], y[9]) + rotation_matrix(q) * body.to_geometric_centre)));
+  }
+  return {{"quaternion_geometric_to_inertial", quaternions},
+          {"omega_geometric", solution.vectors(4)},
+          {"geometric_centre", centres}};
+}
+
+std::optional<Json> frame_case(const Json& the_case) {
+  const std::string kind = kind_of(the_case);
+  const Json& in = the_case.at("inputs");
+  if (kind == "angles") return angles_case(in);
+  if (kind == "angle_rates") return angle_rates_case(in);
+  if (kind == "cylindrical") return cylindrical_case(in);
+  if (kind == "azimuth_spin") return azimuth_spin_case(in);
+  if (kind == "rigid_body") return rigid_body_case(in);
+  if (kind == "rigid_body_trajectory") return trajectory_case(in);
+  return std::nullopt;
+}
+
+std::optional<Json> excitation_case(const Json& the_case) {
+  if (kind_of(the_case) != "cage_start") return std::nullopt;
+  const Json& in = the_case.at("inputs");
+  const double gamma = get(in, "element_diameter") *
+                       std::cos(get(in, "contact_angle_deg") * kDegree) / get(in, "pitch_diameter");
+  const double epicyclic =
+      dynamics::epicyclic_speed(get(in, "rpm1") * kRpm, get(in, "rpm2") * kRpm, gamma);
+  const Vec3 angles = vec3(in.at("cageAngPos_deg")) * kDegree;
+  const dynamics::CageStart start =
+      dynamics::cage_start(epicyclic, get(in, "avRatio"), get(in, "wvRatio"),
+                           vec3(in.at("locus_centre")), vec3(in.at("cageGcPos")), angles);
+  dynamics::RigidBody cage;
+  cage.to_geometric_centre = vec3(in.at("mass_centre_to_geometric_centre"));
+  const Mat3 R = rotation_matrix(start.orientation);
+  return Json{
+      {"epicyclic_speed", epicyclic},
+      {"cage_speed", start.cage_speed},
+      {"whirl_speed", start.whirl_speed},
+      {"mass_centre", json(start.mass_centre)},
+      {"mass_centre_velocity", json(start.mass_centre_velocity)},
+      {"omega_inertial", json(Vec3(R * start.omega_body))},
+      {"omega_cage_frame", json(start.omega_body)},
+      {"matrix_inertial_to_cage", json(Mat3(R.transpose()))},
+      {"geometric_centre", json(Vec3(start.mass_centre + R * cage.to_geometric_centre))},
+      {"geometric_centre_velocity", json(dynamics::geometric_centre_velocity(
+                                        cage, R, start.mass_centre_velocity, start.omega_body))}};
+}
+
+}  // namespace
+
+std::vector<Adapter> motion_adapters() {
+  return {{"motion_frames", frame_case}, {"motion_excitations", excitation_case}};
+}
+
+}  // namespace adore::facade::reference

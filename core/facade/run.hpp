@@ -1,0 +1,61 @@
+#pragma once
+
+#include "facade/prepare.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+/// A whole run: deck in, every output file out.
+namespace adore::facade {
+
+struct RunRequest : DeckRequest {
+  std::optional<std::filesystem::path> out;  ///< folder of the files; default: beside the deck
+  std::string until;       ///< "5rev", "0.02s" or a dimensionless time; replaces fTime and maxStps.
+                           ///< Empty: the deck's
+  std::string integrator;  ///< name instead of intMet; empty: the deck's
+  std::optional<double> tolerance;  ///< instead of tol
+};
+
+/// What a live display needs, sent at most about 20 times a second and once at the end.
+struct Progress {
+  double fraction = 0.0;     ///< of the simulated span, 0..1
+  double revolutions = 0.0;  ///< shaft turns, inner relative to outer
+  double time = 0.0;         ///< simulated [s]
+  double end_time = 0.0;     ///< [s]
+  long step = 0;
+  double elapsed = 0.0;    ///< computing time so far [s]
+  double remaining = 0.0;  ///< estimate [s]
+  double speed_up = 0.0;   ///< simulated over computing time
+};
+using ProgressSink = std::function<void(const Progress&)>;
+
+enum class RunStatus : unsigned char { Done, Interrupted, Failed };
+
+struct RunOutcome {
+  RunStatus status = RunStatus::Done;
+  std::string
+      message;  ///< Failed: diagnosis and remedy. Files are valid up to the last stored step
+  std::filesystem::path folder;
+  std::vector<std::filesystem::path> files;  ///< written, in the order of outputs.md
+  std::vector<Issue> warnings;
+  long steps = 0;
+  double time = 0.0, revolutions = 0.0, seconds = 0.0;
+  double energy_residual = 0.0;  ///< [J]
+  std::vector<std::pair<std::string, double>> summary;  ///< key results by name and SI unit: a sweep's columns
+  double energy_scale = 0.0;     ///< heat dissipated, or kinetic energy when there is none [J]
+};
+
+/// Runs the deck to its end, to an interruption, or to a diagnosed failure.
+/// @throws InputError (nothing was overwritten), SolverError when no start state exists (PRINT.txt
+/// says so far).
+RunOutcome run(const RunRequest& request, const ProgressSink& progress = {},
+               std::stop_token stop = {});
+
+/// Seconds for "5rev", "0.02s" or a dimensionless number. @throws InputError
+double parse_until(const std::string& text, double shaft_speed, double time_scale);
+
+}  // namespace adore::facade

@@ -1,0 +1,170 @@
+#include "facade/sweep.hpp"
+
+#include "base/atomic_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <cmath>
+#include <mutex>
+#include <thread>
+
+namespace adore::facade {
+namespace {
+
+struct Range {
+  double first = 0.0, last = 0.0;
+  int count = 0;
+};
+
+template <class T>
+bool parse(std::string_view text, T& out) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+bool looks_like_range(const std::string& value) {
+  return std::count(value.begin(), value.end(), ':') > 0;
+}
+
+Range parse_range(const std::string& name, const std::string& value) {
+  const std::size_t a = value.find(':'), b = value.rfind(':');
+  Range out;
+  const std::string_view text(value);
+  if (a == b || !parse(text.substr(0, a), out.first) ||
+      !parse(text.substr(a + 1, b - a - 1), out.last) || !parse(text.substr(b + 1), out.count) ||
+      out.count < 2 || out.count > 100000 || !std::isfinite(out.first) || !std::isfinite(out.last))
+    throw InputError(
+        fmt::format("--set {}={}: a sweep is written first:last:count with at least two runs, e.g. "
+                    "{}=500:2500:5",
+                    name, value, name));
+  return out;
+}
+
+/// One run of the sweep and how it ended.
+struct Row {
+  std::string value;
+  RunOutcome outcome;
+  std::string failure;  ///< input or solver error: the run has no outcome
+  int exit_code = 0;
+};
+
+std::string sweep_csv(const std::string& variable, const std::vector<Row>& rows) {
+  std::vector<std::string> columns;
+  for (const Row& row : rows)
+    for (const auto& [name, value] : row.outcome.summary)
+      if (std::find(columns.begin(), columns.end(), name) == columns.end()) columns.push_back(name);
+  std::string out = variable + ",exit";
+  for (const std::string& column : columns) out += "," + column;
+  out += ",message\n";
+  for (const Row& row : rows) {
+    out += fmt::format("{},{}", row.value, row.exit_code);
+    for (const std::string& column : columns) {
+      const auto found = std::find_if(row.outcome.summary.begin(), row.outcome.summary.end(),
+                                      [&](const auto& item) { return item.first == column; });
+      out += found == row.outcome.summary.end() ? "," : fmt::format(",{}", found->second);
+    }
+    std::string message = row.failure.empty() ? row.outcome.message : row.failure;
+    std::replace(message.begin(), message.end(), '"', '\'');
+    std::replace(message.begin(), message.end(), '\n', ' ');
+    out += fmt::format(",\"{}\"\n", message);
+  }
+  return out;
+}
+
+Row run_one(const RunRequest& request, std::string value, std::stop_token stop) {
+  Row row;
+  row.value = std::move(value);
+  try {
+    row.outcome = run(request, {}, stop);
+    row.exit_code = row.outcome.status == RunStatus::Done          ? 0
+                    : row.outcome.status == RunStatus::Interrupted ? 130
+                                                                   : 3;
+  } catch (const InputError& error) {
+    row.failure = error.what();
+    row.exit_code = 2;
+  } catch (const SolverError& error) {
+    row.failure = error.what();
+    row.exit_code = 3;
+  }
+  return row;
+}
+
+}  // namespace
+
+bool is_sweep(const RunRequest& request) {
+  return std::any_of(request.sets.begin(), request.sets.end(),
+                     [](const auto& set) { return looks_like_range(set.second); });
+}
+
+SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSink& progress,
+                       std::stop_token stop) {
+  std::size_t swept = request.sets.size();
+  for (std::size_t i = 0; i < request.sets.size(); ++i) {
+    if (!looks_like_range(request.sets[i].second)) continue;
+    if (swept != request.sets.size())
+      throw InputError("a sweep varies one variable; give only one --set with a range");
+    swept = i;
+  }
+  const std::string variable = request.sets[swept].first;
+  const Range range = parse_range(variable, request.sets[swept].second);
+  const std::filesystem::path folder =
+      request.out ? *request.out : deck_path(request.deck).parent_path();
+
+  const auto count = static_cast<std::size_t>(range.count);
+  std::vector<Row> rows(count);
+  std::atomic<std::size_t> next{0};
+  std::size_t done = 0;
+  std::mutex mutex;
+  std::exception_ptr bug;
+  auto work = [&] {
+    for (std::size_t k = next++; k < count && !stop.stop_requested(); k = next++) {
+      RunRequest one = request;
+      // Integer variables take whole values: to_string of a whole double is written without a
+      // point.
+      const double value =
+          range.first + (range.last - range.first) * static_cast<double>(k) / (range.count - 1);
+      one.sets[swept].second = value == std::round(value) && std::abs(value) < 1e15
+                                   ? fmt::format("{:.0f}", value)
+                                   : fmt::format("{}", value);
+      one.out = folder / fmt::format("{}-{}", variable, k + 1);
+      try {
+        rows[k] = run_one(one, one.sets[swept].second, stop);
+      } catch (...) {
+        const std::scoped_lock lock(mutex);
+        bug = std::current_exception();
+        next = count;
+        return;
+      }
+      const std::scoped_lock lock(mutex);
+      ++done;
+      if (progress) {
+        Progress p;
+        p.fraction = static_cast<double>(done) / static_cast<double>(count);
+        p.step = static_cast<long>(done);
+        progress(p);
+      }
+    }
+  };
+  const unsigned cores = threads > 0 ? static_cast<unsigned>(threads)
+                                     : std::max(1U, std::thread::hardware_concurrency());
+  {
+    std::vector<std::jthread> pool;
+    for (unsigned i = 1; i < std::min<std::size_t>(cores, count); ++i) pool.emplace_back(work);
+    work();
+  }
+  if (bug) std::rethrow_exception(bug);
+
+  std::erase_if(rows,
+                [](const Row& row) { return row.value.empty(); });  // not started: interrupted
+  SweepOutcome out;
+  out.table = folder / "SWEEP.csv";
+  for (const Row& row : rows) out.exit_code = std::max(out.exit_code, row.exit_code);
+  if (stop.stop_requested()) out.exit_code = 130;
+  write_file_atomically(out.table, sweep_csv(variable, rows));
+  return out;
+}
+
+}  // namespace adore::facade

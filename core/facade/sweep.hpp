@@ -1,0 +1,25 @@
+#pragma once
+
+#include "facade/run.hpp"
+
+#include <filesystem>
+#include <stop_token>
+
+/// `--set var=a:b:n`: n runs with evenly spaced values, one folder each, and a table SWEEP.csv.
+namespace adore::facade {
+
+/// Does one of the sets hold a range a:b:n?
+[[nodiscard]] bool is_sweep(const RunRequest& request);
+
+struct SweepOutcome {
+  std::filesystem::path table;  ///< SWEEP.csv: one line per run
+  int exit_code = 0;            ///< the worst of the runs
+};
+
+/// Runs are independent and spread over `threads` (0: all cores); folders "<var>-<k>" below the
+/// output folder.
+/// @throws InputError for a malformed range, or more than one of them.
+SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSink& progress = {},
+                       std::stop_token stop = {});
+
+}  // namespace adore::facade

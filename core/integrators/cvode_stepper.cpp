@@ -1,0 +1,113 @@
+#include "integrators/sundials_stepper.hpp"
+
+#include <cvode/cvode.h>
+#include <cvode/cvode_ls.h>
+#include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
+#include <sunnonlinsol/sunnonlinsol_newton.h>
+
+namespace adore::integrators {
+namespace {
+
+constexpr int kAdamsOrder = 12;
+constexpr int kBdfOrder = 5;
+
+/// SUNDIALS CVODE: variable-order, variable-step multistep methods in Nordsieck form. Adams with
+/// fixed-point iteration, BDF with Newton. It chooses step and order together and cannot hold a
+/// constant step. Source: [hindmarsh2005].
+class CvodeStepper final : public SundialsStepper {
+ public:
+  CvodeStepper(std::string name, CvodeMethod method)
+      : SundialsStepper(std::move(name), method == CvodeMethod::Adams ? kAdamsOrder : kBdfOrder),
+        method_(method) {}
+  [[nodiscard]] bool holds_constant_step() const noexcept override { return false; }
+
+ private:
+  void create() override {
+    const bool bdf = method_ == CvodeMethod::Bdf;
+    memory_.reset(CVodeCreate(bdf ? CV_BDF : CV_ADAMS, context_.get()));
+    void* m = memory_.get();
+    if (!m) refuse("CVODE could not be set up", "Choose another integrator.");
+    check(CVodeSetErrHandlerFn(m, keep_message, this), "CVodeSetErrHandlerFn");
+    check(CVodeInit(m, full_rhs, t_, vector_.get()), "CVodeInit");
+    check(CVodeSetUserData(m, this), "CVodeSetUserData");
+    check(CVodeWFtolerances(m, error_weights), "CVodeWFtolerances");
+    if (bdf) {
+      make_newton_tools();
+      nonlinear_solver_.reset(SUNNonlinSol_Newton(vector_.get(), context_.get()));
+      check(CVodeSetNonlinearSolver(m, nonlinear_solver_.get()), "CVodeSetNonlinearSolver");
+      check(CVodeSetLinearSolver(m, linear_solver_.get(), matrix_.get()), "CVodeSetLinearSolver");
+      check(CVodeSetJacFn(m, full_jacobian), "CVodeSetJacFn");
+      // Scaling the correction for a stale γ suits the stiff part; quadratures need the correction
+      // itself.
+      check(CVodeSetLinearSolutionScaling(m, SUNFALSE), "CVodeSetLinearSolutionScaling");
+    } else {
+      nonlinear_solver_.reset(SUNNonlinSol_FixedPoint(vector_.get(), 0, context_.get()));
+      check(CVodeSetNonlinearSolver(m, nonlinear_solver_.get()), "CVodeSetNonlinearSolver");
+    }
+    check(CVodeSetMinStep(m, control_.minimum), "CVodeSetMinStep");
+    check(CVodeSetMaxStep(m, control_.maximum), "CVodeSetMaxStep");
+    check(CVodeSetInitStep(m, first_), "CVodeSetInitStep");
+    check(CVodeSetMaxErrTestFails(m, 20), "CVodeSetMaxErrTestFails");
+    check(CVodeSetMaxHnilWarns(m, -1), "CVodeSetMaxHnilWarns");
+  }
+
+  void restart(double h) override {
+    check(CVodeReInit(memory_.get(), t_, vector_.get()), "CVodeReInit");
+    check(CVodeSetInitStep(memory_.get(), h), "CVodeSetInitStep");
+  }
+
+  Advance advance(double t_stop) override {
+    CVodeSetStopTime(memory_.get(), t_stop);
+    const int status = CVode(memory_.get(), t_stop, vector_.get(), &t_, CV_ONE_STEP);
+    switch (status) {
+      case CV_SUCCESS:
+      case CV_TSTOP_RETURN:
+        return Advance::Done;
+      case CV_ERR_FAILURE:
+        return Advance::ErrorTooLarge;
+      case CV_CONV_FAILURE:
+        return Advance::NotConverged;
+      case CV_RHSFUNC_FAIL:
+      case CV_FIRST_RHSFUNC_ERR:
+      case CV_REPTD_RHSFUNC_ERR:
+      case CV_UNREC_RHSFUNC_ERR:
+        return Advance::Refused;
+      default:
+        return Advance::Failed;
+    }
+  }
+
+  [[nodiscard]] double next_step() const override {
+    double h = 0.0;
+    CVodeGetCurrentStep(memory_.get(), &h);
+    return h;
+  }
+
+  bool local_error(N_Vector error) override {
+    return CVodeGetEstLocalErrors(memory_.get(), error) == 0;
+  }
+
+  [[nodiscard]] Statistics statistics() const override {
+    long error_fails = 0;
+    long convergence_fails = 0;
+    long iterations = 0;
+    CVodeGetNumErrTestFails(memory_.get(), &error_fails);
+    CVodeGetNumStepSolveFails(memory_.get(), &convergence_fails);
+    CVodeGetNumNonlinSolvIters(memory_.get(), &iterations);
+    return {error_fails + convergence_fails, iterations};
+  }
+
+  struct Free {
+    void operator()(void* m) const noexcept { CVodeFree(&m); }
+  };
+  CvodeMethod method_;
+  std::unique_ptr<void, Free> memory_;
+};
+
+}  // namespace
+
+std::unique_ptr<Stepper> make_cvode(std::string_view name, CvodeMethod method) {
+  return std::make_unique<CvodeStepper>(std::string(name), method);
+}
+
+}  // namespace adore::integrators

@@ -1,0 +1,35 @@
+#include "integrators/embedded_runge_kutta.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::integrators {
+
+EmbeddedRungeKutta::EmbeddedRungeKutta(std::string name, const Tableau& tableau)
+    : ExplicitStepper(std::move(name), tableau.order), tableau_(tableau) {}
+
+void EmbeddedRungeKutta::prepare() {
+  stages_.resize(tableau_, width());
+  error_before_ = 1.0;
+}
+
+ExplicitStepper::Trial EmbeddedRungeKutta::attempt(double h) {
+  const Outcome outcome =
+      stages_.run(evaluate_, t_, h, y_.data(), f_.data(), y_new_.data(), error_.data());
+  if (outcome != Outcome::Ok) return {outcome, 0.0};
+  return {Outcome::Ok, weighted_maximum(error_.data(), weights_.data(), width())};
+}
+
+const double* EmbeddedRungeKutta::end_derivative() const { return stages_.end_derivative(); }
+
+// h' = 0.9 h e^(-0.7/q) e_before^(0.4/q), q = p + 1: [gustafsson1991]; damps the saw-tooth of
+// contact vibration.
+double EmbeddedRungeKutta::growth(double error) {
+  const double q = order() + 1;
+  const double e = std::max(error, 1e-8);
+  const double factor = 0.9 * std::pow(e, -0.7 / q) * std::pow(error_before_, 0.4 / q);
+  error_before_ = std::min(e, 1.0);
+  return std::clamp(factor, 0.2, 5.0);
+}
+
+}  // namespace adore::integrators

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "integrators/explicit_stepper.hpp"
+#include "integrators/tableau.hpp"
+
+namespace adore::integrators {
+
+/// Explicit embedded Runge–Kutta method with a proportional-integral step size control. The
+/// lower-order solution is propagated, so the error estimate is that of the solution itself and the
+/// order is the one in the name.
+class EmbeddedRungeKutta final : public ExplicitStepper {
+ public:
+  EmbeddedRungeKutta(std::string name, const Tableau& tableau);
+
+ private:
+  void prepare() override;
+  Trial attempt(double h) override;
+  [[nodiscard]] const double* end_derivative() const override;
+  void accepted(double h) override { (void)h; }
+  [[nodiscard]] double growth(double error) override;
+
+  const Tableau& tableau_;
+  Stages stages_;
+  double error_before_ = 1.0;
+};
+
+}  // namespace adore::integrators

@@ -1,0 +1,109 @@
+#include "integrators/explicit_stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace adore::integrators {
+
+void ExplicitStepper::start(OdeSystem& system, double t0, std::span<const double> y0,
+                            const StepControl& control) {
+  check_start(system, t0, y0, control);
+  counters_ = {};
+  control_ = control;
+  evaluate_.attach(system, counters_);
+  size_ = system.size();
+  width_ = padded(size_);
+  t_ = t0;
+  t_rounding_ = 0.0;
+  for (auto* v : {&y_, &f_, &y_new_, &f_new_, &error_, &weights_}) v->assign(width_, 0.0);
+  std::copy(y0.begin(), y0.end(), y_.begin());
+  for (int i = 0; i < system.controlled_size(); ++i) {
+    weights_[i] = 1.0 / (system.scales()[i] * control.tolerance);
+  }
+  if (!all_finite(y_.data(), size_)) {
+    evaluate_.blame(worst_index(y_.data(), weights_.data(), size_));
+    give_up(Outcome::NotFinite, 0.0);
+  }
+  system.project(t_, y_.data());
+  const Outcome outcome = evaluate_(t_, y_.data(), f_.data());
+  if (outcome != Outcome::Ok) give_up(outcome, 0.0);
+  h_next_ = first_step(evaluate_, t_, y_.data(), f_.data(), weights_.data(), control_,
+                       y_new_.data(), f_new_.data());
+  prepare();
+}
+
+ExplicitStepper::Trial ExplicitStepper::try_step(double h, double t_new, bool accept_any_error) {
+  Trial trial = attempt(h);
+  if (trial.outcome != Outcome::Ok) return trial;
+  if (!all_finite(y_new_.data(), size_)) {
+    evaluate_.blame(worst_index(y_new_.data(), weights_.data(), size_));
+    return {Outcome::NotFinite, 0.0};
+  }
+  if (trial.error > 1.0 && !accept_any_error) return trial;
+  const bool moved = evaluate_.system().project(t_new, y_new_.data());
+  const double* known = moved ? nullptr : end_derivative();
+  if (known) {
+    std::copy(known, known + size_, f_new_.begin());
+  } else {
+    trial.outcome = evaluate_(t_new, y_new_.data(), f_new_.data());
+  }
+  return trial;
+}
+
+StepInfo ExplicitStepper::step(double t_stop) {
+  if (!(t_stop > t_)) throw std::invalid_argument("the stop time must lie after the present time");
+  double planned = std::min(h_next_, longest_step(evaluate_.system(), t_, control_));
+  for (int failures = 0;;) {
+    const double left = t_stop - t_;
+    const bool last = reaches(t_, planned, t_stop);
+    double h = last ? left : planned;
+    // Two equal steps to the stop time rather than a long one and a sliver.
+    if (!last && !constant_step() && 2.0 * planned > left && 0.5 * left >= control_.minimum) {
+      h = 0.5 * left;
+    }
+    const double lossless = h - t_rounding_;
+    const double t_new = last ? t_stop : t_ + lossless;
+    const bool smallest = h <= control_.minimum * (1.0 + 1e-6);
+
+    const Trial trial = try_step(h, t_new, smallest);
+    const bool good = trial.outcome == Outcome::Ok;
+    if (good && (trial.error <= 1.0 || smallest)) {
+      const bool at_minimum = trial.error > 1.0;
+      t_rounding_ = last ? 0.0 : (t_new - t_) - lossless;
+      t_ = t_new;
+      y_.swap(y_new_);
+      f_.swap(f_new_);
+      ++counters_.steps;
+      counters_.at_minimum += at_minimum;
+      const double factor = growth(trial.error);
+      accepted(h);
+      double next = h * (failures > 0 ? std::min(factor, 1.0) : factor);
+      if (h < planned) next = std::max(next, planned);  // only the stop time made it short
+      h_next_ = std::clamp(next, control_.minimum, control_.maximum);
+      return {t_, h, h_next_, trial.error, at_minimum};
+    }
+
+    ++counters_.rejected;
+    rejected(++failures);
+    if (trial.outcome == Outcome::Fail || (!good && smallest)) give_up(trial.outcome, h);
+    const double factor =
+        good ? std::clamp(0.9 * std::pow(trial.error, -1.0 / (order_ + 1)), 0.1, 0.9) : 0.25;
+    planned = std::max(h * factor, control_.minimum);
+    if (planned < 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t_) ||
+        planned < std::numeric_limits<double>::min()) {
+      give_up(trial.outcome, h);
+    }
+  }
+}
+
+void ExplicitStepper::give_up(Outcome outcome, double h) const {
+  int component = -1;
+  if (outcome == Outcome::NotFinite) component = evaluate_.culprit();
+  if (outcome == Outcome::Ok) component = worst_index(error_.data(), weights_.data(), size_);
+  throw_failure(evaluate_.system(),
+                {name_, cause_of(outcome), remedy_of(outcome), t_, h, component});
+}
+
+}  // namespace adore::integrators

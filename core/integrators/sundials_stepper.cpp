@@ -1,0 +1,256 @@
+#include "integrators/sundials_stepper.hpp"
+
+#include <nvector/nvector_serial.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace adore::integrators {
+namespace {
+
+// A restart pays when the projected state has left the package's own by this many tolerances.
+constexpr double kDriftLimit = 10.0;
+// The tolerance of a minimum step is widened at most this often, by ten each time.
+constexpr int kMostWidenings = 40;
+
+double maximum_norm(N_Vector values, N_Vector weights) {
+  return weighted_maximum(N_VGetArrayPointer(values), N_VGetArrayPointer(weights),
+                          static_cast<int>(N_VGetLength(values)));
+}
+
+SundialsStepper& stepper(void* self) { return *static_cast<SundialsStepper*>(self); }
+
+}  // namespace
+
+void SundialsStepper::start(OdeSystem& system, double t0, std::span<const double> y0,
+                            const StepControl& control) {
+  check_start(system, t0, y0, control);
+  system_ = &system;
+  control_ = control;
+  counters_ = {};
+  before_restart_ = {};
+  evaluate_.attach(system, counters_);
+  t_ = t0;
+  relax_ = 1.0;
+  trouble_ = Outcome::Ok;
+  message_.clear();
+  if (constant_step() && !holds_constant_step()) {
+    refuse(
+        "this method cannot hold a constant step",
+        "Give a minimum step below the maximum step, or choose rkf1-rkf7, pece1-pece8 or arkode.");
+  }
+  const std::size_t n = system.size();
+  state_.assign(y0.begin(), y0.end());
+  for (auto* v : {&derivative_, &scratch_y_, &scratch_f_, &weights_}) v->assign(n, 0.0);
+  for (int i = 0; i < system.controlled_size(); ++i) {
+    weights_[i] = 1.0 / (system.scales()[i] * control.tolerance);
+  }
+  if (!all_finite(state_.data(), static_cast<int>(n))) {
+    evaluate_.blame(worst_index(state_.data(), weights_.data(), static_cast<int>(n)));
+    trouble_ = Outcome::NotFinite;
+    give_up(Advance::Refused, 0.0);
+  }
+  system.project(t_, state_.data());
+  trouble_ = evaluate_(t_, state_.data(), derivative_.data());
+  if (trouble_ != Outcome::Ok) give_up(Advance::Refused, 0.0);
+  derivative_known_ = true;
+
+  if (!context_) {
+    SUNContext context = nullptr;
+    if (SUNContext_Create(nullptr, &context) != 0) refuse("SUNDIALS could not be set up", "");
+    context_.reset(context);
+  }
+  vector_.reset(N_VNew_Serial(static_cast<sunindextype>(n), context_.get()));
+  vector_->ops->nvwrmsnorm = maximum_norm;
+  error_.reset(N_VClone(vector_.get()));
+  std::copy(state_.begin(), state_.end(), N_VGetArrayPointer(vector_.get()));
+  first_ = estimate_first_step();
+  create();
+}
+
+double SundialsStepper::estimate_first_step() {
+  return first_step(evaluate_, t_, state_.data(), derivative_.data(), weights_.data(), control_,
+                    scratch_y_.data(), scratch_f_.data());
+}
+
+StepInfo SundialsStepper::step(double t_stop) {
+  if (!(t_stop > t_)) throw std::invalid_argument("the stop time must lie after the present time");
+  const double before = t_;
+  const double longest = longest_step(*system_, t_, control_);
+  const double stop = reaches(t_, longest, t_stop) ? t_stop : t_ + longest;
+  bool at_minimum = false;
+  advance_or_throw(stop, at_minimum);
+  ++counters_.steps;
+  counters_.at_minimum += at_minimum;
+  derivative_known_ = false;
+
+  const double* y = N_VGetArrayPointer(vector_.get());
+  const int n = system_->size();
+  if (!all_finite(y, n)) {
+    evaluate_.blame(worst_index(y, weights_.data(), n));
+    trouble_ = Outcome::NotFinite;
+    give_up(Advance::Refused, t_ - before);
+  }
+  StepInfo info{t_, t_ - before, 0.0, 0.0, at_minimum};
+  if (local_error(error_.get())) {
+    info.error = weighted_maximum(N_VGetArrayPointer(error_.get()), weights_.data(), n);
+  }
+  gather_statistics();
+  std::copy(y, y + n, state_.begin());
+  if (at_minimum) {  // the widened tolerance ends with this step
+    relax_ = 1.0;
+    if (system_->project(t_, state_.data())) {
+      std::copy(state_.begin(), state_.end(), N_VGetArrayPointer(vector_.get()));
+    }
+    begin_afresh(control_.minimum);
+  } else {
+    follow_projection();
+  }
+  info.h_next = std::clamp(next_step(), control_.minimum, control_.maximum);
+  return info;
+}
+
+void SundialsStepper::advance_or_throw(double t_stop, bool& at_minimum) {
+  const double before = t_;
+  for (int widenings = 0;; ++widenings) {
+    trouble_ = Outcome::Ok;
+    const Advance result = advance(t_stop);
+    if (result == Advance::Done) return;
+    t_ = before;
+    gather_statistics();
+    const double h = std::min(control_.minimum, t_stop - t_);
+    const bool may_widen = result == Advance::ErrorTooLarge && h > 0.0 && !constant_step() &&
+                           widenings < kMostWidenings;
+    if (!may_widen) give_up(result, control_.minimum > 0.0 ? h : next_step());
+    // The first repetition has the full tolerance: the package may have given up at a longer step.
+    if (widenings > 0) relax_ *= 10.0;
+    at_minimum = relax_ > 1.0;
+    std::copy(state_.begin(), state_.end(), N_VGetArrayPointer(vector_.get()));
+    begin_afresh(h);
+  }
+}
+
+void SundialsStepper::begin_afresh(double h) {
+  const Statistics now = statistics();
+  before_restart_.rejected += now.rejected;
+  before_restart_.nonlinear_iterations += now.nonlinear_iterations;
+  ++counters_.restarts;
+  restart(h);
+}
+
+// The package goes on with its own state and hands out the projected one, until they differ by a
+// few tolerances.
+void SundialsStepper::follow_projection() {
+  if (projects() || !system_->project(t_, state_.data())) return;
+  double* y = N_VGetArrayPointer(vector_.get());
+  double drift = 0.0;
+  for (std::size_t i = 0; i < state_.size(); ++i) {
+    drift = std::max(drift, std::abs(state_[i] - y[i]) * weights_[i]);
+  }
+  if (drift <= kDriftLimit) return;
+  std::copy(state_.begin(), state_.end(), y);
+  static_cast<void>(derivative());
+  if (!derivative_known_)
+    return;  // the model refuses the projected point: keep the package's own state
+  begin_afresh(std::min(estimate_first_step(), next_step()));
+}
+
+void SundialsStepper::gather_statistics() {
+  const Statistics now = statistics();
+  counters_.rejected = before_restart_.rejected + now.rejected;
+  counters_.nonlinear_iterations = before_restart_.nonlinear_iterations + now.nonlinear_iterations;
+}
+
+std::span<const double> SundialsStepper::derivative() const noexcept {
+  if (!derivative_known_ && evaluate_(t_, state_.data(), derivative_.data()) == Outcome::Ok) {
+    derivative_known_ = true;
+  }
+  return derivative_;
+}
+
+int SundialsStepper::report(Outcome outcome) noexcept {
+  if (outcome == Outcome::Ok) return 0;
+  trouble_ = outcome;
+  return outcome == Outcome::Fail ? -1 : 1;
+}
+
+int SundialsStepper::full_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept {
+  auto& me = stepper(self);
+  return me.report(me.evaluate_(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dydt)));
+}
+
+int SundialsStepper::stiff_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept {
+  auto& me = stepper(self);
+  double* out = N_VGetArrayPointer(dydt);
+  switch (me.system_->rhs_stiff(t, N_VGetArrayPointer(y), out)) {
+    case EvalStatus::Retry:
+      return me.report(Outcome::Retry);
+    case EvalStatus::Fail:
+      return me.report(Outcome::Fail);
+    case EvalStatus::Ok:
+      break;
+  }
+  if (all_finite(out, me.system_->size())) return 0;
+  me.evaluate_.blame(worst_index(out, me.weights_.data(), me.system_->size()));
+  return me.report(Outcome::NotFinite);
+}
+
+int SundialsStepper::rest_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept {
+  auto& me = stepper(self);
+  const int status = full_rhs(t, y, dydt, self);
+  if (status != 0) return status;
+  const EvalStatus stiff = me.system_->rhs_stiff(t, N_VGetArrayPointer(y), me.scratch_f_.data());
+  if (stiff != EvalStatus::Ok) {
+    return me.report(stiff == EvalStatus::Retry ? Outcome::Retry : Outcome::Fail);
+  }
+  double* out = N_VGetArrayPointer(dydt);
+  for (std::size_t i = 0; i < me.scratch_f_.size(); ++i) out[i] -= me.scratch_f_[i];
+  return 0;
+}
+
+int SundialsStepper::error_weights(N_Vector, N_Vector weights, void* self) noexcept {
+  const auto& me = stepper(self);
+  double* w = N_VGetArrayPointer(weights);
+  for (std::size_t i = 0; i < me.weights_.size(); ++i) w[i] = me.weights_[i] / me.relax_;
+  return 0;
+}
+
+int SundialsStepper::project_vector(double t, N_Vector y, void* self) noexcept {
+  stepper(self).system_->project(t, N_VGetArrayPointer(y));
+  return 0;
+}
+
+void SundialsStepper::keep_message(int, const char*, const char*, char* message,
+                                   void* self) noexcept {
+  stepper(self).message_ = message;
+}
+
+void SundialsStepper::check(int status, std::string_view call) const {
+  if (status != 0) {
+    refuse(std::string(call) + " returned " + std::to_string(status) +
+               (message_.empty() ? std::string() : " (" + message_ + ")"),
+           "Choose another integrator.");
+  }
+}
+
+void SundialsStepper::refuse(std::string cause, std::string remedy) const {
+  throw_failure(*system_, {name_, std::move(cause), std::move(remedy), t_, control_.maximum, -1});
+}
+
+void SundialsStepper::give_up(Advance advance, double h) const {
+  Diagnosis d{name_, cause_of(trouble_), remedy_of(trouble_), t_, h, -1};
+  if (trouble_ == Outcome::NotFinite) {
+    d.component = evaluate_.culprit();
+  } else if (trouble_ == Outcome::Ok && advance == Advance::ErrorTooLarge) {
+    d.component = worst_index(N_VGetArrayPointer(error_.get()), weights_.data(), system_->size());
+  } else if (trouble_ == Outcome::Ok && advance == Advance::NotConverged) {
+    d.cause = "the implicit equations of the step did not converge";
+    d.remedy = "Allow a smaller minimum step, or choose an explicit method.";
+  } else if (trouble_ == Outcome::Ok) {
+    d.cause = message_.empty() ? "the package gave up" : message_;
+  }
+  throw_failure(*system_, d);
+}
+
+}  // namespace adore::integrators

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "integrators/step_tools.hpp"
+
+#include <array>
+#include <vector>
+
+namespace adore::integrators {
+
+inline constexpr int kMaxStages = 13;
+
+/// Embedded explicit Runge–Kutta pair. `b` gives the propagated solution of order `order`, `b_high`
+/// the solution of order + 1 that serves for the error estimate.
+struct Tableau {
+  int order;
+  int stages;
+  std::array<double, kMaxStages> c;
+  std::array<std::array<double, kMaxStages>, kMaxStages> a;
+  std::array<double, kMaxStages> b;
+  std::array<double, kMaxStages> b_high;
+  bool last_stage_is_end;  ///< last row of a equals b: the last stage is the derivative at the end
+                           ///< of the step
+};
+
+/// Fehlberg's pairs p(p+1) for p = 1 to 7.
+/// Sources: [fehlberg1968] (orders 5–7), [fehlberg1969] (orders 1–4).
+/// Tests: tests/core/integrators/test_order_conditions.cpp, all rooted trees.
+/// @throws std::invalid_argument for any other order.
+[[nodiscard]] const Tableau& fehlberg(int order);
+
+/// Stages of one trial step, with their memory.
+class Stages {
+ public:
+  void resize(const Tableau& tableau, int width);
+  /// Evaluates all stages from (t, y, f = derivative there), then `y_new` and the local error
+  /// estimate `error` = h sum (b - b_high)_i k_i. All arrays have the width given to resize().
+  [[nodiscard]] Outcome run(Evaluator& evaluate, double t, double h, const double* y,
+                            const double* f, double* y_new, double* error);
+  /// Derivative at the end of the step when the tableau has it, else null.
+  [[nodiscard]] const double* end_derivative() const noexcept;
+
+ private:
+  const Tableau* tableau_ = nullptr;
+  int width_ = 0;
+  std::array<double, kMaxStages> error_weights_{};
+  std::vector<double> memory_;
+  std::array<const double*, kMaxStages> k_{};
+};
+
+}  // namespace adore::integrators

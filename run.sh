@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds the suite, simulates the example bearing and draws its pictures into out/example.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+./setup.sh
+
+# A clone in another folder shares the compiler cache.
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+preset=release
+[ "${CI:-}" = true ] && preset=ci-release
+echo "build: preset $preset"
+cmake --preset "$preset" >/dev/null
+cmake --build --preset "$preset"
+
+bin=$PWD/build/$preset/bin
+out=$PWD/out/example
+rm -rf "$out"
+mkdir -p "$out/pictures"
+"$bin/adore" new ball --out "$out/DATA.txt"
+echo "example: $out/DATA.txt"
+"$bin/adore" run "$out"
+"$bin/adore" plot "$out"/SOL[1-7] --out "$out/pictures"
+"$bin/adore" animate "$out/SOL8" --view bearing --frame 1 --out "$out/pictures"
+"$bin/adore" animate "$out/SOL8" --view cage --frame 1 --out "$out/pictures"
+echo "done: PRINT.txt, SOL1-SOL8 and RUN.json in $out, pictures in $out/pictures"
+echo "      look at them in the apps: $bin/adrplot $out/SOL1    $bin/agore $out/SOL8"

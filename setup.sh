@@ -1,0 +1,34 @@
+#!/usr/bin/env bash
+# Installs what Adore needs to build and run on Debian 12: packages only, from the distribution. Safe to run again.
+set -euo pipefail
+
+packages=(
+  # compiler and build
+  g++ cmake ninja-build ccache git ca-certificates
+  # solver
+  libeigen3-dev libsundials-dev libhdf5-dev libfmt-dev nlohmann-json3-dev libcli11-dev
+  # desktop apps and pictures; Qt Charts' CMake files also ask for OpenGL and xkbcommon
+  qt6-base-dev qt6-charts-dev libqt6opengl6-dev libgl1-mesa-dev libxkbcommon-dev fontconfig fonts-dejavu-core
+  # tests and benchmarks
+  catch2 libbenchmark-dev
+)
+
+missing=()
+for package in "${packages[@]}"; do
+  [ "$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)" = installed ] || missing+=("$package")
+done
+if [ ${#missing[@]} -eq 0 ]; then
+  echo "setup: all ${#packages[@]} packages are installed"
+  exit 0
+fi
+
+as_root=()
+if [ "$(id -u)" -ne 0 ]; then
+  command -v sudo >/dev/null || { echo "setup: run this as root, or install sudo; missing: ${missing[*]}" >&2; exit 2; }
+  as_root=(sudo)
+fi
+echo "setup: installing ${#missing[@]} packages: ${missing[*]}"
+export DEBIAN_FRONTEND=noninteractive
+"${as_root[@]}" apt-get update -q
+"${as_root[@]}" apt-get install -y -q --no-install-recommends "${missing[@]}"
+echo "setup: done"

@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# Does what ./run.sh does, then runs every test, the reference cases, and the sanitizer and fuzz subsets.
+set -euo pipefail
+cd "$(dirname "$0")"
+
+./run.sh
+
+export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 QT_QPA_PLATFORM=offscreen
+preset=release sanitizer=asan-ubsan
+[ "${CI:-}" = true ] && preset=ci-release sanitizer=ci-asan-ubsan
+build/$preset/bin/adore validate tests/reference/*.json
+
+echo "sanitizers: preset $sanitizer"
+cmake --preset "$sanitizer" >/dev/null
+cmake --build --preset "$sanitizer"
+ctest --test-dir "build/$sanitizer" --output-on-failure -L unit -LE slow -j2
+
+echo "tests: preset $preset"
+ctest --test-dir "build/$preset" --output-on-failure -j2

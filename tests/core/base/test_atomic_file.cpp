@@ -1,0 +1,82 @@
+#include "base/atomic_file.hpp"
+#include "base/errors.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <unistd.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+  fs::path path = fs::path(ADORE_BINARY_DIR) / ("atomic_file_test_" + std::to_string(::getpid()));
+  Folder() { fs::create_directories(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+};
+
+std::string content_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::size_t count_files(const fs::path& folder) {
+  return static_cast<std::size_t>(
+      std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+}  // namespace
+
+TEST_CASE("an atomic write creates and replaces a file and leaves nothing else behind",
+          "[unit][base]") {
+  const Folder folder;
+  const fs::path file = folder.path / "deck.txt";
+  adore::write_file_atomically(file, "first");
+  CHECK(content_of(file) == "first");
+  const std::string binary("a\0b\r\n", 5);
+  adore::write_file_atomically(file, binary);
+  CHECK(content_of(file) == binary);
+  adore::write_file_atomically(file, "");
+  CHECK(content_of(file).empty());
+  CHECK(count_files(folder.path) == 1);
+}
+
+TEST_CASE("an atomic write keeps permissions and follows a symbolic link", "[unit][base]") {
+  const Folder folder;
+  const fs::path file = folder.path / "real.txt";
+  adore::write_file_atomically(file, "old");
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink(file, folder.path / "link.txt");
+  adore::write_file_atomically(folder.path / "link.txt", "new");
+  CHECK(content_of(file) == "new");
+  CHECK(fs::is_symlink(folder.path / "link.txt"));
+  CHECK(fs::status(file).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+}
+
+TEST_CASE("an atomic write that cannot succeed says which path, why and what to do",
+          "[unit][base]") {
+  const Folder folder;
+  const auto message = [](const fs::path& path) -> std::string {
+    try {
+      adore::write_file_atomically(path, "text");
+    } catch (const adore::InputError& error) {
+      return error.what();
+    }
+    return {};
+  };
+  CHECK_THAT(message(folder.path / "missing" / "deck.txt"),
+             Catch::Contains("deck.txt") && Catch::Contains("create the folder"));
+  CHECK_THAT(message(folder.path), Catch::Contains("give the name of a file"));
+  CHECK_THAT(message("/dev/full/deck.txt"), Catch::Contains("cannot be written"));
+  CHECK_THAT(message(""), Catch::Contains("cannot be written"));
+  CHECK(count_files(folder.path) == 0);
+}

@@ -1,0 +1,155 @@
+#pragma once
+
+#include "base/errors.hpp"
+#include "base/rotation.hpp"
+#include "contact/groove.hpp"
+#include "dynamics/system.hpp"
+#include "integrators/stepper.hpp"
+#include "statics/ball_statics.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <string>
+#include <vector>
+
+/// An angular-contact ball bearing with an outer-guided cage, its plan and a run, for tests and benchmarks.
+namespace adore::fixture {
+
+inline bearing::Material steel() {
+  bearing::Material m;
+  m.name = "bearing steel";
+  m.density = 7800.0;
+  m.elastic_modulus = 2.06e11;
+  m.poisson_ratio = 0.3;
+  return m;
+}
+
+inline bearing::Inertia ball_inertia(double diameter, double density) {
+  bearing::Inertia result;
+  result.mass = density * std::numbers::pi / 6.0 * diameter * diameter * diameter;
+  result.moments = bearing::Vec3::Constant(0.1 * result.mass * diameter * diameter);
+  return result;
+}
+
+/// Ring with the mass of a cage; its inertia is that of a thin-walled tube.
+inline bearing::Inertia ring_inertia(const bearing::Cage& cage, double density) {
+  const double ro = 0.5 * cage.outer_diameter, ri = 0.5 * cage.inner_diameter;
+  bearing::Inertia result;
+  result.mass = 0.5 * density * std::numbers::pi * (ro * ro - ri * ri) * cage.width;
+  const double polar = 0.5 * result.mass * (ro * ro + ri * ri);
+  const double transverse = 0.5 * polar + result.mass * cage.width * cage.width / 12.0;
+  result.moments = {polar, transverse, transverse};
+  return result;
+}
+
+/// D 12.7 mm, d_m 95 mm, 25 degrees, 10000 rpm, 1500 N thrust and 500 N radial load.
+inline bearing::Bearing angular_contact(int balls = 18) {
+  bearing::Bearing b;
+  b.run_id = "test";
+  b.balls.count = balls;
+  b.balls.diameter = 0.0127;
+  b.balls.pitch_diameter = 0.095;
+  b.balls.contact_angle = 25.0 * std::numbers::pi / 180.0;
+  b.balls.groove_factor = {0.523, 0.52};
+  b.balls.clearance = 2.0 * 0.0127 * 0.043 * (1.0 - std::cos(b.balls.contact_angle));
+  b.balls.shoulder_diameter = {0.1, 0.09};
+  b.ball_material = steel();
+  b.race_material = {steel(), steel()};
+  b.ball_inertia = ball_inertia(b.balls.diameter, 7800.0);
+  b.constraints.load = {1500.0, 0.0, 500.0, 0.0, 0.0};
+  b.constraints.displacement_given = {false, false, false, true, true};
+  b.speed = {0.0, 10000.0 * std::numbers::pi / 30.0};
+  b.spin_rule = bearing::SpinRule::RaceControl;
+  using Form = bearing::TractionCurve::Form;
+  b.race_traction = {Form::TwoSlope, 0.0, 0.1, -0.002, 0.0, 0.5};
+  b.pocket_traction = bearing::TractionCurve{Form::Exponential, -0.05, 0.0, 2.0, 0.05, 0.0};
+  b.land_traction = bearing::TractionCurve{Form::Exponential, -0.06, 0.0, 1.0, 0.06, 0.0};
+
+  bearing::Cage cage;
+  cage.outer_diameter = 0.1;
+  cage.inner_diameter = 0.091;
+  cage.width = 0.02;
+  cage.pocket_clearance_1 = cage.pocket_clearance_2 = 3e-4;
+  using Guide = bearing::GuideLand::Guide;
+  cage.lands = {{Guide::Outer, 0.1, 0.003, 0.01, 4e-4}, {Guide::Outer, 0.1, 0.003, -0.01, 4e-4}};
+  cage.material = steel();
+  cage.inertia = ring_inertia(cage, 7800.0);
+  b.cage = cage;
+  return b;
+}
+
+inline dynamics::ScenePlan plan_with(std::initializer_list<dynamics::Effect> effects) {
+  dynamics::ScenePlan plan;
+  for (const dynamics::Effect effect : effects) plan.effects.push_back({effect, "", true, "test"});
+  return plan;
+}
+
+inline dynamics::ScenePlan full_plan() {
+  using enum dynamics::Effect;
+  return plan_with({RaceContact, RaceTraction, PocketContact, PocketTraction, LandContact, LandTraction,
+                    Gravity, CageMotion, WearIntegrals});
+}
+
+inline statics::StaticSolution statics_of(const bearing::Bearing& b, double fixed_angle,
+                                          statics::Control control = statics::Control::FromBearing,
+                                          double first_azimuth = 0.0) {
+  statics::StaticsOptions options;
+  options.curvature = statics::Curvature::Fixed;
+  options.fixed_angle = {fixed_angle, fixed_angle};
+  options.control = control;
+  options.first_azimuth = first_azimuth;
+  return statics::solve_ball_statics(b, options);
+}
+
+inline dynamics::System make_system(const bearing::Bearing& b, const dynamics::ScenePlan& plan,
+                                    const statics::StaticSolution& solution,
+                                    const dynamics::SystemOptions& options = {}) {
+  const double angle = b.balls.contact_angle;
+  return {b, plan, solution, {angle, angle}, options};
+}
+inline dynamics::System make_system(const bearing::Bearing& b, const dynamics::ScenePlan& plan,
+                                    const dynamics::SystemOptions& options = {}) {
+  return make_system(b, plan, statics_of(b, b.balls.contact_angle), options);
+}
+
+/// The system as a stepper sees it.
+class Adapter final : public integrators::OdeSystem {
+ public:
+  explicit Adapter(dynamics::System& system) : system_(system) {}
+  int size() const noexcept override { return system_.layout().size(); }
+  int controlled_size() const noexcept override { return system_.layout().controlled_size(); }
+  std::span<const double> scales() const noexcept override { return system_.layout().scales(); }
+  integrators::EvalStatus rhs(double t, const double* y, double* dydt) noexcept override {
+    return system_.rhs(t, y, dydt) == dynamics::RhsStatus::Ok ? integrators::EvalStatus::Ok
+                                                               : integrators::EvalStatus::Retry;
+  }
+  bool project(double t, double* y) noexcept override { return system_.project(t, y); }
+  std::string component_name(int index) const override { return system_.layout().component_name(index); }
+
+ private:
+  dynamics::System& system_;
+};
+
+struct RunResult {
+  std::vector<double> y;
+  integrators::Counters counters;
+};
+
+/// Integrates from y0 at t = 0 to `end`. The energy ledger starts at y0.
+inline RunResult run(dynamics::System& system, std::vector<double> y0, double end, double tolerance,
+                     const char* method = "rkf5") {
+  Adapter adapter(system);
+  system.set_start(0.0, y0);
+  const auto stepper = integrators::make_stepper(method);
+  integrators::StepControl control;
+  control.maximum = end;
+  control.minimum = 1e-13;
+  control.tolerance = tolerance;
+  stepper->start(adapter, 0.0, y0, control);
+  while (stepper->time() < end) stepper->step(end);
+  const auto state = stepper->state();
+  return {{state.begin(), state.end()}, stepper->counters()};
+}
+
+}  // namespace adore::fixture

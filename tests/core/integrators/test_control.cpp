@@ -1,0 +1,391 @@
+#include "core/integrators/problems.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace {
+std::atomic<long> allocations{0};
+}
+
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size ? size : 1)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+using namespace adore::integrators;
+using namespace adore::test;
+
+namespace {
+
+bool ours(std::string_view name) { return name.starts_with("rkf") || name.starts_with("pece"); }
+
+std::string failure_of(Stepper& stepper, double t_end) {
+  try {
+    run_to(stepper, t_end);
+  } catch (const StepFailure& failure) {
+    return failure.what();
+  }
+  return "no failure";
+}
+
+/// f with the same function as its stiff part, so that every method can take it.
+Problem all_methods(int size, int controlled, const Problem::Function& f) {
+  Problem problem(size, controlled, f);
+  problem.stiff = f;
+  return problem;
+}
+
+}  // namespace
+
+TEST_CASE("Integrators are found by name and by intMet code", "[unit][integrators]") {
+  REQUIRE(stepper_names().size() == 20);
+  for (const auto name : stepper_names()) CHECK(make_stepper(name)->name() == name);
+  CHECK(name_of_int_met(1) == "rkf1");
+  CHECK(name_of_int_met(7) == "rkf7");
+  CHECK(name_of_int_met(11) == "pece1");
+  CHECK(name_of_int_met(18) == "pece8");
+  CHECK(name_of_int_met(21) == "cvode-adams");
+  CHECK(name_of_int_met(22) == "cvode-bdf");
+  CHECK(name_of_int_met(31) == "arkode-erk");
+  CHECK(name_of_int_met(32) == "arkode-dirk");
+  CHECK(name_of_int_met(33) == "arkode-imex");
+  for (const int bad : {-1, 0, 8, 9, 10, 19, 20, 23, 30, 34}) CHECK(name_of_int_met(bad).empty());
+  CHECK_THROWS_AS(make_stepper("rk45"), std::invalid_argument);
+  CHECK_THROWS_WITH(make_stepper("rk45"), Catch::Contains("\"rk45\"") &&
+                                              Catch::Contains("rkf7, pece1") &&
+                                              Catch::Contains("arkode-imex"));
+}
+
+TEST_CASE("Contradictory step control is refused with a sentence", "[unit][integrators]") {
+  Problem problem = kepler();
+  const auto y0 = kepler_exact(0.0);
+  const StepControl bad[] = {{.maximum = 0.0},
+                             {.minimum = 2.0, .maximum = 1.0},
+                             {.minimum = -1.0, .maximum = 1.0},
+                             {.maximum = 1.0, .tolerance = 0.0},
+                             {.initial = std::nan(""), .maximum = 1.0}};
+  for (const auto name : stepper_names()) {
+    const auto stepper = make_stepper(name);
+    for (const auto& control : bad) {
+      CHECK_THROWS_AS(stepper->start(problem, 0.0, y0, control), std::invalid_argument);
+    }
+    const std::vector<double> too_short{1.0};
+    CHECK_THROWS_AS(stepper->start(problem, 0.0, too_short, {.maximum = 1.0}),
+                    std::invalid_argument);
+    stepper->start(problem, 0.0, y0, {.maximum = 1.0});
+    CHECK_THROWS_AS(stepper->step(0.0), std::invalid_argument);
+  }
+}
+
+TEST_CASE("A narrow pulse and a fast prescribed motion are not stepped over",
+          "[physics][integrators]") {
+  // y' = pulse of unit area and width 0.01 at t = 5, plus cos(40 t).
+  const double begin = 5.0, width = 0.01, rate = 40.0;
+  Problem problem = all_methods(1, 1, [&](double t, const double*, double* f) {
+    const double x = (t - begin) / width;
+    const double s = std::sin(M_PI * x);
+    f[0] = (x > 0.0 && x < 1.0 ? 2.0 / width * s * s : 0.0) + std::cos(rate * t);
+    return EvalStatus::Ok;
+  });
+  problem.guard = [&](double t) {
+    double guard = 0.25 / rate;
+    if (t < begin) guard = std::min(guard, std::max(begin - t, 0.1 * width));
+    if (t >= begin && t < begin + width) guard = 0.1 * width;
+    return guard;
+  };
+  const std::vector<double> y0{0.0};
+  const double exact = 1.0 + std::sin(rate * 8.0) / rate;
+  for (const auto name : stepper_names()) {
+    const auto stepper = make_stepper(name);
+    stepper->start(problem, 0.0, y0, {.maximum = 1.0, .tolerance = 1e-5});
+    double longest = 0.0;
+    while (stepper->time() < 8.0) longest = std::max(longest, stepper->step(8.0).h);
+    INFO(name << ": " << stepper->state()[0] << ", exact " << exact);
+    CHECK(longest <= 0.25 / rate * (1.0 + 1e-6));
+    // Some 1400 steps of 1e-5 at most; the low orders use up more of that than the others.
+    CHECK(std::abs(stepper->state()[0] - exact) < (stepper->order() == 1 ? 1.4e-2 : 2e-3));
+  }
+  // Without the guard the pair 7(8) believes any step: this is what the guard is for.
+  problem.guard = nullptr;
+  const auto blind = make_stepper("rkf7");
+  blind->start(problem, 0.0, y0, {.maximum = 1.0, .tolerance = 1e-5});
+  double worst = 0.0;
+  while (blind->time() < 8.0) worst = std::max(worst, blind->step(8.0).error);
+  CHECK(worst < 1e-6);
+  CHECK(std::abs(blind->state()[0] - exact) > 0.1);
+}
+
+TEST_CASE("Steps of the minimum size are accepted whatever their error, and counted",
+          "[unit][integrators]") {
+  Problem problem = kepler();
+  const auto y0 = kepler_exact(0.0);
+  for (const auto name : stepper_names()) {
+    const auto stepper = make_stepper(name);
+    INFO(name);
+    stepper->start(problem, 0.0, y0,
+                   {.initial = 0.05, .minimum = 0.02, .maximum = 0.5, .tolerance = 1e-15});
+    long counted = 0;
+    while (stepper->time() < 1.0) {
+      const StepInfo info = stepper->step(1.0);
+      CHECK((info.error <= 1.0 || info.at_minimum));
+      if (info.at_minimum) {
+        ++counted;
+        CHECK(info.error > 1.0);
+        CHECK(info.h <= 0.02 * (1.0 + 1e-6));
+      }
+      CHECK(info.h_next >= 0.02);
+    }
+    CHECK(counted > 40);
+    CHECK(stepper->counters().at_minimum == counted);
+    CHECK(distance(stepper->state(), kepler_exact(1.0)) < 0.05);  // order 1 at h = 0.02
+  }
+}
+
+TEST_CASE("Stop times are hit exactly, never passed, and do not spoil the next step",
+          "[unit][integrators]") {
+  Problem problem = kepler();
+  const auto y0 = kepler_exact(0.0);
+  const double stops[] = {0.1, 0.1000001, 0.37, 1.0 / 3.0 + 0.1, 1.1, 2.0, 2.0 + 1e-9, 3.0};
+  for (const auto name : stepper_names()) {
+    const auto stepper = make_stepper(name);
+    INFO(name);
+    stepper->start(problem, 0.0, y0, {.maximum = 0.2, .tolerance = 1e-7});
+    for (const double stop : stops) {
+      problem.last_t = -1.0;
+      run_to(*stepper, stop);
+      CHECK(stepper->time() == stop);
+      CHECK(problem.last_t <= stop * (1.0 + 1e-15));  // rounding of t + c h
+    }
+    const double tight = ours(name) ? 1e-4 : 1e-3;
+    CHECK(distance(stepper->state(), kepler_exact(3.0)) < (stepper->order() == 1 ? 5e-3 : tight));
+    if (!ours(name)) continue;
+    // A step cut to a sliver leaves the proposal as it was.
+    const double proposal = stepper->step(4.0).h_next;
+    const StepInfo sliver = stepper->step(stepper->time() + 1e-7 * proposal);
+    CHECK(sliver.h <= 1.1e-7 * proposal);
+    CHECK(sliver.h_next >= 0.99 * proposal);
+    CHECK(stepper->step(6.0).h > 0.3 * proposal);
+  }
+}
+
+TEST_CASE("A constant step is held to the last bit, or refused by name", "[unit][integrators]") {
+  Problem problem = kepler();
+  const auto y0 = kepler_exact(0.0);
+  const StepControl control{.initial = 0.0, .minimum = 0.1, .maximum = 0.1, .tolerance = 1e-3};
+  for (const auto name : stepper_names()) {
+    const auto stepper = make_stepper(name);
+    INFO(name);
+    CHECK(stepper->holds_constant_step() == !name.starts_with("cvode"));
+    if (!stepper->holds_constant_step()) {
+      CHECK_THROWS_WITH(stepper->start(problem, 0.0, y0, control),
+                        Catch::Contains(std::string(name)) && Catch::Contains("constant step"));
+      continue;
+    }
+    stepper->start(problem, 0.0, y0, control);
+    for (int i = 1; i <= 200; ++i) {
+      const StepInfo info = stepper->step(100.0);
+      // ARKODE forms the step from differences of times.
+      CHECK(std::abs(info.h - 0.1) < (ours(name) ? 1e-300 : 1e-13));
+      CHECK(stepper->time() == Approx(0.1 * i).epsilon(1e-13));
+    }
+    CHECK(stepper->counters().steps == 200);
+    CHECK(stepper->counters().rejected == 0);
+  }
+}
+
+TEST_CASE("A state that is not finite ends the run, named by time, step and component",
+          "[unit][integrators]") {
+  Problem problem = all_methods(3, 3, [](double t, const double* y, double* f) {
+    f[0] = -y[0];
+    f[1] = y[0];
+    f[2] = t > 0.5 ? std::sqrt(-1.0 - y[0] * y[0]) : 0.0;
+    return EvalStatus::Ok;
+  });
+  const std::vector<double> y0{1.0, 0.0, 0.0};
+  for (const auto name : stepper_names()) {
+    const auto stepper = make_stepper(name);
+    stepper->start(problem, 0.0, y0, {.minimum = 1e-6, .maximum = 0.1, .tolerance = 1e-4});
+    const std::string text = failure_of(*stepper, 2.0);
+    INFO(text);
+    CHECK(text.find(name) == 0);
+    CHECK_THAT(text, Catch::Contains("not finite") && Catch::Contains("quantity<2>") &&
+                         Catch::Contains("t = 0.") && Catch::Contains("with step"));
+    CHECK(stepper->time() == Approx(0.5).margin(0.1));
+    const std::vector<double> nan{1.0, std::nan(""), 0.0};
+    CHECK_THROWS_WITH(stepper->start(problem, 0.0, nan, {.maximum = 0.1}),
+                      Catch::Contains("quantity<1>"));
+  }
+}
+
+TEST_CASE("Retry leads to a smaller step, and to a diagnosis when no step is small enough",
+          "[unit][integrators]") {
+  // The solution decays and stays positive; a step that is too long asks beyond zero.
+  Problem problem = all_methods(1, 1, [](double, const double* y, double* f) {
+    if (y[0] < -0.01) return EvalStatus::Retry;
+    f[0] = -100.0 * y[0];
+    return EvalStatus::Ok;
+  });
+  Problem wall = all_methods(1, 1, [](double t, const double*, double* f) {
+    f[0] = 1.0;
+    return t > 0.5 ? EvalStatus::Retry : EvalStatus::Ok;
+  });
+  Problem broken = all_methods(1, 1, [](double t, const double*, double* f) {
+    f[0] = 1.0;
+    return t > 0.5 ? EvalStatus::Fail : EvalStatus::Ok;
+  });
+  const std::vector<double> y0{1.0};
+  for (const auto name : stepper_names()) {
+    const auto stepper = make_stepper(name);
+    stepper->start(problem, 0.0, y0, {.initial = 0.1, .maximum = 0.1, .tolerance = 1e-5});
+    run_to(*stepper, 0.1);
+    INFO(name << ": " << stepper->state()[0]);
+    CHECK(std::abs(stepper->state()[0] - std::exp(-10.0)) < 1e-2);
+    CHECK(stepper->counters().rejected > 0);
+
+    stepper->start(wall, 0.0, y0, {.maximum = 0.1, .tolerance = 1e-5});
+    CHECK_THAT(failure_of(*stepper, 2.0), Catch::Contains("not valid"));
+    stepper->start(broken, 0.0, y0, {.maximum = 0.1, .tolerance = 1e-5});
+    const long before = stepper->counters().rejected;
+    CHECK_THAT(failure_of(*stepper, 2.0), Catch::Contains("could not be evaluated"));
+    CHECK(stepper->counters().rejected <= before + 1);
+    CHECK_THROWS_AS(stepper->start(wall, 1.0, y0, {.maximum = 0.1}), StepFailure);
+  }
+}
+
+TEST_CASE("Our own methods allocate nothing after the start", "[unit][integrators]") {
+  Problem problem = bouncing_mass();
+  const std::vector<double> y0{1.0, 0.0, 0.0};
+  for (const auto name : stepper_names()) {
+    if (!ours(name)) continue;
+    const auto stepper = make_stepper(name);
+    stepper->start(problem, 0.0, y0, {.maximum = 0.1, .tolerance = 1e-6});
+    const long before = allocations;
+    for (int i = 0; i < 300; ++i) stepper->step(1e3);
+    CHECK(allocations - before == 0);
+  }
+}
+
+TEST_CASE("Quadratures do not influence the steps", "[unit][integrators]") {
+  // The same mass with and without quadratures that no step could resolve.
+  Problem plain = bouncing_mass();
+  const auto wild = [&plain](double t, const double* y, double* f) {
+    double three[3];
+    plain.rhs(t, y, three);
+    f[0] = three[0];
+    f[1] = three[1];
+    f[2] = 1e9 * std::sin(1e7 * t);
+    f[3] = y[0] > 0.5 ? 1e12 : 0.0;
+    return EvalStatus::Ok;
+  };
+  Problem loaded(4, 2, wild);
+  loaded.stiff = [&plain](double t, const double* y, double* f) {
+    double three[3];
+    plain.rhs_stiff(t, y, three);
+    std::copy(three, three + 3, f);
+    f[3] = 0.0;
+    return EvalStatus::Ok;
+  };
+  for (const auto name : stepper_names()) {
+    const auto a = make_stepper(name);
+    const auto b = make_stepper(name);
+    a->start(plain, 0.0, std::vector<double>{1.0, 0.0, 0.0}, {.maximum = 0.1, .tolerance = 1e-5});
+    b->start(loaded, 0.0, std::vector<double>(4, 1.0), {.maximum = 0.1, .tolerance = 1e-5});
+    b->start(loaded, 0.0, std::vector<double>{1.0, 0.0, 0.0, 0.0},
+             {.maximum = 0.1, .tolerance = 1e-5});
+    int different = 0;
+    for (int i = 0; i < 200; ++i) different += a->step(1e3).t != b->step(1e3).t;
+    INFO(name);
+    CHECK(different == 0);
+    CHECK(a->state()[0] == b->state()[0]);
+  }
+}
+
+TEST_CASE("States handed out are projected and the derivative belongs to them",
+          "[unit][integrators]") {
+  Problem problem = rotation();
+  const auto y0 = rotation_exact(0.0);
+  for (const auto name : stepper_names()) {
+    const auto stepper = make_stepper(name);
+    stepper->start(problem, 0.0, y0, {.maximum = 0.5, .tolerance = 1e-6});
+    double worst = 0.0;
+    double mismatch = 0.0;
+    while (stepper->time() < 200.0) {
+      stepper->step(200.0);
+      const auto q = stepper->state();
+      worst =
+          std::max(worst, std::abs(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3] - 1.0));
+      double f[4];
+      problem.rhs(stepper->time(), q.data(), f);
+      for (int i = 0; i < 4; ++i)
+        mismatch = std::max(mismatch, std::abs(f[i] - stepper->derivative()[i]));
+    }
+    const auto& c = stepper->counters();
+    INFO(name << ": " << c.steps << " steps, " << c.restarts << " restarts");
+    CHECK(worst < 1e-15);
+    CHECK(mismatch == 0.0);
+    // Renormalising is no reason to begin again: never for our own methods and ARKODE, seldom for
+    // CVODE.
+    CHECK(c.restarts <= (name.starts_with("cvode") ? c.steps / 10 : 0));
+    // Some thousand steps of 1e-6; order 1 may use them all.
+    const double error = distance(stepper->state(), rotation_exact(200.0));
+    CHECK(error < (stepper->order() == 1 ? 0.2 : 5e-3));
+  }
+}
+
+TEST_CASE("The implicit-explicit method says what it needs", "[unit][integrators]") {
+  Problem problem = kepler();
+  problem.stiff = nullptr;
+  const auto stepper = make_stepper("arkode-imex");
+  CHECK_THROWS_AS(stepper->start(problem, 0.0, kepler_exact(0.0), {.maximum = 0.1}), StepFailure);
+  CHECK_THROWS_WITH(stepper->start(problem, 0.0, kepler_exact(0.0), {.maximum = 0.1}),
+                    Catch::Contains("stiff part") && Catch::Contains("arkode-dirk"));
+}
+
+TEST_CASE("Implicit methods take long steps over a stiff decay", "[physics][integrators]") {
+  // y' = -1e5 (y - cos t): explicit methods need some 1e5 steps for t = 2, stiff ones some
+  // hundreds.
+  Problem problem = all_methods(2, 1, [](double t, const double* y, double* f) {
+    f[0] = -1e5 * (y[0] - std::cos(t));
+    f[1] = y[0];
+    return EvalStatus::Ok;
+  });
+  for (const auto name : {"cvode-bdf", "arkode-dirk", "arkode-imex"}) {
+    const auto stepper = make_stepper(name);
+    stepper->start(problem, 0.0, std::vector<double>{0.0, 0.0},
+                   {.maximum = 0.5, .tolerance = 1e-6});
+    run_to(*stepper, 2.0);
+    INFO(name << ": " << stepper->counters().steps);
+    CHECK(stepper->counters().steps < 500);
+    CHECK(stepper->counters().jacobians > 0);
+    CHECK(stepper->counters().nonlinear_iterations > 0);
+    CHECK(std::abs(stepper->state()[0] - std::cos(2.0)) < 2e-5);
+    // The boundary layer of 1e-5 s costs the quadrature 1e-5.
+    CHECK(std::abs(stepper->state()[1] - (std::sin(2.0) - 1e-5)) < 1e-4);
+  }
+}
+
+TEST_CASE("A stepper starts again from any state as if it were new", "[unit][integrators]") {
+  Problem first = kepler();
+  Problem second = bouncing_mass();
+  for (const auto name : stepper_names()) {
+    const auto used = make_stepper(name);
+    const auto fresh = make_stepper(name);
+    used->start(first, 0.0, kepler_exact(0.0), {.maximum = 0.1, .tolerance = 1e-6});
+    for (int i = 0; i < 30; ++i) used->step(10.0);
+    const std::vector<double> y0{1.0, 0.0, 0.0};
+    for (auto* s : {used.get(), fresh.get()}) {
+      s->start(second, 0.0, y0, {.maximum = 0.1, .tolerance = 1e-6});
+      run_to(*s, 2.0);
+    }
+    INFO(name);
+    CHECK(used->state()[0] == fresh->state()[0]);
+    CHECK(used->counters().steps == fresh->counters().steps);
+    CHECK(used->counters().evaluations == fresh->counters().evaluations);
+  }
+}
