@@ -4,6 +4,7 @@
 #include "base/version.hpp"
 #include "results/averages.hpp"
 #include "results/channels.hpp"
+#include "results/continuation.hpp"
 #include "results/restart.hpp"
 #include "results/sol_writer.hpp"
 
