@@ -85,6 +85,7 @@ void RecordReader::read(const RecordSpec& spec, int instance) {
         state_.reported.values.insert({data.id, instance, std::string(variable.name)});
   }
   if (!ended_ && !broken_) warn_about_rest();
+  if (!ended_ && !broken_) note_bare_end();
   note_doubtful(data);
 }
 
@@ -230,6 +231,14 @@ void RecordReader::end_short(const Token& token, std::size_t position) {
           : fmt::format("the record is short: no value for {} before the next record '{}'", names,
                         token.text),
       fmt::format("give all {} values of record {}", state_.expected_values(spec) + 1, spec.id));
+}
+
+/// A deck that was cut in its last number reads like a whole one; a missing line end gives it away.
+void RecordReader::note_bare_end() {
+  if (!state_.scanner.at_bare_end()) return;
+  state_.report(Severity::Note, state_.deck().records.back().line, "", "",
+                "the file ends right after this value, without a line end; it may have been cut",
+                "compare the last value with what you meant, and end the line");
 }
 
 /// Text after the last value is ignored by the rules, but a number after a comma is likely a

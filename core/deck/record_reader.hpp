@@ -50,6 +50,7 @@ class RecordReader {
   bool store_number(const VariableSpec& variable, const Token& token, Value& value);
   void end_short(const Token& token, std::size_t position);
   void warn_about_rest();
+  void note_bare_end();
   void note_doubtful(const RecordData& data);
   [[nodiscard]] bool is_next_label(const Token& token) const;
 
