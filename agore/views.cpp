@@ -45,6 +45,11 @@ struct Scene {
   }
 };
 
+/// Outer radius of the picture's outer race: a little beyond its groove where the file gives none.
+double outer_rim(const results::Sol8Geometry& g) {
+  return std::max(g.outer_race_outer_radius, 1.06 * g.outer_race_inner_radius);
+}
+
 /// Ball centre (y, z): its pocket's centre plus the exaggerated way out of it, or its own place
 /// when there is no cage.
 QPointF ball_centre(const Scene& s, std::size_t k) {
@@ -114,7 +119,7 @@ void draw_contact_marks(const Scene& s, bool numbers) {
     const double angle = std::atan2(-centre.x(), centre.y());
     const double outside = s.options.view == View::Cage
                                ? s.geometry().cage_outer_radius + s.geometry().element_radius * 0.55
-                               : s.geometry().outer_race_outer_radius + 14.0 / s.sketch.scale();
+                               : outer_rim(s.geometry()) + 14.0 / s.sketch.scale();
     s.sketch.label(s.sketch.around({0, 0}, outside, angle), QString::number(k + 1),
                    contact && s.animation.has_cage ? t.red : t.muted, 12, contact);
   }
@@ -145,11 +150,17 @@ void bearing_view(const Scene& s) {
                               : s.animation.guide == Guide::Outer
                                   ? g.cage_outer_radius + s.factor * s.animation.guide_clearance
                                   : 0.0;
-  double outer_bore = g.outer_race_inner_radius, inner_top = g.inner_race_outer_radius;
-  if (s.animation.guide == Guide::Inner) inner_top = std::min(inner_top, guide_radius);
-  if (s.animation.guide == Guide::Outer) outer_bore = std::max(outer_bore, guide_radius);
-  s.sketch.ring(outer, outer_bore, g.outer_race_outer_radius, t.steel_light, t.steel_dark);
-  s.sketch.ring(inner, g.inner_race_inner_radius, inner_top, t.steel_light, t.steel_dark);
+  s.sketch.ring(outer, g.outer_race_inner_radius, outer_rim(g), t.steel_light, t.steel_dark);
+  s.sketch.ring(inner, g.inner_race_inner_radius, g.inner_race_outer_radius, t.steel_light,
+                t.steel_dark);
+  // The shoulder that carries the guide land, behind the elements.
+  QColor pale_light = t.steel_light, pale_dark = t.steel_dark;
+  pale_light.setAlpha(120);
+  pale_dark.setAlpha(120);
+  if (s.animation.guide == Guide::Inner && guide_radius > g.inner_race_outer_radius)
+    s.sketch.ring(inner, g.inner_race_outer_radius, guide_radius, pale_light, pale_dark);
+  if (s.animation.guide == Guide::Outer && guide_radius < g.outer_race_inner_radius)
+    s.sketch.ring(outer, guide_radius, g.outer_race_inner_radius, pale_light, pale_dark);
   if (s.animation.has_cage) s.sketch.cage_rail(cage, s.animation);
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k)
     s.sketch.ball(ball_centre(s, k), g.element_radius, mark_from_axis(s.frame.elements[k]));
@@ -306,7 +317,7 @@ void element_view(const Scene& s) {
   s.sketch.ball(centre, g.element_radius, mark_from_axis(s.frame.elements.at(k)));
   s.sketch.frame({0, 0}, s.animation.race_angle[1][s.index], 0.62 * g.inner_race_inner_radius,
                  t.blue);
-  s.sketch.label(s.sketch.around({0, 0}, g.outer_race_outer_radius + 14.0 / s.sketch.scale(),
+  s.sketch.label(s.sketch.around({0, 0}, outer_rim(g) + 14.0 / s.sketch.scale(),
                                  std::atan2(-centre.x(), centre.y())),
                  QString::number(k + 1), t.text, 13, true);
   draw_key(s.sketch, {{t.blue, "inner race frame"}},
@@ -318,7 +329,7 @@ void race_view(const Scene& s) {
   const auto& t = s.sketch.theme();
   const std::size_t r = s.options.view == View::OuterRace ? 0 : 1;
   const double low = r == 0 ? g.outer_race_inner_radius : g.inner_race_inner_radius;
-  const double high = r == 0 ? g.outer_race_outer_radius : g.inner_race_outer_radius;
+  const double high = r == 0 ? outer_rim(g) : g.inner_race_outer_radius;
   s.sketch.ring({0, 0}, low, high, t.steel_light, t.steel_dark);
   // A bright spot on the ring shows its rotation even when the frame is hidden by the orbit.
   s.sketch.asterisk(s.sketch.around({0, 0}, 0.5 * (low + high), s.animation.race_angle[r][s.index]),
@@ -341,7 +352,7 @@ double picture_radius(const Animation& animation, const ViewOptions& options, QS
     case View::Bearing:
     case View::Element:
     case View::OuterRace:
-      return g.outer_race_outer_radius * (1.0 + margin);
+      return outer_rim(g) * (1.0 + margin);
     case View::Cage:
       return (g.cage_outer_radius + g.element_radius) * (1.0 + margin);
     case View::Pocket:
@@ -349,7 +360,7 @@ double picture_radius(const Animation& animation, const ViewOptions& options, QS
     case View::InnerRace:
       return g.inner_race_outer_radius * (1.0 + margin);
   }
-  return g.outer_race_outer_radius;
+  return outer_rim(g);
 }
 
 }  // namespace

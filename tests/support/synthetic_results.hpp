@@ -28,7 +28,7 @@ struct SyntheticRun {
 
 inline results::SolHeader synthetic_header(results::SolKind kind, const SyntheticRun& run) {
   results::SolHeader h;
-  h.version = "ADORE 0.1";
+  h.version = "Adore0.1.0";
   h.run_id = "synthetic 12-ball bearing";
   h.elements = run.balls;
   h.per_segment = run.balls;
@@ -212,23 +212,24 @@ inline results::SolFile synthetic_sol(results::SolKind kind, const SyntheticRun&
 inline results::Sol8File synthetic_sol8(const SyntheticRun& run = {}) {
   results::Sol8File file;
   file.path = "SOL8";
-  file.version = "ADORE 0.1";
+  file.version = "Adore0.1.0";
   file.run_id = "synthetic 12-ball bearing";
   file.elements = run.balls;
   file.units = {"m", "rad", "N", "s", "rev", "m/s", "rpm", "K", "W", ""};
   const double inner_land = run.pitch_radius - 0.0022;
+  // As the solver writes it: races at the bottom of their grooves.
   file.geometry = {run.pitch_radius + 0.0022,
-                   inner_land - 0.0,
+                   inner_land,
                    9e-4,
                    run.clearance,
                    run.pocket_clearance,
                    0.0,
                    run.ball_radius,
                    2 * run.pitch_radius,
-                   0.0410,
-                   run.pitch_radius + 0.0031,
-                   inner_land - run.clearance,
-                   0.0240};
+                   0.0420,
+                   run.pitch_radius + 0.00502,
+                   run.pitch_radius - 0.00501,
+                   0.0225};
   const double w = 2 * std::numbers::pi * run.shaft;
   const auto limited = [](double a) { return std::remainder(a, 2 * std::numbers::pi); };
   for (int i = 0; i < run.steps; ++i) {
