@@ -213,4 +213,26 @@ void RunOutputs::checkpoint_if_due(dynamics::System& system, const RunPoint& poi
   s.write_restart(system);
 }
 
+void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
+  Impl& s = *impl_;
+  s.write_restart(system);
+  s.written.push_back(s.path(s.control.final_file));
+  s.written.push_back(s.path(s.control.master_file));
+  (void)end;
+}
+
+void RunOutputs::write_quasi_static() {}
+
+std::vector<fs::path> RunOutputs::files() const { return impl_->written; }
+
+std::vector<std::pair<std::string, double>> RunOutputs::summary() const { return {}; }
+
+double RunOutputs::energy_residual() const { return impl_->last.energy.residual(); }
+
+double RunOutputs::energy_scale() const {
+  const dynamics::EnergySnapshot& e = impl_->last.energy;
+  const double heat = e.heat_race[0] + e.heat_race[1] + e.heat_pockets + e.heat_lands;
+  return heat > 0.0 ? heat : e.kinetic;
+}
+
 }  // namespace adore::facade
