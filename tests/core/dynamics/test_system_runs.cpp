@@ -110,12 +110,13 @@ TEST_CASE("without impacts the energy residual follows the order-5 stepper",
   using enum Effect;
   System system = make_system(b, plan_with({RaceContact, RaceTraction, Gravity, WearIntegrals}));
   double previous = 1.0;
-  for (const double tolerance : {1e-5, 1e-6, 1e-7}) {
+  for (const double tolerance : {1e-4, 1e-5, 1e-6}) {
     const double residual = largest_residual(system, 1e-3, tolerance, "rkf5").largest;
+    UNSCOPED_INFO("tolerance " << tolerance << ": residual / stored energy " << residual);
     CHECK(residual < 0.2 * previous);
     previous = residual;
   }
-  CHECK(previous < 1e-7);
+  CHECK(previous < 1e-9);
 }
 
 TEST_CASE("the same start gives the same bits", "[unit][dynamics]") {
