@@ -80,7 +80,7 @@ RaceSolve solve_in_stages(BallModel& m, const RaceTask& task, RaceState& state, 
   int iterations = 0;
   if (cold && !plain) {
     m.own_speed_share = 0.0;
-    const RaceSolve first = solve_race(m, task, state);
+    const RaceSolve first = solve_race(m, task, state, 1e-3);
     if (!first.converged) {
       give_up(m, task, first, state, 0.0);
     }

@@ -104,9 +104,13 @@ bool out_of_reach(const BallModel& m, const Vec5& q) {
 
 bool update_race(const BallModel& model, const Vec5& q, RaceState& state) {
   std::array<double, 5> displacement{};
+  std::array<RaceDual, 5> variable;
   for (std::size_t k = 0; k < 5; ++k) {
     displacement[k] = q(static_cast<Eigen::Index>(k));
+    variable[k] = RaceDual::variable(displacement[k], static_cast<int>(k) + 2);
   }
+  const auto pose = inner_pose<double>(model, displacement);
+  const auto pose_with_derivatives = inner_pose<RaceDual>(model, variable);
   const Vec5 change = q - state.q;
   state.load.setZero();
   state.stiffness.setZero();
@@ -119,10 +123,10 @@ bool update_race(const BallModel& model, const Vec5& q, RaceState& state) {
         ball.rho += shift(1);
       }
     }
-    if (!solve_ball(model, displacement, ball)) {
+    if (!solve_ball(model, pose, ball)) {
       return false;
     }
-    const BallShare share = ball_share(model, displacement, ball);
+    const BallShare share = ball_share(model, pose_with_derivatives, ball);
     state.load += share.load;
     state.stiffness += share.stiffness;
     state.largest_contact = std::max(state.largest_contact, share.largest_load);
@@ -141,7 +145,8 @@ double force_scale(const BallModel& model, const RaceTask& task, const RaceState
   return scale > 0.0 ? scale : std::max(state.largest_contact, model.base_centrifugal);
 }
 
-RaceSolve solve_race(const BallModel& model, const RaceTask& task, RaceState& state) {
+RaceSolve solve_race(const BallModel& model, const RaceTask& task, RaceState& state,
+                     double target) {
   RaceSolve result;
   if (!update_race(model, state.q, state)) {
     result.ball_failed = true;
@@ -164,7 +169,7 @@ RaceSolve solve_race(const BallModel& model, const RaceTask& task, RaceState& st
     result.residual = r.cwiseAbs().maxCoeff() / floor;
     const double k_ref = reference_stiffness(model, floor);
     Step step = newton_step(scaled_stiffness(model, task, state, k_ref), r, k_ref, force, longest);
-    const bool small = result.residual <= 1e-13;
+    const bool small = result.residual <= target;
     const bool stalled =
         result.residual <= 1e-10 && previous_size >= 0.0 && r.norm() >= 0.25 * previous_size;
     if (small || stalled) {

@@ -1,32 +1,12 @@
 #include "core/dynamics/system_fixture.hpp"
 
+#include "core/dynamics/allocation_counter.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 #include <numbers>
-
-namespace {
-std::atomic<long> allocations{0};
-}
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
-  const auto a = static_cast<std::size_t>(alignment);
-  if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
 
 using namespace adore;
 using namespace adore::dynamics;
@@ -172,10 +152,10 @@ TEST_CASE("a right-hand side allocates nothing", "[unit][dynamics][alloc]") {
   System system = make_system(b, plan);
   std::vector<double> y = run(system, system.initial_state(), 2e-4, 1e-6).y;
   std::vector<double> d(y.size());
-  const long before = allocations;
+  const long before = test::allocation_count();
   for (int i = 0; i < 3 * CostLedger::kSampleEvery; ++i) system.rhs(0.0, y.data(), d.data());
   system.project(0.0, y.data());
-  CHECK(allocations == before);
+  CHECK(test::allocation_count() == before);
 }
 
 TEST_CASE("the cost ledger adds up to the time of the right-hand sides", "[unit][dynamics]") {
