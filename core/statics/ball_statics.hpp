@@ -51,11 +51,18 @@ struct StaticBall {
   std::array<double, 2> delta{};     ///< approach [m]
   std::array<double, 2> a{}, b{}, p_max{};  ///< ellipse half axes [m] (a transverse), pressure [Pa]
   std::array<double, 2> spin_roll{};        ///< signed, as in reference family C
-  std::array<double, 2> edge{};      ///< contact-edge positions s (outer) and t (inner) of outputs.md §16 with N94 [m]
+  std::array<double, 2> edge{};      ///< s of the outer and t of the inner contact, as the SOL files list them [m]
+  std::array<double, 2> shoulder_depth{};  ///< s per race: depth of the far contact edge below the shoulder [m]; NaN without shoulder or load
+  std::array<double, 2> inner_chord{};     ///< t per race: groove-centre plane to the near contact edge [m]; NaN unloaded
+  std::array<double, 2> K{};         ///< Hertz constants in use [N m^-1.5]
   double orbital_speed = 0.0;        ///< ω_m [rad/s]
   double omega_x = 0.0, omega_r = 0.0, omega_theta = 0.0;  ///< ABSOLUTE angular velocity on (e_x, e_r, e_θ) [rad/s]
   double centrifugal_force = 0.0;    ///< [N]
   double gyroscopic_moment = 0.0;    ///< [N m]
+  double spin_speed = 0.0;           ///< ω_R relative to the orbiting frame, sign of Ω_i - Ω_o [rad/s]
+  double pitch_angle = 0.0;          ///< β of the spin axis, positive for positive contact angles [rad]; NaN unloaded
+  double race_control_ratio = 0.0;   ///< Q_o a_o E_o cos(α_i - α_o)/(Q_i a_i E_i); NaN without both loads
+  bool inner_race_control = false;   ///< spin axis taken from the inner race (race-control rule)
   bool inner_contact = false;
 };
 

@@ -1,0 +1,230 @@
+#include "statics/ball_equilibrium.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::statics {
+namespace {
+
+struct Point {
+  double x = 0.0, rho = 0.0;
+};
+
+struct Residual {
+  double axial = 0.0, radial = 0.0;
+  double scale = 0.0;       ///< sum of the forces that balance
+  double shallowest = 0.0;  ///< smallest approach of a loaded contact [m]
+  Eigen::Matrix2d jacobian;
+  bool rolls = true;
+
+  [[nodiscard]] double size() const { return std::sqrt(axial * axial + radial * radial); }
+};
+
+using D2 = Dual<2>;
+
+RacePose<D2> constant_pose(const RacePose<double>& pose) {
+  RacePose<D2> p;
+  for (std::size_t k = 0; k < 3; ++k) {
+    p.centre[k] = pose.centre[k];
+    p.axis[k] = pose.axis[k];
+  }
+  for (std::size_t k = 0; k < 5; ++k) {
+    p.q[k] = pose.q[k];
+  }
+  return p;
+}
+
+Residual residual_at(const BallModel& m, const BallSite& site, const Point& at,
+                     const RacePose<D2>& pose) {
+  const auto f = ball_forces<D2>(m, site, D2::variable(at.x, 0), D2::variable(at.rho, 1), pose);
+  Residual r;
+  r.axial = f.axial.v;
+  r.radial = f.radial.v;
+  r.scale = f.contact[0].load.v + f.contact[1].load.v + f.centrifugal.v;
+  for (const auto& c : f.contact) {
+    if (c.load.v > 0.0 && (r.shallowest == 0.0 || c.approach.v < r.shallowest)) {
+      r.shallowest = c.approach.v;
+    }
+  }
+  r.jacobian << f.axial.d[0], f.axial.d[1], f.radial.d[0], f.radial.d[1];
+  r.rolls = f.rolls;
+  return r;
+}
+
+/// Newton with backtracking; true when the residual force vanishes to rounding.
+bool newton(const BallModel& m, const BallSite& site, const RacePose<D2>& pose, Point& at) {
+  constexpr int kIterations = 60;
+  // Rounding of a position of the size of the pitch radius, through the stiffness, is what can be
+  // asked for.
+  const double position_noise =
+      (m.exact ? 4e-16 * m.balls.pitch_diameter : 1e-16 * m.balls.diameter);
+  const double longest = 0.25 * m.offset_sum();
+  Residual now = residual_at(m, site, at, pose);
+  for (int n = 0; n < kIterations; ++n) {
+    if (!std::isfinite(now.size())) {
+      return false;
+    }
+    if (now.size() <= 1e-15 * now.scale) {
+      return true;
+    }
+    const double determinant =
+        now.jacobian(0, 0) * now.jacobian(1, 1) - now.jacobian(0, 1) * now.jacobian(1, 0);
+    if (determinant == 0.0) {
+      return false;
+    }
+    double dx = -(now.jacobian(1, 1) * now.axial - now.jacobian(0, 1) * now.radial) / determinant;
+    double dr = -(now.jacobian(0, 0) * now.radial - now.jacobian(1, 0) * now.axial) / determinant;
+    const double length = std::sqrt(dx * dx + dr * dr);
+    if (!std::isfinite(length)) {
+      return false;
+    }
+    if (length <= position_noise) {
+      return now.size() <= 1e-6 * now.scale;
+    }
+    if (length <=
+        1e-7 * now.shallowest) {  // quadratic: what is left after this step is below rounding
+      at.x += dx;
+      at.rho += dr;
+      return true;
+    }
+    const double clip = std::min(1.0, longest / length);
+    double step = clip;
+    bool better = false;
+    for (int halving = 0; halving < 30; ++halving, step *= 0.5) {
+      const Point trial{at.x + step * dx, at.rho + step * dr};
+      const Residual then = residual_at(m, site, trial, pose);
+      if (then.size() <= (1.0 - 1e-4 * step) * now.size()) {
+        at = trial;
+        now = then;
+        better = true;
+        break;
+      }
+    }
+    if (!better) {
+      return now.size() <= 1e-9 * now.scale;  // stagnation at the rounding floor
+    }
+  }
+  return now.size() <= 1e-9 * now.scale;
+}
+
+struct LineOfCentres {
+  Point start;
+  double closure;  ///< by how much the ball is squeezed between the races [m]
+};
+
+/// Ball on the line of groove centres, squeezed by both races in the ratio of their compliances, at
+/// least as deep in the outer race as its centrifugal force asks for.
+LineOfCentres line_of_centres(const BallModel& m, const BallSite& site,
+                              const RacePose<double>& pose, Point at) {
+  const double K_o = m.hertz[0].reference().K;
+  const double K_i = m.hertz[1].reference().K;
+  const double soft_o = std::pow(K_o, -2.0 / 3.0);
+  const double soft_i = std::pow(K_i, -2.0 / 3.0);
+  LineOfCentres result{at, 0.0};
+  for (int pass = 0; pass < 3; ++pass) {
+    const auto p = groove_positions<double>(m, site, result.start.x, result.start.rho, pose);
+    std::array<Point, 2> v;  // ball centre minus groove centre, in the plane of this azimuth
+    for (std::size_t j = 0; j < 2; ++j) {
+      const auto& a = p[j].a;
+      const auto& e = p[j].e;
+      v[j].x = p[j].xi * a[0] + p[j].eta * e[0];
+      v[j].rho = p[j].xi * (a[2] * site.cos - a[1] * site.sin) +
+                 p[j].eta * (e[2] * site.cos - e[1] * site.sin);
+    }
+    const Point outer{result.start.x - v[0].x, result.start.rho - v[0].rho};
+    const Point inner{result.start.x - v[1].x, result.start.rho - v[1].rho};
+    const double ax = inner.x - outer.x;
+    const double ar = inner.rho - outer.rho;
+    const double distance = std::hypot(ax, ar);
+    result.closure = distance - m.offset_sum();
+    const double seat = soft_o * std::cbrt(m.base_centrifugal * m.base_centrifugal);
+    double outer_length = m.groove.offset[0] + std::max(result.closure * soft_o / (soft_o + soft_i),
+                                                        std::max(seat, 0.0));
+    if (distance == 0.0) {
+      result.start = {outer.x, outer.rho + outer_length};
+    } else {
+      result.start = {outer.x + ax * outer_length / distance,
+                      outer.rho + ar * outer_length / distance};
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& ball) {
+  const RacePose<D2> dual_pose = constant_pose(pose);
+  const Point nominal{};
+  ball.idle = false;
+  if (m.base_centrifugal == 0.0) {
+    const LineOfCentres line = line_of_centres(m, ball.site, pose, nominal);
+    if (line.closure <= 0.0) {
+      ball.x = line.start.x;
+      ball.rho = line.start.rho;
+      ball.idle = true;
+      ball.known = false;
+      ball.follow.setZero();
+      return true;
+    }
+  }
+  if (ball.known) {
+    Point at{ball.x, ball.rho};
+    if (newton(m, ball.site, dual_pose, at)) {
+      ball.x = at.x;
+      ball.rho = at.rho;
+      return true;
+    }
+  }
+  const LineOfCentres line = line_of_centres(m, ball.site, pose, nominal);
+  const double seat = std::cbrt(m.base_centrifugal * m.base_centrifugal) *
+                      std::pow(m.hertz[0].reference().K, -2.0 / 3.0);
+  const std::array<Point, 2> starts{
+      line.start,
+      Point{m.groove.centre_x[0],
+            m.groove.centre_radius[0] - 0.5 * m.balls.pitch_diameter + m.groove.offset[0] + seat}};
+  for (Point at : starts) {
+    if (newton(m, ball.site, dual_pose, at)) {
+      ball.x = at.x;
+      ball.rho = at.rho;
+      ball.known = true;
+      return true;
+    }
+  }
+  ball.known = false;
+  return false;
+}
+
+BallShare ball_share(const BallModel& m, const RacePose<RaceDual>& race, BallState& ball) {
+  BallShare share;
+  if (ball.idle) {
+    return share;
+  }
+  const auto f = ball_forces<RaceDual>(m, ball.site, RaceDual::variable(ball.x, 0),
+                                       RaceDual::variable(ball.rho, 1), race);
+  Eigen::Matrix2d on_ball;
+  Eigen::Matrix<double, 2, 5> on_ball_race;
+  Eigen::Matrix<double, 5, 2> on_race_ball;
+  on_ball << f.axial.d[0], f.axial.d[1], f.radial.d[0], f.radial.d[1];
+  for (std::size_t k = 0; k < 5; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    share.load(i) = f.race[k].v;
+    on_race_ball(i, 0) = f.race[k].d[0];
+    on_race_ball(i, 1) = f.race[k].d[1];
+    on_ball_race(0, i) = f.axial.d[k + 2];
+    on_ball_race(1, i) = f.radial.d[k + 2];
+    for (std::size_t l = 0; l < 5; ++l) {
+      share.stiffness(i, static_cast<Eigen::Index>(l)) = f.race[k].d[l + 2];
+    }
+  }
+  share.largest_load = std::max(f.contact[0].load.v, f.contact[1].load.v);
+  const double determinant = on_ball(0, 0) * on_ball(1, 1) - on_ball(0, 1) * on_ball(1, 0);
+  if (determinant != 0.0) {
+    Eigen::Matrix2d inverse;
+    inverse << on_ball(1, 1), -on_ball(0, 1), -on_ball(1, 0), on_ball(0, 0);
+    ball.follow = -(inverse / determinant) * on_ball_race;
+    share.stiffness += on_race_ball * ball.follow;
+  }
+  return share;
+}
+
+}  // namespace adore::statics

@@ -1,0 +1,202 @@
+#include "statics/ball_model.hpp"
+
+#include "base/errors.hpp"
+#include "statics/kinematics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace adore::statics {
+namespace {
+
+/// Nodes that resolve a function of c with its nearest singularity at 1/γ: coefficients fall like
+/// ρ^-n, ρ = 1/γ + sqrt(1/γ² - 1).
+std::size_t nodes_for(double gamma) {
+  const double rho = 1.0 / gamma + std::sqrt(1.0 / (gamma * gamma) - 1.0);
+  return static_cast<std::size_t>(std::clamp(34.0 / std::log(rho), 8.0, 64.0)) + 2;
+}
+
+/// Chebyshev coefficients from values at the points cos(π(k+½)/n), trailing ones below rounding
+/// dropped.
+std::vector<double> chebyshev_coefficients(const std::vector<double>& values) {
+  const std::size_t n = values.size();
+  std::vector<double> cosine(4 * n);  // of π j/(2n)
+  for (std::size_t j = 0; j < 4 * n; ++j) {
+    cosine[j] = std::cos(0.5 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(n));
+  }
+  std::vector<double> coefficients(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < n; ++k) {
+      sum += values[k] * cosine[i * (2 * k + 1) % (4 * n)];
+    }
+    coefficients[i] = (i == 0 ? 1.0 : 2.0) / static_cast<double>(n) * sum;
+  }
+  while (coefficients.size() > 2 && std::abs(coefficients.back()) < 2e-16) {
+    coefficients.pop_back();
+  }
+  return coefficients;
+}
+
+void check_material(const bearing::Material& m, const char* part) {
+  if (!(std::isfinite(m.elastic_modulus) && m.elastic_modulus > 0.0)) {
+    throw InputError(fmt::format("{} material: the elastic modulus is {} Pa; it must be positive",
+                                 part, m.elastic_modulus));
+  }
+  if (!(m.poisson_ratio >= 0.0 && m.poisson_ratio <= 0.5)) {
+    throw InputError(
+        fmt::format("{} material: Poisson's ratio is {}; it must lie between 0 and 0.5", part,
+                    m.poisson_ratio));
+  }
+}
+
+double contact_modulus_of(const bearing::Material& a, const bearing::Material& b) {
+  return 1.0 / ((1.0 - a.poisson_ratio * a.poisson_ratio) / a.elastic_modulus +
+                (1.0 - b.poisson_ratio * b.poisson_ratio) / b.elastic_modulus);
+}
+
+double prescribed_pitch_angle(double angle) {
+  // A spin axis is a line: angles that differ by half a turn are the same.
+  return angle - std::numbers::pi * std::round(angle / std::numbers::pi);
+}
+
+}  // namespace
+
+HertzSeries::HertzSeries(const bearing::BallGeometry& balls, int race, double E_star,
+                         double reference_angle, bool varying)
+    : balls_(balls), race_(race), E_star_(E_star), varying_(varying) {
+  reference_ =
+      contact::hertz_constants(contact::race_curvature(balls, race, reference_angle), E_star);
+  if (!varying) {
+    return;
+  }
+  const std::size_t n = nodes_for(balls.diameter / balls.pitch_diameter);
+  std::vector<double> log_K(n);
+  std::vector<double> log_a(n);
+  double kappa = reference_.kappa;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double alpha = std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(n);
+    const auto h =
+        contact::hertz_sensitivity(contact::race_curvature(balls, race, alpha), E_star, kappa)
+            .constants;
+    kappa = h.kappa;
+    log_K[k] = std::log(h.K / reference_.K);
+    log_a[k] = std::log(h.a_hat / reference_.a_hat);
+  }
+  log_K_ = chebyshev_coefficients(log_K);
+  log_a_ = chebyshev_coefficients(log_a);
+}
+
+contact::HertzConstants HertzSeries::at(double alpha) const {
+  return varying_ ? contact::hertz_constants(contact::race_curvature(balls_, race_, alpha), E_star_)
+                  : reference_;
+}
+
+HertzSeries::Value HertzSeries::evaluate(const std::vector<double>& coefficients,
+                                         double c) noexcept {
+  if (coefficients.empty()) {
+    return {};
+  }
+  double b1 = 0.0;
+  double b2 = 0.0;
+  double d1 = 0.0;  // derivative of b1
+  double d2 = 0.0;
+  for (std::size_t k = coefficients.size() - 1; k > 0; --k) {
+    const double d = 2.0 * b1 + 2.0 * c * d1 - d2;
+    d2 = d1;
+    d1 = d;
+    const double b = coefficients[k] + 2.0 * c * b1 - b2;
+    b2 = b1;
+    b1 = b;
+  }
+  return {coefficients[0] + c * b1 - b2, b1 + c * d1 - d2};
+}
+
+SpinLaw first_spin_law(const bearing::Bearing& bearing, const StaticsOptions& options) {
+  using Axis = SpinLaw::Axis;
+  using Share = SpinLaw::Share;
+  switch (options.control) {
+    case Control::Outer:
+      return {Axis::OuterControl, Share::Outer};
+    case Control::Inner:
+      return {Axis::InnerControl, Share::Equal};
+    case Control::Equal:
+      return {Axis::OuterControl, Share::Equal};
+    case Control::None:
+      return {Axis::OuterControl, Share::None};
+    case Control::FromBearing:
+      break;
+  }
+  switch (bearing.spin_rule) {
+    case bearing::SpinRule::MinimumHeat:
+      return {Axis::LeastHeat, Share::ByLoad};
+    case bearing::SpinRule::Prescribed:
+      return {Axis::Prescribed, Share::ByLoad};
+    case bearing::SpinRule::RaceControl:
+      break;
+  }
+  return {Axis::OuterControl, Share::Outer};
+}
+
+BallModel make_ball_model(const bearing::Bearing& bearing, const StaticsOptions& options) {
+  if (bearing.balls.count < 1) {
+    throw InputError(
+        fmt::format("ball bearing: {} balls; there must be at least one", bearing.balls.count));
+  }
+  check_material(bearing.ball_material, "ball");
+  check_material(bearing.race_material[0], "outer race");
+  check_material(bearing.race_material[1], "inner race");
+
+  BallModel m;
+  m.balls = bearing.balls;
+  m.groove = contact::groove_geometry(bearing.balls);
+  m.gamma = bearing.balls.diameter / bearing.balls.pitch_diameter;
+  m.mass = bearing.ball_inertia.mass;
+  m.inertia = bearing.ball_inertia.moments.x();
+  m.race_speed = bearing.speed;
+  if (!(std::isfinite(m.mass) && m.mass >= 0.0 && std::isfinite(m.race_speed[0]) &&
+        std::isfinite(m.race_speed[1]))) {
+    throw InputError(fmt::format(
+        "ball bearing: ball mass {} kg, race speeds {} and {} rad/s; all must be finite numbers "
+        "and the mass not negative",
+        m.mass, m.race_speed[0], m.race_speed[1]));
+  }
+  m.moving = m.race_speed[0] != 0.0 || m.race_speed[1] != 0.0;
+  m.per_ball_speeds = m.moving && options.orbit == Orbit::PerBall;
+  m.exact = options.kinematics == RingKinematics::Exact;
+  m.outer_tilt = bearing.constraints.outer_misalignment;
+  m.outer_tilted = m.outer_tilt[0] != 0.0 || m.outer_tilt[1] != 0.0;
+  m.spin_angle = prescribed_pitch_angle(bearing.spin_angle);
+
+  const double free_angle = bearing.balls.contact_angle;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double E_star = contact_modulus_of(bearing.ball_material, bearing.race_material[j]);
+    const double angle =
+        options.curvature == Curvature::Fixed ? options.fixed_angle[j] : free_angle;
+    m.hertz[j] = HertzSeries(bearing.balls, static_cast<int>(j), E_star, angle,
+                             options.curvature == Curvature::Actual);
+    const double f = bearing.balls.groove_factor[j];
+    m.surface_radius[j] = 2.0 * f * bearing.balls.diameter / (2.0 * f + 1.0);
+  }
+  if (m.moving) {
+    const double angle = options.orbit == Orbit::Nominal ? free_angle : 0.0;
+    m.base_orbital =
+        epicyclic_speeds(bearing.balls.count, bearing.balls.diameter, bearing.balls.pitch_diameter,
+                         angle, m.race_speed[0], m.race_speed[1])
+            .cage_speed;
+    m.base_centrifugal =
+        m.mass * 0.5 * bearing.balls.pitch_diameter * m.base_orbital * m.base_orbital;
+    m.window = 1e-3 * m.base_centrifugal;
+  }
+  m.azimuth.resize(static_cast<std::size_t>(bearing.balls.count));
+  for (int k = 0; k < bearing.balls.count; ++k) {
+    m.azimuth[static_cast<std::size_t>(k)] =
+        options.first_azimuth + 2.0 * std::numbers::pi * k / bearing.balls.count;
+  }
+  return m;
+}
+
+}  // namespace adore::statics

@@ -1,0 +1,94 @@
+#pragma once
+
+#include "bearing/bearing.hpp"
+#include "contact/groove.hpp"
+#include "contact/hertz.hpp"
+#include "statics/ball_statics.hpp"
+
+#include <array>
+#include <vector>
+
+/// Constants of one quasi-static ball bearing problem: what all balls share.
+namespace adore::statics {
+
+/// ln(K/K_ref) and ln(a_hat/a_ref) of one race contact as Chebyshev series over c = cos α, -1 <= c
+/// <= 1. Both are analytic there (the nearest singularity is c = ±d_m/D), so a short series holds
+/// them to about 1e-15.
+class HertzSeries {
+ public:
+  HertzSeries() = default;
+  /// `varying`: curvature at the contact's own angle; otherwise everything is taken at
+  /// `reference_angle`.
+  HertzSeries(const bearing::BallGeometry& balls, int race, double E_star, double reference_angle,
+              bool varying);
+
+  struct Value {
+    double value = 0.0, slope = 0.0;  ///< of the logarithm, and its derivative over cos α
+  };
+  [[nodiscard]] Value log_K(double cos_alpha) const noexcept { return evaluate(log_K_, cos_alpha); }
+  [[nodiscard]] Value log_a(double cos_alpha) const noexcept { return evaluate(log_a_, cos_alpha); }
+  [[nodiscard]] const contact::HertzConstants& reference() const noexcept { return reference_; }
+  [[nodiscard]] bool varying() const noexcept { return varying_; }
+  /// Exact constants at one angle (no series).
+  [[nodiscard]] contact::HertzConstants at(double alpha) const;
+
+ private:
+  static Value evaluate(const std::vector<double>& coefficients, double c) noexcept;
+
+  std::vector<double> log_K_, log_a_;  ///< empty when nothing varies
+  contact::HertzConstants reference_;
+  bearing::BallGeometry balls_;
+  int race_ = 0;
+  double E_star_ = 0.0;
+  bool varying_ = false;
+};
+
+/// Where the spin axis comes from, and how the races share the gyroscopic moment.
+struct SpinLaw {
+  enum class Axis : unsigned char { OuterControl, InnerControl, LeastHeat, Prescribed };
+  enum class Share : unsigned char {
+    Outer,   ///< all at the outer race: λ = (0, 2) for (inner, outer)
+    Equal,   ///< (1, 1)
+    ByLoad,  ///< in proportion to the contact loads, 2Q_j/(Q_o + Q_i): equal demand on the friction
+             ///< coefficient
+    None     ///< reported, not applied
+  };
+  Axis axis = Axis::OuterControl;
+  Share share = Share::Outer;
+};
+
+struct BallModel {
+  bearing::BallGeometry balls;
+  contact::GrooveGeometry groove;
+  std::array<HertzSeries, 2> hertz;
+  std::array<double, 2> surface_radius{};  ///< 2fD/(2f+1), deformed contact surface [m]
+  double gamma = 0.0;                      ///< D/d_m
+  double mass = 0.0, inertia = 0.0;        ///< of a ball [kg, kg m^2]
+  std::array<double, 2> race_speed{};      ///< [rad/s]
+  bool moving = false;                     ///< any race turns
+  bool per_ball_speeds = false;            ///< Orbit::PerBall and moving
+  bool exact = true;                       ///< RingKinematics::Exact
+  std::array<double, 2> outer_tilt{};      ///< about y, z [rad]
+  bool outer_tilted = false;
+  double base_orbital =
+      0.0;  ///< ω_m of a ball that does not follow its own angles (nominal, or unloaded) [rad/s]
+  double base_centrifugal = 0.0;  ///< m d_m/2 ω² of that speed [N]
+  double window =
+      0.0;  ///< inner load below which the ball is only partly driven (see ball_forces.hpp) [N]
+  double spin_angle = 0.0;  ///< prescribed pitch angle [rad]
+  double own_speed_share =
+      1.0;  ///< 0: conservative problem (constant K and base speed); 1: the full one
+  std::vector<double> azimuth;  ///< [rad]
+
+  [[nodiscard]] double offset_sum() const noexcept { return groove.offset[0] + groove.offset[1]; }
+};
+
+/// @throws InputError naming the value that makes no bearing.
+[[nodiscard]] BallModel make_ball_model(const bearing::Bearing& bearing,
+                                        const StaticsOptions& options);
+
+/// The spin law that the options ask for (race control starts as outer control).
+[[nodiscard]] SpinLaw first_spin_law(const bearing::Bearing& bearing,
+                                     const StaticsOptions& options);
+
+}  // namespace adore::statics

@@ -1,0 +1,267 @@
+#include "statics/ball_report.hpp"
+
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace adore::statics {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr std::array<const char*, 2> kRaceName{"outer", "inner"};
+
+/// Vector (x, y, z) in the azimuth directions (e_x, e_r, e_θ).
+struct Azimuthal {
+  double x, r, theta;
+};
+
+Azimuthal to_azimuthal(const BallSite& site, const std::array<double, 3>& v) {
+  return {v[0], v[2] * site.cos - v[1] * site.sin, -v[1] * site.cos - v[2] * site.sin};
+}
+
+/// Row of the no-slip condition at race j for the unknowns (ω_m, ω_x, ω_r), all absolute:
+///   Ω η' - r ω_m (e_θ·t) - (Ω a - ω)·c h = 0,  η' distance from the race axis, c = t × n the major
+///   axis of the ellipse.
+struct SlipRow {
+  Eigen::RowVector3d coefficients;
+  double right = 0.0;
+  Azimuthal normal{};
+  double axis_normal = 0.0;  ///< a·n
+};
+
+SlipRow slip_row(const BallModel& m, const BallSite& site, std::size_t j,
+                 const BallForces<double>& f, double r, double a_half) {
+  const auto& p = f.position[j];
+  const double length = std::hypot(p.xi, p.eta);
+  const double nx = p.xi / length;
+  const double nr = p.eta / length;
+  std::array<double, 3> normal{};
+  std::array<double, 3> major{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    normal[k] = nx * p.a[k] + nr * p.e[k];
+    major[k] = nx * p.e[k] - nr * p.a[k];
+  }
+  const std::array<double, 3> t{p.a[1] * p.e[2] - p.a[2] * p.e[1],
+                                p.a[2] * p.e[0] - p.a[0] * p.e[2],
+                                p.a[0] * p.e[1] - p.a[1] * p.e[0]};
+  const Azimuthal major_axis = to_azimuthal(site, major);
+  const double rho = m.surface_radius[j];
+  const double ball = m.groove.ball_radius;
+  const double a2 = a_half * a_half;
+  const double height = a2 / (rho + std::sqrt(rho * rho - a2)) + std::sqrt(ball * ball - a2);
+  const double arm = p.eta + m.groove.centre_radius[j];
+  SlipRow row;
+  row.coefficients << -r * to_azimuthal(site, t).theta, height * major_axis.x,
+      height * major_axis.r;
+  row.right = -m.race_speed[j] * (arm + nr * height);
+  row.normal = to_azimuthal(site, normal);
+  row.axis_normal = nx;
+  return row;
+}
+
+void report_speeds(const BallModel& m, const BallSite& site, const BallForces<double>& f, double r,
+                   StaticBall& s) {
+  if (!m.moving) {
+    return;
+  }
+  const bool outer = f.contact[0].load > 0.0;
+  const bool inner = f.contact[1].load > 0.0;
+  if (outer && inner && !m.per_ball_speeds) {
+    // Nominal orbit: the spin that rolls on both races at the ball's own angles, for reports only.
+    BallForces<double> own = f;
+    BallModel per_ball = m;
+    per_ball.per_ball_speeds = true;
+    add_inertia(per_ball, site, own);
+    s.pitch_angle = std::atan2(own.beta.sin, own.beta.cos);
+    s.spin_speed = own.spin;
+    s.omega_x = f.orbital - own.spin * own.beta.cos;
+    s.omega_r = own.spin * own.beta.sin;
+    return;
+  }
+  if (!(outer && inner)) {
+    s.pitch_angle = kNone;
+    s.omega_x = s.orbital_speed;
+    if (outer) {
+      const Direction<double> straight{0.0, 1.0};
+      const double spin = (f.orbital - m.race_speed[0]) * (1.0 + m.gamma * f.contact[0].alpha.cos) /
+                          (m.gamma * cos_between(straight, f.contact[0].alpha));
+      s.spin_speed = spin;
+      s.omega_x = f.orbital - spin;
+      if (m.exact) {
+        const SlipRow row = slip_row(m, site, 0, f, r, s.a[0]);
+        s.omega_x = (row.right - row.coefficients(0) * f.orbital) / row.coefficients(1);
+        s.spin_speed = f.orbital - s.omega_x;
+      }
+    }
+    return;
+  }
+  s.pitch_angle = std::atan2(f.beta.sin, f.beta.cos);
+  s.spin_speed = f.spin;
+  s.omega_x = f.orbital - f.spin * f.beta.cos;
+  s.omega_r = f.spin * f.beta.sin;
+  if (!m.exact || s.Q[1] < m.window) {
+    return;
+  }
+  Eigen::Matrix3d A;
+  Eigen::Vector3d b;
+  std::array<SlipRow, 2> rows;
+  for (std::size_t j = 0; j < 2; ++j) {
+    rows[j] = slip_row(m, site, j, f, r, s.a[j]);
+    A.row(static_cast<Eigen::Index>(j)) = rows[j].coefficients;
+    b(static_cast<Eigen::Index>(j)) = rows[j].right;
+  }
+  if (site.law.axis == SpinLaw::Axis::OuterControl ||
+      site.law.axis == SpinLaw::Axis::InnerControl) {
+    const std::size_t j = site.law.axis == SpinLaw::Axis::OuterControl ? 0 : 1;
+    A.row(2) << 0.0, rows[j].normal.x, rows[j].normal.r;
+    b(2) = m.race_speed[j] * rows[j].axis_normal;
+  } else {
+    A.row(2) << -f.beta.sin, f.beta.sin, f.beta.cos;  // (ω_x - ω_m) sin β + ω_r cos β = 0
+    b(2) = 0.0;
+  }
+  const Eigen::Vector3d speeds = A.partialPivLu().solve(b);
+  s.orbital_speed = speeds(0);
+  s.omega_x = speeds(1);
+  s.omega_r = speeds(2);
+  s.spin_speed = std::copysign(std::hypot(speeds(1) - speeds(0), speeds(2)), f.spin);
+}
+
+/// N94: far edge against the shoulder, near edge against the groove-centre plane.
+void report_edges(const BallModel& m, std::size_t j, StaticBall& s) {
+  const double radius = m.groove.groove_radius[j];
+  const double alpha = std::abs(s.alpha[j]);
+  const double half_angle = s.a[j] / radius;
+  const double shoulder = 0.5 * m.balls.shoulder_diameter[j];
+  s.inner_chord[j] = radius * std::sin(alpha - half_angle);
+  s.shoulder_depth[j] = kNone;
+  if (shoulder > 0.0) {
+    const double sign = j == 0 ? 1.0 : -1.0;
+    s.shoulder_depth[j] =
+        radius * std::cos(alpha + half_angle) + sign * (m.groove.centre_radius[j] - shoulder);
+  }
+}
+
+std::string ball_list(const std::vector<std::size_t>& numbers) {
+  std::string text;
+  for (std::size_t k = 0; k < numbers.size();) {
+    std::size_t last = k;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) {
+      ++last;
+    }
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", numbers[k]);
+    if (last > k) {
+      text += fmt::format("-{}", numbers[last]);
+    }
+    k = last + 1;
+  }
+  return fmt::format("{} {}", numbers.size() == 1 ? "ball" : "balls", text);
+}
+
+template <class Predicate>
+std::vector<std::size_t> balls_that(const std::vector<StaticBall>& balls, Predicate predicate) {
+  std::vector<std::size_t> numbers;
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    if (predicate(balls[k])) {
+      numbers.push_back(k + 1);
+    }
+  }
+  return numbers;
+}
+
+}  // namespace
+
+StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const BallState& ball) {
+  StaticBall s;
+  const BallSite& site = ball.site;
+  const auto f = ball_forces<double>(m, site, ball.x, ball.rho, inner_pose<double>(m, q));
+  s.x = ball.x;
+  s.r = 0.5 * m.balls.pitch_diameter + ball.rho;
+  s.inner_contact = !ball.idle && f.contact[1].load > 0.0;
+  s.inner_race_control = site.law.axis == SpinLaw::Axis::InnerControl;
+  s.race_control_ratio = kNone;
+  std::array<double, 2> capacity{};
+  for (std::size_t j = 0; j < 2; ++j) {
+    const auto& c = f.contact[j];
+    const bool loaded = !ball.idle && c.load > 0.0;
+    const double alpha = std::atan2(c.alpha.sin, c.alpha.cos);
+    s.alpha[j] = loaded ? alpha : kNone;
+    s.delta[j] = c.approach;
+    s.spin_roll[j] = kNone;
+    s.shoulder_depth[j] = kNone;
+    s.inner_chord[j] = kNone;
+    const contact::HertzConstants hertz = m.hertz[j].at(loaded ? alpha : m.balls.contact_angle);
+    s.K[j] = hertz.K;
+    if (!loaded) {
+      continue;
+    }
+    s.Q[j] = c.load;
+    const double cube_root = std::cbrt(c.load);
+    s.a[j] = hertz.a_hat * cube_root;
+    s.b[j] = hertz.b_hat * cube_root;
+    s.p_max[j] = 1.5 * c.load / (std::numbers::pi * s.a[j] * s.b[j]);
+    capacity[j] = c.load * s.a[j] * hertz.E_integral;
+    report_edges(m, j, s);
+  }
+  s.edge = {s.shoulder_depth[0], s.inner_chord[1]};
+  s.orbital_speed = f.orbital;
+  s.centrifugal_force = ball.idle ? 0.0 : f.centrifugal;
+  s.gyroscopic_moment = f.gyroscopic;
+  s.pitch_angle = kNone;
+  report_speeds(m, site, f, s.r, s);
+  if (capacity[0] > 0.0 && capacity[1] > 0.0) {
+    const auto& outer = f.contact[0].alpha;
+    const auto& inner = f.contact[1].alpha;
+    s.race_control_ratio = capacity[0] * cos_between(inner, outer) / capacity[1];
+    if (m.moving) {
+      const Direction<double> beta{std::sin(s.pitch_angle), std::cos(s.pitch_angle)};
+      s.spin_roll[0] = m.gamma * outer.sin - (1.0 + m.gamma * outer.cos) *
+                                                 sin_between(outer, beta) /
+                                                 cos_between(outer, beta);
+      s.spin_roll[1] = m.gamma * inner.sin + (1.0 - m.gamma * inner.cos) *
+                                                 sin_between(inner, beta) /
+                                                 cos_between(inner, beta);
+    }
+  }
+  return s;
+}
+
+std::vector<std::string> report_notes(const BallModel& m, const std::vector<StaticBall>& balls) {
+  std::vector<std::string> notes;
+  const auto outer_only =
+      balls_that(balls, [](const StaticBall& b) { return b.Q[0] > 0.0 && !b.inner_contact; });
+  if (!outer_only.empty()) {
+    notes.push_back(fmt::format("{}: contact with the outer race only", ball_list(outer_only)));
+  }
+  const auto unloaded =
+      balls_that(balls, [](const StaticBall& b) { return b.Q[0] == 0.0 && b.Q[1] == 0.0; });
+  if (!unloaded.empty()) {
+    notes.push_back(fmt::format("{}: no load", ball_list(unloaded)));
+  }
+  for (std::size_t j = 0; j < 2; ++j) {
+    const auto over =
+        balls_that(balls, [&](const StaticBall& b) { return b.shoulder_depth[j] < 0.0; });
+    if (!over.empty()) {
+      notes.push_back(
+          fmt::format("{}: the contact ellipse reaches over the shoulder of the {} race",
+                      ball_list(over), kRaceName[j]));
+    }
+    const double half_shim = 0.5 * m.balls.shim[j];
+    if (half_shim > 0.0) {
+      const auto across =
+          balls_that(balls, [&](const StaticBall& b) { return b.inner_chord[j] < half_shim; });
+      if (!across.empty()) {
+        notes.push_back(
+            fmt::format("{}: the contact ellipse reaches the split of the {} race, so both arches "
+                        "may be touched; only one is modelled",
+                        ball_list(across), kRaceName[j]));
+      }
+    }
+  }
+  return notes;
+}
+
+}  // namespace adore::statics

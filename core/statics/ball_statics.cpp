@@ -1,0 +1,242 @@
+#include "statics/ball_statics.hpp"
+
+#include "base/errors.hpp"
+#include "statics/ball_report.hpp"
+#include "statics/race_equilibrium.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::statics {
+namespace {
+
+constexpr std::array<const char*, 5> kDirection{"along x", "along y", "along z", "about y",
+                                                "about z"};
+
+std::array<double, 5> to_array(const Vec5& v) { return {v(0), v(1), v(2), v(3), v(4)}; }
+
+RaceTask make_task(const bearing::StaticConstraints& constraints) {
+  RaceTask task;
+  task.given = constraints.displacement_given;
+  for (std::size_t k = 0; k < 5; ++k) {
+    if (!std::isfinite(constraints.load[k]) || !std::isfinite(constraints.displacement[k])) {
+      throw InputError(fmt::format(
+          "bearing equilibrium: the load {} or displacement {} {} is not a finite number",
+          constraints.load[k], constraints.displacement[k], kDirection[k]));
+    }
+    task.load(static_cast<Eigen::Index>(k)) = constraints.load[k];
+  }
+  return task;
+}
+
+std::string load_text(const RaceTask& task) {
+  std::string text;
+  for (std::size_t k = 0; k < 5; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    if (!task.given[k] && task.load(i) != 0.0) {
+      text += fmt::format("{}{:.6g} {} {}", text.empty() ? "" : ", ", task.load(i),
+                          k < 3 ? "N" : "N m", kDirection[k]);
+    }
+  }
+  return text.empty() ? "no load" : text;
+}
+
+[[noreturn]] void give_up(const BallModel& m, const RaceTask& task, const RaceSolve& solve,
+                          const RaceState& state, double share) {
+  const std::string loads = load_text(task);
+  if (solve.ran_away) {
+    throw SolverError(
+        fmt::format("bearing equilibrium: no ball holds the inner race under {}; it moved to x = "
+                    "{:.4g} m, y = {:.4g} m, z = {:.4g} m, "
+                    "further than the grooves reach. Prescribe the displacement in that direction, "
+                    "or change load or geometry",
+                    loads, state.q(0), state.q(1), state.q(2)));
+  }
+  if (share > 0.0) {
+    throw SolverError(
+        fmt::format("bearing equilibrium: under {} the balls find an equilibrium with {:.0f} % of "
+                    "their gyroscopic moments and own "
+                    "orbital speeds, but not with all of them (residual {:.2g} of the load). At "
+                    "{:.6g} and {:.6g} rad/s the friction that "
+                    "the assumed spin axis needs is too large for this load: raise the load, lower "
+                    "the speed, or choose another rule "
+                    "for the ball's angular velocity",
+                    loads, 100.0 * share, solve.residual, m.race_speed[0], m.race_speed[1]));
+  }
+  throw SolverError(
+      fmt::format("bearing equilibrium: Newton's iteration stopped under {} with a residual of "
+                  "{:.2g} of the load after {} steps{}; give a "
+                  "first guess of the displacement, or prescribe it in some direction",
+                  loads, solve.residual, solve.iterations,
+                  solve.ball_failed ? ", because a ball lost its equilibrium" : ""));
+}
+
+/// From the conservative problem, whose solution exists and is unique, to the full one: directly,
+/// else in fractions.
+RaceSolve solve_in_stages(BallModel& m, const RaceTask& task, RaceState& state, bool cold) {
+  const bool plain = !m.per_ball_speeds && !m.hertz[0].varying();
+  int iterations = 0;
+  if (cold && !plain) {
+    m.own_speed_share = 0.0;
+    const RaceSolve first = solve_race(m, task, state, 1e-3);
+    if (!first.converged) {
+      give_up(m, task, first, state, 0.0);
+    }
+    iterations += first.iterations;
+  }
+  m.own_speed_share = 1.0;
+  const RaceState start = state;
+  RaceSolve solve = solve_race(m, task, state);
+  iterations += solve.iterations;
+  if (!solve.converged && plain) {
+    give_up(m, task, solve, state, 0.0);
+  }
+  if (!solve.converged) {
+    state = start;
+    double reached = 0.0;
+    double step = 0.25;
+    while (reached < 1.0) {
+      m.own_speed_share = std::min(1.0, reached + step);
+      RaceState trial = state;
+      solve = solve_race(m, task, trial);
+      iterations += solve.iterations;
+      if (solve.converged) {
+        reached = m.own_speed_share;
+        state = std::move(trial);
+        step *= 2.0;
+      } else {
+        step *= 0.5;
+        if (step < 1.0 / 256.0) {
+          give_up(m, task, solve, trial, std::max(reached, 1e-3));
+        }
+      }
+    }
+  }
+  solve.iterations = iterations;
+  return solve;
+}
+
+/// Race control rule: every ball is controlled by the race with the larger Q a E, the outer one
+/// reduced by cos(α_i - α_o). The choice changes the forces, so it is repeated until it stands; a
+/// ball that wants to go back is left where the second change put it (outer), and named.
+RaceSolve settle_race_control(BallModel& m, const RaceTask& task, RaceState& state, RaceSolve solve,
+                              std::vector<std::string>& notes) {
+  std::vector<int> changes(state.balls.size(), 0);
+  for (int pass = 0; pass < 4; ++pass) {
+    bool changed = false;
+    const auto q = to_array(state.q);
+    for (std::size_t k = 0; k < state.balls.size(); ++k) {
+      BallState& ball = state.balls[k];
+      const double ratio = report_ball(m, q, ball).race_control_ratio;
+      const auto wanted = ratio < 1.0 ? SpinLaw::Axis::InnerControl : SpinLaw::Axis::OuterControl;
+      if (!std::isfinite(ratio) || wanted == ball.site.law.axis || changes[k] >= 2) {
+        continue;
+      }
+      ball.site.law.axis = wanted;
+      ball.site.law.share =
+          wanted == SpinLaw::Axis::OuterControl ? SpinLaw::Share::Outer : SpinLaw::Share::Equal;
+      ++changes[k];
+      changed = true;
+    }
+    if (!changed) {
+      break;
+    }
+    const int before = solve.iterations;
+    solve = solve_in_stages(m, task, state, false);
+    solve.iterations += before;
+  }
+  const auto undecided = std::count(changes.begin(), changes.end(), 2);
+  if (undecided > 0) {
+    notes.push_back(
+        fmt::format("{} of {} balls: either race may control the spin; outer race control is used",
+                    undecided, changes.size()));
+  }
+  return solve;
+}
+
+void check_rolling(const BallModel& m, const RaceState& state) {
+  const auto q = to_array(state.q);
+  for (std::size_t k = 0; k < state.balls.size(); ++k) {
+    const BallState& ball = state.balls[k];
+    if (!ball_forces<double>(m, ball.site, ball.x, ball.rho, inner_pose<double>(m, q)).rolls) {
+      throw SolverError(
+          fmt::format("bearing equilibrium: with the prescribed spin axis at {:.6g} rad from the "
+                      "bearing axis ball {} cannot roll on both "
+                      "races; prescribe an angle near the contact angle",
+                      m.spin_angle, k + 1));
+    }
+  }
+}
+
+void fill_summary(const BallModel& m, StaticSolution& s) {
+  double heaviest = -1.0;
+  for (const StaticBall& ball : s.balls) {
+    for (std::size_t j = 0; j < 2; ++j) {
+      s.max_load = std::max(s.max_load, ball.Q[j]);
+      if (ball.Q[j] > 0.0) {
+        s.max_stiffness = std::max(s.max_stiffness, 1.5 * ball.Q[j] / ball.delta[j]);
+      }
+    }
+    if (ball.inner_contact && ball.Q[1] > heaviest) {
+      heaviest = ball.Q[1];
+      s.race_control_ratio = ball.race_control_ratio;
+      s.hertz = {m.hertz[0].at(ball.alpha[0]), m.hertz[1].at(ball.alpha[1])};
+    }
+  }
+  if (heaviest < 0.0) {
+    s.hertz = {m.hertz[0].reference(), m.hertz[1].reference()};
+  }
+}
+
+}  // namespace
+
+StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const StaticsOptions& options) {
+  BallModel model = make_ball_model(bearing, options);
+  const RaceTask task = make_task(bearing.constraints);
+  Vec5 given;
+  for (Eigen::Index k = 0; k < 5; ++k) {
+    given(k) = bearing.constraints.displacement[static_cast<std::size_t>(k)];
+  }
+  RaceState state;
+  state.q = options.warm_start ? given : first_guess(model, task, given);
+  const SpinLaw law = first_spin_law(bearing, options);
+  for (double azimuth : model.azimuth) {
+    BallState ball;
+    ball.site = {std::sin(azimuth), std::cos(azimuth), law};
+    state.balls.push_back(ball);
+  }
+
+  StaticSolution solution;
+  RaceSolve solve = solve_in_stages(model, task, state, true);
+  const bool race_control = options.control == Control::FromBearing &&
+                            bearing.spin_rule == bearing::SpinRule::RaceControl;
+  if (race_control && model.per_ball_speeds) {
+    solve = settle_race_control(model, task, state, solve, solution.notes);
+  }
+  check_rolling(model, state);
+
+  solution.displacement = to_array(state.q);
+  solution.load = to_array(state.load);
+  solution.stiffness = state.stiffness;
+  solution.iterations = solve.iterations;
+  solution.residual = solve.residual;
+  for (std::size_t k = 0; k < state.balls.size(); ++k) {
+    solution.balls.push_back(report_ball(model, solution.displacement, state.balls[k]));
+    solution.balls.back().azimuth = model.azimuth[k];
+  }
+  for (int k : solve.held) {
+    solution.notes.push_back(
+        fmt::format("nothing holds or loads the inner race {}: it stays at {:.6g} {}",
+                    kDirection[static_cast<std::size_t>(k)],
+                    solution.displacement[static_cast<std::size_t>(k)], k < 3 ? "m" : "rad"));
+  }
+  for (std::string& note : report_notes(model, solution.balls)) {
+    solution.notes.push_back(std::move(note));
+  }
+  fill_summary(model, solution);
+  return solution;
+}
+
+}  // namespace adore::statics
