@@ -50,7 +50,8 @@ std::vector<CostLedger::Row> CostLedger::rows() const {
     Row row{e.name, e.calls, seconds(e.full)};
     if (e.is_sampled) {
       row.calls += calls_;
-      row.seconds += seconds(e.sampled) * static_cast<double>(calls_) / static_cast<double>(sampled_calls);
+      row.seconds +=
+          seconds(e.sampled) * static_cast<double>(calls_) / static_cast<double>(sampled_calls);
     }
     result.push_back(std::move(row));
   }

@@ -20,7 +20,8 @@ struct BallStiffness {
   int stiffer_race = 0;
 };
 
-BallStiffness ball_stiffness(const statics::StaticBall& ball, const contact::GrooveGeometry& groove) {
+BallStiffness ball_stiffness(const statics::StaticBall& ball,
+                             const contact::GrooveGeometry& groove) {
   BallStiffness result;
   double xx = 0.0, xr = 0.0, rr = 0.0;  // the symmetric 2 x 2 matrix
   std::array<double, 2> normal{};
@@ -49,7 +50,8 @@ double seconds_per_evaluation(System& system) {
   for (int batch = 0; batch < kBatches; ++batch) {
     const auto start = Clock::now();
     for (int i = 0; i < kPerBatch; ++i) system.rhs(0.0, y.data(), dydt.data());
-    least = std::min(least, std::chrono::duration<double>(Clock::now() - start).count() / kPerBatch);
+    least =
+        std::min(least, std::chrono::duration<double>(Clock::now() - start).count() / kPerBatch);
   }
   system.cost() = ledger;
   return least;
@@ -57,8 +59,8 @@ double seconds_per_evaluation(System& system) {
 
 }  // namespace
 
-void estimate(ScenePlan& plan, const bearing::Bearing& bearing, const statics::StaticSolution& statics,
-              System& system) {
+void estimate(ScenePlan& plan, const bearing::Bearing& bearing,
+              const statics::StaticSolution& statics, System& system) {
   const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls);
   BallStiffness stiffest;
   std::size_t element = 0;
@@ -72,8 +74,8 @@ void estimate(ScenePlan& plan, const bearing::Bearing& bearing, const statics::S
   constexpr double kTurn = 2.0 * std::numbers::pi;
   if (stiffest.largest > 0.0) {
     plan.fastest_frequency = std::sqrt(stiffest.largest / bearing.ball_inertia.mass) / kTurn;
-    plan.fastest_contact =
-        fmt::format("element {} / {} race", element + 1, stiffest.stiffer_race == 0 ? "outer" : "inner");
+    plan.fastest_contact = fmt::format("element {} / {} race", element + 1,
+                                       stiffest.stiffer_race == 0 ? "outer" : "inner");
   } else {
     plan.fastest_frequency = 1.0 / (kTurn * system.scales().time);
     plan.fastest_contact = "no contact is loaded; a contact at 0.001 of the force scale";

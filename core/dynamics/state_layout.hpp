@@ -12,15 +12,19 @@ struct Slice {
   int first = 0, count = 0;
 };
 
-/// Grown while a System is built, then constant. Controlled components come first, quadratures last.
+/// Grown while a System is built, then constant. Controlled components come first, quadratures
+/// last.
 class StateLayout {
  public:
-  /// Adds `count` components called "<name>[k] [unit]", k = 1..count (count 1: "<name> [unit]"), with one error scale.
+  /// Adds `count` components called "<name>[k] [unit]", k = 1..count (count 1: "<name> [unit]"),
+  /// with one error scale.
   Slice add(std::string name, std::string_view unit, int count, double scale);
   /// From here on components are quadratures (no error control).
   void begin_quadratures();
   [[nodiscard]] int size() const noexcept { return size_; }
-  [[nodiscard]] int controlled_size() const noexcept { return controlled_ < 0 ? size_ : controlled_; }
+  [[nodiscard]] int controlled_size() const noexcept {
+    return controlled_ < 0 ? size_ : controlled_;
+  }
   [[nodiscard]] std::string component_name(int index) const;
   [[nodiscard]] std::span<const double> scales() const noexcept { return scales_; }
   void set_scale(const Slice& slice, double scale);

@@ -1,6 +1,7 @@
 #include "dynamics/system.hpp"
 
 #include "base/errors.hpp"
+#include "dynamics/rigid_body.hpp"
 #include "dynamics/system_impl.hpp"
 
 #include <fmt/format.h>
@@ -39,26 +40,30 @@ void System::Impl::evaluate_for_report(double t, std::span<const double> y) {
 std::string System::Impl::what_is_invalid(const double* y) const {
   for (int i = 0; i < layout.controlled_size(); ++i)
     if (!std::isfinite(y[i]))
-      return fmt::format("the state is not finite ({} = {}); use a smaller tolerance or largest step",
-                         layout.component_name(i), y[i]);
+      return fmt::format(
+          "the state is not finite ({} = {}); use a smaller tolerance or largest step",
+          layout.component_name(i), y[i]);
   for (std::size_t i = 0; i < e.balls.n; ++i)
     if (!(y[ball.r.first + static_cast<int>(i)] > 0.0))
-      return fmt::format("element {} has reached the bearing axis; check speeds, loads and the largest step",
-                         i + 1);
+      return fmt::format(
+          "element {} has reached the bearing axis; check speeds, loads and the largest step",
+          i + 1);
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t i = 0; i < e.balls.n; ++i)
       if (e.load[j][i] > contact::hertz_load(contacts[j].hertz.K, contacts[j].groove.ball_radius))
-        return fmt::format("element {} is pressed into the {} race by more than its own radius; use a "
-                           "smaller largest step",
-                           i + 1, j == 0 ? "outer" : "inner");
+        return fmt::format(
+            "element {} is pressed into the {} race by more than its own radius; use a "
+            "smaller largest step",
+            i + 1, j == 0 ? "outer" : "inner");
   if (pockets)
     for (std::size_t i = 0; i < pockets->size(); ++i)
       if (!pockets->inside(i)) {
         const Vec3 q = pockets->centre(i);
-        return fmt::format("the centre of element {} is outside its cage pocket (axial {:.4g} m, against the "
-                           "rotation {:.4g} m, radial {:.4g} m from the pocket centre); check the cage's start "
-                           "position, its pocket clearance and the largest step",
-                           i + 1, q[0], q[1], q[2]);
+        return fmt::format(
+            "the centre of element {} is outside its cage pocket (axial {:.4g} m, against the "
+            "rotation {:.4g} m, radial {:.4g} m from the pocket centre); check the cage's start "
+            "position, its pocket clearance and the largest step",
+            i + 1, q[0], q[1], q[2]);
       }
   return "an acceleration is not finite; use a smaller tolerance or largest step";
 }
@@ -72,7 +77,8 @@ StoredEnergy System::Impl::stored_energy() const {
   const double m = bearing.ball_inertia.mass, I = bearing.ball_inertia.moments[0];
   const BallArrays& b = e.balls;
   for (std::size_t i = 0; i < b.n; ++i) {
-    energy.kinetic += 0.5 * m * e.ball_velocity(i).squaredNorm() + 0.5 * I * e.ball_omega(i).squaredNorm();
+    energy.kinetic +=
+        0.5 * m * e.ball_velocity(i).squaredNorm() + 0.5 * I * e.ball_omega(i).squaredNorm();
     energy.gravity -= m * bearing.gravity.dot(e.ball_centre(i));
   }
   if (has_cage()) {
@@ -87,8 +93,9 @@ StoredEnergy System::Impl::stored_energy() const {
   return energy;
 }
 
-System::System(const bearing::Bearing& bearing, const ScenePlan& plan, const statics::StaticSolution& statics,
-               const std::array<double, 2>& fixed_angle, const SystemOptions& options)
+System::System(const bearing::Bearing& bearing, const ScenePlan& plan,
+               const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
+               const SystemOptions& options)
     : impl_(std::make_unique<Impl>(bearing, plan, statics, fixed_angle, options)) {}
 System::~System() = default;
 System::System(System&&) noexcept = default;
@@ -131,26 +138,25 @@ std::vector<double> System::initial_state() const {
   const bearing::Cage& cage = *s.bearing.cage;
   const bearing::BallGeometry& g = s.bearing.balls;
   const double gamma = g.diameter * std::cos(g.contact_angle) / g.pitch_diameter;
-  const double epicyclic = 0.5 * (s.bearing.speed[1] * (1.0 - gamma) + s.bearing.speed[0] * (1.0 + gamma));
-  const double speed = cage.speed_ratio * epicyclic;
-  const Vec3 position = Vec3(mean_x, 0.0, 0.0) + cage.start_offset;
-  const Vec3 velocity = (cage.whirl_ratio * speed) * Vec3::UnitX().cross(cage.start_offset);
-  const Quat q = quaternion_from_angles(cage.start_angles);
-  const Vec3 omega = rotation_matrix(q).transpose() * Vec3(speed, 0.0, 0.0);
+  const CageStart start =
+      cage_start(epicyclic_speed(s.bearing.speed[0], s.bearing.speed[1], gamma), cage.speed_ratio,
+                 cage.whirl_ratio, {mean_x, 0.0, 0.0}, cage.start_offset, cage.start_angles);
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
-    at(s.cage.position, k) = position[axis];
-    at(s.cage.velocity, k) = velocity[axis];
-    at(s.cage.omega, k) = omega[axis];
+    at(s.cage.position, k) = start.mass_centre[axis];
+    at(s.cage.velocity, k) = start.mass_centre_velocity[axis];
+    at(s.cage.omega, k) = start.omega_body[axis];
   }
-  for (std::size_t k = 0; k < 4; ++k) at(s.cage.orientation, k) = q[k];
+  for (std::size_t k = 0; k < 4; ++k) at(s.cage.orientation, k) = start.orientation[k];
   return y;
 }
 
 void System::set_start(double t, std::span<const double> y) {
   Impl& s = *impl_;
   s.evaluate_for_report(t, y);
-  const auto integral = [&y](int index) { return index < 0 ? 0.0 : y[static_cast<std::size_t>(index)]; };
+  const auto integral = [&y](int index) {
+    return index < 0 ? 0.0 : y[static_cast<std::size_t>(index)];
+  };
   const QuadratureIndices& q = s.integrals;
   s.stored_at_start = s.stored_energy().total() + integral(q.heat_pockets) + integral(q.heat_lands);
   for (std::size_t j = 0; j < 2; ++j)

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <memory>
-#include <span>
-#include <string>
-#include <vector>
-
 #include "bearing/bearing.hpp"
 #include "dynamics/cost_ledger.hpp"
 #include "dynamics/scene_plan.hpp"
@@ -13,14 +8,20 @@
 #include "statics/ball_statics.hpp"
 #include "tribology/ellipse_traction.hpp"
 
-/// The equations of motion of one ball bearing, assembled from the effects of its scene plan (mode 0).
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+/// The equations of motion of one ball bearing, assembled from the effects of its scene plan (mode
+/// 0).
 namespace adore::dynamics {
 
 /// Scales of the dimensionless time, length and force (N7, N11).
 struct Scales {
   double length = 0.0;  ///< rolling-element radius [m]
   double force = 0.0;   ///< largest applied load [N]
-  double time = 0.0;    ///< sqrt(m/k) of the stiffest element/race contact at the static solution [s]
+  double time = 0.0;  ///< sqrt(m/k) of the stiffest element/race contact at the static solution [s]
 };
 
 struct SystemOptions {
@@ -33,9 +34,11 @@ enum class RhsStatus : unsigned char { Ok, Retry, Fail };
 
 class System {
  public:
-  /// Allocates everything. `statics` must be a solution with Curvature::Fixed at `fixed_angle` (so that forces agree).
-  System(const bearing::Bearing& bearing, const ScenePlan& plan, const statics::StaticSolution& statics,
-         const std::array<double, 2>& fixed_angle, const SystemOptions& options);
+  /// Allocates everything. `statics` must be a solution with Curvature::Fixed at `fixed_angle` (so
+  /// that forces agree).
+  System(const bearing::Bearing& bearing, const ScenePlan& plan,
+         const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
+         const SystemOptions& options);
   ~System();
   System(System&&) noexcept;
 
@@ -47,17 +50,19 @@ class System {
   /// Fixes the reference of the energy ledger (call once with the start state).
   void set_start(double t, std::span<const double> y);
 
-  /// y' = f(t, y). No allocation, no throw. Retry: a ball left its pocket radially or the like in a trial step.
+  /// y' = f(t, y). No allocation, no throw. Retry: a ball left its pocket radially or the like in a
+  /// trial step.
   RhsStatus rhs(double t, const double* y, double* dydt) noexcept;
   /// Renormalises quaternions; true when y changed.
   bool project(double t, double* y) const noexcept;
-  /// Throws SolverError with a sentence when an accepted state is physically meaningless (ball outside its pocket ...).
+  /// Throws SolverError with a sentence when an accepted state is physically meaningless (ball
+  /// outside its pocket ...).
   void check_state(double t, const double* y) const;
 
   [[nodiscard]] Snapshot snapshot(double t, std::span<const double> y);
-  /// Largest error of the traction force by the run's ellipse rule against the converged integrals over all loaded contacts of
-  /// this state, relative to each contact's κ-weighted load κ̄ Q, κ̄ = ∫ κ p u dA / ∫ p u dA (dimensionless).
-  /// 0 without traction.
+  /// Largest error of the traction force by the run's ellipse rule against the converged integrals
+  /// over all loaded contacts of this state, relative to each contact's κ-weighted load κ̄ Q, κ̄ = ∫
+  /// κ p u dA / ∫ p u dA (dimensionless). 0 without traction.
   [[nodiscard]] double quadrature_error(double t, std::span<const double> y);
   [[nodiscard]] CostLedger& cost() noexcept;
   [[nodiscard]] const bearing::Bearing& bearing() const noexcept;

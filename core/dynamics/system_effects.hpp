@@ -10,9 +10,9 @@
 #include <limits>
 #include <vector>
 
-/// Inside of System: what one evaluation of the right-hand side works on, and the blocks that it is made of.
-/// A block is one effect over all its contacts: one virtual call per block, none per contact. Blocks of effects that are
-/// off are never made.
+/// Inside of System: what one evaluation of the right-hand side works on, and the blocks that it is
+/// made of. A block is one effect over all its contacts: one virtual call per block, none per
+/// contact. Blocks of effects that are off are never made.
 namespace adore::dynamics {
 
 /// Where each quantity of the balls stands in the state: one slice per quantity, all balls in it.
@@ -20,13 +20,14 @@ struct BallSlices {
   Slice x, r, theta, x_dot, r_dot, theta_dot, omega_x, omega_r, omega_theta;
 };
 
-/// Cage: mass centre from the base origin and its velocity in base axes, quaternion body -> base, ω in body axes,
-/// ∫ω_x dt. Empty slices (count 0) without cage motion.
+/// Cage: mass centre from the base origin and its velocity in base axes, quaternion body -> base, ω
+/// in body axes, ∫ω_x dt. Empty slices (count 0) without cage motion.
 struct CageSlices {
   Slice position, velocity, orientation, omega, rotation;
 };
 
-/// Pose and motion of the cage at this evaluation, and what acts on it (base axes, moment about the mass centre).
+/// Pose and motion of the cage at this evaluation, and what acts on it (base axes, moment about the
+/// mass centre).
 struct CageState {
   Vec3 position = Vec3::Zero(), velocity = Vec3::Zero();  ///< [m, m/s]
   Mat3 to_base = Mat3::Identity();                        ///< R, body -> base
@@ -42,7 +43,8 @@ struct CageState {
   }
 };
 
-/// Prescribed race and the sum of all contacts with it: forces on the race, moment about its centre.
+/// Prescribed race and the sum of all contacts with it: forces on the race, moment about its
+/// centre.
 struct RaceState {
   RaceMotion motion;
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< [N, N m]
@@ -74,9 +76,9 @@ struct Evaluation {
   CageState cage;
   std::array<RaceState, 2> race;
 
-  double elastic = 0.0;                             ///< [J]
-  std::array<double, 2> race_power{};               ///< of each race on balls and cage [W]
-  std::array<double, 2> heat_race{}, wear_race{};   ///< [W]; wear: ∫ p u dA
+  double elastic = 0.0;                            ///< [J]
+  std::array<double, 2> race_power{};              ///< of each race on balls and cage [W]
+  std::array<double, 2> heat_race{}, wear_race{};  ///< [W]; wear: ∫ p u dA
   std::array<double, 2> wear_element1{};
   double heat_pockets = 0.0, heat_lands = 0.0, wear_cage = 0.0;
   bool valid = true;  ///< false: outside the model's validity
@@ -90,7 +92,8 @@ struct Evaluation {
     return {x, -sin_theta[i] * r - cos_theta[i] * theta, cos_theta[i] * r - sin_theta[i] * theta};
   }
   [[nodiscard]] Vec3 to_cylindrical(std::size_t i, const Vec3& v) const noexcept {
-    return {v[0], -sin_theta[i] * v[1] + cos_theta[i] * v[2], -cos_theta[i] * v[1] - sin_theta[i] * v[2]};
+    return {v[0], -sin_theta[i] * v[1] + cos_theta[i] * v[2],
+            -cos_theta[i] * v[1] - sin_theta[i] * v[2]};
   }
   [[nodiscard]] Vec3 ball_velocity(std::size_t i) const noexcept {
     return to_base(i, balls.x_dot[i], balls.r_dot[i], balls.r[i] * balls.theta_dot[i]);
@@ -107,8 +110,9 @@ class EffectBlock {
   virtual void apply(Evaluation& e) noexcept = 0;
 };
 
-/// Friction force per newton of normal load, along a slip of size u: κ(u) u_vec/|u|. Laws with κ(0) ≠ 0 are smoothed by
-/// u/√(u²+ε²), ε = tribology::kRegularisationSlip; laws with κ(0) = 0 are smooth as they are.
+/// Friction force per newton of normal load, along a slip of size u: κ(u) u_vec/|u|. Laws with κ(0)
+/// ≠ 0 are smoothed by u/√(u²+ε²), ε = tribology::kRegularisationSlip; laws with κ(0) = 0 are
+/// smooth as they are.
 class SlipFriction {
  public:
   SlipFriction() = default;

@@ -28,8 +28,9 @@ struct StoredEnergy {
 };
 
 struct System::Impl {
-  Impl(const bearing::Bearing& bearing_, const ScenePlan& plan, const statics::StaticSolution& statics,
-       const std::array<double, 2>& fixed_angle, const SystemOptions& options);
+  Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
+       const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
+       const SystemOptions& options);
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
@@ -74,7 +75,8 @@ struct System::Impl {
 
  private:
   Slice add(std::string name, std::string_view unit, int count, ScaleKind kind);
-  void set_up_races(const std::array<double, 2>& fixed_angle, const SystemOptions& options, bool traction);
+  void set_up_races(const std::array<double, 2>& fixed_angle, const SystemOptions& options,
+                    bool traction);
   void set_up_state(const ScenePlan& plan);
   void set_up_quadratures(const ScenePlan& plan);
   void set_up_blocks(const ScenePlan& plan);

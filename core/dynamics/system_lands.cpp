@@ -1,8 +1,11 @@
 #include "dynamics/system_lands.hpp"
 
+#include "contact/guide_land.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace adore::dynamics {
 namespace {
@@ -34,8 +37,7 @@ std::vector<LandModel> make_lands(const bearing::Bearing& bearing, int slices) {
       land.law = {bearing::contact_modulus(cage.material, bearing.race_material[race]),
                   0.5 * guide.clearance};
       land.slice_length = guide.width / slices;
-      const double sign = guide.edge > 0.0 ? 1.0 : guide.edge < 0.0 ? -1.0 : 0.0;
-      const double centre = guide.edge - sign * 0.5 * guide.width;
+      const double centre = contact::land_centre(guide.edge, guide.width);
       for (int k = 0; k < slices; ++k)
         land.slice_x.push_back(centre + ((k + 0.5) / slices - 0.5) * guide.width);
     }
@@ -53,11 +55,13 @@ LandSnapshot report(const LandModel& land, const Evaluation& e) {
     const Vec3 eccentricity = locate(x, e.cage, race).eccentricity;
     const double size = eccentricity.norm();
     if (size > 0.0)
-      force -= contact::land_load_per_length(land.law, size) * land.slice_length / size * eccentricity;
+      force -=
+          contact::land_load_per_length(land.law, size) * land.slice_length / size * eccentricity;
     if (size <= largest) continue;
     largest = size;
     result.gap = land.law.clearance - size;
-    result.angle = azimuth(e.cage.to_base.transpose() * (land.side * eccentricity));
+    const double angle = azimuth(e.cage.to_base.transpose() * (land.side * eccentricity));
+    result.angle = angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
   }
   result.force = force.norm();
   return result;
@@ -73,7 +77,8 @@ void LandBlock<Traction>::apply(Evaluation& e) noexcept {
       const double e2 = slice.eccentricity.squaredNorm();
       if (c > 0.0 && e2 <= c * c) continue;
       const double size = std::sqrt(e2);
-      const Vec3 direction = slice.eccentricity / std::max(size, std::numeric_limits<double>::min());
+      const Vec3 direction =
+          slice.eccentricity / std::max(size, std::numeric_limits<double>::min());
       const double N = contact::land_load_per_length(land.law, size) * land.slice_length;
       e.cage.add_force(-N * direction, slice.centre);
       race.add_force(N * direction, slice.centre);

@@ -6,22 +6,24 @@
 
 /// Guide lands of the cage on the cylindrical lands of the races.
 ///
-/// A land is cut into slices, each taken at its mid plane as a circle of the cage about the cage axis inside (outer
-/// guidance) or around (inner guidance) a circle of the race about the race axis, whose radii differ by the radial
-/// clearance c. e = vector from the race axis to the slice centre, across the race axis; contact where |e| > c.
-/// Normal: F/L of contact/conformal.hpp on the cage along -e through the slice centre, the opposite on the race; it is
-/// minus the gradient of the slice energy. Friction at the cage point P = slice centre ± R_c e/|e| (+ outer, - inner
-/// guidance): slip = race point - cage point velocity, its part along e removed; N κ(|u|) u/|u| on the cage, the opposite
-/// on the race at the same point. Heat = friction · u. Tilt enters through the slice centres; second order in tilt.
+/// A land is cut into slices, each taken at its mid plane as a circle of the cage about the cage
+/// axis inside (outer guidance) or around (inner guidance) a circle of the race about the race
+/// axis, whose radii differ by the radial clearance c. e = vector from the race axis to the slice
+/// centre, across the race axis; contact where |e| > c. Normal: F/L of contact/conformal.hpp on the
+/// cage along -e through the slice centre, the opposite on the race; it is minus the gradient of
+/// the slice energy. Friction at the cage point P = slice centre ± R_c e/|e| (+ outer, - inner
+/// guidance): slip = race point - cage point velocity, its part along e removed; N κ(|u|) u/|u| on
+/// the cage, the opposite on the race at the same point. Heat = friction · u. Tilt enters through
+/// the slice centres; second order in tilt.
 namespace adore::dynamics {
 
 struct LandModel {
-  int race = 0;               ///< guiding race
-  double side = 1.0;          ///< +1 outer guidance, -1 inner guidance
-  double cage_radius = 0.0;   ///< R_c [m]
+  int race = 0;              ///< guiding race
+  double side = 1.0;         ///< +1 outer guidance, -1 inner guidance
+  double cage_radius = 0.0;  ///< R_c [m]
   contact::LandLaw law;
-  double slice_length = 0.0;        ///< [m]
-  std::vector<double> slice_x;      ///< mid planes in the cage frame [m]
+  double slice_length = 0.0;    ///< [m]
+  std::vector<double> slice_x;  ///< mid planes in the cage frame [m]
 };
 
 /// One entry per land of the cage; lands without a guiding race have no slices.

@@ -1,5 +1,6 @@
 #include "dynamics/system_motion.hpp"
 
+#include "dynamics/rigid_body.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <algorithm>
@@ -99,9 +100,10 @@ RaceBlock::RaceBlock(const RaceContactModel& model, bool load_slip)
 void RaceBlock::apply(Evaluation& e) noexcept {
   const auto j = static_cast<std::size_t>(model_.race);
   RaceState& race = e.race[j];
-  const BallForces out{e.F_x.data(),     e.F_r.data(),     e.F_theta.data(),
-                       e.M_x.data(),     e.M_r.data(),     e.M_theta.data(),
-                       e.load[j].data(), e.heat[j].data(), load_slip_ ? e.load_slip[j].data() : nullptr};
+  const BallForces out{
+      e.F_x.data(),     e.F_r.data(),     e.F_theta.data(),
+      e.M_x.data(),     e.M_r.data(),     e.M_theta.data(),
+      e.load[j].data(), e.heat[j].data(), load_slip_ ? e.load_slip[j].data() : nullptr};
   const RaceSums sums = evaluate_race_contacts(model_, e.balls, race.motion, out);
   race.force += sums.force;
   race.moment += sums.moment;
@@ -151,10 +153,8 @@ void BallMotion::apply(Evaluation& e) noexcept {
 
 void CageMotion::apply(Evaluation& e) noexcept {
   const CageState& c = e.cage;
-  const Vec3& I = inertia_.moments;
-  const Vec3 moment = c.to_base.transpose() * c.moment;
-  const Vec3 spin = I.cwiseProduct(c.omega_body);
-  const Vec3 omega_dot = (moment - c.omega_body.cross(spin)).cwiseQuotient(I);
+  const Vec3 omega_dot =
+      euler_rate(inertia_.moments, c.omega_body, c.to_base.transpose() * c.moment);
   const Vec3 acceleration = c.force / inertia_.mass;
   store(e.dydt, s_.position, c.velocity);
   store(e.dydt, s_.velocity, acceleration);

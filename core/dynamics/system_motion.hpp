@@ -4,8 +4,9 @@
 
 #include <vector>
 
-/// Kinematics, race contacts, gravity and the equations of motion: the blocks that are no cage contact.
-/// Ball equations in (x, r, θ) and the azimuth components of ω: tests/reference/dynamics_README.md, "Ball equations".
+/// Kinematics, race contacts, gravity and the equations of motion: the blocks that are no cage
+/// contact. Ball equations in (x, r, θ) and the azimuth components of ω:
+/// tests/reference/dynamics_README.md, "Ball equations".
 namespace adore::dynamics {
 
 struct OrientedElement {
@@ -14,7 +15,8 @@ struct OrientedElement {
   Slice rotation;           ///< ∫ ω·(body x axis) dt
 };
 
-/// Views of the ball states; sines and cosines of the azimuths. Not valid when a ball is on the axis.
+/// Views of the ball states; sines and cosines of the azimuths. Not valid when a ball is on the
+/// axis.
 class BallKinematics final : public EffectBlock {
  public:
   explicit BallKinematics(const BallSlices& slices) : s_(slices) {}
@@ -33,8 +35,8 @@ class CageKinematics final : public EffectBlock {
   CageSlices s_;
 };
 
-/// Effects "race contact" and "race traction" of one race. `model` must outlive the block. Not valid when a ball is pressed
-/// into a race by more than its radius.
+/// Effects "race contact" and "race traction" of one race. `model` must outlive the block. Not
+/// valid when a ball is pressed into a race by more than its radius.
 class RaceBlock final : public EffectBlock {
  public:
   /// @param load_slip the wear integrals are wanted

@@ -1,6 +1,7 @@
 #include "dynamics/system_pockets.hpp"
 
 #include "base/errors.hpp"
+#include "dynamics/rigid_body.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,10 +11,9 @@ namespace {
 
 /// Sign of the cage's nominal (epicyclic) speed; +1 for a still bearing.
 double nominal_rotation_sign(const bearing::Bearing& bearing) {
-  const double gamma = bearing.balls.diameter * std::cos(bearing.balls.contact_angle) /
-                       bearing.balls.pitch_diameter;
-  const double speed = bearing.speed[1] * (1.0 - gamma) + bearing.speed[0] * (1.0 + gamma);
-  return speed < 0.0 ? -1.0 : 1.0;
+  const double gamma =
+      bearing.balls.diameter * std::cos(bearing.balls.contact_angle) / bearing.balls.pitch_diameter;
+  return epicyclic_speed(bearing.speed[0], bearing.speed[1], gamma) < 0.0 ? -1.0 : 1.0;
 }
 
 }  // namespace

@@ -7,11 +7,12 @@
 
 /// Balls in the cylindrical pockets of a one-piece cage.
 ///
-/// Normal: N = law(-gap) on the ball along -m, gap and m of contact/ball_pocket.hpp. Friction acts at the ball surface
-/// point p = r_b m (not shortened by the penetration): slip u = cage velocity - ball velocity there, its part along m
-/// removed; friction on the ball N κ(|u|) u/|u|; opposite force on the cage at the same point of space. Heat = friction · u.
-/// The force is minus the gradient of law.energy with respect to ball and cage pose.
-/// Limit: the ball centre is inside the hole; otherwise the state is not valid.
+/// Normal: N = law(-gap) on the ball along -m, gap and m of contact/ball_pocket.hpp. Friction acts
+/// at the ball surface point p = r_b m (not shortened by the penetration): slip u = cage velocity -
+/// ball velocity there, its part along m removed; friction on the ball N κ(|u|) u/|u|; opposite
+/// force on the cage at the same point of space. Heat = friction · u. The force is minus the
+/// gradient of law.energy with respect to ball and cage pose. Limit: the ball centre is inside the
+/// hole; otherwise the state is not valid.
 namespace adore::dynamics {
 
 class PocketSet {
@@ -25,7 +26,8 @@ class PocketSet {
   /// Is the ball centre inside the hole of the wall and within one radius of its height?
   [[nodiscard]] bool inside(std::size_t i) const noexcept {
     const double d2 = qx_[i] * qx_[i] + qy_[i] * qy_[i];
-    return d2 < hole2_ && qz_[i] > wall_.z_low - ball_radius_ && qz_[i] < wall_.z_high + ball_radius_;
+    return d2 < hole2_ && qz_[i] > wall_.z_low - ball_radius_ &&
+           qz_[i] < wall_.z_high + ball_radius_;
   }
   /// Conservative and cheap: the gap is never less than ρ - r_b - √(x²+y²).
   [[nodiscard]] bool surely_open(std::size_t i) const noexcept {
@@ -34,8 +36,10 @@ class PocketSet {
   [[nodiscard]] contact::WallPoint wall_point(std::size_t i) const noexcept {
     return contact::nearest_wall(wall_, centre(i), ball_radius_);
   }
-  [[nodiscard]] Vec3 to_base(std::size_t i, const Vec3& v, const Mat3& cage_to_base) const noexcept {
-    return cage_to_base * Vec3(v[0], cos_[i] * v[1] - sin_[i] * v[2], sin_[i] * v[1] + cos_[i] * v[2]);
+  [[nodiscard]] Vec3 to_base(std::size_t i, const Vec3& v,
+                             const Mat3& cage_to_base) const noexcept {
+    return cage_to_base *
+           Vec3(v[0], cos_[i] * v[1] - sin_[i] * v[2], sin_[i] * v[1] + cos_[i] * v[2]);
   }
   [[nodiscard]] std::size_t size() const noexcept { return sin_.size(); }
   [[nodiscard]] const contact::CappedHertz& law() const noexcept { return law_; }

@@ -1,14 +1,16 @@
 #include "base/errors.hpp"
 #include "dynamics/system_impl.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 namespace adore::dynamics {
 namespace {
 
-/// Largest applied load component; of a displacement-driven bearing the largest reaction; of an unloaded one the weight
-/// of an element at 9.81 m/s² (N11).
+/// Largest applied load component; of a displacement-driven bearing the largest reaction; of an
+/// unloaded one the weight of an element at 9.81 m/s² (N11).
 double force_scale(const bearing::Bearing& bearing, const statics::StaticSolution& statics) {
   double applied = 0.0, reaction = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -21,9 +23,10 @@ double force_scale(const bearing::Bearing& bearing, const statics::StaticSolutio
   return reaction > 1e-9 * weight ? reaction : weight;
 }
 
-/// Largest dQ/dδ at the static solution; without a loaded contact that of the stiffer race at 1e-3 of the force scale (N7).
-double stiffness_scale(const statics::StaticSolution& statics, const std::array<RaceContactModel, 2>& contacts,
-                       double force) {
+/// Largest dQ/dδ at the static solution; without a loaded contact that of the stiffer race at 1e-3
+/// of the force scale (N7).
+double stiffness_scale(const statics::StaticSolution& statics,
+                       const std::array<RaceContactModel, 2>& contacts, double force) {
   if (statics.max_stiffness > 0.0) return statics.max_stiffness;
   const double K = std::max(contacts[0].hertz.K, contacts[1].hertz.K);
   return 1.5 * std::cbrt(K * K * 1e-3 * force);
@@ -32,8 +35,8 @@ double stiffness_scale(const statics::StaticSolution& statics, const std::array<
 }  // namespace
 
 System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
-                   const statics::StaticSolution& statics_, const std::array<double, 2>& fixed_angle,
-                   const SystemOptions& options)
+                   const statics::StaticSolution& statics_,
+                   const std::array<double, 2>& fixed_angle, const SystemOptions& options)
     : bearing(bearing_), statics(statics_), e(static_cast<std::size_t>(bearing_.balls.count)) {
   demand(bearing.balls.count >= 1, "a bearing needs at least one ball");
   demand(static_cast<int>(statics.balls.size()) == bearing.balls.count,
@@ -43,10 +46,12 @@ System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
              moments.maxCoeff() - moments.minCoeff() <= 1e-9 * moments.maxCoeff(),
          "a ball needs a positive mass and three equal, positive moments of inertia");
   const bool cage_moves = plan.has(Effect::CageMotion);
-  demand(!cage_moves || bearing.cage.has_value(), "the plan moves a cage that the bearing does not have");
+  demand(!cage_moves || bearing.cage.has_value(),
+         "the plan moves a cage that the bearing does not have");
   demand(cage_moves || !(plan.has(Effect::PocketContact) || plan.has(Effect::LandContact)),
          "the plan has cage contacts but no cage motion");
-  demand(!cage_moves || (bearing.cage->inertia.mass > 0.0 && bearing.cage->inertia.moments.minCoeff() > 0.0),
+  demand(!cage_moves ||
+             (bearing.cage->inertia.mass > 0.0 && bearing.cage->inertia.moments.minCoeff() > 0.0),
          "the cage needs a positive mass and positive moments of inertia");
   demand(options.land_slices >= 1, "a guide land needs at least one slice");
 
@@ -67,25 +72,29 @@ System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
 
   scales.length = 0.5 * bearing.balls.diameter;
   scales.force = force_scale(bearing, statics);
-  scales.time = std::sqrt(bearing.ball_inertia.mass / stiffness_scale(statics, contacts, scales.force));
+  scales.time =
+      std::sqrt(bearing.ball_inertia.mass / stiffness_scale(statics, contacts, scales.force));
   apply_scales();
 }
 
-void System::Impl::set_up_races(const std::array<double, 2>& fixed_angle, const SystemOptions& options,
-                                bool traction) {
+void System::Impl::set_up_races(const std::array<double, 2>& fixed_angle,
+                                const SystemOptions& options, bool traction) {
   const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls);
   const tribology::EllipseRule rule =
       tribology::make_ellipse_rule(options.ellipse_major, options.ellipse_minor);
   const auto& misalignment = bearing.constraints.outer_misalignment;
   race_attitude[0] = quaternion_from_angles({0.0, misalignment[0], misalignment[1]});
-  race_attitude[1] = quaternion_from_angles({0.0, statics.displacement[3], statics.displacement[4]});
+  race_attitude[1] =
+      quaternion_from_angles({0.0, statics.displacement[3], statics.displacement[4]});
   for (std::size_t j = 0; j < 2; ++j) {
     RaceContactModel& model = contacts[j];
     model.race = static_cast<bearing::Race>(j);
     model.groove = groove;
-    model.effective_modulus = bearing::contact_modulus(bearing.ball_material, bearing.race_material[j]);
+    model.effective_modulus =
+        bearing::contact_modulus(bearing.ball_material, bearing.race_material[j]);
     model.hertz = contact::hertz_constants(
-        contact::race_curvature(bearing.balls, static_cast<int>(j), fixed_angle[j]), model.effective_modulus);
+        contact::race_curvature(bearing.balls, static_cast<int>(j), fixed_angle[j]),
+        model.effective_modulus);
     model.shoulder_radius = 0.5 * bearing.balls.shoulder_diameter[j];
     model.traction = traction;
     model.curve = bearing.race_traction;
@@ -97,7 +106,8 @@ void System::Impl::set_up_races(const std::array<double, 2>& fixed_angle, const 
     motion.axis = rotation_matrix(race_attitude[j]).col(0);
     motion.speed = bearing.speed[j];
   }
-  e.race[1].motion.centre += Vec3(statics.displacement[0], statics.displacement[1], statics.displacement[2]);
+  e.race[1].motion.centre +=
+      Vec3(statics.displacement[0], statics.displacement[1], statics.displacement[2]);
 }
 
 Slice System::Impl::add(std::string name, std::string_view unit, int count, ScaleKind kind) {
@@ -120,8 +130,9 @@ void System::Impl::set_up_state(const ScenePlan& plan) {
   if (plan.has(Effect::ElementOrientation))
     for (const int index : plan.oriented_elements) {
       demand(index >= 0 && index < n, "the plan orients an element that does not exist");
-      const std::string name = "element" + std::to_string(index + 1);
-      oriented.push_back({static_cast<std::size_t>(index), add(name + ".quaternion", "-", 4, ScaleKind::Angle),
+      const std::string name = fmt::format("element{}", index + 1);
+      oriented.push_back({static_cast<std::size_t>(index),
+                          add(name + ".quaternion", "-", 4, ScaleKind::Angle),
                           add(name + ".rotation", "rad", 1, ScaleKind::Angle)});
     }
   if (!plan.has(Effect::CageMotion)) return;
@@ -142,11 +153,13 @@ void System::Impl::set_up_quadratures(const ScenePlan& plan) {
   const std::array<std::string, 2> names{"outer race", "inner race"};
   for (std::size_t j = 0; j < 2; ++j) {
     // Without friction a body of revolution that only spins about its axis exerts no power.
-    if (race || land) integral(integrals.work_race[j], names[j] + ".work", e.race_power[j]);
-    if (race) integral(integrals.heat_race[j], names[j] + ".heat", e.heat_race[j]);
+    if (race || land)
+      integral(integrals.work_race[j], fmt::format("{}.work", names[j]), e.race_power[j]);
+    if (race) integral(integrals.heat_race[j], fmt::format("{}.heat", names[j]), e.heat_race[j]);
     if (race && wear) {
-      integral(integrals.wear_race[j], names[j] + ".load_slip", e.wear_race[j]);
-      integral(integrals.wear_element1[j], names[j] + ".load_slip_element1", e.wear_element1[j]);
+      integral(integrals.wear_race[j], fmt::format("{}.load_slip", names[j]), e.wear_race[j]);
+      integral(integrals.wear_element1[j], fmt::format("{}.load_slip_element1", names[j]),
+               e.wear_element1[j]);
     }
   }
   if (pocket) integral(integrals.heat_pockets, "pockets.heat", e.heat_pockets);
@@ -167,8 +180,8 @@ void System::Impl::set_up_blocks(const ScenePlan& plan) {
   const bool wear = plan.has(Effect::WearIntegrals);
   if (plan.has(Effect::RaceContact))
     for (std::size_t j = 0; j < 2; ++j)
-      add_block<RaceBlock>(ledger.add_entry(j == 0 ? "outer race contacts" : "inner race contacts"), contacts[j],
-                           wear);
+      add_block<RaceBlock>(ledger.add_entry(j == 0 ? "outer race contacts" : "inner race contacts"),
+                           contacts[j], wear);
   if (pockets) {
     const int entry = ledger.add_entry("pocket contacts");
     if (plan.has(Effect::PocketTraction)) {
@@ -190,21 +203,31 @@ void System::Impl::set_up_blocks(const ScenePlan& plan) {
   if (gravity) {
     const int entry = ledger.add_entry("gravity");
     add_block<BallGravity>(entry, Vec3(bearing.ball_inertia.mass * bearing.gravity));
-    if (has_cage()) add_block<CageGravity>(entry, Vec3(bearing.cage->inertia.mass * bearing.gravity));
+    if (has_cage())
+      add_block<CageGravity>(entry, Vec3(bearing.cage->inertia.mass * bearing.gravity));
   }
 
   add_block<BallMotion>(motion, ball, bearing.ball_inertia.mass, bearing.ball_inertia.moments[0]);
   if (has_cage()) add_block<CageMotion>(motion, cage, bearing.cage->inertia);
-  if (!oriented.empty()) add_block<OrientationMotion>(ledger.add_entry("orientation of elements"), oriented);
+  if (!oriented.empty())
+    add_block<OrientationMotion>(ledger.add_entry("orientation of elements"), oriented);
   if (!rates_of_integrals_.empty()) add_block<Quadratures>(motion, rates_of_integrals_);
 }
 
 void System::Impl::apply_scales() {
   for (const auto& [slice, kind] : kinds_) switch (kind) {
-      case ScaleKind::Length: layout.set_scale(slice, scales.length); break;
-      case ScaleKind::Velocity: layout.set_scale(slice, scales.length / scales.time); break;
-      case ScaleKind::Angle: layout.set_scale(slice, 1.0); break;
-      case ScaleKind::Rate: layout.set_scale(slice, 1.0 / scales.time); break;
+      case ScaleKind::Length:
+        layout.set_scale(slice, scales.length);
+        break;
+      case ScaleKind::Velocity:
+        layout.set_scale(slice, scales.length / scales.time);
+        break;
+      case ScaleKind::Angle:
+        layout.set_scale(slice, 1.0);
+        break;
+      case ScaleKind::Rate:
+        layout.set_scale(slice, 1.0 / scales.time);
+        break;
     }
 }
 

@@ -63,9 +63,11 @@ Snapshot System::snapshot(double t, std::span<const double> y) {
     ball.oriented = true;
     ball.orientation = quaternion_of(y, oriented.orientation);
     ball.total_rotation = component(y, oriented.rotation);
-    const Vec3 axis = e.to_cylindrical(oriented.element, rotation_matrix(normalise(ball.orientation)).col(0));
+    const Vec3 axis =
+        e.to_cylindrical(oriented.element, rotation_matrix(normalise(ball.orientation)).col(0));
     ball.x_axis = Vec3(axis[0], -axis[2], axis[1]);
-    result.max_quaternion_error = std::max(result.max_quaternion_error, std::abs(norm(ball.orientation) - 1.0));
+    result.max_quaternion_error =
+        std::max(result.max_quaternion_error, std::abs(norm(ball.orientation) - 1.0));
   }
 
   if (s.has_cage()) {
@@ -77,7 +79,8 @@ Snapshot System::snapshot(double t, std::span<const double> y) {
     cage.omega = e.cage.omega;
     cage.total_rotation = component(y, s.cage.rotation);
     for (const LandModel& land : s.lands) cage.lands.push_back(report(land, e));
-    result.max_quaternion_error = std::max(result.max_quaternion_error, std::abs(norm(cage.orientation) - 1.0));
+    result.max_quaternion_error =
+        std::max(result.max_quaternion_error, std::abs(norm(cage.orientation) - 1.0));
     result.cages.push_back(std::move(cage));
   }
 
@@ -87,13 +90,16 @@ Snapshot System::snapshot(double t, std::span<const double> y) {
     race.position = state.motion.centre - s.free_centre[j];
     race.velocity = state.motion.velocity;
     race.total_rotation = state.motion.speed * t;
-    race.orientation = multiply(s.race_attitude[j], quaternion_about(Vec3::UnitX(), race.total_rotation));
+    race.orientation =
+        multiply(s.race_attitude[j], quaternion_about(Vec3::UnitX(), race.total_rotation));
     race.omega = state.motion.speed * state.motion.axis;
     race.applied_force = -state.force;
     race.applied_moment = -state.moment;
   }
 
-  const auto integral = [&y](int index) { return index < 0 ? 0.0 : y[static_cast<std::size_t>(index)]; };
+  const auto integral = [&y](int index) {
+    return index < 0 ? 0.0 : y[static_cast<std::size_t>(index)];
+  };
   const QuadratureIndices& q = s.integrals;
   const StoredEnergy stored = s.stored_energy();
   EnergySnapshot& energy = result.energy;
@@ -130,11 +136,14 @@ double System::quadrature_error(double t, std::span<const double> y) {
     for (std::size_t i = 0; i < s.e.balls.n; ++i) {
       const RaceContactState contact = race_contact_state(model, s.e.balls, i, s.e.race[j].motion);
       if (!(contact.ellipse.Q > 0.0)) continue;
-      const auto fixed = tribology::ellipse_traction(model.curve, contact.ellipse, contact.motion, model.rule);
-      const auto exact = tribology::ellipse_traction_converged(model.curve, contact.ellipse, contact.motion);
+      const auto fixed =
+          tribology::ellipse_traction(model.curve, contact.ellipse, contact.motion, model.rule);
+      const auto exact =
+          tribology::ellipse_traction_converged(model.curve, contact.ellipse, contact.motion);
       if (!(exact.heat > 0.0)) continue;
       const double friction = exact.heat * contact.ellipse.Q / exact.load_slip;
-      largest = std::max(largest, std::hypot(fixed.F_c - exact.F_c, fixed.F_t - exact.F_t) / friction);
+      largest =
+          std::max(largest, std::hypot(fixed.F_c - exact.F_c, fixed.F_t - exact.F_t) / friction);
     }
   }
   return largest;

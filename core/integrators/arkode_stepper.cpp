@@ -50,7 +50,7 @@ class ArkodeStepper final : public SundialsStepper {
         explicit_table = ARKODE_DORMAND_PRINCE_7_4_5;
         break;
       case ArkodeMethod::DiagonallyImplicit:
-        implicit = ARKODE_ESDIRK436L2SA_6_3_4;
+        implicit = ARKODE_ARK436L2SA_DIRK_6_3_4;
         break;
       case ArkodeMethod::ImplicitExplicit:
         implicit = ARKODE_ARK437L2SA_DIRK_7_3_4;
@@ -84,6 +84,8 @@ class ArkodeStepper final : public SundialsStepper {
             "ARKStepSetJacFn");
       // Scaling the correction for a stale γ suits the stiff part; quadratures need the correction
       // itself.
+      // A constant step cannot be cut when Newton's iteration is slow.
+      if (constant_step()) check(ARKStepSetMaxNonlinIters(m, 20), "ARKStepSetMaxNonlinIters");
       check(ARKStepSetLinearSolutionScaling(m, SUNFALSE), "ARKStepSetLinearSolutionScaling");
     }
     check(ARKStepSetPostprocessStepFn(m, project_vector), "ARKStepSetPostprocessStepFn");

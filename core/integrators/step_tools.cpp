@@ -34,15 +34,26 @@ void combine(double* out, const double* base, double h, const double* weights,
 }
 
 double weighted_maximum(const double* values, const double* weights, int n) noexcept {
-  double worst = 0.0;
-  for (int i = 0; i < n; ++i) worst = std::max(worst, std::abs(values[i]) * weights[i]);
-  return worst;
+  double worst[kBlock] = {};
+  int i = 0;
+  for (; i + kBlock <= n; i += kBlock) {
+    for (int k = 0; k < kBlock; ++k) {
+      const double e = std::abs(values[i + k]) * weights[i + k];
+      worst[k] = e > worst[k] ? e : worst[k];
+    }
+  }
+  for (; i < n; ++i) worst[0] = std::max(worst[0], std::abs(values[i]) * weights[i]);
+  return *std::max_element(worst, worst + kBlock);
 }
 
 bool all_finite(const double* values, int n) noexcept {
-  double sum = 0.0;  // 0 * x is 0 for every finite x and NaN otherwise
-  for (int i = 0; i < n; ++i) sum += 0.0 * values[i];
-  return sum == 0.0;
+  double sum[kBlock] = {};  // 0 * x is 0 for every finite x and NaN otherwise
+  int i = 0;
+  for (; i + kBlock <= n; i += kBlock) {
+    for (int k = 0; k < kBlock; ++k) sum[k] += 0.0 * values[i + k];
+  }
+  for (; i < n; ++i) sum[0] += 0.0 * values[i];
+  return std::all_of(sum, sum + kBlock, [](double s) { return s == 0.0; });
 }
 
 int worst_index(const double* values, const double* weights, int n) noexcept {

@@ -68,7 +68,7 @@ struct StepInfo {
   double h = 0.0;       ///< step size used
   double h_next = 0.0;  ///< proposed next step
   double error = 0.0;   ///< error norm divided by tolerance (<= 1 unless at_minimum); 0 where the
-                       ///< method forms no estimate (ARKODE holding a constant step)
+                        ///< method forms no estimate (ARKODE holding a constant step)
   bool at_minimum = false;  ///< accepted because h = minimum
 };
 

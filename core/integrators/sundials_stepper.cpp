@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace adore::integrators {
@@ -11,8 +12,8 @@ namespace {
 
 // A restart pays when the projected state has left the package's own by this many tolerances.
 constexpr double kDriftLimit = 10.0;
-// The tolerance of a minimum step is widened at most this often, by ten each time.
-constexpr int kMostWidenings = 40;
+// The tolerance of a minimum step is widened by ten at a time, to this at most.
+constexpr double kWidest = 1e20;
 
 double maximum_norm(N_Vector values, N_Vector weights) {
   return weighted_maximum(N_VGetArrayPointer(values), N_VGetArrayPointer(weights),
@@ -111,20 +112,36 @@ StepInfo SundialsStepper::step(double t_stop) {
   return info;
 }
 
+// The packages give up where our own methods go on; each case is taken up again from the last
+// state: an error above the tolerance at the minimum step, with a wider tolerance; a point that the
+// model refused, with a smaller step (ARKODE does not even try one for an explicit stage).
 void SundialsStepper::advance_or_throw(double t_stop, bool& at_minimum) {
   const double before = t_;
-  for (int widenings = 0;; ++widenings) {
+  const double resolution = 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t_);
+  double h = std::min(counters_.steps == 0 ? first_ : next_step(), t_stop - t_);
+  for (int attempt = 0;; ++attempt) {
     trouble_ = Outcome::Ok;
     const Advance result = advance(t_stop);
-    if (result == Advance::Done) return;
+    if (result == Advance::Done) {
+      if (t_ - before > resolution || t_ == t_stop) return;
+      give_up(Advance::Refused, t_ - before);
+    }
     t_ = before;
     gather_statistics();
-    const double h = std::min(control_.minimum, t_stop - t_);
-    const bool may_widen = result == Advance::ErrorTooLarge && h > 0.0 && !constant_step() &&
-                           widenings < kMostWidenings;
-    if (!may_widen) give_up(result, control_.minimum > 0.0 ? h : next_step());
-    // The first repetition has the full tolerance: the package may have given up at a longer step.
-    if (widenings > 0) relax_ *= 10.0;
+    const bool refused = trouble_ == Outcome::Retry || trouble_ == Outcome::NotFinite;
+    if (constant_step()) {
+      give_up(result, h);
+    } else if (result == Advance::Refused && refused) {
+      if (h <= control_.minimum || 0.25 * h <= resolution) give_up(result, h);
+      h = std::max(0.25 * h, control_.minimum);
+    } else if ((result == Advance::ErrorTooLarge || result == Advance::NotConverged) &&
+               control_.minimum > 0.0 && relax_ < kWidest) {
+      // First with the tolerance as it is: the package may have given up at a longer step.
+      if (attempt > 0) relax_ *= 10.0;
+      h = std::min(control_.minimum, t_stop - t_);
+    } else {
+      give_up(result, h);
+    }
     at_minimum = relax_ > 1.0;
     std::copy(state_.begin(), state_.end(), N_VGetArrayPointer(vector_.get()));
     begin_afresh(h);
@@ -177,6 +194,7 @@ int SundialsStepper::report(Outcome outcome) noexcept {
 
 int SundialsStepper::full_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept {
   auto& me = stepper(self);
+  if (me.trouble_ == Outcome::Fail) return -1;  // CVODE's fixed-point iteration would try again
   return me.report(me.evaluate_(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dydt)));
 }
 

@@ -51,7 +51,7 @@ using SunNonlinearSolver = Owned<SUNNonlinearSolver, NonlinearSolverDeleter>;
 ///
 /// Minimum step: the packages stop when a step of the minimum size fails. It is then repeated from
 /// the last state with a tolerance ten times wider, and wider again, until it passes: accepted
-/// whatever its error, and counted.
+/// whatever its error, and counted. CVODE then begins again at order 1, so such steps are poor.
 class SundialsStepper : public Stepper {
  public:
   SundialsStepper(std::string name, int order) : name_(std::move(name)), order_(order) {}

@@ -1,8 +1,36 @@
 #include "integrators/tableau.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace adore::integrators {
+
+std::array<double, kMaxStages> quadrature_error_weights(const Tableau& tableau) {
+  std::array<double, kMaxStages> weights{};
+  // What the pair's own estimate sees of f(t): its weights gathered by node.
+  bool blind = true;
+  for (int i = 0; i < tableau.stages; ++i) {
+    double at_node = 0.0;
+    for (int j = 0; j < tableau.stages; ++j) {
+      if (tableau.c[j] == tableau.c[i]) at_node += tableau.b[j] - tableau.b_high[j];
+    }
+    blind = blind && std::abs(at_node) < 1e-12;
+  }
+  if (!blind) return weights;
+  // Divided difference over the nodes of b, scaled so that b - weights does not use the node at the
+  // end.
+  double scale = 0.0;
+  for (int i = 0; i < tableau.stages; ++i) {
+    if (tableau.b[i] == 0.0) continue;
+    weights[i] = 1.0;
+    for (int j = 0; j < tableau.stages; ++j) {
+      if (j != i && tableau.b[j] != 0.0) weights[i] /= tableau.c[i] - tableau.c[j];
+    }
+    if (tableau.c[i] == 1.0) scale = tableau.b[i] / weights[i];
+  }
+  for (double& w : weights) w *= scale;
+  return weights;
+}
 
 void Stages::resize(const Tableau& tableau, int width) {
   tableau_ = &tableau;
@@ -14,6 +42,9 @@ void Stages::resize(const Tableau& tableau, int width) {
   for (int s = 0; s < tableau.stages; ++s) {
     error_weights_[s] = tableau.b[s] - tableau.b_high[s];
   }
+  quadrature_weights_ = quadrature_error_weights(tableau);
+  sees_quadratures_ = std::all_of(quadrature_weights_.begin(), quadrature_weights_.end(),
+                                  [](double w) { return w == 0.0; });
 }
 
 Outcome Stages::run(Evaluator& evaluate, double t, double h, const double* y, const double* f,
@@ -29,7 +60,36 @@ Outcome Stages::run(Evaluator& evaluate, double t, double h, const double* y, co
     combine(y_new, y, h, tableau_->b.data(), k_.data(), tableau_->stages, width_);
   }
   combine(error, nullptr, h, error_weights_.data(), k_.data(), tableau_->stages, width_);
+  if (!sees_quadratures_) add_second_opinion(h, error);
   return Outcome::Ok;
+}
+
+// The second opinion is of lower order than the pair, so it speaks only for components where the
+// pair is blind: its estimate is nothing but rounding (pure quadrature), or the derivative is not
+// smooth over the nodes, so that their divided difference is of the size of its terms (the onset of
+// a contact).
+void Stages::add_second_opinion(double h, double* error) noexcept {
+  constexpr double kRounding = 1e-8;
+  constexpr double kRough = 0.05;
+  for (int i = 0; i < width_; i += kBlock) {
+    double sum[kBlock] = {};
+    double terms[kBlock] = {};
+    for (int s = 1; s < tableau_->stages; ++s) {
+      const double weight = quadrature_weights_[s];
+      if (weight == 0.0) continue;
+      for (int k = 0; k < kBlock; ++k) {
+        const double term = weight * (k_[s][i + k] - k_[0][i + k]);
+        sum[k] += term;
+        terms[k] += std::abs(term);
+      }
+    }
+    for (int k = 0; k < kBlock; ++k) {
+      const double opinion = h * std::abs(sum[k]);
+      const double pair = std::abs(error[i + k]);
+      const bool blind = pair < kRounding * opinion || std::abs(sum[k]) > kRough * terms[k];
+      if (opinion > pair && blind) error[i + k] = opinion;
+    }
+  }
 }
 
 const double* Stages::end_derivative() const noexcept {

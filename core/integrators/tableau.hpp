@@ -28,21 +28,32 @@ struct Tableau {
 /// @throws std::invalid_argument for any other order.
 [[nodiscard]] const Tableau& fehlberg(int order);
 
+/// Fehlberg's pairs of order 5 to 7 form their error from stages at the two ends of the step, as a
+/// difference that vanishes where f depends on t alone: prescribed motion, or a body in free flight
+/// that meets a contact late in the step. For such a pair this gives the weights q of a second
+/// opinion h Σ q_i k_i: the distance from the rule b to the interpolating rule that leaves out the
+/// end of the step. All zero for pairs that see quadratures.
+[[nodiscard]] std::array<double, kMaxStages> quadrature_error_weights(const Tableau& tableau);
+
 /// Stages of one trial step, with their memory.
 class Stages {
  public:
   void resize(const Tableau& tableau, int width);
   /// Evaluates all stages from (t, y, f = derivative there), then `y_new` and the local error
-  /// estimate `error` = h sum (b - b_high)_i k_i. All arrays have the width given to resize().
+  /// estimate `error` = h Σ (b - b_high)_i k_i. All arrays have the width given to resize().
   [[nodiscard]] Outcome run(Evaluator& evaluate, double t, double h, const double* y,
                             const double* f, double* y_new, double* error);
   /// Derivative at the end of the step when the tableau has it, else null.
   [[nodiscard]] const double* end_derivative() const noexcept;
 
  private:
+  void add_second_opinion(double h, double* error) noexcept;
+
   const Tableau* tableau_ = nullptr;
   int width_ = 0;
   std::array<double, kMaxStages> error_weights_{};
+  std::array<double, kMaxStages> quadrature_weights_{};
+  bool sees_quadratures_ = true;
   std::vector<double> memory_;
   std::array<const double*, kMaxStages> k_{};
 };

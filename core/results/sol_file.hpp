@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
-/// Readers of the classic result files SOL1-SOL8 (formats: columns, never blanks; N51-N53, N59-N61, N65, N103). They also
-/// read files cut off anywhere: complete steps are returned and `note` says what is missing.
+/// Readers of the classic result files SOL1-SOL8 (formats: columns, never blanks; N51-N53, N59-N61,
+/// N65, N103). They also read files cut off anywhere: complete steps are returned and `note` says
+/// what is missing.
 namespace adore::results {
 
 enum class SolKind : unsigned char { Element, Cage, Race, Power, Animation };
@@ -14,22 +15,23 @@ enum class SolKind : unsigned char { Element, Cage, Race, Power, Animation };
 /// Header of SOL1-SOL7 (outputs.md 5.1).
 struct SolHeader {
   std::string version, run_id, title;
-  int value_count = 0;     ///< values per step
-  int elements = 0;        ///< rolling elements
-  int per_segment = 0;     ///< pockets per cage segment
+  int value_count = 0;  ///< values per step
+  int elements = 0;     ///< rolling elements
+  int per_segment = 0;  ///< pockets per cage segment
   int segments = 0;
-  int index = 0;           ///< element number: 1..n, cages, outer, inner; 0 = SOL7
+  int index = 0;  ///< element number: 1..n, cages, outer, inner; 0 = SOL7
   bool outer_flange = false, inner_flange = false;
   int bearing_type = 1, pocket_type = 0, pocket_surfaces = 1;
-  std::array<std::string, 10> units;  ///< slots of outputs.md §2, blanks trimmed by the stored length
+  std::array<std::string, 10>
+      units;  ///< slots of outputs.md §2, blanks trimmed by the stored length
 };
 
 struct SolStep {
   long step = 0;
-  double revolutions = 0.0;          ///< bearing rotation [rev]
-  double element_revolutions = 0.0;  ///< [rev]
+  double revolutions = 0.0;            ///< bearing rotation [rev]
+  double element_revolutions = 0.0;    ///< [rev]
   double step_size = 0.0, time = 0.0;  ///< [s]
-  std::vector<double> values;        ///< in the file's units; NaN where the file shows stars
+  std::vector<double> values;          ///< in the file's units; NaN where the file shows stars
 };
 
 /// Which steps to keep: positions in the file, counted from 1.
@@ -52,15 +54,17 @@ SolFile read_sol(const std::filesystem::path& path, const SolRange& range = {});
 
 /// Geometry line of SOL8, in file units (outputs.md 7.1).
 struct Sol8Geometry {
-  double cage_outer_radius = 0, cage_inner_radius = 0, cage_outer_clearance = 0, cage_inner_clearance = 0;
+  double cage_outer_radius = 0, cage_inner_radius = 0, cage_outer_clearance = 0,
+         cage_inner_clearance = 0;
   double pocket_clearance_1 = 0, pocket_clearance_2 = 0, element_radius = 0, pitch_diameter = 0;
-  double outer_race_outer_radius = 0, outer_race_inner_radius = 0, inner_race_outer_radius = 0, inner_race_inner_radius = 0;
+  double outer_race_outer_radius = 0, outer_race_inner_radius = 0, inner_race_outer_radius = 0,
+         inner_race_inner_radius = 0;
 };
 
 struct Sol8Element {
-  double x = 0, r = 0, theta = 0;       ///< mass centre, theta [rad]
-  std::array<double, 3> angles{};       ///< η, ξ, λ [rad]
-  std::array<double, 3> pocket_vector{};  ///< pocket centre -> element centre
+  double x = 0, r = 0, theta = 0;             ///< mass centre, theta [rad]
+  std::array<double, 3> angles{};             ///< η, ξ, λ [rad]
+  std::array<double, 3> pocket_vector{};      ///< pocket centre -> element centre
   double pocket_force = 0, pocket_angle = 0;  ///< [rad]
 };
 

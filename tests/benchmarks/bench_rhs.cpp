@@ -1,8 +1,9 @@
-#include <benchmark/benchmark.h>
-
 #include "../core/dynamics/system_fixture.hpp"
 
-/// The right-hand side of an 18-ball bearing with cage, two guide lands and two-slope traction, and its parts.
+#include <benchmark/benchmark.h>
+
+/// The right-hand side of an 18-ball bearing with cage, two guide lands and two-slope traction, and
+/// its parts.
 namespace {
 
 using namespace adore;
@@ -26,13 +27,20 @@ void run_rhs(benchmark::State& state, const ScenePlan& plan, bool in_contact) {
 }
 
 void full(benchmark::State& state) { run_rhs(state, fixture::full_plan(), false); }
-void full_all_pockets_in_contact(benchmark::State& state) { run_rhs(state, fixture::full_plan(), true); }
+void full_all_pockets_in_contact(benchmark::State& state) {
+  run_rhs(state, fixture::full_plan(), true);
+}
 void races_with_traction(benchmark::State& state) {
   run_rhs(state, fixture::plan_with({RaceContact, RaceTraction}), false);
 }
-void races_without_traction(benchmark::State& state) { run_rhs(state, fixture::plan_with({RaceContact}), false); }
+void races_without_traction(benchmark::State& state) {
+  run_rhs(state, fixture::plan_with({RaceContact}), false);
+}
 void cage_only(benchmark::State& state) {
-  run_rhs(state, fixture::plan_with({CageMotion, PocketContact, PocketTraction, LandContact, LandTraction}), false);
+  run_rhs(
+      state,
+      fixture::plan_with({CageMotion, PocketContact, PocketTraction, LandContact, LandTraction}),
+      false);
 }
 
 BENCHMARK(full)->Unit(benchmark::kMicrosecond);

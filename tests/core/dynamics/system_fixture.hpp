@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/rotation.hpp"
+#include "contact/cage_inertia.hpp"
 #include "contact/groove.hpp"
 #include "dynamics/system.hpp"
 #include "integrators/stepper.hpp"
@@ -13,7 +14,8 @@
 #include <string>
 #include <vector>
 
-/// An angular-contact ball bearing with an outer-guided cage, its plan and a run, for tests and benchmarks.
+/// An angular-contact ball bearing with an outer-guided cage, its plan and a run, for tests and
+/// benchmarks.
 namespace adore::fixture {
 
 inline bearing::Material steel() {
@@ -32,24 +34,13 @@ inline bearing::Inertia ball_inertia(double diameter, double density) {
   return result;
 }
 
-/// Ring with the mass of a cage; its inertia is that of a thin-walled tube.
-inline bearing::Inertia ring_inertia(const bearing::Cage& cage, double density) {
-  const double ro = 0.5 * cage.outer_diameter, ri = 0.5 * cage.inner_diameter;
-  bearing::Inertia result;
-  result.mass = 0.5 * density * std::numbers::pi * (ro * ro - ri * ri) * cage.width;
-  const double polar = 0.5 * result.mass * (ro * ro + ri * ri);
-  const double transverse = 0.5 * polar + result.mass * cage.width * cage.width / 12.0;
-  result.moments = {polar, transverse, transverse};
-  return result;
-}
-
 /// D 12.7 mm, d_m 95 mm, 25 degrees, 10000 rpm, 1500 N thrust and 500 N radial load.
-inline bearing::Bearing angular_contact(int balls = 18) {
+inline bearing::Bearing angular_contact(int balls = 18, double pitch_diameter = 0.095) {
   bearing::Bearing b;
   b.run_id = "test";
   b.balls.count = balls;
   b.balls.diameter = 0.0127;
-  b.balls.pitch_diameter = 0.095;
+  b.balls.pitch_diameter = pitch_diameter;
   b.balls.contact_angle = 25.0 * std::numbers::pi / 180.0;
   b.balls.groove_factor = {0.523, 0.52};
   b.balls.clearance = 2.0 * 0.0127 * 0.043 * (1.0 - std::cos(b.balls.contact_angle));
@@ -67,14 +58,16 @@ inline bearing::Bearing angular_contact(int balls = 18) {
   b.land_traction = bearing::TractionCurve{Form::Exponential, -0.06, 0.0, 1.0, 0.06, 0.0};
 
   bearing::Cage cage;
-  cage.outer_diameter = 0.1;
-  cage.inner_diameter = 0.091;
+  cage.outer_diameter = pitch_diameter + 0.005;
+  cage.inner_diameter = pitch_diameter - 0.004;
   cage.width = 0.02;
   cage.pocket_clearance_1 = cage.pocket_clearance_2 = 3e-4;
   using Guide = bearing::GuideLand::Guide;
-  cage.lands = {{Guide::Outer, 0.1, 0.003, 0.01, 4e-4}, {Guide::Outer, 0.1, 0.003, -0.01, 4e-4}};
+  cage.lands = {{Guide::Outer, cage.outer_diameter, 0.003, 0.01, 4e-4},
+                {Guide::Outer, cage.outer_diameter, 0.003, -0.01, 4e-4}};
   cage.material = steel();
-  cage.inertia = ring_inertia(cage, 7800.0);
+  cage.inertia =
+      contact::cage_inertia(cage, balls, b.balls.diameter, b.balls.pitch_diameter, 7800.0);
   b.cage = cage;
   return b;
 }
@@ -87,8 +80,8 @@ inline dynamics::ScenePlan plan_with(std::initializer_list<dynamics::Effect> eff
 
 inline dynamics::ScenePlan full_plan() {
   using enum dynamics::Effect;
-  return plan_with({RaceContact, RaceTraction, PocketContact, PocketTraction, LandContact, LandTraction,
-                    Gravity, CageMotion, WearIntegrals});
+  return plan_with({RaceContact, RaceTraction, PocketContact, PocketTraction, LandContact,
+                    LandTraction, Gravity, CageMotion, WearIntegrals});
 }
 
 inline statics::StaticSolution statics_of(const bearing::Bearing& b, double fixed_angle,
@@ -122,10 +115,12 @@ class Adapter final : public integrators::OdeSystem {
   std::span<const double> scales() const noexcept override { return system_.layout().scales(); }
   integrators::EvalStatus rhs(double t, const double* y, double* dydt) noexcept override {
     return system_.rhs(t, y, dydt) == dynamics::RhsStatus::Ok ? integrators::EvalStatus::Ok
-                                                               : integrators::EvalStatus::Retry;
+                                                              : integrators::EvalStatus::Retry;
   }
   bool project(double t, double* y) noexcept override { return system_.project(t, y); }
-  std::string component_name(int index) const override { return system_.layout().component_name(index); }
+  std::string component_name(int index) const override {
+    return system_.layout().component_name(index);
+  }
 
  private:
   dynamics::System& system_;

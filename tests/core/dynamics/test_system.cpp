@@ -53,7 +53,8 @@ MomentumRates momentum_rates(System& system, const std::vector<double>& y) {
   MomentumRates rates;
   for (std::size_t i = 0; i < static_cast<std::size_t>(b.balls.count); ++i) {
     const double theta = at(y, "theta", i), td = at(y, "theta_dot", i), r = at(y, "r", i);
-    const Vec3 e_r = radial_direction(theta), e_t = circumferential_direction(theta), e_x = Vec3::UnitX();
+    const Vec3 e_r = radial_direction(theta), e_t = circumferential_direction(theta),
+               e_x = Vec3::UnitX();
     const Vec3 centre = at(y, "x", i) * e_x + r * e_r;
     const Vec3 a = at(d, "x_dot", i) * e_x + (at(d, "r_dot", i) - r * td * td) * e_r +
                    (r * at(d, "theta_dot", i) + 2.0 * at(y, "r_dot", i) * td) * e_t;
@@ -107,9 +108,11 @@ std::vector<double> rough_state(System& system) {
   for (std::size_t i = 0; i < n; ++i) {
     const double sign = i % 2 == 0 ? 1.0 : -1.0;
     y[first_of(system, "element.theta") + i] += sign * 1.54e-4 / 0.0475;  // play is 1.5e-4 m
-    for (const char* name : {"element.theta_dot", "element.omega_x", "element.omega_r", "element.omega_theta"})
+    for (const char* name :
+         {"element.theta_dot", "element.omega_x", "element.omega_r", "element.omega_theta"})
       y[first_of(system, name) + i] += 30.0 * unit(random);
-    for (const char* name : {"element.x_dot", "element.r_dot"}) y[first_of(system, name) + i] += 0.01 * unit(random);
+    for (const char* name : {"element.x_dot", "element.r_dot"})
+      y[first_of(system, name) + i] += 0.01 * unit(random);
   }
   const std::size_t p = first_of(system, "cage.position"), v = first_of(system, "cage.velocity");
   y[p + 1] += 1.5e-4;  // land play is 2e-4 m
@@ -142,7 +145,8 @@ TEST_CASE("state layout: names carry index and unit, quadratures come last", "[u
   CHECK(layout.scales()[static_cast<std::size_t>(w.first)] == 1.0);
 }
 
-TEST_CASE("cost ledger: sampled entries are scaled to all calls, full ones are not", "[unit][dynamics]") {
+TEST_CASE("cost ledger: sampled entries are scaled to all calls, full ones are not",
+          "[unit][dynamics]") {
   CostLedger ledger;
   const int sampled = ledger.add_entry("sampled"), full = ledger.add_entry("full");
   for (int i = 0; i < 10 * CostLedger::kSampleEvery; ++i)
@@ -156,7 +160,8 @@ TEST_CASE("cost ledger: sampled entries are scaled to all calls, full ones are n
   CHECK(rows[1].calls == 1);
 }
 
-TEST_CASE("zero cost: what the plan does not name has no unknown and no row", "[unit][dynamics][zero_cost]") {
+TEST_CASE("zero cost: what the plan does not name has no unknown and no row",
+          "[unit][dynamics][zero_cost]") {
   const bearing::Bearing b = angular_contact(9);
   const auto solution = placed_balls(b);
   using enum Effect;
@@ -187,14 +192,16 @@ TEST_CASE("zero cost: what the plan does not name has no unknown and no row", "[
 
 TEST_CASE("zero cost: with traction off no ball gets a moment", "[physics][dynamics][zero_cost]") {
   const bearing::Bearing b = angular_contact();
-  System system = make_system(b, plan_with({Effect::RaceContact, Effect::PocketContact, Effect::CageMotion}));
+  System system =
+      make_system(b, plan_with({Effect::RaceContact, Effect::PocketContact, Effect::CageMotion}));
   const std::vector<double> y = rough_state(system);
   std::vector<double> d(y.size());
   REQUIRE(system.rhs(0.0, y.data(), d.data()) == RhsStatus::Ok);
   for (std::size_t i = 0; i < 18; ++i) {
     const double td = y[first_of(system, "element.theta_dot") + i];
     CHECK(d[first_of(system, "element.omega_x") + i] == 0.0);
-    CHECK(d[first_of(system, "element.omega_r") + i] == td * y[first_of(system, "element.omega_theta") + i]);
+    CHECK(d[first_of(system, "element.omega_r") + i] ==
+          td * y[first_of(system, "element.omega_theta") + i]);
   }
 }
 
@@ -204,8 +211,11 @@ TEST_CASE("scales follow radius, largest load and the stiffest contact", "[unit]
   System system = make_system(b, full_plan(), solution);
   CHECK(system.scales().length == 0.00635);
   CHECK(system.scales().force == 1500.0);
-  CHECK(system.scales().time == Approx(std::sqrt(b.ball_inertia.mass / solution.max_stiffness)).epsilon(1e-14));
-  const auto scale = [&](const char* name) { return system.layout().scales()[first_of(system, name)]; };
+  CHECK(system.scales().time ==
+        Approx(std::sqrt(b.ball_inertia.mass / solution.max_stiffness)).epsilon(1e-14));
+  const auto scale = [&](const char* name) {
+    return system.layout().scales()[first_of(system, name)];
+  };
   CHECK(scale("element.x_dot") == system.scales().length / system.scales().time);
   CHECK(scale("cage.quaternion") == 1.0);
   CHECK(scale("element.omega_r") == 1.0 / system.scales().time);
@@ -213,13 +223,15 @@ TEST_CASE("scales follow radius, largest load and the stiffest contact", "[unit]
   CHECK(scale("element.theta_dot") == 1.0 / 3.0);
   CHECK(scale("cage.position") == 1.0);
 
-  b.constraints.load.fill(0.0);  // nothing applied, nothing carried: weight of an element, a contact at 1e-3 of it
+  b.constraints.load.fill(
+      0.0);  // nothing applied, nothing carried: weight of an element, a contact at 1e-3 of it
   System idle = make_system(b, full_plan(), placed_balls(b));
   CHECK(idle.scales().force == Approx(b.ball_inertia.mass * 9.81).epsilon(1e-14));
   CHECK(idle.scales().time > 0.0);
 }
 
-TEST_CASE("a free ball under gravity flies a parabola in cylindrical coordinates", "[physics][dynamics][analytic]") {
+TEST_CASE("a free ball under gravity flies a parabola in cylindrical coordinates",
+          "[physics][dynamics][analytic]") {
   bearing::Bearing b = angular_contact(1);
   b.gravity = {0.3, 1.0, -9.81};
   System system = make_system(b, plan_with({Effect::Gravity}), placed_balls(b));
@@ -236,10 +248,12 @@ TEST_CASE("a free ball under gravity flies a parabola in cylindrical coordinates
   const RunResult result = run(system, y, end, 1e-11);
   const Vec3 expected = start + end * velocity + 0.5 * end * end * b.gravity;
   const Vec3 reached = result.y[0] * Vec3::UnitX() + result.y[1] * radial_direction(result.y[2]);
-  CHECK((reached - expected).norm() < 1e-10);  // tolerance 1e-11 of 6 mm per step, some hundred steps
+  CHECK((reached - expected).norm() <
+        1e-10);  // tolerance 1e-11 of 6 mm per step, some hundred steps
   // A free ball keeps its angular velocity in space.
   const auto omega = [](const std::vector<double>& s) {
-    return Vec3(s[6] * Vec3::UnitX() + s[7] * radial_direction(s[2]) + s[8] * circumferential_direction(s[2]));
+    return Vec3(s[6] * Vec3::UnitX() + s[7] * radial_direction(s[2]) +
+                s[8] * circumferential_direction(s[2]));
   };
   CHECK((omega(result.y) - omega(y)).norm() < 1e-6);
   CHECK(std::abs(system.snapshot(end, result.y).energy.residual()) < 1e-12);
@@ -248,10 +262,13 @@ TEST_CASE("a free ball under gravity flies a parabola in cylindrical coordinates
 TEST_CASE("a single ball orbits on the outer race and keeps its energy", "[physics][dynamics]") {
   bearing::Bearing b = angular_contact(1);
   b.cage.reset();
-  System system = make_system(b, plan_with({Effect::RaceContact}), placed_balls(b));
+  const contact::GrooveGeometry groove = contact::groove_geometry(b.balls);
+  statics::StaticSolution solution = placed_balls(b);
+  solution.displacement[0] =
+      groove.centre_x[0] - groove.centre_x[1];  // grooves face each other with play
+  System system = make_system(b, plan_with({Effect::RaceContact}), solution);
   std::vector<double> y = system.initial_state();
   // At the bottom of the outer groove, pressed by its centrifugal force.
-  const contact::GrooveGeometry groove = contact::groove_geometry(b.balls);
   const double speed = 400.0;
   y[0] = groove.centre_x[0];
   y[1] = groove.centre_radius[0] + groove.offset[0];
@@ -260,27 +277,29 @@ TEST_CASE("a single ball orbits on the outer race and keeps its energy", "[physi
   for (int k = 0; k < 20; ++k) {  // Q(δ) = m r ω², by substitution
     const double E_star = bearing::contact_modulus(b.ball_material, b.race_material[0]);
     const double K =
-        contact::hertz_constants(contact::race_curvature(b.balls, 0, b.balls.contact_angle), E_star).K;
+        contact::hertz_constants(contact::race_curvature(b.balls, 0, b.balls.contact_angle), E_star)
+            .K;
     const double Q = m * y[1] * speed * speed;
     y[1] = groove.centre_radius[0] + groove.offset[0] + std::pow(Q / K, 2.0 / 3.0);
   }
-  const RunResult result = run(system, y, 5e-3, 1e-9);
+  const RunResult result = run(system, y, 5e-3, 1e-12);
   CHECK(result.y[1] == Approx(y[1]).margin(1e-11));
   CHECK(result.y[2] == Approx(speed * 5e-3).epsilon(1e-9));
   const Snapshot s = system.snapshot(5e-3, result.y);
-  CHECK(s.elements[0].race[0].load == Approx(m * y[1] * speed * speed).epsilon(1e-6));
+  CHECK(s.elements[0].race[0].load == Approx(m * y[1] * speed * speed).epsilon(1e-5));
   CHECK(s.elements[0].race[1].load == 0.0);
 }
 
-TEST_CASE("without friction and gravity every ball keeps its angular momentum, the bearing its energy",
-          "[physics][dynamics][energy]") {
+TEST_CASE(
+    "without friction and gravity every ball keeps its angular momentum, the bearing its energy",
+    "[physics][dynamics][energy]") {
   bearing::Bearing b = angular_contact(6);
   b.constraints.load = {1500.0, 0.0, 0.0, 0.0, 0.0};
   System system = make_system(b, plan_with({Effect::RaceContact}));
   std::vector<double> y = system.initial_state();
   for (std::size_t i = 0; i < 6; ++i) {
-    y[18 + i] += 0.02 * static_cast<double>(i);   // axial
-    y[24 + i] -= 0.01 * static_cast<double>(i);   // radial
+    y[18 + i] += 0.02 * static_cast<double>(i);  // axial
+    y[24 + i] -= 0.01 * static_cast<double>(i);  // radial
   }
   system.set_start(0.0, y);
   const RunResult result = run(system, y, 2e-3, 1e-10);
@@ -298,12 +317,14 @@ TEST_CASE("action equals reaction over races, pockets and lands", "[physics][dyn
   b.cage->lands[1].guide = bearing::GuideLand::Guide::Inner;
   b.cage->lands[1].diameter = 0.091;
   using enum Effect;
-  System system = make_system(b, plan_with({RaceContact, RaceTraction, PocketContact, PocketTraction, LandContact,
-                                            LandTraction, CageMotion}));
+  System system =
+      make_system(b, plan_with({RaceContact, RaceTraction, PocketContact, PocketTraction,
+                                LandContact, LandTraction, CageMotion}));
   const std::vector<double> y = rough_state(system);
   const Snapshot s = system.snapshot(0.0, y);
-  const auto loaded = std::count_if(s.elements.begin(), s.elements.end(),
-                                    [](const ElementSnapshot& e) { return e.pocket.at(0).force > 0.0; });
+  const auto loaded =
+      std::count_if(s.elements.begin(), s.elements.end(),
+                    [](const ElementSnapshot& e) { return e.pocket.at(0).force > 0.0; });
   REQUIRE(loaded >= 6);
   REQUIRE(s.cages.at(0).lands.at(0).force > 0.0);
   REQUIRE(s.cages.at(0).lands.at(1).force > 0.0);
@@ -313,11 +334,13 @@ TEST_CASE("action equals reaction over races, pockets and lands", "[physics][dyn
   CHECK(sum.angular.norm() < 1e-13 * sum.size);
 }
 
-TEST_CASE("a resting cage hangs in gravity with the weight of everything on the races", "[physics][dynamics]") {
+TEST_CASE("a resting cage hangs in gravity with the weight of everything on the races",
+          "[physics][dynamics]") {
   bearing::Bearing b = angular_contact();
   b.gravity = {0.0, 0.0, -9.81};
-  System system = make_system(b, plan_with({Effect::RaceContact, Effect::PocketContact, Effect::LandContact,
-                                            Effect::CageMotion, Effect::Gravity}));
+  System system =
+      make_system(b, plan_with({Effect::RaceContact, Effect::PocketContact, Effect::LandContact,
+                                Effect::CageMotion, Effect::Gravity}));
   const std::vector<double> y = rough_state(system);
   const MomentumRates sum = with_reactions(system, y);
   const Vec3 weight = (18 * b.ball_inertia.mass + b.cage->inertia.mass) * b.gravity;
@@ -335,9 +358,10 @@ TEST_CASE("the start state from statics is close to equilibrium", "[physics][dyn
     const double per_mass = s.elements[i].race[0].load / b.ball_inertia.mass;
     CHECK(s.elements[i].race[0].load == Approx(solution.balls[i].Q[0]).epsilon(1e-9));
     CHECK(s.elements[i].race[1].load == Approx(solution.balls[i].Q[1]).epsilon(1e-9));
-    // Statics solves to 1e-9 or better of its load scale.
+    // Statics solves to 1e-9 of its load scale, but takes the centrifugal force at the pitch radius
+    // (r is some 30 µm more) and at the speed of classical rolling: a few 1e-4 of it.
     CHECK(std::abs(s.elements[i].ax) < 1e-7 * per_mass);
-    CHECK(std::abs(s.elements[i].ar) < 1e-7 * per_mass);
+    CHECK(std::abs(s.elements[i].ar) < 1e-3 * per_mass);
   }
   CHECK(s.races[1].applied_force[0] == Approx(1500.0).epsilon(1e-7));
   CHECK(s.races[1].applied_force[2] == Approx(500.0).epsilon(1e-7));
@@ -351,14 +375,16 @@ TEST_CASE("the start state holds with misaligned races", "[physics][dynamics]") 
   System system = make_system(b, plan_with({Effect::RaceContact}), solution);
   const Snapshot s = system.snapshot(0.0, system.initial_state());
   for (std::size_t i = 0; i < 18; ++i) {
-    // Out-of-plane parts of the normals (second order in tilt) are left out of the static ball equilibrium only in θ.
+    // Out-of-plane parts of the normals (second order in tilt) are left out of the static ball
+    // equilibrium only in θ.
     CHECK(s.elements[i].race[0].load == Approx(solution.balls[i].Q[0]).epsilon(1e-4));
     CHECK(s.elements[i].race[1].load == Approx(solution.balls[i].Q[1]).epsilon(1e-4));
   }
   CHECK(s.races[1].applied_force[0] == Approx(1500.0).epsilon(1e-4));
 }
 
-TEST_CASE("the cage starts on the locus of element centres with its ratios of speed", "[unit][dynamics]") {
+TEST_CASE("the cage starts on the locus of element centres with its ratios of speed",
+          "[unit][dynamics]") {
   bearing::Bearing b = angular_contact();
   b.cage->start_offset = {1e-5, 3e-5, -8e-5};
   b.cage->start_angles = {0.0, 1e-4, -2e-4};
@@ -417,7 +443,8 @@ TEST_CASE("project: only quaternions change, and only when they are off", "[unit
   CHECK(off == y);
 }
 
-TEST_CASE("unusual bearings: one ball, two hundred balls, no cage, standing still, no load", "[physics][dynamics]") {
+TEST_CASE("unusual bearings: one ball, two hundred balls, no cage, standing still, no load",
+          "[physics][dynamics]") {
   const auto first_rates_are_finite = [](const bearing::Bearing& b, const ScenePlan& plan) {
     System system = make_system(b, plan);
     const std::vector<double> y = system.initial_state();
@@ -431,9 +458,7 @@ TEST_CASE("unusual bearings: one ball, two hundred balls, no cage, standing stil
   b.constraints.load = {100.0, 0.0, 0.0, 0.0, 0.0};
   b.constraints.displacement_given = {false, true, true, true, true};
   CHECK(first_rates_are_finite(b, no_cage));
-  b = angular_contact(200);
-  b.balls.pitch_diameter = 1.0;
-  CHECK(first_rates_are_finite(b, no_cage));
+  CHECK(first_rates_are_finite(angular_contact(200, 1.0), full_plan()));
   b = angular_contact();
   b.speed = {0.0, 0.0};
   CHECK(first_rates_are_finite(b, full_plan()));
@@ -449,8 +474,10 @@ TEST_CASE("plan estimates: the fastest contact and the expected step", "[unit][d
   System system = make_system(b, full_plan(), solution);
   ScenePlan plan = full_plan();
   estimate(plan, b, solution, system);
-  // Between two contacts of nearly opposite normals λ lies between one and two times the stiffest contact.
-  const double one = std::sqrt(solution.max_stiffness / b.ball_inertia.mass) / (2.0 * std::numbers::pi);
+  // Between two contacts of nearly opposite normals λ lies between one and two times the stiffest
+  // contact.
+  const double one =
+      std::sqrt(solution.max_stiffness / b.ball_inertia.mass) / (2.0 * std::numbers::pi);
   CHECK(plan.fastest_frequency > one);
   CHECK(plan.fastest_frequency < 1.5 * one);
   CHECK(plan.fastest_contact.find("race") != std::string::npos);

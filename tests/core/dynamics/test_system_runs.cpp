@@ -1,32 +1,12 @@
 #include "core/dynamics/system_fixture.hpp"
 
+#include "core/dynamics/allocation_counter.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 #include <numbers>
-
-namespace {
-std::atomic<long> allocations{0};
-}
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
-  const auto a = static_cast<std::size_t>(alignment);
-  if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
 
 using namespace adore;
 using namespace adore::dynamics;
@@ -34,47 +14,89 @@ using namespace adore::fixture;
 
 namespace {
 
-/// The full model, with the cage thrown against its lands so that everything collides within a millisecond.
+/// The full model, with the cage thrown against its lands so that everything collides within a
+/// millisecond.
 bearing::Bearing rattling_bearing() {
   bearing::Bearing b = angular_contact();
   b.gravity = {0.0, 0.0, -9.81};
-  b.cage->start_offset = {0.0, 1.2e-4, -1.5e-4};  // land play is 2e-4 m
+  b.cage->start_offset = {0.0, 1.3e-4, -1.55e-4};  // beyond the land play of 2e-4 m
   b.cage->start_angles = {0.0, 1e-3, 0.0};
-  b.cage->speed_ratio = 0.9;
+  b.cage->speed_ratio = 0.98;
   b.cage->whirl_ratio = 1.5;
   return b;
 }
 
+struct ResidualResult {
+  double largest =
+      0.0;  ///< of ten instants, over the stored energy: the sign of one instant is chance
+  EnergySnapshot last;
+};
+ResidualResult largest_residual(System& system, double end, double tolerance, const char* method) {
+  Adapter adapter(system);
+  const std::vector<double> y0 = system.initial_state();
+  system.set_start(0.0, y0);
+  const auto stepper = integrators::make_stepper(method);
+  integrators::StepControl control;
+  control.maximum = end;
+  control.minimum = 1e-13;
+  control.tolerance = tolerance;
+  stepper->start(adapter, 0.0, y0, control);
+  ResidualResult result;
+  for (int k = 1; k <= 10; ++k) {
+    while (stepper->time() < 0.1 * k * end) stepper->step(0.1 * k * end);
+    result.last = system.snapshot(stepper->time(), stepper->state()).energy;
+    result.largest =
+        std::max(result.largest, std::abs(result.last.residual()) / result.last.stored_at_start);
+  }
+  return result;
+}
+
 }  // namespace
 
-TEST_CASE("the energy residual of a full bearing shrinks with the tolerance over four decades",
-          "[physics][dynamics][energy][slow]") {
+TEST_CASE(
+    "the energy residual of a full bearing with impacts shrinks with the tolerance over four "
+    "decades",
+    "[physics][dynamics][energy][slow]") {
   const bearing::Bearing b = rattling_bearing();
   ScenePlan plan = full_plan();
   plan.effects.push_back({Effect::ElementOrientation, "", true, "test"});
   plan.oriented_elements = {0};
   System system = make_system(b, plan);
-  const double end = 3e-3;  // half a revolution of the shaft
+  const double end = 2e-3;  // a third of a revolution of the shaft
   double previous = 0.0, first = 0.0;
-  for (const double tolerance : {1e-5, 1e-6, 1e-7, 1e-8, 1e-9}) {
-    const RunResult result = run(system, system.initial_state(), end, tolerance);
-    const EnergySnapshot energy = system.snapshot(end, result.y).energy;
+  for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11}) {
+    // Order 4: the Fehlberg pairs of higher order see little error at an impact that begins inside
+    // a step.
+    const auto [residual, energy] = largest_residual(system, end, tolerance, "rkf4");
     // Every mechanism must have turned over energy, or this test shows nothing.
-    CHECK(energy.heat_pockets > 1e-4);
+    CHECK(energy.heat_pockets > 1e-2);
     CHECK(energy.heat_lands > 1e-4);
     CHECK(energy.heat_race[0] > 1e-2);
     CHECK(energy.heat_race[1] > 1e-2);
-    const double scale = energy.heat_race[0] + energy.heat_race[1] + energy.heat_pockets + energy.heat_lands;
-    const double residual = std::abs(energy.residual()) / scale;
-    UNSCOPED_INFO("tolerance " << tolerance << ": residual/heat " << residual << ", steps "
-                               << result.counters.steps << ", heat " << scale);
-    // Per decade of tolerance an order-5 pair gains about a decade; contact switching costs some of it.
+    UNSCOPED_INFO("tolerance " << tolerance << ": residual / stored energy " << residual);
     if (previous > 0.0) CHECK(residual < 0.5 * previous);
     if (first == 0.0) first = residual;
     previous = residual;
   }
   CHECK(previous < 1e-3 * first);
-  CHECK(previous < 1e-7);
+  CHECK(previous < 1e-6);
+}
+
+TEST_CASE("without impacts the energy residual follows the order-5 stepper",
+          "[physics][dynamics][energy]") {
+  bearing::Bearing b = angular_contact();
+  b.gravity = {0.0, 0.0, -9.81};
+  b.cage.reset();
+  using enum Effect;
+  System system = make_system(b, plan_with({RaceContact, RaceTraction, Gravity, WearIntegrals}));
+  double previous = 1.0;
+  for (const double tolerance : {1e-4, 1e-5, 1e-6}) {
+    const double residual = largest_residual(system, 1e-3, tolerance, "rkf5").largest;
+    UNSCOPED_INFO("tolerance " << tolerance << ": residual / stored energy " << residual);
+    CHECK(residual < 0.2 * previous);
+    previous = residual;
+  }
+  CHECK(previous < 1e-9);
 }
 
 TEST_CASE("the same start gives the same bits", "[unit][dynamics]") {
@@ -87,7 +109,8 @@ TEST_CASE("the same start gives the same bits", "[unit][dynamics]") {
   CHECK(first.y == again.y);
 }
 
-TEST_CASE("turning load and cage by one pitch shifts the indices by one", "[physics][dynamics][symmetry]") {
+TEST_CASE("turning load and cage by one pitch shifts the indices by one",
+          "[physics][dynamics][symmetry]") {
   constexpr int n = 18;
   const double pitch = 2.0 * std::numbers::pi / n;
   bearing::Bearing b = angular_contact(n);
@@ -95,36 +118,30 @@ TEST_CASE("turning load and cage by one pitch shifts the indices by one", "[phys
   b.gravity = {0.1, -2.0, -9.0};
   bearing::Bearing turned = b;
   const auto turn = [pitch](const Vec3& v) {
-    return Vec3(v[0], std::cos(pitch) * v[1] - std::sin(pitch) * v[2], std::sin(pitch) * v[1] + std::cos(pitch) * v[2]);
+    return Vec3(v[0], std::cos(pitch) * v[1] - std::sin(pitch) * v[2],
+                std::sin(pitch) * v[1] + std::cos(pitch) * v[2]);
   };
   const Vec3 load = turn({1500.0, 0.0, 500.0});
   turned.constraints.load = {load[0], load[1], load[2], 0.0, 0.0};
   turned.cage->start_offset = turn(b.cage->start_offset);
-  turned.cage->start_angles[0] = pitch;
   turned.gravity = turn(b.gravity);
-  // Ball 1 of the turned bearing starts one pitch on, and so does pocket 1.
+  // The cage has a pocket at every ball before and after the turn, so it starts level in both.
   System one = make_system(b, full_plan());
   System two = make_system(turned, full_plan());
   const double end = 2e-4;
-  std::vector<double> start = two.initial_state();
-  // The cage turned by a pitch has pocket 1 where ball 2 is: give the balls their old pockets back.
-  const Quat level = quaternion_from_angles({0.0, 0.0, 0.0});
-  for (const auto& group : two.layout().groups())
-    if (group.name == "cage.quaternion")
-      for (std::size_t k = 0; k < 4; ++k) start[static_cast<std::size_t>(group.slice.first) + k] = level[k];
   const RunResult first = run(one, one.initial_state(), end, 1e-9);
-  const RunResult second = run(two, start, end, 1e-9);
+  const RunResult second = run(two, two.initial_state(), end, 1e-9);
   const Snapshot s1 = one.snapshot(end, first.y), s2 = two.snapshot(end, second.y);
   for (std::size_t i = 0; i < n; ++i) {
     const ElementSnapshot &p = s1.elements[i], &q = s2.elements[(i + 1) % n];
-    // Static solutions agree to their solver's residual (1e-9), trajectories to the tolerance.
-    CHECK(q.race[1].load == Approx(p.race[1].load).epsilon(1e-5));
+    // Positions agree to a few tolerances (6e-12 m each); 1e-11 m are 1e-5 of a load.
+    CHECK(q.race[1].load == Approx(p.race[1].load).epsilon(1e-4));
     CHECK(std::abs(q.x - p.x) < 1e-10);
     CHECK(std::abs(q.r - p.r) < 1e-10);
-    CHECK(std::abs(q.pocket[0].gap - p.pocket[0].gap) < 1e-9);
+    CHECK(std::abs(q.pocket[0].gap - p.pocket[0].gap) < 1e-8);
     CHECK((q.omega - p.omega).norm() < 1e-6 * p.omega.norm());
   }
-  CHECK((s2.cages[0].position - turn(s1.cages[0].position)).norm() < 1e-9);
+  CHECK((s2.cages[0].position - turn(s1.cages[0].position)).norm() < 1e-8);
 }
 
 TEST_CASE("a right-hand side allocates nothing", "[unit][dynamics][alloc]") {
@@ -135,10 +152,10 @@ TEST_CASE("a right-hand side allocates nothing", "[unit][dynamics][alloc]") {
   System system = make_system(b, plan);
   std::vector<double> y = run(system, system.initial_state(), 2e-4, 1e-6).y;
   std::vector<double> d(y.size());
-  const long before = allocations;
+  const long before = test::allocation_count();
   for (int i = 0; i < 3 * CostLedger::kSampleEvery; ++i) system.rhs(0.0, y.data(), d.data());
   system.project(0.0, y.data());
-  CHECK(allocations == before);
+  CHECK(test::allocation_count() == before);
 }
 
 TEST_CASE("the cost ledger adds up to the time of the right-hand sides", "[unit][dynamics]") {
@@ -146,18 +163,29 @@ TEST_CASE("the cost ledger adds up to the time of the right-hand sides", "[unit]
   System system = make_system(b, full_plan());
   const std::vector<double> y = system.initial_state();
   std::vector<double> d(y.size());
-  constexpr int calls = 40000;
-  const auto start = CostLedger::Clock::now();
-  for (int i = 0; i < calls; ++i) system.rhs(0.0, y.data(), d.data());
-  const double measured = std::chrono::duration<double>(CostLedger::Clock::now() - start).count();
-  double sum = 0.0;
-  for (const CostLedger::Row& row : system.cost().rows()) sum += row.seconds;
-  // One call in 64 is measured; other work on the machine may hit either side, hence not the 2 % of a quiet one.
-  CHECK(sum == Approx(measured).epsilon(0.25));
-  CHECK(system.cost().calls() == calls);
+  const auto ledger_sum = [&] {
+    double sum = 0.0;
+    for (const CostLedger::Row& row : system.cost().rows()) sum += row.seconds;
+    return sum;
+  };
+  // Short batches, because a pause of this process falls between two samples or into one: some
+  // batch is undisturbed.
+  constexpr int batches = 200, calls = 4 * CostLedger::kSampleEvery;
+  double best = 1.0, last = 0.0;
+  for (int batch = 0; batch < batches; ++batch) {
+    const auto start = CostLedger::Clock::now();
+    for (int i = 0; i < calls; ++i) system.rhs(0.0, y.data(), d.data());
+    const double measured = std::chrono::duration<double>(CostLedger::Clock::now() - start).count();
+    const double sum = ledger_sum();
+    best = std::min(best, std::abs((sum - last) / measured - 1.0));
+    last = sum;
+  }
+  CHECK(best < 0.02);
+  CHECK(system.cost().calls() == batches * calls);
 }
 
-TEST_CASE("the run's ellipse rule is measured against the converged integrals", "[physics][dynamics]") {
+TEST_CASE("the run's ellipse rule is measured against the converged integrals",
+          "[physics][dynamics]") {
   const bearing::Bearing b = angular_contact();
   SystemOptions coarse, fine;
   coarse.ellipse_major = 6, coarse.ellipse_minor = 2;

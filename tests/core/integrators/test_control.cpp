@@ -10,13 +10,18 @@ namespace {
 std::atomic<long> allocations{0};
 }
 
-void* operator new(std::size_t size) {
+// Out of line: the compiler would otherwise see free() meet operator new and warn.
+__attribute__((noinline)) void* operator new(std::size_t size) {
   ++allocations;
   if (void* p = std::malloc(size ? size : 1)) return p;
   throw std::bad_alloc();
 }
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+__attribute__((noinline)) void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  ++allocations;
+  return std::malloc(size ? size : 1);
+}
+__attribute__((noinline)) void operator delete(void* p) noexcept { std::free(p); }
+__attribute__((noinline)) void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
 using namespace adore::integrators;
 using namespace adore::test;
@@ -111,14 +116,48 @@ TEST_CASE("A narrow pulse and a fast prescribed motion are not stepped over",
     // Some 1400 steps of 1e-5 at most; the low orders use up more of that than the others.
     CHECK(std::abs(stepper->state()[0] - exact) < (stepper->order() == 1 ? 1.4e-2 : 2e-3));
   }
-  // Without the guard the pair 7(8) believes any step: this is what the guard is for.
-  problem.guard = nullptr;
+  // Without the guard no estimate knows of a pulse between its nodes: what the guard is for.
+  Problem pulse(1, 1, [&](double t, const double*, double* f) {
+    f[0] = t > begin && t < begin + width ? 1.0 / width : 0.0;
+    return EvalStatus::Ok;
+  });
   const auto blind = make_stepper("rkf7");
-  blind->start(problem, 0.0, y0, {.maximum = 1.0, .tolerance = 1e-5});
-  double worst = 0.0;
-  while (blind->time() < 8.0) worst = std::max(worst, blind->step(8.0).error);
-  CHECK(worst < 1e-6);
-  CHECK(std::abs(blind->state()[0] - exact) > 0.1);
+  blind->start(pulse, 0.0, y0, {.maximum = 1.0, .tolerance = 1e-5});
+  run_to(*blind, 8.0);
+  CHECK(blind->state()[0] == 0.0);
+}
+
+TEST_CASE("The pairs that are blind to quadratures notice a contact late in the step",
+          "[physics][integrators]") {
+  // Free flight, then a stiff wall: only stages at the end of the step touch it, and the classical
+  // estimate is exactly 0.
+  Problem problem = bouncing_mass();
+  for (const auto name : {"rkf5", "rkf6", "rkf7"}) {
+    const auto stepper = make_stepper(name);
+    // The wall is touched 1.5 % before the end of the first step.
+    const double touch = std::sqrt(2.0);
+    stepper->start(problem, 0.0, std::vector<double>{1.0, 0.0, 0.0},
+                   {.initial = 1.015 * touch, .maximum = 1.015 * touch, .tolerance = 1e-6});
+    const StepInfo first = stepper->step(10.0);
+    INFO(name);
+    CHECK(first.h < touch);
+    CHECK(stepper->counters().rejected > 0);
+  }
+}
+
+TEST_CASE("Pure quadratures are resolved by the blind pairs too", "[physics][integrators]") {
+  Problem problem(1, 1, [](double t, const double*, double* f) {
+    f[0] = std::cos(40.0 * t);
+    return EvalStatus::Ok;
+  });
+  for (const auto name : {"rkf5", "rkf6", "rkf7"}) {
+    const auto stepper = make_stepper(name);
+    stepper->start(problem, 0.0, std::vector<double>{0.0}, {.maximum = 1.0, .tolerance = 1e-7});
+    const long steps = run_to(*stepper, 3.0);
+    INFO(name << ": " << steps);
+    CHECK(std::abs(stepper->state()[0] - std::sin(120.0) / 40.0) < 1e-7 * steps);
+    CHECK(steps < 600);
+  }
 }
 
 TEST_CASE("Steps of the minimum size are accepted whatever their error, and counted",
@@ -129,21 +168,23 @@ TEST_CASE("Steps of the minimum size are accepted whatever their error, and coun
     const auto stepper = make_stepper(name);
     INFO(name);
     stepper->start(problem, 0.0, y0,
-                   {.initial = 0.05, .minimum = 0.02, .maximum = 0.5, .tolerance = 1e-15});
+                   {.initial = 0.2, .minimum = 0.1, .maximum = 0.5, .tolerance = 1e-12});
     long counted = 0;
-    while (stepper->time() < 1.0) {
-      const StepInfo info = stepper->step(1.0);
+    while (stepper->time() < 2.0) {
+      const StepInfo info = stepper->step(2.0);
       CHECK((info.error <= 1.0 || info.at_minimum));
       if (info.at_minimum) {
         ++counted;
         CHECK(info.error > 1.0);
-        CHECK(info.h <= 0.02 * (1.0 + 1e-6));
+        CHECK(info.h <= 0.1 * (1.0 + 1e-6));
       }
-      CHECK(info.h_next >= 0.02);
+      CHECK(info.h_next >= 0.1);
     }
-    CHECK(counted > 40);
+    CHECK(counted >= 5);
     CHECK(stepper->counters().at_minimum == counted);
-    CHECK(distance(stepper->state(), kepler_exact(1.0)) < 0.05);  // order 1 at h = 0.02
+    // Order 1 (CVODE falls back to it) makes nothing of h = 0.1, but goes on.
+    const bool first_order = stepper->order() == 1 || name.starts_with("cvode");
+    CHECK(distance(stepper->state(), kepler_exact(2.0)) < (first_order ? 5.0 : 0.1));
   }
 }
 
@@ -226,8 +267,13 @@ TEST_CASE("A state that is not finite ends the run, named by time, step and comp
 TEST_CASE("Retry leads to a smaller step, and to a diagnosis when no step is small enough",
           "[unit][integrators]") {
   // The solution decays and stays positive; a step that is too long asks beyond zero.
-  Problem problem = all_methods(1, 1, [](double, const double* y, double* f) {
-    if (y[0] < -0.01) return EvalStatus::Retry;
+  int retries = 0;
+  int failures = 0;
+  Problem problem = all_methods(1, 1, [&](double, const double* y, double* f) {
+    if (y[0] < -0.01) {
+      ++retries;
+      return EvalStatus::Retry;
+    }
     f[0] = -100.0 * y[0];
     return EvalStatus::Ok;
   });
@@ -235,25 +281,26 @@ TEST_CASE("Retry leads to a smaller step, and to a diagnosis when no step is sma
     f[0] = 1.0;
     return t > 0.5 ? EvalStatus::Retry : EvalStatus::Ok;
   });
-  Problem broken = all_methods(1, 1, [](double t, const double*, double* f) {
+  Problem broken = all_methods(1, 1, [&](double t, const double*, double* f) {
     f[0] = 1.0;
+    failures += t > 0.5;
     return t > 0.5 ? EvalStatus::Fail : EvalStatus::Ok;
   });
   const std::vector<double> y0{1.0};
   for (const auto name : stepper_names()) {
     const auto stepper = make_stepper(name);
+    retries = failures = 0;
     stepper->start(problem, 0.0, y0, {.initial = 0.1, .maximum = 0.1, .tolerance = 1e-5});
     run_to(*stepper, 0.1);
     INFO(name << ": " << stepper->state()[0]);
     CHECK(std::abs(stepper->state()[0] - std::exp(-10.0)) < 1e-2);
-    CHECK(stepper->counters().rejected > 0);
+    CHECK(retries > 0);
 
     stepper->start(wall, 0.0, y0, {.maximum = 0.1, .tolerance = 1e-5});
     CHECK_THAT(failure_of(*stepper, 2.0), Catch::Contains("not valid"));
     stepper->start(broken, 0.0, y0, {.maximum = 0.1, .tolerance = 1e-5});
-    const long before = stepper->counters().rejected;
     CHECK_THAT(failure_of(*stepper, 2.0), Catch::Contains("could not be evaluated"));
-    CHECK(stepper->counters().rejected <= before + 1);
+    CHECK(failures == 1);  // no second try
     CHECK_THROWS_AS(stepper->start(wall, 1.0, y0, {.maximum = 0.1}), StepFailure);
   }
 }
@@ -332,9 +379,37 @@ TEST_CASE("States handed out are projected and the derivative belongs to them",
     // Renormalising is no reason to begin again: never for our own methods and ARKODE, seldom for
     // CVODE.
     CHECK(c.restarts <= (name.starts_with("cvode") ? c.steps / 10 : 0));
-    // Some thousand steps of 1e-6; order 1 may use them all.
-    const double error = distance(stepper->state(), rotation_exact(200.0));
-    CHECK(error < (stepper->order() == 1 ? 0.2 : 5e-3));
+    // The errors of all steps may add up.
+    CHECK(distance(stepper->state(), rotation_exact(200.0)) < 2e-6 * c.steps);
+  }
+}
+
+TEST_CASE("A projection that matters reaches the state that the method goes on with",
+          "[physics][integrators]") {
+  // A point on the unit circle whose radius would grow without the projection, and whose speed
+  // follows the radius.
+  Problem problem = all_methods(2, 2, [](double, const double* y, double* f) {
+    const double r2 = y[0] * y[0] + y[1] * y[1];
+    f[0] = 0.1 * y[0] - r2 * y[1];
+    f[1] = 0.1 * y[1] + r2 * y[0];
+    return EvalStatus::Ok;
+  });
+  problem.projection = [](double, double* y) {
+    const double r = std::hypot(y[0], y[1]);
+    y[0] /= r;
+    y[1] /= r;
+    return true;
+  };
+  for (const auto name : stepper_names()) {
+    const auto stepper = make_stepper(name);
+    stepper->start(problem, 0.0, std::vector<double>{1.0, 0.0},
+                   {.maximum = 1e-3, .tolerance = 1e-6});
+    run_to(*stepper, 3.0);
+    INFO(name << ": " << stepper->counters().restarts << " restarts");
+    // The radius lags by half a step of 1e-3 at most: an angle of 3 · 0.1 · 1e-3; CVODE by ten
+    // tolerances more.
+    CHECK(std::abs(stepper->state()[0] - std::cos(3.0)) < 1e-3);
+    CHECK((stepper->counters().restarts > 0) == name.starts_with("cvode"));
   }
 }
 

@@ -136,6 +136,16 @@ TEST_CASE("The pairs of order 5 to 7 see no error in a pure quadrature", "[unit]
       seen = std::max(seen, std::abs(at_node));
     }
     CHECK((seen < 1e-15) == (p >= 5));
+    // The second opinion exists just there; it sees no polynomial below its degree and the next one
+    // well.
+    const auto q = quadrature_error_weights(tableau);
+    const int nodes = p < 5 ? 0 : p == 5 ? 5 : p == 6 ? 6 : 7;
+    CHECK(std::count_if(q.begin(), q.end(), [](double w) { return w != 0.0; }) == nodes);
+    for (int degree = 0; degree < nodes; ++degree) {
+      double sum = 0.0;
+      for (int i = 0; i < tableau.stages; ++i) sum += q[i] * std::pow(tableau.c[i], degree);
+      CHECK((std::abs(sum) < 1e-13) == (degree < nodes - 1));
+    }
   }
 }
 

@@ -1,0 +1,158 @@
+#include "deck/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+/// Records 7 and 9.6: the cage and its neighbours. Lengths are compared in metres.
+namespace adore::deck {
+namespace {
+
+constexpr double kRounding = 1e-9;
+
+void check_pocket_code(Checker& c) {
+  const auto type = c.integer("kBrg");
+  if (!type) return;
+  if (*type == 1 && c.is("kPocType", -1))
+    c.error("kPocType", "-1 is a pocket for rollers, but kBrg 1 is a ball bearing",
+            "valid for balls are 0 (cylindrical), 1 (spherical), 2 (elongated), 3 (rectangular), 4 "
+            "(conical)");
+  if (*type != 1 && c.is("kPocType", 4))
+    c.error(
+        "kPocType", "4 is a conical pocket for balls, but kBrg is a roller bearing",
+        "valid for rollers are -1 (cylindrical), 0 (rectangular), 1 to 3 (guide surface pairs)");
+}
+
+/// Ball pockets: the element must fit in, and neighbours must leave a web.
+void check_ball_pockets(Checker& c) {
+  const auto diameter = c.si("bReDia");
+  const auto clearance = c.si("bPocCls1");
+  const auto inner = c.si("cageDia2");
+  const auto outer = c.si("cageDia1");
+  const auto count = c.integer("nRe");
+  if (!c.is("kBrg", 1) || !diameter || !clearance) return;
+  if (*clearance < 0.0)
+    c.warning("bPocCls1", "the pocket is smaller than the ball, which it therefore clamps",
+              "give a clearance above 0");
+  else if (*clearance > *diameter)
+    c.warning("bPocCls1", "the pocket is more than twice as large as the ball",
+              "clearances are in m (SI) or in (English)");
+  if (!inner || !outer || !count || c.is("kPocType", 2) || *outer <= *inner) return;
+  const double web = std::numbers::pi * 0.5 * (*inner + *outer) / static_cast<double>(*count) -
+                     (*diameter + *clearance);
+  if (*count > 1 && web <= 0.0)
+    c.warning("nRe",
+              "neighbouring pockets overlap at the middle of the cage, so that no web is left",
+              "take fewer or smaller elements, or a smaller pocket clearance");
+}
+
+void check_cage_body(Checker& c) {
+  const auto outer = c.si("cageDia1");
+  const auto inner = c.si("cageDia2");
+  const auto diameter = c.si("bReDia");
+  const auto pitch = c.si("pitchDia");
+  if (outer && inner && *inner >= *outer)
+    c.error("cageDia2",
+            fmt::format("the inner diameter must be smaller than the outer one, cageDia1 = {}",
+                        c.length(*outer)),
+            "check cageDia1 and cageDia2");
+  else if (outer && inner && diameter && pitch &&
+           (*inner >= *pitch + *diameter || *outer <= *pitch - *diameter))
+    c.error("cageDia1",
+            "the cage does not reach the elements, so that they cannot touch its pockets",
+            "choose the diameters around the pitch diameter");
+  const auto cut = c.raw("cageAngCut");
+  if (c.is("nCseg", 1) && cut && *cut != 0.0)
+    c.warning("cageAngCut", "a one-piece cage has no cut; the value has no effect", "set it to 0");
+}
+
+void check_lands(Checker& c) {
+  const auto count = c.integer("nGL");
+  const auto outer = c.si("cageDia1");
+  const auto inner = c.si("cageDia2");
+  const auto width = c.si("cageWidth");
+  if (!count) return;
+  bool guided = false;
+  for (int land = 1; land <= *count; ++land) {
+    const auto guide = c.integer("iCageGuide", land);
+    guided = guided || (guide && *guide > 0);
+    const auto diameter = c.si("cageGsDia", land);
+    const auto clearance = c.si("cageGsCls", land);
+    const auto land_width = c.si("cageGsWidth", land);
+    const auto position = c.si("cageGsPos", land);
+    if (guide && *guide == 1 && diameter && outer && *diameter > *outer * (1.0 + kRounding))
+      c.warning("cageGsDia", "an outer race guided land stands above the cage's outer diameter",
+                "check cageGsDia and cageDia1", land);
+    if (guide && *guide == 2 && diameter && inner && *diameter < *inner * (1.0 - kRounding))
+      c.warning("cageGsDia", "an inner race guided land lies below the cage's inner diameter",
+                "check cageGsDia and cageDia2", land);
+    if (clearance && *clearance < 0.0)
+      c.warning("cageGsCls", "a negative clearance clamps the cage on its race",
+                "give a clearance above 0", land);
+    if (width && land_width && *land_width > *width * (1.0 + kRounding))
+      c.error("cageGsWidth",
+              fmt::format("the land is wider than the cage, cageWidth = {}", c.length(*width)),
+              "give a width at most cageWidth", land);
+    else if (width && position && std::abs(*position) > 0.5 * *width * (1.0 + kRounding))
+      c.warning("cageGsPos", "the outer edge of the land lies outside the cage",
+                "give a distance of at most half the cage width", land);
+  }
+  if (!guided && c.is("kGsHydro", 1))
+    c.warning("kGsHydro", "no land is guided by a race, so that this has no effect", "set it to 0");
+}
+
+/// Segments are alike: the same number of elements each, all cut the same way.
+void check_segments(Checker& c) {
+  const auto segments = c.integer("nCseg");
+  const auto elements = c.integer("nRe");
+  if (!segments || *segments < 2) return;
+  for (const std::string_view name : {"kPocHydro", "kGsHydro"})
+    if (c.is(name, 1))
+      c.warning(name, "a segmented cage has no hydrodynamics; the switch has no effect",
+                "set it to 0");
+  if (!elements) return;
+  if (*elements % *segments != 0) {
+    c.error("nCseg",
+            fmt::format("{} elements cannot be shared by {} equal segments", *elements, *segments),
+            "let nCseg divide nRe");
+    return;
+  }
+  const long long share = *elements / *segments;
+  long long last = 0;
+  for (int i = 1; i <= *segments; ++i) {
+    const auto start = c.integer("lSeg", i);
+    if (!start) return;
+    const long long element = std::abs(*start);
+    if (element < 1 || element > *elements) {
+      c.error("lSeg", fmt::format("there is no rolling element {}", *start),
+              fmt::format("give numbers from 1 to {}", *elements));
+      return;
+    }
+    const auto first = c.integer("lSeg", 1);
+    if (i > 1 && (element != last + share || (*start > 0) != (*first > 0))) {
+      c.error("lSeg",
+              fmt::format("the segments must be alike: {} elements in each, all cut the same way, "
+                          "but segment {} starts at {}",
+                          share, i, *start),
+              fmt::format("give {} here", *first > 0 ? last + share : -(last + share)));
+      return;
+    }
+    last = element;
+  }
+}
+
+}  // namespace
+
+void check_cage(Checker& c) {
+  const auto segments = c.integer("nCseg");
+  if (!segments || *segments < 1) return;
+  check_pocket_code(c);
+  check_ball_pockets(c);
+  check_cage_body(c);
+  check_lands(c);
+  check_segments(c);
+}
+
+}  // namespace adore::deck

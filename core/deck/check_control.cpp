@@ -1,0 +1,195 @@
+#include "deck/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <map>
+
+/// Records 1 to 3: contradictory options.
+namespace adore::deck {
+namespace {
+
+bool is_dynamic(const Checker& c) {
+  const auto mode = c.integer("mode");
+  return mode && *mode >= 0;
+}
+
+void check_run_mode(Checker& c) {
+  const auto mode = c.integer("mode");
+  if (mode && *mode < 0) {
+    if (c.is("kDCR", 1))
+      c.warning("kDCR", "has no effect, because mode is negative and nothing moves",
+                "set kDCR to 0 and drop record 2.2");
+    if (c.is("kFnOpt", 1))
+      c.warning("kFnOpt", "has no effect, because mode is negative and no data files are written",
+                "set kFnOpt to 0 and drop record 2.3");
+  }
+  if (c.is("kRaceFlex", 1))
+    c.error("kRaceFlex",
+            "a flexible outer race is announced by the format, but cannot be simulated",
+            "set it to 0");
+}
+
+void check_steps(Checker& c) {
+  const auto smallest = c.raw("stpMin");
+  const auto largest = c.raw("stpMax");
+  const auto first = c.raw("stpInit");
+  if (smallest && largest && *smallest > *largest)
+    c.error("stpMin",
+            fmt::format("the smallest step is larger than the largest step, stpMax = {:.10g}",
+                        *largest),
+            "give a value at most stpMax");
+  if (!first) return;
+  if (*first == 0.0 && c.integer("kIcOpt") && !c.is("kIcOpt", 1))
+    c.error("stpInit",
+            "0 reuses the last step of a continued run, but kIcOpt does not continue one",
+            "give a first step, for instance 0.05");
+  else if (*first != 0.0 && largest && *first > *largest)
+    c.warning("stpInit", fmt::format("is above stpMax = {:.10g} and will be cut to it", *largest),
+              "give a smaller first step");
+  else if (*first != 0.0 && smallest && largest && *smallest <= *largest && *first < *smallest)
+    c.warning("stpInit",
+              fmt::format("is below stpMin = {:.10g} and will be raised to it", *smallest),
+              "give a larger first step");
+}
+
+void check_race_constraints(Checker& c) {
+  for (const int race : {1, 2}) {
+    const std::string second = fmt::format("kMD2{}", race);
+    const std::string third = fmt::format("kMD3{}", race);
+    const auto about_y = c.integer(second);
+    const auto about_z = c.integer(third);
+    if (about_y && about_z && *about_y != *about_z)
+      c.error(third,
+              fmt::format("must equal {} = {}: the rotations about y and z are constrained alike",
+                          second, *about_y),
+              fmt::format("set both to {}", *about_y));
+    const auto mode = c.integer("mode");
+    if (!mode || (*mode != 1 && *mode != 2)) continue;
+    for (const int axis : {1, 2, 3}) {
+      const std::string name = fmt::format("kFD{}{}", axis, race);
+      if (c.is(name, 0))
+        c.error(
+            name,
+            fmt::format("a race cannot accelerate under forces in the equilibrium mode {}", *mode),
+            "set it to 1, or mode to 0");
+    }
+  }
+}
+
+void check_file_names(Checker& c) {
+  if (!c.deck().has_record("2.3")) return;
+  constexpr std::array<std::string_view, 10> kNames = {
+      "masName",   "finName",   "pltNames1", "pltNames2", "pltNames3",
+      "pltNames4", "pltNames5", "pltNames6", "pltNames7", "pltNames8"};
+  std::map<std::string, std::string> seen = {
+      {"DATA.TXT", "the deck"},       {"PRINT.TXT", "the listing"},
+      {"SOL9", "user routine ADRX9"}, {"RUN.JSON", "the run report"},
+      {"RESULTS.H5", "the results"},  {"ADORE.JSON", "the run options"}};
+  for (const std::string_view name : kNames) {
+    if (!c.deck().has(name)) continue;
+    std::string file = c.deck().text(name);
+    file.erase(std::find_if(file.rbegin(), file.rend(), [](char ch) { return ch != ' '; }).base(),
+               file.end());
+    if (file.empty() || file.find_first_of("/\\") != std::string::npos || file == "." ||
+        file == "..") {
+      c.error(name, "is no name of a file in the output folder",
+              "give a name of 1 to 10 letters and digits");
+      continue;
+    }
+    std::transform(file.begin(), file.end(), file.begin(),
+                   [](unsigned char ch) { return static_cast<char>(std::toupper(ch)); });
+    const auto [earlier, fresh] = seen.emplace(file, std::string(name));
+    if (!fresh)
+      c.error(name, fmt::format("this name is already taken by {}", earlier->second),
+              "give every file its own name");
+  }
+}
+
+void check_monitored_bodies(Checker& c) {
+  if (!is_dynamic(c)) return;
+  const auto count = c.integer("kNumPltElem");
+  const auto elements = c.integer("nRe");
+  const auto segments = c.integer("nCseg");
+  if (!count) return;
+  if (*count > 6)
+    c.warning("kNumPltElem", "the classic plot files SOL1 to SOL6 hold only the first six bodies",
+              "monitor at most six bodies");
+  const long long bodies = elements && segments ? *elements + *segments + 2 : 0;
+  long long last = 0;
+  for (int i = 1; i <= *count; ++i) {
+    const auto body = c.integer("kPltElemInd", i);
+    if (!body) continue;
+    if (*body <= last) {
+      c.error("kPltElemInd",
+              fmt::format("the bodies must be in increasing order, but {} follows {}", *body, last),
+              "sort them and remove doubles");
+      return;
+    }
+    last = *body;
+  }
+  if (bodies > 0 && last > bodies)
+    c.error("kPltElemInd",
+            fmt::format("there is no body {}: with {} elements and {} cage segments the last one, "
+                        "the inner race, is {}",
+                        last, *elements, *segments, bodies),
+            fmt::format("give numbers from 1 to {}", bodies));
+}
+
+void check_types(Checker& c) {
+  const auto type = c.integer("kBrg");
+  for (const std::string_view flange : {"kFlngInd11", "kFlngInd21", "kFlngInd12", "kFlngInd22"}) {
+    if (!c.is(flange, 1) || !type) continue;
+    if (*type == 3)
+      c.error(flange, "a spherical roller bearing (kBrg 3) has no flanges", "set it to 0");
+    if (*type == 1)
+      c.warning(flange, "a ball bearing (kBrg 1) has no flanges; the flag has no effect",
+                "set it to 0");
+  }
+  const auto elements = c.integer("nRe");
+  if (c.is("kReGeoImp", 2) && elements && *elements > 40)
+    c.error("kReGeoImp",
+            fmt::format("the list of diameters holds 40 elements, but there are {}", *elements),
+            "use 3, the user routine ADRX8, or 1, random errors");
+  if (c.is("kReGeoImp", 2) && elements)
+    for (long long i = *elements + 1; i <= 40; ++i) {
+      const std::string name = fmt::format("reDiaVar{}", i);
+      const auto deviation = c.raw(name);
+      if (deviation && *deviation != 0.0)
+        c.warning(name, "there is no such element; the value has no effect", "set it to 0");
+    }
+  const auto lubricant = c.integer("kTrac");
+  if (lubricant && *lubricant <= 0) {
+    constexpr std::string_view kMessage =
+        "1 means the lubricant of kTrac, but kTrac = {} names none";
+    constexpr std::string_view kRemedy = "choose a lubricant with kTrac, or another medium here";
+    if (c.is("kChrn", 1)) c.error("kChrn", fmt::format(kMessage, *lubricant), std::string(kRemedy));
+    if (c.is("kCoolant", 1))
+      c.error("kCoolant", fmt::format(kMessage, *lubricant), std::string(kRemedy));
+  }
+  if (c.is("iTherm", 1) && lubricant && *lubricant != 12)
+    c.warning(
+        "iTherm",
+        fmt::format("applies only to kTrac 12, but kTrac is {}; it has no effect", *lubricant),
+        "set it to 0");
+  if (c.is("kCoolant", 0) && (c.is("kBaseTemp", 2) || c.is("kBaseTemp", 3)))
+    c.error("kBaseTemp",
+            "the reference temperature cannot be that of the coolant: kCoolant is 0, there is none",
+            "choose another place or a coolant");
+}
+
+}  // namespace
+
+void check_control(Checker& checker) {
+  check_run_mode(checker);
+  check_steps(checker);
+  check_race_constraints(checker);
+  check_file_names(checker);
+  check_monitored_bodies(checker);
+  check_types(checker);
+}
+
+}  // namespace adore::deck

@@ -1,0 +1,135 @@
+#include "deck/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+/// Records 6, 9 and 10: inertia, loads, times, temperatures, traction curves.
+namespace adore::deck {
+namespace {
+
+/// No body has a principal moment larger than the sum of the other two.
+void check_inertia(Checker& c, std::string_view prefix, std::string_view suffix) {
+  const std::array<std::string, 3> names = {fmt::format("{}MIx{}", prefix, suffix),
+                                            fmt::format("{}MIy{}", prefix, suffix),
+                                            fmt::format("{}MIz{}", prefix, suffix)};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto a = c.si(names[i]);
+    const auto b = c.si(names[(i + 1) % 3]);
+    const auto d = c.si(names[(i + 2) % 3]);
+    if (a && b && d && *b > 0.0 && *d > 0.0 && *a > (*b + *d) * (1.0 + 1e-6))
+      c.error(names[i],
+              "is larger than the other two principal moments together, which no body can have",
+              "check the three moments of inertia");
+  }
+}
+
+void check_constraints(Checker& c) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kLoads = {
+      {{"kFS1", "appLoadX"},
+       {"kFS2", "appLoadY"},
+       {"kFS3", "appLoadZ"},
+       {"kFS4", "appMomY"},
+       {"kFS5", "appMomZ"}}};
+  for (const auto& [flag, load] : kLoads) {
+    const auto value = c.raw(load);
+    if (c.is(flag, 1) && value && *value != 0.0)
+      c.warning(load, fmt::format("is not used, because {} is 1 and asks for a displacement", flag),
+                fmt::format("set it to 0, or {} to 0", flag));
+  }
+}
+
+void check_times(Checker& c) {
+  for (const int race : {1, 2}) {
+    const auto start = c.raw(fmt::format("startTime{}", race));
+    const std::string name = fmt::format("endTime{}", race);
+    const auto end = c.raw(name);
+    if (start && end && *end < *start)
+      c.error(name, fmt::format("the acceleration would end before it starts at {:.10g} s", *start),
+              "give a time after the start");
+  }
+}
+
+void check_temperatures(Checker& c) {
+  const auto room = c.si("roomTemp");
+  if (room && *room > 0.0 && (*room < 200.0 || *room > 400.0))
+    c.warning("roomTemp", fmt::format("a room of {} is unusual", c.temperature(*room)),
+              "temperatures are absolute, in K (SI) or R (English)");
+  const auto coolant = c.integer("kCoolant");
+  const auto flow = c.raw("cFlowRate");
+  if (coolant && *coolant > 0 && flow && *flow == 0.0)
+    c.warning("cFlowRate", "the coolant does not flow, so that it carries no heat away",
+              "give a flow, or set kCoolant to 0");
+}
+
+/// The four-condition curve has a solution only when its largest value is really larger than both
+/// ends.
+void check_peak(Checker& c, std::string_view stem) {
+  const std::string peak_name = fmt::format("{}2", stem);
+  const auto at_zero = c.raw(fmt::format("{}1", stem));
+  const auto peak = c.raw(peak_name);
+  const auto at_infinity = c.raw(fmt::format("{}3", stem));
+  if (!at_zero || !peak || !at_infinity) return;
+  if (*peak == *at_zero && *peak == *at_infinity) return;  // a constant coefficient
+  const bool rises = *peak > *at_zero || (*at_zero == *at_infinity && *peak >= *at_zero);
+  const bool falls = *peak > *at_infinity;
+  if (!rises || !falls)
+    c.error(peak_name,
+            fmt::format("the largest traction coefficient must be above those at zero slip "
+                        "({:.6g}) and at infinite slip ({:.6g})",
+                        *at_zero, *at_infinity),
+            "give a larger value, or use curve type 2 for a curve without a peak");
+}
+
+/// The asymptotic curve decays only when its slope points from the start towards the asymptote.
+void check_asymptote(Checker& c, std::string_view stem) {
+  const std::string slope_name = fmt::format("{}3", stem);
+  const auto at_zero = c.raw(fmt::format("{}1", stem));
+  const auto at_infinity = c.raw(fmt::format("{}2", stem));
+  const auto slope = c.raw(slope_name);
+  if (!at_zero || !at_infinity || !slope) return;
+  const double rise = *at_infinity - *at_zero;
+  const bool constant = rise == 0.0 && *slope == 0.0;
+  if (!constant && !(*slope * rise > 0.0))
+    c.error(slope_name,
+            fmt::format("a curve with this slope never reaches its asymptote: it has to go from "
+                        "{:.6g} to {:.6g}",
+                        *at_zero, *at_infinity),
+            rise > 0.0   ? "give a positive slope"
+            : rise < 0.0 ? "give a negative slope"
+                         : "give slope 0 for a constant coefficient");
+}
+
+void check_curves(Checker& c) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kCurves = {
+      {{"kTracType", "reRaceTC"},
+       {"kRFTracType", "reFlngTC"},
+       {"kCPTracType", "reCageTC"},
+       {"kCRTracType", "cageRaceTC"},
+       {"kRRTracType", "reReTC"}}};
+  for (const auto& [type, stem] : kCurves) {
+    if (c.is(type, 1)) check_peak(c, stem);
+    if (c.is(type, 2)) check_asymptote(c, stem);
+    const auto rate = c.raw(fmt::format("{}3", stem));
+    if (c.is(type, -1) && rate && *rate < 0.0)
+      c.error(fmt::format("{}3", stem), "a negative C lets the traction grow without limit",
+              "give a value of at least 0");
+  }
+}
+
+}  // namespace
+
+void check_operation(Checker& c) {
+  check_inertia(c, "bRe", "");
+  check_inertia(c, "race", "1");
+  check_inertia(c, "race", "2");
+  check_inertia(c, "cage", "");
+  check_constraints(c);
+  check_times(c);
+  check_temperatures(c);
+  check_curves(c);
+}
+
+}  // namespace adore::deck

@@ -1,0 +1,94 @@
+#include "deck/deck.hpp"
+#include "deck/reader.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <optional>
+#include <string>
+#include <system_error>
+
+namespace adore::deck {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLargestDeck = std::size_t{16} * 1024 * 1024;
+
+/// Control characters mean that this is no text.
+std::optional<Issue> find_binary(std::string_view text, const std::string& file_name) {
+  int line = 1;
+  for (const char c : text) {
+    if (c == '\n') ++line;
+    const auto byte = static_cast<unsigned char>(c);
+    const bool blank = c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f';
+    if (blank || (byte >= 0x20 && byte != 0x7f)) continue;
+    Issue issue;
+    issue.file = file_name;
+    issue.line = line;
+    issue.message = fmt::format("this is not a text file (byte {} on this line)", byte);
+    issue.remedy = "give a data deck in plain text (ASCII or UTF-8)";
+    return issue;
+  }
+  return std::nullopt;
+}
+
+/// Without byte-order mark and the end-of-file mark of old systems.
+std::string_view strip_marks(std::string_view text) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  constexpr char kEndOfFile = 0x1a;
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  while (text.ends_with(kEndOfFile)) text.remove_suffix(1);
+  return text;
+}
+
+[[noreturn]] void fail(const fs::path& path, std::string message, std::string remedy) {
+  Issue issue;
+  issue.file = path.string();
+  issue.message = std::move(message);
+  issue.remedy = std::move(remedy);
+  throw InputError({issue});
+}
+
+std::string read_text(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status))
+    fail(path, "there is no such file", "check the name, or write a deck with `adore new ball`");
+  if (fs::is_directory(status))
+    fail(path, "this is a folder, not a data deck", "give the file in it, such as DATA.txt");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) fail(path, "the file cannot be opened", "check its permissions");
+  std::string text;
+  std::string block(1 << 16, '\0');
+  while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0) {
+    text.append(block, 0, static_cast<std::size_t>(in.gcount()));
+    if (text.size() > kLargestDeck)
+      fail(path, "the file is larger than 16 MiB, so it is no data deck",
+           "give the deck (DATA.txt), not an output file");
+  }
+  if (in.bad()) fail(path, "the file cannot be read to its end", "check the disk");
+  return text;
+}
+
+}  // namespace
+
+ReadResult read_deck_text(std::string_view text, std::string file_name) {
+  text = strip_marks(text);
+  if (std::optional<Issue> binary = find_binary(text, file_name)) {
+    ReadResult result;
+    result.deck.file = std::move(file_name);
+    result.issues.push_back(std::move(*binary));
+    return result;
+  }
+  return read_records_of(text, std::move(file_name));
+}
+
+ReadResult read_deck(const fs::path& path) {
+  const std::string text = read_text(path);
+  if (std::optional<Issue> binary = find_binary(strip_marks(text), path.string()))
+    throw InputError({*binary});
+  return read_deck_text(text, path.string());
+}
+
+}  // namespace adore::deck

@@ -1,0 +1,234 @@
+#include "deck/deck.hpp"
+#include "deck/lookup.hpp"
+#include "deck/number.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <optional>
+#include <vector>
+
+/// Deck::set and Deck::complete.
+namespace adore::deck {
+namespace {
+
+/// "cageGcPos[2][3]" taken apart.
+struct Target {
+  std::string_view name;
+  std::vector<int> indices;
+};
+
+[[noreturn]] void fail(std::string_view variable, std::string_view value, std::string message,
+                       std::string remedy) {
+  Issue issue;
+  issue.variable = variable;
+  issue.value = value;
+  issue.message = std::move(message);
+  issue.remedy = std::move(remedy);
+  throw InputError({issue});
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+Target parse_target(std::string_view text) {
+  Target target;
+  std::string_view rest = trimmed(text);
+  target.name = rest.substr(0, rest.find('['));
+  rest.remove_prefix(target.name.size());
+  target.name = trimmed(target.name);
+  while (!rest.empty()) {
+    const std::size_t close = rest.find(']');
+    int index = 0;
+    const std::string_view number =
+        close == std::string_view::npos || rest[0] != '[' ? "" : trimmed(rest.substr(1, close - 1));
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), index);
+    if (number.empty() || error != std::errc() || end != number.data() + number.size() ||
+        index < 1 || target.indices.size() == 2)
+      fail(text, {}, "the index cannot be understood",
+           "write name[1] or name[instance][element], counting from 1");
+    target.indices.push_back(index);
+    rest.remove_prefix(close + 1);
+  }
+  return target;
+}
+
+[[noreturn]] void fail_unknown(std::string_view name, std::string_view value) {
+  if (name == "recID")
+    fail(name, value, "every record has one, so that the name alone does not say which",
+         "edit the label in the deck");
+  std::string list;
+  for (const std::string_view similar : similar_variables(name))
+    list += (list.empty() ? "" : ", ") + std::string(similar);
+  fail(name, value, "there is no variable of that name",
+       list.empty() ? "`adore schema` lists them all" : fmt::format("did you mean {}?", list));
+}
+
+std::string condition_of(std::span<const VariableRef> refs) {
+  std::string text;
+  for (const VariableRef& ref : refs)
+    text += fmt::format("{}record {} (needed when `{}`)", text.empty() ? "" : " or ",
+                        ref.record->id, ref.record->condition);
+  return text;
+}
+
+/// Where a record belongs among those that the deck has.
+std::vector<RecordData>::iterator place_of(std::vector<RecordData>& records, const RecordSpec& spec,
+                                           int instance) {
+  const RecordSpec* first = schema().data();
+  const std::ptrdiff_t rank = &spec - first;
+  return std::find_if(records.begin(), records.end(), [&](const RecordData& other) {
+    const RecordSpec* other_spec = find_record(other.id);
+    const std::ptrdiff_t other_rank = other_spec == nullptr ? 0 : other_spec - first;
+    return other_rank > rank || (other_rank == rank && other.instance > instance);
+  });
+}
+
+Value parse_value(const VariableSpec& variable, std::string_view name, std::string_view text) {
+  if (variable.type == VarType::String) {
+    std::string_view inner = text;
+    const bool quoted =
+        inner.size() >= 2 && (inner[0] == '\'' || inner[0] == '"') && inner.back() == inner[0];
+    if (!quoted) return std::string(text);
+    const char quote = inner[0];
+    inner = inner.substr(1, inner.size() - 2);
+    std::string plain;
+    for (std::size_t i = 0; i < inner.size(); ++i) {
+      plain += inner[i];
+      if (inner[i] == quote && i + 1 < inner.size() && inner[i + 1] == quote) ++i;
+    }
+    return plain;
+  }
+  text = trimmed(text);
+  long long integer = 0;
+  double real = 0.0;
+  const NumberProblem problem =
+      variable.type == VarType::Integer ? parse_integer(text, integer) : parse_real(text, real);
+  if (problem)
+    fail(name, text, problem.message,
+         fmt::format("{}; {} takes {}", problem.remedy, variable.name,
+                     variable.type == VarType::Integer ? "an integer" : "a number"));
+  if (variable.type == VarType::Integer) return integer;
+  return real;
+}
+
+std::vector<std::string_view> split_at_commas(std::string_view text) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t comma = text.find(',');
+    parts.push_back(text.substr(0, comma));
+    if (comma == std::string_view::npos) return parts;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+/// The record that holds the variable; a record that the present options ask for is added with
+/// defaults.
+const VariableRef* find_or_add(Deck& deck, std::span<const VariableRef> refs, int instance) {
+  for (const VariableRef& ref : refs)
+    if (deck.has_record(ref.record->id, instance)) return &ref;
+  for (const VariableRef& ref : refs) {
+    if (!evaluate(ref.record->condition, scope_of(deck)) ||
+        instance > repeat_count(deck, *ref.record))
+      continue;
+    RecordData data;
+    data.id = ref.record->id;
+    data.instance = instance;
+    const auto placed =
+        deck.records.insert(place_of(deck.records, *ref.record, instance), std::move(data));
+    fill_with_defaults(deck, static_cast<std::size_t>(placed - deck.records.begin()));
+    return &ref;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void Deck::set(std::string_view name, std::string_view value) {
+  const Target target = parse_target(name);
+  const std::span<const VariableRef> refs = find_variable(target.name);
+  if (refs.empty()) fail_unknown(target.name, value);
+
+  // Which record, and is the first index its instance or an array element?
+  const VariableRef* ref = nullptr;
+  int instance = 1;
+  std::optional<int> element;
+  const bool repeated = std::any_of(refs.begin(), refs.end(), [&](const VariableRef& candidate) {
+    return !candidate.record->repeat.empty() &&
+           evaluate(candidate.record->condition, scope_of(*this));
+  });
+  if (repeated && !target.indices.empty()) instance = target.indices[0];
+  ref = find_or_add(*this, refs, instance);
+  if (ref == nullptr && instance > 1) {
+    if (find_or_add(*this, refs, 1) != nullptr)
+      fail(name, value, fmt::format("there is no instance {} of it in this deck", instance),
+           "give a smaller number, or raise the count");
+  }
+  if (ref == nullptr)
+    fail(name, value, "this deck has no such record",
+         fmt::format("it belongs to {}; set that option first", condition_of(refs)));
+
+  const VariableSpec& spec = ref->spec();
+  const bool is_array = spec.length != "1";
+  const std::size_t used = !ref->record->repeat.empty() && !target.indices.empty() ? 1 : 0;
+  if (target.indices.size() > used) element = target.indices[used];
+  const auto length = static_cast<std::size_t>(array_length(*this, spec));
+  if (element && (!is_array || static_cast<std::size_t>(*element) > length))
+    fail(name, value, is_array ? fmt::format("it has {} elements", length) : "it is a single value",
+         is_array ? "give an index up to that, or raise the count first" : "leave out the index");
+  if (used == 0 && !ref->record->repeat.empty() && repeat_count(*this, *ref->record) > 1)
+    fail(name, value, fmt::format("there are {} of them", repeat_count(*this, *ref->record)),
+         fmt::format("say which: {}[1]", target.name));
+
+  const auto record = std::find_if(records.begin(), records.end(), [&](const RecordData& data) {
+    return data.id == ref->record->id && data.instance == instance;
+  });
+  record->values.resize(ref->record->variables.size());
+  std::vector<Value>& elements = record->values[ref->position];
+  std::vector<Value> changed = elements;
+  for (std::size_t i = changed.size(); i < length; ++i) changed.push_back(default_value(spec));
+  changed.resize(length);
+  if (is_array && !element) {
+    const std::vector<std::string_view> parts = split_at_commas(value);
+    if (parts.size() != length)
+      fail(name, value, fmt::format("it has {} elements", length),
+           fmt::format("give {} values with commas, or one as {}[1]", length, target.name));
+    for (std::size_t i = 0; i < length; ++i) changed[i] = parse_value(spec, name, parts[i]);
+  } else {
+    const std::size_t position = element ? static_cast<std::size_t>(*element) - 1 : 0;
+    changed[position] = parse_value(spec, name, value);
+    const std::string* text = std::get_if<std::string>(&changed[position]);
+    if (text != nullptr && std::any_of(text->begin(), text->end(), [](char c) {
+          return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f;
+        }))
+      fail(name, {}, "holds a line break or another control character",
+           "keep the text on one line");
+  }
+  elements = std::move(changed);
+}
+
+void Deck::complete() {
+  std::vector<RecordData> old = std::move(records);
+  records.clear();
+  for (const RecordSpec& spec : schema()) {
+    if (spec.id == "12" || !evaluate(spec.condition, scope_of(*this))) continue;
+    const int count = repeat_count(*this, spec);
+    for (int instance = 1; instance <= count; ++instance) {
+      const auto known = std::find_if(old.begin(), old.end(), [&](const RecordData& data) {
+        return data.instance == instance && data.id == spec.id;
+      });
+      RecordData data;
+      if (known != old.end()) data = std::move(*known);
+      data.id = spec.id;
+      data.instance = instance;
+      records.push_back(std::move(data));
+      fill_with_defaults(*this, records.size() - 1);
+    }
+  }
+}
+
+}  // namespace adore::deck

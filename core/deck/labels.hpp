@@ -1,0 +1,47 @@
+#pragma once
+
+#include "deck/scanner.hpp"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+/// The record labels of a deck as signposts. A label is free text, so it is only a hint; but when
+/// most labels of a deck name their records in order ('Rec 5A', '5a geometry', 'Record 7.2.1'), a
+/// reader that lost its way can trust them.
+namespace adore::deck {
+
+/// What one label says.
+struct LabelHint {
+  std::size_t record = 0;  ///< index in schema()
+  int instance = 0;        ///< of a repeated record, 0 when the label does not say
+};
+
+std::optional<LabelHint> parse_label(std::string_view text);
+
+/// A line that starts with quoted text.
+struct Label {
+  std::size_t line = 0;  ///< 0-based
+  std::string text;
+  std::optional<LabelHint> hint;
+  int values =
+      0;  ///< numbers and texts that follow, up to the first word that is neither or the next label
+};
+
+class Labels {
+ public:
+  explicit Labels(const Scanner& scanner);
+
+  /// Do enough labels name records, in the order of the deck?
+  [[nodiscard]] bool trusted() const { return trusted_; }
+  /// The label on that line, or nullptr.
+  [[nodiscard]] const Label* on_line(std::size_t line) const;
+  /// The first label below that line, or nullptr.
+  [[nodiscard]] const Label* after_line(std::size_t line) const;
+
+ private:
+  std::vector<Label> labels_;  // in order of lines
+  bool trusted_ = false;
+};
+
+}  // namespace adore::deck

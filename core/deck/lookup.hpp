@@ -1,0 +1,61 @@
+#pragma once
+
+#include "deck/condition.hpp"
+#include "deck/deck.hpp"
+
+#include <string>
+#include <string_view>
+
+/// How the deck's own code finds its way between schema and data.
+namespace adore::deck {
+
+/// nullptr when the record is absent.
+const RecordData* find_record_data(const Deck& deck, std::string_view id, int instance = 1);
+
+/// A declaration of `name` whose record is present (that instance of it), or one with nullptr
+/// record.
+VariableRef find_present(const Deck& deck, std::string_view name, int instance = 1);
+
+/// nullptr when no present record has that element.
+const Value* find_value(const Deck& deck, std::string_view name, int instance = 1, int index = 1);
+
+/// Conditions evaluated on what the deck holds.
+ConditionScope scope_of(const Deck& deck);
+
+/// Number of elements of an array variable; never below 0 and, whatever the deck says, bounded.
+int array_length(const Deck& deck, const VariableSpec& variable);
+
+/// How often a record has to occur when its condition holds; bounded like array_length.
+int repeat_count(const Deck& deck, const RecordSpec& record);
+
+/// A value as the writer writes it, strings quoted; "" for a missing value.
+std::string value_text(const Value& value);
+
+/// Is an integer one of the variable's codes? True for a variable without codes.
+bool is_valid_code(const VariableSpec& variable, long long code);
+
+/// Smallest and largest valid value in the deck's own unit.
+Range range_in_deck_units(const Deck& deck, const VariableSpec& variable);
+
+bool in_range(const Range& range, double value);
+
+/// A scalar integer that conditions may rely on: present, a valid code, in range.
+bool is_reliable_integer(const VariableSpec& variable, const Value& value);
+
+/// "0 (no cage), 1 (one-piece cage)"; only the codes of a long list.
+std::string describe_codes(const VariableSpec& variable);
+
+/// "above 0.5 m and at most 1.0 m"
+std::string describe_range(const Range& range, std::string_view unit);
+
+/// What complete() writes where the user said nothing.
+Value default_value(const VariableSpec& variable);
+
+/// "Rec 5A", "Rec 7.2.1"
+std::string default_label(const RecordSpec& spec, int instance);
+
+/// Gives the record at that position of the deck all values that it should have: missing ones
+/// become defaults, surplus array elements go.
+void fill_with_defaults(Deck& deck, std::size_t position);
+
+}  // namespace adore::deck

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+/// Numbers as Fortran reads and we write them; the locale never matters.
+namespace adore::deck {
+
+/// What is wrong with a number, empty when nothing is. A clause that continues "the value ...".
+struct NumberProblem {
+  std::string message;  ///< "is not a number"
+  std::string remedy;   ///< "write 0.05"
+  explicit operator bool() const { return !message.empty(); }
+};
+
+/// Optional sign and digits. A decimal point is refused: 3.0 is no integer.
+NumberProblem parse_integer(std::string_view text, long long& value);
+
+/// Decimal with or without point, exponent letter e, E, d, D or none before a signed exponent
+/// (1.5-3). NaN, infinity and values beyond the range of double are refused; values too small to be
+/// told from zero become zero.
+NumberProblem parse_real(std::string_view text, double& value);
+
+/// Shortest text that reads back to the same double; always with a decimal point.
+std::string format_real(double value);
+
+}  // namespace adore::deck

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Fortran list-directed input: commas and blanks separate, a line end counts as a blank, two
+/// commas hold a null value, `r*value` repeats, `r*` repeats nulls, `/` ends the record.
+namespace adore::deck {
+
+struct Token {
+  enum class Kind : unsigned char {
+    Word,    ///< unquoted text: a number, or a mistake
+    Quoted,  ///< text in quotes, with doubled quotes made single
+    Null,    ///< nothing between two separators
+    Slash,
+    End  ///< no more text
+  };
+  Kind kind = Kind::End;
+  std::string text;
+  long long repeat = 1;        ///< r of r*value
+  int line = 0;                ///< 1-based
+  bool first_in_line = false;  ///< nothing but blanks before it on its line
+  bool unterminated = false;   ///< the closing quote is missing; the text runs to the line's end
+  bool joined = false;         ///< text follows the closing quote directly
+};
+
+class Scanner {
+ public:
+  /// Splits into lines at LF, CRLF or CR. The text must outlive the scanner.
+  explicit Scanner(std::string_view text);
+
+  /// Where reading goes on; copy it to come back.
+  struct Position {
+    std::size_t line = 0;  ///< 0-based
+    std::size_t column = 0;
+    bool after_value = false;  ///< the next comma is only a separator
+  };
+  [[nodiscard]] Position position() const { return at_; }
+  void set_position(const Position& position) { at_ = position; }
+
+  /// Drops what is left of a line that was begun, then skips blank lines. False at the end of the
+  /// text.
+  bool start_record();
+  /// Goes to the first column of a line (0-based).
+  void go_to_line(std::size_t line) { at_ = {line, 0, false}; }
+
+  /// The next token, on following lines if need be.
+  Token next();
+
+  [[nodiscard]] const std::vector<std::string_view>& lines() const { return lines_; }
+  /// Is the position exactly at the end of a text whose last line has no line end?
+  [[nodiscard]] bool at_bare_end() const;
+  /// What is left of the current line.
+  [[nodiscard]] std::string_view rest_of_line() const;
+
+ private:
+  bool skip_blanks();  // false at the end of the text
+  void scan_quoted(Token& token);
+  void scan_word(Token& token);
+
+  std::vector<std::string_view> lines_;
+  Position at_;
+  bool bare_end_ = false;  // the last line has no line end
+};
+
+bool is_blank_line(std::string_view line);
+
+}  // namespace adore::deck

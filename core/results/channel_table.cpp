@@ -1,0 +1,283 @@
+#include "results/channels.hpp"
+#include "results/motion.hpp"
+
+#include <array>
+
+/// The table itself. Adding a quantity is one entry here (and one column in sol_columns.cpp when a
+/// classic file has it).
+namespace adore::results {
+namespace {
+
+using Source = ChannelSource;
+
+OrbitMotion cage_orbit(const Source& s) {
+  const dynamics::CageSnapshot& cage = s.cage_body();
+  return orbit_motion(cage.position, cage.velocity, cage.acceleration);
+}
+OrbitMotion race_orbit(const Source& s) {
+  const dynamics::RaceSnapshot& race = s.race_body();
+  return orbit_motion(race.position, race.velocity, race.acceleration);
+}
+/// A speed over that of the faster race (N54); 0 when both races stand still.
+double over_race_speed(const Source& s, double speed) {
+  const double base = faster_race_speed(*s.snapshot);
+  return base == 0.0 ? 0.0 : speed / base;
+}
+double cage_clearance(const Source& s) {
+  return cage_clearance_scale(*s.bearing->cage, s.unit_length);
+}
+/// Guide land values; lands that the cage does not have show 0.
+template <class Get>
+double land_value(const Source& s, std::size_t land, Get get) {
+  const auto& lands = s.cage_body().lands;
+  return land < lands.size() ? get(lands[land]) : 0.0;
+}
+double race_hardness_wear(const Source& s) {
+  return average_wear_rate(s.bearing->race_material[s.race], s.snapshot->power.qv_race[s.race],
+                           s.snapshot->time);
+}
+
+constexpr auto kTable = std::to_array<Channel>({
+    // Rolling elements.
+    {"element.orbital_acceleration", "orbital acceleration", &unit::kRotationRate, "N", Per::Element, 1, false,
+     [](const Source& s) { return s.ball().theta_ddot; }, "second derivative of the azimuth of the mass centre"},
+    {"element.radial_acceleration", "radial acceleration", &unit::kAcceleration, "N", Per::Element, 1, false,
+     [](const Source& s) { return s.ball().ar; }, "second derivative of the orbit radius"},
+    {"element.axial_acceleration", "axial acceleration", &unit::kAcceleration, "N", Per::Element, 1, false,
+     [](const Source& s) { return s.ball().ax; }, "along the bearing axis"},
+    {"element.orbital_velocity", "orbital velocity", &unit::kRotation, "N", Per::Element, 1, false,
+     [](const Source& s) { return s.ball().theta_dot; }, "rate of the azimuth of the mass centre"},
+    {"element.radial_velocity", "radial velocity", &unit::kSpeed, "N", Per::Element, 1, false,
+     [](const Source& s) { return s.ball().vr; }, "rate of the orbit radius"},
+    {"element.axial_velocity", "axial velocity", &unit::kSpeed, "N", Per::Element, 1, false,
+     [](const Source& s) { return s.ball().vx; }, "along the bearing axis"},
+    {"element.orbital_position", "orbital position", &unit::kAngle, "N", Per::Element, 1, false,
+     [](const Source& s) { return s.ball().theta; }, "azimuth about +X from +Z, turns accumulate"},
+    {"element.radial_position", "radial position", &unit::kLength, "N", Per::Element, 1, false,
+     [](const Source& s) { return s.ball().r; }, "distance of the mass centre from the bearing axis"},
+    {"element.axial_position", "axial position", &unit::kLength, "N", Per::Element, 1, false,
+     [](const Source& s) { return s.ball().x; }, "along the bearing axis"},
+    {"element.theta", "orientation theta", &unit::kAngle, "A", Per::Element, 1, true,
+     [](const Source& s) { return theta_phi(s.ball().x_axis).theta; }, "of the principal x axis; 0 when not integrated"},
+    {"element.phi", "orientation phi", &unit::kAngle, "A", Per::Element, 1, false,
+     [](const Source& s) { return theta_phi(s.ball().x_axis).phi; }, "of the principal x axis; 0 when not integrated"},
+    {"element.rotation", "total rotation", &unit::kAngle, "A", Per::Element, 1, false,
+     [](const Source& s) { return s.ball().total_rotation; }, "about the principal x axis; 0 when not integrated"},
+    {"element.angular_velocity", "angular velocity", &unit::kRotation, "A", Per::Element, 1, false,
+     [](const Source& s) { return s.ball().omega.norm(); }, "size of the angular velocity vector"},
+    {"element.angular_velocity_theta", "angular velocity theta", &unit::kAngle, "A", Per::Element, 1, true,
+     [](const Source& s) { return theta_phi(s.ball().omega).theta; }, "direction of the angular velocity vector"},
+    {"element.angular_velocity_phi", "angular velocity phi", &unit::kAngle, "A", Per::Element, 1, false,
+     [](const Source& s) { return theta_phi(s.ball().omega).phi; }, "direction of the angular velocity vector"},
+    {"element.orientation", "orientation quaternion", &unit::kPure, "N", Per::Element, 4, false,
+     [](const Source& s) { return s.ball().orientation[s.component]; }, "body to base frame; identity when not integrated"},
+    {"element.angular_velocity_vector", "angular velocity vector", &unit::kRotation, "A", Per::Element, 3, false,
+     [](const Source& s) { return s.ball().omega[static_cast<int>(s.component)]; }, "absolute angular velocity"},
+    {"element.pocket_to_centre", "pocket centre to element centre", &unit::kLength, "P", Per::Element, 3, false,
+     [](const Source& s) { return s.ball().pocket_to_centre[static_cast<int>(s.component)]; }, "0 without cage"},
+    // Element / race contacts, outer then inner.
+    {"contact.load", "contact load", &unit::kForce, "-", Per::Contact, 1, false,
+     [](const Source& s) { return s.contact().load; }, "normal load Q"},
+    {"contact.angle", "contact angle", &unit::kAngle, "A", Per::Contact, 1, false,
+     [](const Source& s) { return s.contact().angle; }, "0 when open"},
+    {"contact.spin_to_roll", "spin to roll ratio", &unit::kPure, "-", Per::Contact, 1, false,
+     [](const Source& s) { return s.contact().spin_to_roll; }, "relative angular velocity normal to the contact over that in it"},
+    {"contact.slip", "largest slip velocity", &unit::kSpeed, "-", Per::Contact, 1, false,
+     [](const Source& s) { return s.contact().max_slip; }, "within the contact ellipse"},
+    {"contact.heat", "contact heat", &unit::kPower, "-", Per::Contact, 1, false,
+     [](const Source& s) { return s.contact().heat; }, "dissipated in the contact"},
+    {"contact.film", "film thickness", &unit::kLength, "-", Per::Contact, 1, false,
+     [](const Source& s) { return s.contact().film; }, "0 with a hypothetical traction law"},
+    {"contact.load_slip", "integral of load times slip", &unit::kPower, "-", Per::Contact, 1, false,
+     [](const Source& s) { return s.contact().load_slip; }, "pressure times slip speed over the contact"},
+    {"contact.temperature_rise", "contact temperature rise", &unit::kTemperature, "-", Per::Contact, 1, false,
+     [](const Source& s) { return s.contact().temperature_rise; }, "above the race"},
+    {"contact.temperature", "race contact temperature", &unit::kTemperature, "-", Per::Contact, 1, false,
+     [](const Source& s) { return s.contact().contact_temperature; }, "race temperature and rise"},
+    {"contact.half_major", "contact half width, transverse", &unit::kLength, "-", Per::Contact, 1, false,
+     [](const Source& s) { return s.contact().half_major; }, "half axis a of the ellipse"},
+    {"contact.half_minor", "contact half width, rolling", &unit::kLength, "-", Per::Contact, 1, false,
+     [](const Source& s) { return s.contact().half_minor; }, "half axis b of the ellipse"},
+    {"contact.pressure", "largest contact pressure", &unit::kPressure, "-", Per::Contact, 1, false,
+     [](const Source& s) { return s.contact().max_pressure; }, "in the middle of the ellipse"},
+    {"contact.edge", "contact edge position", &unit::kLength, "-", Per::Contact, 1, false,
+     [](const Source& s) { return s.contact().edge; }, "outer: depth s below the shoulder, inner: half chord t"},
+    // Pockets, one value per guide surface.
+    {"pocket.force", "pocket force", &unit::kForce, "-", Per::Pocket, 1, false,
+     [](const Source& s) { return s.pocket().force; }, "of the cage on the element"},
+    {"pocket.gap", "pocket gap", &unit::kLength, "-", Per::Pocket, 1, false,
+     [](const Source& s) { return s.pocket().gap; }, "negative in contact"},
+    {"pocket.theta", "pocket contact angle theta", &unit::kAngle, "P", Per::Pocket, 1, false,
+     [](const Source& s) { return s.pocket().theta; }, "0 the cage drives the element, 180 deg the element drives the cage"},
+    {"pocket.phi", "pocket contact angle phi", &unit::kAngle, "P", Per::Pocket, 1, false,
+     [](const Source& s) { return s.pocket().phi; }, "cone angle or latitude; 0 for cylindrical pockets"},
+    // Cage.
+    {"cage.whirl_ratio", "whirl ratio", &unit::kPure, "N", Per::Cage, 1, false,
+     [](const Source& s) { return over_race_speed(s, cage_orbit(s).theta_dot); },
+     "whirl speed of the mass centre over the speed of the faster race"},
+    {"cage.radial_velocity", "radial velocity", &unit::kSpeed, "N", Per::Cage, 1, false,
+     [](const Source& s) { return cage_orbit(s).r_dot; }, "of the mass centre"},
+    {"cage.axial_velocity", "axial velocity", &unit::kSpeed, "N", Per::Cage, 1, false,
+     [](const Source& s) { return s.cage_body().velocity.x(); }, "of the mass centre"},
+    {"cage.land1_force", "land 1 force", &unit::kForce, "-", Per::Cage, 1, false,
+     [](const Source& s) { return land_value(s, 0, [](const auto& l) { return l.force; }); }, "normal force of cage and race"},
+    {"cage.land1_gap", "land 1 gap", &unit::kLength, "-", Per::Cage, 1, false,
+     [](const Source& s) { return land_value(s, 0, [](const auto& l) { return l.gap; }); }, "negative in contact"},
+    {"cage.land1_angle", "land 1 contact angle", &unit::kAngle, "K", Per::Cage, 1, false,
+     [](const Source& s) { return land_value(s, 0, [](const auto& l) { return l.angle; }); }, "azimuth of the least gap"},
+    {"cage.land2_force", "land 2 force", &unit::kForce, "-", Per::Cage, 1, false,
+     [](const Source& s) { return land_value(s, 1, [](const auto& l) { return l.force; }); }, "normal force of cage and race"},
+    {"cage.land2_gap", "land 2 gap", &unit::kLength, "-", Per::Cage, 1, false,
+     [](const Source& s) { return land_value(s, 1, [](const auto& l) { return l.gap; }); }, "negative in contact"},
+    {"cage.land2_angle", "land 2 contact angle", &unit::kAngle, "K", Per::Cage, 1, false,
+     [](const Source& s) { return land_value(s, 1, [](const auto& l) { return l.angle; }); }, "azimuth of the least gap"},
+    {"cage.orbital_acceleration", "orbital acceleration", &unit::kRotationRate, "N", Per::Cage, 1, false,
+     [](const Source& s) { return cage_orbit(s).theta_ddot; }, "of the mass centre about the bearing axis"},
+    {"cage.radial_acceleration", "radial acceleration", &unit::kAcceleration, "N", Per::Cage, 1, false,
+     [](const Source& s) { return cage_orbit(s).r_ddot; }, "second derivative of the radial position"},
+    {"cage.axial_acceleration", "axial acceleration", &unit::kAcceleration, "N", Per::Cage, 1, false,
+     [](const Source& s) { return s.cage_body().acceleration.x(); }, "of the mass centre"},
+    {"cage.x_over_clearance", "x position over clearance", &unit::kPure, "N", Per::Cage, 1, false,
+     [](const Source& s) { return s.cage_body().position.x() / cage_clearance(s); }, "mean radial guide land clearance"},
+    {"cage.y_over_clearance", "y position over clearance", &unit::kPure, "N", Per::Cage, 1, false,
+     [](const Source& s) { return s.cage_body().position.y() / cage_clearance(s); }, "mean radial guide land clearance"},
+    {"cage.z_over_clearance", "z position over clearance", &unit::kPure, "N", Per::Cage, 1, false,
+     [](const Source& s) { return s.cage_body().position.z() / cage_clearance(s); }, "mean radial guide land clearance"},
+    {"cage.orbital_position", "orbital position", &unit::kAngle, "N", Per::Cage, 1, true,
+     [](const Source& s) { return cage_orbit(s).theta; }, "azimuth of the mass centre"},
+    {"cage.radial_position", "radial position", &unit::kLength, "N", Per::Cage, 1, false,
+     [](const Source& s) { return cage_orbit(s).r; }, "of the mass centre"},
+    {"cage.axial_position", "axial position", &unit::kLength, "N", Per::Cage, 1, false,
+     [](const Source& s) { return s.cage_body().position.x(); }, "of the mass centre"},
+    {"cage.theta", "orientation theta", &unit::kAngle, "N", Per::Cage, 1, true,
+     [](const Source& s) { return theta_phi(body_x_axis(s.cage_body().orientation)).theta; }, "of the cage axis"},
+    {"cage.phi", "orientation phi", &unit::kAngle, "N", Per::Cage, 1, false,
+     [](const Source& s) { return theta_phi(body_x_axis(s.cage_body().orientation)).phi; }, "of the cage axis"},
+    {"cage.rotation", "total rotation", &unit::kAngle, "K", Per::Cage, 1, false,
+     [](const Source& s) { return s.cage_body().total_rotation; }, "about the cage axis"},
+    {"cage.speed_ratio", "angular velocity ratio", &unit::kPure, "N", Per::Cage, 1, false,
+     [](const Source& s) { return std::abs(over_race_speed(s, s.cage_body().omega.norm())); },
+     "size of the angular velocity over the speed of the faster race"},
+    {"cage.angular_velocity_theta", "angular velocity theta", &unit::kAngle, "N", Per::Cage, 1, true,
+     [](const Source& s) { return theta_phi(s.cage_body().omega).theta; }, "direction of the angular velocity vector"},
+    {"cage.angular_velocity_phi", "angular velocity phi", &unit::kAngle, "N", Per::Cage, 1, false,
+     [](const Source& s) { return theta_phi(s.cage_body().omega).phi; }, "direction of the angular velocity vector"},
+    {"cage.position", "position", &unit::kLength, "N", Per::Cage, 3, false,
+     [](const Source& s) { return s.cage_body().position[static_cast<int>(s.component)]; }, "of the mass centre"},
+    {"cage.velocity", "velocity", &unit::kSpeed, "N", Per::Cage, 3, false,
+     [](const Source& s) { return s.cage_body().velocity[static_cast<int>(s.component)]; }, "of the mass centre"},
+    {"cage.orientation", "orientation quaternion", &unit::kPure, "N", Per::Cage, 4, false,
+     [](const Source& s) { return s.cage_body().orientation[s.component]; }, "body to base frame"},
+    {"cage.angular_velocity", "angular velocity vector", &unit::kRotation, "N", Per::Cage, 3, false,
+     [](const Source& s) { return s.cage_body().omega[static_cast<int>(s.component)]; }, "absolute angular velocity"},
+    {"land.force", "guide land force", &unit::kForce, "-", Per::Land, 1, false,
+     [](const Source& s) { return land_value(s, s.land, [](const auto& l) { return l.force; }); }, "normal force of cage and race"},
+    {"land.gap", "guide land gap", &unit::kLength, "-", Per::Land, 1, false,
+     [](const Source& s) { return land_value(s, s.land, [](const auto& l) { return l.gap; }); }, "negative in contact"},
+    {"land.angle", "guide land contact angle", &unit::kAngle, "K", Per::Land, 1, false,
+     [](const Source& s) { return land_value(s, s.land, [](const auto& l) { return l.angle; }); }, "azimuth of the least gap"},
+    // Races, outer then inner.
+    {"race.whirl_speed", "whirl speed", &unit::kRotation, "N", Per::Race, 1, false,
+     [](const Source& s) { return race_orbit(s).theta_dot; }, "of the mass centre about the bearing axis"},
+    {"race.radial_velocity", "radial velocity", &unit::kSpeed, "N", Per::Race, 1, false,
+     [](const Source& s) { return race_orbit(s).r_dot; }, "of the mass centre"},
+    {"race.axial_velocity", "axial velocity", &unit::kSpeed, "N", Per::Race, 1, false,
+     [](const Source& s) { return s.race_body().velocity.x(); }, "of the mass centre"},
+    {"race.applied_force_x", "applied force x", &unit::kForce, "N", Per::Race, 1, false,
+     [](const Source& s) { return s.race_body().applied_force.x(); }, "on this race"},
+    {"race.applied_force_y", "applied force y", &unit::kForce, "N", Per::Race, 1, false,
+     [](const Source& s) { return s.race_body().applied_force.y(); }, "on this race"},
+    {"race.applied_force_z", "applied force z", &unit::kForce, "N", Per::Race, 1, false,
+     [](const Source& s) { return s.race_body().applied_force.z(); }, "on this race"},
+    {"race.applied_moment_x", "applied moment x", &unit::kMoment, "N", Per::Race, 1, false,
+     [](const Source& s) { return s.race_body().applied_moment.x(); }, "on this race about its centre"},
+    {"race.applied_moment_y", "applied moment y", &unit::kMoment, "N", Per::Race, 1, false,
+     [](const Source& s) { return s.race_body().applied_moment.y(); }, "on this race about its centre"},
+    {"race.applied_moment_z", "applied moment z", &unit::kMoment, "N", Per::Race, 1, false,
+     [](const Source& s) { return s.race_body().applied_moment.z(); }, "on this race about its centre"},
+    {"race.orbital_acceleration", "orbital acceleration", &unit::kRotationRate, "N", Per::Race, 1, false,
+     [](const Source& s) { return race_orbit(s).theta_ddot; }, "of the mass centre about the bearing axis"},
+    {"race.radial_acceleration", "radial acceleration", &unit::kAcceleration, "N", Per::Race, 1, false,
+     [](const Source& s) { return race_orbit(s).r_ddot; }, "second derivative of the radial position"},
+    {"race.axial_acceleration", "axial acceleration", &unit::kAcceleration, "N", Per::Race, 1, false,
+     [](const Source& s) { return s.race_body().acceleration.x(); }, "of the mass centre"},
+    {"race.x", "x position", &unit::kLength, "N", Per::Race, 1, false,
+     [](const Source& s) { return s.race_body().position.x(); }, "of the mass centre from its free position"},
+    {"race.y", "y position", &unit::kLength, "N", Per::Race, 1, false,
+     [](const Source& s) { return s.race_body().position.y(); }, "of the mass centre from its free position"},
+    {"race.z", "z position", &unit::kLength, "N", Per::Race, 1, false,
+     [](const Source& s) { return s.race_body().position.z(); }, "of the mass centre from its free position"},
+    {"race.orbital_position", "orbital position", &unit::kAngle, "N", Per::Race, 1, true,
+     [](const Source& s) { return race_orbit(s).theta; }, "azimuth of the mass centre"},
+    {"race.radial_position", "radial position", &unit::kLength, "N", Per::Race, 1, false,
+     [](const Source& s) { return race_orbit(s).r; }, "of the mass centre"},
+    {"race.axial_position", "axial position", &unit::kLength, "N", Per::Race, 1, false,
+     [](const Source& s) { return s.race_body().position.x(); }, "of the mass centre"},
+    {"race.theta", "orientation theta", &unit::kAngle, "N", Per::Race, 1, true,
+     [](const Source& s) { return theta_phi(body_x_axis(s.race_body().orientation)).theta; }, "of the race axis"},
+    {"race.phi", "orientation phi", &unit::kAngle, "N", Per::Race, 1, false,
+     [](const Source& s) { return theta_phi(body_x_axis(s.race_body().orientation)).phi; }, "of the race axis"},
+    {"race.rotation", "total rotation", &unit::kAngle, "N", Per::Race, 1, false,
+     [](const Source& s) { return s.race_body().total_rotation; }, "about the race axis"},
+    {"race.angular_velocity", "angular velocity", &unit::kRotation, "N", Per::Race, 1, false,
+     [](const Source& s) { return s.race_body().omega.norm(); }, "size of the angular velocity vector"},
+    {"race.angular_velocity_theta", "angular velocity theta", &unit::kAngle, "N", Per::Race, 1, true,
+     [](const Source& s) { return theta_phi(s.race_body().omega).theta; }, "direction of the angular velocity vector"},
+    {"race.angular_velocity_phi", "angular velocity phi", &unit::kAngle, "N", Per::Race, 1, false,
+     [](const Source& s) { return theta_phi(s.race_body().omega).phi; }, "direction of the angular velocity vector"},
+    {"race.orientation", "orientation quaternion", &unit::kPure, "N", Per::Race, 4, false,
+     [](const Source& s) { return s.race_body().orientation[s.component]; }, "body to base frame"},
+    {"race.wear_rate", "average wear rate", &unit::kVolumeFlow, "-", Per::Race, 1, false,
+     [](const Source& s) { return race_hardness_wear(s); }, "of the race, averaged since time zero"},
+    {"race.temperature", "bulk temperature", &unit::kTemperature, "-", Per::Race, 1, false,
+     [](const Source& s) { return s.bearing->race_temperature[s.race]; }, "of the race"},
+    // The whole bearing.
+    {"power.loss", "power loss", &unit::kPower, "-", Per::Run, 1, false,
+     [](const Source& s) { return s.snapshot->power.total_loss; }, "all dissipation now"},
+    {"power.churning_fraction", "churning fraction", &unit::kPure, "-", Per::Run, 1, false,
+     [](const Source& s) { return s.snapshot->power.churning_fraction; }, "share of churning and drag in the loss"},
+    {"power.life", "fatigue life", &unit::kLife, "-", Per::Run, 1, false,
+     [](const Source& s) { return s.snapshot->power.life_hours; }, "0 where no life model is active"},
+    {"power.element1_wear_rate", "average wear rate, rolling element 1", &unit::kVolumeFlow, "-", Per::Run, 1, false,
+     [](const Source& s) {
+       return average_wear_rate(s.bearing->ball_material, s.snapshot->power.qv_element1[0] + s.snapshot->power.qv_element1[1],
+                                s.snapshot->time);
+     },
+     "from both race contacts, averaged since time zero"},
+    {"power.cage_wear_rate", "average wear rate, cage", &unit::kVolumeFlow, "-", Per::Run, 1, false,
+     [](const Source& s) {
+       return s.bearing->cage ? average_wear_rate(s.bearing->cage->material, s.snapshot->power.qv_cage, s.snapshot->time) : 0.0;
+     },
+     "from pockets and guide lands, averaged since time zero"},
+    {"power.element_temperature", "rolling element bulk temperature", &unit::kTemperature, "-", Per::Run, 1, false,
+     [](const Source& s) { return s.bearing->ball_temperature; }, "rolling elements"},
+    {"power.cage_temperature", "cage bulk temperature", &unit::kTemperature, "-", Per::Run, 1, false,
+     [](const Source& s) { return s.bearing->cage_temperature; }, "cage"},
+    {"power.pocket_heat", "heat in the pockets", &unit::kPower, "-", Per::Run, 1, false,
+     [](const Source& s) { return s.snapshot->power.pockets; }, "dissipated between elements and cage"},
+    {"power.land_heat", "heat at the guide lands", &unit::kPower, "-", Per::Run, 1, false,
+     [](const Source& s) { return s.snapshot->power.lands; }, "dissipated between cage and races"},
+    // Conservation ledger.
+    {"energy.kinetic", "kinetic energy", &unit::kEnergy, "N", Per::Run, 1, false,
+     [](const Source& s) { return s.snapshot->energy.kinetic; }, "stored now"},
+    {"energy.elastic", "elastic energy", &unit::kEnergy, "-", Per::Run, 1, false,
+     [](const Source& s) { return s.snapshot->energy.elastic; }, "stored now"},
+    {"energy.gravity", "energy in gravity", &unit::kEnergy, "N", Per::Run, 1, false,
+     [](const Source& s) { return s.snapshot->energy.gravity; }, "stored now"},
+    {"energy.work", "work of the races", &unit::kEnergy, "-", Per::Race, 1, false,
+     [](const Source& s) { return s.snapshot->energy.work_race[s.race]; }, "done by the prescribed motion since the start"},
+    {"energy.heat", "heat at the races", &unit::kEnergy, "-", Per::Race, 1, false,
+     [](const Source& s) { return s.snapshot->energy.heat_race[s.race]; }, "dissipated since the start"},
+    {"energy.pocket_heat", "heat in the pockets", &unit::kEnergy, "-", Per::Run, 1, false,
+     [](const Source& s) { return s.snapshot->energy.heat_pockets; }, "dissipated since the start"},
+    {"energy.land_heat", "heat at the guide lands", &unit::kEnergy, "-", Per::Run, 1, false,
+     [](const Source& s) { return s.snapshot->energy.heat_lands; }, "dissipated since the start"},
+    {"energy.residual", "energy residual", &unit::kEnergy, "-", Per::Run, 1, false,
+     [](const Source& s) { return s.snapshot->energy.residual(); }, "work less heat less change of stored energy"},
+});
+
+}  // namespace
+
+std::span<const Channel> channels() { return kTable; }
+
+}  // namespace adore::results

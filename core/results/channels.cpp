@@ -1,0 +1,184 @@
+#include "results/channels.hpp"
+
+#include "base/errors.hpp"
+#include "results/motion.hpp"
+
+#include <fmt/format.h>
+
+#include <unordered_map>
+
+namespace adore::results {
+namespace {
+
+std::string state_key(const Channel& channel, std::size_t at) {
+  return fmt::format("branch {}[{}]", channel.id, at);
+}
+
+/// Sets the indices of `source` to the k-th value of a channel (layout of StepRecord).
+void point_at(ChannelSource& source, const Channel& channel, const Shape& shape, std::size_t k) {
+  const auto components = static_cast<std::size_t>(channel.components);
+  source.component = k % components;
+  const std::size_t at = k / components;
+  const auto split = [at](int inner) {
+    return std::pair(at / static_cast<std::size_t>(inner), at % static_cast<std::size_t>(inner));
+  };
+  switch (channel.per) {
+    case Per::Run:
+      break;
+    case Per::Element:
+      source.element = at;
+      break;
+    case Per::Contact:
+      std::tie(source.element, source.race) = split(2);
+      break;
+    case Per::Pocket:
+      std::tie(source.element, source.surface) = split(shape.pocket_surfaces);
+      break;
+    case Per::Cage:
+      source.cage = at;
+      break;
+    case Per::Land:
+      std::tie(source.cage, source.land) = split(shape.lands);
+      break;
+    case Per::Race:
+      source.race = at;
+      break;
+  }
+}
+
+}  // namespace
+
+std::size_t channel_index(std::string_view id) {
+  static const auto index = [] {
+    std::unordered_map<std::string_view, std::size_t> made;
+    for (std::size_t i = 0; i < channels().size(); ++i) made.emplace(channels()[i].id, i);
+    return made;
+  }();
+  const auto found = index.find(id);
+  demand(found != index.end(), fmt::format("there is no channel '{}'", id));
+  return found->second;
+}
+
+int pocket_surfaces(const bearing::Bearing& bearing) {
+  return bearing.cage && bearing.cage->pocket == bearing::PocketShape::Rectangular ? 4 : 1;
+}
+
+int pocket_code(const bearing::Bearing& bearing) {
+  if (!bearing.cage) return 0;
+  switch (bearing.cage->pocket) {
+    case bearing::PocketShape::Cylindrical:
+      return 0;
+    case bearing::PocketShape::Spherical:
+      return 1;
+    case bearing::PocketShape::Elongated:
+      return 2;
+    case bearing::PocketShape::Rectangular:
+      return 3;
+    case bearing::PocketShape::Conical:
+      return 4;
+  }
+  return 0;
+}
+
+Shape shape_of(const bearing::Bearing& bearing) {
+  Shape shape;
+  shape.elements = bearing.balls.count;
+  if (bearing.cage) {
+    shape.cages = 1;
+    shape.pocket_surfaces = pocket_surfaces(bearing);
+    shape.lands = static_cast<int>(bearing.cage->lands.size());
+  }
+  return shape;
+}
+
+std::size_t channel_size(const Channel& channel, const Shape& shape) {
+  const int count = [&] {
+    switch (channel.per) {
+      case Per::Run:
+        return 1;
+      case Per::Element:
+        return shape.elements;
+      case Per::Contact:
+        return 2 * shape.elements;
+      case Per::Pocket:
+        return shape.elements * shape.pocket_surfaces;
+      case Per::Cage:
+        return shape.cages;
+      case Per::Land:
+        return shape.cages * shape.lands;
+      case Per::Race:
+        return 2;
+    }
+    return 0;
+  }();
+  return static_cast<std::size_t>(count * channel.components);
+}
+
+ChannelRecorder::ChannelRecorder(bearing::Bearing bearing, UnitSystem units)
+    : bearing_(std::move(bearing)), unit_length_(to_si(1.0, unit::kLength, units)) {
+  record_.shape = shape_of(bearing_);
+  for (const Channel& channel : channels())
+    record_.values.emplace_back(channel_size(channel, record_.shape), 0.0);
+}
+
+void ChannelRecorder::set_bearing(bearing::Bearing bearing) {
+  demand(shape_of(bearing) == record_.shape,
+         "a thermal step must not change what the bearing consists of");
+  bearing_ = std::move(bearing);
+}
+
+const StepRecord& ChannelRecorder::record(const dynamics::Snapshot& snapshot) {
+  const Shape& shape = record_.shape;
+  demand(snapshot.elements.size() == static_cast<std::size_t>(shape.elements) &&
+             snapshot.cages.size() == static_cast<std::size_t>(shape.cages),
+         "the snapshot is not one of this bearing");
+  for (const dynamics::ElementSnapshot& element : snapshot.elements)
+    demand(shape.cages == 0 ||
+               element.pocket.size() == static_cast<std::size_t>(shape.pocket_surfaces),
+           "each element of a snapshot shows every guide surface of its pocket");
+
+  record_.step = snapshot.step;
+  record_.time = snapshot.time;
+  record_.step_size = snapshot.step_size;
+  record_.shaft_rotation = snapshot.shaft_rotation;
+  ChannelSource source;
+  source.snapshot = &snapshot;
+  source.bearing = &bearing_;
+  source.unit_length = unit_length_;
+  for (std::size_t c = 0; c < record_.values.size(); ++c) {
+    const Channel& channel = channels()[c];
+    std::vector<double>& values = record_.values[c];
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      point_at(source, channel, shape, k);
+      const double value = channel.value(source);
+      values[k] = channel.continuous && has_previous_ ? nearest_branch(value, values[k]) : value;
+    }
+  }
+  has_previous_ = true;
+  return record_;
+}
+
+void ChannelRecorder::save(std::map<std::string, double>& state) const {
+  if (!has_previous_) return;
+  for (std::size_t c = 0; c < record_.values.size(); ++c) {
+    const Channel& channel = channels()[c];
+    if (!channel.continuous) continue;
+    for (std::size_t k = 0; k < record_.values[c].size(); ++k)
+      state[state_key(channel, k)] = record_.values[c][k];
+  }
+}
+
+void ChannelRecorder::restore(const std::map<std::string, double>& state) {
+  for (std::size_t c = 0; c < record_.values.size(); ++c) {
+    const Channel& channel = channels()[c];
+    if (!channel.continuous) continue;
+    for (std::size_t k = 0; k < record_.values[c].size(); ++k) {
+      const auto found = state.find(state_key(channel, k));
+      if (found == state.end()) continue;
+      record_.values[c][k] = found->second;
+      has_previous_ = true;
+    }
+  }
+}
+
+}  // namespace adore::results

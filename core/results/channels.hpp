@@ -1,0 +1,130 @@
+#pragma once
+
+#include "bearing/bearing.hpp"
+#include "dynamics/snapshot.hpp"
+#include "results/quantities.hpp"
+#include "results/sol_file.hpp"
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// The one table of everything that results store. Writers, readers, `show`, `convert` and the plot
+/// programs share it: a classic file is a list of columns into this table, RESULTS.h5 is the whole
+/// table.
+namespace adore::results {
+
+/// How often a channel occurs in one step.
+enum class Per : unsigned char { Run, Element, Contact, Pocket, Cage, Land, Race };
+
+/// Where a channel's getter looks: one instant and the indices that its `Per` needs (all from 0).
+struct ChannelSource {
+  const dynamics::Snapshot* snapshot = nullptr;
+  const bearing::Bearing* bearing = nullptr;
+  double unit_length = 1.0;  ///< the deck's unit of length [m], see cage_clearance_scale()
+  std::size_t element = 0, race = 0, surface = 0, cage = 0, land = 0, component = 0;
+
+  [[nodiscard]] const dynamics::ElementSnapshot& ball() const {
+    return snapshot->elements[element];
+  }
+  [[nodiscard]] const dynamics::RaceContactSnapshot& contact() const { return ball().race[race]; }
+  [[nodiscard]] const dynamics::PocketContactSnapshot& pocket() const {
+    return ball().pocket[surface];
+  }
+  [[nodiscard]] const dynamics::CageSnapshot& cage_body() const { return snapshot->cages[cage]; }
+  [[nodiscard]] const dynamics::RaceSnapshot& race_body() const { return snapshot->races[race]; }
+};
+
+struct Channel {
+  std::string_view id;  ///< "contact.load"; the group before the point is the folder in RESULTS.h5
+  std::string_view label;  ///< "contact load"
+  const UnitPair* unit = nullptr;
+  std::string_view frame;  ///< N base, A azimuth frame of the element, K cage, P pocket, - none
+  Per per = Per::Run;
+  int components = 1;       ///< 3 for vectors, 4 for quaternions (w, x, y, z)
+  bool continuous = false;  ///< an angle kept continuous between records (N101)
+  double (*value)(const ChannelSource&) = nullptr;  ///< SI and radians
+  std::string_view help;
+};
+
+/// All channels, in a fixed order.
+[[nodiscard]] std::span<const Channel> channels();
+/// @throws InternalError for an unknown id.
+[[nodiscard]] std::size_t channel_index(std::string_view id);
+
+/// Sizes of one bearing that fix how many values each channel has.
+struct Shape {
+  int elements = 0, pocket_surfaces = 0, cages = 0, lands = 0;
+  bool operator==(const Shape&) const = default;
+};
+[[nodiscard]] Shape shape_of(const bearing::Bearing& bearing);
+/// Values of one channel in one step, components included.
+[[nodiscard]] std::size_t channel_size(const Channel& channel, const Shape& shape);
+/// Active surfaces of one pocket, header integer 20: 4 for rectangular, else 1.
+[[nodiscard]] int pocket_surfaces(const bearing::Bearing& bearing);
+/// kPocType of the cage, 0 without one.
+[[nodiscard]] int pocket_code(const bearing::Bearing& bearing);
+
+/// One instant, evaluated: values[c][k] of channel c, in SI; k runs element, then race (contacts)
+/// or surface (pockets), or cage then land, then component.
+struct StepRecord {
+  long step = 0;
+  double time = 0.0, step_size = 0.0;  ///< [s]
+  double shaft_rotation = 0.0;         ///< [rad]
+  Shape shape;
+  std::vector<std::vector<double>> values;
+
+  [[nodiscard]] const std::vector<double>& operator[](std::string_view id) const {
+    return values[channel_index(id)];
+  }
+};
+
+/// Turns snapshots into records and keeps the angles continuous from one record to the next. Feed
+/// it every stored step, in order, whichever file wants it, so that all files show the same branch.
+class ChannelRecorder {
+ public:
+  ChannelRecorder(bearing::Bearing bearing, UnitSystem units);
+  /// New temperatures and fits after a thermal step; the shape must stay.
+  void set_bearing(bearing::Bearing bearing);
+  [[nodiscard]] const StepRecord& record(const dynamics::Snapshot& snapshot);
+  [[nodiscard]] const bearing::Bearing& bearing() const noexcept { return bearing_; }
+  [[nodiscard]] const Shape& shape() const noexcept { return record_.shape; }
+
+  /// Branches of the angles, for MASTER, and back. Keys that are no such branch are left alone.
+  void save(std::map<std::string, double>& state) const;
+  void restore(const std::map<std::string, double>& state);
+
+ private:
+  bearing::Bearing bearing_;
+  double unit_length_;
+  StepRecord record_;
+  bool has_previous_ = false;
+};
+
+/// One column of a classic file.
+struct SolColumn {
+  std::string id;     ///< "contact.load.outer", "pocket.force.7.1"
+  std::string label;  ///< "contact load, outer race"
+  const UnitPair* unit = nullptr;
+  int channel =
+      -1;  ///< index into channels(); -1: a value of the format that ball bearings do not have
+  std::size_t at = 0;  ///< index into StepRecord::values[channel]
+};
+
+/// The columns of one SOL1-SOL7 file as its header describes it, exactly header.value_count of
+/// them. Values beyond those that we know are called "value 47". `cage` counts from 0 and matters
+/// for segments only.
+[[nodiscard]] std::vector<SolColumn> sol_columns(const SolHeader& header);
+/// How many values this program writes into a file of that kind.
+[[nodiscard]] int sol_value_count(SolKind kind, const Shape& shape);
+[[nodiscard]] SolKind sol_kind_of(const SolHeader& header);
+
+/// The ten unit slots of a file kind (outputs.md 2); nullptr for a blank one.
+[[nodiscard]] std::array<const UnitPair*, 10> unit_slots(SolKind kind);
+/// The file's own unit string of a column: the slot that holds the column's unit; "" for
+/// dimensionless values.
+[[nodiscard]] std::string unit_of_column(const SolFile& file, const SolColumn& column);
+
+}  // namespace adore::results

@@ -1,0 +1,73 @@
+#include "results/continuation.hpp"
+
+#include "base/errors.hpp"
+#include "results/fortran_format.hpp"
+#include "results/sol_parser.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace adore::results {
+namespace {
+
+constexpr std::string_view kRemedy =
+    "give the old deck's values, or start new files with kIcOpt = -1";
+
+template <class T>
+void compare(const std::filesystem::path& path, std::string_view what, const T& found,
+             const T& expected) {
+  if (found == expected) return;
+  throw InputError(fmt::format("{}: the file to be continued has {} {}, this run {}; {}",
+                               path.string(), what, found, expected, kRemedy));
+}
+
+}  // namespace
+
+void check_run_id(const std::filesystem::path& path, const std::string& found,
+                  const std::string& of_deck) {
+  const std::string_view a = fortran::trimmed(found), b = fortran::trimmed(of_deck);
+  if (a.substr(0, 36) == b.substr(0, 36)) return;
+  throw InputError(
+      fmt::format("{}: the file belongs to run '{}', but the deck says runID = '{}'; put the right "
+                  "files here, or start new "
+                  "ones from FINAL with kIcOpt = -1",
+                  path.string(), a, b));
+}
+
+GrowingFile continue_sol_file(const std::filesystem::path& path, const std::string& expected_header,
+                              long last_step) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+    throw InputError(
+        fmt::format("{}: the file to be continued cannot be opened; restore it, or start new files "
+                    "with kIcOpt = -1",
+                    path.string()));
+  SolParser found(stream, path.string());
+  std::istringstream expected_stream(expected_header);
+  const SolParser expected(expected_stream, "header");
+  const SolHeader& a = found.header();
+  const SolHeader& b = expected.header();
+  check_run_id(path, a.run_id, b.run_id);
+  compare(path, "rolling elements:", a.elements, b.elements);
+  compare(path, "cage segments:", a.segments, b.segments);
+  compare(path, "the index of element", a.index, b.index);
+  compare(path, "values a step:", a.value_count, b.value_count);
+  compare(path, "bearing type", a.bearing_type, b.bearing_type);
+  for (std::size_t k = 0; k < a.units.size(); ++k)
+    compare(path, fmt::format("in unit slot {}", k + 1), a.units[k], b.units[k]);
+
+  std::uintmax_t bytes = found.good_bytes();
+  bool terminated = found.good_end_terminated();
+  SolStep step;
+  while (found.next(step, false) == BlockStatus::Complete && step.step <= last_step) {
+    bytes = found.good_bytes();
+    terminated = found.good_end_terminated();
+  }
+  GrowingFile file = GrowingFile::append_after(path, bytes);
+  if (!terminated) file.append("\n");
+  return file;
+}
+
+}  // namespace adore::results

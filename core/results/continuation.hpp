@@ -1,0 +1,23 @@
+#pragma once
+
+#include "results/growing_file.hpp"
+
+#include <filesystem>
+#include <string>
+
+/// Continuing the classic files of an earlier run (N3).
+namespace adore::results {
+
+/// Opens a SOL file for appending after its last step with number <= `last_step`. The file's header
+/// must equal `expected_header` but for the program version: another run code, element, layout or
+/// unit system stops the run.
+/// @throws InputError saying which, with both values.
+[[nodiscard]] GrowingFile continue_sol_file(const std::filesystem::path& path,
+                                            const std::string& expected_header, long last_step);
+
+/// Throws unless the run code found in a file is that of the deck. @throws InputError naming both,
+/// remedy kIcOpt = -1.
+void check_run_id(const std::filesystem::path& path, const std::string& found,
+                  const std::string& of_deck);
+
+}  // namespace adore::results

@@ -1,0 +1,174 @@
+#include "results/fortran_format.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <system_error>
+
+namespace adore::results::fortran {
+namespace {
+
+void append_right(std::string& out, std::string_view text, int width) {
+  const auto columns_wide = static_cast<std::size_t>(width);
+  if (text.size() > columns_wide) {
+    out.append(columns_wide, '*');
+  } else {
+    out.append(columns_wide - text.size(), ' ');
+    out.append(text);
+  }
+}
+
+std::string_view special_word(double value, int width) {
+  if (std::isnan(value)) return "NaN";
+  if (value > 0.0) return width >= 8 ? "Infinity" : "Inf";
+  return width >= 9 ? "-Infinity" : "-Inf";
+}
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
+
+bool equal_word(std::string_view text, std::string_view word) {
+  if (text.size() != word.size()) return false;
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (lower(text[i]) != word[i]) return false;
+  return true;
+}
+
+}  // namespace
+
+void append_integer(std::string& out, long long value, int width) {
+  std::array<char, 24> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  append_right(out, {buffer.data(), static_cast<std::size_t>(end - buffer.data())}, width);
+}
+
+void append_real(std::string& out, double value, int width, int digits, Scale scale) {
+  if (!std::isfinite(value)) {
+    append_right(out, special_word(value, width), width);
+    return;
+  }
+  // Scientific form "d.ddde±XX" of |value| with as many significant digits as the descriptor shows.
+  const int precision = scale == Scale::One ? digits : digits - 1;
+  std::array<char, 64> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
+                                 std::chars_format::scientific, precision)
+                       .ptr;
+  const std::string_view scientific(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+  const std::size_t letter = scientific.find('e');
+  int exponent = 0;
+  std::from_chars(scientific.data() + letter + (scientific[letter + 1] == '+' ? 2 : 1), end,
+                  exponent);
+
+  std::string field;
+  if (value < 0.0) field += '-';
+  const std::size_t lead = field.size();
+  if (scale == Scale::One) {
+    field.append(scientific.substr(0, letter));
+    if (digits == 0) field += '.';
+  } else {
+    field += "0.";
+    field += scientific[0];
+    if (letter > 2) field.append(scientific.substr(2, letter - 2));
+    if (value != 0.0) ++exponent;
+  }
+  const int size = std::abs(exponent);
+  if (size < 100) field += 'E';
+  field += exponent < 0 ? '-' : '+';
+  if (size < 10) field += '0';
+  field += std::to_string(size);
+  // Fortran may leave out the zero before the point when the field is one column too narrow.
+  if (scale == Scale::Zero && field.size() == static_cast<std::size_t>(width) + 1)
+    field.erase(lead, 1);
+  append_right(out, field, width);
+}
+
+void append_text(std::string& out, std::string_view text, int width) {
+  const auto columns_wide = static_cast<std::size_t>(width);
+  text = text.substr(0, columns_wide);
+  out.append(text);
+  out.append(columns_wide - text.size(), ' ');
+}
+
+std::string_view columns(std::string_view line, int first, int last) {
+  const auto begin = static_cast<std::size_t>(first - 1);
+  if (begin >= line.size()) return {};
+  return line.substr(begin, static_cast<std::size_t>(last - first + 1));
+}
+
+std::string_view trimmed(std::string_view text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+std::optional<double> parse_real(std::string_view field) {
+  const std::string_view text = trimmed(field);
+  if (text.empty()) return std::nullopt;
+  if (text.find_first_not_of('*') == std::string_view::npos)
+    return std::numeric_limits<double>::quiet_NaN();
+
+  std::string_view rest = text;
+  const bool negative = rest.front() == '-';
+  if (rest.front() == '-' || rest.front() == '+') rest.remove_prefix(1);
+  const double sign = negative ? -1.0 : 1.0;
+  if (equal_word(rest, "nan")) return std::numeric_limits<double>::quiet_NaN();
+  if (equal_word(rest, "inf") || equal_word(rest, "infinity"))
+    return sign * std::numeric_limits<double>::infinity();
+
+  // Rewritten as mantissa 'e' exponent; a field is at most a line long.
+  std::string number;
+  std::size_t at = 0;
+  int digits = 0;
+  bool point = false;
+  for (; at < rest.size() && (is_digit(rest[at]) || (rest[at] == '.' && !point)); ++at) {
+    if (rest[at] == '.')
+      point = true;
+    else
+      ++digits;
+    number += rest[at];
+  }
+  if (digits == 0) return std::nullopt;
+  bool small = false;
+  if (at < rest.size()) {
+    const char letter = lower(rest[at]);
+    if (letter == 'e' || letter == 'd' || letter == 'q') {
+      ++at;
+    } else if (letter != '+' && letter != '-') {
+      return std::nullopt;
+    }
+    number += 'e';
+    if (at < rest.size() && (rest[at] == '+' || rest[at] == '-')) {
+      small = rest[at] == '-';
+      number += rest[at++];
+    }
+    if (at == rest.size()) return std::nullopt;
+    for (; at < rest.size(); ++at) {
+      if (!is_digit(rest[at])) return std::nullopt;
+      number += rest[at];
+    }
+    // from_chars takes no '+' before the exponent's digits in some libraries: always valid without.
+    if (const std::size_t plus = number.find('+'); plus != std::string::npos) number.erase(plus, 1);
+  }
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+  if (error == std::errc::result_out_of_range)
+    return sign * (small ? 0.0 : std::numeric_limits<double>::infinity());
+  if (error != std::errc() || end != number.data() + number.size()) return std::nullopt;
+  return sign * value;
+}
+
+std::optional<long long> parse_integer(std::string_view field) {
+  std::string_view text = trimmed(field);
+  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
+  if (text.empty()) return std::nullopt;
+  long long value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+}  // namespace adore::results::fortran

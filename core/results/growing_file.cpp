@@ -1,0 +1,134 @@
+#include "results/growing_file.hpp"
+
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <fcntl.h>
+#include <fstream>
+#include <iterator>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace adore::results {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string_view remedy(int error) {
+  switch (error) {
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return "make the file and its folder writable, or choose another folder";
+    case ENOENT:
+    case ENOTDIR:
+      return "create the folder first or choose another one";
+    case ENOSPC:
+    case EDQUOT:
+      return "free some disk space or choose another disk, then continue the run";
+    case EISDIR:
+      return "give the name of a file, not of a folder";
+    case EFBIG:
+      return "the file system allows no larger files: choose another disk or store fewer steps";
+    default:
+      return "choose another place";
+  }
+}
+
+[[noreturn]] void fail(const fs::path& path, int error, std::string_view what) {
+  Issue issue;
+  issue.file = path.string();
+  issue.message = fmt::format("{}: {}", what, std::generic_category().message(error));
+  issue.remedy = remedy(error);
+  throw InputError({issue});
+}
+
+}  // namespace
+
+GrowingFile::GrowingFile(fs::path path, int descriptor, std::uintmax_t bytes)
+    : path_(std::move(path)), descriptor_(descriptor), bytes_(bytes) {}
+
+GrowingFile::GrowingFile(GrowingFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      bytes_(other.bytes_) {}
+
+GrowingFile& GrowingFile::operator=(GrowingFile&& other) noexcept {
+  std::swap(path_, other.path_);
+  std::swap(descriptor_, other.descriptor_);
+  std::swap(bytes_, other.bytes_);
+  return *this;
+}
+
+GrowingFile::~GrowingFile() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+GrowingFile GrowingFile::create(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (descriptor < 0) fail(path, errno, "the file cannot be written");
+  return {path, descriptor, 0};
+}
+
+GrowingFile GrowingFile::append_after(const fs::path& path, std::uintmax_t bytes) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) fail(path, errno, "the file to be continued cannot be opened");
+  GrowingFile file(path, descriptor, bytes);
+  struct stat status {};
+  if (::fstat(descriptor, &status) != 0)
+    fail(path, errno, "the file to be continued cannot be examined");
+  if (static_cast<std::uintmax_t>(status.st_size) < bytes)
+    throw InputError(
+        fmt::format("{}: the file has {} bytes, but the run to be continued left {}; restore the "
+                    "file, or start a new run with kIcOpt = -1",
+                    path.string(), status.st_size, bytes));
+  if (::ftruncate(descriptor, static_cast<off_t>(bytes)) != 0 ||
+      ::lseek(descriptor, static_cast<off_t>(bytes), SEEK_SET) < 0)
+    fail(path, errno, "the file to be continued cannot be cut back");
+  return file;
+}
+
+void GrowingFile::append(std::string_view piece) {
+  std::string_view rest = piece;
+  while (!rest.empty()) {
+    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) {
+      const int error = written < 0 ? errno : EIO;
+      // Whole pieces only. Where even cutting fails (a device), the reader still finds every whole
+      // step.
+      if (::ftruncate(descriptor_, static_cast<off_t>(bytes_)) == 0)
+        (void)::lseek(descriptor_, static_cast<off_t>(bytes_), SEEK_SET);
+      fail(path_, error, "the file cannot be written any further");
+    }
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+  bytes_ += piece.size();
+}
+
+std::string read_text_file(const fs::path& path, std::uintmax_t limit) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status))
+    throw InputError(
+        fmt::format("{}: there is no such file; give the name of an existing one", path.string()));
+  if (fs::is_directory(status))
+    throw InputError(
+        fmt::format("{}: this is a folder; give the name of a file in it", path.string()));
+  if (const std::uintmax_t size = fs::file_size(path, error); !error && size > limit)
+    throw InputError(fmt::format(
+        "{}: {} bytes are too many for this kind of file (at most {}); give another file",
+        path.string(), size, limit));
+  std::ifstream stream(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (!stream && text.empty())
+    throw InputError(
+        fmt::format("{}: the file cannot be read; check its permissions", path.string()));
+  return text;
+}
+
+}  // namespace adore::results

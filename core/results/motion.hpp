@@ -1,0 +1,56 @@
+#pragma once
+
+#include "bearing/bearing.hpp"
+#include "dynamics/snapshot.hpp"
+
+#include <array>
+
+/// Quantities that the outputs derive from a snapshot's motion.
+namespace adore::results {
+
+using dynamics::Vec3;
+
+/// Direction of a vector as the outputs show it (N101): theta = atan2(v_z, v_x), phi = asin(v_y /
+/// |v|) [rad]. Both are 0 for a zero vector and near 0 for one along +x. Frame: that of the vector.
+struct Direction {
+  double theta = 0.0, phi = 0.0;
+};
+[[nodiscard]] Direction theta_phi(const Vec3& v);
+
+/// Motion of a mass centre in the plane across the bearing axis, base frame, angle from +Z as
+/// azimuths: y = -r sin θ, z = r cos θ. On the axis itself (r below 1 pm) θ is taken from the
+/// velocity, else from the acceleration, and the angular rates are 0.
+struct OrbitMotion {
+  double r = 0.0, r_dot = 0.0, r_ddot = 0.0;              ///< [m, m/s, m/s²]
+  double theta = 0.0, theta_dot = 0.0, theta_ddot = 0.0;  ///< θ in -π..π [rad, rad/s, rad/s²]
+};
+[[nodiscard]] OrbitMotion orbit_motion(const Vec3& position, const Vec3& velocity,
+                                       const Vec3& acceleration);
+
+/// The body's x axis in the base frame, from its unit quaternion (body -> base).
+[[nodiscard]] Vec3 body_x_axis(const dynamics::Quat& orientation);
+
+/// The three transformation angles η, ξ, λ of R = Rx(η) Ry(ξ) Rz(λ) (design §6) [rad], each in
+/// -π..π. Where ξ = ±π/2 only η ± λ is defined: λ is then 0.
+[[nodiscard]] std::array<double, 3> transformation_angles(const dynamics::Quat& orientation);
+
+/// Angle reduced to -π..π.
+[[nodiscard]] double wrapped(double angle);
+
+/// The branch of `angle` (a multiple of 2π away) nearest to `previous`.
+[[nodiscard]] double nearest_branch(double angle, double previous);
+
+/// Speed of the faster race about its own axis, sign kept [rad/s] (N54); 0 when both stand still.
+[[nodiscard]] double faster_race_speed(const dynamics::Snapshot& snapshot);
+
+/// Length that normalises the cage's mass centre (N71) [m]: mean radial clearance of the guided
+/// lands, so that 1 means touching; without lands the radial pocket clearance I; where that is not
+/// positive either, `unit_length`.
+[[nodiscard]] double cage_clearance_scale(const bearing::Cage& cage, double unit_length);
+
+/// Archard's wear volume per time, averaged over the run (N50): W(T) = K/(H T) ∫ Q V dt [m³/s].
+/// 0 at T = 0 and for a material without hardness.
+[[nodiscard]] double average_wear_rate(const bearing::Material& material, double load_slip_integral,
+                                       double time);
+
+}  // namespace adore::results

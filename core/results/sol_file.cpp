@@ -1,0 +1,158 @@
+#include "results/sol_file.hpp"
+
+#include "base/errors.hpp"
+#include "results/sol_parser.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+
+namespace adore::results {
+namespace {
+
+std::ifstream open_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    throw InputError(
+        fmt::format("{}: this is a folder; give the name of a SOL file in it", path.string()));
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+    throw InputError(fmt::format("{}: the file cannot be opened; check its name and permissions",
+                                 path.string()));
+  return stream;
+}
+
+void check(const SolRange& range) {
+  if (range.from < 1 || range.to < range.from || range.every < 1)
+    throw InputError(
+        fmt::format("stored steps {} to {}, every {}: the first must be at least 1, the last not "
+                    "before it, the interval at least 1",
+                    range.from, range.to, range.every));
+}
+
+/// Calls take(step) for every complete step of the range; returns the note.
+template <class Take>
+std::string for_each_step(SolParser& parser, const SolRange& range, Take take) {
+  SolStep step;
+  for (long position = 1; position <= range.to; ++position) {
+    const bool kept = position >= range.from && (position - range.from) % range.every == 0;
+    if (parser.next(step, kept) != BlockStatus::Complete) return parser.note();
+    if (kept) take(step);
+  }
+  return {};
+}
+
+/// Hands out the values of a SOL8 step one after the other.
+class Values {
+ public:
+  explicit Values(const std::vector<double>& values) : values_(values) {}
+  double next() { return values_[at_++]; }
+  template <std::size_t n>
+  std::array<double, n> next_array() {
+    std::array<double, n> out{};
+    for (double& value : out) value = next();
+    return out;
+  }
+
+ private:
+  const std::vector<double>& values_;
+  std::size_t at_ = 0;
+};
+
+Sol8Frame make_frame(const SolStep& step, int elements) {
+  Sol8Frame frame;
+  frame.step = step.step;
+  frame.revolutions = step.revolutions;
+  frame.time = step.time;
+  Values values(step.values);
+  frame.elements.resize(static_cast<std::size_t>(elements));
+  for (Sol8Element& element : frame.elements) {
+    element.x = values.next();
+    element.r = values.next();
+    element.theta = values.next();
+    element.angles = values.next_array<3>();
+    element.pocket_vector = values.next_array<3>();
+    element.pocket_force = values.next();
+    element.pocket_angle = values.next();
+  }
+  frame.cage.position = values.next_array<3>();
+  frame.cage.angles = values.next_array<3>();
+  for (std::size_t land = 0; land < 2; ++land) {
+    frame.land_force[land] = values.next();
+    frame.land_angle[land] = values.next();
+  }
+  for (Sol8Body& race : frame.races) {
+    race.position = values.next_array<3>();
+    race.angles = values.next_array<3>();
+  }
+  return frame;
+}
+
+Sol8Geometry make_geometry(const std::vector<double>& geometry) {
+  Values values(geometry);
+  Sol8Geometry out;
+  for (double* value :
+       {&out.cage_outer_radius, &out.cage_inner_radius, &out.cage_outer_clearance,
+        &out.cage_inner_clearance, &out.pocket_clearance_1, &out.pocket_clearance_2,
+        &out.element_radius, &out.pitch_diameter, &out.outer_race_outer_radius,
+        &out.outer_race_inner_radius, &out.inner_race_outer_radius, &out.inner_race_inner_radius})
+    *value = values.next();
+  return out;
+}
+
+}  // namespace
+
+SolFile read_sol(std::istream& stream, const std::string& name, const SolRange& range) {
+  check(range);
+  SolParser parser(stream, name);
+  if (parser.kind() == SolKind::Animation)
+    throw InputError(
+        fmt::format("{}: this is an animation file (SOL8); open it with the animation viewer, or "
+                    "give one of SOL1-SOL7",
+                    name));
+  SolFile file;
+  file.path = name;
+  file.kind = parser.kind();
+  file.header = parser.header();
+  file.note =
+      for_each_step(parser, range, [&](SolStep& step) { file.steps.push_back(std::move(step)); });
+  return file;
+}
+
+Sol8File read_sol8(std::istream& stream, const std::string& name, const SolRange& range) {
+  check(range);
+  SolParser parser(stream, name);
+  if (parser.kind() != SolKind::Animation)
+    throw InputError(
+        fmt::format("{}: this is a plot file (SOL1-SOL7), not an animation file; give SOL8", name));
+  Sol8File file;
+  file.path = name;
+  file.version = parser.header().version;
+  file.run_id = parser.header().run_id;
+  file.bearing_type = parser.header().bearing_type;
+  file.elements = parser.header().elements;
+  file.units = parser.header().units;
+  file.geometry = make_geometry(parser.geometry());
+  file.note = for_each_step(parser, range, [&](const SolStep& step) {
+    file.frames.push_back(make_frame(step, file.elements));
+  });
+  return file;
+}
+
+SolFile read_sol(const std::filesystem::path& path, const SolRange& range) {
+  std::ifstream stream = open_file(path);
+  return read_sol(stream, path.string(), range);
+}
+
+Sol8File read_sol8(const std::filesystem::path& path, const SolRange& range) {
+  std::ifstream stream = open_file(path);
+  return read_sol8(stream, path.string(), range);
+}
+
+SolKind sol_kind(const std::filesystem::path& path) {
+  std::ifstream stream = open_file(path);
+  return SolParser(stream, path.string()).kind();
+}
+
+}  // namespace adore::results

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "results/line_reader.hpp"
+#include "results/sol_file.hpp"
+
+#include <optional>
+#include <string>
+
+/// Step-by-step parsing of SOL1-SOL8 from any stream: under read_sol(), read_sol8(), continuation
+/// and the fuzzer.
+namespace adore::results {
+
+/// A block of numbers in fixed columns, as many lines as it takes.
+enum class BlockStatus : unsigned char {
+  Complete,
+  End,   ///< nothing more in the file
+  Cut,   ///< the file ends inside
+  Wrong  ///< something else stands there
+};
+
+class SolParser {
+ public:
+  /// Reads the header. `name` is the file's name for messages. @throws InputError when it is no
+  /// SOL1-SOL8 file.
+  SolParser(std::istream& stream, std::string name);
+
+  [[nodiscard]] SolKind kind() const noexcept { return kind_; }
+  /// Of SOL1-SOL7; for SOL8 version, run_id, bearing_type, elements, units and value_count are set.
+  [[nodiscard]] const SolHeader& header() const noexcept { return header_; }
+  [[nodiscard]] const std::vector<double>& geometry() const noexcept {
+    return geometry_;
+  }  ///< SOL8 only
+
+  /// Next stored step. `with_values` false skips its numbers (values stay empty) but still checks
+  /// that all lines are there. For SOL8 only step, revolutions, time and values are set.
+  BlockStatus next(SolStep& step, bool with_values = true);
+
+  /// Why the last next() was not Complete: "cut off in step 120 (line 340)".
+  [[nodiscard]] const std::string& note() const noexcept { return note_; }
+  /// First byte after the header or the last complete step, and whether that ended with a line end.
+  [[nodiscard]] std::uintmax_t good_bytes() const noexcept { return good_bytes_; }
+  [[nodiscard]] bool good_end_terminated() const noexcept { return good_terminated_; }
+
+ private:
+  struct Field {
+    int width, per_line;
+  };
+  void read_plot_header(std::string_view first, std::string_view title);
+  void read_animation_header(std::string_view first, std::string_view integers);
+  void read_identity(std::string_view first);
+  void read_units(const std::array<int, 10>& lengths);
+  std::string_view header_line(std::string_view what);
+  [[noreturn]] void reject(const std::string& why) const;
+  BlockStatus read_step_line(SolStep& step);
+  BlockStatus read_values(int count, int width, std::vector<double>* values);
+
+  LineReader reader_;
+  std::string name_;
+  SolKind kind_ = SolKind::Element;
+  SolHeader header_;
+  std::vector<double> geometry_;
+  std::string note_;
+  std::uintmax_t good_bytes_ = 0;
+  bool good_terminated_ = true;
+};
+
+/// The readers of sol_file.hpp on an open stream.
+SolFile read_sol(std::istream& stream, const std::string& name, const SolRange& range);
+Sol8File read_sol8(std::istream& stream, const std::string& name, const SolRange& range);
+
+}  // namespace adore::results

@@ -1,0 +1,765 @@
+#include "base/errors.hpp"
+#include "base/version.hpp"
+#include "results/fortran_format.hpp"
+#include "results/motion.hpp"
+#include "results/sol_parser.hpp"
+#include "results/sol_writer.hpp"
+#include "synthetic.hpp"
+
+#include <Eigen/Geometry>
+#include <catch2/catch.hpp>
+
+#include <clocale>
+#include <cstdlib>
+#include <limits>
+#include <locale>
+#include <random>
+#include <sstream>
+
+using namespace adore;
+using namespace adore::results;
+using namespace adore::testing;
+namespace ff = adore::results::fortran;
+using Catch::Matchers::Contains;
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInf = std::numeric_limits<double>::infinity();
+
+std::string real(double value, int width, int digits, ff::Scale scale) {
+  std::string out;
+  ff::append_real(out, value, width, digits, scale);
+  return out;
+}
+std::string one(double value) { return real(value, 16, 7, ff::Scale::One); }
+std::string zero(double value) { return real(value, 16, 7, ff::Scale::Zero); }
+std::string short_field(double value) { return real(value, 10, 3, ff::Scale::Zero); }
+std::string integer(long long value, int width) {
+  std::string out;
+  ff::append_integer(out, value, width);
+  return out;
+}
+
+/// Lines without their ends.
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+std::string cols(const std::string& line, int first, int last) {
+  return std::string(ff::columns(line, first, last));
+}
+
+std::string message_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("a real field stands as a Fortran program writes it", "[unit][fortran]") {
+  CHECK(one(12.345678) == "   1.2345678E+01");
+  CHECK(zero(12.345678) == "   0.1234568E+02");
+  CHECK(one(-1.0 / 3.0) == "  -3.3333333E-01");
+  CHECK(zero(-1.0 / 3.0) == "  -0.3333333E+00");
+  CHECK(one(0.0) == "   0.0000000E+00");
+  CHECK(zero(0.0) == "   0.0000000E+00");
+  CHECK(zero(-0.0) == "   0.0000000E+00");
+  CHECK(one(9.99999999) == "   1.0000000E+01");
+  CHECK(zero(0.99999999) == "   0.1000000E+01");
+  CHECK(short_field(-0.0123449) == "-0.123E-01");
+  CHECK(short_field(1234567.0) == " 0.123E+07");
+  // Three-digit exponents drop the letter.
+  CHECK(one(1.5e-100) == "   1.5000000-100");
+  CHECK(zero(1.5e-100) == "   0.1500000E-99");
+  CHECK(zero(1.5e99) == "   0.1500000+100");
+  CHECK(one(std::numeric_limits<double>::max()) == "   1.7976931+308");
+  CHECK(one(std::numeric_limits<double>::denorm_min()) == "   4.9406565-324");
+  CHECK(short_field(-9.9996e99) == "-0.100+101");
+  // Words, stars, and the zero that may be left out.
+  CHECK(one(kNan) == "             NaN");
+  CHECK(one(-kInf) == "       -Infinity");
+  CHECK(real(kInf, 5, 1, ff::Scale::One) == "  Inf");
+  CHECK(real(1.0, 8, 3, ff::Scale::Zero) == ".100E+01");
+  CHECK(real(-1.0, 9, 3, ff::Scale::Zero) == "-.100E+01");
+  CHECK(real(-1.0, 8, 3, ff::Scale::Zero) == "********");
+  CHECK(real(1.0, 8, 3, ff::Scale::One) == "********");
+  CHECK(integer(-42, 6) == "   -42");
+  CHECK(integer(1000, 3) == "***");
+  std::string text;
+  ff::append_text(text, "abc", 5);
+  ff::append_text(text, "abcdef", 5);
+  CHECK(text == "abc  abcde");
+}
+
+TEST_CASE("a real field is read back from every form", "[unit][fortran]") {
+  CHECK(ff::parse_real("  1.2345678E+01") == 12.345678);
+  CHECK(ff::parse_real("1.2345678D+01") == 12.345678);
+  CHECK(ff::parse_real("1.2345678d1") == 12.345678);
+  CHECK(ff::parse_real("1.5-100") == 1.5e-100);
+  CHECK(ff::parse_real("-.5+101") == -0.5e101);
+  CHECK(ff::parse_real("+7") == 7.0);
+  CHECK(ff::parse_real("7.") == 7.0);
+  CHECK(ff::parse_real("1.0E-400") == 0.0);
+  CHECK(ff::parse_real("-1.0E+400") == -kInf);
+  CHECK(ff::parse_real(" Infinity") == kInf);
+  CHECK(ff::parse_real("-Inf") == -kInf);
+  CHECK(std::isnan(ff::parse_real("NaN").value()));
+  CHECK(std::isnan(ff::parse_real("**********").value()));
+  for (std::string_view wrong : {"", "   ", ".", "1.0E", "1.0E+", "1,5", "abc", "1.0.0", "--1",
+                                 "1 2", "+", "1.0*", "0x10"}) {
+    CAPTURE(wrong);
+    CHECK_FALSE(ff::parse_real(wrong).has_value());
+  }
+  CHECK(ff::parse_integer("   +12") == 12);
+  CHECK_FALSE(ff::parse_integer("***").has_value());
+  CHECK_FALSE(ff::parse_integer("1.0").has_value());
+  CHECK_FALSE(ff::parse_integer("99999999999999999999").has_value());
+}
+
+TEST_CASE("writing and reading a real field loses no more than the digits it shows",
+          "[unit][fortran]") {
+  std::mt19937_64 random(20240607);
+  std::uniform_real_distribution<double> mantissa(-10.0, 10.0);
+  std::uniform_int_distribution<int> exponent(-307, 307);
+  for (int i = 0; i < 20000; ++i) {
+    const double value = mantissa(random) * std::pow(10.0, exponent(random));
+    if (!std::isfinite(value)) continue;
+    CAPTURE(value);
+    for (const ff::Scale scale : {ff::Scale::One, ff::Scale::Zero}) {
+      const std::string field = real(value, 16, 7, scale);
+      REQUIRE(field.size() == 16);
+      const double back = ff::parse_real(field).value();
+      // Half a unit of the last digit shown: 1p has eight digits, without it seven.
+      REQUIRE(std::abs(back - value) <=
+              (scale == ff::Scale::One ? 5.1e-8 : 5.1e-7) * std::abs(value));
+      REQUIRE(real(back, 16, 7, scale) == field);
+    }
+    const std::string narrow = short_field(value);
+    REQUIRE(narrow.size() == 10);
+    REQUIRE(std::abs(ff::parse_real(narrow).value() - value) <= 5.1e-3 * std::abs(value));
+  }
+}
+
+TEST_CASE("theta and phi of a vector follow N101", "[unit]") {
+  CHECK(theta_phi(Vec3(2.0, 0.0, 0.0)).theta == 0.0);
+  CHECK(theta_phi(Vec3(0.0, 0.0, 3.0)).theta == Approx(std::numbers::pi / 2));
+  CHECK(theta_phi(Vec3(-1.0, 0.0, 0.0)).theta == Approx(std::numbers::pi));
+  const Direction d = theta_phi(Vec3(3.0, 5.0, 4.0));
+  CHECK(d.theta == Approx(std::atan2(4.0, 3.0)));
+  CHECK(d.phi == Approx(std::asin(5.0 / std::sqrt(50.0))));
+  CHECK(theta_phi(Vec3::Zero()).theta == 0.0);
+  CHECK(theta_phi(Vec3(0.0, 1e-100, 0.0)).phi == Approx(std::numbers::pi / 2));
+}
+
+TEST_CASE("orbit motion of a uniform circle has no radial motion and no angular acceleration",
+          "[unit]") {
+  const double w = 30.0, r = 2e-4, a = 2.0;
+  const OrbitMotion orbit = orbit_motion(r * Vec3(0, -std::sin(a), std::cos(a)),
+                                         r * w * Vec3(0, -std::cos(a), -std::sin(a)),
+                                         r * w * w * Vec3(0, std::sin(a), -std::cos(a)));
+  CHECK(orbit.theta == Approx(a));
+  CHECK(orbit.theta_dot == Approx(w));
+  // Rounding of terms of size r w² = 0.18 and r w = 0.006.
+  CHECK(std::abs(orbit.r_dot) < 1e-16);
+  CHECK(std::abs(orbit.r_ddot) < 1e-15);
+  CHECK(std::abs(orbit.theta_ddot) < 1e-11);
+  const OrbitMotion centre = orbit_motion(Vec3::Zero(), Vec3(0, 0, 2.0), Vec3(0, 0, -1.0));
+  CHECK(centre.r_dot == 2.0);
+  CHECK(centre.theta_dot == 0.0);
+  CHECK(centre.r_ddot == Approx(-1.0));
+  CHECK(orbit_motion(Vec3::Zero(), Vec3::Zero(), Vec3::Zero()).theta == 0.0);
+}
+
+TEST_CASE("transformation angles give the rotation back", "[unit]") {
+  using Eigen::AngleAxisd;
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> angle(-3.1, 3.1), tilt(-1.5, 1.5);
+  for (int i = 0; i < 200; ++i) {
+    const std::array<double, 3> wanted{angle(random), tilt(random), angle(random)};
+    const Eigen::Quaterniond q = AngleAxisd(wanted[0], Vec3::UnitX()) *
+                                 AngleAxisd(wanted[1], Vec3::UnitY()) *
+                                 AngleAxisd(wanted[2], Vec3::UnitZ());
+    const auto found = transformation_angles({q.w(), q.x(), q.y(), q.z()});
+    // Quaternion to matrix to angles: rounding grows by 1/cos ξ <= 15.
+    for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(wrapped(found[k] - wanted[k])) < 1e-12);
+  }
+  const Eigen::Quaterniond lock = AngleAxisd(0.3, Vec3::UnitX()) *
+                                  AngleAxisd(std::numbers::pi / 2, Vec3::UnitY()) *
+                                  AngleAxisd(0.5, Vec3::UnitZ());
+  const auto found = transformation_angles({lock.w(), lock.x(), lock.y(), lock.z()});
+  CHECK(found[0] == Approx(0.8));
+  CHECK(found[1] == Approx(std::numbers::pi / 2));
+  CHECK(found[2] == 0.0);
+}
+
+TEST_CASE("the header of an element file stands in the columns of the format", "[unit][sol]") {
+  const bearing::Bearing bearing = make_bearing();
+  const auto lines = lines_of(format_sol_header(make_sol_header(bearing, 2, UnitSystem::SI)));
+  REQUIRE(lines.size() == 4);
+  CHECK(cols(lines[0], 1, 2) == "  ");
+  CHECK(cols(lines[0], 3, 14) == "Adore0.1.0  ");
+  CHECK(cols(lines[0], 15, 19) == "     ");
+  CHECK(cols(lines[0], 20, 34) == "synthetic run 7");
+  CHECK(lines[0].size() == 55);
+  CHECK(lines[1] == "  Rolling Element 2$");
+  CHECK(lines[2].size() == 122);
+  const std::vector<long long> expected{33, 3, 3, 1, 2, 0, 0, 5, 5, 3,
+                                        3,  3, 1, 1, 1, 1, 0, 1, 0, 1};
+  for (int k = 0; k < 20; ++k) {
+    CAPTURE(k);
+    CHECK(ff::parse_integer(cols(lines[2], 3 + 6 * k, 8 + 6 * k)) ==
+          expected[static_cast<std::size_t>(k)]);
+  }
+  CHECK(lines[3].size() <= 122);
+  CHECK(cols(lines[3], 3, 12) == "rpm/s     ");
+  CHECK(cols(lines[3], 15, 24) == "m/s^2     ");
+  CHECK(cols(lines[3], 99, 108) == "K         ");
+  const auto titles = [&](int index) {
+    return make_sol_header(bearing, index, UnitSystem::SI).title;
+  };
+  CHECK(titles(0) == "Power Dissipation and Life");
+  CHECK(titles(4) == "Cage");
+  CHECK(titles(5) == "Outer Race");
+  CHECK(titles(6) == "Inner Race");
+  CHECK_THAT(message_of([&] { (void)make_sol_header(bearing, 7, UnitSystem::SI); }),
+             Contains("1 to 6"));
+  const SolHeader cageless = make_sol_header(make_bearing(3, false), 4, UnitSystem::English);
+  CHECK(cageless.title == "Outer Race");
+  CHECK(cageless.units[8] == "lbf.in");
+  CHECK(cageless.units[1] == "in/s^2");
+}
+
+TEST_CASE("a step of an element file stands in the columns of the format", "[unit][sol]") {
+  const bearing::Bearing bearing = make_bearing();
+  TemporaryFolder folder;
+  ChannelRecorder recorder(bearing, UnitSystem::SI);
+  SolWriter writer = SolWriter::create(folder / "SOL1", make_sol_header(bearing, 1, UnitSystem::SI),
+                                       UnitSystem::SI);
+  writer.write(recorder.record(make_snapshot(bearing, 12)));
+  const auto lines = lines_of(read_bytes(folder / "SOL1"));
+  REQUIRE(lines.size() == 4 + 1 + 5);
+  CHECK(lines[4].size() == 82);
+  CHECK(cols(lines[4], 3, 18) == "              12");
+  CHECK(cols(lines[4], 19, 34) == one(0.12 / (2 * std::numbers::pi)));
+  CHECK(cols(lines[4], 35, 50) == one(0.048 / (2 * std::numbers::pi)));
+  CHECK(cols(lines[4], 51, 66) == "   1.0000000E-06");
+  CHECK(cols(lines[4], 67, 82) == "   1.2000000E-04");
+  for (std::size_t k = 5; k < 9; ++k) CHECK(lines[k].size() == 130);
+  CHECK(lines[9].size() == 18);
+  CHECK(cols(lines[5], 19, 34) == one(-4.0));  // 2 radial acceleration
+  CHECK(cols(lines[5], 3, 18) ==
+        one(5.0 * 30.0 / std::numbers::pi));      // 1 orbital acceleration, rpm/s
+  CHECK(cols(lines[6], 115, 130) == one(100.0));  // 16 outer load
+  CHECK(cols(lines[7], 3, 18) == one(1100.0));    // 17 inner load
+  CHECK(cols(lines[9], 3, 18) == one(311.0));     // 33 inner race contact temperature
+}
+
+TEST_CASE("what is written to SOL1-SOL7 is read back, in both unit systems", "[unit][sol]") {
+  for (const UnitSystem units : {UnitSystem::SI, UnitSystem::English}) {
+    for (const auto shape :
+         {bearing::PocketShape::Cylindrical, bearing::PocketShape::Rectangular}) {
+      bearing::Bearing bearing = make_bearing(5);
+      bearing.cage->pocket = shape;
+      for (int index = 0; index <= 8; ++index) {
+        TemporaryFolder folder;
+        const SolHeader header = make_sol_header(bearing, index, units);
+        ChannelRecorder recorder(bearing, units);
+        std::vector<SolStep> expected;
+        const std::vector<SolColumn> columns = sol_columns(header);
+        REQUIRE(static_cast<int>(columns.size()) == header.value_count);
+        {
+          SolWriter writer = SolWriter::create(folder / "SOL", header, units);
+          for (long step = 0; step < 7; ++step) {
+            const StepRecord& record = recorder.record(make_snapshot(bearing, 100 * step));
+            writer.write(record);
+            expected.push_back(make_sol_step(header, columns, record, units));
+          }
+        }
+        const SolFile file = read_sol(folder / "SOL", {2, 5, 3});
+        CHECK(file.note.empty());
+        CHECK(file.kind == sol_kind_of(header));
+        CHECK(file.header.version == kFileVersion);
+        CHECK(file.header.run_id == "synthetic run 7");
+        CHECK(file.header.title == header.title);
+        CHECK(file.header.units == header.units);
+        CHECK(file.header.pocket_type == (shape == bearing::PocketShape::Rectangular ? 3 : 0));
+        CHECK(file.header.pocket_surfaces == (shape == bearing::PocketShape::Rectangular ? 4 : 1));
+        REQUIRE(file.steps.size() == 2);
+        for (std::size_t k : {0U, 1U}) {
+          const SolStep& a = file.steps[k];
+          const SolStep& b = expected[1 + 3 * k];
+          CHECK(a.step == b.step);
+          CHECK(a.time == Approx(b.time).epsilon(1e-7));
+          CHECK(a.revolutions == Approx(b.revolutions).epsilon(1e-7));
+          CHECK(a.element_revolutions == Approx(b.element_revolutions).epsilon(1e-7));
+          REQUIRE(a.values.size() == b.values.size());
+          for (std::size_t i = 0; i < a.values.size(); ++i) {
+            CAPTURE(index, i, columns[i].id);
+            CHECK(a.values[i] == Approx(b.values[i]).epsilon(1e-7));  // eight digits
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("values of the classic files have the numbers, meanings and units of the format",
+          "[unit][sol]") {
+  const bearing::Bearing bearing = make_bearing();
+  const auto values = [&](int index, UnitSystem units, long step = 100) {
+    ChannelRecorder recorder(bearing, units);
+    const SolHeader header = make_sol_header(bearing, index, units);
+    return make_sol_step(header, sol_columns(header), recorder.record(make_snapshot(bearing, step)),
+                         units)
+        .values;
+  };
+  const double deg = 180.0 / std::numbers::pi, rpm = 30.0 / std::numbers::pi;
+  const auto element = values(1, UnitSystem::SI);  // value number k stands at [k - 1]
+  CHECK(element[6] == Approx(0.4 * deg));
+  CHECK(element[7] == Approx(0.03501));
+  CHECK(element[9] == Approx(std::atan2(0.8, 0.6) * deg));
+  CHECK(element[12] == Approx(std::sqrt(2000.0 * 2000.0 + 900.0 + 250000.0) * rpm));
+  CHECK(element[17] == Approx(0.1 * 1.0 * deg));
+  CHECK(element[18] == Approx(0.1 * 11.0 * deg));
+  CHECK(element[21] == Approx(0.2));
+  CHECK(element[24] == Approx(16.5));
+  CHECK(element[27] == Approx(30.0));
+  const auto english = values(1, UnitSystem::English);
+  CHECK(english[1] == Approx(-4.0 / 0.0254));
+  CHECK(english[15] == Approx(100.0 / 4.4482216152605));
+  CHECK(english[31] == Approx(301.0 * 1.8));
+  CHECK(english[23] == Approx(1.5 / (4.4482216152605 * 0.0254)));
+
+  const auto cage = values(4, UnitSystem::SI);
+  REQUIRE(cage.size() == 24 + 4 * 3);
+  CHECK(cage[0] == Approx(0.45));  // whirl 450 over inner race 1000 rad/s
+  CHECK(cage[3] == 7.0);
+  CHECK(cage[6] == 8.0);
+  CHECK(cage[13] ==
+        Approx(-1e-4 * std::sin(0.45) / 2e-4));  // mean radial clearance (0.3 + 0.1)/2 mm
+  CHECK(cage[16] == Approx(1e-4));
+  CHECK(cage[20] == Approx(0.43 * deg));
+  CHECK(cage[21] == Approx(Vec3(430, 1, 2).norm() / 1000.0));
+  CHECK(cage[24] == 1.0);
+  CHECK(cage[28] == 2.0);  // pocket 2
+  CHECK(cage[30] == Approx((3.3 + 0.02) * deg));
+
+  const auto inner = values(6, UnitSystem::SI);
+  CHECK(inner[3] == 1000.0);
+  CHECK(inner[8] == 0.3);
+  CHECK(inner[14] == -1e-5);
+  CHECK(inner[20] == Approx(1.0 * deg));
+  CHECK(inner[21] == Approx(1000.0 * rpm));
+
+  const auto power = values(0, UnitSystem::SI);
+  REQUIRE(power.size() == 17);
+  CHECK(power[0] == 55.0);
+  CHECK(power[3] == 0.15);
+  CHECK(power[4] == -0.1);
+  CHECK(power[9] ==
+        Approx(1e-6 / 7e9 * 21.0));  // K/(H T) of element 1 times the integrals of both races
+  CHECK(power[10] == Approx(1e-6 / 7e9 * 100.0));
+  CHECK(power[11] == Approx(3e-6 / 7e9 * 101.0));
+  CHECK(power[12] == Approx(2e-6 / 1e9 * 5.0));
+  CHECK(power[13] == 320.0);
+  CHECK(power[15] == 310.0);
+  CHECK(values(0, UnitSystem::SI, 0)[9] == 0.0);  // no time, no average
+}
+
+TEST_CASE("the cage's mass centre is normalised by land, pocket or unit of length", "[unit][sol]") {
+  bearing::Bearing bearing = make_bearing();
+  CHECK(cage_clearance_scale(*bearing.cage, 1.0) == Approx(2e-4));
+  bearing.cage->lands[0].guide = bearing::GuideLand::Guide::None;
+  CHECK(cage_clearance_scale(*bearing.cage, 1.0) == Approx(1e-4));
+  bearing.cage->lands.clear();
+  CHECK(cage_clearance_scale(*bearing.cage, 1.0) == Approx(2e-4));
+  bearing.cage->pocket_clearance_1 = 0.0;
+  CHECK(cage_clearance_scale(*bearing.cage, 0.0254) == 0.0254);
+}
+
+TEST_CASE("angles stay continuous between records, and across a continuation", "[unit][sol]") {
+  const bearing::Bearing bearing = make_bearing();
+  ChannelRecorder recorder(bearing, UnitSystem::SI);
+  // The cage whirls 450 rad/s * 4 ms = 1.8 rad between records.
+  std::map<std::string, double> state;
+  for (long step = 0; step <= 8; ++step) {
+    if (step == 5) recorder.save(state);
+    const double expected = 1.8 * static_cast<double>(step);
+    CHECK(recorder.record(make_snapshot(bearing, 400 * step))["cage.orbital_position"][0] ==
+          Approx(expected).margin(1e-12));
+  }
+  ChannelRecorder continued(bearing, UnitSystem::SI);
+  continued.restore(state);
+  CHECK(continued.record(make_snapshot(bearing, 2000))["cage.orbital_position"][0] == Approx(9.0));
+  ChannelRecorder fresh(bearing, UnitSystem::SI);
+  CHECK(fresh.record(make_snapshot(bearing, 2000))["cage.orbital_position"][0] ==
+        Approx(wrapped(9.0)));
+}
+
+TEST_CASE("SOL8 stands in the columns of the format and is read back", "[unit][sol]") {
+  const bearing::Bearing bearing = make_bearing(18);
+  for (const UnitSystem units : {UnitSystem::SI, UnitSystem::English}) {
+    TemporaryFolder folder;
+    {
+      Sol8Writer writer = Sol8Writer::create(folder / "SOL8", bearing, units);
+      for (long step = 0; step < 4; ++step) writer.write(make_snapshot(bearing, 1000 * step));
+    }
+    const auto lines = lines_of(read_bytes(folder / "SOL8"));
+    const int count = 11 * 18 + 22;
+    const std::size_t per_step = 1 + (count + 12) / 13;
+    REQUIRE(lines.size() == 4 + 4 * per_step);
+    CHECK(cols(lines[0], 3, 12) == "Adore0.1.0");
+    CHECK(cols(lines[0], 13, 17) == "     ");
+    CHECK(cols(lines[0], 18, 32) == "synthetic run 7");
+    CHECK(lines[1].size() == 44);
+    CHECK(cols(lines[1], 3, 8) == "  1 18");
+    CHECK(cols(lines[1], 39, 44) == " 12220");
+    CHECK(lines[3].size() == 122);
+    CHECK(lines[4].size() == 50);
+    CHECK(cols(lines[4 + per_step], 3, 50) == "            1000   0.1591549E+01   0.1000000E-01");
+    for (std::size_t k = 5; k < 4 + per_step - 1; ++k) CHECK(lines[k].size() == 132);
+    CHECK(lines[4 + per_step - 1].size() == 2 + 10 * (count % 13));
+
+    const Sol8File file = read_sol8(folder / "SOL8");
+    const double length = units == UnitSystem::SI ? 1.0 : 0.0254,
+                 force = units == UnitSystem::SI ? 1.0 : 4.4482216152605;
+    CHECK(file.note.empty());
+    CHECK(file.run_id == "synthetic run 7");
+    CHECK(file.elements == 18);
+    CHECK(file.units[0] == (units == UnitSystem::SI ? "m" : "in"));
+    // e10.3 shows three digits: 0.5 % at worst.
+    CHECK(file.geometry.cage_outer_radius == Approx(0.037 / length).epsilon(5e-3));
+    CHECK(file.geometry.cage_outer_clearance == Approx(0.0015 / length).epsilon(5e-3));
+    CHECK(file.geometry.pitch_diameter == Approx(0.07 / length).epsilon(5e-3));
+    // Groove bottom: half the pitch diameter plus the ball radius and what the contact angle adds.
+    CHECK(file.geometry.outer_race_inner_radius > (0.035 + 0.00635) / length);
+    CHECK(file.geometry.outer_race_inner_radius < (0.035 + 0.0075) / length);
+    REQUIRE(file.frames.size() == 4);
+    const Sol8Frame& frame = file.frames[3];
+    CHECK(frame.step == 3000);
+    CHECK(frame.time == Approx(0.03));
+    REQUIRE(frame.elements.size() == 18);
+    CHECK(frame.elements[16].pocket_force == Approx(17.0 / force).epsilon(5e-3));
+    CHECK(frame.elements[16].theta ==
+          Approx(wrapped(2 * std::numbers::pi * 16 / 18 + 12.0)).epsilon(5e-3));
+    CHECK(frame.elements[0].angles[0] == Approx(0.3).epsilon(5e-3));
+    CHECK(frame.elements[0].pocket_angle == Approx(3.31 - 2 * std::numbers::pi).epsilon(5e-3));
+    CHECK(frame.land_force[1] == Approx(8.0 / force).epsilon(5e-3));
+    CHECK(frame.races[1].position[2] == Approx(-1e-5 / length).epsilon(5e-3));
+    CHECK(frame.cage.angles[0] == Approx(wrapped(430.0 * 0.03)).epsilon(5e-3));
+    CHECK(read_sol8(folder / "SOL8", {2, 4, 2}).frames.size() == 2);
+  }
+}
+
+TEST_CASE("SOL8 is refused where its columns end, with a sentence", "[unit][sol]") {
+  CHECK_FALSE(sol8_refusal(88, 1).has_value());
+  CHECK_FALSE(sol8_refusal(12, 0).has_value());
+  CHECK_THAT(sol8_refusal(89, 1).value(), Contains("88") && Contains("RESULTS.h5"));
+  CHECK_THAT(sol8_refusal(12, 3).value(), Contains("3 segments"));
+  TemporaryFolder folder;
+  CHECK_THAT(
+      message_of([&] { Sol8Writer::create(folder / "SOL8", make_bearing(89), UnitSystem::SI); }),
+      Contains("89"));
+  CHECK_FALSE(std::filesystem::exists(folder / "SOL8"));
+  const bearing::Bearing many = make_bearing(88);
+  Sol8Writer::create(folder / "SOL8", many, UnitSystem::SI).write(make_snapshot(many));
+  CHECK(read_sol8(folder / "SOL8").frames.at(0).elements.size() == 88);
+  // 200 elements are fine elsewhere.
+  const bearing::Bearing huge = make_bearing(200);
+  const SolHeader header = make_sol_header(huge, 201, UnitSystem::SI);
+  ChannelRecorder recorder(huge, UnitSystem::SI);
+  SolWriter::create(folder / "SOL1", header, UnitSystem::SI)
+      .write(recorder.record(make_snapshot(huge)));
+  CHECK(read_sol(folder / "SOL1").steps.at(0).values.size() == 824);
+}
+
+TEST_CASE("without a cage SOL8 shows zeros for it", "[unit][sol]") {
+  const bearing::Bearing bearing = make_bearing(4, false);
+  TemporaryFolder folder;
+  Sol8Writer::create(folder / "SOL8", bearing, UnitSystem::SI).write(make_snapshot(bearing, 3));
+  const Sol8File file = read_sol8(folder / "SOL8");
+  CHECK(file.geometry.cage_outer_radius == 0.0);
+  CHECK(file.frames.at(0).cage.position == std::array<double, 3>{});
+  CHECK(file.frames.at(0).elements.at(3).pocket_force == 0.0);
+}
+
+TEST_CASE("a file cut off at any byte gives its whole steps or says that it is none",
+          "[unit][sol]") {
+  const bearing::Bearing bearing = make_bearing(2);
+  TemporaryFolder folder;
+  ChannelRecorder recorder(bearing, UnitSystem::SI);
+  std::vector<std::size_t> ends;
+  {
+    SolWriter writer = SolWriter::create(
+        folder / "SOL1", make_sol_header(bearing, 1, UnitSystem::SI), UnitSystem::SI);
+    Sol8Writer animation = Sol8Writer::create(folder / "SOL8", bearing, UnitSystem::SI);
+    for (long step = 0; step < 3; ++step) {
+      writer.write(recorder.record(make_snapshot(bearing, step)));
+      animation.write(make_snapshot(bearing, step));
+    }
+  }
+  for (const std::string name : {"SOL1", "SOL8"}) {
+    for (const bool crlf : {false, true}) {
+      std::string text = read_bytes(folder / name);
+      if (crlf) {
+        std::string windows;
+        for (char c : text) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
+        text = windows;
+      }
+      std::size_t seen = 0;
+      int headless = 0;
+      for (std::size_t size = 0; size <= text.size(); ++size) {
+        std::istringstream stream(text.substr(0, size));
+        CAPTURE(name, crlf, size);
+        try {
+          std::size_t steps = 0;
+          std::string note;
+          if (name == "SOL1") {
+            const SolFile file = read_sol(stream, name, {});
+            steps = file.steps.size();
+            note = file.note;
+            for (const SolStep& step : file.steps) REQUIRE(step.values.size() == 33);
+          } else {
+            const Sol8File file = read_sol8(stream, name, {});
+            steps = file.frames.size();
+            note = file.note;
+          }
+          REQUIRE(steps >= seen);
+          seen = steps;
+          if (size == text.size()) CHECK(note.empty());
+          if (!note.empty()) CHECK_THAT(note, Contains("cut off"));
+        } catch (const InputError& error) {
+          REQUIRE(seen == 0);
+          REQUIRE_THAT(error.what(), Contains(name));
+          ++headless;
+        }
+      }
+      CHECK(seen == 3);
+      CHECK(headless > 100);
+    }
+  }
+}
+
+TEST_CASE("files of other programs open", "[unit][sol]") {
+  TemporaryFolder folder;
+  SECTION("a ball file with the listed 27 values and a twelve-column version") {
+    std::string text = "  ADORE  6.7 X     old run\n  Rolling Element 1$\n  ";
+    for (int value : {27, 14, 14, 1, 1, 0, 0, 5, 5, 3, 3, 3, 1, 1, 1, 1, 0, 1, 0, 1})
+      ff::append_integer(text, value, 6);
+    text +=
+        "\n  rpm/s       m/s^2       rpm         m/s         deg         m           N           W "
+        "          K\n";
+    SolStep step;
+    step.step = 7;
+    for (int k = 1; k <= 27; ++k) step.values.push_back(k);
+    append_sol_step(text, step);
+    write_bytes(folder / "SOL1", text);
+    const SolFile file = read_sol(folder / "SOL1");
+    CHECK(file.header.version == "ADORE  6.7 X");
+    CHECK(file.header.run_id == "old run");
+    REQUIRE(file.steps.size() == 1);
+    CHECK(file.steps[0].values[26] == 27.0);
+    const auto columns = sol_columns(file.header);
+    CHECK(columns[26].id == "contact.film.inner");
+    CHECK(unit_of_column(file, columns[26]) == "m");
+  }
+  SECTION("a version of twelve columns in a SOL8 that keeps to a12") {
+    Sol8File made;
+    made.version = "Adore 10.20.";
+    made.run_id = "x";
+    made.elements = 1;
+    std::string text = format_sol8_header(made);
+    text.replace(0, text.find('\n'), "  Adore 10.20.     right run");
+    write_bytes(folder / "SOL8", text);
+    CHECK(read_sol8(folder / "SOL8").run_id == "right run");
+    CHECK(sol_kind(folder / "SOL8") == SolKind::Animation);
+  }
+  SECTION("more values than we know, five values a line, three-digit exponents, stars") {
+    std::string text = "  Other1            run\n  Rolling Element 1$\n  ";
+    for (int value : {35, 2, 2, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1})
+      ff::append_integer(text, value, 6);
+    text +=
+        "\n\n                 1   0.0000000E+00   0.0000000E+00   0.0000000E+00   0.1000000D+01\n";
+    for (int k = 0; k < 35; ++k) {
+      if (k % 5 == 0) text += "  ";
+      text += k == 0 ? "   1.2345678-100" : k == 1 ? "****************" : one(k);
+      if (k % 5 == 4) text += '\n';
+    }
+    write_bytes(folder / "SOL1", text);
+    const SolFile file = read_sol(folder / "SOL1");
+    CHECK(file.note.empty());
+    REQUIRE(file.steps.size() == 1);
+    CHECK(file.steps[0].time == 1.0);
+    CHECK(file.steps[0].values[0] == 1.2345678e-100);
+    CHECK(std::isnan(file.steps[0].values[1]));
+    CHECK(file.steps[0].values[34] == 34.0);
+    CHECK(sol_columns(file.header)[34].id == "value35");
+    CHECK(unit_of_column(file, sol_columns(file.header)[0]).empty());
+  }
+  SECTION("a roller file names its flange values") {
+    SolHeader header = make_sol_header(make_bearing(), 1, UnitSystem::SI);
+    header.bearing_type = 2;
+    header.value_count = 45;
+    const auto columns = sol_columns(header);
+    CHECK(columns[27].id == "flange.force.outer.1");
+    CHECK(columns[38].id == "flange.heat.inner.2");
+    CHECK(columns[39].id == "contact.load_slip.outer");
+  }
+  SECTION("a power file with the thermal extension") {
+    SolHeader header = make_sol_header(make_bearing(), 0, UnitSystem::SI);
+    header.value_count = 26;
+    CHECK(sol_columns(header)[22].label == "average total heat");
+  }
+  SECTION("a step damaged in the middle ends what is read") {
+    const bearing::Bearing bearing = make_bearing(2);
+    ChannelRecorder recorder(bearing, UnitSystem::SI);
+    SolWriter writer = SolWriter::create(
+        folder / "SOL1", make_sol_header(bearing, 1, UnitSystem::SI), UnitSystem::SI);
+    for (long step = 0; step < 3; ++step)
+      writer.write(recorder.record(make_snapshot(bearing, step)));
+    std::string text = read_bytes(folder / "SOL1");
+    const std::size_t second = text.find("               1   ");
+    text[text.find('.', second + 200)] = 'x';
+    write_bytes(folder / "SOL1", text);
+    const SolFile file = read_sol(folder / "SOL1");
+    CHECK(file.steps.size() == 1);
+    CHECK_THAT(file.note, Contains("damaged in step 1"));
+  }
+}
+
+TEST_CASE("what is no SOL file is refused with a sentence", "[unit][sol]") {
+  TemporaryFolder folder;
+  const auto why = [&](std::string_view bytes) {
+    write_bytes(folder / "file", bytes);
+    return message_of([&] { read_sol(folder / "file"); });
+  };
+  CHECK_THAT(why(""), Contains("missing"));
+  CHECK_THAT(why("one line"), Contains("missing"));
+  CHECK_THAT(why(std::string(200000, 'x')), Contains("binary"));
+  CHECK_THAT(why(std::string("a\0b\n c$\n", 8)), Contains("binary"));
+  CHECK_THAT(why("  v\n  t$\n      x\n\n"), Contains("integer 1"));
+  CHECK_THAT(why("  v\n  t$\n     -3     1     1     1     1\n\n"),
+             Contains("integer 1") && Contains("-3"));
+  CHECK_THAT(why("  v\n  t$\n     33     3     3     1     9\n\n"), Contains("integer"));
+  CHECK_THAT(message_of([&] { read_sol(folder / "missing"); }), Contains("cannot be opened"));
+  CHECK_THAT(message_of([&] { read_sol(folder / "."); }), Contains("folder"));
+  Sol8Writer::create(folder / "SOL8", make_bearing(), UnitSystem::SI);
+  CHECK_THAT(message_of([&] { read_sol(folder / "SOL8"); }), Contains("animation"));
+  SolWriter::create(folder / "SOL7", make_sol_header(make_bearing(), 0, UnitSystem::SI),
+                    UnitSystem::SI);
+  CHECK_THAT(message_of([&] { read_sol8(folder / "SOL7"); }), Contains("SOL8"));
+  CHECK_THAT(message_of([&] { read_sol(folder / "SOL7", {0, 1, 1}); }), Contains("at least 1"));
+}
+
+TEST_CASE("a continued SOL file equals one written in one go", "[unit][sol]") {
+  const bearing::Bearing bearing = make_bearing();
+  TemporaryFolder folder;
+  const SolHeader header = make_sol_header(bearing, 4, UnitSystem::SI);
+  const auto write = [&](SolWriter writer, Sol8Writer animation, long from, long to) {
+    ChannelRecorder recorder(bearing, UnitSystem::SI);
+    for (long step = from; step <= to; ++step) {
+      writer.write(recorder.record(make_snapshot(bearing, step)));
+      animation.write(make_snapshot(bearing, step));
+    }
+  };
+  write(SolWriter::create(folder / "SOL1", header, UnitSystem::SI),
+        Sol8Writer::create(folder / "SOL8", bearing, UnitSystem::SI), 0, 9);
+  const std::string whole = read_bytes(folder / "SOL1"), whole8 = read_bytes(folder / "SOL8");
+  // Killed in step 7, MASTER stands at step 5.
+  write_bytes(folder / "SOL1", whole.substr(0, whole.size() * 7 / 10));
+  write_bytes(folder / "SOL8", whole8.substr(0, whole8.size() * 8 / 10));
+  write(SolWriter::continue_after(folder / "SOL1", header, UnitSystem::SI, 5),
+        Sol8Writer::continue_after(folder / "SOL8", bearing, UnitSystem::SI, 5), 6, 9);
+  CHECK(read_bytes(folder / "SOL1") == whole);
+  CHECK(read_bytes(folder / "SOL8") == whole8);
+  // A last line that lost its end is completed first.
+  write_bytes(folder / "SOL1", whole.substr(0, whole.size() - 1));
+  write(SolWriter::continue_after(folder / "SOL1", header, UnitSystem::SI, 9),
+        Sol8Writer::continue_after(folder / "SOL8", bearing, UnitSystem::SI, 9), 10, 10);
+  CHECK(read_sol(folder / "SOL1").steps.size() == 11);
+
+  bearing::Bearing other = bearing;
+  other.run_id = "another run";
+  CHECK_THAT(message_of([&] {
+               SolWriter::continue_after(folder / "SOL1", make_sol_header(other, 4, UnitSystem::SI),
+                                         UnitSystem::SI, 5);
+             }),
+             Contains("synthetic run 7") && Contains("another run") && Contains("kIcOpt = -1"));
+  CHECK_THAT(message_of([&] {
+               SolWriter::continue_after(folder / "SOL1",
+                                         make_sol_header(bearing, 4, UnitSystem::English),
+                                         UnitSystem::English, 5);
+             }),
+             Contains("m/s^2") && Contains("in/s^2"));
+  CHECK_THAT(message_of([&] {
+               SolWriter::continue_after(
+                   folder / "SOL1", make_sol_header(bearing, 5, UnitSystem::SI), UnitSystem::SI, 5);
+             }),
+             Contains("index"));
+  CHECK_THAT(
+      message_of([&] { SolWriter::continue_after(folder / "SOL2", header, UnitSystem::SI, 5); }),
+      Contains("cannot be opened"));
+  CHECK(read_sol(folder / "SOL1").steps.size() == 11);  // refusals cut nothing
+}
+
+TEST_CASE("an unwritable place and a full disk are told, and earlier steps stay", "[unit][sol]") {
+  TemporaryFolder folder;
+  const SolHeader header = make_sol_header(make_bearing(), 0, UnitSystem::SI);
+  CHECK_THAT(
+      message_of([&] { SolWriter::create(folder / "no/such/SOL1", header, UnitSystem::SI); }),
+      Contains("create the folder"));
+  CHECK_THAT(message_of([&] { SolWriter::create("/dev/full", header, UnitSystem::SI); }),
+             Contains("No space left") && Contains("disk"));
+  CHECK_THAT(message_of([&] { GrowingFile::append_after(folder / "missing", 0); }),
+             Contains("cannot be opened"));
+  write_bytes(folder / "short", "abc");
+  CHECK_THAT(message_of([&] { GrowingFile::append_after(folder / "short", 10); }),
+             Contains("3 bytes") && Contains("10"));
+  GrowingFile file = GrowingFile::append_after(folder / "short", 2);
+  file.append("XY");
+  CHECK(file.bytes() == 4);
+  CHECK(read_bytes(folder / "short") == "abXY");
+}
+
+TEST_CASE("a locale with a decimal comma changes no byte and no reading", "[unit][sol]") {
+  // Whatever locale the machine has; the C++ one is made here, so the test never depends on
+  // installed locales.
+  struct Comma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+  };
+  const bearing::Bearing bearing = make_bearing();
+  TemporaryFolder folder;
+  const auto write = [&](const std::string& name) {
+    ChannelRecorder recorder(bearing, UnitSystem::SI);
+    SolWriter writer = SolWriter::create(folder / name, make_sol_header(bearing, 1, UnitSystem::SI),
+                                         UnitSystem::SI);
+    for (long step = 0; step < 2; ++step)
+      writer.write(recorder.record(make_snapshot(bearing, 123456 * step)));
+    return read_sol(folder / name).steps.at(1).values;
+  };
+  const auto plain = write("a");
+  const std::locale before = std::locale::global(std::locale(std::locale::classic(), new Comma));
+  for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8"})
+    if (std::setlocale(LC_ALL, name) != nullptr) break;
+  const auto comma = write("b");
+  std::setlocale(LC_ALL, "C");
+  std::locale::global(before);
+  CHECK(comma == plain);
+  CHECK(read_bytes(folder / "a") == read_bytes(folder / "b"));
+}
+
+TEST_CASE("the version of the files is that of the build", "[unit]") {
+  const std::string cmake = read_bytes(std::string(ADORE_SOURCE_DIR) + "/CMakeLists.txt");
+  CHECK_THAT(cmake, Contains("project(adore VERSION " + std::string(kVersionNumber) + " "));
+  CHECK(std::string(kProgramVersion) == "Adore " + std::string(kVersionNumber));
+  CHECK(std::string(kFileVersion) == "Adore" + std::string(kVersionNumber));
+}
