@@ -1,5 +1,5 @@
 # adore_core_library(<folder> [DEPENDS <folder>...] [LINK <target>...])
-# One static library per folder of core/, named adore_<folder>, built from every .cpp in it.
+# One static library per folder of core/, named adore_<folder>, built from every .cpp in it and below it.
 # DEPENDS are the folders whose headers it may include (design: the dependency rule).
 function(adore_core_library name)
   cmake_parse_arguments(ARG "" "" "DEPENDS;LINK" ${ARGN})

@@ -1,28 +1,16 @@
 #include "facade/validate.hpp"
 
 #include "base/errors.hpp"
-#include "facade/reference/adapter.hpp"
-#include "facade/reference/cases_cage.hpp"
-#include "facade/reference/cases_dynamics.hpp"
-#include "facade/reference/cases_motion.hpp"
+#include "facade/reference/adapters.hpp"
 #include "facade/reference/tolerance.hpp"
+
+#include <fmt/format.h>
 
 #include <chrono>
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <map>
 #include <set>
-#if __has_include("facade/reference/cases_static.hpp")
-#include "facade/reference/cases_static.hpp"
-#define ADORE_STATIC_CASES
-#endif
-#if __has_include("facade/reference/cases_traction.hpp")
-#include "facade/reference/cases_traction.hpp"
-#define ADORE_TRACTION_CASES
-#endif
-
-#include <fmt/format.h>
 
 namespace adore::facade {
 namespace {
@@ -33,23 +21,8 @@ using reference::ToleranceRule;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-const std::map<std::string, std::vector<Adapter>, std::less<>>& adapters() {
-  static const std::map<std::string, std::vector<Adapter>, std::less<>> all = [] {
-    std::map<std::string, std::vector<Adapter>, std::less<>> map;
-    const auto add = [&](std::vector<Adapter> some) {
-      for (Adapter& adapter : some) map[std::string(adapter.family)].push_back(std::move(adapter));
-    };
-    add(reference::cage_adapters());
-    add(reference::motion_adapters());
-    add(reference::dynamics_adapters());
-#ifdef ADORE_STATIC_CASES
-    add(reference::static_adapters());
-#endif
-#ifdef ADORE_TRACTION_CASES
-    add(reference::traction_adapters());
-#endif
-    return map;
-  }();
+const std::vector<Adapter>& adapters() {
+  static const std::vector<Adapter> all = reference::all_adapters();
   return all;
 }
 
@@ -203,16 +176,14 @@ CaseResult run_case(const std::string& family, const Json& the_case) {
   CaseResult result;
   result.id = the_case.value("id", "?");
   result.status = "not_covered";
-  const auto found = adapters().find(family);
-  if (found == adapters().end()) {
-    result.message = fmt::format("no calculator for family {}", family);
-    return result;
-  }
+  result.message = fmt::format("no calculator for family {}", family);
   try {
-    for (const Adapter& adapter : found->second)
+    for (const Adapter& adapter : adapters()) {
+      if (adapter.family != family) continue;
       if (const std::optional<Json> answer = adapter.run(the_case))
         return compare_case(family, the_case, *answer);
-    result.message = "inputs not understood";
+      result.message = "inputs not understood";
+    }
   } catch (const std::exception& error) {
     result.status = the_case.value("provenance", "") == "recalled" ? "not_covered" : "fail";
     result.message = error.what();
@@ -328,28 +299,30 @@ Json report_json(const ValidateReport& report) {
            {{"pass", report.pass}, {"fail", report.fail}, {"not_covered", report.not_covered}}}};
 }
 
-std::string file_text(const FileResult& file) {
-  std::string text = fmt::format("{} ({:.1f} s)\n", file.file, file.seconds);
-  for (const CaseResult& result : file.cases) {
-    text += fmt::format("  {:<11}  {}", result.status, result.id);
-    if (!result.message.empty()) text += fmt::format(": {}", result.message);
-    text += '\n';
-    for (const QuantityResult& q : result.quantities) {
-      if (q.message.empty())
-        text += fmt::format("      {} {:<40} error {:.2e}  tolerance {:.2e}\n", q.pass ? ' ' : '!',
-                            q.key, q.error, q.tolerance);
-      else
-        text += fmt::format("      ! {} {}\n", q.key, q.message);
-    }
+namespace {
+
+std::string case_text(const CaseResult& result, bool verbose) {
+  std::string text = fmt::format("  {:<11} {}", result.status, result.id);
+  if (!result.message.empty()) text += fmt::format(": {}", result.message);
+  for (const QuantityResult& q : result.quantities) {
+    const std::string figures =
+        q.message.empty() ? fmt::format("{:.1e}/{:.1e}", q.error, q.tolerance) : q.message;
+    text +=
+        fmt::format("{}{}{} {}", verbose ? "\n      " : "  ", q.pass ? "" : "! ", q.key, figures);
   }
-  return text;
+  return text + '\n';
 }
 
-std::string report_text(const ValidateReport& report) {
+}  // namespace
+
+std::string report_text(const ValidateReport& report, bool verbose) {
   std::string text;
-  for (const FileResult& file : report.files) text += file_text(file);
-  text += fmt::format("{} passed, {} failed, {} not covered\n", report.pass, report.fail,
-                      report.not_covered);
+  for (const FileResult& file : report.files) {
+    text += fmt::format("{} ({:.1f} s)\n", file.file, file.seconds);
+    for (const CaseResult& result : file.cases) text += case_text(result, verbose);
+  }
+  text += fmt::format("{} passed, {} failed, {} not covered (error/tolerance)\n", report.pass,
+                      report.fail, report.not_covered);
   return text;
 }
 

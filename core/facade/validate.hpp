@@ -40,6 +40,7 @@ struct FileResult {
 struct ValidateReport {
   std::vector<FileResult> files;
   int pass = 0, fail = 0, not_covered = 0;
+  [[nodiscard]] bool failed() const { return fail > 0; }
 };
 
 /// Compares one result with one case: every key of `expected` must be there and within tolerance.
@@ -58,8 +59,8 @@ struct ValidateReport {
 /// "totals": {...}}
 [[nodiscard]] nlohmann::json report_json(const ValidateReport& report);
 
-/// One line per case with error against tolerance of each quantity, then the totals.
-[[nodiscard]] std::string report_text(const ValidateReport& report);
-[[nodiscard]] std::string file_text(const FileResult& file);
+/// One line per case with error/tolerance of its quantities, then the totals. With `verbose` one
+/// line per quantity.
+[[nodiscard]] std::string report_text(const ValidateReport& report, bool verbose = false);
 
 }  // namespace adore::facade

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vector>
-
 #include "facade/reference/adapter.hpp"
+
+#include <vector>
 
 namespace adore::facade::reference {
 

@@ -43,6 +43,9 @@ struct Solution {
   [[nodiscard]] Json times_of(int event, bool rising) const;
 };
 
+/// Sample times of a case: expected.t, else inputs.times. @throws InputError when there are none.
+[[nodiscard]] std::vector<double> sample_times(const Json& the_case);
+
 /// times.front() is the start time.
 [[nodiscard]] Solution solve(const Problem& problem, std::span<const double> times);
 
