@@ -37,13 +37,21 @@ void calc(const std::string& name, const std::string& source) {
   fmt::print("{}\n", facade::calculate(name, input).dump(2));
 }
 
-int validate(const std::vector<std::string>& files, const std::string& report_file, bool verbose) {
+int validate(const std::vector<std::string>& files, const std::string& report_file, bool quiet) {
   const std::vector<std::filesystem::path> paths(files.begin(), files.end());
-  const facade::ValidateReport report = facade::validate_files(paths);
-  fmt::print("{}", facade::report_text(report, verbose));
+  const facade::ValidateReport report =
+      facade::validate_files(paths, [](const facade::FileResult& file) {
+        fmt::print(stderr, "{}: {} cases in {:.1f} s\n", file.file, file.cases.size(),
+                   file.seconds);
+      });
+  if (!quiet)
+    fmt::print("{}", facade::report_text(report));
+  else
+    fmt::print("{} passed, {} failed, {} not covered\n", report.pass, report.fail,
+               report.not_covered);
   if (!report_file.empty())
     write_file_atomically(report_file, facade::report_json(report).dump(2) + "\n");
-  return report.failed() ? 1 : 0;
+  return report.fail > 0 ? 1 : 0;
 }
 
 }  // namespace
@@ -73,11 +81,11 @@ void add_calc(CLI::App& app, int& exit_code) {
         app.add_subcommand("validate", "run reference cases and print error against tolerance");
     auto files = std::make_shared<std::vector<std::string>>();
     auto report = std::make_shared<std::string>();
-    auto verbose = std::make_shared<bool>(false);
+    auto quiet = std::make_shared<bool>(false);
     command->add_option("files", *files, "case files")->required();
     command->add_option("--report", *report, "write the results as JSON");
-    command->add_flag("--verbose", *verbose, "every case, not only those that do not pass");
-    command->callback([=, &exit_code] { exit_code = validate(*files, *report, *verbose); });
+    command->add_flag("--quiet", *quiet, "only the totals");
+    command->callback([=, &exit_code] { exit_code = validate(*files, *report, *quiet); });
   }
 }
 

@@ -1,3 +1,4 @@
+#include "base/atomic_file.hpp"
 #include "build/build_bearing.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
@@ -69,17 +70,17 @@ void plan(const DeckOptions& options, bool json) {
 }
 
 void new_deck(const std::string& type, const std::string& out) {
-  const deck::Deck deck = deck::new_deck(type);
+  const std::string_view text = deck::template_text(type);
   if (out.empty()) {
-    fmt::print("{}", deck::template_text(type));
+    fmt::print("{}", text);
     return;
   }
   const std::filesystem::path path(out);
   if (std::filesystem::exists(path))
     throw InputError(
         fmt::format("{} exists already; name another file, or remove it first", path.string()));
-  deck::write_template(type, path);
-  fmt::print(stderr, "wrote {} ({})\n", path.string(), deck.text("runID"));
+  write_file_atomically(path, text);
+  fmt::print(stderr, "wrote {}\n", path.string());
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
+#include "adrplot/render.hpp"
+#include "agore/render.hpp"
+#include "base/errors.hpp"
+#include "cli/commands.hpp"
 #include "cli/pictures.hpp"
-
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <map>
-#include <memory>
+#include "desktop/bootstrap.hpp"
+#include "desktop/image_export.hpp"
 
 #include <QChart>
 #include <QGraphicsScene>
@@ -13,13 +13,11 @@
 #include <QLogValueAxis>
 #include <QPainter>
 #include <QScatterSeries>
+#include <fmt/format.h>
 
-#include "adrplot/render.hpp"
-#include "agore/render.hpp"
-#include "base/errors.hpp"
-#include "cli/commands.hpp"
-#include "desktop/bootstrap.hpp"
-#include "desktop/image_export.hpp"
+#include <algorithm>
+#include <map>
+#include <memory>
 
 namespace adore::cli {
 namespace {
@@ -37,9 +35,11 @@ void add_plot(CLI::App& app) {
   command->add_option("files", *files, "SOL1-SOL7 files")->required();
   command->add_option("--out", *out, "folder of the pictures")->required();
   command->add_option("--page", options->page, "one page (default: all)");
-  command->add_option("--from", options->range.from, "first stored step, counted from 1")->capture_default_str();
+  command->add_option("--from", options->range.from, "first stored step, counted from 1")
+      ->capture_default_str();
   command->add_option("--to", options->range.to, "last stored step")->capture_default_str();
-  command->add_option("--every", options->range.every, "interval of stored steps")->capture_default_str();
+  command->add_option("--every", options->range.every, "interval of stored steps")
+      ->capture_default_str();
   command->add_flag("--time", *time, "time as abscissa instead of revolutions");
   command->add_flag("--dark", options->dark, "dark theme");
   command->callback([=] {
@@ -50,36 +50,58 @@ void add_plot(CLI::App& app) {
   });
 }
 
+struct AnimateOptions {
+  std::string file, out = ".", view = "bearing", race = "inner", movie;
+  int frame = 0, every = 1, frames_per_second = 25, element = 1;
+  bool dark = false;
+};
+
+void animate(const AnimateOptions& options) {
+  desktop::ensure_headless_application();
+  agore::RenderOptions render;
+  render.view.view = agore::view_named(options.view, options.race);
+  render.view.element = options.element;
+  render.view.dark = options.dark;
+  agore::MotionPicture picture = agore::open_animation(options.file);
+  const std::filesystem::path folder(options.out);
+  if (!options.movie.empty()) {
+    const std::filesystem::path film = folder / options.movie;  // an absolute name stays as it is
+    agore::render_movie(picture, options.every, options.frames_per_second, film, render);
+    print_files({film});
+  } else if (options.frame > 0) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    const std::filesystem::path file =
+        folder / fmt::format("{}-{}-frame-{:05}.png",
+                             std::filesystem::path(options.file).filename().string(), options.view,
+                             options.frame);
+    agore::render_frame(picture, options.frame, file, render);
+    print_files({file});
+  } else {
+    print_files(agore::render_frames(picture, options.every, folder, render));
+  }
+}
+
 void add_animate(CLI::App& app) {
   CLI::App* command = app.add_subcommand("animate", "draw frames or a film of SOL8");
-  auto file = std::make_shared<std::string>();
-  auto out = std::make_shared<std::string>(".");
-  auto options = std::make_shared<agore::RenderOptions>();
-  auto view = std::make_shared<std::string>("bearing");
-  auto frame = std::make_shared<long>(0);
-  auto every = std::make_shared<long>(0);
-  auto movie = std::make_shared<std::string>();
-  command->add_option("file", *file, "SOL8 file")->required();
-  command->add_option("--view", *view, "bearing, cage, pocket, element, race or flange")->capture_default_str();
-  command->add_option("--frame", *frame, "one stored frame, counted from 1");
-  command->add_option("--every", *every, "every n-th frame as a numbered PNG");
-  command->add_option("--movie", *movie, "film to write (.avi)");
-  command->add_option("--element", options->element, "element or pocket of the single-element views")->capture_default_str();
-  command->add_option("--out", *out, "folder of the pictures")->capture_default_str();
+  auto options = std::make_shared<AnimateOptions>();
+  command->add_option("file", options->file, "SOL8 file")->required();
+  command->add_option("--view", options->view, "bearing, cage, pocket, element, race or flange")
+      ->capture_default_str();
+  command->add_option("--race", options->race, "outer or inner, for the race view")
+      ->capture_default_str();
+  command
+      ->add_option("--element", options->element, "element or pocket of the single-element views")
+      ->capture_default_str();
+  command->add_option("--frame", options->frame, "one stored frame, counted from 1 (default: all)");
+  command->add_option("--every", options->every, "every n-th frame")->capture_default_str();
+  command->add_option("--movie", options->movie,
+                      "film to write: NAME.avi, or a folder of numbered pictures");
+  command->add_option("--fps", options->frames_per_second, "pictures per second of the film")
+      ->capture_default_str();
+  command->add_option("--out", options->out, "folder of the pictures")->capture_default_str();
   command->add_flag("--dark", options->dark, "dark theme");
-  command->callback([=] {
-    desktop::ensure_headless_application();
-    options->folder = *out;
-    options->view = agore::view_from_name(*view);
-    const results::Sol8File data = results::read_sol8(*file);
-    if (!data.note.empty()) fmt::print(stderr, "{}: {}\n", *file, data.note);
-    if (!movie->empty()) {
-      const std::filesystem::path target(*movie);
-      agore::render_movie(data, target.is_absolute() ? target : std::filesystem::path(*out) / target, *options);
-      return print_files({target.is_absolute() ? target : std::filesystem::path(*out) / target});
-    }
-    print_files(agore::render_frames(data, *frame, *every, *options));
-  });
+  command->callback([=] { animate(*options); });
 }
 
 }  // namespace
@@ -93,7 +115,8 @@ bool draw_accuracy_chart(const facade::AccuracyStudy& study, const std::filesyst
   desktop::ensure_headless_application();
   QChart chart;
   chart.setTitle(QString("What accuracy costs: %1 revolutions, reference %2")
-                     .arg(QString::number(study.span_revolutions, 'g', 3), QString::fromStdString(study.reference)));
+                     .arg(QString::number(study.span_revolutions, 'g', 3),
+                          QString::fromStdString(study.reference)));
   auto* seconds = new QLogValueAxis;
   seconds->setTitleText("computing time [s]");
   seconds->setLabelFormat("%.0e");

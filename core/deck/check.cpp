@@ -1,6 +1,7 @@
 #include "deck/check.hpp"
 
 #include "deck/lookup.hpp"
+#include "deck/units.hpp"
 
 #include <fmt/format.h>
 
@@ -27,6 +28,16 @@ std::optional<long long> Checker::integer(std::string_view name, int index) cons
   if (value == nullptr || !is_reliable_integer(find_present(deck_, name).spec(), *value))
     return std::nullopt;
   return std::get<long long>(*value);
+}
+
+std::string Checker::length(double metres) const {
+  return deck_.units() == UnitSystem::English ? fmt::format("{:.6g} in", metres / unit::kInch)
+                                              : fmt::format("{:.6g} m", metres);
+}
+
+std::string Checker::temperature(double kelvin) const {
+  return deck_.units() == UnitSystem::English ? fmt::format("{:.6g} R", kelvin / unit::kRankine)
+                                              : fmt::format("{:.6g} K", kelvin);
 }
 
 void Checker::error(std::string_view name, std::string message, std::string remedy, int instance) {

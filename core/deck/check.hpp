@@ -43,6 +43,10 @@ class Checker {
     return integer(name) == value;
   }
 
+  /// Lengths and temperatures in messages, in the deck's own unit: "0.0127 m", "0.5 in".
+  [[nodiscard]] std::string length(double metres) const;
+  [[nodiscard]] std::string temperature(double kelvin) const;
+
   void error(std::string_view name, std::string message, std::string remedy = {}, int instance = 1);
   void warning(std::string_view name, std::string message, std::string remedy = {},
                int instance = 1);

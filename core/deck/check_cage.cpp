@@ -54,11 +54,10 @@ void check_cage_body(Checker& c) {
   const auto diameter = c.si("bReDia");
   const auto pitch = c.si("pitchDia");
   if (outer && inner && *inner >= *outer)
-    c.error(
-        "cageDia2",
-        fmt::format("the inner diameter must be smaller than the outer one, cageDia1 = {:.6g} m",
-                    *outer),
-        "check cageDia1 and cageDia2");
+    c.error("cageDia2",
+            fmt::format("the inner diameter must be smaller than the outer one, cageDia1 = {}",
+                        c.length(*outer)),
+            "check cageDia1 and cageDia2");
   else if (outer && inner && diameter && pitch &&
            (*inner >= *pitch + *diameter || *outer <= *pitch - *diameter))
     c.error("cageDia1",
@@ -94,7 +93,7 @@ void check_lands(Checker& c) {
                 "give a clearance above 0", land);
     if (width && land_width && *land_width > *width * (1.0 + kRounding))
       c.error("cageGsWidth",
-              fmt::format("the land is wider than the cage, cageWidth = {:.6g} m", *width),
+              fmt::format("the land is wider than the cage, cageWidth = {}", c.length(*width)),
               "give a width at most cageWidth", land);
     else if (width && position && std::abs(*position) > 0.5 * *width * (1.0 + kRounding))
       c.warning("cageGsPos", "the outer edge of the land lies outside the cage",

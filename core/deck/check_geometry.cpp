@@ -31,10 +31,10 @@ void check_fit_on_circle(Checker& c, double pitch_diameter, double element_diame
       std::numbers::pi / std::asin(std::min(1.0, element_diameter / pitch_diameter));
   c.error(
       "nRe",
-      fmt::format("{} elements do not fit on the pitch circle: their centres are {:.6g} m apart, "
+      fmt::format("{} elements do not fit on the pitch circle: their centres are {} apart, "
                   "less than the diameter of "
-                  "{:.6g} m",
-                  *count, pitch, element_diameter),
+                  "{}",
+                  *count, c.length(pitch), c.length(element_diameter)),
       fmt::format("give at most {} elements", static_cast<long long>(fitting * (1.0 + kRounding))));
 }
 
@@ -43,12 +43,10 @@ void check_pitch_circle(Checker& c, double pitch_diameter, double element_diamet
   const auto outside = c.si("brgOD");
   if (bore && outside && *bore < *outside) {
     if (pitch_diameter <= *bore || pitch_diameter >= *outside)
-      c.error(
-          "pitchDia",
-          fmt::format(
-              "the pitch circle must lie between bore ({:.6g} m) and outside diameter ({:.6g} m)",
-              *bore, *outside),
-          "check pitchDia, brgBore and brgOD");
+      c.error("pitchDia",
+              fmt::format("the pitch circle must lie between bore ({}) and outside diameter ({})",
+                          c.length(*bore), c.length(*outside)),
+              "check pitchDia, brgBore and brgOD");
     else if (pitch_diameter - element_diameter <= *bore ||
              pitch_diameter + element_diameter >= *outside)
       c.warning(
@@ -63,13 +61,13 @@ void check_plausible_lengths(Checker& c) {
   for (const std::string_view name : {"brgBore", "brgOD", "bReDia", "pitchDia", "cageDia1"}) {
     const auto length = c.si(name);
     if (length && *length > 5.0)
-      c.warning(name, fmt::format("{:.6g} m is very large for a bearing", *length),
+      c.warning(name, fmt::format("{} is very large for a bearing", c.length(*length)),
                 "lengths are in m (SI) or in (English), not mm");
   }
   for (const std::string_view name : {"rmsAspHt1", "rmsAspHt2"}) {
     const auto height = c.si(name);
     if (height && *height > 1e-4)
-      c.warning(name, fmt::format("a roughness of {:.6g} m is very large", *height),
+      c.warning(name, fmt::format("a roughness of {} is very large", c.length(*height)),
                 "lengths are in m (SI) or in (English), not micrometres");
   }
 }
@@ -88,21 +86,20 @@ void check_angle_and_clearance(Checker& c, double diameter) {
                 "both contact angle and clearance are zero: a line-to-line radial bearing",
                 "give freeConAng or freeIntCls when that is not meant");
     if (*clearance > room)
-      c.error("freeIntCls",
-              fmt::format(
-                  "with this clearance a ball cannot touch both races: the grooves allow {:.6g} m",
-                  room),
-              "give a smaller clearance or larger groove factors");
+      c.error(
+          "freeIntCls",
+          fmt::format("with this clearance a ball cannot touch both races: the grooves allow {}",
+                      c.length(room)),
+          "give a smaller clearance or larger groove factors");
     return;
   }
   const double implied = room * (1.0 - std::cos(*angle));
   if (*clearance != 0.0 && std::abs(*clearance - implied) > 0.05 * implied)
-    c.warning(
-        "freeIntCls",
-        fmt::format(
-            "is not used, because freeConAng is above 0; the angle implies a clearance of {:.6g} m",
-            implied),
-        "set it to 0, or freeConAng to 0");
+    c.warning("freeIntCls",
+              fmt::format(
+                  "is not used, because freeConAng is above 0; the angle implies a clearance of {}",
+                  c.length(implied)),
+              "set it to 0, or freeConAng to 0");
 }
 
 void check_shims(Checker& c, double diameter) {
@@ -113,11 +110,10 @@ void check_shims(Checker& c, double diameter) {
     if (!factor || !shim || *factor <= 0.5) continue;
     const double widest = (2.0 * *factor - 1.0) * diameter;
     if (*shim >= widest && *shim > 0.0)
-      c.error(
-          name,
-          fmt::format("a shim this thick leaves no arch: it must be below (2f - 1) D = {:.6g} m",
-                      widest),
-          "give a thinner shim, 0 for a race that is not split");
+      c.error(name,
+              fmt::format("a shim this thick leaves no arch: it must be below (2f - 1) D = {}",
+                          c.length(widest)),
+              "give a thinner shim, 0 for a race that is not split");
   }
 }
 
@@ -149,13 +145,15 @@ void check_roller_profile(Checker& c, double diameter) {
   const auto corner2 = c.si("bReCorRad2");
   if (!length || *length <= 0.0) return;
   if (land && above(*land, *length))
-    c.error("bReCenLen",
-            fmt::format("the central land is longer than the roller, bReLen = {:.6g} m", *length),
-            "give a length at most bReLen");
+    c.error(
+        "bReCenLen",
+        fmt::format("the central land is longer than the roller, bReLen = {}", c.length(*length)),
+        "give a length at most bReLen");
   if (corner1 && corner2 && *corner1 + *corner2 >= *length)
-    c.error("bReCorRad1",
-            fmt::format("both corners together take the whole roller length of {:.6g} m", *length),
-            "give smaller corner radii");
+    c.error(
+        "bReCorRad1",
+        fmt::format("both corners together take the whole roller length of {}", c.length(*length)),
+        "give smaller corner radii");
   for (const std::string_view name : {"bReCorRad1", "bReCorRad2"}) {
     const auto corner = c.si(name);
     if (corner && *corner > 0.5 * diameter)
@@ -172,12 +170,13 @@ void check_envelope(Checker& c) {
   const auto shaft_bore = c.si("shftID");
   const auto housing = c.si("hsngOD");
   if (bore && outside && *bore >= *outside)
-    c.error("brgBore",
-            fmt::format("the bore must be smaller than the outside diameter of {:.6g} m", *outside),
-            "check brgBore and brgOD");
+    c.error(
+        "brgBore",
+        fmt::format("the bore must be smaller than the outside diameter of {}", c.length(*outside)),
+        "check brgBore and brgOD");
   if (bore && shaft_bore && *shaft_bore >= *bore && *bore > 0.0)
     c.error("shftID",
-            fmt::format("the shaft would have no wall: its bore must be below {:.6g} m", *bore),
+            fmt::format("the shaft would have no wall: its bore must be below {}", c.length(*bore)),
             "give a smaller shaft bore, 0 for a solid shaft");
   if (outside && housing && *housing == 0.0)
     c.warning("hsngOD",
@@ -185,8 +184,8 @@ void check_envelope(Checker& c) {
               "give the outside diameter of the housing");
   else if (outside && housing && above(*outside, *housing))
     c.error("hsngOD",
-            fmt::format("the housing must be larger than the bearing, which measures {:.6g} m",
-                        *outside),
+            fmt::format("the housing must be larger than the bearing, which measures {}",
+                        c.length(*outside)),
             "check hsngOD and brgOD");
   for (const std::string_view code : {"11", "21", "12", "22"}) {
     const std::string height = fmt::format("flngHt{}", code);
@@ -205,8 +204,8 @@ void check_ball_geometry(Checker& c) {
   if (pitch && *pitch > 0.0) {
     if (*pitch <= *diameter)
       c.error("pitchDia",
-              fmt::format("the pitch diameter must be larger than the ball diameter of {:.6g} m",
-                          *diameter),
+              fmt::format("the pitch diameter must be larger than the ball diameter of {}",
+                          c.length(*diameter)),
               "check pitchDia and bReDia");
     else
       check_pitch_circle(c, *pitch, *diameter);
@@ -235,8 +234,8 @@ void check_roller_geometry(Checker& c) {
   if (!pitch || *pitch <= 0.0) return;
   if (*pitch <= *diameter)
     c.error("pitchDia",
-            fmt::format("the pitch diameter must be larger than the roller diameter of {:.6g} m",
-                        *diameter),
+            fmt::format("the pitch diameter must be larger than the roller diameter of {}",
+                        c.length(*diameter)),
             "check pitchDia and bReDia");
   else
     check_pitch_circle(c, *pitch, *diameter);

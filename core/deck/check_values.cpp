@@ -74,8 +74,8 @@ class ValueCheck {
   }
 
   void check_element(const Value& value, int element) {
+    if (checker_.is_reported(data_, variable_.name)) return;
     if (std::holds_alternative<std::monostate>(value)) {
-      if (checker_.is_reported(data_, variable_.name)) return;
       const bool label = variable_.name == "recID";
       report(label ? Severity::Warning : Severity::Error, element, {},
              "there is no value, and no default for it",

@@ -17,6 +17,7 @@ bool is_blank_line(std::string_view line) {
 }
 
 Scanner::Scanner(std::string_view text) {
+  bare_end_ = !text.empty() && text.back() != '\n' && text.back() != '\r';
   while (!text.empty()) {
     const std::size_t end = text.find_first_of("\r\n");
     lines_.push_back(text.substr(0, end));
@@ -24,6 +25,10 @@ Scanner::Scanner(std::string_view text) {
     const bool crlf = text[end] == '\r' && end + 1 < text.size() && text[end + 1] == '\n';
     text.remove_prefix(end + (crlf ? 2 : 1));
   }
+}
+
+bool Scanner::at_bare_end() const {
+  return bare_end_ && at_.line + 1 == lines_.size() && at_.column == lines_.back().size();
 }
 
 bool Scanner::start_record() {

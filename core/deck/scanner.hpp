@@ -49,6 +49,8 @@ class Scanner {
   Token next();
 
   [[nodiscard]] const std::vector<std::string_view>& lines() const { return lines_; }
+  /// Is the position exactly at the end of a text whose last line has no line end?
+  [[nodiscard]] bool at_bare_end() const;
   /// What is left of the current line.
   [[nodiscard]] std::string_view rest_of_line() const;
 
@@ -59,6 +61,7 @@ class Scanner {
 
   std::vector<std::string_view> lines_;
   Position at_;
+  bool bare_end_ = false;  // the last line has no line end
 };
 
 bool is_blank_line(std::string_view line);

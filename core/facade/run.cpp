@@ -1,5 +1,8 @@
 #include "facade/run.hpp"
 
+#include "facade/run_outputs.hpp"
+#include "facade/system_ode.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,16 +12,15 @@
 #include <limits>
 #include <numbers>
 
-#include "facade/run_outputs.hpp"
-#include "facade/system_ode.hpp"
-
 namespace adore::facade {
 namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+double seconds_since(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
 
 fs::path output_folder(const RunRequest& request, const fs::path& deck) {
   const fs::path folder = request.out ? *request.out : deck.parent_path();
@@ -26,8 +28,9 @@ fs::path output_folder(const RunRequest& request, const fs::path& deck) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error || !fs::is_directory(folder))
-    throw InputError(fmt::format("cannot make the output folder {}: {}; name another one with --out", folder.string(),
-                                 error ? error.message() : "a file of that name exists"));
+    throw InputError(
+        fmt::format("cannot make the output folder {}: {}; name another one with --out",
+                    folder.string(), error ? error.message() : "a file of that name exists"));
   return folder;
 }
 
@@ -42,20 +45,23 @@ void apply_overrides(const RunRequest& request, Prepared& prepared) {
   }
   if (request.tolerance) {
     if (!(*request.tolerance > 0.0 && *request.tolerance < 1.0))
-      throw InputError(fmt::format("--tol {} is no local error limit; give a number between 0 and 1, e.g. 1e-6", *request.tolerance));
+      throw InputError(
+          fmt::format("--tol {} is no local error limit; give a number between 0 and 1, e.g. 1e-6",
+                      *request.tolerance));
     prepared.control.tolerance = *request.tolerance;
   }
 }
 
 /// Steps and end time of a run in seconds.
 struct Span {
-  double end = 0.0;     ///< [s]
-  long max_steps = 0;   ///< counted steps
+  double end = 0.0;    ///< [s]
+  long max_steps = 0;  ///< counted steps
 };
 
 Span run_span(const RunRequest& request, const Prepared& prepared, double time_scale) {
   const double shaft_speed = prepared.bearing.speed[1] - prepared.bearing.speed[0];
-  if (!request.until.empty()) return {parse_until(request.until, shaft_speed, time_scale), std::numeric_limits<long>::max()};
+  if (!request.until.empty())
+    return {parse_until(request.until, shaft_speed, time_scale), std::numeric_limits<long>::max()};
   return {prepared.control.end_time * time_scale, prepared.control.max_steps};
 }
 
@@ -63,7 +69,10 @@ Span run_span(const RunRequest& request, const Prepared& prepared, double time_s
 class ProgressMeter {
  public:
   ProgressMeter(const ProgressSink& sink, double start, const Span& span, double shaft_speed)
-      : sink_(sink), start_(start), span_(span), turns_per_second_(shaft_speed / (2.0 * std::numbers::pi)) {}
+      : sink_(sink),
+        start_(start),
+        span_(span),
+        turns_per_second_(shaft_speed / (2.0 * std::numbers::pi)) {}
 
   void update(double time, long step, long first_step, bool last) {
     if (!sink_) return;
@@ -72,7 +81,8 @@ class ProgressMeter {
     sent_ = elapsed;
     Progress p;
     const double by_time = span_.end > start_ ? (time - start_) / (span_.end - start_) : 1.0;
-    const double by_steps = static_cast<double>(step - first_step) / static_cast<double>(std::max(1L, span_.max_steps));
+    const double by_steps =
+        static_cast<double>(step - first_step) / static_cast<double>(std::max(1L, span_.max_steps));
     p.fraction = last ? 1.0 : std::clamp(std::max(by_time, by_steps), 0.0, 0.9999);
     p.revolutions = turns_per_second_ * time;
     p.time = time;
@@ -102,12 +112,13 @@ RunOutcome run_quasi_static(const Prepared& prepared, const fs::path& folder) {
   return out;
 }
 
-RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, const fs::path& folder, const ProgressSink& progress,
-                       std::stop_token stop) {
+RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, const fs::path& folder,
+                       const ProgressSink& progress, std::stop_token stop) {
   const auto begin = Clock::now();
   dynamics::System system = make_system(prepared);
   RunOutputs outputs(prepared, folder);
-  StartPoint start = outputs.begin(system, prepared.control.start);  // y, t, step; appends when it continues
+  StartPoint start =
+      outputs.begin(system, prepared.control.start);  // y, t, step; appends when it continues
   const double scale = system.scales().time;
   const Span span = run_span(request, prepared, scale);
 
@@ -115,18 +126,23 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
   SystemOde ode(system);
   const auto stepper = integrators::make_stepper(prepared.control.integrator);
   integrators::StepControl control;
-  control.initial = start.step_size > 0.0 && prepared.control.step_initial == 0.0 ? start.step_size : prepared.control.step_initial * scale;
+  control.initial = start.step_size > 0.0 && prepared.control.step_initial == 0.0
+                        ? start.step_size
+                        : prepared.control.step_initial * scale;
   control.minimum = prepared.control.step_minimum * scale;
   control.maximum = prepared.control.step_maximum * scale;
   control.tolerance = prepared.control.tolerance;
   if (control.minimum == control.maximum && !stepper->holds_constant_step())
-    throw InputError(fmt::format("record 2.1 asks for a constant step (stpMin = stpMax), which {} cannot hold; use intMet 1-7, 11-18 or 31-33, "
-                                 "or let stpMin be smaller than stpMax",
-                                 stepper->name()));
+    throw InputError(
+        fmt::format("record 2.1 asks for a constant step (stpMin = stpMax), which {} cannot hold; "
+                    "use intMet 1-7, 11-18 or 31-33, "
+                    "or let stpMin be smaller than stpMax",
+                    stepper->name()));
 
   const int stepper_cost = system.cost().add_entry("stepper");
   const int output_cost = system.cost().add_entry("output");
-  ProgressMeter meter(progress, start.time, span, prepared.bearing.speed[1] - prepared.bearing.speed[0]);
+  ProgressMeter meter(progress, start.time, span,
+                      prepared.bearing.speed[1] - prepared.bearing.speed[0]);
   long step = start.step;
   double h = start.step_size;
   double output_seconds = 0.0;
@@ -141,20 +157,27 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
   bool stored_last = false;
   try {
     stepper->start(ode, start.time, start.y, control);
-    if (!start.continued) output([&] { outputs.store(system, {0, start.time, 0.0, start.y}, true); });
+    if (!start.continued)
+      output([&] { outputs.store(system, {0, start.time, 0.0, start.y}, true); });
     stored_last = !start.continued;
-    const long last_step = span.max_steps > std::numeric_limits<long>::max() - step ? span.max_steps : step + span.max_steps;
+    const long last_step = span.max_steps > std::numeric_limits<long>::max() - step
+                               ? span.max_steps
+                               : step + span.max_steps;
     while (stepper->time() < span.end && step < last_step) {
       if (stop.stop_requested()) {
         out.status = RunStatus::Interrupted;
         break;
       }
-      for (int k = 0; k < prepared.control.substeps && stepper->time() < span.end; ++k) h = stepper->step(span.end).h;
+      for (int k = 0; k < prepared.control.substeps && stepper->time() < span.end; ++k)
+        h = stepper->step(span.end).h;
       ++step;
       system.check_state(stepper->time(), stepper->state().data());
       stored_last = outputs.wants(step);
-      if (stored_last) output([&] { outputs.store(system, {step, stepper->time(), h, stepper->state()}, false); });
-      output([&] { outputs.checkpoint_if_due(system, {step, stepper->time(), h, stepper->state()}); });
+      if (stored_last)
+        output([&] { outputs.store(system, {step, stepper->time(), h, stepper->state()}, false); });
+      output([&] {
+        outputs.checkpoint_if_due(system, {step, stepper->time(), h, stepper->state()});
+      });
       meter.update(stepper->time(), step, start.step, false);
     }
   } catch (const integrators::StepFailure& failure) {
@@ -167,7 +190,8 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
   const RunPoint end{step, stepper->time(), h, stepper->state()};
   if (out.status != RunStatus::Failed) meter.update(end.time, step, start.step, true);
 
-  // A failed state may be meaningless: the files end with the last stored step, and FINAL keeps the last checkpoint.
+  // A failed state may be meaningless: the files end with the last stored step, and FINAL keeps the
+  // last checkpoint.
   if (out.status != RunStatus::Failed) output([&] { outputs.store(system, end, !stored_last); });
   // What the loop spent outside the right-hand side and the output belongs to the stepper.
   const double loop_seconds = seconds_since(loop_begin);
@@ -175,7 +199,8 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
   for (const auto& row : system.cost().rows())
     if (row.name != "stepper" && row.name != "output") rhs_seconds += row.seconds;
   const double rest = std::max(0.0, loop_seconds - rhs_seconds - output_seconds);
-  system.cost().add(stepper_cost, std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(rest)));
+  system.cost().add(stepper_cost, std::chrono::duration_cast<Clock::duration>(
+                                      std::chrono::duration<double>(rest)));
 
   RunEnd summary;
   summary.status = out.status;
@@ -189,7 +214,8 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
   out.summary = outputs.summary();
   out.steps = step;
   out.time = end.time;
-  out.revolutions = (prepared.bearing.speed[1] - prepared.bearing.speed[0]) * end.time / (2.0 * std::numbers::pi);
+  out.revolutions =
+      (prepared.bearing.speed[1] - prepared.bearing.speed[0]) * end.time / (2.0 * std::numbers::pi);
   out.seconds = seconds_since(begin);
   out.energy_residual = outputs.energy_residual();
   out.energy_scale = outputs.energy_scale();
@@ -202,12 +228,19 @@ double parse_until(const std::string& text, double shaft_speed, double time_scal
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   const std::string_view unit(end, static_cast<std::size_t>(text.data() + text.size() - end));
-  if (error != std::errc() || !(value > 0.0) || !std::isfinite(value) || (unit != "" && unit != "rev" && unit != "s"))
-    throw InputError(fmt::format("--until {}: give turns of the shaft (5rev), seconds (0.02s) or a dimensionless time (1000), above 0", text));
+  if (error != std::errc() || !(value > 0.0) || !std::isfinite(value) ||
+      (unit != "" && unit != "rev" && unit != "s"))
+    throw InputError(
+        fmt::format("--until {}: give turns of the shaft (5rev), seconds (0.02s) or a "
+                    "dimensionless time (1000), above 0",
+                    text));
   if (unit == "s") return value;
   if (unit == "") return value * time_scale;
   if (shaft_speed == 0.0)
-    throw InputError(fmt::format("--until {}: both races turn at the same speed, so there are no shaft turns to count; give seconds, e.g. 0.01s", text));
+    throw InputError(
+        fmt::format("--until {}: both races turn at the same speed, so there are no shaft turns to "
+                    "count; give seconds, e.g. 0.01s",
+                    text));
   return value * 2.0 * std::numbers::pi / std::abs(shaft_speed);
 }
 
@@ -216,7 +249,8 @@ RunOutcome run(const RunRequest& request, const ProgressSink& progress, std::sto
   Prepared prepared = prepare(request);
   apply_overrides(request, prepared);
   const fs::path folder = output_folder(request, prepared.input.path);
-  RunOutcome out = prepared.control.dynamic ? run_dynamic(request, prepared, folder, progress, stop) : run_quasi_static(prepared, folder);
+  RunOutcome out = prepared.control.dynamic ? run_dynamic(request, prepared, folder, progress, stop)
+                                            : run_quasi_static(prepared, folder);
   out.folder = folder;
   out.warnings = prepared.input.warnings;
   out.seconds = seconds_since(begin);

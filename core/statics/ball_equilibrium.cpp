@@ -12,11 +12,12 @@ struct Point {
 
 struct Residual {
   double axial = 0.0, radial = 0.0;
-  double scale = 0.0;  ///< sum of the forces that balance
+  double scale = 0.0;       ///< sum of the forces that balance
+  double shallowest = 0.0;  ///< smallest approach of a loaded contact [m]
   Eigen::Matrix2d jacobian;
   bool rolls = true;
 
-  [[nodiscard]] double size() const { return std::hypot(axial, radial); }
+  [[nodiscard]] double size() const { return std::sqrt(axial * axial + radial * radial); }
 };
 
 using D2 = Dual<2>;
@@ -40,6 +41,11 @@ Residual residual_at(const BallModel& m, const BallSite& site, const Point& at,
   r.axial = f.axial.v;
   r.radial = f.radial.v;
   r.scale = f.contact[0].load.v + f.contact[1].load.v + f.centrifugal.v;
+  for (const auto& c : f.contact) {
+    if (c.load.v > 0.0 && (r.shallowest == 0.0 || c.approach.v < r.shallowest)) {
+      r.shallowest = c.approach.v;
+    }
+  }
   r.jacobian << f.axial.d[0], f.axial.d[1], f.radial.d[0], f.radial.d[1];
   r.rolls = f.rolls;
   return r;
@@ -47,7 +53,7 @@ Residual residual_at(const BallModel& m, const BallSite& site, const Point& at,
 
 /// Newton with backtracking; true when the residual force vanishes to rounding.
 bool newton(const BallModel& m, const BallSite& site, const RacePose<D2>& pose, Point& at) {
-  constexpr int kIterations = 60;
+  constexpr int kIterations = 40;
   // Rounding of a position of the size of the pitch radius, through the stiffness, is what can be
   // asked for.
   const double position_noise =
@@ -68,17 +74,23 @@ bool newton(const BallModel& m, const BallSite& site, const RacePose<D2>& pose, 
     }
     double dx = -(now.jacobian(1, 1) * now.axial - now.jacobian(0, 1) * now.radial) / determinant;
     double dr = -(now.jacobian(0, 0) * now.radial - now.jacobian(1, 0) * now.axial) / determinant;
-    const double length = std::hypot(dx, dr);
+    const double length = std::sqrt(dx * dx + dr * dr);
     if (!std::isfinite(length)) {
       return false;
     }
     if (length <= position_noise) {
-      return now.size() <= 1e-6 * now.scale;
+      return true;
+    }
+    if (length <=
+        1e-7 * now.shallowest) {  // quadratic: what is left after this step is below rounding
+      at.x += dx;
+      at.rho += dr;
+      return true;
     }
     const double clip = std::min(1.0, longest / length);
     double step = clip;
     bool better = false;
-    for (int halving = 0; halving < 30; ++halving, step *= 0.5) {
+    for (int halving = 0; halving < 16; ++halving, step *= 0.5) {
       const Point trial{at.x + step * dx, at.rho + step * dr};
       const Residual then = residual_at(m, site, trial, pose);
       if (then.size() <= (1.0 - 1e-4 * step) * now.size()) {
@@ -89,7 +101,7 @@ bool newton(const BallModel& m, const BallSite& site, const RacePose<D2>& pose, 
       }
     }
     if (!better) {
-      return now.size() <= 1e-9 * now.scale;  // stagnation at the rounding floor
+      return now.size() <= 1e-9 * now.scale || length <= 100.0 * position_noise;  // rounding floor
     }
   }
   return now.size() <= 1e-9 * now.scale;
@@ -138,20 +150,15 @@ LineOfCentres line_of_centres(const BallModel& m, const BallSite& site,
   return result;
 }
 
-RacePose<double> pose_of(const BallModel& m, const std::array<double, 5>& q) {
-  return inner_pose<double>(m, q);
-}
-
 }  // namespace
 
-bool solve_ball(const BallModel& m, const std::array<double, 5>& q, BallState& ball) {
-  const RacePose<double> pose = pose_of(m, q);
+bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& ball) {
   const RacePose<D2> dual_pose = constant_pose(pose);
   const Point nominal{};
   ball.idle = false;
   if (m.base_centrifugal == 0.0) {
     const LineOfCentres line = line_of_centres(m, ball.site, pose, nominal);
-    if (line.closure <= 0.0) {
+    if (line.closure <= 4e-16 * m.balls.pitch_diameter) {
       ball.x = line.start.x;
       ball.rho = line.start.rho;
       ball.idle = true;
@@ -187,19 +194,13 @@ bool solve_ball(const BallModel& m, const std::array<double, 5>& q, BallState& b
   return false;
 }
 
-BallShare ball_share(const BallModel& m, const std::array<double, 5>& q, BallState& ball) {
+BallShare ball_share(const BallModel& m, const RacePose<RaceDual>& race, BallState& ball) {
   BallShare share;
   if (ball.idle) {
     return share;
   }
-  using D8 =
-      Dual<8>;  // 0, 1: ball; 2..6: race; one unused, so that the loops fill vector registers
-  std::array<D8, 5> race;
-  for (std::size_t k = 0; k < 5; ++k) {
-    race[k] = D8::variable(q[k], static_cast<int>(k) + 2);
-  }
-  const auto f = ball_forces<D8>(m, ball.site, D8::variable(ball.x, 0), D8::variable(ball.rho, 1),
-                                 inner_pose<D8>(m, race));
+  const auto f = ball_forces<RaceDual>(m, ball.site, RaceDual::variable(ball.x, 0),
+                                       RaceDual::variable(ball.rho, 1), race);
   Eigen::Matrix2d on_ball;
   Eigen::Matrix<double, 2, 5> on_ball_race;
   Eigen::Matrix<double, 5, 2> on_race_ball;

@@ -7,6 +7,10 @@
 /// Equilibrium of one ball between two races held in place.
 namespace adore::statics {
 
+/// Derivatives over the ball (0: x, 1: rho) and the race (2-6); one unused, so that loops fill
+/// vector registers.
+using RaceDual = Dual<8>;
+
 /// Where a ball is, and how it moves with the inner race.
 struct BallState {
   BallSite site;
@@ -25,16 +29,16 @@ struct BallShare {
   double largest_load = 0.0;  ///< of its contacts [N]
 };
 
-/// Finds the ball's equilibrium for the inner race displaced by q: Newton with backtracking on the
+/// Finds the ball's equilibrium for the inner race in a given pose: Newton with backtracking on the
 /// residual force, from the given position when known, else from the line of groove centres.
 /// Without gyroscopic moment and with fixed K and ω_m the residual is the gradient of a convex
 /// potential, so the solution is unique and always found. Returns false when no start leads to an
 /// equilibrium (only possible with gyroscopic or angle-dependent terms).
-[[nodiscard]] bool solve_ball(const BallModel& model, const std::array<double, 5>& q,
+[[nodiscard]] bool solve_ball(const BallModel& model, const RacePose<double>& race,
                               BallState& ball);
 
 /// Load share and stiffness at the equilibrium found by solve_ball; also refreshes ball.follow.
-[[nodiscard]] BallShare ball_share(const BallModel& model, const std::array<double, 5>& q,
+[[nodiscard]] BallShare ball_share(const BallModel& model, const RacePose<RaceDual>& race,
                                    BallState& ball);
 
 }  // namespace adore::statics

@@ -156,29 +156,44 @@ ContactState<S> contact_state(const BallModel& m, std::size_t race, const Groove
   c.approach = length - m.groove.offset[race];
   if (value_of(c.approach) > 0.0) {
     const HertzSeries& hertz = m.hertz[race];
-    S K = hertz.reference().K;
+    const double K_reference = hertz.reference().K;
+    S K = K_reference;
     if (hertz.varying()) {
       const auto log_K = hertz.log_K(value_of(c.alpha.cos));
-      const double base = std::log(hertz.reference().K);
-      const double share = m.own_speed_share;
-      const double value = std::exp(base + share * (log_K.value - base));
-      K = chain(c.alpha.cos, value, value * share * log_K.slope);
+      const double value = K_reference * std::exp(m.own_speed_share * log_K.value);
+      K = chain(c.alpha.cos, value, value * m.own_speed_share * log_K.slope);
     }
     c.load = K * c.approach * square_root(c.approach);
   }
   return c;
 }
 
-/// Semi axes of a loaded contact, for the least-heat rule.
+/// Spin axis of least heat, with its derivatives carried over from the angles and loads that it
+/// depends on.
 template <class S>
-HeatContact<S> heat_contact(const BallModel& m, std::size_t race, const ContactState<S>& c) {
-  const HertzSeries& hertz = m.hertz[race];
-  const auto log_a = hertz.log_a(value_of(c.alpha.cos));
-  const double a_hat = std::exp(log_a.value);
-  const double cube_root = std::cbrt(value_of(c.load));
-  const S a = chain(c.alpha.cos, a_hat, a_hat * log_a.slope) *
-              chain(c.load, cube_root, cube_root / (3.0 * value_of(c.load)));
-  return {c.alpha, c.load, a, a / hertz.reference().kappa, m.surface_radius[race]};
+Direction<S> least_heat_direction(const BallModel& m,
+                                  const std::array<ContactState<S>, 2>& contact) {
+  std::array<HeatContact, 2> c;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const HertzSeries& hertz = m.hertz[j];
+    const auto log_a = hertz.log_a(value_of(contact[j].alpha.cos));
+    c[j].alpha = std::atan2(value_of(contact[j].alpha.sin), value_of(contact[j].alpha.cos));
+    c[j].load = value_of(contact[j].load);
+    c[j].half_major = hertz.reference().a_hat * std::exp(log_a.value) * std::cbrt(c[j].load);
+    c[j].log_a_slope = -std::sin(c[j].alpha) * log_a.slope;
+    c[j].aspect = hertz.reference().kappa;
+    c[j].surface_radius = m.surface_radius[j];
+  }
+  const LeastHeatAxis axis = least_heat_axis(c, m.gamma);
+  S beta = axis.beta;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const auto& alpha = contact[j].alpha;
+    const double s = value_of(alpha.sin);
+    const double k = value_of(alpha.cos);
+    const S turn = k * (alpha.sin - s) - s * (alpha.cos - k);  // α minus its value
+    beta = beta + axis.over_angle[j] * turn + axis.over_load[j] * (contact[j].load - c[j].load);
+  }
+  return {sine(beta), cosine(beta)};
 }
 
 /// Fills speeds and moments; needs both contacts' angles.
@@ -187,7 +202,7 @@ void add_inertia(const BallModel& m, const BallSite& site, BallForces<S>& f) {
   f.orbital = m.base_orbital;
   const S& Q_o = f.contact[0].load;
   const S& Q_i = f.contact[1].load;
-  if (m.per_ball_speeds && value_of(Q_i) > 0.0 && value_of(Q_o) > 0.0) {
+  if (m.per_ball_speeds && m.own_speed_share > 0.0 && value_of(Q_i) > 0.0 && value_of(Q_o) > 0.0) {
     const std::array<Direction<S>, 2> alpha{f.contact[0].alpha, f.contact[1].alpha};
     switch (site.law.axis) {
       case SpinLaw::Axis::OuterControl:
@@ -200,8 +215,7 @@ void add_inertia(const BallModel& m, const BallSite& site, BallForces<S>& f) {
         f.beta = {S(std::sin(m.spin_angle)), S(std::cos(m.spin_angle))};
         break;
       case SpinLaw::Axis::LeastHeat:
-        f.beta = least_heat_axis<S>(
-            {heat_contact(m, 0, f.contact[0]), heat_contact(m, 1, f.contact[1])}, m.gamma);
+        f.beta = least_heat_direction(m, f.contact);
         break;
     }
     const Rolling<S> rolling = roll_without_slip(alpha, f.beta, m.gamma, m.race_speed);

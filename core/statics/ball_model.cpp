@@ -12,24 +12,30 @@
 namespace adore::statics {
 namespace {
 
-constexpr int kNodes = 32;
+/// Nodes that resolve a function of c with its nearest singularity at 1/γ: coefficients fall like
+/// ρ^-n, ρ = 1/γ + sqrt(1/γ² - 1).
+std::size_t nodes_for(double gamma) {
+  const double rho = 1.0 / gamma + std::sqrt(1.0 / (gamma * gamma) - 1.0);
+  return static_cast<std::size_t>(std::clamp(34.0 / std::log(rho), 8.0, 64.0)) + 2;
+}
 
 /// Chebyshev coefficients from values at the points cos(π(k+½)/n), trailing ones below rounding
 /// dropped.
-std::vector<double> chebyshev_coefficients(const std::array<double, kNodes>& values) {
-  std::vector<double> coefficients(kNodes);
-  double largest = 0.0;
-  for (int i = 0; i < kNodes; ++i) {
-    double sum = 0.0;
-    for (int k = 0; k < kNodes; ++k) {
-      sum +=
-          values[static_cast<std::size_t>(k)] * std::cos(std::numbers::pi * i * (k + 0.5) / kNodes);
-    }
-    const double c = (i == 0 ? 1.0 : 2.0) / kNodes * sum;
-    coefficients[static_cast<std::size_t>(i)] = c;
-    largest = std::max(largest, std::abs(c));
+std::vector<double> chebyshev_coefficients(const std::vector<double>& values) {
+  const std::size_t n = values.size();
+  std::vector<double> cosine(4 * n);  // of π j/(2n)
+  for (std::size_t j = 0; j < 4 * n; ++j) {
+    cosine[j] = std::cos(0.5 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(n));
   }
-  while (coefficients.size() > 2 && std::abs(coefficients.back()) < 1e-16 * largest) {
+  std::vector<double> coefficients(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < n; ++k) {
+      sum += values[k] * cosine[i * (2 * k + 1) % (4 * n)];
+    }
+    coefficients[i] = (i == 0 ? 1.0 : 2.0) / static_cast<double>(n) * sum;
+  }
+  while (coefficients.size() > 2 && std::abs(coefficients.back()) < 2e-16) {
     coefficients.pop_back();
   }
   return coefficients;
@@ -65,21 +71,20 @@ HertzSeries::HertzSeries(const bearing::BallGeometry& balls, int race, double E_
   reference_ =
       contact::hertz_constants(contact::race_curvature(balls, race, reference_angle), E_star);
   if (!varying) {
-    log_K_ = {std::log(reference_.K)};
-    log_a_ = {std::log(reference_.a_hat)};
     return;
   }
-  std::array<double, kNodes> log_K{};
-  std::array<double, kNodes> log_a{};
+  const std::size_t n = nodes_for(balls.diameter / balls.pitch_diameter);
+  std::vector<double> log_K(n);
+  std::vector<double> log_a(n);
   double kappa = reference_.kappa;
-  for (std::size_t k = 0; k < kNodes; ++k) {
-    const double alpha = std::numbers::pi * (static_cast<double>(k) + 0.5) / kNodes;
+  for (std::size_t k = 0; k < n; ++k) {
+    const double alpha = std::numbers::pi * (static_cast<double>(k) + 0.5) / static_cast<double>(n);
     const auto h =
         contact::hertz_sensitivity(contact::race_curvature(balls, race, alpha), E_star, kappa)
             .constants;
     kappa = h.kappa;
-    log_K[k] = std::log(h.K);
-    log_a[k] = std::log(h.a_hat);
+    log_K[k] = std::log(h.K / reference_.K);
+    log_a[k] = std::log(h.a_hat / reference_.a_hat);
   }
   log_K_ = chebyshev_coefficients(log_K);
   log_a_ = chebyshev_coefficients(log_a);
@@ -92,6 +97,9 @@ contact::HertzConstants HertzSeries::at(double alpha) const {
 
 HertzSeries::Value HertzSeries::evaluate(const std::vector<double>& coefficients,
                                          double c) noexcept {
+  if (coefficients.empty()) {
+    return {};
+  }
   double b1 = 0.0;
   double b2 = 0.0;
   double d1 = 0.0;  // derivative of b1

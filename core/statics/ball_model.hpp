@@ -11,9 +11,9 @@
 /// Constants of one quasi-static ball bearing problem: what all balls share.
 namespace adore::statics {
 
-/// ln K and ln a_hat of one race contact as Chebyshev series over c = cos α, -1 <= c <= 1. Both are
-/// analytic there (the nearest singularity is c = ±d_m/D), so a short series holds them to about
-/// 1e-13.
+/// ln(K/K_ref) and ln(a_hat/a_ref) of one race contact as Chebyshev series over c = cos α, -1 <= c
+/// <= 1. Both are analytic there (the nearest singularity is c = ±d_m/D), so a short series holds
+/// them to about 1e-15.
 class HertzSeries {
  public:
   HertzSeries() = default;
@@ -23,19 +23,19 @@ class HertzSeries {
               bool varying);
 
   struct Value {
-    double value, slope;  ///< of the logarithm and its derivative over cos α
+    double value = 0.0, slope = 0.0;  ///< of the logarithm, and its derivative over cos α
   };
   [[nodiscard]] Value log_K(double cos_alpha) const noexcept { return evaluate(log_K_, cos_alpha); }
   [[nodiscard]] Value log_a(double cos_alpha) const noexcept { return evaluate(log_a_, cos_alpha); }
   [[nodiscard]] const contact::HertzConstants& reference() const noexcept { return reference_; }
-  [[nodiscard]] bool varying() const noexcept { return log_K_.size() > 1; }
+  [[nodiscard]] bool varying() const noexcept { return varying_; }
   /// Exact constants at one angle (no series).
   [[nodiscard]] contact::HertzConstants at(double alpha) const;
 
  private:
   static Value evaluate(const std::vector<double>& coefficients, double c) noexcept;
 
-  std::vector<double> log_K_, log_a_;
+  std::vector<double> log_K_, log_a_;  ///< empty when nothing varies
   contact::HertzConstants reference_;
   bearing::BallGeometry balls_;
   int race_ = 0;

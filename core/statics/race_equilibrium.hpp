@@ -50,7 +50,8 @@ struct RaceSolve {
 /// converges from anywhere. With the full model steps must reduce the residual. Directions without
 /// stiffness are left alone when unloaded and walked along the load, a quarter of the groove
 /// offsets at a time, until balls touch.
-[[nodiscard]] RaceSolve solve_race(const BallModel& model, const RaceTask& task, RaceState& state);
+[[nodiscard]] RaceSolve solve_race(const BallModel& model, const RaceTask& task, RaceState& state,
+                                   double target = 1e-12);
 
 /// Cold start: thrust and radial load brought to first contact plus an estimate of the deflection.
 [[nodiscard]] Vec5 first_guess(const BallModel& model, const RaceTask& task, const Vec5& given);

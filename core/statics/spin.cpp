@@ -36,6 +36,14 @@ GaussRule make_rule() {
   return rule;
 }
 
+/// One contact with angle, load and axis carried as numbers of type S.
+template <class S>
+struct Contact {
+  Direction<S> alpha;
+  S load = 0.0, half_major = 0.0;
+  double aspect = 1.0, surface_radius = 0.0;
+};
+
 /// G(σ) and dG/dσ of one contact.
 template <class S>
 struct SlipIntegral {
@@ -44,26 +52,27 @@ struct SlipIntegral {
 };
 
 template <class S>
-SlipIntegral<S> slip_integral(const HeatContact<S>& c, const S& sigma) {
+SlipIntegral<S> slip_integral(const Contact<S>& c, const S& sigma) {
   static const GaussRule kRule = make_rule();
   SlipIntegral<S> result;
   const S curve = c.half_major * c.half_major / (2.0 * c.surface_radius);
-  const S narrow = 0.25 * c.half_minor * c.half_minor;
+  const S narrow = 0.25 / (c.aspect * c.aspect) * c.half_major * c.half_major;
+  const S tilt = sigma * c.half_major;
   for (std::size_t k = 0; k < 2 * kHalfNodes; ++k) {
     const double s = k < kHalfNodes ? kRule.node[k] : -kRule.node[k - kHalfNodes];
     const double w = 0.75 * kRule.weight[k % kHalfNodes] * (1.0 - s * s);
-    const S along = sigma * c.half_major * s + curve * (s * s);
-    const S spread = narrow * (1.0 - s * s);
-    const S slip = square_root(along * along + sigma * sigma * spread);
+    const S along = tilt * s + curve * (s * s);
+    const S across = sigma * narrow * (1.0 - s * s);
+    const S slip = square_root(along * along + sigma * across);
     result.value += w * slip;
-    result.slope += w * (along * c.half_major * s + sigma * spread) / slip;
+    result.slope += w * (along * c.half_major * s + across) / slip;
   }
   return result;
 }
 
 /// Heat over |Ω_i - Ω_o|/γ and its derivative over β.
 template <class S>
-SlipIntegral<S> heat_and_slope(const std::array<HeatContact<S>, 2>& contacts, double gamma,
+SlipIntegral<S> heat_and_slope(const std::array<Contact<S>, 2>& contacts, double gamma,
                                const S& beta) {
   const Direction<S> axis{sine(beta), cosine(beta)};
   std::array<S, 2> part;        // cos(β-α)/ρ
@@ -115,34 +124,42 @@ Bracket bracket_minimum(double first, double second, Slope slope) {
   return b;
 }
 
+template <class S>
+std::array<Contact<S>, 2> constant_contacts(const std::array<HeatContact, 2>& contacts) {
+  std::array<Contact<S>, 2> result;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const HeatContact& c = contacts[j];
+    result[j] = {{S(std::sin(c.alpha)), S(std::cos(c.alpha))},
+                 S(c.load),
+                 S(c.half_major),
+                 c.aspect,
+                 c.surface_radius};
+  }
+  return result;
+}
+
 }  // namespace
 
-HeatOfAxis heat_of_axis(const std::array<HeatContact<double>, 2>& contacts, double gamma,
-                        double beta) {
-  const auto h = heat_and_slope(contacts, gamma, beta);
+HeatOfAxis heat_of_axis(const std::array<HeatContact, 2>& contacts, double gamma, double beta) {
+  const auto h = heat_and_slope(constant_contacts<double>(contacts), gamma, beta);
   return {h.value, h.slope};
 }
 
-template <class S>
-Direction<S> least_heat_axis(const std::array<HeatContact<S>, 2>& contacts, double gamma) {
-  std::array<HeatContact<Dual<1>>, 2> fixed;
+LeastHeatAxis least_heat_axis(const std::array<HeatContact, 2>& contacts, double gamma) {
+  const auto fixed = constant_contacts<Dual<1>>(contacts);
   std::array<double, 2> control{};
+  std::array<double, 2> weight{};
   for (std::size_t j = 0; j < 2; ++j) {
-    const auto& c = contacts[j];
-    fixed[j] = {{value_of(c.alpha.sin), value_of(c.alpha.cos)},
-                value_of(c.load),
-                value_of(c.half_major),
-                value_of(c.half_minor),
-                c.surface_radius};
-    control[j] =
-        std::atan2(value_of(c.alpha.sin), value_of(c.alpha.cos) + (j == 0 ? gamma : -gamma));
+    const HeatContact& c = contacts[j];
+    control[j] = std::atan2(std::sin(c.alpha), std::cos(c.alpha) + (j == 0 ? gamma : -gamma));
+    weight[j] = c.load * c.half_major;
   }
   const auto slope = [&](double beta) {
     return heat_and_slope(fixed, gamma, Dual<1>::variable(beta, 0)).slope;
   };
   Bracket bracket =
       bracket_minimum(control[0], control[1], [&](double beta) { return slope(beta).v; });
-  double beta = 0.5 * (bracket.low + bracket.high);
+  double beta = (weight[0] * control[0] + weight[1] * control[1]) / (weight[0] + weight[1]);
   double curvature = 0.0;
   for (int n = 0; n < 60; ++n) {
     const Dual<1> g = slope(beta);
@@ -154,21 +171,32 @@ Direction<S> least_heat_axis(const std::array<HeatContact<S>, 2>& contacts, doub
     }
     const double change = std::abs(next - beta);
     beta = next;
-    if (change < 1e-14 || bracket.high - bracket.low < 1e-14) {
+    if (change < 1e-13) {
       break;
     }
   }
-  S angle = beta;
+  LeastHeatAxis result;
+  result.beta = beta;
   if (curvature > 0.0) {
-    // dβ = -(∂g/∂p) dp / (∂g/∂β), with g = 0 at the minimum.
-    const S g = heat_and_slope(contacts, gamma, S(beta)).slope;
-    angle = beta - (g - value_of(g)) / curvature;
+    // dβ = -(∂g/∂p) dp / (∂g/∂β) with g = 0 at the minimum; p = α_o, α_i, Q_o, Q_i.
+    using D4 = Dual<4>;
+    std::array<Contact<D4>, 2> moving;
+    for (std::size_t j = 0; j < 2; ++j) {
+      const HeatContact& c = contacts[j];
+      const D4 alpha = D4::variable(c.alpha, static_cast<int>(j));
+      const D4 load = D4::variable(c.load, static_cast<int>(j) + 2);
+      D4 half_major = c.half_major;
+      half_major.d[j] = c.half_major * c.log_a_slope;
+      half_major.d[j + 2] = c.half_major / (3.0 * c.load);
+      moving[j] = {{sine(alpha), cosine(alpha)}, load, half_major, c.aspect, c.surface_radius};
+    }
+    const D4 g = heat_and_slope(moving, gamma, D4(beta)).slope;
+    for (std::size_t j = 0; j < 2; ++j) {
+      result.over_angle[j] = -g.d[j] / curvature;
+      result.over_load[j] = -g.d[j + 2] / curvature;
+    }
   }
-  return {sine(angle), cosine(angle)};
+  return result;
 }
-
-template Direction<double> least_heat_axis(const std::array<HeatContact<double>, 2>&, double);
-template Direction<Dual<2>> least_heat_axis(const std::array<HeatContact<Dual<2>>, 2>&, double);
-template Direction<Dual<8>> least_heat_axis(const std::array<HeatContact<Dual<8>>, 2>&, double);
 
 }  // namespace adore::statics

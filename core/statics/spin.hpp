@@ -75,34 +75,39 @@ Rolling<S> roll_without_slip(const std::array<Direction<S>, 2>& alpha, const Dir
 }
 
 /// One contact as seen by the least-heat rule.
-template <class S>
 struct HeatContact {
-  Direction<S> alpha;
-  S load = 0.0;        ///< Q [N]
-  S half_major = 0.0;  ///< a [m]
-  S half_minor = 0.0;  ///< b [m]
+  double alpha = 0.0;        ///< contact angle [rad]
+  double load = 0.0;         ///< Q [N], > 0
+  double half_major = 0.0;   ///< a [m]; grows with Q^(1/3)
+  double log_a_slope = 0.0;  ///< d ln a/dα at constant load [1/rad]
+  double aspect = 1.0;       ///< a/b
   double surface_radius =
-      0.0;  ///< ρ = 2fD/(2f+1), radius of the deformed surface along the major axis [m]
+      0.0;  ///< ρ = 2fD/(2f+1), of the deformed surface along the major axis [m]
 };
 
-/// Pitch angle of least frictional heat at constant friction coefficient, no slip at both contact
-/// centres:
-///   minimise Σ_j Q_j |W_c,j| G_j,  G = ¾∫(1-s²) sqrt((σ a s + a² s²/(2ρ))² + σ² b² (1-s²)/4) ds,
-///   -1..1,
-/// i.e. spin AND the differential slip of the curved contact surface; the mean of η² over the
-/// narrow axis stands for η. Without the curvature term the heat is a sum of |σ_j| with kinks, and
-/// its minimum is always plain race control. The derivative over S follows from the implicit
-/// function theorem, so Jacobians stay exact.
-template <class S>
-Direction<S> least_heat_axis(const std::array<HeatContact<S>, 2>& contacts, double gamma);
+/// Pitch angle of least frictional heat and its derivatives over angles and loads (implicit
+/// function theorem).
+struct LeastHeatAxis {
+  double beta = 0.0;                   ///< [rad]
+  std::array<double, 2> over_angle{};  ///< ∂β/∂α_j [-]
+  std::array<double, 2> over_load{};   ///< ∂β/∂Q_j [rad/N]
+};
 
-/// The value of that heat (up to the friction coefficient and race speed) at a given pitch angle,
-/// and its slope.
+/// Minimises over β, at a constant friction coefficient and without slip at both contact centres,
+///   Σ_j Q_j |W_c,j| G_j,  G = ¾∫(1-s²) sqrt((σ a s + a² s²/(2ρ))² + σ² b² (1-s²)/4) ds, -1..1 (16
+///   Gauss points),
+/// i.e. the heat of spin AND of the differential slip of the curved contact surface; across the
+/// narrow axis η² is replaced by its mean. Without the curvature term the heat is a sum of |σ_j|
+/// with kinks, and its minimum is always plain race control of one race or the other.
+[[nodiscard]] LeastHeatAxis least_heat_axis(const std::array<HeatContact, 2>& contacts,
+                                            double gamma);
+
+/// That heat (over friction coefficient and |Ω_i - Ω_o|/γ) at a given pitch angle, and its slope.
 struct HeatOfAxis {
   double heat = 0.0;
   double slope = 0.0;
 };
-[[nodiscard]] HeatOfAxis heat_of_axis(const std::array<HeatContact<double>, 2>& contacts,
-                                      double gamma, double beta);
+[[nodiscard]] HeatOfAxis heat_of_axis(const std::array<HeatContact, 2>& contacts, double gamma,
+                                      double beta);
 
 }  // namespace adore::statics

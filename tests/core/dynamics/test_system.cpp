@@ -262,12 +262,13 @@ TEST_CASE("a free ball under gravity flies a parabola in cylindrical coordinates
 TEST_CASE("a single ball orbits on the outer race and keeps its energy", "[physics][dynamics]") {
   bearing::Bearing b = angular_contact(1);
   b.cage.reset();
+  const contact::GrooveGeometry groove = contact::groove_geometry(b.balls);
   statics::StaticSolution solution = placed_balls(b);
-  solution.displacement[0] = -1e-3;  // the inner race is far away
+  solution.displacement[0] =
+      groove.centre_x[0] - groove.centre_x[1];  // grooves face each other with play
   System system = make_system(b, plan_with({Effect::RaceContact}), solution);
   std::vector<double> y = system.initial_state();
   // At the bottom of the outer groove, pressed by its centrifugal force.
-  const contact::GrooveGeometry groove = contact::groove_geometry(b.balls);
   const double speed = 400.0;
   y[0] = groove.centre_x[0];
   y[1] = groove.centre_radius[0] + groove.offset[0];
@@ -281,11 +282,11 @@ TEST_CASE("a single ball orbits on the outer race and keeps its energy", "[physi
     const double Q = m * y[1] * speed * speed;
     y[1] = groove.centre_radius[0] + groove.offset[0] + std::pow(Q / K, 2.0 / 3.0);
   }
-  const RunResult result = run(system, y, 5e-3, 1e-9);
+  const RunResult result = run(system, y, 5e-3, 1e-12);
   CHECK(result.y[1] == Approx(y[1]).margin(1e-11));
   CHECK(result.y[2] == Approx(speed * 5e-3).epsilon(1e-9));
   const Snapshot s = system.snapshot(5e-3, result.y);
-  CHECK(s.elements[0].race[0].load == Approx(m * y[1] * speed * speed).epsilon(1e-6));
+  CHECK(s.elements[0].race[0].load == Approx(m * y[1] * speed * speed).epsilon(1e-5));
   CHECK(s.elements[0].race[1].load == 0.0);
 }
 
@@ -357,9 +358,10 @@ TEST_CASE("the start state from statics is close to equilibrium", "[physics][dyn
     const double per_mass = s.elements[i].race[0].load / b.ball_inertia.mass;
     CHECK(s.elements[i].race[0].load == Approx(solution.balls[i].Q[0]).epsilon(1e-9));
     CHECK(s.elements[i].race[1].load == Approx(solution.balls[i].Q[1]).epsilon(1e-9));
-    // Statics solves to 1e-9 or better of its load scale.
+    // Statics solves to 1e-9 of its load scale, but takes the centrifugal force at the pitch radius
+    // (r is some 30 µm more) and at the speed of classical rolling: a few 1e-4 of it.
     CHECK(std::abs(s.elements[i].ax) < 1e-7 * per_mass);
-    CHECK(std::abs(s.elements[i].ar) < 1e-7 * per_mass);
+    CHECK(std::abs(s.elements[i].ar) < 1e-3 * per_mass);
   }
   CHECK(s.races[1].applied_force[0] == Approx(1500.0).epsilon(1e-7));
   CHECK(s.races[1].applied_force[2] == Approx(500.0).epsilon(1e-7));

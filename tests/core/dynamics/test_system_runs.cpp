@@ -1,32 +1,12 @@
 #include "core/dynamics/system_fixture.hpp"
 
+#include "core/dynamics/allocation_counter.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 #include <numbers>
-
-namespace {
-std::atomic<long> allocations{0};
-}
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size == 0 ? 1 : size)) return p;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, std::align_val_t alignment) {
-  ++allocations;
-  const auto a = static_cast<std::size_t>(alignment);
-  if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
-  throw std::bad_alloc();
-}
-void operator delete(void* p) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t) noexcept { std::free(p); }
-void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
 
 using namespace adore;
 using namespace adore::dynamics;
@@ -46,6 +26,31 @@ bearing::Bearing rattling_bearing() {
   return b;
 }
 
+struct ResidualResult {
+  double largest =
+      0.0;  ///< of ten instants, over the stored energy: the sign of one instant is chance
+  EnergySnapshot last;
+};
+ResidualResult largest_residual(System& system, double end, double tolerance, const char* method) {
+  Adapter adapter(system);
+  const std::vector<double> y0 = system.initial_state();
+  system.set_start(0.0, y0);
+  const auto stepper = integrators::make_stepper(method);
+  integrators::StepControl control;
+  control.maximum = end;
+  control.minimum = 1e-13;
+  control.tolerance = tolerance;
+  stepper->start(adapter, 0.0, y0, control);
+  ResidualResult result;
+  for (int k = 1; k <= 10; ++k) {
+    while (stepper->time() < 0.1 * k * end) stepper->step(0.1 * k * end);
+    result.last = system.snapshot(stepper->time(), stepper->state()).energy;
+    result.largest =
+        std::max(result.largest, std::abs(result.last.residual()) / result.last.stored_at_start);
+  }
+  return result;
+}
+
 }  // namespace
 
 TEST_CASE(
@@ -62,16 +67,13 @@ TEST_CASE(
   for (const double tolerance : {1e-5, 1e-7, 1e-9, 1e-11}) {
     // Order 4: the Fehlberg pairs of higher order see little error at an impact that begins inside
     // a step.
-    const RunResult result = run(system, system.initial_state(), end, tolerance, "rkf4");
-    const EnergySnapshot energy = system.snapshot(end, result.y).energy;
+    const auto [residual, energy] = largest_residual(system, end, tolerance, "rkf4");
     // Every mechanism must have turned over energy, or this test shows nothing.
     CHECK(energy.heat_pockets > 1e-2);
     CHECK(energy.heat_lands > 1e-4);
     CHECK(energy.heat_race[0] > 1e-2);
     CHECK(energy.heat_race[1] > 1e-2);
-    const double residual = std::abs(energy.residual()) / energy.stored_at_start;
-    UNSCOPED_INFO("tolerance " << tolerance << ": residual / stored energy " << residual
-                               << ", steps " << result.counters.steps);
+    UNSCOPED_INFO("tolerance " << tolerance << ": residual / stored energy " << residual);
     if (previous > 0.0) CHECK(residual < 0.5 * previous);
     if (first == 0.0) first = residual;
     previous = residual;
@@ -80,7 +82,7 @@ TEST_CASE(
   CHECK(previous < 1e-6);
 }
 
-TEST_CASE("without impacts the energy residual follows the order-5 stepper down to round-off",
+TEST_CASE("without impacts the energy residual follows the order-5 stepper",
           "[physics][dynamics][energy]") {
   bearing::Bearing b = angular_contact();
   b.gravity = {0.0, 0.0, -9.81};
@@ -88,13 +90,13 @@ TEST_CASE("without impacts the energy residual follows the order-5 stepper down 
   using enum Effect;
   System system = make_system(b, plan_with({RaceContact, RaceTraction, Gravity, WearIntegrals}));
   double previous = 1.0;
-  for (const double tolerance : {1e-5, 1e-6, 1e-7, 1e-8}) {
-    const RunResult result = run(system, system.initial_state(), 1e-3, tolerance);
-    const double residual = std::abs(system.snapshot(1e-3, result.y).energy.residual());
+  for (const double tolerance : {1e-4, 1e-5, 1e-6}) {
+    const double residual = largest_residual(system, 1e-3, tolerance, "rkf5").largest;
+    UNSCOPED_INFO("tolerance " << tolerance << ": residual / stored energy " << residual);
     CHECK(residual < 0.2 * previous);
     previous = residual;
   }
-  CHECK(previous < 1e-7);  // of some 70 J stored
+  CHECK(previous < 1e-9);
 }
 
 TEST_CASE("the same start gives the same bits", "[unit][dynamics]") {
@@ -132,14 +134,14 @@ TEST_CASE("turning load and cage by one pitch shifts the indices by one",
   const Snapshot s1 = one.snapshot(end, first.y), s2 = two.snapshot(end, second.y);
   for (std::size_t i = 0; i < n; ++i) {
     const ElementSnapshot &p = s1.elements[i], &q = s2.elements[(i + 1) % n];
-    // Static solutions agree to their solver's residual (1e-9), trajectories to the tolerance.
-    CHECK(q.race[1].load == Approx(p.race[1].load).epsilon(1e-5));
+    // Positions agree to a few tolerances (6e-12 m each); 1e-11 m are 1e-5 of a load.
+    CHECK(q.race[1].load == Approx(p.race[1].load).epsilon(1e-4));
     CHECK(std::abs(q.x - p.x) < 1e-10);
     CHECK(std::abs(q.r - p.r) < 1e-10);
-    CHECK(std::abs(q.pocket[0].gap - p.pocket[0].gap) < 1e-9);
+    CHECK(std::abs(q.pocket[0].gap - p.pocket[0].gap) < 1e-8);
     CHECK((q.omega - p.omega).norm() < 1e-6 * p.omega.norm());
   }
-  CHECK((s2.cages[0].position - turn(s1.cages[0].position)).norm() < 1e-9);
+  CHECK((s2.cages[0].position - turn(s1.cages[0].position)).norm() < 1e-8);
 }
 
 TEST_CASE("a right-hand side allocates nothing", "[unit][dynamics][alloc]") {
@@ -150,10 +152,10 @@ TEST_CASE("a right-hand side allocates nothing", "[unit][dynamics][alloc]") {
   System system = make_system(b, plan);
   std::vector<double> y = run(system, system.initial_state(), 2e-4, 1e-6).y;
   std::vector<double> d(y.size());
-  const long before = allocations;
+  const long before = test::allocation_count();
   for (int i = 0; i < 3 * CostLedger::kSampleEvery; ++i) system.rhs(0.0, y.data(), d.data());
   system.project(0.0, y.data());
-  CHECK(allocations == before);
+  CHECK(test::allocation_count() == before);
 }
 
 TEST_CASE("the cost ledger adds up to the time of the right-hand sides", "[unit][dynamics]") {

@@ -1,4 +1,5 @@
 #include "base/errors.hpp"
+#include "tribology/newton_film.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <catch2/catch.hpp>
@@ -120,4 +121,24 @@ TEST_CASE("only laws that do not vanish at rest are regularised", "[unit]") {
         adore::tribology::kRegularisationSlip);
   CHECK(regularisation_slip(traction_curve(0, {0.05, 0.0, 0.0, 0.1})) ==
         adore::tribology::kRegularisationSlip);
+}
+
+TEST_CASE("film_shear_stress: viscous when slow, peak at S = 1.509, then falling",
+          "[unit][analytic]") {
+  const adore::tribology::NewtonFilm film{5e-7, 0.015, 5.2e-9, 0.046, 0.144};
+  const double p = 1e9, mu = film.viscosity * std::exp(film.pressure_exponent * p);
+  CHECK(film_shear_stress(film, 0.0, p) == 0.0);
+  CHECK(film_shear_stress(film, 1e-6, p) == Approx(mu * 1e-6 / film.thickness).epsilon(1e-6));
+  const double unit = std::sqrt(8.0 * film.conductivity / (film.temperature_exponent * mu));
+  const double peak = film_shear_stress(film, 1.509 * unit, p);
+  // 1.3255 is rounded to four digits.
+  CHECK(peak ==
+        Approx(1.3255 * std::sqrt(2.0 * film.conductivity * mu / film.temperature_exponent) /
+               film.thickness)
+            .epsilon(1e-4));
+  CHECK(film_shear_stress(film, 1.45 * unit, p) < peak);
+  CHECK(film_shear_stress(film, 1.57 * unit, p) < peak);
+  const double seam = 1e-4 * unit;  // series and closed form meet
+  CHECK(film_shear_stress(film, seam * (1 - 1e-9), p) ==
+        Approx(film_shear_stress(film, seam * (1 + 1e-9), p)).epsilon(3e-9));
 }

@@ -1,0 +1,156 @@
+#include "adrplot/page_builder.hpp"
+
+#include "adrplot/spectrum.hpp"
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace adore::adrplot {
+namespace {
+
+using desktop::ChartCurve;
+using desktop::ChartPage;
+using desktop::ChartPanel;
+using results::SolFile;
+
+std::vector<double> column(const SolFile& file, int value) {
+  std::vector<double> numbers;
+  numbers.reserve(file.steps.size());
+  const auto index = static_cast<std::size_t>(value - 1);
+  for (const auto& step : file.steps)
+    numbers.push_back(index < step.values.size() ? step.values[index]
+                                                 : std::numeric_limits<double>::quiet_NaN());
+  return numbers;
+}
+
+std::string unit_of(const SolFile& file, int unit_slot) {
+  return file.header.units.at(static_cast<std::size_t>(unit_slot - 1));
+}
+
+std::vector<double> times(const SolFile& file) {
+  std::vector<double> numbers;
+  for (const auto& step : file.steps) numbers.push_back(step.time);
+  return numbers;
+}
+
+void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Abscissa abscissa) {
+  if (abscissa == Abscissa::Time) {
+    chart.x_title = "Time";
+    chart.x_unit = "s";
+    chart.x = times(file);
+  } else {
+    chart.x_title = "Bearing rotation";
+    chart.x_unit = "rev";
+    for (const auto& step : file.steps) chart.x.push_back(step.revolutions);
+  }
+  for (const auto& spec : page.panels) {
+    ChartPanel panel{spec.title, unit_of(file, spec.unit_slot), {}, spec.wraps};
+    for (const auto& curve : spec.curves)
+      panel.curves.push_back({curve.name, column(file, curve.value), {}});
+    chart.panels.push_back(std::move(panel));
+  }
+}
+
+void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, OrbitPair pair) {
+  const PanelSpec& across = page.panels.at(static_cast<std::size_t>(pair.across));
+  const PanelSpec& up = page.panels.at(static_cast<std::size_t>(pair.up));
+  const bool over_clearance = file.kind == results::SolKind::Cage;
+  const std::string suffix = over_clearance ? " / clearance" : " position";
+  chart.equal_axes = true;
+  // The unit circle is where a land without a second support touches; it means nothing against the
+  // axial coordinate.
+  if (over_clearance && pair.across != 0 && pair.up != 0) chart.guide_radius = 1.0;
+  chart.x_title = across.title + suffix;
+  ChartPanel panel{up.title + suffix, unit_of(file, up.unit_slot), {}, false};
+  panel.curves.push_back({"mass centre", column(file, up.curves.front().value),
+                          column(file, across.curves.front().value)});
+  chart.panels.push_back(std::move(panel));
+}
+
+/// Frequency above which no coordinate exceeds 1 % of its largest amplitude: the first view ends a
+/// little beyond it.
+double interesting_frequency(const std::vector<double>& frequency,
+                             const std::vector<ChartPanel>& panels) {
+  constexpr double kVisible = 0.01;
+  std::size_t last = 0;
+  for (const auto& panel : panels)
+    for (std::size_t k = 0; k < frequency.size(); ++k)
+      if (panel.curves.front().y[k] > kVisible) last = std::max(last, k);
+  return std::min(
+      frequency.back(),
+      1.15 *
+          frequency[std::max<std::size_t>(last, std::min<std::size_t>(10, frequency.size() - 1))]);
+}
+
+void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page) {
+  const std::vector<double> t = times(file);
+  const TimeStep step = common_time_step(t);
+  if (!step.reason.empty()) {
+    chart.note = step.reason;
+    return;
+  }
+  chart.x_title = "Frequency";
+  chart.x_unit = "Hz";
+  // y and z carry the whirl, so they come first; x is the third panel.
+  for (const std::size_t coordinate : {1U, 2U, 0U}) {
+    const PanelSpec& spec = page.panels.at(coordinate);
+    const std::vector<double> samples = column(file, spec.curves.front().value);
+    if (std::any_of(samples.begin(), samples.end(), [](double s) { return !std::isfinite(s); })) {
+      chart.panels.clear();
+      chart.note =
+          "The file shows stars instead of some mass centre positions, so there is no frequency "
+          "spectrum.";
+      return;
+    }
+    Spectrum spectrum = relative_spectrum(samples, step.step);
+    chart.x = spectrum.frequency;
+    chart.panels.push_back(
+        {"Amplitude " + spec.title, "", {{"", std::move(spectrum.amplitude), {}}}, false});
+  }
+  const double turns = file.steps.back().revolutions - file.steps.front().revolutions;
+  const double shaft = std::abs(turns) / (t.back() - t.front());
+  if (shaft > 0.0) chart.marks.push_back({shaft, "shaft"});
+  chart.view_low = 0.0;
+  chart.view_high = std::max(interesting_frequency(chart.x, chart.panels),
+                             1.5 * std::min(shaft, chart.x.back() / 1.5));
+}
+
+}  // namespace
+
+ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, int number,
+                     const PageOptions& options) {
+  if (number < 1 || number > static_cast<int>(pages.size()))
+    throw InputError(fmt::format("{} has no page {}; its pages are 1 to {}", file.path.string(),
+                                 number, pages.size()));
+  const PageSpec& page = pages[static_cast<std::size_t>(number - 1)];
+  ChartPage chart;
+  chart.title = page.title;
+  chart.note = page.note;
+  chart.subtitle = fmt::format("{}   ·   {}   ·   {}   ·   page {} of {}",
+                               file.header.run_id.empty() ? "(no run name)" : file.header.run_id,
+                               subject(file.kind, file.header), file.path.filename().string(),
+                               number, pages.size());
+  if (file.steps.empty()) {
+    chart.note = "The file holds no complete step" +
+                 (file.note.empty() ? std::string(".") : ": " + file.note + ".");
+    return chart;
+  }
+  switch (page.kind) {
+    case PageKind::History:
+      add_history(chart, file, page, options.abscissa);
+      break;
+    case PageKind::Orbit:
+      add_orbit(chart, file, page, options.orbit);
+      break;
+    case PageKind::Spectrum:
+      add_spectrum(chart, file, page);
+      break;
+  }
+  return chart;
+}
+
+}  // namespace adore::adrplot

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "results/sol_file.hpp"
+
+#include <string>
+#include <vector>
+
+/// The plot pages of each kind of result file, as a table without Qt: what stands on page 7 of an
+/// element file is said here only. Values are numbered as in the record descriptions of the SOL
+/// files, from 1; unit slots are those of the file's header, 1 to 10, where slot 10 is the blank
+/// one of pure numbers.
+namespace adore::adrplot {
+
+enum class PageKind : unsigned char {
+  History,  ///< panels over revolutions or time
+  Orbit,    ///< one coordinate of the mass centre against another
+  Spectrum  ///< amplitude over frequency of the mass centre coordinates
+};
+
+struct CurveSpec {
+  std::string name;
+  int value = 1;
+};
+
+struct PanelSpec {
+  std::string title;
+  int unit_slot = 10;
+  std::vector<CurveSpec> curves;
+  bool wraps = false;  ///< an angle that starts again after a turn
+};
+
+struct PageSpec {
+  std::string title;
+  PageKind kind = PageKind::History;
+  std::vector<PanelSpec> panels;  ///< of an orbit or spectrum: one panel per coordinate x, y, z
+  std::string note;               ///< what a full page would show beyond this file's values
+};
+
+/// Pages of a file, in the order of their numbers.
+std::vector<PageSpec> plot_pages(results::SolKind kind, const results::SolHeader& header);
+
+/// "rolling element 3", "cage segment 2", "outer race", "power and life".
+std::string subject(results::SolKind kind, const results::SolHeader& header);
+
+}  // namespace adore::adrplot

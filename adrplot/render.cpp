@@ -1,0 +1,55 @@
+#include "adrplot/render.hpp"
+
+#include "base/errors.hpp"
+#include "desktop/chart_scene.hpp"
+#include "desktop/image_export.hpp"
+
+#include <QImage>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace adore::adrplot {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> render_file(const results::SolFile& file, const std::string& stem,
+                                  const RenderOptions& options) {
+  const auto pages = plot_pages(file.kind, file.header);
+  std::vector<fs::path> written;
+  desktop::ChartScene scene;
+  scene.setTheme(
+      desktop::theme(options.dark ? desktop::ThemeKind::Dark : desktop::ThemeKind::Light));
+  const int first = options.page == 0 ? 1 : options.page;
+  const int last = options.page == 0 ? static_cast<int>(pages.size()) : options.page;
+  for (int number = first; number <= last; ++number) {
+    scene.setPageSize(QSizeF(options.width, options.height));
+    desktop::ChartPage page = build_page(file, pages, number, options.view);
+    if (!file.note.empty() && !page.panels.empty())
+      page.note = "Incomplete file: " + file.note + ". " + page.note;
+    scene.setPage(std::move(page));
+    const fs::path path = options.folder / fmt::format("{}-page-{:02}.png", stem, number);
+    desktop::save_image(scene.image({options.width, options.height}), path);
+    written.push_back(path);
+  }
+  return written;
+}
+
+std::vector<fs::path> render_plots(const std::vector<fs::path>& files,
+                                   const RenderOptions& options) {
+  desktop::make_folder(options.folder);
+  std::vector<fs::path> written;
+  for (const auto& path : files) {
+    const results::SolFile file = results::read_sol(path, options.range);
+    const bool twin = std::count_if(files.begin(), files.end(), [&](const fs::path& other) {
+                        return other.filename() == path.filename();
+                      }) > 1;
+    const std::string folder = fs::absolute(path).parent_path().filename().string();
+    const std::string stem = (twin ? folder + "-" : "") + path.filename().string();
+    const auto pictures = render_file(file, stem, options);
+    written.insert(written.end(), pictures.begin(), pictures.end());
+  }
+  return written;
+}
+
+}  // namespace adore::adrplot

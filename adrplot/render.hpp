@@ -1,0 +1,32 @@
+#pragma once
+
+#include "adrplot/page_builder.hpp"
+
+#include <filesystem>
+#include <vector>
+
+namespace adore::adrplot {
+
+struct RenderOptions {
+  std::filesystem::path folder;  ///< made when missing
+  int page = 0;                  ///< 0 = every page
+  results::SolRange range;
+  int width = 1280, height = 800;
+  bool dark = false;
+  PageOptions view;
+};
+
+/// Draws the pages of result files as PNG, named <file>-page-NN.png, and returns the names in
+/// order. Two files of the same name get their folder's name in front. Needs an application object
+/// (desktop/bootstrap.hpp).
+/// @throws InputError for files that are not ours, pages that do not exist, and folders that cannot
+/// be written.
+std::vector<std::filesystem::path> render_plots(const std::vector<std::filesystem::path>& files,
+                                                const RenderOptions& options);
+
+/// The same for a file in memory; `stem` begins the pictures' names.
+std::vector<std::filesystem::path> render_file(const results::SolFile& file,
+                                               const std::string& stem,
+                                               const RenderOptions& options);
+
+}  // namespace adore::adrplot

@@ -1,0 +1,132 @@
+#include "agore/motion_picture.hpp"
+
+#include "desktop/axis_scale.hpp"
+
+#include <QFontMetricsF>
+#include <QPaintDevice>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::agore {
+namespace {
+
+constexpr double kHeading = 58, kBarSpace = 58, kMargin = 22;
+
+/// Newest sample of each curve at a frame, as text under the data area's title.
+QString present_values(const desktop::ChartPage& page, std::size_t frame) {
+  QStringList parts;
+  for (const auto& panel : page.panels)
+    for (const auto& curve : panel.curves) {
+      const std::string& name = curve.name.empty() ? panel.title : curve.name;
+      parts << QString::fromStdString(name + " " +
+                                      desktop::pretty_quantity(curve.y.at(frame), panel.unit, 3));
+    }
+  return parts.join("   ");
+}
+
+}  // namespace
+
+MotionPicture::MotionPicture(Animation animation) : animation_(std::move(animation)) {}
+
+double MotionPicture::progress(std::size_t frame) const {
+  const double span = animation_.time.back() - animation_.time.front();
+  return span > 0.0
+             ? std::clamp((animation_.time.at(frame) - animation_.time.front()) / span, 0.0, 1.0)
+             : 1.0;
+}
+
+QRectF MotionPicture::timeBar(const QRectF& area) {
+  return {area.left() + kMargin, area.bottom() - 26, area.width() - 2 * kMargin, 10};
+}
+
+void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t frame,
+                          const ViewOptions& options) {
+  const desktop::Theme& t = theme_of(options);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(area, t.surface);
+  painter.setFont(desktop::ui_font(18, true));
+  painter.setPen(t.text);
+  painter.drawText(QPointF(area.left() + kMargin, area.top() + 30),
+                   QString::fromStdString(view_title(options.view)));
+  painter.setFont(desktop::ui_font(13));
+  painter.setPen(t.muted);
+  const std::string run = animation_.file.run_id.empty() ? "(no run name)" : animation_.file.run_id;
+  painter.drawText(
+      QPointF(area.left() + kMargin, area.top() + 50),
+      QString::fromStdString(run + "   ·   " + animation_.file.path.filename().string()));
+
+  const double data_width = std::clamp(0.36 * area.width(), 200.0, 560.0);
+  const QRectF body(area.left() + kMargin, area.top() + kHeading, area.width() - 2 * kMargin,
+                    area.height() - kHeading - kBarSpace);
+  const QRectF picture(body.left(), body.top(), body.width() - data_width - 10, body.height());
+  const QRectF data(body.right() - data_width, area.top() + 12, data_width,
+                    std::min(body.bottom() - area.top() - 12, 1.25 * data_width));
+  paint_picture(painter, picture, animation_, frame, options);
+  paintDataArea(painter, data, frame, options);
+  paintTimeBar(painter, timeBar(area), frame, t);
+  painter.restore();
+}
+
+void MotionPicture::paintDataArea(QPainter& painter, const QRectF& area, std::size_t frame,
+                                  const ViewOptions& options) {
+  const double ratio = painter.device()->devicePixelRatioF();
+  const QSize pixels = (area.size() * ratio).toSize();
+  const bool fresh = !data_image_.isNull() && data_image_.size() == pixels &&
+                     data_options_.view == options.view &&
+                     data_options_.element == options.element && data_options_.dark == options.dark;
+  if (!fresh) {
+    data_.setTheme(theme_of(options));
+    data_.setPageSize(area.size());
+    data_.setPage(data_page(animation_, options));
+    data_image_ = QImage(pixels, QImage::Format_RGB32);
+    data_image_.setDevicePixelRatio(ratio);
+    data_image_.fill(theme_of(options).surface);
+    QPainter once(&data_image_);
+    data_.paintPage(once, QRectF(QPointF(0, 0), area.size()));
+    data_options_ = options;
+  }
+  painter.drawImage(area.topLeft(), data_image_);
+  const desktop::Theme& t = theme_of(options);
+  painter.setPen(QPen(t.red, 1.4));
+  const double x = area.left() + data_.positionOf(animation_.time.at(frame));
+  for (const auto& plot : data_.plotAreas())
+    painter.drawLine(QPointF(x, area.top() + plot.top()), QPointF(x, area.top() + plot.bottom()));
+  painter.setFont(desktop::ui_font(12));
+  painter.setPen(t.muted);
+  painter.drawText(QRectF(area.left() + 12, area.top() + 26, area.width() - 20, 18),
+                   Qt::AlignLeft | Qt::AlignVCenter, present_values(data_.page(), frame));
+}
+
+void MotionPicture::paintTimeBar(QPainter& painter, const QRectF& bar, std::size_t frame,
+                                 const desktop::Theme& t) const {
+  const double radius = 0.5 * bar.height();
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(t.raised);
+  painter.drawRoundedRect(bar, radius, radius);
+  QRectF filled = bar;
+  filled.setWidth(std::max(bar.height(), bar.width() * progress(frame)));
+  painter.setBrush(t.accent);
+  painter.drawRoundedRect(filled, radius, radius);
+  const auto& now = animation_.frame(frame);
+  painter.setFont(desktop::ui_font(12));
+  painter.setPen(t.muted);
+  const QRectF line(bar.left(), bar.top() - 21, bar.width(), 18);
+  painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                   QString::fromStdString(fmt::format("t = {}   ·   {:.3f} rev   ·   step {}",
+                                                      desktop::pretty_quantity(now.time, "s", 5),
+                                                      now.revolutions, now.step)));
+  painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter,
+                   QString("frame %1 of %2").arg(frame + 1).arg(frames()));
+}
+
+QImage MotionPicture::image(QSize size, std::size_t frame, const ViewOptions& options) {
+  QImage image(size, QImage::Format_RGB32);
+  QPainter painter(&image);
+  paint(painter, QRectF(QPointF(0, 0), QSizeF(size)), frame, options);
+  return image;
+}
+
+}  // namespace adore::agore

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "agore/views.hpp"
+#include "desktop/chart_scene.hpp"
+
+#include <QImage>
+#include <QPainter>
+
+namespace adore::agore {
+
+/// A whole frame: heading, picture area, data area with the present moment marked, and the time bar
+/// that fills. The data area's curves are drawn once per size and view, so that a frame is quick.
+class MotionPicture {
+ public:
+  explicit MotionPicture(Animation animation);
+
+  [[nodiscard]] const Animation& animation() const { return animation_; }
+  [[nodiscard]] std::size_t frames() const { return animation_.frames(); }
+  void paint(QPainter& painter, const QRectF& area, std::size_t frame, const ViewOptions& options);
+  [[nodiscard]] QImage image(QSize size, std::size_t frame, const ViewOptions& options);
+  /// Part of the simulated time shown so far, 0 to 1.
+  [[nodiscard]] double progress(std::size_t frame) const;
+  /// The time bar inside `area`, so that a window can be clicked there.
+  [[nodiscard]] static QRectF timeBar(const QRectF& area);
+
+ private:
+  void paintDataArea(QPainter& painter, const QRectF& area, std::size_t frame,
+                     const ViewOptions& options);
+  void paintTimeBar(QPainter& painter, const QRectF& bar, std::size_t frame,
+                    const desktop::Theme& theme) const;
+
+  Animation animation_;
+  desktop::ChartScene data_{desktop::ChartStyle::Compact};
+  QImage data_image_;
+  ViewOptions data_options_;
+};
+
+}  // namespace adore::agore

@@ -1,0 +1,64 @@
+#include "agore/render.hpp"
+
+#include "base/errors.hpp"
+#include "desktop/avi_writer.hpp"
+#include "desktop/image_export.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace adore::agore {
+
+namespace fs = std::filesystem;
+
+void render_frame(MotionPicture& picture, int frame, const fs::path& path,
+                  const RenderOptions& options) {
+  if (frame < 1 || frame > static_cast<int>(picture.frames()))
+    throw InputError(fmt::format("{} has no frame {}; its frames are 1 to {}",
+                                 picture.animation().file.path.string(), frame, picture.frames()));
+  desktop::save_image(picture.image({options.width, options.height},
+                                    static_cast<std::size_t>(frame - 1), options.view),
+                      path);
+}
+
+std::vector<fs::path> render_frames(MotionPicture& picture, int every, const fs::path& folder,
+                                    const RenderOptions& options) {
+  demand(every >= 1, "the interval of frames must be at least 1");
+  desktop::make_folder(folder);
+  std::vector<fs::path> written;
+  const std::string stem = picture.animation().file.path.filename().string();
+  for (int frame = 1; frame <= static_cast<int>(picture.frames()); frame += every) {
+    const fs::path path = folder / fmt::format("{}-frame-{:05}.png", stem, frame);
+    render_frame(picture, frame, path, options);
+    written.push_back(path);
+  }
+  return written;
+}
+
+void render_movie(MotionPicture& picture, int every, int frames_per_second, const fs::path& film,
+                  const RenderOptions& options) {
+  demand(every >= 1 && frames_per_second >= 1, "a film needs an interval and a rate of at least 1");
+  std::string suffix = film.extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (suffix.empty()) {
+    render_frames(picture, every, film, options);
+    return;
+  }
+  if (suffix != ".avi")
+    throw InputError("a film cannot be written as " + film.string() +
+                     "; give a name that ends in .avi, or a folder name for numbered pictures");
+  if (film.has_parent_path()) desktop::make_folder(film.parent_path());
+  desktop::AviWriter writer(film, {options.width, options.height}, frames_per_second);
+  for (std::size_t frame = 0; frame < picture.frames(); frame += static_cast<std::size_t>(every))
+    writer.add(picture.image({options.width, options.height}, frame, options.view));
+  writer.finish();
+}
+
+MotionPicture open_animation(const fs::path& sol8, long most_frames) {
+  return MotionPicture(prepare(results::read_sol8(sol8, {1, most_frames, 1})));
+}
+
+}  // namespace adore::agore

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "agore/motion_picture.hpp"
+
+#include <filesystem>
+#include <vector>
+
+/// Headless pictures and films of a SOL8 file, by the same code as the window. Needs an application
+/// object (desktop/bootstrap.hpp).
+namespace adore::agore {
+
+struct RenderOptions {
+  ViewOptions view;
+  int width = 1280, height = 800;
+};
+
+/// One picture; `frame` counts the file's frames from 1. PNG or JPEG by suffix.
+/// @throws InputError for a file that is not ours, a frame that does not exist, or a path that
+/// cannot be written.
+void render_frame(MotionPicture& picture, int frame, const std::filesystem::path& path,
+                  const RenderOptions& options);
+
+/// Every `every`-th frame as <stem>-frame-NNNNN.png in `folder`, which is made when missing.
+/// Returns the names in order.
+std::vector<std::filesystem::path> render_frames(MotionPicture& picture, int every,
+                                                 const std::filesystem::path& folder,
+                                                 const RenderOptions& options);
+
+/// A film of every `every`-th frame: Motion-JPEG in AVI when `film` ends in .avi, else a folder of
+/// that name with numbered PNG files.
+void render_movie(MotionPicture& picture, int every, int frames_per_second,
+                  const std::filesystem::path& film, const RenderOptions& options);
+
+/// Reads a SOL8 file and prepares it. @throws InputError.
+MotionPicture open_animation(const std::filesystem::path& sol8, long most_frames = 1'000'000'000);
+
+}  // namespace adore::agore

@@ -1,0 +1,143 @@
+#include "agore/sketch.hpp"
+
+#include <QFontMetricsF>
+#include <QRadialGradient>
+
+#include <cmath>
+#include <numbers>
+
+namespace adore::agore {
+
+Sketch::Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme)
+    : painter_(painter),
+      area_(area),
+      theme_(theme),
+      centre_(area.center()),
+      scale_(0.5 * std::min(area.width(), area.height()) / radius) {}
+
+QPointF Sketch::around(QPointF centre, double radius, double angle) const {
+  return at(centre.x() - radius * std::sin(angle), centre.y() + radius * std::cos(angle));
+}
+
+void Sketch::ring(QPointF centre, double inner, double outer, const QColor& light,
+                  const QColor& dark) const {
+  const QPointF middle = at(centre.x(), centre.y());
+  QPainterPath path;
+  path.addEllipse(middle, outer * scale_, outer * scale_);
+  path.addEllipse(middle, inner * scale_, inner * scale_);
+  QLinearGradient shade(middle - QPointF(outer, outer) * scale_ * 0.7,
+                        middle + QPointF(outer, outer) * scale_ * 0.7);
+  shade.setColorAt(0, light);
+  shade.setColorAt(1, dark);
+  painter_.setPen(QPen(dark.darker(125), 1.2));
+  painter_.setBrush(shade);
+  painter_.drawPath(path);
+}
+
+void Sketch::circle(QPointF centre, double radius, const QPen& pen) const {
+  painter_.setPen(pen);
+  painter_.setBrush(Qt::NoBrush);
+  painter_.drawEllipse(at(centre.x(), centre.y()), radius * scale_, radius * scale_);
+}
+
+void Sketch::ball(QPointF centre, double radius, const std::array<double, 3>& mark) const {
+  const QPointF middle = at(centre.x(), centre.y());
+  const double r = radius * scale_;
+  QRadialGradient shine(middle - QPointF(0.35, 0.4) * r, 1.5 * r);
+  shine.setColorAt(0, QColor("#ffffff"));
+  shine.setColorAt(0.45, theme_.steel_light);
+  shine.setColorAt(1, theme_.steel_dark.darker(115));
+  painter_.setPen(QPen(theme_.steel_dark.darker(150), 1));
+  painter_.setBrush(shine);
+  painter_.drawEllipse(middle, r, r);
+  // A mark on the surface, paler on the far side.
+  const QPointF tip = middle + QPointF(mark[0], -mark[1]) * r * 0.8;
+  QColor colour = theme_.kind == desktop::ThemeKind::Dark ? QColor("#10151b") : theme_.text;
+  colour.setAlpha(mark[2] >= 0.0 ? 255 : 130);
+  painter_.setPen(QPen(colour, std::clamp(0.09 * r, 1.0, 5.0), Qt::SolidLine, Qt::RoundCap));
+  painter_.drawLine(middle, tip);
+  painter_.setPen(Qt::NoPen);
+  painter_.setBrush(colour);
+  const double dot = std::clamp(0.15 * r, 2.0, 10.0);
+  painter_.drawEllipse(tip, dot, dot);
+}
+
+void Sketch::cage_rail(QPointF centre, const Animation& animation) const {
+  const auto& g = animation.file.geometry;
+  QColor light = theme_.cage.lighter(112), dark = theme_.cage;
+  light.setAlpha(110);
+  dark.setAlpha(110);
+  ring(centre, g.cage_inner_radius, g.cage_outer_radius, light, dark);
+}
+
+void Sketch::cage(QPointF centre, double angle, const Animation& animation,
+                  double pocket_radius) const {
+  const auto& g = animation.file.geometry;
+  const double pitch_radius = 0.5 * g.pitch_diameter;
+  QPainterPath body;
+  body.addEllipse(at(centre.x(), centre.y()), g.cage_outer_radius * scale_,
+                  g.cage_outer_radius * scale_);
+  body.addEllipse(at(centre.x(), centre.y()), g.cage_inner_radius * scale_,
+                  g.cage_inner_radius * scale_);
+  QPainterPath holes;
+  holes.setFillRule(Qt::WindingFill);
+  for (const double pocket : animation.pocket_angle)
+    holes.addEllipse(around(centre, pitch_radius, angle + pocket), pocket_radius * scale_,
+                     pocket_radius * scale_);
+  painter_.setPen(QPen(theme_.cage.darker(145), 1.2));
+  QColor fill = theme_.cage;
+  fill.setAlpha(225);
+  painter_.setBrush(fill);
+  painter_.drawPath(body.subtracted(holes));
+}
+
+void Sketch::frame(QPointF centre, double angle, double length, const QColor& colour) const {
+  const QPointF origin = at(centre.x(), centre.y());
+  const QPointF z_end = around(centre, length, angle),
+                y_end = around(centre, length, angle - 0.5 * std::numbers::pi);
+  arrow(origin, z_end, colour, 2.4);
+  arrow(origin, y_end, colour, 2.4);
+  const int size = std::clamp(static_cast<int>(length * scale_ * 0.16), 11, 16);
+  label(around(centre, length * 1.14, angle), "z", colour, size, true);
+  label(around(centre, length * 1.14, angle - 0.5 * std::numbers::pi), "y", colour, size, true);
+}
+
+void Sketch::arrow(QPointF from, QPointF to, const QColor& colour, double width) const {
+  const QPointF along = to - from;
+  const double length = std::hypot(along.x(), along.y());
+  if (length < 1.0) return;
+  const QPointF u = along / length, across(-u.y(), u.x());
+  const double head = std::min(length, 5.0 + 3.2 * width);
+  painter_.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
+  painter_.drawLine(from, to - u * head * 0.8);
+  painter_.setPen(Qt::NoPen);
+  painter_.setBrush(colour);
+  painter_.drawPolygon(
+      QPolygonF({to, to - u * head + across * head * 0.42, to - u * head - across * head * 0.42}));
+}
+
+void Sketch::asterisk(QPointF where, double size, const QColor& colour) const {
+  // A pale rim keeps the mark readable on steel and on the ball's own mark.
+  for (const auto& pen : {QPen(QColor(255, 255, 255, 220), 5.0, Qt::SolidLine, Qt::RoundCap),
+                          QPen(colour, 2.6, Qt::SolidLine, Qt::RoundCap)}) {
+    painter_.setPen(pen);
+    for (int i = 0; i < 3; ++i) {
+      const double a = std::numbers::pi * (i / 3.0 + 0.5);
+      const QPointF d(size * std::cos(a), size * std::sin(a));
+      painter_.drawLine(where - d, where + d);
+    }
+  }
+}
+
+void Sketch::label(QPointF where, const QString& text, const QColor& colour, int pixel_size,
+                   bool bold) const {
+  const QFont font = desktop::ui_font(pixel_size, bold);
+  const QFontMetricsF metrics(font);
+  painter_.setFont(font);
+  painter_.setPen(colour);
+  painter_.drawText(QPointF(where.x() - 0.5 * metrics.horizontalAdvance(text),
+                            where.y() + 0.5 * metrics.capHeight()),
+                    text);
+}
+
+}  // namespace adore::agore

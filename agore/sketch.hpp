@@ -1,0 +1,54 @@
+#pragma once
+
+#include "agore/view_options.hpp"
+#include "desktop/theme.hpp"
+
+#include <QPainter>
+#include <QPainterPath>
+
+/// Drawing in the plane of the bearing, seen from +X: y to the right, z up, lengths in the file's
+/// unit.
+namespace adore::agore {
+
+class Sketch {
+ public:
+  /// Fits a circle of `radius` around the origin into `area`.
+  Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme);
+
+  [[nodiscard]] QPainter& painter() const { return painter_; }
+  [[nodiscard]] const desktop::Theme& theme() const { return theme_; }
+  [[nodiscard]] const QRectF& area() const { return area_; }
+  [[nodiscard]] double scale() const { return scale_; }
+  /// Picture position of a point (y, z), and of a point at azimuth `angle` and `radius` about (y,
+  /// z).
+  [[nodiscard]] QPointF at(double y, double z) const { return centre_ + QPointF(y, -z) * scale_; }
+  [[nodiscard]] QPointF around(QPointF centre_yz, double radius, double angle) const;
+
+  void ring(QPointF centre_yz, double inner, double outer, const QColor& light,
+            const QColor& dark) const;
+  void circle(QPointF centre_yz, double radius, const QPen& pen) const;
+  /// `mark` is the direction of the orientation mark: right, up, towards the viewer.
+  void ball(QPointF centre_yz, double radius, const std::array<double, 3>& mark) const;
+  /// The cage's side ring, pale, to lie behind the elements; and the ring between the pockets, to
+  /// lie before them.
+  void cage_rail(QPointF centre_yz, const Animation& animation) const;
+  /// Ring with holes of `pocket_radius` at the pocket angles, turned by `angle`.
+  void cage(QPointF centre_yz, double angle, const Animation& animation,
+            double pocket_radius) const;
+  /// Two arms along the body's y and z axes.
+  void frame(QPointF centre_yz, double angle, double length, const QColor& colour) const;
+  void arrow(QPointF from, QPointF to, const QColor& colour,
+             double width) const;                                         ///< picture positions
+  void asterisk(QPointF where, double size, const QColor& colour) const;  ///< picture position
+  void label(QPointF where, const QString& text, const QColor& colour, int pixel_size,
+             bool bold = false) const;  ///< centred
+
+ private:
+  QPainter& painter_;
+  QRectF area_;
+  const desktop::Theme& theme_;
+  QPointF centre_;
+  double scale_;
+};
+
+}  // namespace adore::agore

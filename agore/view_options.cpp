@@ -1,0 +1,71 @@
+#include "agore/view_options.hpp"
+
+#include "base/errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace adore::agore {
+
+View view_named(const std::string& name, const std::string& race) {
+  if (name == "bearing") return View::Bearing;
+  if (name == "cage") return View::Cage;
+  if (name == "pocket") return View::Pocket;
+  if (name == "element") return View::Element;
+  if (name == "race") {
+    if (race != "outer" && race != "inner")
+      throw InputError("there is no race '" + race + "'; give outer or inner");
+    return race == "outer" ? View::OuterRace : View::InnerRace;
+  }
+  if (name == "flange")
+    throw InputError(
+        "the flange view needs a roller bearing and roller data that SOL8 does not hold; use "
+        "bearing, cage, pocket, element or race");
+  throw InputError("there is no view '" + name + "'; use bearing, cage, pocket, element or race");
+}
+
+std::string view_title(View view) {
+  switch (view) {
+    case View::Bearing:
+      return "Bearing motion";
+    case View::Cage:
+      return "Cage motion";
+    case View::Pocket:
+      return "Pocket interaction";
+    case View::Element:
+      return "Rolling element motion";
+    case View::OuterRace:
+      return "Outer race motion";
+    case View::InnerRace:
+      return "Inner race motion";
+  }
+  return {};
+}
+
+std::string why_not(View view, const Animation& animation) {
+  if (!animation.has_cage && (view == View::Cage || view == View::Pocket))
+    return "This bearing has no cage, so there is neither a cage nor a pocket to show.";
+  return {};
+}
+
+double used_exaggeration(const Animation& animation, const ViewOptions& options) {
+  if (options.exaggeration > 0.0) return options.exaggeration;
+  if (!animation.has_cage) return 1.0;
+  const auto& g = animation.file.geometry;
+  const double pitch_radius = 0.5 * g.pitch_diameter;
+  double limit = 100.0;
+  if (animation.guide_clearance > 0.0)
+    limit = std::min(limit, 0.03 * pitch_radius / animation.guide_clearance);
+  if (g.pocket_clearance_1 > 0.0) {
+    const double half_pitch = std::numbers::pi * pitch_radius / animation.file.elements;
+    limit = std::min(limit, (0.94 * half_pitch - g.element_radius) / (0.5 * g.pocket_clearance_1));
+  }
+  double factor = 1.0;
+  for (const double candidate : {2.0, 5.0, 10.0, 20.0, 50.0, 100.0})
+    if (candidate <= limit * 1.05) factor = candidate;
+  return factor;
+}
+
+}  // namespace adore::agore

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "agore/animation.hpp"
+
+#include <string>
+
+namespace adore::agore {
+
+enum class View : unsigned char { Bearing, Cage, Pocket, Element, OuterRace, InnerRace };
+
+struct ViewOptions {
+  View view = View::Bearing;
+  int element = 1;            ///< element or pocket of the single views, from 1
+  double exaggeration = 0.0;  ///< of clearances and the motions within them; 0 = chosen from the
+                              ///< geometry, 1 = to scale
+  bool dark = false;
+};
+
+/// "bearing", "cage", "pocket", "element", "race" (with `race` outer or inner). @throws InputError
+/// with the list of names.
+View view_named(const std::string& name, const std::string& race = "inner");
+
+/// Title of a view for menus and pictures.
+std::string view_title(View view);
+
+/// Why a view cannot be shown for this file ("the bearing has no cage"), or empty.
+std::string why_not(View view, const Animation& animation);
+
+/// The exaggeration in use: what the user chose, or the largest of 1, 2, 5, 10 ... that keeps
+/// pockets apart and shows the guide clearance as about 3 % of the pitch radius.
+double used_exaggeration(const Animation& animation, const ViewOptions& options);
+
+}  // namespace adore::agore

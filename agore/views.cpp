@@ -1,0 +1,466 @@
+#include "agore/views.hpp"
+
+#include "agore/sketch.hpp"
+#include "base/errors.hpp"
+#include "desktop/axis_scale.hpp"
+
+#include <QFontMetricsF>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace adore::agore {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+struct KeyEntry {
+  QColor colour;
+  QString text;
+};
+
+/// Everything that the views of one frame share.
+struct Scene {
+  const Sketch& sketch;
+  const Animation& animation;
+  std::size_t index;
+  const results::Sol8Frame& frame;
+  double factor;  ///< exaggeration
+  const ViewOptions& options;
+
+  [[nodiscard]] const results::Sol8Geometry& geometry() const { return animation.file.geometry; }
+  [[nodiscard]] double pitch_radius() const { return 0.5 * geometry().pitch_diameter; }
+  /// Exaggerated position (y, z) of a body.
+  [[nodiscard]] QPointF place(const results::Sol8Body& body) const {
+    return QPointF(body.position[1], body.position[2]) * factor;
+  }
+  [[nodiscard]] double pocket_radius() const {
+    return geometry().element_radius + 0.5 * factor * geometry().pocket_clearance_1;
+  }
+  [[nodiscard]] double cage_angle() const { return animation.cage_angle[index]; }
+  [[nodiscard]] int busier_land() const {
+    return frame.land_force[1] > frame.land_force[0] ? 1 : 0;
+  }
+};
+
+/// Outer radius of the picture's outer race: a little beyond its groove where the file gives none.
+double outer_rim(const results::Sol8Geometry& g) {
+  return std::max(g.outer_race_outer_radius, 1.06 * g.outer_race_inner_radius);
+}
+
+/// Ball centre (y, z): its pocket's centre plus the exaggerated way out of it, or its own place
+/// when there is no cage.
+QPointF ball_centre(const Scene& s, std::size_t k) {
+  const auto& element = s.frame.elements[k];
+  const auto polar = [](double r, double a) { return QPointF(-r * std::sin(a), r * std::cos(a)); };
+  if (!s.animation.has_cage) return polar(element.r, element.theta);
+  const double a = s.cage_angle() + s.animation.pocket_angle[k];
+  const QPointF radial = polar(1.0, a),
+                across(std::cos(a), std::sin(a));  // z and y axes of the pocket
+  return s.place(s.frame.cage) + radial * s.pitch_radius() +
+         (across * element.pocket_vector[1] + radial * element.pocket_vector[2]) * s.factor;
+}
+
+/// Direction of an element's orientation mark, its body's z axis: right, up, towards the viewer,
+/// seen from +X.
+std::array<double, 3> mark_from_axis(const results::Sol8Element& element) {
+  const auto axes = rotation(element.angles);
+  return {axes[1][2], axes[2][2], axes[0][2]};
+}
+
+/// The same seen from outside along the pocket axis at azimuth `angle`: right is increasing
+/// azimuth, up is X.
+std::array<double, 3> mark_from_outside(const results::Sol8Element& element, double angle) {
+  const auto axes = rotation(element.angles);
+  const double x = axes[0][2], y = axes[1][2], z = axes[2][2];
+  return {-y * std::cos(angle) - z * std::sin(angle), x,
+          -y * std::sin(angle) + z * std::cos(angle)};
+}
+
+void draw_key(const Sketch& sketch, const std::vector<KeyEntry>& entries, const QString& remark) {
+  QPainter& p = sketch.painter();
+  const auto& area = sketch.area();
+  p.setFont(desktop::ui_font(12));
+  const QFontMetricsF metrics(p.font());
+  double y = area.bottom() - 6;
+  const double x = area.left() + 4;
+  const auto write = [&](const QString& text, double left) {
+    p.setPen(sketch.theme().muted);
+    p.drawText(QPointF(left, y), text);
+  };
+  if (!remark.isEmpty()) {
+    write(remark, x);
+    y -= metrics.height() + 2;
+  }
+  for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
+    write(entry->text, x + 26);
+    p.setPen(QPen(entry->colour, 3));
+    p.drawLine(QPointF(x, y - 4), QPointF(x + 18, y - 4));
+    y -= metrics.height() + 2;
+  }
+}
+
+QString exaggeration_remark(double factor) {
+  return factor == 1.0 ? QString("clearances to scale") : QString("clearances × %1").arg(factor);
+}
+
+void draw_contact_marks(const Scene& s, bool numbers) {
+  const auto& t = s.sketch.theme();
+  for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
+    const QPointF centre = ball_centre(s, k);
+    const bool contact = s.frame.elements[k].pocket_force > 0.0;
+    if (s.animation.has_cage && contact)
+      s.sketch.asterisk(
+          s.sketch.at(centre.x(), centre.y()),
+          std::clamp(0.42 * s.geometry().element_radius * s.sketch.scale(), 5.0, 13.0), t.red);
+    if (!numbers) continue;
+    const double angle = std::atan2(-centre.x(), centre.y());
+    const double outside = s.options.view == View::Cage
+                               ? s.geometry().cage_outer_radius + s.geometry().element_radius * 0.55
+                               : outer_rim(s.geometry()) + 14.0 / s.sketch.scale();
+    s.sketch.label(s.sketch.around({0, 0}, outside, angle), QString::number(k + 1),
+                   contact && s.animation.has_cage ? t.red : t.muted, 12, contact);
+  }
+}
+
+/// Arrow from the cage centre to where the busier land touches the race.
+void draw_land_arrow(const Scene& s) {
+  const int land = s.busier_land();
+  if (!s.animation.has_cage || !(s.frame.land_force.at(static_cast<std::size_t>(land)) > 0.0))
+    return;
+  const double angle = s.cage_angle() + s.frame.land_angle.at(static_cast<std::size_t>(land));
+  const double reach = s.animation.guide == Guide::Outer ? s.geometry().cage_outer_radius
+                                                         : s.geometry().cage_inner_radius;
+  const QPointF cage = s.place(s.frame.cage);
+  s.sketch.arrow(s.sketch.at(cage.x(), cage.y()), s.sketch.around(cage, reach, angle),
+                 s.sketch.theme().red, 3.2);
+}
+
+void bearing_view(const Scene& s) {
+  const auto& g = s.geometry();
+  const auto& t = s.sketch.theme();
+  const QPointF outer = s.place(s.frame.races[0]), inner = s.place(s.frame.races[1]),
+                cage = s.place(s.frame.cage);
+  // The guiding surface is drawn at the exaggerated clearance, so that the cage touches it in the
+  // picture when it does in the bearing.
+  const double guide_radius = s.animation.guide == Guide::Inner
+                                  ? g.cage_inner_radius - s.factor * s.animation.guide_clearance
+                              : s.animation.guide == Guide::Outer
+                                  ? g.cage_outer_radius + s.factor * s.animation.guide_clearance
+                                  : 0.0;
+  s.sketch.ring(outer, g.outer_race_inner_radius, outer_rim(g), t.steel_light, t.steel_dark);
+  s.sketch.ring(inner, g.inner_race_inner_radius, g.inner_race_outer_radius, t.steel_light,
+                t.steel_dark);
+  // The shoulder that carries the guide land, behind the elements.
+  QColor pale_light = t.steel_light, pale_dark = t.steel_dark;
+  pale_light.setAlpha(120);
+  pale_dark.setAlpha(120);
+  if (s.animation.guide == Guide::Inner && guide_radius > g.inner_race_outer_radius)
+    s.sketch.ring(inner, g.inner_race_outer_radius, guide_radius, pale_light, pale_dark);
+  if (s.animation.guide == Guide::Outer && guide_radius < g.outer_race_inner_radius)
+    s.sketch.ring(outer, guide_radius, g.outer_race_inner_radius, pale_light, pale_dark);
+  if (s.animation.has_cage) s.sketch.cage_rail(cage, s.animation);
+  for (std::size_t k = 0; k < s.frame.elements.size(); ++k)
+    s.sketch.ball(ball_centre(s, k), g.element_radius, mark_from_axis(s.frame.elements[k]));
+  if (s.animation.has_cage) {
+    s.sketch.cage(cage, s.cage_angle(), s.animation, s.pocket_radius());
+    if (guide_radius > 0.0)
+      s.sketch.circle(s.animation.guide == Guide::Outer ? outer : inner, guide_radius,
+                      QPen(t.red, 1.6, Qt::DashLine));
+  }
+  const double bore = g.inner_race_inner_radius;
+  s.sketch.frame({0, 0}, s.animation.race_angle[0][s.index], 0.78 * bore, t.light_blue);
+  s.sketch.frame({0, 0}, s.animation.race_angle[1][s.index], 0.62 * bore, t.blue);
+  if (s.animation.has_cage) s.sketch.frame({0, 0}, s.cage_angle(), 0.46 * bore, t.green);
+  draw_land_arrow(s);
+  draw_contact_marks(s, true);
+  std::vector<KeyEntry> key{{t.light_blue, "outer race frame"}, {t.blue, "inner race frame"}};
+  if (s.animation.has_cage) {
+    key.push_back({t.green, "cage frame"});
+    key.push_back({t.red, "contacts of the cage"});
+  }
+  draw_key(s.sketch, key, s.animation.has_cage ? exaggeration_remark(s.factor) : QString());
+}
+
+/// Orbit of a body's centre, enlarged to `radius` of the picture's lengths; returns the
+/// enlargement.
+double draw_orbit(const Scene& s, double radius, double reference,
+                  const std::vector<QPointF>& orbit) {
+  double largest = reference;
+  for (const auto& p : orbit) largest = std::max(largest, std::hypot(p.x(), p.y()));
+  if (!(largest > 0.0)) return 0.0;
+  const double enlargement = radius / largest;
+  const auto& t = s.sketch.theme();
+  if (reference > 0.0)
+    s.sketch.circle({0, 0}, reference * enlargement, QPen(t.red, 1.2, Qt::DashLine));
+  QPolygonF line;
+  for (std::size_t i = 0; i <= s.index; ++i)
+    line.append(s.sketch.at(orbit[i].x() * enlargement, orbit[i].y() * enlargement));
+  QPolygonF rest;
+  for (std::size_t i = s.index; i < orbit.size(); ++i)
+    rest.append(s.sketch.at(orbit[i].x() * enlargement, orbit[i].y() * enlargement));
+  QPainter& p = s.sketch.painter();
+  p.setBrush(Qt::NoBrush);
+  QColor pale = t.curves[0];
+  pale.setAlpha(70);
+  p.setPen(QPen(pale, 1.2));
+  p.drawPolyline(rest);
+  p.setPen(QPen(t.curves[0], 1.6));
+  p.drawPolyline(line);
+  p.setPen(QPen(t.surface, 1.5));
+  p.setBrush(t.curves[0]);
+  p.drawEllipse(line.back(), 5.5, 5.5);
+  return enlargement;
+}
+
+void cage_view(const Scene& s) {
+  const auto& g = s.geometry();
+  const auto& t = s.sketch.theme();
+  const QPointF cage = s.place(s.frame.cage);
+  s.sketch.cage_rail(cage, s.animation);
+  s.sketch.cage(cage, s.cage_angle(), s.animation, s.pocket_radius());
+  std::vector<QPointF> orbit;
+  for (const auto& frame : s.animation.file.frames)
+    orbit.emplace_back(frame.cage.position[1], frame.cage.position[2]);
+  const double enlargement =
+      draw_orbit(s, 0.42 * g.cage_inner_radius, s.animation.guide_clearance, orbit);
+  s.sketch.frame(cage, s.cage_angle(), 0.66 * g.cage_inner_radius, t.green);
+  draw_land_arrow(s);
+  draw_contact_marks(s, true);
+  std::vector<KeyEntry> key{{t.green, "cage frame"},
+                            {t.red, "contacts; dashed: guide clearance"},
+                            {t.curves[0], "orbit of the mass centre"}};
+  const QString scale = enlargement > 0.0
+                            ? QString::fromStdString(
+                                  fmt::format("orbit × {}", desktop::pretty_number(enlargement, 3)))
+                            : QString("no orbit");
+  draw_key(s.sketch, key, scale + "  ·  " + exaggeration_remark(s.factor));
+}
+
+void pocket_view(const Scene& s) {
+  const auto& g = s.geometry();
+  const auto& t = s.sketch.theme();
+  QPainter& p = s.sketch.painter();
+  const auto k = static_cast<std::size_t>(s.options.element - 1);
+  const auto& element = s.frame.elements.at(k);
+  // Seen from outside along the pocket axis: bearing axis up, direction of increasing azimuth to
+  // the right.
+  const double clearance = 0.5 * g.pocket_clearance_1;
+  const double hole = 1.22 * g.element_radius;
+  const double factor = clearance > 0.0 ? (hole - g.element_radius) / clearance : 1.0;
+  p.setPen(QPen(t.cage.darker(145), 1.6));
+  p.setBrush(t.cage);
+  QPainterPath body;
+  const double half = 1.75 * g.element_radius * s.sketch.scale();
+  body.addRoundedRect(QRectF(s.sketch.at(0, 0) - QPointF(half, half), QSizeF(2 * half, 2 * half)),
+                      14, 14);
+  body.addEllipse(s.sketch.at(0, 0), hole * s.sketch.scale(), hole * s.sketch.scale());
+  p.drawPath(body);
+  const QPointF centre(-element.pocket_vector[1] * factor, element.pocket_vector[0] * factor);
+  s.sketch.ball(centre, g.element_radius,
+                mark_from_outside(element, s.cage_angle() + s.animation.pocket_angle[k]));
+  const double direction =
+      s.animation.cage_angle.back() >= s.animation.cage_angle.front() ? 1.0 : -1.0;
+  const double top = 2.05 * g.element_radius;
+  s.sketch.arrow(s.sketch.at(-direction * g.element_radius, top),
+                 s.sketch.at(direction * g.element_radius, top), t.red, 7.0);
+  s.sketch.label(s.sketch.at(0, top + 22.0 / s.sketch.scale()), "cage rotation", t.muted, 13);
+  if (element.pocket_force > 0.0) {
+    const double way = std::hypot(centre.x(), centre.y());
+    // The wall that is touched lies where the element has gone; without a way out, the stored angle
+    // tells (0: the cage drives).
+    const QPointF u = way > 0.0 ? centre / way
+                                : QPointF(-direction * std::cos(element.pocket_angle),
+                                          std::sin(element.pocket_angle));
+    s.sketch.arrow(
+        s.sketch.at(centre.x(), centre.y()),
+        s.sketch.at(centre.x() + u.x() * g.element_radius, centre.y() + u.y() * g.element_radius),
+        t.red, 2.6);
+  }
+  const std::string force =
+      desktop::pretty_quantity(element.pocket_force, s.animation.file.units[2], 3);
+  draw_key(s.sketch,
+           {{t.red, element.pocket_force > 0.0
+                        ? QString::fromStdString(fmt::format("contact: {} at {:.0f}°", force,
+                                                             element.pocket_angle * 180.0 / kPi))
+                        : QString("no contact")}},
+           QString::fromStdString(
+               fmt::format("pocket {} of {}  ·  clearance × {}  ·  seen from outside, axis up",
+                           k + 1, s.frame.elements.size(), desktop::pretty_number(factor, 3))));
+}
+
+void element_view(const Scene& s) {
+  const auto& g = s.geometry();
+  const auto& t = s.sketch.theme();
+  const auto k = static_cast<std::size_t>(s.options.element - 1);
+  s.sketch.ring(s.place(s.frame.races[0]), g.outer_race_inner_radius, g.outer_race_outer_radius,
+                t.steel_light, t.steel_dark);
+  s.sketch.ring(s.place(s.frame.races[1]), g.inner_race_inner_radius, g.inner_race_outer_radius,
+                t.steel_light, t.steel_dark);
+  s.sketch.circle({0, 0}, s.pitch_radius(), QPen(t.frame, 1.2, Qt::DotLine));
+  // The way of the element so far, half a turn at most.
+  const auto& way = s.animation.file.frames;
+  QPolygonF trail;
+  double swept = 0.0;
+  for (std::size_t i = s.index;; --i) {
+    const auto& e = way[i].elements.at(k);
+    trail.append(s.sketch.around({0, 0}, e.r, e.theta));
+    if (i == 0 || swept > kPi) break;
+    swept += std::abs(std::remainder(e.theta - way[i - 1].elements.at(k).theta, 2.0 * kPi));
+  }
+  s.sketch.painter().setPen(QPen(t.accent, 2.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  s.sketch.painter().setBrush(Qt::NoBrush);
+  s.sketch.painter().drawPolyline(trail);
+  const QPointF centre = ball_centre(s, k);
+  s.sketch.ball(centre, g.element_radius, mark_from_axis(s.frame.elements.at(k)));
+  s.sketch.frame({0, 0}, s.animation.race_angle[1][s.index], 0.62 * g.inner_race_inner_radius,
+                 t.blue);
+  s.sketch.label(s.sketch.around({0, 0}, outer_rim(g) + 14.0 / s.sketch.scale(),
+                                 std::atan2(-centre.x(), centre.y())),
+                 QString::number(k + 1), t.text, 13, true);
+  draw_key(s.sketch, {{t.blue, "inner race frame"}},
+           "contact loads and slip are not stored in SOL8");
+}
+
+void race_view(const Scene& s) {
+  const auto& g = s.geometry();
+  const auto& t = s.sketch.theme();
+  const std::size_t r = s.options.view == View::OuterRace ? 0 : 1;
+  const double low = r == 0 ? g.outer_race_inner_radius : g.inner_race_inner_radius;
+  const double high = r == 0 ? outer_rim(g) : g.inner_race_outer_radius;
+  s.sketch.ring({0, 0}, low, high, t.steel_light, t.steel_dark);
+  // A bright spot on the ring shows its rotation even when the frame is hidden by the orbit.
+  s.sketch.asterisk(s.sketch.around({0, 0}, 0.5 * (low + high), s.animation.race_angle[r][s.index]),
+                    6.0, t.blue);
+  std::vector<QPointF> orbit;
+  for (const auto& frame : s.animation.file.frames)
+    orbit.emplace_back(frame.races.at(r).position[1], frame.races.at(r).position[2]);
+  const double enlargement = draw_orbit(s, 0.45 * low, 0.0, orbit);
+  s.sketch.frame({0, 0}, s.animation.race_angle[r][s.index], 0.7 * low, t.blue);
+  draw_key(s.sketch, {{t.blue, "frame of the race"}, {t.curves[0], "path of the race centre"}},
+           enlargement > 0.0 ? QString::fromStdString(
+                                   fmt::format("path × {}", desktop::pretty_number(enlargement, 3)))
+                             : QString("the race centre does not move"));
+}
+
+double picture_radius(const Animation& animation, const ViewOptions& options, QSizeF size) {
+  const auto& g = animation.file.geometry;
+  const double margin = 26.0 / (0.5 * std::min(size.width(), size.height()));
+  switch (options.view) {
+    case View::Bearing:
+    case View::Element:
+    case View::OuterRace:
+      return outer_rim(g) * (1.0 + margin);
+    case View::Cage:
+      return (g.cage_outer_radius + g.element_radius) * (1.0 + margin);
+    case View::Pocket:
+      return 2.6 * g.element_radius;
+    case View::InnerRace:
+      return g.inner_race_outer_radius * (1.0 + margin);
+  }
+  return outer_rim(g);
+}
+
+}  // namespace
+
+const desktop::Theme& theme_of(const ViewOptions& options) {
+  return desktop::theme(options.dark ? desktop::ThemeKind::Dark : desktop::ThemeKind::Light);
+}
+
+void paint_picture(QPainter& painter, const QRectF& area, const Animation& animation,
+                   std::size_t index, const ViewOptions& options) {
+  const std::string reason = why_not(options.view, animation);
+  if (!reason.empty()) throw InputError(reason);
+  if (options.element < 1 || options.element > animation.file.elements)
+    throw InputError(
+        fmt::format("there is no rolling element or pocket {}; this bearing has 1 to {}",
+                    options.element, animation.file.elements));
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  const Sketch sketch(painter, area, picture_radius(animation, options, area.size()),
+                      theme_of(options));
+  const Scene scene{
+      sketch, animation, index, animation.frame(index), used_exaggeration(animation, options),
+      options};
+  switch (options.view) {
+    case View::Bearing:
+      bearing_view(scene);
+      break;
+    case View::Cage:
+      cage_view(scene);
+      break;
+    case View::Pocket:
+      pocket_view(scene);
+      break;
+    case View::Element:
+      element_view(scene);
+      break;
+    case View::OuterRace:
+    case View::InnerRace:
+      race_view(scene);
+      break;
+  }
+  painter.restore();
+}
+
+desktop::ChartPage data_page(const Animation& animation, const ViewOptions& options) {
+  desktop::ChartPage page;
+  page.x = animation.time;
+  page.x_title = "Time";
+  page.x_unit = "s";
+  const auto& units = animation.file.units;
+  const auto history = [&](auto value) {
+    std::vector<double> values;
+    for (const auto& frame : animation.file.frames) values.push_back(value(frame));
+    return values;
+  };
+  const auto k = static_cast<std::size_t>(options.element - 1);
+  switch (options.view) {
+    case View::Bearing: {
+      page.title = "Guide land force";
+      desktop::ChartPanel panel{"Force", units[2], {}, false};
+      for (std::size_t land = 0; land < 2; ++land)
+        panel.curves.push_back({"land " + std::to_string(land + 1),
+                                history([land](const auto& f) { return f.land_force[land]; }),
+                                {}});
+      page.panels.push_back(std::move(panel));
+      break;
+    }
+    case View::Cage:
+      page.title = "Cage speeds over shaft speed";
+      page.panels.push_back({"Whirl", "", {{"", cage_whirl_ratio(animation), {}}}, false});
+      page.panels.push_back({"Rotation", "", {{"", cage_speed_ratio(animation), {}}}, false});
+      break;
+    case View::Pocket:
+      page.title = fmt::format("Force in pocket {}", options.element);
+      page.panels.push_back(
+          {"Force",
+           units[2],
+           {{"", history([k](const auto& f) { return f.elements.at(k).pocket_force; }), {}}},
+           false});
+      break;
+    case View::Element:
+      page.title = fmt::format("Speeds of element {} over shaft speed", options.element);
+      page.panels.push_back({"Orbit", "", {{"", element_orbit_ratio(animation, k), {}}}, false});
+      page.panels.push_back({"Rotation", "", {{"", element_spin_ratio(animation, k), {}}}, false});
+      break;
+    case View::OuterRace:
+    case View::InnerRace: {
+      const std::size_t r = options.view == View::OuterRace ? 0 : 1;
+      page.title = "Centre of the race";
+      const char* names[] = {"X", "Y", "Z"};
+      for (std::size_t c = 0; c < 3; ++c)
+        page.panels.push_back(
+            {names[c],
+             units[0],
+             {{"", history([r, c](const auto& f) { return f.races[r].position[c]; }), {}}},
+             false});
+      break;
+    }
+  }
+  return page;
+}
+
+}  // namespace adore::agore

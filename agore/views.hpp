@@ -1,0 +1,22 @@
+#pragma once
+
+#include "agore/view_options.hpp"
+#include "desktop/chart_page.hpp"
+#include "desktop/theme.hpp"
+
+#include <QPainter>
+
+/// The pictures and their data curves, as functions of a frame: no state, no window.
+namespace adore::agore {
+
+/// Draws the picture area of one frame into `area`.
+void paint_picture(QPainter& painter, const QRectF& area, const Animation& animation,
+                   std::size_t frame, const ViewOptions& options);
+
+/// What the data area beside the picture plots over time.
+desktop::ChartPage data_page(const Animation& animation, const ViewOptions& options);
+
+/// The theme that the options ask for.
+const desktop::Theme& theme_of(const ViewOptions& options);
+
+}  // namespace adore::agore

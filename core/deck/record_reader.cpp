@@ -1,0 +1,280 @@
+#include "deck/record_reader.hpp"
+
+#include "deck/lookup.hpp"
+#include "deck/number.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace adore::deck {
+namespace {
+
+constexpr std::size_t kMostIssues = 500;
+
+std::string quote_problem(const Token& token) {
+  return token.unterminated ? "the quote is not closed on its line"
+                            : "text follows the closing quote directly";
+}
+
+bool is_bad_quote(const Token& token) {
+  return token.kind == Token::Kind::Quoted && (token.unterminated || token.joined);
+}
+
+}  // namespace
+
+ReadState::ReadState(const Scanner& text, const Labels& all_labels, bool follow_labels,
+                     std::string file_name)
+    : scanner(text), labels(all_labels), use_labels(follow_labels) {
+  result.deck.file = std::move(file_name);
+}
+
+int ReadState::expected_values(const RecordSpec& of) const {
+  int count = 0;
+  for (std::size_t i = 1; i < of.variables.size(); ++i)
+    count += array_length(result.deck, of.variables[i]);
+  return count;
+}
+
+void ReadState::add(Issue issue) {
+  if (result.issues.size() < kMostIssues)
+    result.issues.push_back(std::move(issue));
+  else
+    ++issues_dropped;
+}
+
+void ReadState::report(Severity severity, int line, std::string_view variable, std::string value,
+                       std::string message, std::string remedy) {
+  Issue issue;
+  issue.severity = severity;
+  issue.file = result.deck.file;
+  issue.line = line;
+  if (spec != nullptr) {
+    issue.record = spec->id;
+    issue.variable = variable;
+    if (!spec->repeat.empty() && !variable.empty()) issue.variable += fmt::format("[{}]", instance);
+  }
+  issue.value = std::move(value);
+  issue.message = std::move(message);
+  issue.remedy = std::move(remedy);
+  add(std::move(issue));
+}
+
+void RecordReader::read(const RecordSpec& spec, int instance) {
+  pending_uses_ = 0;
+  ended_ = broken_ = last_word_bad_ = false;
+  last_line_ = 0;
+  RecordData empty;
+  empty.id = spec.id;
+  empty.instance = instance;
+  empty.line = static_cast<int>(state_.scanner.position().line) + 1;
+  empty.values.resize(spec.variables.size());
+  empty.values[0].resize(1);
+  state_.deck().records.push_back(
+      std::move(empty));  // already part of the deck: counts are looked up there
+  RecordData& data = state_.deck().records.back();
+
+  read_label(data);
+  for (std::size_t i = 1; i < spec.variables.size(); ++i) {
+    const VariableSpec& variable = spec.variables[i];
+    data.values[i].resize(static_cast<std::size_t>(array_length(state_.deck(), variable)));
+    for (Value& value : data.values[i])
+      if (!read_value(variable, i, value))
+        state_.reported.values.insert({data.id, instance, std::string(variable.name)});
+  }
+  if (!ended_ && !broken_) warn_about_rest();
+  if (!ended_ && !broken_) note_bare_end();
+  note_doubtful(data);
+}
+
+/// The label, or a complaint.
+void RecordReader::read_label(RecordData& data) {
+  const auto complain = [&](Severity severity, const Token& token, std::string message,
+                            std::string remedy) {
+    state_.report(severity, token.line, "recID", token.text, std::move(message), std::move(remedy));
+    state_.reported.values.insert({data.id, data.instance, "recID"});
+  };
+  const Scanner::Position start = state_.scanner.position();
+  const Token token = state_.scanner.next();
+  if (token.kind == Token::Kind::Slash) ended_ = true;
+  if (token.kind == Token::Kind::Slash || token.kind == Token::Kind::Null)
+    return;  // the checks notice
+  double number = 0.0;
+  if (token.kind == Token::Kind::Word &&
+      !parse_real(token.text, number)) {  // the line holds just the values
+    complain(
+        Severity::Error, token, "the record has no label",
+        fmt::format("start it with a text in single quotes, such as 'Rec {}'", state_.spec->id));
+    state_.scanner.set_position(start);
+    return;
+  }
+  data.values[0][0] = token.text;
+  if (token.kind == Token::Kind::Word)
+    complain(Severity::Warning, token, "the label should be in single quotes",
+             fmt::format("write '{}'", token.text));
+  if (is_bad_quote(token)) {
+    complain(Severity::Error, token, quote_problem(token),
+             "put the label between two single quotes, then a comma");
+    broken_ = true;
+  } else if (token.repeat != 1) {
+    complain(Severity::Error, token, "a label cannot be repeated", "write it without r*");
+  }
+}
+
+/// Is a text at the start of a line the label of a later record, although a text is due?
+bool RecordReader::is_next_label(const Token& token) const {
+  const Label* label = state_.labels.on_line(static_cast<std::size_t>(token.line) - 1);
+  return state_.use_labels && label != nullptr && label->values > 0 && label->hint &&
+         &schema()[label->hint->record] > state_.spec;
+}
+
+/// Makes pending_ a token with uses left. False when there is none and that has been reported.
+bool RecordReader::fetch(const VariableSpec& variable, std::size_t position) {
+  if (pending_uses_ > 0) return true;
+  const Scanner::Position before = state_.scanner.position();
+  pending_ = state_.scanner.next();
+  const bool next_record = pending_.kind == Token::Kind::Quoted && pending_.first_in_line &&
+                           (variable.type != VarType::String || is_next_label(pending_));
+  if (pending_.kind == Token::Kind::End || next_record) {
+    if (next_record) state_.scanner.set_position(before);
+    end_short(pending_, position);
+    return false;
+  }
+  if (pending_.repeat == 0) {
+    state_.report(Severity::Error, pending_.line, variable.name, "0*" + pending_.text,
+                  "a repeat count of 0 has no meaning", "write r*value with r of 1 or more");
+    return false;
+  }
+  pending_uses_ = pending_.repeat;
+  return true;
+}
+
+/// False when there is no value and that has been reported.
+bool RecordReader::read_value(const VariableSpec& variable, std::size_t position, Value& value) {
+  if (!variable.default_value.empty()) value = default_value(variable);
+  if (ended_) return true;  // without a default the checks complain
+  if (broken_ || !fetch(variable, position)) return false;
+  --pending_uses_;
+  if (pending_.kind == Token::Kind::Slash) {
+    ended_ = true;
+    return true;
+  }
+  return pending_.kind == Token::Kind::Null || store(variable, pending_, value);
+}
+
+bool RecordReader::store(const VariableSpec& variable, const Token& token, Value& value) {
+  if (is_bad_quote(token)) {
+    state_.report(Severity::Error, token.line, variable.name, token.text, quote_problem(token),
+                  "put the text between two single quotes; a quote inside is written twice");
+    broken_ = true;
+    return false;
+  }
+  if (variable.type != VarType::String) return store_number(variable, token, value);
+  if (token.kind == Token::Kind::Word)
+    state_.report(Severity::Warning, token.line, variable.name, token.text,
+                  "text should be in single quotes", fmt::format("write '{}'", token.text));
+  value = token.text;
+  return true;
+}
+
+bool RecordReader::store_number(const VariableSpec& variable, const Token& token, Value& value) {
+  const bool whole = variable.type == VarType::Integer;
+  if (token.kind == Token::Kind::Quoted) {
+    const std::string_view kind = whole ? "an integer" : "a number";
+    state_.report(Severity::Error, token.line, variable.name, "'" + token.text + "'",
+                  fmt::format("is text where {} is due", kind),
+                  fmt::format("give {} without quotes", kind));
+    return false;
+  }
+  long long integer = 0;
+  double real = 0.0;
+  const NumberProblem problem =
+      whole ? parse_integer(token.text, integer) : parse_real(token.text, real);
+  if (!problem) {
+    last_word_bad_ = false;
+    if (whole)
+      value = integer;
+    else
+      value = real;
+    return true;
+  }
+  const bool prose = std::isalpha(static_cast<unsigned char>(token.text[0])) != 0;
+  if (prose && last_word_bad_ &&
+      token.line == last_line_) {  // two words in a row: the values are over
+    broken_ = true;
+    return false;
+  }
+  last_word_bad_ = prose;
+  last_line_ = token.line;
+  state_.report(Severity::Error, token.line, variable.name, token.text, problem.message,
+                problem.remedy);
+  return false;
+}
+
+/// The values end before variable `position` has its own.
+void RecordReader::end_short(const Token& token, std::size_t position) {
+  broken_ = true;
+  constexpr std::size_t kMostNames = 6;
+  const RecordSpec& spec = *state_.spec;
+  std::string names;
+  const std::size_t listed = std::min(spec.variables.size(), position + kMostNames);
+  for (std::size_t i = position; i < listed; ++i)
+    names += (names.empty() ? "" : ", ") + std::string(spec.variables[i].name);
+  if (listed < spec.variables.size())
+    names += fmt::format(" and {} more", spec.variables.size() - listed);
+  const bool end = token.kind == Token::Kind::End;
+  state_.report(
+      Severity::Error, state_.deck().records.back().line, spec.variables[position].name, "",
+      end ? fmt::format("the deck ends inside this record; no value for {}", names)
+          : fmt::format("the record is short: no value for {} before the next record '{}'", names,
+                        token.text),
+      fmt::format("give all {} values of record {}", state_.expected_values(spec) + 1, spec.id));
+}
+
+/// A deck that was cut in its last number reads like a whole one; a missing line end gives it away.
+void RecordReader::note_bare_end() {
+  if (!state_.scanner.at_bare_end()) return;
+  state_.report(Severity::Note, state_.deck().records.back().line, "", "",
+                "the file ends right after this value, without a line end; it may have been cut",
+                "compare the last value with what you meant, and end the line");
+}
+
+/// Text after the last value is ignored by the rules, but a number after a comma is likely a
+/// mistake.
+void RecordReader::warn_about_rest() {
+  if (pending_uses_ > 0) {
+    state_.report(
+        Severity::Warning, pending_.line, "", "",
+        fmt::format("a repeat count gives more values than the record takes; {} are ignored",
+                    pending_uses_),
+        "lower the repeat count");
+    return;
+  }
+  const std::string_view rest = state_.scanner.rest_of_line();
+  const std::size_t comma = rest.find_first_not_of(" \t");
+  if (comma == std::string_view::npos || rest[comma] != ',') return;
+  std::string_view word = rest.substr(comma + 1);
+  word.remove_prefix(std::min(word.find_first_not_of(" \t"), word.size()));
+  word = word.substr(0, word.find_first_of(" \t,/"));
+  double number = 0.0;
+  if (word.empty() || parse_real(word, number)) return;
+  state_.report(Severity::Warning, static_cast<int>(state_.scanner.position().line) + 1, "",
+                std::string(word),
+                fmt::format("the record takes {} values; what follows is ignored",
+                            state_.expected_values(*state_.spec) + 1),
+                "remove the surplus values, or write a decimal comma as a point");
+}
+
+/// Conditions must not be trusted where they ask for a value that is missing or wrong.
+void RecordReader::note_doubtful(const RecordData& data) {
+  for (std::size_t i = 0; i < data.values.size(); ++i) {
+    const VariableSpec& variable = state_.spec->variables[i];
+    for (const Value& value : data.values[i])
+      if (variable.type == VarType::Integer && !is_reliable_integer(variable, value))
+        state_.reported.doubtful.insert(std::string(variable.name));
+  }
+}
+
+}  // namespace adore::deck

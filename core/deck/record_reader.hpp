@@ -1,0 +1,66 @@
+#pragma once
+
+#include "deck/check.hpp"
+#include "deck/labels.hpp"
+#include "deck/scanner.hpp"
+
+#include <string>
+#include <string_view>
+
+namespace adore::deck {
+
+/// What is being read and what went wrong so far; shared by the two halves of the reader.
+struct ReadState {
+  ReadState(const Scanner& text, const Labels& all_labels, bool follow_labels,
+            std::string file_name);
+
+  ReadResult result;
+  Scanner scanner;
+  const Labels& labels;
+  bool use_labels;  ///< the record labels help to find missing and surplus records
+  Reported reported;
+  std::size_t issues_dropped = 0;
+
+  // The record at hand, for messages.
+  const RecordSpec* spec = nullptr;
+  int instance = 1;
+
+  [[nodiscard]] Deck& deck() { return result.deck; }
+  [[nodiscard]] const Label* label_here() const { return labels.on_line(scanner.position().line); }
+  /// Values after the label; an array whose length is in the same record counts with what is known
+  /// so far.
+  [[nodiscard]] int expected_values(const RecordSpec& of) const;
+
+  void add(Issue issue);
+  void report(Severity severity, int line, std::string_view variable, std::string value,
+              std::string message, std::string remedy);
+};
+
+/// Reads one record, which the scanner stands at, and appends it to the deck.
+class RecordReader {
+ public:
+  explicit RecordReader(ReadState& state) : state_(state) {}
+  void read(const RecordSpec& spec, int instance);
+
+ private:
+  void read_label(RecordData& data);
+  bool read_value(const VariableSpec& variable, std::size_t position, Value& value);
+  bool fetch(const VariableSpec& variable, std::size_t position);
+  bool store(const VariableSpec& variable, const Token& token, Value& value);
+  bool store_number(const VariableSpec& variable, const Token& token, Value& value);
+  void end_short(const Token& token, std::size_t position);
+  void warn_about_rest();
+  void note_bare_end();
+  void note_doubtful(const RecordData& data);
+  [[nodiscard]] bool is_next_label(const Token& token) const;
+
+  ReadState& state_;
+  Token pending_;  // a token whose repeat count is not used up
+  long long pending_uses_ = 0;
+  bool ended_ = false;   // a slash was read: the rest keeps its defaults
+  bool broken_ = false;  // short or unreadable: the rest has no values, and that has been said
+  bool last_word_bad_ = false;  // the last word was prose, not a number
+  int last_line_ = 0;
+};
+
+}  // namespace adore::deck

@@ -1,0 +1,330 @@
+#include "facade/run_outputs.hpp"
+
+#include "base/errors.hpp"
+#include "base/version.hpp"
+#include "dynamics/race_contacts.hpp"
+#include "facade/plan_json.hpp"
+#include "results/averages.hpp"
+#include "results/channels.hpp"
+#include "results/continuation.hpp"
+#include "results/restart.hpp"
+#include "results/results_h5.hpp"
+#include "results/run_json.hpp"
+#include "results/sol_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <optional>
+
+namespace adore::facade {
+namespace fs = std::filesystem;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using dynamics::Snapshot;
+
+std::vector<std::string> component_names(const dynamics::System& system) {
+  std::vector<std::string> out;
+  for (int i = 0; i < system.layout().size(); ++i) out.push_back(system.layout().component_name(i));
+  return out;
+}
+
+bool due(long step, int every) { return every > 0 && step % every == 0; }
+
+/// A state of another run as start of this one, component by component: what FINAL does not have
+/// (an orientation that only this deck shows) keeps its own start value, and integrals begin at
+/// zero.
+void take_state(const results::FinalState& from, const dynamics::System& system,
+                std::vector<double>& y) {
+  std::map<std::string, double> stored;
+  for (std::size_t i = 0; i < from.components.size(); ++i)
+    stored[from.components[i]] = from.state[i];
+  for (int i = 0; i < system.layout().controlled_size(); ++i) {
+    const auto found = stored.find(system.layout().component_name(i));
+    if (found != stored.end()) y[static_cast<std::size_t>(i)] = found->second;
+  }
+}
+
+using KeyResults = std::vector<std::pair<std::string, double>>;
+
+KeyResults static_results(const statics::StaticSolution& solution) {
+  static constexpr const char* kDirections[] = {"x", "y", "z", "about_y", "about_z"};
+  KeyResults out;
+  for (std::size_t k = 0; k < 5; ++k)
+    out.emplace_back(fmt::format("displacement_{}_{}", kDirections[k], k < 3 ? "m" : "rad"),
+                     solution.displacement[k]);
+  for (std::size_t k = 0; k < 5; ++k)
+    out.emplace_back(fmt::format("load_{}_{}", kDirections[k], k < 3 ? "N" : "Nm"),
+                     solution.load[k]);
+  double pressure = 0.0;
+  for (const statics::StaticBall& ball : solution.balls)
+    for (const double p : ball.p_max) pressure = std::max(pressure, p);
+  out.emplace_back("largest_contact_load_N", solution.max_load);
+  out.emplace_back("largest_pressure_Pa", pressure);
+  for (std::size_t k = 0; k < 5; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    out.emplace_back(
+        fmt::format("stiffness_{}_{}", kDirections[k], k < 3 ? "N_per_m" : "Nm_per_rad"),
+        solution.stiffness(i, i));
+  }
+  return out;
+}
+
+KeyResults dynamic_results(const Snapshot& last, const results::Averages& averages) {
+  double load = 0.0, slip = 0.0;
+  for (const dynamics::ElementSnapshot& element : last.elements)
+    for (const dynamics::RaceContactSnapshot& contact : element.race) {
+      load = std::max(load, contact.load);
+      slip = std::max(slip, contact.max_slip);
+    }
+  return {{"time_s", last.time},
+          {"revolutions", last.shaft_rotation / (2.0 * std::numbers::pi)},
+          {"largest_contact_load_N", load},
+          {"largest_slip_m_per_s", slip},
+          {"power_loss_W", last.power.total_loss},
+          {"mean_power_loss_W", averages.power_loss},
+          {"mean_orbital_ratio", averages.orbital_ratio},
+          {"mean_cage_ratio", averages.cage_ratio},
+          {"mean_whirl_ratio", averages.whirl_ratio},
+          {"energy_residual_J", last.energy.residual()}};
+}
+
+}  // namespace
+
+/// The open files of one run and what they need to go on.
+struct RunOutputs::Impl {
+  const Prepared& prepared;
+  const build::RunControl& control;
+  fs::path folder;
+  deck::UnitSystem units;
+  results::ChannelRecorder recorder;
+  results::RunAverages averages;
+  std::vector<results::SolWriter> elements;  ///< SOL1..SOL6
+  std::optional<results::SolWriter> power;   ///< SOL7
+  std::optional<results::Sol8Writer> animation;
+  std::optional<results::H5Writer> all;  ///< RESULTS.h5
+  Snapshot last;                         ///< last stored instant
+  std::vector<double> last_y;
+  std::vector<fs::path> written;
+  std::vector<std::string> remarks;
+  std::vector<std::pair<std::string, double>> key_results;
+  Clock::time_point checkpoint = Clock::now();
+  int cage_position = -1;  ///< first component of the cage's mass centre
+
+  Impl(const Prepared& p, fs::path f)
+      : prepared(p),
+        control(p.control),
+        folder(std::move(f)),
+        units(p.input.deck.units()),
+        recorder(p.bearing, units) {}
+
+  [[nodiscard]] fs::path path(const std::string& name) const { return folder / name; }
+  [[nodiscard]] fs::path sol_path(std::size_t number) const {
+    return folder / control.sol_files[number - 1];
+  }
+
+  void open_files(bool continued, long last_step);
+  [[nodiscard]] results::FinalState final_state(const dynamics::System& system) const;
+  void write_restart(const dynamics::System& system);
+  [[nodiscard]] results::RunSummary summary_of_deck() const;
+  void close(results::RunSummary& run);
+};
+
+void RunOutputs::Impl::open_files(bool continued, long last_step) {
+  const auto open = [&](std::size_t number, int index) {
+    const results::SolHeader header = results::make_sol_header(prepared.bearing, index, units);
+    written.push_back(sol_path(number));
+    return continued
+               ? results::SolWriter::continue_after(sol_path(number), header, units, last_step)
+               : results::SolWriter::create(sol_path(number), header, units);
+  };
+  for (std::size_t k = 0; k < control.monitored.size() && k < 6; ++k)
+    elements.push_back(open(k + 1, control.monitored[k]));
+  power = open(7, 0);
+  if (prepared.options.results_h5) {
+    written.push_back(path("RESULTS.h5"));
+    all = continued
+              ? results::H5Writer::continue_after(path("RESULTS.h5"), prepared.bearing, last_step)
+              : results::H5Writer::create(path("RESULTS.h5"), prepared.bearing);
+  }
+  if (!control.animate) return;
+  const int cages = prepared.bearing.cage ? 1 : 0;
+  if (const auto refusal = results::sol8_refusal(prepared.bearing.balls.count, cages)) {
+    remarks.push_back(*refusal);
+    return;
+  }
+  written.push_back(sol_path(8));
+  animation = continued ? results::Sol8Writer::continue_after(sol_path(8), prepared.bearing, units,
+                                                              last_step)
+                        : results::Sol8Writer::create(sol_path(8), prepared.bearing, units);
+}
+
+results::FinalState RunOutputs::Impl::final_state(const dynamics::System& system) const {
+  results::FinalState out;
+  out.version = kProgramVersion;
+  out.run_id = prepared.bearing.run_id;
+  out.step = last.step;
+  out.time = last.time;
+  out.step_size = last.step_size;
+  out.shaft_rotation = last.shaft_rotation;
+  out.scales = system.scales();
+  out.components = component_names(system);
+  out.state = last_y;
+  return out;
+}
+
+void RunOutputs::Impl::write_restart(const dynamics::System& system) {
+  if (all) all->flush();
+  results::MasterState master;
+  master.last = final_state(system);
+  averages.save(master.averages);
+  recorder.save(master.averages);
+  const auto add = [&](const std::string& role, const results::GrowingFile& file) {
+    master.files.push_back({role, file.path().filename().string(), file.bytes()});
+  };
+  for (std::size_t k = 0; k < elements.size(); ++k)
+    add(fmt::format("SOL{}", k + 1), elements[k].file());
+  add("SOL7", power->file());
+  if (animation) add("SOL8", animation->file());
+  if (all) master.files.push_back({"RESULTS", "RESULTS.h5", 0});
+  results::write_final(master.last, path(control.final_file));
+  results::write_master(master, path(control.master_file));
+  checkpoint = Clock::now();
+}
+
+RunOutputs::RunOutputs(const Prepared& prepared, const fs::path& folder)
+    : impl_(std::make_unique<Impl>(prepared, folder)) {}
+RunOutputs::~RunOutputs() = default;
+
+StartPoint RunOutputs::begin(dynamics::System& system, build::StartState start) {
+  Impl& s = *impl_;
+  StartPoint out;
+  out.y = system.initial_state();
+  std::error_code error;
+  const bool master_exists = fs::exists(s.path(s.control.master_file), error);
+  if (start == build::StartState::Continue && !master_exists) {
+    s.remarks.push_back(fmt::format("kIcOpt = 1, and there is no {}: a new run from {}",
+                                    s.control.master_file, s.control.final_file));
+    start = build::StartState::FromFinal;
+  }
+  if (start == build::StartState::FromFinal) {
+    const results::FinalState from = results::read_final(s.path(s.control.final_file));
+    take_state(from, system, out.y);
+  } else if (start == build::StartState::Continue) {
+    const results::MasterState master = results::read_master(s.path(s.control.master_file));
+    results::check_run_id(s.path(s.control.master_file), master.last.run_id,
+                          s.prepared.bearing.run_id);
+    results::check_layout(master.last, component_names(system), s.path(s.control.master_file));
+    system.set_scales(master.last.scales);
+    out.y = master.last.state;
+    out.time = master.last.time;
+    out.step = master.last.step;
+    out.step_size = master.last.step_size;
+    out.continued = true;
+    s.averages.restore(master.averages);
+    s.recorder.restore(master.averages);
+  }
+  system.set_start(out.time, out.y);
+  s.open_files(out.continued, out.step);
+  for (const dynamics::StateLayout::Group& group : system.layout().groups())
+    if (group.name == "cage.position") s.cage_position = group.slice.first;
+  s.last_y = out.y;
+  return out;
+}
+
+bool RunOutputs::wants(long step) const {
+  const build::RunControl& c = impl_->control;
+  return due(step, c.print_every) || due(step, c.plot_every) || due(step, c.animate_every);
+}
+
+void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool always) {
+  Impl& s = *impl_;
+  s.last = system.snapshot(point.time, point.y);
+  s.last.step = point.step;
+  s.last.step_size = point.step_size;
+  s.last_y.assign(point.y.begin(), point.y.end());
+  s.averages.add(s.last);
+  const bool plot = always || due(point.step, s.control.plot_every);
+  const bool animate = s.animation && (always || due(point.step, s.control.animate_every));
+  if (plot || animate) {
+    const results::StepRecord& record = s.recorder.record(s.last);
+    if (plot) {
+      for (results::SolWriter& file : s.elements) file.write(record);
+      s.power->write(record);
+    }
+    if (animate) s.animation->write(s.last);
+    if (s.all) s.all->write(record);
+  }
+}
+
+void RunOutputs::checkpoint_if_due(dynamics::System& system, const RunPoint& point) {
+  Impl& s = *impl_;
+  if (s.cage_position >= 0) {
+    const double* c = point.y.data() + s.cage_position;
+    s.averages.add_cage_position({c[0], c[1], c[2]});
+  }
+  if (std::chrono::duration<double>(Clock::now() - s.checkpoint).count() <
+      s.prepared.options.checkpoint_seconds)
+    return;
+  s.write_restart(system);
+}
+
+void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
+  Impl& s = *impl_;
+  s.write_restart(system);
+  s.written.push_back(s.path(s.control.final_file));
+  s.written.push_back(s.path(s.control.master_file));
+  results::RunSummary run = s.summary_of_deck();
+  run.status = end.status == RunStatus::Done          ? "done"
+               : end.status == RunStatus::Interrupted ? "interrupted"
+                                                      : "failed";
+  run.message = end.message;
+  run.scales = system.scales();
+  run.integrator = s.control.integrator;
+  run.tolerance = s.control.tolerance;
+  run.steps = s.last.step;
+  run.time = s.last.time;
+  run.revolutions = s.last.shaft_rotation / (2.0 * std::numbers::pi);
+  const integrators::Counters& c = end.counters;
+  run.counters = {{"steps", c.steps},
+                  {"rejected", c.rejected},
+                  {"evaluations", c.evaluations},
+                  {"at_minimum", c.at_minimum},
+                  {"restarts", c.restarts},
+                  {"jacobians", c.jacobians},
+                  {"nonlinear_iterations", c.nonlinear_iterations}};
+  run.energy = s.last.energy;
+  run.max_quaternion_error = s.last.max_quaternion_error;
+  run.quadrature_error = system.quadrature_error(s.last.time, s.last_y);
+  run.cost = system.cost().rows();
+  run.seconds = end.loop_seconds;
+  s.key_results = dynamic_results(s.last, s.averages.averages());
+  run.summary = s.key_results;
+  s.close(run);
+}
+
+void RunOutputs::write_quasi_static() {
+  Impl& s = *impl_;
+  results::RunSummary run = s.summary_of_deck();
+  run.status = "done";
+  s.key_results = static_results(s.prepared.statics);
+  run.summary = s.key_results;
+  s.close(run);
+}
+
+std::vector<fs::path> RunOutputs::files() const { return impl_->written; }
+
+std::vector<std::pair<std::string, double>> RunOutputs::summary() const {
+  return impl_->key_results;
+}
+
+double RunOutputs::energy_residual() const { return impl_->last.energy.residual(); }
+
+double RunOutputs::energy_scale() const { return results::energy_scale(impl_->last.energy); }
+
+}  // namespace adore::facade

@@ -1,0 +1,83 @@
+#include "results/averages.hpp"
+
+#include "results/motion.hpp"
+
+namespace adore::results {
+
+RunAverages::Totals RunAverages::totals(const dynamics::Snapshot& snapshot) {
+  Totals totals;
+  totals.time = snapshot.time;
+  totals.shaft = snapshot.shaft_rotation;
+  for (const dynamics::ElementSnapshot& element : snapshot.elements)
+    totals.elements += element.theta;
+  if (!snapshot.elements.empty()) totals.elements /= static_cast<double>(snapshot.elements.size());
+  if (!snapshot.cages.empty()) totals.cage = snapshot.cages.front().total_rotation;
+  const dynamics::EnergySnapshot& energy = snapshot.energy;
+  totals.heat = energy.heat_race[0] + energy.heat_race[1] + energy.heat_pockets + energy.heat_lands;
+  return totals;
+}
+
+void RunAverages::add(const dynamics::Snapshot& snapshot) {
+  now_ = totals(snapshot);
+  loss_ = snapshot.power.total_loss;
+  if (!started_) start_ = now_;
+  started_ = true;
+  if (!snapshot.cages.empty()) add_cage_position(snapshot.cages.front().position);
+}
+
+void RunAverages::add_cage_position(const dynamics::Vec3& position) {
+  const double angle = orbit_motion(position, Vec3::Zero(), Vec3::Zero()).theta;
+  whirl_now_ = whirl_started_ ? nearest_branch(angle, whirl_now_) : angle;
+  if (!whirl_started_) whirl_start_ = whirl_now_;
+  whirl_started_ = true;
+}
+
+Averages RunAverages::averages() const {
+  Averages out;
+  out.time = now_.time - start_.time;
+  const double turned = now_.shaft - start_.shaft;
+  if (turned != 0.0) {
+    out.orbital_ratio = (now_.elements - start_.elements) / turned;
+    out.cage_ratio = (now_.cage - start_.cage) / turned;
+    out.whirl_ratio = (whirl_now_ - whirl_start_) / turned;
+  }
+  out.power_loss = out.time > 0.0 ? (now_.heat - start_.heat) / out.time : loss_;
+  return out;
+}
+
+/// The one list of what MASTER keeps.
+template <class Self, class Visit>
+void RunAverages::visit(Self& self, Visit visit) {
+  visit("average start time", self.start_.time);
+  visit("average start shaft", self.start_.shaft);
+  visit("average start elements", self.start_.elements);
+  visit("average start cage", self.start_.cage);
+  visit("average start heat", self.start_.heat);
+  visit("average time", self.now_.time);
+  visit("average shaft", self.now_.shaft);
+  visit("average elements", self.now_.elements);
+  visit("average cage", self.now_.cage);
+  visit("average heat", self.now_.heat);
+  visit("average whirl start", self.whirl_start_);
+  visit("average whirl", self.whirl_now_);
+  visit("average loss", self.loss_);
+}
+
+void RunAverages::save(std::map<std::string, double>& state) const {
+  if (!started_) return;
+  visit(*this, [&](const char* key, double value) { state[key] = value; });
+  state["average whirl started"] = whirl_started_ ? 1.0 : 0.0;
+}
+
+void RunAverages::restore(const std::map<std::string, double>& state) {
+  *this = {};
+  const auto whirl = state.find("average whirl started");
+  if (whirl == state.end()) return;
+  started_ = true;
+  whirl_started_ = whirl->second != 0.0;
+  visit(*this, [&](const char* key, double& value) {
+    if (const auto found = state.find(key); found != state.end()) value = found->second;
+  });
+}
+
+}  // namespace adore::results

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "dynamics/snapshot.hpp"
+
+#include <map>
+#include <string>
+
+/// Time averages over a whole run (printed section 4, N54): each speed over that of the inner race
+/// relative to the outer.
+namespace adore::results {
+
+struct Averages {
+  double time = 0.0;           ///< span of the average [s]
+  double orbital_ratio = 0.0;  ///< mean orbital speed of the elements
+  double cage_ratio = 0.0;     ///< cage speed about its own axis
+  double whirl_ratio = 0.0;    ///< speed of the cage's mass centre about the bearing axis
+  double power_loss = 0.0;     ///< [W]
+};
+
+/// Accumulates them. All but the whirl come from angles and heats that the run itself integrates,
+/// so they are exact whatever the interval between the snapshots; the whirl angle needs two or more
+/// positions per turn of the whirl. A ratio is 0 while the races have not turned against each
+/// other; before the first span ends the loss is that of the first snapshot.
+class RunAverages {
+ public:
+  void add(const dynamics::Snapshot& snapshot);
+  /// Only the cage's mass centre, for steps that make no snapshot [m].
+  void add_cage_position(const dynamics::Vec3& position);
+  [[nodiscard]] Averages averages() const;
+
+  /// For MASTER, and back. restore() leaves the object as new when the map holds no averages.
+  void save(std::map<std::string, double>& state) const;
+  void restore(const std::map<std::string, double>& state);
+
+ private:
+  struct Totals {
+    double time = 0.0, shaft = 0.0, elements = 0.0, cage = 0.0,
+           heat = 0.0;  ///< [s, rad, rad, rad, J]
+  };
+  static Totals totals(const dynamics::Snapshot& snapshot);
+  template <class Self, class Visit>
+  static void visit(Self& self, Visit visit);
+
+  bool started_ = false, whirl_started_ = false;
+  Totals start_, now_;
+  double whirl_start_ = 0.0,
+         whirl_now_ = 0.0;  ///< continuous azimuth of the cage's mass centre [rad]
+  double loss_ = 0.0;       ///< of the last snapshot [W]
+};
+
+}  // namespace adore::results

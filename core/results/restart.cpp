@@ -1,0 +1,209 @@
+#include "results/restart.hpp"
+
+#include "base/atomic_file.hpp"
+#include "base/errors.hpp"
+#include "base/version.hpp"
+#include "results/fortran_format.hpp"
+#include "results/growing_file.hpp"
+#include "results/line_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace adore::results {
+namespace {
+
+constexpr std::string_view kFinal = "FINAL", kMaster = "MASTER";
+constexpr int kFormat = 1;
+
+void append_title(std::string& out, std::string_view kind) {
+  out +=
+      fmt::format("{} {}: {}\n", kProgramVersion, kind,
+                  kind == kFinal ? "last solution vector of a run, start state of another one"
+                                 : "bookkeeping and state of a run, so that it can be continued");
+  out += "SI units and radians. Made by the program: a changed line makes the file useless.\n";
+  out += fmt::format("format {}\n", kFormat);
+}
+
+void append_state(std::string& out, const FinalState& state) {
+  demand(state.components.size() == state.state.size(), "every component of the state has a name");
+  out += fmt::format("version {}\nrun {}\n", state.version, state.run_id);
+  out += fmt::format("step {}\ntime {}\nstep_size {}\nshaft_rotation {}\n", state.step, state.time,
+                     state.step_size, state.shaft_rotation);
+  out += fmt::format("scale_length {}\nscale_force {}\nscale_time {}\n", state.scales.length,
+                     state.scales.force, state.scales.time);
+  out += fmt::format("extras {}\n", state.extras.size());
+  for (const auto& [name, value] : state.extras) out += fmt::format("{} {}\n", value, name);
+  out += fmt::format("state {}\n", state.state.size());
+  for (std::size_t i = 0; i < state.state.size(); ++i)
+    out += fmt::format("{} {}\n", state.state[i], state.components[i]);
+}
+
+/// Reads "keyword value" lines in their fixed order and says where it goes wrong.
+class Reader {
+ public:
+  Reader(const std::filesystem::path& path, std::string_view kind)
+      : path_(path), stream_(read_text_file(path)), lines_(stream_) {
+    const std::string title(line());
+    if (title.find(fmt::format(" {}: ", kind)) == std::string::npos ||
+        title.find("Adore") == std::string::npos)
+      throw InputError(fmt::format(
+          "{}: this is no {} file of this program; give the {} of the run to start from",
+          path.string(), kind, kind));
+    line();
+    if (const long format = integer("format"); format != kFormat)
+      throw InputError(
+          fmt::format("{}: the file has format {}, this program reads format {}; use the program "
+                      "version that wrote it",
+                      path.string(), format, kFormat));
+  }
+  std::string text(std::string_view keyword) {
+    const std::string_view whole = line();
+    if (whole.substr(0, keyword.size()) != keyword ||
+        (whole.size() > keyword.size() && whole[keyword.size()] != ' '))
+      fail(fmt::format("'{}' is expected here", keyword));
+    return std::string(fortran::trimmed(whole.substr(keyword.size())));
+  }
+  long integer(std::string_view keyword) {
+    const auto value = fortran::parse_integer(text(keyword));
+    if (!value) fail(fmt::format("'{}' needs an integer", keyword));
+    return static_cast<long>(*value);
+  }
+  std::size_t count(std::string_view keyword) {
+    const long value = integer(keyword);
+    if (value < 0 || value > 100'000'000) fail(fmt::format("{} is no possible count", value));
+    return static_cast<std::size_t>(value);
+  }
+  double real(std::string_view keyword) { return number(text(keyword)); }
+  /// "number name" lines.
+  std::pair<double, std::string> named() {
+    const std::string_view whole = line();
+    const std::size_t blank = whole.find(' ');
+    if (blank == std::string_view::npos) fail("a number and a name are expected here");
+    return {number(whole.substr(0, blank)), std::string(whole.substr(blank + 1))};
+  }
+  void end() {
+    if (line() != "end") fail("'end' is expected here");
+  }
+  [[noreturn]] void fail(std::string_view why) const {
+    throw InputError(
+        fmt::format("{}:{}: the file is damaged: {}; take the file of an earlier run, or start "
+                    "from statics (kIcOpt = 0)",
+                    path_.string(), lines_.number(), why));
+  }
+
+ private:
+  double number(std::string_view text) const {
+    const auto value = fortran::parse_real(text);
+    if (!value) fail(fmt::format("'{}' is no number", text));
+    return *value;
+  }
+  std::string_view line() {
+    std::string_view text;
+    if (!lines_.next(text)) fail("it ends too early");
+    return text;
+  }
+  std::filesystem::path path_;
+  std::istringstream stream_;
+  LineReader lines_;
+};
+
+FinalState read_state(Reader& reader) {
+  FinalState state;
+  state.version = reader.text("version");
+  state.run_id = reader.text("run");
+  state.step = reader.integer("step");
+  state.time = reader.real("time");
+  state.step_size = reader.real("step_size");
+  state.shaft_rotation = reader.real("shaft_rotation");
+  state.scales.length = reader.real("scale_length");
+  state.scales.force = reader.real("scale_force");
+  state.scales.time = reader.real("scale_time");
+  for (std::size_t left = reader.count("extras"); left > 0; --left) {
+    auto [value, name] = reader.named();
+    state.extras[name] = value;
+  }
+  for (std::size_t left = reader.count("state"); left > 0; --left) {
+    auto [value, name] = reader.named();
+    state.state.push_back(value);
+    state.components.push_back(std::move(name));
+  }
+  return state;
+}
+
+}  // namespace
+
+const MasterFile* MasterState::file(std::string_view role) const {
+  const auto found = std::find_if(files.begin(), files.end(),
+                                  [&](const MasterFile& file) { return file.role == role; });
+  return found == files.end() ? nullptr : &*found;
+}
+
+void write_final(const FinalState& state, const std::filesystem::path& path) {
+  std::string out;
+  append_title(out, kFinal);
+  append_state(out, state);
+  out += "end\n";
+  write_file_atomically(path, out);
+}
+
+void write_master(const MasterState& state, const std::filesystem::path& path) {
+  std::string out;
+  append_title(out, kMaster);
+  append_state(out, state.last);
+  out += fmt::format("averages {}\n", state.averages.size());
+  for (const auto& [name, value] : state.averages) out += fmt::format("{} {}\n", value, name);
+  out += fmt::format("files {}\n", state.files.size());
+  for (const MasterFile& file : state.files)
+    out += fmt::format("{} {} {}\n", file.bytes, file.role, file.name);
+  out += "end\n";
+  write_file_atomically(path, out);
+}
+
+FinalState read_final(const std::filesystem::path& path) {
+  Reader reader(path, kFinal);
+  FinalState state = read_state(reader);
+  reader.end();
+  return state;
+}
+
+MasterState read_master(const std::filesystem::path& path) {
+  Reader reader(path, kMaster);
+  MasterState state;
+  state.last = read_state(reader);
+  for (std::size_t left = reader.count("averages"); left > 0; --left) {
+    auto [value, name] = reader.named();
+    state.averages[name] = value;
+  }
+  for (std::size_t left = reader.count("files"); left > 0; --left) {
+    const auto [bytes, text] = reader.named();
+    const std::size_t blank = text.find(' ');
+    if (blank == std::string::npos || !(bytes >= 0.0) || bytes > 9e15)
+      reader.fail("bytes, role and name of a file are expected here");
+    state.files.push_back(
+        {text.substr(0, blank), text.substr(blank + 1), static_cast<std::uintmax_t>(bytes)});
+  }
+  reader.end();
+  return state;
+}
+
+void check_layout(const FinalState& state, const std::vector<std::string>& components,
+                  const std::filesystem::path& path) {
+  if (state.components == components) return;
+  const auto [stored, wanted] = std::mismatch(state.components.begin(), state.components.end(),
+                                              components.begin(), components.end());
+  const auto name = [](auto at, auto end) {
+    return at == end ? std::string("nothing more") : "'" + *at + "'";
+  };
+  throw InputError(
+      fmt::format("{}: the stored state does not fit this deck: it has {} components, the deck "
+                  "needs {}; the first that differs is {}, the deck needs {}; keep the "
+                  "number of elements, cage, degrees of freedom and oriented elements of the "
+                  "stored run, or start from statics (kIcOpt = 0)",
+                  path.string(), state.components.size(), components.size(),
+                  name(stored, state.components.end()), name(wanted, components.end())));
+}
+
+}  // namespace adore::results

@@ -1,0 +1,633 @@
+#include "results/results_h5.hpp"
+
+#include "base/errors.hpp"
+#include "base/version.hpp"
+#include "results/continuation.hpp"
+#include "results/hdf5_handle.hpp"
+#include "results/sol_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+
+namespace adore::results {
+namespace {
+
+using h5::Handle;
+using h5::Quiet;
+
+constexpr int kFormat = 1;
+constexpr std::string_view kConventions =
+    "SI units and radians. X is the bearing axis, Z radial up; azimuths turn about +X from Z: y = "
+    "-r sin(theta), z = r cos(theta). "
+    "Frames: N base, A azimuth frame of the element (x axial, z radially outward), K cage, P "
+    "pocket. Quaternions are w, x, y, z, body to "
+    "base. Races: outer, inner.";
+
+[[noreturn]] void fail(const std::filesystem::path& path, std::string_view what) {
+  throw InputError(
+      fmt::format("{}: {} ({}); check the folder, its permissions and the free disk space",
+                  path.string(), what, h5::last_error()));
+}
+
+/// The per-step numbers that are no channels.
+struct StepSeries {
+  std::string_view name, unit, description;
+};
+constexpr std::array kSeries = {
+    StepSeries{"step", "-", "step number"}, StepSeries{"time", "s", "simulated time"},
+    StepSeries{"step_size", "s", "last integration step"},
+    StepSeries{"shaft_rotation", "rad", "inner minus outer race about x"}};
+
+std::string dataset_path(std::string_view id) {
+  std::string path = "/" + std::string(id);
+  std::replace(path.begin(), path.end(), '.', '/');
+  return path;
+}
+
+std::vector<hsize_t> dimensions(const Channel& channel, const Shape& shape) {
+  const auto n = [](int value) { return static_cast<hsize_t>(value); };
+  std::vector<hsize_t> out;
+  switch (channel.per) {
+    case Per::Run:
+      break;
+    case Per::Element:
+      out = {n(shape.elements)};
+      break;
+    case Per::Contact:
+      out = {n(shape.elements), 2};
+      break;
+    case Per::Pocket:
+      out = {n(shape.elements), n(shape.pocket_surfaces)};
+      break;
+    case Per::Cage:
+      out = {n(shape.cages)};
+      break;
+    case Per::Land:
+      out = {n(shape.cages), n(shape.lands)};
+      break;
+    case Per::Race:
+      out = {2};
+      break;
+  }
+  if (channel.components > 1) out.push_back(n(channel.components));
+  return out;
+}
+
+std::string_view dimension_names(const Channel& channel) {
+  const bool vector = channel.components > 1;
+  switch (channel.per) {
+    case Per::Run:
+      return vector ? "step, component" : "step";
+    case Per::Element:
+      return vector ? "step, element, component" : "step, element";
+    case Per::Contact:
+      return "step, element, race";
+    case Per::Pocket:
+      return "step, element, surface";
+    case Per::Cage:
+      return vector ? "step, cage, component" : "step, cage";
+    case Per::Land:
+      return "step, cage, land";
+    case Per::Race:
+      return vector ? "step, race, component" : "step, race";
+  }
+  return {};
+}
+
+void write_attribute(hid_t object, const std::string& name, std::string_view text) {
+  const Handle type(H5Tcopy(H5T_C_S1));
+  H5Tset_size(type, std::max<std::size_t>(text.size(), 1));
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  H5Tset_cset(type, H5T_CSET_UTF8);
+  const Handle space(H5Screate(H5S_SCALAR));
+  const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT));
+  const std::string padded = text.empty() ? std::string(1, '\0') : std::string(text);
+  H5Awrite(attribute, type, padded.data());
+}
+
+void write_attribute(hid_t object, const std::string& name, double value) {
+  const Handle space(H5Screate(H5S_SCALAR));
+  const Handle attribute(
+      H5Acreate2(object, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT));
+  H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value);
+}
+
+/// Access properties: newest format (single-writer mode needs it), and no failure where a file
+/// system cannot lock.
+Handle access_list() {
+  Handle list(H5Pcreate(H5P_FILE_ACCESS));
+  H5Pset_libver_bounds(list, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
+  H5Pset_file_locking(list, true, true);
+  return list;
+}
+
+/// Switches on one of the properties by which HDF5's own repair program opens a file that was not
+/// closed properly.
+void set_repair(const Handle& access, const char* property) {
+  const hbool_t on = true;
+  if (H5Pexist(access, property) > 0) H5Pset(access, property, &on);
+}
+
+/// A killed writer leaves its mark and an old file length in the file's first block. Puts both
+/// right.
+void repair(const std::filesystem::path& path) {
+  const Handle access = access_list();
+  set_repair(access, "clear_status_flags");
+  set_repair(access, "skip_eof_check");
+  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access));
+  if (!file.valid() || H5Fincrement_filesize(file, 0) < 0)
+    fail(path, "the file to be continued cannot be opened for writing");
+}
+
+/// One dataset and the rows that wait to be written.
+struct Series {
+  Handle dataset;
+  std::vector<hsize_t> dims;  ///< behind the step
+  std::size_t width = 1;      ///< values per row
+  int channel = -1;           ///< index into channels(); -1: one of kSeries
+  std::vector<double> waiting;
+};
+
+std::size_t rows_of(const Handle& dataset) {
+  const Handle space(H5Dget_space(dataset));
+  std::array<hsize_t, 8> dims{};
+  if (H5Sget_simple_extent_ndims(space) > 8 ||
+      H5Sget_simple_extent_dims(space, dims.data(), nullptr) < 1)
+    return 0;
+  return dims[0];
+}
+
+std::string read_text(hid_t object, const char* name) {
+  if (H5Aexists(object, name) <= 0) return {};
+  const Handle attribute(H5Aopen(object, name, H5P_DEFAULT));
+  const Handle type(H5Aget_type(attribute));
+  if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) != 0) return {};
+  const std::size_t size = H5Tget_size(type);
+  if (size > (1U << 20)) return {};
+  std::string text(size, '\0');
+  if (H5Aread(attribute, type, text.data()) < 0) return {};
+  return text.substr(0, text.find('\0'));
+}
+
+}  // namespace
+
+std::string_view coherent_unit(const UnitPair& unit) {
+  if (&unit == &unit::kAngle) return "rad";
+  if (&unit == &unit::kRotation) return "rad/s";
+  if (&unit == &unit::kRotationRate) return "rad/s^2";
+  demand(unit.si_factor == 1.0, "a channel's unit has no coherent SI name");
+  return unit.si;
+}
+
+std::map<std::string, double> geometry_of(const bearing::Bearing& bearing) {
+  const Sol8Geometry g = make_sol8_geometry(bearing);
+  std::map<std::string, double> out{
+      {"cage_outer_radius", g.cage_outer_radius},
+      {"cage_inner_radius", g.cage_inner_radius},
+      {"cage_outer_clearance", g.cage_outer_clearance},
+      {"cage_inner_clearance", g.cage_inner_clearance},
+      {"pocket_clearance_1", g.pocket_clearance_1},
+      {"pocket_clearance_2", g.pocket_clearance_2},
+      {"element_radius", g.element_radius},
+      {"pitch_diameter", g.pitch_diameter},
+      {"outer_race_outer_radius", g.outer_race_outer_radius},
+      {"outer_race_inner_radius", g.outer_race_inner_radius},
+      {"inner_race_outer_radius", g.inner_race_outer_radius},
+      {"inner_race_inner_radius", g.inner_race_inner_radius},
+      {"elements", bearing.balls.count},
+      {"contact_angle", bearing.balls.contact_angle},
+      {"outer_groove_radius", bearing.balls.groove_factor[0] * bearing.balls.diameter},
+      {"inner_groove_radius", bearing.balls.groove_factor[1] * bearing.balls.diameter},
+      {"outer_shoulder_radius", bearing.balls.shoulder_diameter[0] / 2.0},
+      {"inner_shoulder_radius", bearing.balls.shoulder_diameter[1] / 2.0},
+      {"outer_race_width", bearing.envelope.race_width[0]},
+      {"inner_race_width", bearing.envelope.race_width[1]},
+      {"cages", bearing.cage ? 1.0 : 0.0}};
+  if (!bearing.cage) return out;
+  out["cage_width"] = bearing.cage->width;
+  out["pocket_code"] = pocket_code(bearing);
+  out["pocket_cone_angle"] = bearing.cage->cone_angle;
+  out["lands"] = static_cast<double>(bearing.cage->lands.size());
+  for (std::size_t i = 0; i < bearing.cage->lands.size(); ++i) {
+    const bearing::GuideLand& land = bearing.cage->lands[i];
+    const std::string name = fmt::format("land{}_", i + 1);
+    out[name + "guide"] = static_cast<double>(land.guide);  // 0 none, 1 outer, 2 inner race
+    out[name + "diameter"] = land.diameter;
+    out[name + "width"] = land.width;
+    out[name + "edge"] = land.edge;
+    out[name + "clearance"] = land.clearance / 2.0;
+  }
+  return out;
+}
+
+struct H5Writer::Impl {
+  std::filesystem::path path;
+  Shape shape;
+  std::size_t block = kBlock;
+  std::size_t written = 0, waiting = 0;  ///< rows
+  Handle file;
+  std::vector<Series> series;
+  bool broken = false;
+
+  Series plan(int channel) const {
+    Series made;
+    made.channel = channel;
+    if (channel >= 0) made.dims = dimensions(channels()[static_cast<std::size_t>(channel)], shape);
+    for (hsize_t size : made.dims) made.width *= size;
+    return made;
+  }
+  /// Calls use(series, path, series name or channel) for every dataset that this bearing has; /step
+  /// comes last, so that its length tells of whole rows.
+  template <class Use>
+  void for_each(Use use) {
+    for (std::size_t c = 0; c < channels().size(); ++c) {
+      Series made = plan(static_cast<int>(c));
+      if (made.width > 0) use(std::move(made), dataset_path(channels()[c].id));
+    }
+    for (auto name = kSeries.rbegin(); name != kSeries.rend(); ++name)
+      use(plan(-1), dataset_path(name->name));
+  }
+
+  void create_dataset(Series made, const std::string& name) {
+    std::vector<hsize_t> size{0}, most{H5S_UNLIMITED}, chunk{kBlock};
+    for (hsize_t dim : made.dims) {
+      size.push_back(dim);
+      most.push_back(dim);
+      chunk.push_back(dim);
+    }
+    const int rank = static_cast<int>(size.size());
+    const Handle space(H5Screate_simple(rank, size.data(), most.data()));
+    const Handle creation(H5Pcreate(H5P_DATASET_CREATE)), links(H5Pcreate(H5P_LINK_CREATE));
+    H5Pset_chunk(creation, rank, chunk.data());
+    H5Pset_obj_track_times(creation, false);  // the same run gives the same bytes
+    const Handle access = dataset_access(made);
+    made.dataset =
+        Handle(H5Dcreate2(file, name.c_str(), H5T_IEEE_F64LE, space, links, creation, access));
+    if (!made.dataset.valid()) fail(path, "a dataset cannot be created");
+    if (made.channel >= 0) {
+      const Channel& channel = channels()[static_cast<std::size_t>(made.channel)];
+      write_attribute(made.dataset, "id", channel.id);
+      write_attribute(made.dataset, "label", channel.label);
+      write_attribute(made.dataset, "unit", coherent_unit(*channel.unit));
+      write_attribute(made.dataset, "frame", channel.frame);
+      write_attribute(made.dataset, "description", channel.help);
+      write_attribute(made.dataset, "dimensions", dimension_names(channel));
+    } else {
+      const auto found = std::find_if(kSeries.begin(), kSeries.end(), [&](const StepSeries& s) {
+        return dataset_path(s.name) == name;
+      });
+      write_attribute(made.dataset, "unit", found->unit);
+      write_attribute(made.dataset, "description", found->description);
+      write_attribute(made.dataset, "dimensions", "step");
+    }
+    series.push_back(std::move(made));
+  }
+
+  static Handle dataset_access(const Series& made) {
+    Handle access(H5Pcreate(H5P_DATASET_ACCESS));
+    // One chunk of each dataset is open at a time; the default cache would be 1 MiB each.
+    H5Pset_chunk_cache(access, 7, kBlock * made.width * sizeof(double), 1.0);
+    return access;
+  }
+
+  void create_groups() {
+    const Handle creation(H5Pcreate(H5P_GROUP_CREATE));
+    H5Pset_obj_track_times(creation, false);
+    std::vector<std::string> made;
+    const auto group = [&](const std::string& name) {
+      if (std::find(made.begin(), made.end(), name) != made.end()) return;
+      made.push_back(name);
+      const Handle handle(H5Gcreate2(file, name.c_str(), H5P_DEFAULT, creation, H5P_DEFAULT));
+      if (!handle.valid()) fail(path, "a group cannot be created");
+    };
+    for (const Channel& channel : channels())
+      group(std::string(channel.id.substr(0, channel.id.find('.'))));
+    group("geometry");
+  }
+
+  void start_single_writer() {
+    if (H5Fstart_swmr_write(file) < 0) fail(path, "the file cannot be prepared for growing");
+  }
+
+  /// After a failure: every dataset ends with the last step that all of them hold.
+  void cut_back_to_written() {
+    for (Series& one : series) {
+      std::vector<hsize_t> size{written};
+      size.insert(size.end(), one.dims.begin(), one.dims.end());
+      H5Dset_extent(one.dataset, size.data());
+      H5Dflush(one.dataset);
+    }
+  }
+
+  void write_waiting() {
+    if (waiting == 0) return;
+    if (broken)
+      throw InputError(fmt::format(
+          "{}: the file could not be written earlier and takes no more steps", path.string()));
+    for (Series& one : series) {
+      std::vector<hsize_t> start{written}, count{waiting}, size{written + waiting};
+      for (hsize_t dim : one.dims) {
+        start.push_back(0);
+        count.push_back(dim);
+        size.push_back(dim);
+      }
+      bool ok = H5Dset_extent(one.dataset, size.data()) >= 0;
+      if (ok) {
+        const Handle target(H5Dget_space(one.dataset));
+        const Handle source(
+            H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr));
+        ok = H5Sselect_hyperslab(target, H5S_SELECT_SET, start.data(), nullptr, count.data(),
+                                 nullptr) >= 0 &&
+             H5Dwrite(one.dataset, H5T_NATIVE_DOUBLE, source, target, H5P_DEFAULT,
+                      one.waiting.data()) >= 0 &&
+             H5Dflush(one.dataset) >= 0;
+      }
+      if (!ok) {
+        broken = true;
+        const std::string reason = h5::last_error();
+        cut_back_to_written();
+        throw InputError(
+            fmt::format("{}: the file cannot be written any further ({}); free some disk space or "
+                        "choose another disk, then continue the run",
+                        path.string(), reason));
+      }
+      one.waiting.clear();
+    }
+    written += waiting;
+    waiting = 0;
+  }
+};
+
+H5Writer::H5Writer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+H5Writer::H5Writer(H5Writer&&) noexcept = default;
+H5Writer& H5Writer::operator=(H5Writer&&) noexcept = default;
+H5Writer::~H5Writer() {
+  if (!impl_) return;
+  try {
+    if (!impl_->broken) flush();
+  } catch (const std::exception&) {
+    // Nobody can be told from here; flush() reports.
+  }
+  const Quiet quiet;
+  impl_->series.clear();
+  impl_->file.reset();
+}
+
+H5Writer H5Writer::create(const std::filesystem::path& path, const bearing::Bearing& bearing,
+                          int block) {
+  const Quiet quiet;
+  auto impl = std::make_unique<Impl>();
+  impl->path = path;
+  impl->shape = shape_of(bearing);
+  impl->block = static_cast<std::size_t>(std::clamp(block, 1, kBlock));
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE));
+  H5Pset_obj_track_times(creation, false);
+  impl->file = Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access_list()));
+  if (!impl->file.valid()) fail(path, "the file cannot be created");
+  impl->create_groups();
+  {
+    const Handle root(H5Gopen2(impl->file, "/", H5P_DEFAULT));
+    write_attribute(root, "program", kProgramVersion);
+    write_attribute(root, "format", static_cast<double>(kFormat));
+    write_attribute(root, "run_id", bearing.run_id);
+    write_attribute(root, "conventions", kConventions);
+    const Handle geometry(H5Gopen2(impl->file, "geometry", H5P_DEFAULT));
+    for (const auto& [name, value] : geometry_of(bearing)) write_attribute(geometry, name, value);
+  }
+  impl->for_each(
+      [&](Series made, const std::string& name) { impl->create_dataset(std::move(made), name); });
+  impl->start_single_writer();
+  return H5Writer(std::move(impl));
+}
+
+H5Writer H5Writer::continue_after(const std::filesystem::path& path,
+                                  const bearing::Bearing& bearing, long last_step, int block) {
+  const std::vector<long> steps = [&] {
+    const H5Reader old(path);
+    check_run_id(path, old.run_id(), bearing.run_id);
+    return old.step_numbers();
+  }();
+  const Quiet quiet;
+  auto impl = std::make_unique<Impl>();
+  impl->path = path;
+  impl->shape = shape_of(bearing);
+  impl->block = static_cast<std::size_t>(std::clamp(block, 1, kBlock));
+  repair(path);
+  impl->file = Handle(H5Fopen(path.c_str(), H5F_ACC_RDWR, access_list()));
+  if (!impl->file.valid()) fail(path, "the file to be continued cannot be opened for writing");
+  impl->written = static_cast<std::size_t>(std::upper_bound(steps.begin(), steps.end(), last_step) -
+                                           steps.begin());
+  impl->for_each([&](Series made, const std::string& name) {
+    made.dataset = Handle(H5Dopen2(impl->file, name.c_str(), Impl::dataset_access(made)));
+    std::vector<hsize_t> size{impl->written};
+    size.insert(size.end(), made.dims.begin(), made.dims.end());
+    bool fits = made.dataset.valid();
+    if (fits) {
+      const Handle space(H5Dget_space(made.dataset));
+      std::array<hsize_t, 8> found{};
+      fits = H5Sget_simple_extent_ndims(space) == static_cast<int>(size.size()) &&
+             H5Sget_simple_extent_dims(space, found.data(), nullptr) > 0 &&
+             std::equal(size.begin() + 1, size.end(), found.begin() + 1);
+    }
+    if (!fits)
+      throw InputError(
+          fmt::format("{}: {} does not have the sizes of this bearing; restore the file of this "
+                      "run, or start new files with kIcOpt = -1",
+                      path.string(), name));
+    if (H5Dset_extent(made.dataset, size.data()) < 0)
+      fail(path, "the file to be continued cannot be cut back");
+    impl->series.push_back(std::move(made));
+  });
+  if (H5Fflush(impl->file, H5F_SCOPE_GLOBAL) < 0)
+    fail(path, "the file to be continued cannot be cut back");
+  impl->start_single_writer();
+  return H5Writer(std::move(impl));
+}
+
+void H5Writer::write(const StepRecord& record) {
+  demand(record.shape == impl_->shape,
+         "a record must be of the bearing that the file was made for");
+  const std::array<double, 4> own{static_cast<double>(record.step), record.time, record.step_size,
+                                  record.shaft_rotation};
+  std::size_t next = kSeries.size();
+  for (Series& one : impl_->series) {
+    if (one.channel < 0) {
+      one.waiting.push_back(own[--next]);
+    } else {
+      const std::vector<double>& values = record.values[static_cast<std::size_t>(one.channel)];
+      one.waiting.insert(one.waiting.end(), values.begin(), values.end());
+    }
+  }
+  ++impl_->waiting;
+  if (impl_->waiting + impl_->written % impl_->block >= impl_->block) flush();
+}
+
+void H5Writer::flush() {
+  const Quiet quiet;
+  impl_->write_waiting();
+}
+
+struct H5Reader::Impl {
+  std::filesystem::path path;
+  Handle file;
+  std::string version, run_id;
+  std::vector<ChannelInfo> channels;
+  std::map<std::string, double> geometry;
+  std::size_t steps = 0;
+
+  [[nodiscard]] ChannelInfo describe(const std::string& name) const {
+    const Handle dataset(H5Dopen2(file, name.c_str(), H5P_DEFAULT));
+    ChannelInfo info;
+    if (!dataset.valid()) return info;
+    info.id = read_text(dataset, "id");
+    info.label = read_text(dataset, "label");
+    info.unit = read_text(dataset, "unit");
+    info.frame = read_text(dataset, "frame");
+    info.description = read_text(dataset, "description");
+    const Handle space(H5Dget_space(dataset));
+    std::array<hsize_t, 8> dims{};
+    const int rank = H5Sget_simple_extent_ndims(space);
+    if (rank >= 1 && rank <= 8) H5Sget_simple_extent_dims(space, dims.data(), nullptr);
+    for (int k = 1; k < rank && rank <= 8; ++k)
+      info.dimensions.push_back(dims[static_cast<std::size_t>(k)]);
+    return info;
+  }
+};
+
+std::size_t H5Reader::ChannelInfo::size() const {
+  std::size_t size = 1;
+  for (std::size_t dim : dimensions) size *= dim;
+  return size;
+}
+
+H5Reader::H5Reader(const std::filesystem::path& path) : impl_(std::make_unique<Impl>()) {
+  const Quiet quiet;
+  impl_->path = path;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+    throw InputError(
+        fmt::format("{}: there is no such file; give the RESULTS.h5 of a run", path.string()));
+  if (H5Fis_hdf5(path.c_str()) <= 0)
+    throw InputError(fmt::format(
+        "{}: this is no HDF5 file, or a damaged one; give the RESULTS.h5 of a run", path.string()));
+  const Handle access = access_list();
+  // A damaged file must not be tried for ever, as if a writer were about to mend it.
+  H5Pset_metadata_read_attempts(access, 20);
+  impl_->file = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY | H5F_ACC_SWMR_READ, access));
+  if (!impl_->file.valid()) impl_->file = Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access));
+  if (!impl_->file.valid())
+    throw InputError(fmt::format("{}: the file cannot be opened ({}); check its permissions",
+                                 path.string(), h5::last_error()));
+  const Handle root(H5Gopen2(impl_->file, "/", H5P_DEFAULT));
+  impl_->version = read_text(root, "program");
+  impl_->run_id = read_text(root, "run_id");
+  if (H5Lexists(impl_->file, "step", H5P_DEFAULT) <= 0 || impl_->version.empty())
+    throw InputError(
+        fmt::format("{}: this HDF5 file holds no bearing results; give the RESULTS.h5 of a run",
+                    path.string()));
+
+  std::vector<std::string> names;
+  H5Ovisit2(
+      impl_->file, H5_INDEX_NAME, H5_ITER_NATIVE,
+      [](hid_t, const char* name, const H5O_info_t* info, void* data) -> herr_t {
+        if (info->type == H5O_TYPE_DATASET)
+          static_cast<std::vector<std::string>*>(data)->emplace_back(name);
+        return 0;
+      },
+      &names, H5O_INFO_BASIC);
+  impl_->steps = std::numeric_limits<std::size_t>::max();
+  for (const std::string& name : names) {
+    ChannelInfo info = impl_->describe(name);
+    const Handle dataset(H5Dopen2(impl_->file, name.c_str(), H5P_DEFAULT));
+    impl_->steps = std::min(impl_->steps, rows_of(dataset));
+    if (!info.id.empty()) impl_->channels.push_back(std::move(info));
+  }
+  // The order of the table where we know it, by name behind.
+  const auto place = [](const ChannelInfo& info) {
+    const auto all = adore::results::channels();
+    return std::find_if(all.begin(), all.end(), [&](const Channel& c) { return c.id == info.id; }) -
+           all.begin();
+  };
+  std::stable_sort(impl_->channels.begin(), impl_->channels.end(),
+                   [&](const auto& a, const auto& b) { return place(a) < place(b); });
+
+  if (H5Lexists(impl_->file, "geometry", H5P_DEFAULT) > 0) {
+    const Handle group(H5Gopen2(impl_->file, "geometry", H5P_DEFAULT));
+    H5Aiterate2(
+        group, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr,
+        [](hid_t object, const char* name, const H5A_info_t*, void* data) -> herr_t {
+          const Handle attribute(H5Aopen(object, name, H5P_DEFAULT));
+          double value = 0.0;
+          if (H5Aread(attribute, H5T_NATIVE_DOUBLE, &value) >= 0)
+            (*static_cast<std::map<std::string, double>*>(data))[name] = value;
+          return 0;
+        },
+        &impl_->geometry);
+  }
+}
+
+H5Reader::H5Reader(H5Reader&&) noexcept = default;
+H5Reader& H5Reader::operator=(H5Reader&&) noexcept = default;
+H5Reader::~H5Reader() = default;
+
+const std::string& H5Reader::version() const noexcept { return impl_->version; }
+const std::string& H5Reader::run_id() const noexcept { return impl_->run_id; }
+const std::vector<H5Reader::ChannelInfo>& H5Reader::channels() const noexcept {
+  return impl_->channels;
+}
+std::size_t H5Reader::steps() const noexcept { return impl_->steps; }
+const std::map<std::string, double>& H5Reader::geometry() const noexcept { return impl_->geometry; }
+
+const H5Reader::ChannelInfo* H5Reader::find(std::string_view id) const noexcept {
+  const auto found = std::find_if(impl_->channels.begin(), impl_->channels.end(),
+                                  [&](const ChannelInfo& info) { return info.id == id; });
+  return found == impl_->channels.end() ? nullptr : &*found;
+}
+
+std::vector<long> H5Reader::step_numbers() const {
+  std::vector<long> out;
+  for (double number : read("step")) out.push_back(static_cast<long>(number));
+  return out;
+}
+
+std::vector<double> H5Reader::read(std::string_view id, std::size_t first, std::size_t count,
+                                   std::size_t every) const {
+  const Quiet quiet;
+  const bool series = std::any_of(kSeries.begin(), kSeries.end(),
+                                  [&](const StepSeries& s) { return s.name == id; });
+  const ChannelInfo* info = find(id);
+  if (info == nullptr && !series)
+    throw InputError(fmt::format("{}: the file has no channel '{}'", impl_->path.string(), id));
+  if (every == 0 ||
+      (count > 0 && (first >= impl_->steps || (count - 1) > (impl_->steps - 1 - first) / every)))
+    throw InputError(
+        fmt::format("{}: {} steps from {} on, every {}, are asked for, but the file has {}",
+                    impl_->path.string(), count, first + 1, every, impl_->steps));
+  std::vector<hsize_t> start{first}, stride{every}, size{count};
+  std::size_t width = 1;
+  if (info != nullptr) {
+    for (std::size_t dim : info->dimensions) {
+      start.push_back(0);
+      stride.push_back(1);
+      size.push_back(dim);
+    }
+    width = info->size();
+  }
+  std::vector<double> values(count * width);
+  if (values.empty()) return values;
+  const Handle dataset(H5Dopen2(impl_->file, dataset_path(id).c_str(), H5P_DEFAULT));
+  const Handle source(H5Dget_space(dataset));
+  const Handle target(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr));
+  if (H5Sselect_hyperslab(source, H5S_SELECT_SET, start.data(), stride.data(), size.data(),
+                          nullptr) < 0 ||
+      H5Dread(dataset, H5T_NATIVE_DOUBLE, target, source, H5P_DEFAULT, values.data()) < 0)
+    throw InputError(fmt::format("{}: channel '{}' cannot be read ({}); the file is damaged",
+                                 impl_->path.string(), id, h5::last_error()));
+  return values;
+}
+
+}  // namespace adore::results

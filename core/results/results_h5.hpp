@@ -1,0 +1,94 @@
+#pragma once
+
+#include "bearing/bearing.hpp"
+#include "results/channels.hpp"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// RESULTS.h5: every channel at full precision, SI and radians, self-describing.
+///
+/// One extendible dataset per channel, named after it: "contact.load" is /contact/load with
+/// dimensions [step][element][race]; its attributes tell label, unit, frame, meaning and
+/// dimensions. /step, /time, /step_size and /shaft_rotation hold one value per stored step.
+/// /geometry has the sizes a picture needs as attributes [m]. The file is written in HDF5's
+/// single-writer mode: it can be read while it grows, and after the writer was killed.
+namespace adore::results {
+
+class H5Writer {
+ public:
+  /// Steps that are collected before they go to the file as one block.
+  static constexpr int kBlock = 64;
+
+  /// A new file, replacing what was there. `block` as kBlock; smaller blocks lose less when the
+  /// process is killed.
+  /// @throws InputError when it cannot be written.
+  static H5Writer create(const std::filesystem::path& path, const bearing::Bearing& bearing,
+                         int block = kBlock);
+  /// Continues a file: checks run code and sizes, cuts back to the steps <= `last_step`. Repairs
+  /// the mark that a killed writer leaves. @throws InputError saying what does not fit.
+  static H5Writer continue_after(const std::filesystem::path& path, const bearing::Bearing& bearing,
+                                 long last_step, int block = kBlock);
+
+  H5Writer(H5Writer&&) noexcept;
+  H5Writer& operator=(H5Writer&&) noexcept;
+  ~H5Writer();  ///< flushes; errors are lost here, so call flush() at the end of a run
+
+  void write(const StepRecord& record);
+  /// Hands everything so far to the system. @throws InputError (disk full ...)
+  void flush();
+
+ private:
+  struct Impl;
+  explicit H5Writer(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Reads RESULTS.h5, also while it grows and after its writer was killed.
+class H5Reader {
+ public:
+  /// @throws InputError when the file is missing or none of ours.
+  explicit H5Reader(const std::filesystem::path& path);
+  H5Reader(H5Reader&&) noexcept;
+  H5Reader& operator=(H5Reader&&) noexcept;
+  ~H5Reader();
+
+  struct ChannelInfo {
+    std::string id, label, unit, frame, description;
+    std::vector<std::size_t> dimensions;     ///< behind the step: {elements, 2} for contacts ...
+    [[nodiscard]] std::size_t size() const;  ///< values per step
+  };
+  [[nodiscard]] const std::string& version() const noexcept;
+  [[nodiscard]] const std::string& run_id() const noexcept;
+  [[nodiscard]] const std::vector<ChannelInfo>& channels() const noexcept;
+  /// nullptr when the file has no such channel (no cage ...).
+  [[nodiscard]] const ChannelInfo* find(std::string_view id) const noexcept;
+  /// Complete steps in the file when it was opened.
+  [[nodiscard]] std::size_t steps() const noexcept;
+  [[nodiscard]] std::vector<long> step_numbers() const;
+  /// Values of the steps first, first + every, ... (`count` of them), step by step. Also for
+  /// "time", "step_size" and "shaft_rotation". @throws InputError for an unknown channel or steps
+  /// beyond the end.
+  [[nodiscard]] std::vector<double> read(std::string_view id, std::size_t first, std::size_t count,
+                                         std::size_t every = 1) const;
+  /// All steps.
+  [[nodiscard]] std::vector<double> read(std::string_view id) const { return read(id, 0, steps()); }
+  /// Attributes of /geometry, SI.
+  [[nodiscard]] const std::map<std::string, double>& geometry() const noexcept;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Name of a unit pair's coherent SI unit: "rad" for deg, "rad/s" for rpm ...
+[[nodiscard]] std::string_view coherent_unit(const UnitPair& unit);
+
+/// What /geometry holds: SOL8's twelve values and what its views lack (widths, angles, pocket
+/// shape).
+[[nodiscard]] std::map<std::string, double> geometry_of(const bearing::Bearing& bearing);
+
+}  // namespace adore::results

@@ -1,0 +1,193 @@
+#include "desktop/axis_scale.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace adore::desktop {
+namespace {
+
+struct Prefix {
+  int exponent;
+  std::string_view symbol;
+};
+constexpr std::array<Prefix, 8> kPrefixes{
+    {{-12, "p"}, {-9, "n"}, {-6, "µ"}, {-3, "m"}, {0, ""}, {3, "k"}, {6, "M"}, {9, "G"}}};
+
+/// Largest exponent that a unit's prefix may have; nobody reads "km" or "ks" in a bearing.
+int largest_prefix(std::string_view unit) {
+  if (unit == "m" || unit == "s" || unit == "m/s") return 0;
+  return 9;
+}
+
+bool takes_prefix(std::string_view unit) {
+  constexpr std::array<std::string_view, 8> units{"m", "s", "m/s", "N", "N.m", "W", "Pa", "Hz"};
+  return std::find(units.begin(), units.end(), unit) != units.end();
+}
+
+std::string superscript(int number) {
+  constexpr std::array<std::string_view, 10> digits{"⁰", "¹", "²", "³", "⁴",
+                                                    "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text;
+  for (const char c : std::to_string(number))
+    text += c == '-' ? "⁻" : digits[static_cast<std::size_t>(c - '0')];
+  return text;
+}
+
+struct Multiple {
+  double factor = 1.0;
+  std::string unit;
+};
+
+/// Factor and unit text that bring `size` into 1..1000, by prefix where the unit takes one, else by
+/// a power of ten when the plain number would be long.
+Multiple multiple_for(double size, std::string_view unit) {
+  Multiple multiple{1.0, pretty_unit(unit)};
+  if (!(size > 0.0)) return multiple;
+  // The nudge keeps 1000 - rounding error from being shown as 1000 of the smaller unit.
+  int exponent = 3 * static_cast<int>(std::floor(std::log10(size * (1.0 + 1e-9)) / 3.0));
+  if (takes_prefix(unit)) {
+    const int limited = std::clamp(exponent, -12, largest_prefix(unit));
+    if (exponent >= -12) {
+      for (const auto& prefix : kPrefixes)
+        if (prefix.exponent == limited) multiple.unit = std::string(prefix.symbol) + multiple.unit;
+      multiple.factor = std::pow(10.0, limited);
+      if (size / multiple.factor < 1e5) return multiple;
+      multiple = {1.0, pretty_unit(unit)};
+    }
+  } else if (size < 1e5 && size >= 0.01) {
+    return multiple;
+  }
+  if (exponent == 0) return multiple;
+  multiple.factor = std::pow(10.0, exponent);
+  multiple.unit = "10" + superscript(exponent) + (multiple.unit.empty() ? "" : " " + multiple.unit);
+  return multiple;
+}
+
+int decimals_for(double step) {
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
+}
+
+struct Limits {
+  double low, high;
+};
+
+/// A drawable range: finite and not empty. What moves by less than a millionth of its size is shown
+/// as standing still, because the files hold seven digits.
+Limits drawable(double low, double high) {
+  if (!std::isfinite(low) || !std::isfinite(high) || low > high) return {0.0, 1.0};
+  const double size = std::max(std::abs(low), std::abs(high));
+  if (size < 1e-300) return {-1.0, 1.0};
+  if (high - low > 1e-6 * size) return {low, high};
+  const double middle = 0.5 * (low + high);
+  return {middle - 0.05 * size, middle + 0.05 * size};
+}
+
+AxisScale scaled(const Limits& limits, std::string_view unit, int parts) {
+  AxisScale axis;
+  const double span = limits.high - limits.low;
+  const double size = std::max(std::abs(limits.low), std::abs(limits.high));
+  double shown_size = size;
+  if (span < 2e-3 * size) {
+    const double coarse = nice_step(span, 1) * 10.0;
+    axis.offset = std::round(0.5 * (limits.low + limits.high) / coarse) * coarse;
+    axis.offset_text = "from " + pretty_quantity(axis.offset, unit, 7);
+    shown_size = std::max(std::abs(limits.low - axis.offset), std::abs(limits.high - axis.offset));
+  }
+  const Multiple multiple = multiple_for(shown_size, unit);
+  axis.factor = multiple.factor;
+  axis.unit = multiple.unit;
+  axis.min = axis.shown(limits.low);
+  axis.max = axis.shown(limits.high);
+  axis.step = nice_step(axis.max - axis.min, parts);
+  axis.decimals = decimals_for(axis.step);
+  return axis;
+}
+
+}  // namespace
+
+double nice_step(double span, int parts) {
+  const double raw = span / std::max(parts, 1);
+  if (!(raw > 0.0) || !std::isfinite(raw)) return 1.0;
+  const double power = std::pow(10.0, std::floor(std::log10(raw)));
+  for (const double digit : {5.0, 2.0, 1.0})
+    if (digit * power <= raw * (1.0 + 1e-9)) return digit * power;
+  return power;
+}
+
+AxisScale value_axis(double low, double high, std::string_view unit, int parts) {
+  AxisScale axis = scaled(drawable(low, high), unit, parts);
+  const double data_min = axis.min, data_max = axis.max;
+  const auto round_out = [&] {
+    // Rounding errors must not add an empty tick interval.
+    axis.min = axis.step * std::floor(data_min / axis.step + 1e-6);
+    axis.max = axis.step * std::ceil(data_max / axis.step - 1e-6);
+  };
+  round_out();
+  if (axis.max - axis.min > (parts + 1.5) * axis.step) {
+    axis.step = nice_step(data_max - data_min, std::max(1, parts / 2));
+    axis.decimals = decimals_for(axis.step);
+    round_out();
+  }
+  // A line that touches the frame gets a little air, so that it is seen whole.
+  const double air = 0.03 * (axis.max - axis.min);
+  if (data_min < axis.min + air) axis.min -= air;
+  if (data_max > axis.max - air) axis.max += air;
+  return axis;
+}
+
+AxisScale tight_axis(double low, double high, std::string_view unit, int parts) {
+  return scaled(drawable(low, high), unit, parts);
+}
+
+std::string tick_text(double value, int decimals) {
+  const std::string digits = fmt::format("{:.{}f}", std::abs(value), decimals);
+  const bool zero = digits.find_first_not_of("0.") == std::string::npos;
+  return (value < 0 && !zero ? "−" : "") + digits;
+}
+
+std::string pretty_unit(std::string_view unit) {
+  std::string text;
+  for (std::size_t i = 0; i < unit.size(); ++i) {
+    if (unit[i] == '^' && i + 1 < unit.size() && (unit[i + 1] == '2' || unit[i + 1] == '3'))
+      text += unit[++i] == '2' ? "²" : "³";
+    else if (unit[i] == '.')
+      text += "·";
+    else
+      text += unit[i];
+  }
+  return text;
+}
+
+std::string pretty_number(double value, int digits) {
+  if (std::isnan(value)) return "–";
+  if (std::isinf(value)) return value > 0 ? "∞" : "−∞";
+  const double size = std::abs(value);
+  const std::string sign = value < 0 ? "−" : "";
+  if (size == 0.0) return "0";
+  const int exponent = static_cast<int>(std::floor(std::log10(size)));
+  if (size >= 1e-3 && size < 1e6) {
+    // Whole numbers keep all their digits; zeros at the end of a fraction go.
+    std::string text = fmt::format("{:.{}f}", size, std::max(0, digits - 1 - exponent));
+    if (text.find('.') != std::string::npos) {
+      text.erase(text.find_last_not_of('0') + 1);
+      if (text.back() == '.') text.pop_back();
+    }
+    return sign + text;
+  }
+  return sign + fmt::format("{:.{}g}", size / std::pow(10.0, exponent), digits) + "·10" +
+         superscript(exponent);
+}
+
+std::string pretty_quantity(double value, std::string_view unit, int digits) {
+  if (!takes_prefix(unit) || value == 0.0 || !std::isfinite(value)) {
+    const std::string name = pretty_unit(unit);
+    return pretty_number(value, digits) + (name.empty() ? "" : " " + name);
+  }
+  const Multiple multiple = multiple_for(std::abs(value), unit);
+  return pretty_number(value / multiple.factor, digits) + " " + multiple.unit;
+}
+
+}  // namespace adore::desktop

@@ -1,0 +1,74 @@
+#include "desktop/bootstrap.hpp"
+
+#include "base/errors.hpp"
+#include "desktop/theme.hpp"
+
+#include <QFontDatabase>
+#include <QLocale>
+#include <fmt/core.h>
+
+#include <cstdlib>
+
+// Outside every namespace, as Qt's resource macro asks.
+static void load_resources() { Q_INIT_RESOURCE(desktop); }
+
+namespace adore::desktop {
+namespace {
+
+void set_up(const QString& name) {
+  load_resources();
+  QLocale::setDefault(QLocale::c());
+  QApplication::setOrganizationName("Adore");
+  QApplication::setApplicationName(name);
+  for (const char* file : {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf"})
+    demand(QFontDatabase::addApplicationFont(QString(":/adore/fonts/") + file) >= 0,
+           "a shipped font does not load");
+  apply_theme(desktop_preference());
+}
+
+/// Pictures made without a session need no session folder, so Qt's remark about it only worries
+/// people.
+void quiet_about_session(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+  if (text.startsWith("QStandardPaths: XDG_RUNTIME_DIR")) return;
+  fmt::print(stderr, "{}\n", qFormatLogMessage(type, context, text).toStdString());
+  if (type == QtFatalMsg) std::abort();
+}
+
+bool has_display() {
+#ifdef Q_OS_LINUX
+  return qEnvironmentVariableIsSet("QT_QPA_PLATFORM") || !qEnvironmentVariableIsEmpty("DISPLAY") ||
+         !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
+#else
+  return true;
+#endif
+}
+
+}  // namespace
+
+std::unique_ptr<QApplication> make_application(int& argc, char** argv, const std::string& name,
+                                               Display display) {
+  if (display == Display::Headless) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    qInstallMessageHandler(quiet_about_session);
+  }
+  if (!has_display())
+    throw InputError(name +
+                     " has no display to open a window on; start it in a desktop session, or use "
+                     "--render DIR to write pictures");
+  auto app = std::make_unique<QApplication>(argc, argv);
+  set_up(QString::fromStdString(name));
+  return app;
+}
+
+void ensure_headless_application() {
+  if (QCoreApplication::instance()) return;
+  static int argc = 1;
+  static char program[] = "adore";
+  static char* argv[] = {program, nullptr};
+  // Lives as long as the process: Qt's own statics may not outlive a static application object.
+  static const QApplication* const app =
+      make_application(argc, argv, "adore", Display::Headless).release();
+  demand(app != nullptr, "no application object");
+}
+
+}  // namespace adore::desktop

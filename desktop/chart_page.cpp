@@ -1,0 +1,66 @@
+#include "desktop/chart_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::desktop {
+namespace {
+
+/// First, lowest, highest and last point of each column, in their order.
+Polyline thinned(const Polyline& line, double low, double high, int columns) {
+  if (line.x.size() <= static_cast<std::size_t>(4 * columns) || !(high > low)) return line;
+  Polyline out;
+  const double width = (high - low) / columns;
+  std::size_t begin = 0;
+  while (begin < line.x.size()) {
+    const double column = std::floor((line.x[begin] - low) / width);
+    std::size_t end = begin, lowest = begin, highest = begin;
+    while (end < line.x.size() && std::floor((line.x[end] - low) / width) == column) {
+      if (line.y[end] < line.y[lowest]) lowest = end;
+      if (line.y[end] > line.y[highest]) highest = end;
+      ++end;
+    }
+    std::vector<std::size_t> keep{begin, std::min(lowest, highest), std::max(lowest, highest),
+                                  end - 1};
+    keep.erase(std::unique(keep.begin(), keep.end()), keep.end());
+    for (const auto i : keep) {
+      out.x.push_back(line.x[i]);
+      out.y.push_back(line.y[i]);
+    }
+    begin = end;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::vector<double>& y,
+                                      double low, double high, int columns, bool wraps) {
+  std::vector<Polyline> pieces;
+  const std::size_t count = std::min(x.size(), y.size());
+  bool open = false;
+  double last = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    // One neighbour beyond each end keeps the line running to the edge of a zoomed view.
+    const bool needed = (x[i] >= low && x[i] <= high) ||
+                        (i + 1 < count && x[i] < low && x[i + 1] >= low) ||
+                        (i > 0 && x[i] > high && x[i - 1] <= high);
+    if (!needed || !std::isfinite(y[i]) || !std::isfinite(x[i])) {
+      open = false;
+      continue;
+    }
+    if (!open || (wraps && std::abs(y[i] - last) > 180.0)) pieces.emplace_back();
+    pieces.back().x.push_back(x[i]);
+    pieces.back().y.push_back(y[i]);
+    last = y[i];
+    open = true;
+  }
+  // An angle that flips at nearly every step has no line to show; joining everything is honest and
+  // quick.
+  constexpr std::size_t kMostPieces = 400;
+  if (wraps && pieces.size() > kMostPieces) return drawable_pieces(x, y, low, high, columns, false);
+  for (auto& piece : pieces) piece = thinned(piece, low, high, columns);
+  return pieces;
+}
+
+}  // namespace adore::desktop

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+/// A page of charts as plain data: up to three panels stacked over a common abscissa, or one panel
+/// with equal axes. No Qt.
+namespace adore::desktop {
+
+struct ChartCurve {
+  std::string name;
+  std::vector<double> y;  ///< one per abscissa value; NaN = no value, the line is broken there
+  std::vector<double> x;  ///< empty: the page's abscissa (own values only on pages with equal axes)
+};
+
+struct ChartPanel {
+  std::string title;  ///< "Contact load"
+  std::string unit;   ///< unit string of the result files, "" for a pure number
+  std::vector<ChartCurve> curves;
+  bool wraps = false;  ///< an angle in degrees: jumps by more than half a turn are not joined
+};
+
+struct ChartMark {
+  double x = 0.0;
+  std::string label;
+};
+
+struct ChartPage {
+  std::string title, subtitle;
+  std::string note;  ///< a sentence below the title, or, without panels, instead of them
+  std::string x_title, x_unit;
+  std::vector<double> x;
+  std::vector<ChartPanel> panels;
+  std::vector<ChartMark> marks;            ///< dashed vertical lines with a label
+  bool equal_axes = false;                 ///< an orbit: same scale both ways, one panel
+  double guide_radius = 0.0;               ///< circle about the origin of an orbit; 0 = none
+  double view_low = 0.0, view_high = 0.0;  ///< first view of the abscissa; equal = all of it
+};
+
+/// The pieces of a curve that are drawn as connected lines inside [low, high] of the abscissa:
+/// broken at NaN and at wraps, thinned to the extremes of each of `columns` columns, so that the
+/// picture is the same but quick.
+struct Polyline {
+  std::vector<double> x, y;
+};
+std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::vector<double>& y,
+                                      double low, double high, int columns, bool wraps);
+
+}  // namespace adore::desktop

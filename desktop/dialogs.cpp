@@ -1,0 +1,93 @@
+#include "desktop/dialogs.hpp"
+
+#include "desktop/image_export.hpp"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QImage>
+#include <QInputDialog>
+#include <QMessageBox>
+#include <QPrintDialog>
+#include <QPrinter>
+#include <QSettings>
+
+#include <exception>
+#include <memory>
+
+namespace adore::desktop {
+
+void show_message(QWidget* parent, const QString& text, bool error) {
+  auto* box =
+      new QMessageBox(error ? QMessageBox::Warning : QMessageBox::Information,
+                      parent->windowTitle().section(" — ", -1), text, QMessageBox::Ok, parent);
+  box->setObjectName("message");
+  box->setTextFormat(Qt::PlainText);
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->open();
+}
+
+void ask_number(QWidget* parent, const QString& title, const QString& label, int value, int low,
+                int high, std::function<void(int)> answer) {
+  auto* dialog = new QInputDialog(parent);
+  dialog->setObjectName("number");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(title);
+  dialog->setLabelText(label);
+  dialog->setInputMode(QInputDialog::IntInput);
+  dialog->setIntRange(low, high);
+  dialog->setIntValue(value);
+  QObject::connect(dialog, &QInputDialog::intValueSelected, parent, std::move(answer));
+  dialog->open();
+}
+
+void ask_file(QWidget* parent, const QString& app, const QString& title,
+              std::function<void(QString)> answer) {
+  const QString folder = QSettings("Adore", app).value("open/folder").toString();
+  auto* dialog =
+      new QFileDialog(parent, title, folder, QObject::tr("Result files (SOL*);;All files (*)"));
+  dialog->setObjectName("open");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  QObject::connect(
+      dialog, &QFileDialog::fileSelected, parent,
+      [app, answer = std::move(answer)](const QString& name) {
+        QSettings("Adore", app).setValue("open/folder", QFileInfo(name).absolutePath());
+        answer(name);
+      });
+  dialog->open();
+}
+
+void save_picture(QWidget* parent, const QString& app, const QString& fallback,
+                  std::function<QImage()> picture) {
+  auto* dialog = new QFileDialog(parent, QObject::tr("Save picture"), QString(),
+                                 QObject::tr("Pictures (*.jpg *.jpeg *.png)"));
+  dialog->setObjectName("save");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix("jpg");
+  dialog->selectFile(proposed_image_name(app, fallback));
+  QObject::connect(dialog, &QFileDialog::fileSelected, parent,
+                   [parent, app, picture = std::move(picture)](const QString& name) {
+                     try {
+                       save_image(picture(), name.toStdString());
+                       remember_image_name(app, name);
+                     } catch (const std::exception& error) {
+                       show_message(parent, error.what(), true);
+                     }
+                   });
+  dialog->open();
+}
+
+void print_picture(QWidget* parent, std::function<QImage()> picture) {
+  auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
+  printer->setPageOrientation(QPageLayout::Landscape);
+  auto* dialog = new QPrintDialog(printer.get(), parent);
+  dialog->setObjectName("print");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  QObject::connect(
+      dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), parent,
+      [printer, picture = std::move(picture)](QPrinter*) { print_image(picture(), *printer); });
+  dialog->open();
+}
+
+}  // namespace adore::desktop

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QImage>
+#include <QString>
+
+#include <filesystem>
+
+class QPrinter;
+
+/// Pictures on disk and on paper.
+namespace adore::desktop {
+
+/// Writes PNG or JPEG by the name's suffix (.png, .jpg, .jpeg), replacing an old file only when the
+/// new one is complete.
+/// @throws InputError when the suffix is none of these or the file cannot be written.
+void save_image(const QImage& image, const std::filesystem::path& path);
+
+/// Makes a folder and its parents. @throws InputError when that fails.
+void make_folder(const std::filesystem::path& folder);
+
+/// "plot.jpg" -> "plot-2.jpg" -> "plot-3.jpg": the name to propose after a picture was saved under
+/// `previous`; goes on counting while the file exists already.
+QString next_image_name(const QString& previous);
+
+/// The proposal for the next picture of an app, remembered across sessions: `fallback` the first
+/// time.
+QString proposed_image_name(const QString& app, const QString& fallback);
+void remember_image_name(const QString& app, const QString& saved);
+
+/// Prints a picture on one page, as large as it fits.
+void print_image(const QImage& image, QPrinter& printer);
+
+}  // namespace adore::desktop

@@ -1,0 +1,108 @@
+#include "desktop/theme.hpp"
+
+#include <QApplication>
+#include <QPalette>
+#include <QStyleFactory>
+
+namespace adore::desktop {
+namespace {
+
+Theme make_light() {
+  Theme t{};
+  t.kind = ThemeKind::Light;
+  t.window = QColor("#f3f5f8");
+  t.surface = QColor("#ffffff");
+  t.raised = QColor("#e8ecf2");
+  t.text = QColor("#1d2530");
+  t.muted = QColor("#5b6675");
+  t.grid = QColor("#e3e7ed");
+  t.frame = QColor("#b6bfcb");
+  t.accent = QColor("#1f6fb2");
+  t.steel_light = QColor("#d5dbe3");
+  t.steel_dark = QColor("#93a0b0");
+  t.cage = QColor("#d9a441");
+  t.red = QColor("#d1242f");
+  t.green = QColor("#1a8f4c");
+  t.blue = QColor("#1351b4");
+  t.light_blue = QColor("#3f8ae0");
+  t.curves = {QColor("#0072b2"), QColor("#d55e00"), QColor("#009e73"), QColor("#a84f8a"),
+              QColor("#b38600"), QColor("#3b9fd8"), QColor("#6b4fa0"), QColor("#5b6675")};
+  return t;
+}
+
+Theme make_dark() {
+  Theme t{};
+  t.kind = ThemeKind::Dark;
+  t.window = QColor("#171b21");
+  t.surface = QColor("#1e242c");
+  t.raised = QColor("#2a323d");
+  t.text = QColor("#e7ecf2");
+  t.muted = QColor("#98a5b5");
+  t.grid = QColor("#2d3642");
+  t.frame = QColor("#4a5665");
+  t.accent = QColor("#4ea1e6");
+  t.steel_light = QColor("#8f9cac");
+  t.steel_dark = QColor("#566373");
+  t.cage = QColor("#c08f36");
+  t.red = QColor("#ff5b5b");
+  t.green = QColor("#3ecf7c");
+  t.blue = QColor("#5f97ff");
+  t.light_blue = QColor("#8fc4ff");
+  t.curves = {QColor("#56b4e9"), QColor("#ff8a3d"), QColor("#2fc799"), QColor("#e08cc2"),
+              QColor("#e6c345"), QColor("#8fb7ff"), QColor("#b79cf0"), QColor("#98a5b5")};
+  return t;
+}
+
+ThemeKind& chosen() {
+  static ThemeKind kind = ThemeKind::Light;
+  return kind;
+}
+
+}  // namespace
+
+const Theme& theme(ThemeKind kind) {
+  static const Theme light = make_light(), dark = make_dark();
+  return kind == ThemeKind::Dark ? dark : light;
+}
+
+const Theme& current_theme() { return theme(chosen()); }
+
+void apply_theme(ThemeKind kind) {
+  chosen() = kind;
+  const Theme& t = theme(kind);
+  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  QPalette palette;
+  palette.setColor(QPalette::Window, t.window);
+  palette.setColor(QPalette::Base, t.surface);
+  palette.setColor(QPalette::AlternateBase, t.raised);
+  palette.setColor(QPalette::Button, t.raised);
+  palette.setColor(QPalette::ToolTipBase, t.raised);
+  for (const auto role :
+       {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
+    palette.setColor(role, t.text);
+  palette.setColor(QPalette::PlaceholderText, t.muted);
+  palette.setColor(QPalette::Highlight, t.accent);
+  palette.setColor(QPalette::HighlightedText, QColor(Qt::white));
+  palette.setColor(QPalette::Link, t.accent);
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    palette.setColor(QPalette::Disabled, role, t.frame);
+  QApplication::setPalette(palette);
+  QApplication::setFont(ui_font(13));
+}
+
+ThemeKind desktop_preference() {
+  if (QGuiApplication::platformName() == "offscreen") return ThemeKind::Light;
+  const QPalette palette = QGuiApplication::palette();
+  const bool dark =
+      palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
+  return dark ? ThemeKind::Dark : ThemeKind::Light;
+}
+
+QFont ui_font(int pixel_size, bool bold) {
+  QFont font("DejaVu Sans");
+  font.setPixelSize(pixel_size);
+  font.setBold(bold);
+  return font;
+}
+
+}  // namespace adore::desktop

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QColor>
+#include <QFont>
+
+#include <array>
+
+/// Colours and fonts of every window and picture. Light on paper, dark on screen; both with the
+/// same eight curve colours, chosen to be told apart with the common colour-vision deficiencies
+/// (after Okabe and Ito).
+namespace adore::desktop {
+
+enum class ThemeKind : unsigned char { Light, Dark };
+
+struct Theme {
+  ThemeKind kind;
+  QColor window, surface, raised, text, muted, grid, frame, accent;
+  QColor steel_light, steel_dark, cage;  ///< bodies in pictures
+  QColor red, green, blue, light_blue;   ///< marks that keep their meaning in every view
+  std::array<QColor, 8> curves;
+};
+
+const Theme& theme(ThemeKind kind);
+
+/// The theme of this process: what apply_theme was last given, light at first.
+const Theme& current_theme();
+
+/// Palette, style and font of the whole application.
+void apply_theme(ThemeKind kind);
+
+/// Dark when the desktop says so (palette of the platform at start-up), light otherwise and always
+/// when headless.
+ThemeKind desktop_preference();
+
+/// The shipped font, by pixel size, so that a picture looks the same on every machine.
+QFont ui_font(int pixel_size, bool bold = false);
+
+}  // namespace adore::desktop

@@ -1,0 +1,389 @@
+#include "adrplot/plot_window.hpp"
+#include "adrplot/range_dialog.hpp"
+#include "adrplot/render.hpp"
+#include "adrplot/spectrum.hpp"
+#include "base/errors.hpp"
+#include "desktop/chart_view.hpp"
+#include "desktop/dialogs.hpp"
+#include "support/qt_app.hpp"
+#include "support/result_files.hpp"
+
+#include <QAction>
+#include <QApplication>
+#include <QChart>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QLabel>
+#include <QMessageBox>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolBar>
+#include <QTreeWidget>
+#include <QValueAxis>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+using namespace adore;
+using namespace adore::adrplot;
+using results::SolKind;
+
+namespace {
+
+void press(PlotWindow& window, const QString& button) {
+  for (auto* action : window.findChild<QToolBar*>("buttons")->actions())
+    if (action->text() == button) return action->trigger();
+  FAIL("no button " << button.toStdString());
+}
+
+/// Text of the message shown, which is then closed; empty when there is none.
+QString take_message(QWidget& window) {
+  auto* box = window.findChild<QMessageBox*>("message");
+  if (!box) return {};
+  const QString text = box->text();
+  box->close();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  return text;
+}
+
+int distinct_colours(const QImage& image) {
+  std::set<QRgb> colours;
+  for (int y = 0; y < image.height(); y += 2)
+    for (int x = 0; x < image.width(); x += 2) colours.insert(image.pixel(x, y));
+  return static_cast<int>(colours.size());
+}
+
+int highest_value(const std::vector<PageSpec>& pages) {
+  int highest = 0;
+  for (const auto& page : pages)
+    for (const auto& panel : page.panels)
+      for (const auto& curve : panel.curves) highest = std::max(highest, curve.value);
+  return highest;
+}
+
+}  // namespace
+
+TEST_CASE("plot_pages: each kind of file has the manual's pages", "[unit]") {
+  const auto count = [](SolKind kind, auto change) {
+    auto header = test::synthetic_header(kind, {});
+    change(header);
+    return plot_pages(kind, header).size();
+  };
+  const auto as_is = [](results::SolHeader&) {};
+  CHECK(count(SolKind::Power, as_is) == 5);
+  CHECK(count(SolKind::Power, [](auto& h) { h.value_count = 17; }) == 4);
+  CHECK(count(SolKind::Element, as_is) == 8);
+  CHECK(count(SolKind::Element, [](auto& h) { h.outer_flange = true; }) ==
+        8);  // balls have no flanges
+  CHECK(count(SolKind::Element,
+              [](auto& h) { h.bearing_type = 2, h.value_count = 45, h.outer_flange = true; }) == 9);
+  CHECK(count(SolKind::Element, [](auto& h) {
+          h.bearing_type = 2, h.value_count = 45, h.outer_flange = h.inner_flange = true;
+        }) == 10);
+  CHECK(count(SolKind::Race, as_is) == 9);
+  CHECK(count(SolKind::Cage, as_is) == 9 + 12);  // N = 9 + n ceil(m/2)
+  CHECK(count(SolKind::Cage,
+              [](auto& h) { h.pocket_surfaces = 4, h.value_count = 24 + 16 * 12; }) == 9 + 12 * 2);
+  CHECK_THROWS_AS(count(SolKind::Animation, as_is), InputError);
+}
+
+TEST_CASE("plot_pages: every value of the record is on a page, and none beyond it", "[unit]") {
+  for (const auto kind : {SolKind::Power, SolKind::Element, SolKind::Race, SolKind::Cage}) {
+    const auto header = test::synthetic_header(kind, {});
+    const auto pages = plot_pages(kind, header);
+    // The last of a pocket's four values is phi, which only spherical pockets plot.
+    CHECK(highest_value(pages) ==
+          (kind == SolKind::Cage ? header.value_count - 1 : header.value_count));
+    for (const auto& page : pages)
+      for (const auto& panel : page.panels) {
+        CHECK(panel.unit_slot >= 1);
+        CHECK(panel.unit_slot <= 10);
+        CHECK_FALSE(panel.curves.empty());
+      }
+  }
+  auto header = test::synthetic_header(SolKind::Cage, {});
+  header.pocket_type = 1;
+  CHECK(highest_value(plot_pages(SolKind::Cage, header)) == header.value_count);
+}
+
+TEST_CASE("plot_pages: short element files say what is missing instead of showing it", "[unit]") {
+  auto header = test::synthetic_header(SolKind::Element, {});
+  header.value_count = 27;
+  const auto pages = plot_pages(SolKind::Element, header);
+  REQUIRE(pages.size() == 8);
+  CHECK(highest_value(pages) == 27);
+  CHECK_FALSE(pages[6].note.empty());
+  CHECK_FALSE(pages[7].note.empty());
+  CHECK(pages[5].note.empty());
+}
+
+TEST_CASE("plot_pages: roller pockets show a contact position, ball pockets an angle", "[unit]") {
+  auto header = test::synthetic_header(SolKind::Cage, {});
+  CHECK(plot_pages(SolKind::Cage, header)[8].panels[2].title == "Contact angle");
+  header.bearing_type = 2;
+  header.pocket_surfaces = 2;
+  header.value_count = 24 + 8 * 12;
+  const auto page = plot_pages(SolKind::Cage, header)[8];
+  CHECK(page.panels[2].title == "Contact position");
+  CHECK(page.panels[2].curves.size() == 2);
+  header.pocket_type = -1;
+  CHECK(plot_pages(SolKind::Cage, header)[8].panels[2].title == "Contact angle");
+}
+
+TEST_CASE("spectrum: two tones come out at their frequencies and relative heights", "[unit]") {
+  constexpr int kSamples = 1000;
+  constexpr double kStep = 1e-4;  // bins of 10 Hz
+  std::vector<double> samples;
+  for (int i = 0; i < kSamples; ++i) {
+    const double t = i * kStep;
+    samples.push_back(7.0 + 3.0 * std::cos(2 * std::numbers::pi * 170 * t) +
+                      0.6 * std::sin(2 * std::numbers::pi * 2900 * t));
+  }
+  const Spectrum s = relative_spectrum(samples, kStep);
+  REQUIRE(s.frequency.size() == kSamples / 2);
+  CHECK(s.frequency[16] == Approx(170.0));
+  // Whole periods in the record, so only rounding separates the bins from the exact heights.
+  CHECK(s.amplitude[16] == Approx(1.0).epsilon(1e-9));
+  CHECK(s.amplitude[289] == Approx(0.2).epsilon(1e-9));
+  CHECK(s.amplitude[100] < 1e-9);
+  const Spectrum still = relative_spectrum(std::vector<double>(500, 3.3e-5), kStep);
+  CHECK(*std::max_element(still.amplitude.begin(), still.amplitude.end()) == 0.0);
+}
+
+TEST_CASE("spectrum: unequal time increments are refused with a reason", "[unit]") {
+  std::vector<double> times;
+  for (int i = 0; i < 100; ++i)
+    times.push_back(1e-6 * std::round(i * 12.5));  // seven digits make them uneven by 4 %
+  CHECK_FALSE(common_time_step(times).reason.empty());
+  for (int i = 0; i < 100; ++i) times[static_cast<std::size_t>(i)] = i * 1.25e-5;
+  CHECK(common_time_step(times).step == Approx(1.25e-5));
+  times.back() += 1e-5;
+  CHECK(common_time_step(times).reason.find("equal time intervals") != std::string::npos);
+  times.resize(5);
+  CHECK(common_time_step(times).reason.find("at least 16") != std::string::npos);
+}
+
+TEST_CASE("page_builder: abscissa, units and orbit pair follow the options", "[unit]") {
+  const auto race = test::synthetic_sol(SolKind::Race);
+  const auto pages = plot_pages(race.kind, race.header);
+  CHECK(build_page(race, pages, 3).panels[1].unit == "N.m");
+  CHECK(build_page(race, pages, 2).x_unit == "rev");
+  CHECK(build_page(race, pages, 2, {Abscissa::Time, {}}).x.back() ==
+        Approx(race.steps.back().time));
+  const auto orbit = build_page(race, pages, 5);
+  CHECK(orbit.equal_axes);
+  CHECK(orbit.panels[0].title == "Z position");
+  CHECK(orbit.panels[0].curves[0].y[10] == race.steps[10].values[14]);
+  CHECK(orbit.panels[0].curves[0].x[10] == race.steps[10].values[13]);
+  CHECK(build_page(race, pages, 5, {Abscissa::Time, {0, 1}}).x_title == "X position");
+  CHECK_THROWS_AS(build_page(race, pages, 10), InputError);
+  CHECK_THROWS_AS(build_page(race, pages, 0), InputError);
+}
+
+TEST_CASE("page_builder: an uneven run has a spectrum page that says why it is empty", "[unit]") {
+  auto cage = test::synthetic_sol(SolKind::Cage);
+  const auto pages = plot_pages(cage.kind, cage.header);
+  const auto full = build_page(cage, pages, 21);
+  REQUIRE(full.panels.size() == 3);
+  CHECK(full.marks.at(0).x == Approx(10000.0 / 60.0).epsilon(1e-6));
+  cage.steps.erase(cage.steps.begin() + 700, cage.steps.begin() + 720);
+  const auto uneven = build_page(cage, pages, 21);
+  CHECK(uneven.panels.empty());
+  CHECK(uneven.note.find("equal time intervals") != std::string::npos);
+}
+
+TEST_CASE("render_plots: every page of files on disk becomes a picture with curves in it",
+          "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path base = folder.path().toStdString();
+  std::vector<std::filesystem::path> files;
+  test::SyntheticRun run;
+  run.steps = 300;
+  for (const auto kind : {SolKind::Element, SolKind::Cage, SolKind::Race, SolKind::Power}) {
+    const auto file = test::synthetic_sol(kind, run);
+    files.push_back(base / file.path);
+    test::write_text(files.back(), test::sol_text(file));
+  }
+  RenderOptions options;
+  options.folder = base / "pictures" / "deep";
+  const auto pictures = render_plots(files, options);
+  REQUIRE(pictures.size() == 8 + 21 + 9 + 5);
+  CHECK(pictures.front().filename() == "SOL1-page-01.png");
+  CHECK(pictures.back().filename() == "SOL7-page-05.png");
+  for (const auto& path : pictures) {
+    const QImage image(QString::fromStdString(path.string()));
+    INFO(path);
+    REQUIRE(image.size() == QSize(1280, 800));
+    CHECK(distinct_colours(image) > 20);
+  }
+  options.page = 2;
+  options.width = 640, options.height = 480;
+  options.range = {1, 50, 5};
+  CHECK(render_plots({files[0]}, options).size() == 1);
+  options.page = 9;
+  CHECK_THROWS_WITH(render_plots({files[0]}, options), Catch::Contains("pages are 1 to 8"));
+  CHECK_THROWS_AS(render_plots({base / "absent"}, options), InputError);
+}
+
+TEST_CASE("plot_window: pages turn to both ends with a message there", "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  window.show();
+  window.addFile(test::synthetic_sol(SolKind::Element));
+  CHECK(window.currentPage() == 1);
+  press(window, "Prev Plot");
+  CHECK(take_message(window) == "This is the first plot.");
+  CHECK(window.currentPage() == 1);
+  for (int page = 2; page <= 8; ++page) {
+    press(window, "Next Plot");
+    CHECK(window.currentPage() == page);
+    CHECK(take_message(window).isEmpty());
+    CHECK_FALSE(window.view().chartScene().charts().empty());
+    for (auto* chart : window.view().chartScene().charts()) CHECK_FALSE(chart->series().isEmpty());
+  }
+  press(window, "Next Plot");
+  CHECK(take_message(window) == "This is the last plot.");
+  CHECK(window.currentPage() == 8);
+  CHECK(window.windowTitle().contains("page 8 of 8"));
+}
+
+TEST_CASE("plot_window: Plot Number and the page tree go to a page", "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  window.addFile(test::synthetic_sol(SolKind::Cage));
+  press(window, "Plot Number");
+  auto* question = window.findChild<QInputDialog*>("number");
+  REQUIRE(question);
+  CHECK(question->intMaximum() == 21);
+  question->setIntValue(14);
+  question->accept();
+  CHECK(window.currentPage() == 14);
+  auto* tree = window.findChild<QTreeWidget*>("pages");
+  tree->setCurrentItem(tree->topLevelItem(0)->child(1));
+  CHECK(window.currentPage() == 2);
+}
+
+TEST_CASE("plot_window: orbit page offers other pairs, history pages another abscissa", "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  window.addFile(test::synthetic_sol(SolKind::Race));
+  auto& scene = window.view().chartScene();
+  auto* orbit = window.findChild<QComboBox*>("orbit");
+  auto* abscissa = window.findChild<QComboBox*>("abscissa");
+  window.showPage(2);
+  CHECK(scene.page().x_unit == "rev");
+  abscissa->setCurrentIndex(1);
+  CHECK(scene.page().x_unit == "s");
+  window.showPage(5);
+  REQUIRE(scene.page().equal_axes);
+  CHECK_FALSE(abscissa->isEnabled());
+  CHECK(scene.page().x_title == "Y position");
+  orbit->setCurrentIndex(1);
+  CHECK(scene.page().x_title == "X position");
+  CHECK(scene.page().panels[0].title == "Z position");
+  CHECK(scene.plotAreas()[0].width() == Approx(scene.plotAreas()[0].height()));
+  auto* chart = scene.charts()[0];
+  auto* x = qobject_cast<QValueAxis*>(chart->axes(Qt::Horizontal).front());
+  auto* y = qobject_cast<QValueAxis*>(chart->axes(Qt::Vertical).front());
+  CHECK(x->max() - x->min() == Approx(y->max() - y->min()));  // equal axes
+}
+
+TEST_CASE("plot_window: files are opened, refused with a reason, and truncated ones explained",
+          "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path base = folder.path().toStdString();
+  test::SyntheticRun run;
+  run.steps = 60;
+  const std::string text = test::sol_text(test::synthetic_sol(SolKind::Element, run));
+  test::write_text(base / "SOL1", text);
+  test::write_text(base / "cut", text.substr(0, text.size() - 150));
+  test::write_text(base / "letter.txt", "Dear reader,\nthis is no result file.\n");
+  PlotWindow window;
+  CHECK(window.openFile(base / "SOL1", {1, 40, 2}));
+  CHECK(window.view().chartScene().page().x.size() == 20);
+  auto* note = window.findChild<QLabel*>("note");
+  CHECK(note->text().isEmpty());
+  CHECK_FALSE(window.openFile(base / "letter.txt"));
+  CHECK(take_message(window).contains("letter.txt"));
+  CHECK(window.fileCount() == 1);
+  CHECK_FALSE(window.openFile(base / "nowhere"));
+  CHECK_FALSE(take_message(window).isEmpty());
+  CHECK(window.openFile(base / "cut"));
+  CHECK(note->text().contains("incomplete"));
+  CHECK(window.view().chartScene().page().x.size() == 59);
+  CHECK(window.fileCount() == 2);
+  test::write_text(base / "cut", text);
+  press(window, "Reload");
+  CHECK(window.view().chartScene().page().x.size() == 60);
+  CHECK(note->text().isEmpty());
+}
+
+TEST_CASE("range_dialog: starts at 1 to 5000 by 1 and keeps the end behind the start", "[gui]") {
+  test::use_qt();
+  RangeDialog dialog("SOL1");
+  dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+  CHECK(dialog.range().from == 1);
+  CHECK(dialog.range().to == 5000);
+  CHECK(dialog.range().every == 1);
+  dialog.findChild<QSpinBox*>("from")->setValue(8000);
+  CHECK(dialog.range().to == 8000);
+  dialog.findChild<QSpinBox*>("every")->setValue(10);
+  CHECK(dialog.range().every == 10);
+}
+
+TEST_CASE("plot_window: Save JPG writes the page and proposes the next number", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  PlotWindow window;
+  window.show();
+  window.addFile(test::synthetic_sol(SolKind::Element));
+  press(window, "Save JPG");
+  auto* dialog = window.findChild<QFileDialog*>("save");
+  REQUIRE(dialog);
+  const QString name = folder.filePath("wave.jpg");
+  emit dialog->fileSelected(name);
+  dialog->close();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  const QImage image(name);
+  CHECK(image.width() > 480);
+  CHECK(distinct_colours(image) > 20);
+  press(window, "Save JPG");
+  dialog = window.findChild<QFileDialog*>("save");
+  REQUIRE(dialog);
+  REQUIRE(dialog->selectedFiles().size() == 1);
+  CHECK(dialog->selectedFiles().front().endsWith("wave-2.jpg"));
+  emit dialog->fileSelected("/proc/no/such/folder/x.jpg");
+  CHECK(take_message(window).contains("cannot write"));
+}
+
+TEST_CASE("plot_window: the wheel zooms and the pointer reads values", "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  window.show();
+  window.addFile(test::synthetic_sol(SolKind::Element));
+  auto& view = window.view();
+  auto& scene = view.chartScene();
+  const QPoint middle = view.mapFromScene(scene.plotAreas()[1].center());
+  QWheelEvent wheel(middle, view.viewport()->mapToGlobal(middle), {}, {0, 240}, Qt::NoButton,
+                    Qt::NoModifier, Qt::NoScrollPhase, false);
+  QApplication::sendEvent(view.viewport(), &wheel);
+  CHECK(scene.viewHigh() - scene.viewLow() ==
+        Approx(3.0 * 0.64).epsilon(1e-3));  // two notches of 0.8
+  QSignalSpy readout(&view, &desktop::ChartView::readoutChanged);
+  // Sent directly: a headless platform has no pointer that QTest could move.
+  const QPointF there = middle + QPoint(3, 3);
+  QMouseEvent move(QEvent::MouseMove, there, view.viewport()->mapToGlobal(there), Qt::NoButton,
+                   Qt::NoButton, Qt::NoModifier);
+  QApplication::sendEvent(view.viewport(), &move);
+  REQUIRE(readout.count() > 0);
+  CHECK(readout.back().front().toString().contains("Radial"));
+  QTest::mouseDClick(view.viewport(), Qt::LeftButton, {}, middle);
+  CHECK(scene.viewHigh() == Approx(3.0).epsilon(1e-6));
+}

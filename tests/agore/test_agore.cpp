@@ -1,0 +1,368 @@
+#include "agore/agore_window.hpp"
+#include "agore/render.hpp"
+#include "base/errors.hpp"
+#include "support/qt_app.hpp"
+#include "support/result_files.hpp"
+
+#include <QAction>
+#include <QComboBox>
+#include <QFile>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <ctime>
+#include <numbers>
+
+using namespace adore;
+using namespace adore::agore;
+
+namespace {
+
+test::SyntheticRun short_run(int steps = 120) {
+  test::SyntheticRun run;
+  run.steps = steps;
+  return run;
+}
+
+/// Pixels of about a colour inside a rectangle.
+int pixels_of(const QImage& image, const QRect& area, const QColor& colour) {
+  int count = 0;
+  for (int y = area.top(); y <= area.bottom(); ++y)
+    for (int x = area.left(); x <= area.right(); ++x) {
+      const QColor c = image.pixelColor(x, y);
+      count += std::abs(c.red() - colour.red()) + std::abs(c.green() - colour.green()) +
+                   std::abs(c.blue() - colour.blue()) <
+               30;
+    }
+  return count;
+}
+
+const QRect kPicture(0, 60, 780, 620);
+
+QString take_message(QWidget& window) {
+  auto* box = window.findChild<QMessageBox*>("message");
+  if (!box) return {};
+  const QString text = box->text();
+  box->close();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  return text;
+}
+
+void click(AgoreWindow& window, const char* button) {
+  window.findChild<QPushButton*>(button)->click();
+}
+
+QAction* menu_action(AgoreWindow& window, const QString& text) {
+  for (auto* action : window.findChildren<QAction*>())
+    if (action->text().remove('&') == text) return action;
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("animation: angles become continuous and their rate is the speed", "[unit]") {
+  std::vector<double> angle, time;
+  for (int i = 0; i < 400; ++i) {
+    time.push_back(1e-4 * i);
+    // Three digits, as the file holds them.
+    angle.push_back(std::round(100 * std::remainder(430.0 * time.back(), 2 * std::numbers::pi)) /
+                    100);
+  }
+  const auto turned = continuous(angle);
+  CHECK(turned.back() == Approx(430.0 * time.back()).margin(0.006));
+  for (const double speed : rate(turned, time))
+    CHECK(speed == Approx(430.0).epsilon(0.03));  // 0.005 rad at both ends of 0.5 rad
+  CHECK(std::isnan(rate({0.0, 1.0}, {0.0, 1.0}).front()));
+}
+
+TEST_CASE("animation: rotation matrix turns about X, then the new Y, then the newest Z", "[unit]") {
+  const auto r = rotation({0.3, 0.0, 0.0});
+  CHECK(r[1][2] == Approx(-std::sin(0.3)));  // z axis leans to -y, as an azimuth does
+  CHECK(r[2][2] == Approx(std::cos(0.3)));
+  const auto full = rotation({0.4, -0.7, 1.1});
+  for (int a = 0; a < 3; ++a)
+    for (int b = 0; b < 3; ++b) {
+      double dot = 0.0;
+      for (int k = 0; k < 3; ++k) dot += full[k][a] * full[k][b];
+      CHECK(dot == Approx(a == b ? 1.0 : 0.0).margin(1e-14));
+    }
+}
+
+TEST_CASE("animation: speeds, pockets and guiding race are recovered from a file of three digits",
+          "[unit]") {
+  QTemporaryDir folder;
+  const std::filesystem::path path = folder.filePath("SOL8").toStdString();
+  const auto made = test::synthetic_sol8(short_run(600));
+  test::write_text(path, test::sol8_text(made));
+  const Animation a = prepare(results::read_sol8(path));
+  REQUIRE(a.frames() == 600);
+  CHECK(a.has_cage);
+  CHECK(a.guide == Guide::Inner);
+  CHECK(a.guide_clearance == Approx(150e-6));
+  for (std::size_t k = 0; k < 12; ++k)  // the mean over 600 coarse angles is good to about
+                                        // 0.005/sqrt(600) rad, plus averaging at the ends
+    CHECK(std::abs(
+              std::remainder(a.pocket_angle[k] - 2 * std::numbers::pi * static_cast<double>(k) / 12,
+                             2 * std::numbers::pi)) < 2e-3);
+  CHECK(shaft_speed(a) == Approx(2 * std::numbers::pi * 10000 / 60).epsilon(1e-6));
+  const auto mean = [](const std::vector<double>& v) {
+    double sum = 0;
+    for (const double x : v) sum += x;
+    return sum / static_cast<double>(v.size());
+  };
+  CHECK(mean(cage_whirl_ratio(a)) == Approx(0.46).epsilon(0.01));
+  CHECK(mean(cage_speed_ratio(a)) == Approx(0.43).epsilon(0.01));
+  CHECK(mean(element_orbit_ratio(a, 4)) == Approx(0.43).epsilon(0.01));
+  // Every frame adds its rounding to a sum of sizes, so the spin comes out a little high.
+  CHECK(mean(element_spin_ratio(a, 4)) == Approx(3.1).epsilon(0.1));
+}
+
+TEST_CASE("animation: what cannot be shown is refused with a sentence", "[unit]") {
+  auto file = test::synthetic_sol8(short_run(5));
+  auto old = file;
+  old.version = "Adore0.0.9";
+  CHECK_THROWS_WITH(prepare(old), Catch::Contains("versions from 0.1"));
+  old.version = "nameless";
+  CHECK_THROWS_AS(prepare(old), InputError);
+  auto empty = file;
+  empty.frames.clear();
+  CHECK_THROWS_WITH(prepare(empty), Catch::Contains("no complete frame"));
+  auto flat = file;
+  flat.geometry.pitch_diameter = 0;
+  CHECK_THROWS_AS(prepare(flat), InputError);
+  auto bare = file;
+  bare.geometry.cage_outer_radius = bare.geometry.cage_inner_radius = 0;
+  const Animation a = prepare(bare);
+  CHECK_FALSE(a.has_cage);
+  CHECK_FALSE(why_not(View::Cage, a).empty());
+  CHECK(why_not(View::Bearing, a).empty());
+}
+
+TEST_CASE("view_options: names, and an exaggeration that keeps pockets apart", "[unit]") {
+  CHECK(view_named("race", "outer") == View::OuterRace);
+  CHECK_THROWS_WITH(view_named("flange"), Catch::Contains("roller"));
+  CHECK_THROWS_WITH(view_named("front"), Catch::Contains("bearing, cage, pocket, element"));
+  const Animation a = prepare(test::synthetic_sol8(short_run(5)));
+  CHECK(used_exaggeration(a, {}) == 5.0);
+  ViewOptions options;
+  options.exaggeration = 12;
+  CHECK(used_exaggeration(a, options) == 12.0);
+}
+
+TEST_CASE("views: bearing picture shows the frames, the arrow, the dashed circle and the asterisks",
+          "[gui]") {
+  test::use_qt();
+  MotionPicture picture(prepare(test::synthetic_sol8()));
+  const ViewOptions options;
+  const auto& t = theme_of(options);
+  const QImage start = picture.image({1280, 800}, 0, options),
+               later = picture.image({1280, 800}, 1200, options);
+  for (const QColor& colour : {t.red, t.green, t.blue, t.light_blue})
+    CHECK(pixels_of(later, kPicture, colour) > 60);
+  CHECK(start != later);
+  // No land force in the first frame: the arrow is missing there, and it is long.
+  CHECK(pixels_of(later, kPicture, t.red) > pixels_of(start, kPicture, t.red) + 250);
+  CHECK(picture.image({1280, 800}, 1200, options) ==
+        later);  // a picture depends on its frame alone
+}
+
+TEST_CASE("views: an arrow appears exactly where the land contact is", "[gui]") {
+  test::use_qt();
+  auto file = test::synthetic_sol8(short_run(3));
+  for (auto& frame : file.frames) {
+    frame.cage.angles[0] = 0.0;
+    frame.cage.position = {0, 0, 0};
+    for (auto& e : frame.elements) e.pocket_force = 0.0;
+    frame.land_force = {10.0, 0.0};
+    frame.land_angle = {-0.5 * std::numbers::pi, 0.0};  // azimuth -90 degrees: +y, to the right
+  }
+  MotionPicture picture(prepare(file));
+  ViewOptions options;
+  options.view = View::Cage;
+  const QImage image = picture.image({1280, 800}, 1, options);
+  const auto& red = theme_of(options).red;
+  CHECK(pixels_of(image, QRect(520, 380, 110, 40), red) > 100);  // right of the middle
+  CHECK(pixels_of(image, QRect(200, 380, 110, 40), red) < 20);   // not left of it
+}
+
+TEST_CASE("views: each view has its data curves", "[gui]") {
+  test::use_qt();
+  const Animation a = prepare(test::synthetic_sol8(short_run()));
+  const auto panels = [&](View view) {
+    ViewOptions options;
+    options.view = view;
+    options.element = 3;
+    const auto page = data_page(a, options);
+    for (const auto& panel : page.panels)
+      for (const auto& curve : panel.curves) CHECK(curve.y.size() == a.frames());
+    return page.panels.size();
+  };
+  CHECK(panels(View::Bearing) == 1);
+  CHECK(panels(View::Cage) == 2);
+  CHECK(panels(View::Pocket) == 1);
+  CHECK(panels(View::Element) == 2);
+  CHECK(panels(View::OuterRace) == 3);
+  ViewOptions wrong;
+  wrong.element = 13;
+  QImage image(100, 100, QImage::Format_RGB32);
+  QPainter painter(&image);
+  CHECK_THROWS_AS(paint_picture(painter, {0, 0, 100, 100}, a, 0, wrong), InputError);
+}
+
+TEST_CASE("views: a frame is drawn within a twenty-fifth of a second of processor time", "[gui]") {
+  test::use_qt();
+  MotionPicture picture(prepare(test::synthetic_sol8()));
+  QImage image = picture.image({1280, 800}, 0, {});
+  constexpr int kFrames = 20;
+  const std::clock_t start = std::clock();
+  for (int i = 0; i < kFrames; ++i)
+    image = picture.image({1280, 800}, static_cast<std::size_t>(50 * i), {});
+  const double per_frame =
+      1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / kFrames;
+  INFO("one frame takes " << per_frame << " ms");
+  CHECK_FALSE(image.isNull());
+  CHECK(per_frame < 40.0);  // processor time, so that a busy machine does not fail it
+}
+
+TEST_CASE("agore_window: play, frame and pause move through the frames", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  window.show();
+  CHECK_FALSE(window.findChild<QPushButton*>("play")->isEnabled());
+  window.setAnimation(prepare(test::synthetic_sol8(short_run())));
+  REQUIRE(window.frameCount() == 120);
+  click(window, "frame");
+  click(window, "frame");
+  CHECK(window.currentFrame() == 2);
+  click(window, "frameBack");
+  CHECK(window.currentFrame() == 1);
+  window.setFrame(0);
+  click(window, "frameBack");
+  CHECK(window.currentFrame() == 0);
+
+  window.findChild<QComboBox*>("speed")->setCurrentText("100");
+  click(window, "play");
+  CHECK(window.playing());
+  CHECK(QTest::qWaitFor([&] { return window.currentFrame() > 3; }, 20000));
+  click(window, "pause");
+  CHECK_FALSE(window.playing());
+  const auto stopped = window.currentFrame();
+  QTest::qWait(80);
+  CHECK(window.currentFrame() == stopped);
+
+  click(window, "playBack");
+  CHECK(QTest::qWaitFor([&] { return !window.playing(); }, 20000));
+  CHECK(window.currentFrame() == 0);
+  window.findChild<QComboBox*>("speed")->setCurrentText("1000");
+  click(window, "play");
+  CHECK(QTest::qWaitFor([&] { return !window.playing(); }, 20000));
+  CHECK(window.currentFrame() == 119);
+}
+
+TEST_CASE("agore_window: the time bar fills and can be clicked", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  window.show();
+  window.setAnimation(prepare(test::synthetic_sol8(short_run(101))));
+  auto* canvas = window.findChild<PictureWidget*>();
+  const QRectF bar = MotionPicture::timeBar(canvas->rect());
+  const auto& t = desktop::current_theme();
+  const auto filled = [&] {
+    const QImage image =
+        window.picture()->image(canvas->size(), window.currentFrame(), window.options());
+    return pixels_of(image, bar.toRect().adjusted(8, 4, -8, -4), t.accent);
+  };
+  CHECK(window.picture()->progress(50) == Approx(0.5));
+  const int at_start = filled();
+  QTest::mouseClick(canvas, Qt::LeftButton, {},
+                    QPointF(bar.left() + 0.5 * bar.width(), bar.center().y()).toPoint());
+  CHECK(std::abs(static_cast<int>(window.currentFrame()) - 50) <= 1);
+  const int at_middle = filled();
+  window.setFrame(100);
+  CHECK(at_middle > at_start);
+  CHECK(filled() > 1.8 * at_middle);
+  QTest::mouseClick(canvas, Qt::LeftButton, {},
+                    QPoint(300, 300));  // beside the bar nothing happens
+  CHECK(window.currentFrame() == 100);
+}
+
+TEST_CASE("agore_window: views by menu, with numbers asked and remembered", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  window.setAnimation(prepare(test::synthetic_sol8(short_run(20))));
+  menu_action(window, "Cage Motion")->trigger();
+  CHECK(window.options().view == View::Cage);
+  CHECK(window.windowTitle().contains("Cage motion"));
+  menu_action(window, "Pocket Interaction...")->trigger();
+  auto* question = window.findChild<QInputDialog*>("number");
+  REQUIRE(question);
+  CHECK(question->intMaximum() == 12);
+  question->setIntValue(7);
+  question->accept();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  CHECK(window.options().view == View::Pocket);
+  CHECK(window.options().element == 7);
+  menu_action(window, "RE Motion...")->trigger();
+  question = window.findChild<QInputDialog*>("number");
+  REQUIRE(question);
+  CHECK(question->intValue() == 7);
+  question->reject();
+  menu_action(window, "Outer")->trigger();
+  CHECK(window.options().view == View::OuterRace);
+  auto* flange = window.findChild<QAction*>("flange");
+  CHECK_FALSE(flange->isEnabled());
+  CHECK(flange->toolTip().contains("roller"));
+  menu_action(window, "About AGORE")->trigger();
+  CHECK(take_message(window).contains("0.1"));
+  menu_action(window, "× 10")->trigger();
+  CHECK(window.options().exaggeration == 10.0);
+}
+
+TEST_CASE("agore_window: files are opened, cut at the steps asked for, and refused with a reason",
+          "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path base = folder.path().toStdString();
+  const std::string text = test::sol8_text(test::synthetic_sol8(short_run(40)));
+  test::write_text(base / "SOL8", text);
+  test::write_text(base / "cut", text.substr(0, text.size() - 300));
+  test::write_text(base / "other", "nothing of ours\n");
+  AgoreWindow window;
+  CHECK(window.openFile(base / "SOL8", 15));
+  CHECK(window.frameCount() == 15);
+  CHECK(window.openFile(base / "SOL8"));
+  CHECK(window.frameCount() == 40);
+  CHECK_FALSE(window.openFile(base / "other"));
+  CHECK(take_message(window).contains("other"));
+  CHECK(window.frameCount() == 40);  // the old one stays
+  CHECK(window.openFile(base / "cut"));
+  CHECK(window.frameCount() == 39);
+  CHECK(take_message(window).contains("incomplete"));
+}
+
+TEST_CASE("render: pictures, numbered pictures and a film", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path base = folder.path().toStdString();
+  test::write_text(base / "SOL8", test::sol8_text(test::synthetic_sol8(short_run(30))));
+  MotionPicture picture = open_animation(base / "SOL8");
+  RenderOptions options;
+  options.width = 640, options.height = 400;
+  const auto written = render_frames(picture, 10, base / "frames", options);
+  REQUIRE(written.size() == 3);
+  CHECK(written[1].filename() == "SOL8-frame-00011.png");
+  CHECK(QImage(QString::fromStdString(written[2].string())).size() == QSize(640, 400));
+  CHECK_THROWS_WITH(render_frame(picture, 31, base / "x.png", options), Catch::Contains("1 to 30"));
+  render_movie(picture, 3, 25, base / "films" / "run.avi", options);
+  CHECK(std::filesystem::file_size(base / "films" / "run.avi") > 10 * 5000);
+  CHECK_THROWS_AS(render_movie(picture, 1, 25, base / "run.gif", options), InputError);
+  render_movie(picture, 15, 25, base / "stills", options);
+  CHECK(std::filesystem::exists(base / "stills" / "SOL8-frame-00016.png"));
+}

@@ -1,0 +1,247 @@
+#include "base/errors.hpp"
+#include "deck/deck.hpp"
+#include "deck/number.hpp"
+#include "deck/templates.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+
+using namespace adore::deck;
+
+namespace {
+
+std::string failure(Deck deck, std::string_view name, std::string_view value) {
+  const Deck before = deck;
+  try {
+    deck.set(name, value);
+  } catch (const adore::InputError& error) {
+    CHECK(deck.records == before.records);  // nothing half done
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("set changes one value, by name, element or instance", "[unit][deck]") {
+  Deck deck = new_deck("ball");
+  deck.set("pitchDia", "0.061");
+  CHECK(deck.real("pitchDia") == 0.061);
+  deck.set("pitchDia", " 6.2d-2 ");
+  CHECK(deck.real("pitchDia") == 0.062);
+  deck.set("cageGsCls[2]", "4e-4");
+  CHECK(deck.real("cageGsCls", 2) == 4e-4);
+  CHECK(deck.real("cageGsCls", 1) == 3e-4);
+  deck.set("iCageGuide[1]", "2");
+  CHECK(deck.integer("iCageGuide", 1) == 2);
+  CHECK(deck.integer("iCageGuide", 2) == 1);
+  deck.set("iCageGuide", "1,0");
+  CHECK(deck.integer("iCageGuide", 2) == 0);
+  deck.set("cageGcPos[3]", "1e-5");
+  CHECK(deck.real("cageGcPos", 1, 3) == 1e-5);
+  deck.set("runID", "it's new");
+  CHECK(deck.text("runID") == "it's new");
+  deck.set("runID", "'it''s quoted'");
+  CHECK(deck.text("runID") == "it's quoted");
+}
+
+TEST_CASE("set and complete bring in the records that a changed option needs", "[unit][deck]") {
+  Deck deck = new_deck("ball");
+  deck.set("kDCR", "1");
+  CHECK_FALSE(deck.has_record("2.2"));
+  deck.set("kFD12", "0");  // the record is due, so that its variables can be set
+  CHECK(deck.integer("kFD12") == 0);
+  CHECK(deck.integer("kMD32") == 1);
+  CHECK(deck.records[2].id == "2.2");
+  deck.set("kTrac", "9");
+  deck.complete();
+  CHECK(deck.has_record("10.4.1"));
+  CHECK_FALSE(deck.has_record("10.6"));
+  deck.set("mode", "-1");
+  deck.complete();
+  CHECK_FALSE(deck.has_record("2.1"));
+  CHECK_FALSE(deck.has_record("11"));
+
+  Deck segmented = new_deck("ball");
+  segmented.set("nCseg", "3");
+  segmented.complete();
+  CHECK(segmented.has_record("9.6.k", 3));
+  CHECK_FALSE(segmented.has_record("9.6"));
+  segmented.set("cageGcPos[2][3]", "1.5e-5");
+  CHECK(segmented.real("cageGcPos", 2, 3) == 1.5e-5);
+  CHECK_THAT(failure(segmented, "cageGcPos[4][1]", "0"), Catch::Contains("no instance 4"));
+  CHECK_THAT(failure(segmented, "wvRatio", "0"), Catch::Contains("wvRatio[1]"));
+
+  Deck monitored = new_deck("ball");
+  monitored.set("kNumPltElem", "5");
+  monitored.set("kPltElemInd[5]", "14");
+  CHECK(monitored.integer("kPltElemInd", 5) == 14);
+  monitored.set("kNumPltElem", "2");
+  monitored.complete();
+  CHECK(monitored.integer("kPltElemInd", 3) == 0);
+  CHECK(monitored.integer("kPltElemInd", 2) == 5);
+}
+
+TEST_CASE("completing a complete deck changes nothing", "[unit][deck]") {
+  for (const TemplateInfo& info : templates()) {
+    Deck deck = new_deck(info.name);
+    deck.complete();
+    CHECK(deck == new_deck(info.name));
+  }
+}
+
+TEST_CASE("set refuses what it cannot do and says what would be possible", "[unit][deck]") {
+  const Deck deck = new_deck("ball");
+  CHECK_THAT(failure(deck, "pichDia", "0.06"), Catch::Contains("did you mean pitchDia"));
+  CHECK_THAT(failure(deck, "xyzzyplugh", "1"), Catch::Contains("adore schema"));
+  CHECK_THAT(failure(deck, "recID", "'x'"), Catch::Contains("does not say which"));
+  CHECK_THAT(failure(deck, "nRe", "12.0"), Catch::Contains("write 12"));
+  CHECK_THAT(failure(deck, "nRe", "twelve"), Catch::Contains("nRe takes an integer"));
+  CHECK_THAT(failure(deck, "pitchDia", "0,06"), Catch::Contains("is not a number"));
+  CHECK_THAT(failure(deck, "pitchDia", "nan"), Catch::Contains("finite"));
+  CHECK_THAT(failure(deck, "pitchDia[1]", "0.06"), Catch::Contains("single value"));
+  CHECK_THAT(failure(deck, "iCageGuide[3]", "1"), Catch::Contains("2 elements"));
+  CHECK_THAT(failure(deck, "iCageGuide", "1"), Catch::Contains("give 2 values"));
+  CHECK_THAT(failure(deck, "cageGsCls", "1"), Catch::Contains("cageGsCls[1]"));
+  CHECK_THAT(failure(deck, "cageGsCls[3]", "1"), Catch::Contains("no instance 3"));
+  CHECK_THAT(failure(deck, "cageGsCls[0]", "1"), Catch::Contains("counting from 1"));
+  CHECK_THAT(failure(deck, "cageGsCls[1", "1"), Catch::Contains("counting from 1"));
+  CHECK_THAT(failure(deck, "kFD11", "1"),
+             Catch::Contains("record 2.2") && Catch::Contains("kDCR == 1"));
+  CHECK_THAT(failure(deck, "runID", "two\nlines"), Catch::Contains("one line"));
+}
+
+TEST_CASE("values come in deck units and in SI", "[unit][deck]") {
+  const Deck si = new_deck("ball");
+  const Deck english = new_deck("ball-english");
+  CHECK(english.units() == UnitSystem::English);
+  CHECK(english.real("bReDia") == 0.5);
+  CHECK(english.si("bReDia") == 0.0127);
+  CHECK(si.si("freeConAng") == Approx(0.4363323129985824).epsilon(1e-15));
+  CHECK(si.si("rpm2") == Approx(1047.1975511965977).epsilon(1e-15));
+  CHECK_THROWS_AS(si.real("bReCrn"), adore::InternalError);
+  CHECK_THROWS_AS(si.real("nothing"), adore::InternalError);
+  CHECK(si.integer("kFD11") == 0);
+  CHECK(si.text("lubName").empty());
+  // The twin is the same bearing: every real value agrees in SI to the rounding of the conversion.
+  REQUIRE(si.records.size() == english.records.size());
+  for (const RecordSpec& record : schema())
+    for (const VariableSpec& variable : record.variables) {
+      if (variable.type != VarType::Real || !si.has_record(record.id)) continue;
+      CAPTURE(variable.name);
+      const int length = variable.length == "3" ? 3 : 1;
+      for (int instance = 1; si.has_record(record.id, instance); ++instance)
+        for (int i = 1; i <= length; ++i)
+          CHECK(english.si(variable.name, instance, i) ==
+                Approx(si.si(variable.name, instance, i)).epsilon(1e-14).margin(1e-300));
+    }
+}
+
+TEST_CASE("a count in a length field is no length", "[unit][deck]") {
+  Deck deck = new_deck("ball-english");
+  deck.set("kCageGsImp", "1");
+  deck.complete();
+  deck.set("cageGsRadVar2[1]", "2.0");
+  CHECK(deck.si("cageGsRadVar2") == Approx(2.0 * 0.0254));
+  deck.set("kCageGsImp", "2");  // now the value is a number of waves per turn
+  CHECK(deck.si("cageGsRadVar2") == 2.0);
+}
+
+TEST_CASE("example decks are clean, complete and named", "[unit][deck]") {
+  CHECK(templates().size() == 8);
+  for (const TemplateInfo& info : templates()) {
+    INFO(info.name);
+    const Deck deck = new_deck(info.name);
+    CHECK(check_deck(deck).empty());
+    CHECK(deck.user_lines.empty());
+    CHECK_FALSE(info.description.empty());
+    CHECK(template_text(info.name).size() > 500);
+  }
+  CHECK(new_deck("tapered").integer("kBrg") == 4);
+  CHECK(new_deck("ball-18").integer("nRe") == 18);
+  CHECK(new_deck("ball-thrust").integer("nGL") == 0);
+  CHECK_THROWS_WITH(new_deck("needle"),
+                    Catch::Contains("cylindrical") && Catch::Contains("'needle'"));
+}
+
+TEST_CASE("an issue points at its variable", "[unit][deck]") {
+  Deck deck = read_deck_text(template_text("ball"), "DATA.txt").deck;
+  const adore::Issue issue =
+      deck.issue(adore::Severity::Error, "cageGsCls", "is wrong", "mend it", 2);
+  CHECK(issue.text() == "DATA.txt:12: record 7.2.i, cageGsCls[2] = 3.0e-04: is wrong; mend it");
+  CHECK(deck.issue(adore::Severity::Warning, "bReCrn", "is absent").record.empty());
+}
+
+TEST_CASE("numbers are read as Fortran reads them", "[unit][deck]") {
+  const auto real = [](std::string_view text) {
+    double value = -1.0;
+    const NumberProblem problem = parse_real(text, value);
+    INFO(text << ": " << problem.message);
+    CHECK_FALSE(problem);
+    return value;
+  };
+  CHECK(real("1") == 1.0);
+  CHECK(real("+1.") == 1.0);
+  CHECK(real("-.5") == -0.5);
+  CHECK(real("1.5e3") == 1500.0);
+  CHECK(real("1.5D3") == 1500.0);
+  CHECK(real("1.5d-3") == 0.0015);
+  CHECK(real("1.5+3") == 1500.0);
+  CHECK(real("1.2345678-100") == 1.2345678e-100);
+  CHECK(real("1e-999") == 0.0);
+  CHECK(real("0.0e999") == 0.0);
+  CHECK(real("-1e-99999999999999999999") == 0.0);
+  CHECK(real("4.9406564584124654e-324") > 0.0);
+  double value = 0.0;
+  for (const char* bad : {"",
+                          "+",
+                          ".",
+                          "e5",
+                          "1e",
+                          "1e+",
+                          "1.2.3",
+                          "1,5",
+                          "0x10",
+                          "1_000",
+                          "1.5f",
+                          "--1",
+                          "nan",
+                          "inf",
+                          "-Infinity",
+                          "1e999",
+                          "1e99999999999999999999",
+                          "9d400",
+                          "1 2",
+                          "1e5.0"}) {
+    INFO(bad);
+    CHECK(parse_real(bad, value));
+    CHECK_FALSE(parse_real(bad, value).remedy.empty());
+  }
+  long long integer = 0;
+  CHECK_FALSE(parse_integer("-12", integer));
+  CHECK(integer == -12);
+  CHECK_FALSE(parse_integer("+7", integer));
+  CHECK(integer == 7);
+  for (const char* bad :
+       {"", "+", "-", "+-5", "--5", "1.0", "1e3", "0x1", "12a", "99999999999999999999"}) {
+    INFO(bad);
+    CHECK(parse_integer(bad, integer));
+  }
+}
+
+TEST_CASE("reals are written short, exact and with a point", "[unit][deck]") {
+  CHECK(format_real(0.1) == "0.1");
+  CHECK(format_real(1.0) == "1.0");
+  CHECK(format_real(-0.0) == "-0.0");
+  CHECK(format_real(1e-6) == "1.0e-06");
+  CHECK(format_real(1e300) == "1.0e+300");
+  CHECK(format_real(123456.0) == "123456.0");
+  for (const double value :
+       {1.0 / 3.0, 2.2250738585072014e-308, 5e-324, 1.7976931348623157e308, 0.1 + 0.2}) {
+    double back = 0.0;
+    CHECK_FALSE(parse_real(format_real(value), back));
+    CHECK(back == value);
+    CHECK(format_real(value).find('.') != std::string::npos);
+  }
+}

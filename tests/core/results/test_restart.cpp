@@ -1,0 +1,189 @@
+#include "base/errors.hpp"
+#include "base/version.hpp"
+#include "results/averages.hpp"
+#include "results/restart.hpp"
+#include "synthetic.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <functional>
+#include <limits>
+#include <locale>
+
+using namespace adore;
+using namespace adore::results;
+using namespace adore::testing;
+using Catch::Matchers::Contains;
+
+namespace {
+
+FinalState make_state() {
+  FinalState state;
+  state.version = kProgramVersion;
+  state.run_id = "synthetic run 7, with  blanks";
+  state.step = 4711;
+  state.time = 0.1 + 0.2;  // 0.30000000000000004: needs all digits
+  state.step_size = 1.0 / 3.0 * 1e-7;
+  state.shaft_rotation = -12.345678901234567;
+  state.scales = {0.00635, 1234.5, 2.5e-5};
+  state.extras = {{"stored energy at start", 1.0 / 7.0}, {"zero", 0.0}};
+  state.components = {"element.x[1] [m]", "element.x[2] [m]", "cage.q[1] [-]"};
+  state.state = {std::numeric_limits<double>::denorm_min(), -1.0 / 3.0,
+                 std::numeric_limits<double>::max()};
+  return state;
+}
+
+void check_equal(const FinalState& a, const FinalState& b) {
+  CHECK(a.version == b.version);
+  CHECK(a.step == b.step);
+  CHECK(a.time == b.time);
+  CHECK(a.step_size == b.step_size);
+  CHECK(a.shaft_rotation == b.shaft_rotation);
+  CHECK(a.scales.length == b.scales.length);
+  CHECK(a.scales.force == b.scales.force);
+  CHECK(a.scales.time == b.scales.time);
+  CHECK(a.extras == b.extras);
+  CHECK(a.components == b.components);
+  CHECK(a.state == b.state);
+}
+
+std::string message_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace
+
+TEST_CASE("FINAL and MASTER give back every bit", "[unit][restart]") {
+  TemporaryFolder folder;
+  const FinalState state = make_state();
+  write_final(state, folder / "FINAL");
+  check_equal(read_final(folder / "FINAL"), state);
+  CHECK(read_final(folder / "FINAL").run_id == "synthetic run 7, with  blanks");
+  CHECK_THAT(read_bytes(folder / "FINAL"), Contains("Adore 0.1.0 FINAL") && Contains("SI units") &&
+                                               Contains("0.30000000000000004"));
+
+  MasterState master;
+  master.last = state;
+  master.averages = {{"average time", 0.125}, {"branch cage.theta[0]", -6.25}};
+  master.files = {{"PRINT", "PRINT.txt", 123456789012ULL}, {"SOL1", "my file with blanks", 42}};
+  write_master(master, folder / "MASTER");
+  const MasterState back = read_master(folder / "MASTER");
+  check_equal(back.last, state);
+  CHECK(back.averages == master.averages);
+  REQUIRE(back.files.size() == 2);
+  CHECK(back.file("PRINT")->bytes == 123456789012ULL);
+  CHECK(back.file("SOL1")->name == "my file with blanks");
+  CHECK(back.file("SOL2") == nullptr);
+}
+
+TEST_CASE("a damaged or foreign FINAL or MASTER is refused with the line", "[unit][restart]") {
+  TemporaryFolder folder;
+  MasterState master;
+  master.last = make_state();
+  master.averages = {{"average time", 0.125}};
+  master.files = {{"PRINT", "PRINT.txt", 10}};
+  write_master(master, folder / "MASTER");
+  write_final(make_state(), folder / "FINAL");
+  CHECK_THAT(message_of([&] { (void)read_final(folder / "MASTER"); }), Contains("no FINAL file"));
+  CHECK_THAT(message_of([&] { (void)read_master(folder / "FINAL"); }), Contains("no MASTER file"));
+  CHECK_THAT(message_of([&] { (void)read_final(folder / "nothing"); }), Contains("no such file"));
+  CHECK_THAT(message_of([&] { (void)read_final(folder / "."); }), Contains("folder"));
+  for (const std::string name : {"FINAL", "MASTER"}) {
+    const std::string text = read_bytes(folder / name);
+    const auto read = [&] {
+      name == "FINAL" ? (void)read_final(folder / name) : (void)read_master(folder / name);
+    };
+    for (std::size_t size = 0; size + 1 < text.size();
+         ++size) {  // without its last line end the file is whole
+      write_bytes(folder / name, text.substr(0, size));
+      CAPTURE(name, size);
+      REQUIRE_THROWS_AS(read(), InputError);
+    }
+    std::string wrong = text;
+    wrong.replace(wrong.find("\ntime 0.3"), 9, "\ntime x.3");
+    write_bytes(folder / name, wrong);
+    CHECK_THAT(message_of(read),
+               Contains(name + ":7:") && Contains("no number") && Contains("kIcOpt"));
+    wrong = text;
+    wrong.replace(wrong.find("format 1"), 8, "format 9");
+    write_bytes(folder / name, wrong);
+    CHECK_THAT(message_of(read), Contains("format 9"));
+  }
+}
+
+TEST_CASE("a state of another layout is refused by component name", "[unit][restart]") {
+  const FinalState state = make_state();
+  CHECK_NOTHROW(check_layout(state, state.components, "FINAL"));
+  CHECK_THAT(message_of([&] {
+               check_layout(state, {"element.x[1] [m]", "cage.q[1] [-]"}, "FINAL");
+             }),
+             Contains("3 components") && Contains("needs 2") && Contains("'element.x[2] [m]'") &&
+                 Contains("'cage.q[1] [-]'"));
+  auto more = state.components;
+  more.push_back("cage.q[2] [-]");
+  CHECK_THAT(message_of([&] { check_layout(state, more, "FINAL"); }),
+             Contains("nothing more") && Contains("'cage.q[2] [-]'"));
+}
+
+TEST_CASE("the checkpoint of an unwritable folder is told", "[unit][restart]") {
+  CHECK_THAT(message_of([&] { write_final(make_state(), "/no/such/folder/FINAL"); }),
+             Contains("/no/such/folder/FINAL"));
+}
+
+TEST_CASE("averages over a run are those of the motion, whatever the interval",
+          "[unit][averages]") {
+  const bearing::Bearing bearing = make_bearing(4);
+  for (const long every : {1L, 10L, 100L}) {
+    RunAverages averages;
+    for (long step = 0; step <= 2000; step += every) averages.add(make_snapshot(bearing, step));
+    const Averages result = averages.averages();
+    CHECK(result.time == Approx(0.02));
+    CHECK(result.orbital_ratio == Approx(0.4));  // 400 of 1000 rad/s
+    CHECK(result.cage_ratio == Approx(0.43));
+    CHECK(result.whirl_ratio == Approx(0.45));
+    CHECK(result.power_loss == Approx(55.0));
+  }
+  RunAverages first;
+  first.add(make_snapshot(bearing, 0));
+  CHECK(first.averages().orbital_ratio == 0.0);
+  CHECK(first.averages().power_loss == 55.0);
+}
+
+TEST_CASE("averages continue from MASTER", "[unit][averages]") {
+  const bearing::Bearing bearing = make_bearing(4);
+  RunAverages whole, part;
+  std::map<std::string, double> state;
+  for (long step = 0; step <= 3000; step += 100) {
+    whole.add(make_snapshot(bearing, step));
+    if (step <= 1500) part.add(make_snapshot(bearing, step));
+  }
+  part.save(state);
+  RunAverages continued;
+  continued.restore(state);
+  for (long step = 1600; step <= 3000; step += 100) continued.add(make_snapshot(bearing, step));
+  CHECK(continued.averages().whirl_ratio == whole.averages().whirl_ratio);
+  CHECK(continued.averages().orbital_ratio == whole.averages().orbital_ratio);
+  CHECK(continued.averages().power_loss == whole.averages().power_loss);
+  RunAverages fresh;
+  fresh.restore({});
+  fresh.add(make_snapshot(bearing, 100));
+  CHECK(fresh.averages().time == 0.0);
+}
+
+TEST_CASE("the whirl is followed by positions alone between snapshots", "[unit][averages]") {
+  const bearing::Bearing bearing = make_bearing(4);
+  RunAverages averages;
+  for (long step = 0; step <= 20000; step += 100) {
+    const dynamics::Snapshot snapshot = make_snapshot(bearing, step);
+    if (step % 10000 == 0)
+      averages.add(snapshot);  // 45 rad apart: many turns of the whirl
+    else
+      averages.add_cage_position(snapshot.cages[0].position);
+  }
+  CHECK(averages.averages().whirl_ratio == Approx(0.45));
+}

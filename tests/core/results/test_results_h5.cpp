@@ -1,0 +1,266 @@
+#include "base/errors.hpp"
+#include "results/results_h5.hpp"
+#include "results/sol_writer.hpp"
+#include "synthetic.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <csignal>
+#include <functional>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace adore;
+using namespace adore::results;
+using namespace adore::testing;
+using Catch::Matchers::Contains;
+
+namespace {
+
+std::string message_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+void write_steps(H5Writer writer, const bearing::Bearing& bearing, long from, long to) {
+  ChannelRecorder recorder(bearing, UnitSystem::SI);
+  for (long step = from; step <= to; ++step)
+    writer.write(recorder.record(make_snapshot(bearing, step)));
+  writer.flush();
+}
+
+/// Runs `work` in a child process and returns how it ended. The child leaves without running any
+/// clean-up.
+template <class Work>
+int in_child(Work work) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    int code = 99;
+    try {
+      code = work();
+    } catch (...) {
+      code = 98;
+    }
+    ::_exit(code);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return status;
+}
+
+}  // namespace
+
+TEST_CASE("every channel comes back from RESULTS.h5 to the last bit", "[unit][h5]") {
+  for (const bool with_cage : {true, false}) {
+    const bearing::Bearing bearing = make_bearing(5, with_cage);
+    TemporaryFolder folder;
+    write_steps(H5Writer::create(folder / "RESULTS.h5", bearing), bearing, 0, 149);
+    const H5Reader reader(folder / "RESULTS.h5");
+    CHECK(reader.run_id() == "synthetic run 7");
+    CHECK(reader.version() == "Adore 0.1.0");
+    REQUIRE(reader.steps() == 150);
+    CHECK(reader.step_numbers()[149] == 149);
+    CHECK(reader.geometry().at("cage_outer_radius") == (with_cage ? 0.037 : 0.0));
+    CHECK(reader.geometry().at("element_radius") == 0.00635);
+
+    ChannelRecorder recorder(bearing, UnitSystem::SI);
+    std::size_t found = 0;
+    for (long step : {0L, 70L, 149L}) {
+      // The cage's branch does not change in 150 steps, so a fresh recorder gives the same angles.
+      const StepRecord& record = recorder.record(make_snapshot(bearing, step));
+      for (const H5Reader::ChannelInfo& info : reader.channels()) {
+        CAPTURE(info.id, step);
+        const auto values = reader.read(info.id, static_cast<std::size_t>(step), 1);
+        CHECK(values == record[info.id]);
+        CHECK(values.size() == info.size());
+        CHECK_FALSE(info.unit.empty());
+        CHECK_FALSE(info.label.empty());
+        CHECK_FALSE(info.description.empty());
+        ++found;
+      }
+      CHECK(reader.read("time", static_cast<std::size_t>(step), 1).at(0) == record.time);
+    }
+    std::size_t expected = 0;
+    for (const Channel& channel : channels())
+      if (channel_size(channel, shape_of(bearing)) > 0) ++expected;
+    CHECK(found == 3 * expected);
+    CHECK(reader.find("contact.load")->dimensions == std::vector<std::size_t>{5, 2});
+    CHECK(reader.find("contact.angle")->unit == "rad");
+    CHECK(reader.find("element.orientation")->dimensions == std::vector<std::size_t>{5, 4});
+    CHECK((reader.find("cage.position") != nullptr) == with_cage);
+    // Steps 10, 13, 16.
+    const auto strided = reader.read("contact.load", 10, 3, 3);
+    CHECK(strided.size() == 30);
+    CHECK_THAT(message_of([&] { (void)reader.read("contact.load", 140, 4, 4); }), Contains("150"));
+    CHECK_THAT(message_of([&] { (void)reader.read("nothing", 0, 1); }),
+               Contains("no channel 'nothing'"));
+  }
+}
+
+TEST_CASE("a killed writer leaves RESULTS.h5 readable, and it can be continued", "[unit][h5]") {
+  const bearing::Bearing bearing = make_bearing(5);
+  TemporaryFolder folder;
+  const auto path = folder / "RESULTS.h5";
+  const int status = in_child([&]() -> int {
+    H5Writer writer = H5Writer::create(path, bearing, 8);
+    ChannelRecorder recorder(bearing, UnitSystem::SI);
+    for (long step = 0; step < 83; ++step)
+      writer.write(recorder.record(make_snapshot(bearing, step)));
+    ::kill(::getpid(), SIGKILL);
+    return 0;
+  });
+  REQUIRE(WIFSIGNALED(status));
+  REQUIRE(WTERMSIG(status) == SIGKILL);
+  {
+    const H5Reader reader(path);
+    CHECK(reader.steps() == 80);  // ten blocks of eight; three steps had not gone out
+    CHECK(reader.read("time")[79] == 79e-5);
+    CHECK(reader.read("contact.load", 79, 1)[0] == 100.0);
+  }
+  // MASTER stood at step 60.
+  write_steps(H5Writer::continue_after(path, bearing, 60), bearing, 61, 99);
+  const H5Reader reader(path);
+  REQUIRE(reader.steps() == 100);
+  for (long step = 0; step < 100; ++step)
+    CHECK(reader.step_numbers()[static_cast<std::size_t>(step)] == step);
+  write_steps(H5Writer::create(folder / "whole.h5", bearing), bearing, 0, 99);
+  const H5Reader whole(folder / "whole.h5");
+  for (const H5Reader::ChannelInfo& info : whole.channels()) {
+    CAPTURE(info.id);
+    CHECK(whole.read(info.id) == reader.read(info.id));
+  }
+}
+
+TEST_CASE("RESULTS.h5 can be read while it grows", "[unit][h5]") {
+  const bearing::Bearing bearing = make_bearing(3);
+  TemporaryFolder folder;
+  int to_child[2], to_parent[2];
+  REQUIRE(::pipe(to_child) == 0);
+  REQUIRE(::pipe(to_parent) == 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    char byte = 0;
+    try {
+      H5Writer writer = H5Writer::create(folder / "RESULTS.h5", bearing, 1);
+      ChannelRecorder recorder(bearing, UnitSystem::SI);
+      for (long step = 0; step < 10; ++step) {
+        writer.write(recorder.record(make_snapshot(bearing, step)));
+        if (::write(to_parent[1], &byte, 1) != 1 || ::read(to_child[0], &byte, 1) != 1) break;
+      }
+    } catch (...) {
+      ::_exit(1);
+    }
+    ::_exit(0);
+  }
+  for (std::size_t step = 0; step < 10; ++step) {
+    char byte = 0;
+    REQUIRE(::read(to_parent[0], &byte, 1) == 1);
+    CHECK(H5Reader(folder / "RESULTS.h5").steps() == step + 1);
+    REQUIRE(::write(to_child[1], &byte, 1) == 1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  CHECK(status == 0);
+  for (int fd : {to_child[0], to_child[1], to_parent[0], to_parent[1]}) ::close(fd);
+}
+
+TEST_CASE("the same run gives the same bytes, whenever it is flushed", "[unit][h5]") {
+  const bearing::Bearing bearing = make_bearing(5);
+  TemporaryFolder folder;
+  write_steps(H5Writer::create(folder / "a.h5", bearing), bearing, 0, 199);
+  ::sleep(1);  // a time stamp would differ
+  {
+    H5Writer writer = H5Writer::create(folder / "b.h5", bearing);
+    ChannelRecorder recorder(bearing, UnitSystem::SI);
+    for (long step = 0; step <= 199; ++step) {
+      writer.write(recorder.record(make_snapshot(bearing, step)));
+      if (step % 37 == 5) writer.flush();
+    }
+  }
+  CHECK(read_bytes(folder / "a.h5") == read_bytes(folder / "b.h5"));
+}
+
+TEST_CASE("a foreign, damaged or unfitting RESULTS.h5 is refused with a sentence", "[unit][h5]") {
+  const bearing::Bearing bearing = make_bearing(3);
+  TemporaryFolder folder;
+  const auto path = folder / "RESULTS.h5";
+  write_steps(H5Writer::create(path, bearing), bearing, 0, 3);
+  bearing::Bearing other = bearing;
+  other.run_id = "another run";
+  CHECK_THAT(message_of([&] { H5Writer::continue_after(path, other, 2); }),
+             Contains("another run") && Contains("synthetic run 7"));
+  CHECK_THAT(message_of([&] { H5Writer::continue_after(path, make_bearing(4), 2); }),
+             Contains("sizes of this bearing"));
+  CHECK_THAT(message_of([&] { H5Reader reader(folder / "missing.h5"); }), Contains("no such file"));
+  CHECK_THAT(message_of([&] { H5Writer::create(folder / "no/such/RESULTS.h5", bearing); }),
+             Contains("cannot be created"));
+  write_bytes(folder / "text", "not HDF5");
+  CHECK_THAT(message_of([&] { H5Reader reader(folder / "text"); }), Contains("no HDF5 file"));
+  const std::string bytes = read_bytes(path);
+  for (const std::size_t size : {std::size_t{100}, bytes.size() / 2, bytes.size() - 100}) {
+    write_bytes(folder / "cut", std::string_view(bytes).substr(0, size));
+    CAPTURE(size);
+    CHECK_THAT(message_of([&] {
+                 const H5Reader reader(folder / "cut");
+                 for (const auto& info : reader.channels()) (void)reader.read(info.id);
+               }),
+               Contains("damaged") || Contains("cannot be") || Contains("holds no"));
+  }
+  CHECK(H5Reader(path).steps() == 4);
+}
+
+TEST_CASE("a full disk stops the writers with a sentence and keeps what was stored",
+          "[unit][h5][sol]") {
+  const bearing::Bearing bearing = make_bearing(5);
+  TemporaryFolder folder;
+  // A limit on the size of files stands for the full disk.
+  const int status = in_child([&]() -> int {
+    std::signal(SIGXFSZ, SIG_IGN);
+    H5Writer h5 = H5Writer::create(folder / "RESULTS.h5", bearing, 1);
+    SolWriter sol = SolWriter::create(folder / "SOL1", make_sol_header(bearing, 1, UnitSystem::SI),
+                                      UnitSystem::SI);
+    const rlim_t limit = 900000;
+    const struct rlimit most { limit, limit };
+    if (::setrlimit(RLIMIT_FSIZE, &most) != 0) return 1;
+    ChannelRecorder recorder(bearing, UnitSystem::SI);
+    int failures = 0;
+    bool h5_open = true, sol_open = true;
+    for (long step = 0; step < 5000 && failures < 2; ++step) {
+      const StepRecord& record = recorder.record(make_snapshot(bearing, step));
+      if (sol_open) {
+        try {
+          sol.write(record);
+        } catch (const InputError& error) {
+          sol_open = false;
+          if (std::string(error.what()).find("SOL1: the file cannot be written any further") !=
+              std::string::npos)
+            ++failures;
+        }
+      }
+      if (h5_open) {
+        try {
+          h5.write(record);
+        } catch (const InputError& error) {
+          h5_open = false;
+          if (std::string(error.what()).find("RESULTS.h5") != std::string::npos) ++failures;
+        }
+      }
+    }
+    return failures == 2 ? 0 : 2;
+  });
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
+  const SolFile sol = read_sol(folder / "SOL1");
+  CHECK(sol.note.empty());
+  CHECK(sol.steps.size() > 1000);
+  // Where a disk is full the library can still set the file's length, which the limit above forbids.
+  std::filesystem::resize_file(folder / "RESULTS.h5", 1000000);
+  const H5Reader h5(folder / "RESULTS.h5");
+  CHECK(h5.steps() >= 1);
+  CHECK(h5.read("contact.load", h5.steps() - 1, 1)[0] == 100.0);
+}

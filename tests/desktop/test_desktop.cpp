@@ -1,0 +1,302 @@
+#include "base/errors.hpp"
+#include "desktop/avi_writer.hpp"
+#include "desktop/axis_scale.hpp"
+#include "desktop/chart_scene.hpp"
+#include "desktop/command_line.hpp"
+#include "desktop/disclaimer.hpp"
+#include "desktop/image_export.hpp"
+#include "support/qt_app.hpp"
+
+#include <QChart>
+#include <QFile>
+#include <QFontInfo>
+#include <QImageReader>
+#include <QLabel>
+#include <QLineSeries>
+#include <QTemporaryDir>
+#include <QValueAxis>
+#include <QtEndian>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace adore;
+using namespace adore::desktop;
+
+namespace {
+
+ChartPage wave_page(int points, int panels) {
+  ChartPage page;
+  page.title = "Waves";
+  page.x_title = "Bearing rotation";
+  page.x_unit = "rev";
+  for (int i = 0; i < points; ++i) page.x.push_back(3.0 * i / (points - 1));
+  for (int p = 0; p < panels; ++p) {
+    ChartPanel panel{"Force", "N", {}, false};
+    for (const char* name : {"outer", "inner"}) {
+      ChartCurve curve{name, {}, {}};
+      for (const double x : page.x) curve.y.push_back(100 * std::sin(6.28 * x) + 10 * p);
+      panel.curves.push_back(std::move(curve));
+    }
+    page.panels.push_back(std::move(panel));
+  }
+  return page;
+}
+
+quint32 number_at(const QByteArray& bytes, qsizetype at) {
+  return qFromLittleEndian<quint32>(bytes.constData() + at);
+}
+
+}  // namespace
+
+TEST_CASE("axis_scale: ticks are 1, 2 or 5 times a power of ten and hold the data", "[unit]") {
+  for (const double span : {1.0, 3.7, 0.021, 8.8e5, 4e-9}) {
+    const AxisScale axis = value_axis(0.3 * span, 1.3 * span, "", 5);
+    const double mantissa = axis.step / std::pow(10.0, std::floor(std::log10(axis.step) + 1e-9));
+    CHECK((std::abs(mantissa - 1) < 1e-9 || std::abs(mantissa - 2) < 1e-9 ||
+           std::abs(mantissa - 5) < 1e-9));
+    CHECK(axis.min <= axis.shown(0.3 * span));
+    CHECK(axis.max >= axis.shown(1.3 * span));
+    CHECK((axis.max - axis.min) / axis.step <=
+          7.5);  // five parts wanted, rounding outwards adds two at most
+  }
+}
+
+TEST_CASE("axis_scale: units take SI prefixes, or powers of ten where they have none", "[unit]") {
+  CHECK(value_axis(0, 3.2e-6, "m", 5).unit == "µm");
+  CHECK(value_axis(0, 3.2e-6, "m", 5).factor == Approx(1e-6));
+  CHECK(value_axis(0, 12500, "N", 5).unit == "kN");
+  CHECK(value_axis(0, 420, "N", 5).unit == "N");
+  CHECK(value_axis(-3e6, 2e6, "rpm/s", 5).unit == "10⁶ rpm/s");
+  CHECK(value_axis(0, 8000, "rpm", 5).unit == "rpm");
+  CHECK(value_axis(0, 4e-17, "m^3/s", 5).unit == "10⁻¹⁸ m³/s");
+  CHECK(value_axis(0, 0.2, "N.m", 5).unit == "mN·m");
+  CHECK(tight_axis(0, 0.018, "s", 5).unit == "ms");
+}
+
+TEST_CASE("axis_scale: a signal that hardly moves is shown from a base value", "[unit]") {
+  const AxisScale axis = value_axis(0.0325 - 4e-7, 0.0325 + 4e-7, "m", 5);
+  CHECK(axis.unit == "nm");
+  CHECK(axis.offset == Approx(0.0325).epsilon(1e-9));
+  CHECK(axis.offset_text == "from 32.5 mm");
+  CHECK(axis.shown(0.0325 + 4e-7) == Approx(400.0).epsilon(1e-6));
+}
+
+TEST_CASE("axis_scale: constants, zeros and missing values still give a drawable axis", "[unit]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               inf = std::numeric_limits<double>::infinity();
+  for (const auto& [low, high] : {std::pair{0.0, 0.0},
+                                  {5.0, 5.0},
+                                  {-2e-30, -2e-30},
+                                  {nan, nan},
+                                  {inf, -inf},
+                                  {1e300, 1e300}}) {
+    const AxisScale axis = value_axis(low, high, "m", 5);
+    CHECK(std::isfinite(axis.min));
+    CHECK(axis.max > axis.min);
+    CHECK(axis.step > 0.0);
+  }
+}
+
+TEST_CASE("axis_scale: numbers for people carry no negative zero and a true minus sign", "[unit]") {
+  CHECK(tick_text(-0.4, 1) == "−0.4");
+  CHECK(tick_text(-1e-17, 1) == "0.0");
+  CHECK(pretty_number(1416.3, 3) == "1416");
+  CHECK(pretty_number(0.43, 3) == "0.43");
+  CHECK(pretty_number(-2.5e-9, 3) == "−2.5·10⁻⁹");
+  CHECK(pretty_quantity(3.2e-6, "m", 3) == "3.2 µm");
+  CHECK(pretty_quantity(8.3936e-3, "s", 5) == "8.3936 ms");
+}
+
+TEST_CASE("chart_page: lines break at missing values and where an angle starts again", "[unit]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<double> x{0, 1, 2, 3, 4, 5, 6};
+  CHECK(drawable_pieces(x, {0, 1, nan, 3, 4, 5, 6}, 0, 6, 100, false).size() == 2);
+  CHECK(drawable_pieces(x, {340, 350, 359, 5, 15, 25, 35}, 0, 6, 100, true).size() == 2);
+  CHECK(drawable_pieces(x, {340, 350, 359, 5, 15, 25, 35}, 0, 6, 100, false).size() == 1);
+  const auto zoomed = drawable_pieces(x, {0, 1, 2, 3, 4, 5, 6}, 2.5, 3.5, 100, false);
+  REQUIRE(zoomed.size() == 1);
+  CHECK(zoomed.front().x == std::vector<double>{2, 3, 4});  // one neighbour beyond each end
+}
+
+TEST_CASE("chart_page: thinning a long line keeps every peak", "[unit]") {
+  std::vector<double> x, y;
+  for (int i = 0; i < 200000; ++i) {
+    x.push_back(i);
+    y.push_back(std::sin(0.7 * i));
+  }
+  y[123457] = 50.0;
+  y[61001] = -40.0;
+  const auto pieces = drawable_pieces(x, y, 0, 199999, 800, false);
+  REQUIRE(pieces.size() == 1);
+  CHECK(pieces.front().x.size() <= 4 * 801);
+  CHECK(*std::max_element(pieces.front().y.begin(), pieces.front().y.end()) == 50.0);
+  CHECK(*std::min_element(pieces.front().y.begin(), pieces.front().y.end()) == -40.0);
+  CHECK(std::is_sorted(pieces.front().x.begin(), pieces.front().x.end()));
+}
+
+TEST_CASE("chart_scene: panels stand over one abscissa with a series per curve", "[gui]") {
+  test::use_qt();
+  ChartScene scene;
+  scene.setPageSize({1280, 800});
+  scene.setPage(wave_page(5000, 3));
+  REQUIRE(scene.charts().size() == 3);
+  REQUIRE(scene.plotAreas().size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(scene.charts()[i]->series().size() == 2);
+    CHECK(scene.plotAreas()[i].left() == scene.plotAreas()[0].left());
+    CHECK(scene.plotAreas()[i].width() == scene.plotAreas()[0].width());
+    CHECK(scene.sceneRect().contains(scene.plotAreas()[i]));
+    CHECK(scene.charts()[i]->axes(Qt::Vertical).front()->titleText() == "Force [N]");
+  }
+  CHECK(scene.charts()[2]->axes(Qt::Horizontal).front()->titleText() == "Bearing rotation [rev]");
+  CHECK_FALSE(scene.plotAreas()[0].intersects(scene.plotAreas()[1]));
+  // No text or curve reaches beyond the page: nothing is clipped.
+  for (auto* item : scene.items())
+    if (item->parentItem() == nullptr)
+      CHECK(scene.sceneRect().contains(item->sceneBoundingRect().adjusted(1, 1, -1, -1)));
+}
+
+TEST_CASE("chart_scene: zooming follows the abscissa and keeps inside the data", "[gui]") {
+  test::use_qt();
+  ChartScene scene;
+  scene.setPage(wave_page(1000, 1));
+  CHECK(scene.viewHigh() == Approx(3.0));
+  scene.setView(1.0, 2.0);
+  CHECK(scene.viewLow() == 1.0);
+  CHECK(scene.abscissaAt(scene.positionOf(1.25)) == Approx(1.25));
+  auto* axis = qobject_cast<QValueAxis*>(scene.charts()[0]->axes(Qt::Horizontal).front());
+  CHECK(axis->max() == Approx(2.0).epsilon(1e-5));
+  scene.setView(-5.0, 99.0);
+  CHECK(scene.viewLow() == 0.0);
+  CHECK(scene.viewHigh() == Approx(3.0));
+  const QPointF middle(scene.positionOf(0.75), scene.plotAreas()[0].center().y());
+  CHECK(scene.readout(middle).contains("outer −"));
+  CHECK(scene.readout({1, 1}).isEmpty());
+}
+
+TEST_CASE("chart_scene: a page without panels shows its sentence, in both themes", "[gui]") {
+  test::use_qt();
+  ChartPage page;
+  page.note = "The stored steps are not equally spaced.";
+  for (const auto kind : {ThemeKind::Light, ThemeKind::Dark}) {
+    ChartScene scene;
+    scene.setTheme(theme(kind));
+    scene.setPage(page);
+    const QImage image = scene.image({640, 400});
+    CHECK(image.pixelColor(3, 3) == theme(kind).surface);
+    int inked = 0;
+    for (int y = 0; y < 400; ++y)
+      for (int x = 0; x < 640; ++x) inked += image.pixelColor(x, y) != theme(kind).surface;
+    CHECK(inked > 300);
+  }
+}
+
+TEST_CASE("theme: the shipped font is the one in use", "[gui]") {
+  test::use_qt();
+  CHECK(QFontInfo(ui_font(13)).family() == "DejaVu Sans");
+  CHECK(QFile::exists(":/adore/fonts/LICENSE-DejaVu.txt"));
+}
+
+TEST_CASE("image_export: names count on, and skip files that exist", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const QString first = folder.filePath("plot.jpg");
+  CHECK(next_image_name(first) == folder.filePath("plot-2.jpg"));
+  CHECK(next_image_name(folder.filePath("plot-9.png")) == folder.filePath("plot-10.png"));
+  QImage image(20, 10, QImage::Format_RGB32);
+  image.fill(Qt::red);
+  save_image(image, folder.filePath("plot-2.jpg").toStdString());
+  CHECK(next_image_name(first) == folder.filePath("plot-3.jpg"));
+  CHECK(proposed_image_name("test-app", "page.jpg") == "page.jpg");
+  remember_image_name("test-app", first);
+  CHECK(proposed_image_name("test-app", "page.jpg") == folder.filePath("plot-3.jpg"));
+}
+
+TEST_CASE("image_export: PNG and JPEG are written, other wishes are refused with a sentence",
+          "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  QImage image(64, 48, QImage::Format_RGB32);
+  image.fill(QColor(10, 120, 200));
+  for (const char* name : {"a.png", "b.jpg", "c.JPEG"}) {
+    save_image(image, folder.filePath(name).toStdString());
+    const QImage back(folder.filePath(name));
+    REQUIRE(back.size() == image.size());
+    CHECK(std::abs(back.pixelColor(30, 20).green() - 120) <= 3);  // JPEG is lossy by a few levels
+  }
+  CHECK_THROWS_WITH(save_image(image, folder.filePath("d.bmp").toStdString()),
+                    Catch::Contains(".png, .jpg or .jpeg"));
+  CHECK_THROWS_AS(save_image(image, folder.filePath("missing/e.png").toStdString()), InputError);
+}
+
+TEST_CASE("avi_writer: the film is a valid RIFF file whose index finds every picture", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const QString name = folder.filePath("film.avi");
+  constexpr int kFrames = 7;
+  {
+    AviWriter film(name.toStdString(), {320, 200}, 25);
+    for (int i = 0; i < kFrames; ++i) {
+      QImage image(320, 200, QImage::Format_RGB32);
+      image.fill(QColor(30 * i, 90, 200 - 20 * i));
+      film.add(image);
+    }
+    CHECK_FALSE(QFile::exists(name));  // appears when complete
+    film.finish();
+  }
+  QFile file(name);
+  REQUIRE(file.open(QIODevice::ReadOnly));
+  const QByteArray bytes = file.readAll();
+  CHECK(bytes.left(4) == "RIFF");
+  CHECK(number_at(bytes, 4) == bytes.size() - 8);
+  const auto movi = bytes.indexOf("movi"), index = bytes.indexOf("idx1");
+  REQUIRE(movi > 0);
+  REQUIRE(index > movi);
+  CHECK(number_at(bytes, movi - 4) == index - movi);
+  REQUIRE(number_at(bytes, index + 4) == 16 * kFrames);
+  CHECK(number_at(bytes, bytes.indexOf("avih") + 8 + 16) == kFrames);
+  for (int i = 0; i < kFrames; ++i) {
+    const auto entry = index + 8 + 16 * i;
+    const auto chunk = movi + number_at(bytes, entry + 8);
+    CHECK(bytes.mid(chunk, 4) == "00dc");
+    CHECK(number_at(bytes, chunk + 4) == number_at(bytes, entry + 12));
+    const QImage picture =
+        QImage::fromData(bytes.mid(chunk + 8, number_at(bytes, chunk + 4)), "JPEG");
+    REQUIRE(picture.size() == QSize(320, 200));
+    CHECK(std::abs(picture.pixelColor(100, 100).red() - 30 * i) <= 4);
+  }
+}
+
+TEST_CASE("avi_writer: an unfinished or empty film leaves no file", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const QString name = folder.filePath("film.avi");
+  AviWriter film(name.toStdString(), {320, 200}, 25);
+  CHECK_THROWS_AS(film.finish(), InputError);
+  CHECK_FALSE(QFile::exists(name));
+  CHECK_THROWS_AS(AviWriter(folder.filePath("no/film.avi").toStdString(), {320, 200}, 25),
+                  InputError);
+}
+
+TEST_CASE("disclaimer: names warranty and independence, and is remembered", "[gui]") {
+  test::use_qt();
+  DisclaimerDialog dialog("AdrPlot");
+  QString text;
+  for (auto* label : dialog.findChildren<QLabel*>()) text += label->text();
+  CHECK(text.contains("without any warranty"));
+  CHECK(text.contains("independent implementation"));
+  CHECK_FALSE(disclaimer_accepted());
+  remember_disclaimer();
+  CHECK(disclaimer_accepted());
+  CHECK(ask_for_disclaimer("AdrPlot"));  // returns at once
+}
+
+TEST_CASE("command_line: picture sizes are checked", "[unit]") {
+  CHECK(parse_size("800x600").width == 800);
+  CHECK(parse_size("800x600").height == 600);
+  for (const char* wrong :
+       {"", "800", "800x", "x600", "800x600x3", "10x600", "99999x600", "8e2x600"})
+    CHECK_THROWS_AS(parse_size(wrong), InputError);
+}
