@@ -197,6 +197,30 @@ void RunOutputs::Impl::write_restart(const dynamics::System& system) {
   checkpoint = Clock::now();
 }
 
+/// What RUN.json says of the deck before anything has run.
+results::RunSummary RunOutputs::Impl::summary_of_deck() const {
+  results::RunSummary out;
+  out.run_id = prepared.bearing.run_id;
+  out.deck_file = prepared.input.path.filename().string();
+  out.plan = plan_json(prepared.plan);
+  for (const build::OptionInfo& info : build::run_option_list()) {
+    const auto given = prepared.input.option_values.find(info.name);
+    const bool set = given != prepared.input.option_values.end();
+    out.options.emplace_back(info.name, set ? given->second : info.default_value);
+  }
+  for (const Issue& issue : prepared.input.warnings) out.notes.push_back(issue.text());
+  for (const std::string& remark : remarks) out.notes.push_back(remark);
+  for (const std::string& note : prepared.statics.notes) out.notes.push_back(note);
+  out.instruction_set = dynamics::race_contact_instruction_set();
+  return out;
+}
+
+void RunOutputs::Impl::close(results::RunSummary& run) {
+  written.push_back(path("RUN.json"));
+  for (const fs::path& file : written) run.files.push_back(file.filename().string());
+  results::write_run_json(run, path("RUN.json"));
+}
+
 RunOutputs::RunOutputs(const Prepared& prepared, const fs::path& folder)
     : impl_(std::make_unique<Impl>(prepared, folder)) {}
 RunOutputs::~RunOutputs() = default;
