@@ -102,6 +102,7 @@ struct RunOutputs::Impl {
   const Prepared& prepared;
   const build::RunControl& control;
   fs::path folder;
+  dynamics::ScenePlan plan;
   deck::UnitSystem units;
   results::ChannelRecorder recorder;
   results::RunAverages averages;
@@ -121,7 +122,7 @@ struct RunOutputs::Impl {
   Impl(const Prepared& p, fs::path f)
       : prepared(p),
         control(p.control),
-        folder(std::move(f)),
+        folder(std::move(f)), plan(p.plan),
         units(p.input.deck.units()),
         recorder(p.bearing, units) {}
 
@@ -209,7 +210,7 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
   results::RunSummary out;
   out.run_id = prepared.bearing.run_id;
   out.deck_file = prepared.input.path.filename().string();
-  out.plan = plan_json(prepared.plan);
+  out.plan = plan_json(plan);
   for (const build::OptionInfo& info : build::run_option_list()) {
     const auto given = prepared.input.option_values.find(info.name);
     const bool set = given != prepared.input.option_values.end();
@@ -231,7 +232,7 @@ void RunOutputs::Impl::print_front(const std::optional<dynamics::Scales>& scales
 void RunOutputs::Impl::close(results::RunSummary& run) {
   written.push_back(path("RUN.json"));
   for (const fs::path& file : written) run.files.push_back(file.filename().string());
-  print->ledgers(run, prepared.plan);
+  print->ledgers(run, plan);
   results::write_run_json(run, path("RUN.json"));
 }
 
@@ -271,6 +272,7 @@ StartPoint RunOutputs::begin(dynamics::System& system, build::StartState start) 
     if (listing != nullptr) print_bytes = listing->bytes;
   }
   system.set_start(out.time, out.y);
+  s.plan.quadratures = system.layout().size() - system.layout().controlled_size();
   s.open_files(out.continued, out.step, print_bytes);
   if (!out.continued) s.print_front(system.scales());
   for (const dynamics::StateLayout::Group& group : system.layout().groups())
@@ -307,6 +309,8 @@ void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool alw
                     s.control.print_option);
   }
 }
+
+void RunOutputs::write_first_checkpoint(dynamics::System& system) { impl_->write_restart(system); }
 
 void RunOutputs::checkpoint_if_due(dynamics::System& system, const RunPoint& point) {
   Impl& s = *impl_;
