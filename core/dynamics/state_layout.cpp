@@ -2,6 +2,8 @@
 
 #include "base/errors.hpp"
 
+#include <fmt/format.h>
+
 namespace adore::dynamics {
 
 Slice StateLayout::add(std::string name, std::string_view unit, int count, double scale) {
@@ -23,9 +25,8 @@ std::string StateLayout::component_name(int index) const {
   for (const Group& group : groups_) {
     const int k = index - group.slice.first;
     if (k < 0 || k >= group.slice.count) continue;
-    std::string name = group.name;
-    if (group.slice.count > 1) name += '[' + std::to_string(k + 1) + ']';
-    return name + " [" + group.unit + ']';
+    if (group.slice.count == 1) return fmt::format("{} [{}]", group.name, group.unit);
+    return fmt::format("{}[{}] [{}]", group.name, k + 1, group.unit);
   }
   demand(false, "no state component has this index");
   return {};

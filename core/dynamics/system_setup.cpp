@@ -1,6 +1,8 @@
 #include "base/errors.hpp"
 #include "dynamics/system_impl.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -128,7 +130,7 @@ void System::Impl::set_up_state(const ScenePlan& plan) {
   if (plan.has(Effect::ElementOrientation))
     for (const int index : plan.oriented_elements) {
       demand(index >= 0 && index < n, "the plan orients an element that does not exist");
-      const std::string name = "element" + std::to_string(index + 1);
+      const std::string name = fmt::format("element{}", index + 1);
       oriented.push_back({static_cast<std::size_t>(index),
                           add(name + ".quaternion", "-", 4, ScaleKind::Angle),
                           add(name + ".rotation", "rad", 1, ScaleKind::Angle)});
@@ -151,11 +153,13 @@ void System::Impl::set_up_quadratures(const ScenePlan& plan) {
   const std::array<std::string, 2> names{"outer race", "inner race"};
   for (std::size_t j = 0; j < 2; ++j) {
     // Without friction a body of revolution that only spins about its axis exerts no power.
-    if (race || land) integral(integrals.work_race[j], names[j] + ".work", e.race_power[j]);
-    if (race) integral(integrals.heat_race[j], names[j] + ".heat", e.heat_race[j]);
+    if (race || land)
+      integral(integrals.work_race[j], fmt::format("{}.work", names[j]), e.race_power[j]);
+    if (race) integral(integrals.heat_race[j], fmt::format("{}.heat", names[j]), e.heat_race[j]);
     if (race && wear) {
-      integral(integrals.wear_race[j], names[j] + ".load_slip", e.wear_race[j]);
-      integral(integrals.wear_element1[j], names[j] + ".load_slip_element1", e.wear_element1[j]);
+      integral(integrals.wear_race[j], fmt::format("{}.load_slip", names[j]), e.wear_race[j]);
+      integral(integrals.wear_element1[j], fmt::format("{}.load_slip_element1", names[j]),
+               e.wear_element1[j]);
     }
   }
   if (pocket) integral(integrals.heat_pockets, "pockets.heat", e.heat_pockets);

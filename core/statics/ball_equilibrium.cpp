@@ -53,7 +53,7 @@ Residual residual_at(const BallModel& m, const BallSite& site, const Point& at,
 
 /// Newton with backtracking; true when the residual force vanishes to rounding.
 bool newton(const BallModel& m, const BallSite& site, const RacePose<D2>& pose, Point& at) {
-  constexpr int kIterations = 60;
+  constexpr int kIterations = 40;
   // Rounding of a position of the size of the pitch radius, through the stiffness, is what can be
   // asked for.
   const double position_noise =
@@ -79,7 +79,7 @@ bool newton(const BallModel& m, const BallSite& site, const RacePose<D2>& pose, 
       return false;
     }
     if (length <= position_noise) {
-      return now.size() <= 1e-6 * now.scale;
+      return true;
     }
     if (length <=
         1e-7 * now.shallowest) {  // quadratic: what is left after this step is below rounding
@@ -90,7 +90,7 @@ bool newton(const BallModel& m, const BallSite& site, const RacePose<D2>& pose, 
     const double clip = std::min(1.0, longest / length);
     double step = clip;
     bool better = false;
-    for (int halving = 0; halving < 30; ++halving, step *= 0.5) {
+    for (int halving = 0; halving < 16; ++halving, step *= 0.5) {
       const Point trial{at.x + step * dx, at.rho + step * dr};
       const Residual then = residual_at(m, site, trial, pose);
       if (then.size() <= (1.0 - 1e-4 * step) * now.size()) {
@@ -101,7 +101,7 @@ bool newton(const BallModel& m, const BallSite& site, const RacePose<D2>& pose, 
       }
     }
     if (!better) {
-      return now.size() <= 1e-9 * now.scale;  // stagnation at the rounding floor
+      return now.size() <= 1e-9 * now.scale || length <= 100.0 * position_noise;  // rounding floor
     }
   }
   return now.size() <= 1e-9 * now.scale;
@@ -158,7 +158,7 @@ bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& bal
   ball.idle = false;
   if (m.base_centrifugal == 0.0) {
     const LineOfCentres line = line_of_centres(m, ball.site, pose, nominal);
-    if (line.closure <= 0.0) {
+    if (line.closure <= 4e-16 * m.balls.pitch_diameter) {
       ball.x = line.start.x;
       ball.rho = line.start.rho;
       ball.idle = true;

@@ -241,6 +241,14 @@ std::vector<std::string> report_notes(const BallModel& m, const std::vector<Stat
   if (!unloaded.empty()) {
     notes.push_back(fmt::format("{}: no load", ball_list(unloaded)));
   }
+  const auto steep = balls_that(balls, [](const StaticBall& b) {
+    return std::abs(b.alpha[0]) > 0.5 * std::numbers::pi ||
+           std::abs(b.alpha[1]) > 0.5 * std::numbers::pi;
+  });
+  if (!steep.empty()) {
+    notes.push_back(fmt::format(
+        "{}: a contact angle beyond 90 degrees, which no real groove offers", ball_list(steep)));
+  }
   for (std::size_t j = 0; j < 2; ++j) {
     const auto over =
         balls_that(balls, [&](const StaticBall& b) { return b.shoulder_depth[j] < 0.0; });

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace adore::statics {
 namespace {
@@ -43,89 +44,129 @@ std::string load_text(const RaceTask& task) {
   return text.empty() ? "no load" : text;
 }
 
-[[noreturn]] void give_up(const BallModel& m, const RaceTask& task, const RaceSolve& solve,
-                          const RaceState& state, double share) {
-  const std::string loads = load_text(task);
-  if (solve.ran_away) {
-    throw SolverError(
-        fmt::format("bearing equilibrium: no ball holds the inner race under {}; it moved to x = "
-                    "{:.4g} m, y = {:.4g} m, z = {:.4g} m, "
-                    "further than the grooves reach. Prescribe the displacement in that direction, "
-                    "or change load or geometry",
-                    loads, state.q(0), state.q(1), state.q(2)));
-  }
-  if (share > 0.0) {
-    throw SolverError(
-        fmt::format("bearing equilibrium: under {} the balls find an equilibrium with {:.0f} % of "
-                    "their gyroscopic moments and own "
-                    "orbital speeds, but not with all of them (residual {:.2g} of the load). At "
-                    "{:.6g} and {:.6g} rad/s the friction that "
-                    "the assumed spin axis needs is too large for this load: raise the load, lower "
-                    "the speed, or choose another rule "
-                    "for the ball's angular velocity",
-                    loads, 100.0 * share, solve.residual, m.race_speed[0], m.race_speed[1]));
-  }
-  throw SolverError(
-      fmt::format("bearing equilibrium: Newton's iteration stopped under {} with a residual of "
-                  "{:.2g} of the load after {} steps{}; give a "
-                  "first guess of the displacement, or prescribe it in some direction",
-                  loads, solve.residual, solve.iterations,
-                  solve.ball_failed ? ", because a ball lost its equilibrium" : ""));
-}
-
-/// From the conservative problem, whose solution exists and is unique, to the full one: directly,
-/// else in fractions.
-RaceSolve solve_in_stages(BallModel& m, const RaceTask& task, RaceState& state, bool cold) {
-  const bool plain = !m.per_ball_speeds && !m.hertz[0].varying();
-  int iterations = 0;
-  if (cold && !plain) {
-    m.own_speed_share = 0.0;
-    const RaceSolve first = solve_race(m, task, state, 1e-3);
-    if (!first.converged) {
-      give_up(m, task, first, state, 0.0);
-    }
-    iterations += first.iterations;
-  }
-  m.own_speed_share = 1.0;
-  const RaceState start = state;
-  RaceSolve solve = solve_race(m, task, state);
-  iterations += solve.iterations;
-  if (!solve.converged && plain) {
-    give_up(m, task, solve, state, 0.0);
-  }
-  if (!solve.converged) {
-    state = start;
-    double reached = 0.0;
-    double step = 0.25;
-    while (reached < 1.0) {
-      m.own_speed_share = std::min(1.0, reached + step);
-      RaceState trial = state;
-      solve = solve_race(m, task, trial);
-      iterations += solve.iterations;
-      if (solve.converged) {
-        reached = m.own_speed_share;
-        state = std::move(trial);
-        step *= 2.0;
-      } else {
-        step *= 0.5;
-        if (step < 1.0 / 256.0) {
-          give_up(m, task, solve, trial, std::max(reached, 1e-3));
-        }
+double steepest_contact_angle(const BallModel& m, const RaceState& state) {
+  const auto pose = inner_pose<double>(m, to_array(state.q));
+  double steepest = 0.0;
+  for (const BallState& ball : state.balls) {
+    for (const auto& c : ball_forces<double>(m, ball.site, ball.x, ball.rho, pose).contact) {
+      if (!ball.idle && c.load > 0.0) {
+        steepest = std::max(steepest, std::abs(std::atan2(c.alpha.sin, c.alpha.cos)));
       }
     }
   }
-  solve.iterations = iterations;
-  return solve;
+  return steepest;
+}
+
+/// Why the last attempt failed, as precisely as can be told, and what would help.
+[[noreturn]] void give_up(const BallModel& m, const RaceTask& task, const RaceSolve& solve,
+                          const RaceState& state, double share) {
+  const std::string loads = load_text(task);
+  const double steepest = steepest_contact_angle(m, state);
+  std::string angles;
+  if (steepest > 0.5 * std::numbers::pi) {
+    angles = fmt::format(
+        ". Contact angles reach {:.0f} degrees there: these loads push balls past the edge of any "
+        "groove",
+        steepest * 180.0 / std::numbers::pi);
+  }
+  if (solve.ran_away) {
+    throw SolverError(fmt::format(
+        "bearing equilibrium: no ball holds the inner race under {}; it moved to x = {:.4g} m, y = "
+        "{:.4g} m, z = {:.4g} m, further than the grooves reach{}. Prescribe the displacement in "
+        "that direction, or change load or geometry",
+        loads, state.q(0), state.q(1), state.q(2), angles));
+  }
+  const double force = force_scale(m, task, state);
+  const double deflection =
+      std::cbrt(force * force) * std::pow(m.hertz[1].reference().K, -2.0 / 3.0);
+  if (deflection < 1e-11 * m.balls.pitch_diameter) {
+    throw SolverError(
+        fmt::format("bearing equilibrium: {} deflects a contact by {:.2g} m only, too little "
+                    "beside the pitch diameter of {:.4g} m to "
+                    "be computed; set this load to zero",
+                    loads, deflection, m.balls.pitch_diameter));
+  }
+  if (share >= 0.0) {
+    throw SolverError(fmt::format(
+        "bearing equilibrium: under {} the balls find an equilibrium with {:.0f} % of their own "
+        "orbital speeds, "
+        "gyroscopic moments and angle-dependent stiffness, but not with all of them (residual "
+        "{:.2g} of the load) at race "
+        "speeds of {:.6g} and {:.6g} rad/s{}. Raise the load, lower the speed, or choose another "
+        "rule for the ball's "
+        "angular velocity",
+        loads, 100.0 * share, solve.residual, m.race_speed[0], m.race_speed[1], angles));
+  }
+  throw SolverError(
+      fmt::format("bearing equilibrium: Newton's iteration stopped under {} with a residual of "
+                  "{:.2g} of the load after {} steps{}{}; "
+                  "give a first guess of the displacement, or prescribe it in some direction",
+                  loads, solve.residual, solve.iterations,
+                  solve.ball_failed ? ", because a ball lost its equilibrium" : "", angles));
+}
+
+/// Result of solve_in_stages. `reached` is the fraction of the full problem for which an
+/// equilibrium was found, negative when there was none for the conservative one.
+struct Staged {
+  RaceSolve solve;
+  double reached = -1.0;
+};
+
+/// From the conservative problem, whose solution exists and is unique, to the full one: directly,
+/// else in fractions of what differs (ω_m and M_g of each ball, K over the contact angle). `cold`:
+/// the conservative problem comes first.
+Staged solve_in_stages(BallModel& m, const RaceTask& task, RaceState& state, bool cold) {
+  constexpr double kSmallest = 1.0 / 32.0;
+  const bool plain = !m.per_ball_speeds && !m.hertz[0].varying();
+  Staged result;
+  if (cold && !plain) {
+    m.own_speed_share = 0.0;
+    result.solve = solve_race(m, task, state, 1e-3);
+    if (!result.solve.converged) {
+      return result;
+    }
+  }
+  result.reached = plain ? -1.0 : 0.0;
+  double step = 1.0;
+  while (result.reached < 1.0) {
+    m.own_speed_share = plain ? 1.0 : std::min(1.0, result.reached + step);
+    RaceState trial = state;
+    const int before = result.solve.iterations;
+    result.solve = solve_race(m, task, trial);
+    result.solve.iterations += before;
+    if (result.solve.converged) {
+      result.reached = m.own_speed_share;
+      state = std::move(trial);
+      step *= 2.0;
+    } else {
+      step *= step == 1.0 ? 0.25 : 0.5;
+      if (plain || step < kSmallest) {
+        m.own_speed_share = std::max(0.0, result.reached);
+        break;
+      }
+    }
+  }
+  return result;
+}
+
+std::string ball_numbers(const std::vector<std::size_t>& indices) {
+  std::string text;
+  for (std::size_t k : indices) {
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", k + 1);
+  }
+  return text;
 }
 
 /// Race control rule: every ball is controlled by the race with the larger Q a E, the outer one
-/// reduced by cos(α_i - α_o). The choice changes the forces, so it is repeated until it stands; a
-/// ball that wants to go back is left where the second change put it (outer), and named.
-RaceSolve settle_race_control(BallModel& m, const RaceTask& task, RaceState& state, RaceSolve solve,
-                              std::vector<std::string>& notes) {
+/// reduced by cos(α_i - α_o). The choice changes the forces, so it is repeated until it stands. A
+/// ball that wants to go back to the outer race stays there; where inner control has no
+/// equilibrium, outer control is kept. Both are noted.
+void settle_race_control(BallModel& m, const RaceTask& task, RaceState& state, RaceSolve& solve,
+                         std::vector<std::string>& notes) {
   std::vector<int> changes(state.balls.size(), 0);
   for (int pass = 0; pass < 4; ++pass) {
-    bool changed = false;
+    std::vector<std::size_t> changed;
+    const RaceState before = state;
     const auto q = to_array(state.q);
     for (std::size_t k = 0; k < state.balls.size(); ++k) {
       BallState& ball = state.balls[k];
@@ -138,22 +179,37 @@ RaceSolve settle_race_control(BallModel& m, const RaceTask& task, RaceState& sta
       ball.site.law.share =
           wanted == SpinLaw::Axis::OuterControl ? SpinLaw::Share::Outer : SpinLaw::Share::Equal;
       ++changes[k];
-      changed = true;
+      changed.push_back(k);
     }
-    if (!changed) {
+    if (changed.empty()) {
       break;
     }
-    const int before = solve.iterations;
-    solve = solve_in_stages(m, task, state, false);
-    solve.iterations += before;
+    const int iterations = solve.iterations;
+    Staged staged = solve_in_stages(m, task, state, false);
+    if (staged.reached < 1.0) {
+      m.own_speed_share = 1.0;
+      state = before;
+      notes.push_back(
+          fmt::format("race control: the inner race would control the spin of ball(s) {}, but then "
+                      "there is no equilibrium; "
+                      "outer race control is used",
+                      ball_numbers(changed)));
+      return;
+    }
+    solve = staged.solve;
+    solve.iterations += iterations;
   }
-  const auto undecided = std::count(changes.begin(), changes.end(), 2);
-  if (undecided > 0) {
-    notes.push_back(
-        fmt::format("{} of {} balls: either race may control the spin; outer race control is used",
-                    undecided, changes.size()));
+  std::vector<std::size_t> undecided;
+  for (std::size_t k = 0; k < changes.size(); ++k) {
+    if (changes[k] == 2) {
+      undecided.push_back(k);
+    }
   }
-  return solve;
+  if (!undecided.empty()) {
+    notes.push_back(fmt::format(
+        "race control: either race may control the spin of ball(s) {}; outer race control is used",
+        ball_numbers(undecided)));
+  }
 }
 
 void check_rolling(const BallModel& m, const RaceState& state) {
@@ -209,14 +265,17 @@ StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const Statics
   }
 
   StaticSolution solution;
-  RaceSolve solve = solve_in_stages(model, task, state, true);
+  Staged staged = solve_in_stages(model, task, state, true);
+  if (staged.reached < 1.0) {
+    give_up(model, task, staged.solve, state, staged.reached);
+  }
+  RaceSolve& solve = staged.solve;
   const bool race_control = options.control == Control::FromBearing &&
                             bearing.spin_rule == bearing::SpinRule::RaceControl;
   if (race_control && model.per_ball_speeds) {
-    solve = settle_race_control(model, task, state, solve, solution.notes);
+    settle_race_control(model, task, state, solve, solution.notes);
   }
   check_rolling(model, state);
-
   solution.displacement = to_array(state.q);
   solution.load = to_array(state.load);
   solution.stiffness = state.stiffness;

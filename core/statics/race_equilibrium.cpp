@@ -145,6 +145,73 @@ double force_scale(const BallModel& model, const RaceTask& task, const RaceState
   return scale > 0.0 ? scale : std::max(state.largest_contact, model.base_centrifugal);
 }
 
+namespace {
+
+enum class Search : unsigned char { Accepted, NoProgress, BallFailed, RanAway };
+
+/// Line search for a convex potential: the load along the step must fall to between 90 % and -50 %
+/// of its first value. Overshoot brackets the minimum from above, undershoot after an overshoot
+/// from below.
+Search descend(const BallModel& m, const RaceTask& task, const RaceState& state, const Vec5& r,
+               const Vec5& direction, RaceState& trial) {
+  const double first = direction.dot(r);
+  double low = 0.0;
+  double high = 0.0;  // 0: no overshoot yet
+  double t = 1.0;
+  Search outcome = Search::NoProgress;
+  for (int attempt = 0; attempt < 60; ++attempt) {
+    const Vec5 q = moved(m, state.q, direction, t);
+    if (out_of_reach(m, q)) {
+      return Search::RanAway;
+    }
+    trial = state;
+    if (!update_race(m, q, trial)) {
+      outcome = Search::BallFailed;
+      high = t;
+      t = 0.5 * (low + high);
+      continue;
+    }
+    const double slope = direction.dot(scaled_residual(m, task, trial));
+    const bool bracket_closed = high > 0.0 && high - low <= 1e-15 * high;
+    if (slope < -0.5 * first && first > 0.0 && !bracket_closed) {
+      high = t;
+      t = low + (high - low) * std::clamp(first / (first - slope), 0.05, 0.5);
+    } else if (slope > 0.9 * first && high > 0.0 && !bracket_closed) {
+      low = t;
+      t = 0.5 * (low + high);
+    } else {
+      return Search::Accepted;
+    }
+  }
+  return outcome;
+}
+
+/// Line search without a potential: halve the step until the residual is smaller.
+Search reduce(const BallModel& m, const RaceTask& task, const RaceState& state, const Vec5& r,
+              const Vec5& direction, RaceState& trial) {
+  Search outcome = Search::NoProgress;
+  double t = 1.0;
+  for (int attempt = 0; attempt < 14; ++attempt, t *= 0.5) {
+    const Vec5 q = moved(m, state.q, direction, t);
+    if (out_of_reach(m, q)) {
+      outcome = Search::RanAway;
+      continue;
+    }
+    trial = state;
+    if (!update_race(m, q, trial)) {
+      outcome = Search::BallFailed;
+      continue;
+    }
+    if (scaled_residual(m, task, trial).norm() <= (1.0 - 1e-4 * t) * r.norm()) {
+      return Search::Accepted;
+    }
+    outcome = Search::NoProgress;
+  }
+  return outcome;
+}
+
+}  // namespace
+
 RaceSolve solve_race(const BallModel& model, const RaceTask& task, RaceState& state,
                      double target) {
   RaceSolve result;
@@ -168,8 +235,12 @@ RaceSolve solve_race(const BallModel& model, const RaceTask& task, RaceState& st
     result.iterations = n;
     result.residual = r.cwiseAbs().maxCoeff() / floor;
     const double k_ref = reference_stiffness(model, floor);
-    Step step = newton_step(scaled_stiffness(model, task, state, k_ref), r, k_ref, force, longest);
-    const bool small = result.residual <= target;
+    const Mat5 K = scaled_stiffness(model, task, state, k_ref);
+    Step step = newton_step(K, r, k_ref, force, longest);
+    // What the rounding of positions of the size of the bearing does to the forces.
+    const double noise =
+        2e-16 * model.balls.pitch_diameter * K.diagonal().cwiseAbs().maxCoeff() / floor;
+    const bool small = result.residual <= std::max(target, noise);
     const bool stalled =
         result.residual <= 1e-10 && previous_size >= 0.0 && r.norm() >= 0.25 * previous_size;
     if (small || stalled) {
@@ -186,45 +257,15 @@ RaceSolve solve_race(const BallModel& model, const RaceTask& task, RaceState& st
       step.direction *= longest / size;
     }
 
-    const double descent = step.direction.dot(r);
-    double t = 1.0;
-    bool accepted = false;
     RaceState trial;
-    for (int attempt = 0; attempt < 25 && !accepted; ++attempt) {
-      trial = state;
-      const Vec5 q = moved(model, state.q, step.direction, t);
-      if (out_of_reach(model, q)) {
-        result.ran_away = true;
-        return result;
-      }
-      if (!update_race(model, q, trial)) {
-        result.ball_failed = true;
-        t *= 0.5;
-        continue;
-      }
-      const Vec5 then = scaled_residual(model, task, trial);
-      if (then.norm() <= (1.0 - 1e-4 * t) * r.norm()) {
-        accepted = true;
-      } else if (conservative) {
-        // Along a descent direction of a convex potential: accept unless the minimum was overshot
-        // by far.
-        const double slope = step.direction.dot(then);
-        if (descent <= 0.0 || slope >= -0.5 * descent || t * size < 1e-15) {
-          accepted = true;
-        } else {
-          t *= std::clamp(descent / (descent - slope), 0.1, 0.7);
-        }
-      } else {
-        t *= 0.5;
-      }
-    }
-    if (!accepted) {
-      if (result.residual <= 1e-9) {
-        result.converged = true;
-      }
+    const Search search = conservative ? descend(model, task, state, r, step.direction, trial)
+                                       : reduce(model, task, state, r, step.direction, trial);
+    if (search != Search::Accepted) {
+      result.ran_away = search == Search::RanAway;
+      result.ball_failed = search == Search::BallFailed;
+      result.converged = result.residual <= 1e-9;
       return result;
     }
-    result.ball_failed = false;
     state = std::move(trial);
   }
   return result;

@@ -6,7 +6,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QInputDialog>
 #include <QMenu>
@@ -18,6 +17,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <ctime>
 #include <numbers>
 
 using namespace adore;
@@ -216,19 +216,19 @@ TEST_CASE("views: each view has its data curves", "[gui]") {
   CHECK_THROWS_AS(paint_picture(painter, {0, 0, 100, 100}, a, 0, wrong), InputError);
 }
 
-TEST_CASE("views: frames are drawn faster than 25 a second", "[gui]") {
+TEST_CASE("views: a frame is drawn within a twenty-fifth of a second of processor time", "[gui]") {
   test::use_qt();
   MotionPicture picture(prepare(test::synthetic_sol8()));
-  picture.image({1280, 800}, 0, {});
-  QElapsedTimer clock;
-  clock.start();
+  QImage image = picture.image({1280, 800}, 0, {});
   constexpr int kFrames = 20;
+  const std::clock_t start = std::clock();
   for (int i = 0; i < kFrames; ++i)
-    picture.image({1280, 800}, static_cast<std::size_t>(50 * i), {});
-  WARN("one frame takes " << static_cast<double>(clock.elapsed()) / kFrames << " ms");
-  // The time itself is a number for people; only a blunder (curves redrawn per frame) exceeds a
-  // quarter second.
-  CHECK(clock.elapsed() < 250 * kFrames);
+    image = picture.image({1280, 800}, static_cast<std::size_t>(50 * i), {});
+  const double per_frame =
+      1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC / kFrames;
+  INFO("one frame takes " << per_frame << " ms");
+  CHECK_FALSE(image.isNull());
+  CHECK(per_frame < 40.0);  // processor time, so that a busy machine does not fail it
 }
 
 TEST_CASE("agore_window: play, frame and pause move through the frames", "[gui]") {

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "bearing/material.hpp"
 #include "contact/groove.hpp"
+#include "tribology/ellipse_split.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -50,7 +51,7 @@ BallLoad ball_load(const dynamics::RaceContactModel& model, const dynamics::Ball
   load.force = -load.Q * s.n;
   if (!model.traction) return load;
   load.traction = rule ? rule(model.curve, s.ellipse, s.motion)
-                       : tribology::ellipse_traction_converged(model.curve, s.ellipse, s.motion);
+                       : tribology::ellipse_traction_split(model.curve, s.ellipse, s.motion, 16);
   const tribology::EllipseTraction& f = load.traction;
   load.force += f.F_c * s.c + f.F_t * s.t;
   load.moment = f.M_c * s.c + f.M_t * s.t + f.M_n * s.n;

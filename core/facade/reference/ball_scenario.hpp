@@ -12,7 +12,7 @@
 #include <vector>
 
 /// Balls between races that are held or turn at constant speed, without cage and gravity: the
-/// solver's contact geometry and equations of motion with the converged traction integral.
+/// solver's contact geometry and equations of motion with the split traction integral.
 namespace adore::facade::reference {
 
 /// What one race does to one ball, base axes.
