@@ -20,16 +20,16 @@ std::string value_text(const deck::Value& value) {
   return "(left out)";
 }
 
-/// What a code means, or else what the variable is.
+/// The first sentence of the help, without its full stop, and what the chosen code means.
 std::string meaning(const deck::VariableSpec& variable, const std::vector<deck::Value>& values) {
-  std::string text(variable.help);
+  if (variable.name == "recID") return {};
+  std::string text(variable.help.substr(0, variable.help.find(". ")));
+  if (!text.empty() && text.back() == '.') text.pop_back();
   if (values.size() != 1) return text;
   const std::string code = value_text(values.front());
   const auto look_up = [&](std::span<const deck::OptionSpec> options) {
-    const auto found =
-        std::find_if(options.begin(), options.end(),
-                     [&](const deck::OptionSpec& option) { return option.code == code; });
-    if (found != options.end()) text = fmt::format("{}: {}", variable.help, found->meaning);
+    for (const deck::OptionSpec& option : options)
+      if (option.code == code) text += fmt::format(": {}", option.meaning);
   };
   if (!variable.options.empty()) look_up(variable.options);
   if (!variable.option_table.empty()) look_up(deck::option_table(variable.option_table));
@@ -107,7 +107,7 @@ void geometry(Report& report, const bearing::Bearing& bearing) {
   report.table("",
                {{"groove/D", &unit::kPure},
                 {"groove rad", &unit::kLength},
-                {"shoulder dia", &unit::kLength},
+                {"shoulder", &unit::kLength},
                 {"shim", &unit::kLength},
                 {"race width", &unit::kLength},
                 {"roughness", &unit::kLength}},
@@ -273,10 +273,9 @@ void operation(Report& report, const PrintFront& front) {
   report.item("Room temperature", bearing.room_temperature, unit::kTemperature);
   if (bearing.cage) {
     report.heading("Start of the cage");
-    report.item("Whirl speed over orbital speed of the elements", bearing.cage->whirl_ratio,
+    report.item("Whirl speed over angular speed of the cage", bearing.cage->whirl_ratio,
                 unit::kPure);
-    report.item("Angular speed over orbital speed of the elements", bearing.cage->speed_ratio,
-                unit::kPure);
+    report.item("Angular speed over epicyclic speed", bearing.cage->speed_ratio, unit::kPure);
     for (int k = 0; k < 3; ++k)
       report.item(fmt::format("Centre along {}", "xyz"[k]), bearing.cage->start_offset[k],
                   unit::kLength);

@@ -106,7 +106,7 @@ void Report::table(std::string_view name_title, const std::vector<Column>& colum
     put(titles);
     put(unit_line);
   };
-  need(4);
+  need(rows.size() <= 12 ? static_cast<int>(rows.size()) + 2 : 6);  // short tables stay whole
   header();
   for (const Row& row : rows) {
     if (line_ >= kLines) {
@@ -137,7 +137,7 @@ void Report::text_table(const std::vector<std::pair<std::string, std::size_t>>& 
     put(line);
   };
   const auto header = [&] { print([&](std::size_t k) { return columns[k].first; }); };
-  need(4);
+  need(rows.size() <= 12 ? static_cast<int>(rows.size()) + 2 : 6);  // short tables stay whole
   header();
   for (const auto& row : rows) {
     if (line_ >= kLines) {
