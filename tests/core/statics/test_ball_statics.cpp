@@ -58,7 +58,10 @@ TEST_CASE("ball forces have exact derivatives for every option", "[unit][statics
     for (StaticsOptions options : all_options()) {
       if (rule != bearing::SpinRule::RaceControl) options.control = Control::FromBearing;
       const BallModel model = make_ball_model(bearing, options);
-      const BallSite site{std::sin(0.7), std::cos(0.7), first_spin_law(bearing, options)};
+      BallSite site;
+      site.sin = std::sin(0.7);
+      site.cos = std::cos(0.7);
+      site.law = first_spin_law(bearing, options);
       const auto evaluate = [&](const std::array<double, 7>& u) {
         const auto f = ball_forces<double>(
             model, site, u[0], u[1], inner_pose<double>(model, {u[2], u[3], u[4], u[5], u[6]}));
