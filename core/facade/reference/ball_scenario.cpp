@@ -89,7 +89,7 @@ BallLoad load_on_free_ball(const dynamics::RaceContactModel& model, double race_
                wt = omega.dot(e_t);
   const dynamics::BallArrays ball{1, &x, &r, &s, &c, &x_dot, &r_dot, &theta_dot, &wx, &wr, &wt};
   const dynamics::RaceMotion race{Vec3::Zero(), Vec3::UnitX(), race_speed, Vec3::Zero()};
-  return ball_load(model, ball, 0, race, split_rule(20));
+  return ball_load(model, ball, 0, race, split_rule(16));
 }
 
 BallBetweenRaces::BallBetweenRaces(const Json& in, const Vec3& inner_centre, bool traction)

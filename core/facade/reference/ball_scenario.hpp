@@ -99,7 +99,7 @@ class BallBetweenRaces {
   std::array<dynamics::RaceContactModel, 2> models_;
   std::array<dynamics::RaceMotion, 2> races_;
   double mass_, ball_radius_, orbit_radius_;
-  TractionRule rule_ = split_rule(20);
+  TractionRule rule_ = split_rule(16);
 };
 
 }  // namespace adore::facade::reference

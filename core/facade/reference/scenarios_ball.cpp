@@ -118,7 +118,7 @@ Json convention_table(const Json& the_case) {
   std::vector<Convention> conventions;
   for (const char* surface : {"flat_undeformed", "curved_edge", "flat_half", "curved_half",
                               "curved_undeformed", "flat_edge"})
-    conventions.push_back({surface, surface, split_rule(20)});
+    conventions.push_back({surface, surface, split_rule(16)});
   conventions.push_back({"curved_edge_tilted", "curved_edge", tangent_plane()});
   conventions.push_back(
       {"flat_undeformed_minor_axis_ignored", "flat_undeformed", minor_axis_ignored()});
