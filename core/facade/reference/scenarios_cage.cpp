@@ -185,7 +185,7 @@ class RotatingPocket {
     const double w = std::max(vec3(start.at("omega")).norm(), v / radius_),
                  energy = mass_ * play * play * speed_ * speed_;
     problem.scales = {play, play, play, v, v, v, w, w, w, energy, energy, energy};
-    problem.tolerance = race_ ? 1e-10 : 1e-12;
+    problem.tolerance = 1e-12;
     if (race_) problem.stepper = "pece8";  // two evaluations of the contact ellipse per step
     problem.longest_step = 0.2 * std::sqrt(mass_ / stiffness_);
     problem.rates = [this](double t, const double* y, double* d) { rates(t, y, d); };
