@@ -24,7 +24,10 @@ std::vector<fs::path> render_file(const results::SolFile& file, const std::strin
   const int last = options.page == 0 ? static_cast<int>(pages.size()) : options.page;
   for (int number = first; number <= last; ++number) {
     scene.setPageSize(QSizeF(options.width, options.height));
-    scene.setPage(build_page(file, pages, number, options.view));
+    desktop::ChartPage page = build_page(file, pages, number, options.view);
+    if (!file.note.empty() && !page.panels.empty())
+      page.note = "Incomplete file: " + file.note + ". " + page.note;
+    scene.setPage(std::move(page));
     const fs::path path = options.folder / fmt::format("{}-page-{:02}.png", stem, number);
     desktop::save_image(scene.image({options.width, options.height}), path);
     written.push_back(path);
@@ -34,11 +37,7 @@ std::vector<fs::path> render_file(const results::SolFile& file, const std::strin
 
 std::vector<fs::path> render_plots(const std::vector<fs::path>& files,
                                    const RenderOptions& options) {
-  std::error_code failure;
-  fs::create_directories(options.folder, failure);
-  if (failure)
-    throw InputError("cannot make the folder " + options.folder.string() + ": " +
-                     failure.message() + "; choose one that you may write to");
+  desktop::make_folder(options.folder);
   std::vector<fs::path> written;
   for (const auto& path : files) {
     const results::SolFile file = results::read_sol(path, options.range);

@@ -53,7 +53,7 @@ AgoreWindow::~AgoreWindow() = default;
 
 QWidget* AgoreWindow::makeButtons() {
   auto* column = new QWidget(this);
-  column->setFixedWidth(128);
+  column->setFixedWidth(136);
   auto* layout = new QVBoxLayout(column);
   layout->setContentsMargins(12, 16, 12, 16);
   layout->setSpacing(8);
@@ -74,7 +74,7 @@ QWidget* AgoreWindow::makeButtons() {
   button(tr("<Frame"), "frameBack", Qt::Key_Left, [this] { frameBackward(); });
   button(tr("Pause"), "pause", Qt::Key_P, [this] { pause(); });
   layout->addSpacing(10);
-  layout->addWidget(new QLabel(tr("Frames per second"), column));
+  layout->addWidget(new QLabel(tr("Frames/second"), column));
   speed_ = new QComboBox(column);
   speed_->setObjectName("speed");
   speed_->setFocusPolicy(Qt::NoFocus);

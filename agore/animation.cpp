@@ -147,15 +147,18 @@ std::vector<double> rate(const std::vector<double>& angle, const std::vector<dou
   const std::size_t n = std::min(angle.size(), time.size());
   std::vector<double> out(n, kNone);
   if (n < 3) return out;
-  constexpr double kSpan = 0.5;  // [rad]; the file's rounding of 0.005 rad is then 2 % at most
+  constexpr double kSpan = 1.0;  // [rad]; the file's rounding of 0.005 rad is then 1 % at most
   const double per_frame = std::abs(angle[n - 1] - angle[0]) / static_cast<double>(n - 1);
-  const std::size_t widest = std::max<std::size_t>(1, (n - 1) / 10);
+  const std::size_t widest = std::max<std::size_t>(1, (n - 1) / 20);
   const std::size_t wanted =
       per_frame > 0.0 ? static_cast<std::size_t>(std::min(1e6, std::ceil(0.5 * kSpan / per_frame)))
                       : widest;
   const std::size_t reach = std::clamp<std::size_t>(wanted, 1, widest);
   for (std::size_t i = 0; i < n; ++i) {
-    const std::size_t low = i > reach ? i - reach : 0, high = std::min(n - 1, i + reach);
+    // At the ends the window stays as wide and moves inwards: half a window would double the
+    // rounding.
+    const std::size_t low = std::min(i > reach ? i - reach : 0, n - 1 - 2 * reach);
+    const std::size_t high = low + 2 * reach;
     const double span = time[high] - time[low];
     if (span > 0.0) out[i] = (angle[high] - angle[low]) / span;
   }

@@ -10,8 +10,8 @@
 /// differences, and the guiding race. No Qt. Frames: X along the bearing axis, Z up; azimuth is a
 /// rotation about +X from Z (y = -r sin, z = r cos). SOL8 holds three significant digits, so angles
 /// are averaged over a few frames and speeds are differences over a span of frames that turns by
-/// half a radian at least. A body must turn by less than half a turn from one stored frame to the
-/// next.
+/// one radian, a tenth of the file at most. A body must turn by less than half a turn from one
+/// stored frame to the next.
 namespace adore::agore {
 
 /// Oldest program version whose data sets are accepted.

@@ -4,6 +4,7 @@
 #include "desktop/bootstrap.hpp"
 #include "desktop/command_line.hpp"
 #include "desktop/disclaimer.hpp"
+#include "desktop/image_export.hpp"
 
 #include <CLI/CLI.hpp>
 #include <QTimer>
@@ -38,7 +39,7 @@ int render(int& argc, char** argv, Request& request) {
       fmt::print("{}\n", path.string());
     return 0;
   }
-  std::filesystem::create_directories(request.folder);
+  desktop::make_folder(request.folder);
   const int frame = request.frame > 0 ? request.frame : static_cast<int>(picture.frames());
   const auto path =
       request.folder /

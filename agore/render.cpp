@@ -13,18 +13,6 @@ namespace adore::agore {
 
 namespace fs = std::filesystem;
 
-namespace {
-
-void make_folder(const fs::path& folder) {
-  std::error_code failure;
-  fs::create_directories(folder, failure);
-  if (failure)
-    throw InputError("cannot make the folder " + folder.string() + ": " + failure.message() +
-                     "; choose one that you may write to");
-}
-
-}  // namespace
-
 void render_frame(MotionPicture& picture, int frame, const fs::path& path,
                   const RenderOptions& options) {
   if (frame < 1 || frame > static_cast<int>(picture.frames()))
@@ -38,7 +26,7 @@ void render_frame(MotionPicture& picture, int frame, const fs::path& path,
 std::vector<fs::path> render_frames(MotionPicture& picture, int every, const fs::path& folder,
                                     const RenderOptions& options) {
   demand(every >= 1, "the interval of frames must be at least 1");
-  make_folder(folder);
+  desktop::make_folder(folder);
   std::vector<fs::path> written;
   const std::string stem = picture.animation().file.path.filename().string();
   for (int frame = 1; frame <= static_cast<int>(picture.frames()); frame += every) {
@@ -62,7 +50,7 @@ void render_movie(MotionPicture& picture, int every, int frames_per_second, cons
   if (suffix != ".avi")
     throw InputError("a film cannot be written as " + film.string() +
                      "; give a name that ends in .avi, or a folder name for numbered pictures");
-  if (film.has_parent_path()) make_folder(film.parent_path());
+  if (film.has_parent_path()) desktop::make_folder(film.parent_path());
   desktop::AviWriter writer(film, {options.width, options.height}, frames_per_second);
   for (std::size_t frame = 0; frame < picture.frames(); frame += static_cast<std::size_t>(every))
     writer.add(picture.image({options.width, options.height}, frame, options.view));

@@ -5,6 +5,9 @@
 
 #include <QFontDatabase>
 #include <QLocale>
+#include <fmt/core.h>
+
+#include <cstdlib>
 
 // Outside every namespace, as Qt's resource macro asks.
 static void load_resources() { Q_INIT_RESOURCE(desktop); }
@@ -23,6 +26,14 @@ void set_up(const QString& name) {
   apply_theme(desktop_preference());
 }
 
+/// Pictures made without a session need no session folder, so Qt's remark about it only worries
+/// people.
+void quiet_about_session(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+  if (text.startsWith("QStandardPaths: XDG_RUNTIME_DIR")) return;
+  fmt::print(stderr, "{}\n", qFormatLogMessage(type, context, text).toStdString());
+  if (type == QtFatalMsg) std::abort();
+}
+
 bool has_display() {
 #ifdef Q_OS_LINUX
   return qEnvironmentVariableIsSet("QT_QPA_PLATFORM") || !qEnvironmentVariableIsEmpty("DISPLAY") ||
@@ -36,7 +47,10 @@ bool has_display() {
 
 std::unique_ptr<QApplication> make_application(int& argc, char** argv, const std::string& name,
                                                Display display) {
-  if (display == Display::Headless) qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (display == Display::Headless) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+    qInstallMessageHandler(quiet_about_session);
+  }
   if (!has_display())
     throw InputError(name +
                      " has no display to open a window on; start it in a desktop session, or use "

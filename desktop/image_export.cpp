@@ -32,6 +32,14 @@ void save_image(const QImage& image, const std::filesystem::path& path) {
             .toStdString());
 }
 
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure)
+    throw InputError("cannot make the folder " + folder.string() + ": " + failure.message() +
+                     "; choose one that you may write to");
+}
+
 QString next_image_name(const QString& previous) {
   static const QRegularExpression numbered("^(.*?)(?:-(\\d+))?$");
   const QFileInfo info(previous);

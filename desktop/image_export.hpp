@@ -15,6 +15,9 @@ namespace adore::desktop {
 /// @throws InputError when the suffix is none of these or the file cannot be written.
 void save_image(const QImage& image, const std::filesystem::path& path);
 
+/// Makes a folder and its parents. @throws InputError when that fails.
+void make_folder(const std::filesystem::path& folder);
+
 /// "plot.jpg" -> "plot-2.jpg" -> "plot-3.jpg": the name to propose after a picture was saved under
 /// `previous`; goes on counting while the file exists already.
 QString next_image_name(const QString& previous);

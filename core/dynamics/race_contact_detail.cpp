@@ -1,4 +1,5 @@
 #include "dynamics/race_contacts.hpp"
+#include "tribology/traction_curve.hpp"
 
 #include <Eigen/Geometry>
 
@@ -86,6 +87,33 @@ RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const Bal
   snapshot.heat = model.traction ? traction.heat : 0.0;
   snapshot.load_slip = model.traction ? traction.load_slip : 0.0;
   return snapshot;
+}
+
+RuleError measure_rule_error(const RaceContactModel& model, const BallArrays& balls,
+                             const RaceMotion& race) {
+  RuleError error;
+  double heat = 0.0, exact_heat = 0.0;
+  for (std::size_t i = 0; i < balls.n; ++i) {
+    const RaceContactState state = race_contact_state(model, balls, i, race);
+    if (!(state.approach > 0.0)) continue;
+    const auto exact =
+        tribology::ellipse_traction_converged(model.curve, state.ellipse, state.motion);
+    const auto rule =
+        tribology::ellipse_traction(model.curve, state.ellipse, state.motion, model.rule);
+    ++error.contacts;
+    heat += rule.heat;
+    exact_heat += exact.heat;
+    const double full =
+        tribology::traction_coefficient(model.curve, exact.max_slip) * state.ellipse.Q;
+    if (!(full > 0.0)) continue;  // a frictionless law has no error
+    error.force += std::pow(std::hypot(rule.F_c - exact.F_c, rule.F_t - exact.F_t) / full, 2);
+    error.moment += std::pow((rule.M_n - exact.M_n) / (full * state.ellipse.a), 2);
+  }
+  if (error.contacts == 0) return error;
+  error.force = std::sqrt(error.force / error.contacts);
+  error.moment = std::sqrt(error.moment / error.contacts);
+  error.heat = exact_heat > 0.0 ? heat / exact_heat - 1.0 : 0.0;
+  return error;
 }
 
 }  // namespace adore::dynamics

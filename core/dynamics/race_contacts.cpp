@@ -93,8 +93,10 @@ RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const B
   in.u0 = model.curve.u0;
   in.slip_floor = tribology::slip_floor(model.curve);
   const tribology::EllipseRule& rule = model.rule;
-  in.major_nodes = rule.major;
-  in.minor_nodes = rule.minor;
+  in.split = rule.split;
+  in.slip_scale = tribology::slip_scale(model.curve);
+  in.major_nodes = static_cast<int>(rule.s.size());
+  in.minor_nodes = static_cast<int>(rule.v.size());
   in.s = rule.s.data(), in.chord = rule.chord.data(), in.weight_s = rule.weight_s.data();
   in.v = rule.v.data(), in.weight_v = rule.weight_v.data();
   in.weight_v1 = rule.weight_v1.data(), in.weight_v2 = rule.weight_v2.data();

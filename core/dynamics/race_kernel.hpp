@@ -27,8 +27,10 @@ struct RaceKernelInput {
   bool two_slope;
   double A, B, C, D, u0;
   double slip_floor;  ///< ε² of the rounded slip sqrt(u² + ε²) [m²/s²], > 0
-  // Quadrature rule.
-  int major_nodes, minor_nodes;
+  // Quadrature rule (tribology::EllipseRule).
+  bool split;
+  double slip_scale;             ///< of the law, for the break points of a split rule [m/s]
+  int major_nodes, minor_nodes;  ///< split: major nodes of one piece
   const double *s, *chord, *weight_s;
   const double *v, *weight_v, *weight_v1, *weight_v2;
   // Race pose and motion, base frame.

@@ -2,6 +2,7 @@
 
 #include "dynamics/race_kernel.hpp"
 #include "dynamics/simd_math.hpp"
+#include "tribology/ellipse_breaks.hpp"
 
 #include <cstddef>
 
@@ -47,56 +48,105 @@ struct Traction {
   V F_c = 0.0, F_t = 0.0, M_c = 0.0, M_t = 0.0, M_n = 0.0, heat = 0.0, load_slip = 0.0;
 };
 
-/// The product rule; at fixed ξ only the moments Σ (κ/s) v^k, k = 0, 1, 2, are needed over η
-/// because u_t is constant there and u_c = mean - swing v.
-template <class Law>
-Traction integrate(const RaceKernelInput& in, const Ellipse& e) {
-  const Law law(in);
-  const V floor = in.slip_floor;
-  const V rho2 = in.rho * in.rho;
-  V offset = in.ball_radius;  // h = offset, or offset + sqrt(ρ²-ξ²) when curved
-  if (in.height == KernelHeight::ThroughEdge) {
-    offset = root(V(in.ball_radius * in.ball_radius) - e.a * e.a);
-    if (in.rho > 0.0) offset -= root(rho2 - e.a * e.a);
-  } else {
-    if (in.height == KernelHeight::HalfApproach) offset -= 0.5 * e.approach;
-    offset -= in.rho;
+struct Pick {
+  [[gnu::always_inline]] V operator()(const V::mask_type& condition, V a, V b) const {
+    stdx::where(condition, b) = a;
+    return b;
   }
-  Traction sum;
-  for (int i = 0; i < in.major_nodes; ++i) {
-    const V xi = in.s[i] * e.a;
-    V h = offset;
-    if (in.rho > 0.0) h += root(rho2 - xi * xi);
-    const V u_t = e.u_t + e.W_n * xi - e.W_c * h;
-    const V mean = e.u_c + e.W_t * h;
-    const V swing = e.W_n * (in.chord[i] * e.b);
-    const V fixed = u_t * u_t + floor;
+};
+
+/// The integral of one contact per lane. At fixed ξ only the moments Σ (κ/s) v^k, k = 0, 1, 2, are
+/// needed over η because u_t is constant there and u_c = mean - swing v.
+template <class Law>
+class Integral {
+ public:
+  Integral(const RaceKernelInput& in, const Ellipse& ellipse)
+      : in_(in),
+        e_(ellipse),
+        law_(in),
+        floor_(in.slip_floor),
+        rho2_(in.rho * in.rho),
+        offset_(in.ball_radius) {
+    if (in.height == KernelHeight::ThroughEdge) {
+      offset_ = root(V(in.ball_radius * in.ball_radius) - e_.a * e_.a);
+      if (in.rho > 0.0) offset_ -= root(rho2_ - e_.a * e_.a);
+    } else {
+      if (in.height == KernelHeight::HalfApproach) offset_ -= 0.5 * e_.approach;
+      offset_ -= in.rho;
+    }
+  }
+
+  [[gnu::always_inline]] Traction product_rule() {
+    for (int i = 0; i < in_.major_nodes; ++i) {
+      add_row(in_.s[i] * e_.a, in_.chord[i] * e_.b, in_.weight_s[i] * e_.load);
+    }
+    return sum_;
+  }
+
+  [[gnu::always_inline]] Traction split_rule() {
+    const V law2 = in_.slip_scale * in_.slip_scale, sweep = 0.5 * e_.W_n * e_.b;
+    const V sweep2 = sweep * sweep;
+    const V width = stdx::sqrt(stdx::sqrt(law2 * law2 + sweep2 * sweep2));
+    const V at_end = e_.u_t - e_.W_c * height(e_.a), centre = e_.u_t - e_.W_c * height(V(0.0));
+    const V swing = e_.W_n * e_.a;
+    const auto at =
+        tribology::ellipse_breaks(at_end - swing, centre, at_end + swing, width, Pick{});
+    const V ends[tribology::kEllipsePieces + 1] = {V(-1.0), at.s1, at.s2, at.s3, at.s4, V(1.0)};
+    for (int piece = 0; piece < tribology::kEllipsePieces; ++piece) {
+      const V length = ends[piece + 1] - ends[piece];
+      if (stdx::none_of(length > 0.0)) continue;
+      const V load = 0.75 * length * e_.load;
+      for (int i = 0; i < in_.major_nodes; ++i) {
+        const V s = ends[piece] + length * in_.s[i];
+        const V outside = stdx::max(1.0 - s * s, V(0.0));
+        add_row(s * e_.a, root(outside) * e_.b, in_.weight_s[i] * outside * load);
+      }
+    }
+    return sum_;
+  }
+
+ private:
+  /// h(ξ) = offset, or offset + sqrt(ρ² - ξ²) when curved.
+  [[gnu::always_inline]] V height(V xi) const {
+    return in_.rho > 0.0 ? offset_ + root(rho2_ - xi * xi) : offset_;
+  }
+
+  [[gnu::always_inline]] void add_row(V xi, V half_width, V load) {
+    const V h = height(xi);
+    const V u_t = e_.u_t + e_.W_n * xi - e_.W_c * h;
+    const V mean = e_.u_c + e_.W_t * h;
+    const V swing = e_.W_n * half_width;
+    const V fixed = u_t * u_t + floor_;
     V g0 = 0.0, g1 = 0.0, g2 = 0.0, speed = 0.0;
-    for (int j = 0; j < in.minor_nodes; ++j) {
-      const V u_c = mean - swing * in.v[j];
+    for (int j = 0; j < in_.minor_nodes; ++j) {
+      const V u_c = mean - swing * in_.v[j];
       const V square = u_c * u_c + fixed;
       const V inverse = inverse_sqrt(square);
       const V slip = square * inverse;
-      const V g = law(slip, inverse);
-      g0 += g * in.weight_v[j];
-      g1 += g * in.weight_v1[j];
-      g2 += g * in.weight_v2[j];
-      speed += slip * in.weight_v[j];
+      const V g = law_(slip, inverse);
+      g0 += g * in_.weight_v[j];
+      g1 += g * in_.weight_v1[j];
+      g2 += g * in_.weight_v2[j];
+      speed += slip * in_.weight_v[j];
     }
-    const V load = in.weight_s[i] * e.load;
     const V f_t = load * (g0 * u_t);
     const V f_c = load * (mean * g0 - swing * g1);
     const V f_cv = load * (mean * g1 - swing * g2);
-    sum.F_c += f_c;
-    sum.F_t += f_t;
-    sum.M_c -= h * f_t;
-    sum.M_t += h * f_c;
-    sum.M_n += xi * f_t - in.chord[i] * e.b * f_cv;
-    sum.heat += u_t * f_t + mean * f_c - swing * f_cv;
-    sum.load_slip += load * speed;
+    sum_.F_c += f_c;
+    sum_.F_t += f_t;
+    sum_.M_c -= h * f_t;
+    sum_.M_t += h * f_c;
+    sum_.M_n += xi * f_t - half_width * f_cv;
+    sum_.heat += u_t * f_t + mean * f_c - swing * f_cv;
+    sum_.load_slip += load * speed;
   }
-  return sum;
-}
+
+  const RaceKernelInput& in_;
+  const Ellipse& e_;
+  Law law_;
+  V floor_, rho2_, offset_;
+  Traction sum_;
+};
 
 struct Totals {
   V force_x = 0.0, force_y = 0.0, force_z = 0.0, moment_x = 0.0, moment_y = 0.0, moment_z = 0.0;
@@ -171,7 +221,8 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
     ellipse.W_c = n_k * W_e - n_e * W_k;
     ellipse.W_t = -dot(omega, t);
     ellipse.W_n = n_k * W_k + n_e * W_e;
-    const Traction traction = integrate<Law>(in, ellipse);
+    Integral<Law> integral(in, ellipse);
+    const Traction traction = in.split ? integral.split_rule() : integral.product_rule();
     force_k -= traction.F_c * n_e;
     force_e += traction.F_c * n_k;
     force_t = traction.F_t;

@@ -21,7 +21,7 @@ using VBits = stdx::rebind_simd_t<std::int64_t, V>;
 /// residual e = 1 - x y²: 1/sqrt(x) = y (1-e)^(-1/2) = y (1 + e/2 + 3e²/8 + 5e³/16 + 35e⁴/128 +
 /// ...); the first neglected term is below 2^-53. A hardware square root and division cost three to
 /// eight times as much.
-inline V inverse_sqrt(V x) {
+[[gnu::always_inline]] inline V inverse_sqrt(V x) {
 #if defined(__AVX512F__)
   const V y(_mm512_rsqrt14_pd(static_cast<__m512d>(x)));
 #elif defined(__AVX2__)
@@ -38,7 +38,7 @@ inline V inverse_sqrt(V x) {
 
 /// exp(x) to about 1e-15 relative for |x| <= 708, clamped outside. x = k ln2 + r, |r| <= ln2/2,
 /// Taylor polynomial of degree 13 (remainder 4e-18); 2^k by adding k to the exponent bits.
-inline V exponential(V x) {
+[[gnu::always_inline]] inline V exponential(V x) {
   constexpr double kShift = 6755399441055744.0;  // 1.5 * 2^52: adding it rounds to an integer
   x = stdx::min(stdx::max(x, V(-708.0)), V(708.0));
   const V shifted = x * 1.4426950408889634 + kShift;

@@ -2,10 +2,15 @@
 
 #include "base/errors.hpp"
 #include "base/version.hpp"
+#include "dynamics/race_contacts.hpp"
+#include "facade/plan_json.hpp"
 #include "results/averages.hpp"
 #include "results/channels.hpp"
 #include "results/continuation.hpp"
+#include "results/print_file.hpp"
 #include "results/restart.hpp"
+#include "results/results_h5.hpp"
+#include "results/run_json.hpp"
 #include "results/sol_writer.hpp"
 
 #include <fmt/format.h>
@@ -46,6 +51,50 @@ void take_state(const results::FinalState& from, const dynamics::System& system,
   }
 }
 
+using KeyResults = std::vector<std::pair<std::string, double>>;
+
+KeyResults static_results(const statics::StaticSolution& solution) {
+  static constexpr const char* kDirections[] = {"x", "y", "z", "about_y", "about_z"};
+  KeyResults out;
+  for (std::size_t k = 0; k < 5; ++k)
+    out.emplace_back(fmt::format("displacement_{}_{}", kDirections[k], k < 3 ? "m" : "rad"),
+                     solution.displacement[k]);
+  for (std::size_t k = 0; k < 5; ++k)
+    out.emplace_back(fmt::format("load_{}_{}", kDirections[k], k < 3 ? "N" : "Nm"),
+                     solution.load[k]);
+  double pressure = 0.0;
+  for (const statics::StaticBall& ball : solution.balls)
+    for (const double p : ball.p_max) pressure = std::max(pressure, p);
+  out.emplace_back("largest_contact_load_N", solution.max_load);
+  out.emplace_back("largest_pressure_Pa", pressure);
+  for (std::size_t k = 0; k < 5; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    out.emplace_back(
+        fmt::format("stiffness_{}_{}", kDirections[k], k < 3 ? "N_per_m" : "Nm_per_rad"),
+        solution.stiffness(i, i));
+  }
+  return out;
+}
+
+KeyResults dynamic_results(const Snapshot& last, const results::Averages& averages) {
+  double load = 0.0, slip = 0.0;
+  for (const dynamics::ElementSnapshot& element : last.elements)
+    for (const dynamics::RaceContactSnapshot& contact : element.race) {
+      load = std::max(load, contact.load);
+      slip = std::max(slip, contact.max_slip);
+    }
+  return {{"time_s", last.time},
+          {"revolutions", last.shaft_rotation / (2.0 * std::numbers::pi)},
+          {"largest_contact_load_N", load},
+          {"largest_slip_m_per_s", slip},
+          {"power_loss_W", last.power.total_loss},
+          {"mean_power_loss_W", averages.power_loss},
+          {"mean_orbital_ratio", averages.orbital_ratio},
+          {"mean_cage_ratio", averages.cage_ratio},
+          {"mean_whirl_ratio", averages.whirl_ratio},
+          {"energy_residual_J", last.energy.residual()}};
+}
+
 }  // namespace
 
 /// The open files of one run and what they need to go on.
@@ -53,23 +102,27 @@ struct RunOutputs::Impl {
   const Prepared& prepared;
   const build::RunControl& control;
   fs::path folder;
+  dynamics::ScenePlan plan;
   deck::UnitSystem units;
   results::ChannelRecorder recorder;
   results::RunAverages averages;
   std::vector<results::SolWriter> elements;  ///< SOL1..SOL6
   std::optional<results::SolWriter> power;   ///< SOL7
   std::optional<results::Sol8Writer> animation;
-  Snapshot last;  ///< last stored instant
+  std::optional<results::PrintFile> print;
+  std::optional<results::H5Writer> all;  ///< RESULTS.h5
+  Snapshot last;                         ///< last stored instant
   std::vector<double> last_y;
   std::vector<fs::path> written;
   std::vector<std::string> remarks;
+  std::vector<std::pair<std::string, double>> key_results;
   Clock::time_point checkpoint = Clock::now();
   int cage_position = -1;  ///< first component of the cage's mass centre
 
   Impl(const Prepared& p, fs::path f)
       : prepared(p),
         control(p.control),
-        folder(std::move(f)),
+        folder(std::move(f)), plan(p.plan),
         units(p.input.deck.units()),
         recorder(p.bearing, units) {}
 
@@ -78,12 +131,19 @@ struct RunOutputs::Impl {
     return folder / control.sol_files[number - 1];
   }
 
-  void open_files(bool continued, long last_step);
+  void open_files(bool continued, long last_step, std::uintmax_t print_bytes);
+  void print_front(const std::optional<dynamics::Scales>& scales);
   [[nodiscard]] results::FinalState final_state(const dynamics::System& system) const;
   void write_restart(const dynamics::System& system);
+  [[nodiscard]] results::RunSummary summary_of_deck() const;
+  void close(results::RunSummary& run);
 };
 
-void RunOutputs::Impl::open_files(bool continued, long last_step) {
+void RunOutputs::Impl::open_files(bool continued, long last_step, std::uintmax_t print_bytes) {
+  written.push_back(path("PRINT.txt"));
+  print = continued ? results::PrintFile::continue_after(path("PRINT.txt"), prepared.bearing.run_id,
+                                                         units, print_bytes)
+                    : results::PrintFile::create(path("PRINT.txt"), prepared.bearing.run_id, units);
   const auto open = [&](std::size_t number, int index) {
     const results::SolHeader header = results::make_sol_header(prepared.bearing, index, units);
     written.push_back(sol_path(number));
@@ -94,6 +154,12 @@ void RunOutputs::Impl::open_files(bool continued, long last_step) {
   for (std::size_t k = 0; k < control.monitored.size() && k < 6; ++k)
     elements.push_back(open(k + 1, control.monitored[k]));
   power = open(7, 0);
+  if (prepared.options.results_h5) {
+    written.push_back(path("RESULTS.h5"));
+    all = continued
+              ? results::H5Writer::continue_after(path("RESULTS.h5"), prepared.bearing, last_step)
+              : results::H5Writer::create(path("RESULTS.h5"), prepared.bearing);
+  }
   if (!control.animate) return;
   const int cages = prepared.bearing.cage ? 1 : 0;
   if (const auto refusal = results::sol8_refusal(prepared.bearing.balls.count, cages)) {
@@ -121,6 +187,7 @@ results::FinalState RunOutputs::Impl::final_state(const dynamics::System& system
 }
 
 void RunOutputs::Impl::write_restart(const dynamics::System& system) {
+  if (all) all->flush();
   results::MasterState master;
   master.last = final_state(system);
   averages.save(master.averages);
@@ -132,9 +199,41 @@ void RunOutputs::Impl::write_restart(const dynamics::System& system) {
     add(fmt::format("SOL{}", k + 1), elements[k].file());
   add("SOL7", power->file());
   if (animation) add("SOL8", animation->file());
+  if (all) master.files.push_back({"RESULTS", "RESULTS.h5", 0});
   results::write_final(master.last, path(control.final_file));
   results::write_master(master, path(control.master_file));
   checkpoint = Clock::now();
+}
+
+/// What RUN.json says of the deck before anything has run.
+results::RunSummary RunOutputs::Impl::summary_of_deck() const {
+  results::RunSummary out;
+  out.run_id = prepared.bearing.run_id;
+  out.deck_file = prepared.input.path.filename().string();
+  out.plan = plan_json(plan);
+  for (const build::OptionInfo& info : build::run_option_list()) {
+    const auto given = prepared.input.option_values.find(info.name);
+    const bool set = given != prepared.input.option_values.end();
+    out.options.emplace_back(info.name, set ? given->second : info.default_value);
+  }
+  for (const Issue& issue : prepared.input.warnings) out.notes.push_back(issue.text());
+  for (const std::string& remark : remarks) out.notes.push_back(remark);
+  for (const std::string& note : prepared.statics.notes) out.notes.push_back(note);
+  out.instruction_set = dynamics::race_contact_instruction_set();
+  return out;
+}
+
+/// Everything of PRINT.txt that is known before the first step.
+void RunOutputs::Impl::print_front(const std::optional<dynamics::Scales>& scales) {
+  print->front({prepared.input.deck, prepared.bearing, scales, summary_of_deck().options});
+  print->quasi_static(scales ? prepared.start : prepared.statics, prepared.bearing);
+}
+
+void RunOutputs::Impl::close(results::RunSummary& run) {
+  written.push_back(path("RUN.json"));
+  for (const fs::path& file : written) run.files.push_back(file.filename().string());
+  print->ledgers(run, plan);
+  results::write_run_json(run, path("RUN.json"));
 }
 
 RunOutputs::RunOutputs(const Prepared& prepared, const fs::path& folder)
@@ -145,6 +244,7 @@ StartPoint RunOutputs::begin(dynamics::System& system, build::StartState start) 
   Impl& s = *impl_;
   StartPoint out;
   out.y = system.initial_state();
+  std::uintmax_t print_bytes = 0;
   std::error_code error;
   const bool master_exists = fs::exists(s.path(s.control.master_file), error);
   if (start == build::StartState::Continue && !master_exists) {
@@ -168,9 +268,13 @@ StartPoint RunOutputs::begin(dynamics::System& system, build::StartState start) 
     out.continued = true;
     s.averages.restore(master.averages);
     s.recorder.restore(master.averages);
+    const results::MasterFile* listing = master.file("PRINT");
+    if (listing != nullptr) print_bytes = listing->bytes;
   }
   system.set_start(out.time, out.y);
-  s.open_files(out.continued, out.step);
+  s.plan.quadratures = system.layout().size() - system.layout().controlled_size();
+  s.open_files(out.continued, out.step, print_bytes);
+  if (!out.continued) s.print_front(system.scales());
   for (const dynamics::StateLayout::Group& group : system.layout().groups())
     if (group.name == "cage.position") s.cage_position = group.slice.first;
   s.last_y = out.y;
@@ -191,15 +295,22 @@ void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool alw
   s.averages.add(s.last);
   const bool plot = always || due(point.step, s.control.plot_every);
   const bool animate = s.animation && (always || due(point.step, s.control.animate_every));
-  if (plot || animate) {
+  const bool print = always || due(point.step, s.control.print_every);
+  if (plot || animate || print) {
     const results::StepRecord& record = s.recorder.record(s.last);
     if (plot) {
       for (results::SolWriter& file : s.elements) file.write(record);
       s.power->write(record);
     }
     if (animate) s.animation->write(s.last);
+    if (s.all && (plot || animate)) s.all->write(record);
+    if (print)
+      s.print->step(s.last, record, s.prepared.bearing, s.averages.averages(),
+                    s.control.print_option);
   }
 }
+
+void RunOutputs::write_first_checkpoint(dynamics::System& system) { impl_->write_restart(system); }
 
 void RunOutputs::checkpoint_if_due(dynamics::System& system, const RunPoint& point) {
   Impl& s = *impl_;
@@ -218,21 +329,55 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   s.write_restart(system);
   s.written.push_back(s.path(s.control.final_file));
   s.written.push_back(s.path(s.control.master_file));
-  (void)end;
+  results::RunSummary run = s.summary_of_deck();
+  run.status = end.status == RunStatus::Done          ? "done"
+               : end.status == RunStatus::Interrupted ? "interrupted"
+                                                      : "failed";
+  run.message = end.message;
+  run.scales = system.scales();
+  run.integrator = s.control.integrator;
+  run.tolerance = s.control.tolerance;
+  run.steps = s.last.step;
+  run.time = s.last.time;
+  run.revolutions = s.last.shaft_rotation / (2.0 * std::numbers::pi);
+  const integrators::Counters& c = end.counters;
+  run.counters = {{"steps", c.steps},
+                  {"rejected", c.rejected},
+                  {"evaluations", c.evaluations},
+                  {"at_minimum", c.at_minimum},
+                  {"restarts", c.restarts},
+                  {"jacobians", c.jacobians},
+                  {"nonlinear_iterations", c.nonlinear_iterations}};
+  run.energy = s.last.energy;
+  run.max_quaternion_error = s.last.max_quaternion_error;
+  run.quadrature_error = system.quadrature_error(s.last.time, s.last_y);
+  run.cost = system.cost().rows();
+  run.seconds = end.loop_seconds;
+  s.key_results = dynamic_results(s.last, s.averages.averages());
+  run.summary = s.key_results;
+  s.close(run);
 }
 
-void RunOutputs::write_quasi_static() {}
+void RunOutputs::write_quasi_static() {
+  Impl& s = *impl_;
+  s.written.push_back(s.path("PRINT.txt"));
+  s.print = results::PrintFile::create(s.path("PRINT.txt"), s.prepared.bearing.run_id, s.units);
+  s.print_front(std::nullopt);
+  results::RunSummary run = s.summary_of_deck();
+  run.status = "done";
+  s.key_results = static_results(s.prepared.statics);
+  run.summary = s.key_results;
+  s.close(run);
+}
 
 std::vector<fs::path> RunOutputs::files() const { return impl_->written; }
 
-std::vector<std::pair<std::string, double>> RunOutputs::summary() const { return {}; }
+std::vector<std::pair<std::string, double>> RunOutputs::summary() const {
+  return impl_->key_results;
+}
 
 double RunOutputs::energy_residual() const { return impl_->last.energy.residual(); }
 
-double RunOutputs::energy_scale() const {
-  const dynamics::EnergySnapshot& e = impl_->last.energy;
-  const double heat = e.heat_race[0] + e.heat_race[1] + e.heat_pockets + e.heat_lands;
-  return heat > 0.0 ? heat : e.kinetic;
-}
+double RunOutputs::energy_scale() const { return results::energy_scale(impl_->last.energy); }
 
 }  // namespace adore::facade

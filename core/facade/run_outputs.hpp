@@ -1,15 +1,15 @@
 #pragma once
 
+#include "facade/prepare.hpp"
+#include "facade/run.hpp"
+#include "integrators/stepper.hpp"
+
 #include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include "facade/prepare.hpp"
-#include "facade/run.hpp"
-#include "integrators/stepper.hpp"
 
 /// All files of one run: which step goes where, restart, checkpoints, and the closing ledgers.
 namespace adore::facade {
@@ -45,13 +45,17 @@ class RunOutputs {
   /// A quasi-static deck's only output: PRINT.txt and RUN.json.
   void write_quasi_static();
 
-  /// Finds the start state (statics, FINAL, or MASTER's run), opens every file, and writes the front part of PRINT.txt.
-  /// Nothing of an earlier run is touched before everything has been checked.
+  /// Finds the start state (statics, FINAL, or MASTER's run), opens every file, and writes the
+  /// front part of PRINT.txt. Nothing of an earlier run is touched before everything has been
+  /// checked.
   [[nodiscard]] StartPoint begin(dynamics::System& system, build::StartState start);
   /// Does any file store this step? (print, plot and animation intervals)
   [[nodiscard]] bool wants(long step) const;
-  /// Stores a point in the files whose interval it meets; `always` in all of them (first and last step).
+  /// Stores a point in the files whose interval it meets; `always` in all of them (first and last
+  /// step).
   void store(dynamics::System& system, const RunPoint& point, bool always);
+  /// FINAL and MASTER of the start, so that none of an older run is left beside the new files.
+  void write_first_checkpoint(dynamics::System& system);
   /// Writes FINAL and MASTER when the checkpoint interval of computing time has passed.
   void checkpoint_if_due(dynamics::System& system, const RunPoint& point);
   /// FINAL, MASTER, the ledgers of PRINT.txt, and RUN.json.

@@ -54,23 +54,35 @@ struct EllipseTraction {
   double max_slip = 0.0;  ///< largest |u|; it lies on the edge of the ellipse [m/s]
 };
 
-/// Product rule of a run: Gauss points for the Hertz pressure weight, `major` nodes over ξ and
-/// `minor` over η. With s = ξ/a and v = η/(b sqrt(1-s²)) the load element is p dA = Q ¾(1-s²) ds
-/// (2/π)sqrt(1-v²) dv: Gauss-Gegenbauer in s, Gauss-Chebyshev of the second kind in v. Each set of
-/// weights sums to 1.
+/// Quadrature rule of a run for the Hertz pressure. With s = ξ/a and v = η/(b sqrt(1-s²)) the load
+/// element is p dA = Q ¾(1-s²) ds (2/π) sqrt(1-v²) dv. Over v always Gauss-Chebyshev of the second
+/// kind. Over s either
+///  - product: Gauss-Gegenbauer (weight 1-s²), best for smooth integrands; or
+///  - split: Gauss-Legendre in five pieces whose ends, per contact, are where u_t = ±w. There a law
+///  with a steep
+///    start changes from sticking to sliding (Heathcote's bands), which `major` fixed nodes see
+///    only to ~1/major². w⁴ = slip_scale(law)⁴ + (W_n b/2)⁴; u_t is taken as a parabola in s for
+///    this purpose only.
+/// Both are continuous in the motion, sum to the load and keep the power balance of traction
+/// exactly.
 struct EllipseRule {
   int major = 0, minor = 0;
-  std::vector<double> s;  ///< ξ/a of each major node, ascending
-  std::vector<double> weight_s;
-  std::vector<double> v;  ///< η/(b sqrt(1-s²)) of each minor node, ascending
-  std::vector<double> weight_v;
+  bool split = false;
+  std::vector<double>
+      s;  ///< product: ξ/a of each major node, ascending; split: nodes of one piece in 0..1
+  std::vector<double> weight_s;  ///< sums to 1
+  std::vector<double> v;         ///< η/(b sqrt(1-s²)) of each minor node, ascending
+  std::vector<double> weight_v;  ///< sums to 1
   // Derived, so that the hot path need not repeat them.
-  std::vector<double> chord;      ///< sqrt(1-s²)
+  std::vector<double> chord;      ///< sqrt(1-s²), product only
   std::vector<double> weight_v1;  ///< weight_v v
   std::vector<double> weight_v2;  ///< weight_v v²
 };
-/// @throws InputError unless 1 <= major, minor <= 200.
+/// Product rule. @throws InputError unless 1 <= major, minor <= 200.
 [[nodiscard]] EllipseRule make_ellipse_rule(int major, int minor);
+
+/// Split rule with ceil(major/5) nodes in each piece, at least 2. @throws InputError as above.
+[[nodiscard]] EllipseRule make_split_ellipse_rule(int major, int minor);
 
 /// The fixed rule (scalar reference of the vectorised kernel). Laws with κ(0) ≠ 0 are regularised
 /// (kRegularisationSlip); max_slip is taken at the edge points of the major nodes and at the two

@@ -196,4 +196,10 @@ double slip_floor(const TractionCurve& curve) noexcept {
   return epsilon > 0.0 ? epsilon * epsilon : 1e-24;
 }
 
+double slip_scale(const TractionCurve& curve) noexcept {
+  if (regularisation_slip(curve) > 0.0) return 0.0;
+  if (curve.form == TractionCurve::Form::TwoSlope) return curve.u0;
+  return curve.C > 0.0 ? 1.0 / curve.C : 0.0;
+}
+
 }  // namespace adore::tribology

@@ -46,6 +46,10 @@ inline constexpr double kRegularisationSlip = 1e-5;
 /// What is added to u² before the root [m²/s²]: ε², or (1e-12 m/s)² so that u/s is finite at rest.
 [[nodiscard]] double slip_floor(const bearing::TractionCurve& curve) noexcept;
 
+/// Slip over which the law starts [m/s]: u0 of two slopes, 1/C of the exponential; 0 when κ(0) ≠ 0
+/// or C = 0.
+[[nodiscard]] double slip_scale(const bearing::TractionCurve& curve) noexcept;
+
 /// Slip beyond which no rolling bearing goes [m/s]; a two-slope law may turn negative only above
 /// it.
 inline constexpr double kLargestSlip = 100.0;

@@ -21,7 +21,7 @@ void* operator new(std::size_t size, std::align_val_t alignment) {
   if (void* p = std::aligned_alloc(a, (size + a - 1) / a * a)) return p;
   throw std::bad_alloc();
 }
-void operator delete(void* p) noexcept { std::free(p); }
+[[gnu::noinline]] void operator delete(void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 void operator delete(void* p, std::align_val_t) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t, std::align_val_t) noexcept { std::free(p); }
@@ -30,6 +30,9 @@ long adore::test::allocation_count() { return allocations.load(); }
 
 TEST_CASE("the allocation counter counts", "[unit][alloc]") {
   const long before = adore::test::allocation_count();
-  ::operator delete(::operator new(8));  // calls, not expressions: may not be optimised away
-  CHECK(adore::test::allocation_count() == before + 1);
+  // Calls, not expressions: they may not be optimised away.
+  void* memory = ::operator new(8);
+  const long after = adore::test::allocation_count();
+  ::operator delete(memory);
+  CHECK(after == before + 1);
 }

@@ -28,9 +28,12 @@ constexpr InstructionSet kSets[] = {InstructionSet::Baseline, InstructionSet::Av
                                     InstructionSet::Avx512};
 const char* const kTwoSlopeCase = "dyn3_40_30k_twoslope_curved";
 const char* const kExponentialCase = "dyn3_40_30k_exp_curved";
+const char* const kFlatCase = "dyn3_40_60k_exp_flat";
 
-ThrustScene scene_of(const char* id, std::size_t n, double spread = 1.0) {
-  return test::thrust_scene(id, n, tribology::make_ellipse_rule(12, 4), spread);
+ThrustScene scene_of(const char* id, std::size_t n, double spread = 1.0, bool split = false) {
+  const auto rule =
+      split ? tribology::make_split_ellipse_rule(20, 4) : tribology::make_ellipse_rule(12, 4);
+  return test::thrust_scene(id, n, rule, spread);
 }
 
 /// A race pushed off its place and tilted, turning and moving.
@@ -69,7 +72,7 @@ Vec3 to_base(double x, double r, double t, double s, double c) {
 
 TEST_CASE("race contacts: every instruction set agrees with vector algebra and the scalar rule",
           "[unit]") {
-  for (const char* id : {kTwoSlopeCase, kExponentialCase}) {
+  for (const char* id : {kTwoSlopeCase, kExponentialCase, kFlatCase}) {
     for (InstructionSet set : kSets) {
       if (!dynamics::instruction_set_available(set)) {
         WARN(dynamics::instruction_set_name(set) << " is not available here and was not compared");
@@ -77,7 +80,8 @@ TEST_CASE("race contacts: every instruction set agrees with vector algebra and t
       }
       for (std::size_t n :
            {std::size_t{1}, std::size_t{3}, std::size_t{8}, std::size_t{18}, std::size_t{41}}) {
-        const ThrustScene scene = scene_of(id, n);
+        const bool split = n % 2 == 1;
+        const ThrustScene scene = scene_of(id, n, 1.0, split);
         for (std::size_t j = 0; j < 2; ++j) {
           const RaceMotion race = tilted(scene.race[j]);
           Outputs out(n);
@@ -126,7 +130,7 @@ TEST_CASE("race contacts: every instruction set agrees with vector algebra and t
 TEST_CASE("race contacts: the instruction sets agree with each other to 1e-12 of the load",
           "[unit]") {
   for (const char* id : {kTwoSlopeCase, kExponentialCase}) {
-    const ThrustScene scene = scene_of(id, 19);
+    const ThrustScene scene = scene_of(id, 19, 1.0, id == kTwoSlopeCase);
     for (std::size_t j = 0; j < 2; ++j) {
       Outputs base(19);
       dynamics::evaluate_race_contacts(InstructionSet::Baseline, scene.model[j], scene.arrays(),
@@ -150,7 +154,7 @@ TEST_CASE("race contacts: the instruction sets agree with each other to 1e-12 of
 
 TEST_CASE("race contacts: traction takes exactly as much power as it heats", "[physics][energy]") {
   for (const char* id : {kTwoSlopeCase, kExponentialCase}) {
-    const ThrustScene scene = scene_of(id, 18);
+    const ThrustScene scene = scene_of(id, 18, 1.0, id == kTwoSlopeCase);
     for (InstructionSet set : kSets) {
       if (!dynamics::instruction_set_available(set)) continue;
       for (std::size_t j = 0; j < 2; ++j) {
@@ -437,6 +441,30 @@ TEST_CASE("race_contact_detail reproduces the steady states of the thrust cases"
       expect("moment_normal", traction.M_n, full * state.ellipse.a);
       expect("slip_centre_rolling", state.motion.u_t - state.motion.W_c * state.ellipse.h0, 1.0);
       expect("slip_centre_transverse", state.motion.u_c + state.motion.W_t * state.ellipse.h0, 1.0);
+    }
+  }
+}
+
+TEST_CASE(
+    "measure_rule_error: the split rule of a run errs by less than half a percent of full traction",
+    "[physics][convergence]") {
+  for (const char* id : {"dyn3_40_10k_twoslope_curved", kTwoSlopeCase, kExponentialCase}) {
+    const auto error = [&](const tribology::EllipseRule& rule, std::size_t j) {
+      const ThrustScene scene = test::thrust_scene(id, 6, rule, 1.0);
+      return dynamics::measure_rule_error(scene.model[j], scene.arrays(), scene.race[j]);
+    };
+    for (std::size_t j = 0; j < 2; ++j) {
+      const auto run = error(tribology::make_split_ellipse_rule(15, 4), j);
+      INFO(id << " race " << j << ": force " << run.force << ", moment " << run.moment << ", heat "
+              << run.heat);
+      CHECK(run.contacts == 6);
+      CHECK(run.force < 5e-3);
+      CHECK(run.moment < 2e-3);
+      CHECK(std::abs(run.heat) < 3e-3);
+      CHECK(run.force > 0.0);
+      const auto fine = error(tribology::make_split_ellipse_rule(60, 24), j);
+      CHECK(fine.force < 5e-4);
+      CHECK(fine.force < 0.5 * run.force);
     }
   }
 }

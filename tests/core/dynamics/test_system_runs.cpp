@@ -1,6 +1,5 @@
-#include "core/dynamics/system_fixture.hpp"
-
 #include "core/dynamics/allocation_counter.hpp"
+#include "core/dynamics/system_fixture.hpp"
 
 #include <catch2/catch.hpp>
 

@@ -1,9 +1,11 @@
 #include "base/errors.hpp"
+#include "tribology/ellipse_breaks.hpp"
 #include "tribology/ellipse_traction.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -103,6 +105,80 @@ TEST_CASE("the fixed rule converges at second order or better across kinks and r
   CHECK(error(12, 4) < 3e-2);
   CHECK(error(48, 16) < 2e-3);
   CHECK(error(192, 64) < 1e-4);
+}
+
+TEST_CASE("the split rule carries the whole load and integrates smooth integrands",
+          "[unit][analytic]") {
+  // A constant coefficient and uniform slip: F = κ Q whatever the pieces are.
+  const TractionCurve constant = traction_curve(2, {0.05, 0.05, 0.0, 0.0});
+  for (const int major : {1, 10, 15, 20, 200}) {
+    const EllipseRule rule = make_split_ellipse_rule(major, 4);
+    CHECK(rule.major % kEllipsePieces == 0);
+    CHECK(rule.major >= std::max(major, 10));
+    const EllipseTraction one = ellipse_traction(constant, kFlat, {0.0, 3.0, 0.0, 0.0, 0.0}, rule);
+    CHECK(one.F_t == Approx(0.05 * kFlat.Q).epsilon(1e-10));  // regularised: (1e-5/3)² / 2
+    CHECK(one.load_slip == Approx(3.0 * kFlat.Q).epsilon(1e-10));
+  }
+  const TractionCurve linear = traction_curve(0, {0.0, 0.05, 0.0, 1000.0});
+  const double closed = 0.05 * kSpin.W_n * kFlat.Q * (kFlat.a * kFlat.a + kFlat.b * kFlat.b) / 5.0;
+  CHECK(relative(ellipse_traction(linear, kFlat, kSpin, make_split_ellipse_rule(15, 4)).M_n,
+                 closed) < 1e-13);
+  CHECK_THROWS_AS(make_split_ellipse_rule(201, 4), adore::InputError);
+}
+
+TEST_CASE("the split rule is exact for sliding bands without spin", "[physics][convergence]") {
+  // Traction is piecewise a parabola of ξ there; its three kinks lie on the break points. What is
+  // left is the curvature of the surface beyond a parabola, (a/ρ)² / 4 of a slip of ~0.1 m/s.
+  const EllipseKinematics bands{0.0, -18.94569230769231, -3000.0, 0.0, 0.0};
+  const EllipseTraction exact = ellipse_traction_converged(kTwoSlope, kCurved, bands);
+  const auto error = [&](const EllipseRule& rule) {
+    return std::abs(ellipse_traction(kTwoSlope, kCurved, bands, rule).F_t - exact.F_t) /
+           (0.05 * kCurved.Q);
+  };
+  CHECK(error(make_split_ellipse_rule(20, 1)) < 2e-5);
+  CHECK(error(make_ellipse_rule(20, 1)) > 2.0 * error(make_split_ellipse_rule(20, 1)));
+}
+
+TEST_CASE("the split rule errs several times less than the product rule across reversals",
+          "[physics][convergence]") {
+  double product = 0.0, split = 0.0;
+  int count = 0;
+  for (double spin = 100.0; spin < 3000.0; spin += 237.0) {
+    for (double offset = -0.3; offset < 0.3; offset += 0.055) {
+      const EllipseKinematics motion{0.03, -18.988 + offset, -3000.0, 12.0, spin};
+      const EllipseTraction exact = ellipse_traction_converged(kTwoSlope, kCurved, motion);
+      const auto error = [&](const EllipseRule& rule) {
+        const EllipseTraction one = ellipse_traction(kTwoSlope, kCurved, motion, rule);
+        return std::pow(std::hypot(one.F_c - exact.F_c, one.F_t - exact.F_t) / (0.05 * kCurved.Q),
+                        2);
+      };
+      product += error(make_ellipse_rule(20, 4));
+      split += error(make_split_ellipse_rule(20, 4));
+      ++count;
+    }
+  }
+  CHECK(std::sqrt(split / count) < 3e-3);
+  CHECK(std::sqrt(product / count) > 2.0 * std::sqrt(split / count));
+}
+
+TEST_CASE("the split rule is continuous while break points appear, meet the edge and vanish",
+          "[physics]") {
+  for (const double spin : {0.0, 300.0, 2000.0}) {
+    double before = 0.0, largest_step = 0.0, total = 0.0;
+    constexpr int kSteps = 4000;
+    for (int i = 0; i <= kSteps; ++i) {
+      const EllipseKinematics motion{0.03, -19.6 + 1.2 * i / kSteps, -3000.0, 12.0, spin};
+      const double force =
+          ellipse_traction(kTwoSlope, kCurved, motion, make_split_ellipse_rule(20, 4)).F_t;
+      if (i > 0) largest_step = std::max(largest_step, std::abs(force - before));
+      if (i > 0) total += std::abs(force - before);
+      before = force;
+    }
+    // κ Q = 20 N is crossed once each way over slips of 0.2 m/s: the slope is at most B Q = 200 N
+    // s/m.
+    CHECK(largest_step < 1.5 * 200.0 * 1.2 / kSteps);
+    CHECK(total > 10.0);  // and the sweep does reverse the traction
+  }
 }
 
 TEST_CASE("converged traction keeps the power balance: heat = u0·F + W·M", "[physics][energy]") {

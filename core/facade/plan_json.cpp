@@ -1,0 +1,26 @@
+#include "facade/plan_json.hpp"
+
+namespace adore::facade {
+
+nlohmann::ordered_json plan_json(const dynamics::ScenePlan& plan) {
+  nlohmann::ordered_json out;
+  out["bodies"] = nlohmann::ordered_json::array();
+  for (const dynamics::BodyEntry& body : plan.bodies)
+    out["bodies"].push_back(
+        {{"name", body.name}, {"degrees", body.degrees}, {"unknowns", body.unknowns}});
+  out["effects"] = nlohmann::ordered_json::array();
+  for (const dynamics::EffectEntry& effect : plan.effects)
+    out["effects"].push_back(
+        {{"name", effect.name}, {"on", effect.on}, {"because", effect.because}});
+  out["unknowns"] = plan.unknowns;
+  out["quadratures"] = plan.quadratures;
+  if (plan.fastest_frequency > 0.0)
+    out["estimates"] = {{"fastest_frequency_Hz", plan.fastest_frequency},
+                        {"fastest_contact", plan.fastest_contact},
+                        {"expected_step_s", plan.expected_step},
+                        {"steps_per_revolution", plan.steps_per_revolution},
+                        {"computing_s_per_revolution", plan.seconds_per_revolution}};
+  return out;
+}
+
+}  // namespace adore::facade

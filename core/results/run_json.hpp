@@ -1,0 +1,63 @@
+#pragma once
+
+#include "dynamics/cost_ledger.hpp"
+#include "dynamics/snapshot.hpp"
+#include "dynamics/system.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// RUN.json: what was run and what it cost, so that a run from last year still explains itself.
+/// Everything is reproduced byte by byte by the same deck, machine and build, but what stands under
+/// "measured".
+namespace adore::results {
+
+/// Counters of the stepper, by name: "steps", "rejected", "evaluations" ...
+using Counters = std::vector<std::pair<std::string, long>>;
+
+struct RunSummary {
+  std::string run_id, deck_file;  ///< deck's file name without folders
+  std::string status;             ///< "done", "interrupted", "failed"
+  std::string message;            ///< diagnosis, empty when done
+  nlohmann::ordered_json plan;    ///< the scene plan
+  std::optional<dynamics::Scales> scales;
+  std::string integrator;
+  double tolerance = 0.0;
+  std::vector<std::pair<std::string, std::string>>
+      options;                                      ///< named options with the values in force
+  std::vector<std::pair<std::string, long>> seeds;  ///< of random numbers, by use
+  std::vector<std::string> defaults_used;           ///< "variable = value" of the deck
+  std::vector<std::string> notes;                   ///< warnings and remarks
+  long steps = 0;
+  double time = 0.0, revolutions = 0.0;
+  Counters counters;
+  std::optional<dynamics::EnergySnapshot> energy;        ///< at the end
+  std::vector<std::pair<std::string, double>> momentum;  ///< residuals, by name with unit
+  std::optional<double> max_quaternion_error;
+  std::optional<double> quadrature_error;               ///< System::quadrature_error at the end
+  std::vector<std::pair<std::string, double>> summary;  ///< key results by name and unit
+  std::vector<std::string> files;                       ///< names without folders
+  // Measured.
+  std::vector<dynamics::CostLedger::Row> cost;
+  double seconds = 0.0;         ///< of the whole run
+  std::string instruction_set;  ///< chosen at run time
+};
+
+[[nodiscard]] nlohmann::ordered_json run_json(const RunSummary& run);
+/// Replaces the file atomically. @throws InputError
+void write_run_json(const RunSummary& run, const std::filesystem::path& path);
+
+/// Name, value [J] of each item of the conservation ledger, residual last. Shared with PRINT.txt.
+[[nodiscard]] std::vector<std::pair<std::string, double>> energy_items(
+    const dynamics::EnergySnapshot& energy);
+
+/// Size of the energies that moved, to judge the residual by: heat and work, or else the stored
+/// energy [J].
+[[nodiscard]] double energy_scale(const dynamics::EnergySnapshot& energy);
+
+}  // namespace adore::results
