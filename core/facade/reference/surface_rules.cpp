@@ -31,7 +31,7 @@ SurfaceTraction strip_traction(const bearing::TractionCurve& curve,
   const tribology::EllipseKinematics& m = contact.motion;
   SurfaceTraction sum;
   tribology::EllipseTraction& t = sum.in_plane;
-  over_rows(100, [&](double s, double weight) {
+  over_rows(200, [&](double s, double weight) {
     const double xi = g.a * s, h = surface_height(g, xi);
     const double u_c = m.u_c + m.W_t * h, u_t = m.u_t + m.W_n * xi - m.W_c * h,
                  u = std::hypot(u_c, u_t);
@@ -57,7 +57,7 @@ SurfaceTraction tilted_traction(const bearing::TractionCurve& curve,
   const double kink = curve.form == bearing::TractionCurve::Form::TwoSlope ? curve.u0 : 0.0;
   SurfaceTraction sum;
   tribology::EllipseTraction& t = sum.in_plane;
-  over_rows(16, [&](double s, double weight) {
+  over_rows(32, [&](double s, double weight) {
     const double xi = g.a * s, h = surface_height(g, xi), half_width = g.b * std::sqrt(1 - s * s);
     const double sine = g.rho > 0.0 ? xi / g.rho : 0.0, cosine = std::sqrt(1 - sine * sine);
     const double u_t = m.u_t + m.W_n * xi - m.W_c * h;
