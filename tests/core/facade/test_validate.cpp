@@ -264,9 +264,11 @@ TEST_CASE("Cage reference cases", "[validation]") {
 }
 
 TEST_CASE("Motion reference cases", "[validation]") {
-  expect_kinds("motion_frames", {"angles", "angle_rates", "cylindrical", "azimuth_spin",
-                                 "rigid_body", "rigid_body_trajectory"});
-  expect_kinds("motion_excitations", {"cage_start"});
+  expect_covered("motion_frames");
+  expect_covered("motion_excitations");
+  expect_kinds("motion_constraints",  // all but rollers
+               {"mode1_ball", "mode1_idle", "mode1_orbit", "mode2_ball_bearing",
+                "qfac_switch_energy", "qfac_sequence", "kdof"});
 }
 
 TEST_CASE("Closed-form dynamics, impact and plates", "[validation]") {
