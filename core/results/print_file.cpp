@@ -24,8 +24,7 @@ PrintFile PrintFile::create(const std::filesystem::path& path, std::string run_i
   return {GrowingFile::create(path), std::move(run_id), units};
 }
 
-PrintFile PrintFile::continue_after(const std::filesystem::path& path, std::string run_id,
-                                    UnitSystem units, std::uintmax_t bytes) {
+void PrintFile::check(const std::filesystem::path& path, const std::string& run_id) {
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
     throw InputError(
@@ -36,9 +35,13 @@ PrintFile PrintFile::continue_after(const std::filesystem::path& path, std::stri
   LineReader lines(stream);
   // The heading of the first page: version in 20 columns, run code in the next 40
   // (Report::new_page), after a form feed.
-  const std::string found =
-      lines.next(line) ? std::string(fortran::columns(line, 22, 61)) : std::string();
-  check_run_id(path, found, run_id);
+  check_run_id(path, lines.next(line) ? std::string(fortran::columns(line, 22, 61)) : std::string(),
+               run_id);
+}
+
+PrintFile PrintFile::continue_after(const std::filesystem::path& path, std::string run_id,
+                                    UnitSystem units, std::uintmax_t bytes) {
+  check(path, run_id);
   return {GrowingFile::append_after(path, bytes), std::move(run_id), units};
 }
 

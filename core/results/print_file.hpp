@@ -48,6 +48,9 @@ class PrintFile {
   static PrintFile continue_after(const std::filesystem::path& path, std::string run_id,
                                   UnitSystem units, std::uintmax_t bytes);
 
+  /// The check of continue_after() alone; nothing is touched. @throws InputError
+  static void check(const std::filesystem::path& path, const std::string& run_id);
+
   /// Input echo, geometry, materials, inertia, traction, initial conditions, scales, output
   /// control.
   void front(const PrintFront& front);
