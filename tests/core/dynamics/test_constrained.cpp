@@ -100,15 +100,20 @@ TEST_CASE("An unloaded ball tends to the idle place as its orbit slows down",
   }
 }
 
-TEST_CASE("A force that nothing takes is reported, not answered", "[unit][constrained]") {
+TEST_CASE("A ball without orbit that is pressed inwards rests on the inner race",
+          "[physics][constrained]") {
   std::array<RacePose, 2> races = kRaces;
-  races[1].centre = {1.68e-4, 0.0, -6e-5};
-  // Strong axial pull with the orbit at rest: the ball leaves both grooves.
-  CHECK_FALSE(kBall.solve(races, 0.3, {}, Vec2(0.0, -1e-3), Vec2(1e-4, 0.0345)).solved);
+  races[1].centre = {1e-5, 0.0, -6e-5};
+  const BallBalance b = kBall.solve(races, 0.3, {}, Vec2(0.0, -5.0), kGuess);
+  REQUIRE(b.solved);
+  CHECK(b.contact[0].load == 0.0);
+  CHECK(b.x == Approx(1e-5).margin(1e-12));  // groove bottom of the untilted inner race
+  // n points at the race axis, e_r at the base axis: cosine differs from 1 by (6e-5/0.035)²/2.
+  CHECK(b.contact[1].load == Approx(5.0).epsilon(1e-5));
 }
 
 TEST_CASE("Implicit rates are the time derivatives of the balance", "[physics][constrained]") {
-  const double theta = 0.7, speed = 420.0, h = 1e-8;
+  const double theta = 0.7, speed = 420.0;
   const Orbit orbit{Orbit::Kept::Momentum, kMass * 0.035 * 0.035 * speed};
   const BallBalance b = kBall.solve(kRaces, theta, orbit, Vec2::Zero(), kGuess);
   const double orbit_rate = b.r * b.force_theta;
@@ -117,13 +122,15 @@ TEST_CASE("Implicit rates are the time derivatives of the balance", "[physics][c
     return kBall.solve(kRaces, theta + b.speed * t, {orbit.kept, orbit.value + orbit_rate * t},
                        Vec2::Zero(), b.place());
   };
-  const BallBalance before = at(-1000 * h), after = at(1000 * h);
-  CHECK(((after.place() - before.place()) / (2000 * h) - rates).norm() < 1e-4 * rates.norm());
-  // Energy identity: nothing outside acts, so L²/(2mr²) + V stays although ẋ and ṙ are dropped. Its
-  // parts change by V_θ θ̇ dt = 1e-6 J, the sum by second order only.
-  const double change = after.potential - before.potential;
-  const double exchanged = std::abs(b.force_theta * b.r * b.speed) * 2000 * h;
-  CHECK(std::abs(change) < 1e-5 * exchanged);
+  // Nothing outside acts, so L²/(2mr²) + V stays although ẋ and ṙ are dropped: what the parts
+  // exchange in 2t, F_θ r θ̇ 2t, cancels up to the third order, a quarter of it at half the time.
+  const auto relative_gain = [&](double t) {
+    return (at(t).potential - at(-t).potential) / (b.force_theta * b.r * b.speed * 2.0 * t);
+  };
+  const BallBalance before = at(-1e-5), after = at(1e-5);
+  CHECK(((after.place() - before.place()) / 2e-5 - rates).norm() < 1e-4 * rates.norm());
+  CHECK(std::abs(relative_gain(1e-5)) < 1e-4);
+  CHECK(relative_gain(1e-4) / relative_gain(5e-5) == Approx(4.0).epsilon(0.05));
 }
 
 TEST_CASE("Mode 2 keeps a direction without stiffness where it was", "[physics][constrained]") {
@@ -133,7 +140,7 @@ TEST_CASE("Mode 2 keeps a direction without stiffness where it was", "[physics][
   races[0] = {};
   races[1].centre = {0.0, 0.0, 0.0};  // ample clearance: no inner contact at all
   auto loose = groove();
-  loose.centre_radius[1] += 2e-4;
+  loose.centre_radius[1] -= 2e-4;
   const Mode2Solution open =
       solve_mode2(ConstrainedBall(loose, {9.6e9, 9.1e9}, kMass), races, theta, orbit, Vec3::Zero());
   CHECK(open.free_directions.size() == 3);
