@@ -43,6 +43,7 @@ QRectF MotionPicture::timeBar(const QRectF& area) {
 
 void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t frame,
                           const ViewOptions& options) {
+  check_view(animation_, options);
   const desktop::Theme& t = theme_of(options);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

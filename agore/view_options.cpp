@@ -2,6 +2,8 @@
 
 #include "base/errors.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -48,6 +50,15 @@ std::string why_not(View view, const Animation& animation) {
   if (!animation.has_cage && (view == View::Cage || view == View::Pocket))
     return "This bearing has no cage, so there is neither a cage nor a pocket to show.";
   return {};
+}
+
+void check_view(const Animation& animation, const ViewOptions& options) {
+  const std::string reason = why_not(options.view, animation);
+  if (!reason.empty()) throw InputError(reason);
+  if (options.element < 1 || options.element > animation.file.elements)
+    throw InputError(
+        fmt::format("there is no rolling element or pocket {}; this bearing has 1 to {}",
+                    options.element, animation.file.elements));
 }
 
 double used_exaggeration(const Animation& animation, const ViewOptions& options) {

@@ -26,6 +26,9 @@ std::string view_title(View view);
 /// Why a view cannot be shown for this file ("the bearing has no cage"), or empty.
 std::string why_not(View view, const Animation& animation);
 
+/// @throws InputError when the file cannot show this view or has no such element.
+void check_view(const Animation& animation, const ViewOptions& options);
+
 /// The exaggeration in use: what the user chose, or the largest of 1, 2, 5, 10 ... that keeps
 /// pockets apart and shows the guide clearance as about 3 % of the pitch radius.
 double used_exaggeration(const Animation& animation, const ViewOptions& options);

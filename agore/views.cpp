@@ -15,6 +15,8 @@ namespace adore::agore {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+/// Speeds by differences of three-digit angles are good to about 1 %; finer detail is not shown.
+constexpr double kRatioSpan = 0.05;
 
 struct KeyEntry {
   QColor colour;
@@ -371,12 +373,7 @@ const desktop::Theme& theme_of(const ViewOptions& options) {
 
 void paint_picture(QPainter& painter, const QRectF& area, const Animation& animation,
                    std::size_t index, const ViewOptions& options) {
-  const std::string reason = why_not(options.view, animation);
-  if (!reason.empty()) throw InputError(reason);
-  if (options.element < 1 || options.element > animation.file.elements)
-    throw InputError(
-        fmt::format("there is no rolling element or pocket {}; this bearing has 1 to {}",
-                    options.element, animation.file.elements));
+  check_view(animation, options);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   const Sketch sketch(painter, area, picture_radius(animation, options, area.size()),
@@ -430,8 +427,10 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
     }
     case View::Cage:
       page.title = "Cage speeds over shaft speed";
-      page.panels.push_back({"Whirl", "", {{"", cage_whirl_ratio(animation), {}}}, false});
-      page.panels.push_back({"Rotation", "", {{"", cage_speed_ratio(animation), {}}}, false});
+      page.panels.push_back(
+          {"Whirl", "", {{"", cage_whirl_ratio(animation), {}}}, false, kRatioSpan});
+      page.panels.push_back(
+          {"Rotation", "", {{"", cage_speed_ratio(animation), {}}}, false, kRatioSpan});
       break;
     case View::Pocket:
       page.title = fmt::format("Force in pocket {}", options.element);
@@ -443,8 +442,10 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       break;
     case View::Element:
       page.title = fmt::format("Speeds of element {} over shaft speed", options.element);
-      page.panels.push_back({"Orbit", "", {{"", element_orbit_ratio(animation, k), {}}}, false});
-      page.panels.push_back({"Rotation", "", {{"", element_spin_ratio(animation, k), {}}}, false});
+      page.panels.push_back(
+          {"Orbit", "", {{"", element_orbit_ratio(animation, k), {}}}, false, kRatioSpan});
+      page.panels.push_back(
+          {"Rotation", "", {{"", element_spin_ratio(animation, k), {}}}, false, kRatioSpan});
       break;
     case View::OuterRace:
     case View::InnerRace: {

@@ -69,8 +69,7 @@ void animate(const AnimateOptions& options) {
     agore::render_movie(picture, options.every, options.frames_per_second, film, render);
     print_files({film});
   } else if (options.frame > 0) {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
+    desktop::make_folder(folder);
     const std::filesystem::path file =
         folder / fmt::format("{}-{}-frame-{:05}.png",
                              std::filesystem::path(options.file).filename().string(), options.view,

@@ -18,6 +18,8 @@ struct ChartPanel {
   std::string unit;   ///< unit string of the result files, "" for a pure number
   std::vector<ChartCurve> curves;
   bool wraps = false;  ///< an angle in degrees: jumps by more than half a turn are not joined
+  double least_span =
+      0.0;  ///< smallest range of the vertical axis, where finer detail is the data's rounding
 };
 
 struct ChartMark {

@@ -188,6 +188,10 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   for (const auto& curve : panel.curves)
     for (std::size_t i = 0; i < std::min(curve.y.size(), page_.x.size()); ++i)
       if (page_.x[i] >= low_ && page_.x[i] <= high_) extent.include(curve.y[i]);
+  if (!extent.empty() && extent.high - extent.low < panel.least_span) {
+    const double middle = 0.5 * (extent.low + extent.high);
+    extent = {middle - 0.5 * panel.least_span, middle + 0.5 * panel.least_span};
+  }
   const int parts = std::clamp(static_cast<int>(area.height() / 38), 2, 8);
   const AxisScale y_axis = value_axis(extent.low, extent.high, panel.unit, parts);
   AxisScale x_axis = x_axis_;

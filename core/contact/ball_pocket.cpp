@@ -94,12 +94,31 @@ std::array<double, 2> wall_curvatures(const BallPocket& pocket, const Vec3& q) {
     case PocketShape::Conical: {
       const double r2 = r_b + 0.5 * pocket.clearance_2;
       const double cos_alpha = std::cos(std::atan2(r2 - rho, pocket.z_high - pocket.z_low));
-      return {-cos_alpha / (0.5 * (rho + r2)), 0.0};
+      const Vec3 w = conical(pocket, q).w;
+      return {-cos_alpha / std::hypot(w[0], w[1]), 0.0};
     }
     case PocketShape::Rectangular:
       break;
   }
   return {0.0, 0.0};
+}
+
+std::array<double, 2> wall_curvatures(const BallPocket& pocket) {
+  const double r_b = 0.5 * pocket.ball_diameter;
+  const double r1 = r_b + 0.5 * pocket.clearance_1, r2 = r_b + 0.5 * pocket.clearance_2;
+  switch (pocket.shape) {
+    case PocketShape::Spherical:
+      return {-1.0 / r1, -1.0 / r1};
+    case PocketShape::Conical:
+      return {-std::cos(std::atan2(r2 - r1, pocket.z_high - pocket.z_low)) / (0.5 * (r1 + r2)),
+              0.0};
+    case PocketShape::Rectangular:
+      return {0.0, 0.0};
+    case PocketShape::Cylindrical:
+    case PocketShape::Elongated:
+      break;
+  }
+  return {-1.0 / r1, 0.0};
 }
 
 WallPoint nearest_wall_half(const CylindricalPocket& pocket, const Vec3& q, double ball_radius,

@@ -92,9 +92,11 @@ struct WallPoints {
 [[nodiscard]] WallPoints nearest_walls(const BallPocket& pocket, const Vec3& q,
                                        double rotation_sign) noexcept;
 
-/// Wall curvatures [around, along] at mid wall [1/m], concave negative; elongated: of the arc,
-/// unless q lies between the arc centres (flat: 0, 0).
+/// Wall curvatures [around, along] [1/m], concave negative, of the part nearest to q. Elongated:
+/// flat between the arc centres.
 [[nodiscard]] std::array<double, 2> wall_curvatures(const BallPocket& pocket, const Vec3& q);
+/// The same at mid wall, of the arc: what a contact law is set up with.
+[[nodiscard]] std::array<double, 2> wall_curvatures(const BallPocket& pocket);
 
 /// Cylindrical pocket cut by the plane through the cage axis that segments the cage: the half keeps
 /// the wall with half_side * y >= y_cut (half_side -1: leading half, +1: trailing half). Where the

@@ -51,8 +51,10 @@ class Deck {
   [[nodiscard]] UnitSystem units() const;
 
   /// Sets one variable from text as `--set` does: "pitchDia", "cageGsCls[2]" (instance of a
-  /// repeated record, else array element). Records that a changed option makes necessary are NOT
-  /// invented: call complete() or check() after.
+  /// repeated record, else array element), "cageGcPos[2][3]" (both), "iCageGuide" with "1,2" (a
+  /// whole array). A missing record that the options ask for is added when one of its variables is
+  /// set. Others that a changed option makes necessary are NOT invented: call complete() or check()
+  /// after. When it throws, the deck is unchanged.
   /// @throws InputError naming close matches for an unknown variable, or the type that is expected.
   void set(std::string_view name, std::string_view value);
   /// Adds required records that are missing (default values; 0 / "" where there is none) and drops

@@ -88,21 +88,27 @@ std::vector<RecordData>::iterator place_of(std::vector<RecordData>& records, con
   });
 }
 
-Value parse_value(const VariableSpec& variable, std::string_view name, std::string_view text) {
-  if (variable.type == VarType::String) {
-    std::string_view inner = text;
-    const bool quoted =
-        inner.size() >= 2 && (inner[0] == '\'' || inner[0] == '"') && inner.back() == inner[0];
-    if (!quoted) return std::string(text);
-    const char quote = inner[0];
-    inner = inner.substr(1, inner.size() - 2);
-    std::string plain;
-    for (std::size_t i = 0; i < inner.size(); ++i) {
-      plain += inner[i];
-      if (inner[i] == quote && i + 1 < inner.size() && inner[i + 1] == quote) ++i;
-    }
-    return plain;
+/// A text, with or without quotes around it.
+Value parse_text(std::string_view name, std::string_view text) {
+  if (std::any_of(text.begin(), text.end(), [](char c) {
+        return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f;
+      }))
+    fail(name, {}, "holds a line break or another control character", "keep the text on one line");
+  const bool quoted = text.size() >= 2 && (text.front() == '\'' || text.front() == '"') &&
+                      text.back() == text.front();
+  if (!quoted) return std::string(text);
+  const char quote = text.front();
+  text = text.substr(1, text.size() - 2);
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    plain += text[i];
+    if (text[i] == quote && i + 1 < text.size() && text[i + 1] == quote) ++i;
   }
+  return plain;
+}
+
+Value parse_value(const VariableSpec& variable, std::string_view name, std::string_view text) {
+  if (variable.type == VarType::String) return parse_text(name, text);
   text = trimmed(text);
   long long integer = 0;
   double real = 0.0;
@@ -146,69 +152,76 @@ const VariableRef* find_or_add(Deck& deck, std::span<const VariableRef> refs, in
   return nullptr;
 }
 
-}  // namespace
-
-void Deck::set(std::string_view name, std::string_view value) {
-  const Target target = parse_target(name);
-  const std::span<const VariableRef> refs = find_variable(target.name);
-  if (refs.empty()) fail_unknown(target.name, value);
-
-  // Which record, and is the first index its instance or an array element?
+/// One element, or a whole array, of one instance of a record.
+struct Place {
   const VariableRef* ref = nullptr;
   int instance = 1;
-  std::optional<int> element;
+  std::optional<std::size_t> element;  ///< from 0; empty for a whole array
+};
+
+/// Finds what `target` means in this deck; `name` and `value` are for messages only.
+Place locate(Deck& deck, const Target& target, std::string_view name, std::string_view value) {
+  const std::span<const VariableRef> refs = find_variable(target.name);
+  if (refs.empty()) fail_unknown(target.name, value);
+  Place place;
   const bool repeated = std::any_of(refs.begin(), refs.end(), [&](const VariableRef& candidate) {
     return !candidate.record->repeat.empty() &&
-           evaluate(candidate.record->condition, scope_of(*this));
+           evaluate(candidate.record->condition, scope_of(deck));
   });
-  if (repeated && !target.indices.empty()) instance = target.indices[0];
-  ref = find_or_add(*this, refs, instance);
-  if (ref == nullptr && instance > 1) {
-    if (find_or_add(*this, refs, 1) != nullptr)
-      fail(name, value, fmt::format("there is no instance {} of it in this deck", instance),
-           "give a smaller number, or raise the count");
-  }
-  if (ref == nullptr)
+  if (repeated && !target.indices.empty()) place.instance = target.indices[0];
+  place.ref = find_or_add(deck, refs, place.instance);
+  if (place.ref == nullptr && place.instance > 1 && find_or_add(deck, refs, 1) != nullptr)
+    fail(name, value, fmt::format("there is no instance {} of it in this deck", place.instance),
+         "give a smaller number, or raise the count");
+  if (place.ref == nullptr)
     fail(name, value, "this deck has no such record",
          fmt::format("it belongs to {}; set that option first", condition_of(refs)));
 
-  const VariableSpec& spec = ref->spec();
-  const bool is_array = spec.length != "1";
-  const std::size_t used = !ref->record->repeat.empty() && !target.indices.empty() ? 1 : 0;
-  if (target.indices.size() > used) element = target.indices[used];
-  const auto length = static_cast<std::size_t>(array_length(*this, spec));
-  if (element && (!is_array || static_cast<std::size_t>(*element) > length))
-    fail(name, value, is_array ? fmt::format("it has {} elements", length) : "it is a single value",
-         is_array ? "give an index up to that, or raise the count first" : "leave out the index");
-  if (used == 0 && !ref->record->repeat.empty() && repeat_count(*this, *ref->record) > 1)
-    fail(name, value, fmt::format("there are {} of them", repeat_count(*this, *ref->record)),
+  const RecordSpec& record = *place.ref->record;
+  const int count = record.repeat.empty() ? 1 : repeat_count(deck, record);
+  if (count > 1 && target.indices.empty())
+    fail(name, value, fmt::format("there are {} of them", count),
          fmt::format("say which: {}[1]", target.name));
-
-  const auto record = std::find_if(records.begin(), records.end(), [&](const RecordData& data) {
-    return data.id == ref->record->id && data.instance == instance;
-  });
-  record->values.resize(ref->record->variables.size());
-  std::vector<Value>& elements = record->values[ref->position];
-  std::vector<Value> changed = elements;
-  for (std::size_t i = changed.size(); i < length; ++i) changed.push_back(default_value(spec));
-  changed.resize(length);
-  if (is_array && !element) {
-    const std::vector<std::string_view> parts = split_at_commas(value);
-    if (parts.size() != length)
-      fail(name, value, fmt::format("it has {} elements", length),
-           fmt::format("give {} values with commas, or one as {}[1]", length, target.name));
-    for (std::size_t i = 0; i < length; ++i) changed[i] = parse_value(spec, name, parts[i]);
-  } else {
-    const std::size_t position = element ? static_cast<std::size_t>(*element) - 1 : 0;
-    changed[position] = parse_value(spec, name, value);
-    const std::string* text = std::get_if<std::string>(&changed[position]);
-    if (text != nullptr && std::any_of(text->begin(), text->end(), [](char c) {
-          return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f;
-        }))
-      fail(name, {}, "holds a line break or another control character",
-           "keep the text on one line");
+  const std::size_t used = record.repeat.empty() || target.indices.empty() ? 0 : 1;
+  const bool is_array = place.ref->spec().length != "1";
+  if (target.indices.size() > used) {
+    const int length = is_array ? array_length(deck, place.ref->spec()) : 0;
+    if (target.indices[used] > length)
+      fail(name, value,
+           is_array ? fmt::format("it has {} elements", length) : "it is a single value",
+           is_array ? "give an index up to that, or raise the count first" : "leave out the index");
+    place.element = static_cast<std::size_t>(target.indices[used]) - 1;
+  } else if (!is_array) {
+    place.element = 0;
   }
-  elements = std::move(changed);
+  return place;
+}
+
+}  // namespace
+
+void Deck::set(std::string_view name, std::string_view value) {
+  Deck changed = *this;  // so that a mistake leaves this deck as it is
+  const Target target = parse_target(name);
+  const Place place = locate(changed, target, name, value);
+  const VariableSpec& spec = place.ref->spec();
+
+  const auto record =
+      std::find_if(changed.records.begin(), changed.records.end(), [&](const RecordData& data) {
+        return data.id == place.ref->record->id && data.instance == place.instance;
+      });
+  fill_with_defaults(changed, static_cast<std::size_t>(record - changed.records.begin()));
+  std::vector<Value>& elements = record->values[place.ref->position];
+  if (place.element) {
+    elements.at(*place.element) = parse_value(spec, name, value);
+  } else {
+    const std::vector<std::string_view> parts = split_at_commas(value);
+    if (parts.size() != elements.size())
+      fail(
+          name, value, fmt::format("it has {} elements", elements.size()),
+          fmt::format("give {} values with commas, or one as {}[1]", elements.size(), target.name));
+    for (std::size_t i = 0; i < parts.size(); ++i) elements[i] = parse_value(spec, name, parts[i]);
+  }
+  records = std::move(changed.records);
 }
 
 void Deck::complete() {

@@ -85,6 +85,24 @@ struct RigidBody {
   return 0.5 * body.mass * v_mass_centre.squaredNorm() + 0.5 * omega.dot(body.inertia * omega);
 }
 
+/// Which of a race's six accelerations are prescribed (kFD, kMD; true = prescribed), base axes.
+struct RaceConstraints {
+  std::array<bool, 3> translation{}, rotation{};
+  Vec3 acceleration = Vec3::Zero(), angular_acceleration = Vec3::Zero();  ///< the prescribed ones
+};
+struct RaceAccelerations {
+  Vec3 acceleration, angular_acceleration;  ///< [m/s², rad/s²]
+  Vec3 holding_force,
+      holding_moment;  ///< what the prescribed motion takes; 0 on free rows [N, N m]
+};
+/// Translation: a = F/m on free rows. Rotation: the free rows of I α + ω × Iω = M for the free α,
+/// with the prescribed ones given; the other rows give the holding moment. `inertia` about the mass
+/// centre in base axes; forces and moments without the holding ones.
+[[nodiscard]] RaceAccelerations race_accelerations(double mass, const Mat3& inertia,
+                                                   const Vec3& omega, const Vec3& force,
+                                                   const Vec3& moment,
+                                                   const RaceConstraints& constraints) noexcept;
+
 /// Speed of the element set for rolling without slip: ½ [Ω_i (1 - γ) + Ω_o (1 + γ)], γ = D cos
 /// α/d_m.
 [[nodiscard]] inline double epicyclic_speed(double outer_speed, double inner_speed,

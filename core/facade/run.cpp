@@ -158,7 +158,10 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
   try {
     stepper->start(ode, start.time, start.y, control);
     if (!start.continued)
-      output([&] { outputs.store(system, {0, start.time, 0.0, start.y}, true); });
+      output([&] {
+        outputs.store(system, {0, start.time, 0.0, start.y}, true);
+        outputs.write_first_checkpoint(system);
+      });
     stored_last = !start.continued;
     const long last_step = span.max_steps > std::numeric_limits<long>::max() - step
                                ? span.max_steps

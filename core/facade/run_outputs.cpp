@@ -7,6 +7,7 @@
 #include "results/averages.hpp"
 #include "results/channels.hpp"
 #include "results/continuation.hpp"
+#include "results/print_file.hpp"
 #include "results/restart.hpp"
 #include "results/results_h5.hpp"
 #include "results/run_json.hpp"
@@ -101,12 +102,14 @@ struct RunOutputs::Impl {
   const Prepared& prepared;
   const build::RunControl& control;
   fs::path folder;
+  dynamics::ScenePlan plan;
   deck::UnitSystem units;
   results::ChannelRecorder recorder;
   results::RunAverages averages;
   std::vector<results::SolWriter> elements;  ///< SOL1..SOL6
   std::optional<results::SolWriter> power;   ///< SOL7
   std::optional<results::Sol8Writer> animation;
+  std::optional<results::PrintFile> print;
   std::optional<results::H5Writer> all;  ///< RESULTS.h5
   Snapshot last;                         ///< last stored instant
   std::vector<double> last_y;
@@ -119,7 +122,7 @@ struct RunOutputs::Impl {
   Impl(const Prepared& p, fs::path f)
       : prepared(p),
         control(p.control),
-        folder(std::move(f)),
+        folder(std::move(f)), plan(p.plan),
         units(p.input.deck.units()),
         recorder(p.bearing, units) {}
 
@@ -128,14 +131,19 @@ struct RunOutputs::Impl {
     return folder / control.sol_files[number - 1];
   }
 
-  void open_files(bool continued, long last_step);
+  void open_files(bool continued, long last_step, std::uintmax_t print_bytes);
+  void print_front(const std::optional<dynamics::Scales>& scales);
   [[nodiscard]] results::FinalState final_state(const dynamics::System& system) const;
   void write_restart(const dynamics::System& system);
   [[nodiscard]] results::RunSummary summary_of_deck() const;
   void close(results::RunSummary& run);
 };
 
-void RunOutputs::Impl::open_files(bool continued, long last_step) {
+void RunOutputs::Impl::open_files(bool continued, long last_step, std::uintmax_t print_bytes) {
+  written.push_back(path("PRINT.txt"));
+  print = continued ? results::PrintFile::continue_after(path("PRINT.txt"), prepared.bearing.run_id,
+                                                         units, print_bytes)
+                    : results::PrintFile::create(path("PRINT.txt"), prepared.bearing.run_id, units);
   const auto open = [&](std::size_t number, int index) {
     const results::SolHeader header = results::make_sol_header(prepared.bearing, index, units);
     written.push_back(sol_path(number));
@@ -197,6 +205,37 @@ void RunOutputs::Impl::write_restart(const dynamics::System& system) {
   checkpoint = Clock::now();
 }
 
+/// What RUN.json says of the deck before anything has run.
+results::RunSummary RunOutputs::Impl::summary_of_deck() const {
+  results::RunSummary out;
+  out.run_id = prepared.bearing.run_id;
+  out.deck_file = prepared.input.path.filename().string();
+  out.plan = plan_json(plan);
+  for (const build::OptionInfo& info : build::run_option_list()) {
+    const auto given = prepared.input.option_values.find(info.name);
+    const bool set = given != prepared.input.option_values.end();
+    out.options.emplace_back(info.name, set ? given->second : info.default_value);
+  }
+  for (const Issue& issue : prepared.input.warnings) out.notes.push_back(issue.text());
+  for (const std::string& remark : remarks) out.notes.push_back(remark);
+  for (const std::string& note : prepared.statics.notes) out.notes.push_back(note);
+  out.instruction_set = dynamics::race_contact_instruction_set();
+  return out;
+}
+
+/// Everything of PRINT.txt that is known before the first step.
+void RunOutputs::Impl::print_front(const std::optional<dynamics::Scales>& scales) {
+  print->front({prepared.input.deck, prepared.bearing, scales, summary_of_deck().options});
+  print->quasi_static(scales ? prepared.start : prepared.statics, prepared.bearing);
+}
+
+void RunOutputs::Impl::close(results::RunSummary& run) {
+  written.push_back(path("RUN.json"));
+  for (const fs::path& file : written) run.files.push_back(file.filename().string());
+  print->ledgers(run, plan);
+  results::write_run_json(run, path("RUN.json"));
+}
+
 RunOutputs::RunOutputs(const Prepared& prepared, const fs::path& folder)
     : impl_(std::make_unique<Impl>(prepared, folder)) {}
 RunOutputs::~RunOutputs() = default;
@@ -205,6 +244,7 @@ StartPoint RunOutputs::begin(dynamics::System& system, build::StartState start) 
   Impl& s = *impl_;
   StartPoint out;
   out.y = system.initial_state();
+  std::uintmax_t print_bytes = 0;
   std::error_code error;
   const bool master_exists = fs::exists(s.path(s.control.master_file), error);
   if (start == build::StartState::Continue && !master_exists) {
@@ -228,9 +268,13 @@ StartPoint RunOutputs::begin(dynamics::System& system, build::StartState start) 
     out.continued = true;
     s.averages.restore(master.averages);
     s.recorder.restore(master.averages);
+    const results::MasterFile* listing = master.file("PRINT");
+    if (listing != nullptr) print_bytes = listing->bytes;
   }
   system.set_start(out.time, out.y);
-  s.open_files(out.continued, out.step);
+  s.plan.quadratures = system.layout().size() - system.layout().controlled_size();
+  s.open_files(out.continued, out.step, print_bytes);
+  if (!out.continued) s.print_front(system.scales());
   for (const dynamics::StateLayout::Group& group : system.layout().groups())
     if (group.name == "cage.position") s.cage_position = group.slice.first;
   s.last_y = out.y;
@@ -251,16 +295,22 @@ void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool alw
   s.averages.add(s.last);
   const bool plot = always || due(point.step, s.control.plot_every);
   const bool animate = s.animation && (always || due(point.step, s.control.animate_every));
-  if (plot || animate) {
+  const bool print = always || due(point.step, s.control.print_every);
+  if (plot || animate || print) {
     const results::StepRecord& record = s.recorder.record(s.last);
     if (plot) {
       for (results::SolWriter& file : s.elements) file.write(record);
       s.power->write(record);
     }
     if (animate) s.animation->write(s.last);
-    if (s.all) s.all->write(record);
+    if (s.all && (plot || animate)) s.all->write(record);
+    if (print)
+      s.print->step(s.last, record, s.prepared.bearing, s.averages.averages(),
+                    s.control.print_option);
   }
 }
+
+void RunOutputs::write_first_checkpoint(dynamics::System& system) { impl_->write_restart(system); }
 
 void RunOutputs::checkpoint_if_due(dynamics::System& system, const RunPoint& point) {
   Impl& s = *impl_;
@@ -310,6 +360,9 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
 
 void RunOutputs::write_quasi_static() {
   Impl& s = *impl_;
+  s.written.push_back(s.path("PRINT.txt"));
+  s.print = results::PrintFile::create(s.path("PRINT.txt"), s.prepared.bearing.run_id, s.units);
+  s.print_front(std::nullopt);
   results::RunSummary run = s.summary_of_deck();
   run.status = "done";
   s.key_results = static_results(s.prepared.statics);

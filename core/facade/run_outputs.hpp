@@ -54,6 +54,8 @@ class RunOutputs {
   /// Stores a point in the files whose interval it meets; `always` in all of them (first and last
   /// step).
   void store(dynamics::System& system, const RunPoint& point, bool always);
+  /// FINAL and MASTER of the start, so that none of an older run is left beside the new files.
+  void write_first_checkpoint(dynamics::System& system);
   /// Writes FINAL and MASTER when the checkpoint interval of computing time has passed.
   void checkpoint_if_due(dynamics::System& system, const RunPoint& point);
   /// FINAL, MASTER, the ledgers of PRINT.txt, and RUN.json.

@@ -191,13 +191,27 @@ CaseResult run_case(const std::string& family, const Json& the_case) {
   return result;
 }
 
+/// A case whose inputs name another one ("base": "ID: what differs") gets that case as "base_case".
+Json with_base(const Json& the_case, const Json& cases) {
+  const Json base = the_case.value("inputs", Json::object()).value("base", Json());
+  if (!base.is_string()) return the_case;
+  const std::string text = base.get<std::string>(), id = text.substr(0, text.find(':'));
+  for (const Json& other : cases)
+    if (other.value("id", "") == id) {
+      Json complete = the_case;
+      complete["base_case"] = other;
+      return complete;
+    }
+  return the_case;
+}
+
 FileResult run_file(const std::filesystem::path& path, const Json& content) {
   const auto begin = std::chrono::steady_clock::now();
   FileResult result;
   result.file = path.string();
   result.family = content.at("family").get<std::string>();
   for (const Json& the_case : content.at("cases"))
-    result.cases.push_back(run_case(result.family, the_case));
+    result.cases.push_back(run_case(result.family, with_base(the_case, content.at("cases"))));
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return result;
 }

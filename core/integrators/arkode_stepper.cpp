@@ -11,7 +11,7 @@ constexpr int order_of(ArkodeMethod method) { return method == ArkodeMethod::Exp
 /// SUNDIALS ARKODE: Dormand–Prince 5(4) explicit, a stiffly accurate singly diagonally implicit
 /// pair 4(3), and the additive pair 4(3) of Kennedy and Carpenter that takes OdeSystem::rhs_stiff
 /// implicitly and the rest explicitly. Holds a constant step, then without an error estimate.
-/// Sources: [reynolds2023], [dormand1980], [kennedy2016], [kennedy2019].
+/// Sources: [reynolds2023], [dormand1980], [kennedy2003], [kennedy2019].
 class ArkodeStepper final : public SundialsStepper {
  public:
   ArkodeStepper(std::string name, ArkodeMethod method)

@@ -23,6 +23,32 @@ void compare(const std::filesystem::path& path, std::string_view what, const T& 
                                path.string(), what, found, expected, kRemedy));
 }
 
+std::ifstream open_existing(const std::filesystem::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+    throw InputError(
+        fmt::format("{}: the file to be continued cannot be opened; restore it, or start new files "
+                    "with kIcOpt = -1",
+                    path.string()));
+  return stream;
+}
+
+void compare_headers(const std::filesystem::path& path, const SolParser& found,
+                     const std::string& expected_header) {
+  std::istringstream expected_stream(expected_header);
+  const SolParser expected(expected_stream, "header");
+  const SolHeader& a = found.header();
+  const SolHeader& b = expected.header();
+  check_run_id(path, a.run_id, b.run_id);
+  compare(path, "rolling elements:", a.elements, b.elements);
+  compare(path, "cage segments:", a.segments, b.segments);
+  compare(path, "the index of element", a.index, b.index);
+  compare(path, "values a step:", a.value_count, b.value_count);
+  compare(path, "bearing type", a.bearing_type, b.bearing_type);
+  for (std::size_t k = 0; k < a.units.size(); ++k)
+    compare(path, fmt::format("in unit slot {}", k + 1), a.units[k], b.units[k]);
+}
+
 }  // namespace
 
 void check_run_id(const std::filesystem::path& path, const std::string& found,
@@ -36,28 +62,16 @@ void check_run_id(const std::filesystem::path& path, const std::string& found,
                   path.string(), a, b));
 }
 
+void check_sol_file(const std::filesystem::path& path, const std::string& expected_header) {
+  std::ifstream stream = open_existing(path);
+  compare_headers(path, SolParser(stream, path.string()), expected_header);
+}
+
 GrowingFile continue_sol_file(const std::filesystem::path& path, const std::string& expected_header,
                               long last_step) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
-    throw InputError(
-        fmt::format("{}: the file to be continued cannot be opened; restore it, or start new files "
-                    "with kIcOpt = -1",
-                    path.string()));
+  std::ifstream stream = open_existing(path);
   SolParser found(stream, path.string());
-  std::istringstream expected_stream(expected_header);
-  const SolParser expected(expected_stream, "header");
-  const SolHeader& a = found.header();
-  const SolHeader& b = expected.header();
-  check_run_id(path, a.run_id, b.run_id);
-  compare(path, "rolling elements:", a.elements, b.elements);
-  compare(path, "cage segments:", a.segments, b.segments);
-  compare(path, "the index of element", a.index, b.index);
-  compare(path, "values a step:", a.value_count, b.value_count);
-  compare(path, "bearing type", a.bearing_type, b.bearing_type);
-  for (std::size_t k = 0; k < a.units.size(); ++k)
-    compare(path, fmt::format("in unit slot {}", k + 1), a.units[k], b.units[k]);
-
+  compare_headers(path, found, expected_header);
   std::uintmax_t bytes = found.good_bytes();
   bool terminated = found.good_end_terminated();
   SolStep step;

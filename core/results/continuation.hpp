@@ -15,6 +15,9 @@ namespace adore::results {
 [[nodiscard]] GrowingFile continue_sol_file(const std::filesystem::path& path,
                                             const std::string& expected_header, long last_step);
 
+/// The checks of continue_sol_file() alone; nothing is touched. @throws InputError
+void check_sol_file(const std::filesystem::path& path, const std::string& expected_header);
+
 /// Throws unless the run code found in a file is that of the deck. @throws InputError naming both,
 /// remedy kIcOpt = -1.
 void check_run_id(const std::filesystem::path& path, const std::string& found,

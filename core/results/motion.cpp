@@ -31,7 +31,7 @@ OrbitMotion orbit_motion(const Vec3& position, const Vec3& velocity, const Vec3&
     const double sine = -position.y() / orbit.r, cosine = position.z() / orbit.r;
     const auto radial = [&](const Vec3& v) { return -sine * v.y() + cosine * v.z(); };
     const auto tangential = [&](const Vec3& v) { return -cosine * v.y() - sine * v.z(); };
-    orbit.theta = std::atan2(-position.y(), position.z());
+    orbit.theta = std::atan2(0.0 - position.y(), position.z());  // no -0: -180 deg would be shown
     orbit.r_dot = radial(velocity);
     orbit.theta_dot = tangential(velocity) / orbit.r;
     orbit.r_ddot = radial(acceleration) + orbit.r * orbit.theta_dot * orbit.theta_dot;
@@ -40,7 +40,7 @@ OrbitMotion orbit_motion(const Vec3& position, const Vec3& velocity, const Vec3&
   }
   const double speed = std::hypot(velocity.y(), velocity.z());
   const Vec3& direction = speed > 0.0 ? velocity : acceleration;
-  orbit.theta = std::atan2(-direction.y(), direction.z());
+  orbit.theta = std::atan2(0.0 - direction.y(), direction.z());
   if (direction.y() == 0.0 && direction.z() == 0.0) orbit.theta = 0.0;
   orbit.r_dot = speed;
   orbit.r_ddot =

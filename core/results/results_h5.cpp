@@ -404,11 +404,38 @@ H5Writer H5Writer::create(const std::filesystem::path& path, const bearing::Bear
   return H5Writer(std::move(impl));
 }
 
+namespace {
+
+/// Throws unless the file is of this run and has a dataset of the right sizes for every channel.
+void check_file(const H5Reader& file, const std::filesystem::path& path,
+                const bearing::Bearing& bearing) {
+  check_run_id(path, file.run_id(), bearing.run_id);
+  const Shape shape = shape_of(bearing);
+  for (const Channel& channel : channels()) {
+    const std::vector<hsize_t> wanted = dimensions(channel, shape);
+    if (channel_size(channel, shape) == 0) continue;
+    const H5Reader::ChannelInfo* found = file.find(channel.id);
+    if (found != nullptr && std::equal(wanted.begin(), wanted.end(), found->dimensions.begin(),
+                                       found->dimensions.end()))
+      continue;
+    throw InputError(
+        fmt::format("{}: {} does not have the sizes of this bearing; restore the file of this run, "
+                    "or start new files with kIcOpt = -1",
+                    path.string(), channel.id));
+  }
+}
+
+}  // namespace
+
+void H5Writer::check(const std::filesystem::path& path, const bearing::Bearing& bearing) {
+  check_file(H5Reader(path), path, bearing);
+}
+
 H5Writer H5Writer::continue_after(const std::filesystem::path& path,
                                   const bearing::Bearing& bearing, long last_step, int block) {
   const std::vector<long> steps = [&] {
     const H5Reader old(path);
-    check_run_id(path, old.run_id(), bearing.run_id);
+    check_file(old, path, bearing);
     return old.step_numbers();
   }();
   const Quiet quiet;
@@ -425,20 +452,7 @@ H5Writer H5Writer::continue_after(const std::filesystem::path& path,
     made.dataset = Handle(H5Dopen2(impl->file, name.c_str(), Impl::dataset_access(made)));
     std::vector<hsize_t> size{impl->written};
     size.insert(size.end(), made.dims.begin(), made.dims.end());
-    bool fits = made.dataset.valid();
-    if (fits) {
-      const Handle space(H5Dget_space(made.dataset));
-      std::array<hsize_t, 8> found{};
-      fits = H5Sget_simple_extent_ndims(space) == static_cast<int>(size.size()) &&
-             H5Sget_simple_extent_dims(space, found.data(), nullptr) > 0 &&
-             std::equal(size.begin() + 1, size.end(), found.begin() + 1);
-    }
-    if (!fits)
-      throw InputError(
-          fmt::format("{}: {} does not have the sizes of this bearing; restore the file of this "
-                      "run, or start new files with kIcOpt = -1",
-                      path.string(), name));
-    if (H5Dset_extent(made.dataset, size.data()) < 0)
+    if (!made.dataset.valid() || H5Dset_extent(made.dataset, size.data()) < 0)
       fail(path, "the file to be continued cannot be cut back");
     impl->series.push_back(std::move(made));
   });

@@ -33,6 +33,9 @@ class H5Writer {
   static H5Writer continue_after(const std::filesystem::path& path, const bearing::Bearing& bearing,
                                  long last_step, int block = kBlock);
 
+  /// The checks of continue_after() alone; nothing is touched. @throws InputError
+  static void check(const std::filesystem::path& path, const bearing::Bearing& bearing);
+
   H5Writer(H5Writer&&) noexcept;
   H5Writer& operator=(H5Writer&&) noexcept;
   ~H5Writer();  ///< flushes; errors are lost here, so call flush() at the end of a run

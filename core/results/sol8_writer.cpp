@@ -223,6 +223,12 @@ Sol8Writer Sol8Writer::continue_after(const std::filesystem::path& path,
   return {continue_sol_file(path, header_text(bearing, units), last_step), units};
 }
 
+void Sol8Writer::check(const std::filesystem::path& path, const bearing::Bearing& bearing,
+                       UnitSystem units) {
+  check_allowed(bearing);
+  check_sol_file(path, header_text(bearing, units));
+}
+
 void Sol8Writer::write(const dynamics::Snapshot& snapshot) {
   Sol8Frame frame = make_sol8_frame(snapshot);
   scale(frame, to_si(1.0, unit::kLength, units_), to_si(1.0, unit::kForce, units_));

@@ -135,6 +135,10 @@ SolWriter SolWriter::continue_after(const std::filesystem::path& path, const Sol
   return {continue_sol_file(path, format_sol_header(header), last_step), header, units};
 }
 
+void SolWriter::check(const std::filesystem::path& path, const SolHeader& header) {
+  check_sol_file(path, format_sol_header(header));
+}
+
 void SolWriter::write(const StepRecord& record) {
   text_.clear();
   append_sol_step(text_, make_sol_step(header_, columns_, record, units_));

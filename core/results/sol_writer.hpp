@@ -42,6 +42,9 @@ class SolWriter {
   static SolWriter continue_after(const std::filesystem::path& path, const SolHeader& header,
                                   UnitSystem units, long last_step);
 
+  /// The checks of continue_after() alone; nothing is touched. @throws InputError
+  static void check(const std::filesystem::path& path, const SolHeader& header);
+
   void write(const StepRecord& record);
   [[nodiscard]] const GrowingFile& file() const noexcept { return file_; }
 
@@ -77,6 +80,9 @@ class Sol8Writer {
   static Sol8Writer continue_after(const std::filesystem::path& path,
                                    const bearing::Bearing& bearing, UnitSystem units,
                                    long last_step);
+
+  static void check(const std::filesystem::path& path, const bearing::Bearing& bearing,
+                    UnitSystem units);
 
   void write(const dynamics::Snapshot& snapshot);
   [[nodiscard]] const GrowingFile& file() const noexcept { return file_; }

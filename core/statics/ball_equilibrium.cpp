@@ -216,6 +216,9 @@ BallShare ball_share(const BallModel& m, const RacePose<RaceDual>& race, BallSta
       share.stiffness(i, static_cast<Eigen::Index>(l)) = f.race[k].d[l + 2];
     }
   }
+  if (ball.site.law.axis == SpinLaw::Axis::LeastHeat && f.spin.v != 0.0) {
+    ball.site.pitch_guess = std::atan2(f.beta.sin.v, f.beta.cos.v);
+  }
   share.largest_load = std::max(f.contact[0].load.v, f.contact[1].load.v);
   const double determinant = on_ball(0, 0) * on_ball(1, 1) - on_ball(0, 1) * on_ball(1, 0);
   if (determinant != 0.0) {

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 /// Forces on one ball between its races, and what the ball hands on to the inner race.
 ///
@@ -82,6 +83,8 @@ struct BallForces {
 struct BallSite {
   double sin = 0.0, cos = 1.0;  ///< of the azimuth
   SpinLaw law;
+  double pitch_guess =
+      std::numeric_limits<double>::quiet_NaN();  ///< where the least-heat search starts
 };
 
 /// Exact kinematics: race with centre P and axis a.
@@ -171,7 +174,7 @@ ContactState<S> contact_state(const BallModel& m, std::size_t race, const Groove
 /// Spin axis of least heat, with its derivatives carried over from the angles and loads that it
 /// depends on.
 template <class S>
-Direction<S> least_heat_direction(const BallModel& m,
+Direction<S> least_heat_direction(const BallModel& m, double guess,
                                   const std::array<ContactState<S>, 2>& contact) {
   std::array<HeatContact, 2> c;
   for (std::size_t j = 0; j < 2; ++j) {
@@ -184,7 +187,7 @@ Direction<S> least_heat_direction(const BallModel& m,
     c[j].aspect = hertz.reference().kappa;
     c[j].surface_radius = m.surface_radius[j];
   }
-  const LeastHeatAxis axis = least_heat_axis(c, m.gamma);
+  const LeastHeatAxis axis = least_heat_axis(c, m.gamma, guess);
   S beta = axis.beta;
   for (std::size_t j = 0; j < 2; ++j) {
     const auto& alpha = contact[j].alpha;
@@ -215,7 +218,7 @@ void add_inertia(const BallModel& m, const BallSite& site, BallForces<S>& f) {
         f.beta = {S(std::sin(m.spin_angle)), S(std::cos(m.spin_angle))};
         break;
       case SpinLaw::Axis::LeastHeat:
-        f.beta = least_heat_direction(m, f.contact);
+        f.beta = least_heat_direction(m, site.pitch_guess, f.contact);
         break;
     }
     const Rolling<S> rolling = roll_without_slip(alpha, f.beta, m.gamma, m.race_speed);

@@ -15,8 +15,8 @@ namespace adore::statics {
 [[nodiscard]] StaticBall report_ball(const BallModel& model, const std::array<double, 5>& q,
                                      const BallState& ball);
 
-/// Notes about the whole solution: balls without inner contact, ellipses over a shoulder or across
-/// a split, friction that the gyroscopic moment asks for.
+/// Notes about the whole solution: balls without inner contact or load, contact angles beyond 90
+/// degrees, ellipses over a shoulder or across a split.
 [[nodiscard]] std::vector<std::string> report_notes(const BallModel& model,
                                                     const std::vector<StaticBall>& balls);
 

@@ -260,7 +260,9 @@ StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const Statics
   const SpinLaw law = first_spin_law(bearing, options);
   for (double azimuth : model.azimuth) {
     BallState ball;
-    ball.site = {std::sin(azimuth), std::cos(azimuth), law};
+    ball.site.sin = std::sin(azimuth);
+    ball.site.cos = std::cos(azimuth);
+    ball.site.law = law;
     state.balls.push_back(ball);
   }
 

@@ -1,23 +1,26 @@
 #pragma once
 
-#include <array>
-#include <string>
-#include <vector>
-
-#include <Eigen/Core>
-
 #include "bearing/bearing.hpp"
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
 
-/// Quasi-static equilibrium of a ball bearing: every ball between its races, the inner race under its loads.
+#include <Eigen/Core>
+
+#include <array>
+#include <string>
+#include <vector>
+
+/// Quasi-static equilibrium of a ball bearing: every ball between its races, the inner race under
+/// its loads.
 namespace adore::statics {
 
 /// Angle at which the Hertz curvatures are taken.
 enum class Curvature : unsigned char {
-  Actual,  ///< each contact at its own angle, with its derivative in the stiffness: the better physics, default
+  Actual,  ///< each contact at its own angle, with its derivative in the stiffness: the better
+           ///< physics, default
   Free,    ///< at the free contact angle
-  Fixed    ///< at StaticsOptions::fixed_angle: what a dynamic run uses so that its contact forces have a potential
+  Fixed    ///< at StaticsOptions::fixed_angle: what a dynamic run uses so that its contact forces
+           ///< have a potential
 };
 enum class RingKinematics : unsigned char {
   Exact,  ///< rotation matrix of the race's tilt, as in dynamics: default
@@ -26,7 +29,10 @@ enum class RingKinematics : unsigned char {
 /// How the gyroscopic moment is shared between the races (reference family C).
 enum class Control : unsigned char {
   FromBearing,  ///< the bearing's spin rule (kAngVel): default
-  Outer, Inner, Equal, None
+  Outer,
+  Inner,
+  Equal,
+  None
 };
 enum class Orbit : unsigned char {
   PerBall,  ///< no gross slip at each ball's own angles: default
@@ -40,48 +46,70 @@ struct StaticsOptions {
   Control control = Control::FromBearing;
   Orbit orbit = Orbit::PerBall;
   double first_azimuth = 0.0;  ///< of ball 1 [rad]
-  bool warm_start = false;     ///< use StaticConstraints::displacement of force-controlled directions as given, even when 0
+  bool warm_start = false;  ///< use StaticConstraints::displacement of force-controlled directions
+                            ///< as given, even when 0
 };
 
 struct StaticBall {
-  double azimuth = 0.0;              ///< [rad]
-  double x = 0.0, r = 0.0;           ///< centre: axial in the base frame, radial [m]
-  std::array<double, 2> Q{};         ///< contact loads [N]
-  std::array<double, 2> alpha{};     ///< contact angles [rad]; both positive when the inner race pushes the ball to +x; NaN when unloaded
-  std::array<double, 2> delta{};     ///< approach [m]
+  double azimuth = 0.0;           ///< [rad]
+  double x = 0.0, r = 0.0;        ///< centre: axial in the base frame, radial [m]
+  std::array<double, 2> Q{};      ///< contact loads [N]
+  std::array<double, 2> alpha{};  ///< contact angles [rad]; both positive when the inner race
+                                  ///< pushes the ball to +x; NaN when unloaded
+  std::array<double, 2> delta{};  ///< approach [m]
   std::array<double, 2> a{}, b{}, p_max{};  ///< ellipse half axes [m] (a transverse), pressure [Pa]
   std::array<double, 2> spin_roll{};        ///< signed, as in reference family C
-  std::array<double, 2> edge{};      ///< s of the outer and t of the inner contact, as the SOL files list them [m]
-  std::array<double, 2> shoulder_depth{};  ///< s per race: depth of the far contact edge below the shoulder [m]; NaN without shoulder or load
-  std::array<double, 2> inner_chord{};     ///< t per race: groove-centre plane to the near contact edge [m]; NaN unloaded
-  std::array<double, 2> K{};         ///< Hertz constants in use [N m^-1.5]
-  double orbital_speed = 0.0;        ///< ω_m [rad/s]
-  double omega_x = 0.0, omega_r = 0.0, omega_theta = 0.0;  ///< ABSOLUTE angular velocity on (e_x, e_r, e_θ) [rad/s]
-  double centrifugal_force = 0.0;    ///< [N]
-  double gyroscopic_moment = 0.0;    ///< [N m]
-  double spin_speed = 0.0;           ///< ω_R relative to the orbiting frame, sign of Ω_i - Ω_o [rad/s]
-  double pitch_angle = 0.0;          ///< β of the spin axis, positive for positive contact angles [rad]; NaN unloaded
-  double race_control_ratio = 0.0;   ///< Q_o a_o E_o cos(α_i - α_o)/(Q_i a_i E_i); NaN without both loads
-  bool inner_race_control = false;   ///< spin axis taken from the inner race (race-control rule)
+  std::array<double, 2>
+      edge{};  ///< s of the outer and t of the inner contact, as the SOL files list them [m]
+  std::array<double, 2> shoulder_depth{};  ///< s per race: depth of the far contact edge below the
+                                           ///< shoulder [m]; NaN without shoulder or load
+  std::array<double, 2> inner_chord{};     ///< t per race: groove-centre plane to the near contact
+                                           ///< edge [m]; NaN unloaded
+  std::array<double, 2> K{};               ///< Hertz constants in use [N m^-1.5]
+  double orbital_speed = 0.0;              ///< ω_m [rad/s]
+  double omega_x = 0.0, omega_r = 0.0,
+         omega_theta = 0.0;        ///< ABSOLUTE angular velocity on (e_x, e_r, e_θ) [rad/s]
+  double centrifugal_force = 0.0;  ///< [N]
+  double gyroscopic_moment = 0.0;  ///< [N m]
+  double spin_speed = 0.0;  ///< ω_R relative to the orbiting frame, sign of Ω_i - Ω_o [rad/s]
+  double pitch_angle =
+      0.0;  ///< β of the spin axis, positive for positive contact angles [rad]; NaN unloaded
+  double race_control_ratio =
+      0.0;  ///< Q_o a_o E_o cos(α_i - α_o)/(Q_i a_i E_i); NaN without both loads
+  bool inner_race_control = false;  ///< spin axis taken from the inner race (race-control rule)
   bool inner_contact = false;
 };
 
 struct StaticSolution {
-  std::array<double, 5> displacement{};  ///< inner race minus its free position, relative to outer; x,y,z [m], about y,z [rad] about P_inner
-  std::array<double, 5> load{};          ///< what the shaft side applies to the inner race in this state (given or reaction) [N, N m]
-  Eigen::Matrix<double, 5, 5> stiffness; ///< d load / d displacement, exact linearisation at fixed speed
-  std::array<contact::HertzConstants, 2> hertz{};  ///< at the free angle (Free), fixed angle (Fixed), or of the most loaded ball (Actual)
+  /// Inner race minus its free position: x, y, z of P_inner [m] (the outer race does not
+  /// translate), tilts about y and z [rad] measured from the base frame, R = R_y R_z; an outer
+  /// misalignment tilts the outer race about P_outer the same way.
+  std::array<double, 5> displacement{};
+  std::array<double, 5> load{};  ///< what the shaft side applies to the inner race in this state
+                                 ///< (given or reaction) [N, N m]
+  Eigen::Matrix<double, 5, 5>
+      stiffness;  ///< d load / d displacement, exact linearisation at fixed speed
+  std::array<contact::HertzConstants, 2> hertz{};  ///< at the free angle (Free), fixed angle
+                                                   ///< (Fixed), or of the most loaded ball (Actual)
   std::vector<StaticBall> balls;
-  double race_control_ratio = 0.0;  ///< > 1: outer race control by the classical criterion (most loaded ball)
-  double max_load = 0.0;            ///< largest contact load [N]
-  double max_stiffness = 0.0;       ///< largest dQ/dδ of any element-race contact [N/m]; 0 when nothing is loaded
+  double race_control_ratio =
+      0.0;                ///< > 1: outer race control by the classical criterion (most loaded ball)
+  double max_load = 0.0;  ///< largest contact load [N]
+  double max_stiffness =
+      0.0;  ///< largest dQ/dδ of any element-race contact [N/m]; 0 when nothing is loaded
   int iterations = 0;
-  double residual = 0.0;            ///< largest force residual over the load scale
-  std::vector<std::string> notes;   ///< e.g. "ball 7 touches the outer race only", "undetermined direction held"
+  double residual = 0.0;  ///< largest force residual over the load scale
+  std::vector<std::string>
+      notes;  ///< e.g. "ball 7 touches the outer race only", "undetermined direction held"
 };
 
-/// Solves the equilibrium from a cold start: safeguarded Newton with analytic Jacobian.
-/// @throws SolverError saying why no equilibrium was found (e.g. load cannot be carried in that direction) and what to do.
-[[nodiscard]] StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const StaticsOptions& options = {});
+/// Solves the equilibrium from a cold start: safeguarded Newton with exact derivatives (decision
+/// 030). Equations: ball_forces.hpp and spin.hpp; spin rules: decision 031; balls that barely touch
+/// the inner race: decision 032.
+/// @throws InputError when geometry, materials or constraints are not those of a bearing.
+/// @throws SolverError saying why no equilibrium was found (e.g. load cannot be carried in that
+/// direction) and what to do.
+[[nodiscard]] StaticSolution solve_ball_statics(const bearing::Bearing& bearing,
+                                                const StaticsOptions& options = {});
 
 }  // namespace adore::statics

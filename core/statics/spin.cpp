@@ -6,13 +6,13 @@
 namespace adore::statics {
 namespace {
 
-constexpr int kHalfNodes = 8;
+constexpr int kHalfNodes = 6;
 struct GaussRule {
   std::array<double, kHalfNodes> node{};
   std::array<double, kHalfNodes> weight{};
 };
 
-/// Positive half of the 16-point Gauss-Legendre rule on (-1, 1).
+/// Positive half of the 12-point Gauss-Legendre rule on (-1, 1).
 GaussRule make_rule() {
   constexpr int n = 2 * kHalfNodes;
   GaussRule rule;
@@ -114,14 +114,55 @@ template <class Slope>
 Bracket bracket_minimum(double first, double second, Slope slope) {
   Bracket b{std::min(first, second) - 1e-6, std::max(first, second) + 1e-6};
   double widen = 0.01;
-  for (int n = 0; n < 6 && slope(b.low) > 0.0; ++n, widen *= 2.0) {
+  for (int n = 0; n < 6 && slope(b.low).v > 0.0; ++n, widen *= 2.0) {
     b.low -= widen;
   }
   widen = 0.01;
-  for (int n = 0; n < 6 && slope(b.high) < 0.0; ++n, widen *= 2.0) {
+  for (int n = 0; n < 6 && slope(b.high).v < 0.0; ++n, widen *= 2.0) {
     b.high += widen;
   }
   return b;
+}
+
+/// Plain Newton from a good guess: true when its steps shrink quickly to nothing on a convex
+/// stretch.
+template <class Slope>
+bool newton_minimum(Slope slope, double& beta, double& curvature) {
+  double last = 0.3;
+  for (int n = 0; n < 8; ++n) {
+    const Dual<1> g = slope(beta);
+    curvature = g.d[0];
+    const double step = curvature > 0.0 ? -g.v / curvature : 1.0;
+    if (!(std::abs(step) < 0.7 * last)) {
+      return false;
+    }
+    beta += step;
+    last = std::abs(step);
+    if (last < 1e-6) {  // the next step is of the order of its square
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Newton inside a shrinking bracket.
+template <class Slope>
+void safeguarded_minimum(Slope slope, Bracket bracket, double& beta, double& curvature) {
+  beta = 0.5 * (bracket.low + bracket.high);
+  for (int n = 0; n < 60; ++n) {
+    const Dual<1> g = slope(beta);
+    curvature = g.d[0];
+    (g.v > 0.0 ? bracket.high : bracket.low) = beta;
+    double next = curvature > 0.0 ? beta - g.v / curvature : bracket.low - 1.0;
+    if (!(next > bracket.low && next < bracket.high)) {
+      next = 0.5 * (bracket.low + bracket.high);
+    }
+    const double change = std::abs(next - beta);
+    beta = next;
+    if (change < 1e-13) {
+      break;
+    }
+  }
 }
 
 template <class S>
@@ -145,7 +186,8 @@ HeatOfAxis heat_of_axis(const std::array<HeatContact, 2>& contacts, double gamma
   return {h.value, h.slope};
 }
 
-LeastHeatAxis least_heat_axis(const std::array<HeatContact, 2>& contacts, double gamma) {
+LeastHeatAxis least_heat_axis(const std::array<HeatContact, 2>& contacts, double gamma,
+                              double guess) {
   const auto fixed = constant_contacts<Dual<1>>(contacts);
   std::array<double, 2> control{};
   std::array<double, 2> weight{};
@@ -157,23 +199,12 @@ LeastHeatAxis least_heat_axis(const std::array<HeatContact, 2>& contacts, double
   const auto slope = [&](double beta) {
     return heat_and_slope(fixed, gamma, Dual<1>::variable(beta, 0)).slope;
   };
-  Bracket bracket =
-      bracket_minimum(control[0], control[1], [&](double beta) { return slope(beta).v; });
-  double beta = (weight[0] * control[0] + weight[1] * control[1]) / (weight[0] + weight[1]);
+  double beta = std::isfinite(guess)
+                    ? guess
+                    : (weight[0] * control[0] + weight[1] * control[1]) / (weight[0] + weight[1]);
   double curvature = 0.0;
-  for (int n = 0; n < 60; ++n) {
-    const Dual<1> g = slope(beta);
-    curvature = g.d[0];
-    (g.v > 0.0 ? bracket.high : bracket.low) = beta;
-    double next = curvature > 0.0 ? beta - g.v / curvature : bracket.low - 1.0;
-    if (!(next > bracket.low && next < bracket.high)) {
-      next = 0.5 * (bracket.low + bracket.high);
-    }
-    const double change = std::abs(next - beta);
-    beta = next;
-    if (change < 1e-13) {
-      break;
-    }
+  if (!newton_minimum(slope, beta, curvature)) {
+    safeguarded_minimum(slope, bracket_minimum(control[0], control[1], slope), beta, curvature);
   }
   LeastHeatAxis result;
   result.beta = beta;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 /// How a ball rolls between two turning races at given contact angles: orbital speed, spin and its
 /// axis.
@@ -99,8 +100,11 @@ struct LeastHeatAxis {
 /// i.e. the heat of spin AND of the differential slip of the curved contact surface; across the
 /// narrow axis η² is replaced by its mean. Without the curvature term the heat is a sum of |σ_j|
 /// with kinks, and its minimum is always plain race control of one race or the other.
-[[nodiscard]] LeastHeatAxis least_heat_axis(const std::array<HeatContact, 2>& contacts,
-                                            double gamma);
+/// `guess` starts the search; NaN: the control angles weighted by load and contact length. The
+/// answer does not depend on it.
+[[nodiscard]] LeastHeatAxis least_heat_axis(
+    const std::array<HeatContact, 2>& contacts, double gamma,
+    double guess = std::numeric_limits<double>::quiet_NaN());
 
 /// That heat (over friction coefficient and |Ω_i - Ω_o|/γ) at a given pitch angle, and its slope.
 struct HeatOfAxis {

@@ -49,10 +49,14 @@ BallLoad ball_load(const dynamics::RaceContactModel& model, const dynamics::Ball
   load.Q = s.ellipse.Q;
   load.force = -load.Q * s.n;
   if (!model.traction) return load;
-  load.traction = rule ? rule(model.curve, s.ellipse, s.motion)
-                       : tribology::ellipse_traction_converged(model.curve, s.ellipse, s.motion);
+  const Vec3 e_r(0.0, -balls.sin_theta[index], balls.cos_theta[index]);
+  const Vec3 velocity = balls.x_dot[index] * Vec3::UnitX() + balls.r_dot[index] * e_r +
+                        balls.r[index] * balls.theta_dot[index] * Vec3::UnitX().cross(e_r);
+  const Vec3 slip = race.velocity + race.speed * race.axis.cross(s.arm) - velocity;
+  const SurfaceTraction surface = rule(model.curve, s, slip.dot(s.n));
+  load.traction = surface.in_plane;
   const tribology::EllipseTraction& f = load.traction;
-  load.force += f.F_c * s.c + f.F_t * s.t;
+  load.force += f.F_c * s.c + f.F_t * s.t + surface.F_n * s.n;
   load.moment = f.M_c * s.c + f.M_t * s.t + f.M_n * s.n;
   load.heat = f.heat;
   return load;
@@ -85,7 +89,7 @@ BallLoad load_on_free_ball(const dynamics::RaceContactModel& model, double race_
                wt = omega.dot(e_t);
   const dynamics::BallArrays ball{1, &x, &r, &s, &c, &x_dot, &r_dot, &theta_dot, &wx, &wr, &wt};
   const dynamics::RaceMotion race{Vec3::Zero(), Vec3::UnitX(), race_speed, Vec3::Zero()};
-  return ball_load(model, ball, 0, race);
+  return ball_load(model, ball, 0, race, split_rule(16));
 }
 
 BallBetweenRaces::BallBetweenRaces(const Json& in, const Vec3& inner_centre, bool traction)
@@ -126,6 +130,41 @@ BallBetweenRaces::BallBetweenRaces(const Json& in, const Vec3& inner_centre, boo
   races_[0].speed = in.value("outer_speed_rad_s", 0.0);
   races_[1].speed = in.value("inner_speed_rad_s", 0.0);
   races_[1].centre = inner_centre;
+}
+
+State BallBetweenRaces::rolling_start(double x, double r) {
+  Vec3 speeds = Vec3::Zero();  // θ', ω_x, ω_r
+  const auto state = [&](double at_x, double at_r, const Vec3& at) {
+    return State{at_x, at_r, 0, 0, 0, at[0], at[1], at[2], 0, 0, 0, 0};
+  };
+  const auto rolling = [&](const Vec3& unknown) {
+    const auto [outer, inner] = loads(state(x, r, unknown).data());
+    const auto slip = [](const BallLoad& load) {
+      return load.contact.motion.u_t - load.contact.motion.W_c * load.contact.ellipse.h0;
+    };
+    return Vec3(slip(outer), slip(inner), outer.contact.motion.W_n);
+  };
+  const auto imbalance = [&](double at_x, double at_r) {
+    Eigen::Vector2d sum(0.0, mass_ * at_r * speeds[0] * speeds[0]);
+    for (const BallLoad& load : loads(state(at_x, at_r, speeds).data()))
+      sum -= load.Q * Eigen::Vector2d(load.contact.n[0], load.contact.n[2]);  // θ = 0: e_r = e_z
+    return sum;
+  };
+  for (int iteration = 0; iteration < 40; ++iteration) {
+    const Vec3 offset = rolling(Vec3::Zero());  // linear in the three speeds
+    Mat3 slopes;
+    for (int k = 0; k < 3; ++k) slopes.col(k) = rolling(Vec3::Unit(k)) - offset;
+    speeds = slopes.fullPivLu().solve(-offset);
+    const double h = 1e-10;
+    Eigen::Matrix2d stiffness;
+    stiffness.col(0) = (imbalance(x + h, r) - imbalance(x - h, r)) / (2 * h);
+    stiffness.col(1) = (imbalance(x, r + h) - imbalance(x, r - h)) / (2 * h);
+    const Eigen::Vector2d step = stiffness.fullPivLu().solve(-imbalance(x, r));
+    x += step[0];
+    r += step[1];
+    if (step.norm() < 1e-16) break;
+  }
+  return {x, r, 0, 0, 0, speeds[0], speeds[1], speeds[2], 0};
 }
 
 void BallBetweenRaces::set_surface(tribology::ContactSurface surface) {

@@ -12,7 +12,7 @@
 #include <vector>
 
 /// Balls between races that are held or turn at constant speed, without cage and gravity: the
-/// solver's contact geometry and equations of motion with the converged traction integral.
+/// solver's contact geometry and equations of motion with the split traction integral.
 namespace adore::facade::reference {
 
 /// What one race does to one ball, base axes.
@@ -24,15 +24,28 @@ struct BallLoad {
   tribology::EllipseTraction traction;
 };
 
-/// Traction of one contact ellipse; replaceable where a case asks for another surface model than
-/// the library's.
-using TractionRule = std::function<tribology::EllipseTraction(const bearing::TractionCurve&,
-                                                              const tribology::EllipseGeometry&,
-                                                              const tribology::EllipseKinematics&)>;
+/// Traction on the ball, with its part along n for surfaces whose tangent plane is followed.
+struct SurfaceTraction {
+  tribology::EllipseTraction in_plane;
+  double F_n = 0.0;  ///< [N]
+};
+/// Traction of one contact; replaceable where a case asks for another surface model than the
+/// library's.
+/// @param u_n race minus ball velocity along n at the ball centre [m/s]
+using TractionRule = std::function<SurfaceTraction(const bearing::TractionCurve&,
+                                                   const dynamics::RaceContactState&, double u_n)>;
+
+/// The library's split rule with `points` per piece.
+[[nodiscard]] TractionRule split_rule(int points);
+/// Slip and arms at the middle of every strip across the ellipse: the variation along the minor
+/// axis is ignored.
+[[nodiscard]] TractionRule minor_axis_ignored();
+/// Slip and traction in the local tangent plane of the curved surface.
+[[nodiscard]] TractionRule tangent_plane();
 
 [[nodiscard]] BallLoad ball_load(const dynamics::RaceContactModel& model,
                                  const dynamics::BallArrays& balls, std::size_t index,
-                                 const dynamics::RaceMotion& race, const TractionRule& rule = {});
+                                 const dynamics::RaceMotion& race, const TractionRule& rule);
 
 /// Outer race of the pocket family: {"groove_centre_radius", "groove_minus_ball_radius", "K", ...}.
 [[nodiscard]] dynamics::RaceContactModel outer_race_model(const Json& race,
@@ -68,6 +81,9 @@ class BallBetweenRaces {
   [[nodiscard]] std::array<BallLoad, 2> loads(const double* y);
   [[nodiscard]] Problem problem(const State& mechanical);
 
+  /// Mechanical state near (x, r) with normal and centrifugal forces in balance, no slip at the
+  /// middle of either contact, no spin at the outer race and ω_θ = 0.
+  [[nodiscard]] State rolling_start(double x, double r);
   /// Newton for x'' = r'' = θ'' = ω' = 0, x' = r' = 0, from a mechanical state.
   [[nodiscard]] State steady_state(State start);
   /// Eigenvalues of the linearisation in (x, r, x', r', θ', ω).
@@ -83,7 +99,7 @@ class BallBetweenRaces {
   std::array<dynamics::RaceContactModel, 2> models_;
   std::array<dynamics::RaceMotion, 2> races_;
   double mass_, ball_radius_, orbit_radius_;
-  TractionRule rule_;
+  TractionRule rule_ = split_rule(16);
 };
 
 }  // namespace adore::facade::reference

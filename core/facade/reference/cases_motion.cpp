@@ -1,6 +1,9 @@
 #include "facade/reference/cases_motion.hpp"
 
+#include "dynamics/excitations.hpp"
+#include "dynamics/moving_frame.hpp"
 #include "dynamics/rigid_body.hpp"
+#include "facade/reference/cases_constrained.hpp"
 #include "facade/reference/json_access.hpp"
 #include "facade/reference/trajectory.hpp"
 
@@ -122,6 +125,65 @@ Json trajectory_case(const Json& in) {
           {"geometric_centre", centres}};
 }
 
+std::array<bool, 3> flags(const Json& j) {
+  return {j.at(0).get<int>() != 0, j.at(1).get<int>() != 0, j.at(2).get<int>() != 0};
+}
+
+Json race_flags_case(const Json& in) {
+  const Mat3 T = passive_matrix(vec3(in.at("angles_deg")) * kDegree);
+  const Mat3 inertia = T.transpose() * vec3(in.at("principal_moments")).asDiagonal() * T;
+  dynamics::RaceConstraints constraints;
+  constraints.translation = flags(in.at("kFD"));
+  constraints.rotation = flags(in.at("kMD"));
+  constraints.acceleration = vec3(in.at("prescribed_acceleration"));
+  constraints.angular_acceleration = vec3(in.at("prescribed_angular_acceleration"));
+  const dynamics::RaceAccelerations a =
+      dynamics::race_accelerations(get(in, "mass"), inertia, vec3(in.at("omega_inertial")),
+                                   vec3(in.at("force")), vec3(in.at("moment")), constraints);
+  return {{"acceleration", json(a.acceleration)},
+          {"angular_acceleration", json(a.angular_acceleration)},
+          {"holding_force", json(a.holding_force)},
+          {"holding_moment", json(a.holding_moment)}};
+}
+
+dynamics::MovingFrame moving_frame(const Json& in) {
+  return {get(in, "frame_speed"), get(in, "orbit_radius"), get(in, "orbit_angle_deg") * kDegree};
+}
+
+Json moving_frame_case(const Json& in) {
+  const dynamics::MovingFrame frame = moving_frame(in);
+  const double mass = get(in, "mass");
+  const Vec3 position = vec3(in.at("position")), velocity = vec3(in.at("velocity"));
+  const Vec3 inertial = frame.inertial_force(mass, position, velocity);
+  const dynamics::RelativeSpinRates spin = dynamics::relative_spin(
+      frame, get(in, "polar_inertia"), get(in, "transverse_inertia"), vec3(in.at("omega")),
+      vec3(in.at("axis")).normalized(), vec3(in.at("moment")));
+  return {{"transport_force", json(frame.transport_force(mass, position))},
+          {"coriolis_force", json(frame.coriolis_force(mass, velocity))},
+          {"acceleration", json(Vec3((vec3(in.at("force")) + inertial) / mass))},
+          {"omega_rate", json(spin.omega)},
+          {"axis_rate", json(spin.axis)},
+          {"race_extra_load", json(Vec3(get(in, "load_fraction") * inertial))}};
+}
+
+/// State: position and velocity relative to the frame.
+Json free_particle_case(const Json& in) {
+  const dynamics::MovingFrame frame = moving_frame(in);
+  const Vec3 p = vec3(in.at("initial_position")), v = vec3(in.at("initial_velocity"));
+  Problem problem;
+  problem.start = {p[0], p[1], p[2], v[0], v[1], v[2]};
+  const double size = frame.orbit_radius, speed = size * frame.speed;
+  problem.scales = {size, size, size, speed, speed, speed};
+  problem.rates = [&](double, const double* y, double* d) {
+    const Vec3 a = frame.inertial_force(1.0, Vec3(y[0], y[1], y[2]), Vec3(y[3], y[4], y[5]));
+    for (int k = 0; k < 3; ++k) {
+      d[k] = y[3 + k];
+      d[3 + k] = a[k];
+    }
+  };
+  return {{"position", solve(problem, in.at("times").get<std::vector<double>>()).vectors(0)}};
+}
+
 std::optional<Json> frame_case(const Json& the_case) {
   const std::string kind = kind_of(the_case);
   const Json& in = the_case.at("inputs");
@@ -131,12 +193,74 @@ std::optional<Json> frame_case(const Json& the_case) {
   if (kind == "azimuth_spin") return azimuth_spin_case(in);
   if (kind == "rigid_body") return rigid_body_case(in);
   if (kind == "rigid_body_trajectory") return trajectory_case(in);
+  if (kind == "race_flags") return race_flags_case(in);
+  if (kind == "moving_frame") return moving_frame_case(in);
+  if (kind == "moving_frame_free_particle") return free_particle_case(in);
   return std::nullopt;
 }
 
-std::optional<Json> excitation_case(const Json& the_case) {
-  if (kind_of(the_case) != "cage_start") return std::nullopt;
-  const Json& in = the_case.at("inputs");
+/// Values of both races at every time of the case: keys outer_*, inner_*.
+template <class Law>
+Json race_histories(const Json& in, const Law& law) {
+  Json out = Json::object();
+  for (const double t : in.at("times"))
+    for (int race = 0; race < 2; ++race) {
+      const Json values = law(race, t);
+      for (const auto& [name, value] : values.items())
+        out[(race == 0 ? "outer_" : "inner_") + name].push_back(value);
+    }
+  return out;
+}
+
+Json motion_json(const dynamics::PrescribedMotion& m) {
+  return {{"position", json(m.position)},
+          {"velocity", json(m.velocity)},
+          {"acceleration", json(m.acceleration)}};
+}
+
+Json turn_json(const dynamics::PrescribedTurn& t) {
+  return {{"angle", t.angle}, {"speed", t.speed}, {"acceleration", t.acceleration}};
+}
+
+/// Deck quantity of race 0 (outer) or 1.
+const Json& of_race(const Json& in, const char* name, int race) {
+  return in.at(name + std::to_string(race + 1));
+}
+
+Json rotating_load_case(const Json& in) {
+  const dynamics::RotatingLoad load(
+      {vec3(in.at("static_outer_centre")), vec3(in.at("static_inner_centre"))},
+      {get(in, "rotLoadFrac1"), get(in, "rotLoadFrac2")},
+      {get(in, "rotLoadRpm1") * kRpm, get(in, "rotLoadRpm2") * kRpm});
+  return race_histories(in, [&](int race, double t) { return motion_json(load.at(race, t)); });
+}
+
+Json vibration_case(const Json& in) {
+  return race_histories(in, [&](int race, double t) {
+    return motion_json(dynamics::vibration(
+        vec3(in.at(race == 0 ? "static_outer_centre" : "static_inner_centre")),
+        vec3(of_race(in, "raceVibAmp", race)), of_race(in, "raceVibFreq", race).get<double>(), t));
+  });
+}
+
+Json speed_ramp_case(const Json& in) {
+  return race_histories(in, [&](int race, double t) {
+    const auto value = [&](const char* name) { return of_race(in, name, race).get<double>(); };
+    return turn_json(dynamics::ramped_turn(
+        value("rpm") * kRpm, {value("raceAngAcc") * kRpm, value("startTime"), value("endTime")},
+        t));
+  });
+}
+
+Json speed_sine_case(const Json& in) {
+  return race_histories(in, [&](int race, double t) {
+    const auto value = [&](const char* name) { return of_race(in, name, race).get<double>(); };
+    return turn_json(dynamics::varying_turn(value("rpm") * kRpm, value("raceSpeedAmp") * kRpm,
+                                            value("raceSpeedFreq"), t));
+  });
+}
+
+Json cage_start_case(const Json& in) {
   const double gamma = get(in, "element_diameter") *
                        std::cos(get(in, "contact_angle_deg") * kDegree) / get(in, "pitch_diameter");
   const double epicyclic =
@@ -148,7 +272,7 @@ std::optional<Json> excitation_case(const Json& the_case) {
   dynamics::RigidBody cage;
   cage.to_geometric_centre = vec3(in.at("mass_centre_to_geometric_centre"));
   const Mat3 R = rotation_matrix(start.orientation);
-  return Json{
+  return {
       {"epicyclic_speed", epicyclic},
       {"cage_speed", start.cage_speed},
       {"whirl_speed", start.whirl_speed},
@@ -162,10 +286,23 @@ std::optional<Json> excitation_case(const Json& the_case) {
                                         cage, R, start.mass_centre_velocity, start.omega_body))}};
 }
 
+std::optional<Json> excitation_case(const Json& the_case) {
+  const std::string kind = kind_of(the_case);
+  const Json& in = the_case.at("inputs");
+  if (kind == "rotating_load") return rotating_load_case(in);
+  if (kind == "race_vibration") return vibration_case(in);
+  if (kind == "speed_ramp") return speed_ramp_case(in);
+  if (kind == "speed_sine") return speed_sine_case(in);
+  if (kind == "cage_start") return cage_start_case(in);
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Adapter> motion_adapters() {
-  return {{"motion_frames", frame_case}, {"motion_excitations", excitation_case}};
+  return {{"motion_frames", frame_case},
+          {"motion_excitations", excitation_case},
+          {"motion_constraints", constraint_case}};
 }
 
 }  // namespace adore::facade::reference

@@ -186,6 +186,7 @@ class RotatingPocket {
                  energy = mass_ * play * play * speed_ * speed_;
     problem.scales = {play, play, play, v, v, v, w, w, w, energy, energy, energy};
     problem.tolerance = 1e-12;
+    if (race_) problem.stepper = "pece8";  // two evaluations of the contact ellipse per step
     problem.longest_step = 0.2 * std::sqrt(mass_ / stiffness_);
     problem.rates = [this](double t, const double* y, double* d) { rates(t, y, d); };
     problem.events = {[this](double t, const double* y) { return contact(t, y).penetration; },

@@ -21,6 +21,10 @@ struct Impact {
   Solution solution;
 };
 
+/// The acceleration starts like t^1.5, a rate that depends on time alone: the higher Fehlberg pairs
+/// do not see its error.
+constexpr const char* kSeesTimeErrors = "rkf4";
+
 /// m d'' = -K d^1.5 from d = 0 with speed v; sampled at `times` (may be empty).
 Impact impact(double mass, double K, double speed, std::vector<double> times) {
   const double size = std::pow(mass * speed * speed / K, 0.4), time = size / speed;
@@ -31,6 +35,7 @@ Impact impact(double mass, double K, double speed, std::vector<double> times) {
   problem.start = {0.0, speed};
   problem.scales = {size, speed};
   problem.longest_step = 0.05 * time;
+  problem.stepper = kSeesTimeErrors;
   problem.rates = [=](double, const double* y, double* d) {
     d[0] = y[1];
     d[1] = -hertz_load(K, y[0]) / mass;
@@ -66,12 +71,15 @@ Json between_races(const Json& in) {
   problem.start = {x0, 0.0};
   problem.scales = {std::abs(x0), std::abs(x0) * omega};
   problem.longest_step = 0.1 / omega;
+  problem.stepper = kSeesTimeErrors;
   problem.rates = [=](double, const double* y, double* d) {
     d[0] = y[1];
     d[1] = (hertz_load(Ki, di - y[0]) - hertz_load(Ko, d_o + y[0])) / mass;
   };
   problem.events = {[](double, const double* y) { return y[1]; },
-                    [](double, const double* y) { return y[0]; }};
+                    [](double, const double* y) { return y[0]; },
+                    [=](double, const double* y) { return di - y[0]; },  // contacts opening
+                    [=](double, const double* y) { return d_o + y[0]; }};
   int turns = 0;
   problem.at_event = [&](int event, double, const State&) { return event == 0 && ++turns == 2; };
   const Solution solution = solve(problem, std::vector<double>{0.0, 100.0 / omega});
@@ -106,7 +114,11 @@ Json free_rotation(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   const Vec3 I = vec3(in.at("inertia")), w0 = vec3(in.at("omega0"));
   std::vector<double> times;
-  for (const Json& state : the_case.at("expected").at("states")) times.push_back(get(state, "t"));
+  const Json::json_pointer states_asked("/expected/states");
+  if (the_case.contains(states_asked))
+    for (const Json& state : the_case[states_asked]) times.push_back(get(state, "t"));
+  else
+    times = sample_times(the_case);
   const bool symmetric = I[1] == I[2];
   Problem problem;
   problem.start = {1.0, 0.0, 0.0, 0.0, w0[0], w0[1], w0[2]};

@@ -78,7 +78,8 @@ ToleranceRule readme_rule(const Json& tolerance, std::string_view key) {
       if (name == "abs_quaternion") rule.relative = 0.0;
     }
   }
-  if (tolerance.contains("stiffness_rel_to_sqrt_KiiKjj") && starts(key, "stiffness")) {
+  if (tolerance.contains("stiffness_rel_to_sqrt_KiiKjj") && starts(key, "stiffness_") &&
+      key != "stiffness_dof_order") {
     rule.relative = number(tolerance, "stiffness_rel_to_sqrt_KiiKjj");
     rule.absolute = 0.0;
     rule.scale = Scale::Diagonal;

@@ -112,6 +112,12 @@ TEST_CASE("set refuses what it cannot do and says what would be possible", "[uni
   CHECK_THAT(failure(deck, "runID", "two\nlines"), Catch::Contains("one line"));
 }
 
+TEST_CASE("a value that is refused leaves no new record behind", "[unit][deck]") {
+  Deck deck = new_deck("ball");
+  deck.set("kDCR", "1");
+  CHECK_THAT(failure(deck, "kFD11", "x"), Catch::Contains("is not an integer"));
+}
+
 TEST_CASE("values come in deck units and in SI", "[unit][deck]") {
   const Deck si = new_deck("ball");
   const Deck english = new_deck("ball-english");

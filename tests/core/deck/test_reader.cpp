@@ -335,7 +335,7 @@ TEST_CASE("list-directed input is read as Fortran reads it", "[unit][deck]") {
   }
   SECTION("numbers without point, with d exponents, with signs") {
     reads_equal(
-        replaced(replaced(replaced(text, "2400.0", "2400"), "25.0", "+2.5D+1"), "5.0e-04", "5d-4"));
+        replaced(replaced(replaced(text, "3600.0", "3600"), "25.0", "+2.5D+1"), "5.0e-04", "5d-4"));
   }
   SECTION("double quotes and doubled quotes") {
     Deck quoted = ball;
@@ -348,12 +348,12 @@ TEST_CASE("list-directed input is read as Fortran reads it", "[unit][deck]") {
   }
   SECTION("skipped values keep their default, a slash ends the record") {
     const std::string skipped =
-        replaced(text, "0.05, 5.0e-04, 0.5, 2400.0, 1.0e-06", ",, , 2400.0,");
+        replaced(text, "0.05, 5.0e-04, 0.5, 3600.0, 1.0e-06", ",, , 3600.0,");
     reads_equal(skipped);
     reads_equal(replaced(text, "'Rec 10.5.1D', 0.0, 0.08, 0.8, 0.0",
                          "'Rec 10.5.1D', 0.0, 0.08, 0.8 / the rest, 'is' ignored"));
     const ReadResult slash =
-        read_deck_text(replaced(text, "0.05, 5.0e-04, 0.5, 2400.0, 1.0e-06, 0.0", "/"), "x");
+        read_deck_text(replaced(text, "0.05, 5.0e-04, 0.5, 3600.0, 1.0e-06, 0.0", "/"), "x");
     REQUIRE(slash.issues.size() == 1);  // qFac has no default
     CHECK(slash.issues[0].variable == "qFac");
     CHECK(slash.deck.real("fTime") == 1000.0);

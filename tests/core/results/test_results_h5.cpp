@@ -196,6 +196,9 @@ TEST_CASE("a foreign, damaged or unfitting RESULTS.h5 is refused with a sentence
              Contains("another run") && Contains("synthetic run 7"));
   CHECK_THAT(message_of([&] { H5Writer::continue_after(path, make_bearing(4), 2); }),
              Contains("sizes of this bearing"));
+  CHECK_THAT(message_of([&] { H5Writer::check(path, make_bearing(4)); }),
+             Contains("sizes of this bearing"));
+  CHECK(message_of([&] { H5Writer::check(path, bearing); }) == "no error");
   CHECK_THAT(message_of([&] { H5Reader reader(folder / "missing.h5"); }), Contains("no such file"));
   CHECK_THAT(message_of([&] { H5Writer::create(folder / "no/such/RESULTS.h5", bearing); }),
              Contains("cannot be created"));
@@ -258,7 +261,8 @@ TEST_CASE("a full disk stops the writers with a sentence and keeps what was stor
   const SolFile sol = read_sol(folder / "SOL1");
   CHECK(sol.note.empty());
   CHECK(sol.steps.size() > 1000);
-  // Where a disk is full the library can still set the file's length, which the limit above forbids.
+  // Where a disk is full the library can still set the file's length, which the limit above
+  // forbids.
   std::filesystem::resize_file(folder / "RESULTS.h5", 1000000);
   const H5Reader h5(folder / "RESULTS.h5");
   CHECK(h5.steps() >= 1);

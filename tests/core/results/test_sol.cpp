@@ -706,6 +706,13 @@ TEST_CASE("a continued SOL file equals one written in one go", "[unit][sol]") {
   CHECK_THAT(
       message_of([&] { SolWriter::continue_after(folder / "SOL2", header, UnitSystem::SI, 5); }),
       Contains("cannot be opened"));
+  CHECK(message_of([&] { SolWriter::check(folder / "SOL1", header); }) == "no error");
+  CHECK_THAT(message_of([&] {
+               SolWriter::check(folder / "SOL1", make_sol_header(other, 4, UnitSystem::SI));
+             }),
+             Contains("another run"));
+  CHECK_THAT(message_of([&] { Sol8Writer::check(folder / "SOL8", other, UnitSystem::SI); }),
+             Contains("another run"));
   CHECK(read_sol(folder / "SOL1").steps.size() == 11);  // refusals cut nothing
 }
 

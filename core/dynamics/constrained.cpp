@@ -1,0 +1,301 @@
+#include "dynamics/constrained.hpp"
+
+#include "base/errors.hpp"
+#include "contact/hertz.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
+
+namespace adore::dynamics {
+namespace {
+
+using BallFrame = Eigen::Matrix<double, 3, 2>;
+
+/// J = ∂(ball centre)/∂(x, r) = (e_x, e_r).
+BallFrame directions(double theta) noexcept {
+  BallFrame J;
+  J.col(0) = Vec3::UnitX();
+  J.col(1) = radial_direction(theta);
+  return J;
+}
+
+/// Inverse of a symmetric matrix on the directions that have stiffness, 0 on the others.
+template <int N>
+Eigen::Matrix<double, N, N> stiff_inverse(
+    const Eigen::Matrix<double, N, N>& stiffness, double smallest,
+    std::vector<Eigen::Matrix<double, N, 1>>* free = nullptr) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> eigen(stiffness);
+  Eigen::Matrix<double, N, N> inverse = Eigen::Matrix<double, N, N>::Zero();
+  for (int k = 0; k < N; ++k) {
+    const double value = eigen.eigenvalues()[k];
+    const Eigen::Matrix<double, N, 1> direction = eigen.eigenvectors().col(k);
+    if (value > smallest)
+      inverse += direction * direction.transpose() / value;
+    else if (free != nullptr)
+      free->push_back(direction);
+  }
+  return inverse;
+}
+
+constexpr double kNoStiffness = 1e-6;  ///< [N/m], far below that of any contact that carries load
+constexpr int kMaxIterations = 200;
+constexpr int kMaxHalvings = 40;
+
+}  // namespace
+
+GrooveContact ConstrainedBall::contact_with(int race, const RacePose& pose,
+                                            const Vec3& ball_centre) const noexcept {
+  const auto j = static_cast<std::size_t>(race);
+  const Vec3 arm = ball_centre - pose.centre;
+  const double axial = arm.dot(pose.axis);
+  const Vec3 across = arm - axial * pose.axis;
+  const double rho = across.norm();
+  const Vec3 e = across / rho;
+  const double lift = rho - groove_.centre_radius[j];
+  const double l = std::hypot(axial, lift);
+  const double n_k = axial / l, n_e = lift / l;
+
+  GrooveContact c;
+  c.approach = l - groove_.offset[j];
+  c.normal = n_k * pose.axis + n_e * e;
+  const Vec3 t = pose.axis.cross(e), side = t.cross(c.normal);
+  c.bending = (side * side.transpose() + lift / rho * t * t.transpose()) / l;
+  if (!(c.approach > 0.0)) return c;
+  c.load = adore::contact::hertz_load(K_[j], c.approach);
+  c.energy = 0.4 * c.load * c.approach;
+  c.angle = race == 0 ? std::atan2(n_k, n_e) : std::atan2(-n_k, -n_e);
+  c.stiffness =
+      1.5 * K_[j] * std::sqrt(c.approach) * c.normal * c.normal.transpose() + c.load * c.bending;
+  return c;
+}
+
+double ConstrainedBall::speed_of(const Orbit& orbit, double r) const noexcept {
+  return orbit.kept == Orbit::Kept::Speed ? orbit.value : orbit.value / (mass_ * r * r);
+}
+
+BallBalance ConstrainedBall::evaluate(const std::array<RacePose, 2>& races, double theta,
+                                      const Orbit& orbit, const Vec2& force,
+                                      const Vec2& x_r) const noexcept {
+  BallBalance b;
+  b.x = x_r[0];
+  b.r = x_r[1];
+  const BallFrame J = directions(theta);
+  const Vec3 e_theta = circumferential_direction(theta);
+  Vec3 contact_force = Vec3::Zero();
+  Mat3 stiffness = Mat3::Zero();
+  for (std::size_t j = 0; j < 2; ++j) {
+    b.contact[j] = contact_with(static_cast<int>(j), races[j], J * x_r);
+    contact_force -= b.contact[j].load * b.contact[j].normal;
+    stiffness += b.contact[j].stiffness;
+    b.potential += b.contact[j].energy;
+  }
+  b.speed = speed_of(orbit, b.r);
+  const double centrifugal = mass_ * b.r * b.speed * b.speed;
+  b.residual = J.transpose() * contact_force + force + Vec2(0.0, centrifugal);
+  b.stiffness = J.transpose() * stiffness * J;
+  b.per_theta = -J.transpose() * stiffness * (b.r * e_theta);
+  b.per_theta[1] += contact_force.dot(e_theta);  // e_r turns with θ
+  b.force_theta = contact_force.dot(e_theta);
+  b.potential -= force.dot(x_r);
+  if (orbit.kept == Orbit::Kept::Speed) {
+    b.stiffness(1, 1) -= mass_ * b.speed * b.speed;
+    b.per_orbit[1] = 2.0 * mass_ * b.r * b.speed;
+    b.potential -= 0.5 * centrifugal * b.r;
+  } else {
+    b.stiffness(1, 1) += 3.0 * centrifugal / b.r;
+    b.per_orbit[1] = 2.0 * b.speed / b.r;
+    b.potential += 0.5 * centrifugal * b.r;
+  }
+  return b;
+}
+
+/// Outer contact with approach 0 and no axial normal component: l(p) = s, n_x(p) = 0 by Newton. On
+/// an untilted race x is that of the groove's centre plane.
+Vec2 ConstrainedBall::idle_place(const RacePose& outer, double theta,
+                                 const Vec2& guess) const noexcept {
+  const BallFrame J = directions(theta);
+  // Start well inside the groove: close to its bottom the two conditions are far from singular.
+  Vec2 place(outer.centre[0],
+             outer.centre.dot(J.col(1)) + groove_.centre_radius[0] + groove_.offset[0]);
+  for (int k = 0; k < 50; ++k) {
+    const GrooveContact c = contact_with(0, outer, J * place);
+    const Vec2 miss(c.approach, c.normal[0]);
+    Mat2 rows;
+    rows.row(0) = c.normal.transpose() * J;
+    rows.row(1) = c.bending.row(0) * J;
+    const double size = rows.determinant();
+    if (!std::isfinite(size) || size == 0.0) return guess;
+    Mat2 adjugate;
+    adjugate << rows(1, 1), -rows(0, 1), -rows(1, 0), rows(0, 0);
+    const Vec2 step = adjugate * miss / size;
+    place -= step;
+    if (step.norm() < 1e-15 * groove_.ball_radius) break;
+  }
+  return place;
+}
+
+BallBalance ConstrainedBall::solve(const std::array<RacePose, 2>& races, double theta,
+                                   const Orbit& orbit, const Vec2& force,
+                                   const Vec2& guess) const noexcept {
+  BallBalance b;
+  if (orbit.value == 0.0 && force.isZero(0.0)) {
+    const Vec2 bottom = idle_place(races[0], theta, guess);
+    b = evaluate(races, theta, orbit, force, bottom);
+    b.solved = !(b.contact[1].load > 0.0);
+    if (b.solved) return b;
+  }
+  b = evaluate(races, theta, orbit, force, guess);
+  int iteration = 0;
+  for (; iteration < kMaxIterations; ++iteration) {
+    // Rounding of l (about 1e-17 m) times the contact stiffness bounds what |G| can reach.
+    const double reachable =
+        1e-15 * groove_.centre_radius[0] * std::abs(b.stiffness.trace()) + 1e-300;
+    const double size = b.residual.norm();
+    if (size <= 0.02 * reachable) break;
+
+    const double largest = std::max({b.contact[0].approach, b.contact[1].approach, 0.0});
+    const double limit = std::max(3.0 * largest, 0.02 * groove_.offset[0]);
+    const Eigen::SelfAdjointEigenSolver<Mat2> eigen(b.stiffness);
+    Vec2 step = Vec2::Zero();
+    for (int k = 0; k < 2; ++k) {
+      const Vec2 direction = eigen.eigenvectors().col(k);
+      step += direction * direction.dot(b.residual) /
+              std::max(std::abs(eigen.eigenvalues()[k]), kNoStiffness);
+    }
+    if (step.norm() > limit) step *= limit / step.norm();
+
+    bool better = false;
+    for (int halving = 0; halving < kMaxHalvings; ++halving, step *= 0.5) {
+      const BallBalance next = evaluate(races, theta, orbit, force, Vec2(b.x, b.r) + step);
+      const bool downhill = next.potential < b.potential - 1e-4 * step.dot(b.residual) ||
+                            next.residual.norm() < 0.9999 * size;
+      if (!downhill || !std::isfinite(next.potential)) continue;
+      b = next;
+      better = true;
+      break;
+    }
+    if (!better) break;  // rounding: no smaller residual can be found
+  }
+  b.iterations = iteration;
+  const double reachable = 1e-15 * groove_.centre_radius[0] * std::abs(b.stiffness.trace());
+  b.solved = b.residual.norm() <= 100.0 * reachable;
+  return b;
+}
+
+BallSensitivity sensitivity(const BallBalance& balance, double theta) noexcept {
+  const Mat2 inverse = stiff_inverse<2>(balance.stiffness, kNoStiffness);
+  return {inverse * balance.per_theta, inverse * balance.per_orbit,
+          inverse * directions(theta).transpose() * balance.contact[1].stiffness};
+}
+
+HeldSwitch hold(const ConstrainedBall& ball, const std::array<RacePose, 2>& races, double theta,
+                const Orbit& orbit, const Vec2& force, const Vec2& place,
+                const Vec2& rates) noexcept {
+  HeldSwitch result;
+  result.energy_before = 0.5 * ball.mass() * rates.squaredNorm() +
+                         ball.evaluate(races, theta, orbit, force, place).potential;
+  result.after = ball.solve(races, theta, orbit, force, place);
+  result.jump = result.after.potential - result.energy_before;
+  return result;
+}
+
+Mode2Solution solve_mode2(const ConstrainedBall& ball, std::array<RacePose, 2> races,
+                          std::span<const double> theta, std::span<const Orbit> orbit,
+                          const Vec3& load) {
+  demand(theta.size() == orbit.size() && !theta.empty(), "mode 2 needs one orbit per ball");
+  Mode2Solution result;
+  result.balls.resize(theta.size());
+  const Vec3 guess = races[1].centre;
+  Mat3 stiffness = Mat3::Zero(), inverse = Mat3::Zero();
+  bool started = false, balls_solved = true;
+
+  const auto solve_balls = [&](const Vec3& centre) {
+    std::vector<BallBalance> balls(theta.size());
+    std::array<RacePose, 2> at = races;
+    at[1].centre = centre;
+    Vec3 residual = load;
+    stiffness.setZero();
+    balls_solved = true;
+    for (std::size_t i = 0; i < theta.size(); ++i) {
+      // First guess: half way between the two groove-centre circles' unloaded places.
+      const Vec2 from =
+          started ? Vec2(result.balls[i].x, result.balls[i].r)
+                  : ball.solve(at, theta[i], {Orbit::Kept::Speed, 0.0}, Vec2::Zero(),
+                               Vec2(0.5 * (at[0].centre[0] + at[1].centre[0]), ball.mid_radius()))
+                        .place();
+      balls[i] = ball.solve(at, theta[i], orbit[i], Vec2::Zero(), from);
+      balls_solved = balls_solved && balls[i].solved;
+      const GrooveContact& inner = balls[i].contact[1];
+      residual += inner.load * inner.normal;
+      stiffness += inner.stiffness - inner.stiffness * directions(theta[i]) *
+                                         sensitivity(balls[i], theta[i]).per_inner_centre;
+    }
+    result.balls = std::move(balls);
+    started = true;
+    return residual;
+  };
+
+  result.residual = solve_balls(guess);
+  Vec3 centre = guess;
+  for (; result.iterations < kMaxIterations; ++result.iterations) {
+    const double size = result.residual.norm();
+    result.free_directions.clear();
+    const double smallest = std::max(kNoStiffness, 1e-12 * stiffness.trace());
+    inverse = stiff_inverse<3>(stiffness, smallest, &result.free_directions);
+    Vec3 step = inverse * result.residual;
+    double largest = 0.02 * ball.groove_offset();
+    for (const BallBalance& b : result.balls)
+      largest = std::max({largest, 3.0 * b.contact[0].approach, 3.0 * b.contact[1].approach});
+    if (step.norm() > largest) step *= largest / step.norm();
+    if (step.norm() < 1e-15 * ball.mid_radius()) break;
+    const Mode2Solution before = result;
+    const Mat3 stiffness_before = stiffness;
+    bool better = false;
+    for (int halving = 0; halving < kMaxHalvings; ++halving, step *= 0.5) {
+      const Vec3 residual = solve_balls(centre + step);
+      if (residual.norm() < 0.9999 * size) {
+        result.residual = residual;
+        centre += step;
+        better = true;
+        break;
+      }
+      result.balls = before.balls;
+    }
+    if (better) continue;
+    stiffness = stiffness_before;
+    break;
+  }
+  result.inner_centre = centre;
+  Vec3 taken = result.residual;  // what the held directions do not carry must vanish
+  for (const Vec3& free : result.free_directions) taken -= free * free.dot(taken);
+  result.solved =
+      balls_solved && taken.norm() <= 1e-9 * std::max(load.norm(), result.balls[0].contact[0].load);
+  Vec3 drift = Vec3::Zero();  // ∂(residual)/∂θ θ̇
+  for (std::size_t i = 0; i < theta.size(); ++i) {
+    const BallBalance& b = result.balls[i];
+    const Vec3 per_theta = b.r * circumferential_direction(theta[i]) +
+                           directions(theta[i]) * sensitivity(b, theta[i]).per_theta;
+    drift += b.contact[1].stiffness * per_theta * b.speed;
+  }
+  result.inner_velocity = inverse * drift;
+  return result;
+}
+
+void suppress_accelerations(int kdof, std::array<double, 6>& element, std::array<double, 6>& cage) {
+  if (kdof < 0 || kdof > 5)
+    throw InputError(
+        fmt::format("kDOF = {} names no set of suppressed motions; give 0 to 5", kdof));
+  if (kdof == 0) return;
+  if (kdof == 5) {
+    element.fill(0.0);
+    return;
+  }
+  const auto suppress = [&](std::array<double, 6>& accelerations) {
+    accelerations[0] = 0.0;
+    if (kdof == 2 || kdof == 4) accelerations[4] = accelerations[5] = 0.0;
+  };
+  suppress(element);
+  if (kdof <= 2) suppress(cage);
+}
+
+}  // namespace adore::dynamics

@@ -1,0 +1,168 @@
+#pragma once
+
+#include "base/rotation.hpp"
+#include "contact/groove.hpp"
+
+#include <array>
+#include <span>
+#include <vector>
+
+/// Motion with inertia left out where it hardly acts: a ball whose x and r stand in force balance
+/// at every instant while its orbit stays dynamic (mode 1, light-load balance), races in balance
+/// (mode 2), suppressed accelerations (kDOF). SI, rad, base axes; G = force balance in x and r.
+///
+/// Contact with race j: geometry and n, δ, Q = K δ^1.5 as in race_contacts.hpp, K fixed, so the
+/// contact has the potential V = 0.4 K δ^2.5 and with l = |v|, ρ = distance from the race axis
+///   ∂²V/∂p² = Q' n nᵀ + (Q/l)(c cᵀ + (ρ - Rc)/ρ t tᵀ),  Q' = 1.5 K √δ.
+/// Balance at azimuth θ: G = (F_x - V_x, F_r - V_r + centrifugal(r)) = 0, and everything implicit
+/// follows from ∂G/∂(x, r).
+/// Limits: frictionless normal contacts plus given forces; ball centre off the race axis.
+namespace adore::dynamics {
+
+using Vec2 = Eigen::Vector2d;
+using Mat2 = Eigen::Matrix2d;
+
+/// Pose of one race: P_j and the unit vector of its axis.
+struct RacePose {
+  Vec3 centre = Vec3::Zero();
+  Vec3 axis = Vec3::UnitX();
+};
+
+/// One ball/race contact at a ball position.
+struct GrooveContact {
+  double approach = 0.0;          ///< δ, negative when open [m]
+  double load = 0.0;              ///< Q [N]
+  double angle = 0.0;             ///< contact angle, 0 when open [rad]
+  double energy = 0.0;            ///< V [J]
+  Vec3 normal = Vec3::Zero();     ///< n, from the ball towards the race
+  Mat3 bending = Mat3::Zero();    ///< ∂n/∂p = ∂²l/∂p² [1/m]
+  Mat3 stiffness = Mat3::Zero();  ///< ∂²V/∂p², symmetric, 0 when open [N/m]
+};
+
+/// What holds the orbit while x and r adjust: the orbital speed θ̇ (centrifugal force m r θ̇²) or,
+/// the choice that conserves energy, the angular momentum L = m r² θ̇ (force L²/(m r³)).
+struct Orbit {
+  enum class Kept : unsigned char { Speed, Momentum };
+  Kept kept = Kept::Momentum;
+  double value = 0.0;  ///< θ̇ [rad/s] or L [kg m²/s]
+};
+
+/// Position of a ball and the derivatives that the balance needs.
+struct BallBalance {
+  double x = 0.0, r = 0.0;
+  double speed = 0.0;  ///< θ̇ of the orbit at this r [rad/s]
+  std::array<GrooveContact, 2> contact;
+  Vec2 residual = Vec2::Zero();   ///< G [N]
+  Mat2 stiffness = Mat2::Zero();  ///< -∂G/∂(x, r), symmetric [N/m]
+  Vec2 per_theta = Vec2::Zero();  ///< ∂G/∂θ at fixed x, r [N]
+  Vec2 per_orbit = Vec2::Zero();  ///< ∂G/∂(orbit value)
+  double force_theta = 0.0;       ///< of the contacts along e_θ [N]
+  double potential = 0.0;         ///< Σ V + centrifugal potential - F·(x, r) [J]
+  int iterations = 0;
+  bool solved = false;  ///< |G| is at rounding level
+  [[nodiscard]] Vec2 place() const noexcept { return {x, r}; }
+};
+
+/// A ball between its two races.
+class ConstrainedBall {
+ public:
+  /// @param K Hertz constants [N m^-1.5], outer and inner
+  ConstrainedBall(const contact::GrooveGeometry& groove, const std::array<double, 2>& K,
+                  double mass) noexcept
+      : groove_(groove), K_(K), mass_(mass) {}
+
+  [[nodiscard]] double mass() const noexcept { return mass_; }
+  /// Radius of the ball circle between the unloaded grooves, for a first guess [m].
+  [[nodiscard]] double mid_radius() const noexcept {
+    return 0.5 * (groove_.centre_radius[0] + groove_.offset[0] + groove_.centre_radius[1] -
+                  groove_.offset[1]);
+  }
+  /// Groove centre to ball centre at touch, outer race [m].
+  [[nodiscard]] double groove_offset() const noexcept { return groove_.offset[0]; }
+  [[nodiscard]] GrooveContact contact_with(int race, const RacePose& pose,
+                                           const Vec3& ball_centre) const noexcept;
+  /// The balance at a given place, not solved for. `force` acts on (x, r).
+  [[nodiscard]] BallBalance evaluate(const std::array<RacePose, 2>& races, double theta,
+                                     const Orbit& orbit, const Vec2& force,
+                                     const Vec2& x_r) const noexcept;
+  /// Solves G = 0 for (x, r) from `guess`: Newton with the analytic Hessian on the potential;
+  /// eigenvalues that are not positive are replaced, the step is limited to a few δ and halved
+  /// until |G| or the potential decreases. With neither orbit nor force and no load on the inner
+  /// race the solution is the limit of vanishing centrifugal force: outer gap 0 at the groove
+  /// bottom seen along e_r. `solved` is false when no balance was found (e.g. a force that nothing
+  /// takes).
+  [[nodiscard]] BallBalance solve(const std::array<RacePose, 2>& races, double theta,
+                                  const Orbit& orbit, const Vec2& force,
+                                  const Vec2& guess) const noexcept;
+
+ private:
+  [[nodiscard]] Vec2 idle_place(const RacePose& outer, double theta,
+                                const Vec2& guess) const noexcept;
+  [[nodiscard]] double speed_of(const Orbit& orbit, double r) const noexcept;
+
+  contact::GrooveGeometry groove_;
+  std::array<double, 2> K_;
+  double mass_;
+};
+
+/// Derivatives of the solved (x, r); each column or vector is -(∂G/∂(x,r))⁻¹ ∂G/∂(...). Directions
+/// in which the ball has no stiffness (all contacts open) do not move.
+struct BallSensitivity {
+  Vec2 per_theta, per_orbit;
+  Eigen::Matrix<double, 2, 3> per_inner_centre;
+};
+[[nodiscard]] BallSensitivity sensitivity(const BallBalance& balance, double theta) noexcept;
+
+/// (ẋ, ṙ) of a ball in balance whose races stand still: used in slip velocities and at release,
+/// never in the balance itself. orbit_rate = L̇ = r F_θ when L is kept, θ̈ otherwise.
+[[nodiscard]] inline Vec2 implicit_rates(const BallSensitivity& s, double theta_dot,
+                                         double orbit_rate) noexcept {
+  return s.per_theta * theta_dot + s.per_orbit * orbit_rate;
+}
+
+/// A ball becomes held: L stays, (x, r) go to balance, ẋ and ṙ are dropped.
+struct HeldSwitch {
+  BallBalance after;           ///< its potential is the energy after
+  double energy_before = 0.0;  ///< ½m(ẋ² + ṙ²) + L²/(2mr²) + Σ V - F·(x, r) [J]
+  double jump = 0.0;           ///< after - before, to be booked [J]
+};
+/// @param orbit keeps the momentum
+[[nodiscard]] HeldSwitch hold(const ConstrainedBall& ball, const std::array<RacePose, 2>& races,
+                              double theta, const Orbit& orbit, const Vec2& force,
+                              const Vec2& place, const Vec2& rates) noexcept;
+
+/// Balls and the inner race in balance (mode 2): load + Σ (force of the balls on the inner race) =
+/// 0.
+struct Mode2Solution {
+  std::vector<BallBalance> balls;
+  Vec3 inner_centre = Vec3::Zero();
+  Vec3 residual = Vec3::Zero();        ///< [N]
+  Vec3 inner_velocity = Vec3::Zero();  ///< when all balls orbit at their θ̇, θ̈ = 0 [m/s]
+  std::vector<Vec3> free_directions;   ///< unit vectors without stiffness: held at the guess
+  int iterations = 0;
+  bool solved = false;
+};
+/// Newton on the centre, balls solved inside; the race stiffness by the Schur complement
+/// K_c = Σ [S_i - S_i J B⁻¹ Jᵀ S_i], S_i inner contact stiffness, B of the ball, J = (e_x, e_r).
+/// @param races the inner centre is the first guess
+/// @param theta, orbit one per ball
+[[nodiscard]] Mode2Solution solve_mode2(const ConstrainedBall& ball, std::array<RacePose, 2> races,
+                                        std::span<const double> theta, std::span<const Orbit> orbit,
+                                        const Vec3& load);
+
+/// Light-load balance with hysteresis (record 2.1): held from `threshold` down, released above
+/// kReleaseRatio × threshold; between the two nothing changes. threshold <= 0: never held.
+inline constexpr double kReleaseRatio = 1.1;
+[[nodiscard]] constexpr bool held_next(bool held, double largest_load, double threshold,
+                                       double release_ratio = kReleaseRatio) noexcept {
+  if (!(threshold > 0.0)) return false;
+  return held ? largest_load <= release_ratio * threshold : largest_load <= threshold;
+}
+
+/// Accelerations set to zero (kDOF). Element: x, r, θ, then ω_x, ω_y, ω_z of the azimuth frame;
+/// cage: x, y, z, ω_x, ω_y, ω_z. 0 none; 1 x of elements and cage; 2 also ω_y, ω_z of both; 3 as 1
+/// and 4 as 2, of elements only; 5 all six of elements.
+/// @throws InputError for another code
+void suppress_accelerations(int kdof, std::array<double, 6>& element, std::array<double, 6>& cage);
+
+}  // namespace adore::dynamics

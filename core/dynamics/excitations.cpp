@@ -1,0 +1,50 @@
+#include "dynamics/excitations.hpp"
+
+#include <numbers>
+
+namespace adore::dynamics {
+
+RotatingLoad::RotatingLoad(const std::array<Vec3, 2>& static_centre,
+                           const std::array<double, 2>& fraction,
+                           const std::array<double, 2>& speed) noexcept
+    : centre_(static_centre), speed_(speed) {
+  const Vec3 deflection = static_centre[1] - static_centre[0];
+  const double size = std::hypot(deflection[1], deflection[2]);
+  azimuth_ = azimuth(deflection);
+  radius_ = {-fraction[0] * size, fraction[1] * size};
+}
+
+PrescribedMotion RotatingLoad::at(int race, double t) const noexcept {
+  const auto j = static_cast<std::size_t>(race);
+  const double w = speed_[j], radius = radius_[j];
+  const Vec3 direction = radial_direction(azimuth_ + w * t);
+  return {centre_[j] + radius * (direction - radial_direction(azimuth_)),
+          radius * w * circumferential_direction(azimuth_ + w * t), -radius * w * w * direction};
+}
+
+PrescribedMotion vibration(const Vec3& static_centre, const Vec3& amplitude, double frequency,
+                           double t) noexcept {
+  const double w = 2.0 * std::numbers::pi * frequency;
+  const double s = std::sin(w * t), c = std::cos(w * t);
+  return {static_centre + s * amplitude, w * c * amplitude, -w * w * s * amplitude};
+}
+
+PrescribedTurn ramped_turn(double start_speed, const SpeedRamp& ramp, double t) noexcept {
+  if (!(ramp.end > ramp.begin)) return {start_speed * t, start_speed, 0.0};
+  const double inside = std::clamp(t, ramp.begin, ramp.end) - ramp.begin;
+  const double after = std::max(0.0, t - ramp.end);
+  const bool acts = t >= ramp.begin && t < ramp.end;
+  return {start_speed * t + ramp.acceleration * inside * (0.5 * inside + after),
+          start_speed + ramp.acceleration * inside, acts ? ramp.acceleration : 0.0};
+}
+
+PrescribedTurn varying_turn(double start_speed, double amplitude, double frequency,
+                            double t) noexcept {
+  const double w = 2.0 * std::numbers::pi * frequency;
+  if (w == 0.0) return {start_speed * t, start_speed, 0.0};
+  const double half = std::sin(0.5 * w * t);  // 1 - cos = 2 sin² keeps its digits at small t
+  return {start_speed * t + 2.0 * amplitude / w * half * half,
+          start_speed + amplitude * std::sin(w * t), amplitude * w * std::cos(w * t)};
+}
+
+}  // namespace adore::dynamics

@@ -1,0 +1,58 @@
+#pragma once
+
+#include "base/rotation.hpp"
+
+/// Prescribed motions of races and the base frame's own motion (records 9.3, 9.4), SI and rad, base
+/// axes. One function gives position, velocity and acceleration together, so that they cannot
+/// disagree; at t = 0 the velocity is that of the law, not 0. Laws without amplitude are at rest.
+namespace adore::dynamics {
+
+/// A race centre and its time derivatives.
+struct PrescribedMotion {
+  Vec3 position, velocity, acceleration;  ///< [m, m/s, m/s²]
+};
+
+/// A race's turn about its axis and its time derivatives.
+struct PrescribedTurn {
+  double angle = 0.0, speed = 0.0, acceleration = 0.0;  ///< [rad, rad/s, rad/s²]
+};
+
+/// Load that turns (9.3A): of the static radial deflection, size δ at azimuth ψ, the share f of
+/// each race turns at its speed ω and the rest stays. At t = 0 every race has its static position.
+/// Inner centre: s_i + f_i δ [e_r(ψ + ω_i t) - e_r(ψ)]; outer: s_o - f_o δ [e_r(ψ + ω_o t) -
+/// e_r(ψ)]. Without radial deflection nothing moves.
+class RotatingLoad {
+ public:
+  /// @param static_centre outer, inner race centre of the static solution [m]
+  /// @param fraction, speed of outer and inner race [-, rad/s]
+  RotatingLoad(const std::array<Vec3, 2>& static_centre, const std::array<double, 2>& fraction,
+               const std::array<double, 2>& speed) noexcept;
+  /// @param race 0 outer, 1 inner
+  [[nodiscard]] PrescribedMotion at(int race, double t) const noexcept;
+
+ private:
+  std::array<Vec3, 2> centre_;
+  std::array<double, 2> radius_, speed_;  ///< signed f δ [m]
+  double azimuth_;
+};
+
+/// Vibration (9.3B): s + A sin ωt, ω = 2π frequency. frequency in Hz.
+[[nodiscard]] PrescribedMotion vibration(const Vec3& static_centre, const Vec3& amplitude,
+                                         double frequency, double t) noexcept;
+
+/// Speed ramp (9.4A): Ω0 + a (clamp(t, begin, end) - begin), a acts on [begin, end). An empty
+/// window (end <= begin) is no ramp. Steppers must break their step at begin and end, where the
+/// acceleration jumps.
+struct SpeedRamp {
+  double acceleration = 0.0;      ///< a [rad/s²]
+  double begin = 0.0, end = 0.0;  ///< [s]
+};
+[[nodiscard]] PrescribedTurn ramped_turn(double start_speed, const SpeedRamp& ramp,
+                                         double t) noexcept;
+
+/// Speed variation (9.4B): Ω0 + A sin ωt, angle Ω0 t + (A/ω)(1 - cos ωt), ω = 2π frequency;
+/// frequency 0 is no variation. amplitude A in rad/s, frequency in Hz.
+[[nodiscard]] PrescribedTurn varying_turn(double start_speed, double amplitude, double frequency,
+                                          double t) noexcept;
+
+}  // namespace adore::dynamics

@@ -1,0 +1,72 @@
+#include "results/print_file.hpp"
+
+#include "base/errors.hpp"
+#include "results/continuation.hpp"
+#include "results/fortran_format.hpp"
+#include "results/line_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+
+namespace adore::results {
+
+PrintSections print_sections(int kPrtOpt) {
+  PrintSections out;
+  out.applied = kPrtOpt >= -1;
+  out.bodies = kPrtOpt >= 0;
+  out.element_interval = kPrtOpt >= 1 ? kPrtOpt : 0;
+  return out;
+}
+
+PrintFile PrintFile::create(const std::filesystem::path& path, std::string run_id,
+                            UnitSystem units) {
+  return {GrowingFile::create(path), std::move(run_id), units};
+}
+
+void PrintFile::check(const std::filesystem::path& path, const std::string& run_id) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+    throw InputError(
+        fmt::format("{}: the file to be continued cannot be opened; restore it, or start new files "
+                    "with kIcOpt = -1",
+                    path.string()));
+  std::string_view line;
+  LineReader lines(stream);
+  // The heading of the first page: version in 20 columns, run code in the next 40
+  // (Report::new_page), after a form feed.
+  check_run_id(path, lines.next(line) ? std::string(fortran::columns(line, 22, 61)) : std::string(),
+               run_id);
+}
+
+PrintFile PrintFile::continue_after(const std::filesystem::path& path, std::string run_id,
+                                    UnitSystem units, std::uintmax_t bytes) {
+  check(path, run_id);
+  return {GrowingFile::append_after(path, bytes), std::move(run_id), units};
+}
+
+void PrintFile::flush() { file_.append(report_.take()); }
+
+void PrintFile::front(const PrintFront& front) {
+  print_front(report_, front);
+  flush();
+}
+
+void PrintFile::quasi_static(const statics::StaticSolution& solution,
+                             const bearing::Bearing& bearing) {
+  print_quasi_static(report_, solution, bearing);
+  flush();
+}
+
+void PrintFile::step(const dynamics::Snapshot& snapshot, const StepRecord& record,
+                     const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt) {
+  print_step(report_, snapshot, record, bearing, averages, kPrtOpt);
+  flush();
+}
+
+void PrintFile::ledgers(const RunSummary& run, const dynamics::ScenePlan& plan) {
+  print_ledgers(report_, run, plan);
+  flush();
+}
+
+}  // namespace adore::results

@@ -1,0 +1,85 @@
+#pragma once
+
+#include "bearing/bearing.hpp"
+#include "deck/deck.hpp"
+#include "dynamics/scene_plan.hpp"
+#include "dynamics/snapshot.hpp"
+#include "dynamics/system.hpp"
+#include "results/averages.hpp"
+#include "results/channels.hpp"
+#include "results/growing_file.hpp"
+#include "results/report.hpp"
+#include "results/run_json.hpp"
+#include "statics/ball_statics.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// PRINT.txt (outputs.md 3): what was asked, what the bearing is, its equilibrium, the printed
+/// steps, the ledgers. In the deck's units, every number with its unit. What is printed reaches the
+/// file part by part.
+namespace adore::results {
+
+/// Material of the front part.
+struct PrintFront {
+  const deck::Deck& deck;
+  const bearing::Bearing& bearing;
+  std::optional<dynamics::Scales> scales;  ///< dynamic runs
+  std::vector<std::pair<std::string, std::string>>
+      options;  ///< named options with the values in force
+};
+
+/// Which sections a step prints (kPrtOpt).
+struct PrintSections {
+  int element_interval = 0;  ///< 0: no section 1; n: every n-th element
+  bool bodies = false, applied = false;
+};
+[[nodiscard]] PrintSections print_sections(int kPrtOpt);
+
+class PrintFile {
+ public:
+  /// A new file, replacing what was there. @throws InputError
+  static PrintFile create(const std::filesystem::path& path, std::string run_id, UnitSystem units);
+  /// Continues a file after MASTER's length of it; checks the run code. @throws InputError
+  static PrintFile continue_after(const std::filesystem::path& path, std::string run_id,
+                                  UnitSystem units, std::uintmax_t bytes);
+
+  /// The check of continue_after() alone; nothing is touched. @throws InputError
+  static void check(const std::filesystem::path& path, const std::string& run_id);
+
+  /// Input echo, geometry, materials, inertia, traction, initial conditions, scales, output
+  /// control.
+  void front(const PrintFront& front);
+  /// Equilibrium of elements and races.
+  void quasi_static(const statics::StaticSolution& solution, const bearing::Bearing& bearing);
+  /// One printed step: rolling elements, races and cage, applied parameters, summary, as kPrtOpt
+  /// selects. `record` is the snapshot as the ChannelRecorder shows it.
+  void step(const dynamics::Snapshot& snapshot, const StepRecord& record,
+            const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt);
+  /// Last page: plan, steps, conservation and cost ledgers, accuracy of the contact integrals,
+  /// defaults used.
+  void ledgers(const RunSummary& run, const dynamics::ScenePlan& plan);
+
+  [[nodiscard]] const GrowingFile& file() const noexcept { return file_; }
+
+ private:
+  PrintFile(GrowingFile file, std::string run_id, UnitSystem units)
+      : file_(std::move(file)), report_(std::move(run_id), units) {}
+  void flush();
+  GrowingFile file_;
+  Report report_;
+};
+
+// The parts, on any report.
+void print_front(Report& report, const PrintFront& front);
+void print_quasi_static(Report& report, const statics::StaticSolution& solution,
+                        const bearing::Bearing& bearing);
+void print_step(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record,
+                const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt);
+void print_ledgers(Report& report, const RunSummary& run, const dynamics::ScenePlan& plan);
+
+}  // namespace adore::results

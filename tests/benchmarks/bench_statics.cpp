@@ -1,0 +1,30 @@
+#include "contact/hertz.hpp"
+#include "../core/statics/ball_bearings.hpp"
+#include "statics/ball_statics.hpp"
+
+#include <benchmark/benchmark.h>
+
+/// Cold start of the quasi-static solution: 16 balls, thrust and radial load, moment-free, at
+/// speed. Aim: 1 ms.
+static void combined_load_16_balls(benchmark::State& state) {
+  auto bearing = ball_bearings::angular_contact_218(6000.0);
+  ball_bearings::load(bearing, 17800, 0, 8900);
+  bearing.spin_rule = static_cast<adore::bearing::SpinRule>(state.range(0));
+  bearing.spin_angle = 0.6;
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(adore::statics::solve_ball_statics(bearing));
+  }
+}
+BENCHMARK(combined_load_16_balls)
+    ->ArgName("kAngVel")
+    ->Arg(static_cast<int>(adore::bearing::SpinRule::RaceControl))
+    ->Arg(static_cast<int>(adore::bearing::SpinRule::MinimumHeat))
+    ->Arg(static_cast<int>(adore::bearing::SpinRule::Prescribed))
+    ->Unit(benchmark::kMicrosecond);
+
+static void hertz_constants(benchmark::State& state) {
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(adore::contact::hertz_constants({4.0, 110.0}, 1.13e11));
+  }
+}
+BENCHMARK(hertz_constants);
