@@ -114,7 +114,6 @@ BallBalance ConstrainedBall::evaluate(const std::array<RacePose, 2>& races, doub
 Vec2 ConstrainedBall::idle_place(const RacePose& outer, double theta,
                                  const Vec2& guess) const noexcept {
   const BallFrame J = directions(theta);
-  // Start well inside the groove: close to its bottom the two conditions are far from singular.
   Vec2 place(outer.centre[0],
              outer.centre.dot(J.col(1)) + groove_.centre_radius[0] + groove_.offset[0]);
   for (int k = 0; k < 50; ++k) {

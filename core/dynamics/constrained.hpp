@@ -89,8 +89,9 @@ class ConstrainedBall {
   /// eigenvalues that are not positive are replaced, the step is limited to a few δ and halved
   /// until |G| or the potential decreases. With neither orbit nor force and no load on the inner
   /// race the solution is the limit of vanishing centrifugal force: outer gap 0 at the groove
-  /// bottom seen along e_r. `solved` is false when no balance was found (e.g. a force that nothing
-  /// takes).
+  /// bottom seen along e_r. A groove is
+  /// a closed circle here and takes any force; loads beyond Hertz are the caller's to refuse.
+  /// `solved` is false when the iteration ends above rounding level.
   [[nodiscard]] BallBalance solve(const std::array<RacePose, 2>& races, double theta,
                                   const Orbit& orbit, const Vec2& force,
                                   const Vec2& guess) const noexcept;
