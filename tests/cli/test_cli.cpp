@@ -1,4 +1,8 @@
+#include "results/restart.hpp"
+#include "results/sol_file.hpp"
+
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <chrono>
@@ -9,15 +13,9 @@
 #include <set>
 #include <sstream>
 #include <string>
-#include <thread>
-
-#include <nlohmann/json.hpp>
-
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
-
-#include "results/restart.hpp"
-#include "results/sol_file.hpp"
 
 namespace fs = std::filesystem;
 using nlohmann::json;
@@ -50,21 +48,26 @@ struct Result {
   std::string out;  ///< stdout and stderr together
 };
 
-std::string command_line(const std::string& arguments) { return std::string(ADORE_EXECUTABLE) + " " + arguments; }
+std::string command_line(const std::string& arguments) {
+  return std::string(ADORE_EXECUTABLE) + " " + arguments;
+}
 
-Result adore(const std::string& arguments, const std::string& environment = "") {
+Result run_adore(const std::string& arguments, const std::string& environment = "") {
   Result result;
   FILE* pipe = popen((environment + " " + command_line(arguments) + " 2>&1").c_str(), "r");
   REQUIRE(pipe != nullptr);
   std::array<char, 4096> buffer{};
   std::size_t count = 0;
-  while ((count = fread(buffer.data(), 1, buffer.size(), pipe)) > 0) result.out.append(buffer.data(), count);
+  while ((count = fread(buffer.data(), 1, buffer.size(), pipe)) > 0)
+    result.out.append(buffer.data(), count);
   const int status = pclose(pipe);
   result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return result;
 }
 
-void write(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
+void write(const fs::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
 
 std::string read(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -73,10 +76,14 @@ std::string read(const fs::path& path) {
   return out.str();
 }
 
-bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
 
 /// A new ball deck in the folder, stored often enough for short runs.
-void new_ball_deck(const Folder& folder) { REQUIRE(adore("new ball --out " + (folder / "DATA.txt").string()).code == 0); }
+void new_ball_deck(const Folder& folder) {
+  REQUIRE(run_adore("new ball --out " + (folder / "DATA.txt").string()).code == 0);
+}
 
 /// Starts a long run in the background and returns its process.
 pid_t start_long_run(const Folder& folder, const std::string& set = "") {
@@ -86,9 +93,11 @@ pid_t start_long_run(const Folder& folder, const std::string& set = "") {
     std::freopen("/dev/null", "w", stdout);
     const std::string deck = folder.path().string();
     if (set.empty())
-      execl(ADORE_EXECUTABLE, "adore", "run", deck.c_str(), "--until", "500rev", "--opt", "checkpointSeconds=0.2", nullptr);
+      execl(ADORE_EXECUTABLE, "adore", "run", deck.c_str(), "--until", "500rev", "--opt",
+            "checkpointSeconds=0.2", nullptr);
     else
-      execl(ADORE_EXECUTABLE, "adore", "run", deck.c_str(), "--until", "500rev", "--opt", "checkpointSeconds=0.2", "--set", set.c_str(), nullptr);
+      execl(ADORE_EXECUTABLE, "adore", "run", deck.c_str(), "--until", "500rev", "--opt",
+            "checkpointSeconds=0.2", "--set", set.c_str(), nullptr);
     _exit(99);
   }
   return child;
@@ -97,7 +106,9 @@ pid_t start_long_run(const Folder& folder, const std::string& set = "") {
 /// Waits until the run has stored some steps.
 void wait_for_steps(const Folder& folder, std::uintmax_t bytes) {
   std::error_code error;
-  for (int i = 0; i < 600 && (!fs::exists(folder / "SOL7", error) || fs::file_size(folder / "SOL7", error) < bytes); ++i)
+  for (int i = 0; i < 600 && (!fs::exists(folder / "SOL7", error) ||
+                              fs::file_size(folder / "SOL7", error) < bytes);
+       ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   REQUIRE(fs::file_size(folder / "SOL7") >= bytes);
 }
@@ -107,7 +118,9 @@ void wait_for_steps(const Folder& folder, std::uintmax_t bytes) {
 TEST_CASE("adore refuses what it cannot read with a sentence and exit code 2", "[cli]") {
   const Folder folder;
   write(folder / "empty.txt", "");
-  write(folder / "binary.txt", std::string("\x7f" "ELF\0\1\2\3\0\0\0", 11));
+  write(folder / "binary.txt", std::string("\x7f"
+                                           "ELF\0\1\2\3\0\0\0",
+                                           11));
   new_ball_deck(folder);
   const std::string deck = (folder / "DATA.txt").string();
 
@@ -116,39 +129,42 @@ TEST_CASE("adore refuses what it cannot read with a sentence and exit code 2", "
     CHECK(result.code == 2);
     CHECK(contains(result.out, part));
   };
-  refused(adore("run " + (folder / "missing.txt").string()), "missing.txt");
-  refused(adore("run " + (folder / "empty.txt").string()), "empty");
-  refused(adore("run " + (folder / "binary.txt").string()), "binary");
-  refused(adore("run " + deck + " --set pitchDai=0.06"), "pitchDia");
-  refused(adore("run " + deck + " --set pitchDia=nan"), "pitchDia");
-  refused(adore("run " + deck + " --set pitchDia=1e999"), "pitchDia");
-  refused(adore("run " + deck + " --set nRe=2.5"), "nRe");
-  refused(adore("run " + deck + " --opt ellipse=3"), "ellipseMajor");
-  refused(adore("run " + deck + " --integrator euler"), "rkf1");
-  refused(adore("run " + deck + " --until 5turns"), "5rev");
-  refused(adore("run " + deck + " --tol -1"), "--tol");
-  refused(adore("run " + deck + " --out /proc/adore"), "/proc/adore");
-  refused(adore("check " + (folder / "nowhere").string()), "nowhere");
-  refused(adore("calc no-such --json " + deck), "JSON");
-  refused(adore("show " + deck), "DATA.txt");
-  refused(adore("nonsense"), "nonsense");
+  refused(run_adore("run " + (folder / "missing.txt").string()), "missing.txt");
+  refused(run_adore("run " + (folder / "empty.txt").string()), "empty");
+  refused(run_adore("run " + (folder / "binary.txt").string()), "binary");
+  refused(run_adore("run " + deck + " --set pitchDai=0.06"), "pitchDia");
+  refused(run_adore("run " + deck + " --set pitchDia=nan"), "pitchDia");
+  refused(run_adore("run " + deck + " --set pitchDia=1e999"), "pitchDia");
+  refused(run_adore("run " + deck + " --set nRe=2.5"), "nRe");
+  refused(run_adore("run " + deck + " --opt ellipse=3"), "ellipseMajor");
+  refused(run_adore("run " + deck + " --integrator euler"), "rkf1");
+  refused(run_adore("run " + deck + " --until 5turns"), "5rev");
+  refused(run_adore("run " + deck + " --tol -1"), "--tol");
+  refused(run_adore("run " + deck + " --out /proc/adore"), "/proc/adore");
+  refused(run_adore("check " + (folder / "nowhere").string()), "nowhere");
+  refused(run_adore("calc no-such --json " + deck), "JSON");
+  refused(run_adore("show " + deck), "DATA.txt");
+  refused(run_adore("nonsense"), "nonsense");
 }
 
-TEST_CASE("a deck that asks for what is not built checks clean and is refused by record and variable", "[cli]") {
+TEST_CASE(
+    "a deck that asks for what is not built checks clean and is refused by record and variable",
+    "[cli]") {
   const Folder folder;
   for (const std::string type : {"cylindrical", "spherical", "tapered", "spherical-tapered"}) {
     const std::string deck = (folder / (type + ".txt")).string();
-    REQUIRE(adore("new " + type + " --out " + deck).code == 0);
-    CHECK(adore("check " + deck).code == 0);
-    const Result run = adore("run " + deck);
+    REQUIRE(run_adore("new " + type + " --out " + deck).code == 0);
+    CHECK(run_adore("check " + deck).code == 0);
+    const Result run = run_adore("run " + deck);
     INFO(run.out);
     CHECK(run.code == 2);
     CHECK(contains(run.out, "record 3.2, kBrg"));
     CHECK_FALSE(fs::exists(folder / "PRINT.txt"));
   }
   new_ball_deck(folder);
-  for (const std::string set : {"kTrac=3", "kVarLoad=1", "mode=1", "kDOF=2", "raceFit2=1e-5", "raceTemp2=320.0", "kPocType=1", "nCseg=0"}) {
-    const Result run = adore("run " + folder.path().string() + " --set " + set);
+  for (const std::string set : {"kTrac=3", "kVarLoad=1", "mode=1", "kDOF=2", "raceFit2=1e-5",
+                                "raceTemp2=320.0", "kPocType=1", "nCseg=0"}) {
+    const Result run = run_adore("run " + folder.path().string() + " --set " + set);
     INFO(set << "\n" << run.out);
     CHECK(run.code == 2);
     CHECK(contains(run.out, set.substr(0, set.find('='))));
@@ -158,18 +174,20 @@ TEST_CASE("a deck that asks for what is not built checks clean and is refused by
 TEST_CASE("a short run writes every file, and each can be shown and exported", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
-  const Result run = adore("run " + folder.path().string() + " --until 0.1rev --progress plain");
+  const Result run =
+      run_adore("run " + folder.path().string() + " --until 0.1rev --progress plain");
   INFO(run.out);
   REQUIRE(run.code == 0);
-  for (const char* name : {"PRINT.txt", "FINAL", "MASTER", "SOL1", "SOL2", "SOL3", "SOL4", "SOL7", "SOL8", "RUN.json", "RESULTS.h5"}) {
+  for (const char* name : {"PRINT.txt", "FINAL", "MASTER", "SOL1", "SOL2", "SOL3", "SOL4", "SOL7",
+                           "SOL8", "RUN.json", "RESULTS.h5"}) {
     INFO(name);
     REQUIRE(fs::exists(folder / name));
     CHECK(fs::file_size(folder / name) > 0);
     if (std::string(name) == "PRINT.txt") continue;
-    CHECK(adore("show " + (folder / name).string()).code == 0);
-    const Result csv = adore("convert " + (folder / name).string() + " --to csv");
+    CHECK(run_adore("show " + (folder / name).string()).code == 0);
+    const Result csv = run_adore("convert " + (folder / name).string() + " --to csv");
     CHECK(csv.code == 0);
-    const Result exported = adore("convert " + (folder / name).string() + " --to json");
+    const Result exported = run_adore("convert " + (folder / name).string() + " --to json");
     CHECK(json::accept(exported.out));
   }
   const json summary = json::parse(read(folder / "RUN.json"));
@@ -191,7 +209,9 @@ TEST_CASE("the same deck writes the same bytes, measured times apart", "[cli]") 
   const Folder folder;
   new_ball_deck(folder);
   const auto run_into = [&](const std::string& name, const std::string& environment = "") {
-    const Result run = adore("run " + folder.path().string() + " --quiet --until 0.05rev --out " + (folder / name).string(), environment);
+    const Result run = run_adore("run " + folder.path().string() +
+                                     " --quiet --until 0.05rev --out " + (folder / name).string(),
+                                 environment);
     INFO(run.out);
     REQUIRE(run.code == 0);
   };
@@ -201,7 +221,8 @@ TEST_CASE("the same deck writes the same bytes, measured times apart", "[cli]") 
     INFO(name);
     CHECK(read(folder / "a" / name) == read(folder / "b" / name));
   }
-  json a = json::parse(read(folder / "a" / "RUN.json")), b = json::parse(read(folder / "b" / "RUN.json"));
+  json a = json::parse(read(folder / "a" / "RUN.json")),
+       b = json::parse(read(folder / "b" / "RUN.json"));
   a.erase("measured");
   b.erase("measured");
   CHECK(a == b);
@@ -210,7 +231,7 @@ TEST_CASE("the same deck writes the same bytes, measured times apart", "[cli]") 
 TEST_CASE("a quasi-static deck writes one page and the equilibrium carries the load", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
-  const Result run = adore("run " + folder.path().string() + " --set mode=-1");
+  const Result run = run_adore("run " + folder.path().string() + " --set mode=-1");
   INFO(run.out);
   REQUIRE(run.code == 0);
   const json summary = json::parse(read(folder / "RUN.json"));
@@ -219,7 +240,8 @@ TEST_CASE("a quasi-static deck writes one page and the equilibrium carries the l
   CHECK_FALSE(fs::exists(folder / "SOL1"));
 }
 
-TEST_CASE("an interrupted run leaves valid files and exit code 130, and continues from there", "[cli][slow]") {
+TEST_CASE("an interrupted run leaves valid files and exit code 130, and continues from there",
+          "[cli][slow]") {
   const Folder folder;
   new_ball_deck(folder);
   const pid_t child = start_long_run(folder);
@@ -235,16 +257,19 @@ TEST_CASE("an interrupted run leaves valid files and exit code 130, and continue
   CHECK(state.step == stored.steps.back().step);
   CHECK(json::parse(read(folder / "RUN.json")).at("status") == "interrupted");
 
-  const Result more = adore("run " + folder.path().string() + " --set kIcOpt=1 --set maxStps=10");
+  const Result more =
+      run_adore("run " + folder.path().string() + " --set kIcOpt=1 --set maxStps=10");
   INFO(more.out);
   REQUIRE(more.code == 0);
   const auto longer = adore::results::read_sol(folder / "SOL1", {1, 1000000, 1});
   CHECK(longer.steps.size() > stored.steps.size());
   CHECK(longer.steps.back().step == state.step + 10);
-  for (std::size_t i = 1; i < longer.steps.size(); ++i) CHECK(longer.steps[i].step > longer.steps[i - 1].step);
+  for (std::size_t i = 1; i < longer.steps.size(); ++i)
+    CHECK(longer.steps[i].step > longer.steps[i - 1].step);
 }
 
-TEST_CASE("a killed run leaves readable files and continues from its last checkpoint", "[cli][slow]") {
+TEST_CASE("a killed run leaves readable files and continues from its last checkpoint",
+          "[cli][slow]") {
   const Folder folder;
   new_ball_deck(folder);
   const pid_t child = start_long_run(folder);
@@ -257,35 +282,46 @@ TEST_CASE("a killed run leaves readable files and continues from its last checkp
   const auto stored = adore::results::read_sol(folder / "SOL7", {1, 1000000, 1});
   REQUIRE_FALSE(stored.steps.empty());
   CHECK(stored.steps.back().step >= master.last.step);
-  CHECK(adore("show " + (folder / "RESULTS.h5").string()).code == 0);
+  CHECK(run_adore("show " + (folder / "RESULTS.h5").string()).code == 0);
 
-  const Result more = adore("run " + folder.path().string() + " --set kIcOpt=1 --set maxStps=5");
+  const Result more =
+      run_adore("run " + folder.path().string() + " --set kIcOpt=1 --set maxStps=5");
   INFO(more.out);
   REQUIRE(more.code == 0);
   const auto longer = adore::results::read_sol(folder / "SOL7", {1, 1000000, 1});
   CHECK(longer.steps.back().step == master.last.step + 5);
-  for (std::size_t i = 1; i < longer.steps.size(); ++i) CHECK(longer.steps[i].step > longer.steps[i - 1].step);
+  for (std::size_t i = 1; i < longer.steps.size(); ++i)
+    CHECK(longer.steps[i].step > longer.steps[i - 1].step);
 }
 
 TEST_CASE("a continued run reaches the state of an unbroken one", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
-  const std::string deck = folder.path().string(), fixed = " --set stpMin=0.2 --set stpMax=0.2 --set stpInit=0.2 --set intMet=4 --quiet";
-  REQUIRE(adore("run " + deck + fixed + " --set maxStps=20 --out " + (folder / "whole").string()).code == 0);
+  const std::string
+      deck = folder.path().string(),
+      fixed = " --set stpMin=0.2 --set stpMax=0.2 --set stpInit=0.2 --set intMet=4 --quiet";
+  REQUIRE(
+      run_adore("run " + deck + fixed + " --set maxStps=20 --out " + (folder / "whole").string())
+          .code == 0);
   const std::string parts = (folder / "parts").string();
-  REQUIRE(adore("run " + deck + fixed + " --set maxStps=10 --out " + parts).code == 0);
-  REQUIRE(adore("run " + deck + fixed + " --set maxStps=10 --set kIcOpt=1 --out " + parts).code == 0);
+  REQUIRE(run_adore("run " + deck + fixed + " --set maxStps=10 --out " + parts).code == 0);
+  REQUIRE(
+      run_adore("run " + deck + fixed + " --set maxStps=10 --set kIcOpt=1 --out " + parts).code ==
+      0);
   const auto whole = adore::results::read_final(folder / "whole" / "FINAL");
   const auto joined = adore::results::read_final(folder / "parts" / "FINAL");
   CHECK(joined.step == whole.step);
   REQUIRE(joined.state.size() == whole.state.size());
   double worst = 0.0;
   for (std::size_t i = 0; i < whole.state.size(); ++i)
-    worst = std::max(worst, std::abs(joined.state[i] - whole.state[i]) / std::max(1.0, std::abs(whole.state[i])));
+    worst = std::max(worst, std::abs(joined.state[i] - whole.state[i]) /
+                                std::max(1.0, std::abs(whole.state[i])));
   CHECK(worst < 1e-11);  // the same steps; only t = k h is summed in two parts
   CHECK(read(folder / "whole" / "SOL1").size() == read(folder / "parts" / "SOL1").size());
 
-  const Result other = adore("run " + deck + fixed + " --set maxStps=10 --set kIcOpt=1 --set runID=another --out " + parts);
+  const Result other =
+      run_adore("run " + deck + fixed +
+                " --set maxStps=10 --set kIcOpt=1 --set runID=another --out " + parts);
   INFO(other.out);
   CHECK(other.code == 2);
   CHECK(contains(other.out, "another"));
@@ -295,32 +331,37 @@ TEST_CASE("a continued run reaches the state of an unbroken one", "[cli]") {
 TEST_CASE("adore plan, schema, examples and calc speak JSON and tables", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
-  const Result plan = adore("plan --json " + folder.path().string());
+  const Result plan = run_adore("plan --json " + folder.path().string());
   INFO(plan.out);
   REQUIRE(plan.code == 0);
   const json scene = json::parse(plan.out);
   CHECK(scene.at("estimates").at("fastest_frequency_Hz").get<double>() > 1000.0);
-  for (const json& effect : scene.at("effects")) CHECK_FALSE(effect.at("because").get<std::string>().empty());
-  const Result off = adore("plan --json " + folder.path().string() + " --set gravityVecZ=0.0");
+  for (const json& effect : scene.at("effects"))
+    CHECK_FALSE(effect.at("because").get<std::string>().empty());
+  const Result off = run_adore("plan --json " + folder.path().string() + " --set gravityVecZ=0.0");
   for (const json& effect : json::parse(off.out).at("effects"))
     if (effect.at("name") == "gravity") CHECK(effect.at("on") == false);
 
-  CHECK(adore("schema").out.substr(0, 6) == "record");
-  CHECK(json::accept(adore("schema --format json").out));
-  CHECK(contains(adore("examples").out, "tapered"));
-  write(folder / "hertz.json",
-        R"({"body1": {"Rx": 0.01, "Ry": 0.01, "E": 2e11, "nu": 0.3}, "body2": {"Rx": "inf", "Ry": "inf", "E": 2e11, "nu": 0.3}, "load": 100, "stress_poisson": 0.3})");
-  const Result hertz = adore("calc hertz --json " + (folder / "hertz.json").string());
+  CHECK(run_adore("schema").out.substr(0, 6) == "record");
+  CHECK(json::accept(run_adore("schema --format json").out));
+  CHECK(contains(run_adore("examples").out, "tapered"));
+  write(
+      folder / "hertz.json",
+      R"({"body1": {"Rx": 0.01, "Ry": 0.01, "E": 2e11, "nu": 0.3}, "body2": {"Rx": "inf", "Ry": "inf", "E": 2e11, "nu": 0.3}, "load": 100, "stress_poisson": 0.3})");
+  const Result hertz = run_adore("calc hertz --json " + (folder / "hertz.json").string());
   INFO(hertz.out);
   REQUIRE(hertz.code == 0);
   // Sphere on flat: K = 4/3 E* sqrt(R) with E* = 1e11/0.91.
-  CHECK(json::parse(hertz.out).at("load_deflection_constant").get<double>() == Approx(4.0 / 3.0 * 1e11 / 0.91 * 0.1).epsilon(1e-9));
+  CHECK(json::parse(hertz.out).at("load_deflection_constant").get<double>() ==
+        Approx(4.0 / 3.0 * 1e11 / 0.91 * 0.1).epsilon(1e-9));
 }
 
 TEST_CASE("a sweep runs one folder per value and a table", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
-  const Result sweep = adore("run " + folder.path().string() + " --set mode=-1 --set appLoadX=500.0:2500.0:3 --quiet --out " + (folder / "sweep").string());
+  const Result sweep = run_adore("run " + folder.path().string() +
+                                 " --set mode=-1 --set appLoadX=500.0:2500.0:3 --quiet --out " +
+                                 (folder / "sweep").string());
   INFO(sweep.out);
   REQUIRE(sweep.code == 0);
   std::istringstream table(read(folder / "sweep" / "SWEEP.csv"));
@@ -334,7 +375,9 @@ TEST_CASE("a sweep runs one folder per value and a table", "[cli]") {
 TEST_CASE("adore accuracy tabulates error against cost", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
-  const Result study = adore("accuracy " + folder.path().string() + " --methods rkf5,pece4 --tols 1e-5,1e-7 --span 5 --out " + folder.path().string());
+  const Result study =
+      run_adore("accuracy " + folder.path().string() +
+                " --methods rkf5,pece4 --tols 1e-5,1e-7 --span 5 --out " + folder.path().string());
   INFO(study.out);
   REQUIRE(study.code == 0);
   CHECK(fs::exists(folder / "ACCURACY.csv"));
