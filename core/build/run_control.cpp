@@ -88,9 +88,11 @@ const std::vector<Option>& options() {
     const RunOptions defaults;
     return std::vector<Option>{
         {{"ellipseMajor", fmt::format("{}", defaults.system.ellipse_major),
-          "quadrature nodes along the contact ellipse's major axis, 2 to 64"},
+          "quadrature nodes along the contact ellipse's major axis, 10 to 100 (in five pieces: "
+          "rounded "
+          "up to a multiple of 5)"},
          [](RunOptions& o, std::string_view v) {
-           return parse_count(v, o.system.ellipse_major, 2, 64);
+           return parse_count(v, o.system.ellipse_major, 10, 100);
          }},
         {{"ellipseMinor", fmt::format("{}", defaults.system.ellipse_minor),
           "quadrature nodes along its minor axis, 1 to 64"},

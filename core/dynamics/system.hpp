@@ -25,7 +25,7 @@ struct Scales {
 };
 
 struct SystemOptions {
-  int ellipse_major = 12, ellipse_minor = 4;  ///< quadrature nodes of the run
+  int ellipse_major = 15, ellipse_minor = 4;  ///< nodes of the run's split ellipse rule
   tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;
   int land_slices = 3;
 };

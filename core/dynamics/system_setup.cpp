@@ -81,7 +81,7 @@ void System::Impl::set_up_races(const std::array<double, 2>& fixed_angle,
                                 const SystemOptions& options, bool traction) {
   const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls);
   const tribology::EllipseRule rule =
-      tribology::make_ellipse_rule(options.ellipse_major, options.ellipse_minor);
+      tribology::make_split_ellipse_rule(options.ellipse_major, options.ellipse_minor);
   const auto& misalignment = bearing.constraints.outer_misalignment;
   race_attitude[0] = quaternion_from_angles({0.0, misalignment[0], misalignment[1]});
   race_attitude[1] =

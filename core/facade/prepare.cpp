@@ -2,6 +2,7 @@
 
 #include "build/build_bearing.hpp"
 #include "build/scene_plan.hpp"
+#include "dynamics/race_contacts.hpp"
 #include "dynamics/scene_estimate.hpp"
 
 #include <fmt/format.h>
@@ -101,6 +102,7 @@ LoadedDeck load_deck(const DeckRequest& request) {
 }
 
 Prepared prepare(const DeckRequest& request) {
+  dynamics::check_instruction_set_request();
   Prepared out;
   out.input = load_deck(request);
   const deck::Deck& deck = out.input.deck;

@@ -122,7 +122,8 @@ struct RunOutputs::Impl {
   Impl(const Prepared& p, fs::path f)
       : prepared(p),
         control(p.control),
-        folder(std::move(f)), plan(p.plan),
+        folder(std::move(f)),
+        plan(p.plan),
         units(p.input.deck.units()),
         recorder(p.bearing, units) {}
 
@@ -131,6 +132,9 @@ struct RunOutputs::Impl {
     return folder / control.sol_files[number - 1];
   }
 
+  [[nodiscard]] int cages() const { return prepared.bearing.cage ? 1 : 0; }
+  [[nodiscard]] bool writes_animation() const;
+  void check_files() const;
   void open_files(bool continued, long last_step, std::uintmax_t print_bytes);
   void print_front(const std::optional<dynamics::Scales>& scales);
   [[nodiscard]] results::FinalState final_state(const dynamics::System& system) const;
@@ -139,7 +143,26 @@ struct RunOutputs::Impl {
   void close(results::RunSummary& run);
 };
 
+/// Refuses to continue files of another run or layout, before any of them is touched (N3).
+void RunOutputs::Impl::check_files() const {
+  results::PrintFile::check(path("PRINT.txt"), prepared.bearing.run_id);
+  const auto check = [&](std::size_t number, int index) {
+    results::SolWriter::check(sol_path(number),
+                              results::make_sol_header(prepared.bearing, index, units));
+  };
+  for (std::size_t k = 0; k < control.monitored.size() && k < 6; ++k)
+    check(k + 1, control.monitored[k]);
+  check(7, 0);
+  if (prepared.options.results_h5) results::H5Writer::check(path("RESULTS.h5"), prepared.bearing);
+  if (writes_animation()) results::Sol8Writer::check(sol_path(8), prepared.bearing, units);
+}
+
+bool RunOutputs::Impl::writes_animation() const {
+  return control.animate && !results::sol8_refusal(prepared.bearing.balls.count, cages());
+}
+
 void RunOutputs::Impl::open_files(bool continued, long last_step, std::uintmax_t print_bytes) {
+  if (continued) check_files();
   written.push_back(path("PRINT.txt"));
   print = continued ? results::PrintFile::continue_after(path("PRINT.txt"), prepared.bearing.run_id,
                                                          units, print_bytes)
@@ -161,8 +184,7 @@ void RunOutputs::Impl::open_files(bool continued, long last_step, std::uintmax_t
               : results::H5Writer::create(path("RESULTS.h5"), prepared.bearing);
   }
   if (!control.animate) return;
-  const int cages = prepared.bearing.cage ? 1 : 0;
-  if (const auto refusal = results::sol8_refusal(prepared.bearing.balls.count, cages)) {
+  if (const auto refusal = results::sol8_refusal(prepared.bearing.balls.count, cages())) {
     remarks.push_back(*refusal);
     return;
   }
@@ -195,6 +217,7 @@ void RunOutputs::Impl::write_restart(const dynamics::System& system) {
   const auto add = [&](const std::string& role, const results::GrowingFile& file) {
     master.files.push_back({role, file.path().filename().string(), file.bytes()});
   };
+  add("PRINT", print->file());
   for (std::size_t k = 0; k < elements.size(); ++k)
     add(fmt::format("SOL{}", k + 1), elements[k].file());
   add("SOL7", power->file());

@@ -101,7 +101,7 @@ constexpr auto kTable = std::to_array<Channel>({
     {"contact.pressure", "largest contact pressure", &unit::kPressure, "-", Per::Contact, 1, false,
      [](const Source& s) { return s.contact().max_pressure; }, "in the middle of the ellipse"},
     {"contact.edge", "contact edge position", &unit::kLength, "-", Per::Contact, 1, false,
-     [](const Source& s) { return s.contact().edge; }, "outer: depth s below the shoulder, inner: half chord t"},
+     [](const Source& s) { return s.contact().edge; }, "depth s of the contact's edge below the shoulder"},
     // Pockets, one value per guide surface.
     {"pocket.force", "pocket force", &unit::kForce, "-", Per::Pocket, 1, false,
      [](const Source& s) { return s.pocket().force; }, "of the cage on the element"},
