@@ -88,9 +88,8 @@ const std::vector<Option>& options() {
     const RunOptions defaults;
     return std::vector<Option>{
         {{"ellipseMajor", fmt::format("{}", defaults.system.ellipse_major),
-          "quadrature nodes along the contact ellipse's major axis, 10 to 100 (in five pieces: "
-          "rounded "
-          "up to a multiple of 5)"},
+          "quadrature nodes along the contact ellipse's major axis, 10 to 100, rounded up to "
+          "a multiple of 5"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.system.ellipse_major, 10, 100);
          }},
