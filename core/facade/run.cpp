@@ -154,7 +154,6 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
   };
 
   const auto loop_begin = Clock::now();
-  bool stored_last = false;
   try {
     stepper->start(ode, start.time, start.y, control);
     if (!start.continued)
@@ -162,7 +161,6 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
         outputs.store(system, {0, start.time, 0.0, start.y}, true);
         outputs.write_first_checkpoint(system);
       });
-    stored_last = !start.continued;
     const long last_step = span.max_steps > std::numeric_limits<long>::max() - step
                                ? span.max_steps
                                : step + span.max_steps;
@@ -175,8 +173,7 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
         h = stepper->step(span.end).h;
       ++step;
       system.check_state(stepper->time(), stepper->state().data());
-      stored_last = outputs.wants(step);
-      if (stored_last)
+      if (outputs.wants(step))
         output([&] { outputs.store(system, {step, stepper->time(), h, stepper->state()}, false); });
       output([&] {
         outputs.checkpoint_if_due(system, {step, stepper->time(), h, stepper->state()});
@@ -195,7 +192,7 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
 
   // A failed state may be meaningless: the files end with the last stored step, and FINAL keeps the
   // last checkpoint.
-  if (out.status != RunStatus::Failed) output([&] { outputs.store(system, end, !stored_last); });
+  if (out.status != RunStatus::Failed) output([&] { outputs.store(system, end, true); });
   // What the loop spent outside the right-hand side and the output belongs to the stepper.
   const double loop_seconds = seconds_since(loop_begin);
   double rhs_seconds = 0.0;

@@ -117,6 +117,7 @@ struct RunOutputs::Impl {
   std::vector<std::string> remarks;
   std::vector<std::pair<std::string, double>> key_results;
   Clock::time_point checkpoint = Clock::now();
+  long plotted = -1, animated = -1, printed = -1, saved = -1;  ///< last step in each kind of file
   int cage_position = -1;  ///< first component of the cage's mass centre
 
   Impl(const Prepared& p, fs::path f)
@@ -311,26 +312,34 @@ bool RunOutputs::wants(long step) const {
 
 void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool always) {
   Impl& s = *impl_;
+  // No file gets a step twice: the last step may have met an interval already.
+  const auto meets = [&](int every, long& last_written) {
+    if (!(always || due(point.step, every)) || last_written == point.step) return false;
+    last_written = point.step;
+    return true;
+  };
+  const bool plot = meets(s.control.plot_every, s.plotted);
+  const bool animate = s.control.animate && meets(s.control.animate_every, s.animated);
+  const bool print = meets(s.control.print_every, s.printed);
+  if (!plot && !animate && !print) return;
   s.last = system.snapshot(point.time, point.y);
   s.last.step = point.step;
   s.last.step_size = point.step_size;
   s.last_y.assign(point.y.begin(), point.y.end());
   s.averages.add(s.last);
-  const bool plot = always || due(point.step, s.control.plot_every);
-  const bool animate = s.animation && (always || due(point.step, s.control.animate_every));
-  const bool print = always || due(point.step, s.control.print_every);
-  if (plot || animate || print) {
-    const results::StepRecord& record = s.recorder.record(s.last);
-    if (plot) {
-      for (results::SolWriter& file : s.elements) file.write(record);
-      s.power->write(record);
-    }
-    if (animate) s.animation->write(s.last);
-    if (s.all && (plot || animate)) s.all->write(record);
-    if (print)
-      s.print->step(s.last, record, s.prepared.bearing, s.averages.averages(),
-                    s.control.print_option);
+  const results::StepRecord& record = s.recorder.record(s.last);
+  if (plot) {
+    for (results::SolWriter& file : s.elements) file.write(record);
+    s.power->write(record);
   }
+  if (animate && s.animation) s.animation->write(s.last);
+  if (s.all && (plot || animate) && s.saved != point.step) {
+    s.all->write(record);
+    s.saved = point.step;
+  }
+  if (print)
+    s.print->step(s.last, record, s.prepared.bearing, s.averages.averages(),
+                  s.control.print_option);
 }
 
 void RunOutputs::write_first_checkpoint(dynamics::System& system) { impl_->write_restart(system); }
