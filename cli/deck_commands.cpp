@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
@@ -24,18 +25,30 @@ const char* word(Severity severity) {
 int check(const std::string& path, bool json) {
   const deck::ReadResult read = deck::read_deck(facade::deck_path(path));
   std::vector<Issue> issues = read.issues;
-  if (read.ok())
+  if (read.ok()) {
+    bool buildable = true;
     for (Issue issue : build::check_buildable(read.deck)) {
       if (issue.severity == Severity::Error) {
+        buildable = false;
         issue.severity = Severity::Note;
         issue.message = "`adore run` will refuse this deck: " + issue.message;
       }
       issues.push_back(std::move(issue));
     }
+    // Geometry and traction laws that cannot close show when the model is built.
+    if (buildable) try {
+        (void)build::build_bearing(read.deck);
+      } catch (const InputError& error) {
+        issues.insert(issues.end(), error.issues().begin(), error.issues().end());
+      }
+  }
+  const bool ok = std::none_of(issues.begin(), issues.end(), [](const Issue& issue) {
+    return issue.severity == Severity::Error;
+  });
   if (json) {
     nlohmann::ordered_json out;
     out["file"] = read.deck.file;
-    out["ok"] = read.ok();
+    out["ok"] = ok;
     out["issues"] = nlohmann::ordered_json::array();
     for (const Issue& issue : issues)
       out["issues"].push_back({{"severity", word(issue.severity)},
@@ -54,7 +67,7 @@ int check(const std::string& path, bool json) {
                read.deck.records.size(), errors, errors == 1 ? "" : "s", issues.size() - errors,
                issues.size() - errors == 1 ? "" : "s");
   }
-  return read.ok() ? 0 : 2;
+  return ok ? 0 : 2;
 }
 
 void plan(const DeckOptions& options, bool json) {

@@ -84,15 +84,13 @@ bearing::Inertia ring_inertia(double outer, double inner, double width, double d
   return out;
 }
 
-bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const std::string& stem,
-                             const char* record) {
+bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const std::string& stem) {
   const std::array<double, 4> tc{deck.si(stem + "1"), deck.si(stem + "2"), deck.si(stem + "3"),
                                  deck.si(stem + "4")};
   try {
     return tribology::traction_curve(static_cast<int>(deck.integer(type_variable)), tc);
   } catch (const InputError& error) {
-    throw InputError({deck.issue(Severity::Error, stem + "1",
-                                 fmt::format("record {}: {}", record, error.what()))});
+    throw InputError({deck.issue(Severity::Error, stem + "1", error.what())});
   }
 }
 
@@ -173,15 +171,15 @@ Bearing build_bearing(const Deck& deck) {
                                    out.envelope.race_width[0], out.race_material[0].density),
                       ring_inertia(groove_bottom_inner, out.envelope.bore,
                                    out.envelope.race_width[1], out.race_material[1].density)};
-  out.race_traction = curve(deck, "kTracType", "reRaceTC", "10.1");
+  out.race_traction = curve(deck, "kTracType", "reRaceTC");
   if (deck.integer("mode") >= 0 && deck.integer("nCseg") == 1) {
     out.cage = cage(deck, out.balls);
-    out.pocket_traction = curve(deck, "kCPTracType", "reCageTC", "10.5.1");
+    out.pocket_traction = curve(deck, "kCPTracType", "reCageTC");
     const bool guided = std::any_of(out.cage->lands.begin(), out.cage->lands.end(),
                                     [](const bearing::GuideLand& land) {
                                       return land.guide != bearing::GuideLand::Guide::None;
                                     });
-    if (guided) out.land_traction = curve(deck, "kCRTracType", "cageRaceTC", "10.5.2");
+    if (guided) out.land_traction = curve(deck, "kCRTracType", "cageRaceTC");
   }
   out.constraints = constraints(deck);
   constexpr bearing::SpinRule kRules[] = {bearing::SpinRule::MinimumHeat,

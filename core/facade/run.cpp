@@ -112,19 +112,37 @@ RunOutcome run_quasi_static(const Prepared& prepared, const fs::path& folder) {
   return out;
 }
 
+/// The deck's integrator. @throws InputError when it cannot do what the deck asks of it.
+std::unique_ptr<integrators::Stepper> make_checked_stepper(const build::RunControl& control,
+                                                           const SystemOde& ode) {
+  auto stepper = integrators::make_stepper(control.integrator);
+  if (stepper->name() == "arkode-imex" && !ode.has_stiff_part())
+    throw InputError(
+        "arkode-imex needs the stiff part of the motion by itself, which this version does not "
+        "separate; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
+  if (control.step_minimum == control.step_maximum && !stepper->holds_constant_step())
+    throw InputError(
+        fmt::format("record 2.1 asks for a constant step (stpMin = stpMax), which {} cannot hold; "
+                    "use intMet 1-7, 11-18 or 31-32, or let stpMin be smaller than stpMax",
+                    stepper->name()));
+  return stepper;
+}
+
 RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, const fs::path& folder,
                        const ProgressSink& progress, std::stop_token stop) {
   const auto begin = Clock::now();
   dynamics::System system = make_system(prepared);
+  SystemOde ode(system);
+  const auto stepper = make_checked_stepper(prepared.control, ode);
+  // Everything that the deck alone decides is checked before a file of an earlier run is touched.
+  (void)run_span(request, prepared, system.scales().time);
   RunOutputs outputs(prepared, folder);
-  StartPoint start =
+  const StartPoint start =
       outputs.begin(system, prepared.control.start);  // y, t, step; appends when it continues
   const double scale = system.scales().time;
   const Span span = run_span(request, prepared, scale);
 
   RunOutcome out;
-  SystemOde ode(system);
-  const auto stepper = integrators::make_stepper(prepared.control.integrator);
   integrators::StepControl control;
   control.initial = start.step_size > 0.0 && prepared.control.step_initial == 0.0
                         ? start.step_size
@@ -132,12 +150,6 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
   control.minimum = prepared.control.step_minimum * scale;
   control.maximum = prepared.control.step_maximum * scale;
   control.tolerance = prepared.control.tolerance;
-  if (control.minimum == control.maximum && !stepper->holds_constant_step())
-    throw InputError(
-        fmt::format("record 2.1 asks for a constant step (stpMin = stpMax), which {} cannot hold; "
-                    "use intMet 1-7, 11-18 or 31-33, "
-                    "or let stpMin be smaller than stpMax",
-                    stepper->name()));
 
   const int stepper_cost = system.cost().add_entry("stepper");
   const int output_cost = system.cost().add_entry("output");

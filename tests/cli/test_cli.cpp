@@ -171,6 +171,37 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("every ball example checks clean and runs", "[cli]") {
+  const Folder folder;
+  for (const std::string type : {"ball", "ball-english", "ball-thrust", "ball-18"}) {
+    const std::string deck = (folder / (type + ".txt")).string();
+    REQUIRE(run_adore("new " + type + " --out " + deck).code == 0);
+    CHECK(run_adore("check " + deck).code == 0);
+    const Result run =
+        run_adore("run " + deck + " --until 0.02rev --quiet --out " + (folder / type).string());
+    INFO(type << "\n" << run.out);
+    CHECK(run.code == 0);
+  }
+  // The same bearing in two unit systems. The decks' own numbers are rounded to 1e-7 or better.
+  const auto result = [&](const std::string& type, const char* name) {
+    return json::parse(read(folder / type / "RUN.json")).at("summary").at(name).get<double>();
+  };
+  for (const char* name : {"largest_contact_load_N", "power_loss_W", "mean_orbital_ratio"})
+    CHECK(result("ball-english", name) == Approx(result("ball", name)).epsilon(1e-6));
+}
+
+TEST_CASE("what an integrator cannot do is refused before a file is touched", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  for (const std::string set :
+       {" --set intMet=33", " --set intMet=21 --set stpMin=0.3 --set stpMax=0.3"}) {
+    const Result run = run_adore("run " + folder.path().string() + set);
+    INFO(run.out);
+    CHECK(run.code == 2);
+    CHECK_FALSE(fs::exists(folder / "PRINT.txt"));
+  }
+}
+
 TEST_CASE("a short run writes every file, and each can be shown and exported", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
