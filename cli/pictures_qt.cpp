@@ -12,10 +12,12 @@
 #include <QLineSeries>
 #include <QLogValueAxis>
 #include <QPainter>
+#include <QPen>
 #include <QScatterSeries>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <memory>
 
@@ -110,6 +112,10 @@ void add_picture_commands(CLI::App& app, int&) {
   add_animate(app);
 }
 
+/// Colours of the methods, repeated after ten; the first seven differ for colour-blind readers too.
+constexpr const char* kColours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8c6d00",
+                                    "#56b4e9", "#444444", "#e69f00", "#7b3fb3", "#a30d0d"};
+
 bool draw_accuracy_chart(const facade::AccuracyStudy& study, const std::filesystem::path& file) {
   desktop::ensure_headless_application();
   QChart chart;
@@ -136,6 +142,7 @@ bool draw_accuracy_chart(const facade::AccuracyStudy& study, const std::filesyst
       line = new QLineSeries;
       line->setName(QString::fromStdString(row.method));
       line->setPointsVisible(true);
+      line->setPen(QPen(QColor(kColours[(lines.size() - 1) % std::size(kColours)]), 2.0));
       chart.addSeries(line);
       line->attachAxis(seconds);
       line->attachAxis(error);
