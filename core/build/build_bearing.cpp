@@ -167,6 +167,15 @@ Bearing build_bearing(const Deck& deck) {
   out.ball_inertia = ball_inertia(out.balls.diameter, out.ball_material.density);
   const double groove_bottom_outer = out.balls.pitch_diameter + out.balls.diameter;
   const double groove_bottom_inner = out.balls.pitch_diameter - out.balls.diameter;
+  // Without material between groove and bore or outside, the ideal ring would have a negative mass.
+  if (out.envelope.outer_diameter <= groove_bottom_outer)
+    throw InputError(
+        {deck.issue(Severity::Error, "brgOD", "the outer groove reaches through the ring",
+                    "give more than pitchDia + bReDia")});
+  if (out.envelope.bore >= groove_bottom_inner)
+    throw InputError(
+        {deck.issue(Severity::Error, "brgBore", "the inner groove reaches through the ring",
+                    "give less than pitchDia - bReDia")});
   out.race_inertia = {ring_inertia(out.envelope.outer_diameter, groove_bottom_outer,
                                    out.envelope.race_width[0], out.race_material[0].density),
                       ring_inertia(groove_bottom_inner, out.envelope.bore,
