@@ -73,6 +73,21 @@ struct DepthAndNormal {
   return {phi, Vec3(nx, X[1] * over_r, X[2] * over_r)};
 }
 
+/// Direction of n without its length, for iterations that need no more: one root and no division.
+[[nodiscard]] inline Vec3 race_direction(const RaceSurface& race, const Vec3& X) noexcept {
+  const double r = std::sqrt(X[1] * X[1] + X[2] * X[2]);
+  double x = race.sin_angle, y = race.cos_angle;
+  if (race.shape == RaceSurface::Shape::Cone) {
+    const double sigma = race.sigma();
+    x *= sigma;
+    y *= sigma;
+  } else {
+    x = X[0] - race.groove_x;
+    y = r - race.groove_centre_radius;
+  }
+  return {x * r, y * X[1], y * X[2]};
+}
+
 /// Curvature of the race around its axis where its normal is n, to be added to 1/ρ of the roller
 /// [1/m]: -n_r/r, that is +cos α/r inner, -cos α/r outer.
 [[nodiscard]] inline double race_rolling_curvature(const Vec3& normal, const Vec3& X) noexcept {

@@ -29,6 +29,14 @@ struct RigidMotion {
   return u - u.dot(normal) * normal;
 }
 
+/// Entrainment velocity for films: half the sum of the surface velocities relative to the contact
+/// point, which moves with `orbit` (ω_m about the bearing axis); without its part along n [m/s].
+[[nodiscard]] inline Vec3 entrainment(const RigidMotion& race, const RigidMotion& roller,
+                                      const RigidMotion& orbit, const Vec3& X, const Vec3& normal) {
+  const Vec3 u = 0.5 * (race.at(X) + roller.at(X)) - orbit.at(X);
+  return u - u.dot(normal) * normal;
+}
+
 struct ContactWrench {
   Vec3 force = Vec3::Zero();   ///< on the roller [N]
   Vec3 moment = Vec3::Zero();  ///< on the roller about `about` [N m]

@@ -28,8 +28,9 @@ RaceSurface groove_through(int race, const Meridian& contact, const Meridian& n,
   RaceSurface surface = groove_race(race, r_g, contact[0] - r_g * n[0], contact[1] - r_g * n[1]);
   surface.mid_x = contact[0];
   surface.mid_r = contact[1];
-  surface.along_x = std::abs(n[1]);
-  surface.along_r = -std::copysign(n[0], n[0] * n[1]);
+  const double towards_x = std::copysign(1.0, n[1]);  // the tangent that points to +x
+  surface.along_x = towards_x * n[1];
+  surface.along_r = -towards_x * n[0];
   return surface;
 }
 
@@ -78,7 +79,7 @@ TaperedGeometry tapered_geometry(double D, const std::array<double, 2>& race_ang
     g.contact[race] = {side * sine, 0.5 * g.pitch_diameter + side * cosine};
     g.cone_radius_at_x0[race] = g.apex_x * std::tan(race_angle[race]);
   }
-  if (!(g.contact[1][1] > 0.0))
+  if (!(g.pitch_diameter > D))
     throw InputError(fmt::format(
         "tapered bearing: the half angles {} rad (outer) and {} rad (inner) give a pitch diameter "
         "of {} m, too small "
@@ -173,7 +174,7 @@ RibLoads rib_loads(double thrust_per_roller, const std::array<double, 2>& race_a
         fmt::format("tapered bearing: the half angle of the outer race is {} rad; it must lie "
                     "between 0 and π/2",
                     outer));
-  if (!(across > 0.0 && std::abs(inner) < 0.5 * kPi))
+  if (!(across > 1e-6 && std::abs(inner) < 0.5 * kPi))
     throw InputError(
         fmt::format("tapered bearing: a rib whose normal makes {} rad with the bearing axis cannot "
                     "hold a roller on an inner race "

@@ -32,7 +32,7 @@ struct TaperedGeometry {
 /// @throws InputError when not 0 < α_i < α_o < π/2; when the angles are so close that the pitch
 /// diameter exceeds kLargestPitchRatio roller diameters (they approach each other: d_m → D (α_o +
 /// α_i)/(α_o - α_i) grows without bound, and a rounding δα of the deck moves it by d_m δα/(2ν));
-/// when the inner race would have no positive radius.
+/// when d_m would not exceed D (α_i too small).
 [[nodiscard]] TaperedGeometry tapered_geometry(double roller_diameter,
                                                const std::array<double, 2>& race_angle);
 inline constexpr double kLargestPitchRatio = 1000.0;

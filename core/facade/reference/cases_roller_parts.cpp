@@ -91,17 +91,17 @@ Json contact_json(const FlangeContact& c) {
 Json end_case(const Json& in) {
   const EndAtFlange e = end_at_flange(in);
   Json out = contact_json(e.contact);
-  if (e.end.flat()) return out;
-  out["cap_radius"] = e.end.cap_radius;
-  out["on_cap"] = e.contact.on_cap;
-  out["extended_sphere_gap"] = e.contact.sphere_gap;
-  if (e.contact.mode == FlangeContact::Mode::Face && in.contains("material")) {
+  if (in.contains("material")) {
     const FlangeLoad load = flange_load(e.end, e.place.axis, e.contact, modulus(in));
     out["curvature_circumferential"] = load.curvature.across;
     out["curvature_along_face"] = load.curvature.along;
     out["K_hertz"] = load.hertz.K;
     out["load"] = load.load;
   }
+  if (e.end.flat()) return out;
+  out["cap_radius"] = e.end.cap_radius;
+  out["on_cap"] = e.contact.on_cap;
+  out["extended_sphere_gap"] = e.contact.sphere_gap;
   return out;
 }
 

@@ -12,7 +12,7 @@ namespace adore::facade::reference {
   return j.at("side") == "outer" ? bearing::kOuter : bearing::kInner;
 }
 
-/// "roller" object; sizes that a case leaves out are zero, a missing crown is straight.
+/// "roller" object, checked; sizes that a case leaves out are zero, a missing crown is straight.
 [[nodiscard]] inline contact::RollerProfile roller_profile(const Json& j) {
   contact::RollerProfile p;
   p.kind = j.value("profile", "crowned") == "arc" ? contact::RollerProfile::Kind::Arc
@@ -24,6 +24,7 @@ namespace adore::facade::reference {
   p.central_length = j.value("central_length", 0.0);
   p.land_offset = j.value("land_offset", 0.0);
   p.corner_radius = {j.value("corner_radius_1", 0.0), j.value("corner_radius_2", 0.0)};
+  contact::check_roller_profile(p);
   return p;
 }
 

@@ -271,6 +271,12 @@ TEST_CASE("Motion reference cases", "[validation]") {
                 "qfac_switch_energy", "qfac_sequence", "kdof"});
 }
 
+TEST_CASE("Line contact and roller reference cases", "[validation][rollers]") {
+  for (const char* name : {"B_line_contact", "rollers_slices", "rollers_flange", "rollers_inertia",
+                           "rollers_tapered"})
+    expect_covered(name);
+}
+
 TEST_CASE("Closed-form dynamics, impact and plates", "[validation]") {
   for (const char* name : {"F_dynamics", "dynamics_impact", "dynamics_plates"})
     expect_covered(name);
