@@ -62,7 +62,7 @@ double deepest(const RaceSurface& race, const Vec3& C, const Vec3& a, const Roll
         .depth;
   };
   int best = 0;
-  constexpr int kScan = 720;
+  constexpr int kScan = 90;
   for (int k = 1; k < kScan; ++k)
     if (depth(2 * kPi * k / kScan) > depth(2 * kPi * best / kScan)) best = k;
   double low = 2 * kPi * (best - 1) / kScan, high = 2 * kPi * (best + 1) / kScan;
