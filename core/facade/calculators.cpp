@@ -13,6 +13,38 @@ const std::vector<CalculatorInfo>& calculators() {
   static const std::vector<CalculatorInfo> table = {
       {"hertz", "A_hertz_point", "hertz_point",
        "elliptical Hertz contact: sizes, pressure, approach, subsurface stresses"},
+      {"line-contact", "B_line_contact", "line_contact",
+       "line contact: half width, pressure, subsurface stresses, four printed approaches"},
+      {"sliced-line", "B_line_contact", "sliced_roller",
+       "load and moment of a sliced roller over approach and tilt"},
+      {"slice-penetration", "rollers_slices", "slice_penetration",
+       "roller profile and slices against a race in three dimensions"},
+      {"slice-load", "rollers_slices", "slice_load",
+       "loads of roller slices, power or half-space law, land limits"},
+      {"slice-traction", "rollers_slices", "slice_traction",
+       "slip, traction, force, moment and heat of a sliced roller on a race"},
+      {"race-errors", "rollers_slices", "race_errors",
+       "out-of-round, land offset, taper and curvature factor of a race over azimuth"},
+      {"roller-flange", "rollers_flange", "sphere_end",
+       "gap, place, mode and load of a roller end at a flange, domed or flat"},
+      {"roller-corner", "rollers_flange", "corner_geometry",
+       "corner torus between the side and the end of a roller"},
+      {"flange-placing", "rollers_flange", "end_play",
+       "flange roots of a cylindrical race for a total end play"},
+      {"flange-load", "rollers_flange", "flange_load",
+       "load, slip, friction and heat of a roller end on a flange"},
+      {"roller-inertia", "rollers_inertia", "",
+       "mass, mass centre and moments of a roller with crown, domes and corners"},
+      {"tapered-geometry", "rollers_tapered", "tapered_geometry",
+       "tapered bearing from roller diameter and the two cone angles"},
+      {"tapered-speeds", "rollers_tapered", "tapered_speeds",
+       "pure-rolling speeds and gyroscopic moment of a tapered roller"},
+      {"rib-loads", "rollers_tapered", "rib_static",
+       "tapered bearing under thrust: race and rib loads, rib contact"},
+      {"grooved-tapered", "rollers_tapered", "grooved_tapered",
+       "groove circles of a spherical tapered roller bearing"},
+      {"spherical-row", "rollers_tapered", "grooved_spherical",
+       "groove circles of a row of spherical rollers"},
       {"ball-statics", "C_ball_bearing", "ball_equilibrium",
        "ball bearing under load and speed: loads, angles, stiffness"},
       {"kinematics", "E_kinematics", "kinematics", "cage and ball speeds, defect frequencies"},
@@ -42,11 +74,9 @@ nlohmann::json calculate(std::string_view name, const nlohmann::json& input) {
   const auto named = std::find_if(table.begin(), table.end(),
                                   [&](const CalculatorInfo& info) { return info.name == name; });
   const std::string family = named != table.end() ? named->family : std::string(name);
-  const auto adapters = reference::all_adapters();
-  const auto adapter =
-      std::find_if(adapters.begin(), adapters.end(),
-                   [&](const reference::Adapter& a) { return a.family == family; });
-  if (adapter == adapters.end())
+  std::vector<reference::Adapter> adapters = reference::all_adapters();
+  std::erase_if(adapters, [&](const reference::Adapter& a) { return a.family != family; });
+  if (adapters.empty())
     throw InputError(
         fmt::format("there is no calculator named \"{}\"; `adore calc --list` shows them", name));
 
@@ -58,7 +88,8 @@ nlohmann::json calculate(std::string_view name, const nlohmann::json& input) {
     the_case["kind"] = named->kind;
   std::optional<nlohmann::json> result;
   try {
-    result = adapter->run(the_case);
+    for (const reference::Adapter& adapter : adapters)
+      if (!result) result = adapter.run(the_case);
   } catch (const nlohmann::json::exception& error) {
     throw InputError(
         fmt::format("calculator {}: an input is missing or has the wrong type ({}); "

@@ -271,6 +271,16 @@ TEST_CASE("Motion reference cases", "[validation]") {
                 "qfac_switch_energy", "qfac_sequence", "kdof"});
 }
 
+TEST_CASE("Line contact and roller reference cases", "[validation][rollers]") {
+  for (const char* name :
+       {"B_line_contact", "rollers_slices", "rollers_flange", "rollers_inertia", "rollers_tapered"})
+    expect_covered(name);
+  const ValidateReport bearings = run({"D_roller_bearing"});  // its tapered cases need no solver
+  INFO(complaints(bearings));
+  CHECK(bearings.fail == 0);
+  CHECK(bearings.pass >= 2);
+}
+
 TEST_CASE("Closed-form dynamics, impact and plates", "[validation]") {
   for (const char* name : {"F_dynamics", "dynamics_impact", "dynamics_plates"})
     expect_covered(name);
