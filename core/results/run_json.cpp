@@ -89,7 +89,14 @@ Json run_json(const RunSummary& run) {
   if (run.quadrature_error) conservation["contact quadrature error"] = *run.quadrature_error;
   out["conservation"] = conservation;
   out["summary"] = object_of(run.summary);
-  out["defaults_used"] = run.defaults_used;
+  Json defaults = Json::array();
+  for (const deck::DefaultUsed& used : run.defaults_used) {
+    defaults.push_back({{"record", used.record},
+                        {"variable", used.variable},
+                        {"value", used.value},
+                        {"unit", used.unit}});
+  }
+  out["defaults_used"] = defaults;
   out["notes"] = run.notes;
   out["files"] = run.files;
 
