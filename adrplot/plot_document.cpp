@@ -2,6 +2,7 @@
 
 #include "adrplot/static_pages.hpp"
 #include "base/errors.hpp"
+#include "results/full_precision.hpp"
 
 #include <fmt/format.h>
 
@@ -57,7 +58,16 @@ PlotDocument open_document(const std::filesystem::path& path, const results::Sol
     const results::SweepTable sweep = results::read_sweep(path);
     return document_of(path, "sweep of " + sweep.variable, sweep_pages(sweep));
   }
-  return make_document(results::read_sol(path, range));
+  results::SolFile file = results::read_sol(path, range);
+  const bool precise = results::use_full_precision(file).empty();
+  PlotDocument out = make_document(std::move(file));
+  if (!precise) return out;
+  out.build = [build = std::move(out.build)](int number, const PageOptions& options) {
+    desktop::ChartPage page = build(number, options);
+    page.subtitle += "   ·   all digits from RESULTS.h5";
+    return page;
+  };
+  return out;
 }
 
 }  // namespace adore::adrplot

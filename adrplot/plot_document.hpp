@@ -23,8 +23,9 @@ struct PlotDocument {
   std::function<desktop::ChartPage(int number, const PageOptions& options)> build;
 };
 
-/// SOL1-SOL7, the RUN.json of a quasi-static run, or a SWEEP.csv, told apart by their names'
-/// endings (.json, .csv) and else by content. @throws InputError for a file that is none of these.
+/// SOL1-SOL7 (with all digits where RESULTS.h5 of the same run lies beside the file), the RUN.json
+/// of a quasi-static run, or a SWEEP.csv, told apart by their names' endings (.json, .csv) and else
+/// by content. @throws InputError for a file that is none of these.
 [[nodiscard]] PlotDocument open_document(const std::filesystem::path& path,
                                          const results::SolRange& range = {});
 [[nodiscard]] PlotDocument make_document(results::SolFile file);

@@ -6,10 +6,12 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QComboBox>
+#include <QDropEvent>
 #include <QHBoxLayout>
 #include <QImage>
 #include <QLabel>
 #include <QMenuBar>
+#include <QMimeData>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -27,6 +29,7 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle("AGORE");
   resize(1320, 820);
   options_.dark = desktop::current_theme().kind == desktop::ThemeKind::Dark;
+  setAcceptDrops(true);
   canvas_ = new PictureWidget(this);
   auto* centre = new QWidget(this);
   auto* row = new QHBoxLayout(centre);
@@ -258,6 +261,20 @@ void AgoreWindow::switchTheme() {
   options_.dark = !options_.dark;
   desktop::apply_theme(options_.dark ? ThemeKind::Dark : ThemeKind::Light);
   refresh();
+}
+
+void AgoreWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void AgoreWindow::dropEvent(QDropEvent* event) {
+  const auto urls = event->mimeData()->urls();
+  event->acceptProposedAction();
+  if (urls.size() > 1) {
+    desktop::show_message(this, tr("One animation is shown at a time; drop a single SOL8 file."));
+    return;
+  }
+  openFile(urls.front().toLocalFile().toStdString());
 }
 
 void AgoreWindow::refresh() {

@@ -68,6 +68,10 @@ class AgoreWindow : public QMainWindow {
   void about();
   void switchTheme();
 
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
  private:
   void makeMenus();
   void makeViewMenu(QMenu* menu);

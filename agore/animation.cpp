@@ -134,6 +134,7 @@ Animation prepare(results::Sol8File file) {
         angle_history(data, [r](const auto& f) { return f.races[r].angles[0]; });
   animation.pocket_angle = find_pockets(animation);
   if (animation.has_cage) find_guide(animation);
+  animation.contacts = results::contacts_beside(animation.file, animation.no_contacts);
   return animation;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "results/full_precision.hpp"
 #include "results/sol_file.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,11 +28,13 @@ struct Animation {
   results::Sol8File file;
   bool has_cage = false;
   Guide guide = Guide::None;
-  double guide_clearance = 0.0;                   ///< radial, file units
-  std::vector<double> time;                       ///< [s]
-  std::vector<double> cage_angle;                 ///< continuous rotation about X [rad]
-  std::array<std::vector<double>, 2> race_angle;  ///< outer, inner [rad]
-  std::vector<double> pocket_angle;               ///< of each pocket centre in the cage [rad]
+  double guide_clearance = 0.0;                    ///< radial, file units
+  std::vector<double> time;                        ///< [s]
+  std::vector<double> cage_angle;                  ///< continuous rotation about X [rad]
+  std::array<std::vector<double>, 2> race_angle;   ///< outer, inner [rad]
+  std::optional<results::ContactFrames> contacts;  ///< from RESULTS.h5 beside the file
+  std::string no_contacts;                         ///< why there are none
+  std::vector<double> pocket_angle;                ///< of each pocket centre in the cage [rad]
 
   [[nodiscard]] std::size_t frames() const { return time.size(); }
   [[nodiscard]] const results::Sol8Frame& frame(std::size_t i) const { return file.frames.at(i); }

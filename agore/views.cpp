@@ -293,6 +293,35 @@ void pocket_view(const Scene& s) {
                            k + 1, s.frame.elements.size(), desktop::pretty_number(factor, 3))));
 }
 
+/// Forces of the two races on element k as arrows on its surface, as long as its diameter for the
+/// largest load of the file, with load and slip in the key.
+void draw_contact_loads(const Scene& s, std::size_t k, QPointF centre, std::vector<KeyEntry>& key) {
+  const results::ContactFrames& all = *s.animation.contacts;
+  const results::ContactFrame& contact = all.frames.at(s.index).at(k);
+  const double distance = std::hypot(centre.x(), centre.y());
+  if (!(distance > 0.0)) return;
+  const QPointF outward = centre / distance;
+  const double radius = s.geometry().element_radius;
+  const std::array<const char*, 2> names{"outer race", "inner race"};
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double side = j == 0 ? 1.0 : -1.0;  // the outer race presses from outside
+    const QColor colour = s.sketch.theme().curves[j];
+    if (contact.load[j] > 0.0 && all.largest_load > 0.0) {
+      const double length = 2.0 * radius * contact.load[j] / all.largest_load;
+      const QPointF tip = centre + side * radius * outward;
+      const QPointF tail = tip + side * length * outward;
+      s.sketch.arrow(s.sketch.at(tail.x(), tail.y()), s.sketch.at(tip.x(), tip.y()), colour, 3.0);
+    }
+    key.push_back(
+        {colour, QString::fromStdString(
+                     contact.load[j] > 0.0
+                         ? fmt::format("{}: load {}, slip {}", names[j],
+                                       desktop::pretty_quantity(contact.load[j], all.load_unit, 4),
+                                       desktop::pretty_quantity(contact.slip[j], all.slip_unit, 3))
+                         : fmt::format("{}: no contact", names[j]))});
+  }
+}
+
 void element_view(const Scene& s) {
   const auto& g = s.geometry();
   const auto& t = s.sketch.theme();
@@ -322,8 +351,13 @@ void element_view(const Scene& s) {
   s.sketch.label(s.sketch.around({0, 0}, outer_rim(g) + 14.0 / s.sketch.scale(),
                                  std::atan2(-centre.x(), centre.y())),
                  QString::number(k + 1), t.text, 13, true);
-  draw_key(s.sketch, {{t.blue, "inner race frame"}},
-           "contact loads and slip are not stored in SOL8");
+  std::vector<KeyEntry> key{{t.blue, "inner race frame"}};
+  QString remark = QString::fromStdString("no contact loads: " + s.animation.no_contacts);
+  if (s.animation.contacts) {
+    draw_contact_loads(s, k, centre, key);
+    remark = "loads and largest slip in the contacts, from RESULTS.h5";
+  }
+  draw_key(s.sketch, key, remark);
 }
 
 void race_view(const Scene& s) {

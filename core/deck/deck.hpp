@@ -21,6 +21,13 @@ struct RecordData {
   int instance = 1;  ///< 1.. for repeated records
   int line = 0;  ///< 1-based line it started on; 0 when not read from a file. Not part of equality.
   std::vector<std::vector<Value>> values;  ///< [variable in schema order, recID first][element]
+  /// An element of `values`.
+  struct Element {
+    std::size_t variable = 0, element = 0;
+    bool operator==(const Element&) const = default;
+  };
+  /// Values that nobody gave and a default stands in for; see defaults_used(). Not part of equality.
+  std::vector<Element> defaulted;
   bool operator==(const RecordData& other) const {
     return id == other.id && instance == other.instance && values == other.values;
   }

@@ -211,6 +211,9 @@ void Deck::set(std::string_view name, std::string_view value) {
       });
   fill_with_defaults(changed, static_cast<std::size_t>(record - changed.records.begin()));
   std::vector<Value>& elements = record->values[place.ref->position];
+  std::erase_if(record->defaulted, [&](const RecordData::Element& at) {
+    return at.variable == place.ref->position && (!place.element || at.element == *place.element);
+  });
   if (place.element) {
     elements.at(*place.element) = parse_value(spec, name, value);
   } else {

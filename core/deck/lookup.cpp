@@ -186,10 +186,14 @@ void fill_with_defaults(Deck& deck, std::size_t position) {
   const RecordSpec& spec = *find_record(data.id);
   data.values.resize(spec.variables.size());
   if (data.values[0].empty()) data.values[0].emplace_back(default_label(spec, data.instance));
-  for (std::size_t i = 0; i < spec.variables.size();
-       ++i)  // in order: a count stands before its array
-    data.values[i].resize(static_cast<std::size_t>(array_length(deck, spec.variables[i])),
-                          default_value(spec.variables[i]));
+  for (std::size_t i = 0; i < spec.variables.size(); ++i) {  // a count stands before its array
+    const auto length = static_cast<std::size_t>(array_length(deck, spec.variables[i]));
+    for (std::size_t k = data.values[i].size(); k < length; ++k) data.defaulted.push_back({i, k});
+    data.values[i].resize(length, default_value(spec.variables[i]));
+  }
+  std::erase_if(data.defaulted, [&](const RecordData::Element& at) {
+    return at.variable >= data.values.size() || at.element >= data.values[at.variable].size();
+  });
 }
 
 }  // namespace adore::deck

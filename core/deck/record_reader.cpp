@@ -80,9 +80,13 @@ void RecordReader::read(const RecordSpec& spec, int instance) {
   for (std::size_t i = 1; i < spec.variables.size(); ++i) {
     const VariableSpec& variable = spec.variables[i];
     data.values[i].resize(static_cast<std::size_t>(array_length(state_.deck(), variable)));
-    for (Value& value : data.values[i])
-      if (!read_value(variable, i, value))
+    for (std::size_t k = 0; k < data.values[i].size(); ++k) {
+      bool given = false;
+      if (!read_value(variable, i, data.values[i][k], given))
         state_.reported.values.insert({data.id, instance, std::string(variable.name)});
+      else if (!given && !variable.default_value.empty())
+        data.defaulted.push_back({i, k});
+    }
   }
   if (!ended_ && !broken_) warn_about_rest();
   if (!ended_ && !broken_) note_bare_end();
@@ -151,8 +155,9 @@ bool RecordReader::fetch(const VariableSpec& variable, std::size_t position) {
   return true;
 }
 
-/// False when there is no value and that has been reported.
-bool RecordReader::read_value(const VariableSpec& variable, std::size_t position, Value& value) {
+/// False when there is no value and that has been reported. `given` when the deck says it itself.
+bool RecordReader::read_value(const VariableSpec& variable, std::size_t position, Value& value,
+                              bool& given) {
   if (!variable.default_value.empty()) value = default_value(variable);
   if (ended_) return true;  // without a default the checks complain
   if (broken_ || !fetch(variable, position)) return false;
@@ -161,7 +166,8 @@ bool RecordReader::read_value(const VariableSpec& variable, std::size_t position
     ended_ = true;
     return true;
   }
-  return pending_.kind == Token::Kind::Null || store(variable, pending_, value);
+  given = pending_.kind != Token::Kind::Null;
+  return !given || store(variable, pending_, value);
 }
 
 bool RecordReader::store(const VariableSpec& variable, const Token& token, Value& value) {

@@ -44,7 +44,7 @@ class RecordReader {
 
  private:
   void read_label(RecordData& data);
-  bool read_value(const VariableSpec& variable, std::size_t position, Value& value);
+  bool read_value(const VariableSpec& variable, std::size_t position, Value& value, bool& given);
   bool fetch(const VariableSpec& variable, std::size_t position);
   bool store(const VariableSpec& variable, const Token& token, Value& value);
   bool store_number(const VariableSpec& variable, const Token& token, Value& value);

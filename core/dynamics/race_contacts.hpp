@@ -111,13 +111,15 @@ struct ContactEdges {
 };
 ContactEdges contact_edges(const RaceContactModel& model, double angle, double half_major) noexcept;
 
-/// Error of model.rule against the converged integrals over the loaded contacts of one race, for reports (milliseconds per
-/// contact). Root mean squares in units of full traction κ(u_max) Q and of that times a; heat of the race relative.
+/// Error of model.rule against the converged integrals over the loaded contacts of one race, for
+/// reports (milliseconds per contact). Root mean squares in units of full traction κ(u_max) Q and
+/// of that times a; heat of the race relative.
 struct RuleError {
   int contacts = 0;  ///< loaded ones
   double force = 0.0, moment = 0.0, heat = 0.0;
 };
-RuleError measure_rule_error(const RaceContactModel& model, const BallArrays& balls, const RaceMotion& race);
+RuleError measure_rule_error(const RaceContactModel& model, const BallArrays& balls,
+                             const RaceMotion& race);
 
 enum class InstructionSet : unsigned char { Baseline, Avx2, Avx512 };
 [[nodiscard]] bool instruction_set_available(InstructionSet set) noexcept;

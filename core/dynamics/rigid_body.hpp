@@ -103,13 +103,6 @@ struct RaceAccelerations {
                                                    const Vec3& moment,
                                                    const RaceConstraints& constraints) noexcept;
 
-/// Speed of the element set for rolling without slip: ½ [Ω_i (1 - γ) + Ω_o (1 + γ)], γ = D cos
-/// α/d_m.
-[[nodiscard]] inline double epicyclic_speed(double outer_speed, double inner_speed,
-                                            double gamma) noexcept {
-  return 0.5 * (inner_speed * (1.0 - gamma) + outer_speed * (1.0 + gamma));
-}
-
 /// How the cage starts (record 9.6).
 struct CageStart {
   double cage_speed = 0.0, whirl_speed = 0.0;  ///< [rad/s]
@@ -117,8 +110,8 @@ struct CageStart {
   Quat orientation{1.0, 0.0, 0.0, 0.0};        ///< body -> base
   Vec3 omega_body;                             ///< [rad/s]
 };
-/// ω_c = speed_ratio × epicyclic about X; whirl = whirl_ratio ω_c. Mass centre at locus + offset,
-/// moving with whirl e_x × offset. `angles` η, ξ, λ of the cage frame.
+/// ω_c = speed_ratio × epicyclic (statics::epicyclic_speed) about X; whirl = whirl_ratio ω_c. Mass
+/// centre at locus + offset, moving with whirl e_x × offset. `angles` η, ξ, λ of the cage frame.
 [[nodiscard]] CageStart cage_start(double epicyclic, double speed_ratio, double whirl_ratio,
                                    const Vec3& locus, const Vec3& offset,
                                    const Vec3& angles) noexcept;

@@ -3,15 +3,16 @@
 #include <string>
 #include <vector>
 
-/// What a run will simulate, decided before anything runs. Made by build/ from the deck; a plain value.
+/// What a run will simulate, decided before anything runs. Made by build/ from the deck; a plain
+/// value.
 namespace adore::dynamics {
 
 enum class Effect : unsigned char {
-  RaceContact,         ///< element / race normal force
-  RaceTraction,        ///< traction over the contact ellipse
-  PocketContact,       ///< element / cage pocket
+  RaceContact,    ///< element / race normal force
+  RaceTraction,   ///< traction over the contact ellipse
+  PocketContact,  ///< element / cage pocket
   PocketTraction,
-  LandContact,         ///< cage / race guide lands
+  LandContact,  ///< cage / race guide lands
   LandTraction,
   Gravity,
   CageMotion,          ///< six degrees of freedom of the cage
@@ -21,15 +22,15 @@ enum class Effect : unsigned char {
 
 struct EffectEntry {
   Effect effect;
-  std::string name;     ///< "pocket traction"
+  std::string name;  ///< "pocket traction"
   bool on = false;
   std::string because;  ///< the deck switch that decides, e.g. "nCseg = 1", "gravityVec = 0"
 };
 
 struct BodyEntry {
-  std::string name;          ///< "balls (12)", "cage", "outer race"
-  std::string degrees;       ///< "x, r, θ, ω (6 each)", "prescribed: speed 0 rpm"
-  int unknowns = 0;          ///< state components
+  std::string name;     ///< "balls (12)", "cage", "outer race"
+  std::string degrees;  ///< "x, r, θ, ω (6 each)", "prescribed: speed 0 rpm"
+  int unknowns = 0;     ///< state components
 };
 
 struct ScenePlan {
@@ -39,11 +40,11 @@ struct ScenePlan {
   int unknowns = 0;                    ///< controlled state components
   int quadratures = 0;
   // Estimates, filled once the static solution is known.
-  double fastest_frequency = 0.0;      ///< [Hz]
-  std::string fastest_contact;         ///< "element 4 / inner race"
-  double expected_step = 0.0;          ///< [s]
+  double fastest_frequency = 0.0;  ///< [Hz]
+  std::string fastest_contact;     ///< "element 4 / inner race"
+  double expected_step = 0.0;      ///< [s]
   double steps_per_revolution = 0.0;
-  double seconds_per_revolution = 0.0; ///< of computing, estimated from a few timed evaluations
+  double seconds_per_revolution = 0.0;  ///< of computing, estimated from a few timed evaluations
 
   [[nodiscard]] bool has(Effect effect) const {
     for (const EffectEntry& entry : effects)

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <Eigen/Core>
+
 #include <array>
 #include <vector>
 
-#include <Eigen/Core>
-
-/// Everything the outputs may show of one instant, in SI and radians. Observers and writers read this and nothing else.
+/// Everything the outputs may show of one instant, in SI and radians. Observers and writers read
+/// this and nothing else.
 namespace adore::dynamics {
 
 using Vec3 = Eigen::Vector3d;
@@ -14,24 +15,24 @@ using Vec3 = Eigen::Vector3d;
 using Quat = std::array<double, 4>;
 
 struct RaceContactSnapshot {
-  double load = 0.0;            ///< Q [N]
-  double angle = 0.0;           ///< contact angle [rad]; 0 when open
+  double load = 0.0;                          ///< Q [N]
+  double angle = 0.0;                         ///< contact angle [rad]; 0 when open
   double half_major = 0.0, half_minor = 0.0;  ///< a (transverse), b (rolling) [m]
-  double max_pressure = 0.0;    ///< [Pa]
-  double spin_to_roll = 0.0;    ///< signed W_n / W_c of dynamics_README
-  double max_slip = 0.0;        ///< largest slip speed in the ellipse [m/s]
-  double heat = 0.0;            ///< ∫ κ p u dA [W]
-  double load_slip = 0.0;       ///< ∫ p u dA [W]
-  double film = 0.0;            ///< 0 with the hypothetical law [m]
-  double temperature_rise = 0.0;      ///< 0 until a thermal model exists [K]
-  double contact_temperature = 0.0;   ///< race temperature + rise [K]
-  double edge = 0.0;            ///< depth s of the contact below the shoulder, either race (N94) [m]
-  double centre_chord = 0.0;    ///< t, inner end of the contact from the groove's centre plane [m]
+  double max_pressure = 0.0;                  ///< [Pa]
+  double spin_to_roll = 0.0;                  ///< signed W_n / W_c of dynamics_README
+  double max_slip = 0.0;                      ///< largest slip speed in the ellipse [m/s]
+  double heat = 0.0;                          ///< ∫ κ p u dA [W]
+  double load_slip = 0.0;                     ///< ∫ p u dA [W]
+  double film = 0.0;                          ///< 0 with the hypothetical law [m]
+  double temperature_rise = 0.0;              ///< 0 until a thermal model exists [K]
+  double contact_temperature = 0.0;           ///< race temperature + rise [K]
+  double edge = 0.0;          ///< depth s of the contact below the shoulder, either race (N94) [m]
+  double centre_chord = 0.0;  ///< t, inner end of the contact from the groove's centre plane [m]
 };
 
 struct PocketContactSnapshot {
-  double force = 0.0;  ///< [N]
-  double gap = 0.0;    ///< negative in contact [m]
+  double force = 0.0;             ///< [N]
+  double gap = 0.0;               ///< negative in contact [m]
   double theta = 0.0, phi = 0.0;  ///< contact angles [rad], theta 0..2π
 };
 
@@ -39,14 +40,15 @@ struct ElementSnapshot {
   double x = 0.0, r = 0.0, theta = 0.0;  ///< mass centre; theta accumulates turns [m, m, rad]
   double vx = 0.0, vr = 0.0, theta_dot = 0.0;
   double ax = 0.0, ar = 0.0, theta_ddot = 0.0;  ///< ẍ, r̈ [m/s²], θ̈ [rad/s²]
-  Vec3 omega = Vec3::Zero();      ///< absolute, azimuth frame (x, y = -e_θ, z = e_r) [rad/s]
-  Vec3 x_axis = Vec3::UnitX();    ///< body x axis in the azimuth frame; valid when oriented
-  Quat orientation{1, 0, 0, 0};   ///< valid when oriented
-  double total_rotation = 0.0;    ///< ∫ ω·(body x axis) dt [rad]; valid when oriented
-  bool oriented = false;          ///< orientation is integrated for this element
+  Vec3 omega = Vec3::Zero();     ///< absolute, azimuth frame (x, y = -e_θ, z = e_r) [rad/s]
+  Vec3 x_axis = Vec3::UnitX();   ///< body x axis in the azimuth frame; valid when oriented
+  Quat orientation{1, 0, 0, 0};  ///< valid when oriented
+  double total_rotation = 0.0;   ///< ∫ ω·(body x axis) dt [rad]; valid when oriented
+  bool oriented = false;         ///< orientation is integrated for this element
   std::array<RaceContactSnapshot, 2> race{};
-  std::vector<PocketContactSnapshot> pocket;   ///< one per surface; empty without cage
-  Vec3 pocket_to_centre = Vec3::Zero();        ///< vector pocket centre -> element centre, pocket frame [m]
+  std::vector<PocketContactSnapshot> pocket;  ///< one per surface; empty without cage
+  Vec3 pocket_to_centre =
+      Vec3::Zero();  ///< vector pocket centre -> element centre, pocket frame [m]
 };
 
 struct LandSnapshot {
@@ -54,13 +56,15 @@ struct LandSnapshot {
   double angle = 0.0;  ///< azimuth of the least gap in the cage frame [rad]
 };
 
-/// Rigid body (cage or race) in the base frame. Orbit: r, θ of the mass centre about the bearing axis.
+/// Rigid body (cage or race) in the base frame. Orbit: r, θ of the mass centre about the bearing
+/// axis.
 struct BodySnapshot {
-  Vec3 position = Vec3::Zero();  ///< cage: from the locus of element centres; race: displacement from its free position [m]
+  Vec3 position = Vec3::Zero();  ///< cage: from the locus of element centres; race: displacement
+                                 ///< from its free position [m]
   Vec3 velocity = Vec3::Zero(), acceleration = Vec3::Zero();
   Quat orientation{1, 0, 0, 0};
-  Vec3 omega = Vec3::Zero();     ///< base frame [rad/s]
-  double total_rotation = 0.0;   ///< about its own x axis, accumulated [rad]
+  Vec3 omega = Vec3::Zero();    ///< base frame [rad/s]
+  double total_rotation = 0.0;  ///< about its own x axis, accumulated [rad]
 };
 
 struct CageSnapshot : BodySnapshot {
@@ -73,11 +77,12 @@ struct RaceSnapshot : BodySnapshot {
 };
 
 struct PowerSnapshot {
-  double total_loss = 0.0;         ///< all dissipation now [W]
-  double churning_fraction = 0.0;  ///< 0 until churning exists
+  double total_loss = 0.0;                                           ///< all dissipation now [W]
+  double churning_fraction = 0.0;                                    ///< 0 until churning exists
   double race_contacts[2] = {0.0, 0.0}, pockets = 0.0, lands = 0.0;  ///< heat [W]
-  double life_hours = 0.0;         ///< 0 until the life models exist
-  // Time integrals since t = 0 of load x slip [J]: what Archard wear needs (element 1 per race, all of a race, cage).
+  double life_hours = 0.0;  ///< 0 until the life models exist
+  // Time integrals since t = 0 of load x slip [J]: what Archard wear needs (element 1 per race, all
+  // of a race, cage).
   double qv_element1[2] = {0.0, 0.0}, qv_race[2] = {0.0, 0.0}, qv_cage = 0.0;
 };
 
@@ -85,7 +90,8 @@ struct PowerSnapshot {
 struct EnergySnapshot {
   double kinetic = 0.0, elastic = 0.0, gravity = 0.0;  ///< stored now
   double stored_at_start = 0.0;
-  double work_race[2] = {0.0, 0.0};  ///< done on the elements and cage by the prescribed motion of each race
+  double work_race[2] = {
+      0.0, 0.0};  ///< done on the elements and cage by the prescribed motion of each race
   double heat_race[2] = {0.0, 0.0}, heat_pockets = 0.0, heat_lands = 0.0;  ///< dissipated
   /// work - heat - (stored - stored_at_start); shrinks with the tolerance.
   [[nodiscard]] double residual() const {
@@ -99,11 +105,11 @@ struct Snapshot {
   double time = 0.0, step_size = 0.0;  ///< [s]
   double shaft_rotation = 0.0;         ///< inner minus outer about x [rad], signed
   std::vector<ElementSnapshot> elements;
-  std::vector<CageSnapshot> cages;     ///< 0 or 1 entries (segments later)
+  std::vector<CageSnapshot> cages;  ///< 0 or 1 entries (segments later)
   std::array<RaceSnapshot, 2> races;
   PowerSnapshot power;
   EnergySnapshot energy;
-  double max_quaternion_error = 0.0;   ///< largest | |q| - 1 |
+  double max_quaternion_error = 0.0;  ///< largest | |q| - 1 |
 };
 
 }  // namespace adore::dynamics

@@ -136,11 +136,9 @@ std::vector<double> System::initial_state() const {
   if (!s.has_cage()) return y;
 
   const bearing::Cage& cage = *s.bearing.cage;
-  const bearing::BallGeometry& g = s.bearing.balls;
-  const double gamma = g.diameter * std::cos(g.contact_angle) / g.pitch_diameter;
   const CageStart start =
-      cage_start(epicyclic_speed(s.bearing.speed[0], s.bearing.speed[1], gamma), cage.speed_ratio,
-                 cage.whirl_ratio, {mean_x, 0.0, 0.0}, cage.start_offset, cage.start_angles);
+      cage_start(nominal_cage_speed(s.bearing), cage.speed_ratio, cage.whirl_ratio,
+                 {mean_x, 0.0, 0.0}, cage.start_offset, cage.start_angles);
   for (std::size_t k = 0; k < 3; ++k) {
     const auto axis = static_cast<Eigen::Index>(k);
     at(s.cage.position, k) = start.mass_centre[axis];

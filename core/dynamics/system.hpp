@@ -53,6 +53,17 @@ class System {
   /// y' = f(t, y). No allocation, no throw. Retry: a ball left its pocket radially or the like in a
   /// trial step.
   RhsStatus rhs(double t, const double* y, double* dydt) noexcept;
+  /// The fast part of the motion by itself, for implicit-explicit methods (system_stiff.hpp): false
+  /// without race contacts.
+  [[nodiscard]] bool has_stiff_part() const noexcept;
+  /// Writes its rates, all of dydt. No allocation, no throw.
+  RhsStatus rhs_stiff(double t, const double* y, double* dydt) noexcept;
+  /// Who couples with whom: number of the element (0, 1, ...) that each controlled component
+  /// belongs to, -1 for the cage. Elements meet only through the cage.
+  [[nodiscard]] std::span<const int> coupling() const noexcept;
+  /// rhs, and what each element adds to each rate of the cage: shares[element * cage components +
+  /// component], in the order of the components.
+  RhsStatus rhs_with_shares(double t, const double* y, double* dydt, double* shares) noexcept;
   /// Renormalises quaternions; true when y changed.
   bool project(double t, double* y) const noexcept;
   /// Throws SolverError with a sentence when an accepted state is physically meaningless (ball

@@ -5,6 +5,7 @@
 #include "dynamics/system_lands.hpp"
 #include "dynamics/system_motion.hpp"
 #include "dynamics/system_pockets.hpp"
+#include "dynamics/system_stiff.hpp"
 
 #include <memory>
 #include <optional>
@@ -55,6 +56,10 @@ struct System::Impl {
     int entry;  ///< of the cost ledger
   };
   std::vector<Block> blocks;
+  int pocket_block = -1;               ///< in blocks; -1 without pocket contact
+  std::optional<NormalContacts> fast;  ///< with race contact
+  std::vector<int> element_of;         ///< System::coupling
+  PocketShares pocket_shares;
   Evaluation e;
   CostLedger ledger;
   std::vector<double> rates;     ///< dydt of evaluations for reports
@@ -80,6 +85,7 @@ struct System::Impl {
   void set_up_state(const ScenePlan& plan);
   void set_up_quadratures(const ScenePlan& plan);
   void set_up_blocks(const ScenePlan& plan);
+  void set_up_coupling();
   template <class Block, class... Arguments>
   void add_block(int entry, Arguments&&... arguments);
 

@@ -1,22 +1,18 @@
 #include "dynamics/system_pockets.hpp"
 
 #include "base/errors.hpp"
-#include "dynamics/rigid_body.hpp"
+#include "statics/kinematics.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace adore::dynamics {
-namespace {
 
-/// Sign of the cage's nominal (epicyclic) speed; +1 for a still bearing.
-double nominal_rotation_sign(const bearing::Bearing& bearing) {
+double nominal_cage_speed(const bearing::Bearing& bearing) noexcept {
   const double gamma =
       bearing.balls.diameter * std::cos(bearing.balls.contact_angle) / bearing.balls.pitch_diameter;
-  return epicyclic_speed(bearing.speed[0], bearing.speed[1], gamma) < 0.0 ? -1.0 : 1.0;
+  return statics::epicyclic_speed(bearing.speed[0], bearing.speed[1], gamma);
 }
-
-}  // namespace
 
 PocketSet::PocketSet(const bearing::Bearing& bearing, const std::vector<double>& azimuths) {
   const bearing::Cage& cage = *bearing.cage;
@@ -25,7 +21,7 @@ PocketSet::PocketSet(const bearing::Bearing& bearing, const std::vector<double>&
          "pocket contact is written for cylindrical pockets of a straight cage");
   ball_radius_ = 0.5 * D;
   pitch_radius_ = 0.5 * bearing.balls.pitch_diameter;
-  rotation_sign_ = nominal_rotation_sign(bearing);
+  rotation_sign_ = nominal_cage_speed(bearing) < 0.0 ? -1.0 : 1.0;
   const auto [low, high] =
       contact::wall_height(cage.outer_diameter, cage.inner_diameter, bearing.balls.pitch_diameter);
   wall_ = {0.5 * (D + cage.pocket_clearance_1), low, high};

@@ -15,6 +15,9 @@
 /// hole; otherwise the state is not valid.
 namespace adore::dynamics {
 
+/// Epicyclic speed of the cage at the free contact angle, signed [rad/s].
+[[nodiscard]] double nominal_cage_speed(const bearing::Bearing& bearing) noexcept;
+
 class PocketSet {
  public:
   /// @param azimuths of the pocket centres in the cage frame [rad]

@@ -68,6 +68,8 @@ System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
   layout.begin_quadratures();
   set_up_quadratures(plan);
   set_up_blocks(plan);
+  set_up_coupling();
+  if (has_race_contact) fast.emplace(contacts, ball, bearing.ball_inertia.mass);
   rates.assign(static_cast<std::size_t>(layout.size()), 0.0);
 
   scales.length = 0.5 * bearing.balls.diameter;
@@ -183,6 +185,7 @@ void System::Impl::set_up_blocks(const ScenePlan& plan) {
       add_block<RaceBlock>(ledger.add_entry(j == 0 ? "outer race contacts" : "inner race contacts"),
                            contacts[j], wear);
   if (pockets) {
+    pocket_block = static_cast<int>(blocks.size());
     const int entry = ledger.add_entry("pocket contacts");
     if (plan.has(Effect::PocketTraction)) {
       demand(bearing.pocket_traction.has_value(), "pocket traction is on without a traction curve");

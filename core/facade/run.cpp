@@ -106,8 +106,8 @@ std::unique_ptr<integrators::Stepper> make_checked_stepper(const build::RunContr
   auto stepper = integrators::make_stepper(control.integrator);
   if (stepper->name() == "arkode-imex" && !ode.has_stiff_part())
     throw InputError(
-        "arkode-imex needs the stiff part of the motion by itself, which this version does not "
-        "separate; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
+        "arkode-imex takes the normal contacts of elements and races implicitly, and this deck has "
+        "none; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
   if (control.step_minimum == control.step_maximum && !stepper->holds_constant_step())
     throw InputError(
         fmt::format("record 2.1 asks for a constant step (stpMin = stpMax), which {} cannot hold; "

@@ -241,6 +241,7 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
     const bool set = given != prepared.input.option_values.end();
     out.options.emplace_back(info.name, set ? given->second : info.default_value);
   }
+  out.defaults_used = deck::defaults_used(prepared.input.deck);
   for (const Issue& issue : prepared.input.warnings) out.notes.push_back(issue.text());
   for (const std::string& remark : remarks) out.notes.push_back(remark);
   for (const std::string& note : prepared.statics.notes) out.notes.push_back(note);

@@ -17,7 +17,29 @@ class SystemOde final : public integrators::OdeSystem {
     return system_.layout().scales().first(static_cast<std::size_t>(controlled_size()));
   }
   integrators::EvalStatus rhs(double t, const double* y, double* dydt) noexcept override {
-    switch (system_.rhs(t, y, dydt)) {
+    return status(system_.rhs(t, y, dydt));
+  }
+  [[nodiscard]] bool has_stiff_part() const noexcept override { return system_.has_stiff_part(); }
+  integrators::EvalStatus rhs_stiff(double t, const double* y, double* dydt) noexcept override {
+    return status(system_.rhs_stiff(t, y, dydt));
+  }
+  [[nodiscard]] std::span<const int> blocks() const noexcept override { return system_.coupling(); }
+  integrators::EvalStatus rhs_with_shares(integrators::RhsPart part, double t, const double* y,
+                                          double* dydt, double* shares) noexcept override {
+    // The stiff part holds no contact with the cage, which is what the default says.
+    if (part == integrators::RhsPart::Stiff) {
+      return OdeSystem::rhs_with_shares(part, t, y, dydt, shares);
+    }
+    return status(system_.rhs_with_shares(t, y, dydt, shares));
+  }
+  bool project(double t, double* y) noexcept override { return system_.project(t, y); }
+  [[nodiscard]] std::string component_name(int index) const override {
+    return system_.layout().component_name(index);
+  }
+
+ private:
+  static integrators::EvalStatus status(dynamics::RhsStatus status) noexcept {
+    switch (status) {
       case dynamics::RhsStatus::Ok:
         return integrators::EvalStatus::Ok;
       case dynamics::RhsStatus::Retry:
@@ -27,12 +49,7 @@ class SystemOde final : public integrators::OdeSystem {
     }
     return integrators::EvalStatus::Fail;
   }
-  bool project(double t, double* y) noexcept override { return system_.project(t, y); }
-  [[nodiscard]] std::string component_name(int index) const override {
-    return system_.layout().component_name(index);
-  }
 
- private:
   dynamics::System& system_;
 };
 

@@ -28,15 +28,15 @@ class CvodeStepper final : public SundialsStepper {
     void* m = memory_.get();
     if (!m) refuse("CVODE could not be set up", "Choose another integrator.");
     check(CVodeSetErrHandlerFn(m, keep_message, this), "CVodeSetErrHandlerFn");
-    check(CVodeInit(m, full_rhs, t_, vector_.get()), "CVodeInit");
+    check(CVodeInit(m, bdf ? seen_rhs : full_rhs, t_, vector_.get()), "CVodeInit");
     check(CVodeSetUserData(m, this), "CVodeSetUserData");
     check(CVodeWFtolerances(m, error_weights), "CVodeWFtolerances");
     if (bdf) {
-      make_newton_tools();
+      make_newton_tools(RhsPart::Whole);
       nonlinear_solver_.reset(SUNNonlinSol_Newton(vector_.get(), context_.get()));
       check(CVodeSetNonlinearSolver(m, nonlinear_solver_.get()), "CVodeSetNonlinearSolver");
       check(CVodeSetLinearSolver(m, linear_solver_.get(), matrix_.get()), "CVodeSetLinearSolver");
-      check(CVodeSetJacFn(m, full_jacobian), "CVodeSetJacFn");
+      check(CVodeSetJacFn(m, jacobian), "CVodeSetJacFn");
       // Scaling the correction for a stale γ suits the stiff part; quadratures need the correction
       // itself.
       check(CVodeSetLinearSolutionScaling(m, SUNFALSE), "CVodeSetLinearSolutionScaling");
@@ -85,6 +85,10 @@ class CvodeStepper final : public SundialsStepper {
 
   bool local_error(N_Vector error) override {
     return CVodeGetEstLocalErrors(memory_.get(), error) == 0;
+  }
+
+  [[nodiscard]] bool newton_moves_quadratures() const override {
+    return method_ == CvodeMethod::Bdf;
   }
 
   [[nodiscard]] Statistics statistics() const override {

@@ -23,6 +23,15 @@ constexpr int kFirstSundials = 15;
 
 }  // namespace
 
+EvalStatus OdeSystem::rhs_with_shares(RhsPart part, double t, const double* y, double* dydt,
+                                      double* shares) noexcept {
+  const auto numbers = blocks();
+  const auto border = std::count(numbers.begin(), numbers.end(), -1);
+  const int last = numbers.empty() ? -1 : *std::max_element(numbers.begin(), numbers.end());
+  std::fill_n(shares, border * (last + 1), 0.0);
+  return part == RhsPart::Whole ? rhs(t, y, dydt) : rhs_stiff(t, y, dydt);
+}
+
 double OdeSystem::step_guard(double t) const noexcept {
   (void)t;
   return std::numeric_limits<double>::infinity();

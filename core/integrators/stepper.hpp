@@ -17,6 +17,9 @@ enum class EvalStatus : unsigned char {
   Fail    ///< no step size helps: stop
 };
 
+/// Which right-hand side: the whole, or the part that implicit-explicit methods take implicitly.
+enum class RhsPart : unsigned char { Whole, Stiff };
+
 /// The right-hand side. Implemented by dynamics; one instance is used by one stepper at a time.
 class OdeSystem {
  public:
@@ -41,6 +44,18 @@ class OdeSystem {
     (void)t, (void)y, (void)dydt;
     return EvalStatus::Fail;
   }
+  /// Who couples with whom, for the Jacobian of implicit methods: block number 0, 1, ... of each
+  /// controlled component, or -1 for the border. No rate of one block depends on a component of
+  /// another block; blocks and border may depend on each other. Empty: everything couples. Constant
+  /// after start().
+  [[nodiscard]] virtual std::span<const int> blocks() const noexcept { return {}; }
+  /// The rates of `part`, and what each block contributes to each rate of the border:
+  ///   shares[block * border size + k] for the k-th border component, such that
+  ///   rate = (what does not depend on blocks) + Σ shares.
+  /// Asked for only where there are blocks and a border; as it stands here the border's rates do
+  /// not depend on blocks at all.
+  virtual EvalStatus rhs_with_shares(RhsPart part, double t, const double* y, double* dydt,
+                                     double* shares) noexcept;
   /// Called on every accepted state (normalises quaternions). Returns true when it changed y.
   virtual bool project(double t, double* y) noexcept {
     (void)t, (void)y;

@@ -1,124 +1,129 @@
 #include "integrators/sundials_stepper.hpp"
 
-#include <nvector/nvector_serial.h>
-#include <sundials/sundials_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
-
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
-/// Newton's linear algebra for SUNDIALS. With quadratures q' = g(t, c) the matrix is
-///   I - γJ = [ A  0 ]   so A x_c = b_c is solved by LU, and x_q = b_q - B x_c follows by
-///   substitution.
-///            [ B  I ]
+/// Newton's linear algebra for SUNDIALS: the arrow matrix I - γJ of the controlled components as
+/// the package's matrix, its decomposition as the package's linear solver. Quadratures q' = g(t, c)
+/// are no unknowns: ARKODE takes them explicitly; for CVODE x_q = b_q + γ (g(c + x_c) - g(c)),
+/// which is Newton's correction without a linearisation and keeps linear invariants exactly.
 namespace adore::integrators {
 namespace {
 
-struct BlockSolver {
-  sunindextype controlled = 0;
-  std::vector<sunindextype> pivots;
-  sunindextype last_flag = 0;
+struct Content {
+  explicit Content(std::shared_ptr<const ArrowShape> shape) : matrix(std::move(shape)) {}
+  ArrowMatrix matrix;
+  double gamma = 0.0;  ///< the matrix is I - gamma J
 };
+Content& content(SUNMatrix m) { return *static_cast<Content*>(m->content); }
+ArrowMatrix& arrow(SUNMatrix m) { return content(m).matrix; }
+SundialsStepper& owner(SUNLinearSolver s) { return *static_cast<SundialsStepper*>(s->content); }
 
-BlockSolver& content(SUNLinearSolver s) { return *static_cast<BlockSolver*>(s->content); }
-
-SUNLinearSolver_Type block_type(SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; }
-SUNLinearSolver_ID block_id(SUNLinearSolver) { return SUNLINEARSOLVER_CUSTOM; }
-
-int block_setup(SUNLinearSolver s, SUNMatrix matrix) {
-  BlockSolver& block = content(s);
-  if (block.controlled == 0) return 0;
-  block.last_flag = SUNDlsMat_denseGETRF(SUNDenseMatrix_Cols(matrix), block.controlled,
-                                         block.controlled, block.pivots.data());
-  return block.last_flag > 0 ? 1 : 0;  // singular: the package retries with another step
-}
-
-int block_solve(SUNLinearSolver s, SUNMatrix matrix, N_Vector x, N_Vector b, double) {
-  BlockSolver& block = content(s);
-  const sunindextype nc = block.controlled;
-  const sunindextype n = SUNDenseMatrix_Rows(matrix);
-  N_VScale(1.0, b, x);
-  double* values = N_VGetArrayPointer(x);
-  if (nc > 0) {
-    SUNDlsMat_denseGETRS(SUNDenseMatrix_Cols(matrix), nc, block.pivots.data(), values);
-  }
-  for (sunindextype j = 0; j < nc; ++j) {
-    const double* column = SUNDenseMatrix_Column(matrix, j);
-    const double factor = values[j];
-    for (sunindextype i = nc; i < n; ++i) values[i] -= column[i] * factor;
-  }
+SUNMatrix_ID matrix_id(SUNMatrix) { return SUNMATRIX_CUSTOM; }
+int matrix_zero(SUNMatrix m) {
+  arrow(m).set_zero();
   return 0;
 }
+int matrix_copy(SUNMatrix from, SUNMatrix to) {
+  arrow(to).copy_values(arrow(from));
+  return 0;
+}
+int matrix_scale_add_identity(double factor, SUNMatrix m) {
+  arrow(m).scale_and_add_identity(factor);
+  content(m).gamma = -factor;
+  return 0;
+}
+void matrix_destroy(SUNMatrix m) {
+  delete static_cast<Content*>(m->content);
+  m->content = nullptr;
+  SUNMatFreeEmpty(m);
+}
+SUNMatrix matrix_clone(SUNMatrix m);
 
-sunindextype block_last_flag(SUNLinearSolver s) { return content(s).last_flag; }
+SUNMatrix new_matrix(std::shared_ptr<const ArrowShape> shape, SUNContext context) {
+  SUNMatrix m = SUNMatNewEmpty(context);
+  if (!m) return nullptr;
+  m->content = new Content(std::move(shape));
+  m->ops->getid = matrix_id;
+  m->ops->clone = matrix_clone;
+  m->ops->destroy = matrix_destroy;
+  m->ops->zero = matrix_zero;
+  m->ops->copy = matrix_copy;
+  m->ops->scaleaddi = matrix_scale_add_identity;
+  return m;
+}
 
-int block_free(SUNLinearSolver s) {
-  if (!s) return 0;
-  delete static_cast<BlockSolver*>(s->content);
-  s->content = nullptr;
-  SUNLinSolFreeEmpty(s);
+SUNMatrix matrix_clone(SUNMatrix m) { return new_matrix(arrow(m).shared_shape(), m->sunctx); }
+
+SUNLinearSolver_Type solver_type(SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; }
+SUNLinearSolver_ID solver_id(SUNLinearSolver) { return SUNLINEARSOLVER_CUSTOM; }
+int solver_setup(SUNLinearSolver, SUNMatrix m) {
+  return arrow(m).factor() ? 0 : SUNLS_LUFACT_FAIL;  // the package retries with another step
+}
+int solver_solve(SUNLinearSolver s, SUNMatrix m, N_Vector x, N_Vector b, double) {
+  N_VScale(1.0, b, x);
+  double* values = N_VGetArrayPointer(x);
+  arrow(m).solve(values);
+  switch (owner(s).correct_quadratures(values, content(m).gamma)) {
+    case Outcome::Ok:
+      return 0;
+    case Outcome::Fail:
+      return SUNLS_PSOLVE_FAIL_UNREC;
+    case Outcome::Retry:
+    case Outcome::NotFinite:
+      break;
+  }
+  return SUNLS_PSOLVE_FAIL_REC;
+}
+sunindextype solver_last_flag(SUNLinearSolver) { return 0; }
+int solver_free(SUNLinearSolver s) {
+  if (s) SUNLinSolFreeEmpty(s);
   return 0;
 }
 
 }  // namespace
 
-void SundialsStepper::make_newton_tools() {
-  const int n = system_->size();
-  const int nc = system_->controlled_size();
-  matrix_.reset(SUNDenseMatrix(n, n, context_.get()));
+void SundialsStepper::make_newton_tools(RhsPart part) {
+  jacobian_ = ArrowJacobian(*system_, part);
+  matrix_.reset(new_matrix(jacobian_.shape(), context_.get()));
   SUNLinearSolver solver = SUNLinSolNewEmpty(context_.get());
   if (!matrix_ || !solver) refuse("there is no memory for the Jacobian", "Use an explicit method.");
-  auto block = std::make_unique<BlockSolver>();
-  block->controlled = nc;
-  block->pivots.resize(std::max(nc, 1));
-  solver->content = block.release();
-  solver->ops->gettype = block_type;
-  solver->ops->getid = block_id;
-  solver->ops->setup = block_setup;
-  solver->ops->solve = block_solve;
-  solver->ops->lastflag = block_last_flag;
-  solver->ops->free = block_free;
+  solver->content = this;
+  solver->ops->gettype = solver_type;
+  solver->ops->getid = solver_id;
+  solver->ops->setup = solver_setup;
+  solver->ops->solve = solver_solve;
+  solver->ops->lastflag = solver_last_flag;
+  solver->ops->free = solver_free;
   linear_solver_.reset(solver);
 }
 
-// Forward differences, one controlled column at a time; a point that the model refuses is tried on
-// the other side.
-int SundialsStepper::jacobian(Rhs rhs, double t, N_Vector y, N_Vector f, SUNMatrix J) {
-  const sunindextype n = system_->size();
-  const int nc = system_->controlled_size();
-  const double* f0 = N_VGetArrayPointer(f);
-  double* values = N_VGetArrayPointer(y);
-  const double root = std::sqrt(std::numeric_limits<double>::epsilon());
-  double* out = N_VGetArrayPointer(error_.get());  // free between steps
-  ++counters_.jacobians;
-  SUNMatZero(J);
-  for (int j = 0; j < nc; ++j) {
-    const double kept = values[j];
-    double increment = root * std::max(std::abs(kept), system_->scales()[j]);
-    int status = 0;
-    for (int side = 0; side < 2; ++side, increment = -increment) {
-      values[j] = kept + increment;
-      status = rhs(t, y, error_.get(), this);
-      if (status <= 0) break;
-    }
-    const double actual = values[j] - kept;
-    values[j] = kept;
-    if (status != 0) return status;
-    double* column = SUNDenseMatrix_Column(J, j);
-    for (sunindextype i = 0; i < n; ++i) column[i] = (out[i] - f0[i]) / actual;
+int SundialsStepper::jacobian(double t, N_Vector y, N_Vector f, SUNMatrix J, void* self, N_Vector,
+                              N_Vector, N_Vector) noexcept {
+  auto& me = *static_cast<SundialsStepper*>(self);
+  const long before = me.jacobian_.evaluations();
+  const Outcome outcome = me.jacobian_(t, N_VGetArrayPointer(y), N_VGetArrayPointer(f), arrow(J));
+  ++me.counters_.jacobians;
+  if (me.jacobian_.part() == RhsPart::Whole) {
+    me.counters_.evaluations += me.jacobian_.evaluations() - before;
   }
-  return 0;
+  return me.report(outcome);
 }
 
-int SundialsStepper::full_jacobian(double t, N_Vector y, N_Vector f, SUNMatrix J, void* self,
-                                   N_Vector, N_Vector, N_Vector) noexcept {
-  return static_cast<SundialsStepper*>(self)->jacobian(full_rhs, t, y, f, J);
-}
-
-int SundialsStepper::stiff_jacobian(double t, N_Vector y, N_Vector f, SUNMatrix J, void* self,
-                                    N_Vector, N_Vector, N_Vector) noexcept {
-  return static_cast<SundialsStepper*>(self)->jacobian(stiff_rhs, t, y, f, J);
+// The package has just evaluated the residual at the iterate that x corrects: the point seen last.
+// γ is that of the matrix, as in x_c.
+Outcome SundialsStepper::correct_quadratures(double* x, double gamma) {
+  const auto controlled = static_cast<std::size_t>(system_->controlled_size());
+  if (!newton_moves_quadratures() || controlled == state_.size()) return Outcome::Ok;
+  for (std::size_t i = 0; i < controlled; ++i) scratch_y_[i] = seen_y_[i] + x[i];
+  const Outcome outcome = evaluate_(seen_t_, scratch_y_.data(), scratch_f_.data());
+  if (outcome != Outcome::Ok) {
+    static_cast<void>(report(outcome));
+    return outcome;
+  }
+  for (std::size_t i = controlled; i < state_.size(); ++i) {
+    x[i] += gamma * (scratch_f_[i] - seen_f_[i]);
+  }
+  return Outcome::Ok;
 }
 
 }  // namespace adore::integrators

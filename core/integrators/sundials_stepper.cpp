@@ -43,7 +43,10 @@ void SundialsStepper::start(OdeSystem& system, double t0, std::span<const double
   }
   const std::size_t n = system.size();
   state_.assign(y0.begin(), y0.end());
-  for (auto* v : {&derivative_, &scratch_y_, &scratch_f_, &weights_}) v->assign(n, 0.0);
+  for (auto* v : {&derivative_, &scratch_y_, &scratch_f_, &seen_y_, &seen_f_, &weights_}) {
+    v->assign(n, 0.0);
+  }
+  seen_ = false;
   for (int i = 0; i < system.controlled_size(); ++i) {
     weights_[i] = 1.0 / (system.scales()[i] * control.tolerance);
   }
@@ -198,6 +201,38 @@ int SundialsStepper::full_rhs(double t, N_Vector y, N_Vector dydt, void* self) n
   return me.report(me.evaluate_(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dydt)));
 }
 
+int SundialsStepper::see(double t, const double* y) noexcept {
+  if (seen_ && seen_t_ == t && std::equal(seen_y_.begin(), seen_y_.end(), y)) return 0;
+  seen_ = false;
+  if (trouble_ == Outcome::Fail) return -1;
+  std::copy_n(y, seen_y_.size(), seen_y_.begin());
+  const int status = report(evaluate_(t, y, seen_f_.data()));
+  seen_t_ = t;
+  seen_ = status == 0;
+  return status;
+}
+
+int SundialsStepper::seen_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept {
+  auto& me = stepper(self);
+  const int status = me.see(t, N_VGetArrayPointer(y));
+  if (status == 0) std::copy(me.seen_f_.begin(), me.seen_f_.end(), N_VGetArrayPointer(dydt));
+  return status;
+}
+
+int SundialsStepper::controlled_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept {
+  const int status = seen_rhs(t, y, dydt, self);
+  double* out = N_VGetArrayPointer(dydt);
+  const OdeSystem& system = *stepper(self).system_;
+  std::fill(out + system.controlled_size(), out + system.size(), 0.0);
+  return status;
+}
+
+int SundialsStepper::quadrature_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept {
+  const int status = seen_rhs(t, y, dydt, self);
+  std::fill_n(N_VGetArrayPointer(dydt), stepper(self).system_->controlled_size(), 0.0);
+  return status;
+}
+
 int SundialsStepper::stiff_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept {
   auto& me = stepper(self);
   double* out = N_VGetArrayPointer(dydt);
@@ -209,21 +244,19 @@ int SundialsStepper::stiff_rhs(double t, N_Vector y, N_Vector dydt, void* self) 
     case EvalStatus::Ok:
       break;
   }
-  if (all_finite(out, me.system_->size())) return 0;
-  me.evaluate_.blame(worst_index(out, me.weights_.data(), me.system_->size()));
+  const int controlled = me.system_->controlled_size();
+  std::fill(out + controlled, out + me.system_->size(), 0.0);  // quadratures go with the rest
+  if (all_finite(out, controlled)) return 0;
+  me.evaluate_.blame(worst_index(out, me.weights_.data(), controlled));
   return me.report(Outcome::NotFinite);
 }
 
 int SundialsStepper::rest_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept {
   auto& me = stepper(self);
-  const int status = full_rhs(t, y, dydt, self);
-  if (status != 0) return status;
-  const EvalStatus stiff = me.system_->rhs_stiff(t, N_VGetArrayPointer(y), me.scratch_f_.data());
-  if (stiff != EvalStatus::Ok) {
-    return me.report(stiff == EvalStatus::Retry ? Outcome::Retry : Outcome::Fail);
-  }
+  if (const int status = me.see(t, N_VGetArrayPointer(y)); status != 0) return status;
+  if (const int status = stiff_rhs(t, y, dydt, self); status != 0) return status;
   double* out = N_VGetArrayPointer(dydt);
-  for (std::size_t i = 0; i < me.scratch_f_.size(); ++i) out[i] -= me.scratch_f_[i];
+  for (std::size_t i = 0; i < me.seen_f_.size(); ++i) out[i] = me.seen_f_[i] - out[i];
   return 0;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "integrators/arrow_jacobian.hpp"
 #include "integrators/step_tools.hpp"
 
 #include <sundials/sundials_context.h>
@@ -68,6 +69,9 @@ class SundialsStepper : public Stepper {
   [[nodiscard]] std::span<const double> derivative() const noexcept final;
   [[nodiscard]] const Counters& counters() const noexcept final { return counters_; }
 
+  /// For the linear solver: quadratures of a Newton correction x by a matrix I - gamma J.
+  [[nodiscard]] Outcome correct_quadratures(double* x, double gamma);
+
  protected:
   /// What one call of the package did.
   enum class Advance : unsigned char { Done, ErrorTooLarge, NotConverged, Refused, Failed };
@@ -95,20 +99,25 @@ class SundialsStepper : public Stepper {
   void check(int status, std::string_view call) const;
   [[noreturn]] void refuse(std::string cause, std::string remedy) const;
 
-  /// Matrix and solver of the Newton iteration: dense LU of the controlled block, quadratures by
-  /// substitution.
-  void make_newton_tools();
+  /// Are quadratures among the unknowns of Newton's iteration?
+  [[nodiscard]] virtual bool newton_moves_quadratures() const { return false; }
 
-  // Callbacks; `self` is the SundialsStepper.
+  /// Matrix and solver of the Newton iteration for one part of the right-hand side: LU of the arrow
+  /// of the controlled components.
+  void make_newton_tools(RhsPart part);
+
+  // Callbacks; `self` is the SundialsStepper. Parts that add up to the whole: controlled and
+  // quadratures, stiff and rest.
   static int full_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept;
+  static int seen_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept;
+  static int controlled_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept;
+  static int quadrature_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept;
   static int stiff_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept;
   static int rest_rhs(double t, N_Vector y, N_Vector dydt, void* self) noexcept;
   static int error_weights(N_Vector y, N_Vector weights, void* self) noexcept;
   static int project_vector(double t, N_Vector y, void* self) noexcept;
-  static int full_jacobian(double t, N_Vector y, N_Vector f, SUNMatrix J, void* self, N_Vector,
-                           N_Vector, N_Vector) noexcept;
-  static int stiff_jacobian(double t, N_Vector y, N_Vector f, SUNMatrix J, void* self, N_Vector,
-                            N_Vector, N_Vector) noexcept;
+  static int jacobian(double t, N_Vector y, N_Vector f, SUNMatrix J, void* self, N_Vector, N_Vector,
+                      N_Vector) noexcept;
   static void keep_message(int code, const char* module, const char* function, char* message,
                            void* self) noexcept;
 
@@ -123,8 +132,9 @@ class SundialsStepper : public Stepper {
   double first_ = 0.0;  ///< first step after create()
 
  private:
-  using Rhs = int (*)(double, N_Vector, N_Vector, void*);
-  int jacobian(Rhs rhs, double t, N_Vector y, N_Vector f, SUNMatrix J);
+  /// The whole right-hand side at (t, y) into seen_f_, unless it is there already: the packages ask
+  /// for its parts one after the other.
+  int see(double t, const double* y) noexcept;
   int report(Outcome outcome) noexcept;
   void begin_afresh(double h);
   void advance_or_throw(double t_stop, bool& at_minimum);
@@ -143,6 +153,10 @@ class SundialsStepper : public Stepper {
   mutable bool derivative_known_ = false;
   std::vector<double> weights_;  ///< 1 / (scale * tolerance); 0 for quadratures
   std::vector<double> scratch_y_, scratch_f_;
+  ArrowJacobian jacobian_;
+  bool seen_ = false;  ///< seen_f_ is the right-hand side at (seen_t_, seen_y_)
+  double seen_t_ = 0.0;
+  std::vector<double> seen_y_, seen_f_;
   SunVector error_;
   double relax_ = 1.0;             ///< the tolerance is this much wider just now
   Outcome trouble_ = Outcome::Ok;  ///< last refusal of the right-hand side

@@ -1,4 +1,5 @@
 #include "base/errors.hpp"
+#include "deck/defaults.hpp"
 #include "deck/schema.hpp"
 #include "results/print_file.hpp"
 #include "tribology/traction_curve.hpp"
@@ -36,6 +37,18 @@ std::string meaning(const deck::VariableSpec& variable, const std::vector<deck::
   return text;
 }
 
+void defaults(Report& report, const deck::Deck& deck) {
+  report.heading("Defaults used for what the deck leaves out");
+  std::vector<std::vector<std::string>> rows;
+  for (const deck::DefaultUsed& used : deck::defaults_used(deck))
+    rows.push_back({used.record, used.variable, used.value, used.unit});
+  if (rows.empty()) {
+    report.text("None: the deck gives every value.");
+    return;
+  }
+  report.text_table({{"record", 14}, {"variable", 18}, {"value", 40}, {"unit", 12}}, rows);
+}
+
 void echo(Report& report, const deck::Deck& deck) {
   report.new_page("INPUT");
   report.text(
@@ -61,6 +74,7 @@ void echo(Report& report, const deck::Deck& deck) {
         report.text(fmt::format("{:<16}{}  {}  {}", variable.name, values, unit, what), 4);
     }
   }
+  defaults(report, deck);
   if (deck.user_lines.empty()) return;
   report.heading("Lines for user routines");
   for (const std::string& line : deck.user_lines) report.text(line, 4);

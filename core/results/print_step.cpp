@@ -331,10 +331,6 @@ void print_ledgers(Report& report, const RunSummary& run, const dynamics::SceneP
     rows.push_back({"whole run", "", fmt::format("{:.4f}", run.seconds), ""});
     report.text_table({{"part", 40}, {"calls", 14}, {"seconds", 12}, {"share", 8}}, rows);
   }
-  if (!run.defaults_used.empty()) {
-    report.heading("Defaults used");
-    for (const std::string& line : run.defaults_used) report.text(line);
-  }
   if (!run.notes.empty()) {
     report.heading("Notes");
     for (const std::string& line : run.notes) report.text(line);

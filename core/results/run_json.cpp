@@ -90,7 +90,14 @@ Json run_json(const RunSummary& run) {
   out["conservation"] = conservation;
   out["summary"] = object_of(run.summary);
   if (!run.quasi_static.is_null()) out["quasi_static"] = run.quasi_static;
-  out["defaults_used"] = run.defaults_used;
+  Json defaults = Json::array();
+  for (const deck::DefaultUsed& used : run.defaults_used) {
+    defaults.push_back({{"record", used.record},
+                        {"variable", used.variable},
+                        {"value", used.value},
+                        {"unit", used.unit}});
+  }
+  out["defaults_used"] = defaults;
   out["notes"] = run.notes;
   out["files"] = run.files;
 

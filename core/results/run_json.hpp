@@ -1,5 +1,6 @@
 #pragma once
 
+#include "deck/defaults.hpp"
 #include "dynamics/cost_ledger.hpp"
 #include "dynamics/snapshot.hpp"
 #include "dynamics/system.hpp"
@@ -31,7 +32,7 @@ struct RunSummary {
   std::vector<std::pair<std::string, std::string>>
       options;                                      ///< named options with the values in force
   std::vector<std::pair<std::string, long>> seeds;  ///< of random numbers, by use
-  std::vector<std::string> defaults_used;           ///< "variable = value" of the deck
+  std::vector<deck::DefaultUsed> defaults_used;     ///< values that the deck left out
   std::vector<std::string> notes;                   ///< warnings and remarks
   long steps = 0;
   double time = 0.0, revolutions = 0.0;

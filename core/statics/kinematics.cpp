@@ -34,7 +34,7 @@ EpicyclicSpeeds epicyclic_speeds(int count, double diameter, double pitch_diamet
   constexpr double kTurn = 2.0 * std::numbers::pi;
   EpicyclicSpeeds s;
   s.gamma = diameter / pitch_diameter * std::cos(contact_angle);
-  s.cage_speed = 0.5 * (inner_speed * (1.0 - s.gamma) + outer_speed * (1.0 + s.gamma));
+  s.cage_speed = epicyclic_speed(outer_speed, inner_speed, s.gamma);
   s.element_spin = std::abs(inner_speed - outer_speed) * pitch_diameter *
                    (1.0 - s.gamma * s.gamma) / (2.0 * diameter);
   // Differences of race and cage speed written without cancellation for co-rotating races.

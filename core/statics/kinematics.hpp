@@ -4,6 +4,13 @@
 /// angle.
 namespace adore::statics {
 
+/// Speed of the element set for rolling without slip: ½ [Ω_i (1 - γ) + Ω_o (1 + γ)], γ = (D/d_m)
+/// cos α [rad/s].
+[[nodiscard]] inline double epicyclic_speed(double outer_speed, double inner_speed,
+                                            double gamma) noexcept {
+  return 0.5 * (inner_speed * (1.0 - gamma) + outer_speed * (1.0 + gamma));
+}
+
 /// Speeds [rad/s] and passing frequencies [Hz]. γ = (D/d_m) cos α; race speeds about +x.
 struct EpicyclicSpeeds {
   double gamma = 0.0;         ///< (D/d_m) cos α

@@ -12,10 +12,12 @@
 #include <QApplication>
 #include <QChart>
 #include <QComboBox>
+#include <QDropEvent>
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QLabel>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
@@ -323,6 +325,37 @@ TEST_CASE("plot_window: files are opened, refused with a reason, and truncated o
   press(window, "Reload");
   CHECK(window.view().chartScene().page().x.size() == 60);
   CHECK(note->text().isEmpty());
+}
+
+TEST_CASE("plot_window: a dropped file asks for its range, several are opened at once", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path base = folder.path().toStdString();
+  test::SyntheticRun run;
+  run.steps = 30;
+  const std::string text = test::sol_text(test::synthetic_sol(SolKind::Element, run));
+  test::write_text(base / "SOL1", text);
+  test::write_text(base / "SOL2", text);
+  PlotWindow window;
+  const auto drop = [&](const QStringList& names) {
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const QString& name : names) urls << QUrl::fromLocalFile(folder.filePath(name));
+    data.setUrls(urls);
+    QDragEnterEvent enter({9, 9}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &enter);
+    CHECK(enter.isAccepted());
+    QDropEvent event({9.0, 9.0}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &event);
+    CHECK(event.isAccepted());
+  };
+  drop({"SOL1", "SOL2"});
+  CHECK(window.fileCount() == 2);
+  drop({"SOL2"});
+  auto* dialog = window.findChild<RangeDialog*>();
+  REQUIRE(dialog != nullptr);
+  dialog->reject();
+  CHECK(window.fileCount() == 2);
 }
 
 TEST_CASE("range_dialog: starts at 1 to 5000 by 1 and keeps the end behind the start", "[gui]") {

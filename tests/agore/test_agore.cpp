@@ -6,11 +6,13 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QDropEvent>
 #include <QFile>
 #include <QInputDialog>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -345,6 +347,66 @@ TEST_CASE("agore_window: files are opened, cut at the steps asked for, and refus
   CHECK(window.openFile(base / "cut"));
   CHECK(window.frameCount() == 39);
   CHECK(take_message(window).contains("incomplete"));
+}
+
+TEST_CASE("agore_window: a file dropped on it is opened, several are not", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path base = folder.path().toStdString();
+  test::write_text(base / "SOL8", test::sol8_text(test::synthetic_sol8(short_run(20))));
+  AgoreWindow window;
+  const auto drop = [&](const QStringList& names) {
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const QString& name : names) urls << QUrl::fromLocalFile(folder.filePath(name));
+    data.setUrls(urls);
+    QDragEnterEvent enter({9, 9}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &enter);
+    CHECK(enter.isAccepted());
+    QDropEvent event({9.0, 9.0}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &event);
+    CHECK(event.isAccepted());
+  };
+  drop({"SOL8", "SOL9"});
+  CHECK(take_message(window).contains("single SOL8"));
+  CHECK(window.frameCount() == 0);
+  drop({"nowhere"});
+  CHECK(take_message(window).contains("nowhere"));
+  drop({"SOL8"});
+  CHECK(take_message(window).isEmpty());
+  CHECK(window.frameCount() == 20);
+  QMimeData text;
+  text.setText("SOL8");
+  QDragEnterEvent enter({9, 9}, Qt::CopyAction, &text, Qt::LeftButton, Qt::NoModifier);
+  enter.ignore();
+  QCoreApplication::sendEvent(&window, &enter);
+  CHECK_FALSE(enter.isAccepted());
+}
+
+TEST_CASE("views: the element view shows contact loads when RESULTS.h5 lies beside the file",
+          "[gui]") {
+  test::use_qt();
+  const auto picture = [](bool with_contacts) {
+    Animation animation = prepare(test::synthetic_sol8(short_run(30)));
+    CHECK_FALSE(animation.contacts.has_value());  // nothing lies beside a file in memory
+    CHECK_FALSE(animation.no_contacts.empty());
+    if (with_contacts) {
+      results::ContactFrames contacts{"N", "m/s", {}, 200.0};
+      contacts.frames.assign(30, std::vector<results::ContactFrame>(12, {{200.0, 100.0}, {1, 2}}));
+      animation.contacts = contacts;
+    }
+    ViewOptions options;
+    options.view = View::Element;
+    options.element = 4;
+    return MotionPicture(std::move(animation)).image({780, 680}, 29, options);
+  };
+  const QImage with = picture(true), without = picture(false);
+  const auto& curves = theme_of({}).curves;
+  const QRect drawing(0, 0, 780, 560);  // above the key
+  const int outer = pixels_of(with, drawing, curves[0]) - pixels_of(without, drawing, curves[0]);
+  const int inner = pixels_of(with, drawing, curves[1]) - pixels_of(without, drawing, curves[1]);
+  CHECK(inner > 20);
+  CHECK(outer > 1.4 * inner);  // twice the load, twice the shaft
 }
 
 TEST_CASE("render: pictures, numbered pictures and a film", "[gui]") {

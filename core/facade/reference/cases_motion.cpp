@@ -6,6 +6,7 @@
 #include "facade/reference/cases_constrained.hpp"
 #include "facade/reference/json_access.hpp"
 #include "facade/reference/trajectory.hpp"
+#include "statics/kinematics.hpp"
 
 namespace adore::facade::reference {
 namespace {
@@ -264,7 +265,7 @@ Json cage_start_case(const Json& in) {
   const double gamma = get(in, "element_diameter") *
                        std::cos(get(in, "contact_angle_deg") * kDegree) / get(in, "pitch_diameter");
   const double epicyclic =
-      dynamics::epicyclic_speed(get(in, "rpm1") * kRpm, get(in, "rpm2") * kRpm, gamma);
+      statics::epicyclic_speed(get(in, "rpm1") * kRpm, get(in, "rpm2") * kRpm, gamma);
   const Vec3 angles = vec3(in.at("cageAngPos_deg")) * kDegree;
   const dynamics::CageStart start =
       dynamics::cage_start(epicyclic, get(in, "avRatio"), get(in, "wvRatio"),

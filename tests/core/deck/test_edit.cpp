@@ -1,5 +1,6 @@
 #include "base/errors.hpp"
 #include "deck/deck.hpp"
+#include "deck/defaults.hpp"
 #include "deck/number.hpp"
 #include "deck/templates.hpp"
 
@@ -250,4 +251,77 @@ TEST_CASE("reals are written short, exact and with a point", "[unit][deck]") {
     CHECK(back == value);
     CHECK(format_real(value).find('.') != std::string::npos);
   }
+}
+
+TEST_CASE("defaults that stand in for what the deck leaves out are listed", "[unit][deck]") {
+  const std::string whole = write_deck(new_deck("ball"));
+  const Deck given = read_deck_text(whole, "DATA.txt").deck;
+  // Steel and the built-in constants are chosen by a 0; nothing is left out.
+  for (const DefaultUsed& used : defaults_used(given)) CHECK(used.value.starts_with("0 ("));
+
+  // Leave out each value with a default by `,,`, and the rest of the record by `/`.
+  int tried = 0;
+  for (const RecordData& record : given.records) {
+    const RecordSpec& spec = *find_record(record.id);
+    for (std::size_t v = 1; v < spec.variables.size(); ++v) {
+      const VariableSpec& variable = spec.variables[v];
+      if (variable.default_value.empty() || variable.length != "1") continue;
+      INFO(record.id << ' ' << variable.name);
+      const std::size_t line = whole.find("'Rec " + record.id + "'");
+      if (line == std::string::npos) continue;  // of a repeated record
+      std::size_t from = line;
+      for (std::size_t comma = 0; comma < v; ++comma) from = whole.find(',', from) + 1;
+      const std::size_t to = whole.find_first_of(",\n", from);
+      std::string text = whole;
+      text.replace(from, to - from, "");
+      if (v + 1 == spec.variables.size()) text.insert(from, " /");
+      const ReadResult read = read_deck_text(text, "DATA.txt");
+      std::vector<DefaultUsed> added;
+      const auto before = defaults_used(given);
+      for (const DefaultUsed& used : defaults_used(read.deck))
+        if (std::find(before.begin(), before.end(), used) == before.end()) added.push_back(used);
+      if (read.deck.records.size() != given.records.size()) continue;  // it asks for other records
+      const std::string unit = variable.unit.si == "-" ? "" : std::string(variable.unit.si);
+      const bool listed_before =
+          std::any_of(before.begin(), before.end(), [&](const DefaultUsed& used) {
+            return used.record == record.id && used.variable == variable.name;
+          });
+      if (listed_before) continue;
+      REQUIRE(added.size() == 1);
+      CHECK(added[0].record == record.id);
+      CHECK(added[0].variable == variable.name);
+      CHECK(added[0].unit == unit);
+      ++tried;
+      // Where it came from changes neither equality nor what is written.
+      const Deck back = read_deck_text(write_deck(read.deck), "DATA.txt").deck;
+      CHECK(back == read.deck);
+      CHECK(defaults_used(back).size() == before.size());
+    }
+  }
+  CHECK(tried > 5);
+}
+
+TEST_CASE("a value that is set is no default any more, one that complete() adds is",
+          "[unit][deck]") {
+  Deck deck = read_deck_text(write_deck(new_deck("ball")), "DATA.txt").deck;
+  const auto lists = [&](std::string_view variable) {
+    const auto list = defaults_used(deck);
+    return std::any_of(list.begin(), list.end(),
+                       [&](const DefaultUsed& used) { return used.variable == variable; });
+  };
+  deck.set("nGL", "3");
+  deck.complete();
+  const auto list = defaults_used(deck);
+  const auto added = std::find_if(list.begin(), list.end(), [](const DefaultUsed& used) {
+    return used.record == "7.2.i (3)" && used.variable == "cageGsCls";
+  });
+  REQUIRE(added != list.end());
+  CHECK(added->unit == "m");
+  CHECK(lists("iCageGuide[3]"));
+  CHECK_FALSE(lists("iCageGuide[2]"));
+  deck.set("cageGsCls[3]", "0.0004");
+  deck.set("iCageGuide[3]", "1");
+  CHECK_FALSE(lists("iCageGuide[3]"));
+  for (const DefaultUsed& used : defaults_used(deck))
+    CHECK_FALSE((used.record == "7.2.i (3)" && used.variable == "cageGsCls"));
 }

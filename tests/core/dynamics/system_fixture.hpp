@@ -5,6 +5,7 @@
 #include "contact/cage_inertia.hpp"
 #include "contact/groove.hpp"
 #include "dynamics/system.hpp"
+#include "facade/system_ode.hpp"
 #include "integrators/stepper.hpp"
 #include "statics/ball_statics.hpp"
 
@@ -107,24 +108,7 @@ inline dynamics::System make_system(const bearing::Bearing& b, const dynamics::S
 }
 
 /// The system as a stepper sees it.
-class Adapter final : public integrators::OdeSystem {
- public:
-  explicit Adapter(dynamics::System& system) : system_(system) {}
-  int size() const noexcept override { return system_.layout().size(); }
-  int controlled_size() const noexcept override { return system_.layout().controlled_size(); }
-  std::span<const double> scales() const noexcept override { return system_.layout().scales(); }
-  integrators::EvalStatus rhs(double t, const double* y, double* dydt) noexcept override {
-    return system_.rhs(t, y, dydt) == dynamics::RhsStatus::Ok ? integrators::EvalStatus::Ok
-                                                              : integrators::EvalStatus::Retry;
-  }
-  bool project(double t, double* y) noexcept override { return system_.project(t, y); }
-  std::string component_name(int index) const override {
-    return system_.layout().component_name(index);
-  }
-
- private:
-  dynamics::System& system_;
-};
+using Adapter = facade::SystemOde;
 
 struct RunResult {
   std::vector<double> y;

@@ -1,5 +1,6 @@
 #include "base/rotation.hpp"
 #include "dynamics/rigid_body.hpp"
+#include "statics/kinematics.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -101,9 +102,9 @@ TEST_CASE("Power of the moment is the rate of kinetic energy of a body with turn
 
 TEST_CASE("The cage starts at its share of the epicyclic speed and whirls about the bearing axis",
           "[physics][motion]") {
-  CHECK(epicyclic_speed(0.0, 1000.0, 0.2) == Approx(400.0));
-  CHECK(epicyclic_speed(1000.0, 0.0, 0.2) == Approx(600.0));
-  CHECK(epicyclic_speed(70.0, 70.0, 0.3) == Approx(70.0));
+  CHECK(statics::epicyclic_speed(0.0, 1000.0, 0.2) == Approx(400.0));
+  CHECK(statics::epicyclic_speed(1000.0, 0.0, 0.2) == Approx(600.0));
+  CHECK(statics::epicyclic_speed(70.0, 70.0, 0.3) == Approx(70.0));
   const CageStart start =
       cage_start(400.0, 0.98, 0.5, {3e-4, 0, 0}, {1e-5, 0, 5e-5}, {0.2, 0.001, -0.002});
   CHECK(start.cage_speed == Approx(392.0));

@@ -1,15 +1,19 @@
 #pragma once
 
+#include "base/errors.hpp"
 #include "bearing/bearing.hpp"
 #include "dynamics/snapshot.hpp"
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <unistd.h>
+#include <vector>
 
 /// Invented but plausible input of the writers: every field has its own value, so that a mixed-up
 /// column is seen.
@@ -134,6 +138,24 @@ inline dynamics::Snapshot make_snapshot(const bearing::Bearing& bearing, long st
   snapshot.energy = {1.0, 2.0, 3.0, 5.5, {0.25, 0.5}, {20.0 * t, 30.0 * t}, 3.0 * t, 2.0 * t};
   snapshot.max_quaternion_error = 1e-16;
   return snapshot;
+}
+
+/// Lines without their ends.
+inline std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// What an InputError says, or "no error".
+inline std::string message_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
 }
 
 /// A folder of its own that goes away with the test.

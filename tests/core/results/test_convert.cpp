@@ -20,15 +20,6 @@ using Json = nlohmann::json;
 
 namespace {
 
-std::string message_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 std::string converted(const std::filesystem::path& path, std::string_view format) {
   struct Comma : std::numpunct<char> {
     char do_decimal_point() const override { return ','; }

@@ -47,15 +47,6 @@ void check_equal(const FinalState& a, const FinalState& b) {
   CHECK(a.state == b.state);
 }
 
-std::string message_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 }  // namespace
 
 TEST_CASE("FINAL and MASTER give back every bit", "[unit][restart]") {

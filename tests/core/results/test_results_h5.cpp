@@ -18,15 +18,6 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-std::string message_of(const std::function<void()>& act) {
-  try {
-    act();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
-
 void write_steps(H5Writer writer, const bearing::Bearing& bearing, long from, long to) {
   ChannelRecorder recorder(bearing, UnitSystem::SI);
   for (long step = from; step <= to; ++step)

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "dynamics/system_effects.hpp"
+
+#include <array>
+#include <vector>
+
+/// What implicit methods ask of the equations of motion beside the rates themselves.
+namespace adore::dynamics {
+
+/// The fastest part of the motion by itself: ball centres vibrating on their normal race contacts,
+///   ẋ = x_dot, ṙ = r_dot, θ̇ = theta_dot                       of every ball
+///   ẍ = N_x/m, r̈ = N_r/m, θ̈ = N_θ/(m r),  N = -Σ_j Q_j n_j    (race_contacts.hpp, no traction)
+/// and 0 for every other component. The velocities belong to it: with the accelerations alone
+/// the implicit part would be ẍ(x) at a position that the explicit part has fixed already, hence
+/// no more stable than an explicit method. It is the flow of the Hamiltonian ½m v² + Σ 0.4 K δ^2.5
+/// but for the fictitious forces of the cylindrical coordinates, which are slow.
+/// Source of the contact: race_contacts.hpp. Units SI. Limit: as there.
+class NormalContacts {
+ public:
+  NormalContacts(const std::array<RaceContactModel, 2>& contacts, const BallSlices& slices,
+                 double mass);
+  /// Writes all `size` rates; false where the whole right-hand side is not valid either: a ball on
+  /// the axis, or pressed into a race by more than its radius. No allocation.
+  bool evaluate(const std::array<RaceState, 2>& races, const double* y, double* dydt,
+                int size) noexcept;
+
+ private:
+  std::array<RaceContactModel, 2> contacts_;  ///< without traction
+  BallSlices s_;
+  double per_mass_ = 0.0;
+  std::array<double, 2> load_limit_{};
+  std::vector<double> sin_, cos_, F_x_, F_r_, F_theta_, M_, load_, heat_;
+};
+
+/// Force and moment of each pocket on the cage, from what the pockets did to the balls (action =
+/// reaction): the ball's forces before and after the pocket block.
+class PocketShares {
+ public:
+  void resize(std::size_t balls);
+  void before(const Evaluation& e) noexcept;
+  /// Adds the rates that ball i causes in the cage: velocity by F/m, ω by I⁻¹ Rᵀ M.
+  /// @param velocity, omega where the three components stand within one row of `shares`
+  void after(const Evaluation& e, const bearing::Inertia& cage, int velocity, int omega, int border,
+             double* shares) const noexcept;
+
+ private:
+  std::array<std::vector<double>, 6> before_;
+};
+
+}  // namespace adore::dynamics

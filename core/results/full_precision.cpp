@@ -1,0 +1,170 @@
+#include "results/full_precision.hpp"
+
+#include "base/errors.hpp"
+#include "results/channels.hpp"
+#include "results/results_h5.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+namespace adore::results {
+namespace {
+
+/// Relative resolution of the (1p,e16.7) fields of SOL1-SOL7 with some room, and of SOL8's e10.3.
+constexpr double kSolDigits = 1e-6, kSol8Digits = 2e-3;
+
+/// RESULTS.h5 beside `file` when it has the run code; else nothing and the reason.
+std::optional<H5Reader> open_beside(const std::filesystem::path& file, const std::string& run_id,
+                                    std::string& why_not) {
+  const std::filesystem::path path = file.parent_path() / "RESULTS.h5";
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) {
+    why_not = "there is no RESULTS.h5 beside the file";
+    return std::nullopt;
+  }
+  try {
+    H5Reader reader(path);
+    if (reader.run_id() == run_id) return reader;
+    why_not = fmt::format("RESULTS.h5 beside the file is of the run '{}'", reader.run_id());
+  } catch (const InputError& error) {
+    why_not = error.what();
+  }
+  return std::nullopt;
+}
+
+/// Where each step number stands in RESULTS.h5.
+std::unordered_map<long, std::size_t> positions_of(const H5Reader& reader) {
+  std::unordered_map<long, std::size_t> positions;
+  const std::vector<long> numbers = reader.step_numbers();
+  for (std::size_t i = 0; i < numbers.size(); ++i) positions[numbers[i]] = i;
+  return positions;
+}
+
+/// Could a field of so many digits show `exact` as `shown`? Stars fit every number.
+bool fits(double shown, double exact, double digits, double least) {
+  if (!std::isfinite(shown) || !std::isfinite(exact)) return !std::isfinite(shown);
+  return std::abs(shown - exact) <= digits * std::abs(exact) + least;
+}
+
+UnitSystem units_of(const SolFile& file, const std::vector<SolColumn>& columns) {
+  for (const SolColumn& column : columns) {
+    if (column.unit == nullptr || column.unit->si == column.unit->en) continue;
+    const std::string shown = unit_of_column(file, column);
+    if (shown == column.unit->si) return UnitSystem::SI;
+    if (shown == column.unit->en) return UnitSystem::English;
+  }
+  return UnitSystem::SI;
+}
+
+constexpr const char* kOtherRun =
+    "RESULTS.h5 beside the file holds other numbers, so it is of another run";
+
+}  // namespace
+
+std::string use_full_precision(SolFile& file) {
+  std::string why_not;
+  const auto reader = open_beside(file.path, file.header.run_id, why_not);
+  if (!reader) return why_not;
+  try {
+    const auto positions = positions_of(*reader);
+    const std::vector<double> times = reader->read("time");
+    std::vector<std::size_t> at(file.steps.size(), reader->steps());
+    bool any = false;
+    for (std::size_t i = 0; i < file.steps.size(); ++i) {
+      const auto found = positions.find(file.steps[i].step);
+      if (found == positions.end()) continue;
+      if (!fits(file.steps[i].time, times[found->second], kSolDigits, 1e-300)) return kOtherRun;
+      at[i] = found->second;
+      any = true;
+    }
+    if (!any) return "RESULTS.h5 beside the file holds none of its steps";
+
+    const std::vector<SolColumn> columns = sol_columns(file.header);
+    const UnitSystem units = units_of(file, columns);
+    std::vector<SolStep> steps = file.steps;
+    std::map<int, std::vector<double>> read;  // by channel: neighbouring columns share one
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const SolColumn& column = columns[c];
+      if (column.channel < 0) continue;
+      const std::string id(channels()[static_cast<std::size_t>(column.channel)].id);
+      const H5Reader::ChannelInfo* info = reader->find(id);
+      if (info == nullptr || column.at >= info->size()) continue;
+      auto& values = read[column.channel];
+      if (values.empty()) values = reader->read(id);
+      for (std::size_t i = 0; i < steps.size(); ++i) {
+        if (at[i] == reader->steps() || c >= steps[i].values.size()) continue;
+        const double exact = values[at[i] * info->size() + column.at];
+        const double value = column.unit == nullptr ? exact : from_si(exact, *column.unit, units);
+        if (!fits(steps[i].values[c], value, kSolDigits, 1e-30)) return kOtherRun;
+        steps[i].values[c] = value;
+      }
+    }
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      if (at[i] < reader->steps()) steps[i].time = times[at[i]];
+    }
+    file.steps = std::move(steps);
+    return {};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+std::optional<ContactFrames> contacts_beside(const Sol8File& file, std::string& why_not) {
+  const auto reader = open_beside(file.path, file.run_id, why_not);
+  if (!reader) return std::nullopt;
+  try {
+    const auto* load = reader->find("contact.load");
+    const auto* slip = reader->find("contact.slip");
+    const auto* radius = reader->find("element.radial_position");
+    const auto n = static_cast<std::size_t>(file.elements);
+    if (load == nullptr || slip == nullptr || radius == nullptr || load->size() != 2 * n ||
+        slip->size() != 2 * n || radius->size() != n) {
+      why_not = "RESULTS.h5 beside the file has no contacts of these elements";
+      return std::nullopt;
+    }
+    const bool english = file.units[2] == unit::kForce.en;
+    const UnitSystem units = english ? UnitSystem::English : UnitSystem::SI;
+    ContactFrames out;
+    out.load_unit = unit_name(unit::kForce, units);
+    out.slip_unit = unit_name(unit::kSpeed, units);
+    const auto positions = positions_of(*reader);
+    const std::vector<double> times = reader->read("time");
+    for (const Sol8Frame& frame : file.frames) {
+      const auto found = positions.find(frame.step);
+      if (found == positions.end()) {
+        why_not = fmt::format("RESULTS.h5 beside the file lacks step {}", frame.step);
+        return std::nullopt;
+      }
+      const std::size_t at = found->second;
+      const auto radii = reader->read("element.radial_position", at, 1);
+      bool same = fits(frame.time, times[at], kSolDigits, 1e-300);
+      for (std::size_t k = 0; same && k < n; ++k)
+        same = fits(frame.elements[k].r, from_si(radii[k], unit::kLength, units), kSol8Digits, 0.0);
+      if (!same) {
+        why_not = kOtherRun;
+        return std::nullopt;
+      }
+      const auto loads = reader->read("contact.load", at, 1);
+      const auto slips = reader->read("contact.slip", at, 1);
+      std::vector<ContactFrame> contacts(n);
+      for (std::size_t k = 0; k < n; ++k) {
+        for (std::size_t j = 0; j < 2; ++j) {
+          contacts[k].load[j] = from_si(loads[2 * k + j], unit::kForce, units);
+          contacts[k].slip[j] = from_si(slips[2 * k + j], unit::kSpeed, units);
+          out.largest_load = std::max(out.largest_load, contacts[k].load[j]);
+        }
+      }
+      out.frames.push_back(std::move(contacts));
+    }
+    return out;
+  } catch (const InputError& error) {
+    why_not = error.what();
+    return std::nullopt;
+  }
+}
+
+}  // namespace adore::results

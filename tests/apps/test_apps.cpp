@@ -1,0 +1,139 @@
+#include "desktop/image_export.hpp"
+#include "support/qt_app.hpp"
+
+#include <QDir>
+#include <QImage>
+#include <QPrinter>
+#include <QProcess>
+#include <QProcessEnvironment>
+#include <catch2/catch.hpp>
+
+#include <cstdlib>
+#include <set>
+
+/// The programs themselves, started headless on the files of one real run.
+namespace {
+
+struct Ended {
+  int code = -1;
+  QString output;
+};
+Ended start(const char* program, const QStringList& arguments) {
+  QProcess process;
+  QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+  environment.insert("QT_QPA_PLATFORM", "offscreen");
+  process.setProcessEnvironment(environment);
+  process.setProcessChannelMode(QProcess::MergedChannels);
+  process.start(program, arguments);
+  if (!process.waitForFinished(100000)) return {};
+  return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
+          QString::fromUtf8(process.readAll())};
+}
+
+/// A short run of the example ball bearing, made once.
+const QString& run_folder() {
+  static QTemporaryDir folder;
+  static const bool done = [] {
+    REQUIRE(start(ADORE_EXECUTABLE, {"new", "ball", "--out", folder.filePath("DATA.txt")}).code ==
+            0);
+    const Ended run = start(ADORE_EXECUTABLE, {"run", folder.path(), "--until", "40", "--set",
+                                               "kPltFreq=1", "--set", "kAGraf=1", "--quiet"});
+    INFO(run.output.toStdString());
+    REQUIRE(run.code == 0);
+    return true;
+  }();
+  (void)done;
+  static const QString path = folder.path();
+  return path;
+}
+
+/// A picture shows something when it has the size asked for and more than a few colours, none of
+/// which covers nearly everything.
+void check_pictures(const QString& folder, int least, QSize size) {
+  const QDir directory(folder);
+  const auto names = directory.entryList({"*.png"}, QDir::Files, QDir::Name);
+  CHECK(names.size() >= least);
+  for (const QString& name : names) {
+    INFO(name.toStdString());
+    const QImage image(directory.filePath(name));
+    REQUIRE_FALSE(image.isNull());
+    CHECK(image.size() == size);
+    std::set<QRgb> colours;
+    int background = 0, looked = 0;
+    const QRgb corner = image.pixel(0, 0);
+    for (int y = 0; y < image.height(); y += 3)
+      for (int x = 0; x < image.width(); x += 3, ++looked) {
+        colours.insert(image.pixel(x, y));
+        background += image.pixel(x, y) == corner;
+      }
+    CHECK(colours.size() > 10);
+    CHECK(background < 0.995 * looked);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("adrplot --render draws every page of a real run", "[gui][apps]") {
+  adore::test::use_qt();
+  QTemporaryDir pictures;
+  QStringList arguments{"--render", pictures.path(), "--size", "900x700"};
+  for (const char* name : {"SOL1", "SOL5", "SOL7"}) arguments << run_folder() + "/" + name;
+  const Ended ended = start(ADRPLOT_EXECUTABLE, arguments);
+  INFO(ended.output.toStdString());
+  REQUIRE(ended.code == 0);
+  check_pictures(pictures.path(), 8 + 3, {900, 700});
+}
+
+TEST_CASE("agore --render draws every view of a real run", "[gui][apps]") {
+  adore::test::use_qt();
+  for (const char* view : {"bearing", "cage", "pocket", "element", "race"}) {
+    QTemporaryDir pictures;
+    const Ended ended = start(
+        AGORE_EXECUTABLE,
+        {run_folder() + "/SOL8", "--render", pictures.path(), "--view", view, "--size", "800x640"});
+    INFO(view << ": " << ended.output.toStdString());
+    REQUIRE(ended.code == 0);
+    check_pictures(pictures.path(), 1, {800, 640});
+  }
+}
+
+TEST_CASE("the programs refuse what is no file of theirs with exit code 2", "[gui][apps]") {
+  adore::test::use_qt();
+  QTemporaryDir pictures;
+  for (const char* program : {ADRPLOT_EXECUTABLE, AGORE_EXECUTABLE}) {
+    const Ended ended = start(program, {"--render", pictures.path(), run_folder() + "/DATA.txt"});
+    CHECK(ended.code == 2);
+    CHECK(ended.output.contains("DATA.txt"));
+  }
+}
+
+#ifdef ADRINPUT_EXECUTABLE
+TEST_CASE("adrinput --render draws its pages for a real deck", "[gui][apps]") {
+  adore::test::use_qt();
+  QTemporaryDir pictures;
+  const Ended ended =
+      start(ADRINPUT_EXECUTABLE, {"--render", pictures.path(), run_folder() + "/DATA.txt"});
+  INFO(ended.output.toStdString());
+  REQUIRE(ended.code == 0);
+  const auto names = QDir(pictures.path()).entryList({"*.png"}, QDir::Files);
+  REQUIRE(names.size() > 3);
+  check_pictures(pictures.path(), 4, QImage(pictures.filePath(names.front())).size());
+}
+#endif
+
+TEST_CASE("a picture is printed on one page", "[gui][apps]") {
+  adore::test::use_qt();
+  QTemporaryDir folder;
+  QImage image(300, 200, QImage::Format_RGB32);
+  image.fill(Qt::red);
+  QPrinter printer;
+  printer.setOutputFormat(QPrinter::PdfFormat);
+  printer.setOutputFileName(folder.filePath("page.pdf"));
+  adore::desktop::print_image(image, printer);
+  QFile file(folder.filePath("page.pdf"));
+  REQUIRE(file.open(QIODevice::ReadOnly));
+  const QByteArray bytes = file.readAll();
+  CHECK(bytes.startsWith("%PDF"));
+  CHECK(bytes.count("/Type /Page\n") == 1);
+  CHECK(bytes.contains("/Subtype /Image"));
+}

@@ -1,0 +1,149 @@
+#include "results/full_precision.hpp"
+#include "results/results_h5.hpp"
+#include "results/sol_writer.hpp"
+#include "synthetic.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace adore;
+using namespace adore::results;
+using namespace adore::testing;
+using Catch::Matchers::Contains;
+
+namespace {
+
+/// Steps 0 to 40 in SOL files of element 2, cage and power and in SOL8; RESULTS.h5 of `h5_run`
+/// holds all of them, whose time is shifted by `delay` steps.
+void write_run(const TemporaryFolder& folder, UnitSystem units, const std::string& h5_run,
+               long delay = 0, long h5_steps = 40) {
+  bearing::Bearing bearing = make_bearing();
+  ChannelRecorder recorder(bearing, units);
+  std::vector<std::pair<SolHeader, SolWriter>> files;
+  for (const auto& [name, index] : {std::pair{"SOL1", 2}, {"SOL4", 4}, {"SOL7", 0}}) {
+    const SolHeader header = make_sol_header(bearing, index, units);
+    files.emplace_back(header, SolWriter::create(folder / name, header, units));
+  }
+  Sol8Writer animation = Sol8Writer::create(folder / "SOL8", bearing, units);
+  for (long step = 0; step <= 40; ++step) {
+    const StepRecord& record = recorder.record(make_snapshot(bearing, step));
+    for (auto& [header, file] : files) file.write(record);
+    animation.write(make_snapshot(bearing, step));
+  }
+  bearing.run_id = h5_run;
+  H5Writer h5 = H5Writer::create(folder / "RESULTS.h5", bearing);
+  ChannelRecorder second(bearing, units);
+  for (long step = 0; step <= h5_steps; ++step) {
+    dynamics::Snapshot snapshot = make_snapshot(bearing, step + delay);
+    snapshot.step = step;
+    h5.write(second.record(snapshot));
+  }
+  h5.flush();
+}
+
+/// Largest relative distance between the values of a file and those that the writers were given.
+double worst(const SolFile& file, UnitSystem units) {
+  const bearing::Bearing bearing = make_bearing();
+  ChannelRecorder recorder(bearing, units);
+  const auto columns = sol_columns(file.header);
+  double largest = 0.0;
+  for (long step = 0; step <= 40; ++step) {
+    const SolStep exact =
+        make_sol_step(file.header, columns, recorder.record(make_snapshot(bearing, step)), units);
+    const SolStep& read = file.steps.at(static_cast<std::size_t>(step));
+    REQUIRE(read.values.size() == exact.values.size());
+    for (std::size_t i = 0; i < exact.values.size(); ++i)
+      if (exact.values[i] != 0.0)
+        largest = std::max(largest, std::abs(read.values[i] / exact.values[i] - 1.0));
+  }
+  return largest;
+}
+
+}  // namespace
+
+TEST_CASE("RESULTS.h5 beside SOL1-SOL7 gives them all digits", "[unit][h5][sol]") {
+  for (const UnitSystem units : {UnitSystem::SI, UnitSystem::English}) {
+    TemporaryFolder folder;
+    write_run(folder, units, "synthetic run 7");
+    for (const char* name : {"SOL1", "SOL4", "SOL7"}) {
+      INFO(name);
+      SolFile file = read_sol(folder / name);
+      CHECK(worst(file, units) > 1e-10);  // the file's own digits
+      CHECK(worst(file, units) < 1e-6);
+      CHECK(use_full_precision(file) == "");
+      CHECK(worst(file, units) < 1e-15);  // the same numbers through the same conversion
+    }
+  }
+}
+
+TEST_CASE("a range of steps finds its places in RESULTS.h5, and stars become numbers",
+          "[unit][h5][sol]") {
+  TemporaryFolder folder;
+  write_run(folder, UnitSystem::SI, "synthetic run 7");
+  SolFile all = read_sol(folder / "SOL1"), some = read_sol(folder / "SOL1", {4, 31, 9});
+  some.steps[1].values[0] = std::nan("");
+  REQUIRE(use_full_precision(all).empty());
+  REQUIRE(use_full_precision(some).empty());
+  REQUIRE(some.steps.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) CHECK(some.steps[i].values == all.steps[3 + 9 * i].values);
+}
+
+TEST_CASE("a RESULTS.h5 that is absent, of another run or unreadable changes nothing",
+          "[unit][h5][sol]") {
+  const auto refused = [](const TemporaryFolder& folder) {
+    SolFile file = read_sol(folder / "SOL1");
+    const SolFile before = file;
+    const std::string why = use_full_precision(file);
+    for (std::size_t i = 0; i < file.steps.size(); ++i)
+      CHECK(file.steps[i].values == before.steps[i].values);
+    std::string why_not;
+    CHECK_FALSE(contacts_beside(read_sol8(folder / "SOL8"), why_not).has_value());
+    CHECK_FALSE(why_not.empty());
+    return why;
+  };
+  TemporaryFolder other, older, bare, broken;
+  write_run(other, UnitSystem::SI, "another run");
+  CHECK_THAT(refused(other), Contains("another run"));
+  write_run(older, UnitSystem::SI, "synthetic run 7", 3);
+  CHECK_THAT(refused(older), Contains("other numbers"));
+  write_run(bare, UnitSystem::SI, "synthetic run 7");
+  std::filesystem::remove(bare / "RESULTS.h5");
+  CHECK_THAT(refused(bare), Contains("no RESULTS.h5"));
+  write_run(broken, UnitSystem::SI, "synthetic run 7");
+  write_bytes(broken / "RESULTS.h5", "not an HDF5 file");
+  CHECK_THAT(refused(broken), Contains("RESULTS.h5"));
+}
+
+TEST_CASE("steps that RESULTS.h5 lacks keep what the classic file has", "[unit][h5][sol]") {
+  TemporaryFolder folder;
+  write_run(folder, UnitSystem::SI, "synthetic run 7", 0, 20);
+  SolFile file = read_sol(folder / "SOL1");
+  const SolFile before = file;
+  CHECK(use_full_precision(file).empty());
+  CHECK(file.steps[20].values != before.steps[20].values);
+  CHECK(file.steps[21].values == before.steps[21].values);
+  std::string why_not;
+  CHECK_FALSE(contacts_beside(read_sol8(folder / "SOL8"), why_not).has_value());
+  CHECK_THAT(why_not, Contains("lacks step 21"));
+}
+
+TEST_CASE("contact loads and slip of an animation come from RESULTS.h5", "[unit][h5][sol8]") {
+  for (const UnitSystem units : {UnitSystem::SI, UnitSystem::English}) {
+    TemporaryFolder folder;
+    write_run(folder, units, "synthetic run 7");
+    std::string why_not;
+    const auto contacts = contacts_beside(read_sol8(folder / "SOL8"), why_not);
+    INFO(why_not);
+    REQUIRE(contacts);
+    REQUIRE(contacts->frames.size() == 41);
+    const bool si = units == UnitSystem::SI;
+    CHECK(contacts->load_unit == (si ? "N" : "lbf"));
+    const double newton = si ? 1.0 : 4.4482216152605, metre = si ? 1.0 : 0.0254;
+    for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t j = 0; j < 2; ++j) {
+        const auto& made = make_snapshot(make_bearing(), 17).elements[k].race[j];
+        CHECK(contacts->frames[17][k].load[j] == Approx(made.load / newton).epsilon(1e-12));
+        CHECK(contacts->frames[17][k].slip[j] == Approx(made.max_slip / metre).epsilon(1e-12));
+      }
+    CHECK(contacts->largest_load == Approx(1300.0 / newton));  // element 3, inner race
+  }
+}
