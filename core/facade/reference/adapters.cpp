@@ -4,6 +4,7 @@
 #include "facade/reference/cases_dynamics.hpp"
 #include "facade/reference/cases_motion.hpp"
 #include "facade/reference/cases_static.hpp"
+#include "facade/reference/cases_thermal.hpp"
 #include "facade/reference/cases_traction.hpp"
 
 namespace adore::facade::reference {
@@ -17,6 +18,7 @@ std::vector<Adapter> all_adapters() {
   add(motion_adapters());
   add(dynamics_adapters());
   add(static_adapters());
+  add(thermal_adapters());
   add(traction_adapters());
   return all;
 }
