@@ -60,8 +60,8 @@ void growth_table(Report& report, const OperatingFits& fits, bool cage) {
   }
   report.table("",
                {{"thermal", &unit::kLength},
-                {"centrifugal", &unit::kLength},
-                {"fit pressure", &unit::kLength},
+                {"centrifug.", &unit::kLength},
+                {"fit press.", &unit::kLength},
                 {"total", &unit::kLength}},
                rows, 28);
   report.item("Growth of the rolling element diameter", fits.element_growth, unit::kLength);
@@ -72,24 +72,28 @@ void growth_table(Report& report, const OperatingFits& fits, bool cage) {
 void clearance_table(Report& report, const OperatingFits& fits) {
   report.heading("Internal clearance, diametral, and free contact angle");
   std::vector<Report::Row> rows;
-  const auto row = [&](const char* name, const ClearanceState& s, double pitch,
-                       const std::array<double, 2>& locus) {
-    rows.push_back(
-        {name,
-         {s.clearance, s.contact_angle, s.end_play, s.centre_distance, pitch, locus[0], locus[1]}});
+  const auto row = [&](const char* name, const ClearanceState& s) {
+    rows.push_back({name, {s.clearance, s.contact_angle, s.end_play, s.centre_distance}});
   };
-  row("unmounted, cold", fits.free, fits.pitch_free, fits.locus_free);
-  row("mounted, cold", fits.mounted, kNone, {kNone, kNone});
-  row("in operation", fits.operating, fits.pitch, fits.locus);
+  row("unmounted, cold", fits.free);
+  row("mounted, cold", fits.mounted);
+  row("in operation", fits.operating);
   report.table("",
                {{"clearance", &unit::kLength},
                 {"angle", &unit::kAngle},
                 {"end play", &unit::kLength},
-                {"centres A", &unit::kLength},
-                {"pitch dia", &unit::kLength},
-                {"locus outer", &unit::kLength},
-                {"locus inner", &unit::kLength}},
+                {"centres A", &unit::kLength}},
                rows, 16);
+  report.blank();
+  report.item("Pitch diameter, cold", fits.pitch_free, unit::kLength);
+  report.item("Pitch diameter, in operation", fits.pitch, unit::kLength);
+  for (std::size_t j = 0; j < 2; ++j) {
+    const char* race = j == 0 ? "outer" : "inner";
+    report.item(fmt::format("Radius of the {} circle of curvature centres, cold", race),
+                fits.locus_free[j], unit::kLength);
+    report.item(fmt::format("Radius of the {} circle of curvature centres, in operation", race),
+                fits.locus[j], unit::kLength);
+  }
 }
 
 /// Properties that follow temperature, at the temperature of each part.
@@ -110,7 +114,7 @@ void warm_materials(Report& report, const bearing::Bearing& b) {
                {{"temperature", &unit::kTemperature},
                 {"E", &unit::kPressure},
                 {"expansion", &unit::kPerTemperature},
-                {"conductivity", &unit::kConductivity},
+                {"conduct.", &unit::kConductivity},
                 {"spec. heat", &unit::kSpecificHeat}},
                rows, 12);
   report.text("Expansion is the mean coefficient from 293.15 K.");

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 /// Front part of PRINT.txt (outputs.md 3.1).
 namespace adore::results {
@@ -186,23 +187,30 @@ void materials(Report& report, const bearing::Bearing& bearing) {
        {"Wear coefficient", &bearing::Material::wear_coefficient, &unit::kPure},
        {"Fatigue limit stress (von Mises)", &bearing::Material::fatigue_limit_stress,
         &unit::kPressure}}};
-  std::vector<std::pair<std::string, std::size_t>> columns{{"property", 34}, {"unit", 14}};
-  for (const Part& part : parts) columns.emplace_back(part.name, 13);
-  std::vector<std::vector<std::string>> rows;
-  for (const Property& property : properties) {
-    std::vector<std::string> row{property.name,
-                                 property.unit == &unit::kPure
-                                     ? std::string()
-                                     : std::string(unit_name(*property.unit, report.units()))};
-    for (const Part& part : parts) {
-      // The deck's records leave out what a part does not need: 0 there means not given.
-      const double value = part.material->*property.member;
-      const bool missing = value == 0.0 && part.material->table_key.empty();
-      row.push_back(missing ? "-" : Report::number(from_si(value, *property.unit, report.units())));
+  const auto table = [&](std::span<const Part> some) {
+    std::vector<std::pair<std::string, std::size_t>> columns{{"property", 36}, {"unit", 16}};
+    for (const Part& part : some) columns.emplace_back(part.name, 14);
+    std::vector<std::vector<std::string>> rows;
+    for (const Property& property : properties) {
+      std::vector<std::string> row{property.name,
+                                   property.unit == &unit::kPure
+                                       ? std::string()
+                                       : std::string(unit_name(*property.unit, report.units()))};
+      for (const Part& part : some) {
+        // The deck's records leave out what a part does not need: 0 there means not given.
+        const double value = part.material->*property.member;
+        const bool missing = value == 0.0 && part.material->code == 1;
+        row.push_back(missing ? "-"
+                              : Report::number(from_si(value, *property.unit, report.units())));
+      }
+      rows.push_back(std::move(row));
     }
-    rows.push_back(std::move(row));
-  }
-  report.text_table(columns, rows);
+    report.text_table(columns, rows);
+  };
+  const std::span<const Part> all(parts);
+  table(all.first(all.size() - 2));
+  report.blank();
+  table(all.last(2));
 
   report.heading("Inertia about the mass centre, geometric axes");
   std::vector<Report::Row> inertia;

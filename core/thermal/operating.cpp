@@ -56,17 +56,21 @@ bearing::ClearanceState ball_state(double clearance, double centre_distance) {
   return out;
 }
 
-/// Fits, growths of the raceways and the three states of the clearance.
-OperatingFits ring_report(const Bearing& b, const contact::GrooveGeometry& groove,
-                          const MountedState& state, const MountedState& mounted,
-                          double element_growth) {
+/// Displacement of both raceways.
+std::array<double, 2> raceway_displacement(const MountedState& state) {
+  return {state.race_displacement(0, state.rings.outer.inner),
+          state.race_displacement(1, state.rings.inner.outer)};
+}
+
+/// Fits and growths, of any bearing type.
+OperatingFits ring_report(const Bearing& b, const MountedState& state,
+                          const MountedState& mounted) {
   OperatingFits out;
   const MountedRings& rings = state.rings;
   const std::array<const RingPart*, 2> races{&rings.outer, &rings.inner};
   const std::array<const RingPart*, 2> mates{&rings.housing, &rings.shaft};
   const std::array<const Material*, 2> mate_material{&b.mounting.housing, &b.mounting.shaft};
   out.raceway_radius = {rings.outer.inner, rings.inner.outer};
-  std::array<double, 2> u{}, u_mounted{};
   for (int j = 0; j < 2; ++j) {
     const auto k = static_cast<std::size_t>(j);
     const double r = out.raceway_radius[k], at_fit = j == 0 ? rings.outer.outer : rings.inner.inner;
@@ -81,24 +85,28 @@ OperatingFits ring_report(const Bearing& b, const contact::GrooveGeometry& groov
     out.raceway[k] = growth_at(*races[k], r, state.pressure_part(j, r));
     out.race_at_fit[k] = growth_at(*races[k], at_fit);
     out.mate_at_fit[k] = growth_at(*mates[k], at_fit);
-    u[k] = state.race_displacement(j, r);
-    u_mounted[k] = mounted.race_displacement(j, r);
-    const double sign = j == 0 ? -1.0 : 1.0;
-    out.locus_free[k] = groove.centre_radius[k];
-    out.locus[k] =
-        groove.centre_radius[k] + u[k] + sign * groove.groove_radius[k] * races[k]->growth;
   }
+  return out;
+}
+
+/// Adds the three states of a ball bearing's clearance and the circles of curvature centres.
+void add_ball_states(OperatingFits& out, const Bearing& b, const contact::GrooveGeometry& groove,
+                     const MountedState& state, const MountedState& mounted,
+                     double element_growth) {
+  const std::array<double, 2> u = raceway_displacement(state);
+  const double g_outer = state.rings.outer.growth, g_inner = state.rings.inner.growth;
+  out.locus_free = groove.centre_radius;
+  out.locus = {groove.centre_radius[0] + u[0] - groove.groove_radius[0] * g_outer,
+               groove.centre_radius[1] + u[1] + groove.groove_radius[1] * g_inner};
   const double D = b.balls.diameter, r0 = groove.groove_radius[0], r1 = groove.groove_radius[1];
   out.element_growth = D * element_growth;
   const double free = r0 + r1 - D;
-  const double operating =
-      r0 * (1.0 + rings.outer.growth) + r1 * (1.0 + rings.inner.growth) - (D + out.element_growth);
+  const double operating = r0 * (1.0 + g_outer) + r1 * (1.0 + g_inner) - (D + out.element_growth);
   const double Pd = b.balls.clearance;
   out.free = {Pd, b.balls.contact_angle, end_play(free, b.balls.contact_angle), free};
-  out.mounted = ball_state(operating_clearance(Pd, u_mounted, 0.0), free);
+  out.mounted = ball_state(operating_clearance(Pd, raceway_displacement(mounted), 0.0), free);
   out.operating = ball_state(operating_clearance(Pd, u, out.element_growth), operating);
   out.pitch_free = out.pitch = b.balls.pitch_diameter;
-  return out;
 }
 
 /// Balls and grooves in operation; the report's pitch diameter.
@@ -280,7 +288,8 @@ Bearing operating_bearing(const Bearing& free) {
                            groove.centre_radius[1] - groove.groove_radius[1]});
   const MountedState state = mount(rings), mounted = mount(at_rest(rings));
   const double ball_growth = growth_of(free, free.ball_material, free.ball_temperature);
-  OperatingFits report = ring_report(free, groove, state, mounted, ball_growth);
+  OperatingFits report = ring_report(free, state, mounted);
+  add_ball_states(report, free, groove, state, mounted, ball_growth);
   if (!(report.operating.clearance < 2.0 * report.operating.centre_distance))
     throw InputError(
         fmt::format("the operating clearance is {} m: beyond {} m the free contact angle passes 90 "
@@ -304,6 +313,28 @@ Bearing operating_bearing(const Bearing& free) {
   if (free.mounting.material_laws) apply_material_laws(out);
   warn(report, free);
   out.operating = std::move(report);
+  return out;
+}
+
+OperatingRollers operating_roller_bearing(const Bearing& free, const RollerGeometry& rollers,
+                                          const std::array<double, 2>& raceway_radius,
+                                          double outer_half_angle) {
+  OperatingRollers out;
+  out.state = mount(mounted_rings(free, raceway_radius));
+  const MountedState mounted = mount(at_rest(out.state.rings));
+  const double growth = growth_of(free, free.ball_material, free.ball_temperature);
+  out.rollers = operating_rollers(out.state, rollers, growth, outer_half_angle);
+  out.report = ring_report(free, out.state, mounted);
+  OperatingFits& report = out.report;
+  report.element_growth = out.rollers.geometry.diameter - rollers.diameter;
+  report.free.clearance = rollers.clearance;
+  report.mounted.clearance =
+      operating_clearance(rollers.clearance, raceway_displacement(mounted), 0.0);
+  report.operating.clearance = out.rollers.geometry.clearance;
+  report.pitch_free = rollers.pitch_diameter;
+  report.pitch = out.rollers.geometry.pitch_diameter;
+  report.changed = moves(report, out.state, free);
+  warn(report, free);
   return out;
 }
 

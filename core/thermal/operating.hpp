@@ -8,9 +8,9 @@
 namespace adore::thermal {
 
 /// The rings of a bearing and what they are mounted on, with their growths and speeds.
-/// @param raceway_radius groove bottom or raceway radius of outer and inner race at room
-/// temperature [m] Uses envelope, materials, mounting, temperatures and speeds only, so it serves
-/// every bearing type. With material laws the elastic moduli are those at each part's temperature.
+/// Uses envelope, materials, mounting, temperatures and speeds only, so it serves every bearing
+/// type. With material laws the elastic moduli are those at each part's temperature.
+/// @param raceway_radius groove bottom or raceway of outer and inner race at room temperature [m]
 /// @throws InputError when a raceway lies outside its ring, or a temperature is not above 0 K.
 [[nodiscard]] MountedRings mounted_rings(const bearing::Bearing& bearing,
                                          const std::array<double, 2>& raceway_radius);
@@ -31,5 +31,25 @@ namespace adore::thermal {
 /// @throws InputError when a temperature is not above 0 K, or the operating clearance allows no
 /// contact (α' >= 90°).
 [[nodiscard]] bearing::Bearing operating_bearing(const bearing::Bearing& bearing);
+
+/// What fits, temperatures and speeds make of a roller bearing.
+struct OperatingRollers {
+  RollerOperation rollers;  ///< roller sizes, pitch diameter, clearance, axial setting
+  MountedState state;       ///< displacement of the races at any radius (lands, flanges)
+  bearing::OperatingFits
+      report;  ///< for Bearing::operating; contact angle, end play and loci stay 0
+};
+
+/// The same step for a roller bearing of any type, on plain numbers. Uses the envelope, materials,
+/// mounting, temperatures and speeds of the bearing (ball_material and ball_temperature are those
+/// of the rollers).
+/// @param rollers free geometry, measured radially; raceway_radius at room temperature (cones: mean
+/// radii) [m]
+/// @param outer_half_angle of a tapered outer raceway [rad]; 0: cylindrical or spherical
+/// @throws InputError as mounted_rings and tapered_setting_change.
+[[nodiscard]] OperatingRollers operating_roller_bearing(const bearing::Bearing& free,
+                                                        const RollerGeometry& rollers,
+                                                        const std::array<double, 2>& raceway_radius,
+                                                        double outer_half_angle);
 
 }  // namespace adore::thermal

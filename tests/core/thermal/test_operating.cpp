@@ -122,7 +122,7 @@ TEST_CASE("the groove centres that statics sees lie on the moved loci", "[physic
   b.ball_temperature = 355.0;
   b.mounting.shaft_temperature = 345.0;
   b.mounting.housing_temperature = 325.0;
-  for (const double inner : {352.0, 430.0}) {  // with play, and so hot inside that it is preloaded
+  for (const double inner : {352.0, 500.0}) {  // with play, and so hot inside that it is preloaded
     b.race_temperature[1] = inner;
     const Bearing warm = thermal::operating_bearing(b);
     CHECK((warm.balls.contact_angle > 0.0) == (inner < 400.0));
@@ -216,6 +216,29 @@ TEST_CASE("statics carries the same load on the operating bearing at another ang
   CHECK(warm_solution.balls[0].alpha[0] < cold_solution.balls[0].alpha[0]);
 }
 
+TEST_CASE("rollers between the same raceways see the same rings", "[physics][operating]") {
+  Bearing b = example();
+  b.mounting.fit = {8e-6, 18e-6};
+  b.race_temperature = {340.0, 352.0};
+  b.ball_temperature = 355.0;
+  const bearing::OperatingFits balls = *thermal::operating_bearing(b).operating;
+  thermal::RollerGeometry rollers;
+  rollers.diameter = b.balls.diameter;
+  rollers.length = b.balls.diameter;
+  rollers.pitch_diameter = b.balls.pitch_diameter;
+  rollers.clearance = b.balls.clearance;
+  const thermal::OperatingRollers out =
+      thermal::operating_roller_bearing(b, rollers, balls.raceway_radius, 0.0);
+  CHECK(out.report.changed);
+  CHECK(out.report.fit[1].pressure == balls.fit[1].pressure);
+  CHECK(out.report.mounted.clearance == balls.mounted.clearance);
+  // The diameter is rounded once more on the way: 1e-18 m of 0.0127 m.
+  CHECK(out.report.operating.clearance == Approx(balls.operating.clearance).margin(1e-16));
+  CHECK(out.rollers.geometry.clearance == out.report.operating.clearance);
+  CHECK(out.rollers.axial_setting_change == 0.0);
+  CHECK_THROWS_AS(thermal::operating_roller_bearing(b, rollers, {0.041, 0.0236}, 0.0), InputError);
+}
+
 TEST_CASE("impossible temperatures and rings are refused with their values", "[unit][operating]") {
   Bearing b = example_at_rest();
   b.race_temperature[0] = 0.0;
@@ -224,7 +247,7 @@ TEST_CASE("impossible temperatures and rings are refused with their values", "[u
   b.envelope.outer_diameter = b.balls.pitch_diameter;
   CHECK_THROWS_WITH(thermal::operating_bearing(b), Catch::Contains("outer raceway radius"));
   b = example_at_rest();
-  b.race_temperature[0] = 1200.0;
+  b.race_temperature[0] = 1600.0;
   CHECK_THROWS_WITH(thermal::operating_bearing(b), Catch::Contains("passes 90"));
 }
 
