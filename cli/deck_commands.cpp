@@ -5,6 +5,7 @@
 #include "deck/templates.hpp"
 #include "facade/plan_json.hpp"
 #include "facade/prepare.hpp"
+#include "thermal/operating.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -37,7 +38,9 @@ int check(const std::string& path, bool json) {
     }
     // Geometry and traction laws that cannot close show when the model is built.
     if (buildable) try {
-        (void)build::build_bearing(read.deck);
+        const auto operating = thermal::operating_bearing(build::build_bearing(read.deck));
+        for (Issue& issue : facade::operating_warnings(operating, read.deck.file))
+          issues.push_back(std::move(issue));
       } catch (const InputError& error) {
         issues.insert(issues.end(), error.issues().begin(), error.issues().end());
       }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "bearing/fits.hpp"
 #include "bearing/material.hpp"
 
 #include <Eigen/Core>
@@ -112,6 +113,8 @@ struct Bearing {
   Vec3 gravity = Vec3::Zero();           ///< [m/s^2], base frame
   std::array<double, 2> race_temperature{293.15, 293.15};  ///< [K]
   double ball_temperature = 293.15, cage_temperature = 293.15, room_temperature = 293.15;  ///< [K]
+  Mounting mounting;                        ///< fits, housing and shaft
+  std::optional<OperatingFits> operating;   ///< set once the geometry is the operating one (thermal/operating.hpp)
 };
 
 }  // namespace adore::bearing

@@ -71,7 +71,7 @@ Table load() {
   const Json json = Json::parse(resources::get("materials.json"));
   Table table;
   for (const auto& [key, entry] : json.at("materials").items())
-    table.materials.emplace(key, parse_material(entry));
+    table.materials.emplace(key, parse_material(entry)).first->second.table_key = key;
 
   const Json& defaults = json.at("defaults");
   const std::pair<Part, const char*> parts[] = {{Part::RollingElement, "rolling_element"},

@@ -20,6 +20,7 @@ struct Material {
   double wear_coefficient = 0.0;      ///< Archard K, volume rate = K/H Q V [-]
   double fatigue_limit_stress = 0.0;  ///< von Mises fatigue limit [Pa]; yield where no limit is known
   std::string provenance;             ///< weakest provenance word of the values above: seen, recalled, estimated, deck
+  std::string table_key;              ///< key in the material table, "100" or "mild_steel"; empty when the deck gives the values
 };
 
 /// Which part asks: code 0 means 52100 for races and elements, mild steel for the rest.

@@ -130,6 +130,12 @@ bearing::Cage cage(const Deck& deck, const bearing::BallGeometry& balls) {
   return out;
 }
 
+/// Straight, with round pockets: what check_buildable asks of a dynamic run.
+bool plain_cage(const Deck& deck) {
+  return deck.integer("kPocType") == 0 &&
+         !(deck.has("cageConeAng") && deck.real("cageConeAng") != 0.0);
+}
+
 bearing::StaticConstraints constraints(const Deck& deck) {
   bearing::StaticConstraints out;
   constexpr const char* kFlags[] = {"kFS1", "kFS2", "kFS3", "kFS4", "kFS5"};
@@ -143,6 +149,17 @@ bearing::StaticConstraints constraints(const Deck& deck) {
     out.displacement[k] = deck.si(kDisplacements[i]);
   }
   out.outer_misalignment = {deck.si("appMis11"), deck.si("appMis21")};
+  return out;
+}
+
+bearing::Mounting mounting(const Deck& deck) {
+  bearing::Mounting out;
+  out.fit = {deck.si("raceFit1"), deck.si("raceFit2")};
+  out.housing = material(deck, "kHsngMat", Part::Housing, "hsng", "");
+  out.shaft = material(deck, "kShftMat", Part::Shaft, "shft", "");
+  out.housing_temperature = deck.si("hsngTemp");
+  out.shaft_temperature = deck.si("shftTemp");
+  out.material_laws = deck.has("kMatPropMod") && deck.integer("kMatPropMod") == 1;
   return out;
 }
 
@@ -181,8 +198,10 @@ Bearing build_bearing(const Deck& deck) {
                       ring_inertia(groove_bottom_inner, out.envelope.bore,
                                    out.envelope.race_width[1], out.race_material[1].density)};
   out.race_traction = curve(deck, "kTracType", "reRaceTC");
-  if (deck.integer("mode") >= 0 && deck.integer("nCseg") == 1) {
-    out.cage = cage(deck, out.balls);
+  const bool dynamic = deck.integer("mode") >= 0;
+  // A quasi-static solution only reports the cage's play, of the pocket shapes that Cage describes.
+  if (deck.integer("nCseg") == 1 && (dynamic || plain_cage(deck))) out.cage = cage(deck, out.balls);
+  if (dynamic && out.cage) {
     out.pocket_traction = curve(deck, "kCPTracType", "reCageTC");
     const bool guided = std::any_of(out.cage->lands.begin(), out.cage->lands.end(),
                                     [](const bearing::GuideLand& land) {
@@ -203,6 +222,7 @@ Bearing build_bearing(const Deck& deck) {
   out.race_temperature = {deck.si("raceTemp1"), deck.si("raceTemp2")};
   out.ball_temperature = deck.si("reTemp");
   out.cage_temperature = deck.si("cageTemp");
+  out.mounting = mounting(deck);
   return out;
 }
 

@@ -19,7 +19,6 @@ struct Gate {
 // A deck with another code parses and checks clean, but cannot run.
 constexpr Gate kAlways[] = {
     {"kBrg", 1, "a roller bearing"},
-    {"kTherm", 0, "the thermal analysis"},
     {"kRaceFlex", 0, "a flexible outer race (announced by the classic program, never available)"},
     {"kReGeoImp", 0, "geometric imperfections of the rolling elements"},
     {"kRaceGeoImp1", 0, "geometric imperfections of the outer race"},
@@ -28,6 +27,7 @@ constexpr Gate kAlways[] = {
     {"kTrac", 0, "a lubricant's traction model (or user routine ADRX7)"},
 };
 constexpr Gate kDynamic[] = {
+    {"kTherm", 0, "the thermal analysis"},
     {"mode", 0, "a constrained mode"},
     {"kDOF", 0, "suppressed degrees of freedom"},
     {"kVarLoad", 0, "a time-varying load"},
@@ -79,25 +79,6 @@ class Checker {
   std::vector<Issue> issues_;
 };
 
-/// Fits, temperatures and growth of rings change the operating geometry; until that is modelled
-/// only the neutral values run.
-void check_operating_geometry(const Deck& deck, Checker& check) {
-  for (const char* fit : {"raceFit1", "raceFit2"})
-    if (deck.has(fit) && deck.real(fit) != 0.0)
-      check.error(
-          fit, "asks for a shrink fit, whose growth of the ring this version does not compute yet",
-          "set it to 0 and give the mounted clearance or contact angle on record 5A");
-  if (!deck.has("roomTemp")) return;
-  const double room = deck.real("roomTemp");
-  for (const char* temperature :
-       {"hsngTemp", "shftTemp", "raceTemp1", "raceTemp2", "reTemp", "cageTemp"})
-    if (deck.has(temperature) && deck.real(temperature) != room)
-      check.error(
-          temperature, "differs from roomTemp, and thermal growth is not computed yet",
-          fmt::format("set it to roomTemp = {} and give the operating clearance on record 5A",
-                      room));
-}
-
 }  // namespace
 
 std::vector<Issue> check_buildable(const Deck& deck) {
@@ -129,7 +110,10 @@ std::vector<Issue> check_buildable(const Deck& deck) {
     check.warning("runID",
                   "the deck has lines after its last record, for user routines that this version "
                   "does not call");
-  check_operating_geometry(deck, check);
+  if (!dynamic && deck.integer("kTherm") != 0)
+    check.warning("kTherm",
+                  "a quasi-static solution has no thermal steps: the temperatures of record 9.1.3 "
+                  "rule, and of record 3.5 only kMatPropMod has an effect");
 
   if (deck.integer("kBrg") == 1)
     for (const char* flange : {"kFlngInd11", "kFlngInd21", "kFlngInd12", "kFlngInd22"})

@@ -123,6 +123,15 @@ const std::vector<Option>& options() {
            o.results_h5 = value == 1;
            return true;
          }},
+        {{"centrifugalGrowth", "1",
+          "operating fits and clearances include the centrifugal growth of rings, shaft, housing "
+          "and cage: 1 or 0"},
+         [](RunOptions& o, std::string_view v) {
+           int value = 0;
+           if (!parse_count(v, value, 0, 1)) return false;
+           o.centrifugal_growth = value == 1;
+           return true;
+         }},
     };
   }();
   return table;

@@ -47,6 +47,7 @@ struct RunOptions {
   dynamics::SystemOptions system;
   double checkpoint_seconds = 10.0;  ///< wall time between checkpoints of FINAL and MASTER
   bool results_h5 = true;            ///< write RESULTS.h5
+  bool centrifugal_growth = true;    ///< speeds widen the rings (bearing::Mounting)
 };
 
 struct OptionInfo {

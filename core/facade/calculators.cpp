@@ -64,6 +64,14 @@ const std::vector<CalculatorInfo>& calculators() {
       {"land-gap", "cage_lands", "land_gap", "gap of a guide land for a cage pose"},
       {"cage-inertia", "cage_inertia", "cage_inertia",
        "mass and moments of inertia of a cage with pockets"},
+      {"fits", "thermal_lame", "lame_fit", "pressure, growths and stresses of an interference fit"},
+      {"growth", "thermal_growth", "", "centrifugal or thermal growth of a ring"},
+      {"clearance", "thermal_clearance", "",
+       "operating fits, clearance and contact angle of a mounted bearing, or of a split race"},
+      {"material", "thermal_props", "material_property",
+       "one material of the table: every property with unit and provenance, at T [K] if given"},
+      {"fluid", "thermal_props", "fluid_property", "a coolant or churning medium at T [K]"},
+      {"units", "thermal_units", "", "conversion of values between the SI and English systems"},
       {"rigid-body", "motion_frames", "rigid_body", "accelerations of a rigid body"},
   };
   return table;

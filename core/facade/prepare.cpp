@@ -4,6 +4,7 @@
 #include "build/scene_plan.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/scene_estimate.hpp"
+#include "thermal/operating.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -35,7 +36,7 @@ std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
     if (value.is_string())
       out[name] = value.get<std::string>();
     else if (value.is_boolean())
-      out[name] = value.get<bool>() ? "1" : "0";
+      out[name] = std::string(1, value.get<bool>() ? '1' : '0');
     else if (value.is_number())
       out[name] = value.dump();
     else
@@ -101,14 +102,31 @@ LoadedDeck load_deck(const DeckRequest& request) {
   return out;
 }
 
+std::vector<Issue> operating_warnings(const bearing::Bearing& bearing, const std::string& file) {
+  std::vector<Issue> out;
+  if (!bearing.operating) return out;
+  for (const std::string& text : bearing.operating->warnings) {
+    Issue issue;
+    issue.severity = Severity::Warning;
+    issue.file = file;
+    issue.message = text;
+    out.push_back(std::move(issue));
+  }
+  return out;
+}
+
 Prepared prepare(const DeckRequest& request) {
   dynamics::check_instruction_set_request();
   Prepared out;
   out.input = load_deck(request);
   const deck::Deck& deck = out.input.deck;
   out.options = build::build_run_options(out.input.option_values);
-  out.bearing = build::build_bearing(deck);
+  out.as_built = build::build_bearing(deck);
+  out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
   for (Issue& issue : build::check_buildable(deck)) out.input.warnings.push_back(std::move(issue));
+  out.bearing = thermal::operating_bearing(out.as_built);
+  for (Issue& issue : operating_warnings(out.bearing, out.input.path.string()))
+    out.input.warnings.push_back(std::move(issue));
   out.control = build::build_run_control(deck);
   out.plan = build::make_scene_plan(deck, out.bearing, out.control);
   out.statics = statics::solve_ball_statics(out.bearing);

@@ -42,7 +42,8 @@ struct LoadedDeck {
 /// A deck understood as a physical model with its plan.
 struct Prepared {
   LoadedDeck input;
-  bearing::Bearing bearing;
+  bearing::Bearing as_built;  ///< of the deck: unmounted, at room temperature, at rest
+  bearing::Bearing bearing;   ///< mounted and in operation; what statics and dynamics see
   build::RunControl control;
   build::RunOptions options;
   dynamics::ScenePlan plan;
@@ -52,6 +53,11 @@ struct Prepared {
   statics::StaticSolution
       start;  ///< with those constants: start of a dynamic run (empty when quasi-static)
 };
+
+/// What operating_bearing warned of (lost clearance, loose fit, overstressed ring), as remarks on
+/// the deck.
+[[nodiscard]] std::vector<Issue> operating_warnings(const bearing::Bearing& bearing,
+                                                    const std::string& file);
 
 /// @throws InputError, SolverError (no equilibrium).
 [[nodiscard]] Prepared prepare(const DeckRequest& request);

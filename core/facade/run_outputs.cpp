@@ -8,6 +8,7 @@
 #include "results/channels.hpp"
 #include "results/continuation.hpp"
 #include "results/print_file.hpp"
+#include "results/print_fits.hpp"
 #include "results/restart.hpp"
 #include "results/results_h5.hpp"
 #include "results/run_json.hpp"
@@ -246,12 +247,14 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
   for (const std::string& remark : remarks) out.notes.push_back(remark);
   for (const std::string& note : prepared.statics.notes) out.notes.push_back(note);
   out.instruction_set = dynamics::race_contact_instruction_set();
+  if (prepared.bearing.operating) out.operating = results::fits_json(*prepared.bearing.operating);
   return out;
 }
 
 /// Everything of PRINT.txt that is known before the first step.
 void RunOutputs::Impl::print_front(const std::optional<dynamics::Scales>& scales) {
-  print->front({prepared.input.deck, prepared.bearing, scales, summary_of_deck().options});
+  print->front({prepared.input.deck, prepared.as_built, scales, summary_of_deck().options});
+  if (prepared.bearing.operating) print->fits(prepared.bearing);
   print->quasi_static(scales ? prepared.start : prepared.statics, prepared.bearing);
 }
 
@@ -400,6 +403,9 @@ void RunOutputs::write_quasi_static() {
   results::RunSummary run = s.summary_of_deck();
   run.status = "done";
   s.key_results = static_results(s.prepared.statics);
+  if (s.prepared.bearing.operating)
+    for (auto& item : results::fits_summary(*s.prepared.bearing.operating))
+      s.key_results.push_back(std::move(item));
   run.summary = s.key_results;
   run.quasi_static =
       results::to_json(results::static_tables(s.prepared.statics, s.prepared.bearing, s.units));

@@ -4,6 +4,7 @@
 #include "results/continuation.hpp"
 #include "results/fortran_format.hpp"
 #include "results/line_reader.hpp"
+#include "results/print_fits.hpp"
 
 #include <fmt/format.h>
 
@@ -49,6 +50,11 @@ void PrintFile::flush() { file_.append(report_.take()); }
 
 void PrintFile::front(const PrintFront& front) {
   print_front(report_, front);
+  flush();
+}
+
+void PrintFile::fits(const bearing::Bearing& bearing) {
+  print_fits(report_, bearing);
   flush();
 }
 

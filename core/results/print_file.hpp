@@ -54,6 +54,8 @@ class PrintFile {
   /// Input echo, geometry, materials, inertia, traction, initial conditions, scales, output
   /// control.
   void front(const PrintFront& front);
+  /// Operating fits, growths and clearances.
+  void fits(const bearing::Bearing& bearing);
   /// Equilibrium of elements and races.
   void quasi_static(const statics::StaticSolution& solution, const bearing::Bearing& bearing);
   /// One printed step: rolling elements, races and cage, applied parameters, summary, as kPrtOpt

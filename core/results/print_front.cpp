@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 /// Front part of PRINT.txt (outputs.md 3.1).
 namespace adore::results {
@@ -172,6 +173,8 @@ void materials(Report& report, const bearing::Bearing& bearing) {
                           {"outer race", &bearing.race_material[0]},
                           {"inner race", &bearing.race_material[1]}};
   if (bearing.cage) parts.push_back({"cage", &bearing.cage->material});
+  parts.push_back({"housing", &bearing.mounting.housing});
+  parts.push_back({"shaft", &bearing.mounting.shaft});
   report.new_page("MATERIAL PROPERTIES AND INERTIA");
   std::vector<std::vector<std::string>> names;
   for (const Part& part : parts)
@@ -198,20 +201,30 @@ void materials(Report& report, const bearing::Bearing& bearing) {
        {"Wear coefficient", &bearing::Material::wear_coefficient, &unit::kPure},
        {"Fatigue limit stress (von Mises)", &bearing::Material::fatigue_limit_stress,
         &unit::kPressure}}};
-  std::vector<std::pair<std::string, std::size_t>> columns{{"property", 36}, {"unit", 16}};
-  for (const Part& part : parts) columns.emplace_back(part.name, 14);
-  std::vector<std::vector<std::string>> rows;
-  for (const Property& property : properties) {
-    std::vector<std::string> row{property.name,
-                                 property.unit == &unit::kPure
-                                     ? std::string()
-                                     : std::string(unit_name(*property.unit, report.units()))};
-    for (const Part& part : parts)
-      row.push_back(
-          Report::number(from_si(part.material->*property.member, *property.unit, report.units())));
-    rows.push_back(std::move(row));
-  }
-  report.text_table(columns, rows);
+  const auto table = [&](std::span<const Part> some) {
+    std::vector<std::pair<std::string, std::size_t>> columns{{"property", 36}, {"unit", 16}};
+    for (const Part& part : some) columns.emplace_back(part.name, 14);
+    std::vector<std::vector<std::string>> rows;
+    for (const Property& property : properties) {
+      std::vector<std::string> row{property.name,
+                                   property.unit == &unit::kPure
+                                       ? std::string()
+                                       : std::string(unit_name(*property.unit, report.units()))};
+      for (const Part& part : some) {
+        // The deck's records leave out what a part does not need: 0 there means not given.
+        const double value = part.material->*property.member;
+        const bool missing = value == 0.0 && part.material->code == 1;
+        row.push_back(missing ? "-"
+                              : Report::number(from_si(value, *property.unit, report.units())));
+      }
+      rows.push_back(std::move(row));
+    }
+    report.text_table(columns, rows);
+  };
+  const std::span<const Part> all(parts);
+  table(all.first(all.size() - 2));
+  report.blank();
+  table(all.last(2));
 
   report.heading("Inertia about the mass centre, geometric axes");
   std::vector<Report::Row> inertia;
@@ -284,8 +297,17 @@ void operation(Report& report, const PrintFront& front) {
   report.item("Inner race temperature", bearing.race_temperature[1], unit::kTemperature);
   report.item("Rolling element temperature", bearing.ball_temperature, unit::kTemperature);
   if (bearing.cage) report.item("Cage temperature", bearing.cage_temperature, unit::kTemperature);
+  report.item("Housing temperature", bearing.mounting.housing_temperature, unit::kTemperature);
+  report.item("Shaft temperature", bearing.mounting.shaft_temperature, unit::kTemperature);
   report.item("Room temperature", bearing.room_temperature, unit::kTemperature);
-  if (bearing.cage) {
+  report.item("Fit of the outer race at room temperature, diametral (above 0: interference)",
+              bearing.mounting.fit[0], unit::kLength);
+  report.item("Fit of the inner race at room temperature, diametral (above 0: interference)",
+              bearing.mounting.fit[1], unit::kLength);
+  report.item("Material properties", bearing.mounting.material_laws
+                                         ? "follow the temperature of each part"
+                                         : "constant (room temperature)");
+  if (bearing.cage && front.deck.integer("mode") >= 0) {
     report.heading("Start of the cage");
     report.item("Whirl speed over angular speed of the cage", bearing.cage->whirl_ratio,
                 unit::kPure);

@@ -214,6 +214,12 @@ void applied(Report& report, const dynamics::Snapshot& snapshot, const bearing::
   report.item("Rolling element temperature", bearing.ball_temperature, unit::kTemperature);
   if (bearing.cage) report.item("Cage temperature", bearing.cage_temperature, unit::kTemperature);
   report.item("Internal clearance, diametral", bearing.balls.clearance, unit::kLength);
+  if (bearing.operating) {
+    report.item("Operating fit of the outer race, diametral (above 0: interference)",
+                bearing.operating->fit[0].interference, unit::kLength);
+    report.item("Operating fit of the inner race, diametral (above 0: interference)",
+                bearing.operating->fit[1].interference, unit::kLength);
+  }
   if (!bearing.cage) return;
   report.item("Cage pocket clearance I, diametral", bearing.cage->pocket_clearance_1,
               unit::kLength);

@@ -26,6 +26,7 @@ struct RunSummary {
   std::string status;             ///< "done", "interrupted", "failed"
   std::string message;            ///< diagnosis, empty when done
   nlohmann::ordered_json plan;    ///< the scene plan
+  nlohmann::ordered_json operating;  ///< operating fits and clearances; null: none
   std::optional<dynamics::Scales> scales;
   std::string integrator;
   double tolerance = 0.0;

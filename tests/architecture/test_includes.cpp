@@ -21,13 +21,14 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"tribology", {"base", "bearing"}},
     {"integrators", {}},
     {"statics", {"base", "bearing", "contact", "tribology"}},
+    {"thermal", {"base", "bearing", "contact", "statics"}},
     {"dynamics", {"base", "bearing", "contact", "tribology", "statics"}},
     {"build",
      {"base", "deck", "bearing", "contact", "tribology", "statics", "dynamics", "integrators"}},
     {"results", {"base", "deck", "bearing", "contact", "tribology", "statics", "dynamics"}},
     {"facade",
-     {"base", "deck", "bearing", "contact", "tribology", "statics", "dynamics", "integrators",
-      "build", "results"}},
+     {"base", "deck", "bearing", "contact", "tribology", "statics", "thermal", "dynamics",
+      "integrators", "build", "results"}},
 };
 /// Apps see core through deck, results and facade only; base holds errors and files.
 const std::set<std::string> kAppsMaySee = {"base", "deck", "results", "facade"};

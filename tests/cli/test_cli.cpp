@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <locale>
+#include <map>
 #include <set>
 #include <sstream>
 #include <string>
@@ -162,8 +164,7 @@ TEST_CASE(
     CHECK_FALSE(fs::exists(folder / "PRINT.txt"));
   }
   new_ball_deck(folder);
-  for (const std::string set : {"kTrac=3", "kVarLoad=1", "mode=1", "kDOF=2", "raceFit2=1e-5",
-                                "raceTemp2=320.0", "kPocType=1"}) {
+  for (const std::string set : {"kTrac=3", "kVarLoad=1", "mode=1", "kDOF=2", "kPocType=1"}) {
     const Result run = run_adore("run " + folder.path().string() + " --set " + set);
     INFO(set << "\n" << run.out);
     CHECK(run.code == 2);
@@ -428,4 +429,117 @@ TEST_CASE("adore accuracy tabulates error against cost", "[cli]") {
   int lines = 0;
   while (std::getline(csv, line)) ++lines;
   CHECK(lines == 5);
+}
+
+namespace {
+
+/// --set of fits and temperatures in the units of a deck: metres and kelvin, or inches and rankine.
+std::string fits_and_temperatures(bool english) {
+  const double length = english ? 1.0 / 0.0254 : 1.0, temperature = english ? 1.8 : 1.0;
+  const auto set = [](const char* name, double value) {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out.precision(17);
+    out << " --set " << name << "=" << std::scientific << value;
+    return out.str();
+  };
+  return set("raceFit1", 4e-6 * length) + set("raceFit2", 16e-6 * length) +
+         set("hsngTemp", 318.0 * temperature) + set("shftTemp", 336.0 * temperature) +
+         set("raceTemp1", 330.0 * temperature) + set("raceTemp2", 345.0 * temperature) +
+         set("reTemp", 350.0 * temperature) + set("cageTemp", 335.0 * temperature);
+}
+
+}  // namespace
+
+TEST_CASE("fits and temperatures change statics and dynamics alike, in either unit system",
+          "[cli]") {
+  const Folder folder;
+  std::map<std::string, json> runs;
+  for (const std::string type : {"ball", "ball-english"}) {
+    const std::string deck = (folder / (type + ".txt")).string();
+    REQUIRE(run_adore("new " + type + " --out " + deck).code == 0);
+    const std::string sets = fits_and_temperatures(type == "ball-english");
+    const std::string out = (folder / type).string();
+    for (const auto& [name, arguments] :
+         {std::pair<std::string, std::string>{"-static", " --set mode=-1"},
+          std::pair<std::string, std::string>{"-dynamic", " --until 0.01rev"}}) {
+      const Result run =
+          run_adore("run " + deck + sets + arguments + " --quiet --out " + out + name);
+      INFO(run.out);
+      REQUIRE(run.code == 0);
+      runs[type + name] = json::parse(read(fs::path(out + name) / "RUN.json"));
+      CHECK(contains(read(fs::path(out + name) / "PRINT.txt"), "OPERATING FITS AND CLEARANCES"));
+    }
+  }
+  const json& si = runs["ball-static"];
+  const json& fits = si.at("operating fits");
+  CHECK(fits.at("geometry changed").get<bool>());
+  const double free = fits.at("unmounted").at("diametral clearance [m]").get<double>();
+  const double warm = fits.at("operating").at("diametral clearance [m]").get<double>();
+  CHECK(warm < free);
+  // The dynamic run has the same bearing, and its cage too.
+  CHECK(runs["ball-dynamic"].at("operating fits").at("operating") == fits.at("operating"));
+  CHECK(runs["ball-dynamic"].at("operating fits").contains("cage play, diametral"));
+  // Statics in two unit systems: only the conversion of the deck's 16 digits differs.
+  for (const auto& [name, value] : si.at("summary").items()) {
+    INFO(name);
+    const double other = runs["ball-english-static"].at("summary").at(name).get<double>();
+    const double scale =
+        name.find("about") != std::string::npos || name.find("_y_") != std::string::npos
+            ? 1e-9  // zero by symmetry, or a moment's balance
+            : 0.0;
+    CHECK(other == Approx(value.get<double>()).epsilon(1e-10).margin(scale));
+  }
+}
+
+TEST_CASE("lost clearance and loose fits are said on the terminal, in PRINT and in RUN.json",
+          "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const Result run = run_adore("run " + folder.path().string() +
+                               " --set mode=-1 --set raceFit2=2e-6 --set rpm2=30000.0 --set "
+                               "reTemp=420.0 --set raceTemp2=400.0");
+  INFO(run.out);
+  REQUIRE(run.code == 0);
+  for (const char* text : {"clearance turns negative", "inner race comes loose from the shaft"}) {
+    CHECK(contains(run.out, text));
+    CHECK(contains(read(folder / "PRINT.txt"), text));
+    CHECK(contains(read(folder / "RUN.json"), text));
+  }
+  const Result check = run_adore("check " + folder.path().string());
+  CHECK(check.code == 0);
+}
+
+TEST_CASE("adore calc knows fits, growth, clearance, materials and units", "[cli]") {
+  const Folder folder;
+  const auto calc = [&](const std::string& name, const std::string& input) {
+    write(folder / "in.json", input);
+    const Result result = run_adore("calc " + name + " --json " + (folder / "in.json").string());
+    INFO(result.out);
+    REQUIRE(result.code == 0);
+    return json::parse(result.out);
+  };
+  const json steel = calc("material", R"({"code": 100})");
+  CHECK(steel.at("properties").at("density").at("value") == 7810.0);
+  CHECK(steel.at("properties").at("density").at("provenance") == "seen");
+  CHECK(steel.at("properties").at("elastic_modulus").at("unit") == "Pa");
+  CHECK(steel.at("properties").size() == 11);
+  CHECK_FALSE(steel.contains("T"));
+  CHECK(calc("material", R"({"code": 0, "part": "shaft", "T": 400})").at("key") == "mild_steel");
+  CHECK(calc("units", R"({"quantity": "force", "values": [1]})").at("values")[0] ==
+        Approx(4.4482216152605));
+  CHECK(calc("fits", R"({"inner_id": 0, "interface_dia": 0.04, "outer_od": 0.05,
+      "diametral_interference": -1e-6, "inner_part": {"E": 2e11, "nu": 0.3},
+      "outer_part": {"E": 2e11, "nu": 0.3}})")
+            .at("pressure") == 0.0);
+  CHECK(calc("growth", R"({"inner_dia": 0.05, "outer_dia": 0.06, "cte": 1e-5, "temp_inner": 300,
+      "temp_outer": 300, "room_temp": 290})")
+            .at("bore_growth") == Approx(0.05 * 1e-4));
+  CHECK(calc("clearance", R"({"curvature_radius": 0.0065405, "ball_dia": 0.0127, "shim": 0.0001,
+      "measured_clearance": 3e-5, "center_distance_A": 0.0004445})")
+            .at("contact_angle_deg") == Approx(17.968010894907867));
+  write(folder / "bad.json", R"({"code": 999})");
+  const Result bad = run_adore("calc material --json " + (folder / "bad.json").string());
+  CHECK(bad.code == 2);
+  CHECK(contains(bad.out, "valid codes"));
 }

@@ -5,6 +5,7 @@
 #include "facade/reference/cases_motion.hpp"
 #include "facade/reference/cases_rollers.hpp"
 #include "facade/reference/cases_static.hpp"
+#include "facade/reference/cases_thermal.hpp"
 #include "facade/reference/cases_traction.hpp"
 
 namespace adore::facade::reference {
@@ -20,6 +21,7 @@ std::vector<Adapter> all_adapters() {
   add(static_adapters());
   add(roller_slice_adapters());
   add(roller_part_adapters());
+  add(thermal_adapters());
   add(traction_adapters());
   return all;
 }

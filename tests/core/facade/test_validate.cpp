@@ -281,6 +281,12 @@ TEST_CASE("Line contact and roller reference cases", "[validation][rollers]") {
   CHECK(bearings.pass >= 2);
 }
 
+TEST_CASE("Fits, growth, operating clearance, units and property tables", "[validation]") {
+  for (const char* name :
+       {"thermal_lame", "thermal_growth", "thermal_clearance", "thermal_units", "thermal_props"})
+    expect_covered(name);
+}
+
 TEST_CASE("Closed-form dynamics, impact and plates", "[validation]") {
   for (const char* name : {"F_dynamics", "dynamics_impact", "dynamics_plates"})
     expect_covered(name);
