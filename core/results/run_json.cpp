@@ -15,6 +15,9 @@ template <class T>
 Json object_of(const std::vector<std::pair<std::string, T>>& items) {
   Json out = Json::object();
   for (const auto& [name, value] : items) out[name] = value;
+  // JSON knows no infinity; lives may be infinite.
+  for (Json& entry : out)
+    if (entry.is_number_float() && std::isinf(entry.template get<double>())) entry = "infinite";
   return out;
 }
 
@@ -89,6 +92,7 @@ Json run_json(const RunSummary& run) {
   if (run.quadrature_error) conservation["contact quadrature error"] = *run.quadrature_error;
   out["conservation"] = conservation;
   out["summary"] = object_of(run.summary);
+  if (!run.life.is_null()) out["life"] = run.life;
   out["defaults_used"] = run.defaults_used;
   out["notes"] = run.notes;
   out["files"] = run.files;

@@ -41,6 +41,7 @@ struct RunSummary {
   std::optional<double> max_quaternion_error;
   std::optional<double> quadrature_error;               ///< System::quadrature_error at the end
   std::vector<std::pair<std::string, double>> summary;  ///< key results by name and unit
+  nlohmann::ordered_json life;                          ///< fatigue life; null: none computed
   std::vector<std::string> files;                       ///< names without folders
   // Measured.
   std::vector<dynamics::CostLedger::Row> cost;

@@ -2,6 +2,7 @@
 
 #include "facade/reference/cases_cage.hpp"
 #include "facade/reference/cases_dynamics.hpp"
+#include "facade/reference/cases_life.hpp"
 #include "facade/reference/cases_motion.hpp"
 #include "facade/reference/cases_static.hpp"
 #include "facade/reference/cases_traction.hpp"
@@ -18,6 +19,7 @@ std::vector<Adapter> all_adapters() {
   add(dynamics_adapters());
   add(static_adapters());
   add(traction_adapters());
+  add(life_adapters());
   return all;
 }
 
