@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <charconv>
 #include <functional>
+#include <optional>
 
 namespace adore::build {
 
@@ -18,6 +19,7 @@ RunControl build_run_control(const deck::Deck& deck) {
   out.plot_every = static_cast<int>(deck.integer("kPltFreq"));
   out.animate_every = static_cast<int>(deck.integer("kAGraf"));
   out.animate = out.animate_every > 0;
+  out.life_every = static_cast<int>(deck.integer("kLifeFreq"));
   if (!out.dynamic) return out;
 
   const long long start = deck.integer("kIcOpt");
@@ -83,10 +85,96 @@ constexpr std::pair<std::string_view, tribology::ContactSurface> kSurfaces[] = {
     {"flat_half", tribology::ContactSurface::FlatHalf},
     {"flat_edge", tribology::ContactSurface::FlatEdge}};
 
+constexpr std::pair<std::string_view, bearing::LifeModel> kLifeModels[] = {
+    {"lp", bearing::LifeModel::Original},
+    {"lpu", bearing::LifeModel::Updated},
+    {"gz", bearing::LifeModel::Zaretsky},
+    {"ih", bearing::LifeModel::Harris}};
+constexpr std::pair<std::string_view, bearing::LifeModification> kLifeModifications[] = {
+    {"", bearing::LifeModification::None},
+    {"-stle", bearing::LifeModification::Stle},
+    {"-tallian", bearing::LifeModification::Tallian}};
+
+bool parse_stored_life(bearing::LifeChoices& life, std::string_view text) {
+  for (const auto& [model, model_code] : kLifeModels)
+    for (const auto& [suffix, suffix_code] : kLifeModifications)
+      if (text == std::string(model) + std::string(suffix)) {
+        life.stored_model = model_code;
+        life.stored_modification = suffix_code;
+        return true;
+      }
+  return false;
+}
+
+/// A number above 0 (up to `most`), or "none".
+bool parse_optional(std::string_view text, std::optional<double>& out, double most) {
+  if (text == "none") {
+    out.reset();
+    return true;
+  }
+  double value = 0.0;
+  if (!parse(text, value) || !(value > 0.0 && value <= most)) return false;
+  out = value;
+  return true;
+}
+
+/// Fatigue life: what no record of the deck holds.
+void add_life_options(std::vector<Option>& table) {
+  const auto add = [&](const char* name, const char* value, const char* meaning,
+                       std::function<bool(bearing::LifeChoices&, std::string_view)> set) {
+    table.push_back({{name, value, meaning},
+                     [set](RunOptions& o, std::string_view v) { return set(o.life, v); }});
+  };
+  add("sol7Life", "gz-stle",
+      "the life that SOL7 stores: lp, lpu, gz or ih (original and updated Lundberg-Palmgren, "
+      "Gupta-Zaretsky, Ioannides-Harris), alone or with -stle or -tallian",
+      parse_stored_life);
+  add("lifeElements", "gz",
+      "rolling elements in the life of the bearing: gz (in Gupta-Zaretsky only, not when "
+      "ceramic), all (updated, Gupta-Zaretsky and Ioannides-Harris) or none",
+      [](bearing::LifeChoices& o, std::string_view v) {
+        using bearing::ElementLife;
+        if (v != "gz" && v != "all" && v != "none") return false;
+        o.elements = v == "gz"    ? ElementLife::Zaretsky
+                     : v == "all" ? ElementLife::All
+                                  : ElementLife::None;
+        return true;
+      });
+  add("lifeLimitForm", "peak",
+      "Ioannides-Harris: peak (largest von Mises stress minus the limit) or integral (orthogonal "
+      "shear above its limit, integrated over depth)",
+      [](bearing::LifeChoices& o, std::string_view v) {
+        if (v != "peak" && v != "integral") return false;
+        o.limit_form = v == "peak" ? bearing::LimitForm::Peak : bearing::LimitForm::Integral;
+        return true;
+      });
+  add("lifeLambda", "none",
+      "film parameter (film thickness over roughness) taken for the life factors while no film is "
+      "computed, above 0, or none",
+      [](bearing::LifeChoices& o, std::string_view v) {
+        return parse_optional(v, o.film_parameter, 1e3);
+      });
+  add("lifeFilter", "none", "filter rating in micrometres at beta 200 (STLE factor), or none",
+      [](bearing::LifeChoices& o, std::string_view v) { return parse_optional(v, o.filter, 1e3); });
+  add("lifeSkip", "0",
+      "turns of the shaft at the start of the run that the run life leaves out, 0 or more",
+      [](bearing::LifeChoices& o, std::string_view v) {
+        return parse(v, o.skip_turns) && o.skip_turns >= 0.0;
+      });
+  add("isoKappa", "none", "viscosity ratio of ISO 281, above 0, or none",
+      [](bearing::LifeChoices& o, std::string_view v) {
+        return parse_optional(v, o.viscosity_ratio, 1e3);
+      });
+  add("isoContamination", "none", "contamination factor e_C of ISO 281, above 0 to 1, or none",
+      [](bearing::LifeChoices& o, std::string_view v) {
+        return parse_optional(v, o.contamination, 1.0);
+      });
+}
+
 const std::vector<Option>& options() {
   static const std::vector<Option> table = [] {
     const RunOptions defaults;
-    return std::vector<Option>{
+    std::vector<Option> all{
         {{"ellipseMajor", fmt::format("{}", defaults.system.ellipse_major),
           "quadrature nodes along the contact ellipse's major axis, 10 to 100, rounded up to "
           "a multiple of 5"},
@@ -133,6 +221,8 @@ const std::vector<Option>& options() {
            return true;
          }},
     };
+    add_life_options(all);
+    return all;
   }();
   return table;
 }

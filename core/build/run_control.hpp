@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bearing/life_inputs.hpp"
 #include "deck/deck.hpp"
 #include "dynamics/system.hpp"
 
@@ -22,9 +23,9 @@ enum class StartState : unsigned char {
 struct RunControl {
   bool dynamic = false;  ///< mode >= 0
   StartState start = StartState::Statics;
-  int print_option = 0, print_every = 0, plot_every = 0,
-      animate_every = 0;  ///< 0: first and last step only
-  bool animate = false;   ///< kAGraf > 0
+  int print_option = 0, print_every = 0, plot_every = 0, animate_every = 0,
+      life_every = 0;    ///< 0: first and last step only
+  bool animate = false;  ///< kAGraf > 0
   long max_steps = 0;
   int substeps = 1;
   std::string integrator;  ///< name for integrators::make_stepper
@@ -48,6 +49,7 @@ struct RunOptions {
   double checkpoint_seconds = 10.0;  ///< wall time between checkpoints of FINAL and MASTER
   bool results_h5 = true;            ///< write RESULTS.h5
   bool centrifugal_growth = true;    ///< speeds widen the rings (bearing::Mounting)
+  bearing::LifeChoices life;         ///< fatigue life: what no record holds
 };
 
 struct OptionInfo {

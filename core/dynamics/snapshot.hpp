@@ -80,9 +80,8 @@ struct PowerSnapshot {
   double total_loss = 0.0;                                           ///< all dissipation now [W]
   double churning_fraction = 0.0;                                    ///< 0 until churning exists
   double race_contacts[2] = {0.0, 0.0}, pockets = 0.0, lands = 0.0;  ///< heat [W]
-  double life_hours = 0.0;  ///< 0 until the life models exist
-  // Time integrals since t = 0 of load x slip [J]: what Archard wear needs (element 1 per race, all
-  // of a race, cage).
+  double life_hours = 0.0;         ///< at the loads now; infinity is a valid life; 0: no life model
+  // Time integrals since t = 0 of load x slip [J]: what Archard wear needs (element 1 per race, all of a race, cage).
   double qv_element1[2] = {0.0, 0.0}, qv_race[2] = {0.0, 0.0}, qv_cage = 0.0;
 };
 

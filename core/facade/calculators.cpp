@@ -72,6 +72,16 @@ const std::vector<CalculatorInfo>& calculators() {
        "one material of the table: every property with unit and provenance, at T [K] if given"},
       {"fluid", "thermal_props", "fluid_property", "a coolant or churning medium at T [K]"},
       {"units", "thermal_units", "", "conversion of values between the SI and English systems"},
+      {"load-capacity", "life_lp_capacity", "",
+       "Lundberg-Palmgren load capacity of ball and roller races"},
+      {"life", "life_stress_models", "",
+       "life of races, elements and bearing by one model from contact loads"},
+      {"life-factors", "life_factors", "", "STLE and Tallian-type life factors"},
+      {"life-statistics", "life_race_bearing", "", "race lives, product law, survival probability"},
+      {"life-sum", "life_accumulation", "", "Palmgren-Miner life of a load history"},
+      {"iso281", "life_iso281", "",
+       "ISO 281 and ISO 76 ratings, equivalent load, a_ISO, contamination, a_1, C_u"},
+      {"iso16281", "life_iso16281", "", "ISO 16281 reference life from contact or lamina loads"},
       {"rigid-body", "motion_frames", "rigid_body", "accelerations of a rigid body"},
   };
   return table;

@@ -1,6 +1,7 @@
 #include "facade/prepare.hpp"
 
 #include "build/build_bearing.hpp"
+#include "build/build_life.hpp"
 #include "build/scene_plan.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/scene_estimate.hpp"
@@ -129,6 +130,7 @@ Prepared prepare(const DeckRequest& request) {
     out.input.warnings.push_back(std::move(issue));
   out.control = build::build_run_control(deck);
   out.plan = build::make_scene_plan(deck, out.bearing, out.control);
+  const bearing::LifeInputs life_inputs = build::build_life(deck, out.options.life);
   out.statics = statics::solve_ball_statics(out.bearing);
   if (out.control.dynamic) {
     out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls.contact_angle);
@@ -137,6 +139,8 @@ Prepared prepare(const DeckRequest& request) {
     frozen.fixed_angle = out.fixed_angle;
     out.start = statics::solve_ball_statics(out.bearing, frozen);
   }
+  out.life = life::ball_bearing_life(out.bearing, life_inputs,
+                                     out.control.dynamic ? out.start : out.statics);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include "deck/deck.hpp"
 #include "dynamics/scene_plan.hpp"
 #include "dynamics/system.hpp"
+#include "life/bearing_life.hpp"
 #include "statics/ball_statics.hpp"
 
 #include <filesystem>
@@ -52,6 +53,7 @@ struct Prepared {
       fixed_angle{};  ///< contact angles that the run's Hertz constants are frozen at [rad]
   statics::StaticSolution
       start;  ///< with those constants: start of a dynamic run (empty when quasi-static)
+  life::BearingLife life;  ///< at the equilibrium that PRINT.txt shows
 };
 
 /// What operating_bearing warned of (lost clearance, loose fit, overstressed ring), as remarks on

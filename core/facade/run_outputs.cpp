@@ -3,7 +3,9 @@
 #include "base/errors.hpp"
 #include "base/version.hpp"
 #include "dynamics/race_contacts.hpp"
+#include "facade/life_observer.hpp"
 #include "facade/plan_json.hpp"
+#include "life/statistics.hpp"
 #include "results/averages.hpp"
 #include "results/channels.hpp"
 #include "results/continuation.hpp"
@@ -54,6 +56,23 @@ void take_state(const results::FinalState& from, const dynamics::System& system,
 }
 
 using KeyResults = std::vector<std::pair<std::string, double>>;
+
+/// Life of the bearing by every model, and as SOL7 stores it [hr].
+void add_lives(KeyResults& out, const life::BearingLife& life) {
+  using bearing::LifeModel;
+  using bearing::LifeModification;
+  const auto hours = [&](LifeModel model, LifeModification modification) {
+    return life::life_hours(life.state.of(model, modification).L_S, life.state.relative_speed);
+  };
+  constexpr std::pair<const char*, LifeModel> kModels[] = {{"life_lp_hours", LifeModel::Original},
+                                                           {"life_lpu_hours", LifeModel::Updated},
+                                                           {"life_gz_hours", LifeModel::Zaretsky},
+                                                           {"life_ih_hours", LifeModel::Harris}};
+  for (const auto& [name, model] : kModels)
+    out.emplace_back(name, hours(model, LifeModification::None));
+  const bearing::LifeChoices& choices = life.parameters.choices;
+  out.emplace_back("life_stored_hours", hours(choices.stored_model, choices.stored_modification));
+}
 
 KeyResults static_results(const statics::StaticSolution& solution) {
   static constexpr const char* kDirections[] = {"x", "y", "z", "about_y", "about_z"};
@@ -108,6 +127,7 @@ struct RunOutputs::Impl {
   deck::UnitSystem units;
   results::ChannelRecorder recorder;
   results::RunAverages averages;
+  LifeObserver life;
   std::vector<results::SolWriter> elements;  ///< SOL1..SOL6
   std::optional<results::SolWriter> power;   ///< SOL7
   std::optional<results::Sol8Writer> animation;
@@ -120,6 +140,7 @@ struct RunOutputs::Impl {
   std::vector<std::pair<std::string, double>> key_results;
   Clock::time_point checkpoint = Clock::now();
   long plotted = -1, animated = -1, printed = -1, saved = -1;  ///< last step in each kind of file
+  long lived = -1;                                             ///< last step of the life models
   int cage_position = -1;  ///< first component of the cage's mass centre
 
   Impl(const Prepared& p, fs::path f)
@@ -128,7 +149,8 @@ struct RunOutputs::Impl {
         folder(std::move(f)),
         plan(p.plan),
         units(p.input.deck.units()),
-        recorder(p.bearing, units) {}
+        recorder(p.bearing, units),
+        life(p.bearing, p.life.parameters) {}
 
   [[nodiscard]] fs::path path(const std::string& name) const { return folder / name; }
   [[nodiscard]] fs::path sol_path(std::size_t number) const {
@@ -143,7 +165,7 @@ struct RunOutputs::Impl {
   [[nodiscard]] results::FinalState final_state(const dynamics::System& system) const;
   void write_restart(const dynamics::System& system);
   [[nodiscard]] results::RunSummary summary_of_deck() const;
-  void close(results::RunSummary& run);
+  void close(results::RunSummary& run, const std::optional<results::RunLife>& run_life = {});
 };
 
 /// Refuses to continue files of another run or layout, before any of them is touched (N3).
@@ -216,6 +238,7 @@ void RunOutputs::Impl::write_restart(const dynamics::System& system) {
   results::MasterState master;
   master.last = final_state(system);
   averages.save(master.averages);
+  life.save(master.averages);
   recorder.save(master.averages);
   const auto add = [&](const std::string& role, const results::GrowingFile& file) {
     master.files.push_back({role, file.path().filename().string(), file.bytes()});
@@ -248,6 +271,7 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
   for (const std::string& note : prepared.statics.notes) out.notes.push_back(note);
   out.instruction_set = dynamics::race_contact_instruction_set();
   if (prepared.bearing.operating) out.operating = results::fits_json(*prepared.bearing.operating);
+  out.life["quasi-static"] = results::life_json(prepared.life);
   return out;
 }
 
@@ -256,12 +280,14 @@ void RunOutputs::Impl::print_front(const std::optional<dynamics::Scales>& scales
   print->front({prepared.input.deck, prepared.as_built, scales, summary_of_deck().options});
   if (prepared.bearing.operating) print->fits(prepared.bearing);
   print->quasi_static(scales ? prepared.start : prepared.statics, prepared.bearing);
+  print->life(prepared.life);
 }
 
-void RunOutputs::Impl::close(results::RunSummary& run) {
+void RunOutputs::Impl::close(results::RunSummary& run,
+                             const std::optional<results::RunLife>& run_life) {
   written.push_back(path("RUN.json"));
   for (const fs::path& file : written) run.files.push_back(file.filename().string());
-  print->ledgers(run, plan);
+  print->ledgers(run, plan, run_life);
   results::write_run_json(run, path("RUN.json"));
 }
 
@@ -296,6 +322,7 @@ StartPoint RunOutputs::begin(dynamics::System& system, build::StartState start) 
     out.step_size = master.last.step_size;
     out.continued = true;
     s.averages.restore(master.averages);
+    s.life.restore(master.averages);
     s.recorder.restore(master.averages);
     const results::MasterFile* listing = master.file("PRINT");
     if (listing != nullptr) print_bytes = listing->bytes;
@@ -312,7 +339,8 @@ StartPoint RunOutputs::begin(dynamics::System& system, build::StartState start) 
 
 bool RunOutputs::wants(long step) const {
   const build::RunControl& c = impl_->control;
-  return due(step, c.print_every) || due(step, c.plot_every) || due(step, c.animate_every);
+  return due(step, c.print_every) || due(step, c.plot_every) || due(step, c.animate_every) ||
+         due(step, c.life_every);
 }
 
 void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool always) {
@@ -326,11 +354,14 @@ void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool alw
   const bool plot = meets(s.control.plot_every, s.plotted);
   const bool animate = s.control.animate && meets(s.control.animate_every, s.animated);
   const bool print = meets(s.control.print_every, s.printed);
-  if (!plot && !animate && !print) return;
+  const bool life = meets(s.control.life_every, s.lived);
+  if (!plot && !animate && !print && !life) return;
   s.last = system.snapshot(point.time, point.y);
   s.last.step = point.step;
   s.last.step_size = point.step_size;
   s.last_y.assign(point.y.begin(), point.y.end());
+  if (life) s.life.observe(s.last);
+  s.last.power.life_hours = s.life.hours();
   s.averages.add(s.last);
   const results::StepRecord& record = s.recorder.record(s.last);
   if (plot) {
@@ -391,8 +422,13 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   run.cost = system.cost().rows();
   run.seconds = end.loop_seconds;
   s.key_results = dynamic_results(s.last, s.averages.averages());
+  add_lives(s.key_results, s.prepared.life);
+  const results::RunLife run_life = s.life.run_life();
+  if (run_life.damage.seconds() > 0.0)
+    s.key_results.emplace_back("run_life_hours", run_life.damage.life_hours(run_life.slopes));
   run.summary = s.key_results;
-  s.close(run);
+  run.life["run"] = results::run_life_json(run_life);
+  s.close(run, run_life);
 }
 
 void RunOutputs::write_quasi_static() {
@@ -406,6 +442,7 @@ void RunOutputs::write_quasi_static() {
   if (s.prepared.bearing.operating)
     for (auto& item : results::fits_summary(*s.prepared.bearing.operating))
       s.key_results.push_back(std::move(item));
+  add_lives(s.key_results, s.prepared.life);
   run.summary = s.key_results;
   run.quasi_static =
       results::to_json(results::static_tables(s.prepared.statics, s.prepared.bearing, s.units));

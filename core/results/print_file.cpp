@@ -70,8 +70,14 @@ void PrintFile::step(const dynamics::Snapshot& snapshot, const StepRecord& recor
   flush();
 }
 
-void PrintFile::ledgers(const RunSummary& run, const dynamics::ScenePlan& plan) {
-  print_ledgers(report_, run, plan);
+void PrintFile::life(const life::BearingLife& life) {
+  print_life(report_, life);
+  flush();
+}
+
+void PrintFile::ledgers(const RunSummary& run, const dynamics::ScenePlan& plan,
+                        const std::optional<RunLife>& life) {
+  print_ledgers(report_, run, plan, life);
   flush();
 }
 

@@ -8,6 +8,7 @@
 #include "results/averages.hpp"
 #include "results/channels.hpp"
 #include "results/growing_file.hpp"
+#include "results/print_life.hpp"
 #include "results/report.hpp"
 #include "results/run_json.hpp"
 #include "statics/ball_statics.hpp"
@@ -58,13 +59,16 @@ class PrintFile {
   void fits(const bearing::Bearing& bearing);
   /// Equilibrium of elements and races.
   void quasi_static(const statics::StaticSolution& solution, const bearing::Bearing& bearing);
+  /// Fatigue life at that equilibrium.
+  void life(const life::BearingLife& life);
   /// One printed step: rolling elements, races and cage, applied parameters, summary, as kPrtOpt
   /// selects. `record` is the snapshot as the ChannelRecorder shows it.
   void step(const dynamics::Snapshot& snapshot, const StepRecord& record,
             const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt);
   /// Last page: plan, steps, conservation and cost ledgers, accuracy of the contact integrals,
   /// defaults used.
-  void ledgers(const RunSummary& run, const dynamics::ScenePlan& plan);
+  void ledgers(const RunSummary& run, const dynamics::ScenePlan& plan,
+               const std::optional<RunLife>& life = std::nullopt);
 
   [[nodiscard]] const GrowingFile& file() const noexcept { return file_; }
 
@@ -82,6 +86,7 @@ void print_quasi_static(Report& report, const statics::StaticSolution& solution,
                         const bearing::Bearing& bearing);
 void print_step(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record,
                 const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt);
-void print_ledgers(Report& report, const RunSummary& run, const dynamics::ScenePlan& plan);
+void print_ledgers(Report& report, const RunSummary& run, const dynamics::ScenePlan& plan,
+                   const std::optional<RunLife>& life = std::nullopt);
 
 }  // namespace adore::results

@@ -95,6 +95,17 @@ void elements(Report& report, const StepRecord& record, int interval) {
   report.table("element", columns, rows);
 }
 
+/// By the model that run option sol7Life names, as if the loads of this instant lasted for ever.
+void fatigue_life(Report& report, const dynamics::Snapshot& snapshot) {
+  const double life = snapshot.power.life_hours;
+  if (std::isinf(life))
+    report.item("Fatigue life at the present loads (option sol7Life)", "INFINITE");
+  else if (life > 0.0)
+    report.item("Fatigue life at the present loads (option sol7Life)", life, unit::kLife);
+  else
+    report.item("Fatigue life", "no life model is active");
+}
+
 void bodies(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record) {
   report.heading(
       "2. Race and cage parameters: position and orientation (theta, phi of the body's axis in the "
@@ -169,10 +180,7 @@ void bodies(Report& report, const dynamics::Snapshot& snapshot, const StepRecord
   report.item("Inner race", record["race.wear_rate"][1], unit::kVolumeFlow);
   if (!snapshot.cages.empty())
     report.item("Cage", record["power.cage_wear_rate"][0], unit::kVolumeFlow);
-  if (snapshot.power.life_hours > 0.0)
-    report.item("Fatigue life at the present loads", snapshot.power.life_hours, unit::kLife);
-  else
-    report.item("Fatigue life", "no life model is active");
+  fatigue_life(report, snapshot);
 }
 
 void applied(Report& report, const dynamics::Snapshot& snapshot, const bearing::Bearing& bearing) {
@@ -260,10 +268,7 @@ void summary(Report& report, const dynamics::Snapshot& snapshot, const StepRecor
   report.item("Average wear rate, inner race", record["race.wear_rate"][1], unit::kVolumeFlow);
   if (!snapshot.cages.empty())
     report.item("Average wear rate, cage", record["power.cage_wear_rate"][0], unit::kVolumeFlow);
-  if (snapshot.power.life_hours > 0.0)
-    report.item("Fatigue life", snapshot.power.life_hours, unit::kLife);
-  else
-    report.item("Fatigue life", "no life model is active");
+  fatigue_life(report, snapshot);
   report.item("Energy residual", snapshot.energy.residual(), unit::kEnergy);
 }
 
@@ -279,7 +284,8 @@ void print_step(Report& report, const dynamics::Snapshot& snapshot, const StepRe
   summary(report, snapshot, record, averages);
 }
 
-void print_ledgers(Report& report, const RunSummary& run, const dynamics::ScenePlan& plan) {
+void print_ledgers(Report& report, const RunSummary& run, const dynamics::ScenePlan& plan,
+                   const std::optional<RunLife>& life) {
   report.new_page("TIME STEP SUMMARY AND LEDGERS");
   report.item("Run ended", run.status);
   if (!run.message.empty()) report.text(run.message);
@@ -292,6 +298,8 @@ void print_ledgers(Report& report, const RunSummary& run, const dynamics::SceneP
   }
   for (const auto& [name, value] : run.counters)
     report.item(fmt::format("Counter: {}", name), value);
+
+  if (life) print_run_life(report, *life);
 
   report.heading("Plan: what was simulated and why");
   std::vector<std::vector<std::string>> rows;

@@ -15,6 +15,9 @@ template <class T>
 Json object_of(const std::vector<std::pair<std::string, T>>& items) {
   Json out = Json::object();
   for (const auto& [name, value] : items) out[name] = value;
+  // JSON knows no infinity; lives may be infinite.
+  for (Json& entry : out)
+    if (entry.is_number_float() && std::isinf(entry.template get<double>())) entry = "infinite";
   return out;
 }
 
@@ -91,6 +94,7 @@ Json run_json(const RunSummary& run) {
   out["conservation"] = conservation;
   out["summary"] = object_of(run.summary);
   if (!run.quasi_static.is_null()) out["quasi_static"] = run.quasi_static;
+  if (!run.life.is_null()) out["life"] = run.life;
   Json defaults = Json::array();
   for (const deck::DefaultUsed& used : run.defaults_used) {
     defaults.push_back({{"record", used.record},

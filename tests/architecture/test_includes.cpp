@@ -23,12 +23,13 @@ const std::map<std::string, std::set<std::string>> kAllowed = {
     {"statics", {"base", "bearing", "contact", "tribology"}},
     {"thermal", {"base", "bearing", "contact", "statics"}},
     {"dynamics", {"base", "bearing", "contact", "tribology", "statics"}},
+    {"life", {"base", "bearing", "contact", "tribology", "statics", "dynamics"}},
     {"build",
      {"base", "deck", "bearing", "contact", "tribology", "statics", "dynamics", "integrators"}},
-    {"results", {"base", "deck", "bearing", "contact", "tribology", "statics", "dynamics"}},
+    {"results", {"base", "deck", "bearing", "contact", "tribology", "statics", "dynamics", "life"}},
     {"facade",
      {"base", "deck", "bearing", "contact", "tribology", "statics", "thermal", "dynamics",
-      "integrators", "build", "results"}},
+      "integrators", "life", "build", "results"}},
 };
 /// Apps see core through deck, results and facade only; base holds errors and files.
 const std::set<std::string> kAppsMaySee = {"base", "deck", "results", "facade"};

@@ -360,6 +360,64 @@ TEST_CASE("a continued run reaches the state of an unbroken one", "[cli]") {
   CHECK(contains(other.out, "7208"));
 }
 
+TEST_CASE("a run prints fatigue lives, and SOL7 stores the one that was asked for", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string deck = folder.path().string();
+  const auto sol7_lives = [&](const std::string& name, const std::string& options) {
+    const Result run = run_adore("run " + deck + " --quiet --until 0.1rev " + options + " --out " +
+                                 (folder / name).string());
+    INFO(run.out);
+    REQUIRE(run.code == 0);
+    std::istringstream csv(
+        run_adore("convert " + (folder / name / "SOL7").string() + " --to csv").out);
+    std::string line;
+    std::getline(csv, line);
+    std::size_t column = 0;
+    std::istringstream titles(line);
+    std::string title;
+    while (std::getline(titles, title, ',') && !contains(title, "life")) ++column;
+    std::vector<double> out;
+    while (std::getline(csv, line)) {
+      std::istringstream cells(line);
+      std::string cell;
+      for (std::size_t k = 0; k <= column; ++k) std::getline(cells, cell, ',');
+      out.push_back(std::stod(cell));
+    }
+    REQUIRE(out.size() > 3);
+    return out;
+  };
+  const std::vector<double> stored = sol7_lives("default", "");
+  for (const double life : stored) {
+    CHECK(life > 1.0);
+    CHECK(life < 1e9);
+  }
+  const json run = json::parse(read(folder / "default" / "RUN.json"));
+  const json& models = run.at("life").at("quasi-static").at("lives");
+  // The run starts from the statics that the page shows: the first instant has its life, elements
+  // at their actual spin instead of the formula's.
+  const double page = models.at("Gupta-Zaretsky type").at("STLE").at("L10 [hr]").get<double>();
+  CHECK(stored.front() == Approx(page).epsilon(0.02));
+  CHECK(run.at("life").at("run").at("life [hr]").get<double>() == Approx(page).epsilon(0.2));
+  CHECK(run.at("life").at("run").at("window [rev]").get<double>() == Approx(0.1).epsilon(1e-6));
+  const std::string listing = read(folder / "default" / "PRINT.txt");
+  for (const char* part : {"FATIGUE LIFE", "CALIBRATED", "Fatigue life of the run",
+                           "no lubricant film is computed", "Fatigue life at the present loads"})
+    CHECK(contains(listing, part));
+  CHECK_FALSE(contains(listing, "no life model is active"));
+
+  // Races only, of the original theory: no formula of spin in between.
+  const double original =
+      models.at("Original Lundberg-Palmgren").at("basic").at("L10 [hr]").get<double>();
+  CHECK(sol7_lives("lp", "--opt sol7Life=lp").front() == Approx(original).epsilon(1e-5));
+  // Every contact under the limit.
+  for (const double life : sol7_lives(
+           "light", "--opt sol7Life=ih --set appLoadX=60.0 --set appLoadZ=0.0 --set rpm2=500.0"))
+    CHECK(life == Approx(9.9999999e30).epsilon(1e-6));
+  CHECK(contains(read(folder / "light" / "PRINT.txt"), "INFINITE"));
+  CHECK(contains(run_adore("run " + deck + " --opt sol7Life=no").out, "gz"));
+}
+
 TEST_CASE("adore plan, schema, examples and calc speak JSON and tables", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);

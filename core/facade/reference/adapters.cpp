@@ -2,6 +2,7 @@
 
 #include "facade/reference/cases_cage.hpp"
 #include "facade/reference/cases_dynamics.hpp"
+#include "facade/reference/cases_life.hpp"
 #include "facade/reference/cases_motion.hpp"
 #include "facade/reference/cases_rollers.hpp"
 #include "facade/reference/cases_static.hpp"
@@ -23,6 +24,7 @@ std::vector<Adapter> all_adapters() {
   add(roller_part_adapters());
   add(thermal_adapters());
   add(traction_adapters());
+  add(life_adapters());
   return all;
 }
 

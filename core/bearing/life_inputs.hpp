@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+/// What a deck and the run options say about fatigue life. An empty value means "not given": the
+/// life library then takes its own constant and prints where that comes from.
+namespace adore::bearing {
+
+/// One stress-capacity model on one component (records 8.6.1 to 8.6.3).
+struct LifeModelInput {
+  std::optional<double> factor;           ///< multiplies the dynamic stress capacity (a pressure)
+  std::optional<double> stress_exponent;  ///< hazard exponent; Gupta-Zaretsky: life exponent
+  std::optional<double> depth_exponent;   ///< not part of Gupta-Zaretsky
+};
+
+/// Outer race, inner race or the set of rolling elements.
+struct LifeComponentInput {
+  std::optional<double> original_factor;  ///< fco, multiplies the load capacity; races only
+  LifeModelInput updated, zaretsky, harris;
+  std::optional<double> weibull_slope;
+  // Records 8.6.4 to 8.6.6; empty: by the material's code.
+  std::optional<double> stle_material, stle_process, stle_hardness;
+  std::optional<double> tallian_material, tallian_process, tallian_contamination;
+  std::optional<double> asperity_slope;     ///< composite rms slope [rad]; races only
+  std::optional<double> asperity_traction;  ///< [-]; races only
+  double residual_stress = 0.0;             ///< [Pa], tension positive; races only
+};
+
+enum LifePart : int { kOuterRacePart = 0, kInnerRacePart = 1, kElementPart = 2 };
+
+/// Which rolling elements count in the life of the bearing.
+enum class ElementLife : unsigned char {
+  Zaretsky,  ///< in Gupta-Zaretsky only, and not when they are ceramic
+  All,       ///< in every model that has them, ceramic too
+  None
+};
+enum class LimitForm : unsigned char {
+  Peak,     ///< largest von Mises stress below each contact minus the limit
+  Integral  ///< depth integral of the orthogonal shear amplitude above its limit
+};
+
+enum class LifeModel : unsigned char { Original, Updated, Zaretsky, Harris };
+enum class LifeModification : unsigned char { None, Stle, Tallian };
+
+/// Run options of the life models: what no record holds.
+struct LifeChoices {
+  LifeModel stored_model = LifeModel::Zaretsky;  ///< the life that SOL7 stores
+  LifeModification stored_modification = LifeModification::Stle;
+  ElementLife elements = ElementLife::Zaretsky;
+  LimitForm limit_form = LimitForm::Peak;
+  std::optional<double> film_parameter;   ///< Λ assumed at every contact; empty: no film known
+  std::optional<double> filter;           ///< filter rating [µm] at beta 200; empty: no factor
+  std::optional<double> viscosity_ratio;  ///< κ of ISO 281
+  std::optional<double> contamination;    ///< e_C of ISO 281
+  double skip_turns = 0.0;                ///< shaft turns left out at the start of the run life
+};
+
+struct LifeInputs {
+  std::array<LifeComponentInput, 3> part;  ///< indexed by LifePart
+  std::optional<double> survival;          ///< sProb
+  std::optional<double> bearing_slope;     ///< brgWbDis
+  double limit_factor = 1.0;  ///< facStrLimit, multiplies the fatigue limit of each material
+  LifeChoices choices;
+};
+
+}  // namespace adore::bearing

@@ -1,0 +1,69 @@
+#include "facade/life_observer.hpp"
+
+#include "life/statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace adore::facade {
+
+LifeObserver::LifeObserver(const bearing::Bearing& bearing, const life::LifeParameters& parameters)
+    : bearing_(bearing), calculator_(life::ball_life_geometry(bearing.balls), parameters) {}
+
+void LifeObserver::observe(const dynamics::Snapshot& snapshot) {
+  const bearing::LifeChoices& choices = calculator_.parameters().choices;
+  const life::LifeState state = calculator_.evaluate(life::life_contacts(snapshot, bearing_));
+  const life::PartLives& lives = state.of(choices.stored_model, choices.stored_modification);
+  hours_ = life::life_hours(lives.L_S, state.relative_speed);
+
+  life::DamageParts parts = lives.part;
+  if (!lives.elements_counted)
+    parts[bearing::kElementPart] = std::numeric_limits<double>::infinity();
+  const life::DamageRate rate = life::damage_rate(state.relative_speed, parts);
+  const double turns = std::abs(snapshot.shaft_rotation) / (2.0 * std::numbers::pi);
+  const bool inside = turns >= choices.skip_turns;
+  if (started_ && inside) damage_.add_between(snapshot.time - time_, rate_, rate);
+  started_ = inside;
+  rate_ = rate;
+  time_ = snapshot.time;
+}
+
+results::RunLife LifeObserver::run_life() const {
+  const life::LifeParameters& p = calculator_.parameters();
+  results::RunLife out;
+  out.damage = damage_;
+  out.skipped_turns = p.choices.skip_turns;
+  out.model = p.choices.stored_model;
+  out.modification = p.choices.stored_modification;
+  for (std::size_t i = 0; i < out.slopes.size(); ++i) out.slopes[i] = p.part[i].slope.value;
+  return out;
+}
+
+void LifeObserver::save(std::map<std::string, double>& state) const {
+  damage_.save(state);
+  state["life.started"] = started_ ? 1.0 : 0.0;
+  state["life.time"] = time_;
+  state["life.turns_rate"] = rate_.turns;
+  for (std::size_t i = 0; i < rate_.damage.size(); ++i)
+    state[fmt::format("life.rate.{}", i)] = rate_.damage[i];
+  state["life.per_hour"] = hours_ > 0.0 ? 1.0 / hours_ : -1.0;  // 0: infinite
+}
+
+void LifeObserver::restore(const std::map<std::string, double>& state) {
+  if (state.count("life.started") == 0) return;
+  damage_.restore(state);
+  started_ = state.at("life.started") > 0.5;
+  time_ = state.at("life.time");
+  rate_.turns = state.at("life.turns_rate");
+  for (std::size_t i = 0; i < rate_.damage.size(); ++i)
+    rate_.damage[i] = state.at(fmt::format("life.rate.{}", i));
+  const double per_hour = state.at("life.per_hour");
+  hours_ = per_hour > 0.0    ? 1.0 / per_hour
+           : per_hour == 0.0 ? std::numeric_limits<double>::infinity()
+                             : 0.0;
+}
+
+}  // namespace adore::facade

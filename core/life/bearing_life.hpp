@@ -1,0 +1,123 @@
+#pragma once
+
+#include "life/contacts.hpp"
+#include "life/factors.hpp"
+#include "life/iso16281.hpp"
+#include "life/parameters.hpp"
+#include "life/stress_life.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Fatigue life of one bearing by all models, from its contacts. Lives in 1e6 revolutions of one
+/// ring relative to the other; infinity where nothing is damaged.
+namespace adore::life {
+
+using bearing::LifeModification;
+
+inline constexpr std::size_t kModels = 4;         ///< LifeModel: original, updated, GZ, IH
+inline constexpr std::size_t kModifications = 3;  ///< LifeModification: none, STLE, Tallian-type
+
+/// Lives of the parts at 90 % survival and of the bearing.
+struct PartLives {
+  std::array<double, 3> part{};  ///< LifePart; elements NaN where the model has none
+  double L10 = 0.0;              ///< bearing at 90 %
+  double L_S = 0.0;              ///< bearing at the deck's survival probability
+  bool elements_counted = false;
+};
+struct ModelLives {
+  std::array<PartLives, kModifications> modified;  ///< [0] basic
+};
+struct ModificationFactors {
+  std::array<double, 3> stle{1.0, 1.0, 1.0};
+  std::array<double, 3> film{1.0, 1.0, 1.0}, residual{1.0, 1.0, 1.0}, hazard{1.0, 1.0, 1.0};
+  std::array<double, 3> asperity{1.0, 1.0, 1.0};
+  std::array<double, 3> tallian{1.0, 1.0, 1.0};  ///< φ^(-1/e)
+  double filter = 1.0;
+  bool thin_film = false;
+  std::array<bool, 2> residual_refused{};  ///< the residual stress lies outside its formula
+};
+/// Everything that changes with the loads.
+struct LifeState {
+  std::array<ModelLives, kModels> model;
+  ModificationFactors factors;
+  double relative_speed = 0.0;  ///< [rad/s]
+  [[nodiscard]] const PartLives& of(LifeModel m, LifeModification f) const {
+    return model[static_cast<std::size_t>(m)].modified[static_cast<std::size_t>(f)];
+  }
+};
+
+/// Per race, for the print.
+struct RaceReport {
+  double angle = 0.0, gamma = 0.0;  ///< [rad, -]
+  bool rotating = true;
+  double Q_c = 0.0, Q_e = 0.0, Q_max = 0.0;  ///< LP capacity, equivalent and largest load [N]
+  double p_max = 0.0;                        ///< [Pa]
+  PeakRatios peaks;                          ///< below the heaviest contact
+  std::array<double, 3> stress_capacity{};   ///< p_c: updated, GZ, IH [Pa]; NaN without load
+};
+
+struct IsoReport {
+  IsoGeometry geometry;
+  double C = 0.0;
+  std::optional<double> C0, C_u;
+  double radial = 0.0, axial = 0.0;  ///< [N]
+  std::optional<EquivalentLoad> equivalent;
+  std::optional<double> L10;  ///< [1e6 rev]
+  double a1 = 1.0;
+  std::optional<double> kappa, contamination, a_iso, L_nm;  ///< L_nm = a1 a_ISO L10
+  bool outside = false;                                     ///< κ < 0.1
+  ReferenceLife reference;
+  std::optional<double> L_nmr;
+  std::vector<std::string> notes;
+};
+
+struct BearingLife {
+  LifeState state;
+  LifeParameters parameters;
+  std::array<RaceReport, 2> race;
+  std::array<std::array<double, 3>, 3> pressure_exponent{};  ///< [model - 1][part]
+  std::optional<IsoReport> iso;                              ///< ball bearings
+  std::vector<std::string> notes;
+};
+
+/// All models of one bearing, calibrated once; evaluated for any set of contacts.
+class LifeCalculator {
+ public:
+  /// @throws InputError
+  LifeCalculator(const LifeGeometry& geometry, LifeParameters parameters);
+
+  /// A few µs per contact once its ellipticity is known.
+  [[nodiscard]] LifeState evaluate(const BearingContacts& contacts);
+  /// The same with everything that is printed, but ISO.
+  [[nodiscard]] BearingLife report(const BearingContacts& contacts);
+  [[nodiscard]] const LifeParameters& parameters() const noexcept { return parameters_; }
+
+ private:
+  [[nodiscard]] double gamma(double angle) const;
+  [[nodiscard]] double capacity(const RaceContacts& race, std::size_t index, double length) const;
+  [[nodiscard]] double original_race_life(const BearingContacts& contacts, std::size_t race) const;
+  [[nodiscard]] double stress_race_life(const BearingContacts& contacts, std::size_t race,
+                                        std::size_t model);
+  [[nodiscard]] double element_life(const BearingContacts& contacts, std::size_t model);
+  [[nodiscard]] ModificationFactors factors(const BearingContacts& contacts);
+
+  LifeGeometry geometry_;
+  LifeParameters parameters_;
+  std::vector<StressLife> models_;  ///< [model - 1][part]
+  PeakCache peaks_;
+};
+
+/// ISO companions of a ball bearing. @param load what the shaft applies: x, y, z [N]
+[[nodiscard]] IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& contacts,
+                                   const std::array<double, 3>& load,
+                                   const LifeParameters& parameters);
+
+/// Quasi-static life of a ball bearing.
+[[nodiscard]] BearingLife ball_bearing_life(const bearing::Bearing& bearing,
+                                            const bearing::LifeInputs& inputs,
+                                            const statics::StaticSolution& solution);
+
+}  // namespace adore::life

@@ -1,0 +1,78 @@
+#include "life/contacts.hpp"
+
+#include <cmath>
+
+namespace adore::life {
+namespace {
+
+/// Mean over the loaded contacts; the nominal angle without load.
+class MeanAngle {
+ public:
+  void add(double load, double angle) {
+    if (!(load > 0.0) || !std::isfinite(angle)) return;
+    sum_ += std::abs(angle);
+    ++count_;
+  }
+  [[nodiscard]] double value(double nominal) const { return count_ > 0 ? sum_ / count_ : nominal; }
+
+ private:
+  double sum_ = 0.0;
+  int count_ = 0;
+};
+
+void set_motion(BearingContacts& out, double outer_speed, double inner_speed) {
+  out.relative_speed = std::abs(inner_speed - outer_speed);
+  out.race[0].rotating = outer_speed != 0.0;
+  out.race[1].rotating = inner_speed != 0.0 || outer_speed == 0.0;
+}
+
+}  // namespace
+
+LifeGeometry ball_life_geometry(const bearing::BallGeometry& balls) {
+  LifeGeometry out;
+  out.count = balls.count;
+  out.diameter = balls.diameter;
+  out.pitch_diameter = balls.pitch_diameter;
+  out.nominal_angle = balls.contact_angle;
+  out.profile_radius = 0.5 * balls.diameter;
+  for (std::size_t i = 0; i < 2; ++i)
+    out.groove_radius[i] = balls.groove_factor[i] * balls.diameter;
+  return out;
+}
+
+BearingContacts life_contacts(const statics::StaticSolution& solution,
+                              const bearing::Bearing& bearing) {
+  BearingContacts out;
+  for (std::size_t i = 0; i < 2; ++i) {
+    MeanAngle angle;
+    for (const statics::StaticBall& ball : solution.balls) {
+      out.race[i].patches.push_back({ball.Q[i], ball.a[i], ball.b[i], ball.p_max[i]});
+      angle.add(ball.Q[i], ball.alpha[i]);
+    }
+    out.race[i].angle = angle.value(bearing.balls.contact_angle);
+  }
+  set_motion(out, bearing.speed[0], bearing.speed[1]);
+  return out;
+}
+
+BearingContacts life_contacts(const dynamics::Snapshot& snapshot, const bearing::Bearing& bearing) {
+  BearingContacts out;
+  for (std::size_t i = 0; i < 2; ++i) {
+    MeanAngle angle;
+    for (const dynamics::ElementSnapshot& element : snapshot.elements) {
+      const dynamics::RaceContactSnapshot& c = element.race[i];
+      out.race[i].patches.push_back({c.load, c.half_major, c.half_minor, c.max_pressure});
+      angle.add(c.load, c.angle);
+    }
+    out.race[i].angle = angle.value(bearing.balls.contact_angle);
+  }
+  set_motion(out, snapshot.races[0].omega.x(), snapshot.races[1].omega.x());
+  if (out.relative_speed > 0.0)
+    for (const dynamics::ElementSnapshot& element : snapshot.elements) {
+      const dynamics::Vec3 orbiting = element.omega - dynamics::Vec3(element.theta_dot, 0.0, 0.0);
+      out.element_turns.push_back(orbiting.norm() / out.relative_speed);
+    }
+  return out;
+}
+
+}  // namespace adore::life

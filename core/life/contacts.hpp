@@ -1,0 +1,54 @@
+#pragma once
+
+#include "bearing/bearing.hpp"
+#include "dynamics/snapshot.hpp"
+#include "life/stress_life.hpp"
+#include "statics/ball_statics.hpp"
+
+#include <array>
+#include <vector>
+
+/// What the life models read of a bearing, whatever its type: one geometry, one list of contacts
+/// per race. Every solution (balls or rollers, at rest or in motion) is converted to it.
+namespace adore::life {
+
+/// Index [0] outer race, [1] inner race.
+struct LifeGeometry {
+  bool line = false;                      ///< line contact (slices) or point contact
+  int count = 0;                          ///< Z
+  double diameter = 0.0;                  ///< D, of a tapered or barrel roller at mid-length [m]
+  double pitch_diameter = 0.0;            ///< d_m [m]
+  double nominal_angle = 0.0;             ///< [rad]
+  double length = 0.0;                    ///< effective length of a line contact [m]
+  double profile_radius = 0.0;            ///< point contact: transverse radius of the element [m]
+  std::array<double, 2> groove_radius{};  ///< point contact: transverse radius of the races [m]
+};
+
+/// Contacts of one race. patches[element * slices + slice]; a roller's slices lie in the same order
+/// on every element, because slice k of all elements shares one track on the race.
+struct RaceContacts {
+  std::vector<ContactPatch> patches;
+  double angle = 0.0;    ///< contact angle: mean of the loaded elements, or the nominal one [rad]
+  bool rotating = true;  ///< turns relative to the direction of the load
+};
+
+struct BearingContacts {
+  std::size_t slices = 1;
+  std::array<RaceContacts, 2> race;
+  double relative_speed = 0.0;  ///< |Ω_inner - Ω_outer| [rad/s]
+  /// Turns of each element about its own axis per relative ring turn; empty: pure rolling,
+  /// d_m(1-γ²)/(2D).
+  std::vector<double> element_turns;
+};
+
+[[nodiscard]] LifeGeometry ball_life_geometry(const bearing::BallGeometry& balls);
+
+/// From a quasi-static solution. A race is taken as rotating when its speed is not zero (the load
+/// of the deck keeps its direction); with both races at rest the inner one counts as rotating.
+[[nodiscard]] BearingContacts life_contacts(const statics::StaticSolution& solution,
+                                            const bearing::Bearing& bearing);
+/// From one instant of a dynamic run, with the elements' own spin.
+[[nodiscard]] BearingContacts life_contacts(const dynamics::Snapshot& snapshot,
+                                            const bearing::Bearing& bearing);
+
+}  // namespace adore::life

@@ -1,0 +1,111 @@
+#include "life/bearing_life.hpp"
+#include "life/constants.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+/// ISO companions of a ball bearing, from the model's geometry and loads.
+namespace adore::life {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+/// Tables of the standard hold for grooves up to 0.52 (inner) and 0.53 (outer); wider grooves rate
+/// by their own.
+IsoGeometry iso_geometry(const bearing::BallGeometry& balls, std::vector<std::string>& notes) {
+  const LifeConstants& c = constants();
+  IsoGeometry out;
+  out.element_diameter = 1e3 * balls.diameter;
+  out.pitch_diameter = 1e3 * balls.pitch_diameter;
+  out.count = balls.count;
+  const double degrees = balls.contact_angle / kDegree;
+  out.contact_angle = degrees < 15.0 - 1e-9 ? 0.0 : balls.contact_angle;
+  out.type = degrees > 45.0 + 1e-9 ? IsoType::ThrustBall : IsoType::RadialBall;
+  const bool thrust = out.type == IsoType::ThrustBall;
+  const double table = thrust ? c.table_conformity_thrust : c.table_conformity_radial;
+  out.conformity_inner =
+      balls.groove_factor[1] <= (thrust ? table : 0.52) ? table : balls.groove_factor[1];
+  out.conformity_outer =
+      balls.groove_factor[0] <= (thrust ? table : 0.53) ? table : balls.groove_factor[0];
+  out.rating_factor =
+      c.rating_factor.at(thrust ? "thrust ball" : "radial and angular contact ball");
+  if (degrees > 0.0 && out.contact_angle == 0.0)
+    notes.push_back(fmt::format(
+        "ISO: a free contact angle of {:.3g} deg is taken as a deep-groove bearing, angle 0",
+        degrees));
+  else if (degrees < 20.0 - 1e-9 && degrees > 0.0)
+    notes.push_back(
+        "ISO: the load-dependent factors for angles below 20 deg are not held; those of "
+        "deep-groove bearings are taken");
+  if (out.conformity_inner != balls.groove_factor[1] ||
+      out.conformity_outer != balls.groove_factor[0])
+    notes.push_back(fmt::format(
+        "ISO: rated with the groove factors {} and {} behind the standard's tables, which cover "
+        "the closer grooves of this bearing too",
+        out.conformity_outer, out.conformity_inner));
+  return out;
+}
+
+}  // namespace
+
+IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& contacts,
+                     const std::array<double, 3>& load, const LifeParameters& parameters) {
+  IsoReport out;
+  out.geometry = iso_geometry(bearing.balls, out.notes);
+  out.C = iso_dynamic_rating(out.geometry);
+  out.C0 = iso_static_rating(out.geometry);
+  out.axial = std::abs(load[0]);
+  out.radial = std::hypot(load[1], load[2]);
+  // Loads below rounding of the equilibrium are none.
+  constexpr double kNoise = 1e-6;
+  const double total = std::hypot(out.axial, out.radial);
+  if (out.axial < kNoise * total) out.axial = 0.0;
+  if (out.radial < kNoise * total) out.radial = 0.0;
+  out.equivalent = iso_equivalent_load(out.geometry, out.radial, out.axial);
+  if (!out.equivalent)
+    out.notes.push_back(
+        "ISO: the factors of a thrust bearing under radial load are not held; no equivalent load");
+  const double p = iso_load_exponent(out.geometry.type);
+  if (out.equivalent && out.equivalent->P > 0.0) {
+    out.L10 = std::pow(out.C / out.equivalent->P, p);
+    if (out.C0 && out.equivalent->P > std::min(0.5 * out.C, *out.C0))
+      out.notes.push_back(
+          "ISO: the equivalent load is above half the dynamic rating or above the static rating; "
+          "the standard's life is not meant for it");
+  }
+  out.a1 = iso_reliability_factor(parameters.survival.value);
+  const bearing::Material& race = bearing.race_material[bearing::kInner];
+  if (out.geometry.type == IsoType::RadialBall)
+    out.C_u = iso_fatigue_limit_ball(out.geometry, race.elastic_modulus, race.poisson_ratio);
+  out.kappa = parameters.choices.viscosity_ratio;
+  out.contamination = parameters.choices.contamination;
+  if (!out.kappa && parameters.choices.film_parameter)
+    out.kappa = std::pow(*parameters.choices.film_parameter, 1.3);
+  std::optional<IsoCondition> condition;
+  if (out.kappa && out.contamination && out.C_u)
+    condition = IsoCondition{*out.contamination, *out.C_u, *out.kappa};
+  else
+    out.notes.push_back(
+        "ISO: a_ISO needs the viscosity ratio and the contamination, which no record holds; run "
+        "options isoKappa (or lifeLambda) and isoContamination give them");
+  if (condition && out.L10) {
+    const AisoResult a =
+        iso_life_factor(out.geometry.type, condition->kappa,
+                        condition->contamination * condition->fatigue_limit / out.equivalent->P);
+    out.a_iso = a.value;
+    out.outside = a.outside;
+    out.L_nm = out.a1 * a.value * *out.L10;
+  }
+  std::vector<double> inner, outer;
+  for (const ContactPatch& patch : contacts.race[0].patches) outer.push_back(patch.Q);
+  for (const ContactPatch& patch : contacts.race[1].patches) inner.push_back(patch.Q);
+  out.reference =
+      iso_reference_life_ball(out.geometry, out.C, inner, outer, contacts.race[1].rotating,
+                              contacts.race[0].rotating, condition);
+  if (out.reference.modified) out.L_nmr = out.a1 * *out.reference.modified;
+  return out;
+}
+
+}  // namespace adore::life

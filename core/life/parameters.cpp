@@ -1,0 +1,159 @@
+#include "life/parameters.hpp"
+
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace adore::life {
+namespace {
+
+using bearing::LifeComponentInput;
+using bearing::LifeModelInput;
+using bearing::Material;
+
+constexpr int kDeckMaterial = 1;
+constexpr std::array<const char*, 3> kPartNames{"outer race", "inner race", "rolling elements"};
+
+Marked given_or(const std::optional<double>& value, const Marked& otherwise) {
+  return value ? Marked{*value, "deck"} : otherwise;
+}
+
+ModelParameters model_parameters(const LifeModelInput& input, const Marked& stress,
+                                 const Marked& depth) {
+  ModelParameters out;
+  out.factor = given_or(input.factor, {1.0, "default"});
+  // A zero stress exponent is a record left blank: no model has it.
+  const bool blank = !input.stress_exponent || *input.stress_exponent == 0.0;
+  out.stress_exponent = blank ? stress : Marked{*input.stress_exponent, "deck"};
+  out.depth_exponent =
+      blank || !input.depth_exponent ? depth : Marked{*input.depth_exponent, "deck"};
+  return out;
+}
+
+/// A modification factor of zero is a record left blank too.
+Marked factor_or(const std::optional<double>& value, const Marked& otherwise) {
+  return value && *value > 0.0 ? Marked{*value, "deck"} : otherwise;
+}
+
+void set_factors(PartParameters& out, const LifeComponentInput& input, const Material& material,
+                 std::vector<std::string>& notes) {
+  const LifeConstants& c = constants();
+  const bool own = material.code == kDeckMaterial;
+  const auto stle = c.stle_by_code.find(material.code);
+  const auto tallian = c.tallian_by_code.find(material.code);
+  const Marked none{1.0, own ? "blank on the record" : "no value for this material"};
+  const bool has_stle = !own && stle != c.stle_by_code.end();
+  out.stle_material =
+      factor_or(input.stle_material, has_stle ? Marked{stle->second.first, c.stle_origin} : none);
+  out.stle_process =
+      factor_or(input.stle_process, has_stle ? Marked{stle->second.second, c.stle_origin} : none);
+  out.stle_hardness = factor_or(input.stle_hardness, {1.0, "default"});
+  const bool has_tallian = !own && tallian != c.tallian_by_code.end();
+  const LifeConstants::TallianDefaults values =
+      has_tallian ? tallian->second : LifeConstants::TallianDefaults{};
+  const std::string origin = has_tallian ? "manual" : none.origin;
+  out.tallian_material = factor_or(input.tallian_material, {values.material, origin});
+  out.tallian_process = factor_or(input.tallian_process, {values.process, origin});
+  out.tallian_contamination =
+      factor_or(input.tallian_contamination, {values.contamination, origin});
+  out.asperity_slope = given_or(input.asperity_slope, {c.asperity_slope, "derived"});
+  out.asperity_traction = given_or(input.asperity_traction, {c.asperity_traction, "derived"});
+  out.residual_stress = input.residual_stress;
+  if (!own && !has_stle)
+    notes.push_back(
+        fmt::format("{}: no STLE factors are known for {}; 1 is taken for material and process",
+                    out.name, material.name));
+  if (!own && !has_tallian)
+    notes.push_back(fmt::format("{}: no Tallian factors are known for {}; 1 is taken", out.name,
+                                material.name));
+}
+
+void set_limit(PartParameters& out, const Material& material, double limit_factor,
+               std::vector<std::string>& notes) {
+  if (material.code == kDeckMaterial)
+    out.fatigue_limit = {material.fatigue_limit_stress, "deck"};
+  else if (const auto known = fatigue_limit_of_code(material.code))
+    out.fatigue_limit = *known;
+  else
+    out.fatigue_limit = {0.0, "none known"};
+  out.fatigue_limit.value *= limit_factor;
+  if (out.fatigue_limit.value == 0.0)
+    notes.push_back(
+        fmt::format("{}: no fatigue limit is known for {}; 0 is taken, so that no life is infinite",
+                    out.name, material.name));
+}
+
+}  // namespace
+
+LifeParameters life_parameters(const bearing::LifeInputs& inputs, bool line,
+                               const Material& element, const std::array<Material, 2>& race) {
+  const LifeConstants& c = constants();
+  LifeParameters out;
+  out.line = line;
+  out.choices = inputs.choices;
+  out.limit_factor = inputs.limit_factor;
+  const Marked slope = line ? c.line_slope : c.point_slope;
+  out.survival = given_or(inputs.survival, {0.9, "default"});
+  out.bearing_slope = given_or(inputs.bearing_slope, slope);
+  if (!(out.survival.value > 0.0 && out.survival.value < 1.0))
+    throw InputError(
+        fmt::format("record 8.6.0: the survival probability sProb is {}; it must lie between 0 and "
+                    "1, e.g. 0.9",
+                    out.survival.value));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const LifeComponentInput& input = inputs.part[i];
+    const Material& material = i == bearing::kElementPart ? element : race[i];
+    PartParameters& part = out.part[i];
+    part.name = kPartNames[i];
+    part.material = material.name;
+    part.poisson_ratio = material.poisson_ratio;
+    part.slope = given_or(input.weibull_slope, slope);
+    part.original_factor = given_or(input.original_factor, {1.0, "default"});
+    if (!(part.original_factor.value > 0.0))
+      throw InputError(fmt::format(
+          "fatigue life of the {}: the multiplier of the original Lundberg-Palmgren constant is "
+          "{}; it must be above 0",
+          part.name, part.original_factor.value));
+    part.model[0] = model_parameters(input.updated, c.stress_exponent, c.depth_exponent);
+    part.model[1] =
+        model_parameters(input.zaretsky, c.zaretsky_exponent, {0.0, "part of the model"});
+    part.model[2] = model_parameters(input.harris, c.stress_exponent, c.depth_exponent);
+    set_limit(part, material, inputs.limit_factor, out.notes);
+    set_factors(part, input, material, out.notes);
+    // Elastic constants are hidden in the constant of the original theory.
+    if (i != bearing::kElementPart &&
+        !(material.elastic_modulus > 185e9 && material.elastic_modulus < 225e9))
+      out.notes.push_back(
+          fmt::format("{}: the original Lundberg-Palmgren life holds for steel only, not for a "
+                      "modulus of {:.4g} "
+                      "GPa; the stress models do account for it",
+                      part.name, 1e-9 * material.elastic_modulus));
+  }
+  constexpr double kCeramicModulus = 250e9;
+  out.ceramic_elements =
+      element.code == 150 || element.code == 151 ||
+      (element.code == kDeckMaterial && element.elastic_modulus > kCeramicModulus);
+  if (out.ceramic_elements && out.choices.elements == bearing::ElementLife::Zaretsky)
+    out.notes.push_back(
+        "ceramic rolling elements follow other failure laws: they are left out of the life of the "
+        "bearing (run option lifeElements=all counts them)");
+  return out;
+}
+
+bool counts_elements(const LifeParameters& parameters, bearing::LifeModel model) {
+  using bearing::ElementLife;
+  if (model == bearing::LifeModel::Original) return false;
+  switch (parameters.choices.elements) {
+    case ElementLife::All:
+      return true;
+    case ElementLife::None:
+      return false;
+    case ElementLife::Zaretsky:
+      break;
+  }
+  return model == bearing::LifeModel::Zaretsky && !parameters.ceramic_elements;
+}
+
+}  // namespace adore::life

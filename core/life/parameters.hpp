@@ -1,0 +1,56 @@
+#pragma once
+
+#include "bearing/bearing.hpp"
+#include "bearing/life_inputs.hpp"
+#include "life/constants.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The parameters that the life models of one bearing work with: the deck's where it gives them,
+/// else the program's, each with its origin. Index: bearing::LifePart.
+namespace adore::life {
+
+struct ModelParameters {
+  Marked factor;           ///< of the stress capacity
+  Marked stress_exponent;  ///< as on the record: hazard exponent, Gupta-Zaretsky life exponent
+  Marked depth_exponent;   ///< 0 for Gupta-Zaretsky
+};
+
+struct PartParameters {
+  std::string name;                      ///< "outer race"
+  std::string material;                  ///< its name
+  Marked original_factor;                ///< races
+  std::array<ModelParameters, 3> model;  ///< updated, Zaretsky, Harris
+  Marked slope;
+  Marked fatigue_limit;  ///< von Mises, with facStrLimit [Pa]; 0: no limit known
+  double poisson_ratio = 0.3;
+  // Modification factors.
+  Marked stle_material, stle_process, stle_hardness;
+  Marked tallian_material, tallian_process, tallian_contamination;
+  Marked asperity_slope, asperity_traction;  ///< races
+  double residual_stress = 0.0;              ///< tension positive [Pa]
+};
+
+struct LifeParameters {
+  bool line = false;
+  std::array<PartParameters, 3> part;
+  Marked survival, bearing_slope;
+  double limit_factor = 1.0;
+  bool ceramic_elements = false;
+  bearing::LifeChoices choices;
+  std::vector<std::string> notes;  ///< what was taken for what is not known
+};
+
+/// @param element, race materials; code 1 is the deck's own
+/// @throws InputError naming a value that no model can work with.
+[[nodiscard]] LifeParameters life_parameters(const bearing::LifeInputs& inputs, bool line,
+                                             const bearing::Material& element,
+                                             const std::array<bearing::Material, 2>& race);
+
+/// Does the element life count in the bearing's life of this model?
+[[nodiscard]] bool counts_elements(const LifeParameters& parameters, bearing::LifeModel model);
+
+}  // namespace adore::life

@@ -1,0 +1,159 @@
+#include "build/build_bearing.hpp"
+#include "build/build_life.hpp"
+#include "build/run_control.hpp"
+#include "deck/templates.hpp"
+#include "life/bearing_life.hpp"
+#include "results/print_life.hpp"
+#include "statics/ball_statics.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+using namespace adore;
+
+namespace {
+
+life::BearingLife life_of(const deck::Deck& deck, const bearing::LifeChoices& choices = {}) {
+  const bearing::Bearing bearing = build::build_bearing(deck);
+  return life::ball_bearing_life(bearing, build::build_life(deck, choices),
+                                 statics::solve_ball_statics(bearing));
+}
+
+/// Every life constant of records 8.6.0 to 8.6.3 at a value of its own.
+deck::Deck with_constants(deck::Deck deck) {
+  deck.set("kLifeCons", "1");
+  for (const auto& [name, value] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"sProb", "0.95"},    {"brgWbDis", "1.2"},  {"fco1", "1.05"},    {"fcLP1", "0.97"},
+           {"shExLP1", "10.0"},  {"depExLP1", "2.2"},  {"fcGZ1", "1.02"},   {"shExGZ1", "9.2"},
+           {"fcIH1", "0.99"},    {"shExIH1", "10.1"},  {"depExIH1", "2.1"}, {"wbDis1", "1.15"},
+           {"fco2", "0.95"},     {"fcLP2", "1.03"},    {"shExLP2", "10.4"}, {"depExLP2", "2.4"},
+           {"fcGZ2", "0.98"},    {"shExGZ2", "8.9"},   {"fcIH2", "1.01"},   {"shExIH2", "10.2"},
+           {"depExIH2", "2.3"},  {"wbDis2", "1.12"},   {"fcLPre", "1.04"},  {"shExLPre", "10.6"},
+           {"depExLPre", "2.5"}, {"fcGZre", "1.01"},   {"shExGZre", "9.1"}, {"fcIHre", "0.96"},
+           {"shExIHre", "9.9"},  {"depExIHre", "2.0"}, {"wbDisRe", "1.18"}})
+    deck.set(name, value);
+  deck.complete();
+  return deck;
+}
+
+std::vector<double> all_lives(const life::BearingLife& life) {
+  std::vector<double> out;
+  for (const life::ModelLives& model : life.state.model)
+    for (const life::PartLives& at : model.modified) {
+      for (const double part : at.part)
+        if (!std::isnan(part)) out.push_back(part);
+      out.push_back(at.L10);
+      out.push_back(at.L_S);
+    }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("SI and English decks of one bearing have the same lives", "[physics][life]") {
+  deck::Deck si = with_constants(deck::new_deck("ball"));
+  deck::Deck english = with_constants(deck::new_deck("ball-english"));
+  constexpr double kPsi = 6894.757293168361;
+  si.set("res1", std::to_string(-20000.0 * kPsi));
+  english.set("res1", "-20000");
+  const std::vector<double> a = all_lives(life_of(si)), b = all_lives(life_of(english));
+  REQUIRE(a.size() == b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    INFO("life " << i);
+    if (std::isinf(a[i]))
+      CHECK(std::isinf(b[i]));
+    else  // 1e-10 of the loads, times exponents up to 11; std::to_string keeps 1e-6 Pa of 1e8
+      CHECK(b[i] == Approx(a[i]).epsilon(1e-9));
+  }
+}
+
+TEST_CASE("every life variable of the records changes what it should", "[physics][life]") {
+  const deck::Deck base = with_constants(deck::new_deck("ball"));
+  bearing::LifeChoices choices;
+  choices.elements = bearing::ElementLife::All;  // so that element constants show in the bearing
+  choices.film_parameter = 1.5;                  // so that the asperity constants do
+  const std::vector<double> before = all_lives(life_of(base, choices));
+  for (const char* name :
+       {"sProb",    "brgWbDis",  "fco1",     "fcLP1",      "shExLP1", "depExLP1", "fcGZ1",
+        "shExGZ1",  "fcIH1",     "shExIH1",  "depExIH1",   "wbDis1",  "fco2",     "fcLP2",
+        "shExLP2",  "depExLP2",  "fcGZ2",    "shExGZ2",    "fcIH2",   "shExIH2",  "depExIH2",
+        "wbDis2",   "fcLPre",    "shExLPre", "depExLPre",  "fcGZre",  "shExGZre", "fcIHre",
+        "shExIHre", "depExIHre", "wbDisRe",  "facStrLimit"}) {
+    deck::Deck changed = base;
+    changed.set(name, std::to_string(changed.real(name) * 0.98));
+    INFO(name);
+    CHECK(all_lives(life_of(changed, choices)) != before);
+  }
+  for (const char* name : {"res1", "res2"}) {
+    deck::Deck changed = base;
+    changed.set(name, "-5.0e7");
+    INFO(name);
+    CHECK(all_lives(life_of(changed, choices)) != before);
+  }
+}
+
+TEST_CASE("life factors of materials given in the deck are all used", "[physics][life]") {
+  deck::Deck base = deck::new_deck("ball");
+  for (const char* code : {"kReMat", "kRaceMat1", "kRaceMat2"}) base.set(code, "1");
+  base.complete();
+  for (const auto& [prefix, suffix] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"re", ""}, {"race", "1"}, {"race", "2"}})
+    for (const auto& [stem, value] : std::initializer_list<std::pair<const char*, const char*>>{
+             {"Den", "7800"}, {"EM", "2.07e11"}, {"PR", "0.3"}, {"VM", "6.84e8"}, {"H", "62"}})
+      base.set(std::string(prefix) + stem + suffix, value);
+  for (const char* name :
+       {"rmsAspSlope1", "rmsAspSlope2", "aspTrac1",    "aspTrac2",    "facMat1",    "facMat2",
+        "facMatRe",     "facCont1",     "facCont2",    "facContRe",   "facProc1",   "facProc2",
+        "facProcRe",    "facMatLF1",    "facMatLF2",   "facMatLFre",  "facProcLF1", "facProcLF2",
+        "facProcLFre",  "hardnessLF1",  "hardnessLF2", "hardnessLFre"})
+    base.set(name, std::string(name).find("Slope") != std::string::npos ? "0.02" : "0.9");
+  bearing::LifeChoices choices;
+  choices.film_parameter = 1.5;
+  const std::vector<double> before = all_lives(life_of(base, choices));
+  for (const char* name :
+       {"rmsAspSlope1", "rmsAspSlope2", "aspTrac1",   "aspTrac2",    "facMat1",
+        "facMat2",      "facMatRe",     "facCont1",   "facCont2",    "facContRe",
+        "facProc1",     "facProc2",     "facProcRe",  "facMatLF1",   "facMatLF2",
+        "facMatLFre",   "facProcLF1",   "facProcLF2", "facProcLFre", "hardnessLF1",
+        "hardnessLF2",  "hardnessLFre", "raceVM1",    "raceVM2",     "reVM"}) {
+    deck::Deck changed = base;
+    changed.set(name, std::to_string(changed.real(name) * 1.1));
+    INFO(name);
+    CHECK(all_lives(life_of(changed, choices)) != before);
+  }
+}
+
+TEST_CASE("a multiplier of zero is refused by record and variable", "[unit][life]") {
+  deck::Deck deck = with_constants(deck::new_deck("ball"));
+  deck.set("fcGZ2", "0");
+  CHECK_THROWS_WITH(build::build_life(deck), Catch::Contains("8.6.2") && Catch::Contains("fcGZ2"));
+  CHECK(build::build_run_options({{"sol7Life", "ih-tallian"}}).life.stored_modification ==
+        bearing::LifeModification::Tallian);
+  CHECK_THROWS_WITH(build::build_run_options({{"sol7Life", "best"}}),
+                    Catch::Contains("lpu") && Catch::Contains("sol7Life"));
+}
+
+TEST_CASE("the printed page carries origins, infinite lives and the film statement",
+          "[unit][life]") {
+  deck::Deck light = deck::new_deck("ball");
+  light.set("appLoadX", "60");
+  light.set("appLoadZ", "0");
+  light.set("rpm2", "100");
+  const life::BearingLife life = life_of(light);
+  REQUIRE(
+      std::isinf(life.state.of(bearing::LifeModel::Harris, bearing::LifeModification::None).L10));
+  results::Report report("page", deck::UnitSystem::SI);
+  results::print_life(report, life);
+  const std::string text = report.take();
+  for (const char* part :
+       {"INFINITE", "CALIBRATED", "recalled", "derived", "no lubricant film is computed",
+        "Original Lundberg-Palmgren", "Gupta-Zaretsky type", "Tallian-type", "ISO 16281", "Cu"})
+    CHECK_THAT(text, Catch::Contains(part));
+  const auto json = results::life_json(life);
+  CHECK(json["lives"]["Ioannides-Harris type"]["basic"]["L10 [hr]"] == "infinite");
+  CHECK(json["parameters"]["outer race"]["STLE"]["material"]["origin"] == "recalled");
+  CHECK(results::plotted_life(std::numeric_limits<double>::infinity()) == 9.9999999e30);
+}
