@@ -71,7 +71,7 @@ dynamics::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Beari
   effect(Effect::MomentumLedger, "momentum ledger", true, "RUN.json and PRINT show it");
   plan.light_load_ratio = control.light_load_ratio;
   effect(Effect::LightLoadBalance, "light-load balance", control.light_load_ratio > 0.0,
-         fmt::format("qFac = {:g}", deck.real("qFac")));
+         fmt::format("qFac = {:g}", control.light_load_ratio));
 
   auto rpm = [](double speed) { return speed * 30.0 / std::numbers::pi; };
   if (dynamic) {

@@ -2,7 +2,6 @@
 
 #include "dynamics/rigid_body.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -27,18 +26,10 @@ Vec3 e_theta_at(const Evaluation& e, std::size_t i) noexcept {
   return {0.0, -e.cos_theta[i], -e.sin_theta[i]};
 }
 
-/// B with eigenvalues made positive, and its inverse on the directions that have stiffness.
-void make_definite(Mat2& stiffness, Mat2& inverse) noexcept {
-  Eigen::SelfAdjointEigenSolver<Mat2> eigen;
-  eigen.computeDirect(stiffness);
-  stiffness.setZero();
-  inverse.setZero();
-  for (int k = 0; k < 2; ++k) {
-    const double value = eigen.eigenvalues()[k];
-    const Vec2 d = eigen.eigenvectors().col(k);
-    stiffness += std::max(std::abs(value), kNoStiffness) * d * d.transpose();
-    if (value > kNoStiffness) inverse += d * d.transpose() / value;
-  }
+/// Square root of a symmetric positive definite 2x2 matrix.
+Mat2 square_root(const Mat2& M) noexcept {
+  const double s = std::sqrt(M.determinant());
+  return (M + s * Mat2::Identity()) / std::sqrt(M.trace() + 2.0 * s);
 }
 
 }  // namespace
@@ -91,6 +82,14 @@ BallBalance HeldBalls::balanced(const Evaluation& e, std::size_t i, const Vec2& 
                      {b.x[i], b.r[i]});
 }
 
+std::optional<contact::WallPoint> HeldBalls::pocket_wall(std::size_t i) const noexcept {
+  if (scene_.pockets == nullptr || scene_.pockets->surely_open(i) || !scene_.pockets->inside(i))
+    return std::nullopt;
+  const contact::WallPoint wall = scene_.pockets->wall_point(i);
+  if (wall.gap >= 0.0) return std::nullopt;
+  return wall;
+}
+
 void HeldBalls::gather(const Evaluation& e, std::size_t k) noexcept {
   const std::size_t i = list_[k];
   const BallArrays& b = e.balls;
@@ -100,62 +99,57 @@ void HeldBalls::gather(const Evaluation& e, std::size_t k) noexcept {
   for (std::size_t q = 0; q < 10; ++q) state_[q][k] = from[q][i];
 }
 
-/// w: rates of the balance of normal forces and gravity, L changing by those alone.
-void HeldBalls::first_rates(const Evaluation& e, const std::array<RacePose, 2>& races,
-                            std::size_t k) noexcept {
+/// w: rates of the balance of normal forces and gravity, L changing by those alone. Vectors in the
+/// right-handed basis (e_x, e_r, e_θ) of the ball.
+void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
   const std::size_t i = list_[k];
   const BallArrays& b = e.balls;
-  const double td = b.theta_dot[i], r = b.r[i];
-  const BallFrame J = frame_at(e, i);
-  const Vec3 e_theta = e_theta_at(e, i), centre = e.ball_centre(i);
-  const Orbit orbit{Orbit::Kept::Momentum, scene_.mass * r * r * td};
-  const BallBalance at = ball_.evaluate(races, e.y[slices_.theta.first + static_cast<int>(i)],
-                                        orbit, Vec2::Zero(), {b.x[i], r});
+  const double td = b.theta_dot[i], r = b.r[i], centrifugal = scene_.mass * r * td * td;
+  const Vec3 orbit(0.0, 0.0, r * td), weight = e.to_cylindrical(i, scene_.mass * scene_.gravity);
   Estimate& est = estimate_[k];
-  est.stiffness = at.stiffness;
-  est.per_orbit = at.per_orbit;
-  est.normal_theta = at.force_theta;
-  Vec2 drift = at.per_theta * td;
+  Vec3 force = weight;            // normal forces and gravity
+  Mat3 stiffness = Mat3::Zero();  // of the contacts
+  Vec3 drift = Vec3::Zero();      // change of their force at fixed x, r
   for (std::size_t j = 0; j < 2; ++j) {
-    const GrooveContact& c = at.contact[j];
-    const Vec2 n = J.transpose() * c.normal;
+    const RaceMotion& race = e.race[j].motion;
+    const GrooveContact c = ball_.contact_with(
+        static_cast<int>(j), {e.to_cylindrical(i, race.centre), e.to_cylindrical(i, race.axis)},
+        {b.x[i], r, 0.0});
+    const Vec2 n = c.normal.head<2>();
     est.race_along[j] = Mat2::Identity() - n * n.transpose();
-    drift += J.transpose() * (c.stiffness * e.race[j].motion.velocity);
+    force -= c.load * c.normal;
+    stiffness += c.stiffness;
+    drift += c.stiffness * (e.to_cylindrical(i, race.velocity) - orbit);
   }
-  const Vec3 weight = scene_.mass * scene_.gravity;
-  drift[1] += weight.dot(e_theta) * td;
-  est.normal_theta += weight.dot(e_theta);
-
-  if (scene_.pockets != nullptr) {
-    PocketSet& set = *scene_.pockets;
-    set.locate(e, i);
-    if (set.inside(i) && !set.surely_open(i)) {
-      const contact::WallPoint wall = set.wall_point(i);
-      if (wall.gap < 0.0) {
-        const double N = contact::load(set.law(), -wall.gap);
-        const Vec3 q = set.centre(i), m = set.to_base(i, wall.m, e.cage.to_base);
-        const double d = std::max(std::hypot(q[0], q[1]), 1e-9);
-        const Vec3 t = set.to_base(i, Vec3(-q[1] / d, q[0] / d, 0.0), e.cage.to_base);
-        const Mat3 S =
-            contact::slope(set.law(), -wall.gap) * m * m.transpose() + N / d * t * t.transpose();
-        const Vec3 force = -N * m;
-        // The wall turns with the cage: F' = Ω × F - S (ball - cage velocity).
-        drift += J.transpose() *
-                 (e.cage.omega.cross(force) + S * (e.cage.velocity_at(centre) - r * td * e_theta));
-        drift[1] += force.dot(e_theta) * td;
-        est.stiffness += J.transpose() * S * J;
-        est.normal_theta += force.dot(e_theta);
-      }
-    }
+  if (const auto wall = pocket_wall(i)) {
+    const PocketSet& set = *scene_.pockets;
+    // N' m mᵀ, and N over the distance from the pocket axis across it.
+    const double N = contact::load(set.law(), -wall->gap);
+    const Vec3 q = set.centre(i);
+    const double d = std::max(std::hypot(q[0], q[1]), 1e-9);
+    const auto in_frame = [&](const Vec3& v) {
+      return e.to_cylindrical(i, set.to_base(i, v, e.cage.to_base));
+    };
+    const Vec3 m = in_frame(wall->m), t = in_frame({-q[1] / d, q[0] / d, 0.0});
+    stiffness +=
+        contact::slope(set.law(), -wall->gap) * m * m.transpose() + N / d * t * t.transpose();
   }
-  make_definite(est.stiffness, est.inverse);
-  drift += est.per_orbit * (r * est.normal_theta);
-  const Vec2 w = est.inverse * drift;
+  Mat2 B = stiffness.topLeftCorner<2, 2>();
+  B(1, 1) += 3.0 * centrifugal / r;  // of L²/(m r³)
+  const double floor = kSoft * scene_.mass * td * td + kNoStiffness;
+  const Mat2 square = B * B + floor * floor * Mat2::Identity();
+  est.damping = 2.0 * std::sqrt(scene_.mass) * square_root(square_root(square));
+  est.inverse = B * square.inverse();
+  est.per_orbit = Vec2(0.0, 2.0 * td / r);
+  est.normal_theta = force[2];
+  // e_r turns with the ball: a fixed force changes its r component by F_θ θ̇.
+  const Vec2 w = est.inverse * (drift.head<2>() + Vec2(0.0, force[2] * td) +
+                                est.per_orbit * (r * est.normal_theta));
   x_dot_[i] = w[0];
   r_dot_[i] = w[1];
 }
 
-/// Adds A⁻¹ G(w) and what friction adds to L̇.
+/// Adds (A + C)⁻¹ G(w) and what race friction adds to L̇. Blows of the cage are left to the former.
 void HeldBalls::pull(Evaluation& e, std::size_t k) noexcept {
   const std::size_t i = list_[k];
   const BallArrays& b = e.balls;
@@ -169,26 +163,22 @@ void HeldBalls::pull(Evaluation& e, std::size_t k) noexcept {
       damping += heat_[j][k] * (Q / u) * (Q / u) * est.race_along[j];
   }
   force += e.to_cylindrical(i, scene_.mass * scene_.gravity);
-  if (scene_.pockets != nullptr) {
-    PocketSet& set = *scene_.pockets;
-    if (set.inside(i) && !set.surely_open(i)) {
-      const contact::WallPoint wall = set.wall_point(i);
-      if (wall.gap < 0.0) {
-        const PocketAction a = scene_.pocket_traction
-                                   ? pocket_action<true>(set, scene_.pocket_law, e, i, wall)
-                                   : pocket_action<false>(set, scene_.pocket_law, e, i, wall);
-        force += e.to_cylindrical(i, a.on_ball);
-        const Vec2 m = frame_at(e, i).transpose() * a.m;
-        damping += a.friction_per_slip * (Mat2::Identity() - m * m.transpose());
-      }
-    }
+  const double friction_theta = force[2] - est.normal_theta;
+  if (const auto wall = pocket_wall(i)) {
+    const PocketSet& set = *scene_.pockets;
+    const PocketAction a = scene_.pocket_traction
+                               ? pocket_action<true>(set, scene_.pocket_law, e, i, *wall)
+                               : pocket_action<false>(set, scene_.pocket_law, e, i, *wall);
+    force += e.to_cylindrical(i, a.on_ball);
+    const Vec2 m = e.to_cylindrical(i, a.m).head<2>();
+    damping += a.friction_per_slip * (Mat2::Identity() - m * m.transpose());
   }
   const Vec2 G(force[0], force[1] + scene_.mass * b.r[i] * td * td);
-  const Mat2 A = relaxation_ * est.stiffness + damping;
-  Vec2 p = A.inverse() * G;
-  const double reach = p.norm() * relaxation_ / (kLargestPull * offset_);
-  p /= std::sqrt(1.0 + reach * reach);
-  p += est.inverse * est.per_orbit * (b.r[i] * (force[2] - est.normal_theta));
+  Vec2 p = (est.damping + damping).inverse() * G;
+  const double size = G.norm();
+  if (size > 0.0)
+    p /= std::sqrt(1.0 + scene_.mass * p.squaredNorm() / (2.0 * size * kFreePath * offset_));
+  p += est.inverse * est.per_orbit * (b.r[i] * friction_theta);
   x_dot_[i] += p[0];
   r_dot_[i] += p[1];
 }
@@ -201,9 +191,9 @@ void HeldBalls::form_rates(Evaluation& e) noexcept {
   e.balls.r_dot = r_dot_.data();
   if (held == 0) return;
 
-  const std::array<RacePose, 2> races = poses(e);
   for (std::size_t k = 0; k < held; ++k) {
-    first_rates(e, races, k);
+    if (scene_.pockets != nullptr) scene_.pockets->locate(e, list_[k]);
+    first_rates(e, k);
     gather(e, k);
   }
   for (auto& values : action_) std::fill_n(values.begin(), held, 0.0);

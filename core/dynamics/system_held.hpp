@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -14,23 +15,29 @@
 /// A held ball keeps x, r, θ, θ̇ and its spin as state; m r² θ̇ changes by r F_θ as always. Instead
 /// of ẍ and r̈ its x and r follow the balance
 ///   G = (F_x, F_r + m r θ̇²) = 0,   F of all forces: races with friction, pocket, gravity,
-/// by first-order motion  (ẋ, ṙ) = w + A⁻¹ G(w),  where
-///   w = B⁻¹ (∂G/∂t along θ, L, races and cage; normal forces and gravity): the rates of the
-///   balance, A = T B + C,  B = -∂G/∂(x, r) of the normal forces at fixed L,  C = Q κ/u per contact
-///   (friction force over slip), T = kRelaxation times the time scale.
-/// So G decays within T where normal forces restore the ball, and friction alone sets the rates
-/// where it is stronger than that. A departure from balance approaches it no faster than
-/// kLargestPull × (groove radius - ball radius) in T. w needs no friction; G(w) is formed by a
-/// first pass over the held balls, and the pass over all balls then forms every slip with (ẋ, ṙ)
-/// itself. Hence the right-hand side is a pure function of (t, y) and the set of held balls, and
-/// the energy that the motion takes is exactly ∫ G·(ẋ, ṙ) dt, an item of the ledger; the kinetic
-/// energy ½m(ẋ² + ṙ²) is left out of the stored energy. ẋ and ṙ of held balls stand in the state as
-/// zero. Limits: races that tilt in time are followed by the pull alone; the load of a held ball is
-/// below a stated share of the bearing's, so it follows within T (a few contact periods).
+/// by first-order motion  (ẋ, ṙ) = w + (A + C)⁻¹ G(w),  where
+///   w = B⁻¹ (∂G/∂t along θ, L and the races): rates of the balance of race normals and gravity,
+///   B = -∂G/∂(x, r) of the normal forces at fixed L,  A = 2 √(m B),
+///   C = Q κ/u along the contact, summed over the contacts (friction force over slip speed).
+/// A departure from balance decays like that of a critically damped ball without inertia, at half
+/// its natural frequency: not faster than the ball itself would move, and without vibration; where
+/// friction is stronger than that, friction alone sets the rates. B is taken as
+/// √(B² + (kSoft m θ̇²)²), so that a ball without contact keeps finite rates, and a ball nears its
+/// balance no faster than by free fall from rest through kFreePath × (groove - ball radius).
+///
+/// w needs no friction; G(w) is formed by a first pass over the held balls, and the pass over all
+/// balls then forms every slip with (ẋ, ṙ) itself. Hence the right-hand side is a pure function of
+/// (t, y) and the set of held balls, and the energy that the motion takes is exactly ∫ G·(ẋ, ṙ) dt,
+/// an item of the ledger. The kinetic energy ½m(ẋ² + ṙ²) is left out of the stored energy; ẋ and ṙ
+/// of held balls stand in the state as zero.
+///
+/// Limits: w leaves out the cage and races that tilt in time; a held ball follows those, and
+/// changes of friction, within its natural time √(m/B): microseconds along the contact normal, up
+/// to milliseconds across an outer groove at low speed.
 namespace adore::dynamics {
 
-inline constexpr double kRelaxation = 3.0;    ///< T over the time scale of the run
-inline constexpr double kLargestPull = 0.02;  ///< step limit of the pull over the groove offset
+inline constexpr double kSoft = 10.0;  ///< softest stiffness that rates come from, over m θ̇²
+inline constexpr double kFreePath = 0.02;  ///< see above
 
 class HeldBalls {
  public:
@@ -44,7 +51,6 @@ class HeldBalls {
   };
   HeldBalls(const Scene& scene, const BallSlices& slices, std::size_t balls);
 
-  void set_relaxation_time(double seconds) noexcept { relaxation_ = seconds; }
   void set(std::size_t i, bool held);
   [[nodiscard]] bool is_held(std::size_t i) const noexcept { return flags_[i] != 0; }
   [[nodiscard]] const std::vector<std::size_t>& list() const noexcept { return list_; }
@@ -65,21 +71,22 @@ class HeldBalls {
 
  private:
   struct Estimate {
-    Mat2 stiffness, inverse;    ///< B and B⁻¹ on its stiff directions
+    Mat2 damping, inverse;      ///< A and B⁻¹
     Vec2 per_orbit;             ///< ∂G/∂L
     double normal_theta = 0.0;  ///< F_θ of normal forces and gravity [N]
     Mat2 race_along[2];         ///< I - n nᵀ of each race contact in (x, r)
   };
   [[nodiscard]] std::array<RacePose, 2> poses(const Evaluation& e) const noexcept;
   void gather(const Evaluation& e, std::size_t k) noexcept;
-  void first_rates(const Evaluation& e, const std::array<RacePose, 2>& races,
-                   std::size_t k) noexcept;
+  void first_rates(const Evaluation& e, std::size_t k) noexcept;
+  /// The wall that a located ball touches.
+  [[nodiscard]] std::optional<contact::WallPoint> pocket_wall(std::size_t i) const noexcept;
   void pull(Evaluation& e, std::size_t k) noexcept;
 
   Scene scene_;
   BallSlices slices_;
   ConstrainedBall ball_;
-  double relaxation_ = 0.0, offset_ = 0.0;
+  double offset_ = 0.0;  ///< least groove radius - ball radius [m]
   std::vector<unsigned char> flags_;
   std::vector<std::size_t> list_;      ///< held balls, rising
   std::vector<double> x_dot_, r_dot_;  ///< of all balls

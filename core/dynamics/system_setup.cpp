@@ -181,11 +181,12 @@ void System::Impl::set_up_quadratures(const ScenePlan& plan) {
 }
 
 void System::Impl::set_up_ledger_integrals(const ScenePlan& plan) {
+  static constexpr double kNoRate = 0.0;  // changed between steps only
   const auto integrals_of = [this](int& index, std::string name, std::string_view unit,
-                                   const double* rates, int count) {
+                                   const double* from, int count) {
     index = layout.add(std::move(name), unit, count, 1.0).first;
-    for (int k = 0; k < count && rates != nullptr; ++k)
-      rates_of_integrals_.push_back({index + k, rates + k});
+    for (int k = 0; k < count; ++k)
+      rates_of_integrals_.push_back({index + k, from == nullptr ? &kNoRate : from + k});
   };
   QuadratureIndices& q = integrals;
   if (plan.has(Effect::MomentumLedger)) {
@@ -270,7 +271,6 @@ void System::Impl::apply_scales() {
         layout.set_scale(slice, 1.0 / scales.time);
         break;
     }
-  if (held) held->set_relaxation_time(kRelaxation * scales.time);
 }
 
 }  // namespace adore::dynamics
