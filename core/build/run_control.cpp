@@ -39,11 +39,7 @@ RunControl build_run_control(const deck::Deck& deck) {
   out.step_maximum = deck.si("stpMax");
   out.end_time = deck.si("fTime");
   out.tolerance = deck.si("tol");
-  if (deck.real("qFac") > 0.0)
-    throw InputError({deck.issue(Severity::Error, "qFac",
-                                 "asks for force balance of lightly loaded elements, which this "
-                                 "version does not simulate yet",
-                                 "set it to 0")});
+  out.light_load_ratio = std::max(deck.real("qFac"), 0.0);
   const int count = static_cast<int>(deck.integer("kNumPltElem"));
   for (int i = 1; i <= count; ++i)
     out.monitored.push_back(static_cast<int>(deck.integer("kPltElemInd", i)));

@@ -68,6 +68,10 @@ dynamics::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Beari
          control.animate ? fmt::format("kAGraf = {}: all balls", control.animate_every)
                          : fmt::format("{} of {} balls in kPltElemInd or kPrtOpt", oriented, n));
   effect(Effect::WearIntegrals, "wear and power integrals", true, "SOL7 and PRINT show them");
+  effect(Effect::MomentumLedger, "momentum ledger", true, "RUN.json and PRINT show it");
+  plan.light_load_ratio = control.light_load_ratio;
+  effect(Effect::LightLoadBalance, "light-load balance", control.light_load_ratio > 0.0,
+         fmt::format("qFac = {:g}", control.light_load_ratio));
 
   auto rpm = [](double speed) { return speed * 30.0 / std::numbers::pi; };
   if (dynamic) {

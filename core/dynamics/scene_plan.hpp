@@ -17,7 +17,9 @@ enum class Effect : unsigned char {
   Gravity,
   CageMotion,          ///< six degrees of freedom of the cage
   ElementOrientation,  ///< quaternions of the elements listed in oriented_elements
-  WearIntegrals        ///< quadratures of load x slip
+  WearIntegrals,       ///< quadratures of load x slip
+  MomentumLedger,      ///< quadratures of external force and moment
+  LightLoadBalance     ///< lightly loaded elements stand in force balance (qFac)
 };
 
 struct EffectEntry {
@@ -37,6 +39,8 @@ struct ScenePlan {
   std::vector<BodyEntry> bodies;
   std::vector<EffectEntry> effects;
   std::vector<int> oriented_elements;  ///< 0-based elements whose orientation is integrated
+  double light_load_ratio = 0.0;  ///< qFac: with LightLoadBalance, load over the force scale at or
+                                  ///< below which an element is held
   int unknowns = 0;                    ///< controlled state components
   int quadratures = 0;
   // Estimates, filled once the static solution is known.

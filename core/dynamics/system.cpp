@@ -72,27 +72,6 @@ void System::Impl::throw_invalid(double t, const double* y) const {
   throw SolverError(fmt::format("at t = {:.9g} s {}", t, what_is_invalid(y)));
 }
 
-StoredEnergy System::Impl::stored_energy() const {
-  StoredEnergy energy;
-  const double m = bearing.ball_inertia.mass, I = bearing.ball_inertia.moments[0];
-  const BallArrays& b = e.balls;
-  for (std::size_t i = 0; i < b.n; ++i) {
-    energy.kinetic +=
-        0.5 * m * e.ball_velocity(i).squaredNorm() + 0.5 * I * e.ball_omega(i).squaredNorm();
-    energy.gravity -= m * bearing.gravity.dot(e.ball_centre(i));
-  }
-  if (has_cage()) {
-    const bearing::Inertia& cage_inertia = bearing.cage->inertia;
-    const Vec3& w = e.cage.omega_body;
-    energy.kinetic += 0.5 * cage_inertia.mass * e.cage.velocity.squaredNorm() +
-                      0.5 * w.dot(cage_inertia.moments.cwiseProduct(w));
-    energy.gravity -= cage_inertia.mass * bearing.gravity.dot(e.cage.position);
-  }
-  if (!gravity) energy.gravity = 0.0;
-  energy.elastic = e.elastic;
-  return energy;
-}
-
 System::System(const bearing::Bearing& bearing, const ScenePlan& plan,
                const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
                const SystemOptions& options)
@@ -147,18 +126,6 @@ std::vector<double> System::initial_state() const {
   }
   for (std::size_t k = 0; k < 4; ++k) at(s.cage.orientation, k) = start.orientation[k];
   return y;
-}
-
-void System::set_start(double t, std::span<const double> y) {
-  Impl& s = *impl_;
-  s.evaluate_for_report(t, y);
-  const auto integral = [&y](int index) {
-    return index < 0 ? 0.0 : y[static_cast<std::size_t>(index)];
-  };
-  const QuadratureIndices& q = s.integrals;
-  s.stored_at_start = s.stored_energy().total() + integral(q.heat_pockets) + integral(q.heat_lands);
-  for (std::size_t j = 0; j < 2; ++j)
-    s.stored_at_start += integral(q.heat_race[j]) - integral(q.work_race[j]);
 }
 
 RhsStatus System::rhs(double t, const double* y, double* dydt) noexcept {

@@ -47,7 +47,8 @@ class System {
   void set_scales(const Scales& scales);  ///< continuation keeps the first run's scales (N7)
   /// Start from statics and record 9.6.
   [[nodiscard]] std::vector<double> initial_state() const;
-  /// Fixes the reference of the energy ledger (call once with the start state).
+  /// Fixes the reference of the ledgers and takes over which elements the state holds (call once
+  /// with the start state).
   void set_start(double t, std::span<const double> y);
 
   /// y' = f(t, y). No allocation, no throw. Retry: a ball left its pocket radially or the like in a
@@ -64,6 +65,15 @@ class System {
   /// rhs, and what each element adds to each rate of the cage: shares[element * cage components +
   /// component], in the order of the components.
   RhsStatus rhs_with_shares(double t, const double* y, double* dydt, double* shares) noexcept;
+  /// Light-load balance (qFac): which elements stand in force balance changes here and nowhere
+  /// else, so that between two calls rhs stays a pure function of (t, y). Call after a finished
+  /// step, and once at the start of a new run; true when y changed: the stepper must restart.
+  /// An element is held when its largest contact load is at or below qFac times the force scale
+  /// and, put in balance, below the release level; released above kReleaseRatio times that. The
+  /// jumps of energy and momentum are booked in y. Always false without the effect.
+  /// @throws SolverError when the state is not valid
+  bool update_held(double t, std::span<double> y);
+  [[nodiscard]] int held_count() const noexcept;
   /// Renormalises quaternions; true when y changed.
   bool project(double t, double* y) const noexcept;
   /// Throws SolverError with a sentence when an accepted state is physically meaningless (ball

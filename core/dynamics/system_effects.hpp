@@ -81,6 +81,12 @@ struct Evaluation {
   std::array<double, 2> heat_race{}, wear_race{};  ///< [W]; wear: ∫ p u dA
   std::array<double, 2> wear_element1{};
   double heat_pockets = 0.0, heat_lands = 0.0, wear_cage = 0.0;
+  /// From outside on balls and cage together; moment about the base origin [N, N m]. With the
+  /// momentum ledger only.
+  Vec3 external_force = Vec3::Zero(), external_moment = Vec3::Zero();
+  /// Held balls: what their missing inertia in x and r takes. With light-load balance only.
+  double held_power = 0.0;                                     ///< [W]
+  Vec3 held_force = Vec3::Zero(), held_moment = Vec3::Zero();  ///< about the base origin
   bool valid = true;  ///< false: outside the model's validity
 
   void begin(double time, const double* state, double* rates) noexcept;

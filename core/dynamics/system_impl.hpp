@@ -2,6 +2,7 @@
 
 #include "dynamics/system.hpp"
 #include "dynamics/system_effects.hpp"
+#include "dynamics/system_held.hpp"
 #include "dynamics/system_lands.hpp"
 #include "dynamics/system_motion.hpp"
 #include "dynamics/system_pockets.hpp"
@@ -18,6 +19,10 @@ namespace adore::dynamics {
 struct QuadratureIndices {
   std::array<int, 2> work_race{-1, -1}, heat_race{-1, -1}, wear_race{-1, -1}, wear_element1{-1, -1};
   int heat_pockets = -1, heat_lands = -1, wear_cage = -1;
+  int impulse = -1, angular_impulse = -1;            ///< first of three
+  int held_balance = -1, held_switches = -1;         ///< energy
+  int held_impulse = -1, held_angular_impulse = -1;  ///< first of three
+  int held_flags = -1;                               ///< first of one per ball: 1 held, 0 free
 };
 
 /// Kind of error scale of a group of components (N7, N11).
@@ -26,6 +31,11 @@ enum class ScaleKind : unsigned char { Length, Velocity, Angle, Rate };
 struct StoredEnergy {
   double kinetic = 0.0, elastic = 0.0, gravity = 0.0;  ///< [J]
   [[nodiscard]] double total() const noexcept { return kinetic + elastic + gravity; }
+};
+
+struct Momenta {
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();  ///< about the base origin [N s, N m s]
+  double linear_size = 0.0, angular_size = 0.0;        ///< Σ over bodies of the sizes
 };
 
 struct System::Impl {
@@ -43,6 +53,8 @@ struct System::Impl {
   std::array<Quat, 2> race_attitude{};  ///< race frame without its spin -> base
   std::optional<PocketSet> pockets;     ///< with pocket contact
   std::vector<LandModel> lands;         ///< one per land of the cage, with land contact
+  std::optional<HeldBalls> held;        ///< with light-load balance
+  double light_load_ratio = 0.0;
 
   StateLayout layout;
   Scales scales;
@@ -64,6 +76,7 @@ struct System::Impl {
   CostLedger ledger;
   std::vector<double> rates;     ///< dydt of evaluations for reports
   double stored_at_start = 0.0;  ///< [J]
+  Momenta momenta_at_start;      ///< less the integrals of the start state
 
   [[nodiscard]] bool has_cage() const noexcept { return cage.position.count > 0; }
   /// All blocks in order; false when the state is outside the model's validity.
@@ -76,6 +89,9 @@ struct System::Impl {
   [[nodiscard]] std::string what_is_invalid(const double* y) const;
   /// Of the state evaluated last.
   [[nodiscard]] StoredEnergy stored_energy() const;
+  [[nodiscard]] Momenta momenta() const;
+  [[nodiscard]] EnergySnapshot energy_ledger(std::span<const double> y) const;
+  [[nodiscard]] MomentumSnapshot momentum_ledger(std::span<const double> y) const;
   void apply_scales();
 
  private:
@@ -86,6 +102,7 @@ struct System::Impl {
   void set_up_quadratures(const ScenePlan& plan);
   void set_up_blocks(const ScenePlan& plan);
   void set_up_coupling();
+  void set_up_ledger_integrals(const ScenePlan& plan);
   template <class Block, class... Arguments>
   void add_block(int entry, Arguments&&... arguments);
 

@@ -173,6 +173,26 @@ void OrientationMotion::apply(Evaluation& e) noexcept {
   }
 }
 
+void ExternalActions::apply(Evaluation& e) noexcept {
+  e.external_force.setZero();
+  e.external_moment.setZero();
+  for (const RaceState& race : e.race) {
+    e.external_force -= race.force;
+    e.external_moment -= race.moment + race.motion.centre.cross(race.force);
+  }
+  if (!has_gravity_) return;
+  const BallArrays& b = e.balls;
+  double x = 0.0, y = 0.0, z = 0.0;
+  for (std::size_t i = 0; i < b.n; ++i) {
+    x += b.x[i];
+    y -= b.r[i] * b.sin_theta[i];
+    z += b.r[i] * b.cos_theta[i];
+  }
+  const Vec3 first_moment = ball_mass_ * Vec3(x, y, z) + cage_mass_ * e.cage.position;
+  e.external_force += (ball_mass_ * static_cast<double>(b.n) + cage_mass_) * gravity_;
+  e.external_moment += first_moment.cross(gravity_);
+}
+
 void Quadratures::apply(Evaluation& e) noexcept {
   for (std::size_t j = 0; j < 2; ++j) e.race_power[j] = e.race[j].power();
   for (const Entry& entry : entries_) e.dydt[entry.index] = *entry.rate;

@@ -101,6 +101,24 @@ class OrientationMotion final : public EffectBlock {
   std::vector<OrientedElement> elements_;
 };
 
+/// What acts from outside on balls and cage together: the reactions of the prescribed races and
+/// gravity, as force and as moment about the base origin. The race sums are formed apart from the
+/// forces on the balls, so the momentum residual sees a force without its reaction.
+class ExternalActions final : public EffectBlock {
+ public:
+  ExternalActions(const Vec3& gravity, double ball_mass, double cage_mass)
+      : gravity_(gravity),
+        ball_mass_(ball_mass),
+        cage_mass_(cage_mass),
+        has_gravity_(!gravity.isZero(0.0)) {}
+  void apply(Evaluation& e) noexcept override;
+
+ private:
+  Vec3 gravity_;
+  double ball_mass_, cage_mass_;
+  bool has_gravity_;
+};
+
 /// Time integrals: rate of state component `index` is *rate, a member of the Evaluation.
 class Quadratures final : public EffectBlock {
  public:

@@ -40,21 +40,25 @@ PocketSet::PocketSet(const bearing::Bearing& bearing, const std::vector<double>&
   qz_.resize(azimuths.size());
 }
 
-void PocketSet::locate(const Evaluation& e) noexcept {
+inline void PocketSet::locate_one(const Evaluation& e, std::size_t i) noexcept {
   const Mat3& R = e.cage.to_base;
   const Vec3& p = e.cage.position;
   const BallArrays& b = e.balls;
-  for (std::size_t i = 0; i < sin_.size(); ++i) {
-    const double dx = b.x[i] - p[0];
-    const double dy = -b.r[i] * b.sin_theta[i] - p[1];
-    const double dz = b.r[i] * b.cos_theta[i] - p[2];
-    const double cy = R(0, 1) * dx + R(1, 1) * dy + R(2, 1) * dz;
-    const double cz = R(0, 2) * dx + R(1, 2) * dy + R(2, 2) * dz;
-    qx_[i] = R(0, 0) * dx + R(1, 0) * dy + R(2, 0) * dz;
-    qy_[i] = cos_[i] * cy + sin_[i] * cz;
-    qz_[i] = cos_[i] * cz - sin_[i] * cy - pitch_radius_;
-  }
+  const double dx = b.x[i] - p[0];
+  const double dy = -b.r[i] * b.sin_theta[i] - p[1];
+  const double dz = b.r[i] * b.cos_theta[i] - p[2];
+  const double cy = R(0, 1) * dx + R(1, 1) * dy + R(2, 1) * dz;
+  const double cz = R(0, 2) * dx + R(1, 2) * dy + R(2, 2) * dz;
+  qx_[i] = R(0, 0) * dx + R(1, 0) * dy + R(2, 0) * dz;
+  qy_[i] = cos_[i] * cy + sin_[i] * cz;
+  qz_[i] = cos_[i] * cz - sin_[i] * cy - pitch_radius_;
 }
+
+void PocketSet::locate(const Evaluation& e) noexcept {
+  for (std::size_t i = 0; i < sin_.size(); ++i) locate_one(e, i);
+}
+
+void PocketSet::locate(const Evaluation& e, std::size_t i) noexcept { locate_one(e, i); }
 
 PocketContactSnapshot PocketSet::report(std::size_t i) const {
   const contact::WallPoint wall = wall_point(i);
@@ -73,29 +77,20 @@ void PocketBlock<Traction>::apply(Evaluation& e) noexcept {
     }
     const contact::WallPoint wall = set_.wall_point(i);
     if (wall.gap >= 0.0) continue;
-    const double N = contact::load(set_.law(), -wall.gap);
-    const Vec3 m = set_.to_base(i, wall.m, e.cage.to_base);
-    const Vec3 arm = set_.ball_radius() * m;
-    const Vec3 point = e.ball_centre(i) + arm;
-    Vec3 on_ball = -N * m;
+    const PocketAction action = pocket_action<Traction>(set_, friction_, e, i, wall);
     if constexpr (Traction) {
-      Vec3 slip = e.cage.velocity_at(point) - e.ball_velocity(i) - e.ball_omega(i).cross(arm);
-      slip -= slip.dot(m) * m;
-      const double u = slip.norm();
-      const Vec3 friction = (N * friction_.per_slip(u)) * slip;
-      const Vec3 moment = e.to_cylindrical(i, arm.cross(friction));
+      const Vec3 moment = e.to_cylindrical(i, action.arm.cross(action.friction));
       e.M_x[i] += moment[0];
       e.M_r[i] += moment[1];
       e.M_theta[i] += moment[2];
-      on_ball += friction;
-      e.heat_pockets += friction.dot(slip);
-      e.wear_cage += N * u;
+      e.heat_pockets += action.heat;
+      e.wear_cage += action.N * action.slip;
     }
-    const Vec3 force = e.to_cylindrical(i, on_ball);
+    const Vec3 force = e.to_cylindrical(i, action.on_ball);
     e.F_x[i] += force[0];
     e.F_r[i] += force[1];
     e.F_theta[i] += force[2];
-    e.cage.add_force(-on_ball, point);
+    e.cage.add_force(-action.on_ball, action.point);
     e.elastic += contact::energy(set_.law(), -wall.gap);
   }
 }

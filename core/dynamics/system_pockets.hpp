@@ -47,10 +47,14 @@ class PocketSet {
   [[nodiscard]] std::size_t size() const noexcept { return sin_.size(); }
   [[nodiscard]] const contact::CappedHertz& law() const noexcept { return law_; }
   [[nodiscard]] double ball_radius() const noexcept { return ball_radius_; }
+  /// The same of one ball.
+  void locate(const Evaluation& e, std::size_t i) noexcept;
   /// Force, gap and angles of pocket i; call locate() first.
   [[nodiscard]] PocketContactSnapshot report(std::size_t i) const;
 
  private:
+  void locate_one(const Evaluation& e, std::size_t i) noexcept;
+
   contact::CylindricalPocket wall_;
   contact::CappedHertz law_;
   double ball_radius_ = 0.0, pitch_radius_ = 0.0, rotation_sign_ = 1.0;
@@ -58,6 +62,38 @@ class PocketSet {
   std::vector<double> sin_, cos_;     ///< of the pocket azimuths
   std::vector<double> qx_, qy_, qz_;
 };
+
+/// One contact of a ball with its pocket wall, base axes.
+struct PocketAction {
+  double N = 0.0;                 ///< normal force [N]
+  double friction_per_slip = 0;   ///< friction force over slip speed [N s/m], 0 without traction
+  double slip = 0.0, heat = 0.0;  ///< [m/s, W]
+  Vec3 m, arm, point;             ///< normal into the wall; ball centre -> contact; contact
+  Vec3 on_ball, friction;         ///< whole force on the ball; its friction part [N]
+};
+
+/// Contact i at the located state; `wall` from set.wall_point(i), gap < 0.
+template <bool Traction>
+[[nodiscard]] inline PocketAction pocket_action(const PocketSet& set, const SlipFriction& law,
+                                                const Evaluation& e, std::size_t i,
+                                                const contact::WallPoint& wall) noexcept {
+  PocketAction a;
+  a.N = contact::load(set.law(), -wall.gap);
+  a.m = set.to_base(i, wall.m, e.cage.to_base);
+  a.arm = set.ball_radius() * a.m;
+  a.point = e.ball_centre(i) + a.arm;
+  a.on_ball = -a.N * a.m;
+  if constexpr (Traction) {
+    Vec3 slip = e.cage.velocity_at(a.point) - e.ball_velocity(i) - e.ball_omega(i).cross(a.arm);
+    slip -= slip.dot(a.m) * a.m;
+    a.slip = slip.norm();
+    a.friction_per_slip = a.N * law.per_slip(a.slip);
+    a.friction = a.friction_per_slip * slip;
+    a.heat = a.friction.dot(slip);
+    a.on_ball += a.friction;
+  }
+  return a;
+}
 
 /// Effect "pocket contact", with friction when Traction. `set` must outlive the block.
 template <bool Traction>

@@ -65,8 +65,21 @@ System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
   }
   if (plan.has(Effect::LandContact)) lands = make_lands(bearing, options.land_slices);
   set_up_state(plan);
+  if (plan.has(Effect::LightLoadBalance)) {
+    demand(plan.light_load_ratio > 0.0, "light-load balance needs a load ratio above 0");
+    light_load_ratio = plan.light_load_ratio;
+    held.emplace(
+        HeldBalls::Scene{contacts, bearing.ball_inertia.mass,
+                         gravity ? bearing.gravity : Vec3(Vec3::Zero()),
+                         pockets ? &*pockets : nullptr,
+                         plan.has(Effect::PocketTraction) ? SlipFriction(*bearing.pocket_traction)
+                                                          : SlipFriction(),
+                         plan.has(Effect::PocketTraction)},
+        ball, static_cast<std::size_t>(bearing.balls.count));
+  }
   layout.begin_quadratures();
   set_up_quadratures(plan);
+  set_up_ledger_integrals(plan);
   set_up_blocks(plan);
   set_up_coupling();
   if (has_race_contact) fast.emplace(contacts, ball, bearing.ball_inertia.mass);
@@ -169,6 +182,28 @@ void System::Impl::set_up_quadratures(const ScenePlan& plan) {
   if ((pocket || land) && wear) integral(integrals.wear_cage, "cage.load_slip", e.wear_cage);
 }
 
+void System::Impl::set_up_ledger_integrals(const ScenePlan& plan) {
+  static constexpr double kNoRate = 0.0;  // changed between steps only
+  const auto integrals_of = [this](int& index, std::string name, std::string_view unit,
+                                   const double* from, int count) {
+    index = layout.add(std::move(name), unit, count, 1.0).first;
+    for (int k = 0; k < count; ++k)
+      rates_of_integrals_.push_back({index + k, from == nullptr ? &kNoRate : from + k});
+  };
+  QuadratureIndices& q = integrals;
+  if (plan.has(Effect::MomentumLedger)) {
+    integrals_of(q.impulse, "external.impulse", "N s", e.external_force.data(), 3);
+    integrals_of(q.angular_impulse, "external.angular_impulse", "N m s", e.external_moment.data(),
+                 3);
+  }
+  if (!held) return;
+  integrals_of(q.held_balance, "held.balance_work", "J", &e.held_power, 1);
+  integrals_of(q.held_switches, "held.switch_energy", "J", nullptr, 1);
+  integrals_of(q.held_impulse, "held.impulse", "N s", e.held_force.data(), 3);
+  integrals_of(q.held_angular_impulse, "held.angular_impulse", "N m s", e.held_moment.data(), 3);
+  integrals_of(q.held_flags, "held.element", "-", nullptr, bearing.balls.count);
+}
+
 template <class Block, class... Arguments>
 void System::Impl::add_block(int entry, Arguments&&... arguments) {
   blocks.push_back({std::make_unique<Block>(std::forward<Arguments>(arguments)...), entry});
@@ -178,6 +213,8 @@ void System::Impl::set_up_blocks(const ScenePlan& plan) {
   const int motion = ledger.add_entry("kinematics and equations of motion");
   add_block<BallKinematics>(motion, ball);
   if (has_cage()) add_block<CageKinematics>(motion, cage);
+  const int balance = held ? ledger.add_entry("light-load balance") : -1;
+  if (held) add_block<HeldRates>(balance, *held);
 
   const bool wear = plan.has(Effect::WearIntegrals);
   if (plan.has(Effect::RaceContact))
@@ -211,9 +248,14 @@ void System::Impl::set_up_blocks(const ScenePlan& plan) {
   }
 
   add_block<BallMotion>(motion, ball, bearing.ball_inertia.mass, bearing.ball_inertia.moments[0]);
+  if (held) add_block<HeldMotion>(balance, *held);
   if (has_cage()) add_block<CageMotion>(motion, cage, bearing.cage->inertia);
   if (!oriented.empty())
     add_block<OrientationMotion>(ledger.add_entry("orientation of elements"), oriented);
+  if (plan.has(Effect::MomentumLedger))
+    add_block<ExternalActions>(
+        ledger.add_entry("momentum ledger"), gravity ? bearing.gravity : Vec3(Vec3::Zero()),
+        bearing.ball_inertia.mass, has_cage() ? bearing.cage->inertia.mass : 0.0);
   if (!rates_of_integrals_.empty()) add_block<Quadratures>(motion, rates_of_integrals_);
 }
 

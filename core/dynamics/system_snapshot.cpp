@@ -39,8 +39,9 @@ Snapshot System::snapshot(double t, std::span<const double> y) {
     ball.x = e.balls.x[i];
     ball.r = e.balls.r[i];
     ball.theta = component(y, s.ball.theta, i);
-    ball.vx = e.balls.x_dot[i];
-    ball.vr = e.balls.r_dot[i];
+    ball.vx = component(y, s.ball.x_dot, i);
+    ball.vr = component(y, s.ball.r_dot, i);
+    ball.held = s.held && s.held->is_held(i);
     ball.theta_dot = e.balls.theta_dot[i];
     ball.ax = component(dydt, s.ball.x_dot, i);
     ball.ar = component(dydt, s.ball.r_dot, i);
@@ -101,22 +102,14 @@ Snapshot System::snapshot(double t, std::span<const double> y) {
     return index < 0 ? 0.0 : y[static_cast<std::size_t>(index)];
   };
   const QuadratureIndices& q = s.integrals;
-  const StoredEnergy stored = s.stored_energy();
-  EnergySnapshot& energy = result.energy;
-  energy.kinetic = stored.kinetic;
-  energy.elastic = stored.elastic;
-  energy.gravity = stored.gravity;
-  energy.stored_at_start = s.stored_at_start;
-  energy.heat_pockets = integral(q.heat_pockets);
-  energy.heat_lands = integral(q.heat_lands);
+  result.energy = s.energy_ledger(y);
+  if (q.impulse >= 0) result.momentum = s.momentum_ledger(y);
   PowerSnapshot& power = result.power;
   power.pockets = e.heat_pockets;
   power.lands = e.heat_lands;
   power.total_loss = e.heat_pockets + e.heat_lands;
   power.qv_cage = integral(q.wear_cage);
   for (std::size_t j = 0; j < 2; ++j) {
-    energy.work_race[j] = integral(q.work_race[j]);
-    energy.heat_race[j] = integral(q.heat_race[j]);
     power.race_contacts[j] = e.heat_race[j];
     power.total_loss += e.heat_race[j];
     power.qv_race[j] = integral(q.wear_race[j]);

@@ -116,6 +116,16 @@ std::unique_ptr<integrators::Stepper> make_checked_stepper(const build::RunContr
   return stepper;
 }
 
+void add_counters(integrators::Counters& sum, const integrators::Counters& c) {
+  sum.steps += c.steps;
+  sum.rejected += c.rejected;
+  sum.evaluations += c.evaluations;
+  sum.at_minimum += c.at_minimum;
+  sum.restarts += c.restarts;
+  sum.jacobians += c.jacobians;
+  sum.nonlinear_iterations += c.nonlinear_iterations;
+}
+
 RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, const fs::path& folder,
                        const ProgressSink& progress, std::stop_token stop) {
   const auto begin = Clock::now();
@@ -125,7 +135,7 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
   // Everything that the deck alone decides is checked before a file of an earlier run is touched.
   (void)run_span(request, prepared, system.scales().time);
   RunOutputs outputs(prepared, folder);
-  const StartPoint start =
+  StartPoint start =
       outputs.begin(system, prepared.control.start);  // y, t, step; appends when it continues
   const double scale = system.scales().time;
   const Span span = run_span(request, prepared, scale);
@@ -153,8 +163,25 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
     output_seconds += seconds_since(at);
   };
 
+  integrators::Counters counters;  // of the stepper before its last start
+  long held_changes = 0;
+  /// Light-load balance: after a finished step elements may be held or released; the stepper then
+  /// starts anew from the changed state with its last step size.
+  auto update_held = [&] {
+    std::vector<double> y(stepper->state().begin(), stepper->state().end());
+    if (!system.update_held(stepper->time(), y)) return;
+    ++held_changes;
+    add_counters(counters, stepper->counters());
+    ++counters.restarts;
+    integrators::StepControl again = control;
+    again.initial = h;
+    stepper->start(ode, stepper->time(), y, again);
+  };
+  const bool may_hold = prepared.plan.has(dynamics::Effect::LightLoadBalance);
+
   const auto loop_begin = Clock::now();
   try {
+    if (!start.continued && system.update_held(start.time, start.y)) ++held_changes;
     stepper->start(ode, start.time, start.y, control);
     if (!start.continued)
       output([&] {
@@ -173,6 +200,7 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
         h = stepper->step(span.end).h;
       ++step;
       system.check_state(stepper->time(), stepper->state().data());
+      if (may_hold) update_held();
       if (outputs.wants(step))
         output([&] { outputs.store(system, {step, stepper->time(), h, stepper->state()}, false); });
       output([&] {
@@ -206,7 +234,9 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
   summary.status = out.status;
   summary.message = out.message;
   summary.point = end;
-  summary.counters = stepper->counters();
+  add_counters(counters, stepper->counters());
+  summary.counters = counters;
+  summary.held_changes = held_changes;
   summary.loop_seconds = loop_seconds;
   outputs.finish(system, summary);
 

@@ -416,7 +416,10 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
                   {"restarts", c.restarts},
                   {"jacobians", c.jacobians},
                   {"nonlinear_iterations", c.nonlinear_iterations}};
+  if (s.plan.has(dynamics::Effect::LightLoadBalance))
+    run.counters.emplace_back("changes of held elements", end.held_changes);
   run.energy = s.last.energy;
+  if (s.last.momentum) run.momentum = results::momentum_items(*s.last.momentum);
   run.max_quaternion_error = s.last.max_quaternion_error;
   run.quadrature_error = system.quadrature_error(s.last.time, s.last_y);
   run.cost = system.cost().rows();

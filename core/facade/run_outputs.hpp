@@ -34,6 +34,7 @@ struct RunEnd {
   std::string message;
   RunPoint point;
   integrators::Counters counters;
+  long held_changes = 0;  ///< steps after which elements were held or released (qFac)
   double loop_seconds = 0.0;
 };
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -269,6 +270,10 @@ void summary(Report& report, const dynamics::Snapshot& snapshot, const StepRecor
   if (!snapshot.cages.empty())
     report.item("Average wear rate, cage", record["power.cage_wear_rate"][0], unit::kVolumeFlow);
   fatigue_life(report, snapshot);
+  if (snapshot.energy.light_load_balance)
+    report.item("Elements held in force balance",
+                std::count_if(snapshot.elements.begin(), snapshot.elements.end(),
+                              [](const dynamics::ElementSnapshot& e) { return e.held; }));
   report.item("Energy residual", snapshot.energy.residual(), unit::kEnergy);
 }
 
@@ -321,7 +326,10 @@ void print_ledgers(Report& report, const RunSummary& run, const dynamics::SceneP
       report.item("residual over the energy that moved", run.energy->residual() / scale,
                   unit::kPure);
   }
-  for (const auto& [name, value] : run.momentum) report.item(name, value, unit::kPure);
+  if (!run.momentum.empty()) {
+    report.heading("Conservation of momentum of elements and cage since the start, base frame, SI");
+    for (const auto& [name, value] : run.momentum) report.item(name, value, unit::kPure);
+  }
   if (run.max_quaternion_error)
     report.item("largest departure of a quaternion's length from 1", *run.max_quaternion_error,
                 unit::kPure);

@@ -200,8 +200,8 @@ void check_layout(const FinalState& state, const std::vector<std::string>& compo
   throw InputError(
       fmt::format("{}: the stored state does not fit this deck: it has {} components, the deck "
                   "needs {}; the first that differs is {}, the deck needs {}; keep the "
-                  "number of elements, cage, degrees of freedom and oriented elements of the "
-                  "stored run, or start from statics (kIcOpt = 0)",
+                  "number of elements, cage, degrees of freedom, oriented elements and qFac on or "
+                  "off of the stored run, or start from statics (kIcOpt = 0)",
                   path.string(), state.components.size(), components.size(),
                   name(stored, state.components.end()), name(wanted, components.end())));
 }

@@ -60,6 +60,11 @@ void write_run_json(const RunSummary& run, const std::filesystem::path& path);
 [[nodiscard]] std::vector<std::pair<std::string, double>> energy_items(
     const dynamics::EnergySnapshot& energy);
 
+/// Name with unit and value of each item of the momentum ledger: what came from outside, what
+/// changed, and the residuals, also relative to the momentum that the bodies carry now.
+[[nodiscard]] std::vector<std::pair<std::string, double>> momentum_items(
+    const dynamics::MomentumSnapshot& momentum);
+
 /// Size of the energies that moved, to judge the residual by: heat and work, or else the stored
 /// energy [J].
 [[nodiscard]] double energy_scale(const dynamics::EnergySnapshot& energy);

@@ -1,0 +1,241 @@
+#include "dynamics/system_held.hpp"
+
+#include "dynamics/rigid_body.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::dynamics {
+namespace {
+
+constexpr double kNoStiffness = 1e-6;  ///< [N/m], far below that of any contact that carries load
+
+using BallFrame = Eigen::Matrix<double, 3, 2>;
+
+/// J = (e_x, e_r).
+BallFrame frame_at(const Evaluation& e, std::size_t i) noexcept {
+  BallFrame J;
+  J.col(0) = Vec3::UnitX();
+  J.col(1) = Vec3(0.0, -e.sin_theta[i], e.cos_theta[i]);
+  return J;
+}
+
+Vec3 e_theta_at(const Evaluation& e, std::size_t i) noexcept {
+  return {0.0, -e.cos_theta[i], -e.sin_theta[i]};
+}
+
+/// Square root of a symmetric positive definite 2x2 matrix.
+Mat2 square_root(const Mat2& M) noexcept {
+  const double s = std::sqrt(M.determinant());
+  return (M + s * Mat2::Identity()) / std::sqrt(M.trace() + 2.0 * s);
+}
+
+}  // namespace
+
+HeldBalls::HeldBalls(const Scene& scene, const BallSlices& slices, std::size_t balls)
+    : scene_(scene),
+      slices_(slices),
+      ball_(scene.contacts[0].groove, {scene.contacts[0].hertz.K, scene.contacts[1].hertz.K},
+            scene.mass),
+      offset_(std::min(scene.contacts[0].groove.offset[0], scene.contacts[0].groove.offset[1])),
+      flags_(balls, 0),
+      x_dot_(balls, 0.0),
+      r_dot_(balls, 0.0),
+      residual_(balls, Vec2::Zero()),
+      estimate_(balls) {
+  list_.reserve(balls);
+  for (auto& values : state_) values.assign(balls, 0.0);
+  for (auto& values : action_) values.assign(balls, 0.0);
+  for (auto* arrays : {&load_, &heat_, &load_slip_})
+    for (auto& values : *arrays) values.assign(balls, 0.0);
+}
+
+void HeldBalls::set(std::size_t i, bool held) {
+  flags_[i] = held ? 1 : 0;
+  list_.clear();
+  for (std::size_t k = 0; k < flags_.size(); ++k)
+    if (flags_[k] != 0) list_.push_back(k);
+}
+
+std::array<RacePose, 2> HeldBalls::poses(const Evaluation& e) const noexcept {
+  return {RacePose{e.race[0].motion.centre, e.race[0].motion.axis},
+          RacePose{e.race[1].motion.centre, e.race[1].motion.axis}};
+}
+
+Vec2 HeldBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept {
+  const std::array<RacePose, 2> races = poses(e);
+  Vec3 force = Vec3::Zero();
+  for (int j = 0; j < 2; ++j) {
+    const GrooveContact c =
+        ball_.contact_with(j, races[static_cast<std::size_t>(j)], e.ball_centre(i));
+    force -= c.load * c.normal;
+  }
+  return frame_at(e, i).transpose() * force;
+}
+
+BallBalance HeldBalls::balanced(const Evaluation& e, std::size_t i, const Vec2& force) const {
+  const BallArrays& b = e.balls;
+  const Orbit orbit{Orbit::Kept::Momentum, scene_.mass * b.r[i] * b.r[i] * b.theta_dot[i]};
+  return ball_.solve(poses(e), e.y[slices_.theta.first + static_cast<int>(i)], orbit, force,
+                     {b.x[i], b.r[i]});
+}
+
+std::optional<contact::WallPoint> HeldBalls::pocket_wall(std::size_t i) const noexcept {
+  if (scene_.pockets == nullptr || scene_.pockets->surely_open(i) || !scene_.pockets->inside(i))
+    return std::nullopt;
+  const contact::WallPoint wall = scene_.pockets->wall_point(i);
+  if (wall.gap >= 0.0) return std::nullopt;
+  return wall;
+}
+
+void HeldBalls::gather(const Evaluation& e, std::size_t k) noexcept {
+  const std::size_t i = list_[k];
+  const BallArrays& b = e.balls;
+  const double* const from[10] = {b.x,           b.r,           b.sin_theta, b.cos_theta,
+                                  x_dot_.data(), r_dot_.data(), b.theta_dot, b.omega_x,
+                                  b.omega_r,     b.omega_theta};
+  for (std::size_t q = 0; q < 10; ++q) state_[q][k] = from[q][i];
+}
+
+/// w: rates of the balance of normal forces and gravity, L changing by those alone. Vectors in the
+/// right-handed basis (e_x, e_r, e_θ) of the ball.
+void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
+  const std::size_t i = list_[k];
+  const BallArrays& b = e.balls;
+  const double td = b.theta_dot[i], r = b.r[i], centrifugal = scene_.mass * r * td * td;
+  const Vec3 orbit(0.0, 0.0, r * td), weight = e.to_cylindrical(i, scene_.mass * scene_.gravity);
+  Estimate& est = estimate_[k];
+  Vec3 force = weight;            // normal forces and gravity
+  Mat3 stiffness = Mat3::Zero();  // of the contacts
+  Vec3 drift = Vec3::Zero();      // change of their force at fixed x, r
+  for (std::size_t j = 0; j < 2; ++j) {
+    const RaceMotion& race = e.race[j].motion;
+    const GrooveContact c = ball_.contact_with(
+        static_cast<int>(j), {e.to_cylindrical(i, race.centre), e.to_cylindrical(i, race.axis)},
+        {b.x[i], r, 0.0});
+    const Vec2 n = c.normal.head<2>();
+    est.race_along[j] = Mat2::Identity() - n * n.transpose();
+    force -= c.load * c.normal;
+    stiffness += c.stiffness;
+    drift += c.stiffness * (e.to_cylindrical(i, race.velocity) - orbit);
+  }
+  if (const auto wall = pocket_wall(i)) {
+    const PocketSet& set = *scene_.pockets;
+    // N' m mᵀ, and N over the distance from the pocket axis across it.
+    const double N = contact::load(set.law(), -wall->gap);
+    const Vec3 q = set.centre(i);
+    const double d = std::max(std::hypot(q[0], q[1]), 1e-9);
+    const auto in_frame = [&](const Vec3& v) {
+      return e.to_cylindrical(i, set.to_base(i, v, e.cage.to_base));
+    };
+    const Vec3 m = in_frame(wall->m), t = in_frame({-q[1] / d, q[0] / d, 0.0});
+    stiffness +=
+        contact::slope(set.law(), -wall->gap) * m * m.transpose() + N / d * t * t.transpose();
+  }
+  Mat2 B = stiffness.topLeftCorner<2, 2>();
+  B(1, 1) += 3.0 * centrifugal / r;  // of L²/(m r³)
+  const double floor = kSoft * scene_.mass * td * td + kNoStiffness;
+  const Mat2 square = B * B + floor * floor * Mat2::Identity();
+  est.damping = 2.0 * std::sqrt(scene_.mass) * square_root(square_root(square));
+  est.inverse = B * square.inverse();
+  est.per_orbit = Vec2(0.0, 2.0 * td / r);
+  est.normal_theta = force[2];
+  // e_r turns with the ball: a fixed force changes its r component by F_θ θ̇.
+  const Vec2 w = est.inverse * (drift.head<2>() + Vec2(0.0, force[2] * td) +
+                                est.per_orbit * (r * est.normal_theta));
+  x_dot_[i] = w[0];
+  r_dot_[i] = w[1];
+}
+
+/// Adds (A + C)⁻¹ G(w) and what race friction adds to L̇. Blows of the cage are left to the former.
+void HeldBalls::pull(Evaluation& e, std::size_t k) noexcept {
+  const std::size_t i = list_[k];
+  const BallArrays& b = e.balls;
+  const Estimate& est = estimate_[k];
+  const double td = b.theta_dot[i];
+  Vec3 force = {action_[0][k], action_[1][k], action_[2][k]};  // x, r, θ
+  Mat2 damping = Mat2::Zero();
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double Q = load_[j][k], u = load_slip_[j][k];  // mean slip speed u/Q, mean κ heat/u
+    if (u > 0.0 && heat_[j][k] > 0.0)
+      damping += heat_[j][k] * (Q / u) * (Q / u) * est.race_along[j];
+  }
+  force += e.to_cylindrical(i, scene_.mass * scene_.gravity);
+  const double friction_theta = force[2] - est.normal_theta;
+  if (const auto wall = pocket_wall(i)) {
+    const PocketSet& set = *scene_.pockets;
+    const PocketAction a = scene_.pocket_traction
+                               ? pocket_action<true>(set, scene_.pocket_law, e, i, *wall)
+                               : pocket_action<false>(set, scene_.pocket_law, e, i, *wall);
+    force += e.to_cylindrical(i, a.on_ball);
+    const Vec2 m = e.to_cylindrical(i, a.m).head<2>();
+    damping += a.friction_per_slip * (Mat2::Identity() - m * m.transpose());
+  }
+  const Vec2 G(force[0], force[1] + scene_.mass * b.r[i] * td * td);
+  Vec2 p = (est.damping + damping).inverse() * G;
+  const double size = G.norm();
+  if (size > 0.0)
+    p /= std::sqrt(1.0 + scene_.mass * p.squaredNorm() / (2.0 * size * kFreePath * offset_));
+  p += est.inverse * est.per_orbit * (b.r[i] * friction_theta);
+  x_dot_[i] += p[0];
+  r_dot_[i] += p[1];
+}
+
+void HeldBalls::form_rates(Evaluation& e) noexcept {
+  const std::size_t n = e.balls.n, held = list_.size();
+  std::copy(e.balls.x_dot, e.balls.x_dot + n, x_dot_.begin());
+  std::copy(e.balls.r_dot, e.balls.r_dot + n, r_dot_.begin());
+  e.balls.x_dot = x_dot_.data();
+  e.balls.r_dot = r_dot_.data();
+  if (held == 0) return;
+
+  for (std::size_t k = 0; k < held; ++k) {
+    if (scene_.pockets != nullptr) scene_.pockets->locate(e, list_[k]);
+    first_rates(e, k);
+    gather(e, k);
+  }
+  for (auto& values : action_) std::fill_n(values.begin(), held, 0.0);
+  const BallArrays balls{held,
+                         state_[0].data(),
+                         state_[1].data(),
+                         state_[2].data(),
+                         state_[3].data(),
+                         state_[4].data(),
+                         state_[5].data(),
+                         state_[6].data(),
+                         state_[7].data(),
+                         state_[8].data(),
+                         state_[9].data()};
+  for (std::size_t j = 0; j < 2; ++j)
+    evaluate_race_contacts(scene_.contacts[j], balls, e.race[j].motion,
+                           {action_[0].data(), action_[1].data(), action_[2].data(),
+                            action_[3].data(), action_[4].data(), action_[5].data(),
+                            load_[j].data(), heat_[j].data(), load_slip_[j].data()});
+  for (std::size_t k = 0; k < held; ++k) pull(e, k);
+}
+
+/// The inertia that is left out would take m(ẍ, r̈ - rθ̇²) = F: what the equations of motion found
+/// for ẍ, r̈ is G/m. Momentum is that of r θ̇ alone, p = m r θ̇ e_θ: ṗ = F - G - m ṙ θ̇ e_θ.
+void HeldBalls::take_inertia_out(Evaluation& e) noexcept {
+  e.held_power = 0.0;
+  e.held_force.setZero();
+  e.held_moment.setZero();
+  const double m = scene_.mass;
+  for (const std::size_t i : list_) {
+    const auto k = static_cast<int>(i);
+    double& ax = e.dydt[slices_.x_dot.first + k];
+    double& ar = e.dydt[slices_.r_dot.first + k];
+    const double td = e.balls.theta_dot[i], r = e.balls.r[i];
+    residual_[i] = Vec2(m * ax, m * ar);
+    e.held_power += residual_[i].dot(rate(i));
+    const Vec3 force = e.to_base(i, m * ax, m * ar, m * r_dot_[i] * td);
+    const Vec3 velocity = e.to_base(i, x_dot_[i], r_dot_[i], 0.0);
+    e.held_force += force;
+    e.held_moment += e.ball_centre(i).cross(force) - velocity.cross(m * r * td * e_theta_at(e, i));
+    ax = ar = 0.0;
+  }
+}
+
+}  // namespace adore::dynamics
