@@ -13,6 +13,7 @@
 #include "results/results_h5.hpp"
 #include "results/run_json.hpp"
 #include "results/sol_writer.hpp"
+#include "results/static_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -405,6 +406,8 @@ void RunOutputs::write_quasi_static() {
     for (auto& item : results::fits_summary(*s.prepared.bearing.operating))
       s.key_results.push_back(std::move(item));
   run.summary = s.key_results;
+  run.quasi_static =
+      results::to_json(results::static_tables(s.prepared.statics, s.prepared.bearing, s.units));
   s.close(run);
 }
 
