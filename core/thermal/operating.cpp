@@ -316,7 +316,7 @@ Bearing operating_bearing(const Bearing& free) {
   return out;
 }
 
-OperatingRollers operating_roller_bearing(const Bearing& free, const RollerGeometry& rollers,
+OperatingRollers operating_roller_bearing(const Bearing& free, const RollerSizes& rollers,
                                           const std::array<double, 2>& raceway_radius,
                                           double outer_half_angle) {
   OperatingRollers out;
