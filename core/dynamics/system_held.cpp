@@ -99,15 +99,15 @@ void HeldBalls::gather(const Evaluation& e, std::size_t k) noexcept {
   for (std::size_t q = 0; q < 10; ++q) state_[q][k] = from[q][i];
 }
 
-/// w: rates of the balance of normal forces and gravity, L changing by those alone. Vectors in the
+/// w: rates of the balance of race normals, L changing by those alone. Vectors in the
 /// right-handed basis (e_x, e_r, e_θ) of the ball.
 void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
   const std::size_t i = list_[k];
   const BallArrays& b = e.balls;
   const double td = b.theta_dot[i], r = b.r[i], centrifugal = scene_.mass * r * td * td;
-  const Vec3 orbit(0.0, 0.0, r * td), weight = e.to_cylindrical(i, scene_.mass * scene_.gravity);
+  const Vec3 orbit(0.0, 0.0, r * td);
   Estimate& est = estimate_[k];
-  Vec3 force = weight;            // normal forces and gravity
+  Vec3 force = Vec3::Zero();      // normal forces of the races
   Mat3 stiffness = Mat3::Zero();  // of the contacts
   Vec3 drift = Vec3::Zero();      // change of their force at fixed x, r
   for (std::size_t j = 0; j < 2; ++j) {
@@ -162,8 +162,8 @@ void HeldBalls::pull(Evaluation& e, std::size_t k) noexcept {
     if (u > 0.0 && heat_[j][k] > 0.0)
       damping += heat_[j][k] * (Q / u) * (Q / u) * est.race_along[j];
   }
-  force += e.to_cylindrical(i, scene_.mass * scene_.gravity);
   const double friction_theta = force[2] - est.normal_theta;
+  force += e.to_cylindrical(i, scene_.mass * scene_.gravity);
   if (const auto wall = pocket_wall(i)) {
     const PocketSet& set = *scene_.pockets;
     const PocketAction a = scene_.pocket_traction

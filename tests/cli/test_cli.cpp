@@ -600,3 +600,55 @@ TEST_CASE("adore calc knows fits, growth, clearance, materials and units", "[cli
   CHECK(bad.code == 2);
   CHECK(contains(bad.out, "valid codes"));
 }
+
+TEST_CASE("lightly loaded elements are held, booked and continued as in an unbroken run", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string deck = folder.path().string(),
+                    light = " --set appLoadX=200 --set appLoadZ=2000 --set qFac=0.1",
+                    fixed = light +
+                            " --set stpMin=0.2 --set stpMax=0.2 --set stpInit=0.2 --set intMet=4 "
+                            "--set nStps=5 --quiet";
+  const Result plan = run_adore("plan " + deck + light + " --json");
+  REQUIRE(plan.code == 0);
+  CHECK(contains(plan.out, "light-load balance"));
+  CHECK(contains(plan.out, "qFac = 0.1"));
+
+  const std::string whole = (folder / "whole").string(), parts = (folder / "parts").string();
+  REQUIRE(run_adore("run " + deck + fixed + " --set maxStps=400 --out " + whole).code == 0);
+  const json run = json::parse(read(folder / "whole" / "RUN.json"));
+  CHECK(run.at("counters").at("changes of held elements").get<int>() >= 3);
+  const json& energy = run.at("conservation").at("energy");
+  CHECK(energy.contains("switches of held elements [J]"));
+  CHECK(std::abs(energy.at("residual over energy moved").get<double>()) < 1e-5);
+  const json& momentum = run.at("conservation").at("momentum");
+  CHECK(std::abs(momentum.at("linear residual over momentum carried").get<double>()) < 1e-9);
+  CHECK(std::abs(momentum.at("angular residual over momentum carried").get<double>()) < 1e-9);
+  const std::string print = read(folder / "whole" / "PRINT.txt");
+  CHECK(contains(print, "Elements held in force balance"));
+  CHECK(contains(print, "residual of angular momentum, z"));
+
+  // Broken in the middle, while balls are held and between two changes.
+  REQUIRE(run_adore("run " + deck + fixed + " --set maxStps=230 --out " + parts).code == 0);
+  REQUIRE(
+      run_adore("run " + deck + fixed + " --set maxStps=170 --set kIcOpt=1 --out " + parts).code ==
+      0);
+  const auto one = adore::results::read_final(folder / "whole" / "FINAL");
+  const auto two = adore::results::read_final(folder / "parts" / "FINAL");
+  REQUIRE(one.components == two.components);
+  CHECK(one.step == two.step);
+  double held = 0.0, worst = 0.0;
+  for (std::size_t i = 0; i < one.state.size(); ++i) {
+    worst = std::max(worst,
+                     std::abs(one.state[i] - two.state[i]) / std::max(1.0, std::abs(one.state[i])));
+    if (one.components[i].rfind("held.element", 0) == 0) held += one.state[i];
+  }
+  CHECK(held >= 3.0);
+  CHECK(worst < 1e-9);  // the same steps; only t = k h is summed in two parts
+
+  // qFac = 0 is another state: refused by name when a run is continued.
+  const Result other = run_adore("run " + deck + fixed +
+                                 " --set qFac=0 --set maxStps=5 --set kIcOpt=1 --out " + parts);
+  CHECK(other.code == 2);
+  CHECK(contains(other.out, "qFac"));
+}
