@@ -180,7 +180,8 @@ ModificationFactors LifeCalculator::factors(const BearingContacts& contacts) {
   return out;
 }
 
-LifeState LifeCalculator::evaluate(const BearingContacts& contacts) {
+LifeState LifeCalculator::evaluate(const BearingContacts& contacts,
+                                   const std::optional<LifeModel>& only) {
   for (const RaceContacts& race : contacts.race)
     demand(contacts.slices > 0 &&
                race.patches.size() == static_cast<std::size_t>(geometry_.count) * contacts.slices,
@@ -190,6 +191,11 @@ LifeState LifeCalculator::evaluate(const BearingContacts& contacts) {
   out.factors = factors(contacts);
   for (std::size_t m = 0; m < kModels; ++m) {
     const auto model = static_cast<LifeModel>(m);
+    if (only && *only != model) {
+      for (PartLives& lives : out.model[m].modified)
+        lives = {{kNone, kNone, kNone}, kNone, kNone, false};
+      continue;
+    }
     std::array<double, 3> basic{};
     for (std::size_t i = 0; i < 2; ++i)
       basic[i] = m == 0 ? original_race_life(contacts, i) : stress_race_life(contacts, i, m - 1);

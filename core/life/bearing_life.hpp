@@ -89,8 +89,10 @@ class LifeCalculator {
   /// @throws InputError
   LifeCalculator(const LifeGeometry& geometry, LifeParameters parameters);
 
-  /// A few µs per contact once its ellipticity is known.
-  [[nodiscard]] LifeState evaluate(const BearingContacts& contacts);
+  /// About a µs per contact and model once its ellipticity is known. @param only this model; the
+  /// lives of the others stay NaN
+  [[nodiscard]] LifeState evaluate(const BearingContacts& contacts,
+                                   const std::optional<LifeModel>& only = std::nullopt);
   /// The same with everything that is printed, but ISO.
   [[nodiscard]] BearingLife report(const BearingContacts& contacts);
   [[nodiscard]] const LifeParameters& parameters() const noexcept { return parameters_; }
