@@ -10,7 +10,8 @@
 namespace adore::dynamics {
 namespace {
 
-constexpr double kNoStiffness = 1e-6;  ///< [N/m], far below that of any contact that carries load
+/// Floor of B, in N/m and as a share of its largest stiffness: keeps B² far from rounding.
+constexpr double kNoStiffness = 1e-6;
 
 using BallFrame = Eigen::Matrix<double, 3, 2>;
 
@@ -28,7 +29,7 @@ Vec3 e_theta_at(const Evaluation& e, std::size_t i) noexcept {
 
 /// Square root of a symmetric positive definite 2x2 matrix.
 Mat2 square_root(const Mat2& M) noexcept {
-  const double s = std::sqrt(M.determinant());
+  const double s = std::sqrt(std::max(M.determinant(), 0.0));
   return (M + s * Mat2::Identity()) / std::sqrt(M.trace() + 2.0 * s);
 }
 
@@ -136,7 +137,7 @@ void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
   }
   Mat2 B = stiffness.topLeftCorner<2, 2>();
   B(1, 1) += 3.0 * centrifugal / r;  // of L²/(m r³)
-  const double floor = kSoft * scene_.mass * td * td + kNoStiffness;
+  const double floor = kSoft * scene_.mass * td * td + kNoStiffness * (1.0 + std::abs(B.trace()));
   const Mat2 square = B * B + floor * floor * Mat2::Identity();
   est.damping = 2.0 * std::sqrt(scene_.mass) * square_root(square_root(square));
   est.inverse = B * square.inverse();

@@ -288,6 +288,23 @@ TEST_CASE("held balls: few and light ones leave the bearing as it is, and none i
   }
 }
 
+TEST_CASE("held balls: a still bearing, one that holds all balls, and one far too fast for any",
+          "[physics][dynamics][held]") {
+  bearing::Bearing b = half_loaded();
+  const auto run_with = [&b](double rpm, double ratio) {
+    b.speed[1] = rpm * std::numbers::pi / 30.0;
+    System system = make_system(b, held_plan(ratio));
+    const HeldRun run = run_held(system, system.initial_state(), 3e-4, 1e-7);
+    CHECK(run.largest_residual < 1e-6);
+    return run;
+  };
+  const HeldRun still = run_with(0.0, 0.1);
+  CHECK(still.most_held >= 3);
+  CHECK(still.last.energy.kinetic < 1e-6);  // the light balls settle, nothing takes off
+  CHECK(run_with(10000.0, 10.0).most_held == 12);
+  CHECK(run_with(30000.0, 0.01).most_held == 0);  // centrifugal loads of 400 N
+}
+
 TEST_CASE("held balls: without their vibration the steps are longer",
           "[physics][dynamics][held][slow]") {
   const bearing::Bearing b = half_loaded();
