@@ -66,11 +66,12 @@ struct RollerGeometry {
   [[nodiscard]] double contact_length() const noexcept {
     return length - corner_radius[0] - corner_radius[1];
   }
-  /// Radius about the bearing axis of the raceway under the middle of a nominal roller.
+  /// Radius about the bearing axis of the raceway under the middle of a nominal roller, half the play
+  /// taken at this race.
   [[nodiscard]] double race_radius(int race) const noexcept {
-    const double sign = race == 0 ? 1.0 : -1.0;
-    return 0.5 * pitch_diameter + sign * (0.5 * diameter + 0.25 * clearance) *
-                                      std::cos(race_angle[static_cast<std::size_t>(race)]);
+    const double cosine = std::cos(axis_angle);
+    const double out = 0.5 * diameter * cosine + 0.25 * clearance * cosine * cosine;
+    return 0.5 * pitch_diameter + (race == 0 ? out : -out);
   }
   [[nodiscard]] bool has_flange(int race) const noexcept {
     const auto& f = flange[static_cast<std::size_t>(race)];
