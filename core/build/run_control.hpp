@@ -2,6 +2,7 @@
 
 #include "deck/deck.hpp"
 #include "dynamics/system.hpp"
+#include "statics/roller_statics.hpp"
 
 #include <array>
 #include <map>
@@ -45,6 +46,7 @@ struct RunControl {
 /// the deck).
 struct RunOptions {
   dynamics::SystemOptions system;
+  statics::RollerOptions rollers;
   double checkpoint_seconds = 10.0;  ///< wall time between checkpoints of FINAL and MASTER
   bool results_h5 = true;            ///< write RESULTS.h5
 };

@@ -111,6 +111,10 @@ Prepared prepare(const DeckRequest& request) {
   for (Issue& issue : build::check_buildable(deck)) out.input.warnings.push_back(std::move(issue));
   out.control = build::build_run_control(deck);
   out.plan = build::make_scene_plan(deck, out.bearing, out.control);
+  if (out.bearing.rollers) {
+    out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers);
+    return out;
+  }
   out.statics = statics::solve_ball_statics(out.bearing);
   if (out.control.dynamic) {
     out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls.contact_angle);

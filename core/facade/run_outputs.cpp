@@ -53,7 +53,18 @@ void take_state(const results::FinalState& from, const dynamics::System& system,
 
 using KeyResults = std::vector<std::pair<std::string, double>>;
 
-KeyResults static_results(const statics::StaticSolution& solution) {
+double largest_pressure(const Prepared& prepared) {
+  double pressure = 0.0;
+  for (const statics::StaticBall& ball : prepared.statics.balls)
+    for (const double p : ball.p_max) pressure = std::max(pressure, p);
+  if (prepared.rollers)
+    for (const statics::StaticRoller& roller : prepared.rollers->rollers)
+      for (const auto& contact : roller.race) pressure = std::max(pressure, contact.peak_pressure);
+  return pressure;
+}
+
+KeyResults static_results(const Prepared& prepared) {
+  const statics::RaceResult& solution = prepared.race_result();
   static constexpr const char* kDirections[] = {"x", "y", "z", "about_y", "about_z"};
   KeyResults out;
   for (std::size_t k = 0; k < 5; ++k)
@@ -62,11 +73,8 @@ KeyResults static_results(const statics::StaticSolution& solution) {
   for (std::size_t k = 0; k < 5; ++k)
     out.emplace_back(fmt::format("load_{}_{}", kDirections[k], k < 3 ? "N" : "Nm"),
                      solution.load[k]);
-  double pressure = 0.0;
-  for (const statics::StaticBall& ball : solution.balls)
-    for (const double p : ball.p_max) pressure = std::max(pressure, p);
   out.emplace_back("largest_contact_load_N", solution.max_load);
-  out.emplace_back("largest_pressure_Pa", pressure);
+  out.emplace_back("largest_pressure_Pa", largest_pressure(prepared));
   for (std::size_t k = 0; k < 5; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     out.emplace_back(
@@ -242,7 +250,7 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
   }
   for (const Issue& issue : prepared.input.warnings) out.notes.push_back(issue.text());
   for (const std::string& remark : remarks) out.notes.push_back(remark);
-  for (const std::string& note : prepared.statics.notes) out.notes.push_back(note);
+  for (const std::string& note : prepared.race_result().notes) out.notes.push_back(note);
   out.instruction_set = dynamics::race_contact_instruction_set();
   return out;
 }
@@ -250,6 +258,10 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
 /// Everything of PRINT.txt that is known before the first step.
 void RunOutputs::Impl::print_front(const std::optional<dynamics::Scales>& scales) {
   print->front({prepared.input.deck, prepared.bearing, scales, summary_of_deck().options});
+  if (prepared.rollers) {
+    print->quasi_static(*prepared.rollers, prepared.bearing);
+    return;
+  }
   print->quasi_static(scales ? prepared.start : prepared.statics, prepared.bearing);
 }
 
@@ -397,7 +409,7 @@ void RunOutputs::write_quasi_static() {
   s.print_front(std::nullopt);
   results::RunSummary run = s.summary_of_deck();
   run.status = "done";
-  s.key_results = static_results(s.prepared.statics);
+  s.key_results = static_results(s.prepared);
   run.summary = s.key_results;
   s.close(run);
 }
