@@ -3,6 +3,7 @@
 #include "bearing/life_inputs.hpp"
 #include "deck/deck.hpp"
 #include "dynamics/system.hpp"
+#include "statics/roller_statics.hpp"
 
 #include <array>
 #include <map>
@@ -47,6 +48,7 @@ struct RunControl {
 /// the deck).
 struct RunOptions {
   dynamics::SystemOptions system;
+  statics::RollerOptions rollers;
   double checkpoint_seconds = 10.0;  ///< wall time between checkpoints of FINAL and MASTER
   bool results_h5 = true;            ///< write RESULTS.h5
   bool centrifugal_growth = true;    ///< speeds widen the rings (bearing::Mounting)

@@ -281,6 +281,22 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
   return out;
 }
 
+BearingLife roller_bearing_life(const bearing::Bearing& bearing, const bearing::LifeInputs& inputs,
+                                const statics::RollerSolution& solution) {
+  const LifeGeometry geometry = roller_life_geometry(*bearing.rollers, solution);
+  LifeCalculator calculator(geometry, life_parameters(inputs, geometry.line, bearing.ball_material,
+                                                      bearing.race_material));
+  const BearingContacts contacts = life_contacts(solution, bearing);
+  BearingLife out = calculator.report(contacts);
+  out.iso = iso_report(bearing, contacts, {solution.load[0], solution.load[1], solution.load[2]},
+                       out.parameters);
+  if (geometry.line)
+    out.notes.push_back(
+        "every slice of a roller counts as a line contact of its own length, crowned rollers too; "
+        "edge stresses beyond the slices' pressure are not in these lives");
+  return out;
+}
+
 BearingLife ball_bearing_life(const bearing::Bearing& bearing, const bearing::LifeInputs& inputs,
                               const statics::StaticSolution& solution) {
   LifeCalculator calculator(

@@ -79,7 +79,7 @@ struct BearingLife {
   LifeParameters parameters;
   std::array<RaceReport, 2> race;
   std::array<std::array<double, 3>, 3> pressure_exponent{};  ///< [model - 1][part]
-  std::optional<IsoReport> iso;                              ///< ball bearings
+  std::optional<IsoReport> iso;
   std::vector<std::string> notes;
 };
 
@@ -112,10 +112,16 @@ class LifeCalculator {
   PeakCache peaks_;
 };
 
-/// ISO companions of a ball bearing. @param load what the shaft applies: x, y, z [N]
+/// ISO companions; of a roller bearing from its slices as laminae (without them no ISO 16281 life).
+/// @param load what the shaft applies: x, y, z [N]
 [[nodiscard]] IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& contacts,
                                    const std::array<double, 3>& load,
                                    const LifeParameters& parameters);
+
+/// Quasi-static life of a roller bearing.
+[[nodiscard]] BearingLife roller_bearing_life(const bearing::Bearing& bearing,
+                                              const bearing::LifeInputs& inputs,
+                                              const statics::RollerSolution& solution);
 
 /// Quasi-static life of a ball bearing.
 [[nodiscard]] BearingLife ball_bearing_life(const bearing::Bearing& bearing,
