@@ -16,7 +16,8 @@ namespace {
 int render(int& argc, char** argv, const std::vector<std::filesystem::path>& files,
            const adrplot::RenderOptions& options) {
   if (files.empty())
-    throw InputError("--render needs at least one result file (SOL1 to SOL7) to draw");
+    throw InputError(
+        "--render needs at least one result file (SOL1 to SOL7, RUN.json or SWEEP.csv) to draw");
   const auto app = desktop::make_application(argc, argv, "adrplot", desktop::Display::Headless);
   for (const auto& path : adrplot::render_plots(files, options)) fmt::print("{}\n", path.string());
   return 0;
@@ -38,12 +39,14 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
 
 int main(int argc, char** argv) {
   CLI::App cli(
-      "AdrPlot: plots of the result files SOL1 to SOL7. Without --render it opens a window.",
+      "AdrPlot: plots of the result files SOL1 to SOL7, of the quasi-static solution in RUN.json, "
+      "and "
+      "of SWEEP.csv. Without --render it opens a window.",
       "adrplot");
   std::vector<std::filesystem::path> files;
   adrplot::RenderOptions options;
   std::string size = "1280x800", abscissa = "rev";
-  cli.add_option("FILE", files, "result files SOL1 to SOL7");
+  cli.add_option("FILE", files, "result files: SOL1 to SOL7, RUN.json, SWEEP.csv");
   auto* folder =
       cli.add_option("--render", options.folder,
                      "write the pages as PNG into this folder instead of opening a window");

@@ -121,11 +121,15 @@ void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page) {
 
 }  // namespace
 
+void check_page_number(const std::filesystem::path& file, int number, std::size_t count) {
+  if (number < 1 || number > static_cast<int>(count))
+    throw InputError(
+        fmt::format("{} has no page {}; its pages are 1 to {}", file.string(), number, count));
+}
+
 ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, int number,
                      const PageOptions& options) {
-  if (number < 1 || number > static_cast<int>(pages.size()))
-    throw InputError(fmt::format("{} has no page {}; its pages are 1 to {}", file.path.string(),
-                                 number, pages.size()));
+  check_page_number(file.path, number, pages.size());
   const PageSpec& page = pages[static_cast<std::size_t>(number - 1)];
   ChartPage chart;
   chart.title = page.title;
@@ -149,6 +153,8 @@ ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, in
     case PageKind::Spectrum:
       add_spectrum(chart, file, page);
       break;
+    case PageKind::Chart:
+      break;  // pages of step files are of the kinds above
   }
   return chart;
 }

@@ -17,6 +17,9 @@ struct PageOptions {
   OrbitPair orbit;
 };
 
+/// @throws InputError unless 1 <= number <= count.
+void check_page_number(const std::filesystem::path& file, int number, std::size_t count);
+
 /// The chart of one page, its numbers taken from the file. @throws InputError for a page number
 /// outside 1 .. pages.size().
 desktop::ChartPage build_page(const results::SolFile& file, const std::vector<PageSpec>& pages,

@@ -12,9 +12,10 @@
 namespace adore::adrplot {
 
 enum class PageKind : unsigned char {
-  History,  ///< panels over revolutions or time
-  Orbit,    ///< one coordinate of the mass centre against another
-  Spectrum  ///< amplitude over frequency of the mass centre coordinates
+  History,   ///< panels over revolutions or time
+  Orbit,     ///< one coordinate of the mass centre against another
+  Spectrum,  ///< amplitude over frequency of the mass centre coordinates
+  Chart      ///< of a file without steps: the same in every view
 };
 
 struct CurveSpec {

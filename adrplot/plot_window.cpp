@@ -141,7 +141,7 @@ int PlotWindow::pageCount() const {
 
 bool PlotWindow::openFile(const std::filesystem::path& path, const results::SolRange& range) {
   try {
-    addFile(results::read_sol(path, range), range);
+    addDocument(open_document(path, range), range);
     return true;
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
@@ -150,9 +150,11 @@ bool PlotWindow::openFile(const std::filesystem::path& path, const results::SolR
 }
 
 void PlotWindow::addFile(results::SolFile file, const results::SolRange& range) {
-  auto pages = plot_pages(file.kind, file.header);
-  documents_.push_back(
-      std::make_unique<Document>(Document{std::move(file), range, std::move(pages)}));
+  addDocument(make_document(std::move(file)), range);
+}
+
+void PlotWindow::addDocument(PlotDocument document, const results::SolRange& range) {
+  documents_.push_back(std::make_unique<Document>(Document{std::move(document), range}));
   current_ = fileCount() - 1;
   page_ = 1;
   fillTree();
@@ -165,10 +167,9 @@ void PlotWindow::fillTree() {
     tree_->clear();
     for (int d = 0; d < fileCount(); ++d) {
       const Document& doc = *documents_[static_cast<std::size_t>(d)];
-      const QString name = QString::fromStdString(doc.file.path.filename().string());
-      auto* root = new QTreeWidgetItem(
-          tree_, {name + " — " + QString::fromStdString(subject(doc.file.kind, doc.file.header))});
-      root->setToolTip(0, QString::fromStdString(doc.file.path.string()));
+      const QString name = QString::fromStdString(doc.path.filename().string());
+      auto* root = new QTreeWidgetItem(tree_, {name + " — " + QString::fromStdString(doc.subject)});
+      root->setToolTip(0, QString::fromStdString(doc.path.string()));
       root->setFlags(Qt::ItemIsEnabled);
       for (std::size_t p = 0; p < doc.pages.size(); ++p) {
         auto* item = new QTreeWidgetItem(
@@ -200,21 +201,20 @@ void PlotWindow::showCurrent() {
   Document* doc = document();
   desktop::ChartPage chart;
   if (doc) {
-    chart = build_page(doc->file, doc->pages, page_, options_);
+    chart = doc->build(page_, options_);
     const PageKind kind = doc->pages[static_cast<std::size_t>(page_ - 1)].kind;
     orbit_action_->setVisible(kind == PageKind::Orbit);
     abscissa_->setEnabled(kind == PageKind::History);
-    note_->setText(
-        doc->file.note.empty()
-            ? QString()
-            : tr("This file is incomplete: %1.").arg(QString::fromStdString(doc->file.note)));
+    note_->setText(doc->note.empty()
+                       ? QString()
+                       : tr("This file is incomplete: %1.").arg(QString::fromStdString(doc->note)));
     setWindowTitle(QString("%1 — page %2 of %3 — AdrPlot")
-                       .arg(QString::fromStdString(doc->file.path.filename().string()))
+                       .arg(QString::fromStdString(doc->path.filename().string()))
                        .arg(page_)
                        .arg(pageCount()));
   } else {
     chart.title = "AdrPlot";
-    chart.note = "Open a plot file (SOL1 to SOL7), or drop one here.";
+    chart.note = "Open a plot file (SOL1 to SOL7, RUN.json, SWEEP.csv), or drop one here.";
     orbit_action_->setVisible(false);
   }
   note_->setVisible(!note_->text().isEmpty());
@@ -222,11 +222,15 @@ void PlotWindow::showCurrent() {
 }
 
 void PlotWindow::askForFile() {
-  desktop::ask_file(this, kApp, tr("Open plot file"),
+  desktop::ask_file(this, kApp, tr("Open plot file"), "SOL* RUN.json SWEEP.csv",
                     [this](const QString& name) { askForRange(name); });
 }
 
 void PlotWindow::askForRange(const QString& path) {
+  if (!has_steps(path.toStdString())) {
+    openFile(path.toStdString());
+    return;
+  }
   try {
     // The origin is checked before the user is asked for numbers in vain.
     if (results::sol_kind(path.toStdString()) == results::SolKind::Animation)
@@ -264,9 +268,7 @@ void PlotWindow::reload() {
   Document* doc = document();
   if (!doc) return;
   try {
-    results::SolFile fresh = results::read_sol(doc->file.path, doc->range);
-    doc->pages = plot_pages(fresh.kind, fresh.header);
-    doc->file = std::move(fresh);
+    static_cast<PlotDocument&>(*doc) = open_document(doc->path, doc->range);
     page_ = std::min(page_, pageCount());
     fillTree();
   } catch (const std::exception& error) {
@@ -284,7 +286,7 @@ void PlotWindow::savePicture() {
   Document* doc = document();
   if (!doc) return askForFile();
   const QString fallback = QString("%1-page-%2.jpg")
-                               .arg(QString::fromStdString(doc->file.path.filename().string()))
+                               .arg(QString::fromStdString(doc->path.filename().string()))
                                .arg(page_);
   desktop::save_picture(this, kApp, fallback,
                         [this] { return view_->chartScene().image(view_->viewport()->size()); });

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "adrplot/page_builder.hpp"
+#include "adrplot/plot_document.hpp"
 
 #include <QMainWindow>
 
@@ -54,11 +54,10 @@ class PlotWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  struct Document {
-    results::SolFile file;
-    results::SolRange range;
-    std::vector<PageSpec> pages;
+  struct Document : PlotDocument {
+    results::SolRange range;  ///< of the steps that were read
   };
+  void addDocument(PlotDocument document, const results::SolRange& range);
   void makeButtons();
   void makeChoices(QToolBar* bar);
   void fillTree();

@@ -13,20 +13,19 @@ namespace adore::adrplot {
 
 namespace fs = std::filesystem;
 
-std::vector<fs::path> render_file(const results::SolFile& file, const std::string& stem,
-                                  const RenderOptions& options) {
-  const auto pages = plot_pages(file.kind, file.header);
+std::vector<fs::path> render_document(const PlotDocument& document, const std::string& stem,
+                                      const RenderOptions& options) {
   std::vector<fs::path> written;
   desktop::ChartScene scene;
   scene.setTheme(
       desktop::theme(options.dark ? desktop::ThemeKind::Dark : desktop::ThemeKind::Light));
   const int first = options.page == 0 ? 1 : options.page;
-  const int last = options.page == 0 ? static_cast<int>(pages.size()) : options.page;
+  const int last = options.page == 0 ? static_cast<int>(document.pages.size()) : options.page;
   for (int number = first; number <= last; ++number) {
     scene.setPageSize(QSizeF(options.width, options.height));
-    desktop::ChartPage page = build_page(file, pages, number, options.view);
-    if (!file.note.empty() && !page.panels.empty())
-      page.note = "Incomplete file: " + file.note + ". " + page.note;
+    desktop::ChartPage page = document.build(number, options.view);
+    if (!document.note.empty() && !page.panels.empty())
+      page.note = "Incomplete file: " + document.note + ". " + page.note;
     scene.setPage(std::move(page));
     const fs::path path = options.folder / fmt::format("{}-page-{:02}.png", stem, number);
     desktop::save_image(scene.image({options.width, options.height}), path);
@@ -40,13 +39,13 @@ std::vector<fs::path> render_plots(const std::vector<fs::path>& files,
   desktop::make_folder(options.folder);
   std::vector<fs::path> written;
   for (const auto& path : files) {
-    const results::SolFile file = results::read_sol(path, options.range);
+    const PlotDocument document = open_document(path, options.range);
     const bool twin = std::count_if(files.begin(), files.end(), [&](const fs::path& other) {
                         return other.filename() == path.filename();
                       }) > 1;
     const std::string folder = fs::absolute(path).parent_path().filename().string();
     const std::string stem = (twin ? folder + "-" : "") + path.filename().string();
-    const auto pictures = render_file(file, stem, options);
+    const auto pictures = render_document(document, stem, options);
     written.insert(written.end(), pictures.begin(), pictures.end());
   }
   return written;

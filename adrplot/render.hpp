@@ -1,6 +1,6 @@
 #pragma once
 
-#include "adrplot/page_builder.hpp"
+#include "adrplot/plot_document.hpp"
 
 #include <filesystem>
 #include <vector>
@@ -25,8 +25,8 @@ std::vector<std::filesystem::path> render_plots(const std::vector<std::filesyste
                                                 const RenderOptions& options);
 
 /// The same for a file in memory; `stem` begins the pictures' names.
-std::vector<std::filesystem::path> render_file(const results::SolFile& file,
-                                               const std::string& stem,
-                                               const RenderOptions& options);
+std::vector<std::filesystem::path> render_document(const PlotDocument& document,
+                                                   const std::string& stem,
+                                                   const RenderOptions& options);
 
 }  // namespace adore::adrplot

@@ -189,7 +189,7 @@ void AgoreWindow::askForFile() {
       100'000'000, [this](int steps) {
         steps_ = steps;
         desktop::ask_file(
-            this, kApp, tr("Open animation file"),
+            this, kApp, tr("Open animation file"), "SOL8*",
             [this, steps](const QString& name) { openFile(name.toStdString(), steps); });
       });
 }

@@ -29,12 +29,12 @@ void print_files(const std::vector<std::filesystem::path>& files) {
 }
 
 void add_plot(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("plot", "draw the pages of SOL1-SOL7 as PNG files");
+  CLI::App* command = app.add_subcommand("plot", "draw the pages of SOL1-SOL7, a quasi-static RUN.json or SWEEP.csv as PNG files");
   auto files = std::make_shared<std::vector<std::string>>();
   auto out = std::make_shared<std::string>();
   auto options = std::make_shared<adrplot::RenderOptions>();
   auto time = std::make_shared<bool>(false);
-  command->add_option("files", *files, "SOL1-SOL7 files")->required();
+  command->add_option("files", *files, "SOL1-SOL7, RUN.json, SWEEP.csv")->required();
   command->add_option("--out", *out, "folder of the pictures")->required();
   command->add_option("--page", options->page, "one page (default: all)");
   command->add_option("--from", options->range.from, "first stored step, counted from 1")

@@ -35,6 +35,7 @@ struct ChartPage {
   std::vector<ChartPanel> panels;
   std::vector<ChartMark> marks;            ///< dashed vertical lines with a label
   bool equal_axes = false;                 ///< an orbit: same scale both ways, one panel
+  bool closed_outline = false;             ///< an orbit page whose curves are outlines, not paths
   double guide_radius = 0.0;               ///< circle about the origin of an orbit; 0 = none
   double view_low = 0.0, view_high = 0.0;  ///< first view of the abscissa; equal = all of it
 };

@@ -269,8 +269,9 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
       line.x.push_back(curve.x[i]);
       line.y.push_back(curve.y[i]);
     }
-    addSeries(chart, line, x_axis, y_axis, text_of(curve.name), colour++, m.thin_line);
-    if (line.x.empty()) continue;
+    addSeries(chart, line, x_axis, y_axis, text_of(curve.name), colour++,
+              page_.closed_outline ? m.line : m.thin_line);
+    if (line.x.empty() || page_.closed_outline) continue;
     const auto dot = [&](std::size_t i, const QColor& fill) {
       const double px =
           area.left() + (x_axis.shown(line.x[i]) - x_axis.min) / (x_axis.max - x_axis.min) * side;
@@ -280,6 +281,11 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
     };
     dot(0, theme_->green);
     dot(line.x.size() - 1, theme_->red);
+  }
+  areas_.push_back(area);
+  if (page_.closed_outline) {
+    addLegend(panel, area, m);
+    return;
   }
   auto* key = addText(QString());
   key->setFont(ui_font(m.text_font));
@@ -293,7 +299,6 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
                    : QString()));
   key->setPos(area.right() - key->boundingRect().width(),
               area.top() - key->boundingRect().height());
-  areas_.push_back(area);
 }
 
 QChart* ChartScene::addChart(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,

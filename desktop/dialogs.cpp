@@ -40,11 +40,11 @@ void ask_number(QWidget* parent, const QString& title, const QString& label, int
   dialog->open();
 }
 
-void ask_file(QWidget* parent, const QString& app, const QString& title,
+void ask_file(QWidget* parent, const QString& app, const QString& title, const QString& names,
               std::function<void(QString)> answer) {
   const QString folder = QSettings("Adore", app).value("open/folder").toString();
-  auto* dialog =
-      new QFileDialog(parent, title, folder, QObject::tr("Result files (SOL*);;All files (*)"));
+  auto* dialog = new QFileDialog(parent, title, folder,
+                                 QObject::tr("Result files (%1);;All files (*)").arg(names));
   dialog->setObjectName("open");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);

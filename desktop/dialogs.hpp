@@ -18,8 +18,9 @@ void show_message(QWidget* parent, const QString& text, bool error = false);
 void ask_number(QWidget* parent, const QString& title, const QString& label, int value, int low,
                 int high, std::function<void(int)> answer);
 
-/// A result file, starting in the folder used last by `app`; the dialog is named "open".
-void ask_file(QWidget* parent, const QString& app, const QString& title,
+/// A result file of one of the names (patterns, blanks between), starting in the folder used last
+/// by `app`; the dialog is named "open".
+void ask_file(QWidget* parent, const QString& app, const QString& title, const QString& names,
               std::function<void(QString)> answer);
 
 /// Where to save a picture: the remembered name with a running number, free to edit; then saves it

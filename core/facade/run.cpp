@@ -22,18 +22,6 @@ double seconds_since(Clock::time_point begin) {
   return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
-fs::path output_folder(const RunRequest& request, const fs::path& deck) {
-  const fs::path folder = request.out ? *request.out : deck.parent_path();
-  if (folder.empty()) return ".";
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error || !fs::is_directory(folder))
-    throw InputError(
-        fmt::format("cannot make the output folder {}: {}; name another one with --out",
-                    folder.string(), error ? error.message() : "a file of that name exists"));
-  return folder;
-}
-
 /// The request's overrides of the deck's run control.
 void apply_overrides(const RunRequest& request, Prepared& prepared) {
   if (!request.integrator.empty()) {
@@ -235,6 +223,18 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
 }
 
 }  // namespace
+
+fs::path output_folder(const RunRequest& request, const fs::path& deck) {
+  const fs::path folder = request.out ? *request.out : deck.parent_path();
+  if (folder.empty()) return ".";
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error || !fs::is_directory(folder))
+    throw InputError(
+        fmt::format("cannot make the output folder {}: {}; name another one with --out",
+                    folder.string(), error ? error.message() : "a file of that name exists"));
+  return folder;
+}
 
 double parse_until(const std::string& text, double shaft_speed, double time_scale) {
   double value = 0.0;

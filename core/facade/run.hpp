@@ -56,6 +56,9 @@ struct RunOutcome {
 RunOutcome run(const RunRequest& request, const ProgressSink& progress = {},
                std::stop_token stop = {});
 
+/// The folder that the request's files go into, made when missing. @throws InputError
+std::filesystem::path output_folder(const RunRequest& request, const std::filesystem::path& deck);
+
 /// Seconds for "5rev", "0.02s" or a dimensionless number. @throws InputError
 double parse_until(const std::string& text, double shaft_speed, double time_scale);
 

@@ -12,6 +12,7 @@
 #include "results/results_h5.hpp"
 #include "results/run_json.hpp"
 #include "results/sol_writer.hpp"
+#include "results/static_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -399,6 +400,8 @@ void RunOutputs::write_quasi_static() {
   run.status = "done";
   s.key_results = static_results(s.prepared.statics);
   run.summary = s.key_results;
+  run.quasi_static =
+      results::to_json(results::static_tables(s.prepared.statics, s.prepared.bearing, s.units));
   s.close(run);
 }
 

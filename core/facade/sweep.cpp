@@ -110,8 +110,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   }
   const std::string variable = request.sets[swept].first;
   const Range range = parse_range(variable, request.sets[swept].second);
-  const std::filesystem::path folder =
-      request.out ? *request.out : deck_path(request.deck).parent_path();
+  const std::filesystem::path folder = output_folder(request, deck_path(request.deck));
 
   const auto count = static_cast<std::size_t>(range.count);
   std::vector<Row> rows(count);

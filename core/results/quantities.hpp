@@ -17,6 +17,8 @@ inline constexpr UnitPair kPower{"W", "in.lbf/s", 1.0, kPoundForce* kInch};
 inline constexpr UnitPair kEnergy{"J", "in.lbf", 1.0, kPoundForce* kInch};
 inline constexpr UnitPair kLife{"hr", "hr", 1.0, 1.0};  ///< the models deliver hours
 inline constexpr UnitPair kStiffness{"N/m", "lbf/in", 1.0, kPoundForce / kInch};
+inline constexpr UnitPair kRotationalStiffness{"N.m/rad", "lbf.in/rad", 1.0, kPoundForce* kInch};
+inline constexpr UnitPair kCoupledStiffness{"N/rad", "lbf/rad", 1.0, kPoundForce};
 inline constexpr UnitPair kHertzConstant{"N/m^1.5", "lbf/in^1.5", 1.0,
                                          kPoundForce / 0.004048093872429343};  // 0.0254^1.5
 }  // namespace unit

@@ -89,6 +89,7 @@ Json run_json(const RunSummary& run) {
   if (run.quadrature_error) conservation["contact quadrature error"] = *run.quadrature_error;
   out["conservation"] = conservation;
   out["summary"] = object_of(run.summary);
+  if (!run.quasi_static.is_null()) out["quasi_static"] = run.quasi_static;
   out["defaults_used"] = run.defaults_used;
   out["notes"] = run.notes;
   out["files"] = run.files;

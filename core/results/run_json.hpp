@@ -42,6 +42,7 @@ struct RunSummary {
   std::optional<double> quadrature_error;               ///< System::quadrature_error at the end
   std::vector<std::pair<std::string, double>> summary;  ///< key results by name and unit
   std::vector<std::string> files;                       ///< names without folders
+  nlohmann::ordered_json quasi_static;  ///< results/static_tables.hpp; null when there is none
   // Measured.
   std::vector<dynamics::CostLedger::Row> cost;
   double seconds = 0.0;         ///< of the whole run

@@ -403,6 +403,17 @@ TEST_CASE("a sweep runs one folder per value and a table", "[cli]") {
   CHECK(fs::exists(folder / "sweep" / "appLoadX-3" / "PRINT.txt"));
 }
 
+TEST_CASE("a sweep whose runs all fail still leaves its table with the reasons", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const Result sweep = run_adore("run " + folder.path().string() +
+                                 " --set noSuchVariable=1:2:2 --quiet --out " +
+                                 (folder / "sweep").string());
+  INFO(sweep.out);
+  CHECK(sweep.code == 2);
+  CHECK(read(folder / "sweep" / "SWEEP.csv").find("noSuchVariable") != std::string::npos);
+}
+
 TEST_CASE("adore accuracy tabulates error against cost", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);

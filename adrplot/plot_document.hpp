@@ -1,0 +1,35 @@
+#pragma once
+
+#include "adrplot/page_builder.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// One opened file as numbered pages, whatever kind of file it is.
+namespace adore::adrplot {
+
+struct PlotDocument {
+  struct Entry {
+    std::string title;
+    PageKind kind = PageKind::Chart;
+  };
+  std::filesystem::path path;
+  std::string subject;  ///< "rolling element 3", "quasi-static solution"
+  std::string note;     ///< what is wrong with the file; empty: nothing
+  std::vector<Entry> pages;
+  /// The chart of page 1 .. pages.size(). @throws InputError for another number
+  std::function<desktop::ChartPage(int number, const PageOptions& options)> build;
+};
+
+/// SOL1-SOL7, the RUN.json of a quasi-static run, or a SWEEP.csv, told apart by their names'
+/// endings (.json, .csv) and else by content. @throws InputError for a file that is none of these.
+[[nodiscard]] PlotDocument open_document(const std::filesystem::path& path,
+                                         const results::SolRange& range = {});
+[[nodiscard]] PlotDocument make_document(results::SolFile file);
+
+/// Is the file read step by step, so that a range of steps can be asked for?
+[[nodiscard]] bool has_steps(const std::filesystem::path& path);
+
+}  // namespace adore::adrplot

@@ -1,0 +1,305 @@
+#include "adrplot/static_pages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+namespace adore::adrplot {
+namespace {
+
+using desktop::ChartCurve;
+using desktop::ChartPage;
+using desktop::ChartPanel;
+using results::StaticColumn;
+using results::StaticTable;
+using results::StaticTables;
+
+struct CurveChoice {
+  std::string column, name;
+};
+
+std::vector<double> shown(const StaticColumn& column, results::UnitSystem units) {
+  std::vector<double> out;
+  for (const double value : column.values)
+    out.push_back(results::from_si(value, *column.unit, units));
+  return out;
+}
+
+/// One panel with those of the columns that the table has; nothing when it has none.
+std::optional<ChartPanel> panel(const StaticTables& all, const StaticTable& table,
+                                std::string title, const std::vector<CurveChoice>& curves) {
+  ChartPanel out;
+  out.title = std::move(title);
+  for (const CurveChoice& choice : curves) {
+    const StaticColumn* column = table.find(choice.column);
+    if (column == nullptr) continue;
+    const std::string_view unit = results::unit_name(*column->unit, all.units);
+    out.unit = unit == "-" ? "" : unit;
+    out.curves.push_back({choice.name, shown(*column, all.units), {}});
+  }
+  if (out.curves.empty()) return std::nullopt;
+  return out;
+}
+
+void add(ChartPage& page, std::optional<ChartPanel> panel) {
+  if (panel) page.panels.push_back(std::move(*panel));
+}
+
+std::vector<CurveChoice> both_races(const std::string& quantity) {
+  return {{"outer " + quantity, "outer race"}, {"inner " + quantity, "inner race"}};
+}
+
+void set_abscissa(ChartPage& page, const StaticTables& all, const StaticTable& table,
+                  const std::string& column, const std::string& title) {
+  page.x_title = title;
+  if (const StaticColumn* x = table.find(column)) {
+    page.x_unit = results::unit_name(*x->unit, all.units);
+    page.x = shown(*x, all.units);
+  }
+}
+
+/// Rows in the order of their azimuth in (-180, 180], so that the load zone of a radial load stays
+/// in one piece.
+StaticTable by_azimuth(StaticTable table) {
+  StaticColumn* azimuth = nullptr;
+  for (StaticColumn& column : table.columns)
+    if (column.name == "azimuth") azimuth = &column;
+  if (azimuth == nullptr) return table;
+  const double half_turn = std::acos(-1.0);
+  for (double& angle : azimuth->values) {
+    angle = std::remainder(angle, 2.0 * half_turn);
+    if (angle < -half_turn * (1.0 - 1e-12)) angle = half_turn;
+  }
+  std::vector<std::size_t> order(azimuth->values.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return azimuth->values[a] < azimuth->values[b];
+  });
+  for (StaticColumn& column : table.columns) {
+    std::vector<double> sorted;
+    for (const std::size_t row : order)
+      sorted.push_back(row < column.values.size() ? column.values[row]
+                                                  : std::numeric_limits<double>::quiet_NaN());
+    column.values = std::move(sorted);
+  }
+  return table;
+}
+
+/// Loads as the radius of a closed line about the bearing's axis, seen along +x: +z up, azimuth
+/// turning from z towards -y.
+ChartPage load_rose(const StaticTables& all, const StaticTable& elements) {
+  ChartPage page;
+  page.title = "Load around the bearing";
+  page.note = "Distance from the centre: load of the contact. Up is azimuth 0; y points right.";
+  page.equal_axes = true;
+  page.closed_outline = true;
+  page.x_title = "y direction";
+  const StaticColumn* azimuth = elements.find("azimuth");
+  ChartPanel rose;
+  rose.title = "z direction";
+  for (const auto& [column, name] : both_races("load")) {
+    const StaticColumn* load = elements.find(column);
+    if (load == nullptr || azimuth == nullptr || load->values.empty()) continue;
+    rose.unit = results::unit_name(*load->unit, all.units);
+    ChartCurve curve{name, {}, {}};
+    const std::vector<double> size = shown(*load, all.units);
+    for (std::size_t k = 0; k <= size.size(); ++k) {
+      const std::size_t i = k % size.size();
+      const double q = std::isfinite(size[i]) ? size[i] : 0.0;
+      curve.x.push_back(-q * std::sin(azimuth->values[i]));
+      curve.y.push_back(q * std::cos(azimuth->values[i]));
+    }
+    rose.curves.push_back(std::move(curve));
+  }
+  page.panels.push_back(std::move(rose));
+  return page;
+}
+
+ChartPage element_page(const StaticTables& all, const StaticTable& elements) {
+  ChartPage page;
+  page.title = "Contact loads, angles and pressures";
+  set_abscissa(page, all, elements, "azimuth", "Azimuth");
+  add(page, panel(all, elements, "Contact load", both_races("load")));
+  add(page, panel(all, elements, "Contact angle", both_races("contact angle")));
+  add(page, panel(all, elements, "Largest pressure", both_races("pressure")));
+  return page;
+}
+
+/// Where the ellipses lie on their grooves.
+std::optional<ChartPage> ellipse_page(const StaticTables& all, const StaticTable& elements) {
+  ChartPage page;
+  page.title = "Contact ellipses against the groove edges";
+  page.note =
+      "Angles on the groove from its bottom: the ellipse should stay inside the groove's end.";
+  set_abscissa(page, all, elements, "azimuth", "Azimuth");
+  for (const std::string race : {"outer ", "inner "})
+    add(page, panel(all, elements, race == "outer " ? "Outer groove" : "Inner groove",
+                    {{race + "contact angle", "middle"},
+                     {race + "ellipse low", "lower edge"},
+                     {race + "ellipse high", "upper edge"},
+                     {race + "groove end", "end of the groove"}}));
+  if (elements.find("outer ellipse low") == nullptr || page.panels.empty()) return std::nullopt;
+  return page;
+}
+
+std::optional<ChartPage> tilt_page(const StaticTables& all, const StaticTable& elements) {
+  ChartPage page;
+  page.title = "Roller attitude and guidance";
+  set_abscissa(page, all, elements, "azimuth", "Azimuth");
+  add(page, panel(all, elements, "Tilt", {{"tilt", ""}}));
+  add(page, panel(all, elements, "Moment of the contact load", both_races("moment")));
+  add(page, panel(all, elements, "Flange load",
+                  {{"outer flange -x load", "outer, −x"},
+                   {"outer flange +x load", "outer, +x"},
+                   {"inner flange -x load", "inner, −x"},
+                   {"inner flange +x load", "inner, +x"}}));
+  if (page.panels.empty()) return std::nullopt;
+  return page;
+}
+
+/// Pressure and load along the most loaded roller.
+std::optional<ChartPage> slice_page(const StaticTables& all) {
+  const StaticTable* slices = all.find("slices");
+  if (slices == nullptr) return std::nullopt;
+  ChartPage page;
+  page.title = "Along the most loaded roller";
+  set_abscissa(page, all, *slices, "position", "Position along the roller");
+  add(page, panel(all, *slices, "Pressure", both_races("pressure")));
+  add(page, panel(all, *slices, "Load per length", both_races("load per length")));
+  return page;
+}
+
+std::vector<ChartPage> stiffness_pages(const StaticTables& all) {
+  const StaticTable* table = all.find("stiffness over speed");
+  if (table == nullptr) return {};
+  const auto page = [&](std::string title) {
+    ChartPage out;
+    out.title = std::move(title);
+    const StaticColumn* inner = table->find("inner speed");
+    const bool inner_turns =
+        inner != nullptr && !inner->values.empty() && inner->values.front() != inner->values.back();
+    set_abscissa(out, all, *table, inner_turns ? "inner speed" : "outer speed",
+                 inner_turns ? "Inner race speed" : "Outer race speed");
+    return out;
+  };
+  const auto entry = [&](const std::string& name) {
+    return std::vector<CurveChoice>{{name, "exact"}, {name + " by difference", "by difference"}};
+  };
+  std::vector<ChartPage> out;
+  out.push_back(page("Stiffness over speed: translation"));
+  for (const char* const k : {"Kxx", "Kyy", "Kzz"})
+    add(out.back(), panel(all, *table, k, entry(k)));
+  out.push_back(page("Stiffness over speed: rotation and coupling"));
+  for (const char* const k : {"Kthth y", "Kthth z", "Kx z"})
+    add(out.back(), panel(all, *table, k, entry(k)));
+  out.push_back(page("Contacts over speed"));
+  add(out.back(), panel(all, *table, "Largest contact load",
+                        {{"outer load", "outer race"}, {"inner load", "inner race"}}));
+  add(out.back(),
+      panel(all, *table, "Displacement",
+            {{"displacement x", "x"}, {"displacement y", "y"}, {"displacement z", "z"}}));
+  std::erase_if(out, [](const ChartPage& p) { return p.panels.empty(); });
+  return out;
+}
+
+/// Units that names of key results end in, and how an axis writes them.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kSuffixes{
+    {{"_Nm_per_rad", "N m/rad"},
+     {"_N_per_m", "N/m"},
+     {"_m_per_s", "m/s"},
+     {"_rad", "rad"},
+     {"_deg", "deg"},
+     {"_Nm", "N m"},
+     {"_Pa", "Pa"},
+     {"_m", "m"},
+     {"_N", "N"},
+     {"_W", "W"},
+     {"_J", "J"},
+     {"_hr", "hr"},
+     {"_K", "K"},
+     {"_s", "s"}}};
+
+/// Parts of a name that tell curves of one quantity apart.
+constexpr std::array<std::string_view, 9> kParts{
+    "_about_y", "_about_z", "_x", "_y", "_z", "_outer", "_inner", "_bearing", "_elements"};
+
+struct NameParts {
+  std::string quantity, part, unit;
+};
+
+NameParts split(std::string name) {
+  NameParts out;
+  for (const auto& [suffix, unit] : kSuffixes)
+    if (name.ends_with(suffix)) {
+      out.unit = unit;
+      name.resize(name.size() - suffix.size());
+      break;
+    }
+  for (const std::string_view part : kParts)
+    if (name.ends_with(part)) {
+      out.part = part.substr(1);
+      name.resize(name.size() - part.size());
+      break;
+    }
+  std::replace(name.begin(), name.end(), '_', ' ');
+  std::replace(out.part.begin(), out.part.end(), '_', ' ');
+  if (!name.empty() && name.front() >= 'a' && name.front() <= 'z')
+    name.front() = static_cast<char>(name.front() - 'a' + 'A');
+  out.quantity = std::move(name);
+  return out;
+}
+
+}  // namespace
+
+std::vector<ChartPage> static_pages(const StaticTables& all) {
+  std::vector<ChartPage> pages;
+  if (const StaticTable* table = all.find("elements")) {
+    const StaticTable elements = by_azimuth(*table);
+    pages.push_back(load_rose(all, elements));
+    pages.push_back(element_page(all, elements));
+    if (auto page = ellipse_page(all, elements)) pages.push_back(std::move(*page));
+    if (auto page = tilt_page(all, elements)) pages.push_back(std::move(*page));
+  }
+  if (auto page = slice_page(all)) pages.push_back(std::move(*page));
+  for (ChartPage& page : stiffness_pages(all)) pages.push_back(std::move(page));
+  for (ChartPage& page : pages)
+    page.subtitle = fmt::format("{}   ·   {} bearing, quasi-static",
+                                all.run_id.empty() ? "(no run name)" : all.run_id, all.bearing);
+  return pages;
+}
+
+std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep) {
+  constexpr std::size_t kPanelsPerPage = 3;
+  std::vector<ChartPanel> panels;
+  for (const results::SweepColumn& column : sweep.columns) {
+    const NameParts name = split(column.name);
+    const auto same = std::find_if(panels.begin(), panels.end(), [&](const ChartPanel& p) {
+      return !name.part.empty() && p.title == name.quantity && p.unit == name.unit;
+    });
+    if (same != panels.end())
+      same->curves.push_back({name.part, column.values, {}});
+    else
+      panels.push_back({name.quantity, name.unit, {{name.part, column.values, {}}}});
+  }
+  std::vector<ChartPage> pages;
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    if (i % kPanelsPerPage == 0) {
+      ChartPage& page = pages.emplace_back();
+      page.title = "Key results over " + sweep.variable;
+      page.subtitle =
+          fmt::format("{} runs{}", sweep.values.size(),
+                      sweep.failed > 0 ? fmt::format(", {} without a result", sweep.failed) : "");
+      page.x_title = sweep.variable;
+      page.x = sweep.values;
+    }
+    pages.back().panels.push_back(std::move(panels[i]));
+  }
+  return pages;
+}
+
+}  // namespace adore::adrplot

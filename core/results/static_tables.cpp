@@ -1,0 +1,165 @@
+#include "results/static_tables.hpp"
+
+#include "base/errors.hpp"
+#include "contact/groove.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+namespace adore::results {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using bearing::Bearing;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// Every unit that a column may have; a name of the SI system means one of them.
+constexpr std::array kUnits{&unit::kPure,
+                            &unit::kAngle,
+                            &unit::kLength,
+                            &unit::kForce,
+                            &unit::kMoment,
+                            &unit::kPressure,
+                            &unit::kSpeed,
+                            &unit::kRotation,
+                            &unit::kStiffness,
+                            &unit::kPower,
+                            &unit::kLife,
+                            &unit::kRotationalStiffness,
+                            &unit::kCoupledStiffness,
+                            &unit::kTemperature};
+
+const UnitPair* unit_named(std::string_view si) {
+  for (const UnitPair* unit : kUnits)
+    if (unit->si == si) return unit;
+  return nullptr;
+}
+
+/// Angle at which the groove of a race ends at its shoulder, measured as contact angles are; NaN
+/// when the deck gives no shoulder or the groove does not reach it.
+double shoulder_angle(const Bearing& bearing, const contact::GrooveGeometry& groove,
+                      std::size_t race) {
+  const double shoulder = 0.5 * bearing.balls.shoulder_diameter[race];
+  if (!(shoulder > 0.0)) return kNone;
+  const double height = (race == 0 ? 1.0 : -1.0) * (shoulder - groove.centre_radius[race]);
+  const double cosine = height / groove.groove_radius[race];
+  return std::abs(cosine) <= 1.0 ? std::acos(cosine) : kNone;
+}
+
+}  // namespace
+
+const StaticColumn* StaticTable::find(const std::string& column) const {
+  for (const StaticColumn& candidate : columns)
+    if (candidate.name == column) return &candidate;
+  return nullptr;
+}
+
+void StaticTable::add(std::string column, const UnitPair& unit, std::vector<double> values) {
+  columns.push_back({std::move(column), &unit, std::move(values)});
+}
+
+const StaticTable* StaticTables::find(const std::string& table) const {
+  for (const StaticTable& candidate : tables)
+    if (candidate.name == table) return &candidate;
+  return nullptr;
+}
+
+StaticTables static_tables(const statics::StaticSolution& solution, const Bearing& bearing,
+                           UnitSystem units) {
+  StaticTables out{bearing.run_id, "ball", units, {}};
+  StaticTable& elements = out.tables.emplace_back(StaticTable{"elements", {}});
+  const auto column = [&](auto&& value) {
+    std::vector<double> values;
+    for (const statics::StaticBall& ball : solution.balls) values.push_back(value(ball));
+    return values;
+  };
+  elements.add("azimuth", unit::kAngle, column([](const auto& b) { return b.azimuth; }));
+  const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls);
+  for (std::size_t j = 0; j < 2; ++j) {
+    const std::string race = j == 0 ? "outer " : "inner ";
+    // Half the angle that the contact ellipse takes up on the groove.
+    const auto half = [&](const statics::StaticBall& b) {
+      return std::asin(std::min(1.0, b.a[j] / groove.groove_radius[j]));
+    };
+    elements.add(race + "load", unit::kForce, column([&](const auto& b) { return b.Q[j]; }));
+    elements.add(race + "contact angle", unit::kAngle,
+                 column([&](const auto& b) { return b.alpha[j]; }));
+    elements.add(race + "ellipse low", unit::kAngle,
+                 column([&](const auto& b) { return b.alpha[j] - half(b); }));
+    elements.add(race + "ellipse high", unit::kAngle,
+                 column([&](const auto& b) { return b.alpha[j] + half(b); }));
+    elements.add(race + "pressure", unit::kPressure,
+                 column([&](const auto& b) { return b.Q[j] > 0.0 ? b.p_max[j] : 0.0; }));
+    elements.add(race + "spin to roll", unit::kPure,
+                 column([&](const auto& b) { return b.Q[j] > 0.0 ? b.spin_roll[j] : kNone; }));
+    const double end = shoulder_angle(bearing, groove, j);
+    if (std::isfinite(end))
+      elements.add(race + "groove end", unit::kAngle,
+                   column([&](const auto& b) { return b.alpha[j] < 0.0 ? -end : end; }));
+  }
+  return out;
+}
+
+Json to_json(const StaticTables& tables) {
+  Json out;
+  out["bearing"] = tables.bearing;
+  out["units"] = tables.units == UnitSystem::SI ? "SI" : "English";
+  for (const StaticTable& table : tables.tables) {
+    Json columns = Json::object();
+    for (const StaticColumn& column : table.columns) {
+      Json values = Json::array();
+      for (const double value : column.values) {
+        const double shown = from_si(value, *column.unit, UnitSystem::SI);
+        values.push_back(std::isfinite(shown) ? Json(shown) : Json());
+      }
+      columns[fmt::format("{} [{}]", column.name, column.unit->si)] = std::move(values);
+    }
+    out["tables"][table.name] = std::move(columns);
+  }
+  return out;
+}
+
+StaticTables read_static_tables(const std::filesystem::path& run_json) {
+  const auto refuse = [&](const std::string& why) -> InputError {
+    return InputError(fmt::format("{}: {}", run_json.string(), why));
+  };
+  std::ifstream file(run_json, std::ios::binary);
+  if (!file) throw refuse("cannot be read");
+  try {
+    const Json json = Json::parse(file);
+    if (!json.is_object() || !json.contains("quasi_static"))
+      throw refuse(
+          "holds no quasi-static solution; plots of this kind come from the RUN.json of a run with "
+          "mode -1");
+    const Json& section = json.at("quasi_static");
+    StaticTables out;
+    out.run_id = json.value("run", "");
+    out.bearing = section.at("bearing").get<std::string>();
+    out.units = section.at("units") == "SI" ? UnitSystem::SI : UnitSystem::English;
+    for (const auto& [name, columns] : section.at("tables").items()) {
+      StaticTable& table = out.tables.emplace_back(StaticTable{name, {}});
+      for (const auto& [title, values] : columns.items()) {
+        const std::size_t bracket = title.rfind(" [");
+        if (bracket == std::string::npos || title.back() != ']')
+          throw refuse(fmt::format("column \"{}\" names no unit", title));
+        const std::string unit = title.substr(bracket + 2, title.size() - bracket - 3);
+        const UnitPair* pair = unit_named(unit);
+        if (pair == nullptr) throw refuse(fmt::format("unit \"{}\" is not known", unit));
+        std::vector<double> numbers;
+        for (const Json& value : values)
+          numbers.push_back(value.is_null() ? kNone
+                                            : to_si(value.get<double>(), *pair, UnitSystem::SI));
+        table.add(title.substr(0, bracket), *pair, std::move(numbers));
+      }
+    }
+    return out;
+  } catch (const nlohmann::json::exception& error) {
+    throw refuse(fmt::format("is not a RUN.json that this version reads ({})", error.what()));
+  }
+}
+
+}  // namespace adore::results

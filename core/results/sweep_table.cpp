@@ -1,0 +1,62 @@
+#include "results/sweep_table.hpp"
+
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <fstream>
+#include <limits>
+#include <string_view>
+
+namespace adore::results {
+namespace {
+
+std::vector<std::string_view> fields(std::string_view line) {
+  std::vector<std::string_view> out;
+  while (true) {
+    const std::size_t comma = line.find(',');
+    out.push_back(line.substr(0, comma));
+    if (comma == std::string_view::npos) return out;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+double number(std::string_view text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size()
+             ? value
+             : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+SweepTable read_sweep(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(fmt::format("{}: cannot be read", path.string()));
+  std::string line;
+  std::getline(file, line);
+  const std::vector<std::string_view> names = fields(line);
+  if (names.size() < 3 || names[1] != "exit" || names.back() != "message")
+    throw InputError(fmt::format("{} is not a table of `adore run --set variable=first:last:count`",
+                                 path.string()));
+  SweepTable out;
+  out.variable = names.front();
+  for (std::size_t i = 2; i + 1 < names.size(); ++i)
+    out.columns.push_back({std::string(names[i]), {}});
+  std::string row;
+  while (std::getline(file, row)) {
+    // The message comes last and may hold commas, so it is cut off first.
+    const std::vector<std::string_view> values =
+        fields(std::string_view(row).substr(0, row.find(",\"")));
+    if (values.size() != names.size() - 1) continue;  // a line cut short
+    out.values.push_back(number(values[0]));
+    if (values[1] != "0") ++out.failed;
+    for (std::size_t i = 0; i < out.columns.size(); ++i)
+      out.columns[i].values.push_back(number(values[i + 2]));
+  }
+  return out;
+}
+
+}  // namespace adore::results

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// SWEEP.csv as `adore run --set var=a:b:n` writes it, for plots.
+namespace adore::results {
+
+struct SweepColumn {
+  std::string name;            ///< "stiffness_x_N_per_m"
+  std::vector<double> values;  ///< one per run; NaN where the run gave none
+};
+
+struct SweepTable {
+  std::string variable;  ///< the deck variable that was varied, in the deck's units
+  std::vector<double> values;
+  std::vector<SweepColumn> columns;  ///< key results, in the file's order
+  std::size_t failed = 0;            ///< runs that ended without a result
+};
+
+/// @throws InputError when the file is not such a table.
+[[nodiscard]] SweepTable read_sweep(const std::filesystem::path& path);
+
+}  // namespace adore::results

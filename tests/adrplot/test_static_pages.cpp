@@ -1,0 +1,164 @@
+#include "adrplot/plot_document.hpp"
+#include "adrplot/render.hpp"
+#include "adrplot/static_pages.hpp"
+#include "base/atomic_file.hpp"
+#include "base/errors.hpp"
+#include "desktop/theme.hpp"
+#include "support/qt_app.hpp"
+
+#include <QImage>
+#include <QTemporaryDir>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <set>
+
+using namespace adore;
+namespace unit = results::unit;
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// Four elements, the last without inner load, and a stiffness table of three speeds.
+results::StaticTables four_elements(results::UnitSystem units) {
+  results::StaticTables out{"four", "ball", units, {}};
+  results::StaticTable elements{"elements", {}};
+  const double quarter = 0.5 * std::numbers::pi;
+  elements.add("azimuth", unit::kAngle, {0.0, quarter, 2.0 * quarter, 3.0 * quarter});
+  for (const std::string race : {"outer ", "inner "}) {
+    elements.add(race + "load", unit::kForce, {400.0, 300.0, 200.0, 300.0});
+    elements.add(race + "contact angle", unit::kAngle, {0.5, 0.45, 0.4, kNone});
+    elements.add(race + "pressure", unit::kPressure, {1.2e9, 1.1e9, 1e9, 0.0});
+  }
+  out.tables.push_back(std::move(elements));
+  results::StaticTable stiffness{"stiffness over speed", {}};
+  stiffness.add("inner speed", unit::kRotation, {0.0, 500.0, 1000.0});
+  for (const char* const k : {"Kxx", "Kyy", "Kzz"}) {
+    stiffness.add(k, unit::kStiffness, {1e8, 1.1e8, 1.2e8});
+    stiffness.add(std::string(k) + " by difference", unit::kStiffness, {1.01e8, 1.11e8, 1.21e8});
+  }
+  out.tables.push_back(std::move(stiffness));
+  return out;
+}
+
+std::filesystem::path write_run(const QTemporaryDir& folder, const results::StaticTables& tables) {
+  nlohmann::ordered_json run;
+  run["run"] = tables.run_id;
+  run["quasi_static"] = results::to_json(tables);
+  const std::filesystem::path path = folder.filePath("RUN.json").toStdString();
+  write_file_atomically(path, run.dump(1));
+  return path;
+}
+
+}  // namespace
+
+TEST_CASE("quasi-static tables come back from RUN.json as they were", "[unit]") {
+  const QTemporaryDir folder;
+  const results::StaticTables written = four_elements(results::UnitSystem::English);
+  const results::StaticTables read = results::read_static_tables(write_run(folder, written));
+  CHECK(read.units == results::UnitSystem::English);
+  CHECK(read.bearing == "ball");
+  REQUIRE(read.tables.size() == 2);
+  for (std::size_t t = 0; t < 2; ++t) {
+    REQUIRE(read.tables[t].columns.size() == written.tables[t].columns.size());
+    for (std::size_t c = 0; c < read.tables[t].columns.size(); ++c) {
+      const auto& a = read.tables[t].columns[c];
+      const auto& b = written.tables[t].columns[c];
+      CHECK(a.name == b.name);
+      CHECK(a.unit == b.unit);
+      REQUIRE(a.values.size() == b.values.size());
+      for (std::size_t i = 0; i < a.values.size(); ++i) {
+        INFO(a.name << " " << i);
+        // Degrees and back cost a rounding.
+        if (std::isnan(b.values[i]))
+          CHECK(std::isnan(a.values[i]));
+        else
+          CHECK(a.values[i] == Approx(b.values[i]).epsilon(1e-15));
+      }
+    }
+  }
+}
+
+TEST_CASE("a RUN.json without a quasi-static solution is refused by name", "[unit]") {
+  const QTemporaryDir folder;
+  const std::filesystem::path path = folder.filePath("RUN.json").toStdString();
+  write_file_atomically(path, "{\"run\": \"x\"}");
+  CHECK_THROWS_WITH(results::read_static_tables(path), Catch::Contains("mode -1"));
+  write_file_atomically(path, "not json");
+  CHECK_THROWS_AS(results::read_static_tables(path), InputError);
+}
+
+TEST_CASE("load rose: every load stands in the direction of its element", "[unit]") {
+  const auto pages = adrplot::static_pages(four_elements(results::UnitSystem::SI));
+  REQUIRE(pages.size() == 3);
+  const auto& outer = pages[0].panels.at(0).curves.at(0);
+  REQUIRE(outer.x.size() == 5);  // closed
+  CHECK(outer.x.front() == outer.x.back());
+  // Azimuth 0 is up, 90 degrees is towards -y.
+  double up = -1e9, left = 1e9;
+  for (std::size_t i = 0; i < outer.x.size(); ++i) {
+    up = std::max(up, outer.y[i]);
+    left = std::min(left, outer.x[i]);
+  }
+  CHECK(up == Approx(400.0));
+  CHECK(left == Approx(-300.0));
+  // Rows are sorted by azimuth from -90 to 180 degrees.
+  CHECK(pages[1].x == std::vector<double>{-90.0, 0.0, 90.0, 180.0});
+}
+
+TEST_CASE("English decks are drawn in English units", "[unit]") {
+  const auto pages = adrplot::static_pages(four_elements(results::UnitSystem::English));
+  CHECK(pages[1].panels[0].unit == "lbf");
+  CHECK(pages[1].panels[0].curves[0].y[1] == Approx(400.0 / 4.4482216152605).epsilon(1e-12));
+  CHECK(pages[2].x_unit == "rpm");
+}
+
+TEST_CASE("sweep pages: quantities of one kind share a panel, missing runs are gaps", "[unit]") {
+  const QTemporaryDir folder;
+  const std::filesystem::path path = folder.filePath("SWEEP.csv").toStdString();
+  write_file_atomically(path,
+                        "appLoadX,exit,displacement_x_m,displacement_y_m,displacement_about_y_rad,"
+                        "largest_pressure_Pa,message\n"
+                        "500,0,1e-6,2e-6,1e-5,1e9,\"\"\n"
+                        "750,3,,,,,\"no equilibrium, because\"\n"
+                        "1000,0,3e-6,4e-6,2e-5,1.5e9,\"\"\n");
+  const results::SweepTable sweep = results::read_sweep(path);
+  CHECK(sweep.values == std::vector<double>{500.0, 750.0, 1000.0});
+  CHECK(sweep.failed == 1);
+  const auto pages = adrplot::sweep_pages(sweep);
+  REQUIRE(pages.size() == 1);
+  REQUIRE(pages[0].panels.size() == 3);
+  CHECK(pages[0].panels[0].curves.size() == 2);
+  CHECK(pages[0].panels[0].unit == "m");
+  CHECK(pages[0].panels[2].unit == "Pa");
+  CHECK(std::isnan(pages[0].panels[0].curves[1].y[1]));
+  CHECK(pages[0].panels[0].curves[1].y[2] == 4e-6);
+  write_file_atomically(path, "a,b\n");
+  CHECK_THROWS_AS(results::read_sweep(path), InputError);
+}
+
+TEST_CASE("quasi-static pages become pictures with curves in them", "[gui]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const auto file = write_run(folder, four_elements(results::UnitSystem::SI));
+  adrplot::RenderOptions options;
+  options.folder = folder.filePath("pictures").toStdString();
+  const auto pictures = adrplot::render_plots({file}, options);
+  REQUIRE(pictures.size() == 3);
+  for (const auto& picture : pictures) {
+    const QImage image(QString::fromStdString(picture.string()));
+    REQUIRE_FALSE(image.isNull());
+    std::set<QRgb> colours;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x) colours.insert(image.pixel(x, y));
+    // Both curves in their own colours.
+    const auto& theme = desktop::theme(desktop::ThemeKind::Light);
+    CHECK(colours.count(theme.curves[0].rgb()) == 1);
+    CHECK(colours.count(theme.curves[1].rgb()) == 1);
+  }
+  options.page = 9;
+  CHECK_THROWS_WITH(adrplot::render_plots({file}, options), Catch::Contains("pages are 1 to 3"));
+}
