@@ -2,9 +2,11 @@
 
 #include "deck/deck.hpp"
 #include "dynamics/system.hpp"
+#include "statics/stiffness_table.hpp"
 
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,7 @@ struct RunControl {
   double step_initial = 0.0, step_minimum = 0.0, step_maximum = 0.0,
          end_time = 0.0;  ///< over the time scale
   double tolerance = 1e-6;
+  std::optional<statics::StiffnessRequest> stiffness;  ///< kStif > 0
   std::vector<int>
       monitored;  ///< element numbers of SOL1..SOL6 (1..n elements, cage, outer, inner)
   std::string master_file = "MASTER", final_file = "FINAL";

@@ -11,6 +11,7 @@
 #include "results/report.hpp"
 #include "results/run_json.hpp"
 #include "statics/ball_statics.hpp"
+#include "statics/stiffness_table.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -56,6 +57,8 @@ class PrintFile {
   void front(const PrintFront& front);
   /// Equilibrium of elements and races.
   void quasi_static(const statics::StaticSolution& solution, const bearing::Bearing& bearing);
+  /// Stiffness over speed (kStif); `share`: of the contact deflection, for the differences.
+  void stiffness_table(const std::vector<statics::StiffnessRow>& rows, double share);
   /// One printed step: rolling elements, races and cage, applied parameters, summary, as kPrtOpt
   /// selects. `record` is the snapshot as the ChannelRecorder shows it.
   void step(const dynamics::Snapshot& snapshot, const StepRecord& record,
@@ -78,6 +81,8 @@ class PrintFile {
 void print_front(Report& report, const PrintFront& front);
 void print_quasi_static(Report& report, const statics::StaticSolution& solution,
                         const bearing::Bearing& bearing);
+void print_stiffness_table(Report& report, const std::vector<statics::StiffnessRow>& rows,
+                           double share);
 void print_step(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record,
                 const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt);
 void print_ledgers(Report& report, const RunSummary& run, const dynamics::ScenePlan& plan);

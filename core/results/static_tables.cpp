@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -24,7 +25,7 @@ constexpr std::array kUnits{&unit::kPure,
                             &unit::kForce,
                             &unit::kMoment,
                             &unit::kPressure,
-                            &unit::kSpeed,
+                            &unit::kSpeed,  &unit::kRadian,
                             &unit::kRotation,
                             &unit::kStiffness,
                             &unit::kPower,
@@ -101,6 +102,44 @@ StaticTables static_tables(const statics::StaticSolution& solution, const Bearin
       elements.add(race + "groove end", unit::kAngle,
                    column([&](const auto& b) { return b.alpha[j] < 0.0 ? -end : end; }));
   }
+  return out;
+}
+
+StaticTable stiffness_over_speed(const std::vector<statics::StiffnessRow>& rows) {
+  static constexpr std::array<const char*, 5> kLoads{"Fx", "Fy", "Fz", "My", "Mz"},
+      kMotions{"x", "y", "z", "rot y", "rot z"};
+  StaticTable out{"stiffness over speed", {}};
+  const auto add = [&](std::string name, const UnitPair& unit, auto&& value) {
+    std::vector<double> values;
+    for (const statics::StiffnessRow& row : rows) values.push_back(value(row));
+    out.add(std::move(name), unit, std::move(values));
+  };
+  const auto solved = [&](std::string name, const UnitPair& unit, auto&& value) {
+    add(std::move(name), unit, [&](const statics::StiffnessRow& row) {
+      return row.failure.empty() ? value(row.result) : kNone;
+    });
+  };
+  add("outer speed", unit::kRotation, [](const auto& row) { return row.speed[0]; });
+  add("inner speed", unit::kRotation, [](const auto& row) { return row.speed[1]; });
+  for (std::size_t k = 0; k < 5; ++k)
+    solved(fmt::format("displacement {}", kMotions[k]), k < 3 ? unit::kLength : unit::kRadian,
+           [&](const statics::RaceResult& r) { return r.displacement[k]; });
+  solved("largest load", unit::kForce, [](const statics::RaceResult& r) { return r.max_load; });
+  const bool differences = std::any_of(rows.begin(), rows.end(), [](const auto& row) {
+    return row.result.stiffness_by_difference.has_value();
+  });
+  for (Eigen::Index i = 0; i < 5; ++i)
+    for (Eigen::Index j = 0; j < 5; ++j) {
+      const UnitPair& unit = i < 3 ? (j < 3 ? unit::kStiffness : unit::kCoupledStiffness)
+                                   : (j < 3 ? unit::kForce : unit::kRotationalStiffness);
+      const std::string name = fmt::format("{}/{}", kLoads[static_cast<std::size_t>(i)],
+                                           kMotions[static_cast<std::size_t>(j)]);
+      solved(name, unit, [&](const statics::RaceResult& r) { return r.stiffness(i, j); });
+      if (differences)
+        solved(name + " by difference", unit, [&](const statics::RaceResult& r) {
+          return r.stiffness_by_difference ? (*r.stiffness_by_difference)(i, j) : kNone;
+        });
+    }
   return out;
 }
 
