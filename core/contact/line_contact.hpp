@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bearing/material.hpp"
+#include "contact/subsurface.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,16 @@ struct LinePressure {
   if (q <= 0.0) return {};
   return {std::sqrt(4.0 * q / (kPi * relative_curvature * E_star)),
           std::sqrt(q * E_star * relative_curvature / kPi)};
+}
+
+/// Stresses below a line contact, plane strain: the ellipse of half axes 1e10 b and b; an ellipse
+/// differs from the line by about b/a, here 1e-10. Closed forms it must give: orthogonal shear p/4
+/// at z = b/2, y = ±(√3/2)b; on the axis σ_y = -p((1+2ζ²)/√(1+ζ²) - 2ζ), σ_z = -p/√(1+ζ²), σ_x =
+/// ν(σ_y + σ_z), ζ = z/b.
+/// @throws InputError when ν is not in 0 to 0.5 or the line carries no load.
+[[nodiscard]] inline SubsurfaceStress line_subsurface_stress(const LinePressure& line,
+                                                             double poisson) {
+  return subsurface_stress(1e10 * line.half_width, line.half_width, line.peak, poisson);
 }
 
 /// δ[mm] = 3.84e-5 Q[N]^0.9/L[mm]^0.8, steel on steel [recalled, Palmgren]. Argument and result in

@@ -28,6 +28,9 @@ RaceSurface cone_race(int side, double radius_at_x0, double half_angle) {
   race.radius = radius_at_x0;
   race.cos_angle = std::cos(half_angle);
   race.sin_angle = std::sin(half_angle);
+  race.mid_r = radius_at_x0;
+  race.along_x = race.cos_angle;
+  race.along_r = -race.sin_angle;
   return race;
 }
 

@@ -29,8 +29,9 @@ struct RaceSurface {
          groove_centre_radius = 0.0;  ///< r_g, x_g, R_g, groove only [m]
   // Land: limits where a roller can touch.
   double land_width = std::numeric_limits<double>::infinity();  ///< B along the generator [m]
-  double land_offset = 0.0;  ///< o_r from mid contact towards +x [m]
-  double mid_x = 0.0;  ///< x of mid contact on the generator, where land coordinates begin [m]
+  double land_offset = 0.0;             ///< o_r from mid contact towards +x [m]
+  double mid_x = 0.0, mid_r = 0.0;      ///< mid contact, where land coordinates begin [m]
+  double along_x = 1.0, along_r = 0.0;  ///< unit vector of the nominal generator, (cos α, -sin α)
 
   [[nodiscard]] double sigma() const noexcept { return side == bearing::kOuter ? 1.0 : -1.0; }
 };
@@ -89,10 +90,13 @@ struct RacePose {
   [[nodiscard]] Vec3 direction_back(const Vec3& v_race) const { return axes * v_race; }
 };
 
-/// Coordinate of a point of the race along its generator from mid contact [m]: (x - x_mid)/cos α on
-/// the surface.
+/// Coordinate of a point along the nominal generator of the race from mid contact, positive towards
+/// +x [m]; for cylinders x - x_mid. Errors of the race do not turn it.
 [[nodiscard]] inline double land_coordinate(const RaceSurface& race, const Vec3& X_race) noexcept {
-  return (X_race[0] - race.mid_x) / race.cos_angle;
+  const double x = (X_race[0] - race.mid_x) * race.along_x;
+  if (race.along_r == 0.0) return x;
+  const double r = std::sqrt(X_race[1] * X_race[1] + X_race[2] * X_race[2]);
+  return x + (r - race.mid_r) * race.along_r;
 }
 
 /// Width of a slice of width w at x that lies on a land of width B about o: overlap of [x ± w/2]

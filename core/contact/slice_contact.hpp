@@ -83,12 +83,14 @@ inline void roller_race_contacts(const RaceSurface& race, const RacePose& pose, 
   return (contact.point - about).cross(contact.normal);
 }
 
-/// Width of a slice on the land of the race; the slice is where it touches the race [choice]. Race
-/// frame.
-[[nodiscard]] inline double loaded_width(const RaceSurface& race, const Vec3& point_race,
+/// Width of a slice on the land of the race. The slice is where its middle C + s a lies along the
+/// generator: a tilt does not move it [choice].
+/// @param slice_centre C + s a, race frame
+[[nodiscard]] inline double loaded_width(const RaceSurface& race, const Vec3& slice_centre,
                                          double width) noexcept {
   if (std::isinf(race.land_width)) return width;
-  return overlap_width(land_coordinate(race, point_race), width, race.land_offset, race.land_width);
+  return overlap_width(land_coordinate(race, slice_centre), width, race.land_offset,
+                       race.land_width);
 }
 
 }  // namespace adore::contact

@@ -3,6 +3,8 @@
 #include "contact/line_contact.hpp"
 #include "contact/roller_profile.hpp"
 
+#include <cmath>
+#include <limits>
 #include <vector>
 
 /// A sliced roller against a straight race in the plane of its axis: δ_k = δ0 + slope x_k - drop_k,
@@ -40,5 +42,54 @@ struct LineResultant {
 /// @throws InputError when Q is not positive or no slice has width; SolverError when it does not
 /// converge.
 [[nodiscard]] double approach_for_load(const SlicedLine& line, double slope, double load);
+
+/// The limit of infinitely many slices: Q = K_l L_e^(-1/9) ∫ δ^(10/9) dx, M the same with x, over
+/// the part of [from, to] where δ > 0. Double-exponential rule between the edges of contact, which
+/// takes the root-like ends; about 1e-12.
+/// @param delta callable x -> δ, concave (one stretch of contact); @param breaks places inside
+/// where its slope or curvature jumps, ascending (ends of the land)
+struct ContinuumResultant {
+  double load = 0.0, moment = 0.0;  ///< [N, N m]
+};
+template <class Delta>
+[[nodiscard]] ContinuumResultant continuum_resultant(const PowerLaw& law, double from, double to,
+                                                     const Delta& delta,
+                                                     const std::vector<double>& breaks = {}) {
+  double low = from, high = to;  // golden section for the deepest place
+  constexpr double kGolden = 0.61803398874989484820;
+  for (int n = 0; n < 80; ++n) {
+    const double left = high - kGolden * (high - low), right = low + kGolden * (high - low);
+    (delta(left) < delta(right) ? low : high) = delta(left) < delta(right) ? left : right;
+  }
+  const double deepest = 0.5 * (low + high);
+  if (!(delta(deepest) > 0.0)) return {};
+  const auto edge = [&](double outside, double inside) {
+    if (delta(outside) > 0.0) return outside;
+    for (int n = 0; n < 80; ++n) {
+      const double middle = 0.5 * (outside + inside);
+      (delta(middle) > 0.0 ? inside : outside) = middle;
+    }
+    return inside;
+  };
+  std::vector<double> ends = {edge(from, deepest)};
+  const double last = edge(to, deepest);
+  for (const double b : breaks)
+    if (b > ends.front() && b < last) ends.push_back(b);
+  ends.push_back(last);
+  ContinuumResultant sum;
+  constexpr double kStep = 1.0 / 32.0, kHalfPi = 1.57079632679489661923;
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    const double half = 0.5 * (ends[k + 1] - ends[k]), middle = 0.5 * (ends[k + 1] + ends[k]);
+    for (int n = -110; n <= 110; ++n) {
+      const double t = n * kStep, inner = kHalfPi * std::sinh(t), cosine = std::cosh(inner);
+      const double x = middle + half * std::tanh(inner);
+      const double weight = half * kStep * kHalfPi * std::cosh(t) / (cosine * cosine);
+      const double q = slice_load(law, weight, delta(x)).load;
+      sum.load += q;
+      sum.moment += q * x;
+    }
+  }
+  return sum;
+}
 
 }  // namespace adore::contact

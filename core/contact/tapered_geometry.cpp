@@ -27,6 +27,9 @@ double groove_radius(double factor, double crown_radius, int race) {
 RaceSurface groove_through(int race, const Meridian& contact, const Meridian& n, double r_g) {
   RaceSurface surface = groove_race(race, r_g, contact[0] - r_g * n[0], contact[1] - r_g * n[1]);
   surface.mid_x = contact[0];
+  surface.mid_r = contact[1];
+  surface.along_x = std::abs(n[1]);
+  surface.along_r = -std::copysign(n[0], n[0] * n[1]);
   return surface;
 }
 
@@ -110,6 +113,7 @@ std::array<RaceSurface, 2> tapered_races(const TaperedGeometry& g) {
   for (std::size_t race = 0; race < 2; ++race) {
     races[race] = cone_race(static_cast<int>(race), g.cone_radius_at_x0[race], g.race_angle[race]);
     races[race].mid_x = g.contact[race][0];
+    races[race].mid_r = g.contact[race][1];
   }
   return races;
 }

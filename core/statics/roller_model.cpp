@@ -14,6 +14,8 @@ namespace adore::statics {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+constexpr std::size_t kNominal =
+    std::numeric_limits<std::size_t>::max();  // no roller has this number
 
 [[noreturn]] void refuse(const std::string& what) {
   throw InputError("roller bearing equilibrium: " + what);
@@ -143,7 +145,8 @@ RollerBody body_of(const RollerModel& m, std::size_t roller) {
       body.point[j].K = point_constant(m, j, p);
     }
   }
-  body.flanges = flange_pairs(m.rollers, m.race, m.E_star, body.profile);
+  body.flanges =
+      flange_pairs(m.rollers, m.race, m.E_star, profile_of(m.rollers, kNominal), body.profile);
   return body;
 }
 
@@ -172,7 +175,7 @@ RollerModel make_roller_model(const bearing::Bearing& b, const RollerOptions& op
   m.contact = options.contact;
   m.linear = options.kinematics == RollerKinematics::Linear;
   m.race = race_surfaces(b);
-  m.slicing = contact::slicing(profile_of(g, g.count), options.slices);
+  m.slicing = contact::slicing(profile_of(g, kNominal), options.slices);
   for (std::size_t j = 0; j < 2; ++j) {
     m.E_star[j] = bearing::contact_modulus(b.ball_material, b.race_material[j]);
     m.line_constant[j] =

@@ -3,6 +3,7 @@
 #include "facade/reference/cases_cage.hpp"
 #include "facade/reference/cases_dynamics.hpp"
 #include "facade/reference/cases_motion.hpp"
+#include "facade/reference/cases_rollers.hpp"
 #include "facade/reference/cases_static.hpp"
 #include "facade/reference/cases_traction.hpp"
 
@@ -17,6 +18,8 @@ std::vector<Adapter> all_adapters() {
   add(motion_adapters());
   add(dynamics_adapters());
   add(static_adapters());
+  add(roller_slice_adapters());
+  add(roller_part_adapters());
   add(traction_adapters());
   return all;
 }
