@@ -4,6 +4,7 @@
 #include "build/scene_plan.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/scene_estimate.hpp"
+#include "facade/stiffness.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -112,6 +113,7 @@ Prepared prepare(const DeckRequest& request) {
   out.control = build::build_run_control(deck);
   out.plan = build::make_scene_plan(deck, out.bearing, out.control);
   out.statics = statics::solve_ball_statics(out.bearing);
+  out.stiffness = stiffness_over_speed(out);
   if (out.control.dynamic) {
     out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls.contact_angle);
     statics::StaticsOptions frozen;

@@ -6,6 +6,7 @@
 #include "dynamics/scene_plan.hpp"
 #include "dynamics/system.hpp"
 #include "statics/ball_statics.hpp"
+#include "statics/stiffness_table.hpp"
 
 #include <filesystem>
 #include <map>
@@ -46,7 +47,8 @@ struct Prepared {
   build::RunControl control;
   build::RunOptions options;
   dynamics::ScenePlan plan;
-  statics::StaticSolution statics;  ///< actual curvature: the quasi-static page
+  std::vector<statics::StiffnessRow> stiffness;  ///< kStif; empty when not asked for
+  statics::StaticSolution statics;               ///< actual curvature: the quasi-static page
   std::array<double, 2>
       fixed_angle{};  ///< contact angles that the run's Hertz constants are frozen at [rad]
   statics::StaticSolution

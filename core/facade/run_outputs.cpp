@@ -251,6 +251,7 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
 /// Everything of PRINT.txt that is known before the first step.
 void RunOutputs::Impl::print_front(const std::optional<dynamics::Scales>& scales) {
   print->front({prepared.input.deck, prepared.bearing, scales, summary_of_deck().options});
+  if (control.stiffness) print->stiffness_table(prepared.stiffness, control.stiffness->share);
   print->quasi_static(scales ? prepared.start : prepared.statics, prepared.bearing);
 }
 
@@ -400,8 +401,11 @@ void RunOutputs::write_quasi_static() {
   run.status = "done";
   s.key_results = static_results(s.prepared.statics);
   run.summary = s.key_results;
-  run.quasi_static =
-      results::to_json(results::static_tables(s.prepared.statics, s.prepared.bearing, s.units));
+  results::StaticTables tables =
+      results::static_tables(s.prepared.statics, s.prepared.bearing, s.units);
+  if (!s.prepared.stiffness.empty())
+    tables.tables.push_back(results::stiffness_over_speed(s.prepared.stiffness));
+  run.quasi_static = results::to_json(tables);
   s.close(run);
 }
 

@@ -65,9 +65,10 @@ void print_stiffness_table(Report& report, const std::vector<statics::StiffnessR
       "Change of the load on the inner race (rows) with its displacement (columns) at fixed speed, "
       "every rolling element in equilibrium. Exact: linearised.");
   if (share > 0.0)
-    report.text(fmt::format(
-        "By difference: the race displaced either way by {:.4g} % of the largest contact deflection.",
-        100.0 * share));
+    report.text(
+        fmt::format("By difference: the race displaced either way by {:.4g} % of the largest "
+                    "contact deflection.",
+                    100.0 * share));
   for (const statics::StiffnessRow& row : rows) print_row(report, row);
 }
 

@@ -10,7 +10,7 @@
 namespace adore::statics {
 
 struct DifferenceStiffness {
-  double step = 0.0;  ///< displacement either way; rotations: this over the lever [m]
+  double step = 0.0;              ///< displacement either way; rotations: this over the lever [m]
   Mat5 stiffness = Mat5::Zero();  ///< d load / d displacement [N/m, N/rad, N, N m/rad]
 };
 

@@ -12,16 +12,16 @@
 namespace adore::statics {
 
 struct StiffnessRequest {
-  int points = 0;                ///< kStif, at least 1
-  double share = 0.0;            ///< pctDisp/100: displacement of the differences over the largest
-                                 ///< contact deflection; 0: no differences
+  int points = 0;      ///< kStif, at least 1
+  double share = 0.0;  ///< pctDisp/100: displacement of the differences over the largest
+                       ///< contact deflection; 0: no differences
   std::array<double, 2> first{}, last{};  ///< race speeds [rad/s]
 };
 
 struct StiffnessRow {
   std::array<double, 2> speed{};  ///< [rad/s]
   RaceResult result;              ///< meaningless when there is a failure
-  std::string failure;            ///< why there is no equilibrium at this speed; empty: there is one
+  std::string failure;  ///< why there is no equilibrium at this speed; empty: there is one
 };
 
 /// Solves one speed; `previous` is the solution of the row before, or nullptr.
