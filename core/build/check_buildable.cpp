@@ -22,7 +22,6 @@ constexpr Gate kAlways[] = {
     {"kReGeoImp", 0, "geometric imperfections of the rolling elements"},
     {"kRaceGeoImp1", 0, "geometric imperfections of the outer race"},
     {"kRaceGeoImp2", 0, "geometric imperfections of the inner race"},
-    {"kStif", 0, "the stiffness-speed table"},
     {"kTrac", 0, "a lubricant's traction model (or user routine ADRX7)"},
 };
 constexpr Gate kDynamic[] = {

@@ -5,7 +5,8 @@
 #include "build/scene_plan.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/scene_estimate.hpp"
-#include "thermal/operating.hpp"
+#include "facade/operating.hpp"
+#include "facade/stiffness.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -116,33 +117,6 @@ std::vector<Issue> operating_warnings(const bearing::Bearing& bearing, const std
   return out;
 }
 
-namespace {
-
-/// The bearing in operation, whatever rolls in it.
-bearing::Bearing at_work(const bearing::Bearing& as_built) {
-  if (!as_built.rollers) return thermal::operating_bearing(as_built);
-  bearing::Bearing out = as_built;
-  bearing::RollerGeometry& rollers = *out.rollers;
-  const bool cone =
-      as_built.type == bearing::Type::Tapered || as_built.type == bearing::Type::SphericalTapered;
-  thermal::OperatingRollers operating = thermal::operating_roller_bearing(
-      as_built,
-      {rollers.diameter, rollers.length, rollers.crown_radius, rollers.pitch_diameter,
-       rollers.clearance},
-      {rollers.race_radius(bearing::kOuter), rollers.race_radius(bearing::kInner)},
-      cone ? rollers.race_angle[bearing::kOuter] : 0.0);
-  const thermal::RollerSizes& sizes = operating.rollers.geometry;
-  rollers.diameter = sizes.diameter;
-  rollers.length = sizes.length;
-  rollers.crown_radius = sizes.crown_radius;
-  rollers.pitch_diameter = sizes.pitch_diameter;
-  rollers.clearance = sizes.clearance;
-  out.operating = std::move(operating.report);
-  return out;
-}
-
-}  // namespace
-
 Prepared prepare(const DeckRequest& request) {
   dynamics::check_instruction_set_request();
   Prepared out;
@@ -158,6 +132,7 @@ Prepared prepare(const DeckRequest& request) {
   out.control = build::build_run_control(deck);
   out.plan = build::make_scene_plan(deck, out.bearing, out.control);
   const bearing::LifeInputs life_inputs = build::build_life(deck, out.options.life);
+  out.stiffness = stiffness_over_speed(out);
   if (out.bearing.rollers) {
     out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers);
     out.life = life::roller_bearing_life(out.bearing, life_inputs, *out.rollers);
