@@ -462,12 +462,38 @@ TEST_CASE("a sweep runs one folder per value and a table", "[cli]") {
   CHECK(fs::exists(folder / "sweep" / "appLoadX-3" / "PRINT.txt"));
 }
 
+TEST_CASE("the quasi-static example decks run, with tables for plots, lives and stiffness",
+          "[cli]") {
+  const Folder folder;
+  for (const std::string name : {"angular-218", "deep-groove-6205", "cylindrical-nu209",
+                                 "tapered-30208", "spherical-22210"}) {
+    INFO(name);
+    const std::string deck = (folder / (name + ".txt")).string(), out = (folder / name).string();
+    REQUIRE(run_adore("new " + name + " --out " + deck).code == 0);
+    const Result run = run_adore("run " + deck + " --quiet --out " + out);
+    INFO(run.out);
+    REQUIRE(run.code == 0);
+    const json report = json::parse(read(fs::path(out) / "RUN.json"));
+    const json& tables = report.at("quasi_static").at("tables");
+    const auto count = tables.at("elements").at("azimuth [deg]").size();
+    CHECK(count >= 9);
+    CHECK(tables.at("elements").at("inner load [N]").size() == count);
+    const bool rollers = name != "angular-218" && name != "deep-groove-6205";
+    CHECK(tables.contains("slices") == rollers);
+    CHECK(tables.contains("stiffness over speed") == (name == "angular-218"));
+    CHECK(report.at("summary").at("life_lp_hours").get<double>() > 0.0);
+    const std::string listing = read(fs::path(out) / "PRINT.txt");
+    for (const char* page : {"QUASI-STATIC EQUILIBRIUM", "OPERATING FITS AND CLEARANCES"})
+      CHECK(contains(listing, page));
+  }
+}
+
 TEST_CASE("a sweep whose runs all fail still leaves its table with the reasons", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
-  const Result sweep = run_adore("run " + folder.path().string() +
-                                 " --set noSuchVariable=1:2:2 --quiet --out " +
-                                 (folder / "sweep").string());
+  const Result sweep =
+      run_adore("run " + folder.path().string() + " --set noSuchVariable=1:2:2 --quiet --out " +
+                (folder / "sweep").string());
   INFO(sweep.out);
   CHECK(sweep.code == 2);
   CHECK(read(folder / "sweep" / "SWEEP.csv").find("noSuchVariable") != std::string::npos);
