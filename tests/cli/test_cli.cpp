@@ -159,6 +159,7 @@ TEST_CASE(
     INFO(run.out);
     CHECK(run.code == 2);
     CHECK(contains(run.out, "record 3.2, kBrg"));
+    CHECK(contains(run.out, "set mode to -1"));
     CHECK_FALSE(fs::exists(folder / "PRINT.txt"));
   }
   new_ball_deck(folder);
@@ -269,6 +270,25 @@ TEST_CASE("a quasi-static deck writes one page and the equilibrium carries the l
   CHECK(summary.at("summary").at("load_x_N").get<double>() == Approx(1500.0).epsilon(1e-9));
   CHECK(summary.at("summary").at("load_z_N").get<double>() == Approx(500.0).epsilon(1e-9));
   CHECK_FALSE(fs::exists(folder / "SOL1"));
+}
+
+TEST_CASE("a quasi-static deck of each roller type writes one page and carries its load", "[cli]") {
+  for (const std::string type : {"cylindrical", "spherical", "tapered", "spherical-tapered"}) {
+    const Folder folder;
+    const std::string deck = (folder / "DATA.txt").string();
+    REQUIRE(run_adore("new " + type + " --out " + deck).code == 0);
+    const Result run = run_adore("run " + folder.path().string() + " --quiet --set mode=-1");
+    INFO(type << "\n" << run.out);
+    REQUIRE(run.code == 0);
+    const std::string print = file_text(folder / "PRINT.txt");
+    for (const char* part : {"QUASI-STATIC EQUILIBRIUM", "Contacts with the outer race",
+                             "Along the heaviest rollers", "Roller length"})
+      CHECK(contains(print, part));
+    CHECK_FALSE(contains(print, "nan"));
+    const json summary = json::parse(file_text(folder / "RUN.json")).at("summary");
+    CHECK(summary.at("load_z_N").get<double>() == Approx(5000.0).epsilon(1e-9));
+    CHECK(summary.at("largest_pressure_Pa").get<double>() > 5e8);
+  }
 }
 
 TEST_CASE("an interrupted run leaves valid files and exit code 130, and continues from there",
