@@ -52,8 +52,8 @@ inline Bearing cylindrical(double rpm) {
   return b;
 }
 
-/// Layback 0.1 degrees: the dome touches the rib's face.
-inline Bearing tapered(double rpm, double layback = 0.1 * kDegree) {
+/// Ends of 100 mm and 0.2 degrees of layback: the dome touches the rib's face.
+inline Bearing tapered(double rpm, double layback = 0.2 * kDegree) {
   Bearing b;
   b.type = Type::Tapered;
   adore::bearing::RollerGeometry g;
@@ -63,7 +63,7 @@ inline Bearing tapered(double rpm, double layback = 0.1 * kDegree) {
   g.length = 0.014;
   g.central_length = 0.010;
   g.corner_radius = {4e-4, 4e-4};
-  g.end_radius = {0.135, 0.130};
+  g.end_radius = {0.100, 0.100};
   g.race_angle = {14.2 * kDegree, 10.35 * kDegree};
   const auto t = adore::contact::tapered_geometry(g.diameter, g.race_angle);
   g.pitch_diameter = t.pitch_diameter;
