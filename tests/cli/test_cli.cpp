@@ -1,7 +1,11 @@
+#include "deck/deck.hpp"
+#include "deck/reader.hpp"
+#include "deck/schema.hpp"
 #include "results/restart.hpp"
 #include "results/sol_file.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -161,6 +165,7 @@ TEST_CASE(
     INFO(run.out);
     CHECK(run.code == 2);
     CHECK(contains(run.out, "record 3.2, kBrg"));
+    CHECK(contains(run.out, "set mode to -1"));
     CHECK_FALSE(fs::exists(folder / "PRINT.txt"));
   }
   new_ball_deck(folder);
@@ -270,6 +275,62 @@ TEST_CASE("a quasi-static deck writes one page and the equilibrium carries the l
   CHECK(summary.at("summary").at("load_x_N").get<double>() == Approx(1500.0).epsilon(1e-9));
   CHECK(summary.at("summary").at("load_z_N").get<double>() == Approx(500.0).epsilon(1e-9));
   CHECK_FALSE(fs::exists(folder / "SOL1"));
+}
+
+TEST_CASE("a quasi-static deck of each roller type writes one page and carries its load", "[cli]") {
+  for (const std::string type : {"cylindrical", "spherical", "tapered", "spherical-tapered"}) {
+    const Folder folder;
+    const std::string deck = (folder / "DATA.txt").string();
+    REQUIRE(run_adore("new " + type + " --out " + deck).code == 0);
+    const Result run = run_adore("run " + folder.path().string() + " --quiet --set mode=-1");
+    INFO(type << "\n" << run.out);
+    REQUIRE(run.code == 0);
+    const std::string print = read(folder / "PRINT.txt");
+    for (const char* part : {"QUASI-STATIC EQUILIBRIUM", "Contacts with the outer race",
+                             "Along the heaviest rollers", "Roller length"})
+      CHECK(contains(print, part));
+    CHECK_FALSE(contains(print, "nan"));
+    const json summary = json::parse(read(folder / "RUN.json")).at("summary");
+    CHECK(summary.at("load_z_N").get<double>() == Approx(5000.0).epsilon(1e-9));
+    CHECK(summary.at("largest_pressure_Pa").get<double>() > 5e8);
+  }
+}
+
+TEST_CASE("roller decks in SI and in English units give the same results", "[cli]") {
+  using namespace adore::deck;
+  for (const std::string type : {"cylindrical", "spherical", "tapered", "spherical-tapered"}) {
+    const Folder folder;
+    const fs::path path = folder / "SI.txt";
+    REQUIRE(run_adore("new " + type + " --out " + path.string()).code == 0);
+    Deck si = read_deck(path).deck;
+    si.set("mode", "-1");
+    si.complete();
+    Deck english = si;
+    english.set("kUnit", "2");
+    for (const RecordSpec& record : schema())
+      for (const VariableSpec& variable : record.variables) {
+        if (variable.type != VarType::Real || !si.has_record(record.id)) continue;
+        const double value = si.si(variable.name) / variable.unit.en_factor;
+        english.set(std::string(variable.name), fmt::format("{}", value));
+      }
+    write_deck(si, folder / "SI.txt");
+    write_deck(english, folder / "EN.txt");
+    std::array<json, 2> result;
+    for (const std::size_t k : {0U, 1U}) {
+      const fs::path out = folder / (k == 0 ? "si" : "en");
+      const Result run = run_adore("run " + (folder / (k == 0 ? "SI.txt" : "EN.txt")).string() +
+                                   " --quiet --out " + out.string());
+      INFO(type << "\n" << run.out);
+      REQUIRE(run.code == 0);
+      result[k] = json::parse(read(out / "RUN.json")).at("summary");
+    }
+    for (const char* key : {"largest_contact_load_N", "largest_pressure_Pa", "displacement_z_m",
+                            "stiffness_z_N_per_m"}) {
+      CAPTURE(type, key);
+      CHECK(result[1].at(key).get<double>() ==
+            Approx(result[0].at(key).get<double>()).epsilon(1e-10));
+    }
+  }
 }
 
 TEST_CASE("an interrupted run leaves valid files and exit code 130, and continues from there",
