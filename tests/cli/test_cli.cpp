@@ -309,9 +309,13 @@ TEST_CASE("roller decks in SI and in English units give the same results", "[cli
     english.set("kUnit", "2");
     for (const RecordSpec& record : schema())
       for (const VariableSpec& variable : record.variables) {
-        if (variable.type != VarType::Real || !si.has_record(record.id)) continue;
-        const double value = si.si(variable.name) / variable.unit.en_factor;
-        english.set(std::string(variable.name), fmt::format("{}", value));
+        if (variable.type != VarType::Real) continue;
+        for (int i = 1; si.has_record(record.id, i); ++i) {
+          const std::string name = record.repeat.empty() ? std::string(variable.name)
+                                                         : fmt::format("{}[{}]", variable.name, i);
+          const double value = si.si(variable.name, i) / variable.unit.en_factor;
+          if (variable.length == "1") english.set(name, fmt::format("{}", value));
+        }
       }
     write_deck(si, folder / "SI.txt");
     write_deck(english, folder / "EN.txt");
