@@ -7,6 +7,7 @@
 
 #include "bearing/fits.hpp"
 #include "bearing/material.hpp"
+#include "bearing/rollers.hpp"
 
 #include <Eigen/Core>
 
@@ -93,14 +94,17 @@ struct StaticConstraints {
 
 enum class SpinRule : unsigned char { MinimumHeat, RaceControl, Prescribed };  ///< kAngVel
 
-/// One ball bearing with its operating conditions, ready for statics and dynamics.
+/// One bearing with its operating conditions, ready for statics and dynamics.
 struct Bearing {
   std::string run_id;
-  BallGeometry balls;
+  Type type = Type::Ball;
+  BallGeometry balls;                     ///< Type::Ball only
+  std::optional<RollerGeometry> rollers;  ///< all other types
   Envelope envelope;
-  Material ball_material;
+  Material ball_material;  ///< of the rolling elements
   std::array<Material, 2> race_material;
-  Inertia ball_inertia;
+  Inertia ball_inertia;  ///< of one ball, or of a nominal roller: x along its own axis, about its mass centre
+  double roller_mass_offset = 0.0;  ///< s_G: roller mass centre along its axis from mid length [m]
   std::array<Inertia, 2> race_inertia;
   std::optional<Cage> cage;
   TractionCurve race_traction;                      ///< element to race
@@ -115,6 +119,8 @@ struct Bearing {
   double ball_temperature = 293.15, cage_temperature = 293.15, room_temperature = 293.15;  ///< [K]
   Mounting mounting;                        ///< fits, housing and shaft
   std::optional<OperatingFits> operating;   ///< set once the geometry is the operating one (thermal/operating.hpp)
+
+  [[nodiscard]] int element_count() const noexcept { return rollers ? rollers->count : balls.count; }
 };
 
 }  // namespace adore::bearing

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "statics/race_equilibrium.hpp"
+#include "statics/ball_race.hpp"
 
 /// From the solved problem to what the outputs and the dynamic start read.
 namespace adore::statics {

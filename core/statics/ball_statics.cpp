@@ -1,8 +1,8 @@
 #include "statics/ball_statics.hpp"
 
 #include "base/errors.hpp"
+#include "statics/ball_race.hpp"
 #include "statics/ball_report.hpp"
-#include "statics/race_equilibrium.hpp"
 
 #include <fmt/format.h>
 
@@ -44,10 +44,10 @@ std::string load_text(const RaceTask& task) {
   return text.empty() ? "no load" : text;
 }
 
-double steepest_contact_angle(const BallModel& m, const RaceState& state) {
+double steepest_contact_angle(const BallModel& m, const BallRace& state) {
   const auto pose = inner_pose<double>(m, to_array(state.q));
   double steepest = 0.0;
-  for (const BallState& ball : state.balls) {
+  for (const BallState& ball : state.elements) {
     for (const auto& c : ball_forces<double>(m, ball.site, ball.x, ball.rho, pose).contact) {
       if (!ball.idle && c.load > 0.0) {
         steepest = std::max(steepest, std::abs(std::atan2(c.alpha.sin, c.alpha.cos)));
@@ -59,7 +59,7 @@ double steepest_contact_angle(const BallModel& m, const RaceState& state) {
 
 /// Why the last attempt failed, as precisely as can be told, and what would help.
 [[noreturn]] void give_up(const BallModel& m, const RaceTask& task, const RaceSolve& solve,
-                          const RaceState& state, double share) {
+                          const BallRace& state, double share) {
   const std::string loads = load_text(task);
   const double steepest = steepest_contact_angle(m, state);
   std::string angles;
@@ -76,7 +76,7 @@ double steepest_contact_angle(const BallModel& m, const RaceState& state) {
         "that direction, or change load or geometry",
         loads, state.q(0), state.q(1), state.q(2), angles));
   }
-  const double force = force_scale(m, task, state);
+  const double force = force_scale(race_scales(m), task, state.largest_contact);
   const double deflection =
       std::cbrt(force * force) * std::pow(m.hertz[1].reference().K, -2.0 / 3.0);
   if (deflection < 1e-11 * m.balls.pitch_diameter) {
@@ -102,7 +102,7 @@ double steepest_contact_angle(const BallModel& m, const RaceState& state) {
                   "{:.2g} of the load after {} steps{}{}; "
                   "give a first guess of the displacement, or prescribe it in some direction",
                   loads, solve.residual, solve.iterations,
-                  solve.ball_failed ? ", because a ball lost its equilibrium" : "", angles));
+                  solve.element_failed ? ", because a ball lost its equilibrium" : "", angles));
 }
 
 /// Result of solve_in_stages. `reached` is the fraction of the full problem for which an
@@ -115,7 +115,7 @@ struct Staged {
 /// From the conservative problem, whose solution exists and is unique, to the full one: directly,
 /// else in fractions of what differs (ω_m and M_g of each ball, K over the contact angle). `cold`:
 /// the conservative problem comes first.
-Staged solve_in_stages(BallModel& m, const RaceTask& task, RaceState& state, bool cold) {
+Staged solve_in_stages(BallModel& m, const RaceTask& task, BallRace& state, bool cold) {
   constexpr double kSmallest = 1.0 / 32.0;
   const bool plain = !m.per_ball_speeds && !m.hertz[0].varying();
   Staged result;
@@ -130,7 +130,7 @@ Staged solve_in_stages(BallModel& m, const RaceTask& task, RaceState& state, boo
   double step = 1.0;
   while (result.reached < 1.0) {
     m.own_speed_share = plain ? 1.0 : std::min(1.0, result.reached + step);
-    RaceState trial = state;
+    BallRace trial = state;
     const int before = result.solve.iterations;
     result.solve = solve_race(m, task, trial);
     result.solve.iterations += before;
@@ -161,15 +161,15 @@ std::string ball_numbers(const std::vector<std::size_t>& indices) {
 /// reduced by cos(α_i - α_o). The choice changes the forces, so it is repeated until it stands. A
 /// ball that wants to go back to the outer race stays there; where inner control has no
 /// equilibrium, outer control is kept. Both are noted.
-void settle_race_control(BallModel& m, const RaceTask& task, RaceState& state, RaceSolve& solve,
+void settle_race_control(BallModel& m, const RaceTask& task, BallRace& state, RaceSolve& solve,
                          std::vector<std::string>& notes) {
-  std::vector<int> changes(state.balls.size(), 0);
+  std::vector<int> changes(state.elements.size(), 0);
   for (int pass = 0; pass < 4; ++pass) {
     std::vector<std::size_t> changed;
-    const RaceState before = state;
+    const BallRace before = state;
     const auto q = to_array(state.q);
-    for (std::size_t k = 0; k < state.balls.size(); ++k) {
-      BallState& ball = state.balls[k];
+    for (std::size_t k = 0; k < state.elements.size(); ++k) {
+      BallState& ball = state.elements[k];
       const double ratio = report_ball(m, q, ball).race_control_ratio;
       const auto wanted = ratio < 1.0 ? SpinLaw::Axis::InnerControl : SpinLaw::Axis::OuterControl;
       if (!std::isfinite(ratio) || wanted == ball.site.law.axis || changes[k] >= 2) {
@@ -212,10 +212,10 @@ void settle_race_control(BallModel& m, const RaceTask& task, RaceState& state, R
   }
 }
 
-void check_rolling(const BallModel& m, const RaceState& state) {
+void check_rolling(const BallModel& m, const BallRace& state) {
   const auto q = to_array(state.q);
-  for (std::size_t k = 0; k < state.balls.size(); ++k) {
-    const BallState& ball = state.balls[k];
+  for (std::size_t k = 0; k < state.elements.size(); ++k) {
+    const BallState& ball = state.elements[k];
     if (!ball_forces<double>(m, ball.site, ball.x, ball.rho, inner_pose<double>(m, q)).rolls) {
       throw SolverError(
           fmt::format("bearing equilibrium: with the prescribed spin axis at {:.6g} rad from the "
@@ -255,7 +255,7 @@ StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const Statics
   for (Eigen::Index k = 0; k < 5; ++k) {
     given(k) = bearing.constraints.displacement[static_cast<std::size_t>(k)];
   }
-  RaceState state;
+  BallRace state;
   state.q = options.warm_start ? given : first_guess(model, task, given);
   const SpinLaw law = first_spin_law(bearing, options);
   for (double azimuth : model.azimuth) {
@@ -263,7 +263,7 @@ StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const Statics
     ball.site.sin = std::sin(azimuth);
     ball.site.cos = std::cos(azimuth);
     ball.site.law = law;
-    state.balls.push_back(ball);
+    state.elements.push_back(ball);
   }
 
   StaticSolution solution;
@@ -283,8 +283,8 @@ StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const Statics
   solution.stiffness = state.stiffness;
   solution.iterations = solve.iterations;
   solution.residual = solve.residual;
-  for (std::size_t k = 0; k < state.balls.size(); ++k) {
-    solution.balls.push_back(report_ball(model, solution.displacement, state.balls[k]));
+  for (std::size_t k = 0; k < state.elements.size(); ++k) {
+    solution.balls.push_back(report_ball(model, solution.displacement, state.elements[k]));
     solution.balls.back().azimuth = model.azimuth[k];
   }
   for (int k : solve.held) {

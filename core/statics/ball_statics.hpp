@@ -3,6 +3,7 @@
 #include "bearing/bearing.hpp"
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
+#include "statics/race_result.hpp"
 
 #include <Eigen/Core>
 
@@ -80,27 +81,12 @@ struct StaticBall {
   bool inner_contact = false;
 };
 
-struct StaticSolution {
-  /// Inner race minus its free position: x, y, z of P_inner [m] (the outer race does not
-  /// translate), tilts about y and z [rad] measured from the base frame, R = R_y R_z; an outer
-  /// misalignment tilts the outer race about P_outer the same way.
-  std::array<double, 5> displacement{};
-  std::array<double, 5> load{};  ///< what the shaft side applies to the inner race in this state
-                                 ///< (given or reaction) [N, N m]
-  Eigen::Matrix<double, 5, 5>
-      stiffness;  ///< d load / d displacement, exact linearisation at fixed speed
+struct StaticSolution : RaceResult {
   std::array<contact::HertzConstants, 2> hertz{};  ///< at the free angle (Free), fixed angle
                                                    ///< (Fixed), or of the most loaded ball (Actual)
   std::vector<StaticBall> balls;
   double race_control_ratio =
-      0.0;                ///< > 1: outer race control by the classical criterion (most loaded ball)
-  double max_load = 0.0;  ///< largest contact load [N]
-  double max_stiffness =
-      0.0;  ///< largest dQ/dδ of any element-race contact [N/m]; 0 when nothing is loaded
-  int iterations = 0;
-  double residual = 0.0;  ///< largest force residual over the load scale
-  std::vector<std::string>
-      notes;  ///< e.g. "ball 7 touches the outer race only", "undetermined direction held"
+      0.0;  ///< > 1: outer race control by the classical criterion (most loaded ball)
 };
 
 /// Solves the equilibrium from a cold start: safeguarded Newton with exact derivatives (decision

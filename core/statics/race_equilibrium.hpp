@@ -1,13 +1,22 @@
 #pragma once
 
-#include "statics/ball_equilibrium.hpp"
-
 #include <Eigen/Core>
 
-#include <string>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
 #include <vector>
 
-/// Equilibrium of the inner race on its balls.
+/// Equilibrium of the inner race on its rolling elements, whatever these are.
+///
+/// An element set is a type `Set` with these functions in its own namespace:
+///   RaceScales race_scales(const Set&);                        constant sizes
+///   double reference_stiffness(const Set&, double load);       of one contact under that load
+///   [N/m] bool is_conservative(const Set&);                          the race load has a potential
+///   bool update_race(const Set&, const Vec5& q, RaceState<Element>&);
+/// The last one brings every element into equilibrium for race displacement q, sums load and exact
+/// stiffness, and returns false when some element has no equilibrium.
 namespace adore::statics {
 
 using Vec5 = Eigen::Matrix<double, 5, 1>;
@@ -19,41 +28,193 @@ struct RaceTask {
   Vec5 load = Vec5::Zero();     ///< where not given [N, N m]
 };
 
-/// The race at one displacement with every ball in equilibrium.
+/// The race at one displacement with every element in equilibrium.
+template <class Element>
 struct RaceState {
   Vec5 q = Vec5::Zero();          ///< displacement [m, rad]
-  Vec5 load = Vec5::Zero();       ///< carried by the balls [N, N m]
+  Vec5 load = Vec5::Zero();       ///< carried by the elements [N, N m]
   Mat5 stiffness = Mat5::Zero();  ///< d load / d q
-  std::vector<BallState> balls;
+  std::vector<Element> elements;
   double largest_contact = 0.0;  ///< [N]
 };
 
 struct RaceSolve {
   bool converged = false;
   int iterations = 0;
-  double residual = 0.0;     ///< largest force residual over the force scale
-  bool ball_failed = false;  ///< some ball had no equilibrium on the way
-  bool ran_away = false;     ///< the race left the space in which balls could hold it
-  std::vector<int> held;     ///< free directions without stiffness and load, left where they were
+  double residual = 0.0;        ///< largest force residual over the force scale
+  bool element_failed = false;  ///< some element had no equilibrium on the way
+  bool ran_away = false;        ///< the race left the space in which elements could hold it
+  std::vector<int> held;  ///< free directions without stiffness and load, left where they were
 };
 
-/// Re-solves every ball for displacement q. False when a ball has no equilibrium.
-[[nodiscard]] bool update_race(const BallModel& model, const Vec5& q, RaceState& state);
+/// Sizes by which a race problem is judged.
+struct RaceScales {
+  double lever = 1.0;         ///< rotations count as this many metres per radian [m]
+  double longest_step = 0.0;  ///< of one Newton step [m]
+  double reach = 0.0;         ///< displacement beyond which no element can hold the race [m]
+  double size = 0.0;          ///< of the bearing: rounding of positions [m]
+  double idle_load = 0.0;     ///< contact load that exists without any load on the race [N]
+};
 
-/// Largest force that the problem speaks of: applied loads (moments over the groove-centre radius),
-/// else contact loads.
-[[nodiscard]] double force_scale(const BallModel& model, const RaceTask& task,
-                                 const RaceState& state);
+/// The lever of direction k: 1 for the three translations.
+[[nodiscard]] inline double lever_of(const RaceScales& scales, Eigen::Index k) {
+  return k < 3 ? 1.0 : scales.lever;
+}
 
-/// Newton on the free directions from state.q. With the conservative model (own_speed_share = 0)
-/// the race load is the gradient of a convex potential: a line search on the directional derivative
-/// converges from anywhere. With the full model steps must reduce the residual. Directions without
-/// stiffness are left alone when unloaded and walked along the load, a quarter of the groove
-/// offsets at a time, until balls touch.
-[[nodiscard]] RaceSolve solve_race(const BallModel& model, const RaceTask& task, RaceState& state,
-                                   double target = 1e-12);
+/// Forces that are missing, moments as forces on the lever; zero where the displacement is given.
+[[nodiscard]] Vec5 scaled_residual(const RaceScales& scales, const RaceTask& task,
+                                   const Vec5& load);
 
-/// Cold start: thrust and radial load brought to first contact plus an estimate of the deflection.
-[[nodiscard]] Vec5 first_guess(const BallModel& model, const RaceTask& task, const Vec5& given);
+/// Given directions become decoupled springs of the reference stiffness, which their zero residual
+/// never moves.
+[[nodiscard]] Mat5 scaled_stiffness(const RaceScales& scales, const RaceTask& task,
+                                    const Mat5& stiffness, double k_ref);
+
+struct RaceStep {
+  Vec5 direction = Vec5::Zero();
+  std::vector<int> held;  ///< directions that dominate unloaded modes without stiffness
+};
+
+/// Newton step, or its replacement where the stiffness is singular: unloaded modes stay, loaded
+/// ones walk along the load by `longest`.
+[[nodiscard]] RaceStep newton_step(const Mat5& K, const Vec5& r, double k_ref, double force,
+                                   double longest);
+
+/// q + t direction, the direction being in scaled coordinates.
+[[nodiscard]] Vec5 moved(const RaceScales& scales, const Vec5& q, const Vec5& direction, double t);
+
+[[nodiscard]] bool out_of_reach(const RaceScales& scales, const Vec5& q);
+
+/// Largest force that the problem speaks of: applied loads (moments over the lever), else contact
+/// loads.
+[[nodiscard]] double force_scale(const RaceScales& scales, const RaceTask& task,
+                                 double largest_contact);
+
+enum class RaceSearch : unsigned char { Accepted, NoProgress, ElementFailed, RanAway };
+
+/// Line search for a convex potential: the load along the step must fall to between 90 % and -50 %
+/// of its first value. Overshoot brackets the minimum from above, undershoot after an overshoot
+/// from below.
+template <class Set, class State>
+RaceSearch descend(const Set& set, const RaceScales& scales, const RaceTask& task,
+                   const State& state, const Vec5& r, const Vec5& direction, State& trial) {
+  const double first = direction.dot(r);
+  double low = 0.0;
+  double high = 0.0;  // 0: no overshoot yet
+  double t = 1.0;
+  RaceSearch outcome = RaceSearch::NoProgress;
+  for (int attempt = 0; attempt < 60; ++attempt) {
+    const Vec5 q = moved(scales, state.q, direction, t);
+    if (out_of_reach(scales, q)) {
+      return RaceSearch::RanAway;
+    }
+    trial = state;
+    if (!update_race(set, q, trial)) {
+      outcome = RaceSearch::ElementFailed;
+      high = t;
+      t = 0.5 * (low + high);
+      continue;
+    }
+    const double slope = direction.dot(scaled_residual(scales, task, trial.load));
+    const bool bracket_closed = high > 0.0 && high - low <= 1e-15 * high;
+    if (slope < -0.5 * first && first > 0.0 && !bracket_closed) {
+      high = t;
+      t = low + (high - low) * std::clamp(first / (first - slope), 0.05, 0.5);
+    } else if (slope > 0.9 * first && high > 0.0 && !bracket_closed) {
+      low = t;
+      t = 0.5 * (low + high);
+    } else {
+      return RaceSearch::Accepted;
+    }
+  }
+  return outcome;
+}
+
+/// Line search without a potential: halve the step until the residual is smaller.
+template <class Set, class State>
+RaceSearch reduce(const Set& set, const RaceScales& scales, const RaceTask& task,
+                  const State& state, const Vec5& r, const Vec5& direction, State& trial) {
+  RaceSearch outcome = RaceSearch::NoProgress;
+  double t = 1.0;
+  for (int attempt = 0; attempt < 14; ++attempt, t *= 0.5) {
+    const Vec5 q = moved(scales, state.q, direction, t);
+    if (out_of_reach(scales, q)) {
+      outcome = RaceSearch::RanAway;
+      continue;
+    }
+    trial = state;
+    if (!update_race(set, q, trial)) {
+      outcome = RaceSearch::ElementFailed;
+      continue;
+    }
+    if (scaled_residual(scales, task, trial.load).norm() <= (1.0 - 1e-4 * t) * r.norm()) {
+      return RaceSearch::Accepted;
+    }
+    outcome = RaceSearch::NoProgress;
+  }
+  return outcome;
+}
+
+/// Newton on the free directions from state.q. Where the race load has a potential (convex for
+/// contacts that only push), a line search on the directional derivative converges from anywhere;
+/// otherwise steps must reduce the residual. Directions without stiffness are left alone when
+/// unloaded and walked along the load, a longest step at a time, until elements touch.
+template <class Set, class State>
+RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double target = 1e-12) {
+  RaceSolve result;
+  if (!update_race(set, Vec5(state.q), state)) {
+    result.element_failed = true;
+    return result;
+  }
+  if (std::all_of(task.given.begin(), task.given.end(), [](bool given) { return given; })) {
+    result.converged = true;
+    return result;
+  }
+  const RaceScales scales = race_scales(set);
+  const bool conservative = is_conservative(set);
+  constexpr int kIterations = 80;
+  double previous_size = -1.0;
+  for (int n = 0; n <= kIterations; ++n) {
+    const Vec5 r = scaled_residual(scales, task, state.load);
+    const double force = std::max(force_scale(scales, task, state.largest_contact), 1e-300);
+    const double floor = std::max(force, state.largest_contact);
+    result.iterations = n;
+    result.residual = r.cwiseAbs().maxCoeff() / floor;
+    const double k_ref = reference_stiffness(set, floor);
+    const Mat5 K = scaled_stiffness(scales, task, state.stiffness, k_ref);
+    RaceStep step = newton_step(K, r, k_ref, force, scales.longest_step);
+    // What the rounding of positions of the size of the bearing does to the forces.
+    const double noise = 2e-16 * scales.size * K.diagonal().cwiseAbs().maxCoeff() / floor;
+    const bool small = result.residual <= std::max(target, noise);
+    const bool stalled =
+        result.residual <= 1e-10 && previous_size >= 0.0 && r.norm() >= 0.25 * previous_size;
+    if (small || stalled) {
+      result.converged = true;
+      result.held = step.held;
+      return result;
+    }
+    if (n == kIterations || !step.direction.allFinite()) {
+      return result;
+    }
+    previous_size = r.norm();
+    const double size = step.direction.cwiseAbs().maxCoeff();
+    if (size > scales.longest_step) {
+      step.direction *= scales.longest_step / size;
+    }
+
+    State trial;
+    const RaceSearch search = conservative
+                                  ? descend(set, scales, task, state, r, step.direction, trial)
+                                  : reduce(set, scales, task, state, r, step.direction, trial);
+    if (search != RaceSearch::Accepted) {
+      result.ran_away = search == RaceSearch::RanAway;
+      result.element_failed = search == RaceSearch::ElementFailed;
+      result.converged = result.residual <= 1e-9;
+      return result;
+    }
+    state = std::move(trial);
+  }
+  return result;
+}
 
 }  // namespace adore::statics

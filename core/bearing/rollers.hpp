@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+/// SI model of the rolling elements and raceways of a roller bearing (records 5B to 5F). Lengths
+/// [m], angles [rad]; arrays of two by race are [0] outer, [1] inner, by side or end [0] -x, [1]
+/// +x.
+namespace adore::bearing {
+
+/// Codes of kBrg.
+enum class Type : unsigned char {
+  Ball = 1,
+  Cylindrical = 2,
+  Spherical = 3,
+  Tapered = 4,
+  SphericalTapered = 5
+};
+
+/// Half meridian of a roller over the length s from its middle, nominal radius D/2 - s tan ν.
+enum class RollerShape : unsigned char {
+  Crowned,     ///< straight central land, then a circle of the crown radius, tangent at the land's
+               ///< ends
+  Arc,         ///< one circle of the crown radius (barrel)
+  Logarithmic  ///< straight less 0.00035 D ln(1/(1 - (2s/L)²)): reference cases only
+};
+
+/// Flange of a race.
+struct Flange {
+  double layback =
+      0.0;  ///< angle of its face from the perpendicular to the raceway, away from the roller
+  double height = 0.0;  ///< along the perpendicular to the raceway
+};
+
+/// What one roller has more than the nominal one.
+struct RollerDeviation {
+  double diameter = 0.0, crown_radius = 0.0, length = 0.0, central_length = 0.0, land_offset = 0.0;
+};
+
+struct RollerGeometry {
+  int count = 0;          ///< nRe
+  double diameter = 0.0;  ///< D, at mid length
+  double length = 0.0;    ///< L, over the ends
+  RollerShape shape = RollerShape::Crowned;
+  double crown_radius = 0.0;              ///< Rc; 1e10 is straight
+  double central_length = 0.0;            ///< of the straight land (Crowned)
+  std::array<double, 2> corner_radius{};  ///< by end
+  std::array<double, 2> end_radius{};     ///< of domed ends, by end; 0: flat
+  double half_angle = 0.0;                ///< ν of the roller's own taper
+  double axis_angle = 0.0;  ///< of the roller axis to the bearing axis: nominal tilt is -axis_angle
+  double pitch_diameter = 0.0;  ///< d_m, of the roller middles
+  double clearance = 0.0;       ///< diametral play; cones have none (their play is axial position)
+  std::array<double, 2>
+      race_angle{};  ///< contact angle at mid length by race: half cone angle, or of the row
+  std::array<double, 2>
+      groove_factor{};  ///< groove radius / (2 Rc) by race (Arc); 0: straight raceway
+  std::array<double, 2> land_width{};  ///< usable raceway by race; 0: no limit
+  std::array<double, 2> roughness{};   ///< composite rms by race
+  std::array<std::array<std::optional<Flange>, 2>, 2> flange;  ///< [race][side]
+  std::array<double, 2> flange_play{};     ///< total axial travel between the two flanges of a race
+  std::vector<RollerDeviation> deviation;  ///< by roller; empty: all nominal
+
+  /// Length over which a roller can touch a raceway: without its corners.
+  [[nodiscard]] double contact_length() const noexcept {
+    return length - corner_radius[0] - corner_radius[1];
+  }
+  /// Radius about the bearing axis of the raceway under the middle of a nominal roller, half the play
+  /// taken at this race.
+  [[nodiscard]] double race_radius(int race) const noexcept {
+    const double cosine = std::cos(axis_angle);
+    const double out = 0.5 * diameter * cosine + 0.25 * clearance * cosine * cosine;
+    return 0.5 * pitch_diameter + (race == 0 ? out : -out);
+  }
+  [[nodiscard]] bool has_flange(int race) const noexcept {
+    const auto& f = flange[static_cast<std::size_t>(race)];
+    return f[0].has_value() || f[1].has_value();
+  }
+  [[nodiscard]] RollerDeviation deviation_of(std::size_t roller) const {
+    return roller < deviation.size() ? deviation[roller] : RollerDeviation{};
+  }
+};
+
+}  // namespace adore::bearing

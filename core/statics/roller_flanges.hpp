@@ -1,0 +1,50 @@
+#pragma once
+
+#include "bearing/rollers.hpp"
+#include "contact/race_surface.hpp"
+#include "contact/roller_flange.hpp"
+#include "contact/roller_profile.hpp"
+#include "statics/slice_potential.hpp"
+
+#include <array>
+#include <vector>
+
+/// Forces of race flanges on roller ends (contact/roller_flange.hpp) in the relative coordinates of
+/// slice_potential.hpp.
+///
+/// Q = K δ^1.5 with K of the ideal roller's first contact, so that the force has a potential
+/// [choice]; the gradient of the gap is exact (it is a minimum over the roller end: only the
+/// contact point and the normal enter), its curvature comes from central differences of that
+/// gradient.
+namespace adore::statics {
+
+/// One flange and the roller end that faces it.
+struct FlangePair {
+  int race = 0, side = 0;  ///< side 0: -x
+  contact::FlangeFace face;
+  contact::RollerEnd end;
+  double K = 0.0;  ///< of the contact of the ideal roller where it first touches [N/m^1.5]
+};
+
+/// The flanges of both races with their faces placed (rollers.md 5): two on one race leave the
+/// deck's play for the ideal roller; the rib of a tapered bearing touches the ideal roller; a
+/// single flange on a cylindrical race leaves half the other race's play.
+/// `ideal` places the flange, `profile` is the roller whose end it meets.
+/// `ideal` places the flange, `profile` is the roller whose end it meets.
+/// @throws InputError naming the flange that cannot be.
+[[nodiscard]] std::vector<FlangePair> flange_pairs(
+    const bearing::RollerGeometry& rollers, const std::array<contact::RaceSurface, 2>& races,
+    const std::array<double, 2>& E_star, const contact::RollerProfile& ideal,
+    const contact::RollerProfile& profile);
+
+/// The contact at p, and the load on it.
+struct FlangeTouch {
+  contact::FlangeContact contact;
+  double load = 0.0;  ///< [N]
+};
+[[nodiscard]] FlangeTouch flange_touch(const FlangePair& pair, const Vec4& p);
+
+/// Adds the flange's force at p; nothing when it is open.
+void add_flange(const FlangePair& pair, const Vec4& p, PairPotential& sum);
+
+}  // namespace adore::statics

@@ -1,0 +1,206 @@
+#include "statics/roller_model.hpp"
+
+#include "base/errors.hpp"
+#include "contact/hertz.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace adore::statics {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr std::size_t kNominal =
+    std::numeric_limits<std::size_t>::max();  // no roller has this number
+
+[[noreturn]] void refuse(const std::string& what) {
+  throw InputError("roller bearing equilibrium: " + what);
+}
+
+void check(const bearing::Bearing& b, const RollerOptions& options) {
+  if (!b.rollers) {
+    refuse("the bearing has no rollers");
+  }
+  const auto& g = *b.rollers;
+  if (g.count < 1) {
+    refuse(fmt::format("{} rollers; there must be at least one", g.count));
+  }
+  if (options.slices < 1 || options.slices > 1000) {
+    refuse(fmt::format("{} slices; give 1 to 1000", options.slices));
+  }
+  const bool barrel = g.shape == bearing::RollerShape::Arc;
+  if (options.contact == RollerContact::Point && !barrel) {
+    refuse(
+        "point contact needs rollers with one arc over their length (types 3 and 5); use slices");
+  }
+  if (options.kinematics == RollerKinematics::Linear && b.type != bearing::Type::Cylindrical) {
+    refuse("linear kinematics exist for cylindrical rollers only");
+  }
+  if (!(std::isfinite(b.speed[0]) && std::isfinite(b.speed[1]))) {
+    refuse(fmt::format("the race speeds are {} and {} rad/s; they must be numbers", b.speed[0],
+                       b.speed[1]));
+  }
+  if (!(b.ball_inertia.mass > 0.0)) {
+    refuse(fmt::format("the mass of a roller is {} kg; it must be positive", b.ball_inertia.mass));
+  }
+  if (b.type == bearing::Type::Tapered && !g.flange[0][0] && !g.flange[1][0]) {
+    refuse(
+        "no flange at the large end (negative x side) of the tapered rollers: any load squeezes "
+        "them "
+        "out. Give the inner race its rib: kFlngInd12 = 1 and record 5F");
+  }
+}
+
+std::array<contact::RaceSurface, 2> race_surfaces(const bearing::Bearing& b) {
+  const auto& g = *b.rollers;
+  std::array<contact::RaceSurface, 2> race;
+  switch (b.type) {
+    case bearing::Type::Spherical:
+      race = contact::spherical_row(g.diameter, g.pitch_diameter, g.race_angle[0], g.crown_radius,
+                                    g.groove_factor, g.clearance)
+                 .race;
+      break;
+    case bearing::Type::Tapered:
+      race = contact::tapered_races(contact::tapered_geometry(g.diameter, g.race_angle));
+      break;
+    case bearing::Type::SphericalTapered:
+      race = contact::grooved_tapered_races(contact::tapered_geometry(g.diameter, g.race_angle),
+                                            g.crown_radius, g.groove_factor);
+      break;
+    default:
+      for (int j = 0; j < 2; ++j) {
+        race[static_cast<std::size_t>(j)] = contact::cylinder_race(
+            j, contact::cylinder_radius(j, g.pitch_diameter, g.diameter, g.clearance));
+      }
+  }
+  for (std::size_t j = 0; j < 2; ++j) {
+    if (g.land_width[j] > 0.0 && g.shape != bearing::RollerShape::Arc) {
+      race[j].land_width = g.land_width[j];
+    }
+  }
+  return race;
+}
+
+contact::RollerProfile profile_of(const bearing::RollerGeometry& g, std::size_t roller) {
+  const bearing::RollerDeviation more = g.deviation_of(roller);
+  contact::RollerProfile p;
+  p.kind = g.shape == bearing::RollerShape::Arc ? contact::RollerProfile::Kind::Arc
+                                                : contact::RollerProfile::Kind::Crowned;
+  p.diameter = g.diameter + more.diameter;
+  p.length = g.length + more.length;
+  p.half_angle = g.half_angle;
+  p.crown_radius = g.crown_radius + more.crown_radius;
+  p.central_length = std::min(g.central_length + more.central_length, p.length);
+  p.land_offset = more.land_offset;
+  p.corner_radius = g.corner_radius;
+  p.end_radius = g.end_radius;
+  if (g.shape == bearing::RollerShape::Logarithmic) {
+    p.crown_radius = std::numeric_limits<double>::infinity();
+    p.central_length = p.length;
+  }
+  contact::check_roller_profile(p);
+  return p;
+}
+
+/// Hertz constant of a barrel at mid contact: rolling direction 1/ρ and the race's radius over cos
+/// α, along the roller the crown in the groove.
+double point_constant(const RollerModel& m, std::size_t j, const contact::RollerProfile& p) {
+  const auto& g = m.rollers;
+  const double cosine = std::cos(g.race_angle[j]);
+  const double race_radius = g.race_radius(static_cast<int>(j)) / cosine;
+  const double rolling =
+      2.0 / p.diameter * std::cos(p.half_angle) + (j == 0 ? -1.0 : 1.0) / race_radius;
+  const double along = 1.0 / p.crown_radius - 1.0 / m.race[j].groove_radius;
+  if (!(along > 0.0)) {
+    refuse(fmt::format(
+        "point contact needs a crown that is rounder than the groove; here the crown radius is "
+        "{:.6g} m and the groove radius {:.6g} m",
+        p.crown_radius, m.race[j].groove_radius));
+  }
+  const auto [low, high] = std::minmax(rolling, along);
+  return contact::hertz_constants({low, high}, m.E_star[j]).K;
+}
+
+RollerBody body_of(const RollerModel& m, std::size_t roller) {
+  RollerBody body;
+  body.profile = profile_of(m.rollers, roller);
+  body.slices = contact::roller_slices(body.profile, m.slicing);
+  if (m.rollers.shape == bearing::RollerShape::Logarithmic) {
+    for (contact::RollerSlice& slice : body.slices) {
+      slice.radius -=
+          contact::logarithmic_drop(slice.s, m.rollers.length, 0.00035 * m.rollers.diameter);
+    }
+  }
+  if (m.contact == RollerContact::Point) {
+    const auto& p = body.profile;
+    for (std::size_t j = 0; j < 2; ++j) {
+      body.point[j].race = m.race[j];
+      body.point[j].race.groove_radius -= p.crown_radius;
+      body.point[j].centre = {-p.crown_radius * std::sin(p.half_angle),
+                              0.5 * p.diameter - p.crown_radius * std::cos(p.half_angle)};
+      body.point[j].K = point_constant(m, j, p);
+    }
+  }
+  body.flanges =
+      flange_pairs(m.rollers, m.race, m.E_star, profile_of(m.rollers, kNominal), body.profile);
+  return body;
+}
+
+void add_inertia(RollerModel& m, const bearing::Bearing& b) {
+  const auto& g = m.rollers;
+  const double half = 0.5 * g.diameter * std::cos(g.axis_angle);
+  m.speeds = contact::rolling_speeds({0.5 * g.pitch_diameter + half, 0.5 * g.pitch_diameter - half},
+                                     g.diameter, g.axis_angle, b.speed);
+  m.moving = m.speeds.orbital != 0.0;
+  m.mass = b.ball_inertia.mass;
+  m.mass_offset = b.roller_mass_offset;
+  const double radius = 0.5 * g.pitch_diameter - m.mass_offset * std::sin(g.axis_angle);
+  m.centrifugal = m.mass * radius * m.speeds.orbital * m.speeds.orbital;
+  m.gyroscopic = contact::gyroscopic_moment(m.speeds, g.axis_angle, b.ball_inertia.moments.x(),
+                                            b.ball_inertia.moments.y())
+                     .y();
+}
+
+}  // namespace
+
+RollerModel make_roller_model(const bearing::Bearing& b, const RollerOptions& options) {
+  check(b, options);
+  RollerModel m;
+  m.rollers = *b.rollers;
+  const auto& g = m.rollers;
+  m.contact = options.contact;
+  m.linear = options.kinematics == RollerKinematics::Linear;
+  m.race = race_surfaces(b);
+  m.slicing = contact::slicing(profile_of(g, kNominal), options.slices);
+  for (std::size_t j = 0; j < 2; ++j) {
+    m.E_star[j] = bearing::contact_modulus(b.ball_material, b.race_material[j]);
+    m.line_constant[j] =
+        options.line_constant > 0.0 ? options.line_constant : contact::line_constant(m.E_star[j]);
+    m.law[j] = contact::power_law(m.line_constant[j], m.slicing.effective_length);
+  }
+  const std::size_t bodies = g.deviation.empty() ? 1 : static_cast<std::size_t>(g.count);
+  for (std::size_t k = 0; k < bodies; ++k) {
+    m.bodies.push_back(body_of(m, k));
+  }
+  for (int k = 0; k < g.count; ++k) {
+    m.azimuth.push_back(options.first_azimuth + 2.0 * kPi * k / g.count);
+  }
+  m.race_speed = b.speed;
+  m.outer_tilt = b.constraints.outer_misalignment;
+  add_inertia(m, b);
+  const double length = m.slicing.effective_length;
+  m.line_stiffness = std::max(m.law[0].constant, m.law[1].constant) * length;
+  m.lever = 0.25 * length;
+  m.longest_step = 5e-3 * g.diameter + 0.25 * std::abs(g.clearance);
+  return m;
+}
+
+double line_approach(const RollerModel& m, double load) {
+  return std::pow(std::abs(load) / m.line_stiffness, 0.9);
+}
+
+}  // namespace adore::statics

@@ -1,0 +1,62 @@
+#pragma once
+
+#include "contact/roller_profile.hpp"
+#include "contact/tapered_geometry.hpp"
+#include "statics/roller_flanges.hpp"
+#include "statics/roller_statics.hpp"
+#include "statics/slice_potential.hpp"
+
+#include <array>
+#include <vector>
+
+/// Constants of one quasi-static roller bearing problem: what all rollers share.
+namespace adore::statics {
+
+/// Shape of one roller, or of all when none deviates.
+struct RollerBody {
+  contact::RollerProfile profile;
+  std::vector<contact::RollerSlice> slices;
+  std::array<PointSet, 2> point;    ///< RollerContact::Point
+  std::vector<FlangePair> flanges;  ///< that this roller can touch
+};
+
+struct RollerModel {
+  bearing::RollerGeometry rollers;
+  RollerContact contact = RollerContact::Sliced;
+  bool linear = false;
+  contact::Slicing slicing;
+  std::array<contact::RaceSurface, 2> race;
+  std::array<contact::PowerLaw, 2> law;
+  std::array<double, 2> E_star{};
+  std::array<double, 2> line_constant{};  ///< K_l [N/m²]
+  std::vector<RollerBody> bodies;         ///< one, or one per roller
+  std::vector<double> azimuth;            ///< [rad]
+  std::array<double, 2> race_speed{};     ///< [rad/s]
+  std::array<double, 2> outer_tilt{};     ///< about y, z [rad]
+  contact::RollingSpeeds speeds;
+  double mass = 0.0, mass_offset = 0.0;
+  double centrifugal = 0.0;  ///< of each roller, at its mass centre [N]
+  double gyroscopic = 0.0;   ///< about y that the contacts supply [N m]
+  bool moving = false;
+
+  double line_stiffness = 0.0;  ///< K L^(8/9), the stiffer race [N m^(-10/9)]
+  double lever = 0.0;           ///< of a roller's tilt [m/rad]
+  double longest_step = 0.0;    ///< of one Newton step [m]
+  double load_floor = 0.0;      ///< forces below are nothing [N]
+
+  [[nodiscard]] const RollerBody& body(std::size_t k) const {
+    return bodies[bodies.size() == 1 ? 0 : k];
+  }
+  [[nodiscard]] SliceSet slices(std::size_t j, const RollerBody& body) const {
+    return {race[j], body.slices, slicing.width, law[j]};
+  }
+};
+
+/// @throws InputError naming the value that makes no bearing.
+[[nodiscard]] RollerModel make_roller_model(const bearing::Bearing& bearing,
+                                            const RollerOptions& options);
+
+/// Penetration of one roller between both races as a power of the load: δ = (Q/(K L^(8/9)))^0.9.
+[[nodiscard]] double line_approach(const RollerModel& model, double load);
+
+}  // namespace adore::statics

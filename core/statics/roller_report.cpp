@@ -1,0 +1,220 @@
+#include "statics/roller_report.hpp"
+
+#include "contact/hertz.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace adore::statics {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr std::array<const char*, 2> kRace{"outer", "inner"};
+constexpr std::array<const char*, 2> kSide{"-x", "+x"};
+
+/// Direction of the load on the race, as a contact angle of the azimuth plane of the base frame.
+double angle_of(std::size_t j, double x, double r) {
+  return j == 0 ? std::atan2(x, r) : std::atan2(-x, -r);
+}
+
+RollerRaceContact sliced_contact(const RollerModel& m, const RollerBody& body, std::size_t j,
+                                 const Vec4& p) {
+  RollerRaceContact out;
+  std::vector<SliceResult> slices(body.slices.size());
+  PairPotential sum;
+  if (m.linear) {
+    add_slices_linear(m.slices(j, body), p, sum, slices);
+  } else {
+    add_slices(m.slices(j, body), p, sum, slices);
+  }
+  out.delta = -std::numeric_limits<double>::infinity();
+  double x = 0.0;
+  double r = 0.0;
+  for (std::size_t k = 0; k < slices.size(); ++k) {
+    const SliceResult& s = slices[k];
+    double pressure = 0.0;
+    out.delta = std::max(out.delta, s.delta);
+    if (s.load > 0.0) {
+      const double curvature = 1.0 / body.slices[k].radius + s.rolling_curvature;
+      const contact::LinePressure line =
+          contact::line_pressure(s.load / s.width, curvature, m.E_star[j]);
+      pressure = line.peak;
+      out.moment += s.load * body.slices[k].s;
+      out.stiffness += s.slope;
+      out.length += s.width;
+      x += s.load * s.normal_x;
+      r += s.load * s.normal_r;
+      const bool end = k == 0 || k + 1 == slices.size();
+      const bool edge_of_land = s.width < m.slicing.width * (1.0 - 1e-9);
+      out.at_edge = out.at_edge || end || edge_of_land;
+      if (pressure > out.peak_pressure) {
+        out.peak_pressure = pressure;
+        out.peak_position = body.slices[k].s;
+        out.half_width = line.half_width;
+      }
+    }
+    out.slice_load.push_back(s.load);
+    out.slice_pressure.push_back(pressure);
+  }
+  out.load = std::hypot(x, r);
+  if (out.load > 0.0) {
+    out.contact_angle = angle_of(j, x, r);
+  }
+  return out;
+}
+
+RollerRaceContact point_contact(const RollerModel& m, const RollerBody& body, std::size_t j,
+                                const Vec4& p) {
+  RollerRaceContact out;
+  PairPotential sum;
+  SliceResult at;
+  add_point(body.point[j], p, sum, &at);
+  out.delta = at.delta;
+  if (at.load <= 0.0) {
+    return out;
+  }
+  out.load = at.load;
+  out.stiffness = at.slope;
+  out.contact_angle = angle_of(j, at.normal_x, at.normal_r);
+  // Contact point along the roller: where the arc's normal is that of the race.
+  const double across_axis = std::sqrt(1.0 - p(2) * p(2) - p(3) * p(3));
+  const double along = at.normal_x * across_axis + at.normal_r * p(2);  // n·a
+  const auto& g = body.profile;
+  out.peak_position = body.point[j].centre.s + g.crown_radius * along;
+  out.moment = at.load * out.peak_position;
+  const double rolling = 2.0 / g.diameter * std::cos(g.half_angle) +
+                         (j == 0 ? -1.0 : 1.0) * std::cos(m.rollers.race_angle[j]) /
+                             m.rollers.race_radius(static_cast<int>(j));
+  const auto [low, high] =
+      std::minmax(rolling, 1.0 / g.crown_radius - 1.0 / m.race[j].groove_radius);
+  const contact::HertzConstants h = contact::hertz_constants({low, high}, m.E_star[j]);
+  const double root = std::cbrt(at.load);
+  const double a = h.a_hat * root;
+  const double b = h.b_hat * root;
+  out.half_width = b;
+  out.length = 2.0 * a;
+  out.peak_pressure = 1.5 * at.load / (kPi * a * b);
+  const double start = m.slicing.start;
+  out.at_edge =
+      out.peak_position - a < start || out.peak_position + a > start + m.slicing.effective_length;
+  return out;
+}
+
+std::string roller_list(const std::vector<std::size_t>& numbers) {
+  std::string text;
+  for (std::size_t k = 0; k < numbers.size();) {
+    std::size_t last = k;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) {
+      ++last;
+    }
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", numbers[k]);
+    if (last > k) {
+      text += fmt::format("-{}", numbers[last]);
+    }
+    k = last + 1;
+  }
+  return fmt::format("{} {}", numbers.size() == 1 ? "roller" : "rollers", text);
+}
+
+class Notes {
+ public:
+  explicit Notes(const std::vector<StaticRoller>& rollers) : rollers_(rollers) {}
+
+  template <class Predicate, class... Args>
+  void add(Predicate predicate, fmt::format_string<Args...> what, Args&&... args) {
+    std::vector<std::size_t> numbers;
+    for (std::size_t k = 0; k < rollers_.size(); ++k) {
+      if (predicate(rollers_[k])) {
+        numbers.push_back(k + 1);
+      }
+    }
+    if (!numbers.empty()) {
+      notes_.push_back(fmt::format("{}: {}", roller_list(numbers),
+                                   fmt::format(what, std::forward<Args>(args)...)));
+    }
+  }
+  std::vector<std::string> take() { return std::move(notes_); }
+
+ private:
+  const std::vector<StaticRoller>& rollers_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace
+
+StaticRoller report_roller(const RollerModel& m, const Vec5& q, const RollerState& roller) {
+  StaticRoller out;
+  const auto outer = outer_place(m);
+  const auto inner = inner_place(q);
+  const RacePair races{outer, inner};
+  const RollerBody& body = m.body(roller.number);
+  out.azimuth = m.azimuth[roller.number];
+  out.x = roller.e(0);
+  out.r = 0.5 * m.rollers.pitch_diameter + roller.e(1);
+  out.tilt = roller.e(2) - m.rollers.axis_angle;
+  out.idle = roller.idle;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const Vec4 p = relative_pose(m, roller, j, races);
+    out.race[j] = m.contact == RollerContact::Point ? point_contact(m, body, j, p)
+                                                    : sliced_contact(m, body, j, p);
+    for (const FlangePair& pair : body.flanges) {
+      if (pair.race != static_cast<int>(j)) {
+        continue;
+      }
+      const FlangeTouch touch = flange_touch(pair, p);
+      auto& flange = out.flange[j][static_cast<std::size_t>(pair.side)];
+      flange.present = true;
+      flange.load = touch.load;
+      flange.gap = touch.contact.gap;
+      flange.height = touch.contact.height;
+      flange.radius = touch.contact.from_axis;
+      flange.on_face = touch.contact.mode == contact::FlangeContact::Mode::Face;
+    }
+  }
+  return out;
+}
+
+std::vector<std::string> roller_notes(const RollerModel& m,
+                                      const std::vector<StaticRoller>& rollers) {
+  Notes notes(rollers);
+  notes.add([](const StaticRoller& r) { return r.idle; },
+            "no load; at rest, so placed in the middle between both races");
+  notes.add([](const StaticRoller& r) { return r.race[0].load > 0.0 && r.race[1].load == 0.0; },
+            "contact with the outer race only (centrifugal force)");
+  for (std::size_t j = 0; j < 2; ++j) {
+    notes.add([j](const StaticRoller& r) { return r.race[j].at_edge; },
+              "the contact with the {} race reaches a corner of the roller or an edge of the land; "
+              "the stress there exceeds the printed pressure by an amount that independent slices "
+              "cannot tell",
+              kRace[j]);
+    for (std::size_t side = 0; side < 2; ++side) {
+      notes.add(
+          [j, side](const StaticRoller& r) {
+            const auto& f = r.flange[j][side];
+            return f.load > 0.0 && !f.on_face;
+          },
+          "touches the {} flange of the {} race with its corner or at the flange's lip, where the "
+          "stress is not Hertzian",
+          kSide[side], kRace[j]);
+    }
+  }
+  if (m.contact == RollerContact::Sliced) {
+    const double shortest = 8.0 * m.slicing.width;
+    for (std::size_t j = 0; j < 2; ++j) {
+      notes.add(
+          [j, shortest](const StaticRoller& r) {
+            return r.race[j].load > 0.0 && r.race[j].length < shortest && r.race[0].load > 0.0 &&
+                   r.race[1].load > 0.0;
+          },
+          "fewer than 8 of {} slices touch the {} race; more slices (option rollerSlices) would be "
+          "more exact",
+          m.slicing.count, kRace[j]);
+    }
+  }
+  return notes.take();
+}
+
+}  // namespace adore::statics

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "statics/roller_equilibrium.hpp"
+
+#include <string>
+#include <vector>
+
+/// From the solved roller bearing to what the outputs read.
+namespace adore::statics {
+
+/// Everything about one roller at its equilibrium.
+[[nodiscard]] StaticRoller report_roller(const RollerModel& model, const Vec5& q,
+                                         const RollerState& roller);
+
+/// Notes about the whole solution: rollers without load, contacts that reach the ends or the lands'
+/// edges, flange contacts on lips and corners, contacts too short for the slices.
+[[nodiscard]] std::vector<std::string> roller_notes(const RollerModel& model,
+                                                    const std::vector<StaticRoller>& rollers);
+
+}  // namespace adore::statics

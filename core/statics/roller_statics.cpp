@@ -1,0 +1,167 @@
+#include "statics/roller_statics.hpp"
+
+#include "base/errors.hpp"
+#include "statics/roller_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::statics {
+namespace {
+
+constexpr std::array<const char*, 5> kDirection{"along x", "along y", "along z", "about y",
+                                                "about z"};
+
+/// Radial closure of a race on its rollers under a load of one of them, in the direction of the
+/// contact.
+double closure(const RollerModel& m, double load) { return 2.0 * line_approach(m, load); }
+
+/// Cold start: play closed, and about the deflection of the heaviest roller (Q = 4.6 F/(Z cos α),
+/// the radial bearing with play: 5 for points, 4.6 for lines).
+Vec5 first_guess(const RollerModel& m, const RaceTask& task, const Vec5& given) {
+  Vec5 q = given;
+  const auto& g = m.rollers;
+  const double count = g.count;
+  const auto is_free = [&](int k) {
+    return !task.given[static_cast<std::size_t>(k)] && given(k) == 0.0;
+  };
+  const double cosine = std::cos(g.race_angle[1]);
+  const double sine = std::sin(g.race_angle[1]);
+  const double radial =
+      std::hypot(is_free(1) ? task.load(1) : 0.0, is_free(2) ? task.load(2) : 0.0);
+  if (radial > 0.0) {
+    const double shift =
+        0.5 * g.clearance * cosine * cosine + closure(m, 4.6 * radial / (count * cosine)) / cosine;
+    for (int k = 1; k < 3; ++k) {
+      if (is_free(k)) {
+        q(k) = shift * task.load(k) / radial;
+      }
+    }
+  }
+  const double thrust = is_free(0) ? task.load(0) : 0.0;
+  if (thrust != 0.0) {
+    if (sine > 0.0) {
+      q(0) = std::copysign(closure(m, std::abs(thrust) / (count * sine)) / sine, thrust);
+    } else {
+      q(0) = std::copysign(0.5 * (g.flange_play[0] + g.flange_play[1]), thrust);
+    }
+  }
+  return q;
+}
+
+std::string load_text(const RaceTask& task) {
+  std::string text;
+  for (std::size_t k = 0; k < 5; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    if (!task.given[k] && task.load(i) != 0.0) {
+      text += fmt::format("{}{:.6g} {} {}", text.empty() ? "" : ", ", task.load(i),
+                          k < 3 ? "N" : "N m", kDirection[k]);
+    }
+  }
+  return text.empty() ? "no load" : text;
+}
+
+[[noreturn]] void give_up(const RaceTask& task, const RaceSolve& solve, const RollerRace& state) {
+  const std::string loads = load_text(task);
+  if (solve.ran_away) {
+    throw SolverError(fmt::format(
+        "bearing equilibrium: no roller or flange holds the inner race under {}; it moved to x = "
+        "{:.4g} m, y = {:.4g} m, z = {:.4g} m. Prescribe the displacement in the direction that "
+        "nothing holds (kFS), add flanges, or change the load",
+        loads, state.q(0), state.q(1), state.q(2)));
+  }
+  throw SolverError(fmt::format(
+      "bearing equilibrium: Newton's iteration stopped under {} with a residual of {:.2g} of the "
+      "load after {} steps{}; give a first guess of the displacement, or prescribe it in some "
+      "direction",
+      loads, solve.residual, solve.iterations,
+      solve.element_failed
+          ? ", because a roller lost its equilibrium (nothing holds it along its axis, or the race "
+            "moved too far)"
+          : ""));
+}
+
+void fill_summary(RollerSolution& s) {
+  for (const StaticRoller& roller : s.rollers) {
+    for (const RollerRaceContact& c : roller.race) {
+      s.max_load = std::max(s.max_load, c.load);
+      s.max_stiffness = std::max(s.max_stiffness, c.stiffness);
+    }
+  }
+}
+
+}  // namespace
+
+RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const RollerOptions& options) {
+  RollerModel model = make_roller_model(bearing, options);
+  RaceTask task;
+  task.given = bearing.constraints.displacement_given;
+  Vec5 given;
+  for (std::size_t k = 0; k < 5; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    task.load(i) = bearing.constraints.load[k];
+    given(i) = bearing.constraints.displacement[k];
+    if (!std::isfinite(task.load(i)) || !std::isfinite(given(i))) {
+      throw InputError(fmt::format(
+          "bearing equilibrium: the load {} or displacement {} {} is not a finite number",
+          task.load(i), given(i), kDirection[k]));
+    }
+  }
+  const RaceScales scales = race_scales(model);
+  model.load_floor = std::max(1e-13 * force_scale(scales, task, 0.0), 1e-12);
+
+  RollerRace state;
+  state.q = options.warm_start ? given : first_guess(model, task, given);
+  for (std::size_t k = 0; k < model.azimuth.size(); ++k) {
+    RollerState roller;
+    roller.number = k;
+    roller.sin = std::sin(model.azimuth[k]);
+    roller.cos = std::cos(model.azimuth[k]);
+    state.elements.push_back(roller);
+  }
+  const RaceSolve solve = solve_race(model, task, state);
+  if (!solve.converged) {
+    give_up(task, solve, state);
+  }
+
+  RollerSolution out;
+  for (std::size_t k = 0; k < 5; ++k) {
+    out.displacement[k] = state.q(static_cast<Eigen::Index>(k));
+    out.load[k] = state.load(static_cast<Eigen::Index>(k));
+  }
+  out.stiffness = state.stiffness;
+  out.iterations = solve.iterations;
+  out.residual = solve.residual;
+  for (const RollerState& roller : state.elements) {
+    out.rollers.push_back(report_roller(model, state.q, roller));
+  }
+  for (int k = 0; k < model.slicing.count; ++k) {
+    out.slice_position.push_back(model.slicing.centre(k));
+  }
+  out.slice_width = model.slicing.width;
+  for (std::size_t j = 0; j < 2; ++j) {
+    out.line_constant[j] = options.contact == RollerContact::Point ? model.bodies[0].point[j].K
+                                                                   : model.line_constant[j];
+  }
+  out.orbital_speed = model.speeds.orbital;
+  out.spin_speed = model.speeds.spin;
+  out.centrifugal_force = model.centrifugal;
+  out.gyroscopic_moment = model.gyroscopic;
+  out.roller_mass = model.mass;
+  out.mass_offset = model.mass_offset;
+  fill_summary(out);
+  for (int k : solve.held) {
+    const auto i = static_cast<std::size_t>(k);
+    out.notes.push_back(
+        fmt::format("nothing holds or loads the inner race {}: it stays at {:.6g} {}",
+                    kDirection[i], out.displacement[i], k < 3 ? "m" : "rad"));
+  }
+  for (std::string& note : roller_notes(model, out.rollers)) {
+    out.notes.push_back(std::move(note));
+  }
+  return out;
+}
+
+}  // namespace adore::statics
