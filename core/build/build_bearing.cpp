@@ -165,7 +165,7 @@ bearing::Mounting mounting(const Deck& deck) {
 
 }  // namespace
 
-Bearing build_bearing(const Deck& deck) {
+Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   std::vector<Issue> issues = check_buildable(deck);
   std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::Error; });
   if (!issues.empty()) throw InputError(std::move(issues));
@@ -223,6 +223,7 @@ Bearing build_bearing(const Deck& deck) {
   out.ball_temperature = deck.si("reTemp");
   out.cage_temperature = deck.si("cageTemp");
   out.mounting = mounting(deck);
+  build_imperfections(deck, seed, out);
   return out;
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include "bearing/life_inputs.hpp"
+#include "build/build_imperfections.hpp"
 #include "deck/deck.hpp"
 #include "dynamics/system.hpp"
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -47,10 +49,11 @@ struct RunControl {
 /// the deck).
 struct RunOptions {
   dynamics::SystemOptions system;
-  double checkpoint_seconds = 10.0;  ///< wall time between checkpoints of FINAL and MASTER
-  bool results_h5 = true;            ///< write RESULTS.h5
-  bool centrifugal_growth = true;    ///< speeds widen the rings (bearing::Mounting)
-  bearing::LifeChoices life;         ///< fatigue life: what no record holds
+  double checkpoint_seconds = 10.0;   ///< wall time between checkpoints of FINAL and MASTER
+  bool results_h5 = true;             ///< write RESULTS.h5
+  std::uint64_t seed = kDefaultSeed;  ///< of random imperfections (kReGeoImp 1)
+  bool centrifugal_growth = true;     ///< speeds widen the rings (bearing::Mounting)
+  bearing::LifeChoices life;          ///< fatigue life: what no record holds
 };
 
 struct OptionInfo {
