@@ -1,5 +1,6 @@
 #include "build/build_bearing.hpp"
 
+#include "build/build_rollers.hpp"
 #include "contact/cage_inertia.hpp"
 #include "contact/groove.hpp"
 #include "tribology/traction_curve.hpp"
@@ -163,6 +164,27 @@ bearing::Mounting mounting(const Deck& deck) {
   return out;
 }
 
+/// Balls or rollers with their inertia.
+void build_elements(const Deck& deck, Bearing& out) {
+  if (out.type == bearing::Type::Ball) {
+    out.balls = ball_geometry(deck);
+    out.ball_inertia = ball_inertia(out.balls.diameter, out.ball_material.density);
+    return;
+  }
+  out.rollers = build_rollers(deck);
+  const RollerMass mass = roller_mass(*out.rollers, out.ball_material.density);
+  out.ball_inertia = mass.inertia;
+  out.roller_mass_offset = mass.mass_offset;
+}
+
+/// Of the groove bottoms, or of straight raceways under the middle of the rollers.
+std::array<double, 2> raceway_diameters(const Bearing& b) {
+  if (b.rollers)
+    return {2.0 * b.rollers->race_radius(bearing::kOuter),
+            2.0 * b.rollers->race_radius(bearing::kInner)};
+  return {b.balls.pitch_diameter + b.balls.diameter, b.balls.pitch_diameter - b.balls.diameter};
+}
+
 }  // namespace
 
 Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
@@ -175,15 +197,14 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   out.ball_material = material(deck, "kReMat", Part::RollingElement, "re", "");
   out.race_material = {material(deck, "kRaceMat1", Part::OuterRace, "race", "1"),
                        material(deck, "kRaceMat2", Part::InnerRace, "race", "2")};
-  out.balls = ball_geometry(deck);
+  out.type = static_cast<bearing::Type>(deck.integer("kBrg"));
   out.envelope = {deck.si("brgBore"),
                   deck.si("brgOD"),
                   deck.si("shftID"),
                   deck.si("hsngOD"),
                   {deck.si("raceWidth1"), deck.si("raceWidth2")}};
-  out.ball_inertia = ball_inertia(out.balls.diameter, out.ball_material.density);
-  const double groove_bottom_outer = out.balls.pitch_diameter + out.balls.diameter;
-  const double groove_bottom_inner = out.balls.pitch_diameter - out.balls.diameter;
+  build_elements(deck, out);
+  const auto [groove_bottom_outer, groove_bottom_inner] = raceway_diameters(out);
   // Without material between groove and bore or outside, the ideal ring would have a negative mass.
   if (out.envelope.outer_diameter <= groove_bottom_outer)
     throw InputError(

@@ -21,7 +21,6 @@ struct Gate {
 
 // A deck with another code parses and checks clean, but cannot run.
 constexpr Gate kAlways[] = {
-    {"kBrg", 1, "a roller bearing"},
     {"kRaceFlex", 0, "a flexible outer race (announced by the classic program, never available)"},
     {"kStif", 0, "the stiffness-speed table"},
     {"kTrac", 0, "a lubricant's traction model (or user routine ADRX7)"},
@@ -106,6 +105,9 @@ std::vector<Issue> check_buildable(const Deck& deck) {
   const bool dynamic = deck.integer("mode") >= 0;
   check.gates(kAlways);
   if (dynamic) check.gates(kDynamic);
+  if (dynamic && deck.integer("kBrg") != 1)
+    check.error("kBrg", "asks for the motion of rollers, which this version does not simulate yet",
+                "set mode to -1 for the quasi-static solution");
   if (dynamic && deck.integer("nCseg") > 0) {
     check.gates(kCage);
     if (deck.has("cageConeAng") && deck.real("cageConeAng") != 0.0)

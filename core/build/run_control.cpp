@@ -195,6 +195,19 @@ const std::vector<Option>& options() {
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.system.land_slices, 1, 99);
          }},
+        {{"rollerSlices", fmt::format("{}", defaults.rollers.slices),
+          "slices along each roller, 1 to 999"},
+         [](RunOptions& o, std::string_view v) {
+           return parse_count(v, o.rollers.slices, 1, 999);
+         }},
+        {{"rollerContact", "sliced",
+          "roller to race contact: sliced, or point (one Hertz ellipse, barrel rollers only)"},
+         [](RunOptions& o, std::string_view v) {
+           if (v != "sliced" && v != "point") return false;
+           o.rollers.contact =
+               v == "point" ? statics::RollerContact::Point : statics::RollerContact::Sliced;
+           return true;
+         }},
         {{"checkpointSeconds", fmt::format("{}", defaults.checkpoint_seconds),
           "computing time between two writes of FINAL and MASTER [s], above 0"},
          [](RunOptions& o, std::string_view v) {

@@ -4,6 +4,7 @@
 #include "build/build_imperfections.hpp"
 #include "deck/deck.hpp"
 #include "dynamics/system.hpp"
+#include "statics/roller_statics.hpp"
 
 #include <array>
 #include <cstdint>
@@ -49,6 +50,7 @@ struct RunControl {
 /// the deck).
 struct RunOptions {
   dynamics::SystemOptions system;
+  statics::RollerOptions rollers;
   double checkpoint_seconds = 10.0;   ///< wall time between checkpoints of FINAL and MASTER
   bool results_h5 = true;             ///< write RESULTS.h5
   std::uint64_t seed = kDefaultSeed;  ///< of random imperfections (kReGeoImp 1)

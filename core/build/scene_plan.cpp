@@ -26,23 +26,24 @@ std::string curve_reason(const deck::Deck& deck, const char* type,
 dynamics::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing& bearing,
                                     const RunControl& control) {
   dynamics::ScenePlan plan;
-  const int n = bearing.balls.count;
+  const int n = bearing.element_count();
+  const std::string element = bearing.rollers ? "roller" : "ball";
   const bool dynamic = control.dynamic;
   const std::string mode = fmt::format("mode = {}", deck.integer("mode"));
   const std::string cage_switch = fmt::format("nCseg = {}", deck.integer("nCseg"));
   const bool cage = dynamic && bearing.cage.has_value();
   const bool guided = cage && bearing.land_traction.has_value();
 
-  auto effect = [&](Effect id, const char* name, bool on, std::string because) {
+  auto effect = [&](Effect id, const std::string& name, bool on, std::string because) {
     plan.effects.push_back(
         {id, name, dynamic && on, dynamic ? std::move(because) : mode + " (quasi-static)"});
   };
-  effect(Effect::RaceContact, "ball / race contact", true, mode);
-  effect(Effect::RaceTraction, "ball / race traction", can_push(bearing.race_traction),
+  effect(Effect::RaceContact, element + " / race contact", true, mode);
+  effect(Effect::RaceTraction, element + " / race traction", can_push(bearing.race_traction),
          curve_reason(deck, "kTracType", bearing.race_traction));
   effect(Effect::CageMotion, "cage motion", cage, cage_switch);
-  effect(Effect::PocketContact, "ball / pocket contact", cage, cage_switch);
-  effect(Effect::PocketTraction, "ball / pocket traction",
+  effect(Effect::PocketContact, element + " / pocket contact", cage, cage_switch);
+  effect(Effect::PocketTraction, element + " / pocket traction",
          cage && can_push(*bearing.pocket_traction),
          cage ? curve_reason(deck, "kCPTracType", *bearing.pocket_traction) : cage_switch);
   effect(Effect::LandContact, "cage / race guide lands", guided,
@@ -64,9 +65,10 @@ dynamics::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Beari
       plan.oriented_elements.push_back(i);
   }
   const int oriented = static_cast<int>(plan.oriented_elements.size());
-  effect(Effect::ElementOrientation, "ball orientation", oriented > 0,
-         control.animate ? fmt::format("kAGraf = {}: all balls", control.animate_every)
-                         : fmt::format("{} of {} balls in kPltElemInd or kPrtOpt", oriented, n));
+  effect(Effect::ElementOrientation, element + " orientation", oriented > 0,
+         control.animate
+             ? fmt::format("kAGraf = {}: all balls", control.animate_every)
+             : fmt::format("{} of {} {}s in kPltElemInd or kPrtOpt", oriented, n, element));
   effect(Effect::WearIntegrals, "wear and power integrals", true, "SOL7 and PRINT show them");
   effect(Effect::MomentumLedger, "momentum ledger", true, "RUN.json and PRINT show it");
   plan.light_load_ratio = control.light_load_ratio;
@@ -82,7 +84,9 @@ dynamics::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Beari
                              "quaternion and total rotation", 5 * oriented});
     if (cage) plan.bodies.push_back({"cage", "6 degrees of freedom and total rotation", 14});
   } else {
-    plan.bodies.push_back({fmt::format("balls ({})", n), "x, r in equilibrium", 2 * n});
+    plan.bodies.push_back({fmt::format("{}s ({})", element, n),
+                           bearing.rollers ? "x, r, tilt in equilibrium" : "x, r in equilibrium",
+                           (bearing.rollers ? 3 : 2) * n});
   }
   const char* how = dynamic ? "at the static position" : "in equilibrium";
   plan.bodies.push_back(

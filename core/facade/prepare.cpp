@@ -125,11 +125,15 @@ Prepared prepare(const DeckRequest& request) {
   out.as_built = build::build_bearing(deck, out.options.seed);
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
   for (Issue& issue : build::check_buildable(deck)) out.input.warnings.push_back(std::move(issue));
-  out.bearing = thermal::operating_bearing(out.as_built);
+  out.bearing = out.as_built.rollers ? out.as_built : thermal::operating_bearing(out.as_built);
   for (Issue& issue : operating_warnings(out.bearing, out.input.path.string()))
     out.input.warnings.push_back(std::move(issue));
   out.control = build::build_run_control(deck);
   out.plan = build::make_scene_plan(deck, out.bearing, out.control);
+  if (out.bearing.rollers) {
+    out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers);
+    return out;
+  }
   const bearing::LifeInputs life_inputs = build::build_life(deck, out.options.life);
   out.statics = statics::solve_ball_statics(out.bearing);
   if (out.control.dynamic) {

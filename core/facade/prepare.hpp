@@ -7,9 +7,11 @@
 #include "dynamics/system.hpp"
 #include "life/bearing_life.hpp"
 #include "statics/ball_statics.hpp"
+#include "statics/roller_statics.hpp"
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,12 +50,18 @@ struct Prepared {
   build::RunControl control;
   build::RunOptions options;
   dynamics::ScenePlan plan;
-  statics::StaticSolution statics;  ///< actual curvature: the quasi-static page
+  statics::StaticSolution statics;  ///< balls: actual curvature, the quasi-static page
+  std::optional<statics::RollerSolution> rollers;  ///< roller bearings, instead of it
   std::array<double, 2>
       fixed_angle{};  ///< contact angles that the run's Hertz constants are frozen at [rad]
   statics::StaticSolution
       start;  ///< with those constants: start of a dynamic run (empty when quasi-static)
   life::BearingLife life;  ///< at the equilibrium that PRINT.txt shows
+
+  /// What the quasi-static solution says of the inner race, whatever rolls on it.
+  [[nodiscard]] const statics::RaceResult& race_result() const {
+    return rollers ? static_cast<const statics::RaceResult&>(*rollers) : statics;
+  }
 };
 
 /// What operating_bearing warned of (lost clearance, loose fit, overstressed ring), as remarks on

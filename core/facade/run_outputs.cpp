@@ -75,7 +75,18 @@ void add_lives(KeyResults& out, const life::BearingLife& life) {
   out.emplace_back("life_stored_hours", hours(choices.stored_model, choices.stored_modification));
 }
 
-KeyResults static_results(const statics::StaticSolution& solution) {
+double largest_pressure(const Prepared& prepared) {
+  double pressure = 0.0;
+  for (const statics::StaticBall& ball : prepared.statics.balls)
+    for (const double p : ball.p_max) pressure = std::max(pressure, p);
+  if (prepared.rollers)
+    for (const statics::StaticRoller& roller : prepared.rollers->rollers)
+      for (const auto& contact : roller.race) pressure = std::max(pressure, contact.peak_pressure);
+  return pressure;
+}
+
+KeyResults static_results(const Prepared& prepared) {
+  const statics::RaceResult& solution = prepared.race_result();
   static constexpr const char* kDirections[] = {"x", "y", "z", "about_y", "about_z"};
   KeyResults out;
   for (std::size_t k = 0; k < 5; ++k)
@@ -84,11 +95,8 @@ KeyResults static_results(const statics::StaticSolution& solution) {
   for (std::size_t k = 0; k < 5; ++k)
     out.emplace_back(fmt::format("load_{}_{}", kDirections[k], k < 3 ? "N" : "Nm"),
                      solution.load[k]);
-  double pressure = 0.0;
-  for (const statics::StaticBall& ball : solution.balls)
-    for (const double p : ball.p_max) pressure = std::max(pressure, p);
   out.emplace_back("largest_contact_load_N", solution.max_load);
-  out.emplace_back("largest_pressure_Pa", pressure);
+  out.emplace_back("largest_pressure_Pa", largest_pressure(prepared));
   for (std::size_t k = 0; k < 5; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     out.emplace_back(
@@ -269,14 +277,14 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
   out.defaults_used = deck::defaults_used(prepared.input.deck);
   for (const Issue& issue : prepared.input.warnings) out.notes.push_back(issue.text());
   for (const std::string& remark : remarks) out.notes.push_back(remark);
-  for (const std::string& note : prepared.statics.notes) out.notes.push_back(note);
+  for (const std::string& note : prepared.race_result().notes) out.notes.push_back(note);
   out.instruction_set = dynamics::race_contact_instruction_set();
   const bearing::Imperfections& imperfections = prepared.bearing.imperfections;
   if (imperfections.elements == bearing::ElementErrors::Random)
     out.seeds.emplace_back("geometric imperfections", static_cast<long>(imperfections.seed));
   out.imperfections = results::imperfections_json(prepared.bearing);
   if (prepared.bearing.operating) out.operating = results::fits_json(*prepared.bearing.operating);
-  out.life["quasi-static"] = results::life_json(prepared.life);
+  if (!prepared.rollers) out.life["quasi-static"] = results::life_json(prepared.life);
   return out;
 }
 
@@ -284,6 +292,10 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
 void RunOutputs::Impl::print_front(const std::optional<dynamics::Scales>& scales) {
   print->front({prepared.input.deck, prepared.as_built, scales, summary_of_deck().options});
   if (prepared.bearing.operating) print->fits(prepared.bearing);
+  if (prepared.rollers) {
+    print->quasi_static(*prepared.rollers, prepared.bearing);
+    return;
+  }
   print->quasi_static(scales ? prepared.start : prepared.statics, prepared.bearing);
   print->life(prepared.life);
 }
@@ -446,14 +458,15 @@ void RunOutputs::write_quasi_static() {
   s.print_front(std::nullopt);
   results::RunSummary run = s.summary_of_deck();
   run.status = "done";
-  s.key_results = static_results(s.prepared.statics);
+  s.key_results = static_results(s.prepared);
   if (s.prepared.bearing.operating)
     for (auto& item : results::fits_summary(*s.prepared.bearing.operating))
       s.key_results.push_back(std::move(item));
-  add_lives(s.key_results, s.prepared.life);
+  if (!s.prepared.rollers) add_lives(s.key_results, s.prepared.life);
   run.summary = s.key_results;
-  run.quasi_static =
-      results::to_json(results::static_tables(s.prepared.statics, s.prepared.bearing, s.units));
+  if (!s.prepared.rollers)
+    run.quasi_static =
+        results::to_json(results::static_tables(s.prepared.statics, s.prepared.bearing, s.units));
   s.close(run);
 }
 

@@ -64,6 +64,12 @@ void PrintFile::quasi_static(const statics::StaticSolution& solution,
   flush();
 }
 
+void PrintFile::quasi_static(const statics::RollerSolution& solution,
+                             const bearing::Bearing& bearing) {
+  print_quasi_static(report_, solution, bearing);
+  flush();
+}
+
 void PrintFile::step(const dynamics::Snapshot& snapshot, const StepRecord& record,
                      const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt) {
   print_step(report_, snapshot, record, bearing, averages, kPrtOpt);

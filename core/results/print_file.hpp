@@ -12,6 +12,7 @@
 #include "results/report.hpp"
 #include "results/run_json.hpp"
 #include "statics/ball_statics.hpp"
+#include "statics/roller_statics.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -61,6 +62,7 @@ class PrintFile {
   void quasi_static(const statics::StaticSolution& solution, const bearing::Bearing& bearing);
   /// Fatigue life at that equilibrium.
   void life(const life::BearingLife& life);
+  void quasi_static(const statics::RollerSolution& solution, const bearing::Bearing& bearing);
   /// One printed step: rolling elements, races and cage, applied parameters, summary, as kPrtOpt
   /// selects. `record` is the snapshot as the ChannelRecorder shows it.
   void step(const dynamics::Snapshot& snapshot, const StepRecord& record,
@@ -84,6 +86,15 @@ class PrintFile {
 void print_front(Report& report, const PrintFront& front);
 void print_quasi_static(Report& report, const statics::StaticSolution& solution,
                         const bearing::Bearing& bearing);
+void print_quasi_static(Report& report, const statics::RollerSolution& solution,
+                        const bearing::Bearing& bearing);
+/// Sizes of rollers, raceways and flanges: the part of the geometry page that balls do not have.
+void print_roller_geometry(Report& report, const bearing::RollerGeometry& rollers,
+                           const bearing::Envelope& envelope);
+/// What every quasi-static page says of the inner race: displacement and load; stiffness.
+void print_race_equilibrium(Report& report, const statics::RaceResult& solution,
+                            const bearing::Bearing& bearing);
+void print_race_stiffness(Report& report, const statics::RaceResult& solution);
 void print_step(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record,
                 const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt);
 void print_ledgers(Report& report, const RunSummary& run, const dynamics::ScenePlan& plan,

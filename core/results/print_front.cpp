@@ -99,8 +99,12 @@ std::string_view pocket_name(bearing::PocketShape shape) {
 }
 
 void geometry(Report& report, const bearing::Bearing& bearing) {
-  const bearing::BallGeometry& balls = bearing.balls;
   report.new_page("BEARING GEOMETRY");
+  if (bearing.rollers) {
+    print_roller_geometry(report, *bearing.rollers, bearing.envelope);
+    return;
+  }
+  const bearing::BallGeometry& balls = bearing.balls;
   report.item("Number of balls", static_cast<long>(balls.count));
   report.item("Ball diameter", balls.diameter, unit::kLength);
   report.item("Pitch diameter", balls.pitch_diameter, unit::kLength);
@@ -170,7 +174,7 @@ void materials(Report& report, const bearing::Bearing& bearing) {
     const char* name;
     const bearing::Material* material;
   };
-  std::vector<Part> parts{{"balls", &bearing.ball_material},
+  std::vector<Part> parts{{bearing.rollers ? "rollers" : "balls", &bearing.ball_material},
                           {"outer race", &bearing.race_material[0]},
                           {"inner race", &bearing.race_material[1]}};
   if (bearing.cage) parts.push_back({"cage", &bearing.cage->material});
@@ -232,7 +236,7 @@ void materials(Report& report, const bearing::Bearing& bearing) {
   const auto add = [&](const char* name, const bearing::Inertia& body) {
     inertia.push_back({name, {body.mass, body.moments.x(), body.moments.y(), body.moments.z()}});
   };
-  add("ball", bearing.ball_inertia);
+  add(bearing.rollers ? "roller" : "ball", bearing.ball_inertia);
   if (bearing.cage) add("cage", bearing.cage->inertia);
   add("outer race", bearing.race_inertia[0]);
   add("inner race", bearing.race_inertia[1]);

@@ -11,31 +11,9 @@
 namespace adore::results {
 namespace {
 
-void equilibrium(Report& report, const statics::StaticSolution& solution,
-                 const bearing::Bearing& bearing) {
-  report.text(
-      "Inner race relative to the outer race; loads are what the shaft applies to the inner race.");
-  std::vector<std::vector<std::string>> rows;
-  const char* const names[] = {"x", "y", "z", "about y", "about z"};
-  for (std::size_t k = 0; k < 5; ++k) {
-    const UnitPair& motion = k < 3 ? unit::kLength : unit::kAngle;
-    const UnitPair& load = k < 3 ? unit::kForce : unit::kMoment;
-    const bool given = bearing.constraints.displacement_given[k];
-    rows.push_back({names[k],
-                    Report::number(from_si(solution.displacement[k], motion, report.units())),
-                    std::string(unit_name(motion, report.units())), given ? "given" : "found",
-                    Report::number(from_si(solution.load[k], load, report.units())),
-                    std::string(unit_name(load, report.units())), given ? "found" : "given"});
-  }
-  report.text_table(
-      {{"", 8}, {"displacement", 16}, {"", 6}, {"", 8}, {"load", 16}, {"", 8}, {"", 8}}, rows);
-  report.blank();
-  report.item("Largest contact load", solution.max_load, unit::kForce);
-  report.item("Largest stiffness of a contact", solution.max_stiffness, unit::kStiffness);
+void ball_contacts(Report& report, const statics::StaticSolution& solution) {
   report.item("Race control criterion (above 1: outer race)", solution.race_control_ratio,
               unit::kPure);
-  report.item("Iterations", static_cast<long>(solution.iterations));
-  report.item("Largest force residual over the load", solution.residual, unit::kPure);
   for (std::size_t race = 0; race < 2; ++race) {
     const char* name = race == 0 ? "outer" : "inner";
     report.item(fmt::format("Hertz constant K of Q = K delta^1.5, {} race", name),
@@ -43,33 +21,6 @@ void equilibrium(Report& report, const statics::StaticSolution& solution,
     report.item(fmt::format("Ratio of the contact ellipse, {} race", name),
                 solution.hertz[race].kappa, unit::kPure);
   }
-}
-
-/// Entries are force or moment over length or radian.
-void stiffness(Report& report, const statics::StaticSolution& solution) {
-  report.heading("Stiffness: change of the load (rows) with the displacement (columns)");
-  const UnitSystem units = report.units();
-  const std::array<const char*, 5> loads{"Fx", "Fy", "Fz", "My", "Mz"},
-      motions{"x", "y", "z", "rot y", "rot z"};
-  const auto load_unit = [](std::size_t k) -> const UnitPair& {
-    return k < 3 ? unit::kForce : unit::kMoment;
-  };
-  const auto motion_unit = [](std::size_t k) -> const UnitPair& {
-    return k < 3 ? unit::kLength : unit::kRadian;
-  };
-  std::vector<Report::Column> columns;
-  std::vector<Report::Row> rows;
-  for (std::size_t i = 0; i < 5; ++i) {
-    columns.push_back(
-        {fmt::format("{} [{}]", motions[i], unit_name(motion_unit(i), units)), nullptr});
-    Report::Row row{fmt::format("{} [{}]", loads[i], unit_name(load_unit(i), units)), {}};
-    for (std::size_t j = 0; j < 5; ++j) {
-      const double entry = solution.stiffness(static_cast<int>(i), static_cast<int>(j));
-      row.values.push_back(from_si(entry, load_unit(i), units) * to_si(1.0, motion_unit(j), units));
-    }
-    rows.push_back(std::move(row));
-  }
-  report.table("per", columns, rows, 14);
 }
 
 void balls(Report& report, const statics::StaticSolution& solution) {
@@ -159,11 +110,64 @@ void split_races(Report& report, const statics::StaticSolution& solution,
 
 }  // namespace
 
+void print_race_equilibrium(Report& report, const statics::RaceResult& solution,
+                            const bearing::Bearing& bearing) {
+  report.text(
+      "Inner race relative to the outer race; loads are what the shaft applies to the inner race.");
+  std::vector<std::vector<std::string>> rows;
+  const char* const names[] = {"x", "y", "z", "about y", "about z"};
+  for (std::size_t k = 0; k < 5; ++k) {
+    const UnitPair& motion = k < 3 ? unit::kLength : unit::kAngle;
+    const UnitPair& load = k < 3 ? unit::kForce : unit::kMoment;
+    const bool given = bearing.constraints.displacement_given[k];
+    rows.push_back({names[k],
+                    Report::number(from_si(solution.displacement[k], motion, report.units())),
+                    std::string(unit_name(motion, report.units())), given ? "given" : "found",
+                    Report::number(from_si(solution.load[k], load, report.units())),
+                    std::string(unit_name(load, report.units())), given ? "found" : "given"});
+  }
+  report.text_table(
+      {{"", 8}, {"displacement", 16}, {"", 6}, {"", 8}, {"load", 16}, {"", 8}, {"", 8}}, rows);
+  report.blank();
+  report.item("Largest contact load", solution.max_load, unit::kForce);
+  report.item("Largest stiffness of a contact", solution.max_stiffness, unit::kStiffness);
+  report.item("Iterations", static_cast<long>(solution.iterations));
+  report.item("Largest force residual over the load", solution.residual, unit::kPure);
+}
+
+/// Entries are force or moment over length or radian.
+void print_race_stiffness(Report& report, const statics::RaceResult& solution) {
+  report.heading("Stiffness: change of the load (rows) with the displacement (columns)");
+  const UnitSystem units = report.units();
+  const std::array<const char*, 5> loads{"Fx", "Fy", "Fz", "My", "Mz"},
+      motions{"x", "y", "z", "rot y", "rot z"};
+  const auto load_unit = [](std::size_t k) -> const UnitPair& {
+    return k < 3 ? unit::kForce : unit::kMoment;
+  };
+  const auto motion_unit = [](std::size_t k) -> const UnitPair& {
+    return k < 3 ? unit::kLength : unit::kRadian;
+  };
+  std::vector<Report::Column> columns;
+  std::vector<Report::Row> rows;
+  for (std::size_t i = 0; i < 5; ++i) {
+    columns.push_back(
+        {fmt::format("{} [{}]", motions[i], unit_name(motion_unit(i), units)), nullptr});
+    Report::Row row{fmt::format("{} [{}]", loads[i], unit_name(load_unit(i), units)), {}};
+    for (std::size_t j = 0; j < 5; ++j) {
+      const double entry = solution.stiffness(static_cast<int>(i), static_cast<int>(j));
+      row.values.push_back(from_si(entry, load_unit(i), units) * to_si(1.0, motion_unit(j), units));
+    }
+    rows.push_back(std::move(row));
+  }
+  report.table("per", columns, rows, 14);
+}
+
 void print_quasi_static(Report& report, const statics::StaticSolution& solution,
                         const bearing::Bearing& bearing) {
   report.new_page("QUASI-STATIC EQUILIBRIUM");
-  equilibrium(report, solution, bearing);
-  stiffness(report, solution);
+  print_race_equilibrium(report, solution, bearing);
+  ball_contacts(report, solution);
+  print_race_stiffness(report, solution);
   balls(report, solution);
   split_races(report, solution, bearing);
   if (solution.notes.empty()) return;

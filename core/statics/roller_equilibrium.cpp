@@ -210,7 +210,7 @@ Eigen::Vector3d first_place(const RollerModel& m, const RollerState& state, cons
 bool newton(const RollerModel& m, const RacePair& races, RollerState& state, RollerForces& forces) {
   constexpr int kIterations = 120;
   const double nothing = m.load_floor;
-  forces = roller_forces(m, state, races);
+  forces = roller_forces(m, state, races, false);
   for (int n = 0; n < kIterations; ++n) {
     const Scaled now = scaled(m, forces);
     const double size = now.force.norm();
@@ -243,7 +243,7 @@ bool newton(const RollerModel& m, const RacePair& races, RollerState& state, Rol
       if (trial.e.head<2>().norm() > 0.5 * m.rollers.diameter || std::abs(trial.e(2)) > 0.5) {
         return false;
       }
-      forces = roller_forces(m, trial, races);
+      forces = roller_forces(m, trial, races, false);
       const double slope = step.dot(scaled(m, forces).force);
       const bool closed = high > 0.0 && high - low <= 1e-13 * high;
       if (slope < -0.5 * first && first > 0.0 && !closed) {
@@ -321,7 +321,8 @@ Vec4 relative_pose(const RollerModel& m, const RollerState& at, std::size_t j,
   return values(m.linear ? linear_relative(roller, at, race) : relative(roller, at, race));
 }
 
-RollerForces roller_forces(const RollerModel& m, const RollerState& at, const RacePair& races) {
+RollerForces roller_forces(const RollerModel& m, const RollerState& at, const RacePair& races,
+                           bool exact_derivatives) {
   RollerForces sum;
   const Roller roller = roller_at(m, at);
   const RollerBody& body = m.body(at.number);
@@ -330,12 +331,14 @@ RollerForces roller_forces(const RollerModel& m, const RollerState& at, const Ra
     const Relative rel = m.linear ? linear_relative(roller, at, race) : relative(roller, at, race);
     const Vec4 p = values(rel);
     PairPotential u = potential(m, body, j, p);
-    sum.largest = std::max(sum.largest, u.total);
+    const double of_race = u.total;
+    sum.largest = std::max(sum.largest, of_race);
     for (const FlangePair& flange : body.flanges) {
       if (flange.race == static_cast<int>(j)) {
-        add_flange(flange, p, u);
+        add_flange(flange, p, exact_derivatives, u);
       }
     }
+    sum.flange_loaded = sum.flange_loaded || u.total > of_race;
     sum.total += u.total;
     if (u.total == 0.0) {
       continue;
@@ -405,6 +408,9 @@ bool update_race(const RollerModel& m, const Vec5& q, RollerRace& state) {
     }
     if (!solve_roller(m, races, roller, forces)) {
       return false;
+    }
+    if (!m.body(roller.number).flanges.empty() && forces.flange_loaded) {
+      forces = roller_forces(m, roller, races);
     }
     roller.follow = following(m, forces);
     if (forces.total == 0.0) {

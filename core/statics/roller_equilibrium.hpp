@@ -51,14 +51,16 @@ struct RollerForces {
   std::array<RollerDual, 5> load;      ///< share of the load on the inner race [N, N m]
   double largest = 0.0;                ///< largest contact load [N]
   double total = 0.0;                  ///< sum of contact loads and the centrifugal force [N]
+  bool flange_loaded = false;          ///< some flange pushes
 };
 
 struct RacePair {
   const RacePlace<RollerDual>& outer;
   const RacePlace<RollerDual>& inner;
 };
+/// `exact_derivatives`: with the curvature of flange gaps (roller_flanges.hpp).
 [[nodiscard]] RollerForces roller_forces(const RollerModel& model, const RollerState& at,
-                                         const RacePair& races);
+                                         const RacePair& races, bool exact_derivatives = true);
 
 /// Pose of a roller relative to race j: values of p.
 [[nodiscard]] Vec4 relative_pose(const RollerModel& model, const RollerState& at, std::size_t j,

@@ -9,7 +9,6 @@
 namespace adore::statics {
 namespace {
 
-
 /// Roller axis in the race frame for the relative coordinates t, f.
 Vec3 axis_of(double t, double f) { return {std::sqrt(1.0 - t * t - f * f), f, t}; }
 
@@ -71,7 +70,10 @@ std::vector<FlangePair> flange_pairs(const bearing::RollerGeometry& g,
         const Vec3 touching = centre + (flange.at * travel) * along;
         const contact::FlangeContact first =
             contact::flange_contact(pair.face, ideal_end, touching, axis);
-        pair.K = contact::flange_load(pair.face, ideal_end, axis, first, E_star[j]).hertz.K;
+        pair.K = contact::flange_load(ideal_end, axis, first, E_star[j]).hertz.K;
+        pair.open_pose = Vec4(0.0, 0.5 * g.pitch_diameter, -std::sin(g.axis_angle), 0.0);
+        pair.open_gap = contact_at(pair, pair.open_pose).gap;
+        pair.reach = std::hypot(0.5 * profile.length, 0.5 * profile.diameter);
         out.push_back(pair);
       } catch (const InputError& error) {
         throw InputError(fmt::format("flange of the {} race at the {} side: {}",
@@ -90,7 +92,10 @@ FlangeTouch flange_touch(const FlangePair& pair, const Vec4& p) {
   return out;
 }
 
-void add_flange(const FlangePair& pair, const Vec4& p, PairPotential& sum) {
+void add_flange(const FlangePair& pair, const Vec4& p, bool with_curvature, PairPotential& sum) {
+  if (pair.surely_open(p)) {
+    return;
+  }
   const contact::FlangeContact c = contact_at(pair, p);
   if (!(c.gap < 0.0)) {
     return;
@@ -98,6 +103,12 @@ void add_flange(const FlangePair& pair, const Vec4& p, PairPotential& sum) {
   const double load = contact::hertz_load(pair.K, -c.gap);
   const double slope = 1.5 * load / -c.gap;
   const Vec4 g = gap_gradient(c, p);
+  sum.gradient -= load * g;
+  sum.hessian += slope * g * g.transpose();
+  sum.total += load;
+  if (!with_curvature) {
+    return;
+  }
   // Steps far above rounding and far below the sizes over which a gap curves.
   const double length_step = 1e-4 * std::max(pair.end.corner_radius, 0.1 * contact::kEdgeTube);
   const Vec4 step(length_step, length_step, 1e-6, 1e-6);
@@ -111,9 +122,7 @@ void add_flange(const FlangePair& pair, const Vec4& p, PairPotential& sum) {
         (gap_gradient(contact_at(pair, up), up) - gap_gradient(contact_at(pair, down), down)) /
         (2.0 * step(k));
   }
-  sum.gradient -= load * g;
-  sum.hessian += slope * g * g.transpose() - load * 0.5 * (curvature + curvature.transpose());
-  sum.total += load;
+  sum.hessian -= load * 0.5 * (curvature + curvature.transpose());
 }
 
 }  // namespace adore::statics

@@ -7,6 +7,7 @@
 #include "statics/slice_potential.hpp"
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 /// Forces of race flanges on roller ends (contact/roller_flange.hpp) in the relative coordinates of
@@ -24,6 +25,16 @@ struct FlangePair {
   contact::FlangeFace face;
   contact::RollerEnd end;
   double K = 0.0;  ///< of the contact of the ideal roller where it first touches [N/m^1.5]
+  // A gap falls by no more than the roller's points move: what is surely open is not computed.
+  Vec4 open_pose = Vec4::Zero();  ///< p at which the gap is `open_gap`
+  double open_gap = 0.0;          ///< [m]
+  double reach = 0.0;             ///< of the roller's points from its middle [m]
+
+  [[nodiscard]] bool surely_open(const Vec4& p) const noexcept {
+    const Vec4 d = p - open_pose;
+    return open_gap >
+           std::abs(d(0)) + std::abs(d(1)) + 1.1 * reach * (std::abs(d(2)) + std::abs(d(3)));
+  }
 };
 
 /// The flanges of both races with their faces placed (rollers.md 5): two on one race leave the
@@ -32,10 +43,11 @@ struct FlangePair {
 /// `ideal` places the flange, `profile` is the roller whose end it meets.
 /// `ideal` places the flange, `profile` is the roller whose end it meets.
 /// @throws InputError naming the flange that cannot be.
-[[nodiscard]] std::vector<FlangePair> flange_pairs(
-    const bearing::RollerGeometry& rollers, const std::array<contact::RaceSurface, 2>& races,
-    const std::array<double, 2>& E_star, const contact::RollerProfile& ideal,
-    const contact::RollerProfile& profile);
+[[nodiscard]] std::vector<FlangePair> flange_pairs(const bearing::RollerGeometry& rollers,
+                                                   const std::array<contact::RaceSurface, 2>& races,
+                                                   const std::array<double, 2>& E_star,
+                                                   const contact::RollerProfile& ideal,
+                                                   const contact::RollerProfile& profile);
 
 /// The contact at p, and the load on it.
 struct FlangeTouch {
@@ -44,7 +56,8 @@ struct FlangeTouch {
 };
 [[nodiscard]] FlangeTouch flange_touch(const FlangePair& pair, const Vec4& p);
 
-/// Adds the flange's force at p; nothing when it is open.
-void add_flange(const FlangePair& pair, const Vec4& p, PairPotential& sum);
+/// Adds the flange's force at p; nothing when it is open. `with_curvature`: the derivative of the
+/// gap's gradient too, which costs several contact searches and matters little while iterating.
+void add_flange(const FlangePair& pair, const Vec4& p, bool with_curvature, PairPotential& sum);
 
 }  // namespace adore::statics

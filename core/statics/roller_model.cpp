@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "contact/hertz.hpp"
+#include "contact/roller_shape.hpp"
 
 #include <fmt/format.h>
 
@@ -86,22 +87,7 @@ std::array<contact::RaceSurface, 2> race_surfaces(const bearing::Bearing& b) {
 }
 
 contact::RollerProfile profile_of(const bearing::RollerGeometry& g, std::size_t roller) {
-  const bearing::RollerDeviation more = g.deviation_of(roller);
-  contact::RollerProfile p;
-  p.kind = g.shape == bearing::RollerShape::Arc ? contact::RollerProfile::Kind::Arc
-                                                : contact::RollerProfile::Kind::Crowned;
-  p.diameter = g.diameter + more.diameter;
-  p.length = g.length + more.length;
-  p.half_angle = g.half_angle;
-  p.crown_radius = g.crown_radius + more.crown_radius;
-  p.central_length = std::min(g.central_length + more.central_length, p.length);
-  p.land_offset = more.land_offset;
-  p.corner_radius = g.corner_radius;
-  p.end_radius = g.end_radius;
-  if (g.shape == bearing::RollerShape::Logarithmic) {
-    p.crown_radius = std::numeric_limits<double>::infinity();
-    p.central_length = p.length;
-  }
+  contact::RollerProfile p = contact::roller_profile(g, g.deviation_of(roller));
   contact::check_roller_profile(p);
   return p;
 }

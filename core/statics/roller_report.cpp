@@ -15,9 +15,21 @@ constexpr double kPi = std::numbers::pi;
 constexpr std::array<const char*, 2> kRace{"outer", "inner"};
 constexpr std::array<const char*, 2> kSide{"-x", "+x"};
 
+/// Part of the largest pressure that a contact may carry up to an edge without a warning.
+constexpr double kEdgeShare = 0.1;
+
 /// Direction of the load on the race, as a contact angle of the azimuth plane of the base frame.
 double angle_of(std::size_t j, double x, double r) {
   return j == 0 ? std::atan2(x, r) : std::atan2(-x, -r);
+}
+
+/// What the solution of a roller at rest leaves below the load that counts as nothing.
+RollerRaceContact without_load(RollerRaceContact contact) {
+  RollerRaceContact out;
+  out.delta = contact.delta;
+  out.slice_load.assign(contact.slice_load.size(), 0.0);
+  out.slice_pressure.assign(contact.slice_pressure.size(), 0.0);
+  return out;
 }
 
 RollerRaceContact sliced_contact(const RollerModel& m, const RollerBody& body, std::size_t j,
@@ -33,6 +45,7 @@ RollerRaceContact sliced_contact(const RollerModel& m, const RollerBody& body, s
   out.delta = -std::numeric_limits<double>::infinity();
   double x = 0.0;
   double r = 0.0;
+  double edge_pressure = 0.0;
   for (std::size_t k = 0; k < slices.size(); ++k) {
     const SliceResult& s = slices[k];
     double pressure = 0.0;
@@ -49,7 +62,9 @@ RollerRaceContact sliced_contact(const RollerModel& m, const RollerBody& body, s
       r += s.load * s.normal_r;
       const bool end = k == 0 || k + 1 == slices.size();
       const bool edge_of_land = s.width < m.slicing.width * (1.0 - 1e-9);
-      out.at_edge = out.at_edge || end || edge_of_land;
+      if (end || edge_of_land) {
+        edge_pressure = std::max(edge_pressure, pressure);
+      }
       if (pressure > out.peak_pressure) {
         out.peak_pressure = pressure;
         out.peak_position = body.slices[k].s;
@@ -59,6 +74,10 @@ RollerRaceContact sliced_contact(const RollerModel& m, const RollerBody& body, s
     out.slice_load.push_back(s.load);
     out.slice_pressure.push_back(pressure);
   }
+  if (std::hypot(x, r) <= 10.0 * m.load_floor) {
+    return without_load(std::move(out));
+  }
+  out.at_edge = edge_pressure > kEdgeShare * out.peak_pressure;
   out.load = std::hypot(x, r);
   if (out.load > 0.0) {
     out.contact_angle = angle_of(j, x, r);
@@ -73,7 +92,7 @@ RollerRaceContact point_contact(const RollerModel& m, const RollerBody& body, st
   SliceResult at;
   add_point(body.point[j], p, sum, &at);
   out.delta = at.delta;
-  if (at.load <= 0.0) {
+  if (at.load <= 10.0 * m.load_floor) {
     return out;
   }
   out.load = at.load;
@@ -88,8 +107,8 @@ RollerRaceContact point_contact(const RollerModel& m, const RollerBody& body, st
   const double rolling = 2.0 / g.diameter * std::cos(g.half_angle) +
                          (j == 0 ? -1.0 : 1.0) * std::cos(m.rollers.race_angle[j]) /
                              m.rollers.race_radius(static_cast<int>(j));
-  const auto [low, high] =
-      std::minmax(rolling, 1.0 / g.crown_radius - 1.0 / m.race[j].groove_radius);
+  const double along_roller = 1.0 / g.crown_radius - 1.0 / m.race[j].groove_radius;
+  const auto [low, high] = std::minmax(rolling, along_roller);
   const contact::HertzConstants h = contact::hertz_constants({low, high}, m.E_star[j]);
   const double root = std::cbrt(at.load);
   const double a = h.a_hat * root;
@@ -167,7 +186,7 @@ StaticRoller report_roller(const RollerModel& m, const Vec5& q, const RollerStat
       const FlangeTouch touch = flange_touch(pair, p);
       auto& flange = out.flange[j][static_cast<std::size_t>(pair.side)];
       flange.present = true;
-      flange.load = touch.load;
+      flange.load = touch.load > 10.0 * m.load_floor ? touch.load : 0.0;
       flange.gap = touch.contact.gap;
       flange.height = touch.contact.height;
       flange.radius = touch.contact.from_axis;
@@ -182,13 +201,19 @@ std::vector<std::string> roller_notes(const RollerModel& m,
   Notes notes(rollers);
   notes.add([](const StaticRoller& r) { return r.idle; },
             "no load; at rest, so placed in the middle between both races");
+  notes.add(
+      [](const StaticRoller& r) {
+        return !r.idle && r.race[0].load == 0.0 && r.race[1].load == 0.0;
+      },
+      "no load; left where it lost its last contact");
   notes.add([](const StaticRoller& r) { return r.race[0].load > 0.0 && r.race[1].load == 0.0; },
             "contact with the outer race only (centrifugal force)");
   for (std::size_t j = 0; j < 2; ++j) {
     notes.add([j](const StaticRoller& r) { return r.race[j].at_edge; },
-              "the contact with the {} race reaches a corner of the roller or an edge of the land; "
-              "the stress there exceeds the printed pressure by an amount that independent slices "
-              "cannot tell",
+              "the contact with the {} race carries more than a tenth of its largest pressure up "
+              "to a corner of the roller or an "
+              "edge of the land; the stress there exceeds the printed pressure by an amount that "
+              "independent slices cannot tell",
               kRace[j]);
     for (std::size_t side = 0; side < 2; ++side) {
       notes.add(

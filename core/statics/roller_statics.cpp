@@ -51,6 +51,18 @@ Vec5 first_guess(const RollerModel& m, const RaceTask& task, const Vec5& given) 
   return q;
 }
 
+/// Where the earlier solution ended, but what is given now.
+Vec5 start_displacement(const RollerSolution& start, const RaceTask& task, const Vec5& given) {
+  Vec5 q = given;
+  for (Eigen::Index k = 0; k < 5; ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    if (!task.given[i]) {
+      q(k) = start.displacement[i];
+    }
+  }
+  return q;
+}
+
 std::string load_text(const RaceTask& task) {
   std::string text;
   for (std::size_t k = 0; k < 5; ++k) {
@@ -113,12 +125,20 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
   model.load_floor = std::max(1e-13 * force_scale(scales, task, 0.0), 1e-12);
 
   RollerRace state;
-  state.q = options.warm_start ? given : first_guess(model, task, given);
+  state.q = options.start        ? start_displacement(*options.start, task, given)
+            : options.warm_start ? given
+                                 : first_guess(model, task, given);
   for (std::size_t k = 0; k < model.azimuth.size(); ++k) {
     RollerState roller;
     roller.number = k;
     roller.sin = std::sin(model.azimuth[k]);
     roller.cos = std::cos(model.azimuth[k]);
+    if (options.start && k < options.start->rollers.size() && !options.start->rollers[k].idle) {
+      const StaticRoller& before = options.start->rollers[k];
+      roller.e = {before.x, before.r - 0.5 * model.rollers.pitch_diameter,
+                  before.tilt + model.rollers.axis_angle};
+      roller.known = true;
+    }
     state.elements.push_back(roller);
   }
   const RaceSolve solve = solve_race(model, task, state);

@@ -34,6 +34,8 @@ enum class RollerKinematics : unsigned char {
   Linear  ///< first order in all displacements: reference family D, cylindrical only
 };
 
+struct RollerSolution;
+
 struct RollerOptions {
   int slices = 31;
   RollerContact contact = RollerContact::Sliced;
@@ -41,6 +43,8 @@ struct RollerOptions {
   double line_constant = 0.0;  ///< K_l of Q = K_l L^(8/9) δ^(10/9) [N/m²]; 0: of the materials
   double first_azimuth = 0.0;  ///< of roller 1 [rad]
   bool warm_start = false;     ///< begin at StaticConstraints::displacement even where it is 0
+  const RollerSolution* start = nullptr;  ///< begin where an earlier solution of the same bearing
+                                          ///< ended (sweeps, tables); outlives the call
 };
 
 /// One roller against one race.
@@ -57,8 +61,8 @@ struct RollerRaceContact {
   double peak_position = std::numeric_limits<double>::quiet_NaN();  ///< s of that slice [m]
   double half_width = 0.0;  ///< b of that slice; Point: semi-minor axis [m]
   double length = 0.0;      ///< in contact, along the roller; Point: major axis of the ellipse [m]
-  bool at_edge = false;     ///< loaded up to a corner of the roller or an edge of the land: the
-                            ///< stress there exceeds peak_pressure by an unknown amount
+  bool at_edge = false;  ///< more than a tenth of the peak up to a roller corner or land edge: the
+                         ///< stress there exceeds peak_pressure by an unknown amount
   std::vector<double> slice_load;      ///< Q_k [N]; empty for Point
   std::vector<double> slice_pressure;  ///< p_k [Pa]
 };

@@ -72,7 +72,8 @@ struct Surface {
 
 Surface surface_at(const contact::RaceSurface& race, const V3& X) {
   Surface s;
-  const double r = std::sqrt(X.y * X.y + X.z * X.z);
+  // Arc centres of barrels (add_point) can lie beyond the axis: there r is negative.
+  const double r = std::copysign(std::sqrt(X.y * X.y + X.z * X.z), X.z);
   const double ey = X.y / r;
   const double ez = X.z / r;
   double nx = 0.0;

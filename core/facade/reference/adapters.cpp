@@ -4,6 +4,7 @@
 #include "facade/reference/cases_dynamics.hpp"
 #include "facade/reference/cases_life.hpp"
 #include "facade/reference/cases_motion.hpp"
+#include "facade/reference/cases_roller_static.hpp"
 #include "facade/reference/cases_rollers.hpp"
 #include "facade/reference/cases_static.hpp"
 #include "facade/reference/cases_thermal.hpp"
@@ -20,6 +21,7 @@ std::vector<Adapter> all_adapters() {
   add(motion_adapters());
   add(dynamics_adapters());
   add(static_adapters());
+  add(roller_static_adapters());
   add(roller_slice_adapters());
   add(roller_part_adapters());
   add(thermal_adapters());
