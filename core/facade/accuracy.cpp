@@ -26,8 +26,8 @@ EndState integrate(const Prepared& prepared, const std::string& method, double t
   dynamics::System system = make_system(prepared);
   std::vector<double> start = system.initial_state();
   system.set_start(0.0, start);
-  // With qFac: the elements that the start state holds, for the whole span. When a method would hold
-  // or release others depends on where its steps end, and that is no error of the method.
+  // With qFac: the elements that the start state holds, for the whole span. When a method would
+  // hold or release others depends on where its steps end, and that is no error of the method.
   system.update_held(0.0, start);
   SystemOde ode(system);
   const auto stepper = integrators::make_stepper(method);

@@ -160,7 +160,7 @@ TEST_CASE("a wavy inner race pushes sideways as its energy asks",
   // Balls at rest: the load is the gradient of the elastic energy, so its derivative is symmetric.
   for (const auto kinematics : {RingKinematics::Exact, RingKinematics::Linear}) {
     Bearing bearing = make(8, 0.0127, 0.07, 0.52, 0.52, 0.0, -2e-5);
-    bearing.imperfections.race[1] = wave(5e-6, 11, 0.7);
+    bearing.imperfections.race[1] = wave(5e-6, 9, 0.1);
     load(bearing, 0, 300, 500);
     StaticsOptions options;
     options.kinematics = kinematics;
@@ -168,20 +168,20 @@ TEST_CASE("a wavy inner race pushes sideways as its energy asks",
     const auto s = solve_ball_statics(bearing, options);
     const double asymmetry = std::abs(s.stiffness(1, 2) - s.stiffness(2, 1));
     const double size = std::abs(s.stiffness(2, 2));
-    // Left out or with the other sign it is 1e-4 of the stiffness and more (R'/R = 1.8e-3); what
+    // Left out or with the other sign it is 1e-4 of the stiffness and more (R'/R = 1.3e-3); what
     // remains is of second order in R'/R and in the displacement over R.
     CHECK(asymmetry < 2e-6 * size);
     // The normals lean by R'/r: with that the contact loads add up to the applied ones.
     double upright = 0.0;
     double leaning = 0.0;
     for (const StaticBall& b : s.balls) {
-      const double lean = 5e-6 * 11 * std::cos(11 * b.azimuth + 0.7) / b.r;
+      const double lean = 5e-6 * 9 * std::cos(9 * b.azimuth + 0.1) / b.r;
       upright -= b.Q[1] * std::sin(b.azimuth);
       leaning -= b.Q[1] * (std::sin(b.azimuth) - lean * std::cos(b.azimuth));
     }
-    // Second order again: displacement over r, 1e-4, of the loads' differences.
-    CHECK(std::abs(leaning - 300.0) < 0.05);
-    CHECK(std::abs(upright - 300.0) > 0.5);
+    // Second order again: displacement over r, 2e-4, of the loads; the sum without lean misses 1 N.
+    CHECK(std::abs(leaning - 300.0) < 0.15);
+    CHECK(std::abs(upright - 300.0) > 0.8);
   }
 }
 
@@ -247,20 +247,37 @@ TEST_CASE("dual contact of a split race is seen and said", "[physics][statics][s
     return std::any_of(solution.notes.begin(), solution.notes.end(),
                        [&](const std::string& n) { return n.find(text) != std::string::npos; });
   };
+  // Distance of the ball from the points of the other half, by trying them: an arc about a centre
+  // the shim further on the side of the contact, as far as the split half way between the centres.
+  const auto nearest_of_other_half = [&](const StaticBall& b) {
+    const double l = s + b.delta[1];
+    const double along = l * std::abs(std::sin(b.alpha[1]));
+    const double up = l * std::cos(b.alpha[1]);
+    const double radius = 0.52 * 0.0127;
+    double nearest = 1.0;
+    for (double angle = -0.6; angle < 0.6; angle += 5e-5) {
+      const double x = shim + radius * std::sin(angle);
+      if (x <= 0.5 * shim)
+        nearest = std::min(nearest, std::hypot(x - along, radius * std::cos(angle) - up));
+    }
+    return nearest - 0.5 * 0.0127;
+  };
   const auto thrust = solve_ball_statics(load(bearing, 3000, 0, 0));
   CHECK_FALSE(has_note(thrust, "dual contact"));
   for (const StaticBall& b : thrust.balls) {
-    CHECK(std::isnan(b.other_half[0]));  // not split
-    // Centres of the two arcs lie the shim apart: law of cosines in the plane of the ball.
-    const double l = s + b.delta[1];
-    const double other = std::sqrt(l * l + shim * shim - 2.0 * shim * l * std::sin(b.alpha[1]));
-    CHECK(b.other_half[1] == Approx(s - other).epsilon(1e-6));
+    CHECK(std::isnan(b.other_half[0]));                                        // not split
+    CHECK(b.other_half[1] == Approx(nearest_of_other_half(b)).epsilon(1e-4));  // steps of 5e-5 rad
     CHECK(b.other_half[1] > 0.0);
   }
   // Mostly radial load: the loaded balls sink to small angles, where both halves hold them.
   const auto radial = solve_ball_statics(load(bearing, 300, 0, 6000));
   CHECK(has_note(radial, "dual contact; the other half of the split inner race"));
   CHECK(radial.balls[0].other_half[1] < 0.0);
+  for (const StaticBall& b : radial.balls) {
+    if (b.Q[1] > 0.0) {
+      CHECK(b.other_half[1] == Approx(nearest_of_other_half(b)).epsilon(1e-3).margin(1e-9));
+    }
+  }
   // Without a shim there is nothing to say.
   bearing.balls.shim = {0.0, 0.0};
   CHECK_FALSE(has_note(solve_ball_statics(bearing), "split"));
