@@ -187,7 +187,7 @@ std::array<double, 2> raceway_diameters(const Bearing& b) {
 
 }  // namespace
 
-Bearing build_bearing(const Deck& deck) {
+Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   std::vector<Issue> issues = check_buildable(deck);
   std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::Error; });
   if (!issues.empty()) throw InputError(std::move(issues));
@@ -244,6 +244,7 @@ Bearing build_bearing(const Deck& deck) {
   out.ball_temperature = deck.si("reTemp");
   out.cage_temperature = deck.si("cageTemp");
   out.mounting = mounting(deck);
+  build_imperfections(deck, seed, out);
   return out;
 }
 

@@ -123,7 +123,7 @@ Prepared prepare(const DeckRequest& request) {
   out.input = load_deck(request);
   const deck::Deck& deck = out.input.deck;
   out.options = build::build_run_options(out.input.option_values);
-  out.as_built = build::build_bearing(deck);
+  out.as_built = build::build_bearing(deck, out.options.seed);
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
   for (Issue& issue : build::check_buildable(deck)) out.input.warnings.push_back(std::move(issue));
   out.bearing = at_work(out.as_built);

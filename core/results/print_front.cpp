@@ -2,6 +2,7 @@
 #include "deck/defaults.hpp"
 #include "deck/schema.hpp"
 #include "results/print_file.hpp"
+#include "results/print_imperfections.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
@@ -390,6 +391,7 @@ void output_control(Report& report, const PrintFront& front) {
 void print_front(Report& report, const PrintFront& front) {
   echo(report, front.deck);
   geometry(report, front.bearing);
+  print_imperfections(report, front.bearing);
   materials(report, front.bearing);
   traction(report, front.bearing);
   operation(report, front);

@@ -227,6 +227,21 @@ void check_rolling(const BallModel& m, const BallRace& state) {
   }
 }
 
+/// All balls unsolved, the race at q.
+BallRace balls_at(const BallModel& model, const SpinLaw& law, const Vec5& q) {
+  BallRace state;
+  state.q = q;
+  for (std::size_t k = 0; k < model.azimuth.size(); ++k) {
+    BallState ball;
+    ball.site.sin = std::sin(model.azimuth[k]);
+    ball.site.cos = std::cos(model.azimuth[k]);
+    ball.site.own = model.own_number.empty() ? 0 : model.own_number[k];
+    ball.site.law = law;
+    state.elements.push_back(ball);
+  }
+  return state;
+}
+
 void fill_summary(const BallModel& m, StaticSolution& s) {
   double heaviest = -1.0;
   for (const StaticBall& ball : s.balls) {
@@ -257,19 +272,20 @@ StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const Statics
   for (Eigen::Index k = 0; k < 5; ++k) {
     given(k) = bearing.constraints.displacement[static_cast<std::size_t>(k)];
   }
-  BallRace state;
-  state.q = options.warm_start ? given : first_guess(model, task, given);
   const SpinLaw law = first_spin_law(bearing, options);
-  for (double azimuth : model.azimuth) {
-    BallState ball;
-    ball.site.sin = std::sin(azimuth);
-    ball.site.cos = std::cos(azimuth);
-    ball.site.law = law;
-    state.elements.push_back(ball);
-  }
+  BallRace state =
+      balls_at(model, law, options.warm_start ? given : first_guess(model, task, given));
 
   StaticSolution solution;
   Staged staged = solve_in_stages(model, task, state, true);
+  const Vec5 nothing_guessed = given_only(task, given);
+  if (staged.reached < 1.0 && (options.warm_start || nothing_guessed != given)) {
+    state = balls_at(model, law, first_guess(model, task, nothing_guessed));
+    staged = solve_in_stages(model, task, state, true);
+    solution.notes.push_back(
+        "no equilibrium was found from the first guess of the displacement; this one was found "
+        "without it");
+  }
   if (staged.reached < 1.0) {
     give_up(model, task, staged.solve, state, staged.reached);
   }
@@ -294,6 +310,12 @@ StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const Statics
         fmt::format("nothing holds or loads the inner race {}: it stays at {:.6g} {}",
                     kDirection[static_cast<std::size_t>(k)],
                     solution.displacement[static_cast<std::size_t>(k)], k < 3 ? "m" : "rad"));
+  }
+  const std::string unstable =
+      instability_note(race_scales(model), task, state.stiffness,
+                       reference_stiffness(model, std::max(state.largest_contact, 1e-300)));
+  if (!unstable.empty()) {
+    solution.notes.push_back(unstable);
   }
   for (std::string& note : report_notes(model, solution.balls)) {
     solution.notes.push_back(std::move(note));

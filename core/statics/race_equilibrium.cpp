@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <fmt/format.h>
 
 namespace adore::statics {
 namespace {
@@ -90,6 +91,35 @@ double force_scale(const RaceScales& scales, const RaceTask& task, double larges
     }
   }
   return scale > 0.0 ? scale : std::max(largest_contact, scales.idle_load);
+}
+
+Vec5 given_only(const RaceTask& task, const Vec5& displacement) {
+  Vec5 q = displacement;
+  for (Eigen::Index k = 0; k < 5; ++k) {
+    if (!is_given(task, k)) {
+      q(k) = 0.0;
+    }
+  }
+  return q;
+}
+
+std::string instability_note(const RaceScales& scales, const RaceTask& task, const Mat5& stiffness,
+                             double k_ref) {
+  constexpr std::array<const char*, 5> kDirection{"along x", "along y", "along z", "about y",
+                                                  "about z"};
+  const Mat5 K = scaled_stiffness(scales, task, stiffness, k_ref);
+  const Eigen::SelfAdjointEigenSolver<Mat5> eigen(0.5 * (K + K.transpose()));
+  const double lowest = eigen.eigenvalues()(0);
+  if (!(lowest < -1e-6 * k_ref)) {
+    return {};
+  }
+  Eigen::Index largest = 0;
+  eigen.eigenvectors().col(0).cwiseAbs().maxCoeff(&largest);
+  return fmt::format(
+      "this equilibrium is not stable: the stiffness of the inner race mainly {} is negative "
+      "({:.3g} N/m), so that a disturbance grows and the race moves on to another equilibrium or "
+      "out of the bearing",
+      kDirection[static_cast<std::size_t>(largest)], lowest);
 }
 
 }  // namespace adore::statics

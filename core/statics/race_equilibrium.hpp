@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -89,6 +90,15 @@ struct RaceStep {
 /// loads.
 [[nodiscard]] double force_scale(const RaceScales& scales, const RaceTask& task,
                                  double largest_contact);
+
+/// The displacement where it is given, 0 elsewhere: no guess.
+[[nodiscard]] Vec5 given_only(const RaceTask& task, const Vec5& displacement);
+
+/// A sentence when the free directions have a negative stiffness, that is when the symmetric part
+/// of their stiffness has an eigenvalue below -1e-6 of the reference: a disturbance along that mode
+/// grows. Empty otherwise.
+[[nodiscard]] std::string instability_note(const RaceScales& scales, const RaceTask& task,
+                                           const Mat5& stiffness, double k_ref);
 
 enum class RaceSearch : unsigned char { Accepted, NoProgress, ElementFailed, RanAway };
 

@@ -107,7 +107,7 @@ RollerRaceContact point_contact(const RollerModel& m, const RollerBody& body, st
   const double rolling = 2.0 / g.diameter * std::cos(g.half_angle) +
                          (j == 0 ? -1.0 : 1.0) * std::cos(m.rollers.race_angle[j]) /
                              m.rollers.race_radius(static_cast<int>(j));
-  const double along_roller = 1.0 / g.crown_radius - 1.0 / m.race[j].groove_radius;
+  const double along_roller = 1.0 / g.crown_radius - 1.0 / body.race[j].groove_radius;
   const auto [low, high] = std::minmax(rolling, along_roller);
   const contact::HertzConstants h = contact::hertz_constants({low, high}, m.E_star[j]);
   const double root = std::cbrt(at.load);

@@ -64,6 +64,26 @@ Vec5 start_displacement(const RollerSolution& start, const RaceTask& task, const
   return q;
 }
 
+/// All rollers with the race at q; where they were in an earlier solution, if there is one.
+RollerRace rollers_at(const RollerModel& model, const RollerSolution* start, const Vec5& q) {
+  RollerRace state;
+  state.q = q;
+  for (std::size_t k = 0; k < model.azimuth.size(); ++k) {
+    RollerState roller;
+    roller.number = k;
+    roller.sin = std::sin(model.azimuth[k]);
+    roller.cos = std::cos(model.azimuth[k]);
+    if (start && k < start->rollers.size() && !start->rollers[k].idle) {
+      const StaticRoller& before = start->rollers[k];
+      roller.e = {before.x, before.r - 0.5 * model.rollers.pitch_diameter,
+                  before.tilt + model.rollers.axis_angle};
+      roller.known = true;
+    }
+    state.elements.push_back(roller);
+  }
+  return state;
+}
+
 std::string load_text(const RaceTask& task) {
   std::string text;
   for (std::size_t k = 0; k < 5; ++k) {
@@ -126,29 +146,24 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
   const RaceScales scales = race_scales(model);
   model.load_floor = std::max(1e-13 * force_scale(scales, task, 0.0), 1e-12);
 
-  RollerRace state;
-  state.q = options.start        ? start_displacement(*options.start, task, given)
-            : options.warm_start ? given
-                                 : first_guess(model, task, given);
-  for (std::size_t k = 0; k < model.azimuth.size(); ++k) {
-    RollerState roller;
-    roller.number = k;
-    roller.sin = std::sin(model.azimuth[k]);
-    roller.cos = std::cos(model.azimuth[k]);
-    if (options.start && k < options.start->rollers.size() && !options.start->rollers[k].idle) {
-      const StaticRoller& before = options.start->rollers[k];
-      roller.e = {before.x, before.r - 0.5 * model.rollers.pitch_diameter,
-                  before.tilt + model.rollers.axis_angle};
-      roller.known = true;
-    }
-    state.elements.push_back(roller);
+  const Vec5 start = options.start        ? start_displacement(*options.start, task, given)
+                     : options.warm_start ? given
+                                          : first_guess(model, task, given);
+  RollerRace state = rollers_at(model, options.start, start);
+  RaceSolve solve = solve_race(model, task, state);
+  const Vec5 cold = first_guess(model, task, given_only(task, given));
+  RollerSolution out;
+  if (!solve.converged && cold != start) {
+    state = rollers_at(model, nullptr, cold);
+    solve = solve_race(model, task, state);
+    out.notes.push_back(
+        "no equilibrium was found from the first guess of the displacement; this one was found "
+        "without it");
   }
-  const RaceSolve solve = solve_race(model, task, state);
   if (!solve.converged) {
     give_up(task, solve, state);
   }
 
-  RollerSolution out;
   for (std::size_t k = 0; k < 5; ++k) {
     out.displacement[k] = state.q(static_cast<Eigen::Index>(k));
     out.load[k] = state.load(static_cast<Eigen::Index>(k));
@@ -182,6 +197,12 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
     out.notes.push_back(
         fmt::format("nothing holds or loads the inner race {}: it stays at {:.6g} {}",
                     kDirection[i], out.displacement[i], k < 3 ? "m" : "rad"));
+  }
+  const std::string unstable =
+      instability_note(scales, task, state.stiffness,
+                       reference_stiffness(model, std::max(state.largest_contact, 1e-300)));
+  if (!unstable.empty()) {
+    out.notes.push_back(unstable);
   }
   for (std::string& note : roller_notes(model, out.rollers)) {
     out.notes.push_back(std::move(note));
