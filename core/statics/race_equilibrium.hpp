@@ -182,7 +182,7 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
   }
   const RaceScales scales = race_scales(set);
   const bool conservative = is_conservative(set);
-  constexpr int kIterations = 80;
+  constexpr int kIterations = 200;  // a race that nothing holds walks out of reach in fewer
   double previous_size = -1.0;
   for (int n = 0; n <= kIterations; ++n) {
     const Vec5 r = scaled_residual(scales, task, state.load);

@@ -1,11 +1,13 @@
 #include "base/errors.hpp"
 #include "core/statics/ball_bearings.hpp"
 #include "statics/ball_statics.hpp"
+#include "statics/race_equilibrium.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace adore;
 using namespace adore::statics;
@@ -256,4 +258,49 @@ TEST_CASE("loads too small to compute, and nonsense, are refused in a sentence",
   bearing.spin_rule = bearing::SpinRule::Prescribed;
   bearing.spin_angle = 1.57;
   CHECK_THROWS_WITH(solve_ball_statics(bearing), Catch::Contains("cannot roll on both races"));
+}
+
+TEST_CASE("a thousand first guesses lead to one equilibrium", "[physics][statics][hard][slow]") {
+  std::mt19937 random(5);  // its sequence is fixed by the standard; the mapping below is ours
+  const auto uniform = [&] { return static_cast<double>(random()) / 2147483648.0 - 1.0; };
+  std::vector<Bearing> bearings{deep_groove(1.5e-5), angular_contact_218(12000.0),
+                                spindle(3e6 / 54), angular_contact_218(6000.0)};
+  load(bearings[0], 0, 100, 300);
+  load(bearings[1], 5000, 0, 4000);
+  load(bearings[2], 400, 0, 300);
+  load(bearings[3], 3000, 1000, 3000, 20, 30);
+  bearings[3].spin_rule = bearing::SpinRule::MinimumHeat;
+  for (const Bearing& bearing : bearings) {
+    const auto cold = solved(bearing);
+    double worst = 0.0;
+    for (int n = 0; n < 250; ++n) {
+      Bearing guessed = bearing;
+      const double size = n % 3 == 0 ? 1e-5 : n % 3 == 1 ? 3e-4 : 2e-2;  // the last is out of reach
+      for (std::size_t k = 0; k < 5; ++k)
+        guessed.constraints.displacement[k] = uniform() * size / (k < 3 ? 1.0 : 0.03);
+      StaticsOptions warm;
+      warm.warm_start = true;
+      const auto s = solve_ball_statics(guessed, warm);
+      for (std::size_t k = 0; k < 5; ++k)
+        worst = std::max(worst,
+                         std::abs(s.displacement[k] - cold.displacement[k]) * (k < 3 ? 1.0 : 0.03));
+      CHECK_FALSE(noted(s, "not stable"));
+    }
+    CHECK(worst < 1e-11);  // of displacements of some 1e-5
+  }
+}
+
+TEST_CASE("an unstable equilibrium is named", "[unit][statics][hard]") {
+  const RaceScales scales{0.03, 1e-5, 1e-3, 0.1, 0.0};
+  RaceTask task;
+  Mat5 K = 1e8 * Mat5::Identity();
+  K(3, 3) = K(4, 4) = 1e5;
+  CHECK(instability_note(scales, task, K, 1e8).empty());
+  K(1, 2) = 3e8;  // not symmetric: the symmetric part has the eigenvalue 1e8 - 1.5e8
+  CHECK_THAT(instability_note(scales, task, K, 1e8), Catch::Contains("not stable"));
+  K(1, 2) = 0.0;
+  K(4, 4) = -1e4;
+  CHECK_THAT(instability_note(scales, task, K, 1e8), Catch::Contains("mainly about z"));
+  task.given[4] = true;  // held: harmless
+  CHECK(instability_note(scales, task, K, 1e8).empty());
 }
