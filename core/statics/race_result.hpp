@@ -22,6 +22,9 @@ struct RaceResult {
   double max_load = 0.0;       ///< largest element-race contact load [N]
   double max_stiffness = 0.0;  ///< largest dQ/dδ of any element-race contact [N/m]; 0 when nothing
                                ///< is loaded
+  /// Stable equilibria found beside an unstable one (displacement as above); empty when the
+  /// equilibrium is stable, or when nothing was found.
+  std::vector<std::array<double, 5>> other_equilibria;
   int iterations = 0;
   double residual = 0.0;  ///< largest force residual over the load scale
   std::vector<std::string>

@@ -206,11 +206,10 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
         fmt::format("nothing holds or loads the inner race {}: it stays at {:.6g} {}",
                     kDirection[i], out.displacement[i], k < 3 ? "m" : "rad"));
   }
-  const std::string unstable =
-      instability_note(scales, task, state.stiffness,
-                       reference_stiffness(model, std::max(state.largest_contact, 1e-300)));
-  if (!unstable.empty()) {
-    out.notes.push_back(unstable);
+  const double k_ref = reference_stiffness(model, std::max(state.largest_contact, 1e-300));
+  if (const UnstableMode mode = unstable_mode(scales, task, state.stiffness, k_ref)) {
+    out.other_equilibria = equilibria_beside(model, task, state, mode);
+    out.notes.push_back(instability_note(mode, out.other_equilibria));
   }
   for (std::string& note : roller_notes(model, out.rollers)) {
     out.notes.push_back(std::move(note));
