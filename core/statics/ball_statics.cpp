@@ -311,11 +311,10 @@ StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const Statics
                     kDirection[static_cast<std::size_t>(k)],
                     solution.displacement[static_cast<std::size_t>(k)], k < 3 ? "m" : "rad"));
   }
-  const std::string unstable =
-      instability_note(race_scales(model), task, state.stiffness,
-                       reference_stiffness(model, std::max(state.largest_contact, 1e-300)));
-  if (!unstable.empty()) {
-    solution.notes.push_back(unstable);
+  const double k_ref = reference_stiffness(model, std::max(state.largest_contact, 1e-300));
+  if (const UnstableMode mode = unstable_mode(race_scales(model), task, state.stiffness, k_ref)) {
+    solution.other_equilibria = equilibria_beside(model, task, state, mode);
+    solution.notes.push_back(instability_note(mode, solution.other_equilibria));
   }
   for (std::string& note : report_notes(model, solution.balls)) {
     solution.notes.push_back(std::move(note));

@@ -96,8 +96,21 @@ std::string load_text(const RaceTask& task) {
   return text.empty() ? "no load" : text;
 }
 
-[[noreturn]] void give_up(const RaceTask& task, const RaceSolve& solve, const RollerRace& state) {
+[[noreturn]] void give_up(const RollerModel& m, const RaceTask& task, const RaceSolve& solve,
+                          const RollerRace& state) {
   const std::string loads = load_text(task);
+  const double tilt = std::hypot(state.q(3), state.q(4));
+  if (solve.ran_away && tilt * race_scales(m).lever > 0.5 * race_scales(m).reach) {
+    throw SolverError(fmt::format(
+        "bearing equilibrium: nothing stops the inner race from tilting under {}; it had tilted by "
+        "{:.3g} rad (about y {:.3g}, about z {:.3g}) when the rollers could not follow any "
+        "more{}. Prescribe the tilts about y and z (kFS4 = kFS5 = 1), or let the load pass through "
+        "the point about which the bearing swivels",
+        loads, tilt, state.q(3), state.q(4),
+        m.rollers.shape == bearing::RollerShape::Arc
+            ? ": barrels in a groove that is nearly a sphere let the race swivel about its centre"
+            : ""));
+  }
   if (solve.ran_away) {
     throw SolverError(fmt::format(
         "bearing equilibrium: no roller or flange holds the inner race under {}; it moved to x = "
@@ -161,7 +174,7 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
         "without it");
   }
   if (!solve.converged) {
-    give_up(task, solve, state);
+    give_up(model, task, solve, state);
   }
 
   for (std::size_t k = 0; k < 5; ++k) {
@@ -198,11 +211,10 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
         fmt::format("nothing holds or loads the inner race {}: it stays at {:.6g} {}",
                     kDirection[i], out.displacement[i], k < 3 ? "m" : "rad"));
   }
-  const std::string unstable =
-      instability_note(scales, task, state.stiffness,
-                       reference_stiffness(model, std::max(state.largest_contact, 1e-300)));
-  if (!unstable.empty()) {
-    out.notes.push_back(unstable);
+  const double k_ref = reference_stiffness(model, std::max(state.largest_contact, 1e-300));
+  if (const UnstableMode mode = unstable_mode(scales, task, state.stiffness, k_ref)) {
+    out.other_equilibria = equilibria_beside(model, task, state, mode);
+    out.notes.push_back(instability_note(mode, out.other_equilibria));
   }
   for (std::string& note : roller_notes(model, out.rollers)) {
     out.notes.push_back(std::move(note));
