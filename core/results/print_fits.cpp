@@ -81,18 +81,18 @@ void clearance_table(Report& report, const OperatingFits& fits) {
     report.table("", {{"clearance", &unit::kLength}}, rows, 16);
   } else {
     report.heading("Internal clearance, diametral, and free contact angle");
-  const auto row = [&](const char* name, const ClearanceState& s) {
-    rows.push_back({name, {s.clearance, s.contact_angle, s.end_play, s.centre_distance}});
-  };
-  row("unmounted, cold", fits.free);
-  row("mounted, cold", fits.mounted);
-  row("in operation", fits.operating);
-  report.table("",
-               {{"clearance", &unit::kLength},
-                {"angle", &unit::kAngle},
-                {"end play", &unit::kLength},
-                {"centres A", &unit::kLength}},
-               rows, 16);
+    const auto row = [&](const char* name, const ClearanceState& s) {
+      rows.push_back({name, {s.clearance, s.contact_angle, s.end_play, s.centre_distance}});
+    };
+    row("unmounted, cold", fits.free);
+    row("mounted, cold", fits.mounted);
+    row("in operation", fits.operating);
+    report.table("",
+                 {{"clearance", &unit::kLength},
+                  {"angle", &unit::kAngle},
+                  {"end play", &unit::kLength},
+                  {"centres A", &unit::kLength}},
+                 rows, 16);
   }
   report.blank();
   report.item("Pitch diameter, cold", fits.pitch_free, unit::kLength);

@@ -237,7 +237,7 @@ void materials(Report& report, const bearing::Bearing& bearing) {
     inertia.push_back({name, {body.mass, body.moments.x(), body.moments.y(), body.moments.z()}});
   };
   add(bearing.rollers ? "roller" : "ball", bearing.ball_inertia);
-  if (bearing.cage) add("cage", bearing.cage->inertia);
+  if (bearing.cage && bearing.cage->inertia.mass > 0.0) add("cage", bearing.cage->inertia);
   add("outer race", bearing.race_inertia[0]);
   add("inner race", bearing.race_inertia[1]);
   report.table("",

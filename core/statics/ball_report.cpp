@@ -1,5 +1,7 @@
 #include "statics/ball_report.hpp"
 
+#include "statics/race_text.hpp"
+
 #include <Eigen/LU>
 #include <fmt/format.h>
 
@@ -169,22 +171,6 @@ double gap_to_other_half(const BallModel& m, const BallSeat& seat, std::size_t j
   return std::hypot(towards - 0.5 * shim, std::abs(p.eta) - ridge) - seat.groove.ball_radius;
 }
 
-std::string ball_list(const std::vector<std::size_t>& numbers) {
-  std::string text;
-  for (std::size_t k = 0; k < numbers.size();) {
-    std::size_t last = k;
-    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) {
-      ++last;
-    }
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", numbers[k]);
-    if (last > k) {
-      text += fmt::format("-{}", numbers[last]);
-    }
-    k = last + 1;
-  }
-  return fmt::format("{} {}", numbers.size() == 1 ? "ball" : "balls", text);
-}
-
 template <class Predicate>
 std::vector<std::size_t> balls_that(const std::vector<StaticBall>& balls, Predicate predicate) {
   std::vector<std::size_t> numbers;
@@ -212,7 +198,7 @@ void note_split_race(const BallModel& m, std::size_t j, const std::vector<Static
     notes.push_back(fmt::format(
         "{}: dual contact; the other half of the split {} race is touched too (by up to {:.3g} m), "
         "and the solution has only one contact per ball and race",
-        ball_list(dual), kRaceName[j], deepest));
+        number_list(dual, "ball"), kRaceName[j], deepest));
   }
   const auto across = balls_that(balls, [&](const StaticBall& b) {
     return b.inner_chord[j] < half_shim && !(b.other_half[j] < 0.0);
@@ -221,7 +207,7 @@ void note_split_race(const BallModel& m, std::size_t j, const std::vector<Static
     notes.push_back(fmt::format(
         "{}: the contact ellipse reaches the split of the {} race, so dual contact is possible; "
         "only one contact is modelled",
-        ball_list(across), kRaceName[j]));
+        number_list(across, "ball"), kRaceName[j]));
   }
   const auto forward = balls_that(balls, [&](const StaticBall& b) { return b.alpha[j] > 0.0; });
   const auto backward = balls_that(balls, [&](const StaticBall& b) { return b.alpha[j] < 0.0; });
@@ -229,7 +215,7 @@ void note_split_race(const BallModel& m, std::size_t j, const std::vector<Static
     notes.push_back(fmt::format(
         "the balls touch both halves of the split {} race, {} the one and {} the other; the "
         "solution takes one circular groove, whose axial play is larger by the shim",
-        kRaceName[j], ball_list(forward), ball_list(backward)));
+        kRaceName[j], number_list(forward, "ball"), number_list(backward, "ball")));
   }
 }
 
@@ -298,20 +284,22 @@ std::vector<std::string> report_notes(const BallModel& m, const std::vector<Stat
   const auto outer_only =
       balls_that(balls, [](const StaticBall& b) { return b.Q[0] > 0.0 && !b.inner_contact; });
   if (!outer_only.empty()) {
-    notes.push_back(fmt::format("{}: contact with the outer race only", ball_list(outer_only)));
+    notes.push_back(
+        fmt::format("{}: contact with the outer race only", number_list(outer_only, "ball")));
   }
   const auto unloaded =
       balls_that(balls, [](const StaticBall& b) { return b.Q[0] == 0.0 && b.Q[1] == 0.0; });
   if (!unloaded.empty()) {
-    notes.push_back(fmt::format("{}: no load", ball_list(unloaded)));
+    notes.push_back(fmt::format("{}: no load", number_list(unloaded, "ball")));
   }
   const auto steep = balls_that(balls, [](const StaticBall& b) {
     return std::abs(b.alpha[0]) > 0.5 * std::numbers::pi ||
            std::abs(b.alpha[1]) > 0.5 * std::numbers::pi;
   });
   if (!steep.empty()) {
-    notes.push_back(fmt::format(
-        "{}: a contact angle beyond 90 degrees, which no real groove offers", ball_list(steep)));
+    notes.push_back(
+        fmt::format("{}: a contact angle beyond 90 degrees, which no real groove offers",
+                    number_list(steep, "ball")));
   }
   for (std::size_t j = 0; j < 2; ++j) {
     const auto over =
@@ -319,7 +307,7 @@ std::vector<std::string> report_notes(const BallModel& m, const std::vector<Stat
     if (!over.empty()) {
       notes.push_back(
           fmt::format("{}: the contact ellipse reaches over the shoulder of the {} race",
-                      ball_list(over), kRaceName[j]));
+                      number_list(over, "ball"), kRaceName[j]));
     }
     note_split_race(m, j, balls, notes);
   }

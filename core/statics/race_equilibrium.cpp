@@ -1,5 +1,7 @@
 #include "statics/race_equilibrium.hpp"
 
+#include "statics/race_text.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -118,8 +120,6 @@ UnstableMode unstable_mode(const RaceScales& scales, const RaceTask& task, const
 
 std::string instability_note(const UnstableMode& mode,
                              const std::vector<std::array<double, 5>>& stable_ones) {
-  constexpr std::array<const char*, 5> kDirection{"along x", "along y", "along z", "about y",
-                                                  "about z"};
   Eigen::Index largest = 0;
   mode.direction.cwiseAbs().maxCoeff(&largest);
   std::string text = fmt::format(

@@ -1,6 +1,7 @@
 #include "statics/roller_report.hpp"
 
 #include "contact/hertz.hpp"
+#include "statics/race_text.hpp"
 
 #include <fmt/format.h>
 
@@ -122,22 +123,6 @@ RollerRaceContact point_contact(const RollerModel& m, const RollerBody& body, st
   return out;
 }
 
-std::string roller_list(const std::vector<std::size_t>& numbers) {
-  std::string text;
-  for (std::size_t k = 0; k < numbers.size();) {
-    std::size_t last = k;
-    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) {
-      ++last;
-    }
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", numbers[k]);
-    if (last > k) {
-      text += fmt::format("-{}", numbers[last]);
-    }
-    k = last + 1;
-  }
-  return fmt::format("{} {}", numbers.size() == 1 ? "roller" : "rollers", text);
-}
-
 class Notes {
  public:
   explicit Notes(const std::vector<StaticRoller>& rollers) : rollers_(rollers) {}
@@ -151,7 +136,7 @@ class Notes {
       }
     }
     if (!numbers.empty()) {
-      notes_.push_back(fmt::format("{}: {}", roller_list(numbers),
+      notes_.push_back(fmt::format("{}: {}", number_list(numbers, "roller"),
                                    fmt::format(what, std::forward<Args>(args)...)));
     }
   }

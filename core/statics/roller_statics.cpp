@@ -1,6 +1,7 @@
 #include "statics/roller_statics.hpp"
 
 #include "base/errors.hpp"
+#include "statics/race_text.hpp"
 #include "statics/roller_report.hpp"
 #include "statics/stiffness_difference.hpp"
 
@@ -11,9 +12,6 @@
 
 namespace adore::statics {
 namespace {
-
-constexpr std::array<const char*, 5> kDirection{"along x", "along y", "along z", "about y",
-                                                "about z"};
 
 /// Radial closure of a race on its rollers under a load of one of them, in the direction of the
 /// contact.
@@ -84,18 +82,6 @@ RollerRace rollers_at(const RollerModel& model, const RollerSolution* start, con
   return state;
 }
 
-std::string load_text(const RaceTask& task) {
-  std::string text;
-  for (std::size_t k = 0; k < 5; ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    if (!task.given[k] && task.load(i) != 0.0) {
-      text += fmt::format("{}{:.6g} {} {}", text.empty() ? "" : ", ", task.load(i),
-                          k < 3 ? "N" : "N m", kDirection[k]);
-    }
-  }
-  return text.empty() ? "no load" : text;
-}
-
 [[noreturn]] void give_up(const RollerModel& m, const RaceTask& task, const RaceSolve& solve,
                           const RollerRace& state) {
   const std::string loads = load_text(task);
@@ -143,18 +129,10 @@ void fill_summary(RollerSolution& s) {
 
 RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const RollerOptions& options) {
   RollerModel model = make_roller_model(bearing, options);
-  RaceTask task;
-  task.given = bearing.constraints.displacement_given;
+  const RaceTask task = race_task(bearing.constraints);
   Vec5 given;
   for (std::size_t k = 0; k < 5; ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    task.load(i) = bearing.constraints.load[k];
-    given(i) = bearing.constraints.displacement[k];
-    if (!std::isfinite(task.load(i)) || !std::isfinite(given(i))) {
-      throw InputError(fmt::format(
-          "bearing equilibrium: the load {} or displacement {} {} is not a finite number",
-          task.load(i), given(i), kDirection[k]));
-    }
+    given(static_cast<Eigen::Index>(k)) = bearing.constraints.displacement[k];
   }
   const RaceScales scales = race_scales(model);
   model.load_floor = std::max(1e-13 * force_scale(scales, task, 0.0), 1e-12);
@@ -205,11 +183,8 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
   if (options.difference_share > 0.0) {
     add_difference_stiffness(model, state, options.difference_share, out);
   }
-  for (int k : solve.held) {
-    const auto i = static_cast<std::size_t>(k);
-    out.notes.push_back(
-        fmt::format("nothing holds or loads the inner race {}: it stays at {:.6g} {}",
-                    kDirection[i], out.displacement[i], k < 3 ? "m" : "rad"));
+  for (std::string& note : held_notes(solve.held, out.displacement)) {
+    out.notes.push_back(std::move(note));
   }
   const double k_ref = reference_stiffness(model, std::max(state.largest_contact, 1e-300));
   if (const UnstableMode mode = unstable_mode(scales, task, state.stiffness, k_ref)) {
