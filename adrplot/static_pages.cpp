@@ -192,14 +192,13 @@ std::vector<ChartPage> stiffness_pages(const StaticTables& all) {
   };
   std::vector<ChartPage> out;
   out.push_back(page("Stiffness over speed: translation"));
-  for (const char* const k : {"Kxx", "Kyy", "Kzz"})
+  for (const char* const k : {"Fx/x", "Fy/y", "Fz/z"})
     add(out.back(), panel(all, *table, k, entry(k)));
   out.push_back(page("Stiffness over speed: rotation and coupling"));
-  for (const char* const k : {"Kthth y", "Kthth z", "Kx z"})
+  for (const char* const k : {"My/rot y", "Mz/rot z", "Fx/z"})
     add(out.back(), panel(all, *table, k, entry(k)));
   out.push_back(page("Contacts over speed"));
-  add(out.back(), panel(all, *table, "Largest contact load",
-                        {{"outer load", "outer race"}, {"inner load", "inner race"}}));
+  add(out.back(), panel(all, *table, "Largest contact load", {{"largest load", ""}}));
   add(out.back(),
       panel(all, *table, "Displacement",
             {{"displacement x", "x"}, {"displacement y", "y"}, {"displacement z", "z"}}));

@@ -221,7 +221,8 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   out.race_traction = curve(deck, "kTracType", "reRaceTC");
   const bool dynamic = deck.integer("mode") >= 0;
   // A quasi-static solution only reports the cage's play, of the pocket shapes that Cage describes.
-  if (deck.integer("nCseg") == 1 && (dynamic || plain_cage(deck))) out.cage = cage(deck, out.balls);
+  const bool describable = dynamic || (!out.rollers && plain_cage(deck));
+  if (deck.integer("nCseg") == 1 && describable) out.cage = cage(deck, out.balls);
   if (dynamic && out.cage) {
     out.pocket_traction = curve(deck, "kCPTracType", "reCageTC");
     const bool guided = std::any_of(out.cage->lands.begin(), out.cage->lands.end(),

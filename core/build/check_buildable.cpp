@@ -22,7 +22,6 @@ struct Gate {
 // A deck with another code parses and checks clean, but cannot run.
 constexpr Gate kAlways[] = {
     {"kRaceFlex", 0, "a flexible outer race (announced by the classic program, never available)"},
-    {"kStif", 0, "the stiffness-speed table"},
     {"kTrac", 0, "a lubricant's traction model (or user routine ADRX7)"},
 };
 constexpr Gate kDynamic[] = {

@@ -20,6 +20,11 @@ RunControl build_run_control(const deck::Deck& deck) {
   out.animate_every = static_cast<int>(deck.integer("kAGraf"));
   out.animate = out.animate_every > 0;
   out.life_every = static_cast<int>(deck.integer("kLifeFreq"));
+  if (const long long points = deck.integer("kStif"); points > 0)
+    out.stiffness = {static_cast<int>(points),
+                     deck.si("pctDisp"),
+                     {deck.si("rpmRange11"), deck.si("rpmRange12")},
+                     {deck.si("rpmRange21"), deck.si("rpmRange22")}};
   if (!out.dynamic) return out;
 
   const long long start = deck.integer("kIcOpt");

@@ -5,10 +5,12 @@
 #include "deck/deck.hpp"
 #include "dynamics/system.hpp"
 #include "statics/roller_statics.hpp"
+#include "statics/stiffness_table.hpp"
 
 #include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +38,7 @@ struct RunControl {
          end_time = 0.0;  ///< over the time scale
   double tolerance = 1e-6;
   double light_load_ratio = 0.0;  ///< qFac, 0 when off
+  std::optional<statics::StiffnessRequest> stiffness;  ///< kStif > 0
   std::vector<int>
       monitored;  ///< element numbers of SOL1..SOL6 (1..n elements, cage, outer, inner)
   std::string master_file = "MASTER", final_file = "FINAL";

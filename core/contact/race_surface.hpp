@@ -13,9 +13,10 @@
 ///
 /// Depth φ(X) > 0 inside the race material; n = ∇φ, a unit vector that points from the roller into
 /// the race. σ = +1 outer, -1 inner. All are exact signed distances [derived]:
-///   cone, R(x) = R0 - x tan α   φ = σ((r - R0) cos α + x sin α)        n = σ (sin α, cos α) in (x,
-///   r);  cylinder: α = 0 groove (circle r_g about (x_g, R_g))  φ = √((x-x_g)² + (r-R_g)²) - r_g n
-///   = (x - x_g, r - R_g)/√(…)
+///   cone, R(x) = R0 - x tan α: φ = σ((r - R0) cos α + x sin α), n = σ (sin α, cos α) in (x, r)
+///   cylinder: the cone with α = 0
+///   groove, circle of radius r_g about (x_g, R_g): l = √((x-x_g)² + (r-R_g)²), φ = l - r_g,
+///     n = (x - x_g, r - R_g)/l
 /// The groove form holds for both races and for R_g <= 0 (a self-aligning outer race has R_g = 0).
 /// Undefined on the race axis (r = 0) and on the circle of groove centres: no roller gets there.
 namespace adore::contact {

@@ -9,25 +9,32 @@
 /// Flange face [choice]. In the meridian plane, g = unit vector along the raceway generator towards
 /// the roller (flange at -x: (cos α, -sin α); at +x the opposite), n_r = raceway normal out of the
 /// race (inner (sin α, cos α), outer the opposite), layback γ >= 0, root x0 on the raceway:
-///   t = cos γ n_r - sin γ g  (up the face)      m = cos γ g + sin γ n_r  (unit normal towards the
-///   roller) τ(X) = (X - x0)·t,  σ(X) = (X - x0)·m,  valid up to τ <= h = H/cos γ, H flange height
-///   along n_r
-/// γ is measured from the perpendicular to the raceway. A layback λ from the radial plane is γ = λ
-/// + α_i (inner, -x), λ - α_i (inner, +x), λ - α_o (outer, -x), λ + α_o (outer, +x) [derived].
+///   t = cos γ n_r - sin γ g   (up the face)
+///   m = cos γ g + sin γ n_r   (unit normal towards the roller)
+///   τ(X) = (X - x0)·t,  σ(X) = (X - x0)·m
+/// valid up to τ <= h = H/cos γ, H the flange height along n_r.
+/// γ is measured from the perpendicular to the raceway. A layback λ from the radial plane is
+/// γ = λ + α_i (inner, -x), λ - α_i (inner, +x), λ - α_o (outer, -x), λ + α_o (outer, +x)
+/// [derived].
 ///
 /// Gap = least σ over the points of the roller end with τ <= h [choice]; no lower limit on τ
 /// (undercut). Continuous in the pose; zero exactly where face, corner or lip touch; positive open,
-/// negative overlap. Spherical end, centre E, in the meridian plane of E [derived]:
+/// negative overlap.
+/// Spherical end, centre E, in the meridian plane of E [derived]:
 ///   τ_E <= h: gap = σ_E - R_e, X = E - R_e m, height τ_E                                    (face)
 ///   else: gap = σ_E - √(R_e² - (τ_E - h)²), X = x0 + h t + gap m, normal (E - X)/R_e        (lip)
 /// X further from the roller axis than the cap radius: the corner torus touches instead (C1, since
-/// both are tangent). Corner torus (and flat end) [derived]: on the face min over χ of σ(Y(χ)) -
-/// r_c, Y on the ring, X = Y - r_c m; on the lip the least distance along m from the lip circle to
-/// the end surface. The smaller gap wins. Skew moves the contact on a dome sideways by (R_e - L/2)
-/// φ r_X/r_E: 1 mrad can be a millimetre. r_E -> 0 (dome centre on the bearing axis) is degenerate:
-/// sphere and rib fit along an arc; check with dome_centre_radius. Not unique, so that point and
-/// stiffness jump: layback, tilt and skew all zero at a flat end (face on face; keep γ >= 1 mrad),
-/// pure tilt of a flat end away from an outer lip (two rim points; one is returned).
+/// both are tangent).
+/// Corner torus (and flat end) [derived]: on the face min over χ of σ(Y(χ)) - r_c, Y on the ring,
+/// X = Y - r_c m; on the lip the least distance along m from the lip circle to the end surface. The
+/// smaller gap wins.
+///
+/// Skew moves the contact on a dome sideways by (R_e - L/2) φ r_X/r_E: 1 mrad can be a millimetre.
+/// r_E -> 0 (dome centre on the bearing axis) is degenerate: sphere and rib fit along an arc; check
+/// with dome_centre_radius. Not unique, so that point and stiffness jump: layback, tilt and skew
+/// all zero at a flat end (face on face; keep γ >= 1 mrad), pure tilt of a flat end towards an
+/// outer lip (two rim points; one is returned). Limits: rigid bodies but for the contact; one
+/// contact per end and flange; stress at lips and edges is not Hertzian.
 namespace adore::contact {
 
 struct Flange {

@@ -11,9 +11,9 @@
 /// of a tapered roller, towards -x), end 2 at +L/2. SI, rad.
 ///   ρ(s) = D/2 - s tan ν - d(s)
 /// Crowned: d = k e²/(1 + √(1 - k²e²)), k = 1/R_c, e = max(|s - o| - L_c/2, 0): crown tangent to
-/// the central land at its
-///   ends, drop across the axis, o = land offset [choice]. The other reading, one arc about mid
-///   length that meets the land at a kink, is not taken (pressure spike at the kink).
+///   the central land at its ends, drop across the axis, o = land offset [choice]. The other
+///   reading, one arc about mid length that meets the land at a kink, is not taken (pressure spike
+///   there).
 /// Arc: one circle of radius R_c whose normal at s = 0 makes the angle ν with the radius [choice]:
 ///   ρ = D/2 - R_c cos ν + √(R_c² - (s + R_c sin ν)²); written as the drop from the cone, [derived]
 ///   d = k s² (1 + tan ν (k s + 2 sin ν)/w)/w, w = cos ν + √(1 - (k s + sin ν)²).

@@ -58,8 +58,10 @@ std::vector<VariableSpec> life_constants(std::string_view suffix, std::string_vi
                 "1.0");
   };
   const auto exponent = [&](std::string_view stem, std::string_view what, std::string_view model) {
-    return real(name(stem), kPure, kNotNegative,
-                keep(fmt::format("{} exponent of the {} model, {}.", what, model, part)));
+    return real(
+        name(stem), kPure, kNotNegative,
+        keep(fmt::format("{} exponent of the {} model, {}.{}", what, model, part,
+                         what == "Depth" ? "" : " 0 takes the built-in exponents of the model.")));
   };
   constexpr std::string_view kLp = "updated Lundberg-Palmgren";
   constexpr std::string_view kGz = "Gupta-Zaretsky";

@@ -32,9 +32,11 @@ RecordSpec room_and_fits() {
                  real("angVelOrient", kAngle, kAny,
                       "Angle of the ball spin axis from x; used only when kAngVel is 2."),
                  real("res1", unit::kStress, kAny,
-                      "Residual stress of the outer race in operation; enters the life models."),
+                      "Residual stress of the outer race in operation, tension positive; enters "
+                      "the STLE life factor."),
                  real("res2", unit::kStress, kAny,
-                      "Residual stress of the inner race in operation; enters the life models."),
+                      "Residual stress of the inner race in operation, tension positive; enters "
+                      "the STLE life factor."),
                  real("facStrLimit", kPure, kNotNegative,
                       "Multiplier on the fatigue limit stress. 1 puts it at the octahedral shear "
                       "stress that belongs to the von Mises "

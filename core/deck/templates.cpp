@@ -13,7 +13,7 @@
 namespace adore::deck {
 namespace {
 
-constexpr std::array<TemplateInfo, 8> kTemplates = {{
+constexpr std::array<TemplateInfo, 13> kTemplates = {{
     {"ball",
      "7208-size angular contact ball bearing, thrust and radial load, 10000 rpm, guided cage"},
     {"cylindrical",
@@ -24,6 +24,11 @@ constexpr std::array<TemplateInfo, 8> kTemplates = {{
     {"ball-thrust", "the ball bearing under pure thrust, with a cage that no race guides"},
     {"ball-english", "the ball bearing in English units"},
     {"ball-18", "7014-size angular contact bearing with 18 balls and two-slope traction"},
+    {"angular-218", "quasi-static: 218 angular contact bearing of the textbooks, stiffness over speed"},
+    {"deep-groove-6205", "quasi-static: 6205-size deep groove bearing with a shaft fit, radial load"},
+    {"cylindrical-nu209", "quasi-static: NU 209 cylindrical roller bearing, crowned rollers"},
+    {"tapered-30208", "quasi-static: 30208-size tapered roller bearing with its rib"},
+    {"spherical-22210", "quasi-static: one row of a 22210-size spherical roller bearing"},
 }};
 
 }  // namespace

@@ -10,7 +10,8 @@
 namespace adore::dynamics {
 namespace {
 
-constexpr double kNoStiffness = 1e-6;  ///< [N/m], far below that of any contact that carries load
+/// Floor of B, in N/m and as a share of its largest stiffness: keeps B² far from rounding.
+constexpr double kNoStiffness = 1e-6;
 
 using BallFrame = Eigen::Matrix<double, 3, 2>;
 
@@ -28,7 +29,7 @@ Vec3 e_theta_at(const Evaluation& e, std::size_t i) noexcept {
 
 /// Square root of a symmetric positive definite 2x2 matrix.
 Mat2 square_root(const Mat2& M) noexcept {
-  const double s = std::sqrt(M.determinant());
+  const double s = std::sqrt(std::max(M.determinant(), 0.0));
   return (M + s * Mat2::Identity()) / std::sqrt(M.trace() + 2.0 * s);
 }
 
@@ -99,15 +100,15 @@ void HeldBalls::gather(const Evaluation& e, std::size_t k) noexcept {
   for (std::size_t q = 0; q < 10; ++q) state_[q][k] = from[q][i];
 }
 
-/// w: rates of the balance of normal forces and gravity, L changing by those alone. Vectors in the
+/// w: rates of the balance of race normals, L changing by those alone. Vectors in the
 /// right-handed basis (e_x, e_r, e_θ) of the ball.
 void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
   const std::size_t i = list_[k];
   const BallArrays& b = e.balls;
   const double td = b.theta_dot[i], r = b.r[i], centrifugal = scene_.mass * r * td * td;
-  const Vec3 orbit(0.0, 0.0, r * td), weight = e.to_cylindrical(i, scene_.mass * scene_.gravity);
+  const Vec3 orbit(0.0, 0.0, r * td);
   Estimate& est = estimate_[k];
-  Vec3 force = weight;            // normal forces and gravity
+  Vec3 force = Vec3::Zero();      // normal forces of the races
   Mat3 stiffness = Mat3::Zero();  // of the contacts
   Vec3 drift = Vec3::Zero();      // change of their force at fixed x, r
   for (std::size_t j = 0; j < 2; ++j) {
@@ -136,7 +137,7 @@ void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
   }
   Mat2 B = stiffness.topLeftCorner<2, 2>();
   B(1, 1) += 3.0 * centrifugal / r;  // of L²/(m r³)
-  const double floor = kSoft * scene_.mass * td * td + kNoStiffness;
+  const double floor = kSoft * scene_.mass * td * td + kNoStiffness * (1.0 + std::abs(B.trace()));
   const Mat2 square = B * B + floor * floor * Mat2::Identity();
   est.damping = 2.0 * std::sqrt(scene_.mass) * square_root(square_root(square));
   est.inverse = B * square.inverse();
@@ -162,8 +163,8 @@ void HeldBalls::pull(Evaluation& e, std::size_t k) noexcept {
     if (u > 0.0 && heat_[j][k] > 0.0)
       damping += heat_[j][k] * (Q / u) * (Q / u) * est.race_along[j];
   }
-  force += e.to_cylindrical(i, scene_.mass * scene_.gravity);
   const double friction_theta = force[2] - est.normal_theta;
+  force += e.to_cylindrical(i, scene_.mass * scene_.gravity);
   if (const auto wall = pocket_wall(i)) {
     const PocketSet& set = *scene_.pockets;
     const PocketAction a = scene_.pocket_traction

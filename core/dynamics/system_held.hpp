@@ -16,7 +16,7 @@
 /// of ẍ and r̈ its x and r follow the balance
 ///   G = (F_x, F_r + m r θ̇²) = 0,   F of all forces: races with friction, pocket, gravity,
 /// by first-order motion  (ẋ, ṙ) = w + (A + C)⁻¹ G(w),  where
-///   w = B⁻¹ (∂G/∂t along θ, L and the races): rates of the balance of race normals and gravity,
+///   w = B⁻¹ (∂G/∂t along θ, L and the races): rates of the balance of race normals,
 ///   B = -∂G/∂(x, r) of the normal forces at fixed L,  A = 2 √(m B),
 ///   C = Q κ/u along the contact, summed over the contacts (friction force over slip speed).
 /// A departure from balance decays like that of a critically damped ball without inertia, at half
@@ -31,12 +31,12 @@
 /// an item of the ledger. The kinetic energy ½m(ẋ² + ṙ²) is left out of the stored energy; ẋ and ṙ
 /// of held balls stand in the state as zero.
 ///
-/// Limits: w leaves out the cage and races that tilt in time; a held ball follows those, and
-/// changes of friction, within its natural time √(m/B): microseconds along the contact normal, up
-/// to milliseconds across an outer groove at low speed.
+/// Limits: w leaves out the cage, gravity and races that tilt in time; a held ball follows those,
+/// and changes of friction, within its natural time √(m/B): microseconds along the contact normal,
+/// up to milliseconds across an outer groove at low speed.
 namespace adore::dynamics {
 
-inline constexpr double kSoft = 10.0;  ///< softest stiffness that rates come from, over m θ̇²
+inline constexpr double kSoft = 1.0;  ///< softest stiffness that rates come from, over m θ̇²
 inline constexpr double kFreePath = 0.02;  ///< see above
 
 class HeldBalls {
@@ -73,7 +73,7 @@ class HeldBalls {
   struct Estimate {
     Mat2 damping, inverse;      ///< A and B⁻¹
     Vec2 per_orbit;             ///< ∂G/∂L
-    double normal_theta = 0.0;  ///< F_θ of normal forces and gravity [N]
+    double normal_theta = 0.0;  ///< F_θ of the races' normal forces [N]
     Mat2 race_along[2];         ///< I - n nᵀ of each race contact in (x, r)
   };
   [[nodiscard]] std::array<RacePose, 2> poses(const Evaluation& e) const noexcept;

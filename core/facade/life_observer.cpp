@@ -15,7 +15,8 @@ LifeObserver::LifeObserver(const bearing::Bearing& bearing, const life::LifePara
 
 void LifeObserver::observe(const dynamics::Snapshot& snapshot) {
   const bearing::LifeChoices& choices = calculator_.parameters().choices;
-  const life::LifeState state = calculator_.evaluate(life::life_contacts(snapshot, bearing_));
+  const life::LifeState state =
+      calculator_.evaluate(life::life_contacts(snapshot, bearing_), choices.stored_model);
   const life::PartLives& lives = state.of(choices.stored_model, choices.stored_modification);
   hours_ = life::life_hours(lives.L_S, state.relative_speed);
 

@@ -5,7 +5,8 @@
 #include "build/scene_plan.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/scene_estimate.hpp"
-#include "thermal/operating.hpp"
+#include "facade/operating.hpp"
+#include "facade/stiffness.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -125,16 +126,18 @@ Prepared prepare(const DeckRequest& request) {
   out.as_built = build::build_bearing(deck, out.options.seed);
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
   for (Issue& issue : build::check_buildable(deck)) out.input.warnings.push_back(std::move(issue));
-  out.bearing = out.as_built.rollers ? out.as_built : thermal::operating_bearing(out.as_built);
+  out.bearing = at_work(out.as_built);
   for (Issue& issue : operating_warnings(out.bearing, out.input.path.string()))
     out.input.warnings.push_back(std::move(issue));
   out.control = build::build_run_control(deck);
   out.plan = build::make_scene_plan(deck, out.bearing, out.control);
+  const bearing::LifeInputs life_inputs = build::build_life(deck, out.options.life);
+  out.stiffness = stiffness_over_speed(out);
   if (out.bearing.rollers) {
     out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers);
+    out.life = life::roller_bearing_life(out.bearing, life_inputs, *out.rollers);
     return out;
   }
-  const bearing::LifeInputs life_inputs = build::build_life(deck, out.options.life);
   out.statics = statics::solve_ball_statics(out.bearing);
   if (out.control.dynamic) {
     out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls.contact_angle);

@@ -8,6 +8,7 @@
 #include "life/bearing_life.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_statics.hpp"
+#include "statics/stiffness_table.hpp"
 
 #include <filesystem>
 #include <map>
@@ -52,6 +53,7 @@ struct Prepared {
   dynamics::ScenePlan plan;
   statics::StaticSolution statics;  ///< balls: actual curvature, the quasi-static page
   std::optional<statics::RollerSolution> rollers;  ///< roller bearings, instead of it
+  std::vector<statics::StiffnessRow> stiffness;    ///< kStif; empty when not asked for
   std::array<double, 2>
       fixed_angle{};  ///< contact angles that the run's Hertz constants are frozen at [rad]
   statics::StaticSolution

@@ -102,12 +102,18 @@ RunOutcome run_quasi_static(const Prepared& prepared, const fs::path& folder) {
 
 /// The deck's integrator. @throws InputError when it cannot do what the deck asks of it.
 std::unique_ptr<integrators::Stepper> make_checked_stepper(const build::RunControl& control,
-                                                           const SystemOde& ode) {
+                                                           const SystemOde& ode, bool held) {
   auto stepper = integrators::make_stepper(control.integrator);
   if (stepper->name() == "arkode-imex" && !ode.has_stiff_part())
     throw InputError(
         "arkode-imex takes the normal contacts of elements and races implicitly, and this deck has "
         "none; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
+  if (stepper->name() == "arkode-imex" && held)
+    throw InputError(
+        "arkode-imex splits the motion of freely moving elements, and qFac on record 2.1 holds "
+        "some "
+        "in force balance; set qFac to 0, or use arkode-dirk (intMet 32) or arkode-erk (intMet "
+        "31)");
   if (control.step_minimum == control.step_maximum && !stepper->holds_constant_step())
     throw InputError(
         fmt::format("record 2.1 asks for a constant step (stpMin = stpMax), which {} cannot hold; "
@@ -131,7 +137,8 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
   const auto begin = Clock::now();
   dynamics::System system = make_system(prepared);
   SystemOde ode(system);
-  const auto stepper = make_checked_stepper(prepared.control, ode);
+  const auto stepper =
+      make_checked_stepper(prepared.control, ode, prepared.plan.light_load_ratio > 0.0);
   // Everything that the deck alone decides is checked before a file of an earlier run is touched.
   (void)run_span(request, prepared, system.scales().time);
   RunOutputs outputs(prepared, folder);

@@ -292,11 +292,11 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
 void RunOutputs::Impl::print_front(const std::optional<dynamics::Scales>& scales) {
   print->front({prepared.input.deck, prepared.as_built, scales, summary_of_deck().options});
   if (prepared.bearing.operating) print->fits(prepared.bearing);
-  if (prepared.rollers) {
+  if (control.stiffness) print->stiffness_table(prepared.stiffness, control.stiffness->share);
+  if (prepared.rollers)
     print->quasi_static(*prepared.rollers, prepared.bearing);
-    return;
-  }
-  print->quasi_static(scales ? prepared.start : prepared.statics, prepared.bearing);
+  else
+    print->quasi_static(scales ? prepared.start : prepared.statics, prepared.bearing);
   print->life(prepared.life);
 }
 
@@ -462,11 +462,14 @@ void RunOutputs::write_quasi_static() {
   if (s.prepared.bearing.operating)
     for (auto& item : results::fits_summary(*s.prepared.bearing.operating))
       s.key_results.push_back(std::move(item));
-  if (!s.prepared.rollers) add_lives(s.key_results, s.prepared.life);
+  add_lives(s.key_results, s.prepared.life);
   run.summary = s.key_results;
-  if (!s.prepared.rollers)
-    run.quasi_static =
-        results::to_json(results::static_tables(s.prepared.statics, s.prepared.bearing, s.units));
+  results::StaticTables tables =
+      s.prepared.rollers ? results::static_tables(*s.prepared.rollers, s.prepared.bearing, s.units)
+                         : results::static_tables(s.prepared.statics, s.prepared.bearing, s.units);
+  if (!s.prepared.stiffness.empty())
+    tables.tables.push_back(results::stiffness_over_speed(s.prepared.stiffness));
+  run.quasi_static = results::to_json(tables);
   s.close(run);
 }
 

@@ -180,7 +180,8 @@ ModificationFactors LifeCalculator::factors(const BearingContacts& contacts) {
   return out;
 }
 
-LifeState LifeCalculator::evaluate(const BearingContacts& contacts) {
+LifeState LifeCalculator::evaluate(const BearingContacts& contacts,
+                                   const std::optional<LifeModel>& only) {
   for (const RaceContacts& race : contacts.race)
     demand(contacts.slices > 0 &&
                race.patches.size() == static_cast<std::size_t>(geometry_.count) * contacts.slices,
@@ -190,6 +191,11 @@ LifeState LifeCalculator::evaluate(const BearingContacts& contacts) {
   out.factors = factors(contacts);
   for (std::size_t m = 0; m < kModels; ++m) {
     const auto model = static_cast<LifeModel>(m);
+    if (only && *only != model) {
+      for (PartLives& lives : out.model[m].modified)
+        lives = {{kNone, kNone, kNone}, kNone, kNone, false};
+      continue;
+    }
     std::array<double, 3> basic{};
     for (std::size_t i = 0; i < 2; ++i)
       basic[i] = m == 0 ? original_race_life(contacts, i) : stress_race_life(contacts, i, m - 1);
@@ -272,6 +278,22 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
         "Tallian-type factor is left out, as for a full film; run option lifeLambda gives a film "
         "parameter");
   }
+  return out;
+}
+
+BearingLife roller_bearing_life(const bearing::Bearing& bearing, const bearing::LifeInputs& inputs,
+                                const statics::RollerSolution& solution) {
+  const LifeGeometry geometry = roller_life_geometry(*bearing.rollers, solution);
+  LifeCalculator calculator(geometry, life_parameters(inputs, geometry.line, bearing.ball_material,
+                                                      bearing.race_material));
+  const BearingContacts contacts = life_contacts(solution, bearing);
+  BearingLife out = calculator.report(contacts);
+  out.iso = iso_report(bearing, contacts, {solution.load[0], solution.load[1], solution.load[2]},
+                       out.parameters);
+  if (geometry.line)
+    out.notes.push_back(
+        "every slice of a roller counts as a line contact of its own length, crowned rollers too; "
+        "edge stresses beyond the slices' pressure are not in these lives");
   return out;
 }
 

@@ -69,7 +69,7 @@ struct IsoReport {
   double a1 = 1.0;
   std::optional<double> kappa, contamination, a_iso, L_nm;  ///< L_nm = a1 a_ISO L10
   bool outside = false;                                     ///< κ < 0.1
-  ReferenceLife reference;
+  std::optional<ReferenceLife> reference;                   ///< ISO 16281
   std::optional<double> L_nmr;
   std::vector<std::string> notes;
 };
@@ -79,7 +79,7 @@ struct BearingLife {
   LifeParameters parameters;
   std::array<RaceReport, 2> race;
   std::array<std::array<double, 3>, 3> pressure_exponent{};  ///< [model - 1][part]
-  std::optional<IsoReport> iso;                              ///< ball bearings
+  std::optional<IsoReport> iso;
   std::vector<std::string> notes;
 };
 
@@ -89,8 +89,10 @@ class LifeCalculator {
   /// @throws InputError
   LifeCalculator(const LifeGeometry& geometry, LifeParameters parameters);
 
-  /// A few µs per contact once its ellipticity is known.
-  [[nodiscard]] LifeState evaluate(const BearingContacts& contacts);
+  /// About a µs per contact and model once its ellipticity is known. @param only this model; the
+  /// lives of the others stay NaN
+  [[nodiscard]] LifeState evaluate(const BearingContacts& contacts,
+                                   const std::optional<LifeModel>& only = std::nullopt);
   /// The same with everything that is printed, but ISO.
   [[nodiscard]] BearingLife report(const BearingContacts& contacts);
   [[nodiscard]] const LifeParameters& parameters() const noexcept { return parameters_; }
@@ -110,10 +112,16 @@ class LifeCalculator {
   PeakCache peaks_;
 };
 
-/// ISO companions of a ball bearing. @param load what the shaft applies: x, y, z [N]
+/// ISO companions; of a roller bearing from its slices as laminae (without them no ISO 16281 life).
+/// @param load what the shaft applies: x, y, z [N]
 [[nodiscard]] IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& contacts,
                                    const std::array<double, 3>& load,
                                    const LifeParameters& parameters);
+
+/// Quasi-static life of a roller bearing.
+[[nodiscard]] BearingLife roller_bearing_life(const bearing::Bearing& bearing,
+                                              const bearing::LifeInputs& inputs,
+                                              const statics::RollerSolution& solution);
 
 /// Quasi-static life of a ball bearing.
 [[nodiscard]] BearingLife ball_bearing_life(const bearing::Bearing& bearing,

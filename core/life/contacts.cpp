@@ -1,6 +1,7 @@
 #include "life/contacts.hpp"
 
 #include <cmath>
+#include <numbers>
 
 namespace adore::life {
 namespace {
@@ -50,6 +51,47 @@ BearingContacts life_contacts(const statics::StaticSolution& solution,
       angle.add(ball.Q[i], ball.alpha[i]);
     }
     out.race[i].angle = angle.value(bearing.balls.contact_angle);
+  }
+  set_motion(out, bearing.speed[0], bearing.speed[1]);
+  return out;
+}
+
+LifeGeometry roller_life_geometry(const bearing::RollerGeometry& rollers,
+                                  const statics::RollerSolution& solution) {
+  LifeGeometry out;
+  out.line = !solution.rollers.empty() && !solution.rollers.front().race[0].slice_load.empty();
+  out.count = rollers.count;
+  out.diameter = rollers.diameter;
+  out.pitch_diameter = rollers.pitch_diameter;
+  out.nominal_angle = rollers.axis_angle;
+  out.length = rollers.contact_length();
+  out.profile_radius = rollers.crown_radius;
+  for (std::size_t i = 0; i < 2; ++i)
+    out.groove_radius[i] = 2.0 * rollers.groove_factor[i] * rollers.crown_radius;
+  return out;
+}
+
+BearingContacts life_contacts(const statics::RollerSolution& solution,
+                              const bearing::Bearing& bearing) {
+  BearingContacts out;
+  const double width = solution.slice_width;
+  for (std::size_t i = 0; i < 2; ++i) {
+    MeanAngle angle;
+    for (const statics::StaticRoller& roller : solution.rollers) {
+      const statics::RollerRaceContact& contact = roller.race[i];
+      angle.add(contact.load, contact.contact_angle);
+      if (contact.slice_load.empty())
+        out.race[i].patches.push_back(
+            {contact.load, 0.5 * contact.length, contact.half_width, contact.peak_pressure});
+      else
+        out.slices = contact.slice_load.size();
+      for (std::size_t k = 0; k < contact.slice_load.size(); ++k) {
+        const double Q = contact.slice_load[k], p = contact.slice_pressure[k];
+        const double b = Q > 0.0 ? 2.0 * Q / (std::numbers::pi * p * width) : 0.0;
+        out.race[i].patches.push_back({Q, 0.5 * width, b, p});
+      }
+    }
+    out.race[i].angle = angle.value(bearing.rollers->race_angle[i]);
   }
   set_motion(out, bearing.speed[0], bearing.speed[1]);
   return out;

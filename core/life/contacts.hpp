@@ -4,6 +4,7 @@
 #include "dynamics/snapshot.hpp"
 #include "life/stress_life.hpp"
 #include "statics/ball_statics.hpp"
+#include "statics/roller_statics.hpp"
 
 #include <array>
 #include <vector>
@@ -46,6 +47,14 @@ struct BearingContacts {
 /// From a quasi-static solution. A race is taken as rotating when its speed is not zero (the load
 /// of the deck keeps its direction); with both races at rest the inner one counts as rotating.
 [[nodiscard]] BearingContacts life_contacts(const statics::StaticSolution& solution,
+                                            const bearing::Bearing& bearing);
+/// Sliced rollers are line contacts of their slices, as long as the roller without its corners;
+/// with RollerContact::Point one ellipse per race.
+[[nodiscard]] LifeGeometry roller_life_geometry(const bearing::RollerGeometry& rollers,
+                                                const statics::RollerSolution& solution);
+/// From a quasi-static solution of rollers; a slice is a patch of half its width, its half width
+/// along the rolling direction that of the line contact with the same load and pressure.
+[[nodiscard]] BearingContacts life_contacts(const statics::RollerSolution& solution,
                                             const bearing::Bearing& bearing);
 /// From one instant of a dynamic run, with the elements' own spin.
 [[nodiscard]] BearingContacts life_contacts(const dynamics::Snapshot& snapshot,

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-/// ISO companions of a ball bearing, from the model's geometry and loads.
+/// ISO companions of a bearing, from the model's geometry and loads.
 namespace adore::life {
 namespace {
 
@@ -48,12 +48,45 @@ IsoGeometry iso_geometry(const bearing::BallGeometry& balls, std::vector<std::st
   return out;
 }
 
+/// Rollers: length without corners, angle of the row.
+IsoGeometry iso_geometry(const bearing::Bearing& bearing) {
+  const bearing::RollerGeometry& rollers = *bearing.rollers;
+  IsoGeometry out;
+  out.element_diameter = 1e3 * rollers.diameter;
+  out.length = 1e3 * rollers.contact_length();
+  out.pitch_diameter = 1e3 * rollers.pitch_diameter;
+  out.count = rollers.count;
+  // The standard's angle of tapered bearings is that of the cup.
+  out.contact_angle = rollers.race_angle[bearing::kOuter];
+  out.type =
+      out.contact_angle > 45.0 * kDegree + 1e-9 ? IsoType::ThrustRoller : IsoType::RadialRoller;
+  out.rating_factor = constants().rating_factor.at(bearing.type == bearing::Type::Spherical
+                                                       ? "spherical roller"
+                                                       : "cylindrical, tapered, machined needle");
+  return out;
+}
+
+/// ISO 16281 life from the loads of the contacts.
+ReferenceLife reference_life(const IsoReport& report, const bearing::Bearing& bearing,
+                             const BearingContacts& contacts,
+                             const std::optional<IsoCondition>& condition) {
+  std::vector<double> inner, outer;
+  for (const ContactPatch& patch : contacts.race[0].patches) outer.push_back(patch.Q);
+  for (const ContactPatch& patch : contacts.race[1].patches) inner.push_back(patch.Q);
+  const bool inner_rotates = contacts.race[1].rotating, outer_rotates = contacts.race[0].rotating;
+  if (!bearing.rollers)
+    return iso_reference_life_ball(report.geometry, report.C, inner, outer, inner_rotates,
+                                   outer_rotates, condition);
+  return iso_reference_life_roller(report.geometry, report.C, {contacts.slices, inner, outer},
+                                   inner_rotates, outer_rotates, true, condition);
+}
+
 }  // namespace
 
 IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& contacts,
                      const std::array<double, 3>& load, const LifeParameters& parameters) {
   IsoReport out;
-  out.geometry = iso_geometry(bearing.balls, out.notes);
+  out.geometry = bearing.rollers ? iso_geometry(bearing) : iso_geometry(bearing.balls, out.notes);
   out.C = iso_dynamic_rating(out.geometry);
   out.C0 = iso_static_rating(out.geometry);
   out.axial = std::abs(load[0]);
@@ -79,6 +112,8 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
   const bearing::Material& race = bearing.race_material[bearing::kInner];
   if (out.geometry.type == IsoType::RadialBall)
     out.C_u = iso_fatigue_limit_ball(out.geometry, race.elastic_modulus, race.poisson_ratio);
+  else if (out.geometry.type == IsoType::RadialRoller && out.C0)
+    out.C_u = iso_fatigue_limit_simple(out.geometry.type, *out.C0, out.geometry.pitch_diameter);
   out.kappa = parameters.choices.viscosity_ratio;
   out.contamination = parameters.choices.contamination;
   if (!out.kappa && parameters.choices.film_parameter)
@@ -98,13 +133,13 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
     out.outside = a.outside;
     out.L_nm = out.a1 * a.value * *out.L10;
   }
-  std::vector<double> inner, outer;
-  for (const ContactPatch& patch : contacts.race[0].patches) outer.push_back(patch.Q);
-  for (const ContactPatch& patch : contacts.race[1].patches) inner.push_back(patch.Q);
-  out.reference =
-      iso_reference_life_ball(out.geometry, out.C, inner, outer, contacts.race[1].rotating,
-                              contacts.race[0].rotating, condition);
-  if (out.reference.modified) out.L_nmr = out.a1 * *out.reference.modified;
+  if (bearing.rollers && contacts.slices < 2) {
+    out.notes.push_back(
+        "ISO 16281: needs the roller's slices, and the contact is one ellipse here");
+    return out;
+  }
+  out.reference = reference_life(out, bearing, contacts, condition);
+  if (out.reference->modified) out.L_nmr = out.a1 * *out.reference->modified;
   return out;
 }
 

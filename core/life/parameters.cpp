@@ -14,6 +14,10 @@ using bearing::LifeModelInput;
 using bearing::Material;
 
 constexpr int kDeckMaterial = 1;
+
+/// The default material of races and rolling elements (code 0) is 52100.
+int table_code(const Material& material) { return material.code == 0 ? 100 : material.code; }
+
 constexpr std::array<const char*, 3> kPartNames{"outer race", "inner race", "rolling elements"};
 
 Marked given_or(const std::optional<double>& value, const Marked& otherwise) {
@@ -41,9 +45,9 @@ void set_factors(PartParameters& out, const LifeComponentInput& input, const Mat
                  std::vector<std::string>& notes) {
   const LifeConstants& c = constants();
   const bool own = material.code == kDeckMaterial;
-  const auto stle = c.stle_by_code.find(material.code);
-  const auto tallian = c.tallian_by_code.find(material.code);
-  const Marked none{1.0, own ? "blank on the record" : "no value for this material"};
+  const auto stle = c.stle_by_code.find(table_code(material));
+  const auto tallian = c.tallian_by_code.find(table_code(material));
+  const Marked none{1.0, own ? "blank" : "none known"};
   const bool has_stle = !own && stle != c.stle_by_code.end();
   out.stle_material =
       factor_or(input.stle_material, has_stle ? Marked{stle->second.first, c.stle_origin} : none);
@@ -74,14 +78,16 @@ void set_limit(PartParameters& out, const Material& material, double limit_facto
                std::vector<std::string>& notes) {
   if (material.code == kDeckMaterial)
     out.fatigue_limit = {material.fatigue_limit_stress, "deck"};
-  else if (const auto known = fatigue_limit_of_code(material.code))
+  else if (const auto known = fatigue_limit_of_code(table_code(material)))
     out.fatigue_limit = *known;
   else
     out.fatigue_limit = {0.0, "none known"};
   out.fatigue_limit.value *= limit_factor;
   if (out.fatigue_limit.value == 0.0)
     notes.push_back(
-        fmt::format("{}: no fatigue limit is known for {}; 0 is taken, so that no life is infinite",
+        fmt::format("{}: no fatigue limit is known for {}; 0 is taken, so that no life is "
+                    "infinite; with the calibration at 684 MPa the "
+                    "Ioannides-Harris lives come out far too short",
                     out.name, material.name));
 }
 

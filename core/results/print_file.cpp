@@ -70,6 +70,11 @@ void PrintFile::quasi_static(const statics::RollerSolution& solution,
   flush();
 }
 
+void PrintFile::stiffness_table(const std::vector<statics::StiffnessRow>& rows, double share) {
+  print_stiffness_table(report_, rows, share);
+  flush();
+}
+
 void PrintFile::step(const dynamics::Snapshot& snapshot, const StepRecord& record,
                      const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt) {
   print_step(report_, snapshot, record, bearing, averages, kPrtOpt);

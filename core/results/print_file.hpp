@@ -13,6 +13,7 @@
 #include "results/run_json.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_statics.hpp"
+#include "statics/stiffness_table.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -60,9 +61,11 @@ class PrintFile {
   void fits(const bearing::Bearing& bearing);
   /// Equilibrium of elements and races.
   void quasi_static(const statics::StaticSolution& solution, const bearing::Bearing& bearing);
+  void quasi_static(const statics::RollerSolution& solution, const bearing::Bearing& bearing);
   /// Fatigue life at that equilibrium.
   void life(const life::BearingLife& life);
-  void quasi_static(const statics::RollerSolution& solution, const bearing::Bearing& bearing);
+  /// Stiffness over speed (kStif); `share`: of the contact deflection, for the differences.
+  void stiffness_table(const std::vector<statics::StiffnessRow>& rows, double share);
   /// One printed step: rolling elements, races and cage, applied parameters, summary, as kPrtOpt
   /// selects. `record` is the snapshot as the ChannelRecorder shows it.
   void step(const dynamics::Snapshot& snapshot, const StepRecord& record,
@@ -95,6 +98,8 @@ void print_roller_geometry(Report& report, const bearing::RollerGeometry& roller
 void print_race_equilibrium(Report& report, const statics::RaceResult& solution,
                             const bearing::Bearing& bearing);
 void print_race_stiffness(Report& report, const statics::RaceResult& solution);
+void print_stiffness_table(Report& report, const std::vector<statics::StiffnessRow>& rows,
+                           double share);
 void print_step(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record,
                 const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt);
 void print_ledgers(Report& report, const RunSummary& run, const dynamics::ScenePlan& plan,

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "statics/ball_race.hpp"
 #include "statics/ball_report.hpp"
+#include "statics/stiffness_difference.hpp"
 
 #include <fmt/format.h>
 
@@ -247,6 +248,7 @@ void fill_summary(const BallModel& m, StaticSolution& s) {
     for (std::size_t j = 0; j < 2; ++j) {
       s.max_load = std::max(s.max_load, ball.Q[j]);
       if (ball.Q[j] > 0.0) {
+        s.max_deflection = std::max(s.max_deflection, ball.delta[j]);
         s.max_stiffness = std::max(s.max_stiffness, 1.5 * ball.Q[j] / ball.delta[j]);
       }
     }
@@ -318,6 +320,9 @@ StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const Statics
     solution.notes.push_back(std::move(note));
   }
   fill_summary(model, solution);
+  if (options.difference_share > 0.0) {
+    add_difference_stiffness(model, state, options.difference_share, solution);
+  }
   return solution;
 }
 

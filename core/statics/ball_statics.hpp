@@ -46,7 +46,9 @@ struct StaticsOptions {
   RingKinematics kinematics = RingKinematics::Exact;
   Control control = Control::FromBearing;
   Orbit orbit = Orbit::PerBall;
-  double first_azimuth = 0.0;  ///< of ball 1 [rad]
+  double first_azimuth = 0.0;     ///< of ball 1 [rad]
+  double difference_share = 0.0;  ///< above 0: stiffness by differences too, displaced by this
+                                  ///< share of the largest contact deflection
   bool warm_start = false;  ///< use StaticConstraints::displacement of force-controlled directions
                             ///< as given, even when 0
 };

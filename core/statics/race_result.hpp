@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ struct RaceResult {
   double max_load = 0.0;       ///< largest element-race contact load [N]
   double max_stiffness = 0.0;  ///< largest dQ/dδ of any element-race contact [N/m]; 0 when nothing
                                ///< is loaded
+  double max_deflection = 0.0;  ///< largest approach of any element-race contact [m]
+  /// The same by displacing the race (stiffness_difference.hpp); only where it was asked for.
+  std::optional<Eigen::Matrix<double, 5, 5>> stiffness_by_difference;
+  double difference_step = 0.0;  ///< of that displacement [m]
   /// Stable equilibria found beside an unstable one (displacement as above); empty when the
   /// equilibrium is stable, or when nothing was found.
   std::vector<std::array<double, 5>> other_equilibria;

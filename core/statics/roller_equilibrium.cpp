@@ -85,7 +85,7 @@ Relative linear_relative(const Roller& roller, const RollerState& at, const Race
   const auto& q = race.q;
   out.x = roller.centre[0] - q[0];
   out.r = roller.centre[2] - (q[2] * at.cos - q[1] * at.sin);
-  out.t = roller.axis[2] + (q[3] * at.cos + q[4] * at.sin);
+  out.t = D::variable(at.e(2), 2) + (q[3] * at.cos + q[4] * at.sin);
   look_from(body, j, (q[1] * at.cos + q[2] * at.sin) / out.r, out);
   return out;
 }

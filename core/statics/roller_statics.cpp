@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "statics/roller_report.hpp"
+#include "statics/stiffness_difference.hpp"
 
 #include <fmt/format.h>
 
@@ -133,6 +134,7 @@ void fill_summary(RollerSolution& s) {
     for (const RollerRaceContact& c : roller.race) {
       s.max_load = std::max(s.max_load, c.load);
       s.max_stiffness = std::max(s.max_stiffness, c.stiffness);
+      s.max_deflection = std::max(s.max_deflection, c.delta);
     }
   }
 }
@@ -200,6 +202,9 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
   out.roller_mass = model.mass;
   out.mass_offset = model.mass_offset;
   fill_summary(out);
+  if (options.difference_share > 0.0) {
+    add_difference_stiffness(model, state, options.difference_share, out);
+  }
   for (int k : solve.held) {
     const auto i = static_cast<std::size_t>(k);
     out.notes.push_back(

@@ -42,6 +42,8 @@ struct RollerOptions {
   RollerKinematics kinematics = RollerKinematics::Exact;
   double line_constant = 0.0;  ///< K_l of Q = K_l L^(8/9) δ^(10/9) [N/m²]; 0: of the materials
   double first_azimuth = 0.0;  ///< of roller 1 [rad]
+  double difference_share = 0.0;  ///< above 0: stiffness by differences too, displaced by this
+                                  ///< share of the largest contact deflection
   bool warm_start = false;     ///< begin at StaticConstraints::displacement even where it is 0
   const RollerSolution* start = nullptr;  ///< begin where an earlier solution of the same bearing
                                           ///< ended (sweeps, tables); outlives the call

@@ -119,7 +119,7 @@ double cage_displacement(const RingPart& cage, double r, bool one_piece) {
   return one_piece ? cage.free_displacement(r) : r * cage.growth;
 }
 
-RollerOperation operating_rollers(const MountedState& state, const RollerGeometry& free,
+RollerOperation operating_rollers(const MountedState& state, const RollerSizes& free,
                                   double element_growth, double outer_half_angle) {
   RollerOperation out;
   out.raceway_displacement = {state.race_displacement(0, state.rings.outer.inner),

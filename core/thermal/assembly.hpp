@@ -99,14 +99,14 @@ struct SplitRace {
 [[nodiscard]] double cage_displacement(const RingPart& cage, double r, bool one_piece);
 
 /// A roller bearing, measured radially.
-struct RollerGeometry {
+struct RollerSizes {
   double diameter = 0.0, length = 0.0,
          crown_radius = 0.0;    ///< [m]; crown radius 0 or infinite: straight
   double pitch_diameter = 0.0;  ///< [m]
   double clearance = 0.0;       ///< diametral [m]
 };
 struct RollerOperation {
-  RollerGeometry geometry;  ///< in operation
+  RollerSizes geometry;  ///< in operation
   std::array<double, 2> raceway_displacement{};
   double axial_setting_change = 0.0;  ///< tapered only, see tapered_setting_change [m]
 };
@@ -115,9 +115,8 @@ struct RollerOperation {
 /// cones give the mean ones.
 /// @param outer_half_angle angle of the outer raceway to the axis [rad]; 0: cylindrical or
 /// spherical
-[[nodiscard]] RollerOperation operating_rollers(const MountedState& state,
-                                                const RollerGeometry& free, double element_growth,
-                                                double outer_half_angle);
+[[nodiscard]] RollerOperation operating_rollers(const MountedState& state, const RollerSizes& free,
+                                                double element_growth, double outer_half_angle);
 
 /// Axial setting of a tapered bearing whose radial clearance changed by dPd [m] (diametral):
 /// -(dPd/2)/tan β_o, positive when clearance was lost. Approximate: cone and cup move along each

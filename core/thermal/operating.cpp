@@ -207,7 +207,8 @@ void move_cage(bearing::Cage& cage, const Bearing& free, const MountedState& sta
 
 void warn(OperatingFits& report, const Bearing& free) {
   const auto say = [&](std::string text) { report.warnings.push_back(std::move(text)); };
-  if (report.operating.clearance < 0.0 && report.free.clearance >= 0.0)
+  // The play of cones is the axial setting, which the bearing's place on the shaft decides.
+  if (!report.axial_setting && report.operating.clearance < 0.0 && report.free.clearance >= 0.0)
     say(
         fmt::format("the clearance turns negative: {:.4g} m unmounted, {:.4g} m mounted, {:.4g} m "
                     "in operation; the bearing is preloaded radially by its own fits and growths",
@@ -316,7 +317,7 @@ Bearing operating_bearing(const Bearing& free) {
   return out;
 }
 
-OperatingRollers operating_roller_bearing(const Bearing& free, const RollerGeometry& rollers,
+OperatingRollers operating_roller_bearing(const Bearing& free, const RollerSizes& rollers,
                                           const std::array<double, 2>& raceway_radius,
                                           double outer_half_angle) {
   OperatingRollers out;
@@ -327,6 +328,7 @@ OperatingRollers operating_roller_bearing(const Bearing& free, const RollerGeome
   out.report = ring_report(free, out.state, mounted);
   OperatingFits& report = out.report;
   report.element_growth = out.rollers.geometry.diameter - rollers.diameter;
+  if (outer_half_angle > 0.0) report.axial_setting = out.rollers.axial_setting_change;
   report.free.clearance = rollers.clearance;
   report.mounted.clearance =
       operating_clearance(rollers.clearance, raceway_displacement(mounted), 0.0);

@@ -48,7 +48,7 @@ struct OperatingRollers {
 /// @param outer_half_angle of a tapered outer raceway [rad]; 0: cylindrical or spherical
 /// @throws InputError as mounted_rings and tapered_setting_change.
 [[nodiscard]] OperatingRollers operating_roller_bearing(const bearing::Bearing& free,
-                                                        const RollerGeometry& rollers,
+                                                        const RollerSizes& rollers,
                                                         const std::array<double, 2>& raceway_radius,
                                                         double outer_half_angle);
 

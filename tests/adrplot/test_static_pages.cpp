@@ -36,7 +36,7 @@ results::StaticTables four_elements(results::UnitSystem units) {
   out.tables.push_back(std::move(elements));
   results::StaticTable stiffness{"stiffness over speed", {}};
   stiffness.add("inner speed", unit::kRotation, {0.0, 500.0, 1000.0});
-  for (const char* const k : {"Kxx", "Kyy", "Kzz"}) {
+  for (const char* const k : {"Fx/x", "Fy/y", "Fz/z"}) {
     stiffness.add(k, unit::kStiffness, {1e8, 1.1e8, 1.2e8});
     stiffness.add(std::string(k) + " by difference", unit::kStiffness, {1.01e8, 1.11e8, 1.21e8});
   }

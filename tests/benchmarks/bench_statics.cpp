@@ -1,6 +1,7 @@
 #include "contact/hertz.hpp"
 #include "../core/statics/ball_bearings.hpp"
 #include "statics/ball_statics.hpp"
+#include "statics/stiffness_table.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -21,6 +22,29 @@ BENCHMARK(combined_load_16_balls)
     ->Arg(static_cast<int>(adore::bearing::SpinRule::MinimumHeat))
     ->Arg(static_cast<int>(adore::bearing::SpinRule::Prescribed))
     ->Unit(benchmark::kMicrosecond);
+
+/// A table of 100 speeds with both kinds of stiffness, one warm start after the other. Aim: 0.2 s.
+static void stiffness_table_100(benchmark::State& state) {
+  auto bearing = ball_bearings::angular_contact_218();
+  ball_bearings::load(bearing, 17800, 0, 8900);
+  const auto load_case = bearing.constraints;
+  const double share = 0.01 * static_cast<double>(state.range(0));
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(adore::statics::stiffness_table(
+        {100, share, {0.0, 0.0}, {0.0, 1000.0}},
+        [&](const std::array<double, 2>& speed, const adore::statics::RaceResult* previous) {
+          bearing.speed = speed;
+          bearing.constraints = load_case;
+          adore::statics::StaticsOptions options;
+          options.difference_share = share;
+          options.warm_start = previous != nullptr;
+          if (previous != nullptr) bearing.constraints.displacement = previous->displacement;
+          return static_cast<adore::statics::RaceResult>(
+              adore::statics::solve_ball_statics(bearing, options));
+        }));
+  }
+}
+BENCHMARK(stiffness_table_100)->ArgName("pctDisp")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
 
 static void hertz_constants(benchmark::State& state) {
   for (auto _ : state) {

@@ -156,7 +156,7 @@ TEST_CASE("a count in a length field is no length", "[unit][deck]") {
 }
 
 TEST_CASE("example decks are clean, complete and named", "[unit][deck]") {
-  CHECK(templates().size() == 8);
+  CHECK(templates().size() == 13);
   for (const TemplateInfo& info : templates()) {
     INFO(info.name);
     const Deck deck = new_deck(info.name);
@@ -295,7 +295,7 @@ TEST_CASE("defaults that stand in for what the deck leaves out are listed", "[un
       // Where it came from changes neither equality nor what is written.
       const Deck back = read_deck_text(write_deck(read.deck), "DATA.txt").deck;
       CHECK(back == read.deck);
-      CHECK(defaults_used(back).size() == before.size());
+      for (const DefaultUsed& used : defaults_used(back)) CHECK(used.value.starts_with("0 ("));
     }
   }
   CHECK(tried > 5);

@@ -1,5 +1,5 @@
 #include "base/errors.hpp"
-#include "core/statics/roller_bearings.hpp"
+#include "core/statics/hard_rollers.hpp"
 #include "statics/roller_statics.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,7 +12,7 @@ using namespace adore;
 using namespace adore::statics;
 using ball_bearings::hold;
 using ball_bearings::load;
-using roller_bearings::Bearing;
+using hard_rollers::Bearing;
 
 namespace {
 
@@ -53,7 +53,7 @@ bool noted(const RollerSolution& s, const std::string& text) {
 }  // namespace
 
 TEST_CASE("radial load with clearance on a single roller", "[physics][statics][rollers][hard]") {
-  Bearing bearing = roller_bearings::cylindrical(3e-5);
+  Bearing bearing = hard_rollers::cylindrical(3e-5);
   for (double force : {1.0, 30.0}) {
     const auto s = solved(load(bearing, 0, 0, force));
     CHECK(loaded_rollers(s) == 1);
@@ -64,7 +64,7 @@ TEST_CASE("radial load with clearance on a single roller", "[physics][statics][r
 }
 
 TEST_CASE("a load that just unloads the other rollers", "[physics][statics][rollers][hard]") {
-  Bearing bearing = roller_bearings::cylindrical(3e-5);
+  Bearing bearing = hard_rollers::cylindrical(3e-5);
   int previous = 0;
   for (double force = 10.0; force < 1500.0; force *= 1.15) {
     const int now = loaded_rollers(solved(load(bearing, 0, 0, force)));
@@ -73,7 +73,7 @@ TEST_CASE("a load that just unloads the other rollers", "[physics][statics][roll
   }
   CHECK(previous == 3);
   // Preload that the load takes off the far side, through the opening of the last contacts.
-  Bearing tight = roller_bearings::cylindrical(-1e-5);
+  Bearing tight = hard_rollers::cylindrical(-1e-5);
   previous = 16;
   for (double force = 100.0; force < 30000.0; force *= 1.6) {
     const int now = loaded_rollers(solved(load(tight, 0, 0, force)));
@@ -84,10 +84,10 @@ TEST_CASE("a load that just unloads the other rollers", "[physics][statics][roll
 }
 
 TEST_CASE("rollers with zero and negative clearance", "[physics][statics][rollers][hard]") {
-  Bearing bearing = roller_bearings::cylindrical(0.0);
+  Bearing bearing = hard_rollers::cylindrical(0.0);
   CHECK(solved(bearing).max_load == 0.0);
   CHECK(loaded_rollers(solved(load(bearing, 0, 0, 1000))) == 7);
-  Bearing tight = roller_bearings::cylindrical(-2e-5);
+  Bearing tight = hard_rollers::cylindrical(-2e-5);
   CHECK(loaded_rollers(solved(tight)) == 16);
   tight.speed[1] = 500.0;
   solved(load(tight, 0, 300, 4000));
@@ -95,15 +95,15 @@ TEST_CASE("rollers with zero and negative clearance", "[physics][statics][roller
 
 TEST_CASE("five milliradians of misalignment of rollers", "[physics][statics][rollers][hard]") {
   for (double rpm : {0.0, 6000.0}) {
-    Bearing bearing = roller_bearings::cylindrical(2e-5, rpm);
+    Bearing bearing = hard_rollers::cylindrical(2e-5, rpm);
     hold(load(bearing, 0, 0, 5000), 3, 5e-3);
     const auto s = solved(bearing);
     CHECK(std::abs(s.load[3]) > 1.0);
     CHECK(noted(s, "corner of the roller"));
-    Bearing cone = roller_bearings::tapered(rpm);
+    Bearing cone = hard_rollers::tapered(rpm);
     hold(load(cone, 3000, 0, 5000), 3, 5e-3);
     solved(cone);
-    Bearing follows = roller_bearings::tapered(rpm);
+    Bearing follows = hard_rollers::tapered(rpm);
     load(follows, 3000, 0, 1000);
     follows.constraints.outer_misalignment = {5e-3, 0.0};
     CHECK(solved(follows).displacement[3] > 2e-3);
@@ -111,20 +111,20 @@ TEST_CASE("five milliradians of misalignment of rollers", "[physics][statics][ro
 }
 
 TEST_CASE("three million n d_m on rollers", "[physics][statics][rollers][hard]") {
-  Bearing bearing = roller_bearings::cylindrical(2e-5, 3e6 / 65.5);
+  Bearing bearing = hard_rollers::cylindrical(2e-5, 3e6 / 65.5);
   const auto s = solved(load(bearing, 0, 0, 2000));
   CHECK(noted(s, "outer race only"));
   for (const StaticRoller& r : s.rollers) {
     CHECK(r.race[0].load >= 0.999 * s.centrifugal_force);
   }
   // Cones ride up to the rib; the thrust still reaches the inner race.
-  Bearing cone = roller_bearings::tapered(3e6 / 80.0);
+  Bearing cone = hard_rollers::tapered(3e6 / 80.0);
   solved(load(cone, 20000, 0, 2000));
 }
 
 TEST_CASE("reversed thrust on cones has no equilibrium, and that is said",
           "[physics][statics][rollers][hard]") {
-  Bearing cone = roller_bearings::tapered();
+  Bearing cone = hard_rollers::tapered();
   solved(load(cone, 3000, 0, 0));
   CHECK_THROWS_WITH(solve_roller_statics(load(cone, -3000, 0, 0)),
                     Catch::Contains("no roller or flange holds the inner race"));
@@ -132,15 +132,15 @@ TEST_CASE("reversed thrust on cones has no equilibrium, and that is said",
 }
 
 TEST_CASE("cones with their preload given as a displacement", "[physics][statics][rollers][hard]") {
-  Bearing cone = roller_bearings::tapered(3000.0);
+  Bearing cone = hard_rollers::tapered(3000.0);
   hold(load(cone, 0, 0, 2000), 0, 2e-5);
   const auto preload = solved(cone);
   CHECK(preload.load[0] > 500.0);
-  Bearing loaded = roller_bearings::tapered(3000.0);
+  Bearing loaded = hard_rollers::tapered(3000.0);
   CHECK(solved(load(loaded, preload.load[0], 0, 2000)).displacement[0] ==
         Approx(2e-5).epsilon(1e-6));
   // Set back, nothing touches at rest.
-  Bearing open = roller_bearings::tapered();
+  Bearing open = hard_rollers::tapered();
   for (std::size_t k = 0; k < 5; ++k) hold(open, k, 0.0);
   open.constraints.displacement[0] = -5e-5;
   CHECK(solved(open).max_load == 0.0);
@@ -148,7 +148,7 @@ TEST_CASE("cones with their preload given as a displacement", "[physics][statics
 
 TEST_CASE("barrels in grooves of factor 0.5005", "[physics][statics][rollers][hard]") {
   for (const auto contact : {RollerContact::Sliced, RollerContact::Point}) {
-    Bearing bearing = roller_bearings::spherical(1e-5, 3000.0);
+    Bearing bearing = hard_rollers::spherical(1e-5, 3000.0);
     bearing.rollers->groove_factor = {0.5005, 0.5005};
     hold(hold(bearing, 3, 0.0), 4, 0.0);
     RollerOptions options;
@@ -159,7 +159,7 @@ TEST_CASE("barrels in grooves of factor 0.5005", "[physics][statics][rollers][ha
 }
 
 TEST_CASE("a barrel row that swivels says so", "[physics][statics][rollers][hard]") {
-  Bearing bearing = roller_bearings::spherical();
+  Bearing bearing = hard_rollers::spherical();
   load(bearing, 4000, 300, 5000);
   CHECK_THROWS_WITH(solve_roller_statics(bearing), Catch::Contains("tilting"));
   hold(hold(bearing, 3, 0.0), 4, 0.0);
@@ -168,7 +168,7 @@ TEST_CASE("a barrel row that swivels says so", "[physics][statics][rollers][hard
 
 TEST_CASE("a round crown leaves the outer slices without contact",
           "[physics][statics][rollers][hard]") {
-  Bearing bearing = roller_bearings::cylindrical(0.0);
+  Bearing bearing = hard_rollers::cylindrical(0.0);
   bearing.rollers->crown_radius = 0.3;
   bearing.rollers->central_length = 0.0;
   double length = 0.0;
@@ -194,12 +194,12 @@ TEST_CASE("first guesses near and far lead to one equilibrium",
   // A hundred for each of three types; the thousand of the balls cost as much.
   std::mt19937 random(7);  // its sequence is fixed by the standard; the mapping below is ours
   const auto uniform = [&] { return static_cast<double>(random()) / 2147483648.0 - 1.0; };
-  Bearing barrels = roller_bearings::spherical(1e-5);
+  Bearing barrels = hard_rollers::spherical(1e-5);
   hold(hold(barrels, 3, 0.0), 4, 0.0);
   RollerOptions options;
   options.slices = 15;
-  Bearing cylinder = roller_bearings::cylindrical(2e-5, 3000.0);
-  Bearing cone = roller_bearings::tapered(2000.0);
+  Bearing cylinder = hard_rollers::cylindrical(2e-5, 3000.0);
+  Bearing cone = hard_rollers::tapered(2000.0);
   // Tilts held: between its flanges a cylinder has no unique axial place, which a free tilt would
   // feel.
   hold(hold(load(cylinder, 0, 300, 4000), 3, 0.0), 4, 0.0);

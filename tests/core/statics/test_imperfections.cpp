@@ -2,7 +2,7 @@
 #include "base/random_table.hpp"
 #include "contact/groove.hpp"
 #include "core/statics/ball_bearings.hpp"
-#include "core/statics/roller_bearings.hpp"
+#include "core/statics/hard_rollers.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_statics.hpp"
 
@@ -288,8 +288,8 @@ TEST_CASE("dual contact of a split race is seen and said", "[physics][statics][s
 
 TEST_CASE("roller imperfections of zero amplitude change no bit",
           "[unit][statics][imperfections][rollers]") {
-  for (Bearing bearing : {roller_bearings::cylindrical(2e-5), roller_bearings::tapered(3000.0),
-                          roller_bearings::spherical()}) {
+  for (Bearing bearing : {hard_rollers::cylindrical(2e-5), hard_rollers::tapered(3000.0),
+                          hard_rollers::spherical()}) {
     hold(hold(bearing, 3, 0.0), 4, 0.0);
     load(bearing, bearing.constraints.displacement_given[0] ? 0.0 : 4000.0, 300, 5000);
     const auto ideal = solve_roller_statics(bearing);
@@ -303,7 +303,7 @@ TEST_CASE("roller imperfections of zero amplitude change no bit",
 
 TEST_CASE("an oversize roller carries more load by the stiffness of its contacts",
           "[physics][statics][imperfections][rollers]") {
-  Bearing bearing = roller_bearings::cylindrical(-1e-5);
+  Bearing bearing = hard_rollers::cylindrical(-1e-5);
   const auto ideal = solve_roller_statics(load(bearing, 0, 0, 3000));
   hold_all(bearing, ideal.displacement);
   const double growth = 1e-8;
@@ -345,11 +345,11 @@ Bearing squeezing(Bearing bearing) {
 
 TEST_CASE("race errors under rollers: waves, ellipse, taper and land",
           "[physics][statics][imperfections][rollers]") {
-  Bearing bearing = roller_bearings::cylindrical(-2e-5);
+  Bearing bearing = hard_rollers::cylindrical(-2e-5);
   // As many waves as rollers with their crests at the rollers: larger play.
   bearing.imperfections.race[0] = wave(2e-6, 16, 0.5 * kPi);
   const auto wavy = solve_roller_statics(load(bearing, 0, 0, 2000));
-  Bearing larger = roller_bearings::cylindrical(-2e-5 + 4e-6);
+  Bearing larger = hard_rollers::cylindrical(-2e-5 + 4e-6);
   larger.rollers->pitch_diameter += 2e-6;
   const auto even = solve_roller_statics(load(larger, 0, 0, 2000));
   for (std::size_t k = 0; k < 16; ++k) {
@@ -386,7 +386,7 @@ TEST_CASE("race errors under rollers: waves, ellipse, taper and land",
 TEST_CASE("a wavy inner race pushes sideways under rollers as its energy asks",
           "[physics][statics][imperfections][rollers]") {
   for (const auto kinematics : {RollerKinematics::Exact, RollerKinematics::Linear}) {
-    Bearing bearing = roller_bearings::cylindrical(-2e-5);
+    Bearing bearing = hard_rollers::cylindrical(-2e-5);
     bearing.imperfections.race[1] = wave(4e-6, 17, 0.1);
     load(bearing, 0, 300, 500);
     RollerOptions options;

@@ -222,7 +222,7 @@ TEST_CASE("rollers between the same raceways see the same rings", "[physics][ope
   b.race_temperature = {340.0, 352.0};
   b.ball_temperature = 355.0;
   const bearing::OperatingFits balls = *thermal::operating_bearing(b).operating;
-  thermal::RollerGeometry rollers;
+  thermal::RollerSizes rollers;
   rollers.diameter = b.balls.diameter;
   rollers.length = b.balls.diameter;
   rollers.pitch_diameter = b.balls.pitch_diameter;
@@ -247,7 +247,7 @@ TEST_CASE("impossible temperatures and rings are refused with their values", "[u
   b.envelope.outer_diameter = b.balls.pitch_diameter;
   CHECK_THROWS_WITH(thermal::operating_bearing(b), Catch::Contains("outer raceway radius"));
   b = example_at_rest();
-  b.race_temperature[0] = 1600.0;
+  b.race_temperature[0] = b.mounting.housing_temperature = 1600.0;
   CHECK_THROWS_WITH(thermal::operating_bearing(b), Catch::Contains("passes 90"));
 }
 

@@ -129,7 +129,7 @@ TEST_CASE("a tight fit widens the inner raceway and narrows the outer; speed loo
 
 TEST_CASE("rollers: radial clearance, sizes and the axial setting of cones", "[physics][rollers]") {
   MountedRings rings = cold_rings();
-  const RollerGeometry free{0.0128, 0.014, 0.5, 0.060, 40e-6};
+  const RollerSizes free{0.0128, 0.014, 0.5, 0.060, 40e-6};
   const RollerOperation still = operating_rollers(mount(rings), free, 0.0, 0.0);
   CHECK(still.geometry.clearance == free.clearance);  // nothing moves: not a bit changes
   CHECK(still.geometry.diameter == free.diameter);

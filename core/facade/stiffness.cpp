@@ -1,0 +1,39 @@
+#include "facade/stiffness.hpp"
+
+#include "facade/operating.hpp"
+#include "statics/roller_statics.hpp"
+
+#include <optional>
+
+namespace adore::facade {
+
+std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared) {
+  if (!prepared.control.stiffness) return {};
+  const statics::StiffnessRequest& request = *prepared.control.stiffness;
+  bearing::Bearing as_built = prepared.as_built;
+  std::optional<statics::RollerSolution> last_rollers;
+  const auto solve = [&](const std::array<double, 2>& speed,
+                         const statics::RaceResult* previous) -> statics::RaceResult {
+    as_built.speed = speed;
+    bearing::Bearing bearing = at_work(as_built);
+    if (bearing.rollers) {
+      statics::RollerOptions options = prepared.options.rollers;
+      options.difference_share = request.share;
+      if (previous != nullptr && last_rollers) options.start = &*last_rollers;
+      statics::RollerSolution solution = statics::solve_roller_statics(bearing, options);
+      last_rollers = std::move(solution);
+      return *last_rollers;
+    }
+    statics::StaticsOptions options;
+    options.difference_share = request.share;
+    options.warm_start = previous != nullptr;
+    if (previous != nullptr)
+      for (std::size_t k = 0; k < 5; ++k)
+        if (!bearing.constraints.displacement_given[k])
+          bearing.constraints.displacement[k] = previous->displacement[k];
+    return statics::solve_ball_statics(bearing, options);
+  };
+  return statics::stiffness_table(request, solve);
+}
+
+}  // namespace adore::facade
