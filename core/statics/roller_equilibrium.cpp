@@ -140,8 +140,9 @@ void add_linear(const std::array<D, 4>& g, const Relative& rel, const RollerStat
   }
 }
 
+/// `gripped`: what the contact pushes along the bearing is taken by its own friction.
 void add_exact(const std::array<D, 4>& g, const Roller& roller, const Relative& rel,
-               const RollerState& at, bool inner, RollerForces& sum) {
+               const RollerState& at, bool inner, bool gripped, RollerForces& sum) {
   D side = (g[2] * rel.f - g[3] * rel.t) / rel.r;
   if (rel.lean != 0.0) {
     side += rel.lean * g[1] / rel.r;
@@ -151,6 +152,9 @@ void add_exact(const std::array<D, 4>& g, const Roller& roller, const Relative& 
   for (std::size_t k = 0; k < 3; ++k) {
     force[k] = -(g[0] * rel.A[k] + g[1] * rel.e[k] + side * rel.y[k]);
     turning[k] = g[2] * rel.e[k] + g[3] * rel.y[k];
+  }
+  if (gripped) {
+    force[0] = D(0.0);
   }
   sum.residual[0] += force[0];
   sum.residual[1] += force[2];
@@ -173,6 +177,9 @@ struct Scaled {
   Eigen::Vector3d force;
   Eigen::Matrix3d stiffness;
 };
+/// A roller that friction holds axially, with no flange against it, does not move that way.
+bool is_gripped(const RollerModel& m, const RollerForces& f) { return m.grips && !f.flange_loaded; }
+
 Scaled scaled(const RollerModel& m, const RollerForces& f) {
   Scaled out;
   const Eigen::Vector3d lever(1.0, 1.0, m.lever);
@@ -182,6 +189,9 @@ Scaled scaled(const RollerModel& m, const RollerForces& f) {
     for (Eigen::Index j = 0; j < 3; ++j) {
       out.stiffness(i, j) = -r.d[static_cast<std::size_t>(j)] / (lever(i) * lever(j));
     }
+  }
+  if (is_gripped(m, f)) {
+    out.stiffness.col(0).setZero();
   }
   return out;
 }
@@ -200,6 +210,12 @@ Eigen::Vector3d roller_step(const RollerModel& m, const Scaled& s, double k_ref,
   const double small = 1e-7 * k_ref;
   if (d0 > small && d1 > small * d0 && det > small * d1) {
     return s.stiffness.partialPivLu().solve(s.force);
+  }
+  const double across = K(1, 1) * K(2, 2) - K(1, 2) * K(1, 2);
+  if (K.col(0).isZero(0.0) && s.force(0) == 0.0 && K(1, 1) > small && across > small * K(1, 1)) {
+    const Eigen::Matrix2d rest = s.stiffness.bottomRightCorner<2, 2>();
+    const Eigen::Vector2d step = rest.partialPivLu().solve(s.force.tail<2>());
+    return {0.0, step(0), step(1)};
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(K);
   Eigen::Vector3d step = Eigen::Vector3d::Zero();
@@ -360,21 +376,24 @@ RollerForces roller_forces(const RollerModel& m, const RollerState& at, const Ra
     PairPotential u = potential(m, body, j, p);
     const double of_race = u.total;
     sum.largest = std::max(sum.largest, of_race);
+    PairPotential ends;
     for (const FlangePair& flange : body.flanges) {
       if (flange.race == static_cast<int>(j)) {
-        add_flange(flange, p, exact_derivatives, u);
+        add_flange(flange, p, exact_derivatives, m.grips ? ends : u);
       }
     }
-    sum.flange_loaded = sum.flange_loaded || u.total > of_race;
-    sum.total += u.total;
-    if (u.total == 0.0) {
-      continue;
+    sum.flange_loaded = sum.flange_loaded || ends.total > 0.0 || u.total > of_race;
+    sum.total += u.total + ends.total;
+    if (u.total > 0.0) {
+      const auto g = dual_gradient(u, rel);
+      if (m.linear) {
+        add_linear(g, rel, at, j == 1, sum);
+      } else {
+        add_exact(g, roller, rel, at, j == 1, m.grips, sum);
+      }
     }
-    const auto g = dual_gradient(u, rel);
-    if (m.linear) {
-      add_linear(g, rel, at, j == 1, sum);
-    } else {
-      add_exact(g, roller, rel, at, j == 1, sum);
+    if (ends.total > 0.0) {
+      add_exact(dual_gradient(ends, rel), roller, rel, at, j == 1, false, sum);
     }
   }
   if (m.moving) {

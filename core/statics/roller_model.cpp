@@ -184,6 +184,7 @@ RollerModel make_roller_model(const bearing::Bearing& b, const RollerOptions& op
   const auto& g = m.rollers;
   m.contact = options.contact;
   m.linear = options.kinematics == RollerKinematics::Linear;
+  m.grips = !m.linear && b.type == bearing::Type::Cylindrical;
   m.race = race_surfaces(b);
   m.slicing = contact::slicing(profile_of(g, kNominal), options.slices);
   for (std::size_t j = 0; j < 2; ++j) {

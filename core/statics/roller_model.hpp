@@ -26,6 +26,7 @@ struct RollerModel {
   bearing::RollerGeometry rollers;
   RollerContact contact = RollerContact::Sliced;
   bool linear = false;
+  bool grips = false;  ///< straight raceways: friction holds the roller axially (decision 109)
   contact::Slicing slicing;
   std::array<contact::RaceSurface, 2> race;  ///< ideal
   std::array<contact::PowerLaw, 2> law;

@@ -17,11 +17,11 @@
 /// of contact/line_contact.hpp, roller ends against flanges (contact/roller_flange.hpp),
 /// centrifugal force and gyroscopic moment of the speeds of pure rolling at nominal geometry, the
 /// same for all rollers: they do not follow the loads, and unloaded rollers orbit with the others.
-/// No friction. All forces but the loss of width at the edge of a land derive from a potential, so
-/// that line searches on it converge from anywhere (race_equilibrium.hpp). Unloaded rollers have no
-/// unique place. At speed they rest on the outer race (cones: and on the flange that stops them),
-/// at the axial position where they were; at rest they stand in the middle between both races and
-/// carry nothing.
+/// No friction, but that straight raceways hold their rollers axially (decision 109). All forces
+/// but the loss of width at the edge of a land derive from a potential, so that line searches on it
+/// converge from anywhere (race_equilibrium.hpp). Unloaded rollers have no unique place. At speed
+/// they rest on the outer race (cones: and on the flange that stops them), at the axial position
+/// where they were; at rest they stand in the middle between both races and carry nothing.
 namespace adore::statics {
 
 enum class RollerContact : unsigned char {
@@ -40,11 +40,11 @@ struct RollerOptions {
   int slices = 31;
   RollerContact contact = RollerContact::Sliced;
   RollerKinematics kinematics = RollerKinematics::Exact;
-  double line_constant = 0.0;  ///< K_l of Q = K_l L^(8/9) δ^(10/9) [N/m²]; 0: of the materials
-  double first_azimuth = 0.0;  ///< of roller 1 [rad]
+  double line_constant = 0.0;     ///< K_l of Q = K_l L^(8/9) δ^(10/9) [N/m²]; 0: of the materials
+  double first_azimuth = 0.0;     ///< of roller 1 [rad]
   double difference_share = 0.0;  ///< above 0: stiffness by differences too, displaced by this
                                   ///< share of the largest contact deflection
-  bool warm_start = false;     ///< begin at StaticConstraints::displacement even where it is 0
+  bool warm_start = false;        ///< begin at StaticConstraints::displacement even where it is 0
   const RollerSolution* start = nullptr;  ///< begin where an earlier solution of the same bearing
                                           ///< ended (sweeps, tables); outlives the call
 };

@@ -200,7 +200,7 @@ TEST_CASE("what an integrator cannot do is refused before a file is touched", "[
   const Folder folder;
   new_ball_deck(folder);
   for (const std::string set :
-       {" --set intMet=33", " --set intMet=21 --set stpMin=0.3 --set stpMax=0.3"}) {
+       {" --set intMet=33 --set qFac=0.1", " --set intMet=21 --set stpMin=0.3 --set stpMax=0.3"}) {
     const Result run = run_adore("run " + folder.path().string() + set);
     INFO(run.out);
     CHECK(run.code == 2);

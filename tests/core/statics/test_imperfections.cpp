@@ -363,17 +363,18 @@ TEST_CASE("race errors under rollers: waves, ellipse, taper and land",
     CHECK(twice.rollers[k].race[0].load <= twice.rollers[4].race[0].load * (1.0 + 1e-9));
   }
   CHECK(twice.rollers[4].race[0].load > 1.3 * twice.rollers[0].race[0].load);
-  // A uniform taper of both races that opens towards +x loads the -x ends and squeezes the rollers
-  // out, as far as a flange.
+  // A uniform taper of both races that opens towards +x loads the -x ends; the wedge of 2e-4 is far
+  // below what friction holds, so rollers stay in the middle, with flanges or without (decision
+  // 109).
   const auto flanges = bearing.rollers->flange;
-  bearing.rollers->flange = {};
-  CHECK_THROWS_WITH(solve_roller_statics(squeezing(bearing)),
-                    Catch::Contains("nothing holds it along its axis"));
-  bearing.rollers->flange = flanges;
-  const auto open = solve_roller_statics(squeezing(bearing));
-  CHECK(open.rollers[0].race[0].moment < 0.0);
-  CHECK(open.rollers[0].race[1].moment < 0.0);
-  CHECK(open.rollers[0].flange[0][1].load > 0.0);
+  for (const bool flanged : {false, true}) {
+    bearing.rollers->flange = flanged ? flanges : decltype(flanges){};
+    const auto open = solve_roller_statics(squeezing(bearing));
+    CHECK(open.rollers[0].race[0].moment < 0.0);
+    CHECK(open.rollers[0].race[1].moment < 0.0);
+    CHECK(open.rollers[0].x == 0.0);
+    if (flanged) CHECK(open.rollers[0].flange[0][1].load == 0.0);
+  }
   // A narrow land moved towards +x: contact ends there.
   bearing.imperfections.race = {};
   bearing.rollers->land_width = {0.006, 0.012};

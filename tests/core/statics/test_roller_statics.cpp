@@ -263,3 +263,18 @@ TEST_CASE("a flanged cylindrical bearing carries thrust over its flanges", "[phy
   CHECK(outer == Approx(300.0).epsilon(0.02));
   CHECK(inner == Approx(300.0).epsilon(0.02));
 }
+
+TEST_CASE("a tilted cylindrical bearing is stiff: no roller slides out of the wedge of its races",
+          "[physics]") {
+  auto b = roller_bearings::cylindrical(3000.0);
+  const auto level = statics::solve_roller_statics(b);
+  // Positive and of the size of the slices' own: K L^2/12 of the loaded rollers.
+  const double stiffness = level.stiffness(3, 3);
+  CHECK(stiffness > 0.0);
+  CHECK(stiffness < level.stiffness(2, 2) * b.rollers->length * b.rollers->length);
+  // The linearisation predicts the moment of a small tilt.
+  b.constraints.displacement[3] = 1e-6;
+  const auto tilted = statics::solve_roller_statics(b);
+  CHECK(tilted.load[3] - level.load[3] == Approx(1e-6 * stiffness).epsilon(1e-3));
+  for (const auto& roller : tilted.rollers) CHECK(roller.x == 0.0);
+}
