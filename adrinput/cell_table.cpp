@@ -159,9 +159,13 @@ void CellTable::sync() {
   verticalHeader()->setMinimumWidth(verticalHeader()->sizeHint().width());
   int height = 2 * frameWidth() + horizontalHeader()->sizeHint().height() + 2;
   for (int row = 0; row < rowCount(); ++row) height += rowHeight(row);
-  // A wide table scrolls; a narrow one needs no room for that.
+  // A wide table scrolls; a narrow one is as wide as its cells.
   constexpr int kFits = 6;
   const bool narrow = columns <= kFits;
+  int width = 2 * frameWidth() + (repeated_ ? verticalHeader()->sizeHint().width() : 0) + 2;
+  for (int column = 0; column < columns; ++column) width += columnWidth(column);
+  setMaximumWidth(narrow ? width : QWIDGETSIZE_MAX);
+  setMinimumWidth(narrow ? width : 0);
   setHorizontalScrollBarPolicy(narrow ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAlwaysOn);
   setFixedHeight(height + (narrow ? 0 : horizontalScrollBar()->sizeHint().height()));
   setVisible(columns > 0);

@@ -110,8 +110,10 @@ void DeckWindow::makeCentre() {
   splitter->setSizes({300, 980});
   splitter->setChildrenCollapsible(false);
   setCentralWidget(splitter);
-  connect(list_, &RecordList::recordChosen, this,
-          [this](const QString& record) { showRecord(record.toStdString()); });
+  connect(list_, &RecordList::recordChosen, this, [this](const QString& record) {
+    showRecord(record.toStdString());
+    list_->focusRecords();  // so that the arrow keys go on through the records
+  });
   connect(list_, &RecordList::variableChosen, this, [this](const QString& record, int variable) {
     Cell cell;
     cell.record = record.toStdString();
@@ -227,8 +229,12 @@ void DeckWindow::refreshProblems() {
   }
   problems_->setCurrentRow(std::min(selected, problems_->count() - 1));
   const auto total = static_cast<int>(document_.problems().size());
-  tabs_->setTabText(0, total == 0 ? tr("Problems")
-                                  : tr("Problems (%1 of them errors: %2)").arg(total).arg(errors));
+  QString title = tr("Problems");
+  if (errors > 0 && errors == total)
+    title += tr(" (%1 to mend)").arg(errors);
+  else if (total > 0)
+    title += tr(" (%1 to mend, %2 to note)").arg(errors).arg(total - errors);
+  tabs_->setTabText(0, title);
 }
 
 void DeckWindow::goToProblem(int row) {

@@ -8,6 +8,7 @@
 
 #include <fstream>
 #include <iterator>
+#include <system_error>
 
 /// Opening and saving.
 namespace adore::adrinput {
@@ -18,6 +19,11 @@ namespace fs = std::filesystem;
 std::string bytes_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+bool same_file(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  return a == b || (fs::exists(a, error) && fs::exists(b, error) && fs::equivalent(a, b, error));
 }
 
 void take_errors(std::vector<Issue>& reasons, const std::vector<Issue>& issues) {
@@ -90,7 +96,7 @@ void Document::save(const fs::path& path) {
     }
   }
   if (!reasons.empty()) throw InputError(std::move(reasons));
-  if (!original_kept_ && path == path_) {
+  if (!original_kept_ && same_file(path, path_)) {
     fs::path backup = path;
     backup += ".bak";
     write_file_atomically(backup, original_);

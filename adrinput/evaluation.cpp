@@ -1,6 +1,6 @@
 #include "adrinput/evaluation.hpp"
 
-#include "desktop/theme.hpp"
+#include "desktop/axis_scale.hpp"
 #include "facade/prepare.hpp"
 #include "results/print_file.hpp"
 #include "results/print_life.hpp"
@@ -10,6 +10,7 @@
 #include <QPlainTextEdit>
 #include <QThread>
 #include <QVBoxLayout>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <exception>
@@ -26,14 +27,30 @@ facade::Prepared prepared(const deck::Deck& deck, const std::filesystem::path& p
   return facade::prepare(std::move(input));
 }
 
-}  // namespace
-
-std::string plan_of(const deck::Deck& deck, const std::filesystem::path& path) {
-  const facade::Prepared ready = prepared(deck, path);
-  return facade::plan_text(ready, facade::plan_with_estimates(ready));
+std::string key_results(const facade::Prepared& ready, deck::UnitSystem units) {
+  namespace unit = results::unit;
+  const auto& found = ready.race_result();
+  const auto text = [&](double value, const deck::UnitPair& pair) {
+    return desktop::pretty_quantity(results::from_si(value, pair, units),
+                                    results::unit_name(pair, units));
+  };
+  return fmt::format(
+      "Inner race moves {} axially, {} along y and {} along z. Largest contact load {}, closest "
+      "approach {}. Stiffness {} axially, {} along z.",
+      text(found.displacement[0], unit::kLength), text(found.displacement[1], unit::kLength),
+      text(found.displacement[2], unit::kLength), text(found.max_load, unit::kForce),
+      text(found.max_deflection, unit::kLength), text(found.stiffness(0, 0), unit::kStiffness),
+      text(found.stiffness(2, 2), unit::kStiffness));
 }
 
-std::string quasi_static_of(const deck::Deck& deck, const std::filesystem::path& path) {
+}  // namespace
+
+Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path) {
+  const facade::Prepared ready = prepared(deck, path);
+  return {{}, facade::plan_text(ready, facade::plan_with_estimates(ready))};
+}
+
+Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& path) {
   deck::Deck still = deck;
   still.set("mode", "-1");  // the equilibrium only, whatever the deck would run
   still.complete();
@@ -46,7 +63,7 @@ std::string quasi_static_of(const deck::Deck& deck, const std::filesystem::path&
   results::print_life(report, ready.life);
   std::string text = report.take();
   std::replace(text.begin(), text.end(), '\f', '\n');
-  return text;
+  return {key_results(ready, deck.units()), std::move(text)};
 }
 
 EvaluationPanel::EvaluationPanel(Function function, const QString& invitation, QWidget* parent)
@@ -79,9 +96,22 @@ EvaluationPanel::~EvaluationPanel() {
 
 QString EvaluationPanel::text() const { return view_->toPlainText(); }
 
-void EvaluationPanel::show(const QString& text) {
-  view_->setPlainText(text);
+QString EvaluationPanel::headline() const { return headline_; }
+
+/// The key results; of an older deck with the remark that they are.
+void EvaluationPanel::showNote() {
+  QString note = headline_;
+  if (stale_) note = tr("Of the deck as it was before the last change. ") + note;
+  note_->setText(note);
+  note_->setVisible(!note.isEmpty());
+}
+
+void EvaluationPanel::show(const Evaluation& result, bool failed) {
+  headline_ =
+      failed ? tr("There is no result, for this reason:") : QString::fromStdString(result.headline);
+  view_->setPlainText(QString::fromStdString(result.text));
   view_->show();
+  showNote();
 }
 
 void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path& path) {
@@ -91,15 +121,15 @@ void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path&
   note_->setText(tr("Computing …"));
   note_->show();
   struct Outcome {
-    std::string text;
+    Evaluation result;
     bool failed = false;
   };
   auto outcome = std::make_shared<Outcome>();
   thread_ = QThread::create([function = function_, deck, path, outcome] {
     try {
-      outcome->text = function(deck, path);
+      outcome->result = function(deck, path);
     } catch (const std::exception& error) {
-      outcome->text = error.what();
+      outcome->result.text = error.what();
       outcome->failed = true;
     }
   });
@@ -107,27 +137,18 @@ void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path&
   connect(thread_, &QThread::finished, this, [this, outcome] {
     thread_->deleteLater();
     thread_ = nullptr;
-    note_->setText(outcome->failed ? tr("There is no result, for this reason:")
-                   : stale_        ? tr("Of the deck as it was before the last change.")
-                                   : QString());
-    note_->setVisible(!note_->text().isEmpty());
-    show(QString::fromStdString(outcome->text));
+    show(outcome->result, outcome->failed);
     emit finished();
   });
   thread_->start();
 }
 
 void EvaluationPanel::setDeck(const deck::Deck& deck) {
-  if (busy()) {
-    stale_ = !(deck == evaluated_);
-    return;
-  }
-  if (!view_->isVisibleTo(this) || evaluated_.records.empty()) return;
+  if (evaluated_.records.empty()) return;  // nothing was computed yet
   const bool stale = !(deck == evaluated_);
   if (stale == stale_) return;
   stale_ = stale;
-  note_->setText(stale ? tr("Of the deck as it was before the last change.") : QString());
-  note_->setVisible(stale);
+  if (!busy()) showNote();
 }
 
 }  // namespace adore::adrinput

@@ -153,6 +153,8 @@ void RecordList::setCurrent(const std::string& record) {
     }
 }
 
+void RecordList::focusRecords() { records_->setFocus(); }
+
 void RecordList::startSearch() {
   query_->setFocus(Qt::ShortcutFocusReason);
   query_->selectAll();

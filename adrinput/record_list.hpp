@@ -19,6 +19,7 @@ class RecordList : public QWidget {
   void sync();
   void setCurrent(const std::string& record);
   void startSearch();
+  void focusRecords();
 
  signals:
   void recordChosen(const QString& record);

@@ -191,9 +191,9 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   name->setBuddy(field);
   row.unit = new QLabel(this);
   row.unit->setTextFormat(Qt::PlainText);
-  side->addWidget(field, row.table != nullptr ? 1 : 0);
+  side->addWidget(field, row.table != nullptr ? 100 : 0);
   side->addWidget(row.unit);
-  if (row.table == nullptr) side->addStretch(1);
+  side->addStretch(1);
   QString help = text_of(variable.help);
   if (row.combo != nullptr && row.combo->isEditable()) help += " (" + open_codes(variable) + ")";
   row.problem = make_text({}, theme.red, this);

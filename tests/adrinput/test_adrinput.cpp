@@ -382,6 +382,56 @@ TEST_CASE("searching jumps to the field; help tells about the record", "[gui][ad
   CHECK(windows == 4);
 }
 
+TEST_CASE("the keyboard is enough: undo in a field, pages, records, tables, lines",
+          "[gui][adrinput]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.activateWindow();
+  REQUIRE(QTest::qWaitForWindowActive(&window));
+  window.showRecord("5A");
+  auto* line = qobject_cast<QLineEdit*>(window.page()->fieldOf(cell("pitchDia").variable));
+  line->setFocus();
+  QTest::keyClick(line, Qt::Key_End);
+  QTest::keyClicks(line, "12");
+  CHECK(window.document().deck().real("pitchDia") == 0.0612);
+  QTest::keyClick(line, Qt::Key_Z, Qt::ControlModifier);
+  CHECK(line->text() == "0.06");
+  QTest::keyClick(line, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  CHECK(line->text() == "0.0612");
+  CHECK_FALSE(window.document().can_redo());
+  QTest::keyClick(line, Qt::Key_PageDown);
+  CHECK(window.currentRecord() == "7.0");
+  auto* records = window.findChild<QListWidget*>("records");
+  records->setFocus();
+  QTest::keyClick(records, Qt::Key_Down);
+  QTest::keyClick(records, Qt::Key_Down);
+  CHECK(window.currentRecord() == "7.2.i");
+  CHECK(records->hasFocus());
+
+  auto* table = window.page()->findChild<CellTable*>("instances");
+  REQUIRE(table != nullptr);
+  REQUIRE(table->focusCell(cell("cageGsCls", 2)));
+  QTest::keyClicks(table, "5");
+  auto* editor = table->viewport()->findChild<QLineEdit*>();
+  REQUIRE(editor != nullptr);
+  QTest::keyClicks(editor, "e-4");
+  QTest::keyClick(editor, Qt::Key_Tab);  // the last cell: leaves the table
+  QCoreApplication::processEvents();
+  CHECK(window.document().deck().real("cageGsCls", 2) == 5e-4);
+  CHECK_FALSE(table->hasFocus());
+
+  window.showRecord("12");
+  auto* lines = window.page()->findChild<QPlainTextEdit*>("lines");
+  QTest::keyClicks(lines, "1.0 2.0");
+  QTest::keyClick(lines, Qt::Key_Return);
+  QTest::keyClicks(lines, "third");
+  CHECK(window.document().deck().user_lines == std::vector<std::string>{"1.0 2.0", "third"});
+  window.undo();
+  CHECK(window.document().deck().user_lines.empty());
+  CHECK(lines->toPlainText().isEmpty());
+}
+
 TEST_CASE("plan and quasi-static solution are shown beside the form", "[gui][adrinput]") {
   test::use_qt();
   DeckWindow window;
@@ -395,6 +445,11 @@ TEST_CASE("plan and quasi-static solution are shown beside the form", "[gui][adr
   };
   CHECK(run(window.planPanel(), &DeckWindow::showPlan).contains("pocket contact"));
   CHECK(run(window.staticsPanel(), &DeckWindow::runQuasiStatic).contains("Largest contact load"));
+  CHECK(window.staticsPanel().headline().contains("Largest contact load"));
+  window.document().edit(cell("appLoadX"), "1501");
+  CHECK(
+      window.staticsPanel().findChild<QLabel*>("note")->text().contains("before the last change"));
+  window.undo();
   window.newDeck("cylindrical-nu209");
   CHECK(run(window.staticsPanel(), &DeckWindow::runQuasiStatic).contains("Largest contact load"));
   window.newDeck("ball");
