@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bearing/fits.hpp"
+#include "bearing/imperfections.hpp"
 #include "bearing/material.hpp"
 #include "bearing/rollers.hpp"
 
@@ -110,6 +111,7 @@ struct Bearing {
   TractionCurve race_traction;                      ///< element to race
   std::optional<TractionCurve> pocket_traction;     ///< element to cage
   std::optional<TractionCurve> land_traction;       ///< cage to race
+  Imperfections imperfections;  ///< of balls and races; rollers keep their own in RollerGeometry
   StaticConstraints constraints;
   SpinRule spin_rule = SpinRule::RaceControl;
   double spin_angle = 0.0;               ///< angVelOrient [rad], Prescribed only: angle of the spin axis from x

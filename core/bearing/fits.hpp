@@ -3,6 +3,7 @@
 #include "bearing/material.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -63,6 +64,8 @@ struct OperatingFits {
   std::array<Growth, 2> mate_at_fit;        ///< housing bore, shaft outside, without pressure
   std::array<double, 2> raceway_radius{};   ///< groove bottom, free [m]
   double element_growth = 0.0;              ///< of the diameter [m]
+  std::optional<double> axial_setting;      ///< cones: change of the axial setting, above 0 where
+                                            ///< the radial play shrank [m]
   ClearanceState free, mounted, operating;  ///< unmounted cold; mounted cold at rest; in operation
   std::array<double, 2> locus_free{}, locus{};  ///< radius of the circle of curvature centres [m]
   double pitch_free = 0.0, pitch = 0.0;         ///< pitch diameter [m]

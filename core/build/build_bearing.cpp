@@ -95,7 +95,8 @@ bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const 
   }
 }
 
-bearing::Cage cage(const Deck& deck, const bearing::BallGeometry& balls) {
+/// Roller cages are described for their play only: their inertia stays zero.
+bearing::Cage cage(const Deck& deck, const Bearing& bearing) {
   bearing::Cage out;
   out.outer_diameter = deck.si("cageDia1");
   out.inner_diameter = deck.si("cageDia2");
@@ -118,8 +119,10 @@ bearing::Cage cage(const Deck& deck, const bearing::BallGeometry& balls) {
     out.lands.push_back(land);
   }
   out.material = material(deck, "kCageMat", Part::Cage, "cage", "");
-  out.inertia = contact::cage_inertia(out, balls.count, balls.diameter, balls.pitch_diameter,
-                                      out.material.density);
+  const bearing::BallGeometry& balls = bearing.balls;
+  if (!bearing.rollers)
+    out.inertia = contact::cage_inertia(out, balls.count, balls.diameter, balls.pitch_diameter,
+                                        out.material.density);
   if (deck.has("avRatio")) {
     out.whirl_ratio = deck.si("wvRatio");
     out.speed_ratio = deck.si("avRatio");
@@ -187,7 +190,7 @@ std::array<double, 2> raceway_diameters(const Bearing& b) {
 
 }  // namespace
 
-Bearing build_bearing(const Deck& deck) {
+Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   std::vector<Issue> issues = check_buildable(deck);
   std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::Error; });
   if (!issues.empty()) throw InputError(std::move(issues));
@@ -221,7 +224,7 @@ Bearing build_bearing(const Deck& deck) {
   out.race_traction = curve(deck, "kTracType", "reRaceTC");
   const bool dynamic = deck.integer("mode") >= 0;
   // A quasi-static solution only reports the cage's play, of the pocket shapes that Cage describes.
-  if (deck.integer("nCseg") == 1 && (dynamic || plain_cage(deck))) out.cage = cage(deck, out.balls);
+  if (deck.integer("nCseg") == 1 && (dynamic || plain_cage(deck))) out.cage = cage(deck, out);
   if (dynamic && out.cage) {
     out.pocket_traction = curve(deck, "kCPTracType", "reCageTC");
     const bool guided = std::any_of(out.cage->lands.begin(), out.cage->lands.end(),
@@ -244,6 +247,7 @@ Bearing build_bearing(const Deck& deck) {
   out.ball_temperature = deck.si("reTemp");
   out.cage_temperature = deck.si("cageTemp");
   out.mounting = mounting(deck);
+  build_imperfections(deck, seed, out);
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "bearing/bearing.hpp"
+#include "build/build_imperfections.hpp"
 #include "deck/deck.hpp"
 
 #include <vector>
@@ -14,9 +15,11 @@ namespace adore::build {
 /// will be simulated.
 [[nodiscard]] std::vector<Issue> check_buildable(const deck::Deck& deck);
 
-/// The SI model of a deck that reads without errors.
+/// The SI model of a deck that reads without errors. `seed`: of the random imperfections of rolling
+/// elements.
 /// @throws InputError with every reason at once: what is not built yet (check_buildable) and
 /// geometry that cannot close.
-[[nodiscard]] bearing::Bearing build_bearing(const deck::Deck& deck);
+[[nodiscard]] bearing::Bearing build_bearing(const deck::Deck& deck,
+                                             std::uint64_t seed = kDefaultSeed);
 
 }  // namespace adore::build

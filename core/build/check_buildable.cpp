@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace adore::build {
 namespace {
@@ -19,12 +22,12 @@ struct Gate {
 // A deck with another code parses and checks clean, but cannot run.
 constexpr Gate kAlways[] = {
     {"kRaceFlex", 0, "a flexible outer race (announced by the classic program, never available)"},
-    {"kReGeoImp", 0, "geometric imperfections of the rolling elements"},
-    {"kRaceGeoImp1", 0, "geometric imperfections of the outer race"},
-    {"kRaceGeoImp2", 0, "geometric imperfections of the inner race"},
     {"kTrac", 0, "a lubricant's traction model (or user routine ADRX7)"},
 };
 constexpr Gate kDynamic[] = {
+    {"kReGeoImp", 0, "the motion of rolling elements with geometric imperfections"},
+    {"kRaceGeoImp1", 0, "motion on an outer race with geometric imperfections"},
+    {"kRaceGeoImp2", 0, "motion on an inner race with geometric imperfections"},
     {"kTherm", 0, "the thermal analysis"},
     {"mode", 0, "a constrained mode"},
     {"kDOF", 0, "suppressed degrees of freedom"},
@@ -77,6 +80,23 @@ class Checker {
   std::vector<Issue> issues_;
 };
 
+/// A wave that does not close: allowed, but hardly meant.
+void check_waves(const Deck& deck, Checker& check) {
+  for (const char* race : {"1", "2"}) {
+    const bool sinusoidal = deck.integer(std::string("kRaceGeoImp") + race) == 2;
+    for (const char* stem : {"rndVar", "cFacVar", "rlOffset", "rlTaper"}) {
+      const std::string amplitude = std::string(stem) + "1" + race;
+      const std::string waves = std::string(stem) + "2" + race;
+      const bool wave = sinusoidal || std::string_view(stem) != "rndVar";
+      if (!wave || !deck.has(amplitude) || deck.real(amplitude) == 0.0) continue;
+      if (deck.real(waves) != std::round(deck.real(waves)))
+        check.warning(waves.c_str(),
+                      "is not a whole number of waves per turn: the surface has a step where the "
+                      "turn closes, at the z axis of the race");
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Issue> check_buildable(const Deck& deck) {
@@ -107,6 +127,14 @@ std::vector<Issue> check_buildable(const Deck& deck) {
     if (deck.integer(material) == 2)
       check.error(material, "asks for user routine ADRX0, which this version does not call yet",
                   "use 0, 1 or a code of the material table");
+  for (const auto& [code, routine] :
+       {std::pair{"kReGeoImp", "ADRX8"}, {"kRaceGeoImp1", "ADRX6"}, {"kRaceGeoImp2", "ADRX6"}})
+    if (!dynamic && deck.integer(code) == 3)
+      check.error(
+          code,
+          fmt::format("asks for user routine {}, which this version does not call yet", routine),
+          "use 0, 1 or 2");
+  check_waves(deck, check);
   if (!deck.user_lines.empty())
     check.warning("runID",
                   "the deck has lines after its last record, for user routines that this version "

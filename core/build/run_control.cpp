@@ -225,6 +225,15 @@ const std::vector<Option>& options() {
            o.results_h5 = value == 1;
            return true;
          }},
+        {{"seed", fmt::format("{}", defaults.seed),
+          "seed of the random imperfections of rolling elements (kReGeoImp 1), a whole number from "
+          "0 to 9223372036854775807; the same seed makes the same bearing"},
+         [](RunOptions& o, std::string_view v) {
+           std::int64_t value = 0;
+           if (!parse(v, value) || value < 0) return false;
+           o.seed = static_cast<std::uint64_t>(value);
+           return true;
+         }},
         {{"centrifugalGrowth", "1",
           "operating fits and clearances include the centrifugal growth of rings, shaft, housing "
           "and cage: 1 or 0"},

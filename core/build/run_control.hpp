@@ -1,12 +1,14 @@
 #pragma once
 
 #include "bearing/life_inputs.hpp"
+#include "build/build_imperfections.hpp"
 #include "deck/deck.hpp"
 #include "dynamics/system.hpp"
 #include "statics/roller_statics.hpp"
 #include "statics/stiffness_table.hpp"
 
 #include <array>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -52,10 +54,11 @@ struct RunControl {
 struct RunOptions {
   dynamics::SystemOptions system;
   statics::RollerOptions rollers;
-  double checkpoint_seconds = 10.0;  ///< wall time between checkpoints of FINAL and MASTER
-  bool results_h5 = true;            ///< write RESULTS.h5
-  bool centrifugal_growth = true;    ///< speeds widen the rings (bearing::Mounting)
-  bearing::LifeChoices life;         ///< fatigue life: what no record holds
+  double checkpoint_seconds = 10.0;   ///< wall time between checkpoints of FINAL and MASTER
+  bool results_h5 = true;             ///< write RESULTS.h5
+  std::uint64_t seed = kDefaultSeed;  ///< of random imperfections (kReGeoImp 1)
+  bool centrifugal_growth = true;     ///< speeds widen the rings (bearing::Mounting)
+  bearing::LifeChoices life;          ///< fatigue life: what no record holds
 };
 
 struct OptionInfo {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bearing/imperfections.hpp"
 #include "contact/guide_land.hpp"
 #include "contact/race_surface.hpp"
 
@@ -14,25 +15,8 @@
 /// Evaluate once per element and race, at the azimuth of the contact.
 namespace adore::contact {
 
-/// a sin(nψ + p).
-struct Harmonic {
-  double amplitude = 0.0, waves = 0.0, phase = 0.0;
-  [[nodiscard]] double at(double psi) const noexcept {
-    return amplitude * std::sin(waves * psi + phase);
-  }
-  [[nodiscard]] double slope(double psi) const noexcept {
-    return amplitude * waves * std::cos(waves * psi + phase);
-  }
-};
-
-struct RaceErrors {
-  enum class Roundness : unsigned char { None, Elliptical, Sinusoidal } roundness = Roundness::None;
-  std::array<double, 3>
-      variation{};  ///< v1, v2, v3: [m, m, rad] elliptical; [m, waves per turn, rad] sinusoidal
-  Harmonic land_offset;       ///< moves the land towards +x [m]
-  Harmonic taper;             ///< turns the profile, positive opens towards +x [rad]
-  Harmonic curvature_factor;  ///< added to f [-]
-};
+using bearing::Harmonic;
+using bearing::RaceErrors;
 
 /// Values at one azimuth.
 struct LocalRaceError {

@@ -5,8 +5,8 @@
 #include "build/scene_plan.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/scene_estimate.hpp"
-#include "facade/operating.hpp"
 #include "facade/stiffness.hpp"
+#include "thermal/operating.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -125,10 +125,10 @@ Prepared prepare(LoadedDeck input) {
   out.input = std::move(input);
   const deck::Deck& deck = out.input.deck;
   out.options = build::build_run_options(out.input.option_values);
-  out.as_built = build::build_bearing(deck);
+  out.as_built = build::build_bearing(deck, out.options.seed);
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
   for (Issue& issue : build::check_buildable(deck)) out.input.warnings.push_back(std::move(issue));
-  out.bearing = at_work(out.as_built);
+  out.bearing = thermal::operating_bearing(out.as_built);
   for (Issue& issue : operating_warnings(out.bearing, out.input.path.string()))
     out.input.warnings.push_back(std::move(issue));
   out.control = build::build_run_control(deck);

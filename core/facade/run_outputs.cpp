@@ -11,6 +11,7 @@
 #include "results/continuation.hpp"
 #include "results/print_file.hpp"
 #include "results/print_fits.hpp"
+#include "results/print_imperfections.hpp"
 #include "results/restart.hpp"
 #include "results/results_h5.hpp"
 #include "results/run_json.hpp"
@@ -278,8 +279,12 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
   for (const std::string& remark : remarks) out.notes.push_back(remark);
   for (const std::string& note : prepared.race_result().notes) out.notes.push_back(note);
   out.instruction_set = dynamics::race_contact_instruction_set();
+  const bearing::Imperfections& imperfections = prepared.bearing.imperfections;
+  if (imperfections.elements == bearing::ElementErrors::Random)
+    out.seeds.emplace_back("geometric imperfections", static_cast<long>(imperfections.seed));
+  out.imperfections = results::imperfections_json(prepared.bearing);
   if (prepared.bearing.operating) out.operating = results::fits_json(*prepared.bearing.operating);
-  out.life["quasi-static"] = results::life_json(prepared.life);
+  if (!prepared.rollers) out.life["quasi-static"] = results::life_json(prepared.life);
   return out;
 }
 

@@ -1,7 +1,7 @@
 #include "facade/stiffness.hpp"
 
-#include "facade/operating.hpp"
 #include "statics/roller_statics.hpp"
+#include "thermal/operating.hpp"
 
 #include <optional>
 
@@ -15,7 +15,7 @@ std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared
   const auto solve = [&](const std::array<double, 2>& speed,
                          const statics::RaceResult* previous) -> statics::RaceResult {
     as_built.speed = speed;
-    bearing::Bearing bearing = at_work(as_built);
+    bearing::Bearing bearing = thermal::operating_bearing(as_built);
     if (bearing.rollers) {
       statics::RollerOptions options = prepared.options.rollers;
       options.difference_share = request.share;

@@ -69,7 +69,7 @@ struct IsoReport {
   double a1 = 1.0;
   std::optional<double> kappa, contamination, a_iso, L_nm;  ///< L_nm = a1 a_ISO L10
   bool outside = false;                                     ///< κ < 0.1
-  ReferenceLife reference;
+  std::optional<ReferenceLife> reference;                   ///< ISO 16281
   std::optional<double> L_nmr;
   std::vector<std::string> notes;
 };

@@ -139,7 +139,7 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
     return out;
   }
   out.reference = reference_life(out, bearing, contacts, condition);
-  if (out.reference.modified) out.L_nmr = out.a1 * *out.reference.modified;
+  if (out.reference->modified) out.L_nmr = out.a1 * *out.reference->modified;
   return out;
 }
 

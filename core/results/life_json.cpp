@@ -102,8 +102,10 @@ Json iso(const life::IsoReport& r) {
   out["eC"] = number(r.contamination);
   out["aISO"] = number(r.a_iso);
   out["Lnm [Mrev]"] = number(r.L_nm);
-  out["Pref [N]"] = r.reference.P_ref;
-  out["L10r [Mrev]"] = number(r.reference.L10r);
+  if (r.reference) {
+    out["Pref [N]"] = r.reference->P_ref;
+    out["L10r [Mrev]"] = number(r.reference->L10r);
+  }
   out["Lnmr [Mrev]"] = number(r.L_nmr);
   return out;
 }

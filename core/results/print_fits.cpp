@@ -70,23 +70,37 @@ void growth_table(Report& report, const OperatingFits& fits, bool cage) {
 }
 
 void clearance_table(Report& report, const OperatingFits& fits) {
-  report.heading("Internal clearance, diametral, and free contact angle");
+  const bool balls = fits.locus[0] > 0.0;
   std::vector<Report::Row> rows;
-  const auto row = [&](const char* name, const ClearanceState& s) {
-    rows.push_back({name, {s.clearance, s.contact_angle, s.end_play, s.centre_distance}});
-  };
-  row("unmounted, cold", fits.free);
-  row("mounted, cold", fits.mounted);
-  row("in operation", fits.operating);
-  report.table("",
-               {{"clearance", &unit::kLength},
-                {"angle", &unit::kAngle},
-                {"end play", &unit::kLength},
-                {"centres A", &unit::kLength}},
-               rows, 16);
+  if (!balls) {
+    report.heading("Internal clearance, diametral (of cones: change from the nominal pose)");
+    for (const auto& [name, state] :
+         {std::pair{"unmounted, cold", &fits.free}, std::pair{"mounted, cold", &fits.mounted},
+          std::pair{"in operation", &fits.operating}})
+      rows.push_back({name, {state->clearance}});
+    report.table("", {{"clearance", &unit::kLength}}, rows, 16);
+  } else {
+    report.heading("Internal clearance, diametral, and free contact angle");
+    const auto row = [&](const char* name, const ClearanceState& s) {
+      rows.push_back({name, {s.clearance, s.contact_angle, s.end_play, s.centre_distance}});
+    };
+    row("unmounted, cold", fits.free);
+    row("mounted, cold", fits.mounted);
+    row("in operation", fits.operating);
+    report.table("",
+                 {{"clearance", &unit::kLength},
+                  {"angle", &unit::kAngle},
+                  {"end play", &unit::kLength},
+                  {"centres A", &unit::kLength}},
+                 rows, 16);
+  }
   report.blank();
   report.item("Pitch diameter, cold", fits.pitch_free, unit::kLength);
   report.item("Pitch diameter, in operation", fits.pitch, unit::kLength);
+  if (fits.axial_setting)
+    report.item("Change of the axial setting (above 0: play lost)", *fits.axial_setting,
+                unit::kLength);
+  if (!(fits.locus[0] > 0.0)) return;  // rollers
   for (std::size_t j = 0; j < 2; ++j) {
     const char* race = j == 0 ? "outer" : "inner";
     report.item(fmt::format("Radius of the {} circle of curvature centres, cold", race),
@@ -186,6 +200,7 @@ Json fits_json(const OperatingFits& fits) {
   out["unmounted"] = clearance_json(fits.free);
   out["mounted"] = clearance_json(fits.mounted);
   out["operating"] = clearance_json(fits.operating);
+  if (fits.axial_setting) out["change of the axial setting [m]"] = *fits.axial_setting;
   out["pitch diameter, free [m]"] = fits.pitch_free;
   out["pitch diameter [m]"] = fits.pitch;
   if (!fits.plays.empty()) {

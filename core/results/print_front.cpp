@@ -2,6 +2,7 @@
 #include "deck/defaults.hpp"
 #include "deck/schema.hpp"
 #include "results/print_file.hpp"
+#include "results/print_imperfections.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
@@ -236,7 +237,7 @@ void materials(Report& report, const bearing::Bearing& bearing) {
     inertia.push_back({name, {body.mass, body.moments.x(), body.moments.y(), body.moments.z()}});
   };
   add(bearing.rollers ? "roller" : "ball", bearing.ball_inertia);
-  if (bearing.cage) add("cage", bearing.cage->inertia);
+  if (bearing.cage && bearing.cage->inertia.mass > 0.0) add("cage", bearing.cage->inertia);
   add("outer race", bearing.race_inertia[0]);
   add("inner race", bearing.race_inertia[1]);
   report.table("",
@@ -390,6 +391,7 @@ void output_control(Report& report, const PrintFront& front) {
 void print_front(Report& report, const PrintFront& front) {
   echo(report, front.deck);
   geometry(report, front.bearing);
+  print_imperfections(report, front.bearing);
   materials(report, front.bearing);
   traction(report, front.bearing);
   operation(report, front);

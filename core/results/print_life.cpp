@@ -231,10 +231,12 @@ void iso(Report& report, const life::IsoReport& r) {
   if (r.a_iso) report.item("aISO (coefficients seen)", *r.a_iso, unit::kPure);
   if (r.outside) report.text("The viscosity ratio is below 0.1, outside the standard.");
   optional_life("Lnm = a1 aISO L10", r.L_nm);
-  report.item("Reference load Pref (ISO 16281)", r.reference.P_ref, unit::kForce);
-  report.item("    race capacity Qci", r.reference.capacity_inner, unit::kForce);
-  report.item("    race capacity Qce", r.reference.capacity_outer, unit::kForce);
-  optional_life("L10r (ISO 16281)", r.reference.L10r);
+  if (r.reference) {
+    report.item("Reference load Pref (ISO 16281)", r.reference->P_ref, unit::kForce);
+    report.item("    race capacity Qci", r.reference->capacity_inner, unit::kForce);
+    report.item("    race capacity Qce", r.reference->capacity_outer, unit::kForce);
+    optional_life("L10r (ISO 16281)", r.reference->L10r);
+  }
   optional_life("Lnmr", r.L_nmr);
 }
 

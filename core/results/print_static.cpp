@@ -82,6 +82,32 @@ void balls(Report& report, const statics::StaticSolution& solution) {
                motions);
 }
 
+/// Only when a race is split.
+void split_races(Report& report, const statics::StaticSolution& solution,
+                 const bearing::Bearing& bearing) {
+  for (std::size_t race = 0; race < 2; ++race) {
+    if (!(bearing.balls.shim[race] > 0.0)) continue;
+    const char* name = race == 0 ? "outer" : "inner";
+    std::vector<Report::Row> rows;
+    for (std::size_t k = 0; k < solution.balls.size(); ++k) {
+      const statics::StaticBall& b = solution.balls[k];
+      rows.push_back({std::to_string(k + 1),
+                      {b.azimuth, b.inner_chord[race] - 0.5 * bearing.balls.shim[race],
+                       b.other_half[race], b.shoulder_depth[race]}});
+    }
+    report.heading(
+        fmt::format("Split {} race: inner edge of the contact from the split, gap to "
+                    "the other half (below 0: dual contact)",
+                    name));
+    report.table("ball",
+                 {{"azimuth", &unit::kAngle},
+                  {"from split", &unit::kLength},
+                  {"other half", &unit::kLength},
+                  {"shoulder", &unit::kLength}},
+                 rows);
+  }
+}
+
 }  // namespace
 
 void print_race_equilibrium(Report& report, const statics::RaceResult& solution,
@@ -143,6 +169,7 @@ void print_quasi_static(Report& report, const statics::StaticSolution& solution,
   ball_contacts(report, solution);
   print_race_stiffness(report, solution);
   balls(report, solution);
+  split_races(report, solution, bearing);
   if (solution.notes.empty()) return;
   report.heading("Notes");
   for (const std::string& note : solution.notes) report.text(note);

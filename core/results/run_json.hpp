@@ -22,10 +22,10 @@ namespace adore::results {
 using Counters = std::vector<std::pair<std::string, long>>;
 
 struct RunSummary {
-  std::string run_id, deck_file;  ///< deck's file name without folders
-  std::string status;             ///< "done", "interrupted", "failed"
-  std::string message;            ///< diagnosis, empty when done
-  nlohmann::ordered_json plan;    ///< the scene plan
+  std::string run_id, deck_file;     ///< deck's file name without folders
+  std::string status;                ///< "done", "interrupted", "failed"
+  std::string message;               ///< diagnosis, empty when done
+  nlohmann::ordered_json plan;       ///< the scene plan
   nlohmann::ordered_json operating;  ///< operating fits and clearances; null: none
   std::optional<dynamics::Scales> scales;
   std::string integrator;
@@ -33,8 +33,9 @@ struct RunSummary {
   std::vector<std::pair<std::string, std::string>>
       options;                                      ///< named options with the values in force
   std::vector<std::pair<std::string, long>> seeds;  ///< of random numbers, by use
-  std::vector<deck::DefaultUsed> defaults_used;     ///< values that the deck left out
-  std::vector<std::string> notes;                   ///< warnings and remarks
+  nlohmann::ordered_json imperfections;  ///< geometric, of elements and races; null: ideal bearing
+  std::vector<deck::DefaultUsed> defaults_used;  ///< values that the deck left out
+  std::vector<std::string> notes;                ///< warnings and remarks
   long steps = 0;
   double time = 0.0, revolutions = 0.0;
   Counters counters;

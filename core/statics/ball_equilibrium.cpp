@@ -116,8 +116,9 @@ struct LineOfCentres {
 /// least as deep in the outer race as its centrifugal force asks for.
 LineOfCentres line_of_centres(const BallModel& m, const BallSite& site,
                               const RacePose<double>& pose, Point at) {
-  const double K_o = m.hertz[0].reference().K;
-  const double K_i = m.hertz[1].reference().K;
+  const BallSeat& own = m.seat(site.own);
+  const double K_o = own.hertz[0].reference().K;
+  const double K_i = own.hertz[1].reference().K;
   const double soft_o = std::pow(K_o, -2.0 / 3.0);
   const double soft_i = std::pow(K_i, -2.0 / 3.0);
   LineOfCentres result{at, 0.0};
@@ -136,10 +137,11 @@ LineOfCentres line_of_centres(const BallModel& m, const BallSite& site,
     const double ax = inner.x - outer.x;
     const double ar = inner.rho - outer.rho;
     const double distance = std::hypot(ax, ar);
-    result.closure = distance - m.offset_sum();
-    const double seat = soft_o * std::cbrt(m.base_centrifugal * m.base_centrifugal);
-    double outer_length = m.groove.offset[0] + std::max(result.closure * soft_o / (soft_o + soft_i),
-                                                        std::max(seat, 0.0));
+    result.closure = distance - own.offset_sum();
+    const double sunk = soft_o * std::cbrt(own.base_centrifugal * own.base_centrifugal);
+    double outer_length =
+        own.groove.offset[0] +
+        std::max(result.closure * soft_o / (soft_o + soft_i), std::max(sunk, 0.0));
     if (distance == 0.0) {
       result.start = {outer.x, outer.rho + outer_length};
     } else {
@@ -176,12 +178,13 @@ bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& bal
     }
   }
   const LineOfCentres line = line_of_centres(m, ball.site, pose, nominal);
-  const double seat = std::cbrt(m.base_centrifugal * m.base_centrifugal) *
-                      std::pow(m.hertz[0].reference().K, -2.0 / 3.0);
+  const BallSeat& own = m.seat(ball.site.own);
+  const double seat = std::cbrt(own.base_centrifugal * own.base_centrifugal) *
+                      std::pow(own.hertz[0].reference().K, -2.0 / 3.0);
   const std::array<Point, 2> starts{
       line.start,
-      Point{m.groove.centre_x[0],
-            m.groove.centre_radius[0] - 0.5 * m.balls.pitch_diameter + m.groove.offset[0] + seat}};
+      Point{own.groove.centre_x[0], own.groove.centre_radius[0] - 0.5 * m.balls.pitch_diameter +
+                                        own.groove.offset[0] + seat}};
   for (Point at : starts) {
     if (newton(m, ball.site, dual_pose, at)) {
       ball.x = at.x;

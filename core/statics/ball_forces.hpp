@@ -82,6 +82,7 @@ struct BallForces {
 
 struct BallSite {
   double sin = 0.0, cos = 1.0;  ///< of the azimuth
+  std::size_t own = 0;          ///< BallModel::seat
   SpinLaw law;
   double pitch_guess =
       std::numeric_limits<double>::quiet_NaN();  ///< where the least-heat search starts
@@ -114,11 +115,12 @@ GroovePosition<S> exact_position(const BallSite& site, const S& x, const S& r,
 template <class S>
 GroovePosition<S> linear_position(const BallModel& m, const BallSite& site, std::size_t race,
                                   const S& x, const S& rho, const S& shift_x, const S& shift_r) {
+  const contact::GrooveGeometry& groove = m.seat(site.own).groove;
   GroovePosition<S> p;
   p.a = {S(1.0), S(0.0), S(0.0)};
   p.e = {S(0.0), S(-site.sin), S(site.cos)};
-  p.xi = x - m.groove.centre_x[race] - shift_x;
-  p.eta = rho - (m.groove.centre_radius[race] - 0.5 * m.balls.pitch_diameter) - shift_r;
+  p.xi = x - groove.centre_x[race] - shift_x;
+  p.eta = rho - (groove.centre_radius[race] - 0.5 * m.balls.pitch_diameter) - shift_r;
   return p;
 }
 
@@ -127,38 +129,51 @@ std::array<GroovePosition<S>, 2> groove_positions(const BallModel& m, const Ball
                                                   const S& x, const S& rho,
                                                   const RacePose<S>& inner) {
   std::array<GroovePosition<S>, 2> p;
+  const BallSeat& seat = m.seat(site.own);
+  const contact::GrooveGeometry& groove = seat.groove;
   const S r = rho + 0.5 * m.balls.pitch_diameter;
   if (!m.outer_tilted) {
     p[0] = linear_position(m, site, 0, x, rho, S(0.0), S(0.0));
   } else if (m.exact) {
     const auto axis = tilted_axis(m.outer_tilt[0], m.outer_tilt[1]);
-    p[0] = exact_position(site, x, r, {S(m.groove.centre_x[0]), S(0.0), S(0.0)},
+    p[0] = exact_position(site, x, r, {S(groove.centre_x[0]), S(0.0), S(0.0)},
                           std::array<S, 3>{S(axis[0]), S(axis[1]), S(axis[2])},
-                          m.groove.centre_radius[0]);
+                          groove.centre_radius[0]);
   } else {
     const double shift =
-        m.groove.centre_radius[0] * (m.outer_tilt[0] * site.cos + m.outer_tilt[1] * site.sin);
+        groove.centre_radius[0] * (m.outer_tilt[0] * site.cos + m.outer_tilt[1] * site.sin);
     p[0] = linear_position(m, site, 0, x, rho, S(shift), S(0.0));
   }
   if (m.exact) {
-    p[1] = exact_position(site, x, r, inner.centre, inner.axis, m.groove.centre_radius[1]);
+    p[1] = exact_position(site, x, r, inner.centre, inner.axis, groove.centre_radius[1]);
+    if (site.own != 0) {
+      p[1].xi = p[1].xi - (groove.centre_x[1] - m.groove.centre_x[1]);
+    }
   } else {
     const auto& q = inner.q;
-    const S shift_x = q[0] + m.groove.centre_radius[1] * (q[3] * site.cos + q[4] * site.sin);
+    const S shift_x = q[0] + groove.centre_radius[1] * (q[3] * site.cos + q[4] * site.sin);
     p[1] = linear_position(m, site, 1, x, rho, shift_x, q[2] * site.cos - q[1] * site.sin);
+  }
+  if (seat.inner_slope != 0.0) {
+    // Azimuth of the ball in the race minus that of its seat.
+    const S ahead =
+        m.exact ? -(p[1].e[1] * site.cos) - p[1].e[2] * site.sin
+                : (inner.q[1] * site.cos + inner.q[2] * site.sin) * (1.0 / groove.centre_radius[1]);
+    p[1].eta = p[1].eta - seat.inner_slope * ahead;
   }
   return p;
 }
 
 template <class S>
-ContactState<S> contact_state(const BallModel& m, std::size_t race, const GroovePosition<S>& p) {
+ContactState<S> contact_state(const BallModel& m, const BallSeat& seat, std::size_t race,
+                              const GroovePosition<S>& p) {
   ContactState<S> c;
   const S length = square_root(p.xi * p.xi + p.eta * p.eta);
   const double sign = race == 0 ? 1.0 : -1.0;
   c.alpha = {sign * p.xi / length, sign * p.eta / length};
-  c.approach = length - m.groove.offset[race];
+  c.approach = length - seat.groove.offset[race];
   if (value_of(c.approach) > 0.0) {
-    const HertzSeries& hertz = m.hertz[race];
+    const HertzSeries& hertz = seat.hertz[race];
     const double K_reference = hertz.reference().K;
     S K = K_reference;
     if (hertz.varying()) {
@@ -174,20 +189,20 @@ ContactState<S> contact_state(const BallModel& m, std::size_t race, const Groove
 /// Spin axis of least heat, with its derivatives carried over from the angles and loads that it
 /// depends on.
 template <class S>
-Direction<S> least_heat_direction(const BallModel& m, double guess,
+Direction<S> least_heat_direction(const BallSeat& seat, double guess,
                                   const std::array<ContactState<S>, 2>& contact) {
   std::array<HeatContact, 2> c;
   for (std::size_t j = 0; j < 2; ++j) {
-    const HertzSeries& hertz = m.hertz[j];
+    const HertzSeries& hertz = seat.hertz[j];
     const auto log_a = hertz.log_a(value_of(contact[j].alpha.cos));
     c[j].alpha = std::atan2(value_of(contact[j].alpha.sin), value_of(contact[j].alpha.cos));
     c[j].load = value_of(contact[j].load);
     c[j].half_major = hertz.reference().a_hat * std::exp(log_a.value) * std::cbrt(c[j].load);
     c[j].log_a_slope = -std::sin(c[j].alpha) * log_a.slope;
     c[j].aspect = hertz.reference().kappa;
-    c[j].surface_radius = m.surface_radius[j];
+    c[j].surface_radius = seat.surface_radius[j];
   }
-  const LeastHeatAxis axis = least_heat_axis(c, m.gamma, guess);
+  const LeastHeatAxis axis = least_heat_axis(c, seat.gamma, guess);
   S beta = axis.beta;
   for (std::size_t j = 0; j < 2; ++j) {
     const auto& alpha = contact[j].alpha;
@@ -202,6 +217,7 @@ Direction<S> least_heat_direction(const BallModel& m, double guess,
 /// Fills speeds and moments; needs both contacts' angles.
 template <class S>
 void add_inertia(const BallModel& m, const BallSite& site, BallForces<S>& f) {
+  const BallSeat& seat = m.seat(site.own);
   f.orbital = m.base_orbital;
   const S& Q_o = f.contact[0].load;
   const S& Q_i = f.contact[1].load;
@@ -209,30 +225,30 @@ void add_inertia(const BallModel& m, const BallSite& site, BallForces<S>& f) {
     const std::array<Direction<S>, 2> alpha{f.contact[0].alpha, f.contact[1].alpha};
     switch (site.law.axis) {
       case SpinLaw::Axis::OuterControl:
-        f.beta = race_control_axis(alpha[0], m.gamma, true);
+        f.beta = race_control_axis(alpha[0], seat.gamma, true);
         break;
       case SpinLaw::Axis::InnerControl:
-        f.beta = race_control_axis(alpha[1], m.gamma, false);
+        f.beta = race_control_axis(alpha[1], seat.gamma, false);
         break;
       case SpinLaw::Axis::Prescribed:
         f.beta = {S(std::sin(m.spin_angle)), S(std::cos(m.spin_angle))};
         break;
       case SpinLaw::Axis::LeastHeat:
-        f.beta = least_heat_direction(m, site.pitch_guess, f.contact);
+        f.beta = least_heat_direction(seat, site.pitch_guess, f.contact);
         break;
     }
-    const Rolling<S> rolling = roll_without_slip(alpha, f.beta, m.gamma, m.race_speed);
+    const Rolling<S> rolling = roll_without_slip(alpha, f.beta, seat.gamma, m.race_speed);
     f.rolls = rolling.possible;
     S weight = 1.0;
-    if (value_of(Q_i) < m.window) {
-      const S t = Q_i / m.window;
+    if (value_of(Q_i) < seat.window) {
+      const S t = Q_i / seat.window;
       weight = t * t * (3.0 - 2.0 * t);
     }
     weight = weight * m.own_speed_share;
     f.spin = rolling.spin;
     f.orbital = m.base_orbital + weight * (rolling.orbital - m.base_orbital);
-    f.gyroscopic = weight * (m.inertia * f.orbital * rolling.spin * f.beta.sin);
-    const S per_race = f.gyroscopic / m.balls.diameter;
+    f.gyroscopic = weight * (seat.inertia * f.orbital * rolling.spin * f.beta.sin);
+    const S per_race = f.gyroscopic / seat.diameter;
     switch (site.law.share) {
       case SpinLaw::Share::Outer:
         f.contact[0].friction = 2.0 * per_race;
@@ -249,7 +265,23 @@ void add_inertia(const BallModel& m, const BallSite& site, BallForces<S>& f) {
         break;
     }
   }
-  f.centrifugal = m.mass * 0.5 * m.balls.pitch_diameter * f.orbital * f.orbital;
+  f.centrifugal = seat.mass * 0.5 * m.balls.pitch_diameter * f.orbital * f.orbital;
+}
+
+/// Where the inner race is not round its normal leans by R'/r against the direction of growing
+/// azimuth a × e: the ball also pushes it sideways, by -Q cos α R'/r at ξ a.
+template <class S>
+void add_sideways(const BallSeat& seat, const GroovePosition<S>& p, const ContactState<S>& c,
+                  std::array<S, 5>& race) {
+  const S push =
+      -(c.load * c.alpha.cos) * seat.inner_slope / (p.eta + seat.groove.centre_radius[1]);
+  const auto& a = p.a;
+  const auto& e = p.e;
+  race[0] += push * (a[1] * e[2] - a[2] * e[1]);
+  race[1] += push * (a[2] * e[0] - a[0] * e[2]);
+  race[2] += push * (a[0] * e[1] - a[1] * e[0]);
+  race[3] += -(p.xi * push * e[1]);
+  race[4] += -(p.xi * push * e[2]);
 }
 
 /// Everything for a ball at (x, r = d_m/2 + rho).
@@ -257,9 +289,10 @@ template <class S>
 BallForces<S> ball_forces(const BallModel& m, const BallSite& site, const S& x, const S& rho,
                           const RacePose<S>& inner) {
   BallForces<S> f;
+  const BallSeat& seat = m.seat(site.own);
   f.position = groove_positions(m, site, x, rho, inner);
   for (std::size_t j = 0; j < 2; ++j) {
-    f.contact[j] = contact_state(m, j, f.position[j]);
+    f.contact[j] = contact_state(m, seat, j, f.position[j]);
   }
   if (m.moving) {
     add_inertia(m, site, f);
@@ -280,12 +313,16 @@ BallForces<S> ball_forces(const BallModel& m, const BallSite& site, const S& x, 
     f.radial +=
         along * (a[2] * site.cos - a[1] * site.sin) + outward * (e[2] * site.cos - e[1] * site.sin);
     if (j == 1) {
-      const S moment = m.groove.centre_radius[1] * along - m.groove.groove_radius[1] * c.friction;
+      const S moment =
+          seat.groove.centre_radius[1] * along - seat.groove.groove_radius[1] * c.friction;
       for (std::size_t k = 0; k < 3; ++k) {
         f.race[k] = along * a[k] + outward * e[k];
       }
       f.race[3] = moment * (e[2] * a[0] - e[0] * a[2]);
       f.race[4] = moment * (e[0] * a[1] - e[1] * a[0]);
+      if (seat.inner_slope != 0.0) {
+        add_sideways(seat, f.position[1], c, f.race);
+      }
     }
   }
   return f;

@@ -53,11 +53,6 @@ void check_material(const bearing::Material& m, const char* part) {
   }
 }
 
-double contact_modulus_of(const bearing::Material& a, const bearing::Material& b) {
-  return 1.0 / ((1.0 - a.poisson_ratio * a.poisson_ratio) / a.elastic_modulus +
-                (1.0 - b.poisson_ratio * b.poisson_ratio) / b.elastic_modulus);
-}
-
 double prescribed_pitch_angle(double angle) {
   // A spin axis is a line: angles that differ by half a turn are the same.
   return angle - std::numbers::pi * std::round(angle / std::numbers::pi);
@@ -153,6 +148,7 @@ BallModel make_ball_model(const bearing::Bearing& bearing, const StaticsOptions&
   BallModel m;
   m.balls = bearing.balls;
   m.groove = contact::groove_geometry(bearing.balls);
+  m.diameter = bearing.balls.diameter;
   m.gamma = bearing.balls.diameter / bearing.balls.pitch_diameter;
   m.mass = bearing.ball_inertia.mass;
   m.inertia = bearing.ball_inertia.moments.x();
@@ -173,7 +169,7 @@ BallModel make_ball_model(const bearing::Bearing& bearing, const StaticsOptions&
 
   const double free_angle = bearing.balls.contact_angle;
   for (std::size_t j = 0; j < 2; ++j) {
-    const double E_star = contact_modulus_of(bearing.ball_material, bearing.race_material[j]);
+    const double E_star = bearing::contact_modulus(bearing.ball_material, bearing.race_material[j]);
     const double angle =
         options.curvature == Curvature::Fixed ? options.fixed_angle[j] : free_angle;
     m.hertz[j] = HertzSeries(bearing.balls, static_cast<int>(j), E_star, angle,
@@ -196,6 +192,7 @@ BallModel make_ball_model(const bearing::Bearing& bearing, const StaticsOptions&
     m.azimuth[static_cast<std::size_t>(k)] =
         options.first_azimuth + 2.0 * std::numbers::pi * k / bearing.balls.count;
   }
+  add_imperfect_seats(m, bearing, options);
   return m;
 }
 

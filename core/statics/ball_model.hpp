@@ -57,35 +57,59 @@ struct SpinLaw {
   Share share = Share::Outer;
 };
 
-struct BallModel {
-  bearing::BallGeometry balls;
+/// One ball and the two grooves where it runs.
+struct BallSeat {
   contact::GrooveGeometry groove;
   std::array<HertzSeries, 2> hertz;
   std::array<double, 2> surface_radius{};  ///< 2fD/(2f+1), deformed contact surface [m]
+  double diameter = 0.0;                   ///< D [m]
   double gamma = 0.0;                      ///< D/d_m
-  double mass = 0.0, inertia = 0.0;        ///< of a ball [kg, kg m^2]
-  std::array<double, 2> race_speed{};      ///< [rad/s]
-  bool moving = false;                     ///< any race turns
-  bool per_ball_speeds = false;            ///< Orbit::PerBall and moving
-  bool exact = true;                       ///< RingKinematics::Exact
-  std::array<double, 2> outer_tilt{};      ///< about y, z [rad]
+  double mass = 0.0, inertia = 0.0;        ///< of the ball [kg, kg m^2]
+  double base_centrifugal = 0.0;           ///< m d_m/2 ω² of the base orbital speed [N]
+  double window =
+      0.0;  ///< inner load below which the ball is only partly driven (see ball_forces.hpp) [N]
+  double inner_slope = 0.0;  ///< dR/dψ of the inner race here [m/rad]
+
+  [[nodiscard]] double offset_sum() const noexcept { return groove.offset[0] + groove.offset[1]; }
+};
+
+/// What all balls share. The base is the seat of a nominal ball in ideal grooves.
+struct BallModel : BallSeat {
+  bearing::BallGeometry balls;
+  std::array<double, 2> race_speed{};  ///< [rad/s]
+  bool moving = false;                 ///< any race turns
+  bool per_ball_speeds = false;        ///< Orbit::PerBall and moving
+  bool exact = true;                   ///< RingKinematics::Exact
+  std::array<double, 2> outer_tilt{};  ///< about y, z [rad]
   bool outer_tilted = false;
   double base_orbital =
       0.0;  ///< ω_m of a ball that does not follow its own angles (nominal, or unloaded) [rad/s]
-  double base_centrifugal = 0.0;  ///< m d_m/2 ω² of that speed [N]
-  double window =
-      0.0;  ///< inner load below which the ball is only partly driven (see ball_forces.hpp) [N]
   double spin_angle = 0.0;  ///< prescribed pitch angle [rad]
   double own_speed_share =
       1.0;  ///< 0: conservative problem (constant K and base speed); 1: the full one
-  std::vector<double> azimuth;  ///< [rad]
+  std::vector<double> azimuth;          ///< [rad]
+  std::vector<BallSeat> own;            ///< seats of balls that differ from the nominal one
+  std::vector<std::size_t> own_number;  ///< by ball: 1 + index into own, 0: nominal; empty: all 0
 
-  [[nodiscard]] double offset_sum() const noexcept { return groove.offset[0] + groove.offset[1]; }
+  /// Seat of the ball with this BallSite::own.
+  [[nodiscard]] const BallSeat& seat(std::size_t own_number_of_ball) const {
+    return own_number_of_ball == 0 ? *this : own[own_number_of_ball - 1];
+  }
 };
 
 /// @throws InputError naming the value that makes no bearing.
 [[nodiscard]] BallModel make_ball_model(const bearing::Bearing& bearing,
                                         const StaticsOptions& options);
+
+/// Fills own and own_number for the imperfections of the bearing (bearing.imperfections): balls of
+/// other diameter, grooves whose bottom or radius is another at the ball's azimuth.
+/// Ball k: D_k, mass ~ D_k³, inertia ~ D_k⁵. Groove j at azimuth ψ: contact/race_errors.hpp, the
+/// groove radius changes by Δf D. The inner race also has the slope dR/dψ of its bottom, so that a
+/// wave pushes it sideways; that of the outer race pushes the ball against its cage and has no
+/// effect here.
+/// @throws InputError naming the ball that does not fit its groove.
+void add_imperfect_seats(BallModel& model, const bearing::Bearing& bearing,
+                         const StaticsOptions& options);
 
 /// The spin law that the options ask for (race control starts as outer control).
 [[nodiscard]] SpinLaw first_spin_law(const bearing::Bearing& bearing,

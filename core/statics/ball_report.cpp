@@ -1,5 +1,7 @@
 #include "statics/ball_report.hpp"
 
+#include "statics/race_text.hpp"
+
 #include <Eigen/LU>
 #include <fmt/format.h>
 
@@ -49,11 +51,12 @@ SlipRow slip_row(const BallModel& m, const BallSite& site, std::size_t j,
                                 p.a[2] * p.e[0] - p.a[0] * p.e[2],
                                 p.a[0] * p.e[1] - p.a[1] * p.e[0]};
   const Azimuthal major_axis = to_azimuthal(site, major);
-  const double rho = m.surface_radius[j];
-  const double ball = m.groove.ball_radius;
+  const BallSeat& seat = m.seat(site.own);
+  const double rho = seat.surface_radius[j];
+  const double ball = seat.groove.ball_radius;
   const double a2 = a_half * a_half;
   const double height = a2 / (rho + std::sqrt(rho * rho - a2)) + std::sqrt(ball * ball - a2);
-  const double arm = p.eta + m.groove.centre_radius[j];
+  const double arm = p.eta + seat.groove.centre_radius[j];
   SlipRow row;
   row.coefficients << -r * to_azimuthal(site, t).theta, height * major_axis.x,
       height * major_axis.r;
@@ -68,6 +71,7 @@ void report_speeds(const BallModel& m, const BallSite& site, const BallForces<do
   if (!m.moving) {
     return;
   }
+  const BallSeat& seat = m.seat(site.own);
   const bool outer = f.contact[0].load > 0.0;
   const bool inner = f.contact[1].load > 0.0;
   if (outer && inner && !m.per_ball_speeds) {
@@ -87,8 +91,9 @@ void report_speeds(const BallModel& m, const BallSite& site, const BallForces<do
     s.omega_x = s.orbital_speed;
     if (outer) {
       const Direction<double> straight{0.0, 1.0};
-      const double spin = (f.orbital - m.race_speed[0]) * (1.0 + m.gamma * f.contact[0].alpha.cos) /
-                          (m.gamma * cos_between(straight, f.contact[0].alpha));
+      const double spin = (f.orbital - m.race_speed[0]) *
+                          (1.0 + seat.gamma * f.contact[0].alpha.cos) /
+                          (seat.gamma * cos_between(straight, f.contact[0].alpha));
       s.spin_speed = spin;
       s.omega_x = f.orbital - spin;
       if (m.exact) {
@@ -103,7 +108,7 @@ void report_speeds(const BallModel& m, const BallSite& site, const BallForces<do
   s.spin_speed = f.spin;
   s.omega_x = f.orbital - f.spin * f.beta.cos;
   s.omega_r = f.spin * f.beta.sin;
-  if (!m.exact || s.Q[1] < m.window) {
+  if (!m.exact || s.Q[1] < seat.window) {
     return;
   }
   Eigen::Matrix3d A;
@@ -131,8 +136,8 @@ void report_speeds(const BallModel& m, const BallSite& site, const BallForces<do
 }
 
 /// N94: far edge against the shoulder, near edge against the groove-centre plane.
-void report_edges(const BallModel& m, std::size_t j, StaticBall& s) {
-  const double radius = m.groove.groove_radius[j];
+void report_edges(const BallModel& m, const BallSeat& seat, std::size_t j, StaticBall& s) {
+  const double radius = seat.groove.groove_radius[j];
   const double alpha = std::abs(s.alpha[j]);
   const double half_angle = s.a[j] / radius;
   const double shoulder = 0.5 * m.balls.shoulder_diameter[j];
@@ -141,24 +146,29 @@ void report_edges(const BallModel& m, std::size_t j, StaticBall& s) {
   if (shoulder > 0.0) {
     const double sign = j == 0 ? 1.0 : -1.0;
     s.shoulder_depth[j] =
-        radius * std::cos(alpha + half_angle) + sign * (m.groove.centre_radius[j] - shoulder);
+        radius * std::cos(alpha + half_angle) + sign * (seat.groove.centre_radius[j] - shoulder);
   }
 }
 
-std::string ball_list(const std::vector<std::size_t>& numbers) {
-  std::string text;
-  for (std::size_t k = 0; k < numbers.size();) {
-    std::size_t last = k;
-    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) {
-      ++last;
-    }
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", numbers[k]);
-    if (last > k) {
-      text += fmt::format("-{}", numbers[last]);
-    }
-    k = last + 1;
+/// Gap between the ball and the other half of a split race. A shim g ground off shifts the arcs of
+/// the halves by g against each other, towards and past the split, which stands g/2 from the arc
+/// centre in use on the side of the contact. Where the ball's nearest point of the other arc would
+/// lie beyond the split, the ridge is the nearest.
+double gap_to_other_half(const BallModel& m, const BallSeat& seat, std::size_t j,
+                         const GroovePosition<double>& p) {
+  const double shim = m.balls.shim[j];
+  if (!(shim > 0.0)) {
+    return kNone;
   }
-  return fmt::format("{} {}", numbers.size() == 1 ? "ball" : "balls", text);
+  const double radius = seat.groove.groove_radius[j];
+  const double towards = std::abs(p.xi);  // along the axis, to the side of the contact
+  const double from_other = towards - shim;
+  const double length = std::hypot(from_other, p.eta);
+  if (radius * from_other < -0.5 * shim * length) {
+    return seat.groove.offset[j] - length;
+  }
+  const double ridge = std::sqrt(radius * radius - 0.25 * shim * shim);
+  return std::hypot(towards - 0.5 * shim, std::abs(p.eta) - ridge) - seat.groove.ball_radius;
 }
 
 template <class Predicate>
@@ -172,11 +182,49 @@ std::vector<std::size_t> balls_that(const std::vector<StaticBall>& balls, Predic
   return numbers;
 }
 
+/// Only one half of a split race is modelled: where the other one may have a say.
+void note_split_race(const BallModel& m, std::size_t j, const std::vector<StaticBall>& balls,
+                     std::vector<std::string>& notes) {
+  const double half_shim = 0.5 * m.balls.shim[j];
+  if (!(half_shim > 0.0)) {
+    return;
+  }
+  const auto dual = balls_that(balls, [&](const StaticBall& b) { return b.other_half[j] < 0.0; });
+  if (!dual.empty()) {
+    double deepest = 0.0;
+    for (const StaticBall& b : balls) {
+      deepest = std::max(deepest, -b.other_half[j]);  // NaN compares false
+    }
+    notes.push_back(fmt::format(
+        "{}: dual contact; the other half of the split {} race is touched too (by up to {:.3g} m), "
+        "and the solution has only one contact per ball and race",
+        number_list(dual, "ball"), kRaceName[j], deepest));
+  }
+  const auto across = balls_that(balls, [&](const StaticBall& b) {
+    return b.inner_chord[j] < half_shim && !(b.other_half[j] < 0.0);
+  });
+  if (!across.empty()) {
+    notes.push_back(fmt::format(
+        "{}: the contact ellipse reaches the split of the {} race, so dual contact is possible; "
+        "only one contact is modelled",
+        number_list(across, "ball"), kRaceName[j]));
+  }
+  const auto forward = balls_that(balls, [&](const StaticBall& b) { return b.alpha[j] > 0.0; });
+  const auto backward = balls_that(balls, [&](const StaticBall& b) { return b.alpha[j] < 0.0; });
+  if (!forward.empty() && !backward.empty()) {
+    notes.push_back(fmt::format(
+        "the balls touch both halves of the split {} race, {} the one and {} the other; the "
+        "solution takes one circular groove, whose axial play is larger by the shim",
+        kRaceName[j], number_list(forward, "ball"), number_list(backward, "ball")));
+  }
+}
+
 }  // namespace
 
 StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const BallState& ball) {
   StaticBall s;
   const BallSite& site = ball.site;
+  const BallSeat& seat = m.seat(site.own);
   const auto f = ball_forces<double>(m, site, ball.x, ball.rho, inner_pose<double>(m, q));
   s.x = ball.x;
   s.r = 0.5 * m.balls.pitch_diameter + ball.rho;
@@ -193,7 +241,8 @@ StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const
     s.spin_roll[j] = kNone;
     s.shoulder_depth[j] = kNone;
     s.inner_chord[j] = kNone;
-    const contact::HertzConstants hertz = m.hertz[j].at(loaded ? alpha : m.balls.contact_angle);
+    s.other_half[j] = kNone;
+    const contact::HertzConstants hertz = seat.hertz[j].at(loaded ? alpha : m.balls.contact_angle);
     s.K[j] = hertz.K;
     if (!loaded) {
       continue;
@@ -204,7 +253,8 @@ StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const
     s.b[j] = hertz.b_hat * cube_root;
     s.p_max[j] = 1.5 * c.load / (std::numbers::pi * s.a[j] * s.b[j]);
     capacity[j] = c.load * s.a[j] * hertz.E_integral;
-    report_edges(m, j, s);
+    report_edges(m, seat, j, s);
+    s.other_half[j] = gap_to_other_half(m, seat, j, f.position[j]);
   }
   s.edge = {s.shoulder_depth[0], s.inner_chord[1]};
   s.orbital_speed = f.orbital;
@@ -218,12 +268,12 @@ StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const
     s.race_control_ratio = capacity[0] * cos_between(inner, outer) / capacity[1];
     if (m.moving) {
       const Direction<double> beta{std::sin(s.pitch_angle), std::cos(s.pitch_angle)};
-      s.spin_roll[0] = m.gamma * outer.sin - (1.0 + m.gamma * outer.cos) *
-                                                 sin_between(outer, beta) /
-                                                 cos_between(outer, beta);
-      s.spin_roll[1] = m.gamma * inner.sin + (1.0 - m.gamma * inner.cos) *
-                                                 sin_between(inner, beta) /
-                                                 cos_between(inner, beta);
+      s.spin_roll[0] = seat.gamma * outer.sin - (1.0 + seat.gamma * outer.cos) *
+                                                    sin_between(outer, beta) /
+                                                    cos_between(outer, beta);
+      s.spin_roll[1] = seat.gamma * inner.sin + (1.0 - seat.gamma * inner.cos) *
+                                                    sin_between(inner, beta) /
+                                                    cos_between(inner, beta);
     }
   }
   return s;
@@ -234,20 +284,22 @@ std::vector<std::string> report_notes(const BallModel& m, const std::vector<Stat
   const auto outer_only =
       balls_that(balls, [](const StaticBall& b) { return b.Q[0] > 0.0 && !b.inner_contact; });
   if (!outer_only.empty()) {
-    notes.push_back(fmt::format("{}: contact with the outer race only", ball_list(outer_only)));
+    notes.push_back(
+        fmt::format("{}: contact with the outer race only", number_list(outer_only, "ball")));
   }
   const auto unloaded =
       balls_that(balls, [](const StaticBall& b) { return b.Q[0] == 0.0 && b.Q[1] == 0.0; });
   if (!unloaded.empty()) {
-    notes.push_back(fmt::format("{}: no load", ball_list(unloaded)));
+    notes.push_back(fmt::format("{}: no load", number_list(unloaded, "ball")));
   }
   const auto steep = balls_that(balls, [](const StaticBall& b) {
     return std::abs(b.alpha[0]) > 0.5 * std::numbers::pi ||
            std::abs(b.alpha[1]) > 0.5 * std::numbers::pi;
   });
   if (!steep.empty()) {
-    notes.push_back(fmt::format(
-        "{}: a contact angle beyond 90 degrees, which no real groove offers", ball_list(steep)));
+    notes.push_back(
+        fmt::format("{}: a contact angle beyond 90 degrees, which no real groove offers",
+                    number_list(steep, "ball")));
   }
   for (std::size_t j = 0; j < 2; ++j) {
     const auto over =
@@ -255,19 +307,9 @@ std::vector<std::string> report_notes(const BallModel& m, const std::vector<Stat
     if (!over.empty()) {
       notes.push_back(
           fmt::format("{}: the contact ellipse reaches over the shoulder of the {} race",
-                      ball_list(over), kRaceName[j]));
+                      number_list(over, "ball"), kRaceName[j]));
     }
-    const double half_shim = 0.5 * m.balls.shim[j];
-    if (half_shim > 0.0) {
-      const auto across =
-          balls_that(balls, [&](const StaticBall& b) { return b.inner_chord[j] < half_shim; });
-      if (!across.empty()) {
-        notes.push_back(
-            fmt::format("{}: the contact ellipse reaches the split of the {} race, so both arches "
-                        "may be touched; only one is modelled",
-                        ball_list(across), kRaceName[j]));
-      }
-    }
+    note_split_race(m, j, balls, notes);
   }
   return notes;
 }

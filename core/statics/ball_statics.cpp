@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "statics/ball_race.hpp"
 #include "statics/ball_report.hpp"
+#include "statics/race_text.hpp"
 #include "statics/stiffness_difference.hpp"
 
 #include <fmt/format.h>
@@ -14,36 +15,7 @@
 namespace adore::statics {
 namespace {
 
-constexpr std::array<const char*, 5> kDirection{"along x", "along y", "along z", "about y",
-                                                "about z"};
-
 std::array<double, 5> to_array(const Vec5& v) { return {v(0), v(1), v(2), v(3), v(4)}; }
-
-RaceTask make_task(const bearing::StaticConstraints& constraints) {
-  RaceTask task;
-  task.given = constraints.displacement_given;
-  for (std::size_t k = 0; k < 5; ++k) {
-    if (!std::isfinite(constraints.load[k]) || !std::isfinite(constraints.displacement[k])) {
-      throw InputError(fmt::format(
-          "bearing equilibrium: the load {} or displacement {} {} is not a finite number",
-          constraints.load[k], constraints.displacement[k], kDirection[k]));
-    }
-    task.load(static_cast<Eigen::Index>(k)) = constraints.load[k];
-  }
-  return task;
-}
-
-std::string load_text(const RaceTask& task) {
-  std::string text;
-  for (std::size_t k = 0; k < 5; ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    if (!task.given[k] && task.load(i) != 0.0) {
-      text += fmt::format("{}{:.6g} {} {}", text.empty() ? "" : ", ", task.load(i),
-                          k < 3 ? "N" : "N m", kDirection[k]);
-    }
-  }
-  return text.empty() ? "no load" : text;
-}
 
 double steepest_contact_angle(const BallModel& m, const BallRace& state) {
   const auto pose = inner_pose<double>(m, to_array(state.q));
@@ -227,6 +199,21 @@ void check_rolling(const BallModel& m, const BallRace& state) {
   }
 }
 
+/// All balls unsolved, the race at q.
+BallRace balls_at(const BallModel& model, const SpinLaw& law, const Vec5& q) {
+  BallRace state;
+  state.q = q;
+  for (std::size_t k = 0; k < model.azimuth.size(); ++k) {
+    BallState ball;
+    ball.site.sin = std::sin(model.azimuth[k]);
+    ball.site.cos = std::cos(model.azimuth[k]);
+    ball.site.own = model.own_number.empty() ? 0 : model.own_number[k];
+    ball.site.law = law;
+    state.elements.push_back(ball);
+  }
+  return state;
+}
+
 void fill_summary(const BallModel& m, StaticSolution& s) {
   double heaviest = -1.0;
   for (const StaticBall& ball : s.balls) {
@@ -252,24 +239,25 @@ void fill_summary(const BallModel& m, StaticSolution& s) {
 
 StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const StaticsOptions& options) {
   BallModel model = make_ball_model(bearing, options);
-  const RaceTask task = make_task(bearing.constraints);
+  const RaceTask task = race_task(bearing.constraints);
   Vec5 given;
   for (Eigen::Index k = 0; k < 5; ++k) {
     given(k) = bearing.constraints.displacement[static_cast<std::size_t>(k)];
   }
-  BallRace state;
-  state.q = options.warm_start ? given : first_guess(model, task, given);
   const SpinLaw law = first_spin_law(bearing, options);
-  for (double azimuth : model.azimuth) {
-    BallState ball;
-    ball.site.sin = std::sin(azimuth);
-    ball.site.cos = std::cos(azimuth);
-    ball.site.law = law;
-    state.elements.push_back(ball);
-  }
+  BallRace state =
+      balls_at(model, law, options.warm_start ? given : first_guess(model, task, given));
 
   StaticSolution solution;
   Staged staged = solve_in_stages(model, task, state, true);
+  const Vec5 nothing_guessed = given_only(task, given);
+  if (staged.reached < 1.0 && (options.warm_start || nothing_guessed != given)) {
+    state = balls_at(model, law, first_guess(model, task, nothing_guessed));
+    staged = solve_in_stages(model, task, state, true);
+    solution.notes.push_back(
+        "no equilibrium was found from the first guess of the displacement; this one was found "
+        "without it");
+  }
   if (staged.reached < 1.0) {
     give_up(model, task, staged.solve, state, staged.reached);
   }
@@ -289,11 +277,13 @@ StaticSolution solve_ball_statics(const bearing::Bearing& bearing, const Statics
     solution.balls.push_back(report_ball(model, solution.displacement, state.elements[k]));
     solution.balls.back().azimuth = model.azimuth[k];
   }
-  for (int k : solve.held) {
-    solution.notes.push_back(
-        fmt::format("nothing holds or loads the inner race {}: it stays at {:.6g} {}",
-                    kDirection[static_cast<std::size_t>(k)],
-                    solution.displacement[static_cast<std::size_t>(k)], k < 3 ? "m" : "rad"));
+  for (std::string& note : held_notes(solve.held, solution.displacement)) {
+    solution.notes.push_back(std::move(note));
+  }
+  const double k_ref = reference_stiffness(model, std::max(state.largest_contact, 1e-300));
+  if (const UnstableMode mode = unstable_mode(race_scales(model), task, state.stiffness, k_ref)) {
+    solution.other_equilibria = equilibria_beside(model, task, state, mode);
+    solution.notes.push_back(instability_note(mode, solution.other_equilibria));
   }
   for (std::string& note : report_notes(model, solution.balls)) {
     solution.notes.push_back(std::move(note));

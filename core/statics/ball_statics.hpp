@@ -68,8 +68,11 @@ struct StaticBall {
                                            ///< shoulder [m]; NaN without shoulder or load
   std::array<double, 2> inner_chord{};     ///< t per race: groove-centre plane to the near contact
                                            ///< edge [m]; NaN unloaded
-  std::array<double, 2> K{};               ///< Hertz constants in use [N m^-1.5]
-  double orbital_speed = 0.0;              ///< ω_m [rad/s]
+  std::array<double, 2> other_half{};  ///< per split race: gap between the ball and the half that
+                                       ///< its contact is not on [m], < 0: it touches both;
+                                       ///< NaN: not split, or unloaded
+  std::array<double, 2> K{};           ///< Hertz constants in use [N m^-1.5]
+  double orbital_speed = 0.0;          ///< ω_m [rad/s]
   double omega_x = 0.0, omega_r = 0.0,
          omega_theta = 0.0;        ///< ABSOLUTE angular velocity on (e_x, e_r, e_θ) [rad/s]
   double centrifugal_force = 0.0;  ///< [N]

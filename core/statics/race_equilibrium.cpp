@@ -1,7 +1,10 @@
 #include "statics/race_equilibrium.hpp"
 
+#include "statics/race_text.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <fmt/format.h>
 
 namespace adore::statics {
 namespace {
@@ -37,10 +40,11 @@ Mat5 scaled_stiffness(const RaceScales& scales, const RaceTask& task, const Mat5
   return K;
 }
 
-RaceStep newton_step(const Mat5& K, const Vec5& r, double k_ref, double force, double longest) {
+RaceStep newton_step(const Mat5& K, const Vec5& r, double k_ref, double force, double longest,
+                     bool downhill) {
   RaceStep step;
   const Eigen::PartialPivLU<Mat5> lu(K);
-  if (lu.matrixLU().diagonal().cwiseAbs().minCoeff() > 1e-7 * k_ref) {
+  if (!downhill && lu.matrixLU().diagonal().cwiseAbs().minCoeff() > 1e-7 * k_ref) {
     step.direction = lu.solve(r);
     return step;
   }
@@ -90,6 +94,50 @@ double force_scale(const RaceScales& scales, const RaceTask& task, double larges
     }
   }
   return scale > 0.0 ? scale : std::max(largest_contact, scales.idle_load);
+}
+
+Vec5 given_only(const RaceTask& task, const Vec5& displacement) {
+  Vec5 q = displacement;
+  for (Eigen::Index k = 0; k < 5; ++k) {
+    if (!is_given(task, k)) {
+      q(k) = 0.0;
+    }
+  }
+  return q;
+}
+
+UnstableMode unstable_mode(const RaceScales& scales, const RaceTask& task, const Mat5& stiffness,
+                           double k_ref) {
+  const Mat5 K = scaled_stiffness(scales, task, stiffness, k_ref);
+  const Eigen::SelfAdjointEigenSolver<Mat5> eigen(0.5 * (K + K.transpose()));
+  UnstableMode mode;
+  if (eigen.eigenvalues()(0) < -1e-6 * k_ref) {
+    mode.stiffness = eigen.eigenvalues()(0);
+    mode.direction = eigen.eigenvectors().col(0);
+  }
+  return mode;
+}
+
+std::string instability_note(const UnstableMode& mode,
+                             const std::vector<std::array<double, 5>>& stable_ones) {
+  Eigen::Index largest = 0;
+  mode.direction.cwiseAbs().maxCoeff(&largest);
+  std::string text = fmt::format(
+      "this equilibrium is not stable: the stiffness of the inner race mainly {} is negative "
+      "({:.3g} N/m), so that a disturbance grows; prescribe that displacement if the shaft holds "
+      "it. ",
+      kDirection[static_cast<std::size_t>(largest)], mode.stiffness);
+  if (stable_ones.empty()) {
+    return text + "No stable equilibrium was found beside it";
+  }
+  text +=
+      stable_ones.size() == 1 ? "A stable equilibrium beside it:" : "Stable equilibria beside it:";
+  for (std::size_t k = 0; k < stable_ones.size(); ++k) {
+    const auto& q = stable_ones[k];
+    text += fmt::format("{} x, y, z = {:.4g}, {:.4g}, {:.4g} m, about y, z = {:.4g}, {:.4g} rad",
+                        k == 0 ? "" : ";", q[0], q[1], q[2], q[3], q[4]);
+  }
+  return text;
 }
 
 }  // namespace adore::statics

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -76,9 +77,11 @@ struct RaceStep {
 };
 
 /// Newton step, or its replacement where the stiffness is singular: unloaded modes stay, loaded
-/// ones walk along the load by `longest`.
+/// ones walk along the load by `longest`. `downhill`: by the modes of the symmetric part, each
+/// along its load even where its stiffness is negative, so that the step leads away from an
+/// unstable equilibrium.
 [[nodiscard]] RaceStep newton_step(const Mat5& K, const Vec5& r, double k_ref, double force,
-                                   double longest);
+                                   double longest, bool downhill = false);
 
 /// q + t direction, the direction being in scaled coordinates.
 [[nodiscard]] Vec5 moved(const RaceScales& scales, const Vec5& q, const Vec5& direction, double t);
@@ -89,6 +92,24 @@ struct RaceStep {
 /// loads.
 [[nodiscard]] double force_scale(const RaceScales& scales, const RaceTask& task,
                                  double largest_contact);
+
+/// The displacement where it is given, 0 elsewhere: no guess.
+[[nodiscard]] Vec5 given_only(const RaceTask& task, const Vec5& displacement);
+
+/// A mode of negative stiffness: a disturbance along it grows.
+struct UnstableMode {
+  double stiffness = 0.0;         ///< [N/m], < 0; 0: the free directions are stable
+  Vec5 direction = Vec5::Zero();  ///< scaled
+  [[nodiscard]] explicit operator bool() const { return stiffness < 0.0; }
+};
+/// The lowest eigenvalue of the symmetric part of the free directions' stiffness, if it lies below
+/// -1e-6 of the reference.
+[[nodiscard]] UnstableMode unstable_mode(const RaceScales& scales, const RaceTask& task,
+                                         const Mat5& stiffness, double k_ref);
+
+/// What PRINT.txt says of an unstable equilibrium and of the stable ones beside it.
+[[nodiscard]] std::string instability_note(const UnstableMode& mode,
+                                           const std::vector<std::array<double, 5>>& stable_ones);
 
 enum class RaceSearch : unsigned char { Accepted, NoProgress, ElementFailed, RanAway };
 
@@ -158,9 +179,11 @@ RaceSearch reduce(const Set& set, const RaceScales& scales, const RaceTask& task
 /// Newton on the free directions from state.q. Where the race load has a potential (convex for
 /// contacts that only push), a line search on the directional derivative converges from anywhere;
 /// otherwise steps must reduce the residual. Directions without stiffness are left alone when
-/// unloaded and walked along the load, a longest step at a time, until elements touch.
+/// unloaded and walked along the load, a longest step at a time, until elements touch. `downhill`:
+/// steps follow the load along every mode, to a stable equilibrium.
 template <class Set, class State>
-RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double target = 1e-12) {
+RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double target = 1e-12,
+                     bool downhill = false) {
   RaceSolve result;
   if (!update_race(set, Vec5(state.q), state)) {
     result.element_failed = true;
@@ -172,7 +195,7 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
   }
   const RaceScales scales = race_scales(set);
   const bool conservative = is_conservative(set);
-  constexpr int kIterations = 80;
+  constexpr int kIterations = 200;  // a race that nothing holds walks out of reach in fewer
   double previous_size = -1.0;
   for (int n = 0; n <= kIterations; ++n) {
     const Vec5 r = scaled_residual(scales, task, state.load);
@@ -182,7 +205,7 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
     result.residual = r.cwiseAbs().maxCoeff() / floor;
     const double k_ref = reference_stiffness(set, floor);
     const Mat5 K = scaled_stiffness(scales, task, state.stiffness, k_ref);
-    RaceStep step = newton_step(K, r, k_ref, force, scales.longest_step);
+    RaceStep step = newton_step(K, r, k_ref, force, scales.longest_step, downhill);
     // What the rounding of positions of the size of the bearing does to the forces.
     const double noise = 2e-16 * scales.size * K.diagonal().cwiseAbs().maxCoeff() / floor;
     const bool small = result.residual <= std::max(target, noise);
@@ -203,7 +226,7 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
     }
 
     State trial;
-    const RaceSearch search = conservative
+    const RaceSearch search = conservative || downhill
                                   ? descend(set, scales, task, state, r, step.direction, trial)
                                   : reduce(set, scales, task, state, r, step.direction, trial);
     if (search != RaceSearch::Accepted) {
@@ -215,6 +238,35 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
     state = std::move(trial);
   }
   return result;
+}
+
+/// Looks for stable equilibria on both sides of an unstable one: a step along the mode, downhill
+/// from there, then Newton. Both sides are often mirror images.
+template <class Set, class State>
+std::vector<std::array<double, 5>> equilibria_beside(const Set& set, const RaceTask& task,
+                                                     const State& state, const UnstableMode& mode) {
+  std::vector<std::array<double, 5>> found;
+  const RaceScales scales = race_scales(set);
+  const auto far = [&](const Vec5& a, const Vec5& b) {
+    const Vec5 d = a - b;
+    return d.head<3>().norm() + scales.lever * d.tail<2>().norm() > 1e-4 * scales.longest_step;
+  };
+  for (const double side : {1.0, -1.0}) {
+    State trial = state;
+    const Vec5 start = moved(scales, state.q, mode.direction, 0.25 * side * scales.longest_step);
+    if (!update_race(set, start, trial)) {
+      continue;
+    }
+    if (!solve_race(set, task, trial, 1e-4, true).converged ||
+        !solve_race(set, task, trial).converged || !far(trial.q, state.q)) {
+      continue;
+    }
+    const double k_ref = reference_stiffness(set, std::max(trial.largest_contact, 1e-300));
+    if (!unstable_mode(scales, task, trial.stiffness, k_ref)) {
+      found.push_back({trial.q(0), trial.q(1), trial.q(2), trial.q(3), trial.q(4)});
+    }
+  }
+  return found;
 }
 
 }  // namespace adore::statics

@@ -27,6 +27,9 @@ struct RaceResult {
   /// The same by displacing the race (stiffness_difference.hpp); only where it was asked for.
   std::optional<Eigen::Matrix<double, 5, 5>> stiffness_by_difference;
   double difference_step = 0.0;  ///< of that displacement [m]
+  /// Stable equilibria found beside an unstable one (displacement as above); empty when the
+  /// equilibrium is stable, or when nothing was found.
+  std::vector<std::array<double, 5>> other_equilibria;
   int iterations = 0;
   double residual = 0.0;  ///< largest force residual over the load scale
   std::vector<std::string>

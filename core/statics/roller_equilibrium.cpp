@@ -46,9 +46,21 @@ Roller roller_at(const RollerModel& m, const RollerState& at) {
 struct Relative {
   T3 d, A, e, y;
   D x, r, t, f;
+  D seen;             ///< r less what a race that is not round has grown where the roller is now
+  double lean = 0.0;  ///< dR/dψ of that race
 };
 
-Relative relative(const Roller& roller, const RollerState& at, const RacePlace<D>& race) {
+/// A race that is not round: `ahead` is the azimuth of the roller in it minus that of its body.
+void look_from(const RollerBody& body, std::size_t j, const D& ahead, Relative& out) {
+  out.seen = out.r;
+  if (j == 1 && body.inner_slope != 0.0) {
+    out.lean = body.inner_slope;
+    out.seen = out.r - body.inner_slope * ahead;
+  }
+}
+
+Relative relative(const Roller& roller, const RollerState& at, const RacePlace<D>& race,
+                  const RollerBody& body, std::size_t j) {
   Relative out;
   out.d = minus(roller.centre, to_azimuth(race.centre, at));
   out.A = to_azimuth(race.axis, at);
@@ -60,18 +72,21 @@ Relative relative(const Roller& roller, const RollerState& at, const RacePlace<D
   out.y = cross(out.e, out.A);
   out.t = dot(roller.axis, out.e);
   out.f = dot(roller.axis, out.y);
+  look_from(body, j, -out.e[1], out);
   return out;
 }
 
 /// First order (reference family D): x' = x - q_x, r' = r - w, t = θ - g, w = z cos ψ - y sin ψ, g
 /// =
 /// -(θ_y cos ψ + θ_z sin ψ).
-Relative linear_relative(const Roller& roller, const RollerState& at, const RacePlace<D>& race) {
+Relative linear_relative(const Roller& roller, const RollerState& at, const RacePlace<D>& race,
+                         const RollerBody& body, std::size_t j) {
   Relative out;
   const auto& q = race.q;
   out.x = roller.centre[0] - q[0];
   out.r = roller.centre[2] - (q[2] * at.cos - q[1] * at.sin);
-  out.t = roller.axis[2] + (q[3] * at.cos + q[4] * at.sin);
+  out.t = D::variable(at.e(2), 2) + (q[3] * at.cos + q[4] * at.sin);
+  look_from(body, j, (q[1] * at.cos + q[2] * at.sin) / out.r, out);
   return out;
 }
 
@@ -90,7 +105,7 @@ PairPotential potential(const RollerModel& m, const RollerBody& body, std::size_
 
 /// Gradient of U as dual numbers of roller and race coordinates.
 std::array<D, 4> dual_gradient(const PairPotential& u, const Relative& at) {
-  const std::array<const D*, 4> p{&at.x, &at.r, &at.t, &at.f};
+  const std::array<const D*, 4> p{&at.x, &at.seen, &at.t, &at.f};
   std::array<D, 4> g;
   for (std::size_t i = 0; i < 4; ++i) {
     g[i].v = u.gradient(static_cast<Eigen::Index>(i));
@@ -104,9 +119,10 @@ std::array<D, 4> dual_gradient(const PairPotential& u, const Relative& at) {
   return g;
 }
 
-Vec4 values(const Relative& at) { return {at.x.v, at.r.v, at.t.v, at.f.v}; }
+Vec4 values(const Relative& at) { return {at.x.v, at.seen.v, at.t.v, at.f.v}; }
 
-void add_linear(const std::array<D, 4>& g, const RollerState& at, bool inner, RollerForces& sum) {
+void add_linear(const std::array<D, 4>& g, const Relative& rel, const RollerState& at, bool inner,
+                RollerForces& sum) {
   sum.residual[0] += -g[0];
   sum.residual[1] += -g[1];
   sum.residual[2] += -g[2];
@@ -116,12 +132,20 @@ void add_linear(const std::array<D, 4>& g, const RollerState& at, bool inner, Ro
     sum.load[2] += -g[1] * at.cos;
     sum.load[3] += g[2] * at.cos;
     sum.load[4] += g[2] * at.sin;
+    if (rel.lean != 0.0) {
+      const D sideways = rel.lean * g[1] / rel.r;
+      sum.load[1] += -(sideways * at.cos);
+      sum.load[2] += -(sideways * at.sin);
+    }
   }
 }
 
 void add_exact(const std::array<D, 4>& g, const Roller& roller, const Relative& rel,
                const RollerState& at, bool inner, RollerForces& sum) {
-  const D side = (g[2] * rel.f - g[3] * rel.t) / rel.r;
+  D side = (g[2] * rel.f - g[3] * rel.t) / rel.r;
+  if (rel.lean != 0.0) {
+    side += rel.lean * g[1] / rel.r;
+  }
   T3 force;
   T3 turning;  // v of M = -a × v
   for (std::size_t k = 0; k < 3; ++k) {
@@ -317,8 +341,10 @@ RacePlace<RollerDual> inner_place(const Vec5& q) {
 Vec4 relative_pose(const RollerModel& m, const RollerState& at, std::size_t j,
                    const RacePair& races) {
   const Roller roller = roller_at(m, at);
+  const RollerBody& body = m.body(at.number);
   const auto& race = j == 0 ? races.outer : races.inner;
-  return values(m.linear ? linear_relative(roller, at, race) : relative(roller, at, race));
+  return values(m.linear ? linear_relative(roller, at, race, body, j)
+                         : relative(roller, at, race, body, j));
 }
 
 RollerForces roller_forces(const RollerModel& m, const RollerState& at, const RacePair& races,
@@ -328,7 +354,8 @@ RollerForces roller_forces(const RollerModel& m, const RollerState& at, const Ra
   const RollerBody& body = m.body(at.number);
   for (std::size_t j = 0; j < 2; ++j) {
     const RacePlace<D>& race = j == 0 ? races.outer : races.inner;
-    const Relative rel = m.linear ? linear_relative(roller, at, race) : relative(roller, at, race);
+    const Relative rel =
+        m.linear ? linear_relative(roller, at, race, body, j) : relative(roller, at, race, body, j);
     const Vec4 p = values(rel);
     PairPotential u = potential(m, body, j, p);
     const double of_race = u.total;
@@ -345,7 +372,7 @@ RollerForces roller_forces(const RollerModel& m, const RollerState& at, const Ra
     }
     const auto g = dual_gradient(u, rel);
     if (m.linear) {
-      add_linear(g, at, j == 1, sum);
+      add_linear(g, rel, at, j == 1, sum);
     } else {
       add_exact(g, roller, rel, at, j == 1, sum);
     }

@@ -15,8 +15,11 @@
 /// c, axis A): d = C - c, x' = d·A, r' e = d - x'A, y' = e × A, t = a·e, f = a·y'. From U(x', r',
 /// t, f) the force and the moment about C on the roller are  [derived]
 ///   F = -(U_x A + U_r e + (U_t f - U_f t)/r' y'),   M = -a × (U_t e + U_f y').
-/// Equilibrium: F_x = 0, F_r + F_c = 0, and about y: M_C - M_G(F_c) = gyroscopic moment. Force on
-/// the inner race's shaft side: F and M + d × F about the race's reference point.
+/// An inner race that is not round has R(ψ) = R + R' (ψ - ψ_k) near roller k: U at r' - R' (ψ -
+/// ψ_k), so that its normals lean and push sideways. The slope of the outer race pushes the roller
+/// against its cage, which has no effect here. Equilibrium: F_x = 0, F_r + F_c = 0, and about y:
+/// M_C - M_G(F_c) = gyroscopic moment. Force on the inner race's shaft side: F and M + d × F about
+/// the race's reference point.
 namespace adore::statics {
 
 /// Derivatives over the roller (0: x, 1: r, 2: tilt) and the inner race (3-7).

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "contact/hertz.hpp"
+#include "contact/race_errors.hpp"
 #include "contact/roller_shape.hpp"
 
 #include <fmt/format.h>
@@ -94,25 +95,48 @@ contact::RollerProfile profile_of(const bearing::RollerGeometry& g, std::size_t 
 
 /// Hertz constant of a barrel at mid contact: rolling direction 1/ρ and the race's radius over cos
 /// α, along the roller the crown in the groove.
-double point_constant(const RollerModel& m, std::size_t j, const contact::RollerProfile& p) {
+double point_constant(const RollerModel& m, std::size_t j, const contact::RollerProfile& p,
+                      const contact::RaceSurface& race) {
   const auto& g = m.rollers;
   const double cosine = std::cos(g.race_angle[j]);
   const double race_radius = g.race_radius(static_cast<int>(j)) / cosine;
   const double rolling =
       2.0 / p.diameter * std::cos(p.half_angle) + (j == 0 ? -1.0 : 1.0) / race_radius;
-  const double along = 1.0 / p.crown_radius - 1.0 / m.race[j].groove_radius;
+  const double along = 1.0 / p.crown_radius - 1.0 / race.groove_radius;
   if (!(along > 0.0)) {
     refuse(fmt::format(
         "point contact needs a crown that is rounder than the groove; here the crown radius is "
         "{:.6g} m and the groove radius {:.6g} m",
-        p.crown_radius, m.race[j].groove_radius));
+        p.crown_radius, race.groove_radius));
   }
   const auto [low, high] = std::minmax(rolling, along);
   return contact::hertz_constants({low, high}, m.E_star[j]).K;
 }
 
-RollerBody body_of(const RollerModel& m, std::size_t roller) {
+/// Both races as they are at one azimuth.
+void place_races(const RollerModel& m, const bearing::Imperfections& errors, double psi,
+                 RollerBody& body) {
+  body.race = m.race;
+  for (std::size_t j = 0; j < 2; ++j) {
+    if (errors.race[j].ideal()) {
+      continue;
+    }
+    const contact::RaceSurface& ideal = m.race[j];
+    const contact::LocalRaceError e =
+        contact::race_error_at(errors.race[j], m.rollers.race_radius(static_cast<int>(j)), psi);
+    const std::array<double, 2> normal{
+        (ideal.mid_x - ideal.groove_x) / ideal.groove_radius,
+        (ideal.mid_r - ideal.groove_centre_radius) / ideal.groove_radius};  // of grooves only
+    body.race[j] = contact::race_with_error(ideal, e, 2.0 * m.rollers.crown_radius, normal);
+    if (j == bearing::kInner) {
+      body.inner_slope = e.radius_slope;
+    }
+  }
+}
+
+RollerBody body_of(const RollerModel& m, const bearing::Imperfections& errors, std::size_t roller) {
   RollerBody body;
+  place_races(m, errors, m.azimuth[roller], body);
   body.profile = profile_of(m.rollers, roller);
   body.slices = contact::roller_slices(body.profile, m.slicing);
   if (m.rollers.shape == bearing::RollerShape::Logarithmic) {
@@ -124,11 +148,11 @@ RollerBody body_of(const RollerModel& m, std::size_t roller) {
   if (m.contact == RollerContact::Point) {
     const auto& p = body.profile;
     for (std::size_t j = 0; j < 2; ++j) {
-      body.point[j].race = m.race[j];
+      body.point[j].race = body.race[j];
       body.point[j].race.groove_radius -= p.crown_radius;
       body.point[j].centre = {-p.crown_radius * std::sin(p.half_angle),
                               0.5 * p.diameter - p.crown_radius * std::cos(p.half_angle)};
-      body.point[j].K = point_constant(m, j, p);
+      body.point[j].K = point_constant(m, j, p, body.race[j]);
     }
   }
   body.flanges =
@@ -168,12 +192,14 @@ RollerModel make_roller_model(const bearing::Bearing& b, const RollerOptions& op
         options.line_constant > 0.0 ? options.line_constant : contact::line_constant(m.E_star[j]);
     m.law[j] = contact::power_law(m.line_constant[j], m.slicing.effective_length);
   }
-  const std::size_t bodies = g.deviation.empty() ? 1 : static_cast<std::size_t>(g.count);
-  for (std::size_t k = 0; k < bodies; ++k) {
-    m.bodies.push_back(body_of(m, k));
-  }
   for (int k = 0; k < g.count; ++k) {
     m.azimuth.push_back(options.first_azimuth + 2.0 * kPi * k / g.count);
+  }
+  const auto& errors = b.imperfections;
+  const bool ideal = g.deviation.empty() && errors.race[0].ideal() && errors.race[1].ideal();
+  const std::size_t bodies = ideal ? 1 : static_cast<std::size_t>(g.count);
+  for (std::size_t k = 0; k < bodies; ++k) {
+    m.bodies.push_back(body_of(m, errors, k));
   }
   m.race_speed = b.speed;
   m.outer_tilt = b.constraints.outer_misalignment;

@@ -12,10 +12,12 @@
 /// Constants of one quasi-static roller bearing problem: what all rollers share.
 namespace adore::statics {
 
-/// Shape of one roller, or of all when none deviates.
+/// Shape of one roller and of the races where it stands, or of all when nothing deviates.
 struct RollerBody {
   contact::RollerProfile profile;
   std::vector<contact::RollerSlice> slices;
+  std::array<contact::RaceSurface, 2> race;
+  double inner_slope = 0.0;         ///< dR/dψ of the inner race here [m/rad]
   std::array<PointSet, 2> point;    ///< RollerContact::Point
   std::vector<FlangePair> flanges;  ///< that this roller can touch
 };
@@ -25,7 +27,7 @@ struct RollerModel {
   RollerContact contact = RollerContact::Sliced;
   bool linear = false;
   contact::Slicing slicing;
-  std::array<contact::RaceSurface, 2> race;
+  std::array<contact::RaceSurface, 2> race;  ///< ideal
   std::array<contact::PowerLaw, 2> law;
   std::array<double, 2> E_star{};
   std::array<double, 2> line_constant{};  ///< K_l [N/m²]
@@ -48,10 +50,13 @@ struct RollerModel {
     return bodies[bodies.size() == 1 ? 0 : k];
   }
   [[nodiscard]] SliceSet slices(std::size_t j, const RollerBody& body) const {
-    return {race[j], body.slices, slicing.width, law[j]};
+    return {body.race[j], body.slices, slicing.width, law[j]};
   }
 };
 
+/// Imperfections: diameter, crown, length and land of each roller (RollerGeometry::deviation);
+/// races with the errors of their own azimuth under each roller (contact/race_errors.hpp), the
+/// inner one with its slope. Mass, spin and the places of flanges stay those of the ideal bearing.
 /// @throws InputError naming the value that makes no bearing.
 [[nodiscard]] RollerModel make_roller_model(const bearing::Bearing& bearing,
                                             const RollerOptions& options);

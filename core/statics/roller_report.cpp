@@ -1,6 +1,7 @@
 #include "statics/roller_report.hpp"
 
 #include "contact/hertz.hpp"
+#include "statics/race_text.hpp"
 
 #include <fmt/format.h>
 
@@ -107,7 +108,7 @@ RollerRaceContact point_contact(const RollerModel& m, const RollerBody& body, st
   const double rolling = 2.0 / g.diameter * std::cos(g.half_angle) +
                          (j == 0 ? -1.0 : 1.0) * std::cos(m.rollers.race_angle[j]) /
                              m.rollers.race_radius(static_cast<int>(j));
-  const double along_roller = 1.0 / g.crown_radius - 1.0 / m.race[j].groove_radius;
+  const double along_roller = 1.0 / g.crown_radius - 1.0 / body.race[j].groove_radius;
   const auto [low, high] = std::minmax(rolling, along_roller);
   const contact::HertzConstants h = contact::hertz_constants({low, high}, m.E_star[j]);
   const double root = std::cbrt(at.load);
@@ -120,22 +121,6 @@ RollerRaceContact point_contact(const RollerModel& m, const RollerBody& body, st
   out.at_edge =
       out.peak_position - a < start || out.peak_position + a > start + m.slicing.effective_length;
   return out;
-}
-
-std::string roller_list(const std::vector<std::size_t>& numbers) {
-  std::string text;
-  for (std::size_t k = 0; k < numbers.size();) {
-    std::size_t last = k;
-    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) {
-      ++last;
-    }
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", numbers[k]);
-    if (last > k) {
-      text += fmt::format("-{}", numbers[last]);
-    }
-    k = last + 1;
-  }
-  return fmt::format("{} {}", numbers.size() == 1 ? "roller" : "rollers", text);
 }
 
 class Notes {
@@ -151,7 +136,7 @@ class Notes {
       }
     }
     if (!numbers.empty()) {
-      notes_.push_back(fmt::format("{}: {}", roller_list(numbers),
+      notes_.push_back(fmt::format("{}: {}", number_list(numbers, "roller"),
                                    fmt::format(what, std::forward<Args>(args)...)));
     }
   }

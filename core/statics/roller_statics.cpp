@@ -1,6 +1,7 @@
 #include "statics/roller_statics.hpp"
 
 #include "base/errors.hpp"
+#include "statics/race_text.hpp"
 #include "statics/roller_report.hpp"
 #include "statics/stiffness_difference.hpp"
 
@@ -11,9 +12,6 @@
 
 namespace adore::statics {
 namespace {
-
-constexpr std::array<const char*, 5> kDirection{"along x", "along y", "along z", "about y",
-                                                "about z"};
 
 /// Radial closure of a race on its rollers under a load of one of them, in the direction of the
 /// contact.
@@ -64,20 +62,41 @@ Vec5 start_displacement(const RollerSolution& start, const RaceTask& task, const
   return q;
 }
 
-std::string load_text(const RaceTask& task) {
-  std::string text;
-  for (std::size_t k = 0; k < 5; ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    if (!task.given[k] && task.load(i) != 0.0) {
-      text += fmt::format("{}{:.6g} {} {}", text.empty() ? "" : ", ", task.load(i),
-                          k < 3 ? "N" : "N m", kDirection[k]);
+/// All rollers with the race at q; where they were in an earlier solution, if there is one.
+RollerRace rollers_at(const RollerModel& model, const RollerSolution* start, const Vec5& q) {
+  RollerRace state;
+  state.q = q;
+  for (std::size_t k = 0; k < model.azimuth.size(); ++k) {
+    RollerState roller;
+    roller.number = k;
+    roller.sin = std::sin(model.azimuth[k]);
+    roller.cos = std::cos(model.azimuth[k]);
+    if (start && k < start->rollers.size() && !start->rollers[k].idle) {
+      const StaticRoller& before = start->rollers[k];
+      roller.e = {before.x, before.r - 0.5 * model.rollers.pitch_diameter,
+                  before.tilt + model.rollers.axis_angle};
+      roller.known = true;
     }
+    state.elements.push_back(roller);
   }
-  return text.empty() ? "no load" : text;
+  return state;
 }
 
-[[noreturn]] void give_up(const RaceTask& task, const RaceSolve& solve, const RollerRace& state) {
+[[noreturn]] void give_up(const RollerModel& m, const RaceTask& task, const RaceSolve& solve,
+                          const RollerRace& state) {
   const std::string loads = load_text(task);
+  const double tilt = std::hypot(state.q(3), state.q(4));
+  if (solve.ran_away && tilt * race_scales(m).lever > 0.5 * race_scales(m).reach) {
+    throw SolverError(fmt::format(
+        "bearing equilibrium: nothing stops the inner race from tilting under {}; it had tilted by "
+        "{:.3g} rad (about y {:.3g}, about z {:.3g}) when the rollers could not follow any "
+        "more{}. Prescribe the tilts about y and z (kFS4 = kFS5 = 1), or let the load pass through "
+        "the point about which the bearing swivels",
+        loads, tilt, state.q(3), state.q(4),
+        m.rollers.shape == bearing::RollerShape::Arc
+            ? ": barrels in a groove that is nearly a sphere let the race swivel about its centre"
+            : ""));
+  }
   if (solve.ran_away) {
     throw SolverError(fmt::format(
         "bearing equilibrium: no roller or flange holds the inner race under {}; it moved to x = "
@@ -110,45 +129,32 @@ void fill_summary(RollerSolution& s) {
 
 RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const RollerOptions& options) {
   RollerModel model = make_roller_model(bearing, options);
-  RaceTask task;
-  task.given = bearing.constraints.displacement_given;
+  const RaceTask task = race_task(bearing.constraints);
   Vec5 given;
   for (std::size_t k = 0; k < 5; ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    task.load(i) = bearing.constraints.load[k];
-    given(i) = bearing.constraints.displacement[k];
-    if (!std::isfinite(task.load(i)) || !std::isfinite(given(i))) {
-      throw InputError(fmt::format(
-          "bearing equilibrium: the load {} or displacement {} {} is not a finite number",
-          task.load(i), given(i), kDirection[k]));
-    }
+    given(static_cast<Eigen::Index>(k)) = bearing.constraints.displacement[k];
   }
   const RaceScales scales = race_scales(model);
   model.load_floor = std::max(1e-13 * force_scale(scales, task, 0.0), 1e-12);
 
-  RollerRace state;
-  state.q = options.start        ? start_displacement(*options.start, task, given)
-            : options.warm_start ? given
-                                 : first_guess(model, task, given);
-  for (std::size_t k = 0; k < model.azimuth.size(); ++k) {
-    RollerState roller;
-    roller.number = k;
-    roller.sin = std::sin(model.azimuth[k]);
-    roller.cos = std::cos(model.azimuth[k]);
-    if (options.start && k < options.start->rollers.size() && !options.start->rollers[k].idle) {
-      const StaticRoller& before = options.start->rollers[k];
-      roller.e = {before.x, before.r - 0.5 * model.rollers.pitch_diameter,
-                  before.tilt + model.rollers.axis_angle};
-      roller.known = true;
-    }
-    state.elements.push_back(roller);
+  const Vec5 start = options.start        ? start_displacement(*options.start, task, given)
+                     : options.warm_start ? given
+                                          : first_guess(model, task, given);
+  RollerRace state = rollers_at(model, options.start, start);
+  RaceSolve solve = solve_race(model, task, state);
+  const Vec5 cold = first_guess(model, task, given_only(task, given));
+  RollerSolution out;
+  if (!solve.converged && cold != start) {
+    state = rollers_at(model, nullptr, cold);
+    solve = solve_race(model, task, state);
+    out.notes.push_back(
+        "no equilibrium was found from the first guess of the displacement; this one was found "
+        "without it");
   }
-  const RaceSolve solve = solve_race(model, task, state);
   if (!solve.converged) {
-    give_up(task, solve, state);
+    give_up(model, task, solve, state);
   }
 
-  RollerSolution out;
   for (std::size_t k = 0; k < 5; ++k) {
     out.displacement[k] = state.q(static_cast<Eigen::Index>(k));
     out.load[k] = state.load(static_cast<Eigen::Index>(k));
@@ -177,11 +183,13 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
   if (options.difference_share > 0.0) {
     add_difference_stiffness(model, state, options.difference_share, out);
   }
-  for (int k : solve.held) {
-    const auto i = static_cast<std::size_t>(k);
-    out.notes.push_back(
-        fmt::format("nothing holds or loads the inner race {}: it stays at {:.6g} {}",
-                    kDirection[i], out.displacement[i], k < 3 ? "m" : "rad"));
+  for (std::string& note : held_notes(solve.held, out.displacement)) {
+    out.notes.push_back(std::move(note));
+  }
+  const double k_ref = reference_stiffness(model, std::max(state.largest_contact, 1e-300));
+  if (const UnstableMode mode = unstable_mode(scales, task, state.stiffness, k_ref)) {
+    out.other_equilibria = equilibria_beside(model, task, state, mode);
+    out.notes.push_back(instability_note(mode, out.other_equilibria));
   }
   for (std::string& note : roller_notes(model, out.rollers)) {
     out.notes.push_back(std::move(note));

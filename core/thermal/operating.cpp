@@ -157,20 +157,34 @@ void move_pocket(const std::string& name, double& clearance, double diameter, do
                  double g_ball, OperatingFits& report) {
   bearing::CagePlay entry{name, clearance, pocket_clearance(clearance, diameter, g_cage, g_ball)};
   if (entry.free >= 0.0 && entry.operating < 0.0)
-    report.warnings.push_back(
-        fmt::format("the cage clamps its balls: {} was {:.4g} m and is {:.4g} m in operation", name,
-                    entry.free, entry.operating));
+    report.warnings.push_back(fmt::format(
+        "the cage clamps its rolling elements: {} was {:.4g} m and is {:.4g} m in operation", name,
+        entry.free, entry.operating));
   clearance = entry.operating;
   report.plays.push_back(entry);
+}
+
+/// What the cage's motion and pockets follow from, of balls or rollers.
+struct ElementSizes {
+  int count = 0;
+  double diameter = 0.0, pitch_diameter = 0.0;  ///< [m]
+  double angle = 0.0;                           ///< of contact [rad]
+};
+
+ElementSizes element_sizes(const Bearing& b) {
+  if (!b.rollers)
+    return {b.balls.count, b.balls.diameter, b.balls.pitch_diameter, b.balls.contact_angle};
+  return {b.rollers->count, b.rollers->diameter, b.rollers->pitch_diameter, b.rollers->axis_angle};
 }
 
 /// Cage, lands and pockets in operation. `free` is the bearing on the bench.
 void move_cage(bearing::Cage& cage, const Bearing& free, const MountedState& state,
                double ball_growth, OperatingFits& report) {
   using Guide = bearing::GuideLand::Guide;
+  const ElementSizes elements = element_sizes(free);
   report.cage_speed =
-      statics::epicyclic_speeds(free.balls.count, free.balls.diameter, free.balls.pitch_diameter,
-                                free.balls.contact_angle, free.speed[0], free.speed[1])
+      statics::epicyclic_speeds(elements.count, elements.diameter, elements.pitch_diameter,
+                                elements.angle, free.speed[0], free.speed[1])
           .cage_speed;
   const RingPart ring = part(free, cage.material, free.cage_temperature, 0.5 * cage.inner_diameter,
                              0.5 * cage.outer_diameter, report.cage_speed);
@@ -191,13 +205,13 @@ void move_cage(bearing::Cage& cage, const Bearing& free, const MountedState& sta
             ring, report);
   move_play("cage bore to the inner race", 1, cage.inner_diameter, cage.clearance_inner, state,
             ring, report);
-  move_pocket("pocket clearance I", cage.pocket_clearance_1, free.balls.diameter, ring.growth,
+  move_pocket("pocket clearance I", cage.pocket_clearance_1, elements.diameter, ring.growth,
               ball_growth, report);
   if (cage.pocket == bearing::PocketShape::Elongated)
     cage.pocket_clearance_2 *= 1.0 + ring.growth;  // length of the straight part
   else if (cage.pocket == bearing::PocketShape::Rectangular ||
            cage.pocket == bearing::PocketShape::Conical)
-    move_pocket("pocket clearance II", cage.pocket_clearance_2, free.balls.diameter, ring.growth,
+    move_pocket("pocket clearance II", cage.pocket_clearance_2, elements.diameter, ring.growth,
                 ball_growth, report);
   cage.outer_diameter += 2.0 * report.cage[0].total();
   cage.inner_diameter += 2.0 * report.cage[1].total();
@@ -207,7 +221,8 @@ void move_cage(bearing::Cage& cage, const Bearing& free, const MountedState& sta
 
 void warn(OperatingFits& report, const Bearing& free) {
   const auto say = [&](std::string text) { report.warnings.push_back(std::move(text)); };
-  if (report.operating.clearance < 0.0 && report.free.clearance >= 0.0)
+  // The play of cones is the axial setting, which the bearing's place on the shaft decides.
+  if (!report.axial_setting && report.operating.clearance < 0.0 && report.free.clearance >= 0.0)
     say(
         fmt::format("the clearance turns negative: {:.4g} m unmounted, {:.4g} m mounted, {:.4g} m "
                     "in operation; the bearing is preloaded radially by its own fits and growths",
@@ -253,6 +268,42 @@ void apply_material_laws(Bearing& b) {
   if (b.cage) b.cage->material = bearing::material_at(b.cage->material, b.cage_temperature);
 }
 
+/// operating_bearing of a roller bearing.
+Bearing operating_roller_bearing_of(const Bearing& free) {
+  Bearing out = free;
+  bearing::RollerGeometry& rollers = *out.rollers;
+  const bool cone =
+      free.type == bearing::Type::Tapered || free.type == bearing::Type::SphericalTapered;
+  OperatingRollers operating = operating_roller_bearing(
+      free,
+      {rollers.diameter, rollers.length, rollers.crown_radius, rollers.pitch_diameter,
+       rollers.clearance},
+      {rollers.race_radius(bearing::kOuter), rollers.race_radius(bearing::kInner)},
+      cone ? rollers.race_angle[bearing::kOuter] : 0.0);
+  OperatingFits& report = operating.report;
+  const double growth = growth_of(free, free.ball_material, free.ball_temperature);
+  if (free.cage) {
+    move_cage(*out.cage, free, operating.state, growth, report);
+    report.changed = moves(report, operating.state, free);
+  }
+  if (report.changed) {
+    const RollerSizes& sizes = operating.rollers.geometry;
+    rollers.diameter = sizes.diameter;
+    rollers.length = sizes.length;
+    rollers.crown_radius = sizes.crown_radius;
+    rollers.pitch_diameter = sizes.pitch_diameter;
+    rollers.clearance = sizes.clearance;
+    scale_inertia(out.ball_inertia, growth);
+    scale_inertia(out.race_inertia[0], operating.state.rings.outer.growth);
+    scale_inertia(out.race_inertia[1], operating.state.rings.inner.growth);
+  } else {
+    out.cage = free.cage;
+  }
+  if (free.mounting.material_laws) apply_material_laws(out);
+  out.operating = std::move(report);
+  return out;
+}
+
 }  // namespace
 
 MountedRings mounted_rings(const Bearing& b, const std::array<double, 2>& raceway_radius) {
@@ -282,6 +333,7 @@ MountedRings mounted_rings(const Bearing& b, const std::array<double, 2>& racewa
 
 Bearing operating_bearing(const Bearing& free) {
   demand(!free.operating.has_value(), "the bearing is in operation already");
+  if (free.rollers) return operating_roller_bearing_of(free);
   const contact::GrooveGeometry groove = contact::groove_geometry(free.balls);
   const MountedRings rings =
       mounted_rings(free, {groove.centre_radius[0] + groove.groove_radius[0],
@@ -327,6 +379,7 @@ OperatingRollers operating_roller_bearing(const Bearing& free, const RollerSizes
   out.report = ring_report(free, out.state, mounted);
   OperatingFits& report = out.report;
   report.element_growth = out.rollers.geometry.diameter - rollers.diameter;
+  if (outer_half_angle > 0.0) report.axial_setting = out.rollers.axial_setting_change;
   report.free.clearance = rollers.clearance;
   report.mounted.clearance =
       operating_clearance(rollers.clearance, raceway_displacement(mounted), 0.0);

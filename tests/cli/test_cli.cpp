@@ -1,7 +1,11 @@
+#include "deck/deck.hpp"
+#include "deck/reader.hpp"
+#include "deck/schema.hpp"
 #include "results/restart.hpp"
 #include "results/sol_file.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <array>
@@ -161,6 +165,7 @@ TEST_CASE(
     INFO(run.out);
     CHECK(run.code == 2);
     CHECK(contains(run.out, "record 3.2, kBrg"));
+    CHECK(contains(run.out, "set mode to -1"));
     CHECK_FALSE(fs::exists(folder / "PRINT.txt"));
   }
   new_ball_deck(folder);
@@ -270,6 +275,66 @@ TEST_CASE("a quasi-static deck writes one page and the equilibrium carries the l
   CHECK(summary.at("summary").at("load_x_N").get<double>() == Approx(1500.0).epsilon(1e-9));
   CHECK(summary.at("summary").at("load_z_N").get<double>() == Approx(500.0).epsilon(1e-9));
   CHECK_FALSE(fs::exists(folder / "SOL1"));
+}
+
+TEST_CASE("a quasi-static deck of each roller type writes one page and carries its load", "[cli]") {
+  for (const std::string type : {"cylindrical", "spherical", "tapered", "spherical-tapered"}) {
+    const Folder folder;
+    const std::string deck = (folder / "DATA.txt").string();
+    REQUIRE(run_adore("new " + type + " --out " + deck).code == 0);
+    const Result run = run_adore("run " + folder.path().string() + " --quiet --set mode=-1");
+    INFO(type << "\n" << run.out);
+    REQUIRE(run.code == 0);
+    const std::string print = read(folder / "PRINT.txt");
+    for (const char* part : {"QUASI-STATIC EQUILIBRIUM", "Contacts with the outer race",
+                             "Along the heaviest rollers", "Roller length"})
+      CHECK(contains(print, part));
+    CHECK_FALSE(contains(print, "nan"));
+    const json summary = json::parse(read(folder / "RUN.json")).at("summary");
+    CHECK(summary.at("load_z_N").get<double>() == Approx(5000.0).epsilon(1e-9));
+    CHECK(summary.at("largest_pressure_Pa").get<double>() > 5e8);
+  }
+}
+
+TEST_CASE("roller decks in SI and in English units give the same results", "[cli]") {
+  using namespace adore::deck;
+  for (const std::string type : {"cylindrical", "spherical", "tapered", "spherical-tapered"}) {
+    const Folder folder;
+    const fs::path path = folder / "SI.txt";
+    REQUIRE(run_adore("new " + type + " --out " + path.string()).code == 0);
+    Deck si = read_deck(path).deck;
+    si.set("mode", "-1");
+    si.complete();
+    Deck english = si;
+    english.set("kUnit", "2");
+    for (const RecordSpec& record : schema())
+      for (const VariableSpec& variable : record.variables) {
+        if (variable.type != VarType::Real) continue;
+        for (int i = 1; si.has_record(record.id, i); ++i) {
+          const std::string name = record.repeat.empty() ? std::string(variable.name)
+                                                         : fmt::format("{}[{}]", variable.name, i);
+          const double value = si.si(variable.name, i) / variable.unit.en_factor;
+          if (variable.length == "1") english.set(name, fmt::format("{}", value));
+        }
+      }
+    write_deck(si, folder / "SI.txt");
+    write_deck(english, folder / "EN.txt");
+    std::array<json, 2> result;
+    for (const std::size_t k : {0U, 1U}) {
+      const fs::path out = folder / (k == 0 ? "si" : "en");
+      const Result run = run_adore("run " + (folder / (k == 0 ? "SI.txt" : "EN.txt")).string() +
+                                   " --quiet --out " + out.string());
+      INFO(type << "\n" << run.out);
+      REQUIRE(run.code == 0);
+      result[k] = json::parse(read(out / "RUN.json")).at("summary");
+    }
+    for (const char* key : {"largest_contact_load_N", "largest_pressure_Pa", "displacement_z_m",
+                            "stiffness_z_N_per_m"}) {
+      CAPTURE(type, key);
+      CHECK(result[1].at(key).get<double>() ==
+            Approx(result[0].at(key).get<double>()).epsilon(1e-10));
+    }
+  }
 }
 
 TEST_CASE("an interrupted run leaves valid files and exit code 130, and continues from there",
@@ -462,12 +527,38 @@ TEST_CASE("a sweep runs one folder per value and a table", "[cli]") {
   CHECK(fs::exists(folder / "sweep" / "appLoadX-3" / "PRINT.txt"));
 }
 
+TEST_CASE("the quasi-static example decks run, with tables for plots, lives and stiffness",
+          "[cli]") {
+  const Folder folder;
+  for (const std::string name : {"angular-218", "deep-groove-6205", "cylindrical-nu209",
+                                 "tapered-30208", "spherical-22210"}) {
+    INFO(name);
+    const std::string deck = (folder / (name + ".txt")).string(), out = (folder / name).string();
+    REQUIRE(run_adore("new " + name + " --out " + deck).code == 0);
+    const Result run = run_adore("run " + deck + " --quiet --out " + out);
+    INFO(run.out);
+    REQUIRE(run.code == 0);
+    const json report = json::parse(read(fs::path(out) / "RUN.json"));
+    const json& tables = report.at("quasi_static").at("tables");
+    const auto count = tables.at("elements").at("azimuth [deg]").size();
+    CHECK(count >= 9);
+    CHECK(tables.at("elements").at("inner load [N]").size() == count);
+    const bool rollers = name != "angular-218" && name != "deep-groove-6205";
+    CHECK(tables.contains("slices") == rollers);
+    CHECK(tables.contains("stiffness over speed") == (name == "angular-218"));
+    CHECK(report.at("summary").at("life_lp_hours").get<double>() > 0.0);
+    const std::string listing = read(fs::path(out) / "PRINT.txt");
+    for (const char* page : {"QUASI-STATIC EQUILIBRIUM", "OPERATING FITS AND CLEARANCES"})
+      CHECK(contains(listing, page));
+  }
+}
+
 TEST_CASE("a sweep whose runs all fail still leaves its table with the reasons", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
-  const Result sweep = run_adore("run " + folder.path().string() +
-                                 " --set noSuchVariable=1:2:2 --quiet --out " +
-                                 (folder / "sweep").string());
+  const Result sweep =
+      run_adore("run " + folder.path().string() + " --set noSuchVariable=1:2:2 --quiet --out " +
+                (folder / "sweep").string());
   INFO(sweep.out);
   CHECK(sweep.code == 2);
   CHECK(read(folder / "sweep" / "SWEEP.csv").find("noSuchVariable") != std::string::npos);

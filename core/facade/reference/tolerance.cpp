@@ -39,7 +39,8 @@ bool in_group(std::string_view group, std::string_view key) {
     return key == "Fx" || key == "Fy" || key == "Fz" || key == "Fc" || starts(key, "Q") ||
            starts(key, "F_");
   if (group == "moment_Nm")
-    return key == "My" || key == "Mz" || key == "gyro_moment" || starts(key, "M_");
+    return key == "My" || key == "Mz" || key == "gyro_moment" || starts(key, "M_") ||
+           starts(key, "roller_moment");
   if (group == "displacement_m")
     return key == "ux" || key == "uy" || key == "uz" || starts(key, "delta") ||
            has(key, "displacement");

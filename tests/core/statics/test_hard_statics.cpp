@@ -1,11 +1,13 @@
 #include "base/errors.hpp"
 #include "core/statics/ball_bearings.hpp"
 #include "statics/ball_statics.hpp"
+#include "statics/race_equilibrium.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace adore;
 using namespace adore::statics;
@@ -256,4 +258,92 @@ TEST_CASE("loads too small to compute, and nonsense, are refused in a sentence",
   bearing.spin_rule = bearing::SpinRule::Prescribed;
   bearing.spin_angle = 1.57;
   CHECK_THROWS_WITH(solve_ball_statics(bearing), Catch::Contains("cannot roll on both races"));
+}
+
+TEST_CASE("a thousand first guesses lead to the one equilibrium, or to those that are reported",
+          "[physics][statics][hard][slow]") {
+  std::mt19937 random(5);  // its sequence is fixed by the standard; the mapping below is ours
+  const auto uniform = [&] { return static_cast<double>(random()) / 2147483648.0 - 1.0; };
+  std::vector<Bearing> bearings{deep_groove(1.5e-5), angular_contact_218(12000.0),
+                                spindle(3e6 / 54), angular_contact_218(6000.0)};
+  load(bearings[0], 0, 100, 300);
+  load(bearings[1], 5000, 0, 4000);
+  load(bearings[2], 400, 0, 300);
+  load(bearings[3], 3000, 1000, 3000, 20, 30);
+  bearings[3].spin_rule = bearing::SpinRule::MinimumHeat;
+  for (const Bearing& bearing : bearings) {
+    const auto cold = solved(bearing);
+    std::vector<std::array<double, 5>> known = cold.other_equilibria;
+    known.push_back(cold.displacement);
+    std::vector<int> met(known.size(), 0);
+    double worst = 0.0;
+    for (int n = 0; n < 250; ++n) {
+      Bearing guessed = bearing;
+      const double size = n % 3 == 0 ? 1e-5 : n % 3 == 1 ? 3e-4 : 2e-2;  // the last is out of reach
+      for (std::size_t k = 0; k < 5; ++k)
+        guessed.constraints.displacement[k] = uniform() * size / (k < 3 ? 1.0 : 0.03);
+      StaticsOptions warm;
+      warm.warm_start = true;
+      const auto s = solve_ball_statics(guessed, warm);
+      std::size_t nearest = 0;
+      double least = 1.0;
+      for (std::size_t e = 0; e < known.size(); ++e) {
+        double distance = 0.0;
+        for (std::size_t k = 0; k < 5; ++k)
+          distance =
+              std::max(distance, std::abs(s.displacement[k] - known[e][k]) * (k < 3 ? 1.0 : 0.03));
+        if (distance < least) {
+          least = distance;
+          nearest = e;
+        }
+      }
+      ++met[nearest];
+      worst = std::max(worst, least);
+    }
+    CHECK(worst < 1e-11);                    // of displacements of some 1e-5
+    for (int times : met) CHECK(times > 0);  // none is reported that nobody can find
+    CHECK(noted(cold, "not stable") == (known.size() > 1));
+  }
+}
+
+TEST_CASE("radial load on a free race with clearance is an inverted pendulum",
+          "[physics][statics][hard]") {
+  // The race stands on its lowest balls. The load makes it tilt and shift aside until the grooves
+  // hold it: the upright equilibrium is unstable, two mirror images beside it are stable.
+  Bearing bearing = deep_groove(1.5e-5);
+  const auto upright = solved(load(bearing, 0, 100, 300));
+  CHECK(upright.displacement[3] == Approx(0.0).margin(1e-12));
+  CHECK(noted(upright, "not stable"));
+  REQUIRE(upright.other_equilibria.size() == 2);
+  const auto& a = upright.other_equilibria[0];
+  const auto& b = upright.other_equilibria[1];
+  CHECK(a[0] == Approx(-b[0]).epsilon(1e-6));
+  CHECK(a[3] == Approx(-b[3]).epsilon(1e-6));
+  CHECK(a[2] == Approx(b[2]).epsilon(1e-6));
+  CHECK(std::abs(a[3]) > 1e-4);
+  StaticsOptions warm;
+  warm.warm_start = true;
+  bearing.constraints.displacement = a;
+  const auto tilted = solved(bearing, warm);
+  CHECK(tilted.displacement[3] == Approx(a[3]).epsilon(1e-6));
+  CHECK_FALSE(noted(tilted, "not stable"));
+  // A shaft that holds the tilts makes the upright one stable.
+  bearing.constraints.displacement = {};
+  CHECK_FALSE(noted(solved(hold(hold(bearing, 3, 0.0), 4, 0.0)), "not stable"));
+}
+
+TEST_CASE("an unstable equilibrium is told from a stable one", "[unit][statics][hard]") {
+  const RaceScales scales{0.03, 1e-5, 1e-3, 0.1, 0.0};
+  RaceTask task;
+  Mat5 K = 1e8 * Mat5::Identity();
+  K(3, 3) = K(4, 4) = 1e5;
+  CHECK_FALSE(unstable_mode(scales, task, K, 1e8));
+  K(1, 2) = 3e8;  // not symmetric: the symmetric part has the eigenvalue 1e8 - 1.5e8
+  CHECK(unstable_mode(scales, task, K, 1e8).stiffness == Approx(-0.5e8));
+  K(1, 2) = 0.0;
+  K(4, 4) = -1e4;
+  CHECK_THAT(instability_note(unstable_mode(scales, task, K, 1e8), {}),
+             Catch::Contains("mainly about z"));
+  task.given[4] = true;  // held: harmless
+  CHECK_FALSE(unstable_mode(scales, task, K, 1e8));
 }

@@ -4,6 +4,7 @@
 #include "contact/groove.hpp"
 #include "deck/reader.hpp"
 #include "statics/ball_statics.hpp"
+#include "../statics/roller_bearings.hpp"
 #include "thermal/operating.hpp"
 
 #include <catch2/catch.hpp>
@@ -290,4 +291,45 @@ TEST_CASE("material laws change moduli and growth with temperature", "[physics][
   CHECK(lawful.ball_material.elastic_modulus < constant.ball_material.elastic_modulus);
   CHECK(lawful.operating->fit[1].pressure < constant.operating->fit[1].pressure);
   CHECK(lawful.balls.diameter > constant.balls.diameter);  // α_m of 52100 rises with temperature
+}
+
+TEST_CASE("a roller bearing in operation: rings, rollers and play move, nothing without a cause",
+          "[physics]") {
+  bearing::Bearing b = roller_bearings::cylindrical(0.0);
+  b.envelope.bore = 0.040;
+  b.envelope.outer_diameter = 0.080;
+  b.envelope.housing_diameter = 0.110;
+  for (bearing::Material* m : {&b.ball_material, &b.race_material[0], &b.race_material[1],
+                               &b.mounting.housing, &b.mounting.shaft}) {
+    m->elastic_modulus = 206e9;
+    m->poisson_ratio = 0.3;
+    m->density = 7800.0;
+    m->thermal_expansion = 1.2e-5;
+  }
+  const bearing::Bearing same = thermal::operating_bearing(b);
+  CHECK(same.rollers->clearance == b.rollers->clearance);
+  CHECK(same.rollers->pitch_diameter == b.rollers->pitch_diameter);
+  CHECK_FALSE(same.operating->changed);
+
+  bearing::Bearing pressed = b;
+  pressed.mounting.fit = {0.0, 20e-6};
+  const bearing::Bearing mounted = thermal::operating_bearing(pressed);
+  CHECK(mounted.operating->fit[1].pressure > 1e6);
+  // The inner raceway grows by less than the interference, and the play falls by as much.
+  const double lost = b.rollers->clearance - mounted.rollers->clearance;
+  CHECK(lost > 0.5 * 20e-6);
+  CHECK(lost < 20e-6);
+  CHECK(mounted.rollers->race_radius(bearing::kInner) -
+            b.rollers->race_radius(bearing::kInner) ==
+        Approx(0.5 * lost).epsilon(1e-9));
+
+  bearing::Bearing warm = b;
+  warm.race_temperature = {333.15, 333.15};
+  warm.ball_temperature = warm.cage_temperature = 333.15;
+  warm.mounting.housing_temperature = warm.mounting.shaft_temperature = 333.15;
+  const bearing::Bearing grown = thermal::operating_bearing(warm);
+  const double growth = 1.0 + 40.0 * 1.2e-5;
+  CHECK(grown.rollers->diameter == Approx(b.rollers->diameter * growth).epsilon(1e-12));
+  CHECK(grown.rollers->pitch_diameter == Approx(b.rollers->pitch_diameter * growth).epsilon(1e-12));
+  CHECK(grown.rollers->clearance == Approx(b.rollers->clearance * growth).epsilon(1e-9));
 }

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+/// Geometric imperfections of rolling elements and races: what differs from the ideal bearing. SI,
+/// rad. The deviations of rollers are RollerGeometry::deviation, which has more of them.
+namespace adore::bearing {
+
+/// a sin(nψ + p).
+struct Harmonic {
+  double amplitude = 0.0, waves = 0.0, phase = 0.0;
+  [[nodiscard]] double at(double psi) const noexcept {
+    return amplitude * std::sin(waves * psi + phase);
+  }
+  [[nodiscard]] double slope(double psi) const noexcept {
+    return amplitude * waves * std::cos(waves * psi + phase);
+  }
+};
+
+/// Errors of one race over the azimuth ψ of its own frame: from its z axis, positive about x (N79).
+/// What they do to the surface: contact/race_errors.hpp.
+struct RaceErrors {
+  enum class Roundness : unsigned char { None, Elliptical, Sinusoidal } roundness = Roundness::None;
+  std::array<double, 3>
+      variation{};  ///< v1, v2, v3: [m, m, rad] elliptical; [m, waves per turn, rad] sinusoidal
+  Harmonic land_offset;       ///< moves the land towards +x [m]
+  Harmonic taper;             ///< turns the profile, positive opens towards +x [rad]
+  Harmonic curvature_factor;  ///< added to f [-]
+
+  /// All amplitudes are zero.
+  [[nodiscard]] bool ideal() const noexcept {
+    const bool round =
+        roundness == Roundness::None ||
+        (variation[0] == 0.0 && (roundness == Roundness::Sinusoidal || variation[1] == 0.0));
+    return round && land_offset.amplitude == 0.0 && taper.amplitude == 0.0 &&
+           curvature_factor.amplitude == 0.0;
+  }
+};
+
+/// Where the deviations of the rolling elements come from (kReGeoImp).
+enum class ElementErrors : unsigned char { None = 0, Random = 1, Listed = 2 };
+
+struct Imperfections {
+  ElementErrors elements = ElementErrors::None;
+  std::uint64_t seed = 0;             ///< of the random table (base/random_table.hpp), Random only
+  std::vector<double> ball_diameter;  ///< D_k - D by ball [m]; empty: none
+  std::array<RaceErrors, 2> race;     ///< [0] outer, [1] inner
+  std::array<bool, 2> race_given{};   ///< the deck gives errors of this race (they may be zero)
+};
+
+}  // namespace adore::bearing

@@ -1,0 +1,111 @@
+#include "base/errors.hpp"
+#include "contact/race_errors.hpp"
+#include "statics/ball_model.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace adore::statics {
+namespace {
+
+/// The groove as it is at one azimuth. Its slope is returned.
+double deform_groove(const BallModel& m, std::size_t j, const bearing::RaceErrors& errors,
+                     double psi, contact::GrooveGeometry& groove) {
+  const double sign = j == bearing::kOuter ? 1.0 : -1.0;
+  const double bottom = groove.centre_radius[j] + sign * groove.groove_radius[j];
+  const contact::LocalRaceError e = contact::race_error_at(errors, bottom, psi);
+  const double angle = m.balls.contact_angle;
+  const contact::RaceSurface race = contact::race_with_error(
+      contact::groove_race(static_cast<int>(j), groove.groove_radius[j], groove.centre_x[j],
+                           groove.centre_radius[j]),
+      e, m.balls.diameter, {sign * std::sin(angle), sign * std::cos(angle)});
+  groove.offset[j] += race.groove_radius - groove.groove_radius[j];
+  groove.groove_radius[j] = race.groove_radius;
+  groove.centre_x[j] = race.groove_x;
+  groove.centre_radius[j] = race.groove_centre_radius;
+  return e.radius_slope;
+}
+
+/// The seat of ball k, and whether it differs from the nominal one.
+bool make_seat(const BallModel& m, const bearing::Bearing& b, const StaticsOptions& options,
+               std::size_t k, BallSeat& seat) {
+  const auto& errors = b.imperfections;
+  const double growth = k < errors.ball_diameter.size() ? errors.ball_diameter[k] : 0.0;
+  bool differs = growth != 0.0;
+  std::array<bool, 2> curved_otherwise{growth != 0.0, growth != 0.0};
+  seat = m;  // the base: nominal
+  if (growth != 0.0) {
+    if (!(std::isfinite(growth) && growth > -0.5 * m.diameter)) {
+      throw InputError(
+          fmt::format("ball {}: a diameter deviation of {} m from the nominal {} m leaves no ball",
+                      k + 1, growth, m.diameter));
+    }
+    seat.diameter += growth;
+    seat.groove.ball_radius += 0.5 * growth;
+    const double ratio = seat.diameter / m.diameter;
+    seat.gamma *= ratio;
+    seat.mass *= ratio * ratio * ratio;
+    seat.inertia *= ratio * ratio * ratio * ratio * ratio;
+    seat.base_centrifugal *= ratio * ratio * ratio;
+    seat.window *= ratio * ratio * ratio;
+  }
+  for (std::size_t j = 0; j < 2; ++j) {
+    seat.groove.offset[j] -= 0.5 * growth;
+    if (errors.race[j].ideal()) {
+      continue;
+    }
+    differs = true;
+    const double slope = deform_groove(m, j, errors.race[j], m.azimuth[k], seat.groove);
+    if (j == bearing::kInner) {
+      seat.inner_slope = slope;
+    }
+    curved_otherwise[j] =
+        curved_otherwise[j] || seat.groove.groove_radius[j] != m.groove.groove_radius[j];
+  }
+  bearing::BallGeometry own = m.balls;
+  own.diameter = seat.diameter;
+  for (std::size_t j = 0; j < 2; ++j) {
+    own.groove_factor[j] = seat.groove.groove_radius[j] / seat.diameter;
+    if (!(seat.groove.offset[j] > 0.0 && own.groove_factor[j] < 1.0)) {
+      throw InputError(fmt::format(
+          "ball {}: its diameter of {:.9g} m does not fit the {} groove of radius {:.9g} m at this "
+          "azimuth; the groove radius must exceed half the ball diameter and stay below the "
+          "diameter. Reduce the imperfections of the balls (5G.1) or of the race's curvature "
+          "factor (5G.2)",
+          k + 1, seat.diameter, j == 0 ? "outer" : "inner", seat.groove.groove_radius[j]));
+    }
+  }
+  for (std::size_t j = 0; j < 2; ++j) {
+    if (!curved_otherwise[j]) {
+      continue;
+    }
+    const double E_star = bearing::contact_modulus(b.ball_material, b.race_material[j]);
+    const double angle =
+        options.curvature == Curvature::Fixed ? options.fixed_angle[j] : m.balls.contact_angle;
+    seat.hertz[j] = HertzSeries(own, static_cast<int>(j), E_star, angle, m.hertz[j].varying());
+    const double f = own.groove_factor[j];
+    seat.surface_radius[j] = 2.0 * f * seat.diameter / (2.0 * f + 1.0);
+  }
+  return differs;
+}
+
+}  // namespace
+
+void add_imperfect_seats(BallModel& m, const bearing::Bearing& bearing,
+                         const StaticsOptions& options) {
+  const auto& errors = bearing.imperfections;
+  if (errors.ball_diameter.empty() && errors.race[0].ideal() && errors.race[1].ideal()) {
+    return;
+  }
+  m.own_number.assign(m.azimuth.size(), 0);
+  BallSeat seat;
+  for (std::size_t k = 0; k < m.azimuth.size(); ++k) {
+    if (make_seat(m, bearing, options, k, seat)) {
+      m.own.push_back(seat);
+      m.own_number[k] = m.own.size();
+    }
+  }
+}
+
+}  // namespace adore::statics

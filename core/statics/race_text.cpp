@@ -1,0 +1,64 @@
+#include "statics/race_text.hpp"
+
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace adore::statics {
+
+RaceTask race_task(const bearing::StaticConstraints& constraints) {
+  RaceTask task;
+  task.given = constraints.displacement_given;
+  for (std::size_t k = 0; k < 5; ++k) {
+    if (!std::isfinite(constraints.load[k]) || !std::isfinite(constraints.displacement[k])) {
+      throw InputError(fmt::format(
+          "bearing equilibrium: the load {} or displacement {} {} is not a finite number",
+          constraints.load[k], constraints.displacement[k], kDirection[k]));
+    }
+    task.load(static_cast<Eigen::Index>(k)) = constraints.load[k];
+  }
+  return task;
+}
+
+std::string load_text(const RaceTask& task) {
+  std::string text;
+  for (std::size_t k = 0; k < 5; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    if (!task.given[k] && task.load(i) != 0.0) {
+      text += fmt::format("{}{:.6g} {} {}", text.empty() ? "" : ", ", task.load(i),
+                          k < 3 ? "N" : "N m", kDirection[k]);
+    }
+  }
+  return text.empty() ? "no load" : text;
+}
+
+std::vector<std::string> held_notes(const std::vector<int>& held,
+                                    const std::array<double, 5>& displacement) {
+  std::vector<std::string> notes;
+  for (const int k : held) {
+    const auto i = static_cast<std::size_t>(k);
+    notes.push_back(fmt::format("nothing holds or loads the inner race {}: it stays at {:.6g} {}",
+                                kDirection[i], displacement[i], k < 3 ? "m" : "rad"));
+  }
+  return notes;
+}
+
+std::string number_list(const std::vector<std::size_t>& numbers, const std::string& one) {
+  std::string text;
+  for (std::size_t k = 0; k < numbers.size();) {
+    std::size_t last = k;
+    while (last + 1 < numbers.size() && numbers[last + 1] == numbers[last] + 1) {
+      ++last;
+    }
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", numbers[k]);
+    if (last > k) {
+      text += fmt::format("-{}", numbers[last]);
+    }
+    k = last + 1;
+  }
+  return fmt::format("{}{} {}", one, numbers.size() == 1 ? "" : "s", text);
+}
+
+}  // namespace adore::statics

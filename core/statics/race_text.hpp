@@ -1,0 +1,31 @@
+#pragma once
+
+#include "bearing/bearing.hpp"
+#include "statics/race_equilibrium.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+/// What the ball and the roller solution say alike, in words and numbers.
+namespace adore::statics {
+
+/// Freedoms of the inner race, in their order.
+inline constexpr std::array<const char*, 5> kDirection{"along x", "along y", "along z", "about y",
+                                                       "about z"};
+
+/// The task that a bearing's constraints set. @throws InputError for a number that is not finite.
+[[nodiscard]] RaceTask race_task(const bearing::StaticConstraints& constraints);
+
+/// "500 N along x, 20 N m about y", or "no load".
+[[nodiscard]] std::string load_text(const RaceTask& task);
+
+/// What is said of directions that nothing holds or loads.
+[[nodiscard]] std::vector<std::string> held_notes(const std::vector<int>& held,
+                                                  const std::array<double, 5>& displacement);
+
+/// "balls 1-4, 7" of the numbers 1, 2, 3, 4, 7; `one` is the word for a single element.
+[[nodiscard]] std::string number_list(const std::vector<std::size_t>& numbers,
+                                      const std::string& one);
+
+}  // namespace adore::statics
