@@ -72,7 +72,8 @@ class DeckWindow : public QMainWindow {
   void refreshProblems();
   void goToProblem(int row);
   void stepProblem(int by);
-  bool saveTo(const std::filesystem::path& path);
+  void saveTo(const std::filesystem::path& path, std::function<void()> then = nullptr);
+  bool writeTo(const std::filesystem::path& path);
   void askForName(std::function<void()> then);
   /// Goes on at once, or after the user has saved or given up what is not saved.
   void leaveDeck(std::function<void()> then);

@@ -177,7 +177,27 @@ void DeckWindow::fillRecent() {
   if (names.isEmpty()) recent_->addAction(tr("No deck was opened yet"))->setEnabled(false);
 }
 
-bool DeckWindow::saveTo(const std::filesystem::path& path) {
+/// Saves and goes on, unless the deck is refused or the user does not want it.
+void DeckWindow::saveTo(const std::filesystem::path& path, std::function<void()> then) {
+  if (!document_.changed_on_disk(path)) {
+    if (writeTo(path) && then) then();
+    return;
+  }
+  auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput",
+                              tr("Another program changed %1 since it was opened here. Saving "
+                                 "replaces what it wrote.")
+                                  .arg(QString::fromStdString(path.string())),
+                              QMessageBox::Save | QMessageBox::Cancel, this);
+  box->setObjectName("changed");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setDefaultButton(QMessageBox::Cancel);
+  connect(box, &QMessageBox::buttonClicked, this, [this, box, path, then](QAbstractButton* button) {
+    if (box->standardButton(button) == QMessageBox::Save && writeTo(path) && then) then();
+  });
+  box->open();
+}
+
+bool DeckWindow::writeTo(const std::filesystem::path& path) {
   try {
     document_.save(path);
     remember(path);
@@ -204,10 +224,9 @@ void DeckWindow::askForName(std::function<void()> then) {
   dialog->setDefaultSuffix("txt");
   dialog->selectFile(document_.path().empty() ? QString("DATA.txt")
                                               : QString::fromStdString(document_.path().string()));
-  connect(dialog, &QFileDialog::fileSelected, this,
-          [this, then = std::move(then)](const QString& name) {
-            if (saveTo(name.toStdString()) && then) then();
-          });
+  connect(
+      dialog, &QFileDialog::fileSelected, this,
+      [this, then = std::move(then)](const QString& name) { saveTo(name.toStdString(), then); });
   dialog->open();
 }
 
@@ -220,7 +239,7 @@ void DeckWindow::saveAs() { askForName(nullptr); }
 
 void DeckWindow::saveAndExit() {
   if (document_.path().empty()) return askForName([this] { close(); });
-  if (saveTo(document_.path())) close();
+  saveTo(document_.path(), [this] { close(); });
 }
 
 void DeckWindow::leaveDeck(std::function<void()> then) {
@@ -236,7 +255,7 @@ void DeckWindow::leaveDeck(std::function<void()> then) {
     if (answer == QMessageBox::Discard) then();
     if (answer != QMessageBox::Save) return;
     if (document_.path().empty()) return askForName(then);
-    if (saveTo(document_.path())) then();
+    saveTo(document_.path(), then);
   });
   box->open();
 }

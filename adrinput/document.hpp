@@ -51,6 +51,8 @@ class Document {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }  ///< empty: not named
   [[nodiscard]] const std::string& original() const { return original_; }    ///< file as opened
   [[nodiscard]] bool modified() const;
+  /// Did another program change the file that this deck would replace?
+  [[nodiscard]] bool changed_on_disk(const std::filesystem::path& path) const;
 
   /// Records that apply, in deck order, each once; "12" (lines of user routines) is always last.
   [[nodiscard]] std::vector<std::string> pages() const;

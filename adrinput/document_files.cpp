@@ -74,6 +74,12 @@ void Document::keep_unread_values(const std::vector<Issue>& issues) {
   }
 }
 
+bool Document::changed_on_disk(const fs::path& path) const {
+  std::error_code error;
+  return !path_.empty() && same_file(path, path_) && fs::exists(path, error) &&
+         bytes_of(path) != original_;
+}
+
 void Document::save(const fs::path& path) {
   end_step();
   check_model();

@@ -1,8 +1,8 @@
 #include "facade/check.hpp"
 
 #include "build/build_bearing.hpp"
-#include "facade/operating.hpp"
 #include "facade/prepare.hpp"
+#include "thermal/operating.hpp"
 
 #include <utility>
 
@@ -21,7 +21,7 @@ std::vector<Issue> check_model(const deck::Deck& deck) {
   }
   if (!buildable) return issues;
   try {
-    const bearing::Bearing operating = at_work(build::build_bearing(deck));
+    const bearing::Bearing operating = thermal::operating_bearing(build::build_bearing(deck));
     for (Issue& issue : operating_warnings(operating, deck.file))
       issues.push_back(std::move(issue));
   } catch (const InputError& error) {
