@@ -1,11 +1,10 @@
 #include "base/atomic_file.hpp"
-#include "build/build_bearing.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
 #include "deck/templates.hpp"
+#include "facade/check.hpp"
 #include "facade/plan_json.hpp"
 #include "facade/prepare.hpp"
-#include "thermal/operating.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,6 +12,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 namespace adore::cli {
 namespace {
@@ -26,25 +26,8 @@ const char* word(Severity severity) {
 int check(const std::string& path, bool json) {
   const deck::ReadResult read = deck::read_deck(facade::deck_path(path));
   std::vector<Issue> issues = read.issues;
-  if (read.ok()) {
-    bool buildable = true;
-    for (Issue issue : build::check_buildable(read.deck)) {
-      if (issue.severity == Severity::Error) {
-        buildable = false;
-        issue.severity = Severity::Note;
-        issue.message = "`adore run` will refuse this deck: " + issue.message;
-      }
-      issues.push_back(std::move(issue));
-    }
-    // Geometry and traction laws that cannot close show when the model is built.
-    if (buildable) try {
-        const auto operating = thermal::operating_bearing(build::build_bearing(read.deck));
-        for (Issue& issue : facade::operating_warnings(operating, read.deck.file))
-          issues.push_back(std::move(issue));
-      } catch (const InputError& error) {
-        issues.insert(issues.end(), error.issues().begin(), error.issues().end());
-      }
-  }
+  if (read.ok())
+    for (Issue& issue : facade::check_model(read.deck)) issues.push_back(std::move(issue));
   const bool ok = std::none_of(issues.begin(), issues.end(), [](const Issue& issue) {
     return issue.severity == Severity::Error;
   });

@@ -26,10 +26,11 @@ void set_up(const QString& name) {
   apply_theme(desktop_preference());
 }
 
-/// Pictures made without a session need no session folder, so Qt's remark about it only worries
-/// people.
+/// Pictures made without a session need no session folder and no window manager, so Qt's remarks
+/// about them only worry people.
 void quiet_about_session(QtMsgType type, const QMessageLogContext& context, const QString& text) {
   if (text.startsWith("QStandardPaths: XDG_RUNTIME_DIR")) return;
+  if (text.startsWith("This plugin does not support propagateSizeHints")) return;
   fmt::print(stderr, "{}\n", qFormatLogMessage(type, context, text).toStdString());
   if (type == QtFatalMsg) std::abort();
 }

@@ -18,8 +18,26 @@ namespace adore::facade {
 namespace fs = std::filesystem;
 namespace {
 
-/// ADORE.json beside the deck: one object of named run options; values may be numbers, strings or
-/// booleans.
+/// Load-weighted mean contact angle of each race: where a dynamic run freezes its Hertz constants,
+/// so that the contact forces have a potential (decision 001). The free angle when nothing is
+/// loaded.
+std::array<double, 2> mean_contact_angles(const statics::StaticSolution& solution,
+                                          double free_angle) {
+  std::array<double, 2> out{free_angle, free_angle};
+  for (std::size_t j = 0; j < 2; ++j) {
+    double weight = 0.0, sum = 0.0;
+    for (const statics::StaticBall& ball : solution.balls)
+      if (ball.Q[j] > 0.0 && std::isfinite(ball.alpha[j])) {
+        weight += ball.Q[j];
+        sum += ball.Q[j] * std::abs(ball.alpha[j]);
+      }
+    if (weight > 0.0) out[j] = sum / weight;
+  }
+  return out;
+}
+
+}  // namespace
+
 std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
   const fs::path path = deck_file.parent_path() / "ADORE.json";
   std::map<std::string, std::string> out;
@@ -47,26 +65,6 @@ std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
   }
   return out;
 }
-
-/// Load-weighted mean contact angle of each race: where a dynamic run freezes its Hertz constants,
-/// so that the contact forces have a potential (decision 001). The free angle when nothing is
-/// loaded.
-std::array<double, 2> mean_contact_angles(const statics::StaticSolution& solution,
-                                          double free_angle) {
-  std::array<double, 2> out{free_angle, free_angle};
-  for (std::size_t j = 0; j < 2; ++j) {
-    double weight = 0.0, sum = 0.0;
-    for (const statics::StaticBall& ball : solution.balls)
-      if (ball.Q[j] > 0.0 && std::isfinite(ball.alpha[j])) {
-        weight += ball.Q[j];
-        sum += ball.Q[j] * std::abs(ball.alpha[j]);
-      }
-    if (weight > 0.0) out[j] = sum / weight;
-  }
-  return out;
-}
-
-}  // namespace
 
 fs::path deck_path(const fs::path& path) {
   std::error_code error;
@@ -119,8 +117,12 @@ std::vector<Issue> operating_warnings(const bearing::Bearing& bearing, const std
 
 Prepared prepare(const DeckRequest& request) {
   dynamics::check_instruction_set_request();
+  return prepare(load_deck(request));
+}
+
+Prepared prepare(LoadedDeck input) {
   Prepared out;
-  out.input = load_deck(request);
+  out.input = std::move(input);
   const deck::Deck& deck = out.input.deck;
   out.options = build::build_run_options(out.input.option_values);
   out.as_built = build::build_bearing(deck, out.options.seed);

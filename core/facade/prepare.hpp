@@ -71,8 +71,15 @@ struct Prepared {
 [[nodiscard]] std::vector<Issue> operating_warnings(const bearing::Bearing& bearing,
                                                     const std::string& file);
 
+/// The run options of the ADORE.json beside a deck, as given; empty when there is none.
+/// @throws InputError when the file is no object of named values.
+[[nodiscard]] std::map<std::string, std::string> options_beside(
+    const std::filesystem::path& deck_file);
+
 /// @throws InputError, SolverError (no equilibrium).
 [[nodiscard]] Prepared prepare(const DeckRequest& request);
+/// The same for a deck in memory that has no errors.
+[[nodiscard]] Prepared prepare(LoadedDeck input);
 
 /// The equations of motion of a prepared dynamic deck.
 [[nodiscard]] dynamics::System make_system(const Prepared& prepared);

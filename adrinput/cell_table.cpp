@@ -1,0 +1,224 @@
+#include "adrinput/cell_table.hpp"
+
+#include "adrinput/record_page.hpp"
+#include "adrinput/typed.hpp"
+#include "deck/lookup.hpp"
+#include "desktop/theme.hpp"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QScrollBar>
+#include <QStyledItemDelegate>
+
+#include <algorithm>
+#include <set>
+
+namespace adore::adrinput {
+namespace {
+
+/// Edits a cell as text, or as a choice where the variable has codes.
+class CellDelegate : public QStyledItemDelegate {
+ public:
+  CellDelegate(Document& document, CellTable* table)
+      : QStyledItemDelegate(table), document_(document), table_(table) {}
+
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& /*option*/,
+                        const QModelIndex& index) const override {
+    const deck::VariableSpec& variable = *variable_of(at(index));
+    if (variable.options.empty()) {
+      auto* line = new QLineEdit(parent);
+      line->setFrame(false);
+      return line;
+    }
+    auto* combo = new QComboBox(parent);
+    for (const deck::OptionSpec& choice : variable.options)
+      combo->addItem(choice_text(choice.code, choice.meaning),
+                     QString::fromStdString(std::string(choice.code)));
+    return combo;
+  }
+  void setEditorData(QWidget* editor, const QModelIndex& index) const override {
+    const QString text = QString::fromStdString(document_.text(at(index)));
+    if (auto* combo = qobject_cast<QComboBox*>(editor))
+      combo->setCurrentIndex(combo->findData(text));
+    else
+      qobject_cast<QLineEdit*>(editor)->setText(text);
+  }
+  void setModelData(QWidget* editor, QAbstractItemModel* /*model*/,
+                    const QModelIndex& index) const override {
+    auto* combo = qobject_cast<QComboBox*>(editor);
+    const QString text = combo != nullptr ? combo->currentData().toString()
+                                          : qobject_cast<QLineEdit*>(editor)->text();
+    const Cell cell = at(index);
+    document_.end_step();
+    document_.edit(cell, text.toStdString());
+    document_.end_step();
+  }
+
+ private:
+  [[nodiscard]] Cell at(const QModelIndex& index) const {
+    return table_->cellAt(index.row(), index.column());
+  }
+  Document& document_;
+  CellTable* table_;
+};
+
+}  // namespace
+
+CellTable::CellTable(Document& document, const std::string& record, std::size_t variable,
+                     QWidget* parent)
+    : QTableWidget(parent), document_(document), record_(record) {
+  lines_.push_back({variable, 0});
+  setUp();
+}
+
+CellTable::CellTable(Document& document, const std::string& record, QWidget* parent)
+    : QTableWidget(parent), document_(document), record_(record), repeated_(true) {
+  const deck::RecordSpec& spec = *deck::find_record(record);
+  for (std::size_t v = 0; v < spec.variables.size(); ++v) {
+    const auto length =
+        static_cast<std::size_t>(deck::array_length(document.deck(), spec.variables[v]));
+    for (std::size_t k = 0; k < length; ++k) lines_.push_back({v, k});
+  }
+  setUp();
+}
+
+void CellTable::setUp() {
+  setItemDelegate(new CellDelegate(document_, this));
+  setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::SelectedClicked |
+                  QAbstractItemView::EditKeyPressed | QAbstractItemView::AnyKeyPressed);
+  setSelectionMode(QAbstractItemView::SingleSelection);
+  horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
+  horizontalHeader()->setDefaultSectionSize(110);
+  verticalHeader()->setDefaultSectionSize(28);
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setWordWrap(false);
+  setRowCount(static_cast<int>(lines_.size()));
+  const deck::RecordSpec& spec = *deck::find_record(record_);
+  QStringList names;
+  for (const Line& line : lines_) {
+    const deck::VariableSpec& variable = spec.variables[line.variable];
+    QString name = QString::fromStdString(std::string(variable.name));
+    if (repeated_ && variable.length != "1") name += QString(" %1").arg(line.element + 1);
+    const std::string unit = unit_of(document_.deck(), variable);
+    if (!unit.empty()) name += QString(" [%1]").arg(QString::fromStdString(unit));
+    names << name;
+  }
+  setVerticalHeaderLabels(names);
+  verticalHeader()->setVisible(repeated_);
+  sync();
+}
+
+Cell CellTable::cellAt(int row, int column) const {
+  const Line& line = lines_[static_cast<std::size_t>(row)];
+  Cell cell;
+  cell.record = record_;
+  cell.variable = line.variable;
+  cell.instance = repeated_ ? column + 1 : 1;
+  cell.element = repeated_ ? line.element : static_cast<std::size_t>(column);
+  return cell;
+}
+
+void CellTable::fillCell(int row, int column) {
+  const Cell cell = cellAt(row, column);
+  const std::string code = document_.text(cell);
+  const std::string meaning = meaning_of(*variable_of(cell), code);
+  const QString text = meaning.empty() ? QString::fromStdString(code) : choice_text(code, meaning);
+  QTableWidgetItem* old = item(row, column);
+  if (old == nullptr)
+    setItem(row, column, new QTableWidgetItem(text));
+  else if (old->text() != text)
+    old->setText(text);
+}
+
+void CellTable::sync() {
+  const QSignalBlocker quiet(this);
+  const int columns = repeated_ ? document_.instances(record_)
+                                : deck::array_length(document_.deck(), *variable_of(cellAt(0, 0)));
+  if (columnCount() != columns) setColumnCount(columns);
+  std::set<Cell> wrong;
+  for (const Problem& problem : document_.problems())
+    if (problem.cell && problem.page == record_ && problem.issue.severity == Severity::Error)
+      wrong.insert(*problem.cell);
+  QColor mark = desktop::current_theme().red;
+  mark.setAlpha(70);
+  for (int row = 0; row < rowCount(); ++row)
+    for (int column = 0; column < columns; ++column) {
+      fillCell(row, column);
+      item(row, column)
+          ->setBackground(wrong.count(cellAt(row, column)) > 0 ? QBrush(mark) : QBrush());
+    }
+  if (columns <= 16) {
+    resizeColumnsToContents();
+    for (int column = 0; column < columns; ++column)
+      setColumnWidth(column, std::max(columnWidth(column) + 12, 96));
+  }
+  verticalHeader()->setMinimumWidth(verticalHeader()->sizeHint().width());
+  int height = 2 * frameWidth() + horizontalHeader()->sizeHint().height() + 2;
+  for (int row = 0; row < rowCount(); ++row) height += rowHeight(row);
+  // A wide table scrolls; a narrow one is as wide as its cells.
+  constexpr int kFits = 6;
+  const bool narrow = columns <= kFits;
+  int width = 2 * frameWidth() + (repeated_ ? verticalHeader()->sizeHint().width() : 0) + 2;
+  for (int column = 0; column < columns; ++column) width += columnWidth(column);
+  setMaximumWidth(narrow ? width : QWIDGETSIZE_MAX);
+  setMinimumWidth(narrow ? width : 0);
+  setHorizontalScrollBarPolicy(narrow ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAlwaysOn);
+  setFixedHeight(height + (narrow ? 0 : horizontalScrollBar()->sizeHint().height()));
+  setVisible(columns > 0);
+}
+
+bool CellTable::focusCell(const Cell& cell) {
+  for (int row = 0; row < rowCount(); ++row)
+    for (int column = 0; column < columnCount(); ++column)
+      if (cellAt(row, column) == cell) {
+        setFocus();
+        setCurrentCell(row, column);
+        return true;
+      }
+  return false;
+}
+
+/// Cells of a spreadsheet are taken over from the current cell on.
+void CellTable::paste() {
+  const int top = std::max(currentRow(), 0), left = std::max(currentColumn(), 0);
+  QStringList lines = QApplication::clipboard()->text().split('\n');
+  if (!lines.isEmpty() && lines.back().isEmpty()) lines.removeLast();
+  for (int r = 0; r < lines.size() && top + r < rowCount(); ++r) {
+    const QStringList values = lines[r].remove('\r').split('\t');
+    for (int c = 0; c < values.size() && left + c < columnCount(); ++c) {
+      document_.end_step();
+      document_.edit(cellAt(top + r, left + c), values[c].toStdString());
+    }
+  }
+  document_.end_step();
+}
+
+void CellTable::keyPressEvent(QKeyEvent* event) {
+  if (event->matches(QKeySequence::Paste)) return paste();
+  if (event->key() == Qt::Key_PageDown || event->key() == Qt::Key_PageUp) return event->ignore();
+  QTableWidget::keyPressEvent(event);
+}
+
+bool CellTable::atEnd(bool next) const {
+  return next ? currentRow() >= rowCount() - 1 && currentColumn() >= columnCount() - 1
+              : currentRow() <= 0 && currentColumn() <= 0;
+}
+
+/// Tab leaves the table behind its last cell, so that a form can be filled in without a mouse.
+bool CellTable::focusNextPrevChild(bool next) {
+  setTabKeyNavigation(!atEnd(next));
+  return QTableWidget::focusNextPrevChild(next);
+}
+
+void CellTable::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
+  const bool next = hint == QAbstractItemDelegate::EditNextItem;
+  const bool leaves = (next || hint == QAbstractItemDelegate::EditPreviousItem) && atEnd(next);
+  QTableWidget::closeEditor(editor, leaves ? QAbstractItemDelegate::NoHint : hint);
+  if (leaves) focusNextPrevChild(next);
+}
+
+}  // namespace adore::adrinput

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "adrinput/document.hpp"
+
+#include <QTableWidget>
+
+namespace adore::adrinput {
+
+/// Values that stand side by side: the elements of an array (one row), or a repeated record (a row
+/// per variable and element, a column per instance). Cells are edited in place.
+class CellTable : public QTableWidget {
+  Q_OBJECT
+ public:
+  /// An array of a record that occurs once.
+  CellTable(Document& document, const std::string& record, std::size_t variable,
+            QWidget* parent = nullptr);
+  /// A repeated record.
+  CellTable(Document& document, const std::string& record, QWidget* parent = nullptr);
+
+  void sync();
+  /// False when the cell is not in this table.
+  bool focusCell(const Cell& cell);
+  [[nodiscard]] Cell cellAt(int row, int column) const;
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
+  void closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) override;
+
+ private:
+  struct Line {
+    std::size_t variable = 0, element = 0;
+  };
+  void setUp();
+  void fillCell(int row, int column);
+  [[nodiscard]] bool atEnd(bool next) const;
+  void paste();
+
+  Document& document_;
+  std::string record_;
+  bool repeated_ = false;
+  std::vector<Line> lines_;  ///< rows
+};
+
+}  // namespace adore::adrinput

@@ -1,0 +1,323 @@
+#include "adrinput/deck_window.hpp"
+
+#include "adrinput/evaluation.hpp"
+#include "adrinput/help_text.hpp"
+#include "adrinput/record_list.hpp"
+#include "adrinput/record_page.hpp"
+#include "desktop/dialogs.hpp"
+#include "desktop/theme.hpp"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QFontDatabase>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QTimer>
+
+#include <algorithm>
+
+namespace adore::adrinput {
+namespace {
+
+constexpr int kCheckPause = 200;  // ms without a change before the model is built
+
+}  // namespace
+
+DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
+  setAcceptDrops(true);
+  resize(1280, 860);
+  check_ = new QTimer(this);
+  check_->setSingleShot(true);
+  check_->setInterval(kCheckPause);
+  connect(check_, &QTimer::timeout, this, &DeckWindow::checkNow);
+  makeCentre();
+  makeFileMenu();
+  makeOtherMenus();
+  document_.changed = [this] {
+    check_->start();
+    refresh();
+  };
+  showRecord(document_.pages().front());
+  checkNow();
+}
+
+DeckWindow::~DeckWindow() {
+  document_.changed = nullptr;
+  delete centralWidget();  // its fields speak to the document when they lose the focus
+}
+
+void DeckWindow::makeCentre() {
+  list_ = new RecordList(document_, this);
+  scroll_ = new QScrollArea(this);
+  scroll_->setObjectName("form");
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  problems_ = new QListWidget(this);
+  problems_->setObjectName("problems");
+  problems_->setAccessibleName(tr("Problems"));
+  problems_->setWordWrap(true);
+  problems_->setResizeMode(QListView::Adjust);
+  problems_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  problems_->setFrameShape(QFrame::NoFrame);
+  connect(problems_, &QListWidget::itemActivated, this,
+          [this](QListWidgetItem* item) { goToProblem(problems_->row(item)); });
+  connect(problems_, &QListWidget::itemClicked, this,
+          [this](QListWidgetItem* item) { goToProblem(problems_->row(item)); });
+  plan_ = new EvaluationPanel(
+      &plan_of, tr("What this deck turns on and why, its unknowns and the expected cost: F5."),
+      this);
+  plan_->setObjectName("plan");
+  statics_ = new EvaluationPanel(
+      &quasi_static_of, tr("The quasi-static equilibrium of this deck and its fatigue life: F6."),
+      this);
+  statics_->setObjectName("statics");
+  original_ = new QPlainTextEdit(this);
+  original_->setObjectName("original");
+  original_->setReadOnly(true);
+  original_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  original_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  original_->setFrameShape(QFrame::NoFrame);
+  original_->setTabChangesFocus(true);
+  tabs_ = new QTabWidget(this);
+  tabs_->setObjectName("panels");
+  tabs_->setDocumentMode(true);
+  tabs_->addTab(problems_, tr("Problems"));
+  tabs_->addTab(plan_, tr("Plan"));
+  tabs_->addTab(statics_, tr("Quasi-static"));
+  tabs_->addTab(original_, tr("File as opened"));
+
+  auto* form = new QWidget(this);
+  auto* column = new QVBoxLayout(form);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(scroll_, 1);
+  column->addWidget(makeButtons());
+  auto* right = new QSplitter(Qt::Vertical, this);
+  right->addWidget(form);
+  right->addWidget(tabs_);
+  right->setStretchFactor(0, 1);
+  right->setSizes({620, 190});
+  right->setChildrenCollapsible(false);
+  auto* splitter = new QSplitter(this);
+  splitter->addWidget(list_);
+  splitter->addWidget(right);
+  splitter->setStretchFactor(1, 1);
+  splitter->setSizes({300, 980});
+  splitter->setChildrenCollapsible(false);
+  setCentralWidget(splitter);
+  connect(list_, &RecordList::recordChosen, this, [this](const QString& record) {
+    showRecord(record.toStdString());
+    list_->focusRecords();  // so that the arrow keys go on through the records
+  });
+  connect(list_, &RecordList::variableChosen, this, [this](const QString& record, int variable) {
+    Cell cell;
+    cell.record = record.toStdString();
+    cell.variable = static_cast<std::size_t>(variable);
+    if (document_.instances(cell.record) == 0) {
+      const deck::RecordSpec& spec = *deck::find_record(cell.record);
+      desktop::show_message(
+          this, tr("Record %1 is not part of this deck. It is there when %2.")
+                    .arg(record_number(spec), QString::fromStdString(std::string(spec.condition))));
+      return;
+    }
+    showRecord(cell.record);
+    page_->focusCell(cell);
+  });
+}
+
+QWidget* DeckWindow::makeButtons() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(20, 8, 20, 8);
+  const auto button = [&](const QString& text, const QString& name, const QString& help,
+                          auto slot) {
+    auto* push = new QPushButton(text, bar);
+    push->setObjectName(name);
+    push->setToolTip(help);
+    push->setAutoDefault(true);
+    connect(push, &QPushButton::clicked, this, slot);
+    return push;
+  };
+  row->addWidget(button(tr("Go &Back"), "back", tr("The record before this one (Page Up)"),
+                        &DeckWindow::goBack));
+  row->addWidget(
+      button(tr("&Next Rec"), "next", tr("The next record (Page Down)"), &DeckWindow::nextRecord));
+  row->addStretch(1);
+  row->addWidget(button(tr("Run &quasi-static now"), "run-statics",
+                        tr("Equilibrium, contacts, stiffness and life of this deck (F6)"),
+                        &DeckWindow::runQuasiStatic));
+  row->addWidget(button(tr("Save && E&xit"), "save-exit", tr("Save the deck and end AdrInput"),
+                        &DeckWindow::saveAndExit));
+  return bar;
+}
+
+void DeckWindow::showRecord(const std::string& record) {
+  if (record == current_ && page_ != nullptr) return page_->sync(true);
+  document_.end_step();
+  current_ = record;
+  if (scroll_->widget() != nullptr) scroll_->takeWidget()->deleteLater();
+  page_ = new RecordPage(document_, record);
+  connect(page_, &RecordPage::focusMoved, this,
+          [this](QWidget* field) { scroll_->ensureWidgetVisible(field, 20, 60); });
+  scroll_->setWidget(page_);
+  list_->setCurrent(record);
+  page_->focusFirst();
+  scroll_->ensureVisible(0, 0);
+}
+
+void DeckWindow::refresh() {
+  const std::vector<std::string> pages = document_.pages();
+  list_->sync();
+  if (std::find(pages.begin(), pages.end(), current_) == pages.end()) {
+    // The page went away: show the one that stands where it stood.
+    const auto spec_of = [](const std::string& id) { return deck::find_record(id); };
+    std::string nearest = pages.front();
+    for (const std::string& id : pages)
+      if (spec_of(id) <= spec_of(current_)) nearest = id;
+    showRecord(nearest);
+  } else if (page_ != nullptr) {
+    list_->setCurrent(current_);
+    page_->sync();
+  }
+  refreshProblems();
+  undo_->setEnabled(document_.can_undo());
+  redo_->setEnabled(document_.can_redo());
+  plan_->setDeck(document_.deck());
+  statics_->setDeck(document_.deck());
+  const QString original = QString::fromStdString(document_.original());
+  if (original_->toPlainText() != original) original_->setPlainText(original);
+  const QString name = document_.path().empty()
+                           ? tr("new deck")
+                           : QString::fromStdString(document_.path().filename().string());
+  setWindowTitle(name + "[*] — AdrInput");
+  setWindowModified(document_.modified());
+}
+
+void DeckWindow::refreshProblems() {
+  const desktop::Theme& theme = desktop::current_theme();
+  const int selected = problems_->currentRow();
+  problems_->clear();
+  int errors = 0;
+  for (const Problem& problem : document_.problems()) {
+    const Issue& issue = problem.issue;
+    const bool error = issue.severity == Severity::Error;
+    errors += error ? 1 : 0;
+    QString text = error                                 ? tr("Error")
+                   : issue.severity == Severity::Warning ? tr("Warning")
+                                                         : tr("Note");
+    if (!issue.record.empty()) text += tr(", record %1").arg(QString::fromStdString(issue.record));
+    if (!issue.variable.empty()) text += ", " + QString::fromStdString(issue.variable);
+    if (!issue.value.empty()) text += " = " + QString::fromStdString(issue.value);
+    text += ": " + QString::fromStdString(issue.message);
+    if (!issue.remedy.empty()) text += "; " + QString::fromStdString(issue.remedy);
+    auto* item = new QListWidgetItem(
+        state_icon(error                                 ? RecordState::Wrong
+                   : issue.severity == Severity::Warning ? RecordState::Doubtful
+                                                         : RecordState::Untouched),
+        text, problems_);
+    item->setForeground(error ? theme.red : theme.text);
+  }
+  if (problems_->count() == 0) {
+    auto* item = new QListWidgetItem(state_icon(RecordState::Complete),
+                                     tr("The deck is complete and has no problem."), problems_);
+    item->setFlags(Qt::ItemIsEnabled);
+  }
+  problems_->setCurrentRow(std::min(selected, problems_->count() - 1));
+  const auto total = static_cast<int>(document_.problems().size());
+  QString title = tr("Problems");
+  if (errors > 0 && errors == total)
+    title += tr(" (%1 to mend)").arg(errors);
+  else if (total > 0)
+    title += tr(" (%1 to mend, %2 to note)").arg(errors).arg(total - errors);
+  tabs_->setTabText(0, title);
+}
+
+void DeckWindow::goToProblem(int row) {
+  if (row < 0 || row >= static_cast<int>(document_.problems().size())) return;
+  const Problem problem = document_.problems()[static_cast<std::size_t>(row)];
+  if (problem.page.empty()) return;
+  showRecord(problem.page);
+  if (problem.cell) page_->focusCell(*problem.cell);
+}
+
+void DeckWindow::stepProblem(int by) {
+  const auto count = static_cast<int>(document_.problems().size());
+  tabs_->setCurrentWidget(problems_);
+  if (count == 0) return;
+  const int row = (std::max(problems_->currentRow(), by > 0 ? -1 : 0) + by + count) % count;
+  problems_->setCurrentRow(row);
+  goToProblem(row);
+}
+
+void DeckWindow::nextProblem() { stepProblem(1); }
+void DeckWindow::previousProblem() { stepProblem(-1); }
+
+void DeckWindow::checkNow() {
+  check_->stop();
+  document_.check_model();
+  check_->stop();  // what was just found is no change
+}
+
+void DeckWindow::goBack() {
+  const std::vector<std::string> pages = document_.pages();
+  const auto here = std::find(pages.begin(), pages.end(), current_);
+  if (here == pages.begin() || here == pages.end())
+    return desktop::show_message(this, tr("This is the first record."));
+  showRecord(*std::prev(here));
+}
+
+void DeckWindow::nextRecord() {
+  document_.accept_defaults(current_);
+  const std::vector<std::string> pages = document_.pages();
+  const auto here = std::find(pages.begin(), pages.end(), current_);
+  if (here == pages.end() || std::next(here) == pages.end())
+    return desktop::show_message(
+        this, tr("This is the last record. Save the deck with Save & Exit, or under File."));
+  showRecord(*std::next(here));
+}
+
+void DeckWindow::undo() {
+  const std::string record = document_.undo();
+  if (record.empty()) return;
+  const std::vector<std::string> pages = document_.pages();
+  if (std::find(pages.begin(), pages.end(), record) != pages.end()) showRecord(record);
+  page_->sync(true);
+}
+
+void DeckWindow::redo() {
+  const std::string record = document_.redo();
+  if (record.empty()) return;
+  const std::vector<std::string> pages = document_.pages();
+  if (std::find(pages.begin(), pages.end(), record) != pages.end()) showRecord(record);
+  page_->sync(true);
+}
+
+void DeckWindow::showPlan() {
+  tabs_->setCurrentWidget(plan_);
+  if (document_.has_errors())
+    return desktop::show_message(this, tr("The deck has errors; mend them first (F8)."), true);
+  plan_->start(document_.deck(), document_.path());
+}
+
+void DeckWindow::runQuasiStatic() {
+  tabs_->setCurrentWidget(statics_);
+  if (document_.has_errors())
+    return desktop::show_message(this, tr("The deck has errors; mend them first (F8)."), true);
+  statics_->start(document_.deck(), document_.path());
+}
+
+void DeckWindow::switchTheme() {
+  using desktop::ThemeKind;
+  desktop::apply_theme(desktop::current_theme().kind == ThemeKind::Dark ? ThemeKind::Light
+                                                                        : ThemeKind::Dark);
+  const std::string record = std::exchange(current_, {});
+  showRecord(record);
+  refresh();
+}
+
+}  // namespace adore::adrinput

@@ -1,0 +1,98 @@
+#pragma once
+
+#include "adrinput/document.hpp"
+
+#include <QMainWindow>
+
+#include <functional>
+
+class QListWidget;
+class QMenu;
+class QPlainTextEdit;
+class QPushButton;
+class QScrollArea;
+class QTabWidget;
+class QTimer;
+
+namespace adore::adrinput {
+
+class EvaluationPanel;
+class RecordList;
+class RecordPage;
+
+/// AdrInput's window: the records on the left, the form of one of them, and below it what is wrong,
+/// the plan and the quasi-static solution.
+class DeckWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  explicit DeckWindow(QWidget* parent = nullptr);
+  ~DeckWindow() override;
+
+  [[nodiscard]] Document& document() { return document_; }
+  /// Reads a deck, or DATA.txt in a folder. False, after a message with the reason, when that is
+  /// impossible.
+  bool openFile(const std::filesystem::path& path);
+  void showRecord(const std::string& record);
+  [[nodiscard]] const std::string& currentRecord() const { return current_; }
+  [[nodiscard]] RecordPage* page() { return page_; }
+  [[nodiscard]] QScrollArea& pageArea() { return *scroll_; }
+  [[nodiscard]] EvaluationPanel& planPanel() { return *plan_; }
+  [[nodiscard]] EvaluationPanel& staticsPanel() { return *statics_; }
+  /// The slower checks, which follow a change after a short pause, now.
+  void checkNow();
+
+ public slots:
+  void goBack();
+  void nextRecord();
+  void newDeck(const QString& template_name);
+  void askForFile();
+  void save();
+  void saveAs();
+  void saveAndExit();
+  void undo();
+  void redo();
+  void nextProblem();
+  void previousProblem();
+  void showPlan();
+  void runQuasiStatic();
+  void switchTheme();
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void makeCentre();
+  QWidget* makeButtons();
+  void makeFileMenu();
+  void makeOtherMenus();
+  void fillRecent();
+  void refresh();
+  void refreshProblems();
+  void goToProblem(int row);
+  void stepProblem(int by);
+  void saveTo(const std::filesystem::path& path, std::function<void()> then = nullptr);
+  bool writeTo(const std::filesystem::path& path);
+  void askForName(std::function<void()> then);
+  /// Goes on at once, or after the user has saved or given up what is not saved.
+  void leaveDeck(std::function<void()> then);
+  void showHelp(const QString& title, const QString& text);
+  void remember(const std::filesystem::path& path);
+
+  Document document_;
+  std::string current_;
+  RecordPage* page_ = nullptr;
+  RecordList* list_ = nullptr;
+  QScrollArea* scroll_ = nullptr;
+  QTabWidget* tabs_ = nullptr;
+  QListWidget* problems_ = nullptr;
+  QPlainTextEdit* original_ = nullptr;
+  EvaluationPanel *plan_ = nullptr, *statics_ = nullptr;
+  QMenu* recent_ = nullptr;
+  QAction *undo_ = nullptr, *redo_ = nullptr;
+  QTimer* check_ = nullptr;
+  bool leaving_ = false;
+};
+
+}  // namespace adore::adrinput

@@ -1,0 +1,261 @@
+#include "adrinput/document.hpp"
+
+#include "adrinput/typed.hpp"
+#include "deck/lookup.hpp"
+#include "deck/templates.hpp"
+#include "facade/check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+
+namespace adore::adrinput {
+namespace {
+
+constexpr std::size_t kMostSteps = 200;
+constexpr std::string_view kUserLines = "12";
+
+bool has_error(const std::vector<Problem>& problems) {
+  return std::any_of(problems.begin(), problems.end(), [](const Problem& problem) {
+    return problem.issue.severity == Severity::Error;
+  });
+}
+
+bool same_variable(const Cell& a, const Cell& b) {
+  return a.record == b.record && a.instance == b.instance && a.variable == b.variable;
+}
+
+}  // namespace
+
+Document::Document() { start_new("ball"); }
+
+void Document::start(State state) {
+  state_ = std::move(state);
+  undo_.clear();
+  redo_.clear();
+  step_cell_.reset();
+  model_issues_.clear();
+  settle();
+  saved_deck_ = state_.deck;
+  saved_drafts_ = state_.drafts;
+  find_problems();
+}
+
+void Document::start_new(std::string_view template_name) {
+  State state;
+  state.deck = deck::new_deck(template_name);
+  path_.clear();
+  original_.clear();
+  original_kept_ = true;
+  file_issues_.clear();
+  start(std::move(state));
+  notify();
+}
+
+bool Document::modified() const {
+  return !(state_.deck == saved_deck_) || state_.drafts != saved_drafts_;
+}
+
+std::vector<std::string> Document::pages() const {
+  std::vector<std::string> out;
+  for (const deck::RecordData& record : state_.deck.records)
+    if (out.empty() || out.back() != record.id) out.push_back(record.id);
+  out.emplace_back(kUserLines);
+  return out;
+}
+
+int Document::instances(std::string_view record) const {
+  return static_cast<int>(
+      std::count_if(state_.deck.records.begin(), state_.deck.records.end(),
+                    [&](const deck::RecordData& data) { return data.id == record; }));
+}
+
+std::string Document::text(const Cell& cell) const {
+  const auto draft = state_.drafts.find(cell);
+  if (draft != state_.drafts.end()) return draft->second;
+  const deck::Value* value = value_at(state_.deck, cell);
+  return value == nullptr ? std::string() : shown_text(*value);
+}
+
+void Document::begin_step(const Cell& cell) {
+  redo_.clear();
+  if (step_cell_ == cell) return;
+  step_cell_ = cell;
+  undo_.push_back({state_, cell.record});
+  if (undo_.size() > kMostSteps) undo_.erase(undo_.begin());
+}
+
+void Document::edit(const Cell& cell, std::string_view typed) {
+  const deck::Value* old = value_at(state_.deck, cell);
+  if (old == nullptr || text(cell) == typed) return;
+  const deck::VariableSpec& variable = *variable_of(cell);
+  Typed value = parse_typed(variable, typed);
+  if (!value.problem && value.value == *old && state_.drafts.count(cell) == 0) return;
+  begin_step(cell);
+  if (value.problem) {
+    state_.drafts[cell] = typed;
+  } else {
+    state_.drafts.erase(cell);
+    deck::RecordData& record = *record_at(state_.deck, cell.record, cell.instance);
+    record.values[cell.variable][cell.element] = std::move(value.value);
+    std::erase(record.defaulted, deck::RecordData::Element{cell.variable, cell.element});
+    if (variable.type == deck::VarType::Integer) settle();
+  }
+  std::erase_if(file_issues_, [&](const Issue& issue) {
+    const std::optional<Cell> at = cell_of(issue);
+    return at && same_variable(*at, cell);
+  });
+  find_problems();
+  notify();
+}
+
+void Document::set_user_lines(std::vector<std::string> lines) {
+  if (lines == state_.deck.user_lines) return;
+  Cell cell;
+  cell.record = kUserLines;
+  begin_step(cell);
+  state_.deck.user_lines = std::move(lines);
+  find_problems();
+  notify();
+}
+
+void Document::accept_defaults(std::string_view record) {
+  bool any = false;
+  for (deck::RecordData& data : state_.deck.records)
+    if (data.id == record && !data.defaulted.empty()) {
+      data.defaulted.clear();
+      any = true;
+    }
+  if (any) notify();
+}
+
+/// Keeps a record for the day when it applies again; of arrays that became shorter also the rest.
+void Document::remember(const deck::RecordData& record) {
+  deck::RecordData kept = record;
+  deck::RecordData& slot = state_.shelf[{record.id, record.instance}];
+  for (std::size_t v = 0; v < std::min(kept.values.size(), slot.values.size()); ++v)
+    for (std::size_t k = kept.values[v].size(); k < slot.values[v].size(); ++k) {
+      kept.values[v].push_back(slot.values[v][k]);
+      const deck::RecordData::Element at{v, k};
+      if (std::find(slot.defaulted.begin(), slot.defaulted.end(), at) != slot.defaulted.end())
+        kept.defaulted.push_back(at);
+    }
+  slot = std::move(kept);
+}
+
+/// Records and array elements that the options ask for, from the shelf where they were before.
+void Document::settle() {
+  for (const deck::RecordData& record : state_.deck.records) remember(record);
+  state_.deck.records.clear();
+  for (const auto& [place, record] : state_.shelf) state_.deck.records.push_back(record);
+  state_.deck.complete();
+}
+
+std::string Document::travel(std::vector<Step>& from, std::vector<Step>& to) {
+  if (from.empty()) return {};
+  Step step = std::move(from.back());
+  from.pop_back();
+  to.push_back({std::move(state_), step.page});
+  state_ = std::move(step.state);
+  end_step();
+  find_problems();
+  notify();
+  return step.page;
+}
+
+std::string Document::undo() { return travel(undo_, redo_); }
+std::string Document::redo() { return travel(redo_, undo_); }
+
+void Document::add_problem(Issue issue) {
+  Problem problem;
+  problem.cell = cell_of(issue);
+  if (problem.cell && value_at(state_.deck, *problem.cell) == nullptr) problem.cell.reset();
+  problem.page = issue.record;
+  if (!issue.record.empty() && issue.record != kUserLines &&
+      deck::find_record_data(state_.deck, issue.record) == nullptr)
+    problem.page.clear();
+  problem.issue = std::move(issue);
+  problems_.push_back(std::move(problem));
+}
+
+void Document::find_problems() {
+  problems_.clear();
+  for (const auto& [cell, typed] : state_.drafts) {
+    if (value_at(state_.deck, cell) == nullptr) continue;
+    const deck::VariableSpec& variable = *variable_of(cell);
+    const deck::NumberProblem problem = parse_typed(variable, typed).problem;
+    Issue issue;
+    issue.record = cell.record;
+    issue.variable = variable.name;
+    if (!deck::find_record(cell.record)->repeat.empty())
+      issue.variable += fmt::format("[{}]", cell.instance);
+    if (variable.length != "1") issue.variable += fmt::format("[{}]", cell.element + 1);
+    issue.value = typed;
+    issue.message = problem.message;
+    issue.remedy = problem.remedy;
+    add_problem(std::move(issue));
+  }
+  for (Issue& issue : deck::check_deck(state_.deck)) {
+    const std::optional<Cell> cell = cell_of(issue);
+    const bool said =
+        cell && std::any_of(state_.drafts.begin(), state_.drafts.end(),
+                            [&](const auto& draft) { return same_variable(draft.first, *cell); });
+    if (!said) add_problem(std::move(issue));
+  }
+  if (has_error(problems_)) model_issues_.clear();
+  for (const Issue& issue : model_issues_) add_problem(issue);
+  const std::vector<Problem> live = problems_;
+  for (const Issue& from_file : file_issues_) {
+    const std::optional<Cell> cell = cell_of(from_file);
+    const bool said = cell && std::any_of(live.begin(), live.end(), [&](const Problem& problem) {
+                        return problem.cell && same_variable(*problem.cell, *cell);
+                      });
+    if (said) continue;
+    Issue issue = from_file;
+    if (issue.severity == Severity::Error) issue.severity = Severity::Warning;
+    issue.message = issue.line > 0
+                        ? fmt::format("in the file, line {}: {}", issue.line, issue.message)
+                        : "in the file: " + issue.message;
+    add_problem(std::move(issue));
+  }
+  std::stable_sort(problems_.begin(), problems_.end(), [](const Problem& a, const Problem& b) {
+    return a.issue.severity > b.issue.severity;
+  });
+}
+
+void Document::check_model() {
+  std::vector<Issue> found;
+  model_issues_.clear();
+  find_problems();
+  if (!has_error(problems_)) try {
+      found = facade::check_model(state_.deck);
+    } catch (const std::exception& error) {
+      Issue issue;
+      issue.message = error.what();
+      found.push_back(std::move(issue));
+    }
+  model_issues_ = std::move(found);
+  find_problems();
+  notify();
+}
+
+bool Document::has_errors() const { return has_error(problems_); }
+
+RecordState Document::state_of(std::string_view record) const {
+  RecordState state = RecordState::Complete;
+  for (const deck::RecordData& data : state_.deck.records)
+    if (data.id == record && !data.defaulted.empty()) state = RecordState::Untouched;
+  for (const Problem& problem : problems_) {
+    if (problem.page != record) continue;
+    if (problem.issue.severity == Severity::Error) return RecordState::Wrong;
+    if (problem.issue.severity == Severity::Warning) state = RecordState::Doubtful;
+  }
+  return state;
+}
+
+void Document::notify() {
+  if (changed) changed();
+}
+
+}  // namespace adore::adrinput

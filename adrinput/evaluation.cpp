@@ -1,0 +1,154 @@
+#include "adrinput/evaluation.hpp"
+
+#include "desktop/axis_scale.hpp"
+#include "facade/prepare.hpp"
+#include "results/print_file.hpp"
+#include "results/print_life.hpp"
+
+#include <QFontDatabase>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QThread>
+#include <QVBoxLayout>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <memory>
+
+namespace adore::adrinput {
+namespace {
+
+facade::Prepared prepared(const deck::Deck& deck, const std::filesystem::path& path) {
+  facade::LoadedDeck input;
+  input.path = path.empty() ? std::filesystem::path("new deck") : path;
+  input.deck = deck;
+  if (!path.empty()) input.option_values = facade::options_beside(path);
+  return facade::prepare(std::move(input));
+}
+
+std::string key_results(const facade::Prepared& ready, deck::UnitSystem units) {
+  namespace unit = results::unit;
+  const auto& found = ready.race_result();
+  const auto text = [&](double value, const deck::UnitPair& pair) {
+    return desktop::pretty_quantity(results::from_si(value, pair, units),
+                                    results::unit_name(pair, units));
+  };
+  return fmt::format(
+      "Inner race moves {} axially, {} along y and {} along z. Largest contact load {}, closest "
+      "approach {}. Stiffness {} axially, {} along z.",
+      text(found.displacement[0], unit::kLength), text(found.displacement[1], unit::kLength),
+      text(found.displacement[2], unit::kLength), text(found.max_load, unit::kForce),
+      text(found.max_deflection, unit::kLength), text(found.stiffness(0, 0), unit::kStiffness),
+      text(found.stiffness(2, 2), unit::kStiffness));
+}
+
+}  // namespace
+
+Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path) {
+  const facade::Prepared ready = prepared(deck, path);
+  return {{}, facade::plan_text(ready, facade::plan_with_estimates(ready))};
+}
+
+Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& path) {
+  deck::Deck still = deck;
+  still.set("mode", "-1");  // the equilibrium only, whatever the deck would run
+  still.complete();
+  const facade::Prepared ready = prepared(still, path);
+  results::Report report(ready.bearing.run_id, deck.units());
+  if (ready.rollers)
+    results::print_quasi_static(report, *ready.rollers, ready.bearing);
+  else
+    results::print_quasi_static(report, ready.statics, ready.bearing);
+  results::print_life(report, ready.life);
+  std::string text = report.take();
+  std::replace(text.begin(), text.end(), '\f', '\n');
+  return {key_results(ready, deck.units()), std::move(text)};
+}
+
+EvaluationPanel::EvaluationPanel(Function function, const QString& invitation, QWidget* parent)
+    : QWidget(parent),
+      function_(function),
+      note_(new QLabel(invitation, this)),
+      view_(new QPlainTextEdit(this)) {
+  note_->setWordWrap(true);
+  note_->setObjectName("note");
+  view_->setObjectName("text");
+  view_->setReadOnly(true);
+  view_->setLineWrapMode(QPlainTextEdit::NoWrap);
+  view_->setTabChangesFocus(true);
+  QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+  font.setFamily("DejaVu Sans Mono");
+  font.setStyleHint(QFont::Monospace);
+  font.setPixelSize(12);
+  view_->setFont(font);
+  view_->hide();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 6, 8, 6);
+  layout->addWidget(note_);
+  layout->addWidget(view_, 1);
+  layout->setAlignment(note_, Qt::AlignTop);
+}
+
+EvaluationPanel::~EvaluationPanel() {
+  if (thread_ != nullptr) thread_->wait();
+}
+
+QString EvaluationPanel::text() const { return view_->toPlainText(); }
+
+QString EvaluationPanel::headline() const { return headline_; }
+
+/// The key results; of an older deck with the remark that they are.
+void EvaluationPanel::showNote() {
+  QString note = headline_;
+  if (stale_) note = tr("Of the deck as it was before the last change. ") + note;
+  note_->setText(note);
+  note_->setVisible(!note.isEmpty());
+}
+
+void EvaluationPanel::show(const Evaluation& result, bool failed) {
+  headline_ =
+      failed ? tr("There is no result, for this reason:") : QString::fromStdString(result.headline);
+  view_->setPlainText(QString::fromStdString(result.text));
+  view_->show();
+  showNote();
+}
+
+void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path& path) {
+  if (busy()) return;
+  evaluated_ = deck;
+  stale_ = false;
+  note_->setText(tr("Computing …"));
+  note_->show();
+  struct Outcome {
+    Evaluation result;
+    bool failed = false;
+  };
+  auto outcome = std::make_shared<Outcome>();
+  thread_ = QThread::create([function = function_, deck, path, outcome] {
+    try {
+      outcome->result = function(deck, path);
+    } catch (const std::exception& error) {
+      outcome->result.text = error.what();
+      outcome->failed = true;
+    }
+  });
+  thread_->setParent(this);
+  connect(thread_, &QThread::finished, this, [this, outcome] {
+    thread_->deleteLater();
+    thread_ = nullptr;
+    show(outcome->result, outcome->failed);
+    emit finished();
+  });
+  thread_->start();
+}
+
+void EvaluationPanel::setDeck(const deck::Deck& deck) {
+  if (evaluated_.records.empty()) return;  // nothing was computed yet
+  const bool stale = !(deck == evaluated_);
+  if (stale == stale_) return;
+  stale_ = stale;
+  if (!busy()) showNote();
+}
+
+}  // namespace adore::adrinput

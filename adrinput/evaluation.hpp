@@ -1,0 +1,59 @@
+#pragma once
+
+#include "deck/deck.hpp"
+
+#include <QWidget>
+
+#include <filesystem>
+#include <string>
+
+class QLabel;
+class QPlainTextEdit;
+class QThread;
+
+namespace adore::adrinput {
+
+struct Evaluation {
+  std::string headline;  ///< key results in one sentence, or empty
+  std::string text;
+};
+
+/// What this deck would simulate and why; its quasi-static equilibrium as PRINT.txt has it. Both
+/// throw InputError or SolverError with the reason when there is none. Run options come from the
+/// ADORE.json beside `path`.
+[[nodiscard]] Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path);
+[[nodiscard]] Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& path);
+
+/// Runs one of them in the background and shows its text, or the reason why there is none. A text
+/// that no longer belongs to the deck says so.
+class EvaluationPanel : public QWidget {
+  Q_OBJECT
+ public:
+  using Function = Evaluation (*)(const deck::Deck&, const std::filesystem::path&);
+  EvaluationPanel(Function function, const QString& invitation, QWidget* parent = nullptr);
+  ~EvaluationPanel() override;
+
+  void start(const deck::Deck& deck, const std::filesystem::path& path);
+  /// The deck is this one now.
+  void setDeck(const deck::Deck& deck);
+  [[nodiscard]] QString headline() const;
+  [[nodiscard]] bool busy() const { return thread_ != nullptr; }
+  [[nodiscard]] QString text() const;
+
+ signals:
+  void finished();
+
+ private:
+  void showNote();
+  void show(const Evaluation& result, bool failed);
+
+  Function function_;
+  QLabel* note_;
+  QPlainTextEdit* view_;
+  QThread* thread_ = nullptr;
+  deck::Deck evaluated_;
+  QString headline_;
+  bool stale_ = false;
+};
+
+}  // namespace adore::adrinput

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "deck/deck.hpp"
+
+#include <QString>
+
+/// Help in our words, generated from the schema; rich text.
+namespace adore::adrinput {
+
+/// A record: what it is for, when a deck has it, and each of its variables.
+[[nodiscard]] QString record_help(const deck::Deck& deck, const deck::RecordSpec& record);
+/// How decks are written: rules of the format.
+[[nodiscard]] QString format_help();
+/// Keys and habits of the window.
+[[nodiscard]] QString keyboard_help();
+
+/// "kBrg = 1 (ball bearing), nCseg = 1": the options behind a condition as they stand; empty for a
+/// record that every deck has.
+[[nodiscard]] QString reason_for(const deck::Deck& deck, std::string_view condition);
+
+/// "5A", "7.2" without the letter of repeated records.
+[[nodiscard]] QString record_number(const deck::RecordSpec& record);
+
+}  // namespace adore::adrinput

@@ -1,0 +1,59 @@
+#include "adrinput/deck_window.hpp"
+#include "adrinput/render.hpp"
+#include "base/errors.hpp"
+#include "desktop/bootstrap.hpp"
+#include "desktop/command_line.hpp"
+#include "desktop/disclaimer.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/core.h>
+
+using namespace adore;
+
+namespace {
+
+int render(int& argc, char** argv, const std::filesystem::path& deck,
+           const adrinput::RenderOptions& options) {
+  if (deck.empty()) throw InputError("--render needs a deck whose pages are to be drawn");
+  const auto app = desktop::make_application(argc, argv, "adrinput", desktop::Display::Headless);
+  for (const auto& path : adrinput::render_pages(deck, options)) fmt::print("{}\n", path.string());
+  return 0;
+}
+
+int show(int& argc, char** argv, const std::filesystem::path& deck) {
+  const auto app = desktop::make_application(argc, argv, "adrinput", desktop::Display::Window);
+  if (!desktop::ask_for_disclaimer("AdrInput")) return 0;
+  adrinput::DeckWindow window;
+  window.show();
+  if (!deck.empty()) window.openFile(deck);
+  return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App cli(
+      "AdrInput: prepares data decks, record by record, with checks as you type. Without a deck it "
+      "starts with the example ball bearing; without --render it opens a window.",
+      "adrinput");
+  std::filesystem::path deck;
+  adrinput::RenderOptions options;
+  std::string size = "1280x800";
+  cli.add_option("DECK", deck, "deck file, or a folder that holds DATA.txt");
+  auto* folder =
+      cli.add_option("--render", options.folder,
+                     "write every page as PNG into this folder instead of opening a window");
+  cli.add_option("--size", size, "picture size in pixels, WIDTHxHEIGHT")->needs(folder);
+  cli.add_flag("--dark", options.dark, "dark colours")->needs(folder);
+  try {
+    cli.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return cli.exit(error) == 0 ? 0 : 2;
+  }
+  return desktop::guarded("adrinput", [&] {
+    const auto pixels = desktop::parse_size(size);
+    options.width = pixels.width;
+    options.height = pixels.height;
+    return options.folder.empty() ? show(argc, argv, deck) : render(argc, argv, deck, options);
+  });
+}

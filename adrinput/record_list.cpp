@@ -1,0 +1,215 @@
+#include "adrinput/record_list.hpp"
+
+#include "adrinput/help_text.hpp"
+#include "adrinput/search.hpp"
+#include "desktop/theme.hpp"
+
+#include <QIcon>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPainter>
+#include <QPixmap>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace adore::adrinput {
+namespace {
+
+constexpr int kRecordRole = Qt::UserRole, kVariableRole = Qt::UserRole + 1;
+
+QString text_of(std::string_view text) {
+  return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QListWidget* make_list(const QString& name, QWidget* parent) {
+  auto* list = new QListWidget(parent);
+  list->setObjectName(name);
+  list->setWordWrap(true);
+  list->setFrameShape(QFrame::NoFrame);
+  list->setResizeMode(QListView::Adjust);
+  list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  list->setSpacing(1);
+  return list;
+}
+
+/// Told apart by their shape, so that nobody needs to see the colours.
+QPixmap state_sign(RecordState state, const QColor& colour) {
+  QPixmap pixmap(32, 32);
+  pixmap.setDevicePixelRatio(2.0);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(colour, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  switch (state) {
+    case RecordState::Complete:
+      painter.drawPolyline(QPolygonF({{3.5, 8.5}, {6.5, 11.5}, {12.5, 4.5}}));
+      break;
+    case RecordState::Untouched:
+      painter.drawEllipse(QPointF(8, 8), 4, 4);
+      break;
+    case RecordState::Doubtful:
+      painter.drawPolygon(QPolygonF({{8, 2.5}, {14, 13}, {2, 13}}));
+      break;
+    case RecordState::Wrong:
+      painter.drawLine(QPointF(4, 4), QPointF(12, 12));
+      painter.drawLine(QPointF(12, 4), QPointF(4, 12));
+      break;
+  }
+  return pixmap;
+}
+
+}  // namespace
+
+QString state_text(RecordState state) {
+  switch (state) {
+    case RecordState::Complete:
+      return "complete";
+    case RecordState::Untouched:
+      return "holds values that nobody gave yet";
+    case RecordState::Doubtful:
+      return "has a warning";
+    case RecordState::Wrong:
+      return "has an error";
+  }
+  return {};
+}
+
+QIcon state_icon(RecordState state) {
+  const desktop::Theme& theme = desktop::current_theme();
+  static std::map<std::pair<desktop::ThemeKind, RecordState>, QIcon> drawn;
+  const auto known = drawn.find({theme.kind, state});
+  if (known != drawn.end()) return known->second;
+  const std::map<RecordState, QColor> colours = {{RecordState::Complete, theme.green},
+                                                 {RecordState::Untouched, theme.muted},
+                                                 {RecordState::Doubtful, theme.curves[1]},
+                                                 {RecordState::Wrong, theme.red}};
+  QIcon icon;
+  icon.addPixmap(state_sign(state, colours.at(state)), QIcon::Normal);
+  icon.addPixmap(state_sign(state, Qt::white), QIcon::Selected);
+  return drawn.emplace(std::pair(theme.kind, state), icon).first->second;
+}
+
+RecordList::RecordList(Document& document, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      query_(new QLineEdit(this)),
+      stack_(new QStackedWidget(this)),
+      records_(make_list("records", this)),
+      found_(make_list("found", this)) {
+  query_->setObjectName("search");
+  query_->setPlaceholderText(tr("Find a variable (Ctrl+F)"));
+  query_->setAccessibleName(tr("Find a variable"));
+  query_->setClearButtonEnabled(true);
+  query_->installEventFilter(this);
+  found_->installEventFilter(this);
+  records_->setAccessibleName(tr("Records"));
+  found_->setAccessibleName(tr("Variables found"));
+  stack_->addWidget(records_);
+  stack_->addWidget(found_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 0, 0);
+  layout->addWidget(query_);
+  layout->addWidget(stack_, 1);
+  connect(query_, &QLineEdit::textChanged, this, &RecordList::search);
+  connect(records_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
+    if (item != nullptr) emit recordChosen(item->data(kRecordRole).toString());
+  });
+  connect(found_, &QListWidget::itemClicked, this,
+          [this](QListWidgetItem* item) { chooseFound(found_->row(item)); });
+  sync();
+}
+
+void RecordList::sync() {
+  const QSignalBlocker quiet(records_);
+  const std::vector<std::string> pages = document_.pages();
+  while (records_->count() > static_cast<int>(pages.size()))
+    delete records_->takeItem(records_->count() - 1);
+  for (int i = 0; i < static_cast<int>(pages.size()); ++i) {
+    const std::string& id = pages[static_cast<std::size_t>(i)];
+    if (records_->count() <= i) records_->addItem(new QListWidgetItem);
+    QListWidgetItem* item = records_->item(i);
+    const deck::RecordSpec& spec = *deck::find_record(id);
+    const RecordState state = document_.state_of(id);
+    item->setText(QString("%1  %2").arg(record_number(spec), text_of(spec.title)));
+    item->setIcon(state_icon(state));
+    item->setToolTip(state_text(state));
+    item->setData(Qt::AccessibleTextRole, item->text() + ", " + state_text(state));
+    item->setData(kRecordRole, QString::fromStdString(id));
+  }
+}
+
+void RecordList::setCurrent(const std::string& record) {
+  const QSignalBlocker quiet(records_);
+  for (int i = 0; i < records_->count(); ++i)
+    if (records_->item(i)->data(kRecordRole).toString().toStdString() == record) {
+      records_->setCurrentRow(i);
+      records_->scrollToItem(records_->item(i));
+    }
+}
+
+void RecordList::focusRecords() { records_->setFocus(); }
+
+void RecordList::startSearch() {
+  query_->setFocus(Qt::ShortcutFocusReason);
+  query_->selectAll();
+}
+
+void RecordList::search(const QString& query) {
+  found_->clear();
+  stack_->setCurrentWidget(query.trimmed().isEmpty() ? records_ : found_);
+  if (query.trimmed().isEmpty()) return;
+  for (const Found& found : search_variables(query.toStdString())) {
+    const deck::RecordSpec& record = *deck::find_record(found.cell.record);
+    const deck::VariableSpec& variable = *variable_of(found.cell);
+    const bool here = document_.instances(found.cell.record) > 0;
+    QString text = QString("%1 · record %2\n%3")
+                       .arg(text_of(variable.name), record_number(record), text_of(variable.help));
+    if (!here) text += tr("\nNot in this deck: needs %1").arg(text_of(record.condition));
+    auto* item = new QListWidgetItem(text, found_);
+    item->setData(kRecordRole, QString::fromStdString(found.cell.record));
+    item->setData(kVariableRole, static_cast<int>(found.cell.variable));
+    if (!here) item->setForeground(desktop::current_theme().muted);
+  }
+  if (found_->count() == 0) {
+    auto* item = new QListWidgetItem(tr("No variable says that."), found_);
+    item->setFlags(Qt::NoItemFlags);
+  } else {
+    found_->setCurrentRow(0);
+  }
+}
+
+void RecordList::chooseFound(int row) {
+  const QListWidgetItem* item = found_->item(row);
+  if (item == nullptr || !item->data(kRecordRole).isValid()) return;
+  emit variableChosen(item->data(kRecordRole).toString(), item->data(kVariableRole).toInt());
+}
+
+bool RecordList::eventFilter(QObject* object, QEvent* event) {
+  if (event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Escape) {
+      query_->clear();
+      records_->setFocus();
+      return true;
+    }
+    if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+      if (stack_->currentWidget() == found_) chooseFound(std::max(found_->currentRow(), 0));
+      return true;
+    }
+    if (object == query_ && (key == Qt::Key_Down || key == Qt::Key_Up) &&
+        stack_->currentWidget() == found_) {
+      const int row = found_->currentRow() + (key == Qt::Key_Down ? 1 : -1);
+      found_->setCurrentRow(std::clamp(row, 0, found_->count() - 1));
+      return true;
+    }
+  }
+  return QWidget::eventFilter(object, event);
+}
+
+}  // namespace adore::adrinput

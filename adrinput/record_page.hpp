@@ -1,0 +1,76 @@
+#pragma once
+
+#include "adrinput/document.hpp"
+
+#include <QWidget>
+
+#include <memory>
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+class QComboBox;
+class QPlainTextEdit;
+class QVBoxLayout;
+
+namespace adore::adrinput {
+
+class CellTable;
+
+/// The form of one record, generated from the schema: a row per variable with its field, unit,
+/// limits, help and problems; arrays and repeated records as tables.
+class RecordPage : public QWidget {
+  Q_OBJECT
+ public:
+  RecordPage(Document& document, const std::string& record, QWidget* parent = nullptr);
+  ~RecordPage() override;
+
+  [[nodiscard]] const std::string& record() const { return record_; }
+  /// Shows what the document holds. The field being typed in keeps its text unless `all`.
+  void sync(bool all = false);
+  /// Puts the keyboard focus on a value. False when this page has no field for it.
+  bool focusCell(const Cell& cell);
+  void focusFirst();
+  /// The field of a variable: QLineEdit or QComboBox, or the table that holds it.
+  [[nodiscard]] QWidget* fieldOf(std::size_t variable) const;
+
+ signals:
+  /// A field got the focus and should be in view.
+  void focusMoved(QWidget* field);
+
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+ private:
+  struct Row {
+    std::size_t variable = 0;
+    QLineEdit* line = nullptr;
+    QComboBox* combo = nullptr;
+    CellTable* table = nullptr;
+    QLabel* unit = nullptr;
+    QLabel* problem = nullptr;
+  };
+  void addHeading(QVBoxLayout* layout);
+  void addVariable(QGridLayout* grid, std::size_t variable);
+  void addInstances(QVBoxLayout* layout);
+  void addUserLines(QVBoxLayout* layout);
+  QLineEdit* makeLine(const Cell& cell);
+  QComboBox* makeCombo(const Cell& cell);
+  void finish(QWidget* field);
+  void syncRow(Row& row, bool all);
+  void showProblems(Row& row);
+  [[nodiscard]] Cell cellOf(std::size_t variable) const;
+
+  Document& document_;
+  std::string record_;
+  const deck::RecordSpec& spec_;
+  std::vector<Row> rows_;
+  QLabel* reason_ = nullptr;
+  QPlainTextEdit* lines_ = nullptr;
+};
+
+/// Text of a choice in a list: "1 — record 8.1".
+[[nodiscard]] QString choice_text(std::string_view code, std::string_view meaning);
+
+}  // namespace adore::adrinput

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace adore::adrinput {
+
+struct RenderOptions {
+  std::filesystem::path folder;  ///< made when missing
+  int width = 1280, height = 800;
+  bool dark = false;
+};
+
+/// Draws the window with every page of a deck as PNG, named NN-record.png; of a form that is longer
+/// than the window also what lies further down, as NN-record-2.png and so on. Needs an application
+/// object (desktop/bootstrap.hpp). @throws InputError for a deck or folder that cannot be used.
+std::vector<std::filesystem::path> render_pages(const std::filesystem::path& deck,
+                                                const RenderOptions& options);
+
+}  // namespace adore::adrinput

@@ -1,0 +1,110 @@
+#include "adrinput/typed.hpp"
+
+#include "deck/lookup.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+namespace adore::adrinput {
+namespace {
+
+void replace_all(std::string& text, std::string_view from, std::string_view to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at))
+    text.replace(at, from.size(), to);
+}
+
+/// Without blanks around it, with a plain minus sign and a decimal point.
+std::string plain_number(std::string_view typed) {
+  std::string text(typed);
+  replace_all(text, "\u2212", "-");
+  replace_all(text, "\u00a0", " ");
+  const std::size_t first = text.find_first_not_of(" \t");
+  if (first == std::string::npos) return {};
+  text = text.substr(first, text.find_last_not_of(" \t") - first + 1);
+  const auto commas = std::count(text.begin(), text.end(), ',');
+  if (commas == 1 && text.find('.') == std::string::npos) text[text.find(',')] = '.';
+  return text;
+}
+
+Typed parse_string(std::string_view text) {
+  const bool control = std::any_of(text.begin(), text.end(), [](char c) {
+    return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == 0x7f;
+  });
+  if (control) return {{}, {"holds a line break or another control character", "use one line"}};
+  return {std::string(text), {}};
+}
+
+std::string ending_of(const deck::VariableSpec& variable) {
+  const std::string codes = deck::describe_codes(variable);
+  return codes.empty() ? "" : "valid are " + codes;
+}
+
+}  // namespace
+
+Typed parse_typed(const deck::VariableSpec& variable, std::string_view text) {
+  if (variable.type == deck::VarType::String) return parse_string(text);
+  const std::string number = plain_number(text);
+  const bool integer = variable.type == deck::VarType::Integer;
+  if (number.empty())
+    return {{}, {"is missing", integer ? "give an integer" : "give a number such as 0.05"}};
+  if (!integer) {
+    double value = 0.0;
+    deck::NumberProblem problem = deck::parse_real(number, value);
+    return {value, std::move(problem)};
+  }
+  long long value = 0;
+  if (deck::NumberProblem problem = deck::parse_integer(number, value)) return {{}, problem};
+  if (!deck::is_valid_code(variable, value))
+    return {{}, {"is a code that does not exist", ending_of(variable)}};
+  if (!deck::in_range(variable.range, static_cast<double>(value)))
+    return {{}, {"is out of range", "give a value of " + deck::describe_range(variable.range, {})}};
+  return {value, {}};
+}
+
+std::string shown_text(const deck::Value& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  return deck::value_text(value);
+}
+
+std::string unit_of(const deck::Deck& deck, const deck::VariableSpec& variable) {
+  const bool pure = !variable.unitless_when.empty() &&
+                    deck::evaluate(variable.unitless_when, deck::scope_of(deck));
+  const std::string_view unit =
+      deck.units() == deck::UnitSystem::English ? variable.unit.en : variable.unit.si;
+  return pure || unit == "-" ? std::string() : std::string(unit);
+}
+
+std::string limits_of(const deck::Deck& deck, const deck::VariableSpec& variable) {
+  std::string out;
+  if (variable.type == deck::VarType::String) {
+    if (variable.max_length > 0) out = fmt::format("at most {} characters", variable.max_length);
+  } else {
+    deck::Range range = deck::range_in_deck_units(deck, variable);
+    constexpr double kAnyInteger = 2147483647.0;  // not a limit that a person needs to read
+    if (variable.type == deck::VarType::Integer) {
+      if (range.min <= -kAnyInteger) range.min = -std::numeric_limits<double>::infinity();
+      if (range.max >= kAnyInteger) range.max = std::numeric_limits<double>::infinity();
+    }
+    out = deck::describe_range(range, {});
+  }
+  if (!variable.default_value.empty())
+    out += fmt::format("{}default {}", out.empty() ? "" : " · ", variable.default_value);
+  return out;
+}
+
+std::string meaning_of(const deck::VariableSpec& variable, std::string_view code) {
+  const auto search = [&](std::span<const deck::OptionSpec> options) -> std::string {
+    for (const deck::OptionSpec& option : options)
+      if (option.code == code) return std::string(option.meaning);
+    return {};
+  };
+  std::string meaning = search(variable.options);
+  if (meaning.empty() && !variable.option_table.empty())
+    meaning = search(deck::option_table(variable.option_table));
+  return meaning;
+}
+
+}  // namespace adore::adrinput

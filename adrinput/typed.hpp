@@ -1,0 +1,37 @@
+#pragma once
+
+#include "deck/deck.hpp"
+#include "deck/number.hpp"
+
+#include <string>
+#include <string_view>
+
+/// From what a person types to a value of the deck, and back. The user's locale plays no part. No
+/// Qt.
+namespace adore::adrinput {
+
+struct Typed {
+  deck::Value value;            ///< when there is no problem
+  deck::NumberProblem problem;  ///< continues "the value ..."
+};
+
+/// Understands a decimal comma ("0,05") and a typographic minus sign. An integer that the variable
+/// does not know (code, range) is a problem here, since other records depend on it; a real out of
+/// range is a value, which the deck's checks judge.
+[[nodiscard]] Typed parse_typed(const deck::VariableSpec& variable, std::string_view text);
+
+/// A value as a field shows it: shortest text that reads back the same, decimal point; "" for a
+/// missing one.
+[[nodiscard]] std::string shown_text(const deck::Value& value);
+
+/// "m", "lbf.in"; "" for pure numbers, codes, and where this deck's codes make it a pure number.
+[[nodiscard]] std::string unit_of(const deck::Deck& deck, const deck::VariableSpec& variable);
+
+/// Valid range and default in the deck's units: "above 0 m · default 0.5"; "" when there is
+/// neither.
+[[nodiscard]] std::string limits_of(const deck::Deck& deck, const deck::VariableSpec& variable);
+
+/// Meaning of a code; "" for a variable without codes or an unknown one.
+[[nodiscard]] std::string meaning_of(const deck::VariableSpec& variable, std::string_view code);
+
+}  // namespace adore::adrinput

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "adrinput/deck_window.hpp"
+
+#include <QCoreApplication>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTest>
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+/// What tests of AdrInput do to its window.
+namespace adore::adrinput {
+
+inline Cell cell(const std::string& name, int instance = 1, std::size_t element = 0) {
+  const auto refs = deck::find_variable(name);
+  REQUIRE_FALSE(refs.empty());
+  return {std::string(refs[0].record->id), instance, refs[0].position, element};
+}
+
+inline void press(DeckWindow& window, const QString& button) {
+  auto* push = window.findChild<QPushButton*>(button);
+  REQUIRE(push != nullptr);
+  QTest::mouseClick(push, Qt::LeftButton);
+}
+
+/// Text of the message shown, which is then closed; empty when there is none.
+inline QString take_message(QWidget& window) {
+  auto* box = window.findChild<QMessageBox*>("message");
+  if (box == nullptr) return {};
+  const QString text = box->text();
+  box->close();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  return text;
+}
+
+inline void replace_text(QLineEdit* line, const QString& text) {
+  line->setFocus();
+  line->selectAll();
+  QTest::keyClick(line, Qt::Key_Backspace);
+  QTest::keyClicks(line, text);
+  QTest::keyClick(line, Qt::Key_Return);
+}
+
+inline std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace adore::adrinput

@@ -1,0 +1,304 @@
+#include "adrinput/cell_table.hpp"
+#include "adrinput/deck_window.hpp"
+#include "adrinput/driver.hpp"
+#include "adrinput/record_page.hpp"
+#include "adrinput/render.hpp"
+#include "adrinput/typed.hpp"
+#include "deck/condition.hpp"
+#include "deck/lookup.hpp"
+#include "deck/templates.hpp"
+#include "desktop/theme.hpp"
+#include "facade/check.hpp"
+#include "support/qt_app.hpp"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QScrollArea>
+#include <QTemporaryDir>
+#include <QTest>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <random>
+
+using namespace adore;
+using namespace adore::adrinput;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A number other than the present one that the variable takes, as a person may type it.
+QString other_value(const Document& document, const Cell& at) {
+  const deck::VariableSpec& variable = *variable_of(at);
+  if (variable.type == deck::VarType::String) return document.text(at) == "a'b 7" ? "c,d" : "a'b 7";
+  for (const char* text : {"0,75", "12,5", "1", "2", "3", "-0,25", "60", "0"}) {
+    const Typed typed = parse_typed(variable, text);
+    if (typed.problem || shown_text(typed.value) == document.text(at)) continue;
+    const auto* real = std::get_if<double>(&typed.value);
+    if (real != nullptr &&
+        !deck::in_range(deck::range_in_deck_units(document.deck(), variable), *real))
+      continue;
+    return text;
+  }
+  return {};
+}
+
+/// Types another value into a cell through its widget. False when it takes no other.
+bool type_into(DeckWindow& window, const Cell& at) {
+  Document& document = window.document();
+  QWidget* field = window.page()->fieldOf(at.variable);
+  REQUIRE(field != nullptr);
+  const std::string old = document.text(at);
+  if (auto* combo = qobject_cast<QComboBox*>(field)) {
+    combo->setFocus();
+    const int index = combo->currentIndex();
+    QTest::keyClick(combo, index + 1 < combo->count() ? Qt::Key_Down : Qt::Key_Up);
+    return document.text(at) != old || combo->count() < 2;
+  }
+  const QString text = other_value(document, at);
+  if (text.isEmpty()) return false;
+  if (auto* line = qobject_cast<QLineEdit*>(field)) {
+    replace_text(line, text);
+  } else {
+    auto* table = qobject_cast<CellTable*>(field);
+    REQUIRE(table->focusCell(at));
+    QTest::keyClick(table, Qt::Key_F2);
+    if (auto* combo = table->viewport()->findChild<QComboBox*>()) {
+      combo->setCurrentIndex(combo->findData(text));
+      QTest::keyClick(combo, Qt::Key_Return);
+    } else {
+      auto* editor = table->viewport()->findChild<QLineEdit*>();
+      REQUIRE(editor != nullptr);
+      editor->selectAll();
+      QTest::keyClicks(editor, text);
+      QTest::keyClick(editor, Qt::Key_Return);
+    }
+    QCoreApplication::processEvents();  // the table takes the value over in a later event
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
+  const Typed expected = parse_typed(*variable_of(at), text.toStdString());
+  const deck::Value* value = value_at(document.deck(), at);
+  return value != nullptr && *value == expected.value;
+}
+
+/// Sets options until the deck asks for a record: tries codes of the variables in its condition.
+bool make_record_apply(Document& document, const deck::RecordSpec& record) {
+  std::vector<std::string> names;
+  for (const std::string_view name : deck::names_in(record.condition))
+    if (variable_of(cell(std::string(name)))->length == "1") names.emplace_back(name);
+  const std::vector<long long> codes = {0, 1, 2, 3, 4, 5, 9, -1};
+  std::vector<std::size_t> choice(names.size(), 0);
+  deck::ConditionScope scope = deck::scope_of(document.deck());
+  scope.array = [](std::string_view) { return std::vector<long long>{1}; };
+  for (;;) {
+    scope.integer = [&](std::string_view name) {
+      const auto found = std::find(names.begin(), names.end(), name);
+      return codes[choice[static_cast<std::size_t>(found - names.begin())]];
+    };
+    if (deck::evaluate(record.condition, scope)) break;
+    std::size_t digit = 0;
+    while (digit < choice.size() && ++choice[digit] == codes.size()) choice[digit++] = 0;
+    if (digit == choice.size()) return false;
+  }
+  for (std::size_t i = 0; i < names.size(); ++i)
+    document.edit(cell(names[i]), std::to_string(codes[choice[i]]));
+  if (!record.repeat.empty() && document.deck().integer(record.repeat) < 2)
+    document.edit(cell(std::string(record.repeat)), "2");
+  if (document.instances(record.id) == 0 &&
+      record.condition.find("max(") != record.condition.npos) {
+    document.edit(cell("nGL"), "1");
+    document.edit(cell("iCageGuide"), "1");
+  }
+  return document.instances(record.id) > 0;
+}
+
+}  // namespace
+
+TEST_CASE("every record of the schema: its page is built, edited by typing, and reads back equal",
+          "[gui][adrinput][slow]") {
+  test::use_qt();
+  DeckWindow window;
+  window.resize(1280, 800);
+  window.show();
+  Document& document = window.document();
+  int edited = 0, records = 0;
+  for (const deck::RecordSpec& record : deck::schema()) {
+    if (record.id == "12") continue;
+    INFO("record " << record.id);
+    // A deck of any type whose options can be set so that the record is due.
+    bool there = false;
+    for (const char* type : {"ball", "cylindrical", "tapered"}) {
+      document.start_new(type);
+      if ((there = make_record_apply(document, record))) break;
+    }
+    REQUIRE(there);
+    ++records;
+    window.showRecord(std::string(record.id));
+    REQUIRE(window.page()->record() == record.id);
+    const int instances = document.instances(record.id);
+    if (!record.repeat.empty()) CHECK(instances >= 2);
+    for (int instance = 1; instance <= instances; ++instance)
+      for (std::size_t v = 0; v < record.variables.size(); ++v) {
+        const auto length =
+            static_cast<std::size_t>(deck::array_length(document.deck(), record.variables[v]));
+        for (std::size_t k = 0; k < length; ++k) {
+          const Cell at{std::string(record.id), instance, v, k};
+          INFO(record.variables[v].name << " instance " << instance << " element " << k);
+          const deck::Deck before = document.deck();
+          CHECK(type_into(window, at));
+          ++edited;
+          const deck::ReadResult back =
+              deck::read_deck_text(deck::write_deck(document.deck()), "DATA.txt");
+          if (document.instances(record.id) > 0) CHECK(back.deck == document.deck());
+          window.undo();
+          CHECK(document.deck() == before);
+          if (window.currentRecord() != record.id) window.showRecord(std::string(record.id));
+        }
+      }
+  }
+  CHECK(records + 1 == static_cast<int>(deck::schema().size()));
+  CHECK(edited > 700);
+}
+
+TEST_CASE("no text is cut off at the sizes people have", "[gui][adrinput][slow]") {
+  test::use_qt();
+  for (const QSize size : {QSize(1280, 800), QSize(1920, 1080)}) {
+    DeckWindow window;
+    window.resize(size);
+    window.show();
+    for (const char* type : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"}) {
+      window.newDeck(type);
+      for (const std::string& record : window.document().pages()) {
+        window.showRecord(record);
+        QCoreApplication::processEvents();
+        INFO(type << ", record " << record << ", " << size.width());
+        CHECK(window.page()->width() <= window.pageArea().viewport()->width());
+        for (const QLabel* label : window.page()->findChildren<QLabel*>()) {
+          if (!label->isVisible()) continue;
+          INFO(label->text().toStdString());
+          CHECK(label->height() >= label->heightForWidth(label->width()));
+          if (!label->wordWrap()) CHECK(label->width() >= label->sizeHint().width());
+        }
+        for (const QComboBox* combo : window.page()->findChildren<QComboBox*>()) {
+          INFO(combo->currentText().toStdString());
+          CHECK(combo->fontMetrics().horizontalAdvance(combo->currentText()) + 24 < combo->width());
+        }
+        for (const QLineEdit* line : window.page()->findChildren<QLineEdit*>())
+          if (qobject_cast<QComboBox*>(line->parent()) == nullptr && line->isVisible())
+            CHECK(line->fontMetrics().horizontalAdvance(line->text()) + 8 < line->width());
+      }
+    }
+  }
+}
+
+TEST_CASE("every page as a picture, light and dark", "[gui][adrinput][slow]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const fs::path deck = folder.filePath("DATA.txt").toStdString();
+  std::ofstream(deck) << deck::template_text("ball");
+  RenderOptions options;
+  for (const bool dark : {false, true}) {
+    options.folder = folder.filePath(dark ? "dark" : "light").toStdString();
+    options.dark = dark;
+    const auto pictures = render_pages(deck, options);
+    CHECK(pictures.size() > 22);
+    for (const fs::path& path : pictures) {
+      const QImage image(QString::fromStdString(path.string()));
+      REQUIRE(image.size() == QSize(1280, 800));
+      const int corner = QColor(image.pixel(1278, 560)).lightness();
+      CHECK((dark ? corner < 128 : corner > 128));
+    }
+  }
+  desktop::apply_theme(desktop::ThemeKind::Light);
+}
+
+TEST_CASE("a random walk never crashes, and what it writes passes the check or is refused",
+          "[gui][adrinput][slow]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("DATA.txt").toStdString();
+  std::mt19937 random(20260101);
+  const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
+  const std::vector<std::string> texts = {"0",   "1",    "2",     "3",   "-1",    "9",     "12",
+                                          "0,5", "1e-3", "1e999", "abc", "",      "''",    "0.06",
+                                          "-5",  "nan",  "1.5d2", "40",  "40000", "a 'b'", "1e-9"};
+  constexpr int kActions = 3000;
+  int written = 0, refused = 0;
+  auto window = std::make_unique<DeckWindow>();
+  window->show();
+  for (int action = 0; action < kActions; ++action) {
+    Document& document = window->document();
+    INFO("action " << action);
+    const std::size_t what = below(100);
+    const auto pages = document.pages();
+    if (what < 55) {
+      const deck::RecordSpec& spec = *deck::find_record(window->currentRecord());
+      if (spec.id == "12") {
+        window->page()->findChild<QPlainTextEdit*>()->setPlainText(
+            QString::fromStdString(texts[below(texts.size())]));
+        window->showRecord(pages[below(pages.size())]);
+        continue;
+      }
+      const std::size_t v = below(spec.variables.size());
+      QWidget* field = window->page()->fieldOf(v);
+      if (auto* combo = qobject_cast<QComboBox*>(field); combo != nullptr && below(4) != 0) {
+        emit combo->activated(static_cast<int>(below(static_cast<std::size_t>(combo->count()))));
+      } else if (auto* line = qobject_cast<QLineEdit*>(field)) {
+        replace_text(line, QString::fromStdString(texts[below(texts.size())]));
+      } else {
+        const int instances = std::max(document.instances(spec.id), 1);
+        document.edit(
+            {std::string(spec.id), 1 + static_cast<int>(below(static_cast<std::size_t>(instances))),
+             v, below(4)},
+            texts[below(texts.size())]);
+      }
+    } else if (what < 75) {
+      window->showRecord(pages[below(pages.size())]);
+    } else if (what < 79) {
+      window->nextRecord();
+    } else if (what < 82) {
+      window->goBack();
+    } else if (what < 90) {
+      for (std::size_t i = below(6); i > 0; --i) window->undo();
+    } else if (what < 93) {
+      window->redo();
+    } else if (what < 94) {
+      const auto& all = deck::templates();
+      document.start_new(all[below(all.size())].name);
+    } else if (what < 95) {
+      window->nextProblem();
+    } else if (what < 99) {
+      try {
+        document.save(path);
+        ++written;
+        const deck::ReadResult back = deck::read_deck(path);
+        CHECK(back.ok());
+        CHECK(back.deck == document.deck());
+        for (const Issue& issue : facade::check_model(back.deck)) {
+          INFO(issue.text());
+          CHECK(issue.severity != Severity::Error);
+        }
+      } catch (const InputError& error) {
+        ++refused;
+        CHECK(document.has_errors());
+      }
+    } else if (fs::exists(path)) {
+      window->openFile(path);
+    }
+    while (!take_message(*window).isEmpty()) {
+    }
+    if (action % 50 == 0) {
+      window->checkNow();
+      QCoreApplication::processEvents();
+    }
+  }
+  CHECK(written > 5);
+  CHECK(refused > 20);
+}

@@ -1,0 +1,313 @@
+#include "adrinput/document.hpp"
+#include "adrinput/search.hpp"
+#include "adrinput/typed.hpp"
+#include "deck/templates.hpp"
+#include "facade/check.hpp"
+
+#include <QTemporaryDir>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+using namespace adore;
+using namespace adore::adrinput;
+namespace fs = std::filesystem;
+
+namespace {
+
+Cell cell(const std::string& name, int instance = 1, std::size_t element = 0) {
+  const auto refs = deck::find_variable(name);
+  REQUIRE_FALSE(refs.empty());
+  return {std::string(refs[0].record->id), instance, refs[0].position, element};
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write(const fs::path& path, std::string_view text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+std::vector<fs::path> bad_decks() {
+  std::vector<fs::path> out;
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(ADORE_SOURCE_DIR) / "tests" / "decks" / "bad"))
+    if (entry.path().extension() == ".txt") out.push_back(entry.path());
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+bool errors_in(const std::vector<Issue>& issues) {
+  return std::any_of(issues.begin(), issues.end(),
+                     [](const Issue& issue) { return issue.severity == Severity::Error; });
+}
+
+}  // namespace
+
+TEST_CASE("typed numbers: comma, minus sign and blanks are understood, nonsense is explained",
+          "[unit][adrinput]") {
+  const deck::VariableSpec& real = *variable_of(cell("pitchDia"));
+  const deck::VariableSpec& whole = *variable_of(cell("nRe"));
+  const deck::VariableSpec& code = *variable_of(cell("kBrg"));
+  const auto number = [&](std::string_view text) {
+    const Typed typed = parse_typed(real, text);
+    INFO(text);
+    REQUIRE_FALSE(typed.problem);
+    return std::get<double>(typed.value);
+  };
+  CHECK(number("0,0605") == 0.0605);
+  CHECK(number(" 0.0605 ") == 0.0605);
+  CHECK(number("1,5e-3") == 1.5e-3);
+  CHECK(number("\u22120,5") == -0.5);
+  CHECK(number("1.5d-3") == 1.5e-3);
+  CHECK(number("7") == 7.0);
+  for (const char* wrong : {"", "abc", "1.234,5", "1,2,3", "nan", "1e999", "0x10"}) {
+    INFO(wrong);
+    const Typed typed = parse_typed(real, wrong);
+    CHECK(typed.problem);
+    CHECK_FALSE(typed.problem.remedy.empty());
+  }
+  CHECK(std::get<long long>(parse_typed(whole, "12").value) == 12);
+  CHECK(parse_typed(whole, "12.0").problem);
+  CHECK(parse_typed(whole, "-3").problem);
+  CHECK(parse_typed(whole, "20000").problem);
+  CHECK(parse_typed(code, "9").problem);
+  CHECK_FALSE(parse_typed(code, "2").problem);
+}
+
+TEST_CASE("records come and go with the options, and what was typed comes back",
+          "[unit][adrinput]") {
+  Document document;
+  const auto has = [&](const std::string& id) { return document.instances(id) > 0; };
+  REQUIRE(has("7.1"));
+  document.edit(cell("cageDia1"), "0,0662");
+  document.edit(cell("cageGsCls", 2), "4e-4");
+  document.edit(cell("nCseg"), "0");
+  CHECK_FALSE(has("7.0"));
+  CHECK_FALSE(has("7.2.i"));
+  CHECK(has("10.5.3D"));
+  document.edit(cell("nCseg"), "1");
+  REQUIRE(has("7.2.i"));
+  CHECK(document.text(cell("cageDia1")) == "0.0662");
+  CHECK(document.text(cell("cageGsCls", 2)) == "4.0e-04");
+
+  document.edit(cell("nGL"), "1");
+  CHECK(document.instances("7.2.i") == 1);
+  document.edit(cell("nGL"), "2");
+  CHECK(document.instances("7.2.i") == 2);
+  CHECK(document.text(cell("cageGsCls", 2)) == "4.0e-04");
+  CHECK(document.text(cell("iCageGuide", 1, 1)) == "1");
+  CHECK_FALSE(document.has_errors());
+}
+
+TEST_CASE("a count typed digit by digit loses nothing and a wild one makes no records",
+          "[unit][adrinput]") {
+  Document document;
+  const std::string before = deck::write_deck(document.deck());
+  for (const char* text : {"1", "", "1", "12", "1200000", "12"})
+    document.edit(cell("kNumPltElem"), text);
+  document.edit(cell("kNumPltElem"), "4");
+  CHECK(deck::write_deck(document.deck()) == before);
+  document.edit(cell("nGL"), "4000");
+  CHECK(document.instances("7.2.i") == 2);
+  CHECK(document.text(cell("nGL")) == "4000");
+  CHECK(document.has_errors());
+}
+
+TEST_CASE("undo and redo go through every step; typing in one field is one step",
+          "[unit][adrinput]") {
+  Document document;
+  const deck::Deck first = document.deck();
+  CHECK_FALSE(document.can_undo());
+  for (const char* text : {"0.06", "0.061", "0.0612"}) document.edit(cell("pitchDia"), text);
+  const deck::Deck second = document.deck();
+  document.end_step();
+  document.edit(cell("kBrg"), "2");
+  const deck::Deck third = document.deck();
+  CHECK(document.undo() == "3.2");
+  CHECK(document.deck() == second);
+  CHECK(document.undo() == "5A");
+  CHECK(document.deck() == first);
+  CHECK_FALSE(document.modified());
+  CHECK_FALSE(document.can_undo());
+  document.redo();
+  document.redo();
+  CHECK(document.deck() == third);
+  CHECK_FALSE(document.can_redo());
+}
+
+TEST_CASE("problems name the value that is wrong, also what only the model shows",
+          "[unit][adrinput]") {
+  Document document;
+  document.check_model();
+  CHECK(document.problems().empty());
+  document.edit(cell("pitchDia"), "0.001");
+  REQUIRE(document.has_errors());
+  const auto at = [&](const Cell& where) {
+    return std::any_of(document.problems().begin(), document.problems().end(),
+                       [&](const Problem& problem) { return problem.cell == where; });
+  };
+  CHECK(at(cell("pitchDia")));
+  CHECK(document.state_of("5A") == RecordState::Wrong);
+  CHECK(document.state_of("4") == RecordState::Complete);
+  document.edit(cell("cageGsDia", 2), "-1");
+  CHECK(at(cell("cageGsDia", 2)));
+  CHECK_FALSE(at(cell("cageGsDia", 1)));
+  document.edit(cell("pitchDia"), "0,06x");
+  CHECK(document.text(cell("pitchDia")) == "0,06x");
+  CHECK(at(cell("pitchDia")));
+}
+
+TEST_CASE("new records ask to be filled in until somebody has looked at them", "[unit][adrinput]") {
+  Document document;
+  document.edit(cell("kChrn"), "1");
+  REQUIRE(document.instances("10.7B") == 1);
+  CHECK(document.state_of("10.7B") == RecordState::Untouched);
+  document.accept_defaults("10.7B");
+  CHECK(document.state_of("10.7B") == RecordState::Complete);
+}
+
+TEST_CASE("example decks: the second save has the same bytes as the first", "[unit][adrinput]") {
+  const QTemporaryDir folder;
+  for (const deck::TemplateInfo& info : deck::templates()) {
+    INFO(info.name);
+    const fs::path path = folder.filePath("DATA.txt").toStdString();
+    const fs::path backup = path.string() + ".bak";
+    fs::remove(backup);
+    const std::string original(deck::template_text(info.name));
+    write(path, original);
+    Document document;
+    document.open(path);
+    CHECK_FALSE(document.modified());
+    CHECK(document.deck() == deck::new_deck(info.name));
+    document.save(path);
+    const std::string first = bytes_of(path);
+    CHECK(bytes_of(backup) == original);  // its remarks are not in the new file
+    document.open(path);
+    document.save(path);
+    CHECK(bytes_of(path) == first);
+    CHECK(bytes_of(backup) == original);
+    CHECK(deck::read_deck(path).deck == deck::new_deck(info.name));
+  }
+}
+
+TEST_CASE("a deck that adore check refuses is not written, and the reason is given",
+          "[unit][adrinput]") {
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("DATA.txt").toStdString();
+  Document document;
+  document.save(path);
+  const std::string good = bytes_of(path);
+  const auto refused = [&] {
+    try {
+      document.save(path);
+    } catch (const InputError& error) {
+      return !error.issues().empty() && bytes_of(path) == good;
+    }
+    return false;
+  };
+  document.edit(cell("pitchDia"), "0.001");
+  CHECK(refused());
+  document.undo();
+  document.edit(cell("bReDia"), "twelve");
+  CHECK(refused());
+  document.undo();
+  document.set_user_lines({"'Rec 5A', 1.0, 2.0"});
+  CHECK(refused());
+  document.undo();
+  document.edit(cell("runID"), "name with trailing blanks  ");
+  document.edit(cell("rmsAspHt1"), "");
+  CHECK(refused());
+  document.edit(cell("rmsAspHt1"), "2e-7");
+  document.set_user_lines({"12.1, 3.0 first line of a routine", "  second  "});
+  document.save(path);
+  const deck::ReadResult back = deck::read_deck(path);
+  CHECK(back.ok());
+  CHECK(back.deck == document.deck());
+  CHECK(back.deck.user_lines.size() == 2);
+  CHECK_THROWS_AS(document.save(fs::path(folder.path().toStdString()) / "none" / "DATA.txt"),
+                  InputError);
+}
+
+TEST_CASE(
+    "broken decks: every problem is shown, nothing typed is lost, and only a right deck is "
+    "written",
+    "[unit][adrinput]") {
+  const QTemporaryDir folder;
+  const std::vector<fs::path> decks = bad_decks();
+  REQUIRE(decks.size() > 20);
+  int with_text = 0, saved = 0;
+  for (const fs::path& bad : decks) {
+    INFO(bad.string());
+    const fs::path path = folder.filePath("DATA.txt").toStdString();
+    const fs::path backup = path.string() + ".bak";
+    fs::remove(backup);
+    const std::string original = bytes_of(bad);
+    write(path, original);
+    Document document;
+    deck::ReadResult read;
+    try {
+      read = deck::read_deck(path);
+    } catch (const InputError&) {
+      CHECK_THROWS_AS(document.open(path), InputError);
+      continue;
+    }
+    document.open(path);
+    document.check_model();
+    CHECK(document.original() == original);
+    for (const Issue& issue : read.issues) {
+      INFO(issue.text());
+      const auto shown = [&](const Problem& problem) {
+        return problem.issue.record == issue.record &&
+               (problem.issue.message.find(issue.message) != std::string::npos ||
+                (!issue.variable.empty() && problem.cell == cell_of(issue)));
+      };
+      CHECK(std::any_of(document.problems().begin(), document.problems().end(), shown));
+      const std::optional<Cell> at = cell_of(issue);
+      if (!at || issue.value.empty() || value_at(document.deck(), *at) == nullptr) continue;
+      const deck::VariableSpec& variable = *variable_of(*at);
+      if (variable.type == deck::VarType::String || variable.length != "1") continue;
+      if (document.text(*at) == issue.value) ++with_text;
+    }
+    try {
+      document.save(path);
+      ++saved;
+      const deck::ReadResult back = deck::read_deck(path);
+      CHECK_FALSE(errors_in(back.issues));
+      CHECK_FALSE(errors_in(facade::check_model(back.deck)));
+      CHECK(bytes_of(backup) == original);
+    } catch (const InputError& error) {
+      CHECK_FALSE(error.issues().empty());
+      CHECK(bytes_of(path) == original);
+    }
+  }
+  CHECK(with_text > 10);
+  CHECK(saved < static_cast<int>(decks.size()));
+}
+
+TEST_CASE("search finds variables as people ask for them", "[unit][adrinput]") {
+  const auto names = [](std::string_view query) {
+    std::vector<std::string> out;
+    for (const Found& found : search_variables(query))
+      out.emplace_back(variable_of(found.cell)->name);
+    return out;
+  };
+  const auto among_first = [&](std::string_view query, const std::string& name) {
+    const auto all = names(query);
+    const auto found = std::find(all.begin(), all.end(), name);
+    return found != all.end() && found - all.begin() < 6;
+  };
+  CHECK(among_first("where is race curvature?", "raceCurFac1"));
+  CHECK(names("pitchDia").front() == "pitchDia");
+  CHECK(among_first("pitch diameter", "pitchDia"));
+  CHECK(among_first("integration method", "intMet"));
+  CHECK(among_first("gravity", "gravityVecX"));
+  CHECK(names("cotton phenolic").size() >= 1);
+  CHECK(names("the of where").empty());
+  CHECK(names("zebra").empty());
+}
