@@ -53,9 +53,10 @@ TEST_CASE("roller life: updated and original theory agree for lines, ISO lives a
   REQUIRE(life.iso);
   REQUIRE(life.iso->L10);
   REQUIRE(life.iso->reference);
-  // Both rate the same bearing; b_m = 1.1 and the standard's reduction make it half to three times.
-  CHECK(*life.iso->L10 / original > 0.2);
-  CHECK(*life.iso->L10 / original < 3.0);
+  // The standard's exponent is 10/3 where the theory has 4 for lines: at C/P of about 8 that alone is
+  // 8^(-2/3) = 0.25, and its reduction 0.83 and b_m = 1.1 are another (0.83 1.1)^(10/3) = 0.74.
+  CHECK(*life.iso->L10 / original > 0.1);
+  CHECK(*life.iso->L10 / original < 0.4);
   CHECK(life.iso->reference->L10r / *life.iso->L10 > 0.3);
   CHECK(life.iso->reference->L10r / *life.iso->L10 < 3.0);
 }
