@@ -95,7 +95,7 @@ struct LeastHeatAxis {
 };
 
 /// Minimises over β, at a constant friction coefficient and without slip at both contact centres,
-///   Σ_j Q_j |W_c,j| G_j,  G = ¾∫(1-s²) sqrt((σ a s + a² s²/(2ρ))² + σ² b² (1-s²)/4) ds, -1..1 (16
+///   Σ_j Q_j |W_c,j| G_j,  G = ¾∫(1-s²) sqrt((σ a s + a² s²/(2ρ))² + σ² b² (1-s²)/4) ds, -1..1 (12
 ///   Gauss points),
 /// i.e. the heat of spin AND of the differential slip of the curved contact surface; across the
 /// narrow axis η² is replaced by its mean. Without the curvature term the heat is a sum of |σ_j|
