@@ -140,7 +140,7 @@ TEST_CASE("contact loads and slip of an animation come from RESULTS.h5", "[unit]
     const double newton = si ? 1.0 : 4.4482216152605, metre = si ? 1.0 : 0.0254;
     for (std::size_t k = 0; k < 3; ++k)
       for (std::size_t j = 0; j < 2; ++j) {
-        const auto& made = make_snapshot(make_bearing(), 17).elements[k].race[j];
+        const auto made = make_snapshot(make_bearing(), 17).elements[k].race[j];
         CHECK(contacts->frames[17][k].load[j] == Approx(made.load / newton).epsilon(1e-12));
         CHECK(contacts->frames[17][k].slip[j] == Approx(made.max_slip / metre).epsilon(1e-12));
       }
