@@ -152,7 +152,7 @@ std::optional<ChartPage> tilt_page(const StaticTables& all, const StaticTable& e
   page.title = "Roller attitude and guidance";
   set_abscissa(page, all, elements, "azimuth", "Azimuth");
   add(page, panel(all, elements, "Tilt", {{"tilt", ""}}));
-  add(page, panel(all, elements, "Moment of the contact load", both_races("moment")));
+  add(page, panel(all, elements, "Contact moment", both_races("moment")));
   add(page, panel(all, elements, "Flange load",
                   {{"outer flange -x load", "outer, −x"},
                    {"outer flange +x load", "outer, +x"},

@@ -210,13 +210,13 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   const auto [groove_bottom_outer, groove_bottom_inner] = raceway_diameters(out);
   // Without material between groove and bore or outside, the ideal ring would have a negative mass.
   if (out.envelope.outer_diameter <= groove_bottom_outer)
-    throw InputError(
-        {deck.issue(Severity::Error, "brgOD", "the outer groove reaches through the ring",
-                    "give more than pitchDia + bReDia")});
+    throw InputError({deck.issue(
+        Severity::Error, "brgOD", "the outer raceway reaches through the ring",
+        fmt::format("give more than the raceway's diameter, {:.6g} m", groove_bottom_outer))});
   if (out.envelope.bore >= groove_bottom_inner)
-    throw InputError(
-        {deck.issue(Severity::Error, "brgBore", "the inner groove reaches through the ring",
-                    "give less than pitchDia - bReDia")});
+    throw InputError({deck.issue(
+        Severity::Error, "brgBore", "the inner raceway reaches through the ring",
+        fmt::format("give less than the raceway's diameter, {:.6g} m", groove_bottom_inner))});
   out.race_inertia = {ring_inertia(out.envelope.outer_diameter, groove_bottom_outer,
                                    out.envelope.race_width[0], out.race_material[0].density),
                       ring_inertia(groove_bottom_inner, out.envelope.bore,

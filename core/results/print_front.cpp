@@ -293,8 +293,10 @@ void operation(Report& report, const PrintFront& front) {
   const char* spin = bearing.spin_rule == bearing::SpinRule::MinimumHeat   ? "least heat"
                      : bearing.spin_rule == bearing::SpinRule::RaceControl ? "race control"
                                                                            : "given orientation";
-  report.item("Hypothesis of the internal speeds", spin);
-  if (bearing.spin_rule == bearing::SpinRule::Prescribed)
+  // kAngVel is a rule for balls.
+  report.item("Hypothesis of the internal speeds",
+              bearing.rollers ? "pure rolling at nominal geometry" : spin);
+  if (!bearing.rollers && bearing.spin_rule == bearing::SpinRule::Prescribed)
     report.item("Angle of the spin axis from x", bearing.spin_angle, unit::kAngle);
   for (int k = 0; k < 3; ++k)
     report.item(fmt::format("Gravity along {}", "xyz"[k]), bearing.gravity[k], unit::kAcceleration);
