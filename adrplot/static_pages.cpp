@@ -159,6 +159,8 @@ std::optional<ChartPage> tilt_page(const StaticTables& all, const StaticTable& e
                    {"inner flange -x load", "inner, −x"},
                    {"inner flange +x load", "inner, +x"}}));
   if (page.panels.empty()) return std::nullopt;
+  // Millionths of a degree, of a newton or of a newton metre are rounding, not a picture.
+  for (ChartPanel& each : page.panels) each.least_span = 1e-6;
   return page;
 }
 
@@ -207,7 +209,7 @@ std::vector<ChartPage> stiffness_pages(const StaticTables& all) {
 }
 
 /// Units that names of key results end in, and how an axis writes them.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kSuffixes{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kSuffixes{
     {{"_Nm_per_rad", "N m/rad"},
      {"_N_per_m", "N/m"},
      {"_m_per_s", "m/s"},
@@ -219,6 +221,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kSuffixe
      {"_N", "N"},
      {"_W", "W"},
      {"_J", "J"},
+     {"_hours", "hr"},
      {"_hr", "hr"},
      {"_K", "K"},
      {"_s", "s"}}};

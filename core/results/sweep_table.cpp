@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <cmath>
 #include <fstream>
 #include <limits>
 #include <string_view>
@@ -25,7 +26,7 @@ std::vector<std::string_view> fields(std::string_view line) {
 double number(std::string_view text) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size()
+  return error == std::errc() && end == text.data() + text.size() && std::isfinite(value)
              ? value
              : std::numeric_limits<double>::quiet_NaN();
 }

@@ -9,7 +9,8 @@ namespace adore::results {
 
 struct SweepColumn {
   std::string name;            ///< "stiffness_x_N_per_m"
-  std::vector<double> values;  ///< one per run; NaN where the run gave none
+  std::vector<double> values;  ///< one per run; NaN where the run gave none, or an
+                               ///< infinite one
 };
 
 struct SweepTable {
