@@ -7,6 +7,8 @@
 
 #include <QBoxLayout>
 #include <QCheckBox>
+#include <QDialog>
+#include <QDialogButtonBox>
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
@@ -23,7 +25,7 @@ namespace adore::adrinput {
 namespace {
 
 constexpr int kBarSteps = 1000;
-constexpr qint64 kMostShown = 4'000'000;  // bytes of PRINT.txt in the panel
+constexpr qint64 kMostShown = 4'000'000;  // bytes of PRINT.txt in a window
 
 QString from(const std::string& text) { return QString::fromStdString(text); }
 
@@ -76,7 +78,7 @@ RunPanel::RunPanel(QWidget* parent) : QWidget(parent), launch(&desktop::start_pr
     row->addWidget(push);
     return push;
   };
-  start_ = button(first, tr("&Run"), "run", tr("Save the deck and run it (F7)"), &RunPanel::wanted);
+  start_ = button(first, tr("Run"), "run", tr("Save the deck and run it (F7)"), &RunPanel::wanted);
   cancel_ = button(first, tr("&Cancel"), "cancel", tr("End the run after the present step"),
                    &RunPanel::cancel);
   bar_ = new QProgressBar(this);
@@ -87,8 +89,8 @@ RunPanel::RunPanel(QWidget* parent) : QWidget(parent), launch(&desktop::start_pr
                   &RunPanel::openPlots);
   animation_ = button(second, tr("&Animation"), "open-animation", tr("Open SOL8 in AGORE"),
                       &RunPanel::openAnimation);
-  listing_ =
-      button(second, "PRINT.t&xt", "listing", tr("Show the listing here"), &RunPanel::showListing);
+  listing_ = button(second, "PRINT.t&xt", "listing", tr("Show the listing in a window"),
+                    &RunPanel::showListing);
   second->addStretch(1);
   second->addWidget(new QLabel(tr("When done, open"), this));
   const auto box = [&](const QString& text, const char* name) {
@@ -228,7 +230,19 @@ void RunPanel::showListing() {
         this, tr("%1 cannot be read: %2").arg(file.fileName(), file.errorString()), true);
   QString text = QString::fromUtf8(file.read(kMostShown)).replace(QChar('\f'), QChar('\n'));
   if (file.size() > kMostShown) text += tr("\n… the listing goes on in %1").arg(file.fileName());
-  view_->setPlainText(text);
+  auto* window = new QDialog(this);
+  window->setObjectName("listing-window");
+  window->setAttribute(Qt::WA_DeleteOnClose);
+  window->setWindowTitle(file.fileName());
+  window->resize(1080, 760);
+  auto* listing = desktop::make_listing_view(window);
+  listing->setPlainText(text);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, window);
+  connect(buttons, &QDialogButtonBox::rejected, window, &QDialog::reject);
+  auto* layout = new QVBoxLayout(window);
+  layout->addWidget(listing, 1);
+  layout->addWidget(buttons);
+  window->show();  // beside the form: the user goes on there
 }
 
 }  // namespace adore::adrinput
