@@ -68,9 +68,12 @@ void change_page(benchmark::State& state, const char* deck) {
               .count());
     }
   double slowest = 0.0;
-  for (std::vector<double>& page : times) {
-    std::nth_element(page.begin(), page.begin() + static_cast<long>(page.size() / 2), page.end());
-    slowest = std::max(slowest, page[page.size() / 2]);
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    const auto middle = times[i].begin() + static_cast<long>(times[i].size() / 2);
+    std::nth_element(times[i].begin(), middle, times[i].end());
+    if (*middle <= slowest) continue;
+    slowest = *middle;
+    state.SetLabel("slowest: record " + pages[i]);
   }
   state.SetItemsProcessed(state.iterations() * static_cast<long>(pages.size()));
   state.counters["slowest_ms"] = slowest;
