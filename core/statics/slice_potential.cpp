@@ -265,17 +265,32 @@ void add_slices_linear(const SliceSet& set, const Vec4& p, PairPotential& sum,
 void add_point(const PointSet& set, const Vec4& p, PairPotential& sum, SliceResult* each) {
   const Axes axes = axes_at(p(2), p(3));
   const double sigma = set.race.sigma();
-  const double s = set.centre.s;
-  const V3 P{p(0) + s * axes.a.v.x, s * axes.a.v.y, p(1) + s * axes.a.v.z};
   double cos_chi = 1.0;
   double sin_chi = 0.0;
   V3 X;
-  const Surface at = find_deepest(set.race, axes, P, set.centre.radius, sigma, cos_chi, sin_chi, X);
+  const auto deepest = [&](const contact::RaceSurface& race, const contact::RollerSlice& slice) {
+    const V3 P{p(0) + slice.s * axes.a.v.x, slice.s * axes.a.v.y, p(1) + slice.s * axes.a.v.z};
+    cos_chi = 1.0;
+    sin_chi = 0.0;
+    return find_deepest(race, axes, P, slice.radius, sigma, cos_chi, sin_chi, X);
+  };
+  contact::RollerSlice slice = set.centre;
+  Surface at = deepest(set.race, slice);
+  if (at.depth > 0.0 || each != nullptr) {
+    const double s = set.centre.s + set.crown_radius * dot(at.n, axes.a.v);
+    const double facing = sigma * (cos_chi * dot(at.n, axes.b1.v) + sin_chi * dot(at.n, axes.b2.v));
+    if (!(facing > 0.0 && s >= set.ends[0].s && s <= set.ends[1].s)) {
+      const double first = deepest(set.groove, set.ends[0]).depth;
+      const double second = deepest(set.groove, set.ends[1]).depth;
+      slice = set.ends[first > second ? 0 : 1];
+      at = deepest(set.groove, slice);
+    }
+  }
   contact::SliceLoad q;
   if (at.depth > 0.0) {
     const double tangent = set.K * std::sqrt(at.depth);
     q = {tangent * at.depth, 1.5 * tangent};
-    add_contact(axes, at, s, set.centre.radius, sigma, cos_chi, sin_chi, q.load, q.slope, 0.0, 1.0,
+    add_contact(axes, at, slice.s, slice.radius, sigma, cos_chi, sin_chi, q.load, q.slope, 0.0, 1.0,
                 sum);
   }
   if (each != nullptr) {
