@@ -397,7 +397,8 @@ RollerForces roller_forces(const RollerModel& m, const RollerState& at, const Ra
     }
   }
   if (m.moving) {
-    sum.residual[1] += D(m.centrifugal);
+    sum.residual[0] += D(m.guide[0]);
+    sum.residual[1] += D(m.centrifugal + m.guide[1]);
     sum.residual[2] += m.centrifugal * m.mass_offset * roller.over_tilt_r + m.gyroscopic;
     sum.total += m.centrifugal;
   }

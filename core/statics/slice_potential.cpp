@@ -355,9 +355,20 @@ void add_slices_linear(const SliceSet& set, const Vec4& p, PairPotential& sum,
 
 void add_point(const PointSet& set, const Vec4& p, PairPotential& sum, SliceResult* each) {
   const Axes axes = axes_at(p(2), p(3));
-  double tan_chi = 0.0;
-  const Deepest<double> d =
-      find_deepest(set.race, axes, p, set.centre.s, set.centre.radius, tan_chi);
+  const auto deepest = [&](const contact::RaceSurface& race, const contact::RollerSlice& slice) {
+    double tan_chi = 0.0;
+    return find_deepest(race, axes, p, slice.s, slice.radius, tan_chi);
+  };
+  Deepest<double> d = deepest(set.race, set.centre);
+  if (d.at.depth > 0.0 || each != nullptr) {
+    const double s = set.centre.s + set.crown_radius * dot(d.at.n, axes.a);
+    const bool facing = dot(d.at.n, d.u) > 0.0;
+    if (!(facing && s >= set.ends[0].s && s <= set.ends[1].s)) {
+      const Deepest<double> first = deepest(set.groove, set.ends[0]);
+      const Deepest<double> second = deepest(set.groove, set.ends[1]);
+      d = first.at.depth > second.at.depth ? first : second;
+    }
+  }
   contact::SliceLoad q;
   if (d.at.depth > 0.0) {
     const double tangent = set.K * std::sqrt(d.at.depth);
