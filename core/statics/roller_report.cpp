@@ -151,9 +151,6 @@ class Notes {
 
 StaticRoller report_roller(const RollerModel& m, const Vec5& q, const RollerState& roller) {
   StaticRoller out;
-  const auto outer = outer_place(m);
-  const auto inner = inner_place(q);
-  const RacePair races{outer, inner};
   const RollerBody& body = m.body(roller.number);
   out.azimuth = m.azimuth[roller.number];
   out.x = roller.e(0);
@@ -161,7 +158,7 @@ StaticRoller report_roller(const RollerModel& m, const Vec5& q, const RollerStat
   out.tilt = roller.e(2) - m.rollers.axis_angle;
   out.idle = roller.idle;
   for (std::size_t j = 0; j < 2; ++j) {
-    const Vec4 p = relative_pose(m, roller, j, races);
+    const Vec4 p = relative_pose(m, roller, j, q);
     out.race[j] = m.contact == RollerContact::Point ? point_contact(m, body, j, p)
                                                     : sliced_contact(m, body, j, p);
     for (const FlangePair& pair : body.flanges) {
