@@ -67,9 +67,10 @@ void summary(Report& report, const statics::RollerSolution& s) {
   report.item("Centrifugal force on a roller", s.centrifugal_force, unit::kForce);
   report.item("Gyroscopic moment about y that the contacts supply", s.gyroscopic_moment,
               unit::kMoment);
-  report.text(
-      "Skew of the rollers is held at zero; unloaded rollers orbit with the others, resting on the "
-      "outer race at speed and standing in the middle of the play at rest.");
+  if (s.guide_force > 0.0) {
+    report.item("Held along each roller by guide ring or cage", s.guide_force, unit::kForce);
+  }
+  report.text("Skew of the rollers is held at zero. " + s.unloaded_rule);
 }
 
 void contacts(Report& report, const statics::RollerSolution& s, std::size_t race) {

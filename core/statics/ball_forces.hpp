@@ -195,10 +195,10 @@ Direction<S> least_heat_direction(const BallSeat& seat, double guess,
   for (std::size_t j = 0; j < 2; ++j) {
     const HertzSeries& hertz = seat.hertz[j];
     const auto log_a = hertz.log_a(value_of(contact[j].alpha.cos));
-    c[j].alpha = std::atan2(value_of(contact[j].alpha.sin), value_of(contact[j].alpha.cos));
+    c[j].alpha = {value_of(contact[j].alpha.sin), value_of(contact[j].alpha.cos)};
     c[j].load = value_of(contact[j].load);
     c[j].half_major = hertz.reference().a_hat * std::exp(log_a.value) * std::cbrt(c[j].load);
-    c[j].log_a_slope = -std::sin(c[j].alpha) * log_a.slope;
+    c[j].log_a_slope = -c[j].alpha.sin * log_a.slope;
     c[j].aspect = hertz.reference().kappa;
     c[j].surface_radius = seat.surface_radius[j];
   }
@@ -206,8 +206,7 @@ Direction<S> least_heat_direction(const BallSeat& seat, double guess,
   S beta = axis.beta;
   for (std::size_t j = 0; j < 2; ++j) {
     const auto& alpha = contact[j].alpha;
-    const double s = value_of(alpha.sin);
-    const double k = value_of(alpha.cos);
+    const auto& [s, k] = c[j].alpha;
     const S turn = k * (alpha.sin - s) - s * (alpha.cos - k);  // α minus its value
     beta = beta + axis.over_angle[j] * turn + axis.over_load[j] * (contact[j].load - c[j].load);
   }

@@ -20,7 +20,7 @@ bool is_conservative(const BallModel& m) {
   return m.own_speed_share == 0.0 || (!m.moving && !m.hertz[0].varying());
 }
 
-bool update_race(const BallModel& model, const Vec5& q, BallRace& state) {
+bool update_race(const BallModel& model, const Vec5& q, BallRace& state, double) {
   std::array<double, 5> displacement{};
   std::array<RaceDual, 5> variable;
   for (std::size_t k = 0; k < 5; ++k) {

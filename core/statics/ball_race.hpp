@@ -19,7 +19,9 @@ using BallRace = RaceState<BallState>;
 [[nodiscard]] bool is_conservative(const BallModel& model);
 
 /// Re-solves every ball for displacement q. False when a ball has no equilibrium.
-[[nodiscard]] bool update_race(const BallModel& model, const Vec5& q, BallRace& state);
+/// `accuracy` makes no difference: the balls are cheap.
+[[nodiscard]] bool update_race(const BallModel& model, const Vec5& q, BallRace& state,
+                               double accuracy = 0.0);
 
 /// Cold start: thrust and radial load brought to first contact plus an estimate of the deflection.
 [[nodiscard]] Vec5 first_guess(const BallModel& model, const RaceTask& task, const Vec5& given);

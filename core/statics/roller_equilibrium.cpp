@@ -6,52 +6,116 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <type_traits>
 
 namespace adore::statics {
 namespace {
 
-using D = RollerDual;
-using T3 = Triple<D>;
+/// Derivatives over the roller only, while it is brought into equilibrium; one unused, so that
+/// loops fill vector registers.
+using PlaceDual = Dual<4>;
+/// Derivatives over the roller (0: x, 1: r, 2: tilt) and the inner race (3-7).
+using RollerDual = Dual<8>;
 
-D dot(const T3& a, const T3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-T3 cross(const T3& a, const T3& b) {
+template <class S>
+using Triple = std::array<S, 3>;
+
+template <class S>
+S dot(const Triple<S>& a, const Triple<S>& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+template <class S>
+Triple<S> cross(const Triple<S>& a, const Triple<S>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
-T3 minus(const T3& a, const T3& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+template <class S>
+Triple<S> minus(const Triple<S>& a, const Triple<S>& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
 
 /// Base frame to azimuth frame: y' = y cos ψ + z sin ψ, r = -y sin ψ + z cos ψ.
-T3 to_azimuth(const T3& v, const RollerState& at) {
+template <class S>
+Triple<S> to_azimuth(const Triple<S>& v, const RollerState& at) {
   return {v[0], v[1] * at.cos + v[2] * at.sin, v[2] * at.cos - v[1] * at.sin};
 }
-T3 to_base(const T3& v, const RollerState& at) {
+template <class S>
+Triple<S> to_base(const Triple<S>& v, const RollerState& at) {
   return {v[0], v[1] * at.cos - v[2] * at.sin, v[1] * at.sin + v[2] * at.cos};
 }
 
+/// Coordinate k of the roller (0-2) or of the inner race (3-7).
+template <class S>
+S coordinate(double value, int k) {
+  if constexpr (std::is_same_v<S, RollerDual>) {
+    return S::variable(value, k);
+  } else if constexpr (std::is_same_v<S, PlaceDual>) {
+    return k < 3 ? S::variable(value, k) : S(value);
+  } else {
+    return value;
+  }
+}
+
+/// Pose of a race in the base frame.
+template <class S>
+struct RacePlace {
+  Triple<S> centre{};
+  Triple<S> axis{S(1.0), S(0.0), S(0.0)};
+  std::array<S, 5> q{};  ///< displacement (linear kinematics)
+};
+/// Outer and inner.
+template <class S>
+using Races = std::array<RacePlace<S>, 2>;
+
+template <class S>
+Races<S> races_at(const RollerModel& m, const Vec5& q) {
+  Races<S> races;
+  auto& [outer, inner] = races;
+  if (m.outer_tilt[0] != 0.0 || m.outer_tilt[1] != 0.0) {
+    outer.axis = tilted_axis(S(m.outer_tilt[0]), S(m.outer_tilt[1]));
+  }
+  outer.q = {S(0.0), S(0.0), S(0.0), S(m.outer_tilt[0]), S(m.outer_tilt[1])};
+  for (int k = 0; k < 5; ++k) {
+    inner.q[static_cast<std::size_t>(k)] = coordinate<S>(q(k), k + 3);
+  }
+  inner.centre = {inner.q[0], inner.q[1], inner.q[2]};
+  inner.axis = tilted_axis(inner.q[3], inner.q[4]);
+  return races;
+}
+
+template <class S>
 struct Roller {
-  T3 centre, axis;
-  D over_tilt_x, over_tilt_r;  ///< da/dθ in (x, r)
+  Triple<S> centre, axis;
+  S over_tilt_x, over_tilt_r;  ///< da/dθ in (x, r)
 };
 
-Roller roller_at(const RollerModel& m, const RollerState& at) {
-  const D x = D::variable(at.e(0), 0);
-  const D r = D::variable(0.5 * m.rollers.pitch_diameter + at.e(1), 1);
-  const D tilt = D::variable(at.e(2) - m.rollers.axis_angle, 2);
-  const D s = sine(tilt);
-  const D c = cosine(tilt);
-  return {{x, D(0.0), r}, {c, D(0.0), s}, -s, c};
+template <class S>
+Roller<S> roller_at(const RollerModel& m, const RollerState& at) {
+  const S x = coordinate<S>(at.e(0), 0);
+  const S r = coordinate<S>(0.5 * m.rollers.pitch_diameter + at.e(1), 1);
+  const S tilt = coordinate<S>(at.e(2) - m.rollers.axis_angle, 2);
+  const S s = sine(tilt);
+  const S c = cosine(tilt);
+  return {{x, S(0.0), r}, {c, S(0.0), s}, -s, c};
 }
 
 /// Roller relative to one race.
+template <class S>
 struct Relative {
-  T3 d, A, e, y;
-  D x, r, t, f;
-  D seen;             ///< r less what a race that is not round has grown where the roller is now
+  Triple<S> d, A, e, y;
+  S x, r, t, f;
+  S seen;             ///< r less what a race that is not round has grown where the roller is now
   double lean = 0.0;  ///< dR/dψ of that race
+
+  [[nodiscard]] Vec4 values() const {
+    return {value_of(x), value_of(seen), value_of(t), value_of(f)};
+  }
 };
 
 /// A race that is not round: `ahead` is the azimuth of the roller in it minus that of its body.
-void look_from(const RollerBody& body, std::size_t j, const D& ahead, Relative& out) {
+template <class S>
+void look_from(const RollerBody& body, std::size_t j, const S& ahead, Relative<S>& out) {
   out.seen = out.r;
   if (j == 1 && body.inner_slope != 0.0) {
     out.lean = body.inner_slope;
@@ -59,15 +123,35 @@ void look_from(const RollerBody& body, std::size_t j, const D& ahead, Relative& 
   }
 }
 
-Relative relative(const Roller& roller, const RollerState& at, const RacePlace<D>& race,
-                  const RollerBody& body, std::size_t j) {
-  Relative out;
+/// First order (reference family D): x' = x - q_x, r' = r - w, t = θ - g, w = z cos ψ - y sin ψ, g
+/// =
+/// -(θ_y cos ψ + θ_z sin ψ).
+template <class S>
+Relative<S> linear_relative(const Roller<S>& roller, const RollerState& at,
+                            const RacePlace<S>& race, const RollerBody& body, std::size_t j) {
+  Relative<S> out;
+  const auto& q = race.q;
+  out.x = roller.centre[0] - q[0];
+  out.r = roller.centre[2] - (q[2] * at.cos - q[1] * at.sin);
+  out.t = coordinate<S>(at.e(2), 2) + (q[3] * at.cos + q[4] * at.sin);
+  look_from(body, j, (q[1] * at.cos + q[2] * at.sin) / out.r, out);
+  return out;
+}
+
+template <class S>
+Relative<S> relative(const RollerModel& m, const Roller<S>& roller, const RollerState& at,
+                     const RacePlace<S>& race, std::size_t j) {
+  const RollerBody& body = m.body(at.number);
+  if (m.linear) {
+    return linear_relative(roller, at, race, body, j);
+  }
+  Relative<S> out;
   out.d = minus(roller.centre, to_azimuth(race.centre, at));
   out.A = to_azimuth(race.axis, at);
   out.x = dot(out.d, out.A);
-  const T3 across = minus(out.d, {out.x * out.A[0], out.x * out.A[1], out.x * out.A[2]});
+  const Triple<S> across = minus(out.d, {out.x * out.A[0], out.x * out.A[1], out.x * out.A[2]});
   out.r = square_root(dot(across, across));
-  const D over_r = 1.0 / out.r;
+  const S over_r = 1.0 / out.r;
   out.e = {across[0] * over_r, across[1] * over_r, across[2] * over_r};
   out.y = cross(out.e, out.A);
   out.t = dot(roller.axis, out.e);
@@ -76,19 +160,25 @@ Relative relative(const Roller& roller, const RollerState& at, const RacePlace<D
   return out;
 }
 
-/// First order (reference family D): x' = x - q_x, r' = r - w, t = θ - g, w = z cos ψ - y sin ψ, g
-/// =
-/// -(θ_y cos ψ + θ_z sin ψ).
-Relative linear_relative(const Roller& roller, const RollerState& at, const RacePlace<D>& race,
-                         const RollerBody& body, std::size_t j) {
-  Relative out;
-  const auto& q = race.q;
-  out.x = roller.centre[0] - q[0];
-  out.r = roller.centre[2] - (q[2] * at.cos - q[1] * at.sin);
-  out.t = D::variable(at.e(2), 2) + (q[3] * at.cos + q[4] * at.sin);
-  look_from(body, j, (q[1] * at.cos + q[2] * at.sin) / out.r, out);
-  return out;
+/// A roller at one pose as seen from both races.
+template <class S>
+struct Pose {
+  Roller<S> roller;
+  std::array<Relative<S>, 2> seen_from;
+};
+template <class S>
+Pose<S> pose_of(const RollerModel& m, const RollerState& at, const Races<S>& races) {
+  const Roller<S> roller = roller_at<S>(m, at);
+  return {roller, {relative(m, roller, at, races[0], 0), relative(m, roller, at, races[1], 1)}};
 }
+
+/// What the races do to a roller, by relative coordinates.
+struct Contacts {
+  std::array<PairPotential, 2> race, flanges;
+  double largest = 0.0;        ///< contact load [N]
+  double total = 0.0;          ///< sum of contact loads and the centrifugal force [N]
+  bool flange_loaded = false;  ///< some flange pushes
+};
 
 PairPotential potential(const RollerModel& m, const RollerBody& body, std::size_t j,
                         const Vec4& p) {
@@ -103,37 +193,71 @@ PairPotential potential(const RollerModel& m, const RollerBody& body, std::size_
   return sum;
 }
 
-/// Gradient of U as dual numbers of roller and race coordinates.
-std::array<D, 4> dual_gradient(const PairPotential& u, const Relative& at) {
-  const std::array<const D*, 4> p{&at.x, &at.seen, &at.t, &at.f};
-  std::array<D, 4> g;
+/// `with_curvature`: roller_flanges.hpp.
+template <class S>
+PairPotential flange_potential(const RollerModel& m, const RollerState& at, std::size_t j,
+                               const Pose<S>& pose, bool with_curvature) {
+  PairPotential sum;
+  for (const FlangePair& flange : m.body(at.number).flanges) {
+    if (flange.race == static_cast<int>(j)) {
+      add_flange(flange, pose.seen_from[j].values(), with_curvature, sum);
+    }
+  }
+  return sum;
+}
+
+template <class S>
+Contacts contacts_at(const RollerModel& m, const RollerState& at, const Pose<S>& pose) {
+  Contacts out;
+  out.total = m.moving ? m.centrifugal : 0.0;
+  for (std::size_t j = 0; j < 2; ++j) {
+    out.race[j] = potential(m, m.body(at.number), j, pose.seen_from[j].values());
+    out.flanges[j] = flange_potential(m, at, j, pose, false);
+    out.largest = std::max(out.largest, out.race[j].total);
+    out.total += out.race[j].total + out.flanges[j].total;
+    out.flange_loaded = out.flange_loaded || out.flanges[j].total > 0.0;
+  }
+  return out;
+}
+
+/// What they make of it.
+template <class S>
+struct Forces {
+  std::array<S, 3> residual;  ///< generalised force on the roller: x, r, tilt [N, N, N m]
+  std::array<S, 5> load;      ///< share of the load on the inner race [N, N m]; RollerDual only
+};
+
+/// Gradient of U as numbers of roller and race coordinates.
+template <class S>
+std::array<S, 4> gradient_of(const PairPotential& u, const Relative<S>& at) {
+  const std::array<const S*, 4> p{&at.x, &at.seen, &at.t, &at.f};
+  std::array<S, 4> g;
   for (std::size_t i = 0; i < 4; ++i) {
     g[i].v = u.gradient(static_cast<Eigen::Index>(i));
-    for (std::size_t k = 0; k < 8; ++k) {
-      for (std::size_t j = 0; j < 4; ++j) {
-        g[i].d[k] +=
-            u.hessian(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) * p[j]->d[k];
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double slope = u.hessian(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      for (std::size_t k = 0; k < g[i].d.size(); ++k) {
+        g[i].d[k] += slope * p[j]->d[k];
       }
     }
   }
   return g;
 }
 
-Vec4 values(const Relative& at) { return {at.x.v, at.seen.v, at.t.v, at.f.v}; }
-
-void add_linear(const std::array<D, 4>& g, const Relative& rel, const RollerState& at, bool inner,
-                RollerForces& sum) {
+template <class S>
+void add_linear(const std::array<S, 4>& g, const Relative<S>& rel, const RollerState& at,
+                bool inner, Forces<S>& sum) {
   sum.residual[0] += -g[0];
   sum.residual[1] += -g[1];
   sum.residual[2] += -g[2];
-  if (inner) {
+  if (std::is_same_v<S, RollerDual> && inner) {
     sum.load[0] += -g[0];
     sum.load[1] += g[1] * at.sin;
     sum.load[2] += -g[1] * at.cos;
     sum.load[3] += g[2] * at.cos;
     sum.load[4] += g[2] * at.sin;
     if (rel.lean != 0.0) {
-      const D sideways = rel.lean * g[1] / rel.r;
+      const S sideways = rel.lean * g[1] / rel.r;
       sum.load[1] += -(sideways * at.cos);
       sum.load[2] += -(sideways * at.sin);
     }
@@ -141,29 +265,30 @@ void add_linear(const std::array<D, 4>& g, const Relative& rel, const RollerStat
 }
 
 /// `gripped`: what the contact pushes along the bearing is taken by its own friction.
-void add_exact(const std::array<D, 4>& g, const Roller& roller, const Relative& rel,
-               const RollerState& at, bool inner, bool gripped, RollerForces& sum) {
-  D side = (g[2] * rel.f - g[3] * rel.t) / rel.r;
+template <class S>
+void add_exact(const std::array<S, 4>& g, const Roller<S>& roller, const Relative<S>& rel,
+               const RollerState& at, bool inner, bool gripped, Forces<S>& sum) {
+  S side = (g[2] * rel.f - g[3] * rel.t) / rel.r;
   if (rel.lean != 0.0) {
     side += rel.lean * g[1] / rel.r;
   }
-  T3 force;
-  T3 turning;  // v of M = -a × v
+  Triple<S> force;
+  Triple<S> turning;  // v of M = -a × v
   for (std::size_t k = 0; k < 3; ++k) {
     force[k] = -(g[0] * rel.A[k] + g[1] * rel.e[k] + side * rel.y[k]);
     turning[k] = g[2] * rel.e[k] + g[3] * rel.y[k];
   }
   if (gripped) {
-    force[0] = D(0.0);
+    force[0] = S(0.0);
   }
   sum.residual[0] += force[0];
   sum.residual[1] += force[2];
   sum.residual[2] += -(turning[0] * roller.over_tilt_x + turning[2] * roller.over_tilt_r);
-  if (inner) {
-    const T3 arm = cross(rel.d, force);
-    const T3 own = cross(roller.axis, turning);
-    const T3 moment = to_base(minus(arm, own), at);
-    const T3 push = to_base(force, at);
+  if (std::is_same_v<S, RollerDual> && inner) {
+    const Triple<S> arm = cross(rel.d, force);
+    const Triple<S> own = cross(roller.axis, turning);
+    const Triple<S> moment = to_base(minus(arm, own), at);
+    const Triple<S> push = to_base(force, at);
     for (std::size_t k = 0; k < 3; ++k) {
       sum.load[k] += push[k];
     }
@@ -172,25 +297,54 @@ void add_exact(const std::array<D, 4>& g, const Roller& roller, const Relative& 
   }
 }
 
+template <class S>
+Forces<S> forces_of(const RollerModel& m, const RollerState& at, const Pose<S>& pose,
+                    const Contacts& contacts) {
+  Forces<S> sum;
+  const auto add = [&](const PairPotential& u, std::size_t j, bool gripped) {
+    if (!(u.total > 0.0)) {
+      return;
+    }
+    const Relative<S>& rel = pose.seen_from[j];
+    const auto g = gradient_of(u, rel);
+    if (m.linear) {
+      add_linear(g, rel, at, j == 1, sum);
+    } else {
+      add_exact(g, pose.roller, rel, at, j == 1, gripped, sum);
+    }
+  };
+  for (std::size_t j = 0; j < 2; ++j) {
+    add(contacts.race[j], j, m.grips);
+    add(contacts.flanges[j], j, false);
+  }
+  if (m.moving) {
+    sum.residual[0] += S(m.guide[0]);
+    sum.residual[1] += S(m.centrifugal + m.guide[1]);
+    sum.residual[2] += m.centrifugal * m.mass_offset * pose.roller.over_tilt_r + m.gyroscopic;
+  }
+  return sum;
+}
+
 /// What the line search of one roller works on, tilt scaled to a length.
 struct Scaled {
   Eigen::Vector3d force;
   Eigen::Matrix3d stiffness;
 };
 /// A roller that friction holds axially, with no flange against it, does not move that way.
-bool is_gripped(const RollerModel& m, const RollerForces& f) { return m.grips && !f.flange_loaded; }
+bool is_gripped(const RollerModel& m, const Contacts& c) { return m.grips && !c.flange_loaded; }
 
-Scaled scaled(const RollerModel& m, const RollerForces& f) {
+template <class S>
+Scaled scaled(const RollerModel& m, const Forces<S>& f, const Contacts& contacts) {
   Scaled out;
   const Eigen::Vector3d lever(1.0, 1.0, m.lever);
   for (Eigen::Index i = 0; i < 3; ++i) {
-    const D& r = f.residual[static_cast<std::size_t>(i)];
+    const S& r = f.residual[static_cast<std::size_t>(i)];
     out.force(i) = r.v / lever(i);
     for (Eigen::Index j = 0; j < 3; ++j) {
       out.stiffness(i, j) = -r.d[static_cast<std::size_t>(j)] / (lever(i) * lever(j));
     }
   }
-  if (is_gripped(m, f)) {
+  if (is_gripped(m, contacts)) {
     out.stiffness.col(0).setZero();
   }
   return out;
@@ -238,35 +392,53 @@ Eigen::Vector3d roller_step(const RollerModel& m, const Scaled& s, double k_ref,
 
 /// Where a roller stands when nothing is known: in the middle between both races; at speed against
 /// the outer race.
-Eigen::Vector3d first_place(const RollerModel& m, const RollerState& state, const RacePair& races) {
-  const auto& q = races.inner.q;
-  const double moved = 0.5 * (q[2].v * state.cos - q[1].v * state.sin);
-  const double turned = -0.5 * (q[3].v * state.cos + q[4].v * state.sin);
+Eigen::Vector3d first_place(const RollerModel& m, const RollerState& state, const Vec5& q) {
+  const double moved = 0.5 * (q(2) * state.cos - q(1) * state.sin);
+  const double turned = -0.5 * (q(3) * state.cos + q(4) * state.sin);
   const double from_outer = -0.5 * (m.outer_tilt[0] * state.cos + m.outer_tilt[1] * state.sin);
   const bool held = m.rollers.axis_angle != 0.0;
-  return {held ? 0.5 * q[0].v : 0.0, moved, turned + from_outer};
+  return {held ? 0.5 * q(0) : 0.0, moved, turned + from_outer};
 }
 
-bool newton(const RollerModel& m, const RacePair& races, RollerState& state, RollerForces& forces) {
+/// A roller in equilibrium.
+struct Balance {
+  Contacts contacts;
+  Eigen::Vector3d rest = Eigen::Vector3d::Zero();  ///< last step, which is left to be taken
+};
+
+/// `accuracy`: residual force over the sum of loads from which one more step, not evaluated, is
+/// enough; 0: down to rounding.
+bool newton(const RollerModel& m, const Races<PlaceDual>& races, double accuracy,
+            RollerState& state, Balance& found) {
   constexpr int kIterations = 120;
   const double nothing = m.load_floor;
-  forces = roller_forces(m, state, races, false);
+  Contacts& contacts = found.contacts;
+  found.rest.setZero();
+  const auto evaluate = [&](const RollerState& at) {
+    const auto pose = pose_of(m, at, races);
+    contacts = contacts_at(m, at, pose);
+    return scaled(m, forces_of(m, at, pose, contacts), contacts);
+  };
+  Scaled now = evaluate(state);
   for (int n = 0; n < kIterations; ++n) {
-    const Scaled now = scaled(m, forces);
     const double size = now.force.norm();
     if (!std::isfinite(size)) {
       return false;
     }
-    const double k_ref = reference_stiffness(m, std::max(forces.total, nothing));
+    const double k_ref = reference_stiffness(m, std::max(contacts.total, nothing));
     // Rounding of positions of the size of the pitch radius, through the stiffness.
     const double noise = 2e-16 * m.rollers.pitch_diameter * now.stiffness.diagonal().maxCoeff();
-    if (size <= std::max({nothing, noise, 1e-15 * forces.total})) {
+    if (size <= std::max({nothing, noise, 1e-15 * contacts.total})) {
       return true;
     }
     Eigen::Vector3d step = roller_step(m, now, k_ref, nothing);
     const double length = step.norm();
     if (!std::isfinite(length) || length == 0.0) {
       return false;
+    }
+    if (size <= accuracy * contacts.total && length <= 1e-2 * m.longest_step) {
+      found.rest = unscaled(m, step);
+      return true;
     }
     if (length > m.longest_step) {
       step *= m.longest_step / length;
@@ -283,8 +455,8 @@ bool newton(const RollerModel& m, const RacePair& races, RollerState& state, Rol
       if (trial.e.head<2>().norm() > 0.5 * m.rollers.diameter || std::abs(trial.e(2)) > 0.5) {
         return false;
       }
-      forces = roller_forces(m, trial, races, false);
-      const double slope = step.dot(scaled(m, forces).force);
+      now = evaluate(trial);
+      const double slope = step.dot(now.force);
       const bool closed = high > 0.0 && high - low <= 1e-13 * high;
       if (slope < -0.5 * first && first > 0.0 && !closed) {
         high = t;
@@ -298,7 +470,7 @@ bool newton(const RollerModel& m, const RacePair& races, RollerState& state, Rol
       }
     }
     if (!accepted) {
-      return size <= 1e-9 * std::max(forces.total, nothing);
+      return size <= 1e-9 * std::max(contacts.total, nothing);
     }
     const bool at_rounding = t * length <= 1e-16 * m.rollers.pitch_diameter;
     state.e = trial.e;
@@ -306,12 +478,13 @@ bool newton(const RollerModel& m, const RacePair& races, RollerState& state, Rol
       return true;
     }
   }
-  return scaled(m, forces).force.norm() <= 1e-9 * std::max(forces.total, nothing);
+  return now.force.norm() <= 1e-9 * std::max(contacts.total, nothing);
 }
 
 /// Follows the race: -K⁻¹ ∂R/∂q, without the modes that nothing holds.
-Eigen::Matrix<double, 3, 5> following(const RollerModel& m, const RollerForces& f) {
-  const Scaled s = scaled(m, f);
+Eigen::Matrix<double, 3, 5> following(const RollerModel& m, const Forces<RollerDual>& f,
+                                      const Contacts& contacts) {
+  const Scaled s = scaled(m, f, contacts);
   Eigen::Matrix<double, 3, 5> by_race;
   for (Eigen::Index i = 0; i < 3; ++i) {
     const double lever = i == 2 ? m.lever : 1.0;
@@ -333,84 +506,16 @@ Eigen::Matrix<double, 3, 5> following(const RollerModel& m, const RollerForces& 
   return out;
 }
 
-}  // namespace
-
-RacePlace<RollerDual> outer_place(const RollerModel& m) {
-  RacePlace<D> place;
-  if (m.outer_tilt[0] != 0.0 || m.outer_tilt[1] != 0.0) {
-    place.axis = tilted_axis(D(m.outer_tilt[0]), D(m.outer_tilt[1]));
-  }
-  place.q = {D(0.0), D(0.0), D(0.0), D(m.outer_tilt[0]), D(m.outer_tilt[1])};
-  return place;
-}
-
-RacePlace<RollerDual> inner_place(const Vec5& q) {
-  RacePlace<D> place;
-  for (int k = 0; k < 5; ++k) {
-    place.q[static_cast<std::size_t>(k)] = D::variable(q(k), k + 3);
-  }
-  place.centre = {place.q[0], place.q[1], place.q[2]};
-  place.axis = tilted_axis(place.q[3], place.q[4]);
-  return place;
-}
-
-Vec4 relative_pose(const RollerModel& m, const RollerState& at, std::size_t j,
-                   const RacePair& races) {
-  const Roller roller = roller_at(m, at);
-  const RollerBody& body = m.body(at.number);
-  const auto& race = j == 0 ? races.outer : races.inner;
-  return values(m.linear ? linear_relative(roller, at, race, body, j)
-                         : relative(roller, at, race, body, j));
-}
-
-RollerForces roller_forces(const RollerModel& m, const RollerState& at, const RacePair& races,
-                           bool exact_derivatives) {
-  RollerForces sum;
-  const Roller roller = roller_at(m, at);
-  const RollerBody& body = m.body(at.number);
-  for (std::size_t j = 0; j < 2; ++j) {
-    const RacePlace<D>& race = j == 0 ? races.outer : races.inner;
-    const Relative rel =
-        m.linear ? linear_relative(roller, at, race, body, j) : relative(roller, at, race, body, j);
-    const Vec4 p = values(rel);
-    PairPotential u = potential(m, body, j, p);
-    const double of_race = u.total;
-    sum.largest = std::max(sum.largest, of_race);
-    PairPotential ends;
-    for (const FlangePair& flange : body.flanges) {
-      if (flange.race == static_cast<int>(j)) {
-        add_flange(flange, p, exact_derivatives, m.grips ? ends : u);
-      }
-    }
-    sum.flange_loaded = sum.flange_loaded || ends.total > 0.0 || u.total > of_race;
-    sum.total += u.total + ends.total;
-    if (u.total > 0.0) {
-      const auto g = dual_gradient(u, rel);
-      if (m.linear) {
-        add_linear(g, rel, at, j == 1, sum);
-      } else {
-        add_exact(g, roller, rel, at, j == 1, m.grips, sum);
-      }
-    }
-    if (ends.total > 0.0) {
-      add_exact(dual_gradient(ends, rel), roller, rel, at, j == 1, false, sum);
-    }
-  }
-  if (m.moving) {
-    sum.residual[1] += D(m.centrifugal);
-    sum.residual[2] += m.centrifugal * m.mass_offset * roller.over_tilt_r + m.gyroscopic;
-    sum.total += m.centrifugal;
-  }
-  return sum;
-}
-
-bool solve_roller(const RollerModel& m, const RacePair& races, RollerState& state,
-                  RollerForces& forces) {
+/// Finds the roller's equilibrium. Newton on a convex potential with a line search on the
+/// directional derivative; directions that nothing holds or loads stay where they are, loaded ones
+/// are walked until something touches. False when there is no equilibrium.
+bool solve_roller(const RollerModel& m, const Vec5& q, const Races<PlaceDual>& races,
+                  double accuracy, RollerState& state, Balance& found) {
   if (!m.moving) {
     RollerState middle = state;
-    middle.e = first_place(m, state, races);
-    forces = roller_forces(m, middle, races);
-    if (forces.total == 0.0) {
+    middle.e = first_place(m, state, q);
+    found = {contacts_at(m, middle, pose_of(m, middle, races))};
+    if (found.contacts.total == 0.0) {
       state.e = middle.e;
       state.idle = true;
       state.known = false;
@@ -418,12 +523,18 @@ bool solve_roller(const RollerModel& m, const RacePair& races, RollerState& stat
     }
   }
   state.idle = false;
-  if (state.known && newton(m, races, state, forces)) {
+  if (state.known && newton(m, races, accuracy, state, found)) {
     return true;
   }
-  state.e = first_place(m, state, races);
-  state.known = newton(m, races, state, forces);
+  state.e = first_place(m, state, q);
+  state.known = newton(m, races, accuracy, state, found);
   return state.known;
+}
+
+}  // namespace
+
+Vec4 relative_pose(const RollerModel& m, const RollerState& at, std::size_t j, const Vec5& q) {
+  return relative(m, roller_at<double>(m, at), at, races_at<double>(m, q)[j], j).values();
 }
 
 RaceScales race_scales(const RollerModel& m) {
@@ -436,15 +547,13 @@ double reference_stiffness(const RollerModel& m, double load) {
   return load > 0.0 ? 10.0 / 9.0 * load / delta : 0.0;
 }
 
-bool update_race(const RollerModel& m, const Vec5& q, RollerRace& state) {
-  const RacePlace<D> outer = outer_place(m);
-  const RacePlace<D> inner = inner_place(q);
-  const RacePair races{outer, inner};
+bool update_race(const RollerModel& m, const Vec5& q, RollerRace& state, double accuracy) {
+  const Races<PlaceDual> held = races_at<PlaceDual>(m, q);
+  const Races<RollerDual> races = races_at<RollerDual>(m, q);
   const Vec5 change = q - state.q;
   state.load.setZero();
   state.stiffness.setZero();
   state.largest_contact = 0.0;
-  RollerForces forces;
   for (RollerState& roller : state.elements) {
     if (roller.known) {
       const Eigen::Vector3d shift = roller.follow * change;
@@ -452,19 +561,26 @@ bool update_race(const RollerModel& m, const Vec5& q, RollerRace& state) {
         roller.e += shift;
       }
     }
-    if (!solve_roller(m, races, roller, forces)) {
+    Balance found;
+    if (!solve_roller(m, q, held, accuracy, roller, found)) {
       return false;
     }
-    if (!m.body(roller.number).flanges.empty() && forces.flange_loaded) {
-      forces = roller_forces(m, roller, races);
+    Contacts& contacts = found.contacts;
+    const auto pose = pose_of(m, roller, races);
+    for (std::size_t j = 0; j < 2; ++j) {
+      if (contacts.flanges[j].total > 0.0) {
+        contacts.flanges[j] = flange_potential(m, roller, j, pose, true);
+      }
     }
-    roller.follow = following(m, forces);
-    if (forces.total == 0.0) {
+    const Forces<RollerDual> forces = forces_of(m, roller, pose, contacts);
+    roller.follow = following(m, forces, contacts);
+    roller.e += found.rest;
+    if (contacts.total == 0.0) {
       continue;
     }
     Eigen::Matrix<double, 5, 3> by_roller;
     for (Eigen::Index i = 0; i < 5; ++i) {
-      const D& load = forces.load[static_cast<std::size_t>(i)];
+      const RollerDual& load = forces.load[static_cast<std::size_t>(i)];
       state.load(i) += load.v;
       for (Eigen::Index k = 0; k < 3; ++k) {
         by_roller(i, k) = load.d[static_cast<std::size_t>(k)];
@@ -473,8 +589,9 @@ bool update_race(const RollerModel& m, const Vec5& q, RollerRace& state) {
         state.stiffness(i, k) += load.d[static_cast<std::size_t>(k) + 3];
       }
     }
+    state.load += by_roller * found.rest;
     state.stiffness += by_roller * roller.follow;
-    state.largest_contact = std::max(state.largest_contact, forces.largest);
+    state.largest_contact = std::max(state.largest_contact, contacts.largest);
   }
   state.q = q;
   return true;

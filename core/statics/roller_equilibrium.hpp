@@ -1,12 +1,9 @@
 #pragma once
 
-#include "statics/dual.hpp"
 #include "statics/race_equilibrium.hpp"
 #include "statics/roller_model.hpp"
 
 #include <Eigen/Core>
-
-#include <array>
 
 /// Equilibrium of one roller between two races held in place, and what it hands on to the inner
 /// race.
@@ -22,23 +19,6 @@
 /// the race's reference point.
 namespace adore::statics {
 
-/// Derivatives over the roller (0: x, 1: r, 2: tilt) and the inner race (3-7).
-using RollerDual = Dual<8>;
-template <class S>
-using Triple = std::array<S, 3>;
-
-/// Pose of a race in the base frame.
-template <class S>
-struct RacePlace {
-  Triple<S> centre{};
-  Triple<S> axis{S(1.0), S(0.0), S(0.0)};
-  std::array<S, 5> q{};  ///< displacement (linear kinematics)
-};
-
-[[nodiscard]] RacePlace<RollerDual> outer_place(const RollerModel& model);
-/// With derivatives over q.
-[[nodiscard]] RacePlace<RollerDual> inner_place(const Vec5& q);
-
 struct RollerState {
   std::size_t number = 0;
   double sin = 0.0, cos = 1.0;                  ///< of the azimuth
@@ -48,38 +28,16 @@ struct RollerState {
   Eigen::Matrix<double, 3, 5> follow = Eigen::Matrix<double, 3, 5>::Zero();  ///< de/dq
 };
 
-/// Everything about one roller at one pose.
-struct RollerForces {
-  std::array<RollerDual, 3> residual;  ///< generalised force on e: x, r, tilt [N, N, N m]
-  std::array<RollerDual, 5> load;      ///< share of the load on the inner race [N, N m]
-  double largest = 0.0;                ///< largest contact load [N]
-  double total = 0.0;                  ///< sum of contact loads and the centrifugal force [N]
-  bool flange_loaded = false;          ///< some flange pushes
-};
-
-struct RacePair {
-  const RacePlace<RollerDual>& outer;
-  const RacePlace<RollerDual>& inner;
-};
-/// `exact_derivatives`: with the curvature of flange gaps (roller_flanges.hpp).
-[[nodiscard]] RollerForces roller_forces(const RollerModel& model, const RollerState& at,
-                                         const RacePair& races, bool exact_derivatives = true);
-
-/// Pose of a roller relative to race j: values of p.
+/// Pose of a roller relative to race j where the inner race is at q: p of slice_potential.hpp.
 [[nodiscard]] Vec4 relative_pose(const RollerModel& model, const RollerState& at, std::size_t j,
-                                 const RacePair& races);
-
-/// Finds the roller's equilibrium; `forces` are those there. Newton on a convex potential with a
-/// line search on the directional derivative; directions that nothing holds or loads stay where
-/// they are, loaded ones are walked until something touches. False when there is no equilibrium.
-[[nodiscard]] bool solve_roller(const RollerModel& model, const RacePair& races, RollerState& state,
-                                RollerForces& forces);
+                                 const Vec5& q);
 
 // The inner race on rollers: what race_equilibrium.hpp asks of an element set.
 using RollerRace = RaceState<RollerState>;
 [[nodiscard]] RaceScales race_scales(const RollerModel& model);
 [[nodiscard]] double reference_stiffness(const RollerModel& model, double load);
 [[nodiscard]] inline bool is_conservative(const RollerModel&) { return true; }
-[[nodiscard]] bool update_race(const RollerModel& model, const Vec5& q, RollerRace& state);
+[[nodiscard]] bool update_race(const RollerModel& model, const Vec5& q, RollerRace& state,
+                               double accuracy = 0.0);
 
 }  // namespace adore::statics

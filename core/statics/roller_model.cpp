@@ -153,6 +153,13 @@ RollerBody body_of(const RollerModel& m, const bearing::Imperfections& errors, s
       body.point[j].centre = {-p.crown_radius * std::sin(p.half_angle),
                               0.5 * p.diameter - p.crown_radius * std::cos(p.half_angle)};
       body.point[j].K = point_constant(m, j, p, body.race[j]);
+      body.point[j].crown_radius = p.crown_radius;
+      body.point[j].groove = body.race[j];
+      const contact::Slicing own = contact::slicing(p, 1);
+      for (std::size_t end = 0; end < 2; ++end) {
+        const double s = own.start + (end == 0 ? 0.0 : own.effective_length);
+        body.point[j].ends[end] = {s, contact::roller_radius(p, s)};
+      }
     }
   }
   body.flanges =
@@ -173,6 +180,11 @@ void add_inertia(RollerModel& m, const bearing::Bearing& b) {
   m.gyroscopic = contact::gyroscopic_moment(m.speeds, g.axis_angle, b.ball_inertia.moments.x(),
                                             b.ball_inertia.moments.y())
                      .y();
+  const bool stopped = g.flange[0][0].has_value() || g.flange[1][0].has_value();
+  if (g.shape == bearing::RollerShape::Arc && g.race_angle[0] > 0.0 && !stopped) {
+    const double held = m.centrifugal * std::sin(g.race_angle[0]);
+    m.guide = {held * std::cos(g.race_angle[0]), -held * std::sin(g.race_angle[0])};
+  }
 }
 
 }  // namespace

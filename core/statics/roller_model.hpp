@@ -40,6 +40,9 @@ struct RollerModel {
   double mass = 0.0, mass_offset = 0.0;
   double centrifugal = 0.0;  ///< of each roller, at its mass centre [N]
   double gyroscopic = 0.0;   ///< about y that the contacts supply [N m]
+  /// Barrels of an inclined row without a flange at -x: what the centrifugal force has along the
+  /// roller is held by guide ring or cage, F_c sin α_o (cos α_o, -sin α_o) in x and r [N].
+  std::array<double, 2> guide{};
   bool moving = false;
 
   double line_stiffness = 0.0;  ///< K L^(8/9), the stiffer race [N m^(-10/9)]

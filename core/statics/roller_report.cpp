@@ -151,9 +151,6 @@ class Notes {
 
 StaticRoller report_roller(const RollerModel& m, const Vec5& q, const RollerState& roller) {
   StaticRoller out;
-  const auto outer = outer_place(m);
-  const auto inner = inner_place(q);
-  const RacePair races{outer, inner};
   const RollerBody& body = m.body(roller.number);
   out.azimuth = m.azimuth[roller.number];
   out.x = roller.e(0);
@@ -161,7 +158,7 @@ StaticRoller report_roller(const RollerModel& m, const Vec5& q, const RollerStat
   out.tilt = roller.e(2) - m.rollers.axis_angle;
   out.idle = roller.idle;
   for (std::size_t j = 0; j < 2; ++j) {
-    const Vec4 p = relative_pose(m, roller, j, races);
+    const Vec4 p = relative_pose(m, roller, j, q);
     out.race[j] = m.contact == RollerContact::Point ? point_contact(m, body, j, p)
                                                     : sliced_contact(m, body, j, p);
     for (const FlangePair& pair : body.flanges) {
@@ -181,6 +178,27 @@ StaticRoller report_roller(const RollerModel& m, const Vec5& q, const RollerStat
   return out;
 }
 
+std::string unloaded_rule(const RollerModel& m) {
+  if (!m.moving) {
+    return "A roller that touches nothing has no unique place at rest: it is put in the middle "
+           "between both races and carries nothing.";
+  }
+  std::string text =
+      "A roller that the inner race does not touch orbits with the others and rests on the outer "
+      "race, ";
+  if (m.grips || m.linear) {
+    return text +
+           "axially at its nominal place or as near to it as flanges allow: friction holds it.";
+  }
+  if (m.rollers.shape == bearing::RollerShape::Arc && !m.rollers.has_flange(0) &&
+      !m.rollers.has_flange(1)) {
+    return text +
+           "in the middle of its groove: what its centrifugal force has along the roller, guide "
+           "ring or cage hold.";
+  }
+  return text + "slid along it without friction until a flange stops it.";
+}
+
 std::vector<std::string> roller_notes(const RollerModel& m,
                                       const std::vector<StaticRoller>& rollers) {
   Notes notes(rollers);
@@ -192,7 +210,8 @@ std::vector<std::string> roller_notes(const RollerModel& m,
       },
       "no load; left where it lost its last contact");
   notes.add([](const StaticRoller& r) { return r.race[0].load > 0.0 && r.race[1].load == 0.0; },
-            "contact with the outer race only (centrifugal force)");
+            "contact with the outer race only (centrifugal force), placed by the rule for unloaded "
+            "rollers");
   for (std::size_t j = 0; j < 2; ++j) {
     notes.add([j](const StaticRoller& r) { return r.race[j].at_edge; },
               "the contact with the {} race carries more than a tenth of its largest pressure up "

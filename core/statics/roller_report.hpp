@@ -17,4 +17,7 @@ namespace adore::statics {
 [[nodiscard]] std::vector<std::string> roller_notes(const RollerModel& model,
                                                     const std::vector<StaticRoller>& rollers);
 
+/// Where rollers stand that no load puts in place (decision 124), in a sentence.
+[[nodiscard]] std::string unloaded_rule(const RollerModel& model);
+
 }  // namespace adore::statics

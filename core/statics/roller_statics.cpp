@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace adore::statics {
 namespace {
@@ -82,10 +83,76 @@ RollerRace rollers_at(const RollerModel& model, const RollerSolution* start, con
   return state;
 }
 
+/// Contact angle of the row where the race is at q: barrels turn with the line between the groove
+/// centres, cones keep that of the outer race.
+double row_angle(const RollerModel& m, const Vec5& q) {
+  if (m.rollers.shape != bearing::RollerShape::Arc) {
+    return m.rollers.race_angle[0];
+  }
+  return std::atan2(m.race[1].groove_x + q(0) - m.race[0].groove_x,
+                    m.race[1].groove_centre_radius - m.race[0].groove_centre_radius);
+}
+
+/// Each roller hands on what it gets along the outer normal, so that F_x >= F_r tan α, F_r the
+/// radial load: why a row whose x is free has no equilibrium; empty when that is not the reason.
+std::string missing_thrust(const RollerModel& m, const RaceTask& task, const Vec5& q) {
+  const auto& flange = m.rollers.flange;
+  if (task.given[0] || !(m.rollers.race_angle[0] > 0.0) || (flange[0][0] && flange[1][1])) {
+    return "";
+  }
+  const double radial =
+      std::hypot(task.given[1] ? 0.0 : task.load(1), task.given[2] ? 0.0 : task.load(2));
+  const double angle = row_angle(m, Vec5::Zero());
+  const double needed = radial * std::tan(angle);
+  const double still = radial * std::tan(row_angle(m, q));
+  if (!(task.load(0) < needed && task.load(0) < still)) {
+    return "";
+  }
+  constexpr double kDegree = 180.0 / std::numbers::pi;
+  std::string text = fmt::format(
+      ". A row at {:.4g} degrees carries thrust towards +x only, and each roller turns what it "
+      "carries radially into thrust: under a radial load of {:.6g} N it needs at least F_r tan α = "
+      "{:.4g} N along x and has {:.6g} N",
+      angle * kDegree, radial, needed, task.load(0));
+  if (m.rollers.shape == bearing::RollerShape::Arc) {
+    text += fmt::format(" (with the race at x = {:.4g} m the angle is still {:.4g} degrees)", q(0),
+                        row_angle(m, q) * kDegree);
+  }
+  return text +
+         ". Give it that thrust, or prescribe x (kFS1 = 1) for the second row or the shaft "
+         "that holds it";
+}
+
+/// Cylinders that friction holds stand where the rule puts them, not where the search left them:
+/// moves those that no flange loads back and says whether there were any.
+bool centre_gripped(const RollerModel& m, RollerRace& state) {
+  bool any = false;
+  for (RollerState& roller : state.elements) {
+    if (roller.e(0) == 0.0) {
+      continue;
+    }
+    const StaticRoller now = report_roller(m, state.q, roller);
+    const bool pushed = std::any_of(now.flange.begin(), now.flange.end(), [](const auto& of_race) {
+      return of_race[0].load > 0.0 || of_race[1].load > 0.0;
+    });
+    if (!pushed) {
+      roller.e(0) = 0.0;
+      any = true;
+    }
+  }
+  return any;
+}
+
 [[noreturn]] void give_up(const RollerModel& m, const RaceTask& task, const RaceSolve& solve,
                           const RollerRace& state) {
   const std::string loads = load_text(task);
   const double tilt = std::hypot(state.q(3), state.q(4));
+  if (const std::string why = missing_thrust(m, task, state.q); !why.empty()) {
+    throw SolverError(
+        fmt::format("bearing equilibrium: no roller or flange holds the inner race under {}; it "
+                    "moved to x = {:.4g} m, y = {:.4g} m, z = {:.4g} m{}",
+                    loads, state.q(0), state.q(1), state.q(2), why));
+  }
   if (solve.ran_away && tilt * race_scales(m).lever > 0.5 * race_scales(m).reach) {
     throw SolverError(fmt::format(
         "bearing equilibrium: nothing stops the inner race from tilting under {}; it had tilted by "
@@ -154,6 +221,18 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
   if (!solve.converged) {
     give_up(model, task, solve, state);
   }
+  if (model.grips) {
+    RollerRace centred = state;
+    if (centre_gripped(model, centred)) {
+      const RaceSolve again = solve_race(model, task, centred);
+      if (again.converged) {
+        const int before = solve.iterations;
+        solve = again;
+        solve.iterations += before;
+        state = std::move(centred);
+      }
+    }
+  }
 
   for (std::size_t k = 0; k < 5; ++k) {
     out.displacement[k] = state.q(static_cast<Eigen::Index>(k));
@@ -176,6 +255,8 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
   out.orbital_speed = model.speeds.orbital;
   out.spin_speed = model.speeds.spin;
   out.centrifugal_force = model.centrifugal;
+  out.guide_force = std::hypot(model.guide[0], model.guide[1]);
+  out.unloaded_rule = unloaded_rule(model);
   out.gyroscopic_moment = model.gyroscopic;
   out.roller_mass = model.mass;
   out.mass_offset = model.mass_offset;

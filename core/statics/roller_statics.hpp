@@ -5,6 +5,7 @@
 
 #include <array>
 #include <limits>
+#include <string>
 #include <vector>
 
 /// Quasi-static equilibrium of a roller bearing: every roller between its races and flanges, the
@@ -19,9 +20,12 @@
 /// same for all rollers: they do not follow the loads, and unloaded rollers orbit with the others.
 /// No friction, but that straight raceways hold their rollers axially (decision 109). All forces
 /// but the loss of width at the edge of a land derive from a potential, so that line searches on it
-/// converge from anywhere (race_equilibrium.hpp). Unloaded rollers have no unique place. At speed
-/// they rest on the outer race (cones: and on the flange that stops them), at the axial position
-/// where they were; at rest they stand in the middle between both races and carry nothing.
+/// converge from anywhere (race_equilibrium.hpp).
+/// Unloaded rollers have no unique place; the rule (decision 124), which the solution carries in
+/// words: at rest they stand in the middle between both races and carry nothing. At speed they rest
+/// on the outer race, cylinders at their nominal axial place or as near to it as flanges allow,
+/// cones against the flange that stops them, barrels in the middle of their groove: what the
+/// centrifugal force of a barrel has along its axis, F_c sin α_o, guide ring or cage hold.
 namespace adore::statics {
 
 enum class RollerContact : unsigned char {
@@ -99,6 +103,8 @@ struct RollerSolution : RaceResult {
   double orbital_speed = 0.0;             ///< ω_m about +x [rad/s]
   double spin_speed = 0.0;  ///< about the roller axis, relative to the orbiting frame [rad/s]
   double centrifugal_force = 0.0;  ///< on each roller [N]
+  double guide_force = 0.0;        ///< on each barrel along its axis, by guide ring or cage [N]
+  std::string unloaded_rule;       ///< where rollers stand that no load puts in place
   double gyroscopic_moment =
       0.0;                   ///< about y = z × x, what the contacts supply to each roller [N m]
   double roller_mass = 0.0;  ///< [kg]

@@ -3,183 +3,247 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <experimental/simd>
 
 namespace adore::statics {
 namespace {
 
-struct V3 {
-  double x = 0.0, y = 0.0, z = 0.0;
-};
-constexpr V3 operator+(const V3& a, const V3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-constexpr V3 operator*(double s, const V3& a) { return {s * a.x, s * a.y, s * a.z}; }
-constexpr double dot(const V3& a, const V3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+namespace stdx = std::experimental;
+/// One slice per lane.
+using Lanes = stdx::native_simd<double>;
 
-/// A vector that follows the roller axis, with its derivatives over t and f.
-struct Turning {
-  V3 v, t, f, tt, tf, ff;
+bool all(bool condition) { return condition; }
+bool all(const Lanes::mask_type& condition) { return stdx::all_of(condition); }
+double total(double x) { return x; }
+double total(const Lanes& x) { return stdx::reduce(x); }
+
+template <class T>
+struct V3 {
+  T x, y, z;
 };
-Turning combine(double a, const Turning& u, double b, const Turning& w) {
-  return {a * u.v + b * w.v,   a * u.t + b * w.t,   a * u.f + b * w.f,
-          a * u.tt + b * w.tt, a * u.tf + b * w.tf, a * u.ff + b * w.ff};
+template <class T, class U>
+auto operator+(const V3<T>& a, const V3<U>& b) {
+  return V3<decltype(a.x + b.x)>{a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class S, class T>
+auto operator*(const S& s, const V3<T>& a) {
+  return V3<decltype(s * a.x)>{s * a.x, s * a.y, s * a.z};
+}
+template <class T, class U>
+auto dot(const V3<T>& a, const V3<U>& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class T, class U>
+auto cross(const V3<T>& a, const V3<U>& b) {
+  return V3<decltype(a.x * b.x)>{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
+                                 a.x * b.y - a.y * b.x};
 }
 
-/// The roller axis and the two directions across it: b1 in the meridian plane, b2 towards y.
+/// The roller axis a = (c, f, t), the two directions across it (b1 in the meridian plane, b2
+/// towards y), and how t and f turn it: a changes by θ × a, θ = θ_t dt + θ_f df + ½ (0, t, -f)
+/// (k_tt dt² + 2 k_tf dt df + k_ff df²), θ_t = a × a_t and so on. A turn about a itself moves no
+/// slice circle, so that θ is free of it.
 struct Axes {
-  Turning a, b1, b2;
+  V3<double> a, b1, b2;
+  V3<double> turn_t, turn_f;
+  double k_tt = 0.0, k_tf = 0.0, k_ff = 0.0;  ///< x of a_tt, a_tf, a_ff, which have no y and z
+  double tt = 0.0, tf = 0.0, ff = 0.0;        ///< θ_t·θ_t and so on
 };
 
-/// a = (c, f, t), b1 = (-t, 0, c)/m, b2 = (-f c, m², -f t)/m with m² = 1 - f², c² = m² - t².
+/// b1 = (-t, 0, c)/m, b2 = (-f c, m², -f t)/m with m² = 1 - f², c² = m² - t².
 Axes axes_at(double t, double f) {
   const double m2 = 1.0 - f * f;
   const double m = std::sqrt(m2);
   const double c = std::sqrt(m2 - t * t);
   const double c3 = c * c * c;
-  const double m3 = m * m2;
-  const double m5 = m3 * m2;
   Axes out;
-  out.a = {{c, f, t},
-           {-t / c, 0.0, 1.0},
-           {-f / c, 1.0, 0.0},
-           {-m2 / c3, 0.0, 0.0},
-           {-t * f / c3, 0.0, 0.0},
-           {-(c * c + f * f) / c3, 0.0, 0.0}};
-  const double t2 = t * t;
-  out.b1 = {{-t / m, 0.0, c / m},
-            {-1.0 / m, 0.0, -t / (c * m)},
-            {-t * f / m3, 0.0, -f * t2 / (c * m3)},
-            {0.0, 0.0, -m / c3},
-            {-f / m3, 0.0, -f / m3 * (2.0 * t / c + t * t2 / c3)},
-            {-t * (1.0 / m3 + 3.0 * f * f / m5), 0.0,
-             -t2 * (1.0 / (c * m3) + f * f / (c3 * m3) + 3.0 * f * f / (c * m5))}};
-  out.b2 = {{-f * c / m, m, -f * t / m},
-            {f * t / (c * m), 0.0, -f / m},
-            {-c / m + f * f * t2 / (c * m3), -f / m, -t / m3},
-            {f * m / c3, 0.0, 0.0},
-            {t / (c * m) + f * f / m3 * (2.0 * t / c + t * t2 / c3), 0.0, -1.0 / m3},
-            {f * t2 / (c * m3) +
-                 t2 * (2.0 * f / (c * m3) + f * f * f / (c3 * m3) + 3.0 * f * f * f / (c * m5)),
-             -1.0 / m3, -3.0 * t * f / m5}};
+  out.a = {c, f, t};
+  out.b1 = {-t / m, 0.0, c / m};
+  out.b2 = {-f * c / m, m, -f * t / m};
+  out.turn_t = cross(out.a, V3<double>{-t / c, 0.0, 1.0});
+  out.turn_f = cross(out.a, V3<double>{-f / c, 1.0, 0.0});
+  out.k_tt = -m2 / c3;
+  out.k_tf = -t * f / c3;
+  out.k_ff = -(c * c + f * f) / c3;
+  out.tt = dot(out.turn_t, out.turn_t);
+  out.tf = dot(out.turn_t, out.turn_f);
+  out.ff = dot(out.turn_f, out.turn_f);
   return out;
 }
 
 /// Depth at a point of the race frame, with the local axes of the curvature tensor.
+template <class T>
 struct Surface {
-  double depth = 0.0;
-  V3 n;                                   ///< normal
-  V3 hoop, meridian;                      ///< principal directions
-  double A_hoop = 0.0, A_meridian = 0.0;  ///< ∇∇φ on them [1/m]
+  T depth = 0.0;
+  V3<T> n;                           ///< normal
+  V3<T> hoop, meridian;              ///< principal directions
+  T A_hoop = 0.0, A_meridian = 0.0;  ///< ∇∇φ on them [1/m]
 };
 
-Surface surface_at(const contact::RaceSurface& race, const V3& X) {
-  Surface s;
+template <class T>
+Surface<T> surface_at(const contact::RaceSurface& race, const V3<T>& X) {
+  using std::copysign;
+  using std::sqrt;
+  Surface<T> s;
   // Arc centres of barrels (add_point) can lie beyond the axis: there r is negative.
-  const double r = std::copysign(std::sqrt(X.y * X.y + X.z * X.z), X.z);
-  const double ey = X.y / r;
-  const double ez = X.z / r;
-  double nx = 0.0;
-  double nr = 0.0;
+  const T r = copysign(sqrt(X.y * X.y + X.z * X.z), X.z);
+  const T over_r = 1.0 / r;
+  const T ey = X.y * over_r;
+  const T ez = X.z * over_r;
+  T nx, nr;
   if (race.shape == contact::RaceSurface::Shape::Cone) {
     const double sigma = race.sigma();
     s.depth = sigma * ((r - race.radius) * race.cos_angle + X.x * race.sin_angle);
     nx = sigma * race.sin_angle;
     nr = sigma * race.cos_angle;
   } else {
-    const double x = X.x - race.groove_x;
-    const double y = r - race.groove_centre_radius;
-    const double l = std::sqrt(x * x + y * y);
+    const T x = X.x - race.groove_x;
+    const T y = r - race.groove_centre_radius;
+    const T l = sqrt(x * x + y * y);
     s.depth = l - race.groove_radius;
-    nx = x / l;
-    nr = y / l;
     s.A_meridian = 1.0 / l;
+    nx = x * s.A_meridian;
+    nr = y * s.A_meridian;
   }
   s.n = {nx, nr * ey, nr * ez};
   s.hoop = {0.0, ez, -ey};
   s.meridian = {nr, -nx * ey, -nx * ez};
-  s.A_hoop = nr / r;
+  s.A_hoop = nr * over_r;
   return s;
 }
 
-/// Newton on n·u_χ = 0; exact at once when nothing leaves the meridian plane (f = 0).
-Surface find_deepest(const contact::RaceSurface& race, const Axes& axes, const V3& P, double radius,
-                     double sigma, double& cos_chi, double& sin_chi, V3& X) {
-  Surface at;
+/// Slices and the places where their circles are deepest in the race.
+template <class T>
+struct Deepest {
+  T s, radius;
+  V3<T> u, w;  ///< from the roller axis to the point, and across: u_χ
+  V3<T> X;
+  Surface<T> at;
+  T hoop = 0.0, meridian = 0.0;  ///< w in the race's principal directions
+};
+
+/// Newton on δ_χ = ρ n·w = 0 from tan χ, which becomes that of the deepest point. Nothing leaves
+/// the meridian plane when f = 0.
+template <class T>
+Deepest<T> find_deepest(const contact::RaceSurface& race, const Axes& axes, const Vec4& p,
+                        const T& s, const T& radius, T& tan_chi) {
+  using std::abs;
+  using std::sqrt;
+  const double sigma = race.sigma();
+  constexpr double kSmallTurn = 1e-8;
+  Deepest<T> d;
+  d.s = s;
+  d.radius = radius;
+  const V3<T> middle{p(0) + s * axes.a.x, s * axes.a.y, p(1) + s * axes.a.z};
   for (int pass = 0; pass < 6; ++pass) {
-    const V3 u = (sigma * cos_chi) * axes.b1.v + (sigma * sin_chi) * axes.b2.v;
-    X = P + radius * u;
-    at = surface_at(race, X);
-    if (axes.a.v.y == 0.0) {
-      return at;
+    const T cosine = sigma / sqrt(1.0 + tan_chi * tan_chi);
+    const T sine = tan_chi * cosine;
+    d.u = cosine * axes.b1 + sine * axes.b2;
+    d.w = cosine * axes.b2 + -sine * axes.b1;
+    d.X = middle + radius * d.u;
+    d.at = surface_at(race, d.X);
+    d.hoop = dot(d.at.hoop, d.w);
+    d.meridian = dot(d.at.meridian, d.w);
+    if (axes.a.y == 0.0) {
+      return d;
     }
-    const V3 along = (-sigma * sin_chi) * axes.b1.v + (sigma * cos_chi) * axes.b2.v;
-    const double slope = dot(at.n, along);  // δ_χ/ρ
-    const double hoop = dot(at.hoop, along);
-    const double meridian = dot(at.meridian, along);
-    const double bend =
-        -dot(at.n, u) + radius * (at.A_hoop * hoop * hoop + at.A_meridian * meridian * meridian);
-    const double turn = -slope / bend;
-    const double norm = 1.0 / std::sqrt(1.0 + turn * turn);
-    const double c = (cos_chi - turn * sin_chi) * norm;
-    sin_chi = (sin_chi + turn * cos_chi) * norm;
-    cos_chi = c;
-    if (std::abs(turn) < 1e-15) {
-      return at;
+    const T h = radius * d.at.A_hoop * d.hoop;
+    const T m = radius * d.at.A_meridian * d.meridian;
+    const T turn = dot(d.at.n, d.w) / (dot(d.at.n, d.u) - h * d.hoop - m * d.meridian);
+    tan_chi += (1.0 + tan_chi * tan_chi) * turn;
+    if (all(abs(turn) < kSmallTurn)) {
+      // What this leaves is of the order of the turn's square.
+      const V3<T> u = d.u;
+      d.u = u + turn * d.w;
+      d.X = d.X + radius * turn * d.w;
+      d.w = d.w + -turn * u;
+      d.at.n = d.at.n + turn * h * d.at.hoop + turn * m * d.at.meridian;
+      return d;
     }
   }
-  return at;
+  return d;
 }
 
-/// Adds Q and dQ/dδ of a slice with the derivatives of its penetration.
-void add_contact(const Axes& axes, const Surface& at, double s, double radius, double sigma,
-                 double cos_chi, double sin_chi, double load, double slope, double load_over_x,
-                 double x_per_cos, PairPotential& sum) {
-  const Turning u = combine(sigma * cos_chi, axes.b1, sigma * sin_chi, axes.b2);
-  const Turning w = combine(-sigma * sin_chi, axes.b1, sigma * cos_chi, axes.b2);  // u_χ
-  const std::array<V3, 4> X_p{V3{1.0, 0.0, 0.0}, V3{0.0, 0.0, 1.0}, s * axes.a.t + radius * u.t,
-                              s * axes.a.f + radius * u.f};
-  std::array<double, 4> g{}, hoop{}, meridian{}, chi{};
-  const V3 X_chi = radius * w.v;
-  const double hoop_chi = dot(at.hoop, X_chi);
-  const double meridian_chi = dot(at.meridian, X_chi);
-  for (std::size_t i = 0; i < 4; ++i) {
-    g[i] = dot(at.n, X_p[i]);
-    hoop[i] = dot(at.hoop, X_p[i]);
-    meridian[i] = dot(at.meridian, X_p[i]);
-    chi[i] = at.A_hoop * hoop[i] * hoop_chi + at.A_meridian * meridian[i] * meridian_chi;
+/// Lower triangle of a symmetric matrix of 4, row by row.
+constexpr int entry(int i, int j) { return i * (i + 1) / 2 + j; }
+
+/// What slices add to the potential, but for the edges of lands.
+template <class T>
+struct Sums {
+  std::array<T, 4> gradient;
+  std::array<T, 10> hessian;
+  T load = 0.0, slope = 0.0;
+  V3<T> X_t, X_f;         ///< of the last: how t and f move the point
+  std::array<T, 4> over;  ///< of the last: ∂δ/∂p
+
+  Sums() {
+    gradient.fill(T(0.0));
+    hessian.fill(T(0.0));
   }
-  chi[2] += radius * dot(at.n, w.t);
-  chi[3] += radius * dot(at.n, w.f);
-  const double bend = -radius * dot(at.n, u.v) + at.A_hoop * hoop_chi * hoop_chi +
-                      at.A_meridian * meridian_chi * meridian_chi;
-  const double tt = s * dot(at.n, axes.a.tt) + radius * dot(at.n, u.tt);
-  const double tf = s * dot(at.n, axes.a.tf) + radius * dot(at.n, u.tf);
-  const double ff = s * dot(at.n, axes.a.ff) + radius * dot(at.n, u.ff);
-  for (std::size_t i = 0; i < 4; ++i) {
-    sum.gradient(static_cast<Eigen::Index>(i)) += load * g[i];
-    for (std::size_t j = 0; j <= i; ++j) {
-      const double second = at.A_hoop * hoop[i] * hoop[j] +
-                            at.A_meridian * meridian[i] * meridian[j] - chi[i] * chi[j] / bend;
-      const double entry = slope * g[i] * g[j] + load * second;
-      sum.hessian(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) += entry;
-      if (i != j) {
-        sum.hessian(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)) += entry;
+
+  /// Load and stiffness of slices with the derivatives of their penetration.
+  void add(const Axes& axes, const Deepest<T>& d, const T& q, const T& q_slope) {
+    const V3<T>& n = d.at.n;
+    const V3<T> arm = d.s * axes.a + d.radius * d.u;
+    X_t = cross(axes.turn_t, arm);
+    X_f = cross(axes.turn_f, arm);
+    over = {n.x, n.z, dot(n, X_t), dot(n, X_f)};
+    // Motion of the point in the principal directions, and δ_χp.
+    const T hoop = d.radius * d.hoop;
+    const T meridian = d.radius * d.meridian;
+    const std::array<T, 4> h{T(0.0), d.at.hoop.z, dot(d.at.hoop, X_t), dot(d.at.hoop, X_f)};
+    const std::array<T, 4> m{d.at.meridian.x, d.at.meridian.z, dot(d.at.meridian, X_t),
+                             dot(d.at.meridian, X_f)};
+    const T A_h = d.at.A_hoop * hoop;
+    const T A_m = d.at.A_meridian * meridian;
+    const V3<T> across = cross(d.radius * d.w, n);
+    std::array<T, 4> chi{T(0.0), T(0.0), dot(axes.turn_t, across), dot(axes.turn_f, across)};
+    const T n_u = d.radius * dot(n, d.u);
+    const T over_bend = q / (n_u - A_h * hoop - A_m * meridian);  // -Q/δ_χχ
+    const T q_h = q * d.at.A_hoop;
+    const T q_m = q * d.at.A_meridian;
+    for (int i = 0; i < 4; ++i) {
+      const auto a = static_cast<std::size_t>(i);
+      gradient[a] += q * over[a];
+      chi[a] += A_h * h[a] + A_m * m[a];
+      for (int j = 0; j <= i; ++j) {
+        const auto b = static_cast<std::size_t>(j);
+        hessian[static_cast<std::size_t>(entry(i, j))] += q_slope * over[a] * over[b] +
+                                                          q_h * h[a] * h[b] + q_m * m[a] * m[b] +
+                                                          over_bend * chi[a] * chi[b];
       }
     }
+    // n·X_pq of the turns: θ_p × (θ_q × arm), even in p and q, and what a_pq adds.
+    const T n_t = dot(n, axes.turn_t);
+    const T n_f = dot(n, axes.turn_f);
+    const T arm_t = dot(arm, axes.turn_t);
+    const T arm_f = dot(arm, axes.turn_f);
+    const T n_arm = d.s * dot(n, axes.a) + n_u;
+    const T bow = n.x * (axes.a.z * arm.z + axes.a.y * arm.y) -
+                  arm.x * (axes.a.y * n.y + axes.a.z * n.z);  // n·((0, t, -f) × arm)
+    hessian[entry(2, 2)] += q * (axes.k_tt * bow + n_t * arm_t - axes.tt * n_arm);
+    hessian[entry(3, 2)] +=
+        q * (axes.k_tf * bow + 0.5 * (n_t * arm_f + n_f * arm_t) - axes.tf * n_arm);
+    hessian[entry(3, 3)] += q * (axes.k_ff * bow + n_f * arm_f - axes.ff * n_arm);
+    load += q;
+    slope += q_slope;
   }
-  sum.hessian(2, 2) += load * tt;
-  sum.hessian(2, 3) += load * tf;
-  sum.hessian(3, 2) += load * tf;
-  sum.hessian(3, 3) += load * ff;
-  if (load_over_x != 0.0) {
-    for (Eigen::Index i = 0; i < 4; ++i) {
-      for (std::size_t j = 0; j < 4; ++j) {
-        sum.hessian(i, static_cast<Eigen::Index>(j)) +=
-            g[static_cast<std::size_t>(i)] * load_over_x * X_p[j].x * x_per_cos;
+
+  void add_to(PairPotential& sum) const {
+    for (int i = 0; i < 4; ++i) {
+      sum.gradient(i) += total(gradient[static_cast<std::size_t>(i)]);
+      for (int j = 0; j <= i; ++j) {
+        const double value = total(hessian[static_cast<std::size_t>(entry(i, j))]);
+        sum.hessian(i, j) += value;
+        if (i != j) {
+          sum.hessian(j, i) += value;
+        }
       }
     }
+    sum.total += total(load);
+    sum.stiffness += total(slope);
   }
-  sum.total += load;
-  sum.stiffness += slope;
-}
+};
 
 /// Width on the land and its derivative over the land coordinate.
 struct LandWidth {
@@ -200,36 +264,63 @@ LandWidth land_width(const contact::RaceSurface& race, double x, double width) {
   return out;
 }
 
+/// What depends on the place of a contact at the edge of the land, through its width.
+void add_edge(const contact::RaceSurface& race, const Sums<Lanes>& slices, std::size_t lane,
+              double load_slope, PairPotential& sum) {
+  const double over_x = load_slope / race.cos_angle;
+  const Vec4 along(1.0, 0.0, slices.X_t.x[lane], slices.X_f.x[lane]);
+  const Vec4 over(slices.over[0][lane], slices.over[1][lane], slices.over[2][lane],
+                  slices.over[3][lane]);
+  sum.hessian += (over_x * over) * along.transpose();
+}
+
 }  // namespace
 
 void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
                 std::span<SliceResult> each) {
+  constexpr std::size_t kLanes = Lanes::size();
   const Axes axes = axes_at(p(2), p(3));
-  const double sigma = set.race.sigma();
-  double cos_chi = 1.0;
-  double sin_chi = 0.0;
-  for (std::size_t k = 0; k < set.slices.size(); ++k) {
-    const auto& slice = set.slices[k];
-    const V3 P{p(0) + slice.s * axes.a.v.x, slice.s * axes.a.v.y, p(1) + slice.s * axes.a.v.z};
-    V3 X;
-    const Surface at = find_deepest(set.race, axes, P, slice.radius, sigma, cos_chi, sin_chi, X);
-    if (each.empty() && at.depth <= 0.0) {
-      continue;
+  Sums<Lanes> sums;
+  Lanes tan_chi = 0.0;
+  for (std::size_t first = 0; first < set.slices.size(); first += kLanes) {
+    const std::size_t count = std::min(kLanes, set.slices.size() - first);
+    const auto slice = [&](std::size_t lane) -> const contact::RollerSlice& {
+      return set.slices[first + std::min(lane, count - 1)];
+    };
+    const Lanes s([&](auto lane) { return slice(lane).s; });
+    const Lanes radius([&](auto lane) { return slice(lane).radius; });
+    const Deepest<Lanes> d = find_deepest(set.race, axes, p, s, radius, tan_chi);
+    std::array<LandWidth, kLanes> land;
+    std::array<contact::SliceLoad, kLanes> q;
+    bool loaded = false;
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      const double depth = d.at.depth[lane];
+      if (depth > 0.0 || !each.empty()) {
+        land[lane] =
+            land_width(set.race, (d.X.x[lane] - set.race.mid_x) / set.race.cos_angle, set.width);
+        q[lane] = contact::slice_load(set.law, land[lane].width, depth);
+        loaded = loaded || q[lane].load > 0.0;
+      }
     }
-    const LandWidth land =
-        land_width(set.race, (X.x - set.race.mid_x) / set.race.cos_angle, set.width);
-    const contact::SliceLoad q = contact::slice_load(set.law, land.width, at.depth);
-    if (q.load > 0.0) {
-      const double over_x = land.slope != 0.0 ? q.load / land.width * land.slope : 0.0;
-      add_contact(axes, at, slice.s, slice.radius, sigma, cos_chi, sin_chi, q.load, q.slope, over_x,
-                  1.0 / set.race.cos_angle, sum);
+    if (loaded) {
+      sums.add(axes, d, Lanes([&](auto lane) { return q[lane].load; }),
+               Lanes([&](auto lane) { return q[lane].slope; }));
+      for (std::size_t lane = 0; lane < count; ++lane) {
+        if (q[lane].load > 0.0 && land[lane].slope != 0.0) {
+          add_edge(set.race, sums, lane, q[lane].load / land[lane].width * land[lane].slope, sum);
+        }
+      }
     }
-    if (!each.empty()) {
-      const double radius = std::sqrt(X.y * X.y + X.z * X.z);
-      const double normal_r = (at.n.y * X.y + at.n.z * X.z) / radius;
-      each[k] = {at.depth, land.width, q.load, q.slope, -normal_r / radius, at.n.x, at.n.z};
+    for (std::size_t lane = 0; lane < count && !each.empty(); ++lane) {
+      const double y = d.X.y[lane];
+      const double z = d.X.z[lane];
+      const double r = std::sqrt(y * y + z * z);
+      const double normal_r = (d.at.n.y[lane] * y + d.at.n.z[lane] * z) / r;
+      each[first + lane] = {d.at.depth[lane], land[lane].width, q[lane].load,  q[lane].slope,
+                            -normal_r / r,    d.at.n.x[lane],   d.at.n.z[lane]};
     }
   }
+  sums.add_to(sum);
 }
 
 void add_slices_linear(const SliceSet& set, const Vec4& p, PairPotential& sum,
@@ -264,22 +355,30 @@ void add_slices_linear(const SliceSet& set, const Vec4& p, PairPotential& sum,
 
 void add_point(const PointSet& set, const Vec4& p, PairPotential& sum, SliceResult* each) {
   const Axes axes = axes_at(p(2), p(3));
-  const double sigma = set.race.sigma();
-  const double s = set.centre.s;
-  const V3 P{p(0) + s * axes.a.v.x, s * axes.a.v.y, p(1) + s * axes.a.v.z};
-  double cos_chi = 1.0;
-  double sin_chi = 0.0;
-  V3 X;
-  const Surface at = find_deepest(set.race, axes, P, set.centre.radius, sigma, cos_chi, sin_chi, X);
+  const auto deepest = [&](const contact::RaceSurface& race, const contact::RollerSlice& slice) {
+    double tan_chi = 0.0;
+    return find_deepest(race, axes, p, slice.s, slice.radius, tan_chi);
+  };
+  Deepest<double> d = deepest(set.race, set.centre);
+  if (d.at.depth > 0.0 || each != nullptr) {
+    const double s = set.centre.s + set.crown_radius * dot(d.at.n, axes.a);
+    const bool facing = dot(d.at.n, d.u) > 0.0;
+    if (!(facing && s >= set.ends[0].s && s <= set.ends[1].s)) {
+      const Deepest<double> first = deepest(set.groove, set.ends[0]);
+      const Deepest<double> second = deepest(set.groove, set.ends[1]);
+      d = first.at.depth > second.at.depth ? first : second;
+    }
+  }
   contact::SliceLoad q;
-  if (at.depth > 0.0) {
-    const double tangent = set.K * std::sqrt(at.depth);
-    q = {tangent * at.depth, 1.5 * tangent};
-    add_contact(axes, at, s, set.centre.radius, sigma, cos_chi, sin_chi, q.load, q.slope, 0.0, 1.0,
-                sum);
+  if (d.at.depth > 0.0) {
+    const double tangent = set.K * std::sqrt(d.at.depth);
+    q = {tangent * d.at.depth, 1.5 * tangent};
+    Sums<double> sums;
+    sums.add(axes, d, q.load, q.slope);
+    sums.add_to(sum);
   }
   if (each != nullptr) {
-    *each = {at.depth, 0.0, q.load, q.slope, 0.0, at.n.x, at.n.z};
+    *each = {d.at.depth, 0.0, q.load, q.slope, 0.0, d.at.n.x, d.at.n.z};
   }
 }
 

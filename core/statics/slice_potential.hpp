@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -58,10 +59,16 @@ void add_slices_linear(const SliceSet& set, const Vec4& p, PairPotential& sum,
 
 /// One elliptical contact Q = K δ^1.5 of a barrel in a groove: the same geometry with the arc's
 /// centre as a slice of (negative) radius ρ_A and a groove of radius r_g - Rc.
+/// The arc ends where the corners begin. Where the normal through both centres meets the roller
+/// beyond that, or on its far side, δ is that of the deeper end: the deepest point of the arc that
+/// exists, with a continuous gradient [derived].
 struct PointSet {
   contact::RaceSurface race;    ///< groove_radius = r_g - Rc
   contact::RollerSlice centre;  ///< s_A = -Rc sin ν, ρ_A = D/2 - Rc cos ν
   double K = 0.0;
+  double crown_radius = 0.0;                 ///< Rc [m]
+  contact::RaceSurface groove;               ///< as it is
+  std::array<contact::RollerSlice, 2> ends;  ///< of the arc: -s, +s
 };
 void add_point(const PointSet& set, const Vec4& p, PairPotential& sum, SliceResult* each = nullptr);
 

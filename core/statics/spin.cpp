@@ -1,22 +1,26 @@
 #include "statics/spin.hpp"
 
+#include <Eigen/Core>
+
 #include <algorithm>
 #include <numbers>
+#include <optional>
 
 namespace adore::statics {
 namespace {
 
-constexpr int kHalfNodes = 6;
+using Nodes = Eigen::Array<double, 12, 1>;
+
+/// 12-point Gauss-Legendre rule on (-1, 1), and the powers of its nodes that the slip needs.
 struct GaussRule {
-  std::array<double, kHalfNodes> node{};
-  std::array<double, kHalfNodes> weight{};
+  Nodes weight;            ///< times 3/4 (1-s²)
+  Nodes s2, s3, s4, rest;  ///< rest = 1-s²
 };
 
-/// Positive half of the 12-point Gauss-Legendre rule on (-1, 1).
 GaussRule make_rule() {
-  constexpr int n = 2 * kHalfNodes;
+  constexpr int n = Nodes::RowsAtCompileTime;
   GaussRule rule;
-  for (int k = 0; k < kHalfNodes; ++k) {
+  for (int k = 0; k < n; ++k) {
     double x = std::cos(std::numbers::pi * (k + 0.75) / (n + 0.5));
     double slope = 1.0;
     for (int pass = 0; pass < 20; ++pass) {
@@ -30,79 +34,134 @@ GaussRule make_rule() {
       slope = n * (x * current - previous) / (x * x - 1.0);
       x -= current / slope;
     }
-    rule.node[static_cast<std::size_t>(k)] = x;
-    rule.weight[static_cast<std::size_t>(k)] = 2.0 / ((1.0 - x * x) * slope * slope);
+    rule.weight(k) = 0.75 * 2.0 / (slope * slope);
+    rule.s2(k) = x * x;
+    rule.s3(k) = x * x * x;
+    rule.s4(k) = x * x * x * x;
+    rule.rest(k) = 1.0 - x * x;
   }
   return rule;
 }
 
-/// One contact with angle, load and axis carried as numbers of type S.
-template <class S>
-struct Contact {
-  Direction<S> alpha;
-  S load = 0.0, half_major = 0.0;
-  double aspect = 1.0, surface_radius = 0.0;
-};
-
-/// G(σ) and dG/dσ of one contact.
-template <class S>
+/// G of one contact over its spin: G = a H(σ, t), t = a/(2ρ), with
+///   H = Σ w slip,  slip² = A σ² + 2 B σ + C,  A = s² + (1-s²)/(4κ²),  B = t s³,  C = t² s⁴.
+/// H is homogeneous of degree 1 in (σ, t), which gives the derivatives over t and so over a.
 struct SlipIntegral {
-  S value = 0.0;
-  S slope = 0.0;
+  double H = 0.0, slope = 0.0, curvature = 0.0;  ///< over σ
+
+  SlipIntegral() = default;
+  SlipIntegral(double aspect, double t, double sigma) {
+    static const GaussRule kRule = make_rule();
+    const double narrow = 0.25 / (aspect * aspect);
+    const Nodes B = t * kRule.s3;
+    const Nodes half_slope = (kRule.s2 + narrow * kRule.rest) * sigma + B;
+    const Nodes square = (half_slope + B) * sigma + (t * t) * kRule.s4;
+    const Nodes slip = square.sqrt();
+    const Nodes w_over_slip = kRule.weight / slip;
+    H = (kRule.weight * slip).sum();
+    slope = (w_over_slip * half_slope).sum();
+    // A C - B² = t² s⁴ (1-s²)/(4κ²)
+    curvature = t * t * narrow * (w_over_slip * kRule.s4 * kRule.rest / square).sum();
+  }
 };
 
-template <class S>
-SlipIntegral<S> slip_integral(const Contact<S>& c, const S& sigma) {
-  static const GaussRule kRule = make_rule();
-  SlipIntegral<S> result;
-  const S curve = c.half_major * c.half_major / (2.0 * c.surface_radius);
-  const S narrow = 0.25 / (c.aspect * c.aspect) * c.half_major * c.half_major;
-  const S tilt = sigma * c.half_major;
-  for (std::size_t k = 0; k < 2 * kHalfNodes; ++k) {
-    const double s = k < kHalfNodes ? kRule.node[k] : -kRule.node[k - kHalfNodes];
-    const double w = 0.75 * kRule.weight[k % kHalfNodes] * (1.0 - s * s);
-    const S along = tilt * s + curve * (s * s);
-    const S across = sigma * narrow * (1.0 - s * s);
-    const S slip = square_root(along * along + sigma * across);
-    result.value += w * slip;
-    result.slope += w * (along * c.half_major * s + across) / slip;
-  }
-  return result;
-}
+/// One contact with the axis at β: how it rolls and spins, T = tan(α-β).
+struct Rolled {
+  double rho = 0.0;                 ///< 1 ± γ cos α
+  double rolls = 0.0, turns = 0.0;  ///< cos(α-β)/ρ, its derivative sin(α-β)/ρ
+  double T = 0.0;
+  double sigma = 0.0, sigma_1 = 0.0;  ///< and its derivative
+  double share = 0.0, share_1 = 0.0;  ///< of the rolling: W = rolls/Σ rolls, and its derivative
+  SlipIntegral slip;
+};
 
-/// Heat over |Ω_i - Ω_o|/γ and its derivative over β.
-template <class S>
-SlipIntegral<S> heat_and_slope(const std::array<Contact<S>, 2>& contacts, double gamma,
-                               const S& beta) {
-  const Direction<S> axis{sine(beta), cosine(beta)};
-  std::array<S, 2> part;        // cos(β-α)/ρ
-  std::array<S, 2> part_slope;  // its derivative over β
-  std::array<S, 2> sigma;
-  std::array<S, 2> sigma_slope;
-  for (std::size_t j = 0; j < 2; ++j) {
-    const double sign = j == 0 ? 1.0 : -1.0;
-    const auto& alpha = contacts[j].alpha;
-    const S rho = 1.0 + sign * gamma * alpha.cos;
-    const S cosine_between = cos_between(axis, alpha);
-    const S tangent = sin_between(alpha, axis) / cosine_between;
-    part[j] = cosine_between / rho;
-    part_slope[j] = sin_between(alpha, axis) / rho;
-    sigma[j] = gamma * alpha.sin - sign * rho * tangent;
-    sigma_slope[j] = sign * rho * (1.0 + tangent * tangent);
+/// The heat over |Ω_i - Ω_o|/γ, E = Σ Q_j W_j a_j H_j, with the axis at one angle.
+class Heat {
+ public:
+  Heat(const std::array<HeatContact, 2>& contacts, double gamma, double beta)
+      : contacts_(&contacts), gamma_(gamma) {
+    const Direction<double> axis{std::sin(beta), std::cos(beta)};
+    for (std::size_t j = 0; j < 2; ++j) {
+      const HeatContact& c = contacts[j];
+      Rolled& r = at_[j];
+      r.rho = 1.0 + sign(j) * gamma * c.alpha.cos;
+      const double cosine = cos_between(c.alpha, axis);
+      const double sine = sin_between(c.alpha, axis);
+      r.rolls = cosine / r.rho;
+      r.turns = sine / r.rho;
+      r.T = sine / cosine;
+      r.sigma = gamma * c.alpha.sin - sign(j) * r.rho * r.T;
+      r.sigma_1 = sign(j) * r.rho * (1.0 + r.T * r.T);
+      r.slip = SlipIntegral(c.aspect, 0.5 * c.half_major / c.surface_radius, r.sigma);
+    }
+    sum_ = at_[0].rolls + at_[1].rolls;
+    sum_1_ = at_[0].turns + at_[1].turns;
+    for (std::size_t j = 0; j < 2; ++j) {
+      const HeatContact& c = contacts[j];
+      Rolled& r = at_[j];
+      r.share = r.rolls / sum_;
+      r.share_1 = (r.turns - r.share * sum_1_) / sum_;
+      const double share_2 = -2.0 * r.share_1 * sum_1_ / sum_;  // rolls'' = -rolls
+      const double sigma_2 = -2.0 * r.T * r.sigma_1;
+      const double size = c.load * c.half_major;
+      value += size * r.share * r.slip.H;
+      slope += size * (r.share_1 * r.slip.H + r.share * r.slip.slope * r.sigma_1);
+      curvature +=
+          size * (share_2 * r.slip.H + 2.0 * r.share_1 * r.slip.slope * r.sigma_1 +
+                  r.share * (r.slip.curvature * r.sigma_1 * r.sigma_1 + r.slip.slope * sigma_2));
+    }
   }
-  const S sum = part[0] + part[1];
-  const S sum_slope = part_slope[0] + part_slope[1];
-  SlipIntegral<S> total;
-  for (std::size_t j = 0; j < 2; ++j) {
-    const SlipIntegral<S> g = slip_integral(contacts[j], sigma[j]);
-    const S rolling = part[j] / sum;
-    const S rolling_slope = (part_slope[j] - rolling * sum_slope) / sum;
-    total.value += contacts[j].load * rolling * g.value;
-    total.slope +=
-        contacts[j].load * (rolling_slope * g.value + rolling * g.slope * sigma_slope[j]);
+
+  double value = 0.0, slope = 0.0, curvature = 0.0;  ///< over β
+
+  /// Derivative of the slope over ln a of contact j; t grows with a.
+  [[nodiscard]] double slope_over_log_a(std::size_t j) const {
+    const Rolled& r = at_[j];
+    const double H = 2.0 * r.slip.H - r.sigma * r.slip.slope;          // ∂(a H)/∂a
+    const double H_sigma = r.slip.slope - r.sigma * r.slip.curvature;  // ∂(a ∂H/∂σ)/∂a
+    return (*contacts_)[j].load * (*contacts_)[j].half_major *
+           (r.share_1 * H + r.share * H_sigma * r.sigma_1);
   }
-  return total;
-}
+  [[nodiscard]] double slope_over_load(std::size_t j) const {
+    const Rolled& r = at_[j];
+    const HeatContact& c = (*contacts_)[j];
+    return c.half_major * (r.share_1 * r.slip.H + r.share * r.slip.slope * r.sigma_1) +
+           slope_over_log_a(j) / (3.0 * c.load);
+  }
+  [[nodiscard]] double slope_over_angle(std::size_t j) const {
+    const Rolled& r = at_[j];
+    const HeatContact& c = (*contacts_)[j];
+    const double rho_a = -sign(j) * gamma_ * c.alpha.sin;
+    const double rolls_a = -r.turns - r.rolls * rho_a / r.rho;
+    const double turns_a = r.rolls - r.turns * rho_a / r.rho;
+    const double squared = 1.0 + r.T * r.T;
+    const double sigma_a = gamma_ * c.alpha.cos - sign(j) * (rho_a * r.T + r.rho * squared);
+    const double sigma_1_a = sign(j) * squared * (rho_a + 2.0 * r.rho * r.T);
+    double total = slope_over_log_a(j) * c.log_a_slope;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Rolled& other = at_[i];
+      const double own = i == j ? 1.0 : 0.0;
+      const double share_a = (own - other.share) * rolls_a / sum_;
+      const double share_1_a =
+          (own * turns_a - share_a * sum_1_ - other.share * turns_a - other.share_1 * rolls_a) /
+          sum_;
+      total += (*contacts_)[i].load * (*contacts_)[i].half_major *
+               (share_1_a * other.slip.H + share_a * other.slip.slope * other.sigma_1);
+    }
+    return total +
+           c.load * c.half_major *
+               (r.share_1 * r.slip.slope * sigma_a +
+                r.share * (r.slip.curvature * sigma_a * r.sigma_1 + r.slip.slope * sigma_1_a));
+  }
+
+ private:
+  static double sign(std::size_t j) { return j == 0 ? 1.0 : -1.0; }
+
+  const std::array<HeatContact, 2>* contacts_;
+  double gamma_ = 0.0;
+  std::array<Rolled, 2> at_;
+  double sum_ = 0.0, sum_1_ = 0.0;
+};
 
 struct Bracket {
   double low, high;
@@ -110,50 +169,52 @@ struct Bracket {
 
 /// An interval in which the slope of the heat changes from negative to positive: the two
 /// race-control angles, widened in small steps while both contacts still roll.
-template <class Slope>
-Bracket bracket_minimum(double first, double second, Slope slope) {
+template <class HeatAt>
+Bracket bracket_minimum(double first, double second, HeatAt heat) {
   Bracket b{std::min(first, second) - 1e-6, std::max(first, second) + 1e-6};
   double widen = 0.01;
-  for (int n = 0; n < 6 && slope(b.low).v > 0.0; ++n, widen *= 2.0) {
+  for (int n = 0; n < 6 && heat(b.low).slope > 0.0; ++n, widen *= 2.0) {
     b.low -= widen;
   }
   widen = 0.01;
-  for (int n = 0; n < 6 && slope(b.high).v < 0.0; ++n, widen *= 2.0) {
+  for (int n = 0; n < 6 && heat(b.high).slope < 0.0; ++n, widen *= 2.0) {
     b.high += widen;
   }
   return b;
 }
 
-/// Plain Newton from a good guess: true when its steps shrink quickly to nothing on a convex
-/// stretch.
-template <class Slope>
-bool newton_minimum(Slope slope, double& beta, double& curvature) {
+/// Steps below this leave an error of the order of their square, and derivatives as good as at the
+/// minimum.
+constexpr double kSmallStep = 1e-8;
+
+/// Plain Newton from a good guess: the heat next to the minimum when the steps shrink quickly to
+/// nothing on a convex stretch.
+template <class HeatAt>
+std::optional<Heat> newton_minimum(HeatAt heat, double& beta) {
   double last = 0.3;
   for (int n = 0; n < 8; ++n) {
-    const Dual<1> g = slope(beta);
-    curvature = g.d[0];
-    const double step = curvature > 0.0 ? -g.v / curvature : 1.0;
+    const Heat now = heat(beta);
+    const double step = now.curvature > 0.0 ? -now.slope / now.curvature : 1.0;
     if (!(std::abs(step) < 0.7 * last)) {
-      return false;
+      break;
     }
     beta += step;
     last = std::abs(step);
-    if (last < 1e-6) {  // the next step is of the order of its square
-      return true;
+    if (last < kSmallStep) {
+      return now;
     }
   }
-  return false;
+  return std::nullopt;
 }
 
 /// Newton inside a shrinking bracket.
-template <class Slope>
-void safeguarded_minimum(Slope slope, Bracket bracket, double& beta, double& curvature) {
+template <class HeatAt>
+Heat safeguarded_minimum(HeatAt heat, Bracket bracket, double& beta) {
   beta = 0.5 * (bracket.low + bracket.high);
   for (int n = 0; n < 60; ++n) {
-    const Dual<1> g = slope(beta);
-    curvature = g.d[0];
-    (g.v > 0.0 ? bracket.high : bracket.low) = beta;
-    double next = curvature > 0.0 ? beta - g.v / curvature : bracket.low - 1.0;
+    const Heat now = heat(beta);
+    (now.slope > 0.0 ? bracket.high : bracket.low) = beta;
+    double next = now.curvature > 0.0 ? beta - now.slope / now.curvature : bracket.low - 1.0;
     if (!(next > bracket.low && next < bracket.high)) {
       next = 0.5 * (bracket.low + bracket.high);
     }
@@ -163,68 +224,48 @@ void safeguarded_minimum(Slope slope, Bracket bracket, double& beta, double& cur
       break;
     }
   }
+  return heat(beta);
 }
 
-template <class S>
-std::array<Contact<S>, 2> constant_contacts(const std::array<HeatContact, 2>& contacts) {
-  std::array<Contact<S>, 2> result;
+/// The control angle of each race, for which it does not spin.
+std::array<double, 2> control_angles(const std::array<HeatContact, 2>& contacts, double gamma) {
+  std::array<double, 2> control{};
   for (std::size_t j = 0; j < 2; ++j) {
-    const HeatContact& c = contacts[j];
-    result[j] = {{S(std::sin(c.alpha)), S(std::cos(c.alpha))},
-                 S(c.load),
-                 S(c.half_major),
-                 c.aspect,
-                 c.surface_radius};
+    const Direction<double>& alpha = contacts[j].alpha;
+    control[j] = std::atan2(alpha.sin, alpha.cos + (j == 0 ? gamma : -gamma));
   }
-  return result;
+  return control;
 }
 
 }  // namespace
 
 HeatOfAxis heat_of_axis(const std::array<HeatContact, 2>& contacts, double gamma, double beta) {
-  const auto h = heat_and_slope(constant_contacts<double>(contacts), gamma, beta);
-  return {h.value, h.slope};
+  const Heat heat(contacts, gamma, beta);
+  return {heat.value, heat.slope};
 }
 
 LeastHeatAxis least_heat_axis(const std::array<HeatContact, 2>& contacts, double gamma,
                               double guess) {
-  const auto fixed = constant_contacts<Dual<1>>(contacts);
-  std::array<double, 2> control{};
-  std::array<double, 2> weight{};
-  for (std::size_t j = 0; j < 2; ++j) {
-    const HeatContact& c = contacts[j];
-    control[j] = std::atan2(std::sin(c.alpha), std::cos(c.alpha) + (j == 0 ? gamma : -gamma));
-    weight[j] = c.load * c.half_major;
-  }
-  const auto slope = [&](double beta) {
-    return heat_and_slope(fixed, gamma, Dual<1>::variable(beta, 0)).slope;
-  };
-  double beta = std::isfinite(guess)
-                    ? guess
-                    : (weight[0] * control[0] + weight[1] * control[1]) / (weight[0] + weight[1]);
-  double curvature = 0.0;
-  if (!newton_minimum(slope, beta, curvature)) {
-    safeguarded_minimum(slope, bracket_minimum(control[0], control[1], slope), beta, curvature);
-  }
+  const auto heat = [&](double beta) { return Heat(contacts, gamma, beta); };
   LeastHeatAxis result;
-  result.beta = beta;
-  if (curvature > 0.0) {
-    // dβ = -(∂g/∂p) dp / (∂g/∂β) with g = 0 at the minimum; p = α_o, α_i, Q_o, Q_i.
-    using D4 = Dual<4>;
-    std::array<Contact<D4>, 2> moving;
+  double& beta = result.beta;
+  beta = guess;
+  if (!std::isfinite(guess)) {
+    const std::array<double, 2> control = control_angles(contacts, gamma);
+    const double outer = contacts[0].load * contacts[0].half_major;
+    const double inner = contacts[1].load * contacts[1].half_major;
+    beta = (outer * control[0] + inner * control[1]) / (outer + inner);
+  }
+  std::optional<Heat> least = newton_minimum(heat, beta);
+  if (!least) {
+    const std::array<double, 2> control = control_angles(contacts, gamma);
+    least = safeguarded_minimum(heat, bracket_minimum(control[0], control[1], heat), beta);
+  }
+  if (least->curvature > 0.0) {
+    // dβ = -(∂g/∂p) dp / (∂g/∂β) with the slope g = 0 at the minimum; p = α_o, α_i, Q_o, Q_i.
     for (std::size_t j = 0; j < 2; ++j) {
-      const HeatContact& c = contacts[j];
-      const D4 alpha = D4::variable(c.alpha, static_cast<int>(j));
-      const D4 load = D4::variable(c.load, static_cast<int>(j) + 2);
-      D4 half_major = c.half_major;
-      half_major.d[j] = c.half_major * c.log_a_slope;
-      half_major.d[j + 2] = c.half_major / (3.0 * c.load);
-      moving[j] = {{sine(alpha), cosine(alpha)}, load, half_major, c.aspect, c.surface_radius};
-    }
-    const D4 g = heat_and_slope(moving, gamma, D4(beta)).slope;
-    for (std::size_t j = 0; j < 2; ++j) {
-      result.over_angle[j] = -g.d[j] / curvature;
-      result.over_load[j] = -g.d[j + 2] / curvature;
+      result.over_angle[j] = -least->slope_over_angle(j) / least->curvature;
+      result.over_load[j] = -least->slope_over_load(j) / least->curvature;
     }
   }
   return result;

@@ -77,7 +77,7 @@ Rolling<S> roll_without_slip(const std::array<Direction<S>, 2>& alpha, const Dir
 
 /// One contact as seen by the least-heat rule.
 struct HeatContact {
-  double alpha = 0.0;        ///< contact angle [rad]
+  Direction<double> alpha;   ///< contact angle
   double load = 0.0;         ///< Q [N], > 0
   double half_major = 0.0;   ///< a [m]; grows with Q^(1/3)
   double log_a_slope = 0.0;  ///< d ln a/dα at constant load [1/rad]

@@ -367,8 +367,9 @@ TEST_CASE("the least-heat axis is a minimum and lies between the race-control ax
   const double gamma = 0.18;
   for (double ratio : {0.2, 0.9, 1.5, 6.0}) {
     std::array<HeatContact, 2> c;
-    c[0] = {0.5, 100.0 * ratio, 1e-3 * std::cbrt(ratio), 0.0, 7.0, 0.011};
-    c[1] = {0.75, 100.0, 1e-3, 0.0, 8.0, 0.011};
+    c[0] = {
+        {std::sin(0.5), std::cos(0.5)}, 100.0 * ratio, 1e-3 * std::cbrt(ratio), 0.0, 7.0, 0.011};
+    c[1] = {{std::sin(0.75), std::cos(0.75)}, 100.0, 1e-3, 0.0, 8.0, 0.011};
     const auto axis = least_heat_axis(c, gamma);
     const double at = heat_of_axis(c, gamma, axis.beta).heat;
     CHECK(heat_of_axis(c, gamma, axis.beta + 0.01).heat > at);
