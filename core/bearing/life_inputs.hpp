@@ -48,6 +48,7 @@ struct LifeChoices {
   LifeModel stored_model = LifeModel::Zaretsky;  ///< the life that SOL7 stores
   LifeModification stored_modification = LifeModification::Stle;
   ElementLife elements = ElementLife::Zaretsky;
+  bool shared_track = false;  ///< both races stress the same volume of a rolling element
   LimitForm limit_form = LimitForm::Peak;
   std::optional<double> film_parameter;   ///< Λ assumed at every contact; empty: no film known
   std::optional<double> filter;           ///< filter rating [µm] at beta 200; empty: no factor

@@ -141,6 +141,14 @@ void add_life_options(std::vector<Option>& table) {
                                   : ElementLife::None;
         return true;
       });
+  add("lifeElementTracks", "separate",
+      "the tracks of both races on a rolling element: separate (other volumes) or shared (one "
+      "volume that both stress, as rollers have)",
+      [](bearing::LifeChoices& o, std::string_view v) {
+        if (v != "separate" && v != "shared") return false;
+        o.shared_track = v == "shared";
+        return true;
+      });
   add("lifeLimitForm", "peak",
       "Ioannides-Harris: peak (largest von Mises stress minus the limit) or integral (orthogonal "
       "shear above its limit, integrated over depth)",

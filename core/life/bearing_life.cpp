@@ -25,47 +25,144 @@ double product(std::span<const double> lives, double slope) {
   return combined_life(lives, slopes);
 }
 
-const ContactPatch* heaviest(const RaceContacts& race) {
+const ContactPatch* heaviest(const std::vector<ContactPatch>& patches) {
   const ContactPatch* out = nullptr;
-  for (const ContactPatch& patch : race.patches)
+  for (const ContactPatch& patch : patches)
     if (patch.Q > 0.0 && (out == nullptr || patch.p_max > out->p_max)) out = &patch;
   return out;
 }
 
 /// Loads of whole elements.
-std::vector<double> element_loads(const RaceContacts& race, std::size_t slices) {
-  std::vector<double> out(race.patches.size() / slices, 0.0);
-  for (std::size_t at = 0; at < race.patches.size(); ++at)
-    out[at / slices] += std::max(race.patches[at].Q, 0.0);
+std::vector<double> element_loads(const std::vector<ContactPatch>& patches, std::size_t slices) {
+  std::vector<double> out(patches.size() / slices, 0.0);
+  for (std::size_t at = 0; at < patches.size(); ++at)
+    out[at / slices] += std::max(patches[at].Q, 0.0);
   return out;
+}
+
+/// What counts as a point or a line contact, and why.
+void note_shapes(BearingLife& out, std::size_t slices) {
+  const LifeState& state = out.state;
+  bool lines = false;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string& name = out.parameters.part[i].name;
+    const double share = state.major_axis[i] / out.effective_length;
+    lines = lines || state.model[0].line[i];
+    if (!(share > 0.0)) {
+      out.notes.push_back(fmt::format(
+          "{}: line contact; the rollers carry no load there or have no crown that could "
+          "make an ellipse",
+          name));
+      continue;
+    }
+    const std::string ellipse = fmt::format(
+        "{}: the ellipse of the heaviest roller would be {:.3g} times as long as its effective "
+        "length",
+        name, share);
+    switch (state.shape[i]) {
+      case ContactShape::Point:
+        out.notes.push_back(ellipse +
+                            ", so it counts as a point contact (below 1, rule of Harris, "
+                            "recalled)");
+        break;
+      case ContactShape::Line:
+        out.notes.push_back(ellipse +
+                            ", so it counts as a line contact (above 1.5 with the straight "
+                            "land, or a land longer than the ellipse; rule of Harris, "
+                            "recalled)");
+        break;
+      case ContactShape::Between: {
+        constexpr std::array<const char*, kModels> kNames{"LP", "updated LP", "GZ", "IH"};
+        std::string points, all;
+        for (std::size_t m = 0; m < kModels; ++m)
+          (state.model[m].line[i] ? all : points) += fmt::format(" {},", kNames[m]);
+        const auto list = [](std::string text, const char* what) {
+          if (text.empty()) return text;
+          text.pop_back();
+          return fmt::format("{} in{}", what, text);
+        };
+        const std::string point = list(points, "point"), line = list(all, "line");
+        out.notes.push_back(fmt::format(
+            "{}: between point and line contact (rule of Harris, recalled), so the shorter life of "
+            "both counts: {}{}{}",
+            ellipse, point, point.empty() || line.empty() ? "" : "; ", line));
+        break;
+      }
+    }
+  }
+  if (lines)
+    out.notes.push_back(
+        slices > 1
+            ? "every slice of a line contact has its own length and pressure; edge stresses "
+              "beyond the slices' pressure are not in these lives"
+            : "a line contact is taken as uniform over the effective length: the solution has "
+              "one ellipse per contact and no slices");
+}
+
+void set_temperatures(LifeParameters& out, const bearing::Bearing& bearing) {
+  out.part[bearing::kElementPart].temperature = bearing.ball_temperature;
+  for (std::size_t i = 0; i < 2; ++i) out.part[i].temperature = bearing.race_temperature[i];
+  out.modulus_follows_temperature = bearing.mounting.material_laws;
 }
 
 }  // namespace
 
 LifeCalculator::LifeCalculator(const LifeGeometry& geometry, LifeParameters parameters)
     : geometry_(geometry), parameters_(std::move(parameters)) {
-  for (std::size_t m = 0; m < kStressModels.size(); ++m)
-    for (const PartParameters& part : parameters_.part) {
-      StressModel model;
-      model.model = kStressModels[m];
-      model.line = geometry.line;
-      model.slope = part.slope.value;
-      // The record's exponent of Gupta-Zaretsky is one of life, the hazard law wants its own.
-      model.hazard_exponent = part.model[m].stress_exponent.value *
-                              (model.model == LifeModel::Zaretsky ? part.slope.value : 1.0);
-      model.depth_exponent = part.model[m].depth_exponent.value;
-      model.factor = part.model[m].factor.value;
-      model.limit = part.fatigue_limit.value;
-      model.form = parameters_.choices.limit_form;
-      models_.emplace_back(model);
-    }
+  for (const bool line : {false, true}) {
+    if (line && !geometry.line) break;
+    for (std::size_t m = 0; m < kStressModels.size(); ++m)
+      for (std::size_t i = 0; i < 3; ++i) {
+        const PartParameters& part = parameters_.part[i];
+        StressModel model;
+        model.model = kStressModels[m];
+        model.line = line;
+        model.slope = slope(i, line);
+        // The record's exponent of Gupta-Zaretsky is one of life, the hazard law wants its own.
+        model.hazard_exponent = part.model[m].stress_exponent.value *
+                                (model.model == LifeModel::Zaretsky ? model.slope : 1.0);
+        model.depth_exponent = part.model[m].depth_exponent.value;
+        model.factor = part.model[m].factor.value;
+        model.limit = part.fatigue_limit.value;
+        model.form = parameters_.choices.limit_form;
+        models_.emplace_back(model);
+      }
+  }
 }
 
 double LifeCalculator::gamma(double angle) const {
   return geometry_.diameter * std::cos(angle) / geometry_.pitch_diameter;
 }
 
-double LifeCalculator::capacity(const RaceContacts& race, std::size_t index, double length) const {
+LifeCalculator::Contacts LifeCalculator::taken(const BearingContacts& contacts, std::size_t race,
+                                               bool line) const {
+  const RaceContacts& at = contacts.race[race];
+  if (line || !geometry_.line) return {at.patches, contacts.slices, line};
+  return {at.ellipses, 1, false};
+}
+
+const StressLife& LifeCalculator::law(std::size_t model, std::size_t part, bool line) const {
+  return models_[(line ? 9 : 0) + 3 * model + part];
+}
+
+double LifeCalculator::slope(std::size_t part, bool line) const {
+  const PartParameters& p = parameters_.part[part];
+  return line ? p.slope.value : p.point_slope.value;
+}
+
+void LifeCalculator::set_shapes(const BearingContacts& contacts, LifeState& out) const {
+  for (std::size_t i = 0; i < 2; ++i) {
+    out.shape[i] = geometry_.line ? ContactShape::Line : ContactShape::Point;
+    if (!geometry_.line) continue;
+    for (const ContactPatch& ellipse : contacts.race[i].ellipses)
+      out.major_axis[i] = std::max(out.major_axis[i], 2.0 * ellipse.a);
+    if (out.major_axis[i] > 0.0)
+      out.shape[i] = contact_shape(out.major_axis[i], geometry_.land, geometry_.length);
+  }
+}
+
+double LifeCalculator::capacity(const RaceContacts& race, std::size_t index, double length,
+                                bool line) const {
   CapacityGeometry g;
   g.diameter = geometry_.diameter;
   g.gamma = gamma(race.angle);
@@ -76,69 +173,98 @@ double LifeCalculator::capacity(const RaceContacts& race, std::size_t index, dou
   g.groove_radius = geometry_.groove_radius[index];
   g.length = length;
   const double factor = parameters_.part[index].original_factor.value;
-  return geometry_.line ? line_capacity(g, factor) : point_capacity(g, factor);
+  return line ? line_capacity(g, factor) : point_capacity(g, factor);
 }
 
-double LifeCalculator::original_race_life(const BearingContacts& contacts,
-                                          std::size_t index) const {
+double LifeCalculator::original_race_life(const BearingContacts& contacts, std::size_t index,
+                                          bool line) const {
   const RaceContacts& race = contacts.race[index];
-  const double slope = parameters_.part[index].slope.value;
+  const auto [patches, slices, _] = taken(contacts, index, line);
+  const double e = slope(index, line);
   std::vector<double> tracks;
-  for (std::size_t k = 0; k < contacts.slices; ++k) {
+  for (std::size_t k = 0; k < slices; ++k) {
     double half = 0.0;  // open slices may not say their length
-    for (std::size_t at = k; at < race.patches.size(); at += contacts.slices)
-      half = std::max(half, race.patches[at].a);
+    for (std::size_t at = k; at < patches.size(); at += slices)
+      half = std::max(half, patches[at].a);
     if (!(half > 0.0)) continue;  // nothing loaded on this track
     // A slice carries Q_c ~ l^(7/9) of its own length: slices multiply to the whole roller's life.
-    const double Q_c = capacity(race, index, 2.0 * half);
+    const double Q_c = capacity(race, index, 2.0 * half, line);
     std::vector<double> lives;
-    for (std::size_t at = k; at < race.patches.size(); at += contacts.slices)
-      lives.push_back(original_life(Q_c, race.patches[at].Q, geometry_.line));
-    tracks.push_back(race_life(lives, race.rotating, slope));
+    for (std::size_t at = k; at < patches.size(); at += slices)
+      lives.push_back(original_life(Q_c, patches[at].Q, line));
+    tracks.push_back(race_life(lives, race.rotating, e));
   }
-  return tracks.empty() ? kInfinity : product(tracks, slope);
+  return tracks.empty() ? kInfinity : product(tracks, e);
 }
 
 double LifeCalculator::stress_race_life(const BearingContacts& contacts, std::size_t index,
-                                        std::size_t model) {
+                                        std::size_t model, bool line) {
   const RaceContacts& race = contacts.race[index];
-  const PartParameters& part = parameters_.part[index];
-  const StressLife& law = models_[3 * model + index];
+  const auto [patches, slices, _] = taken(contacts, index, line);
+  const double nu = parameters_.part[index].poisson_ratio, e = slope(index, line);
   const Track track = race_track(geometry_.pitch_diameter, gamma(race.angle), geometry_.count,
                                  index == bearing::kInnerRacePart);
   std::vector<double> tracks;
-  for (std::size_t k = 0; k < contacts.slices; ++k) {
+  for (std::size_t k = 0; k < slices; ++k) {
     std::vector<double> lives;
-    for (std::size_t at = k; at < race.patches.size(); at += contacts.slices)
-      lives.push_back(law.life(race.patches[at], track, part.poisson_ratio, peaks_));
-    tracks.push_back(race_life(lives, race.rotating, part.slope.value));
+    for (std::size_t at = k; at < patches.size(); at += slices)
+      lives.push_back(law(model, index, line).life(patches[at], track, nu, peaks_));
+    tracks.push_back(race_life(lives, race.rotating, e));
   }
-  return product(tracks, part.slope.value);
+  return product(tracks, e);
 }
 
-double LifeCalculator::element_life(const BearingContacts& contacts, std::size_t model) {
+double LifeCalculator::race_life_of(const BearingContacts& contacts, std::size_t race,
+                                    std::size_t model, ContactShape shape, bool& line) {
+  const auto life = [&](bool as_line) {
+    return model == 0 ? original_race_life(contacts, race, as_line)
+                      : stress_race_life(contacts, race, model - 1, as_line);
+  };
+  line = shape != ContactShape::Point;
+  const double first = life(line);
+  if (shape != ContactShape::Between) return first;
+  const double point = life(false);
+  line = first <= point;
+  return std::min(first, point);
+}
+
+double LifeCalculator::element_life(const BearingContacts& contacts, std::size_t model,
+                                    const std::array<bool, 2>& line) {
   const PartParameters& part = parameters_.part[bearing::kElementPart];
-  const StressLife& law = models_[3 * model + bearing::kElementPart];
-  std::vector<double> tracks;  // both races, every slice: different volumes of the element
-  for (const RaceContacts& race : contacts.race) {
-    Track track = element_track(geometry_.pitch_diameter, geometry_.diameter, gamma(race.angle));
+  const double e = slope(bearing::kElementPart, line[0] && line[1]);
+  std::array<std::vector<double>, 2> tracks;  // by race: every slice another volume
+  for (std::size_t race = 0; race < 2; ++race) {
+    Track track = element_track(geometry_.pitch_diameter, geometry_.diameter,
+                                gamma(contacts.race[race].angle));
     const double rolling = track.cycles;
-    for (std::size_t k = 0; k < contacts.slices; ++k) {
+    const auto [patches, slices, _] = taken(contacts, race, line[race]);
+    for (std::size_t k = 0; k < slices; ++k) {
       std::vector<double> lives;
-      for (std::size_t at = k; at < race.patches.size(); at += contacts.slices) {
-        if (!contacts.element_turns.empty())
-          track.cycles = contacts.element_turns[at / contacts.slices];
+      for (std::size_t at = k; at < patches.size(); at += slices) {
+        if (!contacts.element_turns.empty()) track.cycles = contacts.element_turns[at / slices];
         if (!(track.cycles > 0.0)) track.cycles = rolling;
-        lives.push_back(law.life(race.patches[at], track, part.poisson_ratio, peaks_));
+        lives.push_back(law(model, bearing::kElementPart, line[race])
+                            .life(patches[at], track, part.poisson_ratio, peaks_));
       }
-      tracks.push_back(race_life(lives, true, part.slope.value));
+      tracks[race].push_back(race_life(lives, true, e));
     }
   }
-  const double one = product(tracks, part.slope.value);
-  return one * std::pow(geometry_.count, -1.0 / part.slope.value);
+  std::vector<double> volumes;
+  if (parameters_.choices.shared_track) {
+    // Both races stress the same volume: their damages add, slice by slice where both have slices.
+    if (tracks[0].size() != tracks[1].size())
+      for (std::vector<double>& race : tracks) race = {product(race, e)};
+    for (std::size_t k = 0; k < tracks[0].size(); ++k)
+      volumes.push_back(1.0 / (1.0 / tracks[0][k] + 1.0 / tracks[1][k]));
+  } else {
+    for (const std::vector<double>& race : tracks)
+      volumes.insert(volumes.end(), race.begin(), race.end());
+  }
+  return product(volumes, e) * std::pow(geometry_.count, -1.0 / e);
 }
 
-ModificationFactors LifeCalculator::factors(const BearingContacts& contacts) {
+ModificationFactors LifeCalculator::factors(const BearingContacts& contacts,
+                                            const std::array<bool, 2>& line) {
   ModificationFactors out;
   const bearing::LifeChoices& choices = parameters_.choices;
   if (choices.filter) out.filter = filter_factor(*choices.filter);
@@ -154,9 +280,9 @@ ModificationFactors LifeCalculator::factors(const BearingContacts& contacts) {
       if (choices.film_parameter)
         out.asperity[i] = asperity_hazard(*choices.film_parameter, part.asperity_slope.value,
                                           part.asperity_traction.value);
-      const ContactPatch* patch = heaviest(contacts.race[i]);
+      const ContactPatch* patch = heaviest(taken(contacts, i, line[i]).patches);
       if (part.residual_stress != 0.0 && patch != nullptr) {
-        const double k = geometry_.line ? 0.0 : patch->b / patch->a;
+        const double k = line[i] ? 0.0 : patch->b / patch->a;
         const double shear = peaks_.at(k, part.poisson_ratio).max_shear * patch->p_max;
         const auto factor = residual_stress_factor(shear, -part.residual_stress);
         out.residual_refused[i] = !factor;
@@ -173,7 +299,7 @@ ModificationFactors LifeCalculator::factors(const BearingContacts& contacts) {
     const TallianResult tallian =
         tallian_factor({part.tallian_material.value, part.tallian_process.value,
                         part.tallian_contamination.value, out.asperity[i]},
-                       part.slope.value);
+                       slope(i, i == bearing::kElementPart ? line[0] && line[1] : line[i]));
     out.hazard[i] = tallian.hazard;
     out.tallian[i] = tallian.factor;
   }
@@ -182,13 +308,19 @@ ModificationFactors LifeCalculator::factors(const BearingContacts& contacts) {
 
 LifeState LifeCalculator::evaluate(const BearingContacts& contacts,
                                    const std::optional<LifeModel>& only) {
-  for (const RaceContacts& race : contacts.race)
-    demand(contacts.slices > 0 &&
-               race.patches.size() == static_cast<std::size_t>(geometry_.count) * contacts.slices,
+  for (const RaceContacts& race : contacts.race) {
+    const auto count = static_cast<std::size_t>(geometry_.count);
+    demand(contacts.slices > 0 && race.patches.size() == count * contacts.slices,
            "one patch per element and slice");
+    demand(race.ellipses.empty() || race.ellipses.size() == count, "one ellipse per roller");
+  }
   LifeState out;
+  set_shapes(contacts, out);
+  std::array<double, 2> original{};
+  for (std::size_t i = 0; i < 2; ++i)
+    original[i] = race_life_of(contacts, i, 0, out.shape[i], out.model[0].line[i]);
   out.relative_speed = contacts.relative_speed;
-  out.factors = factors(contacts);
+  out.factors = factors(contacts, out.model[0].line);
   for (std::size_t m = 0; m < kModels; ++m) {
     const auto model = static_cast<LifeModel>(m);
     if (only && *only != model) {
@@ -196,10 +328,16 @@ LifeState LifeCalculator::evaluate(const BearingContacts& contacts,
         lives = {{kNone, kNone, kNone}, kNone, kNone, false};
       continue;
     }
-    std::array<double, 3> basic{};
-    for (std::size_t i = 0; i < 2; ++i)
-      basic[i] = m == 0 ? original_race_life(contacts, i) : stress_race_life(contacts, i, m - 1);
-    basic[bearing::kElementPart] = m == 0 ? kNone : element_life(contacts, m - 1);
+    std::array<bool, 2>& line = out.model[m].line;
+    std::array<double, 3> basic{original[0], original[1], kNone};
+    if (m > 0) {
+      for (std::size_t i = 0; i < 2; ++i)
+        basic[i] = race_life_of(contacts, i, m, out.shape[i], line[i]);
+      basic[bearing::kElementPart] = element_life(contacts, m - 1, line);
+    }
+    const bool lines = line[0] && line[1];
+    const double bearing_slope =
+        (lines ? parameters_.bearing_slope : parameters_.point_bearing_slope).value;
     const std::array<std::array<double, 3>, kModifications> factor{
         std::array<double, 3>{1.0, 1.0, 1.0}, out.factors.stle, out.factors.tallian};
     for (std::size_t f = 0; f < kModifications; ++f) {
@@ -210,11 +348,10 @@ LifeState LifeCalculator::evaluate(const BearingContacts& contacts,
         lives.part[i] = basic[i] * factor[f][i];
         if (i == bearing::kElementPart && !lives.elements_counted) continue;
         all.push_back(lives.part[i]);
-        slopes.push_back(parameters_.part[i].slope.value);
+        slopes.push_back(slope(i, i == bearing::kElementPart ? lines : line[i]));
       }
       lives.L10 = combined_life(all, slopes);
-      lives.L_S =
-          lives.L10 * survival_factor(parameters_.survival.value, parameters_.bearing_slope.value);
+      lives.L_S = lives.L10 * survival_factor(parameters_.survival.value, bearing_slope);
     }
   }
   return out;
@@ -225,28 +362,40 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
   out.state = evaluate(contacts);
   out.parameters = parameters_;
   out.notes = parameters_.notes;
-  for (std::size_t m = 0; m < 3; ++m)
-    for (std::size_t i = 0; i < 3; ++i)
-      out.pressure_exponent[m][i] = models_[3 * m + i].pressure_exponent();
+  if (geometry_.line) out.effective_length = geometry_.length;
+  const std::array<bool, 2>& by_original = out.state.model[0].line;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const bool line =
+        i == bearing::kElementPart ? by_original[0] && by_original[1] : by_original[i];
+    for (std::size_t m = 0; m < 3; ++m)
+      out.pressure_exponent[m][i] = law(m, i, line).pressure_exponent();
+    // What is printed is what was used.
+    if (!line) out.parameters.part[i].slope = parameters_.part[i].point_slope;
+  }
+  if (!(by_original[0] && by_original[1]))
+    out.parameters.bearing_slope = parameters_.point_bearing_slope;
   for (std::size_t i = 0; i < 2; ++i) {
     const RaceContacts& race = contacts.race[i];
     RaceReport& r = out.race[i];
+    r.line = by_original[i];
+    r.major_axis = out.state.major_axis[i] > 0.0 ? out.state.major_axis[i] : kNone;
+    const Contacts used = taken(contacts, i, r.line);
     r.angle = race.angle;
     r.gamma = gamma(race.angle);
     r.rotating = race.rotating;
-    r.Q_c = capacity(race, i, geometry_.length);
-    const std::vector<double> loads = element_loads(race, contacts.slices);
-    r.Q_e = equivalent_load(loads, geometry_.line, race.rotating);
+    r.Q_c = capacity(race, i, geometry_.length, r.line);
+    const std::vector<double> loads = element_loads(used.patches, used.slices);
+    r.Q_e = equivalent_load(loads, r.line, race.rotating);
     r.Q_max = *std::max_element(loads.begin(), loads.end());
     r.stress_capacity = {kNone, kNone, kNone};
-    const ContactPatch* patch = heaviest(race);
+    const ContactPatch* patch = heaviest(used.patches);
     if (patch == nullptr) continue;
     r.p_max = patch->p_max;
     const double nu = parameters_.part[i].poisson_ratio;
-    r.peaks = peaks_.at(geometry_.line ? 0.0 : patch->b / patch->a, nu);
+    r.peaks = peaks_.at(r.line ? 0.0 : patch->b / patch->a, nu);
     const Track track = race_track(geometry_.pitch_diameter, r.gamma, geometry_.count, i == 1);
     for (std::size_t m = 0; m < 3; ++m)
-      r.stress_capacity[m] = models_[3 * m + i].stress_capacity(*patch, track, nu, peaks_);
+      r.stress_capacity[m] = law(m, i, r.line).stress_capacity(*patch, track, nu, peaks_);
     const std::string& name = parameters_.part[i].name;
     if (r.Q_max > r.Q_c)
       out.notes.push_back(fmt::format(
@@ -283,17 +432,15 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
 
 BearingLife roller_bearing_life(const bearing::Bearing& bearing, const bearing::LifeInputs& inputs,
                                 const statics::RollerSolution& solution) {
-  const LifeGeometry geometry = roller_life_geometry(*bearing.rollers, solution);
-  LifeCalculator calculator(geometry, life_parameters(inputs, geometry.line, bearing.ball_material,
-                                                      bearing.race_material));
+  LifeCalculator calculator(
+      roller_life_geometry(*bearing.rollers),
+      life_parameters(inputs, true, bearing.ball_material, bearing.race_material));
   const BearingContacts contacts = life_contacts(solution, bearing);
   BearingLife out = calculator.report(contacts);
   out.iso = iso_report(bearing, contacts, {solution.load[0], solution.load[1], solution.load[2]},
                        out.parameters);
-  if (geometry.line)
-    out.notes.push_back(
-        "every slice of a roller counts as a line contact of its own length, crowned rollers too; "
-        "edge stresses beyond the slices' pressure are not in these lives");
+  note_shapes(out, contacts.slices);
+  set_temperatures(out.parameters, bearing);
   return out;
 }
 
@@ -306,6 +453,7 @@ BearingLife ball_bearing_life(const bearing::Bearing& bearing, const bearing::Li
   BearingLife out = calculator.report(contacts);
   out.iso = iso_report(bearing, contacts, {solution.load[0], solution.load[1], solution.load[2]},
                        out.parameters);
+  set_temperatures(out.parameters, bearing);
   return out;
 }
 

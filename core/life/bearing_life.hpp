@@ -1,5 +1,6 @@
 #pragma once
 
+#include "life/contact_shape.hpp"
 #include "life/contacts.hpp"
 #include "life/factors.hpp"
 #include "life/iso16281.hpp"
@@ -28,6 +29,7 @@ struct PartLives {
   bool elements_counted = false;
 };
 struct ModelLives {
+  std::array<bool, 2> line{};  ///< by race: counted as a line contact, not as a point
   std::array<PartLives, kModifications> modified;  ///< [0] basic
 };
 struct ModificationFactors {
@@ -43,7 +45,9 @@ struct ModificationFactors {
 struct LifeState {
   std::array<ModelLives, kModels> model;
   ModificationFactors factors;
-  double relative_speed = 0.0;  ///< [rad/s]
+  double relative_speed = 0.0;         ///< [rad/s]
+  std::array<ContactShape, 2> shape{};  ///< by race
+  std::array<double, 2> major_axis{};  ///< 2a of the heaviest roller's ellipse; 0: none [m]
   [[nodiscard]] const PartLives& of(LifeModel m, LifeModification f) const {
     return model[static_cast<std::size_t>(m)].modified[static_cast<std::size_t>(f)];
   }
@@ -57,6 +61,9 @@ struct RaceReport {
   double p_max = 0.0;                        ///< [Pa]
   PeakRatios peaks;                          ///< below the heaviest contact
   std::array<double, 3> stress_capacity{};   ///< p_c: updated, GZ, IH [Pa]; NaN without load
+  double major_axis = 0.0;  ///< 2a that the heaviest roller's ellipse has or would have; NaN: none [m]
+  bool line = false;  ///< all of these as a line contact; between line and point: the one that the
+                      ///< original theory counts
 };
 
 struct IsoReport {
@@ -77,6 +84,7 @@ struct IsoReport {
 struct BearingLife {
   LifeState state;
   LifeParameters parameters;
+  double effective_length = 0.0;  ///< of rollers; 0: balls [m]
   std::array<RaceReport, 2> race;
   std::array<std::array<double, 3>, 3> pressure_exponent{};  ///< [model - 1][part]
   std::optional<IsoReport> iso;
@@ -98,17 +106,34 @@ class LifeCalculator {
   [[nodiscard]] const LifeParameters& parameters() const noexcept { return parameters_; }
 
  private:
+  /// Contacts of one race, taken as lines or as points.
+  struct Contacts {
+    const std::vector<ContactPatch>& patches;
+    std::size_t slices;
+    bool line;
+  };
   [[nodiscard]] double gamma(double angle) const;
-  [[nodiscard]] double capacity(const RaceContacts& race, std::size_t index, double length) const;
-  [[nodiscard]] double original_race_life(const BearingContacts& contacts, std::size_t race) const;
+  [[nodiscard]] Contacts taken(const BearingContacts& contacts, std::size_t race, bool line) const;
+  [[nodiscard]] const StressLife& law(std::size_t model, std::size_t part, bool line) const;
+  [[nodiscard]] double slope(std::size_t part, bool line) const;
+  void set_shapes(const BearingContacts& contacts, LifeState& out) const;
+  [[nodiscard]] double capacity(const RaceContacts& race, std::size_t index, double length,
+                                bool line) const;
+  [[nodiscard]] double original_race_life(const BearingContacts& contacts, std::size_t race,
+                                          bool line) const;
   [[nodiscard]] double stress_race_life(const BearingContacts& contacts, std::size_t race,
-                                        std::size_t model);
-  [[nodiscard]] double element_life(const BearingContacts& contacts, std::size_t model);
-  [[nodiscard]] ModificationFactors factors(const BearingContacts& contacts);
+                                        std::size_t model, bool line);
+  /// Of the race by its shape; sets whether that took it as a line. @param model 0: original
+  [[nodiscard]] double race_life_of(const BearingContacts& contacts, std::size_t race,
+                                    std::size_t model, ContactShape shape, bool& line);
+  [[nodiscard]] double element_life(const BearingContacts& contacts, std::size_t model,
+                                    const std::array<bool, 2>& line);
+  [[nodiscard]] ModificationFactors factors(const BearingContacts& contacts,
+                                            const std::array<bool, 2>& line);
 
   LifeGeometry geometry_;
   LifeParameters parameters_;
-  std::vector<StressLife> models_;  ///< [model - 1][part]
+  std::vector<StressLife> models_;  ///< [point, line][model - 1][part]; no lines for balls
   PeakCache peaks_;
 };
 
@@ -118,7 +143,7 @@ class LifeCalculator {
                                    const std::array<double, 3>& load,
                                    const LifeParameters& parameters);
 
-/// Quasi-static life of a roller bearing.
+/// Quasi-static life of a roller bearing in operation; each race as lines or points by contact_shape.
 [[nodiscard]] BearingLife roller_bearing_life(const bearing::Bearing& bearing,
                                               const bearing::LifeInputs& inputs,
                                               const statics::RollerSolution& solution);

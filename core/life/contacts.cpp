@@ -1,6 +1,12 @@
 #include "life/contacts.hpp"
 
+#include "contact/hertz.hpp"
+#include "contact/line_contact.hpp"
+#include "contact/roller_shape.hpp"
+
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace adore::life {
@@ -19,6 +25,45 @@ class MeanAngle {
  private:
   double sum_ = 0.0;
   int count_ = 0;
+};
+
+double groove_radius(const bearing::RollerGeometry& rollers, std::size_t race) {
+  const double factor = rollers.groove_factor[race];
+  return factor > 0.0 ? 2.0 * factor * rollers.crown_radius
+                      : std::numeric_limits<double>::infinity();
+}
+
+/// Patches of one roller against one race.
+class RollerPatches {
+ public:
+  RollerPatches(const bearing::Bearing& bearing, std::size_t race, std::size_t roller)
+      : E_star_(bearing::contact_modulus(bearing.ball_material, bearing.race_material[race])),
+        length_(bearing.rollers->contact_length()) {
+    const bearing::RollerGeometry& g = *bearing.rollers;
+    curvature_ =
+        contact::roller_race_curvature(g, contact::roller_profile(g, g.deviation_of(roller)),
+                                       static_cast<int>(race), groove_radius(g, race));
+  }
+  /// The whole roller as a line under a uniform load.
+  [[nodiscard]] ContactPatch line(double load) const {
+    const contact::LinePressure at =
+        contact::line_pressure(load / length_, curvature_.rolling, E_star_);
+    return {load, 0.5 * length_, at.half_width, at.peak};
+  }
+  /// Crowns so flat that the ellipse would be a thousand rollers long count as none.
+  [[nodiscard]] bool has_ellipse() const { return curvature_.along > 1e-9 * curvature_.rolling; }
+  [[nodiscard]] ContactPatch ellipse(double load) const {
+    if (!(load > 0.0)) return {};
+    const auto [low, high] = std::minmax(curvature_.rolling, curvature_.along);
+    const contact::HertzConstants h = contact::hertz_constants({low, high}, E_star_);
+    ContactPatch out{load, h.a_hat * std::cbrt(load), h.b_hat * std::cbrt(load), 0.0};
+    out.p_max = 1.5 * load / (std::numbers::pi * out.a * out.b);
+    return out;
+  }
+
+ private:
+  double E_star_, length_;
+  contact::RollerRaceCurvature curvature_;
 };
 
 void set_motion(BearingContacts& out, double outer_speed, double inner_speed) {
@@ -56,18 +101,18 @@ BearingContacts life_contacts(const statics::StaticSolution& solution,
   return out;
 }
 
-LifeGeometry roller_life_geometry(const bearing::RollerGeometry& rollers,
-                                  const statics::RollerSolution& solution) {
+LifeGeometry roller_life_geometry(const bearing::RollerGeometry& rollers) {
   LifeGeometry out;
-  out.line = !solution.rollers.empty() && !solution.rollers.front().race[0].slice_load.empty();
+  out.line = true;
   out.count = rollers.count;
   out.diameter = rollers.diameter;
   out.pitch_diameter = rollers.pitch_diameter;
   out.nominal_angle = rollers.axis_angle;
   out.length = rollers.contact_length();
-  out.profile_radius = rollers.crown_radius;
-  for (std::size_t i = 0; i < 2; ++i)
-    out.groove_radius[i] = 2.0 * rollers.groove_factor[i] * rollers.crown_radius;
+  const contact::RollerProfile profile = contact::roller_profile(rollers);
+  out.profile_radius = profile.crown_radius;
+  if (profile.kind == contact::RollerProfile::Kind::Crowned) out.land = profile.central_length;
+  for (std::size_t i = 0; i < 2; ++i) out.groove_radius[i] = groove_radius(rollers, i);
   return out;
 }
 
@@ -77,12 +122,13 @@ BearingContacts life_contacts(const statics::RollerSolution& solution,
   const double width = solution.slice_width;
   for (std::size_t i = 0; i < 2; ++i) {
     MeanAngle angle;
-    for (const statics::StaticRoller& roller : solution.rollers) {
-      const statics::RollerRaceContact& contact = roller.race[i];
+    for (std::size_t number = 0; number < solution.rollers.size(); ++number) {
+      const statics::RollerRaceContact& contact = solution.rollers[number].race[i];
       angle.add(contact.load, contact.contact_angle);
+      const RollerPatches whole(bearing, i, number);
+      if (whole.has_ellipse()) out.race[i].ellipses.push_back(whole.ellipse(contact.load));
       if (contact.slice_load.empty())
-        out.race[i].patches.push_back(
-            {contact.load, 0.5 * contact.length, contact.half_width, contact.peak_pressure});
+        out.race[i].patches.push_back(whole.line(contact.load));
       else
         out.slices = contact.slice_load.size();
       for (std::size_t k = 0; k < contact.slice_load.size(); ++k) {
@@ -91,6 +137,8 @@ BearingContacts life_contacts(const statics::RollerSolution& solution,
         out.race[i].patches.push_back({Q, 0.5 * width, b, p});
       }
     }
+    // One crown that is no crown: no ellipses at all.
+    if (out.race[i].ellipses.size() != solution.rollers.size()) out.race[i].ellipses.clear();
     out.race[i].angle = angle.value(bearing.rollers->race_angle[i]);
   }
   set_motion(out, bearing.speed[0], bearing.speed[1]);

@@ -15,20 +15,25 @@ namespace adore::life {
 
 /// Index [0] outer race, [1] inner race.
 struct LifeGeometry {
-  bool line = false;                      ///< line contact (slices) or point contact
-  int count = 0;                          ///< Z
-  double diameter = 0.0;                  ///< D, of a tapered or barrel roller at mid-length [m]
-  double pitch_diameter = 0.0;            ///< d_m [m]
-  double nominal_angle = 0.0;             ///< [rad]
-  double length = 0.0;                    ///< effective length of a line contact [m]
-  double profile_radius = 0.0;            ///< point contact: transverse radius of the element [m]
-  std::array<double, 2> groove_radius{};  ///< point contact: transverse radius of the races [m]
+  bool line = false;            ///< rollers: lines or points by contact_shape; else points
+  int count = 0;                ///< Z
+  double diameter = 0.0;        ///< D, of a tapered or barrel roller at mid-length [m]
+  double pitch_diameter = 0.0;  ///< d_m [m]
+  double nominal_angle = 0.0;   ///< [rad]
+  double length = 0.0;          ///< effective length of a line contact [m]
+  double land = 0.0;            ///< straight land in the middle of a roller [m]
+  double profile_radius = 0.0;  ///< point contact: transverse radius of the element [m]
+  std::array<double, 2> groove_radius{};  ///< point contact: transverse radius of the races [m];
+                                          ///< infinite: straight raceway
 };
 
 /// Contacts of one race. patches[element * slices + slice]; a roller's slices lie in the same order
 /// on every element, because slice k of all elements shares one track on the race.
 struct RaceContacts {
   std::vector<ContactPatch> patches;
+  /// Rollers: the Hertz ellipse of each one's whole load, its crown against the race; empty without
+  /// a crown that could make one.
+  std::vector<ContactPatch> ellipses;
   double angle = 0.0;    ///< contact angle: mean of the loaded elements, or the nominal one [rad]
   bool rotating = true;  ///< turns relative to the direction of the load
 };
@@ -48,12 +53,11 @@ struct BearingContacts {
 /// of the deck keeps its direction); with both races at rest the inner one counts as rotating.
 [[nodiscard]] BearingContacts life_contacts(const statics::StaticSolution& solution,
                                             const bearing::Bearing& bearing);
-/// Sliced rollers are line contacts of their slices, as long as the roller without its corners;
-/// with RollerContact::Point one ellipse per race.
-[[nodiscard]] LifeGeometry roller_life_geometry(const bearing::RollerGeometry& rollers,
-                                                const statics::RollerSolution& solution);
-/// From a quasi-static solution of rollers; a slice is a patch of half its width, its half width
-/// along the rolling direction that of the line contact with the same load and pressure.
+/// A line is as long as the roller without its corners.
+[[nodiscard]] LifeGeometry roller_life_geometry(const bearing::RollerGeometry& rollers);
+/// From a quasi-static solution of rollers, at the operating geometry and moduli. A slice is a
+/// patch of half its width, its half width along the rolling direction that of the line contact
+/// with the same load and pressure; with RollerContact::Point one slice as long as the roller.
 [[nodiscard]] BearingContacts life_contacts(const statics::RollerSolution& solution,
                                             const bearing::Bearing& bearing);
 /// From one instant of a dynamic run, with the elements' own spin.

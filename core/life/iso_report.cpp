@@ -60,9 +60,11 @@ IsoGeometry iso_geometry(const bearing::Bearing& bearing) {
   out.contact_angle = rollers.race_angle[bearing::kOuter];
   out.type =
       out.contact_angle > 45.0 * kDegree + 1e-9 ? IsoType::ThrustRoller : IsoType::RadialRoller;
-  out.rating_factor = constants().rating_factor.at(bearing.type == bearing::Type::Spherical
-                                                       ? "spherical roller"
-                                                       : "cylindrical, tapered, machined needle");
+  const bool thrust = out.type == IsoType::ThrustRoller;
+  const char* name = thrust ? "thrust tapered" : "cylindrical, tapered, machined needle";
+  if (bearing.type == bearing::Type::Spherical)
+    name = thrust ? "thrust spherical" : "spherical roller";
+  out.rating_factor = constants().rating_factor.at(name);
   return out;
 }
 
@@ -121,7 +123,7 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
   std::optional<IsoCondition> condition;
   if (out.kappa && out.contamination && out.C_u)
     condition = IsoCondition{*out.contamination, *out.C_u, *out.kappa};
-  else
+  else if (out.geometry.type != IsoType::ThrustRoller)
     out.notes.push_back(
         "ISO: a_ISO needs the viscosity ratio and the contamination, which no record holds; run "
         "options isoKappa (or lifeLambda) and isoContamination give them");
@@ -132,6 +134,15 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
     out.a_iso = a.value;
     out.outside = a.outside;
     out.L_nm = out.a1 * a.value * *out.L10;
+  }
+  if (out.geometry.type == IsoType::ThrustRoller) {
+    out.notes.push_back(
+        "ISO: the static rating and the ISO 16281 formulas of thrust roller bearings (angle above "
+        "45 "
+        "deg) are not held, so there is no Cu, no aISO and no L10r; C and L10 are those of ISO 281 "
+        "for "
+        "an axial load alone");
+    return out;
   }
   if (bearing.rollers && contacts.slices < 2) {
     out.notes.push_back(

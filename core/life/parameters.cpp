@@ -103,6 +103,7 @@ LifeParameters life_parameters(const bearing::LifeInputs& inputs, bool line,
   const Marked slope = line ? c.line_slope : c.point_slope;
   out.survival = given_or(inputs.survival, {0.9, "default"});
   out.bearing_slope = given_or(inputs.bearing_slope, slope);
+  out.point_bearing_slope = given_or(inputs.bearing_slope, c.point_slope);
   if (!(out.survival.value > 0.0 && out.survival.value < 1.0))
     throw InputError(
         fmt::format("record 8.6.0: the survival probability sProb is {}; it must lie between 0 and "
@@ -115,7 +116,9 @@ LifeParameters life_parameters(const bearing::LifeInputs& inputs, bool line,
     part.name = kPartNames[i];
     part.material = material.name;
     part.poisson_ratio = material.poisson_ratio;
+    part.elastic_modulus = material.elastic_modulus;
     part.slope = given_or(input.weibull_slope, slope);
+    part.point_slope = given_or(input.weibull_slope, c.point_slope);
     part.original_factor = given_or(input.original_factor, {1.0, "default"});
     if (!(part.original_factor.value > 0.0))
       throw InputError(fmt::format(

@@ -24,9 +24,12 @@ struct PartParameters {
   std::string material;                  ///< its name
   Marked original_factor;                ///< races
   std::array<ModelParameters, 3> model;  ///< updated, Zaretsky, Harris
-  Marked slope;
+  Marked slope;        ///< of balls, or of rollers that count as lines
+  Marked point_slope;  ///< where they count as points
   Marked fatigue_limit;  ///< von Mises, with facStrLimit [Pa]; 0: no limit known
   double poisson_ratio = 0.3;
+  double elastic_modulus = 0.0;  ///< behind the pressures [Pa]
+  double temperature = 0.0;      ///< of the part; 0: not said [K]
   // Modification factors.
   Marked stle_material, stle_process, stle_hardness;
   Marked tallian_material, tallian_process, tallian_contamination;
@@ -37,9 +40,10 @@ struct PartParameters {
 struct LifeParameters {
   bool line = false;
   std::array<PartParameters, 3> part;
-  Marked survival, bearing_slope;
+  Marked survival, bearing_slope, point_bearing_slope;
   double limit_factor = 1.0;
   bool ceramic_elements = false;
+  bool modulus_follows_temperature = false;  ///< material laws on (kMatPropMod = 1)
   bearing::LifeChoices choices;
   std::vector<std::string> notes;  ///< what was taken for what is not known
 };

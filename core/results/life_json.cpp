@@ -28,6 +28,8 @@ Json lives(const life::LifeState& state) {
       Json entry = Json::object();
       for (std::size_t i = 0; i < 3; ++i)
         entry[std::string(kParts[i]) + " [Mrev]"] = number(at.part[i]);
+      entry["origin"] = life_origin(static_cast<bearing::LifeModel>(m),
+                                    static_cast<bearing::LifeModification>(f));
       entry["elements counted"] = at.elements_counted;
       entry["L10 [Mrev]"] = number(at.L10);
       entry["L10 [hr]"] = number(life::life_hours(at.L10, state.relative_speed));
@@ -44,7 +46,9 @@ Json part(const life::BearingLife& life, std::size_t i) {
   const life::ModificationFactors& f = life.state.factors;
   Json out{{"material", p.material},
            {"Weibull slope", marked(p.slope)},
+           {"elastic modulus [Pa]", p.elastic_modulus},
            {"fatigue limit [Pa]", marked(p.fatigue_limit)}};
+  if (p.temperature > 0.0) out["temperature [K]"] = p.temperature;
   if (i < 2) {
     out["original multiplier"] = marked(p.original_factor);
     out["residual stress [Pa]"] = p.residual_stress;
@@ -73,8 +77,23 @@ Json part(const life::BearingLife& life, std::size_t i) {
   return out;
 }
 
-Json race(const life::RaceReport& r) {
-  return {{"rotating relative to the load", r.rotating},
+const char* shape_name(life::ContactShape shape) {
+  switch (shape) {
+    case life::ContactShape::Point:
+      return "point";
+    case life::ContactShape::Line:
+      return "line";
+    case life::ContactShape::Between:
+      break;
+  }
+  return "between: the shorter life";
+}
+
+Json race(const life::BearingLife& life, std::size_t i) {
+  const life::RaceReport& r = life.race[i];
+  return {{"counts as", shape_name(life.state.shape[i])},
+          {"ellipse, major axis [m]", number(r.major_axis)},
+          {"rotating relative to the load", r.rotating},
           {"contact angle [rad]", r.angle},
           {"load capacity [N]", r.Q_c},
           {"equivalent load [N]", r.Q_e},
@@ -86,7 +105,8 @@ Json race(const life::RaceReport& r) {
 }
 
 Json iso(const life::IsoReport& r) {
-  Json out{{"C [N]", r.C},
+  Json out{{"origin", "public implementations of the standards; bm, P factors and f0 recalled"},
+           {"C [N]", r.C},
            {"C0 [N]", number(r.C0)},
            {"Cu [N]", number(r.C_u)},
            {"radial load [N]", r.radial},
@@ -120,8 +140,10 @@ Json life_json(const life::BearingLife& life) {
                    {"Tallian-type asperity term", "derived"}};
   out["survival probability"] = marked(life.parameters.survival);
   out["Weibull slope of the bearing"] = marked(life.parameters.bearing_slope);
+  out["modulus follows temperature"] = life.parameters.modulus_follows_temperature;
   out["lives"] = lives(life.state);
-  for (std::size_t i = 0; i < 2; ++i) out["races"][kParts[i]] = race(life.race[i]);
+  if (life.effective_length > 0.0) out["effective length [m]"] = life.effective_length;
+  for (std::size_t i = 0; i < 2; ++i) out["races"][kParts[i]] = race(life, i);
   for (std::size_t i = 0; i < 3; ++i) out["parameters"][kParts[i]] = part(life, i);
   if (life.iso) out["ISO"] = iso(*life.iso);
   out["notes"] = life.notes;
@@ -132,6 +154,7 @@ Json life_json(const life::BearingLife& life) {
 
 Json run_life_json(const RunLife& run) {
   Json out{{"model", life_name(run.model, run.modification)},
+           {"origin", life_origin(run.model, run.modification)},
            {"skipped [rev]", run.skipped_turns},
            {"window [s]", run.damage.seconds()},
            {"window [rev]", run.damage.revolutions()}};

@@ -29,6 +29,19 @@ std::string with_unit(Report& report, double value, const UnitPair& unit) {
   return Report::number(from_si(value, unit, report.units()));
 }
 
+std::string model_origin(LifeModel model) {
+  return model == LifeModel::Original ? life::constants().point_constant.origin : "calibrated";
+}
+
+std::string factor_origin(LifeModification modification) {
+  return modification == LifeModification::Stle ? life::constants().stle_origin : "derived";
+}
+
+const char* shape_text(life::ContactShape shape, bool line) {
+  if (shape == life::ContactShape::Between) return line ? "between (line)" : "between (point)";
+  return shape == life::ContactShape::Line ? "line contact" : "point contact";
+}
+
 void lives(Report& report, const BearingLife& life) {
   const double S = life.parameters.survival.value;
   report.text(
@@ -47,21 +60,25 @@ void lives(Report& report, const BearingLife& life) {
       rows.push_back({f == 0 ? kModelNames[m] : std::string("  with ") + kModificationNames[f],
                       life_text(at.part[0]), life_text(at.part[1]), elements, life_text(at.L10),
                       life_text(life::life_hours(at.L10, n)),
-                      life_text(life::life_hours(at.L_S, n))});
+                      life_text(life::life_hours(at.L_S, n)),
+                      f == 0 ? model_origin(static_cast<LifeModel>(m))
+                             : "+ " + factor_origin(static_cast<LifeModification>(f))});
     }
-  report.text_table({{"model", 28},
-                     {"outer race", 13},
-                     {"inner race", 13},
-                     {"elements", 15},
-                     {"bearing L10", 13},
-                     {"L10 [hr]", 13},
-                     {fmt::format("{:.6g} % [hr]", 100.0 * S), 13}},
+  report.text_table({{"model", 27},
+                     {"outer race", 12},
+                     {"inner race", 12},
+                     {"elements", 14},
+                     {"bearing L10", 12},
+                     {"L10 [hr]", 12},
+                     {fmt::format("{:.6g} % [hr]", 100.0 * S), 12},
+                     {"origin", 12}},
                     rows);
   report.blank();
   report.item("Survival probability asked for", marked(life.parameters.survival));
   report.item("Weibull slope of the bearing", marked(life.parameters.bearing_slope));
   report.text(
-      "Origin of the models: the constant of the original theory is published (seen). The "
+      "Origin (of a life with factors: the model's, then the factors'): the constant of the "
+      "original theory is published (seen). The "
       "constants "
       "of the three stress models are CALIBRATED on it by this program, at one contact where all "
       "agree; they are not those of the models' authors. The STLE tables are recalled from the "
@@ -80,6 +97,16 @@ void races(Report& report, const BearingLife& life) {
   using Race = life::RaceReport;
   rows.push_back({"turns relative to the load", life.race[0].rotating ? "yes" : "no",
                   life.race[1].rotating ? "yes" : "no", ""});
+  const bool rollers = life.effective_length > 0.0;
+  if (rollers) {
+    rows.push_back({"counts as (rule of Harris, recalled)",
+                    shape_text(life.state.shape[0], life.race[0].line),
+                    shape_text(life.state.shape[1], life.race[1].line), ""});
+    row("ellipse of the heaviest roller, 2a", unit::kLength,
+        [](const Race& r) { return r.major_axis; });
+    row("effective length of a roller", unit::kLength,
+        [&](const Race&) { return life.effective_length; });
+  }
   row("contact angle (mean of the loaded)", unit::kAngle, [](const Race& r) { return r.angle; });
   row("D cos(angle) / pitch diameter", unit::kPure, [](const Race& r) { return r.gamma; });
   row("load capacity Qc, original theory", unit::kForce, [](const Race& r) { return r.Q_c; });
@@ -155,6 +182,31 @@ void parameters(Report& report, const BearingLife& life) {
                   : "depth integral of the orthogonal shear of a line contact above its limit");
 }
 
+/// At which temperature the lives know each property.
+void properties(Report& report, const BearingLife& life) {
+  if (!(life.parameters.part[0].temperature > 0.0)) return;
+  const bool follows = life.parameters.modulus_follows_temperature;
+  report.heading("Material properties behind the lives");
+  std::vector<Report::Row> rows;
+  for (const life::PartParameters& part : life.parameters.part)
+    rows.push_back({part.name, {part.temperature, part.elastic_modulus, part.poisson_ratio}});
+  report.table("",
+               {{"temperature", &unit::kTemperature},
+                {"modulus", &unit::kPressure},
+                {"Poisson", &unit::kPure}},
+               rows, 18);
+  report.text(
+      follows
+          ? "The moduli, and with them the pressures and ellipses, are those at the temperature of "
+            "each part (kMatPropMod = 1; held at the ends of each law's range)."
+          : "The moduli are those of room temperature (kMatPropMod is not 1), whatever the "
+            "temperature of the part.");
+  report.text(
+      "Poisson's ratio, fatigue limit and the life factors are those of room temperature at any "
+      "temperature: the material table has no law for them. The hardness factor is the record's, "
+      "meant at operating temperature; by default it is 1.");
+}
+
 void factors(Report& report, const BearingLife& life) {
   const life::ModificationFactors& f = life.state.factors;
   report.heading("STLE life factors");
@@ -212,9 +264,15 @@ void iso(Report& report, const life::IsoReport& r) {
   };
   report.item("Rating angle", r.geometry.contact_angle, unit::kAngle);
   report.item("Rating factor bm (recalled)", r.geometry.rating_factor, unit::kPure);
-  report.item("Dynamic load rating C", r.C, unit::kForce);
-  optional_force("Static load rating C0 (factor f0 recalled)", r.C0);
-  optional_force("Fatigue load limit Cu (1500 MPa)", r.C_u);
+  report.item("Dynamic load rating C (formula seen)", r.C, unit::kForce);
+  const bool roller = r.geometry.type == life::IsoType::RadialRoller ||
+                      r.geometry.type == life::IsoType::ThrustRoller;
+  optional_force(roller ? "Static load rating C0 (formula seen)"
+                        : "Static load rating C0 (factor f0 recalled)",
+                 r.C0);
+  optional_force(
+      roller ? "Fatigue load limit Cu (C0/8.2, seen)" : "Fatigue load limit Cu (1500 MPa, seen)",
+      r.C_u);
   report.item("Radial load", r.radial, unit::kForce);
   report.item("Axial load", r.axial, unit::kForce);
   if (r.equivalent) {
@@ -223,21 +281,22 @@ void iso(Report& report, const life::IsoReport& r) {
     report.item("    Y", r.equivalent->Y, unit::kPure);
     report.item("    e", r.equivalent->e, unit::kPure);
   }
-  optional_life("L10 (ISO 281)", r.L10);
-  report.item("a1 at the survival probability asked for", r.a1, unit::kPure);
+  optional_life("L10 (ISO 281; with C and P as marked)", r.L10);
+  report.item("a1 at the survival probability (formula recalled)", r.a1, unit::kPure);
   if (r.kappa) report.item("Viscosity ratio kappa (option)", *r.kappa, unit::kPure);
   if (r.contamination)
     report.item("Contamination factor eC (option)", *r.contamination, unit::kPure);
   if (r.a_iso) report.item("aISO (coefficients seen)", *r.a_iso, unit::kPure);
   if (r.outside) report.text("The viscosity ratio is below 0.1, outside the standard.");
-  optional_life("Lnm = a1 aISO L10", r.L_nm);
+  optional_life("Lnm = a1 aISO L10 (as marked)", r.L_nm);
   if (r.reference) {
     report.item("Reference load Pref (ISO 16281)", r.reference->P_ref, unit::kForce);
     report.item("    race capacity Qci", r.reference->capacity_inner, unit::kForce);
     report.item("    race capacity Qce", r.reference->capacity_outer, unit::kForce);
-    optional_life("L10r (ISO 16281)", r.reference->L10r);
   }
-  optional_life("Lnmr", r.L_nmr);
+  optional_life("L10r (ISO 16281, formula seen)",
+                r.reference ? std::optional(r.reference->L10r) : std::nullopt);
+  optional_life("Lnmr (as marked)", r.L_nmr);
 }
 
 }  // namespace
@@ -255,11 +314,18 @@ std::string life_name(LifeModel model, LifeModification modification) {
   return out;
 }
 
+std::string life_origin(LifeModel model, LifeModification modification) {
+  std::string out = model_origin(model);
+  if (modification != LifeModification::None) out += ", " + factor_origin(modification);
+  return out;
+}
+
 void print_life(Report& report, const BearingLife& life) {
   report.new_page("FATIGUE LIFE");
   lives(report, life);
   races(report, life);
   parameters(report, life);
+  properties(report, life);
   factors(report, life);
   if (life.iso) iso(report, *life.iso);
   report.heading("Notes on life");
@@ -271,6 +337,7 @@ void print_life(Report& report, const BearingLife& life) {
 void print_run_life(Report& report, const RunLife& run) {
   report.heading("Fatigue life of the run (Palmgren-Miner sum over the window)");
   report.item("Model", life_name(run.model, run.modification));
+  report.item("Origin of its constants", life_origin(run.model, run.modification));
   report.item("Left out at the start", run.skipped_turns * 2.0 * unit::kPi, unit::kRevolution);
   report.item("Window", run.damage.seconds(), unit::kTime);
   report.item("Window, races relative to each other", run.damage.revolutions() * 2.0 * unit::kPi,

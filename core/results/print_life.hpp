@@ -37,5 +37,9 @@ void print_run_life(Report& report, const RunLife& run);
 /// "Gupta-Zaretsky type with STLE factors"
 [[nodiscard]] std::string life_name(bearing::LifeModel model,
                                     bearing::LifeModification modification);
+/// Words for where the constants of that life come from: "seen", "calibrated, recalled"; they go
+/// with every printed life.
+[[nodiscard]] std::string life_origin(bearing::LifeModel model,
+                                      bearing::LifeModification modification);
 
 }  // namespace adore::results

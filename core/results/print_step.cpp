@@ -100,9 +100,11 @@ void elements(Report& report, const StepRecord& record, int interval) {
 void fatigue_life(Report& report, const dynamics::Snapshot& snapshot) {
   const double life = snapshot.power.life_hours;
   if (std::isinf(life))
-    report.item("Fatigue life at the present loads (option sol7Life)", "INFINITE");
+    report.item("Fatigue life at the present loads (sol7Life; origin: page FATIGUE LIFE)",
+                "INFINITE");
   else if (life > 0.0)
-    report.item("Fatigue life at the present loads (option sol7Life)", life, unit::kLife);
+    report.item("Fatigue life at the present loads (sol7Life; origin: page FATIGUE LIFE)", life,
+                unit::kLife);
   else
     report.item("Fatigue life", "no life model is active");
 }

@@ -97,12 +97,8 @@ contact::RollerProfile profile_of(const bearing::RollerGeometry& g, std::size_t 
 /// α, along the roller the crown in the groove.
 double point_constant(const RollerModel& m, std::size_t j, const contact::RollerProfile& p,
                       const contact::RaceSurface& race) {
-  const auto& g = m.rollers;
-  const double cosine = std::cos(g.race_angle[j]);
-  const double race_radius = g.race_radius(static_cast<int>(j)) / cosine;
-  const double rolling =
-      2.0 / p.diameter * std::cos(p.half_angle) + (j == 0 ? -1.0 : 1.0) / race_radius;
-  const double along = 1.0 / p.crown_radius - 1.0 / race.groove_radius;
+  const auto [rolling, along] =
+      contact::roller_race_curvature(m.rollers, p, static_cast<int>(j), race.groove_radius);
   if (!(along > 0.0)) {
     refuse(fmt::format(
         "point contact needs a crown that is rounder than the groove; here the crown radius is "

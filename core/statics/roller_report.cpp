@@ -1,6 +1,7 @@
 #include "statics/roller_report.hpp"
 
 #include "contact/hertz.hpp"
+#include "contact/roller_shape.hpp"
 #include "statics/race_text.hpp"
 
 #include <fmt/format.h>
@@ -105,10 +106,8 @@ RollerRaceContact point_contact(const RollerModel& m, const RollerBody& body, st
   const auto& g = body.profile;
   out.peak_position = body.point[j].centre.s + g.crown_radius * along;
   out.moment = at.load * out.peak_position;
-  const double rolling = 2.0 / g.diameter * std::cos(g.half_angle) +
-                         (j == 0 ? -1.0 : 1.0) * std::cos(m.rollers.race_angle[j]) /
-                             m.rollers.race_radius(static_cast<int>(j));
-  const double along_roller = 1.0 / g.crown_radius - 1.0 / body.race[j].groove_radius;
+  const auto [rolling, along_roller] =
+      contact::roller_race_curvature(m.rollers, g, static_cast<int>(j), body.race[j].groove_radius);
   const auto [low, high] = std::minmax(rolling, along_roller);
   const contact::HertzConstants h = contact::hertz_constants({low, high}, m.E_star[j]);
   const double root = std::cbrt(at.load);
