@@ -1,7 +1,9 @@
 #include "adrinput/deck_window.hpp"
 
+#include "adrinput/compare_dialog.hpp"
 #include "adrinput/evaluation.hpp"
 #include "adrinput/help_text.hpp"
+#include "adrinput/options_page.hpp"
 #include "adrinput/record_list.hpp"
 #include "adrinput/record_page.hpp"
 #include "desktop/dialogs.hpp"
@@ -40,6 +42,7 @@ DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
   document_.changed = [this] {
     check_->start();
     refresh();
+    emit documentChanged();
   };
   showRecord(document_.pages().front());
   checkNow();
@@ -47,6 +50,7 @@ DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
 
 DeckWindow::~DeckWindow() {
   document_.changed = nullptr;
+  delete compare_;
   delete centralWidget();  // its fields speak to the document when they lose the focus
 }
 
@@ -95,6 +99,7 @@ void DeckWindow::makeCentre() {
   auto* column = new QVBoxLayout(form);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
+  makeNotices(column);
   column->addWidget(scroll_, 1);
   column->addWidget(makeButtons());
   auto* right = new QSplitter(Qt::Vertical, this);
@@ -164,10 +169,13 @@ void DeckWindow::showRecord(const std::string& record) {
   page_ = new RecordPage(document_, record);
   connect(page_, &RecordPage::focusMoved, this,
           [this](QWidget* field) { scroll_->ensureWidgetVisible(field, 20, 60); });
+  connect(page_, &RecordPage::otherUnitsWanted, other_units_, &QAction::setChecked);
+  page_->setOtherUnits(other_units_->isChecked());
   scroll_->setWidget(page_);
   list_->setCurrent(record);
   page_->focusFirst();
   scroll_->ensureVisible(0, 0);
+  emit pageShown();
 }
 
 void DeckWindow::refresh() {
@@ -178,7 +186,7 @@ void DeckWindow::refresh() {
     const auto spec_of = [](const std::string& id) { return deck::find_record(id); };
     std::string nearest = pages.front();
     for (const std::string& id : pages)
-      if (spec_of(id) <= spec_of(current_)) nearest = id;
+      if (id != kOptionsPage && spec_of(id) <= spec_of(current_)) nearest = id;
     showRecord(nearest);
   } else if (page_ != nullptr) {
     list_->setCurrent(current_);
@@ -196,6 +204,7 @@ void DeckWindow::refresh() {
                            : QString::fromStdString(document_.path().filename().string());
   setWindowTitle(name + "[*] — AdrInput");
   setWindowModified(document_.modified());
+  refreshNotices();
 }
 
 void DeckWindow::refreshProblems() {
@@ -210,7 +219,9 @@ void DeckWindow::refreshProblems() {
     QString text = error                                 ? tr("Error")
                    : issue.severity == Severity::Warning ? tr("Warning")
                                                          : tr("Note");
-    if (!issue.record.empty()) text += tr(", record %1").arg(QString::fromStdString(issue.record));
+    if (!issue.record.empty())
+      text += (issue.record == kOptionsPage ? QString(", %1") : tr(", record %1"))
+                  .arg(QString::fromStdString(issue.record));
     if (!issue.variable.empty()) text += ", " + QString::fromStdString(issue.variable);
     if (!issue.value.empty()) text += " = " + QString::fromStdString(issue.value);
     text += ": " + QString::fromStdString(issue.message);
@@ -277,7 +288,7 @@ void DeckWindow::nextRecord() {
   const auto here = std::find(pages.begin(), pages.end(), current_);
   if (here == pages.end() || std::next(here) == pages.end())
     return desktop::show_message(
-        this, tr("This is the last record. Save the deck with Save & Exit, or under File."));
+        this, tr("This is the last page. Save the deck with Save & Exit, or under File."));
   showRecord(*std::next(here));
 }
 
@@ -301,14 +312,14 @@ void DeckWindow::showPlan() {
   tabs_->setCurrentWidget(plan_);
   if (document_.has_errors())
     return desktop::show_message(this, tr("The deck has errors; mend them first (F8)."), true);
-  plan_->start(document_.deck(), document_.path());
+  plan_->start(document_.deck(), document_.path(), document_.options());
 }
 
 void DeckWindow::runQuasiStatic() {
   tabs_->setCurrentWidget(statics_);
   if (document_.has_errors())
     return desktop::show_message(this, tr("The deck has errors; mend them first (F8)."), true);
-  statics_->start(document_.deck(), document_.path());
+  statics_->start(document_.deck(), document_.path(), document_.options());
 }
 
 void DeckWindow::switchTheme() {

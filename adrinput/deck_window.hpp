@@ -3,9 +3,11 @@
 #include "adrinput/document.hpp"
 
 #include <QMainWindow>
+#include <QPointer>
 
 #include <functional>
 
+class QBoxLayout;
 class QListWidget;
 class QMenu;
 class QPlainTextEdit;
@@ -16,7 +18,10 @@ class QTimer;
 
 namespace adore::adrinput {
 
+class CompareDialog;
 class EvaluationPanel;
+class FileWatch;
+class NoticeBar;
 class RecordList;
 class RecordPage;
 
@@ -38,6 +43,14 @@ class DeckWindow : public QMainWindow {
   [[nodiscard]] QScrollArea& pageArea() { return *scroll_; }
   [[nodiscard]] EvaluationPanel& planPanel() { return *plan_; }
   [[nodiscard]] EvaluationPanel& staticsPanel() { return *statics_; }
+  /// Shows a page if the deck has it.
+  void showPage(const std::string& record);
+  /// Where a session asks about decks that were left unsaved.
+  [[nodiscard]] NoticeBar& sessionNotice() { return *session_notice_; }
+  /// Takes over a snapshot (document.hpp) and goes on, once the present deck is saved or given up.
+  void restoreDeck(const std::string& bytes, std::function<void()> then);
+  /// Shows what differs from another deck; `name` is what it is called in sentences.
+  void compareWith(deck::Deck other, const QString& name);
   /// The slower checks, which follow a change after a short pause, now.
   void checkNow();
 
@@ -56,6 +69,14 @@ class DeckWindow : public QMainWindow {
   void showPlan();
   void runQuasiStatic();
   void switchTheme();
+  void compareWithSaved();
+  void askForComparison();
+
+ signals:
+  void documentChanged();
+  void pageShown();
+  /// The user asks for decks that earlier sessions left unsaved.
+  void unsavedWanted();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -67,6 +88,12 @@ class DeckWindow : public QMainWindow {
   QWidget* makeButtons();
   void makeFileMenu();
   void makeOtherMenus();
+  void makeNotices(QBoxLayout* column);
+  void makeCompareMenu(QMenu* file);
+  void makeUnitsMenu(QMenu* view);
+  void refreshNotices();
+  void checkFile();
+  void compareWithFile(const std::filesystem::path& path, const QString& name);
   void fillRecent();
   void refresh();
   void refreshProblems();
@@ -92,6 +119,10 @@ class DeckWindow : public QMainWindow {
   QMenu* recent_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr;
   QTimer* check_ = nullptr;
+  NoticeBar *session_notice_ = nullptr, *file_notice_ = nullptr, *units_notice_ = nullptr;
+  FileWatch* watch_ = nullptr;
+  QPointer<CompareDialog> compare_;
+  QAction* other_units_ = nullptr;
   bool leaving_ = false;
 };
 
