@@ -17,6 +17,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSplitter>
+#include <QStringDecoder>
 #include <QTabWidget>
 #include <QTimer>
 
@@ -24,6 +25,14 @@
 
 namespace adore::adrinput {
 namespace {
+
+/// The letters of a file in UTF-8 or, where it is none, in Latin-1.
+QString text_in(const std::string& bytes) {
+  QStringDecoder decode(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
+  QString text = decode(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())));
+  return decode.hasError() ? QString::fromLatin1(bytes.data(), static_cast<qsizetype>(bytes.size()))
+                           : text;
+}
 
 constexpr int kCheckPause = 200;  // ms without a change before the model is built
 
@@ -172,10 +181,33 @@ void DeckWindow::showRecord(const std::string& record) {
   connect(page_, &RecordPage::otherUnitsWanted, other_units_, &QAction::setChecked);
   page_->setOtherUnits(other_units_->isChecked());
   scroll_->setWidget(page_);
+  orderTabs();
   list_->setCurrent(record);
   page_->focusFirst();
   scroll_->ensureVisible(0, 0);
   emit pageShown();
+}
+
+/// Tab goes from the last field of a page on to what stands below it; Qt puts a new page last.
+void DeckWindow::orderTabs() {
+  QWidget* last = nullptr;
+  std::vector<QWidget*> behind;
+  for (QWidget* widget = scroll_->nextInFocusChain(); widget != scroll_ && widget != list_;
+       widget = widget->nextInFocusChain()) {
+    if (widget->focusPolicy() == Qt::NoFocus || widget->window() != this) continue;
+    if (page_->isAncestorOf(widget))
+      last = widget;
+    else if (last == nullptr)
+      behind.push_back(widget);
+  }
+  if (last == nullptr) return;
+  const QWidget* form = scroll_->parentWidget();  // its buttons come before the panels below
+  std::stable_partition(behind.begin(), behind.end(),
+                        [&](const QWidget* widget) { return form->isAncestorOf(widget); });
+  for (QWidget* widget : behind) {
+    setTabOrder(last, widget);
+    last = widget;
+  }
 }
 
 void DeckWindow::refresh() {
@@ -195,10 +227,12 @@ void DeckWindow::refresh() {
   refreshProblems();
   undo_->setEnabled(document_.can_undo());
   redo_->setEnabled(document_.can_redo());
-  plan_->setDeck(document_.deck());
-  statics_->setDeck(document_.deck());
-  const QString original = QString::fromStdString(document_.original());
-  if (original_->toPlainText() != original) original_->setPlainText(original);
+  plan_->setDeck(document_.deck(), document_.options());
+  statics_->setDeck(document_.deck(), document_.options());
+  if (shown_original_ != document_.original()) {
+    shown_original_ = document_.original();
+    original_->setPlainText(text_in(shown_original_));
+  }
   const QString name = document_.path().empty()
                            ? tr("new deck")
                            : QString::fromStdString(document_.path().filename().string());

@@ -95,6 +95,7 @@ class DeckWindow : public QMainWindow {
   void checkFile();
   void compareWithFile(const std::filesystem::path& path, const QString& name);
   void fillRecent();
+  void orderTabs();
   void refresh();
   void refreshProblems();
   void goToProblem(int row);
@@ -109,6 +110,7 @@ class DeckWindow : public QMainWindow {
 
   Document document_;
   std::string current_;
+  std::string shown_original_;  ///< what the panel "File as opened" shows
   RecordPage* page_ = nullptr;
   RecordList* list_ = nullptr;
   QScrollArea* scroll_ = nullptr;

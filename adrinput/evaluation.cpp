@@ -121,6 +121,7 @@ void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path&
                             const RunOptionValues& options) {
   if (busy()) return;
   evaluated_ = deck;
+  evaluated_options_ = options;
   stale_ = false;
   note_->setText(tr("Computing …"));
   note_->show();
@@ -147,9 +148,9 @@ void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path&
   thread_->start();
 }
 
-void EvaluationPanel::setDeck(const deck::Deck& deck) {
+void EvaluationPanel::setDeck(const deck::Deck& deck, const RunOptionValues& options) {
   if (evaluated_.records.empty()) return;  // nothing was computed yet
-  const bool stale = !(deck == evaluated_);
+  const bool stale = !(deck == evaluated_) || options != evaluated_options_;
   if (stale == stale_) return;
   stale_ = stale;
   if (!busy()) showNote();

@@ -41,7 +41,7 @@ class EvaluationPanel : public QWidget {
   void start(const deck::Deck& deck, const std::filesystem::path& path,
              const RunOptionValues& options);
   /// The deck is this one now.
-  void setDeck(const deck::Deck& deck);
+  void setDeck(const deck::Deck& deck, const RunOptionValues& options);
   [[nodiscard]] QString headline() const;
   [[nodiscard]] bool busy() const { return thread_ != nullptr; }
   [[nodiscard]] QString text() const;
@@ -58,6 +58,7 @@ class EvaluationPanel : public QWidget {
   QPlainTextEdit* view_;
   QThread* thread_ = nullptr;
   deck::Deck evaluated_;
+  RunOptionValues evaluated_options_;
   QString headline_;
   bool stale_ = false;
 };

@@ -27,6 +27,12 @@ Options that_differ(const Options& given) {
   return out;
 }
 
+std::string sentence(std::string clause) {
+  if (!clause.empty() && clause[0] >= 'a' && clause[0] <= 'z')
+    clause[0] = static_cast<char>(clause[0] - 'a' + 'A');
+  return clause + ".";
+}
+
 bool same(const Options& a, const Options& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
     return x.first == y.first && facade::same_option(x.second, y.second);
@@ -39,14 +45,17 @@ const deck::RecordSpec& options_record() {
   static const deck::RecordSpec record = [] {
     deck::RecordSpec out;
     out.id = kOptionsPage;
-    out.title = "run options beside the deck";
+    out.title = "Run options, kept beside the deck";
     out.condition = "true";
+    static std::vector<std::string> sentences;  // the specs refer to them
+    sentences.reserve(facade::run_options().size());
     for (const facade::RunOptionInfo& option : facade::run_options()) {
+      sentences.push_back(sentence(option.meaning));
       deck::VariableSpec variable;
       variable.name = option.name;
       variable.type = deck::VarType::String;
       variable.default_value = option.default_value;
-      variable.help = option.meaning;
+      variable.help = sentences.back();
       out.variables.push_back(variable);
     }
     return out;
