@@ -1,5 +1,6 @@
 #include "adrinput/cell.hpp"
 
+#include "adrinput/options_page.hpp"
 #include "deck/lookup.hpp"
 
 #include <algorithm>
@@ -43,14 +44,14 @@ deck::RecordData* record_at(deck::Deck& deck, const std::string& id, int instanc
 }
 
 const deck::VariableSpec* variable_of(const Cell& cell) {
-  const deck::RecordSpec* spec = deck::find_record(cell.record);
+  const deck::RecordSpec* spec = page_record(cell.record);
   return spec == nullptr || cell.variable >= spec->variables.size()
              ? nullptr
              : &spec->variables[cell.variable];
 }
 
 std::optional<Cell> cell_of(const Issue& issue) {
-  const deck::RecordSpec* spec = deck::find_record(issue.record);
+  const deck::RecordSpec* spec = page_record(issue.record);
   if (spec == nullptr || issue.variable.empty()) return std::nullopt;
   std::string_view name = issue.variable;
   std::vector<int> indices = indices_in(name);

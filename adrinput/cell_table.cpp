@@ -2,6 +2,7 @@
 
 #include "adrinput/record_page.hpp"
 #include "adrinput/typed.hpp"
+#include "adrinput/unit_view.hpp"
 #include "deck/lookup.hpp"
 #include "desktop/theme.hpp"
 
@@ -11,6 +12,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLineEdit>
+#include <QPainter>
 #include <QScrollBar>
 #include <QStyledItemDelegate>
 
@@ -20,12 +22,37 @@
 namespace adore::adrinput {
 namespace {
 
+constexpr int kOtherRole = Qt::UserRole;  // the value in the other system of units
+constexpr int kRowHeight = 28, kTwoLines = 46;
+
 /// Edits a cell as text, or as a choice where the variable has codes.
 class CellDelegate : public QStyledItemDelegate {
  public:
   CellDelegate(Document& document, CellTable* table)
       : QStyledItemDelegate(table), document_(document), table_(table) {}
 
+  /// The value, and below it what it is in other units.
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override {
+    const QString other = index.data(kOtherRole).toString();
+    if (other.isEmpty()) return QStyledItemDelegate::paint(painter, option, index);
+    QStyleOptionViewItem upper = option;
+    upper.displayAlignment = Qt::AlignLeft | Qt::AlignTop;
+    QStyledItemDelegate::paint(painter, upper, index);
+    const desktop::Theme& theme = desktop::current_theme();
+    painter->save();
+    painter->setFont(option.font);
+    painter->setPen(option.state.testFlag(QStyle::State_Selected) ? QColor(Qt::white)
+                                                                  : theme.accent);
+    painter->drawText(option.rect.adjusted(4, 0, -2, -4), Qt::AlignLeft | Qt::AlignBottom, other);
+    painter->restore();
+  }
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    const QString other = index.data(kOtherRole).toString();
+    QSize size = QStyledItemDelegate::sizeHint(option, index);
+    size.setWidth(std::max(size.width(), option.fontMetrics.horizontalAdvance(other) + 10));
+    return size;
+  }
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& /*option*/,
                         const QModelIndex& index) const override {
     const deck::VariableSpec& variable = *variable_of(at(index));
@@ -93,7 +120,7 @@ void CellTable::setUp() {
   setSelectionMode(QAbstractItemView::SingleSelection);
   horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
   horizontalHeader()->setDefaultSectionSize(110);
-  verticalHeader()->setDefaultSectionSize(28);
+  verticalHeader()->setDefaultSectionSize(kRowHeight);
   setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setWordWrap(false);
   setRowCount(static_cast<int>(lines_.size()));
@@ -132,6 +159,15 @@ void CellTable::fillCell(int row, int column) {
     setItem(row, column, new QTableWidgetItem(text));
   else if (old->text() != text)
     old->setText(text);
+  const QString other = shows_other_units_ ? in_other_units(document_, cell) : QString();
+  item(row, column)->setData(kOtherRole, other);
+}
+
+void CellTable::setOtherUnits(bool shown) {
+  if (shown == shows_other_units_) return;
+  shows_other_units_ = shown;
+  verticalHeader()->setDefaultSectionSize(shown ? kTwoLines : kRowHeight);
+  sync();
 }
 
 void CellTable::sync() {
@@ -151,7 +187,8 @@ void CellTable::sync() {
       item(row, column)
           ->setBackground(wrong.count(cellAt(row, column)) > 0 ? QBrush(mark) : QBrush());
     }
-  if (columns <= 16) {
+  constexpr int kMeasured = 64;  // more columns would take long
+  if (columns <= kMeasured) {
     resizeColumnsToContents();
     for (int column = 0; column < columns; ++column)
       setColumnWidth(column, std::max(columnWidth(column) + 12, 96));

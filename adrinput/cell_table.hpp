@@ -18,6 +18,8 @@ class CellTable : public QTableWidget {
   CellTable(Document& document, const std::string& record, QWidget* parent = nullptr);
 
   void sync();
+  /// Shows below each value what it is in the other system of units.
+  void setOtherUnits(bool shown);
   /// False when the cell is not in this table.
   bool focusCell(const Cell& cell);
   [[nodiscard]] Cell cellAt(int row, int column) const;
@@ -39,6 +41,7 @@ class CellTable : public QTableWidget {
   Document& document_;
   std::string record_;
   bool repeated_ = false;
+  bool shows_other_units_ = false;
   std::vector<Line> lines_;  ///< rows
 };
 

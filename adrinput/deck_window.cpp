@@ -1,7 +1,9 @@
 #include "adrinput/deck_window.hpp"
 
+#include "adrinput/compare_dialog.hpp"
 #include "adrinput/evaluation.hpp"
 #include "adrinput/help_text.hpp"
+#include "adrinput/options_page.hpp"
 #include "adrinput/record_list.hpp"
 #include "adrinput/record_page.hpp"
 #include "adrinput/run_panel.hpp"
@@ -16,6 +18,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSplitter>
+#include <QStringDecoder>
 #include <QTabWidget>
 #include <QTimer>
 
@@ -23,6 +26,14 @@
 
 namespace adore::adrinput {
 namespace {
+
+/// The letters of a file in UTF-8 or, where it is none, in Latin-1.
+QString text_in(const std::string& bytes) {
+  QStringDecoder decode(QStringDecoder::Utf8, QStringDecoder::Flag::Stateless);
+  QString text = decode(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())));
+  return decode.hasError() ? QString::fromLatin1(bytes.data(), static_cast<qsizetype>(bytes.size()))
+                           : text;
+}
 
 constexpr int kCheckPause = 200;  // ms without a change before the model is built
 
@@ -41,6 +52,7 @@ DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
   document_.changed = [this] {
     check_->start();
     refresh();
+    emit documentChanged();
   };
   showRecord(document_.pages().front());
   checkNow();
@@ -48,6 +60,7 @@ DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
 
 DeckWindow::~DeckWindow() {
   document_.changed = nullptr;
+  delete compare_;
   delete centralWidget();  // its fields speak to the document when they lose the focus
 }
 
@@ -99,6 +112,7 @@ void DeckWindow::makeCentre() {
   auto* column = new QVBoxLayout(form);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
+  makeNotices(column);
   column->addWidget(scroll_, 1);
   column->addWidget(makeButtons());
   auto* right = new QSplitter(Qt::Vertical, this);
@@ -170,10 +184,36 @@ void DeckWindow::showRecord(const std::string& record) {
   page_ = new RecordPage(document_, record);
   connect(page_, &RecordPage::focusMoved, this,
           [this](QWidget* field) { scroll_->ensureWidgetVisible(field, 20, 60); });
+  connect(page_, &RecordPage::otherUnitsWanted, other_units_, &QAction::setChecked);
+  page_->setOtherUnits(other_units_->isChecked());
   scroll_->setWidget(page_);
+  orderTabs();
   list_->setCurrent(record);
   page_->focusFirst();
   scroll_->ensureVisible(0, 0);
+  emit pageShown();
+}
+
+/// Tab goes from the last field of a page on to what stands below it; Qt puts a new page last.
+void DeckWindow::orderTabs() {
+  QWidget* last = nullptr;
+  std::vector<QWidget*> behind;
+  for (QWidget* widget = scroll_->nextInFocusChain(); widget != scroll_ && widget != list_;
+       widget = widget->nextInFocusChain()) {
+    if (widget->focusPolicy() == Qt::NoFocus || widget->window() != this) continue;
+    if (page_->isAncestorOf(widget))
+      last = widget;
+    else if (last == nullptr)
+      behind.push_back(widget);
+  }
+  if (last == nullptr) return;
+  const QWidget* form = scroll_->parentWidget();  // its buttons come before the panels below
+  std::stable_partition(behind.begin(), behind.end(),
+                        [&](const QWidget* widget) { return form->isAncestorOf(widget); });
+  for (QWidget* widget : behind) {
+    setTabOrder(last, widget);
+    last = widget;
+  }
 }
 
 void DeckWindow::refresh() {
@@ -184,7 +224,7 @@ void DeckWindow::refresh() {
     const auto spec_of = [](const std::string& id) { return deck::find_record(id); };
     std::string nearest = pages.front();
     for (const std::string& id : pages)
-      if (spec_of(id) <= spec_of(current_)) nearest = id;
+      if (id != kOptionsPage && spec_of(id) <= spec_of(current_)) nearest = id;
     showRecord(nearest);
   } else if (page_ != nullptr) {
     list_->setCurrent(current_);
@@ -193,16 +233,19 @@ void DeckWindow::refresh() {
   refreshProblems();
   undo_->setEnabled(document_.can_undo());
   redo_->setEnabled(document_.can_redo());
-  plan_->setDeck(document_.deck());
-  statics_->setDeck(document_.deck());
-  run_->setDeck(document_.deck());
-  const QString original = QString::fromStdString(document_.original());
-  if (original_->toPlainText() != original) original_->setPlainText(original);
+  plan_->setDeck(document_.deck(), document_.options());
+  statics_->setDeck(document_.deck(), document_.options());
+  run_->setDeck(document_.deck(), document_.options());
+  if (shown_original_ != document_.original()) {
+    shown_original_ = document_.original();
+    original_->setPlainText(text_in(shown_original_));
+  }
   const QString name = document_.path().empty()
                            ? tr("new deck")
                            : QString::fromStdString(document_.path().filename().string());
   setWindowTitle(name + "[*] — AdrInput");
   setWindowModified(document_.modified());
+  refreshNotices();
 }
 
 void DeckWindow::refreshProblems() {
@@ -217,7 +260,9 @@ void DeckWindow::refreshProblems() {
     QString text = error                                 ? tr("Error")
                    : issue.severity == Severity::Warning ? tr("Warning")
                                                          : tr("Note");
-    if (!issue.record.empty()) text += tr(", record %1").arg(QString::fromStdString(issue.record));
+    if (!issue.record.empty())
+      text += (issue.record == kOptionsPage ? QString(", %1") : tr(", record %1"))
+                  .arg(QString::fromStdString(issue.record));
     if (!issue.variable.empty()) text += ", " + QString::fromStdString(issue.variable);
     if (!issue.value.empty()) text += " = " + QString::fromStdString(issue.value);
     text += ": " + QString::fromStdString(issue.message);
@@ -284,7 +329,7 @@ void DeckWindow::nextRecord() {
   const auto here = std::find(pages.begin(), pages.end(), current_);
   if (here == pages.end() || std::next(here) == pages.end())
     return desktop::show_message(
-        this, tr("This is the last record. Save the deck with Save & Exit, or under File."));
+        this, tr("This is the last page. Save the deck with Save & Exit, or under File."));
   showRecord(*std::next(here));
 }
 
@@ -308,14 +353,14 @@ void DeckWindow::showPlan() {
   tabs_->setCurrentWidget(plan_);
   if (document_.has_errors())
     return desktop::show_message(this, tr("The deck has errors; mend them first (F8)."), true);
-  plan_->start(document_.deck(), document_.path());
+  plan_->start(document_.deck(), document_.path(), document_.options());
 }
 
 void DeckWindow::runQuasiStatic() {
   tabs_->setCurrentWidget(statics_);
   if (document_.has_errors())
     return desktop::show_message(this, tr("The deck has errors; mend them first (F8)."), true);
-  statics_->start(document_.deck(), document_.path());
+  statics_->start(document_.deck(), document_.path(), document_.options());
 }
 
 void DeckWindow::runDeck() {
@@ -323,7 +368,7 @@ void DeckWindow::runDeck() {
   if (run_->busy()) return;
   if (document_.has_errors())
     return desktop::show_message(this, tr("The deck has errors; mend them first (F8)."), true);
-  const auto run = [this] { run_->start(document_.path(), document_.deck()); };
+  const auto run = [this] { run_->start(document_.path(), document_.deck(), document_.options()); };
   if (document_.path().empty()) return askForName(run);
   if (document_.modified()) return saveTo(document_.path(), run);
   run();

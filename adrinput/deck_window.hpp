@@ -3,9 +3,11 @@
 #include "adrinput/document.hpp"
 
 #include <QMainWindow>
+#include <QPointer>
 
 #include <functional>
 
+class QBoxLayout;
 class QListWidget;
 class QMenu;
 class QPlainTextEdit;
@@ -16,7 +18,10 @@ class QTimer;
 
 namespace adore::adrinput {
 
+class CompareDialog;
 class EvaluationPanel;
+class FileWatch;
+class NoticeBar;
 class RecordList;
 class RecordPage;
 class RunPanel;
@@ -40,6 +45,14 @@ class DeckWindow : public QMainWindow {
   [[nodiscard]] EvaluationPanel& planPanel() { return *plan_; }
   [[nodiscard]] EvaluationPanel& staticsPanel() { return *statics_; }
   [[nodiscard]] RunPanel& runPanel() { return *run_; }
+  /// Shows a page if the deck has it.
+  void showPage(const std::string& record);
+  /// Where a session asks about decks that were left unsaved.
+  [[nodiscard]] NoticeBar& sessionNotice() { return *session_notice_; }
+  /// Takes over a snapshot (document.hpp) and goes on, once the present deck is saved or given up.
+  void restoreDeck(const std::string& bytes, std::function<void()> then);
+  /// Shows what differs from another deck; `name` is what it is called in sentences.
+  void compareWith(deck::Deck other, const QString& name);
   /// The slower checks, which follow a change after a short pause, now.
   void checkNow();
 
@@ -60,6 +73,14 @@ class DeckWindow : public QMainWindow {
   /// Saves the deck where that is needed, then runs it whole.
   void runDeck();
   void switchTheme();
+  void compareWithSaved();
+  void askForComparison();
+
+ signals:
+  void documentChanged();
+  void pageShown();
+  /// The user asks for decks that earlier sessions left unsaved.
+  void unsavedWanted();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -71,7 +92,14 @@ class DeckWindow : public QMainWindow {
   QWidget* makeButtons();
   void makeFileMenu();
   void makeOtherMenus();
+  void makeNotices(QBoxLayout* column);
+  void makeCompareMenu(QMenu* file);
+  void makeUnitsMenu(QMenu* view);
+  void refreshNotices();
+  void checkFile();
+  void compareWithFile(const std::filesystem::path& path, const QString& name);
   void fillRecent();
+  void orderTabs();
   void refresh();
   void refreshProblems();
   void goToProblem(int row);
@@ -88,6 +116,7 @@ class DeckWindow : public QMainWindow {
 
   Document document_;
   std::string current_;
+  std::string shown_original_;  ///< what the panel "File as opened" shows
   RecordPage* page_ = nullptr;
   RecordList* list_ = nullptr;
   QScrollArea* scroll_ = nullptr;
@@ -99,6 +128,10 @@ class DeckWindow : public QMainWindow {
   QMenu* recent_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr;
   QTimer* check_ = nullptr;
+  NoticeBar *session_notice_ = nullptr, *file_notice_ = nullptr, *units_notice_ = nullptr;
+  FileWatch* watch_ = nullptr;
+  QPointer<CompareDialog> compare_;
+  QAction* other_units_ = nullptr;
   bool leaving_ = false;
 };
 

@@ -1,5 +1,6 @@
 #include "adrinput/deck_window.hpp"
 #include "adrinput/help_text.hpp"
+#include "adrinput/options_page.hpp"
 #include "adrinput/record_list.hpp"
 #include "adrinput/run_panel.hpp"
 #include "base/version.hpp"
@@ -54,10 +55,12 @@ void DeckWindow::makeFileMenu() {
   recent_ = file->addMenu(tr("&Recent"));
   recent_->setObjectName("recent");
   connect(recent_, &QMenu::aboutToShow, this, &DeckWindow::fillRecent);
+  makeCompareMenu(file);
   file->addSeparator();
   file->addAction(tr("&Save"), QKeySequence::Save, this, &DeckWindow::save);
   file->addAction(tr("Save &As …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), this,
                   &DeckWindow::saveAs);
+  file->addAction(tr("Decks left &unsaved …"), this, &DeckWindow::unsavedWanted);
   file->addSeparator();
   file->addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), this, &DeckWindow::close);
 }
@@ -87,12 +90,14 @@ void DeckWindow::makeOtherMenus() {
   view->addAction(tr("&Run"), QKeySequence(Qt::Key_F7), this, &DeckWindow::runDeck);
   view->addAction(tr("&Dark or light"), QKeySequence(Qt::CTRL | Qt::Key_D), this,
                   &DeckWindow::switchTheme);
+  view->addSeparator();
+  makeUnitsMenu(view);
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   help->setObjectName("help");
   help->addAction(tr("This &record"), QKeySequence(Qt::Key_F1), this, [this] {
-    showHelp(tr("Record %1").arg(QString::fromStdString(current_)),
-             record_help(document_.deck(), *deck::find_record(current_)));
+    const deck::RecordSpec& record = *page_record(current_);
+    showHelp(page_heading(record), record_help(document_.deck(), record));
   });
   help->addAction(tr("How a &deck is written"), this,
                   [this] { showHelp(tr("How a deck is written"), format_help()); });

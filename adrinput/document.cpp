@@ -1,5 +1,6 @@
 #include "adrinput/document.hpp"
 
+#include "adrinput/options_page.hpp"
 #include "adrinput/typed.hpp"
 #include "deck/lookup.hpp"
 #include "deck/templates.hpp"
@@ -35,10 +36,12 @@ void Document::start(State state) {
   undo_.clear();
   redo_.clear();
   step_cell_.reset();
+  numbers_in_.reset();
   model_issues_.clear();
   settle();
   saved_deck_ = state_.deck;
   saved_drafts_ = state_.drafts;
+  saved_options_ = state_.options;
   find_problems();
 }
 
@@ -48,13 +51,15 @@ void Document::start_new(std::string_view template_name) {
   path_.clear();
   original_.clear();
   original_kept_ = true;
+  option_file_ = {};
   file_issues_.clear();
   start(std::move(state));
   notify();
 }
 
 bool Document::modified() const {
-  return !(state_.deck == saved_deck_) || state_.drafts != saved_drafts_;
+  return !(state_.deck == saved_deck_) || state_.drafts != saved_drafts_ ||
+         state_.options != saved_options_;
 }
 
 std::vector<std::string> Document::pages() const {
@@ -62,10 +67,12 @@ std::vector<std::string> Document::pages() const {
   for (const deck::RecordData& record : state_.deck.records)
     if (out.empty() || out.back() != record.id) out.push_back(record.id);
   out.emplace_back(kUserLines);
+  out.emplace_back(kOptionsPage);
   return out;
 }
 
 int Document::instances(std::string_view record) const {
+  if (record == kOptionsPage) return 1;
   return static_cast<int>(
       std::count_if(state_.deck.records.begin(), state_.deck.records.end(),
                     [&](const deck::RecordData& data) { return data.id == record; }));
@@ -74,6 +81,7 @@ int Document::instances(std::string_view record) const {
 std::string Document::text(const Cell& cell) const {
   const auto draft = state_.drafts.find(cell);
   if (draft != state_.drafts.end()) return draft->second;
+  if (cell.record == kOptionsPage) return option_text(state_.options, cell);
   const deck::Value* value = value_at(state_.deck, cell);
   return value == nullptr ? std::string() : shown_text(*value);
 }
@@ -87,12 +95,14 @@ void Document::begin_step(const Cell& cell) {
 }
 
 void Document::edit(const Cell& cell, std::string_view typed) {
+  if (cell.record == kOptionsPage) return edit_option(cell, typed);
   const deck::Value* old = value_at(state_.deck, cell);
   if (old == nullptr || text(cell) == typed) return;
   const deck::VariableSpec& variable = *variable_of(cell);
   Typed value = parse_typed(variable, typed);
   if (!value.problem && value.value == *old && state_.drafts.count(cell) == 0) return;
   begin_step(cell);
+  const deck::UnitSystem units = state_.deck.units();
   if (value.problem) {
     state_.drafts[cell] = typed;
   } else {
@@ -102,6 +112,7 @@ void Document::edit(const Cell& cell, std::string_view typed) {
     std::erase(record.defaulted, deck::RecordData::Element{cell.variable, cell.element});
     if (variable.type == deck::VarType::Integer) settle();
   }
+  note_units(units);
   std::erase_if(file_issues_, [&](const Issue& issue) {
     const std::optional<Cell> at = cell_of(issue);
     return at && same_variable(*at, cell);
@@ -115,6 +126,7 @@ void Document::set_user_lines(std::vector<std::string> lines) {
   Cell cell;
   cell.record = kUserLines;
   begin_step(cell);
+  numbers_in_.reset();
   state_.deck.user_lines = std::move(lines);
   find_problems();
   notify();
@@ -159,6 +171,7 @@ std::string Document::travel(std::vector<Step>& from, std::vector<Step>& to) {
   to.push_back({std::move(state_), step.page});
   state_ = std::move(step.state);
   end_step();
+  numbers_in_.reset();
   find_problems();
   notify();
   return step.page;
@@ -170,9 +183,11 @@ std::string Document::redo() { return travel(redo_, undo_); }
 void Document::add_problem(Issue issue) {
   Problem problem;
   problem.cell = cell_of(issue);
-  if (problem.cell && value_at(state_.deck, *problem.cell) == nullptr) problem.cell.reset();
+  const bool option = issue.record == kOptionsPage;
+  if (problem.cell && !option && value_at(state_.deck, *problem.cell) == nullptr)
+    problem.cell.reset();
   problem.page = issue.record;
-  if (!issue.record.empty() && issue.record != kUserLines &&
+  if (!issue.record.empty() && issue.record != kUserLines && !option &&
       deck::find_record_data(state_.deck, issue.record) == nullptr)
     problem.page.clear();
   problem.issue = std::move(issue);
@@ -203,6 +218,7 @@ void Document::find_problems() {
                             [&](const auto& draft) { return same_variable(draft.first, *cell); });
     if (!said) add_problem(std::move(issue));
   }
+  find_option_problems();
   if (has_error(problems_)) model_issues_.clear();
   for (const Issue& issue : model_issues_) add_problem(issue);
   const std::vector<Problem> live = problems_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adrinput/cell.hpp"
+#include "facade/option_file.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -44,7 +45,8 @@ class Document {
   void open(const std::filesystem::path& path);
   /// Writes the deck when `adore check` accepts it and it reads back equal. The first save over a
   /// file with comments or lines that the deck does not keep leaves the old file beside it as
-  /// NAME.bak. @throws InputError with every reason against it; no file is touched then.
+  /// NAME.bak. Run options go into the ADORE.json beside it when they differ from what it says.
+  /// @throws InputError with every reason against it; no file is touched then.
   void save(const std::filesystem::path& path);
 
   [[nodiscard]] const deck::Deck& deck() const { return state_.deck; }
@@ -53,8 +55,29 @@ class Document {
   [[nodiscard]] bool modified() const;
   /// Did another program change the file that this deck would replace?
   [[nodiscard]] bool changed_on_disk(const std::filesystem::path& path) const;
+  /// Goes on with what is here although another program changed the file: counts as not saved, and
+  /// saving leaves what the other program wrote as NAME.bak.
+  void keep_mine();
 
-  /// Records that apply, in deck order, each once; "12" (lines of user routines) is always last.
+  /// Everything that a later session needs to go on where this one stood, the undo history apart:
+  /// bytes for restore().
+  [[nodiscard]] std::string snapshot(std::string_view page) const;
+  /// Returns the page that was shown. @throws InputError when the bytes are no snapshot; the
+  /// document stays as it was.
+  std::string restore(std::string_view bytes);
+
+  /// Run options as the page shows them, those that differ from their defaults.
+  [[nodiscard]] std::map<std::string, std::string> options() const;
+
+  /// The system of units that the numbers were given in, directly after kUnit was changed.
+  [[nodiscard]] std::optional<deck::UnitSystem> numbers_in() const { return numbers_in_; }
+  /// After such a change: turns every number into the new units, as part of the same step.
+  void convert_values();
+  /// After such a change: the numbers stay as they are.
+  void keep_numbers();
+
+  /// Records that apply, in deck order, each once; then "12" (lines of user routines) and
+  /// kOptionsPage (adrinput/options_page.hpp), which are always there.
   [[nodiscard]] std::vector<std::string> pages() const;
   [[nodiscard]] int instances(std::string_view record) const;
   /// What the field of a cell shows: the value, or the text that is none.
@@ -86,6 +109,7 @@ class Document {
     deck::Deck deck;
     std::map<Cell, std::string> drafts;  ///< typed texts that are no values
     std::map<std::pair<std::string, int>, deck::RecordData> shelf;  ///< every record ever seen
+    std::map<std::string, std::string> options;                     ///< run options that are given
   };
   struct Step {
     State state;
@@ -93,6 +117,10 @@ class Document {
   };
   void start(State state);
   void begin_step(const Cell& cell);
+  void edit_option(const Cell& cell, std::string_view typed);
+  void find_option_problems();
+  void save_options(const std::filesystem::path& deck_file);
+  void note_units(deck::UnitSystem before);
   void settle();
   void remember(const deck::RecordData& record);
   void keep_unread_values(const std::vector<Issue>& issues);
@@ -104,6 +132,9 @@ class Document {
   State state_;
   deck::Deck saved_deck_;
   std::map<Cell, std::string> saved_drafts_;
+  std::map<std::string, std::string> saved_options_;
+  facade::OptionFile option_file_;  ///< ADORE.json as read
+  std::optional<deck::UnitSystem> numbers_in_;
   std::filesystem::path path_;
   std::string original_;
   bool original_kept_ = false;  ///< beside the file, or nothing of it would be lost

@@ -26,6 +26,56 @@ bool same_file(const fs::path& a, const fs::path& b) {
   return a == b || (fs::exists(a, error) && fs::exists(b, error) && fs::equivalent(a, b, error));
 }
 
+/// Sequences of one to four bytes as RFC 3629 has them, without the overlong ones.
+bool is_utf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto byte = [&](std::size_t at) {
+      return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U;
+    };
+    const unsigned first = byte(i);
+    const std::size_t length = first < 0x80                    ? 1
+                               : first >= 0xc2 && first < 0xe0 ? 2
+                               : first >= 0xe0 && first < 0xf0 ? 3
+                               : first >= 0xf0 && first < 0xf5 ? 4
+                                                               : 0;
+    if (length == 0) return false;
+    for (std::size_t k = 1; k < length; ++k)
+      if ((byte(i + k) & 0xc0U) != 0x80U) return false;
+    const unsigned second = byte(i + 1);
+    if ((first == 0xe0 && second < 0xa0) || (first == 0xed && second > 0x9f) ||
+        (first == 0xf0 && second < 0x90) || (first == 0xf4 && second > 0x8f))
+      return false;
+    i += length;
+  }
+  return true;
+}
+
+/// Fields and files hold UTF-8: letters of an old code page would be lost in them.
+deck::ReadResult read_as_latin1(std::string_view bytes, const fs::path& path) {
+  std::string text;
+  int line = 1, first_line = 0;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '\n') ++line;
+    if (byte < 0x80) {
+      text += c;
+    } else {
+      if (first_line == 0) first_line = line;
+      text += static_cast<char>(0xc0U | (byte >> 6U));
+      text += static_cast<char>(0x80U | (byte & 0x3fU));
+    }
+  }
+  deck::ReadResult read = deck::read_deck_text(text, path.string());
+  Issue issue;
+  issue.severity = Severity::Note;
+  issue.file = path.string();
+  issue.line = first_line;
+  issue.message = "holds letters that are not UTF-8; they were read as Latin-1 (ISO 8859-1)";
+  issue.remedy = "saving writes them as UTF-8";
+  read.issues.push_back(std::move(issue));
+  return read;
+}
+
 void take_errors(std::vector<Issue>& reasons, const std::vector<Issue>& issues) {
   for (const Issue& issue : issues)
     if (issue.severity == Severity::Error) reasons.push_back(issue);
@@ -35,10 +85,14 @@ void take_errors(std::vector<Issue>& reasons, const std::vector<Issue>& issues) 
 
 void Document::open(const fs::path& path) {
   deck::ReadResult read = deck::read_deck(path);
+  std::string bytes = bytes_of(path);
+  if (!is_utf8(bytes)) read = read_as_latin1(bytes, path);
   State state;
   state.deck = std::move(read.deck);
+  option_file_ = facade::OptionFile::beside(path);
+  state.options = option_file_.values();
   path_ = path;
-  original_ = bytes_of(path);
+  original_ = std::move(bytes);
   original_kept_ = deck::write_deck(state.deck) == original_;
   file_issues_ = read.issues;
   std::swap(state_, state);
@@ -108,6 +162,7 @@ void Document::save(const fs::path& path) {
     write_file_atomically(backup, original_);
     original_kept_ = true;
   }
+  save_options(path);
   write_file_atomically(path, text);
   path_ = path;
   original_ = text;
@@ -115,7 +170,17 @@ void Document::save(const fs::path& path) {
   file_issues_.clear();
   saved_deck_ = state_.deck;
   saved_drafts_ = state_.drafts;
+  saved_options_ = state_.options;
   find_problems();
+  notify();
+}
+
+void Document::keep_mine() {
+  if (path_.empty()) return;
+  original_ = bytes_of(path_);
+  original_kept_ = original_.empty();
+  saved_deck_ = deck::read_deck_text(original_, path_.string()).deck;
+  saved_drafts_.clear();
   notify();
 }
 

@@ -19,11 +19,12 @@
 namespace adore::adrinput {
 namespace {
 
-facade::Prepared prepared(const deck::Deck& deck, const std::filesystem::path& path) {
+facade::Prepared prepared(const deck::Deck& deck, const std::filesystem::path& path,
+                          const RunOptionValues& options) {
   facade::LoadedDeck input;
   input.path = path.empty() ? std::filesystem::path("new deck") : path;
   input.deck = deck;
-  if (!path.empty()) input.option_values = facade::options_beside(path);
+  input.option_values = options;
   return facade::prepare(std::move(input));
 }
 
@@ -45,16 +46,18 @@ std::string key_results(const facade::Prepared& ready, deck::UnitSystem units) {
 
 }  // namespace
 
-Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path) {
-  const facade::Prepared ready = prepared(deck, path);
+Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path,
+                   const RunOptionValues& options) {
+  const facade::Prepared ready = prepared(deck, path, options);
   return {{}, facade::plan_text(ready, facade::plan_with_estimates(ready))};
 }
 
-Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& path) {
+Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& path,
+                           const RunOptionValues& options) {
   deck::Deck still = deck;
   still.set("mode", "-1");  // the equilibrium only, whatever the deck would run
   still.complete();
-  const facade::Prepared ready = prepared(still, path);
+  const facade::Prepared ready = prepared(still, path, options);
   results::Report report(ready.bearing.run_id, deck.units());
   if (ready.rollers)
     results::print_quasi_static(report, *ready.rollers, ready.bearing);
@@ -106,9 +109,11 @@ void EvaluationPanel::show(const Evaluation& result, bool failed) {
   showNote();
 }
 
-void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path& path) {
+void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path& path,
+                            const RunOptionValues& options) {
   if (busy()) return;
   evaluated_ = deck;
+  evaluated_options_ = options;
   stale_ = false;
   note_->setText(tr("Computing …"));
   note_->show();
@@ -117,9 +122,9 @@ void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path&
     bool failed = false;
   };
   auto outcome = std::make_shared<Outcome>();
-  thread_ = QThread::create([function = function_, deck, path, outcome] {
+  thread_ = QThread::create([function = function_, deck, path, options, outcome] {
     try {
-      outcome->result = function(deck, path);
+      outcome->result = function(deck, path, options);
     } catch (const std::exception& error) {
       outcome->result.text = error.what();
       outcome->failed = true;
@@ -135,9 +140,9 @@ void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path&
   thread_->start();
 }
 
-void EvaluationPanel::setDeck(const deck::Deck& deck) {
+void EvaluationPanel::setDeck(const deck::Deck& deck, const RunOptionValues& options) {
   if (evaluated_.records.empty()) return;  // nothing was computed yet
-  const bool stale = !(deck == evaluated_);
+  const bool stale = !(deck == evaluated_) || options != evaluated_options_;
   if (stale == stale_) return;
   stale_ = stale;
   if (!busy()) showNote();

@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 class QLabel;
@@ -13,29 +14,34 @@ class QThread;
 
 namespace adore::adrinput {
 
+using RunOptionValues = std::map<std::string, std::string>;
+
 struct Evaluation {
   std::string headline;  ///< key results in one sentence, or empty
   std::string text;
 };
 
 /// What this deck would simulate and why; its quasi-static equilibrium as PRINT.txt has it. Both
-/// throw InputError or SolverError with the reason when there is none. Run options come from the
-/// ADORE.json beside `path`.
-[[nodiscard]] Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path);
-[[nodiscard]] Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& path);
+/// throw InputError or SolverError with the reason when there is none. `path` is for messages only.
+[[nodiscard]] Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path,
+                                 const RunOptionValues& options);
+[[nodiscard]] Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& path,
+                                         const RunOptionValues& options);
 
 /// Runs one of them in the background and shows its text, or the reason why there is none. A text
 /// that no longer belongs to the deck says so.
 class EvaluationPanel : public QWidget {
   Q_OBJECT
  public:
-  using Function = Evaluation (*)(const deck::Deck&, const std::filesystem::path&);
+  using Function = Evaluation (*)(const deck::Deck&, const std::filesystem::path&,
+                                  const RunOptionValues&);
   EvaluationPanel(Function function, const QString& invitation, QWidget* parent = nullptr);
   ~EvaluationPanel() override;
 
-  void start(const deck::Deck& deck, const std::filesystem::path& path);
+  void start(const deck::Deck& deck, const std::filesystem::path& path,
+             const RunOptionValues& options);
   /// The deck is this one now.
-  void setDeck(const deck::Deck& deck);
+  void setDeck(const deck::Deck& deck, const RunOptionValues& options);
   [[nodiscard]] QString headline() const;
   [[nodiscard]] bool busy() const { return thread_ != nullptr; }
   [[nodiscard]] QString text() const;
@@ -52,6 +58,7 @@ class EvaluationPanel : public QWidget {
   QPlainTextEdit* view_;
   QThread* thread_ = nullptr;
   deck::Deck evaluated_;
+  RunOptionValues evaluated_options_;
   QString headline_;
   bool stale_ = false;
 };

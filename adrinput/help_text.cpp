@@ -1,5 +1,6 @@
 #include "adrinput/help_text.hpp"
 
+#include "adrinput/options_page.hpp"
 #include "adrinput/typed.hpp"
 #include "deck/condition.hpp"
 #include "deck/lookup.hpp"
@@ -40,7 +41,23 @@ QString variable_help(const deck::Deck& deck, const deck::VariableSpec& variable
   return out;
 }
 
+QString options_help(const deck::Deck& deck, const deck::RecordSpec& record) {
+  QString out =
+      "<h2>Run options</h2><p>What no record of the deck can say. Options that differ from their "
+      "default are kept in the file ADORE.json beside the deck, which every run of a deck in that "
+      "folder reads; it is written when the deck is saved. An empty field means the "
+      "default.</p>";
+  for (const deck::VariableSpec& variable : record.variables) out += variable_help(deck, variable);
+  return out;
+}
+
 }  // namespace
+
+QString page_heading(const deck::RecordSpec& record) {
+  return record.id == kOptionsPage
+             ? QString("ADORE.json — %1").arg(text_of(record.title))
+             : QString("Record %1 — %2").arg(record_number(record), text_of(record.title));
+}
 
 QString record_number(const deck::RecordSpec& record) {
   const QString id = text_of(record.id);
@@ -64,6 +81,7 @@ QString reason_for(const deck::Deck& deck, std::string_view condition) {
 }
 
 QString record_help(const deck::Deck& deck, const deck::RecordSpec& record) {
+  if (record.id == kOptionsPage) return options_help(deck, record);
   QString out = QString("<h2>Record %1: %2</h2>").arg(record_number(record), escaped(record.title));
   if (record.id == "12") {
     out +=
@@ -92,7 +110,7 @@ QString format_help() {
          "<p>Which records a deck has depends on its options. AdrInput shows just those, in their "
          "order, and keeps what you typed on a page that goes away until it comes back.</p>"
          "<p>All values are in SI units or all in English units, as kUnit on record 3.2 says. "
-         "Changing kUnit changes what the numbers mean, not the numbers.</p>"
+         "Changing kUnit changes what the numbers mean; AdrInput then offers to convert them.</p>"
          "<p>A deck is written only when it has no error, with a decimal point whatever your "
          "language uses. You may type a decimal comma.</p>"
          "<p>Remarks behind the values of a deck that you open are not kept in the deck that is "
@@ -113,6 +131,8 @@ QString keyboard_help() {
       {"F5", "plan of this deck"},
       {"F6", "quasi-static solution of this deck"},
       {"F7", "save and run this deck"},
+      {"Ctrl+U", "values also in the other system of units"},
+      {"Ctrl+K", "compare with another deck"},
       {"Ctrl+D", "dark or light"},
       {"Ctrl+Q", "quit"}};
   QString out = "<h2>Keyboard</h2><table cellpadding='3'>";

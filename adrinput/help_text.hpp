@@ -18,6 +18,9 @@ namespace adore::adrinput {
 /// record that every deck has.
 [[nodiscard]] QString reason_for(const deck::Deck& deck, std::string_view condition);
 
+/// "Record 5A — Ball bearing geometry", or what the page of options is called.
+[[nodiscard]] QString page_heading(const deck::RecordSpec& record);
+
 /// "5A", "7.2" without the letter of repeated records.
 [[nodiscard]] QString record_number(const deck::RecordSpec& record);
 

@@ -1,5 +1,6 @@
 #include "adrinput/deck_window.hpp"
 #include "adrinput/render.hpp"
+#include "adrinput/session.hpp"
 #include "base/errors.hpp"
 #include "desktop/bootstrap.hpp"
 #include "desktop/command_line.hpp"
@@ -24,8 +25,10 @@ int show(int& argc, char** argv, const std::filesystem::path& deck) {
   const auto app = desktop::make_application(argc, argv, "adrinput", desktop::Display::Window);
   if (!desktop::ask_for_disclaimer("AdrInput")) return 0;
   adrinput::DeckWindow window;
+  adrinput::Session session(window);
   window.show();
   if (!deck.empty()) window.openFile(deck);
+  session.begin(!deck.empty());
   return QApplication::exec();
 }
 

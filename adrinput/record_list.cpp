@@ -1,6 +1,7 @@
 #include "adrinput/record_list.hpp"
 
 #include "adrinput/help_text.hpp"
+#include "adrinput/options_page.hpp"
 #include "adrinput/search.hpp"
 #include "desktop/theme.hpp"
 
@@ -134,7 +135,7 @@ void RecordList::sync() {
     const std::string& id = pages[static_cast<std::size_t>(i)];
     if (records_->count() <= i) records_->addItem(new QListWidgetItem);
     QListWidgetItem* item = records_->item(i);
-    const deck::RecordSpec& spec = *deck::find_record(id);
+    const deck::RecordSpec& spec = *page_record(id);
     const RecordState state = document_.state_of(id);
     item->setText(QString("%1  %2").arg(record_number(spec), text_of(spec.title)));
     item->setIcon(state_icon(state));
@@ -165,7 +166,7 @@ void RecordList::search(const QString& query) {
   stack_->setCurrentWidget(query.trimmed().isEmpty() ? records_ : found_);
   if (query.trimmed().isEmpty()) return;
   for (const Found& found : search_variables(query.toStdString())) {
-    const deck::RecordSpec& record = *deck::find_record(found.cell.record);
+    const deck::RecordSpec& record = *page_record(found.cell.record);
     const deck::VariableSpec& variable = *variable_of(found.cell);
     const bool here = document_.instances(found.cell.record) > 0;
     QString text = QString("%1 · record %2\n%3")

@@ -2,7 +2,9 @@
 
 #include "adrinput/cell_table.hpp"
 #include "adrinput/help_text.hpp"
+#include "adrinput/options_page.hpp"
 #include "adrinput/typed.hpp"
+#include "adrinput/unit_view.hpp"
 #include "desktop/theme.hpp"
 
 #include <QComboBox>
@@ -12,6 +14,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -62,7 +65,7 @@ QString choice_text(std::string_view code, std::string_view meaning) {
 }
 
 RecordPage::RecordPage(Document& document, const std::string& record, QWidget* parent)
-    : QWidget(parent), document_(document), record_(record), spec_(*deck::find_record(record)) {
+    : QWidget(parent), document_(document), record_(record), spec_(*page_record(record)) {
   setObjectName("page");
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(20, 14, 20, 14);
@@ -87,8 +90,7 @@ RecordPage::RecordPage(Document& document, const std::string& record, QWidget* p
 RecordPage::~RecordPage() = default;
 
 void RecordPage::addHeading(QVBoxLayout* layout) {
-  auto* title =
-      new QLabel(QString("Record %1 — %2").arg(record_number(spec_), text_of(spec_.title)), this);
+  auto* title = new QLabel(page_heading(spec_), this);
   title->setObjectName("title");
   title->setFont(desktop::ui_font(18, true));
   title->setWordWrap(true);
@@ -193,6 +195,12 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   row.unit->setTextFormat(Qt::PlainText);
   side->addWidget(field, row.table != nullptr ? 100 : 0);
   side->addWidget(row.unit);
+  row.other = new QLabel(this);
+  row.other->setTextFormat(Qt::PlainText);
+  row.other->setObjectName("other-" + text_of(variable.name));
+  row.other->setStyleSheet(QString("color: %1").arg(theme.accent.name()));
+  side->addWidget(row.other);
+  if (variable.name == "kUnit") side->addWidget(other_units_ = makeUnitsButton());
   side->addStretch(1);
   QString help = text_of(variable.help);
   if (row.combo != nullptr && row.combo->isEditable()) help += " (" + open_codes(variable) + ")";
@@ -205,6 +213,24 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   grid->addWidget(make_text(help, theme.muted, this), at + 2, 1);
   grid->setRowMinimumHeight(at + 3, 8);
   rows_.push_back(row);
+}
+
+QPushButton* RecordPage::makeUnitsButton() {
+  auto* button = new QPushButton(tr("Show other &units too"), this);
+  button->setObjectName("other-units");
+  button->setToolTip(tr("Beside each value what it is in the other system of units (Ctrl+U)"));
+  button->setCheckable(true);
+  button->setAutoDefault(true);
+  connect(button, &QPushButton::clicked, this, &RecordPage::otherUnitsWanted);
+  return button;
+}
+
+void RecordPage::setOtherUnits(bool shown) {
+  shows_other_units_ = shown;
+  if (other_units_ != nullptr) other_units_->setChecked(shown);
+  for (Row& row : rows_)
+    if (row.table != nullptr) row.table->setOtherUnits(shown);
+  sync();
 }
 
 void RecordPage::addInstances(QVBoxLayout* layout) {
@@ -346,6 +372,12 @@ void RecordPage::syncRow(Row& row, bool all) {
   if (!limits.isEmpty()) unit += (unit.isEmpty() ? "" : "   ") + QString("(%1)").arg(limits);
   row.unit->setText(unit);
   row.unit->setVisible(!unit.isEmpty());
+  if (row.other != nullptr) {
+    const bool shown = shows_other_units_ && row.table == nullptr;
+    const QString other = shown ? in_other_units(document_, cellOf(row.variable)) : QString();
+    row.other->setText(other.isEmpty() ? other : "= " + other);
+    row.other->setVisible(!other.isEmpty());
+  }
   showProblems(row);
 }
 
@@ -399,7 +431,7 @@ bool RecordPage::focusCell(const Cell& cell) {
 
 void RecordPage::focusFirst() {
   if (lines_ != nullptr) return lines_->setFocus();
-  if (rows_.size() > 1) focusCell(cellOf(1));  // behind the label
+  if (rows_.size() > 1) focusCell(cellOf(record_ == kOptionsPage ? 0 : 1));  // behind the label
 }
 
 }  // namespace adore::adrinput

@@ -12,6 +12,7 @@ class QLabel;
 class QLineEdit;
 class QComboBox;
 class QPlainTextEdit;
+class QPushButton;
 class QVBoxLayout;
 
 namespace adore::adrinput {
@@ -32,10 +33,13 @@ class RecordPage : public QWidget {
   /// Puts the keyboard focus on a value. False when this page has no field for it.
   bool focusCell(const Cell& cell);
   void focusFirst();
+  /// Shows beside each value what it is in the other system of units.
+  void setOtherUnits(bool shown);
   /// The field of a variable: QLineEdit or QComboBox, or the table that holds it.
   [[nodiscard]] QWidget* fieldOf(std::size_t variable) const;
 
  signals:
+  void otherUnitsWanted(bool shown);
   /// A field got the focus and should be in view.
   void focusMoved(QWidget* field);
 
@@ -49,6 +53,7 @@ class RecordPage : public QWidget {
     QComboBox* combo = nullptr;
     CellTable* table = nullptr;
     QLabel* unit = nullptr;
+    QLabel* other = nullptr;  ///< the value in the other system of units
     QLabel* problem = nullptr;
   };
   void addHeading(QVBoxLayout* layout);
@@ -57,6 +62,7 @@ class RecordPage : public QWidget {
   void addUserLines(QVBoxLayout* layout);
   QLineEdit* makeLine(const Cell& cell);
   QComboBox* makeCombo(const Cell& cell);
+  QPushButton* makeUnitsButton();
   void finish(QWidget* field);
   void syncRow(Row& row, bool all);
   void showProblems(Row& row);
@@ -67,6 +73,8 @@ class RecordPage : public QWidget {
   const deck::RecordSpec& spec_;
   std::vector<Row> rows_;
   QLabel* reason_ = nullptr;
+  QPushButton* other_units_ = nullptr;  ///< beside kUnit
+  bool shows_other_units_ = false;
   QPlainTextEdit* lines_ = nullptr;
 };
 

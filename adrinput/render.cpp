@@ -1,5 +1,6 @@
 #include "adrinput/render.hpp"
 
+#include "adrinput/cell_table.hpp"
 #include "adrinput/deck_window.hpp"
 #include "adrinput/record_page.hpp"
 #include "desktop/image_export.hpp"
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace adore::adrinput {
 
@@ -22,6 +24,18 @@ namespace {
 /// Lists lay out their items in a later event than the one that shows them.
 void settle() {
   for (int i = 0; i < 3; ++i) QApplication::processEvents();
+}
+
+constexpr int kOverlap = 90;  // pixels of a form in two pictures, so that no field is cut in both
+
+/// Shows everything along a scroll bar, piece by piece.
+template <class Show>
+void scroll_through(QScrollBar& bar, int overlap, const Show& show) {
+  for (;;) {
+    show();
+    if (bar.value() >= bar.maximum()) return;
+    bar.setValue(bar.value() + std::max(bar.pageStep() - overlap, 1));
+  }
 }
 
 }  // namespace
@@ -41,15 +55,25 @@ std::vector<fs::path> render_pages(const fs::path& deck, const RenderOptions& op
     ++number;
     window.showRecord(record);
     settle();
-    QScrollBar* bar = window.pageArea().verticalScrollBar();
-    for (int part = 1;; ++part) {
-      const std::string name = part == 1 ? fmt::format("{:02}-{}.png", number, record)
-                                         : fmt::format("{:02}-{}-{}.png", number, record, part);
+    int part = 0;
+    const auto draw = [&] {
+      settle();
+      const std::string name = ++part == 1 ? fmt::format("{:02}-{}.png", number, record)
+                                           : fmt::format("{:02}-{}-{}.png", number, record, part);
       written.push_back(options.folder / name);
       desktop::save_image(window.grab().toImage(), written.back());
-      if (bar->value() >= bar->maximum()) break;
-      bar->setValue(bar->value() + bar->pageStep());
-      settle();
+    };
+    scroll_through(*window.pageArea().verticalScrollBar(), kOverlap, draw);
+    // Wide tables: the first columns are drawn already.
+    for (CellTable* table : window.page()->findChildren<CellTable*>()) {
+      QScrollBar* bar = table->horizontalScrollBar();
+      if (!table->isVisible() || bar->maximum() == bar->minimum()) continue;
+      window.pageArea().ensureWidgetVisible(table, 20, 20);
+      bool first = true;
+      scroll_through(*bar, 1, [&] {
+        if (!std::exchange(first, false)) draw();
+      });
+      bar->setValue(bar->minimum());
     }
   }
   return written;

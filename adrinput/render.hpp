@@ -12,8 +12,10 @@ struct RenderOptions {
 };
 
 /// Draws the window with every page of a deck as PNG, named NN-record.png; of a form that is longer
-/// than the window also what lies further down, as NN-record-2.png and so on. Needs an application
-/// object (desktop/bootstrap.hpp). @throws InputError for a deck or folder that cannot be used.
+/// than the window also what lies further down, and of tables wider than the window what lies
+/// further right, as NN-record-2.png and so on: every field is whole in some picture. Needs an
+/// application object (desktop/bootstrap.hpp). @throws InputError for a deck or folder that cannot
+/// be used.
 std::vector<std::filesystem::path> render_pages(const std::filesystem::path& deck,
                                                 const RenderOptions& options);
 

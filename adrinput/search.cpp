@@ -1,5 +1,7 @@
 #include "adrinput/search.hpp"
 
+#include "adrinput/options_page.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -79,7 +81,7 @@ std::vector<Found> search_variables(std::string_view query, std::size_t most) {
   std::vector<Found> found;
   const std::vector<std::string> words = words_of(query);
   if (words.empty()) return found;
-  for (const deck::RecordSpec& record : deck::schema())
+  const auto search_in = [&](const deck::RecordSpec& record) {
     for (std::size_t v = 0; v < record.variables.size(); ++v) {
       if (record.variables[v].name == "recID") continue;
       const int score = score_of(record, record.variables[v], words);
@@ -90,6 +92,9 @@ std::vector<Found> search_variables(std::string_view query, std::size_t most) {
       one.score = score;
       found.push_back(std::move(one));
     }
+  };
+  for (const deck::RecordSpec& record : deck::schema()) search_in(record);
+  search_in(options_record());
   std::stable_sort(found.begin(), found.end(),
                    [](const Found& a, const Found& b) { return a.score > b.score; });
   if (found.size() > most) found.resize(most);

@@ -1,6 +1,7 @@
 #include "adrinput/typed.hpp"
 
 #include "deck/lookup.hpp"
+#include "deck/unit_change.hpp"
 
 #include <fmt/format.h>
 
@@ -64,17 +65,22 @@ Typed parse_typed(const deck::VariableSpec& variable, std::string_view text) {
   return {value, {}};
 }
 
+std::string plain_text(std::string_view typed) {
+  const std::size_t first = typed.find_first_not_of(" \t");
+  if (first == std::string_view::npos) return {};
+  const std::string text(typed.substr(first, typed.find_last_not_of(" \t") - first + 1));
+  std::string number = plain_number(typed);
+  double value = 0.0;
+  return deck::parse_real(number, value) ? text : number;
+}
+
 std::string shown_text(const deck::Value& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   return deck::value_text(value);
 }
 
 std::string unit_of(const deck::Deck& deck, const deck::VariableSpec& variable) {
-  const bool pure = !variable.unitless_when.empty() &&
-                    deck::evaluate(variable.unitless_when, deck::scope_of(deck));
-  const std::string_view unit =
-      deck.units() == deck::UnitSystem::English ? variable.unit.en : variable.unit.si;
-  return pure || unit == "-" ? std::string() : std::string(unit);
+  return std::string(deck::unit_name(deck, variable));
 }
 
 std::string limits_of(const deck::Deck& deck, const deck::VariableSpec& variable) {

@@ -20,6 +20,9 @@ struct Typed {
 /// range is a value, which the deck's checks judge.
 [[nodiscard]] Typed parse_typed(const deck::VariableSpec& variable, std::string_view text);
 
+/// A text without blanks around it; a number in it gets a plain minus sign and a decimal point.
+[[nodiscard]] std::string plain_text(std::string_view typed);
+
 /// A value as a field shows it: shortest text that reads back the same, decimal point; "" for a
 /// missing one.
 [[nodiscard]] std::string shown_text(const deck::Value& value);

@@ -1,8 +1,9 @@
 #include "desktop/theme.hpp"
 
+#include "desktop/scroll_style.hpp"
+
 #include <QApplication>
 #include <QPalette>
-#include <QStyleFactory>
 
 namespace adore::desktop {
 namespace {
@@ -70,7 +71,7 @@ const Theme& current_theme() { return theme(chosen()); }
 void apply_theme(ThemeKind kind) {
   chosen() = kind;
   const Theme& t = theme(kind);
-  QApplication::setStyle(QStyleFactory::create("Fusion"));
+  QApplication::setStyle(new ScrollStyle);
   QPalette palette;
   palette.setColor(QPalette::Window, t.window);
   palette.setColor(QPalette::Base, t.surface);

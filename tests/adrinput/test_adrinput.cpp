@@ -70,9 +70,9 @@ TEST_CASE("Go Back, Next Rec, Save & Exit and quitting behave as the manual says
   press(window, "back");
   CHECK(window.currentRecord() == "1");
   for (std::size_t i = 1; i < window.document().pages().size(); ++i) press(window, "next");
-  CHECK(window.currentRecord() == "12");
+  CHECK(window.currentRecord() == "ADORE.json");
   press(window, "next");
-  CHECK(take_message(window).contains("last record"));
+  CHECK(take_message(window).contains("last page"));
 
   window.document().edit(cell("pitchDia"), "0.0601");
   CHECK(window.isWindowModified());

@@ -1,6 +1,7 @@
 #include "adrinput/document.hpp"
 #include "adrinput/search.hpp"
 #include "adrinput/typed.hpp"
+#include "deck/lookup.hpp"
 #include "deck/templates.hpp"
 #include "facade/check.hpp"
 
@@ -288,6 +289,136 @@ TEST_CASE(
   }
   CHECK(with_text > 10);
   CHECK(saved < static_cast<int>(decks.size()));
+}
+
+TEST_CASE("nasty decks: cut, doubled, swapped, wild counts, foreign letters and line ends",
+          "[unit][adrinput]") {
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("DATA.txt").toStdString();
+  const std::string good = deck::write_deck(deck::new_deck("ball"));
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < good.size();) {
+    const std::size_t end = good.find('\n', at);
+    lines.push_back(good.substr(at, end - at + 1));
+    at = end + 1;
+  }
+  const auto joined = [](const std::vector<std::string>& parts) {
+    std::string out;
+    for (const std::string& part : parts) out += part;
+    return out;
+  };
+  std::vector<std::string> texts;
+  for (std::size_t i = 1; i < 60; ++i) texts.push_back(good.substr(0, good.size() * i / 60));
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    std::vector<std::string> changed = lines;
+    changed.insert(changed.begin() + static_cast<std::ptrdiff_t>(i), lines[i]);
+    texts.push_back(joined(changed));
+    changed = lines;
+    std::swap(changed[i], changed[(i + 1) % lines.size()]);
+    texts.push_back(joined(changed));
+    changed = lines;
+    changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(i));
+    texts.push_back(joined(changed));
+    changed = lines;  // every number of a line gone wild
+    for (char& c : changed[i])
+      if (c == '1') c = '9';
+    for (const char* wild : {", 999999999", ", -7", ", 1e999", ", 'text'", ", nan"}) {
+      const std::size_t comma = lines[i].find(',');
+      std::string line = lines[i];
+      const std::size_t next = comma == std::string::npos ? comma : line.find(',', comma + 1);
+      if (next == std::string::npos) continue;
+      line.replace(comma, next - comma, wild);
+      std::vector<std::string> wilder = lines;
+      wilder[i] = line;
+      texts.push_back(joined(wilder));
+    }
+    texts.push_back(joined(changed));
+  }
+  std::string crlf;
+  for (const char c : good) crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  texts.push_back(crlf);
+  std::string latin = good;
+  latin.insert(latin.find('\'', latin.find("Rec 3.1") + 10) + 1, "W\xE4lzlager \xD8 40 ");
+  texts.push_back(latin);
+  std::string high;
+  for (int i = 0; i < 20000; ++i) high += static_cast<char>(0x80 + i * 7 % 128);
+  texts.push_back(high);
+  texts.push_back(std::string(300000, '\''));
+  texts.push_back(std::string(300000, ','));
+  texts.push_back("\xEF\xBB\xBF" + good);
+  for (int i = 0; i < 3; ++i) high += good;
+  texts.push_back(high);
+
+  int refused = 0, saved = 0;
+  for (const std::string& text : texts) {
+    INFO(text.substr(0, 3000));
+    write(path, text);
+    fs::remove(path.string() + ".bak");
+    const deck::ReadResult read = deck::read_deck(path);
+    Document document;
+    document.open(path);
+    document.check_model();
+    CHECK(document.original() == text);
+    CHECK_FALSE(document.modified());
+    if (errors_in(read.issues)) CHECK_FALSE(document.problems().empty());
+    for (const Issue& issue : read.issues) {
+      if (text == latin || text == high) break;  // their letters are others after decoding
+      const auto shown = [&](const Problem& problem) {
+        return problem.issue.record == issue.record &&
+               (problem.issue.message.find(issue.message) != std::string::npos ||
+                (!issue.variable.empty() && problem.cell == cell_of(issue)));
+      };
+      INFO(issue.text());
+      CHECK(std::any_of(document.problems().begin(), document.problems().end(), shown));
+    }
+    // What could be read stands where the file has it.
+    for (const deck::RecordData& record : read.deck.records) {
+      const deck::RecordData* here =
+          deck::find_record_data(document.deck(), record.id, record.instance);
+      if (here == nullptr) continue;
+      for (std::size_t v = 1; v < record.values.size(); ++v)
+        for (std::size_t k = 0; k < record.values[v].size(); ++k) {
+          const auto* real = std::get_if<double>(&record.values[v][k]);
+          if (real == nullptr || k >= here->values[v].size()) continue;
+          CHECK(here->values[v][k] == record.values[v][k]);
+        }
+    }
+    // A later session finds the same.
+    Document again;
+    CHECK(again.restore(document.snapshot("1")) == "1");
+    CHECK(again.deck() == document.deck());
+    CHECK(again.problems().size() == document.problems().size());
+    try {
+      document.save(path);
+      ++saved;
+      CHECK_FALSE(errors_in(deck::read_deck(path).issues));
+      if (bytes_of(path) != text) CHECK(bytes_of(path.string() + ".bak") == text);
+    } catch (const InputError& error) {
+      ++refused;
+      CHECK_FALSE(error.issues().empty());
+      CHECK(bytes_of(path) == text);
+    }
+  }
+  CHECK(refused > 100);
+  CHECK(saved > 10);
+
+  write(path, latin);
+  Document document;
+  document.open(path);
+  CHECK(document.text(cell("runID")).find("W\u00e4lzlager \u00d8 40") != std::string::npos);
+  REQUIRE_FALSE(document.problems().empty());
+  CHECK(document.problems().back().issue.message.find("Latin-1") != std::string::npos);
+  const deck::Deck before = document.deck();
+  for (const std::string& garbage : {std::string("\x7f"
+                                                 "ELF\x02\x01\x01\0\0\0",
+                                                 10),
+                                     std::string(5000, '\0')}) {
+    write(path, garbage);
+    CHECK_THROWS_AS(document.open(path), InputError);
+    CHECK(document.deck() == before);
+  }
+  CHECK_THROWS_AS(document.restore("not a snapshot"), InputError);
+  CHECK(document.deck() == before);
 }
 
 TEST_CASE("search finds variables as people ask for them", "[unit][adrinput]") {

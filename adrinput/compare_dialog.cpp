@@ -1,0 +1,113 @@
+#include "adrinput/compare_dialog.hpp"
+
+#include "adrinput/help_text.hpp"
+#include "desktop/theme.hpp"
+
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace adore::adrinput {
+namespace {
+
+constexpr int kRowRole = Qt::UserRole;
+
+QString counted(int number, const QString& one, const QString& many) {
+  return QString("%1 %2").arg(number).arg(number == 1 ? one : many);
+}
+
+}  // namespace
+
+CompareDialog::CompareDialog(const Document& document, deck::Deck other, const QString& name,
+                             QWidget* parent)
+    : QDialog(parent),
+      document_(document),
+      other_(std::move(other)),
+      name_(name),
+      summary_(new QLabel(this)),
+      labels_(new QCheckBox(tr("Also the &labels of records"), this)),
+      list_(new QListWidget(this)) {
+  setObjectName("compare");
+  setAttribute(Qt::WA_DeleteOnClose);
+  setWindowTitle(tr("Compare with %1").arg(name));
+  resize(820, 560);
+  summary_->setObjectName("summary");
+  summary_->setWordWrap(true);
+  summary_->setTextFormat(Qt::PlainText);
+  labels_->setObjectName("labels");
+  list_->setObjectName("differences");
+  list_->setAccessibleName(tr("Differences"));
+  list_->setWordWrap(true);
+  list_->setResizeMode(QListView::Adjust);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(summary_);
+  layout->addWidget(list_, 1);
+  layout->addWidget(labels_);
+  layout->addWidget(buttons);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+  connect(labels_, &QCheckBox::toggled, this, &CompareDialog::sync);
+  connect(list_, &QListWidget::itemActivated, this,
+          [this](QListWidgetItem* item) { choose(list_->row(item)); });
+  connect(list_, &QListWidget::itemClicked, this,
+          [this](QListWidgetItem* item) { choose(list_->row(item)); });
+  list_->setFocus();
+  sync();
+}
+
+void CompareDialog::sync() {
+  rows_ = deck::differences(document_.deck(), other_);
+  const auto label = [](const deck::Difference& d) { return d.label; };
+  const auto labels = static_cast<int>(std::count_if(rows_.begin(), rows_.end(), label));
+  if (!labels_->isChecked()) std::erase_if(rows_, label);
+  const int number = static_cast<int>(rows_.size()) - (labels_->isChecked() ? labels : 0);
+  QString text =
+      number == 0
+          ? tr("Nothing differs from %1").arg(name_)
+          : tr("%1 from %2").arg(counted(number, tr("difference"), tr("differences")), name_);
+  if (labels > 0)
+    text += tr(", and %1 of records, which mean nothing to a run")
+                .arg(counted(labels, tr("label"), tr("labels")));
+  text += tr(". \"Here\" is the deck in the window, \"there\" is %1.").arg(name_);
+  summary_->setText(text);
+  labels_->setEnabled(labels > 0);
+
+  const int current = list_->currentRow();
+  list_->clear();
+  std::string record;
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const deck::Difference& row = rows_[i];
+    if (row.record != record || i == 0) {
+      record = row.record;
+      auto* heading = new QListWidgetItem(page_heading(*deck::find_record(record)), list_);
+      heading->setFont(desktop::ui_font(13, true));
+      heading->setFlags(Qt::ItemIsEnabled);
+      heading->setData(kRowRole, -1);
+    }
+    auto* item = new QListWidgetItem("    " + QString::fromStdString(row.sentence), list_);
+    item->setData(kRowRole, static_cast<int>(i));
+  }
+  list_->setCurrentRow(std::clamp(current, list_->count() > 1 ? 1 : 0, list_->count() - 1));
+}
+
+/// A value that only the other deck has has no field; its record, if there is one, is shown.
+void CompareDialog::choose(int row) {
+  const int at = list_->item(row)->data(kRowRole).toInt();
+  if (at < 0 || at >= static_cast<int>(rows_.size())) return;
+  const deck::Difference& difference = rows_[static_cast<std::size_t>(at)];
+  Cell cell;
+  cell.record = difference.record;
+  cell.instance = difference.instance;
+  cell.element = static_cast<std::size_t>(std::max(difference.index, 1)) - 1;
+  const auto& variables = deck::find_record(cell.record)->variables;
+  for (std::size_t v = 0; v < variables.size(); ++v)
+    if (variables[v].name == difference.variable) cell.variable = v;
+  emit chosen(cell);
+}
+
+}  // namespace adore::adrinput

@@ -1,0 +1,173 @@
+#include "adrinput/compare_dialog.hpp"
+#include "adrinput/deck_window.hpp"
+#include "adrinput/file_watch.hpp"
+#include "adrinput/notice_bar.hpp"
+#include "adrinput/options_page.hpp"
+#include "adrinput/record_page.hpp"
+#include "adrinput/unit_view.hpp"
+#include "deck/templates.hpp"
+#include "desktop/dialogs.hpp"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QFileDialog>
+#include <QMenu>
+#include <QSettings>
+
+#include <algorithm>
+#include <exception>
+
+/// Questions above the form, comparing with other decks, and units.
+namespace adore::adrinput {
+
+void DeckWindow::makeNotices(QBoxLayout* column) {
+  session_notice_ = new NoticeBar("session-notice", this);
+  file_notice_ = new NoticeBar("file-notice", this);
+  units_notice_ = new NoticeBar("units-notice", this);
+  for (NoticeBar* bar : {session_notice_, file_notice_, units_notice_}) column->addWidget(bar);
+  watch_ = new FileWatch(this);
+  connect(watch_, &FileWatch::touched, this, &DeckWindow::checkFile);
+}
+
+void DeckWindow::makeCompareMenu(QMenu* file) {
+  QMenu* compare = file->addMenu(tr("&Compare with"));
+  compare->setObjectName("compare-menu");
+  compare->addAction(tr("&Another deck …"), QKeySequence(Qt::CTRL | Qt::Key_K), this,
+                     &DeckWindow::askForComparison);
+  QAction* saved = compare->addAction(tr("The &saved file"), this, &DeckWindow::compareWithSaved);
+  connect(compare, &QMenu::aboutToShow, this,
+          [this, saved] { saved->setEnabled(!document_.path().empty()); });
+  compare->addSeparator();
+  for (const deck::TemplateInfo& info : deck::templates()) {
+    const QString name = QString::fromStdString(std::string(info.name));
+    compare->addAction(tr("Example %1").arg(name), this, [this, name] {
+      compareWith(deck::new_deck(name.toStdString()), tr("the example %1").arg(name));
+    });
+  }
+}
+
+void DeckWindow::makeUnitsMenu(QMenu* view) {
+  other_units_ = view->addAction(tr("Show other &units too"));
+  other_units_->setObjectName("other-units-action");
+  other_units_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_U));
+  other_units_->setCheckable(true);
+  connect(other_units_, &QAction::toggled, this, [this](bool on) { page_->setOtherUnits(on); });
+  QAction* reopen = view->addAction(tr("&Reopen the last deck at start"));
+  reopen->setObjectName("reopen");
+  reopen->setCheckable(true);
+  reopen->setChecked(QSettings("Adore", "adrinput").value("session/reopen", true).toBool());
+  connect(reopen, &QAction::toggled, this,
+          [](bool on) { QSettings("Adore", "adrinput").setValue("session/reopen", on); });
+}
+
+void DeckWindow::showPage(const std::string& record) {
+  const std::vector<std::string> pages = document_.pages();
+  if (std::find(pages.begin(), pages.end(), record) != pages.end()) showRecord(record);
+}
+
+void DeckWindow::refreshNotices() {
+  watch_->setPath(document_.path());
+  const std::optional<deck::UnitSystem> numbers_in = document_.numbers_in();
+  if (!numbers_in) {
+    units_notice_->hide();
+  } else if (!units_notice_->isVisibleTo(this)) {
+    const bool si = document_.deck().units() == deck::UnitSystem::SI;
+    units_notice_->ask(tr("The deck is in %1 now. Its numbers are still those of %2.")
+                           .arg(si ? tr("SI units") : tr("English units"),
+                                si ? tr("English units") : tr("SI units")),
+                       {{"convert", tr("&Convert the values"),
+                         [this] {
+                           document_.convert_values();
+                           page_->sync(true);
+                           page_->setFocus();
+                           page_->focusFirst();
+                         }},
+                        {"keep-numbers", tr("&Keep the numbers"), [this] {
+                           document_.keep_numbers();
+                           page_->focusFirst();
+                         }}});
+  }
+  if (compare_ != nullptr) compare_->sync();
+}
+
+void DeckWindow::checkFile() {
+  const std::filesystem::path path = document_.path();
+  std::error_code error;
+  if (path.empty()) return;
+  const QString name = QString::fromStdString(path.filename().string());
+  if (!std::filesystem::exists(path, error)) {
+    file_notice_->ask(
+        tr("%1 was removed or renamed by another program. Saving writes it again.").arg(name),
+        {{"file-ok", tr("&OK"), nullptr}});
+    return;
+  }
+  if (!document_.changed_on_disk(path)) return file_notice_->hide();
+  const bool mine = document_.modified();
+  file_notice_->ask(tr("Another program changed %1.").arg(name),
+                    {{"reload", mine ? tr("&Reload, dropping my changes") : tr("&Reload"),
+                      [this, path] {
+                        const std::string page = current_;
+                        if (openFile(path)) showPage(page);
+                      }},
+                     {"keep-mine", tr("&Keep mine"), [this] { document_.keep_mine(); }},
+                     {"compare-file", tr("&Compare"), [this] {
+                        compareWithSaved();
+                        checkFile();  // the question is still open
+                      }}});
+}
+
+void DeckWindow::restoreDeck(const std::string& bytes, std::function<void()> then) {
+  leaveDeck([this, bytes, then = std::move(then)] {
+    try {
+      const std::string page = document_.restore(bytes);
+      checkNow();
+      current_.clear();
+      showRecord(document_.pages().front());
+      showPage(page);
+      checkFile();
+      then();
+    } catch (const std::exception& error) {
+      desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    }
+  });
+}
+
+void DeckWindow::compareWith(deck::Deck other, const QString& name) {
+  delete compare_;
+  compare_ = new CompareDialog(document_, std::move(other), name, this);
+  connect(compare_, &CompareDialog::chosen, this, [this](const Cell& cell) {
+    if (document_.instances(cell.record) == 0 && cell.record != "12") return;
+    showRecord(cell.record);
+    page_->focusCell(cell);
+  });
+  compare_->show();
+}
+
+void DeckWindow::compareWithSaved() {
+  if (document_.path().empty())
+    return desktop::show_message(this, tr("The deck has not been saved yet."));
+  compareWithFile(document_.path(), tr("the file as saved"));
+}
+
+void DeckWindow::compareWithFile(const std::filesystem::path& path, const QString& name) {
+  try {
+    compareWith(deck::read_deck(path).deck, name);
+  } catch (const std::exception& error) {
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+  }
+}
+
+void DeckWindow::askForComparison() {
+  auto* dialog = new QFileDialog(this, tr("Compare with"),
+                                 QSettings("Adore", "adrinput").value("folder").toString(),
+                                 tr("Decks (*.txt *.TXT *.dat *.DAT);;All files (*)"));
+  dialog->setObjectName("compare-open");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& name) {
+    compareWithFile(name.toStdString(), QFileInfo(name).fileName());
+  });
+  dialog->open();
+}
+
+}  // namespace adore::adrinput

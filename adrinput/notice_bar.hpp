@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QFrame>
+
+#include <functional>
+#include <vector>
+
+class QBoxLayout;
+class QLabel;
+class QPushButton;
+
+namespace adore::adrinput {
+
+/// A sentence above the form with buttons to answer it. It blocks nothing; it stays until it is
+/// answered or no longer true.
+class NoticeBar : public QFrame {
+  Q_OBJECT
+ public:
+  struct Answer {
+    QString name;  ///< object name of the button
+    QString text;
+    std::function<void()> act;
+  };
+  explicit NoticeBar(const QString& name, QWidget* parent = nullptr);
+
+  /// Shows it; the bar goes before an answer acts.
+  void ask(const QString& text, std::vector<Answer> answers);
+  [[nodiscard]] QString text() const;
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void paintFrame();
+  QBoxLayout* buttons_;
+  QLabel* label_;
+};
+
+}  // namespace adore::adrinput

@@ -1,0 +1,144 @@
+#include "adrinput/options_page.hpp"
+
+#include "adrinput/document.hpp"
+#include "adrinput/typed.hpp"
+#include "base/atomic_file.hpp"
+#include "facade/option_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace adore::adrinput {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Options = std::map<std::string, std::string>;
+
+/// Without what only says the default.
+Options that_differ(const Options& given) {
+  Options out;
+  for (const facade::RunOptionInfo& option : facade::run_options()) {
+    const auto found = given.find(option.name);
+    if (found != given.end() && !facade::same_option(found->second, option.default_value))
+      out.insert(*found);
+  }
+  return out;
+}
+
+std::string sentence(std::string clause) {
+  if (!clause.empty() && clause[0] >= 'a' && clause[0] <= 'z')
+    clause[0] = static_cast<char>(clause[0] - 'a' + 'A');
+  return clause + ".";
+}
+
+bool same(const Options& a, const Options& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    return x.first == y.first && facade::same_option(x.second, y.second);
+  });
+}
+
+}  // namespace
+
+const deck::RecordSpec& options_record() {
+  static const deck::RecordSpec record = [] {
+    deck::RecordSpec out;
+    out.id = kOptionsPage;
+    out.title = "Run options, kept beside the deck";
+    out.condition = "true";
+    static std::vector<std::string> sentences;  // the specs refer to them
+    sentences.reserve(facade::run_options().size());
+    for (const facade::RunOptionInfo& option : facade::run_options()) {
+      sentences.push_back(sentence(option.meaning));
+      deck::VariableSpec variable;
+      variable.name = option.name;
+      variable.type = deck::VarType::String;
+      variable.default_value = option.default_value;
+      variable.help = sentences.back();
+      out.variables.push_back(variable);
+    }
+    return out;
+  }();
+  return record;
+}
+
+const deck::RecordSpec* page_record(std::string_view id) {
+  return id == kOptionsPage ? &options_record() : deck::find_record(id);
+}
+
+std::string option_text(const Options& given, const Cell& cell) {
+  const deck::VariableSpec& option = options_record().variables.at(cell.variable);
+  const auto found = given.find(std::string(option.name));
+  return found == given.end() ? std::string(option.default_value) : found->second;
+}
+
+Options Document::options() const { return that_differ(state_.options); }
+
+/// An empty field means the default.
+void Document::edit_option(const Cell& cell, std::string_view typed) {
+  const std::string name(options_record().variables.at(cell.variable).name);
+  const std::string value = plain_text(typed);
+  const auto given = state_.options.find(name);
+  if (given == state_.options.end() ? value.empty() || value == text(cell) : value == given->second)
+    return;
+  begin_step(cell);
+  numbers_in_.reset();
+  if (value.empty() || (saved_options_.count(name) == 0 &&
+                        value == options_record().variables[cell.variable].default_value))
+    state_.options.erase(name);
+  else
+    state_.options[name] = value;
+  find_problems();
+  notify();
+}
+
+void Document::find_option_problems() {
+  for (const auto& [name, value] : state_.options) {
+    const std::string problem = facade::option_problem(name, value);
+    if (problem.empty()) continue;
+    Issue issue;
+    issue.record = kOptionsPage;
+    issue.variable = name;
+    issue.value = value;
+    issue.message = problem;
+    add_problem(std::move(issue));
+  }
+  Issue issue;
+  issue.severity = Severity::Warning;
+  issue.record = kOptionsPage;
+  if (!option_file_.problem().empty()) {
+    issue.message = "the file beside the deck " + option_file_.problem();
+    issue.remedy =
+        "mend it in an editor, for no run takes it; saving with an option changed here replaces it "
+        "and keeps it as ADORE.json.bak";
+    add_problem(issue);
+  }
+  for (const std::string& name : option_file_.strange()) {
+    issue.message = fmt::format(
+        "the file beside the deck gives \"{}\", which is no run option or has no plain value",
+        name);
+    issue.remedy = "it is kept there, but a run refuses it; mend the file in an editor";
+    add_problem(issue);
+  }
+}
+
+/// Writes the file only when it would say something else than it does. What another program wrote
+/// into it since it was read, and what was never understood, stays as ADORE.json.bak.
+void Document::save_options(const fs::path& deck_file) {
+  const facade::OptionFile there = facade::OptionFile::beside(deck_file);
+  const Options wanted = options();
+  if (!same(wanted, that_differ(there.values()))) {
+    const fs::path path = facade::OptionFile::path_beside(deck_file);
+    const bool known = there.text() == option_file_.text();
+    if (there.exists() && (!known || !there.problem().empty())) {
+      fs::path backup = path;
+      backup += ".bak";
+      write_file_atomically(backup, there.text());
+    }
+    write_file_atomically(path, (there.exists() ? there : option_file_).with(wanted));
+  }
+  option_file_ = facade::OptionFile::beside(deck_file);
+}
+
+}  // namespace adore::adrinput

@@ -1,0 +1,211 @@
+#include "adrinput/session.hpp"
+
+#include "adrinput/deck_window.hpp"
+#include "adrinput/notice_bar.hpp"
+#include "base/atomic_file.hpp"
+#include "desktop/dialogs.hpp"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QLocale>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QStatusBar>
+#include <QTimer>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+namespace adore::adrinput {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kPause = 500;  // ms from a change until it is stored
+constexpr std::string_view kSuffix = ".unsaved";
+
+QSettings settings() { return QSettings("Adore", "adrinput"); }
+
+fs::path lock_of(const fs::path& file) {
+  fs::path lock = file;
+  lock += ".lock";
+  return lock;
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void remove_both(const fs::path& file) {
+  std::error_code ignored;
+  fs::remove(file, ignored);
+  fs::remove(lock_of(file), ignored);
+}
+
+}  // namespace
+
+QString Session::defaultFolder() {
+  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/unsaved";
+}
+
+Session::Session(DeckWindow& window, const QString& folder)
+    : QObject(&window), window_(window), folder_(folder.toStdString()), timer_(new QTimer(this)) {
+  // Another program may clean up at the same moment: a lock whose file is gone protects nothing.
+  for (int number = 1; number < 1000 && !lock_; ++number) {
+    QDir().mkpath(folder);
+    file_ = folder_ / fmt::format("{}-{}{}", QCoreApplication::applicationPid(), number, kSuffix);
+    if (fs::exists(file_)) continue;  // of an earlier program, still to be answered
+    lock_ = InstanceLock::take(lock_of(file_));
+    if (lock_ && !fs::exists(lock_of(file_))) lock_.reset();
+  }
+  timer_->setSingleShot(true);
+  timer_->setInterval(kPause);
+  connect(timer_, &QTimer::timeout, this, [this] {
+    store();
+    rememberPlace();
+  });
+  // Not restarted by the next change: who types without a pause is safe too.
+  const auto soon = [this] {
+    if (!timer_->isActive()) timer_->start();
+  };
+  connect(&window_, &DeckWindow::documentChanged, this, soon);
+  connect(&window_, &DeckWindow::pageShown, this, soon);
+  connect(&window_, &DeckWindow::unsavedWanted, this, &Session::offerUnsaved);
+}
+
+Session::~Session() {
+  rememberPlace();
+  if (window_.document().modified() && window_.isVisible()) {
+    store();  // nobody was asked whether to save
+  } else if (lock_) {
+    remove_both(file_);
+  }
+}
+
+void Session::store() {
+  std::error_code error;
+  if (!window_.document().modified()) {
+    if (lock_) fs::remove(file_, error);
+    return;
+  }
+  try {
+    if (!lock_) throw InputError(fmt::format("no file can be made in {}", folder_.string()));
+    fs::create_directories(folder_, error);
+    write_file_atomically(file_, window_.document().snapshot(window_.currentRecord()));
+    failed_ = false;
+  } catch (const std::exception& reason) {
+    if (!failed_)
+      window_.statusBar()->showMessage(
+          tr("Unsaved changes cannot be stored for the case of a crash: %1")
+              .arg(QString::fromUtf8(reason.what())));
+    failed_ = true;
+  }
+}
+
+void Session::rememberPlace() {
+  QSettings store = settings();
+  const fs::path& path = window_.document().path();
+  store.setValue("session/geometry", window_.saveGeometry());
+  store.setValue("session/deck",
+                 path.empty()
+                     ? QString()
+                     : QFileInfo(QString::fromStdString(path.string())).absoluteFilePath());
+  store.setValue("session/page", QString::fromStdString(window_.currentRecord()));
+}
+
+void Session::begin(bool deck_named) {
+  const QByteArray geometry = settings().value("session/geometry").toByteArray();
+  if (!geometry.isEmpty()) window_.restoreGeometry(geometry);
+  if (!deck_named && settings().value("session/reopen", true).toBool()) reopen();
+  lookForOrphans();
+  offerNext();
+}
+
+void Session::reopen() {
+  const QString deck = settings().value("session/deck").toString();
+  const std::string page = settings().value("session/page").toString().toStdString();
+  if (deck.isEmpty()) return;
+  if (!QFileInfo::exists(deck)) {
+    window_.statusBar()->showMessage(tr("The deck of last time, %1, is not there.").arg(deck));
+    return;
+  }
+  if (!window_.openFile(deck.toStdString())) return;
+  window_.showPage(page);
+}
+
+/// Files whose program does not run any more.
+void Session::lookForOrphans() {
+  orphans_.clear();
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder_, error))
+    if (entry.path().extension() == kSuffix && entry.path() != file_) files.push_back(entry.path());
+  std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    std::error_code ignored;
+    return fs::last_write_time(a, ignored) > fs::last_write_time(b, ignored);
+  });
+  for (const fs::path& file : files) {
+    std::optional<InstanceLock> lock = InstanceLock::take(lock_of(file));
+    if (lock && fs::exists(file, error)) orphans_.push_back({file, std::move(*lock)});
+  }
+}
+
+void Session::offerUnsaved() {
+  lookForOrphans();
+  if (!offerNext())
+    desktop::show_message(&window_, tr("No deck was left unsaved by an earlier session."));
+}
+
+bool Session::offerNext() {
+  NoticeBar& bar = window_.sessionNotice();
+  bar.hide();
+  if (orphans_.empty()) return false;
+  const fs::path file = orphans_.front().file;
+  const QDateTime time = QFileInfo(QString::fromStdString(file.string())).lastModified();
+  const QString when = QLocale::c().toString(time, "d MMM yyyy, HH:mm");
+  const auto later = [this] {
+    orphans_.erase(orphans_.begin());
+    offerNext();
+  };
+  const auto discard = [this] {
+    drop(orphans_.front());
+    orphans_.erase(orphans_.begin());
+    offerNext();
+  };
+  try {
+    Document left;
+    left.restore(bytes_of(file));
+    const QString name =
+        left.path().empty() ? tr("a new deck") : QString::fromStdString(left.path().string());
+    bar.ask(tr("AdrInput was cut off before %1 was saved; what was typed until %2 is kept.")
+                .arg(name, when),
+            {{"restore", tr("&Restore it"), [this] { restore(); }},
+             {"later", tr("&Later"), later},
+             {"discard", tr("&Discard it"), discard}});
+  } catch (const std::exception& reason) {
+    bar.ask(tr("An unsaved deck of %1 cannot be restored: %2. It stays in %3.")
+                .arg(when, QString::fromUtf8(reason.what()), QString::fromStdString(file.string())),
+            {{"later", tr("&Keep it"), later}, {"discard", tr("&Discard it"), discard}});
+  }
+  return true;
+}
+
+/// The old file goes only when its content is stored under this program's own name.
+void Session::restore() {
+  window_.restoreDeck(bytes_of(orphans_.front().file), [this] {
+    store();
+    std::error_code error;
+    if (!failed_ && (fs::exists(file_, error) || !window_.document().modified()))
+      drop(orphans_.front());
+    orphans_.erase(orphans_.begin());
+    offerNext();
+  });
+}
+
+void Session::drop(const Orphan& orphan) { remove_both(orphan.file); }
+
+}  // namespace adore::adrinput

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "adrinput/instance_lock.hpp"
+
+#include <QObject>
+#include <QString>
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+class QTimer;
+
+namespace adore::adrinput {
+
+class DeckWindow;
+
+/// What outlives a window: the deck being typed, stored a moment after each change for the case
+/// that the program does not end orderly, and where the user stood when it did.
+class Session : public QObject {
+  Q_OBJECT
+ public:
+  /// `folder` holds the unsaved decks of all running programs, a file each.
+  explicit Session(DeckWindow& window, const QString& folder = defaultFolder());
+  /// After an orderly end nothing stays behind.
+  ~Session() override;
+
+  [[nodiscard]] static QString defaultFolder();
+
+  /// Size and place of the window; the deck and page of last time unless the user named a deck; and
+  /// the question what to do with decks that a program left behind when it was cut off.
+  void begin(bool deck_named);
+  /// Asks about the first deck that was left behind; says so when there is none.
+  void offerUnsaved();
+  /// Stores what is not saved, now.
+  void store();
+  /// Where this window's deck is stored while it is not saved.
+  [[nodiscard]] std::filesystem::path file() const { return file_; }
+
+ private:
+  struct Orphan {
+    std::filesystem::path file;
+    InstanceLock lock;
+  };
+  void lookForOrphans();
+  bool offerNext();
+  void restore();
+  void drop(const Orphan& orphan);
+  void rememberPlace();
+  void reopen();
+
+  DeckWindow& window_;
+  std::filesystem::path folder_, file_;
+  std::optional<InstanceLock> lock_;  ///< nothing: nothing can be stored
+  std::vector<Orphan> orphans_;       ///< not yet answered, the first one is asked about
+  QTimer* timer_;
+  bool failed_ = false;
+};
+
+}  // namespace adore::adrinput

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "adrinput/document.hpp"
+
+#include <QString>
+
+/// "Show me in the other system": values beside their fields in the units that the deck does not
+/// use.
+namespace adore::adrinput {
+
+/// "2.3622 in" for a field that shows 0.06 m, to six digits; empty for what has no other unit and
+/// for a text that is no number.
+[[nodiscard]] QString in_other_units(const Document& document, const Cell& cell);
+
+/// "English units" in a deck in SI units, and the other way round.
+[[nodiscard]] QString other_system_name(const deck::Deck& deck);
+
+}  // namespace adore::adrinput

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QProxyStyle>
+
+namespace adore::desktop {
+
+/// Fusion with scroll bars whose handle stands out from its track: in Fusion's own a handle lighter
+/// than the track is easily taken for the track.
+class ScrollStyle : public QProxyStyle {
+  Q_OBJECT
+ public:
+  ScrollStyle();
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option,
+                          QPainter* painter, const QWidget* widget) const override;
+  QRect subControlRect(ComplexControl control, const QStyleOptionComplex* option, SubControl part,
+                       const QWidget* widget) const override;
+  int pixelMetric(PixelMetric metric, const QStyleOption* option,
+                  const QWidget* widget) const override;
+};
+
+}  // namespace adore::desktop

@@ -1,0 +1,519 @@
+#include "adrinput/cell_table.hpp"
+#include "adrinput/compare_dialog.hpp"
+#include "adrinput/deck_window.hpp"
+#include "adrinput/driver.hpp"
+#include "adrinput/notice_bar.hpp"
+#include "adrinput/options_page.hpp"
+#include "adrinput/record_page.hpp"
+#include "deck/templates.hpp"
+#include "deck/unit_change.hpp"
+#include "facade/prepare.hpp"
+#include "support/qt_app.hpp"
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QFileDialog>
+#include <QLabel>
+#include <QListWidget>
+#include <QLocale>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPlainTextEdit>
+#include <QTabBar>
+#include <QTemporaryDir>
+#include <QTest>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <clocale>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+using namespace adore;
+using namespace adore::adrinput;
+namespace fs = std::filesystem;
+
+namespace {
+
+Cell option(const std::string& name) {
+  const auto& all = options_record().variables;
+  for (std::size_t v = 0; v < all.size(); ++v)
+    if (all[v].name == name) return {std::string(kOptionsPage), 1, v, 0};
+  FAIL("no option " << name);
+  return {};
+}
+
+QLineEdit* line_of(DeckWindow& window, const Cell& at) {
+  window.showRecord(at.record);
+  auto* line = qobject_cast<QLineEdit*>(window.page()->fieldOf(at.variable));
+  REQUIRE(line != nullptr);
+  return line;
+}
+
+QString beside(DeckWindow& window, const std::string& variable) {
+  auto* label = window.page()->findChild<QLabel*>("other-" + QString::fromStdString(variable));
+  REQUIRE(label != nullptr);
+  return label->isVisible() ? label->text() : QString();
+}
+
+std::vector<QAction*> all_actions(QMenu& menu) {
+  std::vector<QAction*> out;
+  for (QAction* action : menu.actions()) {
+    if (action->isSeparator()) continue;
+    out.push_back(action);
+    if (action->menu() != nullptr)
+      for (QAction* inner : all_actions(*action->menu())) out.push_back(inner);
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("comparing decks: sentences, jumps to fields, follows what is typed", "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("DATA.txt").toStdString();
+  DeckWindow window;
+  window.show();
+  window.compareWithSaved();
+  CHECK(take_message(window).contains("not been saved"));
+  window.document().save(path);
+  window.document().edit(cell("pitchDia"), "0.0606");
+  window.document().edit(cell("cageGsCls", 2), "6e-4");
+  window.compareWithSaved();
+  auto* dialog = window.findChild<CompareDialog*>("compare");
+  REQUIRE(dialog != nullptr);
+  auto* list = dialog->findChild<QListWidget*>("differences");
+  const auto texts = [&] {
+    QStringList out;
+    for (int i = 0; i < list->count(); ++i) out << list->item(i)->text().trimmed();
+    return out;
+  };
+  CHECK(dialog->findChild<QLabel*>("summary")->text().startsWith("2 differences from"));
+  REQUIRE(texts().size() == 4);  // a heading for each record
+  CHECK(texts()[0].startsWith("Record 5A"));
+  CHECK(texts()[1] == "pitchDia: 0.0606 m here, 0.06 m there (0.99 % less)");
+  CHECK(texts()[3] == "cageGsCls[2]: 6.0e-04 m here, 3.0e-04 m there (50 % less)");
+  list->setCurrentRow(3);
+  QTest::keyClick(list, Qt::Key_Return);
+  CHECK(window.currentRecord() == "7.2.i");
+  auto* table = window.page()->findChild<CellTable*>("instances");
+  CHECK(table->cellAt(table->currentRow(), table->currentColumn()) == cell("cageGsCls", 2));
+  window.undo();
+  CHECK(texts().size() == 2);
+  window.undo();
+  CHECK(dialog->findChild<QLabel*>("summary")->text().startsWith("Nothing differs"));
+  CHECK(list->count() == 0);
+  dialog->close();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+
+  // Another file, and an example with other units and other records.
+  window.askForComparison();
+  auto* chooser = window.findChild<QFileDialog*>("compare-open");
+  REQUIRE(chooser != nullptr);
+  emit chooser->fileSelected(QString::fromStdString(path.string()));
+  CHECK(window.findChild<CompareDialog*>("compare")->shown().empty());
+  auto* menu = window.findChild<QMenu*>("compare-menu");
+  REQUIRE(menu != nullptr);
+  for (QAction* action : menu->actions())
+    if (action->text().endsWith("ball-english")) action->trigger();
+  dialog = window.findChild<CompareDialog*>("compare");
+  REQUIRE(dialog != nullptr);
+  for (const deck::Difference& row : dialog->shown()) CHECK(row.variable != "pitchDia");
+  for (QAction* action : menu->actions())
+    if (action->text().endsWith("tapered")) action->trigger();
+  dialog = window.findChild<CompareDialog*>("compare");
+  CHECK(dialog->shown().size() > 10);
+  list = dialog->findChild<QListWidget*>("differences");
+  for (int i = 0; i < list->count(); ++i) emit list->itemClicked(list->item(i));
+  CHECK(take_message(window).isEmpty());
+}
+
+TEST_CASE("values in the other system of units stand beside their fields and follow typing",
+          "[gui][adrinput]") {
+  test::use_qt();
+  DeckWindow window;
+  window.resize(1280, 800);
+  window.show();
+  window.activateWindow();
+  REQUIRE(QTest::qWaitForWindowActive(&window));
+  window.showRecord("3.2");
+  auto* button = window.page()->findChild<QPushButton*>("other-units");
+  REQUIRE(button != nullptr);
+  QTest::mouseClick(button, Qt::LeftButton);
+  CHECK(window.findChild<QAction*>("other-units-action")->isChecked());
+  QLineEdit* line = line_of(window, cell("pitchDia"));
+  CHECK(beside(window, "pitchDia") == "= 2.3622 in");
+  line->selectAll();
+  QTest::keyClicks(line, "0,0508");
+  CHECK(beside(window, "pitchDia") == "= 2 in");
+  QTest::keyClicks(line, "x");
+  CHECK(beside(window, "pitchDia").isEmpty());  // no number
+  window.undo();
+  CHECK(beside(window, "pitchDia") == "= 2.3622 in");
+  window.showRecord("7.2.i");  // a table
+  const auto* table = window.page()->findChild<CellTable*>("instances");
+  const auto under = [&](const Cell& at) {
+    for (int row = 0; row < table->rowCount(); ++row)
+      for (int column = 0; column < table->columnCount(); ++column)
+        if (table->cellAt(row, column) == at)
+          return table->item(row, column)->data(Qt::UserRole).toString();
+    return QString("no such cell");
+  };
+  CHECK(under(cell("cageGsCls", 2)) == "0.011811 in");
+  window.document().edit(cell("cageGsCls", 2), "0.0254");
+  CHECK(under(cell("cageGsCls", 2)) == "1 in");
+  QTest::keyClick(&window, Qt::Key_U, Qt::ControlModifier);
+  CHECK(under(cell("cageGsCls", 2)).isEmpty());
+  window.newDeck("ball-english");
+}
+
+TEST_CASE("changing kUnit offers to convert the numbers, as one step", "[gui][adrinput]") {
+  test::use_qt();
+  for (const char* type : {"ball", "tapered", "spherical-tapered"}) {
+    DeckWindow window;
+    window.show();
+    window.newDeck(type);
+    Document& document = window.document();
+    auto* bar = window.findChild<NoticeBar*>("units-notice");
+    REQUIRE(bar != nullptr);
+    // A record that does not apply now is converted too, for the day when it comes back.
+    document.edit(cell("nCseg"), "0");
+    document.end_step();
+    const deck::Deck before = document.deck();
+    const auto switch_units = [&] {
+      window.showRecord("3.2");
+      auto* combo = qobject_cast<QComboBox*>(window.page()->fieldOf(cell("kUnit").variable));
+      combo->setFocus();
+      QTest::keyClick(combo, combo->currentIndex() == 0 ? Qt::Key_Down : Qt::Key_Up);
+    };
+    switch_units();
+    CHECK(bar->isVisible());
+    press(window, "keep-numbers");
+    CHECK_FALSE(bar->isVisible());
+    CHECK(document.deck().real("brgBore") == before.real("brgBore"));
+    window.undo();
+    CHECK(document.deck() == before);
+    CHECK_FALSE(bar->isVisible());
+
+    switch_units();
+    REQUIRE(bar->isVisible());
+    press(window, "convert");
+    CHECK_FALSE(bar->isVisible());
+    CHECK(document.deck() == deck::in_units(before, deck::UnitSystem::English));
+    CHECK(document.deck().si("brgBore") == Approx(before.si("brgBore")).epsilon(1e-11));
+    document.edit(cell("nCseg"), "1");
+    document.end_step();
+    CHECK(document.deck() == deck::in_units(deck::new_deck(type), deck::UnitSystem::English));
+    window.undo();
+    window.undo();
+    CHECK(document.deck() == before);  // one step back over both
+    window.redo();
+    CHECK(document.deck() == deck::in_units(before, deck::UnitSystem::English));
+    switch_units();
+    press(window, "convert");
+    CHECK(document.deck() == before);  // there and back
+
+    // The offer is for the moment: who goes on typing keeps the numbers.
+    switch_units();
+    REQUIRE(bar->isVisible());
+    document.edit(cell("appLoadX"), "77");
+    CHECK_FALSE(bar->isVisible());
+  }
+}
+
+TEST_CASE("run options: a page, a file beside the deck, unknown names kept", "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("DATA.txt").toStdString();
+  const fs::path file = folder.filePath("ADORE.json").toStdString();
+  {
+    DeckWindow window;
+    window.show();
+    CHECK(window.document().pages().back() == kOptionsPage);
+    window.showRecord(std::string(kOptionsPage));
+    for (const facade::RunOptionInfo& info : facade::run_options()) {
+      auto* line = qobject_cast<QLineEdit*>(window.page()->fieldOf(option(info.name).variable));
+      REQUIRE(line != nullptr);
+      CHECK(line->text().toStdString() == info.default_value);
+    }
+    window.document().save(path);
+    CHECK_FALSE(fs::exists(file));  // nothing to say
+    replace_text(line_of(window, option("lifeSkip")), "2,5");
+    CHECK(line_of(window, option("lifeSkip"))->text() == "2.5");
+    replace_text(line_of(window, option("rollerSlices")), "4000");
+    CHECK(window.document().has_errors());
+    CHECK(window.page()->findChild<QLabel*>("problem-rollerSlices")->text().contains("1 to 999"));
+    window.showRecord("1");
+    window.nextProblem();
+    CHECK(window.currentRecord() == kOptionsPage);
+    CHECK_THROWS_AS(window.document().save(path), InputError);
+    CHECK_FALSE(fs::exists(file));
+    window.undo();
+    CHECK_FALSE(window.document().has_errors());
+    CHECK(window.document().modified());
+    window.undo();
+    CHECK_FALSE(window.document().modified());
+    window.redo();
+    replace_text(line_of(window, option("contactSurface")), "flat_edge");
+    replace_text(line_of(window, option("seed")), "");  // the default
+    CHECK(line_of(window, option("seed"))->text() == "1");
+    window.document().save(path);
+  }
+  CHECK(facade::options_beside(path) ==
+        std::map<std::string, std::string>{{"lifeSkip", "2.5"}, {"contactSurface", "flat_edge"}});
+
+  std::ofstream(file) << R"({"myNote": {"by": "me"}, "ellipseMinor": 6, "lifeElement": "all"})";
+  {
+    DeckWindow window;
+    window.show();
+    window.openFile(path);
+    CHECK(line_of(window, option("ellipseMinor"))->text() == "6");
+    int reported = 0;
+    for (const Problem& problem : window.document().problems())
+      if (problem.page == kOptionsPage) ++reported;
+    CHECK(reported == 2);
+    CHECK_FALSE(window.document().has_errors());  // the deck itself may be saved
+    const std::string as_it_was = bytes_of(file);
+    window.document().edit(cell("pitchDia"), "0.0601");
+    window.document().save(path);
+    CHECK(bytes_of(file) == as_it_was);  // untouched while no option changes
+    replace_text(line_of(window, option("landSlices")), "7");
+    window.document().save(path);
+  }
+  const std::string text = bytes_of(file);
+  for (const char* part :
+       {"myNote", "\"by\"", "\"ellipseMinor\": 6", "lifeElement", "\"landSlices\": 7"})
+    CHECK(text.find(part) != std::string::npos);
+
+  // A file that is no JSON is left alone, then kept when an option is set.
+  std::ofstream(file) << "{ not json";
+  {
+    DeckWindow window;
+    window.show();
+    window.openFile(path);
+    REQUIRE_FALSE(window.document().problems().empty());
+    CHECK(window.document().problems()[0].issue.message.find("not valid JSON") !=
+          std::string::npos);
+    window.document().save(path);
+    CHECK(bytes_of(file) == "{ not json");
+    replace_text(line_of(window, option("landSlices")), "7");
+    window.document().save(path);
+    CHECK(bytes_of(file.string() + ".bak") == "{ not json");
+    CHECK(facade::options_beside(path).at("landSlices") == "7");
+  }
+}
+
+TEST_CASE("lines of user routines are edited as they are and written unchanged",
+          "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("DATA.txt").toStdString();
+  const std::string raw = "'mine' 1,5  2.0\n   3*0.5, \"x\" / rest\n12.2 \xC3\xA4\xC3\xB6 !\n";
+  std::ofstream(path, std::ios::binary) << deck::write_deck(deck::new_deck("ball")) << raw;
+  DeckWindow window;
+  window.show();
+  REQUIRE(window.openFile(path));
+  window.showRecord("12");
+  auto* lines = window.page()->findChild<QPlainTextEdit*>("lines");
+  REQUIRE(lines != nullptr);
+  CHECK(lines->toPlainText().toStdString() + "\n" == raw);
+  QTest::keyClick(lines, Qt::Key_End, Qt::ControlModifier);
+  QTest::keyClick(lines, Qt::Key_Return);
+  QTest::keyClicks(lines, "last, 7,5");
+  window.save();
+  CHECK(take_message(window).isEmpty());
+  const std::string written = bytes_of(path);
+  CHECK(written.ends_with(raw + "last, 7,5\n"));
+  CHECK(deck::read_deck(path).deck == window.document().deck());
+}
+
+TEST_CASE("a decimal comma is understood everywhere and reaches no file", "[gui][adrinput]") {
+  test::use_qt();
+  const QLocale old = QLocale();
+  QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
+  const std::string old_c = std::setlocale(LC_ALL, nullptr);
+  for (const char* name : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "nl_NL.UTF-8"})
+    if (std::setlocale(LC_ALL, name) != nullptr) break;
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("DATA.txt").toStdString();
+  {
+    DeckWindow window;
+    window.show();
+    window.activateWindow();
+    REQUIRE(QTest::qWaitForWindowActive(&window));
+    replace_text(line_of(window, cell("pitchDia")), "0,0605");
+    // In a table: typed, and pasted from a spreadsheet.
+    window.showRecord("7.2.i");
+    auto* table = window.page()->findChild<CellTable*>("instances");
+    REQUIRE(table->focusCell(cell("cageGsCls", 1)));
+    QTest::keyClick(table, Qt::Key_F2);
+    auto* editor = table->viewport()->findChild<QLineEdit*>();
+    REQUIRE(editor != nullptr);
+    editor->selectAll();
+    QTest::keyClicks(editor, "0,00035");
+    QTest::keyClick(editor, Qt::Key_Return);
+    QCoreApplication::processEvents();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QApplication::clipboard()->setText("0,00031\t0,00032\n");
+    REQUIRE(table->focusCell(cell("cageGsCls", 1)));
+    QTest::keyClick(table, Qt::Key_V, Qt::ControlModifier);
+    CHECK(window.document().deck().real("cageGsCls", 1) == 0.00031);
+    CHECK(window.document().deck().real("cageGsCls", 2) == 0.00032);
+    // Pasted into a field, and an option.
+    QApplication::clipboard()->setText("0,0127");
+    QLineEdit* line = line_of(window, cell("bReDia"));
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClick(line, Qt::Key_V, Qt::ControlModifier);
+    QTest::keyClick(line, Qt::Key_Return);
+    CHECK(line->text() == "0.0127");
+    replace_text(line_of(window, option("checkpointSeconds")), "12,5");
+    // Units: shown and converted.
+    window.findChild<QAction*>("other-units-action")->setChecked(true);
+    window.showRecord("5A");
+    CHECK(beside(window, "bReDia") == "= 0.5 in");
+    window.document().edit(cell("kUnit"), "2");
+    press(window, "convert");
+    CHECK(window.document().deck().real("bReDia") == 0.5);
+    window.save();
+    if (auto* dialog = window.findChild<QFileDialog*>("save"))
+      emit dialog->fileSelected(QString::fromStdString(path.string()));
+    CHECK(take_message(window).isEmpty());
+  }
+  const std::string text = bytes_of(path);
+  const deck::ReadResult back = deck::read_deck(path);
+  const std::string options = bytes_of(folder.filePath("ADORE.json").toStdString());
+  std::setlocale(LC_ALL, old_c.c_str());
+  QLocale::setDefault(old);
+  REQUIRE(back.ok());
+  CHECK(back.deck.real("pitchDia") == Approx(0.0605 / 0.0254).epsilon(1e-11));
+  CHECK(back.deck.real("cageGsCls", 2) == Approx(0.00032 / 0.0254).epsilon(1e-11));
+  CHECK(options.find("12.5") != std::string::npos);
+  CHECK(text.find("0,5") == std::string::npos);
+}
+
+TEST_CASE("Tab goes through a page in the order of the deck, then to the buttons and panels",
+          "[gui][adrinput]") {
+  test::use_qt();
+  DeckWindow window;
+  window.resize(1280, 800);
+  window.show();
+  window.activateWindow();
+  REQUIRE(QTest::qWaitForWindowActive(&window));
+  for (const std::string& record : window.document().pages()) {
+    INFO("record " << record);
+    window.showRecord(record);
+    const deck::RecordSpec& spec = *page_record(record);
+    std::vector<QWidget*> fields;
+    if (record == "12") {
+      fields.push_back(window.page()->fieldOf(0));
+    } else {
+      for (std::size_t v = 0; v < spec.variables.size(); ++v) {
+        QWidget* field = window.page()->fieldOf(v);
+        REQUIRE(field != nullptr);
+        if (field->isVisible() && (fields.empty() || fields.back() != field))
+          fields.push_back(field);
+      }
+    }
+    fields.front()->setFocus();
+    std::vector<QWidget*> visited;
+    QWidget* last = nullptr;
+    // A table takes a Tab per cell; the end of the loop is the search field at the left.
+    for (int i = 0; i < 400 && (last == nullptr || last->objectName() != "search"); ++i) {
+      QWidget* now = window.focusWidget();
+      REQUIRE(now != nullptr);
+      if (now != last) visited.push_back(now);
+      last = now;
+      QTest::keyClick(now, Qt::Key_Tab);
+    }
+    REQUIRE(last->objectName() == "search");
+    std::vector<QWidget*> among;
+    std::copy_if(visited.begin(), visited.end(), std::back_inserter(among), [&](QWidget* widget) {
+      return std::find(fields.begin(), fields.end(), widget) != fields.end();
+    });
+    CHECK(among == fields);
+    const auto place = [&](const char* name) {
+      const auto found = std::find_if(visited.begin(), visited.end(), [&](const QWidget* widget) {
+        return widget->objectName() == name;
+      });
+      return found - visited.begin();
+    };
+    CHECK(place("back") > 0);
+    CHECK(place("back") < place("next"));
+    CHECK(place("next") < place("save-exit"));
+    CHECK(place("save-exit") < place("problems"));
+    CHECK(place("problems") < static_cast<std::ptrdiff_t>(visited.size()));
+    const auto tabs = std::find_if(visited.begin(), visited.end(), [](QWidget* widget) {
+      return qobject_cast<QTabBar*>(widget) != nullptr;
+    });
+    CHECK(tabs != visited.end());
+  }
+}
+
+TEST_CASE("every action is in a menu with a key of its own, and every button takes the focus",
+          "[gui][adrinput]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  std::set<QKeySequence> shortcuts;
+  QString letters;
+  for (QAction* top : window.menuBar()->actions()) {
+    REQUIRE(top->menu() != nullptr);
+    const qsizetype at = top->text().indexOf('&');
+    REQUIRE(at >= 0);
+    CHECK_FALSE(letters.contains(top->text()[at + 1]));
+    letters += top->text()[at + 1];
+    for (QAction* action : all_actions(*top->menu()))
+      for (const QKeySequence& key : action->shortcuts()) {
+        INFO(action->text().toStdString());
+        CHECK(shortcuts.insert(key).second);  // one meaning for each key
+      }
+  }
+  window.document().edit(cell("kUnit"), "2");  // shows a question
+  window.showRecord("3.2");
+  int buttons = 0;
+  for (const QPushButton* button : window.findChildren<QPushButton*>()) {
+    if (!button->isVisible()) continue;
+    INFO(button->objectName().toStdString());
+    ++buttons;
+    CHECK((button->focusPolicy() & Qt::TabFocus) != 0);
+  }
+  CHECK(buttons >= 7);
+  // The question is answered with Tab and Space.
+  auto* convert = window.findChild<QPushButton*>("convert");
+  REQUIRE(convert != nullptr);
+  convert->setFocus();
+  QTest::keyClick(convert, Qt::Key_Space);
+  CHECK(window.document().deck().real("pitchDia") == Approx(2.3622).epsilon(1e-4));
+}
+
+TEST_CASE("a broken deck of 5 MB opens, shows its problems and can be typed in",
+          "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("DATA.txt").toStdString();
+  std::string text(deck::template_text("ball"));
+  const std::string whole = text;
+  while (text.size() < 5000000) text += whole + "1.0, 2.0, abc 'no end\r\n";
+  std::ofstream(path, std::ios::binary) << text;
+  DeckWindow window;
+  window.show();
+  QElapsedTimer clock;
+  clock.start();
+  REQUIRE(window.openFile(path));
+  QCoreApplication::processEvents();
+  CHECK(clock.elapsed() < 10000);
+  CHECK(window.document().original() == text);
+  CHECK(window.document().deck().user_lines.size() > 10000);
+  clock.restart();
+  line_of(window, cell("pitchDia"))->setText("");
+  QTest::keyClicks(line_of(window, cell("pitchDia")), "0,06");
+  QCoreApplication::processEvents();
+  CHECK(clock.elapsed() < 10000);
+  CHECK(window.document().deck().real("pitchDia") == 0.06);
+}
