@@ -6,6 +6,7 @@
 
 #include <functional>
 
+class QDockWidget;
 class QListWidget;
 class QMenu;
 class QPlainTextEdit;
@@ -16,6 +17,7 @@ class QTimer;
 
 namespace adore::adrinput {
 
+class DrawingPanel;
 class EvaluationPanel;
 class RecordList;
 class RecordPage;
@@ -38,6 +40,7 @@ class DeckWindow : public QMainWindow {
   [[nodiscard]] QScrollArea& pageArea() { return *scroll_; }
   [[nodiscard]] EvaluationPanel& planPanel() { return *plan_; }
   [[nodiscard]] EvaluationPanel& staticsPanel() { return *statics_; }
+  [[nodiscard]] DrawingPanel& drawingPanel() { return *drawing_; }
   /// The slower checks, which follow a change after a short pause, now.
   void checkNow();
 
@@ -64,6 +67,7 @@ class DeckWindow : public QMainWindow {
 
  private:
   void makeCentre();
+  void makeDrawing();
   QWidget* makeButtons();
   void makeFileMenu();
   void makeOtherMenus();
@@ -89,6 +93,8 @@ class DeckWindow : public QMainWindow {
   QListWidget* problems_ = nullptr;
   QPlainTextEdit* original_ = nullptr;
   EvaluationPanel *plan_ = nullptr, *statics_ = nullptr;
+  DrawingPanel* drawing_ = nullptr;
+  QDockWidget* drawing_dock_ = nullptr;
   QMenu* recent_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr;
   QTimer* check_ = nullptr;

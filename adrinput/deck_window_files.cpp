@@ -10,6 +10,7 @@
 #include <QCloseEvent>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -82,6 +83,10 @@ void DeckWindow::makeOtherMenus() {
   view->addAction(tr("&Plan of this deck"), QKeySequence(Qt::Key_F5), this, &DeckWindow::showPlan);
   view->addAction(tr("&Quasi-static solution"), QKeySequence(Qt::Key_F6), this,
                   &DeckWindow::runQuasiStatic);
+  QAction* drawing = drawing_dock_->toggleViewAction();
+  drawing->setText(tr("Dra&wing"));
+  drawing->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_G));
+  view->addAction(drawing);
   view->addAction(tr("&Dark or light"), QKeySequence(Qt::CTRL | Qt::Key_D), this,
                   &DeckWindow::switchTheme);
 

@@ -38,6 +38,8 @@ class RecordPage : public QWidget {
  signals:
   /// A field got the focus and should be in view.
   void focusMoved(QWidget* field);
+  /// The same, as the value that is worked on.
+  void cellFocused(const Cell& cell);
 
  protected:
   bool eventFilter(QObject* object, QEvent* event) override;
@@ -60,6 +62,7 @@ class RecordPage : public QWidget {
   void finish(QWidget* field);
   void syncRow(Row& row, bool all);
   void showProblems(Row& row);
+  void announce(const QWidget* field);
   [[nodiscard]] Cell cellOf(std::size_t variable) const;
 
   Document& document_;

@@ -1,6 +1,7 @@
 #include "adrinput/render.hpp"
 
 #include "adrinput/deck_window.hpp"
+#include "adrinput/drawing_panel.hpp"
 #include "adrinput/record_page.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/theme.hpp"
@@ -40,6 +41,7 @@ std::vector<fs::path> render_pages(const fs::path& deck, const RenderOptions& op
   for (const std::string& record : window.document().pages()) {
     ++number;
     window.showRecord(record);
+    window.drawingPanel().drawNow();
     settle();
     QScrollBar* bar = window.pageArea().verticalScrollBar();
     for (int part = 1;; ++part) {
