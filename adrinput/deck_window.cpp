@@ -1,17 +1,20 @@
 #include "adrinput/deck_window.hpp"
 
 #include "adrinput/compare_dialog.hpp"
+#include "adrinput/drawing_panel.hpp"
 #include "adrinput/evaluation.hpp"
 #include "adrinput/help_text.hpp"
 #include "adrinput/options_page.hpp"
 #include "adrinput/record_list.hpp"
 #include "adrinput/record_page.hpp"
 #include "adrinput/run_panel.hpp"
+#include "deck/lookup.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/theme.hpp"
 
 #include <QAction>
 #include <QBoxLayout>
+#include <QDockWidget>
 #include <QFontDatabase>
 #include <QListWidget>
 #include <QPlainTextEdit>
@@ -35,7 +38,8 @@ QString text_in(const std::string& bytes) {
                            : text;
 }
 
-constexpr int kCheckPause = 200;  // ms without a change before the model is built
+constexpr int kDrawingWidth = 380;  // of the drawing beside the form
+constexpr int kCheckPause = 200;    // ms without a change before the model is built
 
 }  // namespace
 
@@ -47,6 +51,7 @@ DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
   check_->setInterval(kCheckPause);
   connect(check_, &QTimer::timeout, this, &DeckWindow::checkNow);
   makeCentre();
+  makeDrawing();
   makeFileMenu();
   makeOtherMenus();
   document_.changed = [this] {
@@ -125,7 +130,7 @@ void DeckWindow::makeCentre() {
   splitter->addWidget(list_);
   splitter->addWidget(right);
   splitter->setStretchFactor(1, 1);
-  splitter->setSizes({300, 980});
+  splitter->setSizes({270, 980});
   splitter->setChildrenCollapsible(false);
   setCentralWidget(splitter);
   connect(list_, &RecordList::recordChosen, this, [this](const QString& record) {
@@ -146,6 +151,25 @@ void DeckWindow::makeCentre() {
     showRecord(cell.record);
     page_->focusCell(cell);
   });
+}
+
+void DeckWindow::makeDrawing() {
+  drawing_ = new DrawingPanel(this);
+  drawing_dock_ = new QDockWidget(tr("Drawing"), this);
+  drawing_dock_->setObjectName("drawing-dock");
+  drawing_dock_->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
+  drawing_dock_->setWidget(drawing_);
+  addDockWidget(Qt::RightDockWidgetArea, drawing_dock_);
+  resizeDocks({drawing_dock_}, {kDrawingWidth}, Qt::Horizontal);
+  connect(
+      drawing_, &DrawingPanel::fieldWanted, this,
+      [this](const QString& name, int instance, int index) {
+        const deck::VariableRef ref =
+            deck::find_present(document_.deck(), name.toStdString(), instance);
+        if (ref.record == nullptr) return;
+        showRecord(std::string(ref.record->id));
+        page_->focusCell({current_, instance, ref.position, static_cast<std::size_t>(index - 1)});
+      });
 }
 
 QWidget* DeckWindow::makeButtons() {
@@ -186,8 +210,13 @@ void DeckWindow::showRecord(const std::string& record) {
           [this](QWidget* field) { scroll_->ensureWidgetVisible(field, 20, 60); });
   connect(page_, &RecordPage::otherUnitsWanted, other_units_, &QAction::setChecked);
   page_->setOtherUnits(other_units_->isChecked());
+  connect(page_, &RecordPage::cellFocused, this, [this](const Cell& cell) {
+    drawing_->setFocusOn({cell.record, std::string(variable_of(cell)->name), cell.instance,
+                          static_cast<int>(cell.element) + 1});
+  });
   scroll_->setWidget(page_);
   orderTabs();
+  drawing_->setFocusOn({record, "", 1, 1});
   list_->setCurrent(record);
   page_->focusFirst();
   scroll_->ensureVisible(0, 0);
@@ -240,6 +269,7 @@ void DeckWindow::refresh() {
     shown_original_ = document_.original();
     original_->setPlainText(text_in(shown_original_));
   }
+  drawing_->setDeck(document_.deck());
   const QString name = document_.path().empty()
                            ? tr("new deck")
                            : QString::fromStdString(document_.path().filename().string());

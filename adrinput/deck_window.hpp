@@ -8,6 +8,7 @@
 #include <functional>
 
 class QBoxLayout;
+class QDockWidget;
 class QListWidget;
 class QMenu;
 class QPlainTextEdit;
@@ -19,6 +20,7 @@ class QTimer;
 namespace adore::adrinput {
 
 class CompareDialog;
+class DrawingPanel;
 class EvaluationPanel;
 class FileWatch;
 class NoticeBar;
@@ -53,6 +55,7 @@ class DeckWindow : public QMainWindow {
   void restoreDeck(const std::string& bytes, std::function<void()> then);
   /// Shows what differs from another deck; `name` is what it is called in sentences.
   void compareWith(deck::Deck other, const QString& name);
+  [[nodiscard]] DrawingPanel& drawingPanel() { return *drawing_; }
   /// The slower checks, which follow a change after a short pause, now.
   void checkNow();
 
@@ -89,6 +92,7 @@ class DeckWindow : public QMainWindow {
 
  private:
   void makeCentre();
+  void makeDrawing();
   QWidget* makeButtons();
   void makeFileMenu();
   void makeOtherMenus();
@@ -125,6 +129,8 @@ class DeckWindow : public QMainWindow {
   QPlainTextEdit* original_ = nullptr;
   EvaluationPanel *plan_ = nullptr, *statics_ = nullptr;
   RunPanel* run_ = nullptr;
+  DrawingPanel* drawing_ = nullptr;
+  QDockWidget* drawing_dock_ = nullptr;
   QMenu* recent_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr;
   QTimer* check_ = nullptr;

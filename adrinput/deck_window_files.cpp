@@ -12,6 +12,7 @@
 #include <QCloseEvent>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QDockWidget>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -88,6 +89,10 @@ void DeckWindow::makeOtherMenus() {
   view->addAction(tr("&Quasi-static solution"), QKeySequence(Qt::Key_F6), this,
                   &DeckWindow::runQuasiStatic);
   view->addAction(tr("&Run"), QKeySequence(Qt::Key_F7), this, &DeckWindow::runDeck);
+  QAction* drawing = drawing_dock_->toggleViewAction();
+  drawing->setText(tr("Dra&wing"));
+  drawing->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_G));
+  view->addAction(drawing);
   view->addAction(tr("&Dark or light"), QKeySequence(Qt::CTRL | Qt::Key_D), this,
                   &DeckWindow::switchTheme);
   view->addSeparator();

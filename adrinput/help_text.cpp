@@ -133,6 +133,7 @@ QString keyboard_help() {
       {"F7", "save and run this deck"},
       {"Ctrl+U", "values also in the other system of units"},
       {"Ctrl+K", "compare with another deck"},
+      {"Ctrl+G", "show or hide the drawing"},
       {"Ctrl+D", "dark or light"},
       {"Ctrl+Q", "quit"}};
   QString out = "<h2>Keyboard</h2><table cellpadding='3'>";

@@ -182,6 +182,8 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   if (variable.length != "1") {
     field = row.table = new CellTable(document_, record_, v, this);
     row.table->installEventFilter(this);
+    connect(row.table, &QTableWidget::currentCellChanged, this,
+            [this, table = row.table] { announce(table); });
   } else if (!variable.options.empty() || !variable.option_table.empty()) {
     field = row.combo = makeCombo(cellOf(v));
   } else {
@@ -238,6 +240,7 @@ void RecordPage::addInstances(QVBoxLayout* layout) {
   auto* table = new CellTable(document_, record_, this);
   table->setObjectName("instances");
   table->installEventFilter(this);
+  connect(table, &QTableWidget::currentCellChanged, this, [this, table] { announce(table); });
   layout->addWidget(table);
   auto* grid = new QGridLayout;
   grid->setHorizontalSpacing(14);
@@ -301,9 +304,27 @@ bool RecordPage::eventFilter(QObject* object, QEvent* event) {
       return true;
     }
   }
-  if (event->type() == QEvent::FocusIn) emit focusMoved(field);
+  if (event->type() == QEvent::FocusIn) {
+    emit focusMoved(field);
+    announce(field);
+  }
   if (event->type() == QEvent::FocusOut && lines_ == object) document_.end_step();
   return QWidget::eventFilter(object, event);
+}
+
+void RecordPage::announce(const QWidget* field) {
+  for (const Row& row : rows_) {
+    if (row.table != nullptr && row.table == field) {
+      const int at = row.table->currentRow();
+      emit cellFocused(at < 0 ? cellOf(row.variable)
+                              : row.table->cellAt(at, row.table->currentColumn()));
+      return;
+    }
+    const bool here =
+        (row.line != nullptr && row.line == field) ||
+        (row.combo != nullptr && (row.combo == field || row.combo->lineEdit() == field));
+    if (here) emit cellFocused(cellOf(row.variable));
+  }
 }
 
 void RecordPage::showProblems(Row& row) {

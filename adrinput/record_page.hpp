@@ -42,6 +42,8 @@ class RecordPage : public QWidget {
   void otherUnitsWanted(bool shown);
   /// A field got the focus and should be in view.
   void focusMoved(QWidget* field);
+  /// The same, as the value that is worked on.
+  void cellFocused(const Cell& cell);
 
  protected:
   bool eventFilter(QObject* object, QEvent* event) override;
@@ -66,6 +68,7 @@ class RecordPage : public QWidget {
   void finish(QWidget* field);
   void syncRow(Row& row, bool all);
   void showProblems(Row& row);
+  void announce(const QWidget* field);
   [[nodiscard]] Cell cellOf(std::size_t variable) const;
 
   Document& document_;

@@ -2,6 +2,7 @@
 
 #include "adrinput/cell_table.hpp"
 #include "adrinput/deck_window.hpp"
+#include "adrinput/drawing_panel.hpp"
 #include "adrinput/record_page.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/theme.hpp"
@@ -54,6 +55,7 @@ std::vector<fs::path> render_pages(const fs::path& deck, const RenderOptions& op
   for (const std::string& record : window.document().pages()) {
     ++number;
     window.showRecord(record);
+    window.drawingPanel().drawNow();
     settle();
     int part = 0;
     const auto draw = [&] {

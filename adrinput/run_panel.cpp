@@ -132,9 +132,11 @@ void RunPanel::enableButtons() {
   listing_->setEnabled(!busy() && !fileNamed("PRINT.txt").isEmpty());
 }
 
-void RunPanel::start(const std::filesystem::path& file, const deck::Deck& deck) {
+void RunPanel::start(const std::filesystem::path& file, const deck::Deck& deck,
+                     const RunOptionValues& options) {
   if (busy()) return;
   computed_ = deck;
+  computed_options_ = options;
   stale_ = false;
   files_.clear();
   view_->hide();
@@ -186,9 +188,9 @@ void RunPanel::showNote() {
                         : headline_);
 }
 
-void RunPanel::setDeck(const deck::Deck& deck) {
+void RunPanel::setDeck(const deck::Deck& deck, const RunOptionValues& options) {
   if (computed_.records.empty()) return;
-  const bool stale = !(deck == computed_);
+  const bool stale = !(deck == computed_ && options == computed_options_);
   if (stale == stale_) return;
   stale_ = stale;
   showNote();

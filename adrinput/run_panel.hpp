@@ -1,5 +1,6 @@
 #pragma once
 
+#include "adrinput/evaluation.hpp"
 #include "adrinput/solver_run.hpp"
 #include "deck/deck.hpp"
 
@@ -26,10 +27,12 @@ class RunPanel : public QWidget {
   /// Starts a viewer; desktop::start_program unless a test looks on.
   std::function<void(const QString& program, const QStringList& arguments)> launch;
 
-  /// Runs the deck file, whose content is `deck`. Results go beside it.
-  void start(const std::filesystem::path& file, const deck::Deck& deck);
+  /// Runs the deck file, whose content is `deck`, with the ADORE.json beside it, which holds
+  /// `options`. Results go there too.
+  void start(const std::filesystem::path& file, const deck::Deck& deck,
+             const RunOptionValues& options);
   /// The deck is this one now: results of an older one say so.
-  void setDeck(const deck::Deck& deck);
+  void setDeck(const deck::Deck& deck, const RunOptionValues& options);
   [[nodiscard]] bool busy() const { return run_.busy(); }
   [[nodiscard]] QString text() const;
 
@@ -61,6 +64,7 @@ class RunPanel : public QWidget {
   QString headline_;
   QStringList files_;
   deck::Deck computed_;
+  RunOptionValues computed_options_;
   bool stale_ = false;
   SolverRun run_;  ///< last: ends before the widgets that it reports to
 };

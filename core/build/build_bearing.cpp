@@ -49,22 +49,6 @@ Material material(const Deck& deck, const char* code_variable, Part part, const 
   return out;
 }
 
-bearing::BallGeometry ball_geometry(const Deck& deck) {
-  bearing::BallGeometry out;
-  out.count = static_cast<int>(deck.integer("nRe"));
-  out.diameter = deck.si("bReDia");
-  out.pitch_diameter = deck.si("pitchDia");
-  out.groove_factor = {deck.si("raceCurFac1"), deck.si("raceCurFac2")};
-  out.shim = {deck.si("shimThickness1"), deck.si("shimThickness2")};
-  out.shoulder_diameter = {deck.si("shoulderDia1"), deck.si("shoulderDia2")};
-  out.roughness = {deck.si("rmsAspHt1"), deck.si("rmsAspHt2")};
-  const contact::FreeState free = contact::free_state(out.diameter, out.groove_factor, out.shim,
-                                                      deck.si("freeConAng"), deck.si("freeIntCls"));
-  out.contact_angle = free.contact_angle;
-  out.clearance = free.clearance;
-  return out;
-}
-
 /// Solid ball: m = ρπD³/6, I = m D²/10.
 bearing::Inertia ball_inertia(double diameter, double density) {
   bearing::Inertia out;
@@ -170,7 +154,7 @@ bearing::Mounting mounting(const Deck& deck) {
 /// Balls or rollers with their inertia.
 void build_elements(const Deck& deck, Bearing& out) {
   if (out.type == bearing::Type::Ball) {
-    out.balls = ball_geometry(deck);
+    out.balls = build_balls(deck);
     out.ball_inertia = ball_inertia(out.balls.diameter, out.ball_material.density);
     return;
   }
@@ -189,6 +173,22 @@ std::array<double, 2> raceway_diameters(const Bearing& b) {
 }
 
 }  // namespace
+
+bearing::BallGeometry build_balls(const Deck& deck) {
+  bearing::BallGeometry out;
+  out.count = static_cast<int>(deck.integer("nRe"));
+  out.diameter = deck.si("bReDia");
+  out.pitch_diameter = deck.si("pitchDia");
+  out.groove_factor = {deck.si("raceCurFac1"), deck.si("raceCurFac2")};
+  out.shim = {deck.si("shimThickness1"), deck.si("shimThickness2")};
+  out.shoulder_diameter = {deck.si("shoulderDia1"), deck.si("shoulderDia2")};
+  out.roughness = {deck.si("rmsAspHt1"), deck.si("rmsAspHt2")};
+  const contact::FreeState free = contact::free_state(out.diameter, out.groove_factor, out.shim,
+                                                      deck.si("freeConAng"), deck.si("freeIntCls"));
+  out.contact_angle = free.contact_angle;
+  out.clearance = free.clearance;
+  return out;
+}
 
 Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   std::vector<Issue> issues = check_buildable(deck);

@@ -57,36 +57,6 @@ void check(const bearing::Bearing& b, const RollerOptions& options) {
   }
 }
 
-std::array<contact::RaceSurface, 2> race_surfaces(const bearing::Bearing& b) {
-  const auto& g = *b.rollers;
-  std::array<contact::RaceSurface, 2> race;
-  switch (b.type) {
-    case bearing::Type::Spherical:
-      race = contact::spherical_row(g.diameter, g.pitch_diameter, g.race_angle[0], g.crown_radius,
-                                    g.groove_factor, g.clearance)
-                 .race;
-      break;
-    case bearing::Type::Tapered:
-      race = contact::tapered_races(contact::tapered_geometry(g.diameter, g.race_angle));
-      break;
-    case bearing::Type::SphericalTapered:
-      race = contact::grooved_tapered_races(contact::tapered_geometry(g.diameter, g.race_angle),
-                                            g.crown_radius, g.groove_factor);
-      break;
-    default:
-      for (int j = 0; j < 2; ++j) {
-        race[static_cast<std::size_t>(j)] = contact::cylinder_race(
-            j, contact::cylinder_radius(j, g.pitch_diameter, g.diameter, g.clearance));
-      }
-  }
-  for (std::size_t j = 0; j < 2; ++j) {
-    if (g.land_width[j] > 0.0 && g.shape != bearing::RollerShape::Arc) {
-      race[j].land_width = g.land_width[j];
-    }
-  }
-  return race;
-}
-
 contact::RollerProfile profile_of(const bearing::RollerGeometry& g, std::size_t roller) {
   contact::RollerProfile p = contact::roller_profile(g, g.deviation_of(roller));
   contact::check_roller_profile(p);
@@ -184,6 +154,36 @@ void add_inertia(RollerModel& m, const bearing::Bearing& b) {
 }
 
 }  // namespace
+
+std::array<contact::RaceSurface, 2> race_surfaces(const bearing::Bearing& b) {
+  const auto& g = *b.rollers;
+  std::array<contact::RaceSurface, 2> race;
+  switch (b.type) {
+    case bearing::Type::Spherical:
+      race = contact::spherical_row(g.diameter, g.pitch_diameter, g.race_angle[0], g.crown_radius,
+                                    g.groove_factor, g.clearance)
+                 .race;
+      break;
+    case bearing::Type::Tapered:
+      race = contact::tapered_races(contact::tapered_geometry(g.diameter, g.race_angle));
+      break;
+    case bearing::Type::SphericalTapered:
+      race = contact::grooved_tapered_races(contact::tapered_geometry(g.diameter, g.race_angle),
+                                            g.crown_radius, g.groove_factor);
+      break;
+    default:
+      for (int j = 0; j < 2; ++j) {
+        race[static_cast<std::size_t>(j)] = contact::cylinder_race(
+            j, contact::cylinder_radius(j, g.pitch_diameter, g.diameter, g.clearance));
+      }
+  }
+  for (std::size_t j = 0; j < 2; ++j) {
+    if (g.land_width[j] > 0.0 && g.shape != bearing::RollerShape::Arc) {
+      race[j].land_width = g.land_width[j];
+    }
+  }
+  return race;
+}
 
 RollerModel make_roller_model(const bearing::Bearing& b, const RollerOptions& options) {
   check(b, options);

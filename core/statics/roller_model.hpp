@@ -22,6 +22,9 @@ struct RollerBody {
   std::vector<FlangePair> flanges;  ///< that this roller can touch
 };
 
+/// The ideal races of a roller bearing: type and rollers of `b` are read. @throws InputError
+[[nodiscard]] std::array<contact::RaceSurface, 2> race_surfaces(const bearing::Bearing& b);
+
 struct RollerModel {
   bearing::RollerGeometry rollers;
   RollerContact contact = RollerContact::Sliced;

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "desktop/theme.hpp"
+#include "facade/outline.hpp"
+
+#include <QBrush>
+#include <QPainterPath>
+#include <QPolygonF>
+#include <QTransform>
+
+class QPainter;
+
+/// The signs of engineering drawings: arrows, dimension lines, hatching. `place` maps metres to
+/// pixels.
+namespace adore::adrinput::marks {
+
+[[nodiscard]] QBrush ball_brush(QPointF centre, double radius, const QColor& colour);
+/// Section lines at 45°, leaning the other way when `mirrored`.
+void hatch(QPainter& painter, const QPainterPath& area, const QColor& colour, bool mirrored);
+/// Along the polygon with a head at its end; `faint` for an arrow that only shows its sense.
+void arrow(QPainter& painter, const QPolygonF& path, const QColor& colour, double width,
+           bool faint);
+[[nodiscard]] QColor arrow_colour(const desktop::Theme& theme, facade::Arrow::Kind kind);
+
+void dimension(QPainter& painter, const facade::Dimension& dimension, const QTransform& place,
+               const QColor& colour, double width);
+/// Where the label of a dimension belongs.
+[[nodiscard]] QPointF label_point(const facade::Dimension& dimension, const QTransform& place);
+/// Is it large enough on the screen to be named without being in focus?
+[[nodiscard]] bool worth_a_name(const facade::Dimension& dimension, const QTransform& place);
+/// Distance of a point from its line.
+[[nodiscard]] double distance(const facade::Dimension& dimension, const QTransform& place,
+                              QPointF from);
+
+}  // namespace adore::adrinput::marks

@@ -1,0 +1,117 @@
+#include "adrinput/drawing_panel.hpp"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QLabel>
+#include <QTimer>
+
+#include <algorithm>
+
+namespace adore::adrinput {
+namespace {
+
+constexpr int kDrawPause = 60;  // ms without a change before the picture is drawn again
+
+}  // namespace
+
+DrawingPanel::DrawingPanel(QWidget* parent) : QWidget(parent) {
+  setObjectName("drawing-panel");
+  views_ = new QComboBox(this);
+  views_->setObjectName("drawing-views");
+  views_->setAccessibleName(tr("View of the drawing"));
+  auto* name = new QLabel(tr("Vie&w"), this);
+  name->setBuddy(views_);
+  picture_ = new DrawingView(this);
+  picture_->setObjectName("drawing");
+  auto* row = new QHBoxLayout;
+  row->addWidget(name);
+  row->addWidget(views_, 1);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(8, 8, 8, 8);
+  column->addLayout(row);
+  column->addWidget(picture_, 1);
+  pause_ = new QTimer(this);
+  pause_->setSingleShot(true);
+  pause_->setInterval(kDrawPause);
+  connect(pause_, &QTimer::timeout, this, &DrawingPanel::drawNow);
+  connect(views_, &QComboBox::activated, this, [this](int index) {
+    chooseView(static_cast<facade::View>(views_->itemData(index).toInt()));
+  });
+  connect(picture_, &DrawingView::dimensionClicked, this, &DrawingPanel::fieldWanted);
+}
+
+void DrawingPanel::setDeck(const deck::Deck& deck) {
+  if (deck_ == deck && !deck_.records.empty()) return;
+  deck_ = deck;
+  pause_->start();
+}
+
+void DrawingPanel::fillViews() {
+  const std::vector<facade::View> views = facade::views_of(deck_);
+  std::vector<facade::View> present;
+  for (int i = 0; i < views_->count(); ++i)
+    present.push_back(static_cast<facade::View>(views_->itemData(i).toInt()));
+  if (views != present) {
+    views_->clear();
+    for (const facade::View view : views) {
+      const std::string_view title = facade::title_of(view);
+      views_->addItem(QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size())),
+                      static_cast<int>(view));
+    }
+  }
+  views_->setCurrentIndex(views_->findData(static_cast<int>(view())));
+}
+
+facade::View DrawingPanel::view() const {
+  const facade::View wanted = chosen_.value_or(preferred_);
+  const std::vector<facade::View> views = facade::views_of(deck_);
+  const bool there = std::find(views.begin(), views.end(), wanted) != views.end();
+  return there ? wanted : facade::View::CrossSection;
+}
+
+void DrawingPanel::drawNow() {
+  pause_->stop();
+  if (deck_.records.empty()) return;
+  // Of another type of bearing the last good drawing means nothing.
+  const long long type = deck_.integer("kBrg");
+  if (type != type_) good_.clear();
+  type_ = type;
+  fillViews();
+  label();
+  const facade::View now = view();
+  facade::Drawing drawing = facade::draw(now, deck_);
+  if (drawing.reason.empty()) {
+    good_[now] = drawing;
+    picture_->setDrawing(std::move(drawing));
+    return;
+  }
+  const QString reason = QString::fromStdString(drawing.reason);
+  const auto last = good_.find(now);
+  picture_->setDrawing(last == good_.end() ? std::move(drawing) : last->second, reason);
+}
+
+void DrawingPanel::label() {
+  const DrawingFocus& focus = picture_->focusOn();
+  picture_->setFocusLabel(focus.variable.empty()
+                              ? QString()
+                              : QString::fromStdString(facade::label_of(
+                                    deck_, focus.variable, focus.instance, focus.index)));
+}
+
+void DrawingPanel::setFocusOn(DrawingFocus focus) {
+  if (focus == picture_->focusOn()) return;
+  const facade::View wanted = facade::view_for(focus.record, focus.variable);
+  picture_->setFocusOn(std::move(focus));
+  label();
+  if (wanted == preferred_) return;  // a view chosen by hand stays
+  preferred_ = wanted;
+  chosen_.reset();
+  drawNow();
+}
+
+void DrawingPanel::chooseView(facade::View view) {
+  chosen_ = view;
+  drawNow();
+}
+
+}  // namespace adore::adrinput

@@ -1,0 +1,50 @@
+#pragma once
+
+#include "adrinput/drawing_view.hpp"
+
+#include <QWidget>
+
+#include <map>
+#include <optional>
+
+class QComboBox;
+class QTimer;
+
+namespace adore::adrinput {
+
+/// The live drawing beside the form: follows the field in focus to the view that shows it, and
+/// keeps the last good drawing, pale and with the reason, while the deck cannot be drawn.
+class DrawingPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit DrawingPanel(QWidget* parent = nullptr);
+
+  /// Draws after a short pause in typing.
+  void setDeck(const deck::Deck& deck);
+  /// Shows the view that the field belongs to, unless the user chose another one for it.
+  void setFocusOn(DrawingFocus focus);
+  void chooseView(facade::View view);
+  /// The view that is shown.
+  [[nodiscard]] facade::View view() const;
+  [[nodiscard]] DrawingView& picture() { return *picture_; }
+  /// Draws what was last given, without the pause.
+  void drawNow();
+
+ signals:
+  void fieldWanted(const QString& variable, int instance, int index);
+
+ private:
+  void fillViews();
+  void label();
+
+  deck::Deck deck_;
+  facade::View preferred_ = facade::View::CrossSection;  ///< of the field in focus
+  std::optional<facade::View> chosen_;            ///< by hand, for as long as preferred_ stays
+  std::map<facade::View, facade::Drawing> good_;  ///< the last that could be drawn, by view
+  long long type_ = 0;                            ///< of bearing, of `good_`
+  QComboBox* views_ = nullptr;
+  DrawingView* picture_ = nullptr;
+  QTimer* pause_ = nullptr;
+};
+
+}  // namespace adore::adrinput

@@ -1,0 +1,555 @@
+#include "adrinput/drawing_view.hpp"
+
+#include "adrinput/drawing_marks.hpp"
+#include "desktop/axis_scale.hpp"
+#include "desktop/theme.hpp"
+
+#include <QFontMetricsF>
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QToolTip>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::adrinput {
+namespace {
+
+using desktop::Theme;
+using facade::Part;
+using Style = facade::Shape::Style;
+
+constexpr double kMargin = 10.0;  // around everything, px
+constexpr double kTitle = 20.0;   // height of a figure's title, px
+constexpr double kNear = 7.0;     // how near a click must be, px
+constexpr int kText = 11;         // px
+
+QString text_of(const std::string& text) { return QString::fromStdString(text); }
+
+QColor body_colour(const Theme& t, Part part) {
+  const bool dark = t.kind == desktop::ThemeKind::Dark;
+  switch (part) {
+    case Part::Shaft:
+    case Part::Housing:
+      return dark ? t.raised.lighter(115) : t.raised;
+    case Part::Cage:
+      return t.cage;
+    case Part::Element:
+      return dark ? t.steel_light : t.steel_light.lighter(108);
+    default:
+      return dark ? t.steel_dark : t.steel_dark.lighter(118);
+  }
+}
+
+QPainterPath path_of(const facade::Shape& shape, const QTransform& place, bool close) {
+  QPainterPath path;
+  for (const facade::Path& points : shape.paths) {
+    if (points.empty()) continue;
+    QPolygonF polygon;
+    for (const facade::Point& p : points) polygon << place.map(QPointF(p.x, p.y));
+    path.addPolygon(polygon);
+    if (close) path.closeSubpath();
+  }
+  for (const facade::Circle& circle : shape.circles) {
+    const QPointF centre = place.map(QPointF(circle.centre.x, circle.centre.y));
+    const double rx = circle.radius * std::abs(place.m11()),
+                 ry = circle.radius * std::abs(place.m22());
+    path.addEllipse(centre, rx, ry);
+  }
+  return path;
+}
+
+}  // namespace
+
+DrawingView::DrawingView(QWidget* parent) : QWidget(parent) {
+  setMinimumSize(220, 220);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+  setAccessibleName(tr("Drawing of the bearing"));
+}
+
+QSize DrawingView::sizeHint() const { return {364, 520}; }
+
+void DrawingView::setDrawing(facade::Drawing drawing, const QString& stale) {
+  const bool same_view =
+      drawing.view == drawing_.view && drawing.panes.size() == drawing_.panes.size();
+  drawing_ = std::move(drawing);
+  stale_ = stale;
+  if (!same_view) zooms_.clear();
+  zooms_.resize(drawing_.panes.size());
+  setFocusOn(focus_);
+}
+
+void DrawingView::setFocusOn(DrawingFocus focus) {
+  focus_ = std::move(focus);
+  parts_ = facade::parts_of(focus_.record, focus_.variable);
+  measured_ = false;
+  for (const facade::Pane& pane : drawing_.panes) {
+    measured_ = measured_ ||
+                std::any_of(pane.dimensions.begin(), pane.dimensions.end(),
+                            [&](const auto& dimension) { return inFocus(dimension); }) ||
+                std::any_of(pane.arrows.begin(), pane.arrows.end(),
+                            [&](const auto& arrow) { return inFocus(arrow); });
+  }
+  update();
+}
+
+void DrawingView::setFocusLabel(const QString& label) {
+  focus_label_ = label;
+  update();
+}
+
+bool DrawingView::visible(const facade::Dimension& d) const {
+  return ofRecord(d.variable) && (inFocus(d) || !d.minor);
+}
+
+bool DrawingView::inFocus(const facade::Dimension& d) const {
+  return d.variable == focus_.variable && d.instance == focus_.instance;
+}
+
+bool DrawingView::inFocus(const facade::Arrow& arrow) const {
+  return arrow.variable == focus_.variable;
+}
+
+bool DrawingView::inFocus(const facade::Shape& shape) const {
+  if (focus_.variable.empty()) return false;
+  if (std::find(shape.shows.begin(), shape.shows.end(), focus_.variable) != shape.shows.end())
+    return true;
+  return shape.style != Style::Strong &&
+         std::find(parts_.begin(), parts_.end(), shape.part) != parts_.end();
+}
+
+bool DrawingView::ofRecord(const std::string& variable) const {
+  const deck::RecordSpec* spec = deck::find_record(focus_.record);
+  return spec != nullptr &&
+         std::any_of(spec->variables.begin(), spec->variables.end(),
+                     [&](const deck::VariableSpec& v) { return v.name == variable; });
+}
+
+QTransform DrawingView::fitted(const facade::Pane& pane, const QRectF& area) const {
+  double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
+  const auto take = [&](const facade::Point& p) {
+    left = std::min(left, p.x);
+    right = std::max(right, p.x);
+    low = std::min(low, p.y);
+    high = std::max(high, p.y);
+  };
+  if (!pane.axes.empty()) {
+    take({pane.axes[0].low, pane.axes[1].low});
+    take({pane.axes[0].high, pane.axes[1].high});
+  } else if (!pane.window.empty()) {
+    for (const facade::Point& p : pane.window) take(p);
+  } else {
+    for (const facade::Shape& shape : pane.shapes) {
+      for (const facade::Path& path : shape.paths)
+        for (const facade::Point& p : path) take(p);
+      for (const facade::Circle& c : shape.circles) {
+        take({c.centre.x - c.radius, c.centre.y - c.radius});
+        take({c.centre.x + c.radius, c.centre.y + c.radius});
+      }
+    }
+    for (const facade::Caption& caption : pane.captions) take(caption.at);
+    for (const facade::Arrow& arrow : pane.arrows)
+      for (const facade::Point& p : arrow.path) take(p);
+    for (const facade::Dimension& d : pane.dimensions)
+      if (ofRecord(d.variable)) {
+        take(d.from);
+        take(d.to);
+      }
+  }
+  if (!(right > left) || !(high > low)) return {};
+  double sx = area.width() / (right - left), sy = area.height() / (high - low);
+  if (pane.axes.empty()) sx = sy = std::min(sx, sy);
+  const QPointF middle = area.center();
+  return {sx,
+          0.0,
+          0.0,
+          -sy,
+          middle.x() - sx * 0.5 * (left + right),
+          middle.y() + sy * 0.5 * (low + high)};
+}
+
+void DrawingView::layOut() {
+  frames_.clear();
+  double total = 0.0, foot = 0.0;
+  for (const facade::Pane& pane : drawing_.panes) total += pane.share;
+  const QFontMetricsF metrics(desktop::ui_font(kText));
+  QString remarks;
+  for (const std::string& remark : drawing_.remarks) remarks += text_of(remark) + "\n";
+  if (!remarks.isEmpty())
+    foot = metrics
+               .boundingRect(QRectF(0, 0, width() - 2 * kMargin, height()), Qt::TextWordWrap,
+                             remarks.trimmed())
+               .height() +
+           6.0;
+  const double usable = height() - 2 * kMargin - foot;
+  double y = kMargin;
+  for (std::size_t i = 0; i < drawing_.panes.size(); ++i) {
+    const facade::Pane& pane = drawing_.panes[i];
+    const double share = usable * pane.share / total;
+    QRectF area(kMargin, y + kTitle, width() - 2 * kMargin, share - kTitle);
+    y += share;
+    Frame frame;
+    frame.area = area;
+    const QRectF inner =
+        pane.axes.empty() ? area.adjusted(16, 16, -16, -16) : area.adjusted(46, 8, -10, -38);
+    frame.place = fitted(pane, inner);
+    if (pane.axes.empty() && i < zooms_.size()) {
+      const Zoom& z = zooms_[i];
+      const QPointF c = inner.center();
+      frame.place *= QTransform::fromTranslate(-c.x(), -c.y()) *
+                     QTransform::fromScale(z.scale, z.scale) *
+                     QTransform::fromTranslate(c.x() + z.shift.x(), c.y() + z.shift.y());
+    }
+    frames_.push_back(frame);
+  }
+}
+
+void DrawingView::paintEvent(QPaintEvent*) {
+  const Theme& t = desktop::current_theme();
+  labels_.clear();
+  layOut();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), t.surface);
+  painter.setPen(QPen(t.frame, 1));
+  painter.drawRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5));
+  const bool old = !stale_.isEmpty() && !drawing_.panes.empty();
+  painter.setOpacity(old ? 0.3 : 1.0);
+  for (std::size_t i = 0; i < drawing_.panes.size(); ++i) {
+    painter.save();
+    paintPane(painter, drawing_.panes[i], frames_[i]);
+    painter.restore();
+  }
+  painter.setOpacity(1.0);
+  painter.setFont(desktop::ui_font(kText));
+  if (!drawing_.remarks.empty() && !old) {
+    QString remarks;
+    for (const std::string& remark : drawing_.remarks) remarks += text_of(remark) + "\n";
+    painter.setPen(t.muted);
+    painter.drawText(QRectF(rect()).adjusted(kMargin, 0, -kMargin, -kMargin + 2),
+                     Qt::AlignLeft | Qt::AlignBottom | Qt::TextWordWrap, remarks.trimmed());
+  }
+  if (stale_.isEmpty()) return;
+  const QString text = (old ? tr("The last drawing that was possible. ") : QString()) + stale_;
+  painter.setFont(desktop::ui_font(12));
+  const QRectF room = QRectF(rect()).adjusted(24, 24, -24, -24);
+  const QRectF box =
+      QFontMetricsF(painter.font()).boundingRect(room, Qt::AlignCenter | Qt::TextWordWrap, text);
+  painter.setPen(QPen(t.red, 1));
+  painter.setBrush(t.surface);
+  painter.drawRoundedRect(box.adjusted(-10, -8, 10, 8), 4, 4);
+  painter.setPen(t.text);
+  painter.drawText(room, Qt::AlignCenter | Qt::TextWordWrap, text);
+}
+
+void DrawingView::paintPane(QPainter& painter, const facade::Pane& pane, const Frame& frame) {
+  const Theme& t = desktop::current_theme();
+  painter.setFont(desktop::ui_font(kText, true));
+  painter.setPen(t.muted);
+  const QRectF title(frame.area.left(), frame.area.top() - kTitle, frame.area.width(), kTitle);
+  painter.drawText(
+      title, Qt::AlignLeft | Qt::AlignVCenter,
+      QFontMetricsF(painter.font()).elidedText(text_of(pane.title), Qt::ElideRight, title.width()));
+  painter.setClipRect(frame.area);
+  if (!pane.axes.empty()) paintAxes(painter, pane, frame);
+  // What is in focus lies on top of its kind, so that its outline is whole.
+  for (const facade::Shape& shape : pane.shapes) paintShape(painter, shape, frame.place);
+  for (const facade::Arrow& arrow : pane.arrows)
+    if (arrow.value != 0.0 || inFocus(arrow)) paintArrow(painter, arrow, frame.place);
+  for (const bool focused : {false, true})
+    for (const facade::Dimension& d : pane.dimensions)
+      if (visible(d) && inFocus(d) == focused &&
+          (focused || d.kind != facade::Dimension::Kind::Leader))
+        paintDimension(painter, d, frame.place);
+  writeLabels(painter, pane, frame);
+}
+
+void DrawingView::paintAxes(QPainter& painter, const facade::Pane& pane, const Frame& frame) {
+  const Theme& t = desktop::current_theme();
+  painter.setFont(desktop::ui_font(kText));
+  const QFontMetricsF metrics(painter.font());
+  const facade::ChartAxis &x = pane.axes[0], &y = pane.axes[1];
+  const QRectF box =
+      QRectF(frame.place.map(QPointF(x.low, y.high)), frame.place.map(QPointF(x.high, y.low)));
+  const auto ticks = [](const facade::ChartAxis& axis, int parts) {
+    const double step = desktop::nice_step((axis.high - axis.low) / axis.factor, parts);
+    return std::pair(step, std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9))));
+  };
+  const auto [dx, x_decimals] = ticks(x, 4);
+  for (double v = std::ceil(x.low / x.factor / dx - 1e-9) * dx; v <= x.high / x.factor + 1e-9 * dx;
+       v += dx) {
+    const double px = frame.place.map(QPointF(v * x.factor, 0.0)).x();
+    painter.setPen(QPen(t.grid, 1));
+    painter.drawLine(QPointF(px, box.top()), QPointF(px, box.bottom()));
+    painter.setPen(t.muted);
+    const QString text = text_of(desktop::tick_text(v, x_decimals));
+    painter.drawText(QPointF(px - 0.5 * metrics.horizontalAdvance(text), box.bottom() + 14), text);
+  }
+  const auto [dy, y_decimals] = ticks(y, 4);
+  for (double v = std::ceil(y.low / y.factor / dy - 1e-9) * dy; v <= y.high / y.factor + 1e-9 * dy;
+       v += dy) {
+    const double py = frame.place.map(QPointF(0.0, v * y.factor)).y();
+    painter.setPen(QPen(t.grid, 1));
+    painter.drawLine(QPointF(box.left(), py), QPointF(box.right(), py));
+    painter.setPen(t.muted);
+    const QString text = text_of(desktop::tick_text(v, y_decimals));
+    painter.drawText(QPointF(box.left() - 6 - metrics.horizontalAdvance(text), py + 4), text);
+  }
+  painter.setPen(QPen(t.frame, 1));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(box);
+  painter.setPen(t.text);
+  const auto title = [](const facade::ChartAxis& axis) {
+    return text_of(axis.title) + (axis.unit.empty() ? QString() : " [" + text_of(axis.unit) + "]");
+  };
+  painter.drawText(QRectF(box.left(), box.bottom() + 18, box.width(), 18), Qt::AlignCenter,
+                   title(x));
+  painter.save();
+  painter.translate(frame.area.left() + 9, box.center().y());
+  painter.rotate(-90);
+  painter.drawText(QRectF(-0.5 * box.height(), -8, box.height(), 16), Qt::AlignCenter, title(y));
+  painter.restore();
+}
+
+void DrawingView::paintShape(QPainter& painter, const facade::Shape& shape,
+                             const QTransform& place) {
+  const Theme& t = desktop::current_theme();
+  const bool focused = inFocus(shape);
+  const bool area =
+      shape.style == Style::Cut || shape.style == Style::Body || shape.style == Style::Behind;
+  const QPainterPath path = path_of(shape, place, area);
+  const QColor body = body_colour(t, shape.part);
+  const bool dark = t.kind == desktop::ThemeKind::Dark;
+  QColor line = dark ? body.lighter(150) : body.darker(160);
+  QColor fill = body;
+  if (shape.style == Style::Behind) fill.setAlpha(90);
+  if (focused && area) {
+    const double mix = 0.35;
+    fill = QColor::fromRgbF(static_cast<float>((1 - mix) * fill.redF() + mix * t.accent.redF()),
+                            static_cast<float>((1 - mix) * fill.greenF() + mix * t.accent.greenF()),
+                            static_cast<float>((1 - mix) * fill.blueF() + mix * t.accent.blueF()),
+                            fill.alphaF());
+  }
+  if (area) {
+    if (shape.style == Style::Body && shape.circles.size() == 1 && shape.paths.empty()) {
+      const QPointF c = place.map(QPointF(shape.circles[0].centre.x, shape.circles[0].centre.y));
+      painter.setBrush(marks::ball_brush(c, shape.circles[0].radius * place.m11(), fill));
+    } else {
+      painter.setBrush(fill);
+    }
+    painter.setPen(QPen(focused ? t.accent : line, focused ? 2.2 : 1.1));
+    painter.drawPath(path);
+    if (shape.style == Style::Cut && shape.part != Part::Cage) {
+      QColor hatch = focused ? t.accent : line;
+      hatch.setAlpha(70);
+      marks::hatch(painter, path, hatch,
+                   shape.part == Part::InnerRing || shape.part == Part::Housing);
+    }
+    return;
+  }
+  QColor colour = focused ? t.accent : shape.part == Part::Construction ? t.muted : line;
+  if (shape.part == Part::Curve) colour = focused ? t.accent : t.muted;
+  QPen pen(colour, focused ? 2.4 : 1.2);
+  if (shape.style == Style::Dashed) pen.setStyle(Qt::DashDotLine);
+  if (shape.style == Style::Strong) pen.setWidthF(focused ? 4.0 : 2.4);
+  pen.setCapStyle(Qt::FlatCap);
+  painter.setPen(pen);
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPath(path);
+}
+
+void DrawingView::paintArrow(QPainter& painter, const facade::Arrow& arrow,
+                             const QTransform& place) {
+  const Theme& t = desktop::current_theme();
+  const bool focused = inFocus(arrow);
+  QPolygonF line;
+  for (const facade::Point& p : arrow.path) line << place.map(QPointF(p.x, p.y));
+  marks::arrow(painter, line, focused ? t.accent : marks::arrow_colour(t, arrow.kind),
+               focused ? 3.4 : 2.4, arrow.value == 0.0);
+}
+
+void DrawingView::paintDimension(QPainter& painter, const facade::Dimension& d,
+                                 const QTransform& place) {
+  const Theme& t = desktop::current_theme();
+  const bool focused = inFocus(d);
+  const QColor colour = focused ? t.accent : t.muted;
+  marks::dimension(painter, d, place, colour, focused ? 2.0 : 0.9);
+}
+
+void DrawingView::writeLabels(QPainter& painter, const facade::Pane& pane, const Frame& frame) {
+  const Theme& t = desktop::current_theme();
+  const QRectF area = frame.area;
+  const auto middle = [&](const facade::Dimension& d) {
+    return marks::label_point(d, frame.place);
+  };
+  for (const facade::Dimension& d : pane.dimensions)
+    if (ofRecord(d.variable) && inFocus(d))
+      write(painter, area, middle(d), text_of(d.label), true, t.accent);
+  for (const facade::Arrow& arrow : pane.arrows)
+    if (inFocus(arrow) && !arrow.path.empty())
+      write(painter, area, frame.place.map(QPointF(arrow.path.back().x, arrow.path.back().y)),
+            text_of(arrow.label), true, t.accent);
+  if (!measured_ && &pane == &drawing_.panes.front() && !focus_.variable.empty()) {
+    // The body that the field speaks of, or the curve, carries its name.
+    for (const facade::Shape& shape : pane.shapes) {
+      if (!inFocus(shape) || focus_.variable == "recID" || focus_label_.isEmpty()) continue;
+      const QRectF box = path_of(shape, frame.place, false).boundingRect().intersected(area);
+      write(painter, area, QPointF(box.center().x(), box.top() + 0.25 * box.height()), focus_label_,
+            true, t.accent);
+      break;
+    }
+  }
+  for (const facade::Caption& caption : pane.captions) {
+    if (caption.room > 0.0 && caption.room * frame.place.m11() < 16.0) continue;
+    const QPointF at = frame.place.map(QPointF(caption.at.x, caption.at.y));
+    painter.setFont(desktop::ui_font(kText, true));
+    const QFontMetricsF metrics(painter.font());
+    const QString text = text_of(caption.text);
+    QRectF box = metrics.boundingRect(text);
+    box.moveCenter(at);
+    if (std::any_of(labels_.begin(), labels_.end(),
+                    [&](const Label& label) { return label.box.intersects(box); }))
+      continue;
+    painter.setPen(t.text);
+    painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, text);
+    labels_.push_back({box, text, false});
+  }
+  for (const facade::Arrow& arrow : pane.arrows)
+    if (arrow.value != 0.0 && !inFocus(arrow) && !arrow.path.empty())
+      write(painter, area, frame.place.map(QPointF(arrow.path.back().x, arrow.path.back().y)),
+            text_of(arrow.label), false, marks::arrow_colour(t, arrow.kind));
+  for (const facade::Dimension& d : pane.dimensions)
+    if (visible(d) && !inFocus(d) && marks::worth_a_name(d, frame.place) &&
+        write(painter, area, middle(d), text_of(d.variable), false, t.muted) &&
+        d.kind == facade::Dimension::Kind::Leader)
+      paintDimension(painter, d, frame.place);
+  if (!pane.axes.empty())
+    for (const facade::Shape& shape : pane.shapes) {
+      if (shape.part != Part::Curve || shape.paths.empty() || pane.shapes.size() < 2) continue;
+      const facade::Path& path = shape.paths.front();
+      const facade::Point& p = path[path.size() * 3 / 4];
+      write(painter, area, frame.place.map(QPointF(p.x, p.y)), text_of(shape.name), false,
+            inFocus(shape) ? t.accent : t.muted);
+    }
+}
+
+bool DrawingView::write(QPainter& painter, const QRectF& area, QPointF near, const QString& text,
+                        bool strong, const QColor& colour) {
+  painter.setFont(desktop::ui_font(strong ? 12 : kText, strong));
+  const QFontMetricsF metrics(painter.font());
+  QSizeF size = metrics.size(Qt::TextSingleLine, text) + QSizeF(6, 2);
+  size.setWidth(std::min(size.width(), area.width()));
+  // Beside the point in eight directions, then further out.
+  for (const double distance : {0.0, 12.0, 26.0, 44.0, 70.0})
+    for (int direction = 0; direction < (distance == 0.0 ? 1 : 8); ++direction) {
+      const double a = (direction * 0.25 + 0.5) * 3.14159265358979;
+      QRectF box(QPointF(), size);
+      box.moveCenter(near + QPointF(std::cos(a) * (distance + 0.5 * size.width() *
+                                                                  (distance > 0.0 ? 1.0 : 0.0)),
+                                    -std::sin(a) * distance));
+      if (strong) {
+        box.moveLeft(std::clamp(box.left(), area.left(), area.right() - box.width()));
+        box.moveTop(std::clamp(box.top(), area.top(), area.bottom() - box.height()));
+      }
+      if (!area.contains(box.adjusted(0.5, 0.5, -0.5, -0.5))) continue;
+      if (std::any_of(labels_.begin(), labels_.end(),
+                      [&](const Label& label) { return label.box.intersects(box); }))
+        continue;
+      const Theme& t = desktop::current_theme();
+      QColor ground = t.surface;
+      ground.setAlpha(strong ? 235 : 190);
+      painter.setPen(strong ? QPen(colour, 1) : QPen(Qt::NoPen));
+      painter.setBrush(ground);
+      painter.drawRoundedRect(box, 3, 3);
+      painter.setPen(colour);
+      painter.drawText(box, Qt::AlignCenter,
+                       metrics.elidedText(text, Qt::ElideRight, box.width() - 4));
+      labels_.push_back({box, text, strong});
+      return true;
+    }
+  return false;
+}
+
+int DrawingView::paneAt(QPointF position) const {
+  for (std::size_t i = 0; i < frames_.size(); ++i)
+    if (frames_[i].area.contains(position)) return static_cast<int>(i);
+  return -1;
+}
+
+const facade::Dimension* DrawingView::dimensionAt(QPointF position) const {
+  const int pane = paneAt(position);
+  if (pane < 0) return nullptr;
+  const auto i = static_cast<std::size_t>(pane);
+  const facade::Dimension* nearest = nullptr;
+  double best = kNear;
+  for (const facade::Dimension& d : drawing_.panes[i].dimensions) {
+    if (!visible(d)) continue;
+    const double distance = marks::distance(d, frames_[i].place, position);
+    if (distance >= best) continue;
+    best = distance;
+    nearest = &d;
+  }
+  return nearest;
+}
+
+bool DrawingView::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const facade::Dimension* d = dimensionAt(help->pos());
+    if (d != nullptr)
+      QToolTip::showText(help->globalPos(), text_of(d->label), this);
+    else
+      QToolTip::hideText();
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+void DrawingView::wheelEvent(QWheelEvent* event) {
+  const int pane = paneAt(event->position());
+  if (pane < 0 || !drawing_.panes[static_cast<std::size_t>(pane)].axes.empty())
+    return event->ignore();
+  Zoom& zoom = zooms_[static_cast<std::size_t>(pane)];
+  const double factor = std::pow(1.0015, event->angleDelta().y());
+  const double scale = std::clamp(zoom.scale * factor, 1.0, 2000.0);
+  const double by = scale / zoom.scale;
+  const QPointF middle =
+      frames_[static_cast<std::size_t>(pane)].area.adjusted(16, 16, -16, -16).center();
+  const QPointF from = event->position() - middle;
+  zoom.shift = scale == 1.0 ? QPointF() : from - (from - zoom.shift) * by;
+  zoom.scale = scale;
+  event->accept();
+  update();
+}
+
+void DrawingView::mousePressEvent(QMouseEvent* event) {
+  pressed_ = dragged_ = event->position();
+  dragging_ = false;
+}
+
+void DrawingView::mouseMoveEvent(QMouseEvent* event) {
+  if (!(event->buttons() & Qt::LeftButton)) return;
+  if ((event->position() - pressed_).manhattanLength() > 5) dragging_ = true;
+  const int pane = paneAt(pressed_);
+  if (dragging_ && pane >= 0 && zooms_[static_cast<std::size_t>(pane)].scale > 1.0) {
+    zooms_[static_cast<std::size_t>(pane)].shift += event->position() - dragged_;
+    update();
+  }
+  dragged_ = event->position();
+}
+
+void DrawingView::mouseReleaseEvent(QMouseEvent* event) {
+  if (dragging_ || event->button() != Qt::LeftButton) return;
+  if (const facade::Dimension* d = dimensionAt(event->position()))
+    emit dimensionClicked(text_of(d->variable), d->instance, d->index);
+}
+
+void DrawingView::mouseDoubleClickEvent(QMouseEvent*) {
+  std::fill(zooms_.begin(), zooms_.end(), Zoom());
+  update();
+}
+
+}  // namespace adore::adrinput

@@ -1,0 +1,104 @@
+#pragma once
+
+#include "facade/outline.hpp"
+
+#include <QRectF>
+#include <QTransform>
+#include <QWidget>
+
+#include <string>
+#include <vector>
+
+class QPainter;
+
+namespace adore::adrinput {
+
+/// What the user works on: the drawing shows it in the accent colour, with its measure.
+struct DrawingFocus {
+  std::string record, variable;
+  int instance = 1, index = 1;
+  bool operator==(const DrawingFocus&) const = default;
+};
+
+/// Paints a drawing: figures one below the other, fitted to the widget, with the measures of the
+/// record in focus. The wheel zooms about the pointer, dragging moves, a double click shows all
+/// again.
+class DrawingView : public QWidget {
+  Q_OBJECT
+ public:
+  explicit DrawingView(QWidget* parent = nullptr);
+
+  /// `stale`: why the drawing is an older one than the deck; it is shown pale with the reason.
+  void setDrawing(facade::Drawing drawing, const QString& stale = {});
+  void setFocusOn(DrawingFocus focus);
+  /// "raceTemp1 = 293.15 K": written on the body that the field speaks of when it has no measure.
+  void setFocusLabel(const QString& label);
+  [[nodiscard]] const facade::Drawing& drawing() const { return drawing_; }
+  [[nodiscard]] const DrawingFocus& focusOn() const { return focus_; }
+
+  /// What the last painting wrote, and where; labels do not overlap.
+  struct Label {
+    QRectF box;
+    QString text;
+    bool strong = false;  ///< of the field in focus
+  };
+  [[nodiscard]] const std::vector<Label>& labels() const { return labels_; }
+  /// The measure at a position of the widget, or nullptr.
+  [[nodiscard]] const facade::Dimension* dimensionAt(QPointF position) const;
+
+  [[nodiscard]] QSize sizeHint() const override;
+
+ signals:
+  void dimensionClicked(const QString& variable, int instance, int index);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  bool event(QEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+
+ private:
+  struct Frame {
+    QRectF area;       ///< of the figure on the widget, title excluded
+    QTransform place;  ///< from metres to pixels
+  };
+  struct Zoom {
+    double scale = 1.0;
+    QPointF shift;
+  };
+  void layOut();
+  [[nodiscard]] QTransform fitted(const facade::Pane& pane, const QRectF& area) const;
+  void paintPane(QPainter& painter, const facade::Pane& pane, const Frame& frame);
+  void paintAxes(QPainter& painter, const facade::Pane& pane, const Frame& frame);
+  void paintShape(QPainter& painter, const facade::Shape& shape, const QTransform& place);
+  void paintArrow(QPainter& painter, const facade::Arrow& arrow, const QTransform& place);
+  void paintDimension(QPainter& painter, const facade::Dimension& dimension,
+                      const QTransform& place);
+  void writeLabels(QPainter& painter, const facade::Pane& pane, const Frame& frame);
+  [[nodiscard]] bool visible(const facade::Dimension& dimension) const;
+  /// Writes near a point where nothing is written yet; false when there is no room.
+  bool write(QPainter& painter, const QRectF& area, QPointF near, const QString& text, bool strong,
+             const QColor& colour);
+  [[nodiscard]] bool inFocus(const facade::Shape& shape) const;
+  [[nodiscard]] bool inFocus(const facade::Dimension& dimension) const;
+  [[nodiscard]] bool inFocus(const facade::Arrow& arrow) const;
+  [[nodiscard]] bool ofRecord(const std::string& variable) const;
+  [[nodiscard]] int paneAt(QPointF position) const;
+
+  facade::Drawing drawing_;
+  QString stale_;
+  DrawingFocus focus_;
+  QString focus_label_;
+  std::vector<facade::Part> parts_;  ///< that the variable in focus speaks of
+  bool measured_ = false;            ///< the variable in focus has a measure or arrow here
+  std::vector<Frame> frames_;
+  std::vector<Zoom> zooms_;
+  std::vector<Label> labels_;
+  QPointF pressed_, dragged_;
+  bool dragging_ = false;
+};
+
+}  // namespace adore::adrinput
