@@ -199,7 +199,8 @@ TEST_CASE("the point of a barrel stays on its arc: the deepest of all its slices
         return 0.4 * body.point[j].K * std::pow(at.delta, 2.5);
       };
       const double slope = (energy(1e-7) - energy(-1e-7)) / 2e-7;
-      CHECK(point.gradient(2) == Approx(slope).margin(2e-5 * point.total * bearing.rollers->length));
+      CHECK(point.gradient(2) ==
+            Approx(slope).margin(2e-5 * point.total * bearing.rollers->length));
     }
     CHECK(at_end);
     // Far apart nothing touches on the far side of the arc's circle.
@@ -225,7 +226,7 @@ TEST_CASE("unloaded rollers at speed stand where the rule says, and PRINT says i
     return flat;
   };
   for (const double factor : {0.5005, 0.51}) {
-    Bearing barrels = unloaded(roller_bearings::spherical(3000.0, 5e-5));
+    Bearing barrels = unloaded(roller_bearings::spherical(3000.0, 2e-4));
     barrels.rollers->groove_factor = {factor, factor};
     hold(hold(hold(load(barrels, 0, 0, 5000), 0, 0.0), 3, 0.0), 4, 0.0);
     const auto s = solved(barrels);
@@ -235,14 +236,14 @@ TEST_CASE("unloaded rollers at speed stand where the rule says, and PRINT says i
     for (const StaticRoller& r : s.rollers) {
       if (r.race[1].load > 0.0) continue;
       ++unloaded_ones;
-      // In the middle of its groove, pressed by what the guide leaves of the centrifugal force.
-      CHECK(r.race[0].contact_angle == Approx(angle).epsilon(1e-4));
-      CHECK(r.race[0].load == Approx(s.centrifugal_force * std::cos(angle)).epsilon(1e-6));
-      CHECK(std::abs(r.x) < 1e-5);
-      CHECK(std::abs(r.tilt + angle) < 1e-3);
+      // In the middle of its groove, pressed by what the guide leaves of the centrifugal force;
+      // the contact stands off the roller's middle as its gyroscopic moment asks.
+      CHECK(r.race[0].contact_angle == Approx(angle).epsilon(2e-3));
+      CHECK(r.race[0].load == Approx(s.centrifugal_force * std::cos(angle)).epsilon(1e-3));
+      CHECK(std::abs(r.race[0].moment) == Approx(std::abs(s.gyroscopic_moment)).epsilon(1e-2));
     }
     CHECK(unloaded_ones >= 5);
-    CHECK_THAT(printed(barrels, s), Catch::Contains("in the middle of its groove") &&
+    CHECK_THAT(printed(barrels, s), Catch::Contains("in the middle of the groove") &&
                                         Catch::Contains("Held along each roller by guide ring"));
   }
   Bearing cylinders = unloaded(roller_bearings::cylindrical(3000.0));
@@ -254,9 +255,8 @@ TEST_CASE("unloaded rollers at speed stand where the rule says, and PRINT says i
              Catch::Contains("in the middle between both races and carries nothing"));
   Bearing cones = unloaded(roller_bearings::tapered(3000.0));
   const auto t = solved(hold(hold(load(cones, 1500, 0, 4000), 3, 0.0), 4, 0.0));
-  bool rides_on_rib = false;
   for (const StaticRoller& r : t.rollers)
-    if (r.race[1].load == 0.0) rides_on_rib = rides_on_rib || r.flange[1][0].load > 0.0;
+    if (r.race[1].load == 0.0) CHECK(r.flange[1][0].load > 0.0);
   CHECK_THAT(printed(cones, t), Catch::Contains("until a flange stops it"));
 }
 
