@@ -15,9 +15,11 @@
 ///   RaceScales race_scales(const Set&);                        constant sizes
 ///   double reference_stiffness(const Set&, double load);       of one contact under that load
 ///   [N/m] bool is_conservative(const Set&);                          the race load has a potential
-///   bool update_race(const Set&, const Vec5& q, RaceState<Element>&);
+///   bool update_race(const Set&, const Vec5& q, RaceState<Element>&, double accuracy = 0);
 /// The last one brings every element into equilibrium for race displacement q, sums load and exact
-/// stiffness, and returns false when some element has no equilibrium.
+/// stiffness, and returns false when some element has no equilibrium. `accuracy`: out-of-balance
+/// force of an element over its loads from which its last Newton step may be taken without being
+/// evaluated, in its place and in its share of the load alike; 0: none, down to rounding.
 namespace adore::statics {
 
 using Vec5 = Eigen::Matrix<double, 5, 1>;
@@ -121,7 +123,8 @@ enum class RaceSearch : unsigned char { Accepted, NoProgress, ElementFailed, Ran
 /// from below.
 template <class Set, class State>
 RaceSearch descend(const Set& set, const RaceScales& scales, const RaceTask& task,
-                   const State& state, const Vec5& r, const Vec5& direction, State& trial) {
+                   const State& state, const Vec5& r, const Vec5& direction, double accuracy,
+                   State& trial) {
   const double first = direction.dot(r);
   double low = 0.0;
   double high = 0.0;  // 0: no overshoot yet
@@ -133,7 +136,7 @@ RaceSearch descend(const Set& set, const RaceScales& scales, const RaceTask& tas
       return RaceSearch::RanAway;
     }
     trial = state;
-    if (!update_race(set, q, trial)) {
+    if (!update_race(set, q, trial, accuracy)) {
       outcome = RaceSearch::ElementFailed;
       high = t;
       t = 0.5 * (low + high);
@@ -157,7 +160,8 @@ RaceSearch descend(const Set& set, const RaceScales& scales, const RaceTask& tas
 /// Line search without a potential: halve the step until the residual is smaller.
 template <class Set, class State>
 RaceSearch reduce(const Set& set, const RaceScales& scales, const RaceTask& task,
-                  const State& state, const Vec5& r, const Vec5& direction, State& trial) {
+                  const State& state, const Vec5& r, const Vec5& direction, double accuracy,
+                  State& trial) {
   RaceSearch outcome = RaceSearch::NoProgress;
   double t = 1.0;
   for (int attempt = 0; attempt < 14; ++attempt, t *= 0.5) {
@@ -167,7 +171,7 @@ RaceSearch reduce(const Set& set, const RaceScales& scales, const RaceTask& task
       continue;
     }
     trial = state;
-    if (!update_race(set, q, trial)) {
+    if (!update_race(set, q, trial, accuracy)) {
       outcome = RaceSearch::ElementFailed;
       continue;
     }
@@ -179,6 +183,12 @@ RaceSearch reduce(const Set& set, const RaceScales& scales, const RaceTask& task
   return outcome;
 }
 
+/// Elements need not be better balanced than the race: their accuracy before the first step, and
+/// what it becomes with the race's residual. Once that is below kLastResidual, Newton's next step
+/// may be the last, and they are balanced down to rounding.
+inline constexpr double kFirstAccuracy = 1e-3;
+inline constexpr double kLastResidual = 1e-6;
+
 /// Newton on the free directions from state.q. Where the race load has a potential (convex for
 /// contacts that only push), a line search on the directional derivative converges from anywhere;
 /// otherwise steps must reduce the residual. Directions without stiffness are left alone when
@@ -188,11 +198,14 @@ template <class Set, class State>
 RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double target = 1e-12,
                      bool downhill = false) {
   RaceSolve result;
-  if (!update_race(set, Vec5(state.q), state)) {
+  const bool all_given =
+      std::all_of(task.given.begin(), task.given.end(), [](bool given) { return given; });
+  double accuracy = all_given ? 0.0 : kFirstAccuracy;
+  if (!update_race(set, Vec5(state.q), state, accuracy)) {
     result.element_failed = true;
     return result;
   }
-  if (std::all_of(task.given.begin(), task.given.end(), [](bool given) { return given; })) {
+  if (all_given) {
     result.converged = true;
     return result;
   }
@@ -220,6 +233,14 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
     const bool small = result.residual <= std::max(target, noise);
     const bool stalled =
         result.residual <= 1e-10 && previous_size >= 0.0 && r.norm() >= 0.25 * previous_size;
+    if ((small || stalled) && accuracy > 0.0) {
+      accuracy = 0.0;
+      if (!update_race(set, Vec5(state.q), state)) {
+        result.element_failed = true;
+        return result;
+      }
+      continue;
+    }
     if (small || stalled) {
       result.converged = true;
       result.held = step.held;
@@ -237,14 +258,17 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
       step.direction *= scales.longest_step / size;
     }
 
+    accuracy =
+        result.residual > kLastResidual ? kFirstAccuracy * std::min(result.residual, 1.0) : 0.0;
     State trial;
-    const RaceSearch search = conservative || downhill
-                                  ? descend(set, scales, task, state, r, step.direction, trial)
-                                  : reduce(set, scales, task, state, r, step.direction, trial);
+    const RaceSearch search =
+        conservative || downhill
+            ? descend(set, scales, task, state, r, step.direction, accuracy, trial)
+            : reduce(set, scales, task, state, r, step.direction, accuracy, trial);
     if (search != RaceSearch::Accepted) {
       result.ran_away = search == RaceSearch::RanAway;
       result.element_failed = search == RaceSearch::ElementFailed;
-      result.converged = result.residual <= 1e-9;
+      result.converged = result.residual <= 1e-9 && update_race(set, Vec5(state.q), state);
       return result;
     }
     state = std::move(trial);

@@ -533,6 +533,13 @@ bool solve_roller(const RollerModel& m, const Vec5& q, const Races<PlaceDual>& r
 
 }  // namespace
 
+void follow_race(const RollerModel& m, const Vec5& change, RollerState& state) {
+  const Eigen::Vector3d shift = state.follow * change;
+  if (shift.head<2>().norm() + m.lever * std::abs(shift(2)) < m.longest_step) {
+    state.e += shift;
+  }
+}
+
 Vec4 relative_pose(const RollerModel& m, const RollerState& at, std::size_t j, const Vec5& q) {
   return relative(m, roller_at<double>(m, at), at, races_at<double>(m, q)[j], j).values();
 }
@@ -556,10 +563,7 @@ bool update_race(const RollerModel& m, const Vec5& q, RollerRace& state, double 
   state.largest_contact = 0.0;
   for (RollerState& roller : state.elements) {
     if (roller.known) {
-      const Eigen::Vector3d shift = roller.follow * change;
-      if (shift.head<2>().norm() + m.lever * std::abs(shift(2)) < m.longest_step) {
-        roller.e += shift;
-      }
+      follow_race(m, change, roller);
     }
     Balance found;
     if (!solve_roller(m, q, held, accuracy, roller, found)) {

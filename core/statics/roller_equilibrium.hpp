@@ -28,6 +28,9 @@ struct RollerState {
   Eigen::Matrix<double, 3, 5> follow = Eigen::Matrix<double, 3, 5>::Zero();  ///< de/dq
 };
 
+/// Moves the roller with the inner race, unless that is a long way.
+void follow_race(const RollerModel& model, const Vec5& change, RollerState& state);
+
 /// Pose of a roller relative to race j where the inner race is at q: p of slice_potential.hpp.
 [[nodiscard]] Vec4 relative_pose(const RollerModel& model, const RollerState& at, std::size_t j,
                                  const Vec5& q);

@@ -156,6 +156,7 @@ StaticRoller report_roller(const RollerModel& m, const Vec5& q, const RollerStat
   out.r = 0.5 * m.rollers.pitch_diameter + roller.e(1);
   out.tilt = roller.e(2) - m.rollers.axis_angle;
   out.idle = roller.idle;
+  out.follow = roller.follow;
   for (std::size_t j = 0; j < 2; ++j) {
     const Vec4 p = relative_pose(m, roller, j, q);
     out.race[j] = m.contact == RollerContact::Point ? point_contact(m, body, j, p)

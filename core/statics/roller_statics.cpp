@@ -51,16 +51,31 @@ Vec5 first_guess(const RollerModel& m, const RaceTask& task, const Vec5& given) 
   return q;
 }
 
-/// Where the earlier solution ended, but what is given now.
-Vec5 start_displacement(const RollerSolution& start, const RaceTask& task, const Vec5& given) {
+Vec5 displacement_of(const RollerSolution& solution) {
+  return Eigen::Map<const Vec5>(solution.displacement.data());
+}
+
+/// Where the earlier solution ended, but what is given now; moved on by its stiffness towards the
+/// load of now if that is a small step.
+Vec5 start_displacement(const RollerModel& m, const RollerSolution& start, const RaceTask& task,
+                        const Vec5& given) {
+  const Vec5 before = displacement_of(start);
   Vec5 q = given;
   for (Eigen::Index k = 0; k < 5; ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    if (!task.given[i]) {
-      q(k) = start.displacement[i];
+    if (!task.given[static_cast<std::size_t>(k)]) {
+      q(k) = before(k);
     }
   }
-  return q;
+  const RaceScales scales = race_scales(m);
+  const Vec5 load = Eigen::Map<const Vec5>(start.load.data()) + start.stiffness * (q - before);
+  const double force = std::max(force_scale(scales, task, start.max_load), 1e-300);
+  const double k_ref = reference_stiffness(m, force);
+  const Vec5 step =
+      newton_step(scaled_stiffness(scales, task, start.stiffness, k_ref),
+                  scaled_residual(scales, task, load), k_ref, force, scales.longest_step)
+          .direction;
+  const bool small = step.cwiseAbs().maxCoeff() < 0.1 * scales.longest_step;
+  return small ? moved(scales, q, step, 1.0) : q;
 }
 
 /// All rollers with the race at q; where they were in an earlier solution, if there is one.
@@ -76,7 +91,9 @@ RollerRace rollers_at(const RollerModel& model, const RollerSolution* start, con
       const StaticRoller& before = start->rollers[k];
       roller.e = {before.x, before.r - 0.5 * model.rollers.pitch_diameter,
                   before.tilt + model.rollers.axis_angle};
+      roller.follow = before.follow;
       roller.known = true;
+      follow_race(model, q - displacement_of(*start), roller);
     }
     state.elements.push_back(roller);
   }
@@ -211,7 +228,7 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
   const RaceScales scales = race_scales(model);
   model.load_floor = std::max(1e-13 * force_scale(scales, task, 0.0), 1e-12);
 
-  const Vec5 start = options.start        ? start_displacement(*options.start, task, given)
+  const Vec5 start = options.start        ? start_displacement(model, *options.start, task, given)
                      : options.warm_start ? given
                                           : first_guess(model, task, given);
   RollerRace state = rollers_at(model, options.start, start);

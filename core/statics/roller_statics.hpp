@@ -3,6 +3,8 @@
 #include "bearing/bearing.hpp"
 #include "statics/race_result.hpp"
 
+#include <Eigen/Core>
+
 #include <array>
 #include <limits>
 #include <string>
@@ -93,6 +95,8 @@ struct StaticRoller {
   std::array<RollerRaceContact, 2> race;
   std::array<std::array<RollerFlangeContact, 2>, 2> flange;  ///< [race][side: -x, +x]
   bool idle = false;  ///< at rest, touches nothing; placed by rule
+  Eigen::Matrix<double, 3, 5> follow =
+      Eigen::Matrix<double, 3, 5>::Zero();  ///< d(x, r, tilt)/d(displacement of the inner race)
 };
 
 struct RollerSolution : RaceResult {

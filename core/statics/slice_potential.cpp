@@ -202,15 +202,18 @@ struct Sums {
     const T over_bend = q / (n_u - A_h * hoop - A_m * meridian);  // -Q/δ_χχ
     const T q_h = q * d.at.A_hoop;
     const T q_m = q * d.at.A_meridian;
-    for (int i = 0; i < 4; ++i) {
-      const auto a = static_cast<std::size_t>(i);
-      gradient[a] += q * over[a];
-      chi[a] += A_h * h[a] + A_m * m[a];
-      for (int j = 0; j <= i; ++j) {
-        const auto b = static_cast<std::size_t>(j);
-        hessian[static_cast<std::size_t>(entry(i, j))] += q_slope * over[a] * over[b] +
-                                                          q_h * h[a] * h[b] + q_m * m[a] * m[b] +
-                                                          over_bend * chi[a] * chi[b];
+    std::size_t k = 0;
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < 4; ++i) {
+      gradient[i] += q * over[i];
+      chi[i] += A_h * h[i] + A_m * m[i];
+      const T over_i = q_slope * over[i];
+      const T h_i = q_h * h[i];
+      const T m_i = q_m * m[i];
+      const T chi_i = over_bend * chi[i];
+#pragma GCC unroll 4
+      for (std::size_t j = 0; j <= i; ++j) {
+        hessian[k++] += over_i * over[j] + h_i * h[j] + m_i * m[j] + chi_i * chi[j];
       }
     }
     // n·X_pq of the turns: θ_p × (θ_q × arm), even in p and q, and what a_pq adds.
@@ -282,6 +285,7 @@ void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
   const Axes axes = axes_at(p(2), p(3));
   Sums<Lanes> sums;
   Lanes tan_chi = 0.0;
+  Lanes last = 0.0;
   for (std::size_t first = 0; first < set.slices.size(); first += kLanes) {
     const std::size_t count = std::min(kLanes, set.slices.size() - first);
     const auto slice = [&](std::size_t lane) -> const contact::RollerSlice& {
@@ -290,6 +294,10 @@ void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
     const Lanes s([&](auto lane) { return slice(lane).s; });
     const Lanes radius([&](auto lane) { return slice(lane).radius; });
     const Deepest<Lanes> d = find_deepest(set.race, axes, p, s, radius, tan_chi);
+    // χ changes evenly along the roller: the next slices start from its extrapolation.
+    const Lanes found = tan_chi;
+    tan_chi = first == 0 ? found : 2.0 * found - last;
+    last = found;
     std::array<LandWidth, kLanes> land;
     std::array<contact::SliceLoad, kLanes> q;
     bool loaded = false;
