@@ -161,6 +161,12 @@ ChartCurve outline(const StaticTables& all, const std::string& table, std::strin
   return out;
 }
 
+std::pair<double, double> range(const std::vector<double>& values) {
+  if (values.empty()) return {0.0, 0.0};
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return {*low, *high};
+}
+
 double only(const StaticTable& table, const std::string& column) {
   const StaticColumn* found = table.find(column);
   return found == nullptr || found->values.empty() ? std::numeric_limits<double>::quiet_NaN()
@@ -187,6 +193,8 @@ std::optional<ChartPage> cut_page(const StaticTables& all) {
        {std::pair<std::string, const char*>{"outer", "outer race"}, {"inner", "inner race"}})
     panel.curves.push_back(outline(all, "cut " + race + " race", title));
   panel.curves.push_back(outline(all, "cut element", ball ? "ball" : "roller"));
+  const auto [left, right] = range(panel.curves.back().x);
+  const double middle = 0.5 * (left + right), half_width = std::max(0.5 * (right - left), 1e-300);
   for (const std::string race : {"outer", "inner"}) {
     ChartCurve contact = outline(all, "cut " + race + " contact", race + " contact");
     contact.heavy = true;
@@ -195,11 +203,13 @@ std::optional<ChartPage> cut_page(const StaticTables& all) {
       if (contact.x.empty()) continue;
       const bool low = std::string_view(side) == "-x";
       const double margin = only(*cut, fmt::format("{} {} margin", race, side));
-      desktop::ChartLabel label{low ? contact.x.front() : contact.x.back(),
-                                low ? contact.y.front() : contact.y.back(),
-                                low ? -1.0 : 1.0,
-                                up,
-                                {}};
+      desktop::ChartLabel label;
+      label.x = low ? contact.x.front() : contact.x.back();
+      label.y = low ? contact.y.front() : contact.y.back();
+      // Away from the contact, but well out on a ball away from the ball.
+      const double out = (label.x - middle) / half_width;
+      label.towards_x = ball && std::abs(out) > 0.38 ? std::copysign(1.0, out) : low ? -1.0 : 1.0;
+      label.towards_y = up;
       label.text = !std::isfinite(margin) ? "edge of the groove not given"
                    : margin > 0.0
                        ? fmt::format("{} to the edge", quantity(margin, results::unit::kLength, 3))

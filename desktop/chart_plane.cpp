@@ -36,12 +36,17 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
   // A fitted page is as wide as its curves need at the scale that its height gives, or less.
   double half_x = half, half_y = half;
   if (page_.fitted && !across.empty() && !up.empty()) {
-    constexpr double kMargin = 0.62;  // room for remarks
+    constexpr double kMargin = 0.62;  // of the range, either side of its middle
     half_x = kMargin * (across.high - across.low);
     half_y = kMargin * (up.high - up.low);
   }
   const QSizeF most(space.width(), space.height() - m.legend);
   const qreal scale = std::min(most.width() / half_x, most.height() / half_y);
+  if (page_.fitted) {  // remarks beside the curves, as far as there is room
+    constexpr qreal kRemark = 180.0;
+    const double wanted = half_x / 1.24 + 2.0 * kRemark / scale;
+    half_x = std::clamp(wanted, half_x, most.width() / scale);
+  }
   const QSizeF size(half_x * scale, half_y * scale);
   const QRectF area(space.left() + 0.5 * (space.width() - size.width()), space.top() + m.legend,
                     size.width(), size.height());

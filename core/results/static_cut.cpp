@@ -34,6 +34,14 @@ class Outline {
     table.add("r", unit::kLength, r_);
   }
 
+  /// Least distance of the points from a plane through p, along its unit normal m.
+  [[nodiscard]] double above(Point p, Point m) const {
+    double out = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < x_.size(); ++i)
+      out = std::min(out, (x_[i] - p.x) * m.x + (r_[i] - p.r) * m.r);
+    return out;
+  }
+
  private:
   std::vector<double> x_, r_;
 };
@@ -203,17 +211,23 @@ class RollerCut {
         out.add(surface(low + (high - low) * share, sigma));
       }
     };
-    const auto end = [&](std::size_t which, bool outer_first) {  // corners as chamfers
-      const double s = which == 0 ? -0.5 * profile_.length : 0.5 * profile_.length;
+    const auto end = [&](std::size_t which, double from) {  // corners as chamfers, domed ends
+      constexpr int kEnd = 16;
+      const double sign = which == 0 ? -1.0 : 1.0, radius = profile_.end_radius[which];
+      const bool flat = !(radius > 0.0) || radius > contact::kFlatEndRadius;
       const double rho =
           contact::roller_radius(profile_, which == 0 ? low : high) - profile_.corner_radius[which];
-      out.add(at(s, outer_first ? rho : -rho));
-      out.add(at(s, outer_first ? -rho : rho));
+      for (int i = 0; i <= kEnd; ++i) {
+        const double across = from * rho * (1.0 - 2.0 * i / kEnd);
+        const double sag =
+            flat ? 0.0 : across * across / (radius + std::sqrt(radius * radius - across * across));
+        out.add(at(sign * (0.5 * profile_.length - sag), across));
+      }
     };
     side(1.0, true);
-    end(1, true);
+    end(1, 1.0);
     side(-1.0, false);
-    end(0, false);
+    end(0, -1.0);
     out.add(surface(low, 1.0));
     return out;
   }
@@ -273,26 +287,29 @@ Raceway raceway_of(const RollerCut& roller, const Bearing& bearing, std::size_t 
   return out;
 }
 
-/// Raceway with its flanges, whose roots stand half their play from the roller's corners.
-Outline race_outline(const Raceway& raceway, const RollerCut& roller,
+/// Raceway with its flanges: two stand half their play from the roller, one alone touches it.
+Outline race_outline(const Raceway& raceway, const Outline& roller,
                      const bearing::RollerGeometry& g, std::size_t j) {
   constexpr int kPoints = 60;
   std::array<double, 2> root{-raceway.half_width, raceway.half_width};
   std::array<Point, 2> tip{};
+  const double c = std::cos(raceway.angle), s = std::sin(raceway.angle);
+  const Point across{raceway.sigma * -s, raceway.sigma * -c};  // out of the race
   for (std::size_t side = 0; side < 2; ++side) {
     if (!g.flange[j][side]) continue;
     const bearing::Flange& flange = *g.flange[j][side];
-    const double gamma = flange.layback, corner = roller.profile().corner_radius[side];
+    const double tangent = std::tan(flange.layback), cosine = std::cos(flange.layback);
+    const Point inwards = side == 0 ? Point{c, -s} : Point{-c, s};  // along the raceway
+    // Normal of the face towards the roller: it leans away from it.
+    const Point normal{cosine * inwards.x + cosine * tangent * across.x,
+                       cosine * inwards.r + cosine * tangent * across.r};
     const bool both = g.flange[j][0] && g.flange[j][1];
-    const double out = side == 0 ? -1.0 : 1.0;
-    root[side] = out * (0.5 * roller.profile().length - corner + corner / std::cos(gamma) -
-                        corner * std::tan(gamma) + (both ? 0.5 * g.flange_play[j] : 0.0));
-    // Up the face, leaning away from the roller; heights count along the raceway's normal.
+    const double gap =
+        roller.above(raceway.at(root[side]), normal) - (both ? 0.5 * g.flange_play[j] : 0.0);
+    root[side] += (side == 0 ? 1.0 : -1.0) * gap / cosine;
     const Point at = raceway.at(root[side]);
-    const double back = out * flange.height * std::tan(gamma), up = flange.height;
-    const double c = std::cos(raceway.angle), s = std::sin(raceway.angle);
-    tip[side] = {at.x + back * c - raceway.sigma * up * s,
-                 at.r - back * s - raceway.sigma * up * c};
+    tip[side] = {at.x + flange.height * (across.x - tangent * inwards.x),
+                 at.r + flange.height * (across.r - tangent * inwards.r)};
   }
   Outline out;
   if (g.flange[j][0]) out.add(tip[0]);
@@ -329,11 +346,12 @@ void add_cut(StaticTables& out, const statics::RollerSolution& solution, const B
   const bearing::RollerGeometry& g = *bearing.rollers;
   const RollerCut cut(g, number);
   const auto reach = cut.reach();
+  const Outline outline = cut.outline();
   Margins margins = kNoMargins;
   std::array<Outline, 2> races, contacts;
   for (std::size_t j = 0; j < 2; ++j) {
     const Raceway raceway = raceway_of(cut, bearing, j);
-    races[j] = race_outline(raceway, cut, g, j);
+    races[j] = race_outline(raceway, outline, g, j);
     if (!(roller->race[j].load > 0.0)) continue;
     const auto [low, high] = extent(roller->race[j], solution);
     if (low > high) continue;
@@ -349,7 +367,7 @@ void add_cut(StaticTables& out, const statics::RollerSolution& solution, const B
       if (std::abs(margin) < 1e-9) margin = 0.0;  // the last slice ends where the corner begins
   }
   add_row(out, number, roller->azimuth, {roller->race[0].load, roller->race[1].load}, margins);
-  cut.outline().add_to(out, "cut element");
+  outline.add_to(out, "cut element");
   for (std::size_t j = 0; j < 2; ++j) {
     const std::string race = std::string("cut ") + kRace[j];
     races[j].add_to(out, race + " race");
