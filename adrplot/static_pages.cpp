@@ -1,5 +1,7 @@
 #include "adrplot/static_pages.hpp"
 
+#include "desktop/axis_scale.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -130,10 +132,10 @@ ChartPage element_page(const StaticTables& all, const StaticTable& elements) {
   return page;
 }
 
-/// Where the ellipses lie on their grooves.
+/// Where the ellipses of all elements lie on their grooves.
 std::optional<ChartPage> ellipse_page(const StaticTables& all, const StaticTable& elements) {
   ChartPage page;
-  page.title = "Contact ellipses against the groove edges";
+  page.title = "Contact ellipses around the bearing";
   page.note =
       "Angles on the groove from its bottom: the ellipse should stay inside the groove's end.";
   set_abscissa(page, all, elements, "azimuth", "Azimuth");
@@ -144,6 +146,89 @@ std::optional<ChartPage> ellipse_page(const StaticTables& all, const StaticTable
                      {race + "ellipse high", "upper edge"},
                      {race + "groove end", "end of the groove"}}));
   if (elements.find("outer ellipse low") == nullptr || page.panels.empty()) return std::nullopt;
+  return page;
+}
+
+/// The outline of a table of the cut; empty when the file has none.
+ChartCurve outline(const StaticTables& all, const std::string& table, std::string name) {
+  ChartCurve out{std::move(name), {}, {}};
+  const StaticTable* points = all.find(table);
+  if (points == nullptr) return out;
+  const StaticColumn *x = points->find("x"), *r = points->find("r");
+  if (x == nullptr || r == nullptr) return out;
+  out.x = shown(*x, all.units);
+  out.y = shown(*r, all.units);
+  return out;
+}
+
+std::pair<double, double> range(const std::vector<double>& values) {
+  if (values.empty()) return {0.0, 0.0};
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return {*low, *high};
+}
+
+double only(const StaticTable& table, const std::string& column) {
+  const StaticColumn* found = table.find(column);
+  return found == nullptr || found->values.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                                   : found->values.front();
+}
+
+/// The cut through the most loaded element, to scale: both raceways, the element, and its contacts.
+std::optional<ChartPage> cut_page(const StaticTables& all) {
+  const StaticTable* cut = all.find("cut");
+  if (cut == nullptr) return std::nullopt;
+  const bool ball = all.bearing == "ball";
+  const auto quantity = [&](double value, const results::UnitPair& unit, int digits) {
+    return desktop::pretty_quantity(results::from_si(value, unit, all.units),
+                                    results::unit_name(unit, all.units), digits);
+  };
+  ChartPage page;
+  page.title = "Contact ellipses against the groove edges";
+  page.equal_axes = page.closed_outline = page.fitted = true;
+  page.x_title = "Along the bearing axis";
+  ChartPanel panel;
+  panel.title = "Distance from the axis";
+  panel.unit = results::unit_name(results::unit::kLength, all.units);
+  for (const auto& [race, title] :
+       {std::pair<std::string, const char*>{"outer", "outer race"}, {"inner", "inner race"}})
+    panel.curves.push_back(outline(all, "cut " + race + " race", title));
+  panel.curves.push_back(outline(all, "cut element", ball ? "ball" : "roller"));
+  const auto [left, right] = range(panel.curves.back().x);
+  const double middle = 0.5 * (left + right), half_width = std::max(0.5 * (right - left), 1e-300);
+  for (const std::string race : {"outer", "inner"}) {
+    ChartCurve contact = outline(all, "cut " + race + " contact", race + " contact");
+    contact.heavy = true;
+    const double up = race == "outer" ? 1.0 : -1.0;
+    for (const char* const side : {"-x", "+x"}) {
+      if (contact.x.empty()) continue;
+      const bool low = std::string_view(side) == "-x";
+      const double margin = only(*cut, fmt::format("{} {} margin", race, side));
+      desktop::ChartLabel label;
+      label.x = low ? contact.x.front() : contact.x.back();
+      label.y = low ? contact.y.front() : contact.y.back();
+      // Away from the contact, but well out on a ball away from the ball.
+      const double out = (label.x - middle) / half_width;
+      label.towards_x = ball && std::abs(out) > 0.38 ? std::copysign(1.0, out) : low ? -1.0 : 1.0;
+      label.towards_y = up;
+      label.text = !std::isfinite(margin) ? "edge of the groove not given"
+                   : margin > 0.0
+                       ? fmt::format("{} to the edge", quantity(margin, results::unit::kLength, 3))
+                   : margin == 0.0 ? "reaches the edge"
+                                   : fmt::format("{} over the edge",
+                                                 quantity(-margin, results::unit::kLength, 3));
+      page.labels.push_back(std::move(label));
+    }
+    panel.curves.push_back(std::move(contact));
+  }
+  page.panels.push_back(std::move(panel));
+  page.note = fmt::format(
+      "To scale. Most loaded {}, number {:.0f} at {}: {} on the outer, {} on the inner race. "
+      "Distances along the raceway{}.",
+      ball ? "ball" : "roller", only(*cut, "element"),
+      quantity(only(*cut, "azimuth"), results::unit::kAngle, 4),
+      quantity(only(*cut, "outer load"), results::unit::kForce, 4),
+      quantity(only(*cut, "inner load"), results::unit::kForce, 4),
+      ball ? "" : ", to its end or the roller's corner");
   return page;
 }
 
@@ -264,6 +349,7 @@ std::vector<ChartPage> static_pages(const StaticTables& all) {
     const StaticTable elements = by_azimuth(*table);
     pages.push_back(load_rose(all, elements));
     pages.push_back(element_page(all, elements));
+    if (auto page = cut_page(all)) pages.push_back(std::move(*page));
     if (auto page = ellipse_page(all, elements)) pages.push_back(std::move(*page));
     if (auto page = tilt_page(all, elements)) pages.push_back(std::move(*page));
   }
@@ -299,6 +385,10 @@ std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep) {
       page.x_title = sweep.variable;
       page.x = sweep.values;
     }
+    if (panels[i].title.starts_with("Life "))
+      pages.back().note =
+          "Lives: lp by a published constant (seen); lpu, gz and ih calibrated on it by this "
+          "program; factors recalled (STLE) or derived (Tallian-type).";
     pages.back().panels.push_back(std::move(panels[i]));
   }
   return pages;

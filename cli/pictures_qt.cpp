@@ -5,20 +5,11 @@
 #include "cli/pictures.hpp"
 #include "desktop/bootstrap.hpp"
 #include "desktop/image_export.hpp"
+#include "desktop/log_chart.hpp"
 
-#include <QChart>
-#include <QGraphicsScene>
-#include <QImage>
-#include <QLineSeries>
-#include <QLogValueAxis>
-#include <QPainter>
-#include <QPen>
-#include <QScatterSeries>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
-#include <map>
 #include <memory>
 
 namespace adore::cli {
@@ -112,64 +103,23 @@ void add_picture_commands(CLI::App& app, int&) {
   add_animate(app);
 }
 
-/// Colours of the methods, repeated after ten; the first seven differ for colour-blind readers too.
-constexpr const char* kColours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#8c6d00",
-                                    "#56b4e9", "#444444", "#e69f00", "#7b3fb3", "#a30d0d"};
-
 bool draw_accuracy_chart(const facade::AccuracyStudy& study, const std::filesystem::path& file) {
   desktop::ensure_headless_application();
-  QChart chart;
-  chart.setTitle(QString("What accuracy costs: %1 revolutions, reference %2")
-                     .arg(QString::number(study.span_revolutions, 'g', 3),
-                          QString::fromStdString(study.reference)));
-  auto* seconds = new QLogValueAxis;
-  seconds->setTitleText("computing time [s]");
-  seconds->setLabelFormat("%.0e");
-  seconds->setMinorTickCount(8);
-  auto* error = new QLogValueAxis;
-  error->setTitleText("largest scaled error at the end");
-  error->setLabelFormat("%.0e");
-  error->setMinorTickCount(8);
-  chart.addAxis(seconds, Qt::AlignBottom);
-  chart.addAxis(error, Qt::AlignLeft);
-
-  std::map<std::string, QLineSeries*> lines;
-  double low_t = 1e300, high_t = 0.0, low_e = 1e300, high_e = 0.0;
+  desktop::LogChart chart;
+  chart.title = fmt::format("What accuracy costs: {:.3g} revolutions, reference {}",
+                            study.span_revolutions, study.reference);
+  chart.x_title = "computing time [s]";
+  chart.y_title = "largest scaled error at the end";
   for (const facade::AccuracyRow& row : study.rows) {
     if (!row.failure.empty() || !(row.seconds > 0.0) || !(row.error > 0.0)) continue;
-    QLineSeries*& line = lines[row.method];
-    if (line == nullptr) {
-      line = new QLineSeries;
-      line->setName(QString::fromStdString(row.method));
-      line->setPointsVisible(true);
-      line->setPen(QPen(QColor(kColours[(lines.size() - 1) % std::size(kColours)]), 2.0));
-      chart.addSeries(line);
-      line->attachAxis(seconds);
-      line->attachAxis(error);
-    }
-    line->append(row.seconds, row.error);
-    low_t = std::min(low_t, row.seconds), high_t = std::max(high_t, row.seconds);
-    low_e = std::min(low_e, row.error), high_e = std::max(high_e, row.error);
+    auto curve = std::find_if(chart.curves.begin(), chart.curves.end(),
+                              [&](const desktop::ChartCurve& c) { return c.name == row.method; });
+    if (curve == chart.curves.end())
+      curve = chart.curves.insert(curve, desktop::ChartCurve{row.method, {}, {}});
+    curve->x.push_back(row.seconds);
+    curve->y.push_back(row.error);
   }
-  if (lines.empty()) return false;
-  seconds->setRange(low_t / 1.5, high_t * 1.5);
-  error->setRange(low_e / 3.0, high_e * 3.0);
-  chart.legend()->setAlignment(Qt::AlignRight);
-
-  QGraphicsScene scene;
-  scene.addItem(&chart);
-  chart.resize(1280, 800);
-  scene.setSceneRect(0, 0, 1280, 800);
-  QImage image(1280, 800, QImage::Format_RGB32);
-  image.fill(Qt::white);
-  {
-    QPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing);
-    scene.render(&painter);
-  }
-  scene.removeItem(&chart);
-  desktop::save_image(image, file);
-  return true;
+  return desktop::save_log_chart(chart, file);
 }
 
 }  // namespace adore::cli

@@ -11,6 +11,7 @@ struct ChartCurve {
   std::string name;
   std::vector<double> y;  ///< one per abscissa value; NaN = no value, the line is broken there
   std::vector<double> x;  ///< empty: the page's abscissa (own values only on pages with equal axes)
+  bool heavy = false;     ///< drawn thick: what the picture is about
 };
 
 struct ChartPanel {
@@ -27,16 +28,25 @@ struct ChartMark {
   std::string label;
 };
 
+/// A remark at a point of a page with equal axes.
+struct ChartLabel {
+  double x = 0.0, y = 0.0;
+  double towards_x = 0.0, towards_y = 0.0;  ///< where the text stands from there: -1, 0 or 1
+  std::string text;
+};
+
 struct ChartPage {
   std::string title, subtitle;
   std::string note;  ///< a sentence below the title, or, without panels, instead of them
   std::string x_title, x_unit;
   std::vector<double> x;
   std::vector<ChartPanel> panels;
-  std::vector<ChartMark> marks;            ///< dashed vertical lines with a label
-  bool equal_axes = false;                 ///< an orbit: same scale both ways, one panel
-  bool closed_outline = false;             ///< an orbit page whose curves are outlines, not paths
-  double guide_radius = 0.0;               ///< circle about the origin of an orbit; 0 = none
+  std::vector<ChartMark> marks;    ///< dashed vertical lines with a label
+  bool equal_axes = false;         ///< an orbit: same scale both ways, one panel
+  bool closed_outline = false;     ///< an orbit page whose curves are outlines, not paths
+  bool fitted = false;             ///< an orbit page as wide and high as its curves, not square
+  std::vector<ChartLabel> labels;  ///< of a page with equal axes
+  double guide_radius = 0.0;       ///< circle about the origin of an orbit; 0 = none
   double view_low = 0.0, view_high = 0.0;  ///< first view of the abscissa; equal = all of it
 };
 

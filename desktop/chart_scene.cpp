@@ -1,5 +1,7 @@
 #include "desktop/chart_scene.hpp"
 
+#include "desktop/chart_scene_parts.hpp"
+
 #include <QChart>
 #include <QFontMetricsF>
 #include <QGraphicsLayout>
@@ -17,35 +19,6 @@
 #include <numbers>
 
 namespace adore::desktop {
-namespace {
-
-QString text_of(const std::string& text) { return QString::fromStdString(text); }
-
-QString with_unit(const QString& title, const AxisScale& axis) {
-  QString text = title;
-  if (!axis.unit.empty()) text += " [" + text_of(axis.unit) + "]";
-  if (!axis.offset_text.empty()) text += " " + text_of(axis.offset_text);
-  return text;
-}
-
-struct Extent {
-  double low = std::numeric_limits<double>::infinity(),
-         high = -std::numeric_limits<double>::infinity();
-  void include(double value) {
-    if (!std::isfinite(value)) return;
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  [[nodiscard]] bool empty() const { return low > high; }
-};
-
-}  // namespace
-
-struct ChartScene::Metrics {
-  qreal left, right, top, bottom, gap, legend;
-  int title_font, text_font, tick_font;
-  qreal line, thin_line;
-};
 
 ChartScene::Metrics ChartScene::metrics() const {
   if (style_ == ChartStyle::Compact) return {74, 14, 46, 46, 26, 17, 13, 11, 10, 1.4, 1.0};
@@ -210,95 +183,6 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   addMarks(area, index == 0, m);
   addLegend(panel, area, m);
   areas_.push_back(area);
-}
-
-void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
-  const ChartPanel& panel = page_.panels.front();
-  Extent across, up;
-  for (const auto& curve : panel.curves) {
-    for (const double x : curve.x) across.include(x);
-    for (const double y : curve.y) up.include(y);
-  }
-  for (const double r : {-page_.guide_radius, page_.guide_radius}) {
-    if (page_.guide_radius <= 0.0) continue;
-    across.include(r);
-    up.include(r);
-  }
-  // One square that holds both ranges keeps circles round; a twelfth of margin keeps the curve off
-  // the frame.
-  const double middle_x = across.empty() ? 0.0 : 0.5 * (across.low + across.high);
-  const double middle_y = up.empty() ? 0.0 : 0.5 * (up.low + up.high);
-  double half = across.empty() || up.empty()
-                    ? 1.0
-                    : 0.5 * std::max(across.high - across.low, up.high - up.low);
-  if (!(half > 1e-9 * std::max(std::abs(middle_x), std::abs(middle_y))))
-    half = std::max({std::abs(middle_x), std::abs(middle_y), 1e-9});
-  half *= 1.08;
-  const qreal side = std::min(space.width(), space.height() - m.legend);
-  const QRectF area(space.left() + 0.5 * (space.width() - side), space.top() + m.legend, side,
-                    side);
-  const int parts = std::clamp(static_cast<int>(side / 90), 2, 8);
-  // The wider absolute range decides the unit of both axes, so that they share it.
-  AxisScale x_axis = tight_axis(-half, half, panel.unit, parts);
-  x_axis.offset = 0.0;
-  AxisScale y_axis = x_axis;
-  x_axis.min = x_axis.shown(middle_x - half), x_axis.max = x_axis.shown(middle_x + half);
-  y_axis.min = y_axis.shown(middle_y - half), y_axis.max = y_axis.shown(middle_y + half);
-  x_axis_ = x_axis;
-  QChart* chart = addChart(area, x_axis, y_axis, with_unit(text_of(page_.x_title), x_axis),
-                           with_unit(text_of(panel.title), y_axis), true, m);
-  if (page_.guide_radius > 0.0) {
-    Polyline circle;
-    constexpr int kPoints = 180;
-    for (int i = 0; i <= kPoints; ++i) {
-      const double a = 2.0 * std::numbers::pi * i / kPoints;
-      circle.x.push_back(page_.guide_radius * std::cos(a));
-      circle.y.push_back(page_.guide_radius * std::sin(a));
-    }
-    addSeries(chart, circle, x_axis, y_axis, "clearance", 1, m.thin_line);
-    auto* series = qobject_cast<QLineSeries*>(chart->series().back());
-    QPen pen = series->pen();
-    pen.setStyle(Qt::DashLine);
-    series->setPen(pen);
-  }
-  int colour = 0;
-  for (const auto& curve : panel.curves) {
-    Polyline line;
-    for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
-      if (!std::isfinite(curve.x[i]) || !std::isfinite(curve.y[i])) continue;
-      line.x.push_back(curve.x[i]);
-      line.y.push_back(curve.y[i]);
-    }
-    addSeries(chart, line, x_axis, y_axis, text_of(curve.name), colour++,
-              page_.closed_outline ? m.line : m.thin_line);
-    if (line.x.empty() || page_.closed_outline) continue;
-    const auto dot = [&](std::size_t i, const QColor& fill) {
-      const double px =
-          area.left() + (x_axis.shown(line.x[i]) - x_axis.min) / (x_axis.max - x_axis.min) * side;
-      const double py =
-          area.bottom() - (y_axis.shown(line.y[i]) - y_axis.min) / (y_axis.max - y_axis.min) * side;
-      addEllipse(QRectF(px - 5, py - 5, 10, 10), QPen(theme_->surface, 1.5), fill)->setZValue(5);
-    };
-    dot(0, theme_->green);
-    dot(line.x.size() - 1, theme_->red);
-  }
-  areas_.push_back(area);
-  if (page_.closed_outline) {
-    addLegend(panel, area, m);
-    return;
-  }
-  auto* key = addText(QString());
-  key->setFont(ui_font(m.text_font));
-  key->setDefaultTextColor(theme_->muted);
-  key->setHtml(
-      QString("<span style='color:%1'>●</span> start &nbsp; <span style='color:%2'>●</span> end%3")
-          .arg(theme_->green.name(), theme_->red.name(),
-               page_.guide_radius > 0.0
-                   ? QString(" &nbsp; <span style='color:%1'>– –</span> clearance")
-                         .arg(theme_->curves[1].name())
-                   : QString()));
-  key->setPos(area.right() - key->boundingRect().width(),
-              area.top() - key->boundingRect().height());
 }
 
 QChart* ChartScene::addChart(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,

@@ -53,6 +53,7 @@ class ChartScene : public QGraphicsScene {
   void addHeading(const Metrics& m);
   void addPanel(std::size_t index, const QRectF& area, bool bottom, const Metrics& m);
   void addOrbit(const QRectF& space, const Metrics& m);
+  void addRemark(const ChartLabel& label, QPointF at, const Metrics& m);
   void addLegend(const ChartPanel& panel, const QRectF& area, const Metrics& m);
   void addMarks(const QRectF& area, bool label, const Metrics& m);
   void addMessage(const QRectF& area, const QString& text, const Metrics& m);

@@ -3,6 +3,8 @@
 #include "build/build_rollers.hpp"
 #include "contact/cage_inertia.hpp"
 #include "contact/groove.hpp"
+#include "contact/roller_pocket_play.hpp"
+#include "contact/roller_shape.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
@@ -79,7 +81,58 @@ bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const 
   }
 }
 
-/// Roller cages are described for their play only: their inertia stays zero.
+/// Least play of a roller between the guide faces of record 7.3.
+double face_play(const Deck& deck, const bearing::RollerGeometry& rollers) {
+  std::vector<contact::RollerPocketFace> faces;
+  for (int i = 1; i <= deck.integer("kPocType"); ++i) {
+    contact::RollerPocketFace face;
+    for (int k = 0; k < 3; ++k) {
+      face.angles[k] = deck.si(fmt::format("bPocGsAng{}", k + 1), i);
+      face.centre[k] = deck.si(fmt::format("bPocGsCen{}", k + 1), i);
+    }
+    face.width = deck.si("bPocGsLen1", i);
+    face.length = deck.si("bPocGsLen2", i);
+    faces.push_back(face);
+  }
+  return contact::roller_pocket_play(faces, contact::roller_profile(rollers));
+}
+
+/// kPocType. Rollers: -1 cylinders about the rollers, 0 windows, above 0 pairs of guide faces,
+/// which count as windows of their least play.
+void read_pocket(const Deck& deck, const Bearing& bearing, bearing::Cage& out) {
+  using bearing::PocketShape;
+  const long long type = deck.integer("kPocType");
+  out.pocket_clearance_1 = deck.si("bPocCls1");
+  out.pocket_clearance_2 = deck.si("bPocCls2");
+  if (!bearing.rollers) {
+    constexpr std::array kShapes{PocketShape::Cylindrical, PocketShape::Spherical,
+                                 PocketShape::Elongated, PocketShape::Rectangular,
+                                 PocketShape::Conical};
+    out.pocket = kShapes.at(static_cast<std::size_t>(type));
+    return;
+  }
+  out.pocket = type < 0 ? PocketShape::Cylindrical : PocketShape::Rectangular;
+  out.pocket_clearance_2 = 0.0;
+  if (type > 0) out.pocket_clearance_1 = face_play(deck, *bearing.rollers);
+}
+
+/// Record 7.7 where the deck gives it, else from the ideal shape. In a quasi-static solution, which
+/// only reports it, a shape that cannot be cut leaves it zero.
+bearing::Inertia cage_mass(const Deck& deck, const Bearing& bearing, bool dynamic) {
+  if (deck.has("cageMass")) {
+    bearing::Inertia given;
+    given.mass = deck.si("cageMass");
+    given.moments = {deck.si("cageMIx"), deck.si("cageMIy"), deck.si("cageMIz")};
+    return given;
+  }
+  try {
+    return contact::cage_inertia(bearing);
+  } catch (const InputError&) {
+    if (dynamic) throw;
+    return {};
+  }
+}
+
 bearing::Cage cage(const Deck& deck, const Bearing& bearing) {
   bearing::Cage out;
   out.outer_diameter = deck.si("cageDia1");
@@ -87,8 +140,8 @@ bearing::Cage cage(const Deck& deck, const Bearing& bearing) {
   out.width = deck.si("cageWidth");
   out.clearance_outer = deck.si("cageCls1");
   out.clearance_inner = deck.si("cageCls2");
-  out.pocket_clearance_1 = deck.si("bPocCls1");
-  out.pocket_clearance_2 = deck.si("bPocCls2");
+  out.cone_angle = deck.has("cageConeAng") ? deck.si("cageConeAng") : 0.0;
+  read_pocket(deck, bearing, out);
   const int lands = static_cast<int>(deck.integer("nGL"));
   for (int i = 1; i <= lands; ++i) {
     bearing::GuideLand land;
@@ -103,10 +156,6 @@ bearing::Cage cage(const Deck& deck, const Bearing& bearing) {
     out.lands.push_back(land);
   }
   out.material = material(deck, "kCageMat", Part::Cage, "cage", "");
-  const bearing::BallGeometry& balls = bearing.balls;
-  if (!bearing.rollers)
-    out.inertia = contact::cage_inertia(out, balls.count, balls.diameter, balls.pitch_diameter,
-                                        out.material.density);
   if (deck.has("avRatio")) {
     out.whirl_ratio = deck.si("wvRatio");
     out.speed_ratio = deck.si("avRatio");
@@ -116,12 +165,6 @@ bearing::Cage cage(const Deck& deck, const Bearing& bearing) {
     }
   }
   return out;
-}
-
-/// Straight, with round pockets: what check_buildable asks of a dynamic run.
-bool plain_cage(const Deck& deck) {
-  return deck.integer("kPocType") == 0 &&
-         !(deck.has("cageConeAng") && deck.real("cageConeAng") != 0.0);
 }
 
 bearing::StaticConstraints constraints(const Deck& deck) {
@@ -223,8 +266,10 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
                                    out.envelope.race_width[1], out.race_material[1].density)};
   out.race_traction = curve(deck, "kTracType", "reRaceTC");
   const bool dynamic = deck.integer("mode") >= 0;
-  // A quasi-static solution only reports the cage's play, of the pocket shapes that Cage describes.
-  if (deck.integer("nCseg") == 1 && (dynamic || plain_cage(deck))) out.cage = cage(deck, out);
+  if (deck.integer("nCseg") == 1) {
+    out.cage = cage(deck, out);
+    out.cage->inertia = cage_mass(deck, out, dynamic);
+  }
   if (dynamic && out.cage) {
     out.pocket_traction = curve(deck, "kCPTracType", "reCageTC");
     const bool guided = std::any_of(out.cage->lands.begin(), out.cage->lands.end(),

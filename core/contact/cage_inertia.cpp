@@ -43,7 +43,7 @@ struct PocketSection {
   explicit PocketSection(const CageSolid& s) : solid(s) {
     half_y = 0.5 * (s.element_diameter + s.clearance_1);
     if (s.pocket == PocketShape::Elongated) flat = 0.5 * s.clearance_2;
-    if (s.pocket == PocketShape::Rectangular)
+    if (s.pocket == PocketShape::Rectangular || along_axis())
       half_x = s.roller_length > 0.0 ? 0.5 * s.roller_length
                                      : 0.5 * (s.element_diameter + s.clearance_2);
     if (s.pocket == PocketShape::Conical) {
@@ -53,7 +53,12 @@ struct PocketSection {
       cone_slope = 0.5 * (s.clearance_2 - s.clearance_1) / (high - low);
     }
   }
+  /// A cylinder about the roller's own axis.
+  [[nodiscard]] bool along_axis() const {
+    return solid.pocket == PocketShape::Cylindrical && solid.roller_length > 0.0;
+  }
   [[nodiscard]] double half_chord(double y, double z) const {
+    if (along_axis()) return half_x;
     double squared = half_y * half_y - y * y;
     switch (solid.pocket) {
       case PocketShape::Rectangular:
@@ -80,7 +85,7 @@ struct PocketSection {
   /// misses the pocket.
   [[nodiscard]] double half_angle(double r) const {
     const double r_p = 0.5 * solid.pitch_diameter;
-    if (solid.pocket == PocketShape::Spherical) {
+    if (solid.pocket == PocketShape::Spherical || along_axis()) {  // the same circle about x
       const double c = (r * r + r_p * r_p - half_y * half_y) / (2 * r * r_p);
       return c >= 1.0 ? 0.0 : std::acos(std::max(c, -1.0));
     }
@@ -95,11 +100,22 @@ struct PocketSection {
 /// Half of a void, φ from `from` to its end on the side of `sign`, pocket at azimuth 0.
 Moments half_void(const PocketSection& section, double from, double sign) {
   const CageSolid& s = section.solid;
-  const double r1 = 0.5 * s.outer_diameter, r2 = 0.5 * s.inner_diameter,
-               r_p = 0.5 * s.pitch_diameter;
+  const double r_p = 0.5 * s.pitch_diameter;
+  double r1 = 0.5 * s.outer_diameter, r2 = 0.5 * s.inner_diameter;
+  // A cylinder about the roller may end inside the wall, where its width goes like a root: r =
+  // middle + half sin makes that smooth.
+  const bool along_axis = section.along_axis();
+  if (along_axis) {
+    r1 = std::min(r1, r_p + section.half_y);
+    r2 = std::max(r2, r_p - section.half_y);
+    if (!(r1 > r2)) return {};
+  }
   Moments sum;
   for (const GaussPoint& radial : kGauss20) {
-    const double r = 0.5 * (r1 + r2) + 0.5 * (r1 - r2) * radial.node;
+    const double turned = 0.5 * kPi * radial.node;
+    const double share = along_axis ? std::sin(turned) : radial.node;
+    const double slope = along_axis ? 0.5 * kPi * std::cos(turned) : 1.0;
+    const double r = 0.5 * (r1 + r2) + 0.5 * (r1 - r2) * share;
     const double end = section.half_angle(r);
     const double kink = section.flat > 0.0 ? std::asin(std::min(section.flat / r, 1.0)) : 0.0;
     const std::array<double, 3> pieces = {from, std::clamp(kink, from, std::max(end, from)), end};
@@ -112,7 +128,7 @@ Moments half_void(const PocketSection& section, double from, double sign) {
         const double phi = sign * (pieces[p] + length * std::sin(t));
         const double y = -r * std::sin(phi), z = r * std::cos(phi);
         const double chord = section.half_chord(y, z - r_p);
-        const double dV = radial.weight * 0.5 * (r1 - r2) * r * around.weight * 0.25 * kPi *
+        const double dV = radial.weight * slope * 0.5 * (r1 - r2) * r * around.weight * 0.25 * kPi *
                           length * std::cos(t) * 2 * chord;
         const Vec3 point(0.0, y, z);
         sum.volume += dV;
@@ -226,12 +242,11 @@ void check(const CageSolid& s, const PocketSection& section) {
     throw InputError(fmt::format(
         "cage inertia: the pocket is {} m long but the cage only {} m wide; give a wider cage",
         2 * chord, s.width));
-  if (s.cone_angle != 0.0 &&
-      (s.segments > 1 || s.pocket == PocketShape::Spherical || s.pocket == PocketShape::Conical))
+  if (s.cone_angle != 0.0 && (s.segments > 1 || s.pocket == PocketShape::Spherical ||
+                              s.pocket == PocketShape::Conical || section.along_axis()))
     throw InputError(
-        "cage inertia: a conical cage must be in one piece with cylindrical, elongated or "
-        "rectangular "
-        "pockets; give its mass and inertia instead");
+        "cage inertia: a conical cage must be in one piece with round, elongated or rectangular "
+        "pockets through its wall; give its mass and inertia instead");
   if (s.segments > 1 && s.pockets % s.segments != 0)
     throw InputError(fmt::format("cage inertia: {} pockets cannot be shared equally by {} segments",
                                  s.pockets, s.segments));
@@ -276,6 +291,38 @@ SolidInertia cage_solid_inertia(const CageSolid& s) {
       body.second - body.volume * result.mass_centre * result.mass_centre.transpose();
   result.inertia = s.density * (second.trace() * Mat3::Identity() - second);
   return result;
+}
+
+CageSolid cage_solid(const bearing::Bearing& bearing) {
+  demand(bearing.cage.has_value(), "a bearing with a cage");
+  const bearing::Cage& cage = *bearing.cage;
+  CageSolid solid;
+  solid.pocket = cage.pocket;
+  solid.outer_diameter = cage.outer_diameter;
+  solid.inner_diameter = cage.inner_diameter;
+  solid.width = cage.width;
+  solid.pockets = bearing.element_count();
+  solid.clearance_1 = cage.pocket_clearance_1;
+  solid.clearance_2 = cage.pocket_clearance_2;
+  solid.density = cage.material.density;
+  solid.cone_angle = cage.cone_angle;
+  if (bearing.rollers) {
+    solid.element_diameter = bearing.rollers->diameter;
+    solid.pitch_diameter = bearing.rollers->pitch_diameter;
+    solid.roller_length = bearing.rollers->length;
+  } else {
+    solid.element_diameter = bearing.balls.diameter;
+    solid.pitch_diameter = bearing.balls.pitch_diameter;
+  }
+  return solid;
+}
+
+bearing::Inertia cage_inertia(const bearing::Bearing& bearing) {
+  const SolidInertia result = cage_solid_inertia(cage_solid(bearing));
+  bearing::Inertia inertia;
+  inertia.mass = result.mass;
+  inertia.moments = result.inertia.diagonal();
+  return inertia;
 }
 
 bearing::Inertia cage_inertia(const bearing::Cage& cage, int pockets, double ball_diameter,

@@ -16,9 +16,11 @@ struct CageSolid {
   int pockets = 0;
   double element_diameter = 0.0, pitch_diameter = 0.0;  ///< [m]
   double clearance_1 = 0.0, clearance_2 = 0.0;          ///< C1, C2 of the pocket [m]
-  double roller_length = 0.0;  ///< > 0: rectangular roller pocket of this axial length [m]
-  double density = 0.0;        ///< [kg/m^3]
-  double cone_angle = 0.0;     ///< > 0: radii fall with x; one piece only [rad]
+  /// > 0: roller pocket of this axial length [m]. Rectangular: a window of parallel faces;
+  /// Cylindrical: a cylinder about the roller's axis (roller-guided cage).
+  double roller_length = 0.0;
+  double density = 0.0;     ///< [kg/m^3]
+  double cone_angle = 0.0;  ///< > 0: radii fall with x; one piece only [rad]
   // Segmented cage; segments <= 1: one piece.
   int segments = 1;
   double cut_angle = 0.0;  ///< angle removed between segments [rad]
@@ -36,6 +38,14 @@ struct SolidInertia {
 /// @throws InputError when diameters or width are not positive, pockets overlap, or a pocket is
 /// wider than the cage.
 [[nodiscard]] SolidInertia cage_solid_inertia(const CageSolid& solid);
+
+/// The one-piece cage of a bearing. A roller's window is as long as the roller and as wide as its
+/// diameter at mid length and the pocket's play. @pre the bearing has a cage
+[[nodiscard]] CageSolid cage_solid(const bearing::Bearing& bearing);
+
+/// Mass and moments of that cage about its mass centre. Without material density or with a shape
+/// that cannot be cut it throws as cage_solid_inertia does.
+[[nodiscard]] bearing::Inertia cage_inertia(const bearing::Bearing& bearing);
 
 /// One-piece ball cage with straight walls: the tensor is diagonal with equal transverse moments.
 [[nodiscard]] bearing::Inertia cage_inertia(const bearing::Cage& geometry, int pockets,

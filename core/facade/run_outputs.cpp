@@ -9,6 +9,7 @@
 #include "results/averages.hpp"
 #include "results/channels.hpp"
 #include "results/continuation.hpp"
+#include "results/print_cage.hpp"
 #include "results/print_file.hpp"
 #include "results/print_fits.hpp"
 #include "results/print_imperfections.hpp"
@@ -16,6 +17,7 @@
 #include "results/results_h5.hpp"
 #include "results/run_json.hpp"
 #include "results/sol_writer.hpp"
+#include "results/static_cut.hpp"
 #include "results/static_tables.hpp"
 
 #include <fmt/format.h>
@@ -283,8 +285,11 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
   if (imperfections.elements == bearing::ElementErrors::Random)
     out.seeds.emplace_back("geometric imperfections", static_cast<long>(imperfections.seed));
   out.imperfections = results::imperfections_json(prepared.bearing);
-  if (prepared.bearing.operating) out.operating = results::fits_json(*prepared.bearing.operating);
-  if (!prepared.rollers) out.life["quasi-static"] = results::life_json(prepared.life);
+  if (prepared.bearing.operating) {
+    out.operating = results::fits_json(*prepared.bearing.operating);
+    if (prepared.bearing.cage) out.operating["cage"] = results::cage_json(prepared.bearing);
+  }
+  out.life["quasi-static"] = results::life_json(prepared.life);
   return out;
 }
 
@@ -467,6 +472,10 @@ void RunOutputs::write_quasi_static() {
   results::StaticTables tables =
       s.prepared.rollers ? results::static_tables(*s.prepared.rollers, s.prepared.bearing, s.units)
                          : results::static_tables(s.prepared.statics, s.prepared.bearing, s.units);
+  if (s.prepared.rollers)
+    results::add_cut(tables, *s.prepared.rollers, s.prepared.bearing);
+  else
+    results::add_cut(tables, s.prepared.statics, s.prepared.bearing);
   if (!s.prepared.stiffness.empty())
     tables.tables.push_back(results::stiffness_over_speed(s.prepared.stiffness));
   run.quasi_static = results::to_json(tables);

@@ -1,6 +1,7 @@
 #include "base/errors.hpp"
 #include "deck/defaults.hpp"
 #include "deck/schema.hpp"
+#include "results/print_cage.hpp"
 #include "results/print_file.hpp"
 #include "results/print_imperfections.hpp"
 #include "tribology/traction_curve.hpp"
@@ -82,28 +83,7 @@ void echo(Report& report, const deck::Deck& deck) {
   for (const std::string& line : deck.user_lines) report.text(line, 4);
 }
 
-std::string_view pocket_name(bearing::PocketShape shape) {
-  switch (shape) {
-    case bearing::PocketShape::Cylindrical:
-      return "cylindrical";
-    case bearing::PocketShape::Spherical:
-      return "spherical";
-    case bearing::PocketShape::Elongated:
-      return "elongated";
-    case bearing::PocketShape::Rectangular:
-      return "rectangular";
-    case bearing::PocketShape::Conical:
-      return "conical";
-  }
-  return {};
-}
-
-void geometry(Report& report, const bearing::Bearing& bearing) {
-  report.new_page("BEARING GEOMETRY");
-  if (bearing.rollers) {
-    print_roller_geometry(report, *bearing.rollers, bearing.envelope);
-    return;
-  }
+void ball_geometry(Report& report, const bearing::Bearing& bearing) {
   const bearing::BallGeometry& balls = bearing.balls;
   report.item("Number of balls", static_cast<long>(balls.count));
   report.item("Ball diameter", balls.diameter, unit::kLength);
@@ -132,41 +112,15 @@ void geometry(Report& report, const bearing::Bearing& bearing) {
                 {"race width", &unit::kLength},
                 {"roughness", &unit::kLength}},
                rows, 12);
-  if (!bearing.cage) {
-    report.text("There is no cage.");
-    return;
-  }
-  const bearing::Cage& cage = *bearing.cage;
-  report.heading("Cage");
-  report.item("Outer diameter", cage.outer_diameter, unit::kLength);
-  report.item("Inner diameter", cage.inner_diameter, unit::kLength);
-  report.item("Width", cage.width, unit::kLength);
-  report.item("Pocket shape", pocket_name(cage.pocket));
-  report.item("Pocket clearance I, diametral", cage.pocket_clearance_1, unit::kLength);
-  report.item("Pocket clearance II, diametral", cage.pocket_clearance_2, unit::kLength);
-  report.item("Half cone angle of conical pockets", cage.cone_angle, unit::kAngle);
-  report.item("Clearance to the outer race, diametral", cage.clearance_outer, unit::kLength);
-  report.item("Clearance to the inner race, diametral", cage.clearance_inner, unit::kLength);
-  if (cage.lands.empty()) {
-    report.text("There are no guide lands.");
-    return;
-  }
-  report.heading("Guide lands");
-  rows.clear();
-  for (std::size_t i = 0; i < cage.lands.size(); ++i) {
-    const bearing::GuideLand& land = cage.lands[i];
-    const char* guide = land.guide == bearing::GuideLand::Guide::Outer   ? "outer race"
-                        : land.guide == bearing::GuideLand::Guide::Inner ? "inner race"
-                                                                         : "none";
-    rows.push_back({fmt::format("{} {}", i + 1, guide),
-                    {land.diameter, land.width, land.edge, land.clearance}});
-  }
-  report.table("land",
-               {{"cage dia", &unit::kLength},
-                {"width", &unit::kLength},
-                {"outer edge", &unit::kLength},
-                {"dia clear", &unit::kLength}},
-               rows, 14);
+}
+
+void geometry(Report& report, const bearing::Bearing& bearing, const deck::Deck& deck) {
+  report.new_page("BEARING GEOMETRY");
+  if (bearing.rollers)
+    print_roller_geometry(report, *bearing.rollers, bearing.envelope);
+  else
+    ball_geometry(report, bearing);
+  print_cage_geometry(report, bearing, deck);
 }
 
 void materials(Report& report, const bearing::Bearing& bearing) {
@@ -392,7 +346,7 @@ void output_control(Report& report, const PrintFront& front) {
 
 void print_front(Report& report, const PrintFront& front) {
   echo(report, front.deck);
-  geometry(report, front.bearing);
+  geometry(report, front.bearing, front.deck);
   print_imperfections(report, front.bearing);
   materials(report, front.bearing);
   traction(report, front.bearing);

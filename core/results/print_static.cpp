@@ -1,4 +1,5 @@
 #include "results/motion.hpp"
+#include "results/print_cage.hpp"
 #include "results/print_file.hpp"
 
 #include <fmt/format.h>
@@ -170,6 +171,7 @@ void print_quasi_static(Report& report, const statics::StaticSolution& solution,
   print_race_stiffness(report, solution);
   balls(report, solution);
   split_races(report, solution, bearing);
+  print_cage_operation(report, bearing);
   if (solution.notes.empty()) return;
   report.heading("Notes");
   for (const std::string& note : solution.notes) report.text(note);

@@ -1,3 +1,4 @@
+#include "results/print_cage.hpp"
 #include "results/print_file.hpp"
 
 #include <fmt/format.h>
@@ -229,6 +230,7 @@ void print_quasi_static(Report& report, const statics::RollerSolution& solution,
   contacts(report, solution, bearing::kInner);
   flange_contacts(report, solution);
   profile(report, solution);
+  print_cage_operation(report, bearing);
   if (solution.notes.empty()) return;
   report.heading("Notes");
   for (const std::string& note : solution.notes) report.text(note);

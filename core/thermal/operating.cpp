@@ -209,8 +209,8 @@ void move_cage(bearing::Cage& cage, const Bearing& free, const MountedState& sta
               ball_growth, report);
   if (cage.pocket == bearing::PocketShape::Elongated)
     cage.pocket_clearance_2 *= 1.0 + ring.growth;  // length of the straight part
-  else if (cage.pocket == bearing::PocketShape::Rectangular ||
-           cage.pocket == bearing::PocketShape::Conical)
+  else if (!free.rollers && (cage.pocket == bearing::PocketShape::Rectangular ||
+                             cage.pocket == bearing::PocketShape::Conical))
     move_pocket("pocket clearance II", cage.pocket_clearance_2, elements.diameter, ring.growth,
                 ball_growth, report);
   cage.outer_diameter += 2.0 * report.cage[0].total();

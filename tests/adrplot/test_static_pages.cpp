@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -138,6 +139,90 @@ TEST_CASE("sweep pages: quantities of one kind share a panel, missing runs are g
   CHECK(pages[0].panels[0].curves[1].y[2] == 4e-6);
   write_file_atomically(path, "a,b\n");
   CHECK_THROWS_AS(results::read_sweep(path), InputError);
+}
+
+namespace {
+
+/// A small cut: straight lines for races, one contact over the edge, one edge not given.
+results::StaticTables with_cut(results::UnitSystem units) {
+  results::StaticTables out = four_elements(units);
+  results::StaticTable row{"cut", {}};
+  row.add("element", unit::kPure, {3.0});
+  row.add("azimuth", unit::kAngle, {1.0});
+  row.add("outer load", unit::kForce, {1234.0});
+  row.add("inner load", unit::kForce, {1200.0});
+  row.add("outer -x margin", unit::kLength, {0.0015});
+  row.add("outer +x margin", unit::kLength, {-0.0002});
+  row.add("inner -x margin", unit::kLength, {kNone});
+  row.add("inner +x margin", unit::kLength, {0.0});
+  out.tables.push_back(std::move(row));
+  const auto line = [&](const char* name, std::vector<double> x, std::vector<double> r) {
+    results::StaticTable table{name, {}};
+    table.add("x", unit::kLength, std::move(x));
+    table.add("r", unit::kLength, std::move(r));
+    out.tables.push_back(std::move(table));
+  };
+  line("cut outer race", {-0.006, 0.006}, {0.024, 0.024});
+  line("cut inner race", {-0.006, 0.006}, {0.016, 0.016});
+  line("cut element", {-0.004, 0.0, 0.004, 0.0, -0.004}, {0.02, 0.024, 0.02, 0.016, 0.02});
+  line("cut outer contact", {-0.001, 0.001}, {0.024, 0.024});
+  line("cut inner contact", {-0.001, 0.001}, {0.016, 0.016});
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("the cut page labels every edge of the contacts with its distance", "[unit]") {
+  const auto pages = adrplot::static_pages(with_cut(results::UnitSystem::SI));
+  const auto page = std::find_if(pages.begin(), pages.end(), [](const auto& p) {
+    return p.title == "Contact ellipses against the groove edges";
+  });
+  REQUIRE(page != pages.end());
+  CHECK(page->equal_axes);
+  REQUIRE(page->panels.size() == 1);
+  CHECK(page->panels[0].curves.size() == 5);
+  CHECK(page->panels[0].curves[0].x == std::vector<double>{-0.006, 0.006});
+  REQUIRE(page->labels.size() == 4);
+  CHECK(page->labels[0].text == "1.5 mm to the edge");
+  CHECK(page->labels[0].x == -0.001);
+  CHECK(page->labels[1].text == "200 µm over the edge");
+  CHECK(page->labels[2].text == "edge of the groove not given");
+  CHECK(page->labels[3].text == "reaches the edge");
+  CHECK_THAT(page->note, Catch::Contains("number 3") && Catch::Contains("1.234 kN"));
+  // English decks in inches.
+  for (const auto& p : adrplot::static_pages(with_cut(results::UnitSystem::English)))
+    if (!p.labels.empty()) {
+      CHECK(p.panels[0].unit == "in");
+      CHECK(p.panels[0].curves[0].x[1] == Approx(0.006 / 0.0254));
+    }
+}
+
+TEST_CASE("the cut is drawn with equal scales both ways", "[gui]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const auto file = write_run(folder, with_cut(results::UnitSystem::SI));
+  adrplot::RenderOptions options;
+  options.folder = folder.filePath("pictures").toStdString();
+  options.page = 3;
+  const auto pictures = adrplot::render_plots({file}, options);
+  REQUIRE(pictures.size() == 1);
+  const QImage image(QString::fromStdString(pictures[0].string()));
+  // The thick contacts are 2 mm long and 8 mm apart.
+  const auto& theme = desktop::theme(desktop::ThemeKind::Light);
+  const auto box = [&](const QColor& colour) {
+    QRect out;
+    for (int y = 115; y < image.height(); ++y)  // below the legend
+      for (int x = 0; x < image.width(); ++x)
+        if (image.pixel(x, y) == colour.rgb()) out |= QRect(x, y, 1, 1);
+    return out;
+  };
+  const QRect outer = box(theme.curves[3]), inner = box(theme.curves[4]);
+  REQUIRE_FALSE(outer.isEmpty());
+  REQUIRE_FALSE(inner.isEmpty());
+  const double apart = inner.center().y() - outer.center().y();
+  CHECK(apart > 300.0);
+  // Two pixels of round caps and dots at the ends.
+  CHECK(outer.width() == Approx(apart / 4.0).margin(8.0));
 }
 
 TEST_CASE("quasi-static pages become pictures with curves in them", "[gui]") {

@@ -3,6 +3,7 @@
 #include "contact/cage_inertia.hpp"
 #include "contact/conformal.hpp"
 #include "contact/guide_land.hpp"
+#include "contact/roller_pocket_play.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -309,6 +310,50 @@ TEST_CASE("Segments without a gap between them add up to the whole cage", "[phys
     const double off_axis = part.mass * part.mass_centre.squaredNorm();
     CHECK(4 * (part.inertia(0, 0) + off_axis) == Approx(whole.inertia(0, 0)).epsilon(1e-12));
   }
+}
+
+TEST_CASE("A roller-guided cage loses cylinders about its rollers", "[physics][cage]") {
+  // The cylinder lies wholly inside the wall: its volume is π ρ² L, whatever way it is integrated.
+  CageSolid solid = cage_solid(PocketShape::Cylindrical);
+  solid.outer_diameter = 0.062;
+  solid.inner_diameter = 0.034;
+  solid.width = 0.014;
+  solid.pitch_diameter = 0.048;
+  const double whole =
+      0.25 * 3.14159265358979323846 * solid.width *
+      (solid.outer_diameter * solid.outer_diameter - solid.inner_diameter * solid.inner_diameter);
+  solid.roller_length = 0.010;
+  const double rho = 0.5 * (kBall + solid.clearance_1);
+  CHECK(whole - cage_solid_inertia(solid).volume ==
+        Approx(12 * 3.14159265358979323846 * rho * rho * 0.010).epsilon(1e-6));
+  solid.cone_angle = 0.1;
+  CHECK_THROWS_WITH(cage_solid_inertia(solid), Catch::Contains("conical"));
+}
+
+TEST_CASE("Play of a roller between guide faces", "[physics][cage]") {
+  contact::RollerProfile roller;
+  roller.diameter = 0.010;
+  roller.length = 0.012;
+  RollerPocketFace face;
+  face.centre = {0.0, 0.00512, 0.0};
+  face.width = 0.004;
+  face.length = 0.008;
+  CHECK(roller_pocket_play(std::array{face}, roller) == Approx(2.4e-4).epsilon(1e-9));
+  // A second, tighter pair decides; faces leaning about x touch nearer by the cosine.
+  RollerPocketFace leaning = face;
+  leaning.angles = {0.2, 0.0, 0.0};
+  leaning.centre = 0.00508 * Vec3(0.0, std::cos(0.2), std::sin(0.2));
+  CHECK(roller_pocket_play(std::array{face, leaning}, roller) == Approx(1.6e-4).epsilon(1e-9));
+  // A tapered roller is widest at its large end, towards -x, as far as the face reaches.
+  roller.half_angle = 0.03;
+  CHECK(roller_pocket_play(std::array{face}, roller) ==
+        Approx(2.4e-4 - 2.0 * 0.004 * std::tan(0.03)).epsilon(1e-9));
+  face.length = 0.1;
+  CHECK(roller_pocket_play(std::array{face}, roller) ==
+        Approx(2.4e-4 - 2.0 * 0.006 * std::tan(0.03)).epsilon(1e-9));
+  face.length = 0.002;
+  face.centre[0] = 0.02;
+  CHECK_THROWS_WITH(roller_pocket_play(std::array{face}, roller), Catch::Contains("bPocGsLen2"));
 }
 
 TEST_CASE("A cage whose pockets cannot be cut is refused with the reason", "[unit][cage]") {

@@ -1,0 +1,149 @@
+#include "desktop/chart_scene.hpp"
+#include "desktop/chart_scene_parts.hpp"
+
+#include <QChart>
+#include <QFontMetricsF>
+#include <QGraphicsTextItem>
+#include <QLineSeries>
+
+#include <numbers>
+
+/// Pages with equal axes: orbits, roses and cuts.
+namespace adore::desktop {
+
+void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
+  const ChartPanel& panel = page_.panels.front();
+  Extent across, up;
+  for (const auto& curve : panel.curves) {
+    for (const double x : curve.x) across.include(x);
+    for (const double y : curve.y) up.include(y);
+  }
+  for (const double r : {-page_.guide_radius, page_.guide_radius}) {
+    if (page_.guide_radius <= 0.0) continue;
+    across.include(r);
+    up.include(r);
+  }
+  // One square that holds both ranges keeps circles round; a twelfth of margin keeps the curve off
+  // the frame.
+  const double middle_x = across.empty() ? 0.0 : 0.5 * (across.low + across.high);
+  const double middle_y = up.empty() ? 0.0 : 0.5 * (up.low + up.high);
+  double half = across.empty() || up.empty()
+                    ? 1.0
+                    : 0.5 * std::max(across.high - across.low, up.high - up.low);
+  if (!(half > 1e-9 * std::max(std::abs(middle_x), std::abs(middle_y))))
+    half = std::max({std::abs(middle_x), std::abs(middle_y), 1e-9});
+  half *= 1.08;
+  // A fitted page is as wide as its curves need at the scale that its height gives, or less.
+  double half_x = half, half_y = half;
+  if (page_.fitted && !across.empty() && !up.empty()) {
+    constexpr double kMargin = 0.62;  // of the range, either side of its middle
+    half_x = kMargin * (across.high - across.low);
+    half_y = kMargin * (up.high - up.low);
+  }
+  const QSizeF most(space.width(), space.height() - m.legend);
+  const qreal scale = std::min(most.width() / half_x, most.height() / half_y);
+  if (page_.fitted) {  // remarks beside the curves, as far as there is room
+    constexpr qreal kRemark = 180.0;
+    const double wanted = half_x / 1.24 + 2.0 * kRemark / scale;
+    half_x = std::clamp(wanted, half_x, most.width() / scale);
+  }
+  const QSizeF size(half_x * scale, half_y * scale);
+  const QRectF area(space.left() + 0.5 * (space.width() - size.width()), space.top() + m.legend,
+                    size.width(), size.height());
+  const int parts = std::clamp(static_cast<int>(std::min(size.width(), size.height()) * half /
+                                                std::min(half_x, half_y) / 90),
+                               2, 8);
+  // The wider absolute range decides the unit of both axes, so that they share it.
+  AxisScale x_axis = tight_axis(-half, half, panel.unit, parts);
+  x_axis.offset = 0.0;
+  AxisScale y_axis = x_axis;
+  x_axis.min = x_axis.shown(middle_x - half_x), x_axis.max = x_axis.shown(middle_x + half_x);
+  y_axis.min = y_axis.shown(middle_y - half_y), y_axis.max = y_axis.shown(middle_y + half_y);
+  x_axis_ = x_axis;
+  QChart* chart = addChart(area, x_axis, y_axis, with_unit(text_of(page_.x_title), x_axis),
+                           with_unit(text_of(panel.title), y_axis), true, m);
+  if (page_.guide_radius > 0.0) {
+    Polyline circle;
+    constexpr int kPoints = 180;
+    for (int i = 0; i <= kPoints; ++i) {
+      const double a = 2.0 * std::numbers::pi * i / kPoints;
+      circle.x.push_back(page_.guide_radius * std::cos(a));
+      circle.y.push_back(page_.guide_radius * std::sin(a));
+    }
+    addSeries(chart, circle, x_axis, y_axis, "clearance", 1, m.thin_line);
+    auto* series = qobject_cast<QLineSeries*>(chart->series().back());
+    QPen pen = series->pen();
+    pen.setStyle(Qt::DashLine);
+    series->setPen(pen);
+  }
+  int colour = 0;
+  for (const auto& curve : panel.curves) {
+    Polyline line;
+    for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
+      if (!std::isfinite(curve.x[i]) || !std::isfinite(curve.y[i])) continue;
+      line.x.push_back(curve.x[i]);
+      line.y.push_back(curve.y[i]);
+    }
+    addSeries(chart, line, x_axis, y_axis, text_of(curve.name), colour++,
+              curve.heavy            ? 3.0 * m.line
+              : page_.closed_outline ? m.line
+                                     : m.thin_line);
+    if (line.x.empty() || page_.closed_outline) continue;
+    const auto dot = [&](std::size_t i, const QColor& fill) {
+      const double px = area.left() + (x_axis.shown(line.x[i]) - x_axis.min) /
+                                          (x_axis.max - x_axis.min) * area.width();
+      const double py = area.bottom() - (y_axis.shown(line.y[i]) - y_axis.min) /
+                                            (y_axis.max - y_axis.min) * area.height();
+      addEllipse(QRectF(px - 5, py - 5, 10, 10), QPen(theme_->surface, 1.5), fill)->setZValue(5);
+    };
+    dot(0, theme_->green);
+    dot(line.x.size() - 1, theme_->red);
+  }
+  areas_.push_back(area);
+  for (const ChartLabel& label : page_.labels) {
+    const QPointF at(area.left() + (x_axis.shown(label.x) - x_axis.min) /
+                                       (x_axis.max - x_axis.min) * area.width(),
+                     area.bottom() - (y_axis.shown(label.y) - y_axis.min) /
+                                         (y_axis.max - y_axis.min) * area.height());
+    addRemark(label, at, m);
+  }
+  if (page_.closed_outline) {
+    addLegend(panel, area, m);
+    return;
+  }
+  auto* key = addText(QString());
+  key->setFont(ui_font(m.text_font));
+  key->setDefaultTextColor(theme_->muted);
+  key->setHtml(
+      QString("<span style='color:%1'>●</span> start &nbsp; <span style='color:%2'>●</span> end%3")
+          .arg(theme_->green.name(), theme_->red.name(),
+               page_.guide_radius > 0.0
+                   ? QString(" &nbsp; <span style='color:%1'>– –</span> clearance")
+                         .arg(theme_->curves[1].name())
+                   : QString()));
+  key->setPos(area.right() - key->boundingRect().width(),
+              area.top() - key->boundingRect().height());
+}
+
+void ChartScene::addRemark(const ChartLabel& label, QPointF at, const Metrics& m) {
+  constexpr qreal kLeader = 26.0, kDot = 3.0;
+  const QFont font = ui_font(m.text_font);
+  const QFontMetricsF metrics(font);
+  const QString text = text_of(label.text);
+  const QPointF end = at + kLeader * QPointF(label.towards_x, -label.towards_y);
+  addEllipse(QRectF(at.x() - kDot, at.y() - kDot, 2.0 * kDot, 2.0 * kDot), QPen(Qt::NoPen),
+             theme_->text)
+      ->setZValue(6);
+  addLine(QLineF(at, end), QPen(theme_->text, 1))->setZValue(6);
+  const qreal width = metrics.horizontalAdvance(text), height = metrics.height();
+  const qreal left = label.towards_x > 0.0   ? end.x() + 4.0
+                     : label.towards_x < 0.0 ? end.x() - width - 4.0
+                                             : end.x() - 0.5 * width;
+  auto* item = addSimpleText(text, font);
+  item->setBrush(theme_->text);
+  item->setPos(std::clamp(left, 4.0, std::max(4.0, size_.width() - width - 4.0)),
+               end.y() - 0.5 * height * (1.0 + label.towards_y));
+  item->setZValue(6);
+}
+
+}  // namespace adore::desktop

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "desktop/chart_scene.hpp"
+
+#include <QString>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+/// What the sources of ChartScene share.
+namespace adore::desktop {
+
+inline QString text_of(const std::string& text) { return QString::fromStdString(text); }
+
+inline QString with_unit(const QString& title, const AxisScale& axis) {
+  QString text = title;
+  if (!axis.unit.empty()) text += " [" + text_of(axis.unit) + "]";
+  if (!axis.offset_text.empty()) text += " " + text_of(axis.offset_text);
+  return text;
+}
+
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(),
+         high = -std::numeric_limits<double>::infinity();
+  void include(double value) {
+    if (!std::isfinite(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  [[nodiscard]] bool empty() const { return low > high; }
+};
+
+struct ChartScene::Metrics {
+  qreal left, right, top, bottom, gap, legend;
+  int title_font, text_font, tick_font;
+  qreal line, thin_line;
+};
+
+}  // namespace adore::desktop
