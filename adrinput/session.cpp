@@ -183,7 +183,7 @@ bool Session::offerNext() {
         left.path().empty() ? tr("a new deck") : QString::fromStdString(left.path().string());
     bar.ask(tr("AdrInput was cut off before %1 was saved; what was typed until %2 is kept.")
                 .arg(name, when),
-            {{"restore", tr("&Restore it"), [this] { restore(); }},
+            {{"restore", tr("Res&tore it"), [this] { restore(); }},
              {"later", tr("&Later"), later},
              {"discard", tr("&Discard it"), discard}});
   } catch (const std::exception& reason) {
