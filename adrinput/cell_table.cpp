@@ -18,12 +18,13 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace adore::adrinput {
 namespace {
 
 constexpr int kOtherRole = Qt::UserRole;  // the value in the other system of units
-constexpr int kRowHeight = 28, kTwoLines = 46;
+constexpr int kRowHeight = 28, kTwoLines = 44;
 
 /// Edits a cell as text, or as a choice where the variable has codes.
 class CellDelegate : public QStyledItemDelegate {
@@ -36,15 +37,19 @@ class CellDelegate : public QStyledItemDelegate {
              const QModelIndex& index) const override {
     const QString other = index.data(kOtherRole).toString();
     if (other.isEmpty()) return QStyledItemDelegate::paint(painter, option, index);
-    QStyleOptionViewItem upper = option;
-    upper.displayAlignment = Qt::AlignLeft | Qt::AlignTop;
-    QStyledItemDelegate::paint(painter, upper, index);
+    QStyleOptionViewItem cell = option;
+    initStyleOption(&cell, index);
+    const QString text = std::exchange(cell.text, QString());
+    table_->style()->drawControl(QStyle::CE_ItemViewItem, &cell, painter, table_);
     const desktop::Theme& theme = desktop::current_theme();
+    const bool selected = option.state.testFlag(QStyle::State_Selected);
+    const QRect rect = option.rect.adjusted(5, 4, -2, -4);
     painter->save();
     painter->setFont(option.font);
-    painter->setPen(option.state.testFlag(QStyle::State_Selected) ? QColor(Qt::white)
-                                                                  : theme.accent);
-    painter->drawText(option.rect.adjusted(4, 0, -2, -4), Qt::AlignLeft | Qt::AlignBottom, other);
+    painter->setPen(selected ? QColor(Qt::white) : theme.text);
+    painter->drawText(rect, Qt::AlignLeft | Qt::AlignTop, text);
+    painter->setPen(selected ? QColor(Qt::white) : theme.accent);
+    painter->drawText(rect, Qt::AlignLeft | Qt::AlignBottom, other);
     painter->restore();
   }
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {

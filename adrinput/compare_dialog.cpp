@@ -82,7 +82,17 @@ void CompareDialog::sync() {
   std::string record;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const deck::Difference& row = rows_[i];
-    if (row.record != record || i == 0) {
+    if (row.variable.empty() && row.record != "12") {
+      record.clear();
+      QString text = page_heading(*deck::find_record(row.record));
+      if (row.instance > 1) text += QString(" (%1)").arg(row.instance);
+      auto* item = new QListWidgetItem(
+          tr("%1: only %2").arg(text, row.in_left ? tr("here") : tr("there")), list_);
+      item->setFont(desktop::ui_font(13, true));
+      item->setData(kRowRole, static_cast<int>(i));
+      continue;
+    }
+    if (row.record != record) {
       record = row.record;
       auto* heading = new QListWidgetItem(page_heading(*deck::find_record(record)), list_);
       heading->setFont(desktop::ui_font(13, true));

@@ -104,13 +104,13 @@ void DeckWindow::checkFile() {
   if (!document_.changed_on_disk(path)) return file_notice_->hide();
   const bool mine = document_.modified();
   file_notice_->ask(tr("Another program changed %1.").arg(name),
-                    {{"reload", mine ? tr("&Reload, dropping my changes") : tr("&Reload"),
+                    {{"reload", mine ? tr("Rel&oad, dropping my changes") : tr("Rel&oad"),
                       [this, path] {
                         const std::string page = current_;
                         if (openFile(path)) showPage(page);
                       }},
-                     {"keep-mine", tr("&Keep mine"), [this] { document_.keep_mine(); }},
-                     {"compare-file", tr("&Compare"), [this] {
+                     {"keep-mine", tr("Keep m&ine"), [this] { document_.keep_mine(); }},
+                     {"compare-file", tr("Co&mpare"), [this] {
                         compareWithSaved();
                         checkFile();  // the question is still open
                       }}});

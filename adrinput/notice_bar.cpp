@@ -3,14 +3,14 @@
 #include "desktop/theme.hpp"
 
 #include <QBoxLayout>
-#include <QEvent>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 
 namespace adore::adrinput {
 
 NoticeBar::NoticeBar(const QString& name, QWidget* parent)
-    : QFrame(parent), buttons_(new QHBoxLayout), label_(new QLabel(this)) {
+    : QWidget(parent), buttons_(new QHBoxLayout), label_(new QLabel(this)) {
   setObjectName(name);
   label_->setObjectName("notice-text");
   label_->setWordWrap(true);
@@ -19,20 +19,15 @@ NoticeBar::NoticeBar(const QString& name, QWidget* parent)
   row->setContentsMargins(20, 8, 20, 8);
   row->addWidget(label_, 1);
   row->addLayout(buttons_);
-  paintFrame();
   hide();
 }
 
-void NoticeBar::paintFrame() {
+/// Painted by hand: a style sheet here would fix the colours of the buttons.
+void NoticeBar::paintEvent(QPaintEvent* /*event*/) {
   const desktop::Theme& theme = desktop::current_theme();
-  const QString sheet = QString("#%1 { background: %2; border-bottom: 1px solid %3; }")
-                            .arg(objectName(), theme.raised.name(), theme.accent.name());
-  if (styleSheet() != sheet) setStyleSheet(sheet);
-}
-
-void NoticeBar::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange) paintFrame();
-  QFrame::changeEvent(event);
+  QPainter painter(this);
+  painter.fillRect(rect(), theme.raised);
+  painter.fillRect(0, height() - 2, width(), 2, theme.accent);
 }
 
 QString NoticeBar::text() const { return label_->text(); }

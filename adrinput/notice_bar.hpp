@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QFrame>
+#include <QWidget>
 
 #include <functional>
 #include <vector>
@@ -13,7 +13,7 @@ namespace adore::adrinput {
 
 /// A sentence above the form with buttons to answer it. It blocks nothing; it stays until it is
 /// answered or no longer true.
-class NoticeBar : public QFrame {
+class NoticeBar : public QWidget {
   Q_OBJECT
  public:
   struct Answer {
@@ -28,10 +28,9 @@ class NoticeBar : public QFrame {
   [[nodiscard]] QString text() const;
 
  protected:
-  void changeEvent(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
  private:
-  void paintFrame();
   QBoxLayout* buttons_;
   QLabel* label_;
 };

@@ -142,8 +142,14 @@ void Session::lookForOrphans() {
   orphans_.clear();
   std::error_code error;
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder_, error))
-    if (entry.path().extension() == kSuffix && entry.path() != file_) files.push_back(entry.path());
+  for (const auto& entry : fs::directory_iterator(folder_, error)) {
+    fs::path file = entry.path();
+    if (file.extension() == kSuffix && file != file_) files.push_back(file);
+    // The lock of a program that was cut off with nothing to lose.
+    if (file.extension() == ".lock" && !fs::exists(file.replace_extension(), error) &&
+        InstanceLock::take(entry.path()))
+      fs::remove(entry.path(), error);
+  }
   std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
     std::error_code ignored;
     return fs::last_write_time(a, ignored) > fs::last_write_time(b, ignored);
@@ -183,7 +189,7 @@ bool Session::offerNext() {
         left.path().empty() ? tr("a new deck") : QString::fromStdString(left.path().string());
     bar.ask(tr("AdrInput was cut off before %1 was saved; what was typed until %2 is kept.")
                 .arg(name, when),
-            {{"restore", tr("&Restore it"), [this] { restore(); }},
+            {{"restore", tr("Res&tore it"), [this] { restore(); }},
              {"later", tr("&Later"), later},
              {"discard", tr("&Discard it"), discard}});
   } catch (const std::exception& reason) {

@@ -28,6 +28,7 @@
 #include <fstream>
 #include <memory>
 #include <random>
+#include <set>
 
 using namespace adore;
 using namespace adore::adrinput;
@@ -127,6 +128,39 @@ bool make_record_apply(Document& document, const deck::RecordSpec& record) {
   return document.instances(record.id) > 0;
 }
 
+/// Gives numbers that the rules accept to what nobody gave, as far as guesses go.
+void mend(Document& document, std::string_view record) {
+  const auto errors = [&] {
+    if (document.instances(record) == 0) return std::ptrdiff_t{1000};  // that guess went too far
+    return std::count_if(
+        document.problems().begin(), document.problems().end(),
+        [](const Problem& problem) { return problem.issue.severity == Severity::Error; });
+  };
+  std::set<Cell> hopeless;
+  for (int round = 0; round < 80; ++round) {
+    if (!document.has_errors()) document.check_model();
+    const auto wrong = std::find_if(document.problems().begin(), document.problems().end(),
+                                    [&](const Problem& problem) {
+                                      return problem.issue.severity == Severity::Error &&
+                                             problem.cell && hopeless.count(*problem.cell) == 0;
+                                    });
+    if (wrong == document.problems().end()) return;
+    const Cell at = *wrong->cell;
+    const std::string old = document.text(at);
+    const auto before = errors();
+    for (const char* guess : {"1", "0.5", "0.05", "0.02", "0.002", "1e-3", "1e-5", "300", "1000",
+                              "2e11", "2", "0", "5"}) {
+      document.edit(at, guess);
+      if (!document.has_errors()) document.check_model();
+      if (errors() < before) break;
+    }
+    document.end_step();
+    if (errors() < before) continue;
+    document.edit(at, old);
+    hopeless.insert(at);
+  }
+}
+
 }  // namespace
 
 TEST_CASE("every record of the schema: its page is built, edited by typing, and reads back equal",
@@ -139,16 +173,25 @@ TEST_CASE("every record of the schema: its page is built, edited by typing, and 
   window.show();
   Document& document = window.document();
   int edited = 0, records = 0, records_saved = 0;
+  std::string only_as_text;
   for (const deck::RecordSpec& record : deck::schema()) {
     if (record.id == "12") continue;
     INFO("record " << record.id);
     // A deck of any type whose options can be set so that the record is due.
     bool there = false;
+    for (const deck::TemplateInfo& info : deck::templates()) {
+      document.start_new(info.name);
+      const long long count = record.repeat.empty() ? 2 : document.deck().integer(record.repeat);
+      if ((there = document.instances(record.id) > 0 && count >= 2)) break;
+    }
     for (const char* type : {"ball", "cylindrical", "tapered"}) {
+      if (there) break;
       document.start_new(type);
-      if ((there = make_record_apply(document, record))) break;
+      there = make_record_apply(document, record);
     }
     REQUIRE(there);
+    mend(document, record.id);
+    REQUIRE(document.instances(record.id) > 0);
     ++records;
     window.showRecord(std::string(record.id));
     REQUIRE(window.page()->record() == record.id);
@@ -184,12 +227,12 @@ TEST_CASE("every record of the schema: its page is built, edited by typing, and 
     if (saved > 0)
       ++records_saved;
     else
-      WARN("record " << record.id << " was in no deck without errors");
+      only_as_text += " " + std::string(record.id);
   }
   CHECK(records + 1 == static_cast<int>(deck::schema().size()));
   CHECK(edited > 700);
-  INFO(records_saved << " of " << records << " records in decks without errors");
-  CHECK(records_saved > records / 2);
+  INFO("records that were in no deck without errors:" << only_as_text);
+  CHECK(records_saved >= 84);
 
   // Record 12, whose lines are text.
   document.start_new("ball");

@@ -163,9 +163,13 @@ TEST_CASE("what is typed is stored by itself, and nothing stays after an orderly
           "[gui][adrinput]") {
   test::use_qt();
   const QTemporaryDir folder;
+  fs::create_directories(folder.filePath("unsaved").toStdString());
+  const fs::path old_lock = folder.filePath("unsaved/7-1.unsaved.lock").toStdString();
+  std::ofstream(old_lock) << "";
   {
     Started one(folder);
     CHECK(unsaved(folder).isEmpty());
+    CHECK_FALSE(fs::exists(old_lock));
     type(one.window, "pitchDia", "0.0612");
     CHECK(QTest::qWaitFor([&] { return !unsaved(folder).isEmpty(); }, 5000));
     one.window.undo();
