@@ -127,7 +127,7 @@ void dimension(QPainter& painter, const Dimension& d, const QTransform& place, c
     arrow(painter, arc_of(d, place), colour, width, false);
     return;
   }
-  if (d.kind == Dimension::Kind::Leader) {
+  if (d.kind == Dimension::Kind::Leader || d.kind == Dimension::Kind::Radius) {
     if (length(to - from) < 1.0) return;
     painter.setPen(line);
     painter.drawLine(from, to);
@@ -161,6 +161,7 @@ void dimension(QPainter& painter, const Dimension& d, const QTransform& place, c
 QPointF label_point(const Dimension& d, const QTransform& place) {
   const QPointF from = map(place, d.from), to = map(place, d.to);
   if (d.kind == Dimension::Kind::Leader) return from;
+  if (d.kind == Dimension::Kind::Radius) return from + 0.6 * (to - from);
   if (d.kind == Dimension::Kind::Angle) {
     const QPolygonF arc = arc_of(d, place);
     return arc[arc.size() / 2];
@@ -173,8 +174,25 @@ QPointF label_point(const Dimension& d, const QTransform& place) {
   return 0.5 * (from + to);
 }
 
+bool room_for(const Dimension& d, const QTransform& place, double width) {
+  if (d.kind == Dimension::Kind::Leader) return true;
+  if (d.kind != Dimension::Kind::Span) return false;
+  const QPointF along = map(place, d.to) - map(place, d.from);
+  return std::abs(along.x()) > width + 30.0 || std::abs(along.y()) > 60.0;
+}
+
+QPointF beyond_tip(const facade::Arrow& arrow, const QTransform& place) {
+  const QPointF tip = map(place, arrow.path.back());
+  if (arrow.path.size() > 2) return tip + QPointF(0.0, 12.0);  // turning: its arc is above
+  const QPointF along = tip - map(place, arrow.path.front());
+  return length(along) > 0.0 ? tip + along / length(along) * 12.0 : tip;
+}
+
 bool worth_a_name(const Dimension& d, const QTransform& place) {
-  if (d.kind != Dimension::Kind::Span) return true;
+  if (d.kind == Dimension::Kind::Angle) {
+    const QPolygonF arc = arc_of(d, place);
+    return length(arc.back() - arc.front()) > 4.0;
+  }
   return length(map(place, d.to) - map(place, d.from)) > 4.0;
 }
 

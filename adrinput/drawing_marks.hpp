@@ -26,6 +26,11 @@ void dimension(QPainter& painter, const facade::Dimension& dimension, const QTra
                const QColor& colour, double width);
 /// Where the label of a dimension belongs.
 [[nodiscard]] QPointF label_point(const facade::Dimension& dimension, const QTransform& place);
+/// Is there room for a label of that width within the line itself?
+[[nodiscard]] bool room_for(const facade::Dimension& dimension, const QTransform& place,
+                            double width);
+/// Where the label of an arrow belongs.
+[[nodiscard]] QPointF beyond_tip(const facade::Arrow& arrow, const QTransform& place);
 /// Is it large enough on the screen to be named without being in focus?
 [[nodiscard]] bool worth_a_name(const facade::Dimension& dimension, const QTransform& place);
 /// Distance of a point from its line.

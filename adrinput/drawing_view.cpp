@@ -261,7 +261,7 @@ void DrawingView::paintPane(QPainter& painter, const facade::Pane& pane, const F
     if (arrow.value != 0.0 || inFocus(arrow)) paintArrow(painter, arrow, frame.place);
   for (const bool focused : {false, true})
     for (const facade::Dimension& d : pane.dimensions)
-      if (visible(d) && inFocus(d) == focused &&
+      if (visible(d) && inFocus(d) == focused && (focused || marks::worth_a_name(d, frame.place)) &&
           (focused || d.kind != facade::Dimension::Kind::Leader))
         paintDimension(painter, d, frame.place);
   writeLabels(painter, pane, frame);
@@ -326,7 +326,7 @@ void DrawingView::paintShape(QPainter& painter, const facade::Shape& shape,
   QColor line = dark ? body.lighter(150) : body.darker(160);
   QColor fill = body;
   if (shape.style == Style::Behind) fill.setAlpha(90);
-  if (focused && area) {
+  if (focused && area && shape.part != Part::Cage) {
     const double mix = 0.35;
     fill = QColor::fromRgbF(static_cast<float>((1 - mix) * fill.redF() + mix * t.accent.redF()),
                             static_cast<float>((1 - mix) * fill.greenF() + mix * t.accent.greenF()),
@@ -340,7 +340,7 @@ void DrawingView::paintShape(QPainter& painter, const facade::Shape& shape,
     } else {
       painter.setBrush(fill);
     }
-    painter.setPen(QPen(focused ? t.accent : line, focused ? 2.2 : 1.1));
+    painter.setPen(QPen(focused ? t.accent : line, focused ? 2.6 : 1.1));
     painter.drawPath(path);
     if (shape.style == Style::Cut && shape.part != Part::Cage) {
       QColor hatch = focused ? t.accent : line;
@@ -387,10 +387,11 @@ void DrawingView::writeLabels(QPainter& painter, const facade::Pane& pane, const
   };
   for (const facade::Dimension& d : pane.dimensions)
     if (ofRecord(d.variable) && inFocus(d))
-      write(painter, area, middle(d), text_of(d.label), true, t.accent);
+      write(painter, area, middle(d), text_of(d.label), true, t.accent,
+            marks::room_for(d, frame.place, text_of(d.label).size() * 8.0) ? 0.0 : 12.0);
   for (const facade::Arrow& arrow : pane.arrows)
     if (inFocus(arrow) && !arrow.path.empty())
-      write(painter, area, frame.place.map(QPointF(arrow.path.back().x, arrow.path.back().y)),
+      write(painter, area, marks::beyond_tip(arrow, frame.place),
             text_of(arrow.label), true, t.accent);
   if (!measured_ && &pane == &drawing_.panes.front() && !focus_.variable.empty()) {
     // The body that the field speaks of, or the curve, carries its name.
@@ -419,7 +420,7 @@ void DrawingView::writeLabels(QPainter& painter, const facade::Pane& pane, const
   }
   for (const facade::Arrow& arrow : pane.arrows)
     if (arrow.value != 0.0 && !inFocus(arrow) && !arrow.path.empty())
-      write(painter, area, frame.place.map(QPointF(arrow.path.back().x, arrow.path.back().y)),
+      write(painter, area, marks::beyond_tip(arrow, frame.place),
             text_of(arrow.label), false, marks::arrow_colour(t, arrow.kind));
   for (const facade::Dimension& d : pane.dimensions)
     if (visible(d) && !inFocus(d) && marks::worth_a_name(d, frame.place) &&
@@ -437,13 +438,14 @@ void DrawingView::writeLabels(QPainter& painter, const facade::Pane& pane, const
 }
 
 bool DrawingView::write(QPainter& painter, const QRectF& area, QPointF near, const QString& text,
-                        bool strong, const QColor& colour) {
+                        bool strong, const QColor& colour, double free) {
   painter.setFont(desktop::ui_font(strong ? 12 : kText, strong));
   const QFontMetricsF metrics(painter.font());
   QSizeF size = metrics.size(Qt::TextSingleLine, text) + QSizeF(6, 2);
   size.setWidth(std::min(size.width(), area.width()));
   // Beside the point in eight directions, then further out.
-  for (const double distance : {0.0, 12.0, 26.0, 44.0, 70.0})
+  for (const double distance : {0.0, 16.0, 28.0, 44.0, 70.0, 100.0}) {
+    if (distance < free) continue;
     for (int direction = 0; direction < (distance == 0.0 ? 1 : 8); ++direction) {
       const double a = (direction * 0.25 + 0.5) * 3.14159265358979;
       QRectF box(QPointF(), size);
@@ -470,6 +472,7 @@ bool DrawingView::write(QPainter& painter, const QRectF& area, QPointF near, con
       labels_.push_back({box, text, strong});
       return true;
     }
+  }
   return false;
 }
 

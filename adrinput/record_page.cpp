@@ -194,7 +194,8 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   row.unit = new QLabel(this);
   row.unit->setTextFormat(Qt::PlainText);
   side->addWidget(field, row.table != nullptr ? 100 : 0);
-  side->addWidget(row.unit);
+  row.unit->setWordWrap(true);
+  side->addWidget(row.unit, 1000);
   side->addStretch(1);
   QString help = text_of(variable.help);
   if (row.combo != nullptr && row.combo->isEditable()) help += " (" + open_codes(variable) + ")";

@@ -294,6 +294,11 @@ void Measures::between(std::string_view variable, Point from, Point to, int inst
   add(std::move(d), variable, instance, index);
 }
 
+void Measures::radius(std::string_view variable, Point centre, Point on_arc) {
+  leader(variable, centre, on_arc);
+  pane_.dimensions.back().kind = Dimension::Kind::Radius;
+}
+
 void Measures::leader(std::string_view variable, Point from, Point to, int instance, int index) {
   Dimension d;
   d.kind = Dimension::Kind::Leader;
