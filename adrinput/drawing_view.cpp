@@ -22,10 +22,11 @@ using desktop::Theme;
 using facade::Part;
 using Style = facade::Shape::Style;
 
-constexpr double kMargin = 10.0;  // around everything, px
-constexpr double kTitle = 20.0;   // height of a figure's title, px
-constexpr double kNear = 7.0;     // how near a click must be, px
-constexpr int kText = 11;         // px
+constexpr double kMargin = 10.0;                        // around everything, px
+constexpr double kTitle = 20.0;                         // height of a figure's title, px
+constexpr double kNear = 7.0;                           // how near a click must be, px
+constexpr double kAxisLeft = 46.0, kAxisBottom = 38.0;  // beside a chart, px
+constexpr int kText = 11;                               // px
 
 QString text_of(const std::string& text) { return QString::fromStdString(text); }
 
@@ -193,8 +194,8 @@ void DrawingView::layOut() {
     y += share;
     Frame frame;
     frame.area = area;
-    const QRectF inner =
-        pane.axes.empty() ? area.adjusted(16, 16, -16, -16) : area.adjusted(46, 8, -10, -38);
+    const QRectF inner = pane.axes.empty() ? area.adjusted(16, 16, -16, -16)
+                                           : area.adjusted(kAxisLeft, 8, -10, -kAxisBottom);
     frame.place = fitted(pane, inner);
     if (pane.axes.empty() && i < zooms_.size()) {
       const Zoom& z = zooms_[i];
@@ -381,7 +382,8 @@ void DrawingView::paintDimension(QPainter& painter, const facade::Dimension& d,
 
 void DrawingView::writeLabels(QPainter& painter, const facade::Pane& pane, const Frame& frame) {
   const Theme& t = desktop::current_theme();
-  const QRectF area = frame.area;
+  const QRectF area =
+      pane.axes.empty() ? frame.area : frame.area.adjusted(kAxisLeft, 0.0, 0.0, -kAxisBottom);
   const auto middle = [&](const facade::Dimension& d) {
     return marks::label_point(d, frame.place);
   };
@@ -391,8 +393,8 @@ void DrawingView::writeLabels(QPainter& painter, const facade::Pane& pane, const
             marks::room_for(d, frame.place, text_of(d.label).size() * 8.0) ? 0.0 : 12.0);
   for (const facade::Arrow& arrow : pane.arrows)
     if (inFocus(arrow) && !arrow.path.empty())
-      write(painter, area, marks::beyond_tip(arrow, frame.place),
-            text_of(arrow.label), true, t.accent);
+      write(painter, area, marks::beyond_tip(arrow, frame.place), text_of(arrow.label), true,
+            t.accent);
   if (!measured_ && &pane == &drawing_.panes.front() && !focus_.variable.empty()) {
     // The body that the field speaks of, or the curve, carries its name.
     for (const facade::Shape& shape : pane.shapes) {
@@ -420,8 +422,8 @@ void DrawingView::writeLabels(QPainter& painter, const facade::Pane& pane, const
   }
   for (const facade::Arrow& arrow : pane.arrows)
     if (arrow.value != 0.0 && !inFocus(arrow) && !arrow.path.empty())
-      write(painter, area, marks::beyond_tip(arrow, frame.place),
-            text_of(arrow.label), false, marks::arrow_colour(t, arrow.kind));
+      write(painter, area, marks::beyond_tip(arrow, frame.place), text_of(arrow.label), false,
+            marks::arrow_colour(t, arrow.kind));
   for (const facade::Dimension& d : pane.dimensions)
     if (visible(d) && !inFocus(d) && marks::worth_a_name(d, frame.place) &&
         write(painter, area, middle(d), text_of(d.variable), false, t.muted) &&

@@ -215,6 +215,8 @@ Pane pocket_from_outside(const Deck& deck, const OutlineModel& m, Point push) {
                {edge, 0.25 * axial});
     if (cage.pocket_code == 3 && !m.rollers)
       put.upright("bPocCls2", push.y + r, axial, 0.0, {0.0, push.y + r}, {0.0, axial});
+    else  // it has no meaning for this shape
+      put.note("bPocCls2", {0.8 * wide, half + step}, {0.0, axial});
   }
   put.upright("cageWidth", -half, half, wide + step, {wide, -half}, {wide, half});
   put.note("bPocCenVar1", {-0.5 * wide, half + step}, {0.0, 0.0});

@@ -47,7 +47,7 @@ void add_land(const Deck& deck, const OutlineCage& cage, std::size_t index, doub
   const double left = std::min(land.edge, inside), right = std::max(land.edge, inside);
   const double y = std::clamp(0.5 * land.diameter - mid, -2.0 * thick, 2.0 * thick);
   const double surface = sigma * 0.5 * thick;
-  if (sigma * (y - surface) > 0.0)
+  if (sigma * (y - surface) > 1e-6 * thick)
     pane.shapes.push_back(block(Part::Cage, Shape::Style::Cut, "raised land",
                                 rectangle(left, surface, right, y), {"cageGsDia"}));
   pane.shapes.push_back(block(Part::Cage, Shape::Style::Strong,
