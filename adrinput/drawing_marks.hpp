@@ -3,7 +3,6 @@
 #include "desktop/theme.hpp"
 #include "facade/outline.hpp"
 
-#include <QBrush>
 #include <QPainterPath>
 #include <QPolygonF>
 #include <QTransform>
@@ -14,7 +13,6 @@ class QPainter;
 /// pixels.
 namespace adore::adrinput::marks {
 
-[[nodiscard]] QBrush ball_brush(QPointF centre, double radius, const QColor& colour);
 /// Section lines at 45°, leaning the other way when `mirrored`.
 void hatch(QPainter& painter, const QPainterPath& area, const QColor& colour, bool mirrored);
 /// Along the polygon with a head at its end; `faint` for an arrow that only shows its sense.

@@ -2,6 +2,7 @@
 
 #include "adrinput/drawing_marks.hpp"
 #include "desktop/axis_scale.hpp"
+#include "desktop/picture_marks.hpp"
 #include "desktop/theme.hpp"
 
 #include <QFontMetricsF>
@@ -25,7 +26,7 @@ using Style = facade::Shape::Style;
 constexpr double kMargin = 10.0;                        // around everything, px
 constexpr double kTitle = 20.0;                         // height of a figure's title, px
 constexpr double kNear = 7.0;                           // how near a click must be, px
-constexpr double kAxisLeft = 46.0, kAxisBottom = 38.0;  // beside a chart, px
+constexpr double kAxisLeft = 60.0, kAxisBottom = 38.0;  // beside a chart, px
 constexpr int kText = 11;                               // px
 
 QString text_of(const std::string& text) { return QString::fromStdString(text); }
@@ -337,7 +338,8 @@ void DrawingView::paintShape(QPainter& painter, const facade::Shape& shape,
   if (area) {
     if (shape.style == Style::Body && shape.circles.size() == 1 && shape.paths.empty()) {
       const QPointF c = place.map(QPointF(shape.circles[0].centre.x, shape.circles[0].centre.y));
-      painter.setBrush(marks::ball_brush(c, shape.circles[0].radius * place.m11(), fill));
+      painter.setBrush(desktop::ball_brush(c, shape.circles[0].radius * place.m11(),
+                                           fill.lighter(125), fill, fill.darker(130)));
     } else {
       painter.setBrush(fill);
     }

@@ -411,11 +411,13 @@ bool RecordPage::focusCell(const Cell& cell) {
   if (auto* table = qobject_cast<CellTable*>(field)) {
     const bool there = table->focusCell(cell);
     emit focusMoved(table);
+    announce(table);  // an inactive window gets no focus event
     return there;
   }
   field->setFocus(Qt::OtherFocusReason);
   if (auto* line = qobject_cast<QLineEdit*>(field)) line->selectAll();
   emit focusMoved(field);
+  announce(field);
   return true;
 }
 

@@ -156,8 +156,8 @@ void add_round_lands(const Deck& deck, const OutlineCage& cage, Drawing& out) {
     pane.shapes.push_back(std::move(ideal));
     Measures put(deck, pane);
     for (int k = 1; k <= 3; ++k)
-      put.leader(fmt::format("{}GsRadVar{}", stem, k), {aside, 0.0},
-                 {aside - 0.7071 * base, 0.7071 * base}, ring.land);
+      put.note(fmt::format("{}GsRadVar{}", stem, k), {aside, 0.0},
+               {aside - 0.7071 * base, 0.7071 * base}, ring.land);
     pane.captions.push_back({{aside, -0.25 * size}, fmt::format("land {}", ring.land), 0.0});
   }
   out.panes.push_back(std::move(pane));
