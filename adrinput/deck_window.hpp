@@ -21,6 +21,7 @@ class DrawingPanel;
 class EvaluationPanel;
 class RecordList;
 class RecordPage;
+class RunPanel;
 
 /// AdrInput's window: the records on the left, the form of one of them, and below it what is wrong,
 /// the plan and the quasi-static solution.
@@ -40,6 +41,7 @@ class DeckWindow : public QMainWindow {
   [[nodiscard]] QScrollArea& pageArea() { return *scroll_; }
   [[nodiscard]] EvaluationPanel& planPanel() { return *plan_; }
   [[nodiscard]] EvaluationPanel& staticsPanel() { return *statics_; }
+  [[nodiscard]] RunPanel& runPanel() { return *run_; }
   [[nodiscard]] DrawingPanel& drawingPanel() { return *drawing_; }
   /// The slower checks, which follow a change after a short pause, now.
   void checkNow();
@@ -58,6 +60,8 @@ class DeckWindow : public QMainWindow {
   void previousProblem();
   void showPlan();
   void runQuasiStatic();
+  /// Saves the deck where that is needed, then runs it whole.
+  void runDeck();
   void switchTheme();
 
  protected:
@@ -81,6 +85,8 @@ class DeckWindow : public QMainWindow {
   void askForName(std::function<void()> then);
   /// Goes on at once, or after the user has saved or given up what is not saved.
   void leaveDeck(std::function<void()> then);
+  /// Goes on at once, or after the user has agreed to end the run that is going on.
+  void leaveRun(std::function<void()> then);
   void showHelp(const QString& title, const QString& text);
   void remember(const std::filesystem::path& path);
 
@@ -93,6 +99,7 @@ class DeckWindow : public QMainWindow {
   QListWidget* problems_ = nullptr;
   QPlainTextEdit* original_ = nullptr;
   EvaluationPanel *plan_ = nullptr, *statics_ = nullptr;
+  RunPanel* run_ = nullptr;
   DrawingPanel* drawing_ = nullptr;
   QDockWidget* drawing_dock_ = nullptr;
   QMenu* recent_ = nullptr;
