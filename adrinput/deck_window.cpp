@@ -130,7 +130,7 @@ void DeckWindow::makeCentre() {
   splitter->addWidget(list_);
   splitter->addWidget(right);
   splitter->setStretchFactor(1, 1);
-  splitter->setSizes({270, 980});
+  splitter->setSizes({244, 980});
   splitter->setChildrenCollapsible(false);
   setCentralWidget(splitter);
   connect(list_, &RecordList::recordChosen, this, [this](const QString& record) {

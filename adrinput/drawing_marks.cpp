@@ -1,7 +1,8 @@
 #include "adrinput/drawing_marks.hpp"
 
+#include "desktop/picture_marks.hpp"
+
 #include <QPainter>
-#include <QRadialGradient>
 
 #include <algorithm>
 #include <cmath>
@@ -21,14 +22,6 @@ QPointF map(const QTransform& place, const facade::Point& p) {
 
 double length(QPointF v) { return std::hypot(v.x(), v.y()); }
 
-void head(QPainter& painter, QPointF tip, QPointF direction, double size, const QColor& colour) {
-  const QPointF across(-direction.y(), direction.x());
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(colour);
-  painter.drawPolygon(QPolygonF({tip, tip - direction * size + across * size * 0.36,
-                                 tip - direction * size - across * size * 0.36}));
-}
-
 /// Arc of an angle on the screen, from the first to the second ray the short way.
 QPolygonF arc_of(const Dimension& d, const QTransform& place) {
   const double r1 = std::hypot(d.from.x - d.centre.x, d.from.y - d.centre.y);
@@ -44,14 +37,6 @@ QPolygonF arc_of(const Dimension& d, const QTransform& place) {
 }
 
 }  // namespace
-
-QBrush ball_brush(QPointF centre, double radius, const QColor& colour) {
-  QRadialGradient shine(centre - QPointF(0.35, 0.4) * radius, 1.5 * radius);
-  shine.setColorAt(0, colour.lighter(125));
-  shine.setColorAt(0.5, colour);
-  shine.setColorAt(1, colour.darker(130));
-  return shine;
-}
 
 void hatch(QPainter& painter, const QPainterPath& area, const QColor& colour, bool mirrored) {
   painter.save();
@@ -93,7 +78,7 @@ void arrow(QPainter& painter, const QPolygonF& path, const QColor& colour, doubl
   painter.setPen(pen);
   painter.setBrush(Qt::NoBrush);
   painter.drawPolyline(shaft);
-  head(painter, tip, direction, std::min(size, 1.5 * long_enough), colour);
+  desktop::arrow_head(painter, tip, direction, std::min(size, 1.5 * long_enough), colour);
 }
 
 QColor arrow_colour(const desktop::Theme& theme, facade::Arrow::Kind kind) {
@@ -127,11 +112,11 @@ void dimension(QPainter& painter, const Dimension& d, const QTransform& place, c
     arrow(painter, arc_of(d, place), colour, width, false);
     return;
   }
-  if (d.kind == Dimension::Kind::Leader) {
+  if (d.kind == Dimension::Kind::Leader || d.kind == Dimension::Kind::Radius) {
     if (length(to - from) < 1.0) return;
     painter.setPen(line);
     painter.drawLine(from, to);
-    head(painter, to, (to - from) / length(to - from), size, colour);
+    desktop::arrow_head(painter, to, (to - from) / length(to - from), size, colour);
     return;
   }
   painter.setPen(thin);
@@ -148,19 +133,20 @@ void dimension(QPainter& painter, const Dimension& d, const QTransform& place, c
   painter.setPen(line);
   if (long_enough >= kShortest) {
     painter.drawLine(from + u * 0.7 * size, to - u * 0.7 * size);
-    head(painter, from, -u, size, colour);
-    head(painter, to, u, size, colour);
+    desktop::arrow_head(painter, from, -u, size, colour);
+    desktop::arrow_head(painter, to, u, size, colour);
     return;
   }
   painter.drawLine(from - u * 18.0, from - u * 0.7 * size);
   painter.drawLine(to + u * 18.0, to + u * 0.7 * size);
-  head(painter, from, u, size, colour);
-  head(painter, to, -u, size, colour);
+  desktop::arrow_head(painter, from, u, size, colour);
+  desktop::arrow_head(painter, to, -u, size, colour);
 }
 
 QPointF label_point(const Dimension& d, const QTransform& place) {
   const QPointF from = map(place, d.from), to = map(place, d.to);
   if (d.kind == Dimension::Kind::Leader) return from;
+  if (d.kind == Dimension::Kind::Radius) return from + 0.6 * (to - from);
   if (d.kind == Dimension::Kind::Angle) {
     const QPolygonF arc = arc_of(d, place);
     return arc[arc.size() / 2];
@@ -173,8 +159,25 @@ QPointF label_point(const Dimension& d, const QTransform& place) {
   return 0.5 * (from + to);
 }
 
+bool room_for(const Dimension& d, const QTransform& place, double width) {
+  if (d.kind == Dimension::Kind::Leader) return true;
+  if (d.kind != Dimension::Kind::Span) return false;
+  const QPointF along = map(place, d.to) - map(place, d.from);
+  return std::abs(along.x()) > width + 30.0 || std::abs(along.y()) > 60.0;
+}
+
+QPointF beyond_tip(const facade::Arrow& arrow, const QTransform& place) {
+  const QPointF tip = map(place, arrow.path.back());
+  if (arrow.path.size() > 2) return tip + QPointF(0.0, 12.0);  // turning: its arc is above
+  const QPointF along = tip - map(place, arrow.path.front());
+  return length(along) > 0.0 ? tip + along / length(along) * 12.0 : tip;
+}
+
 bool worth_a_name(const Dimension& d, const QTransform& place) {
-  if (d.kind != Dimension::Kind::Span) return true;
+  if (d.kind == Dimension::Kind::Angle) {
+    const QPolygonF arc = arc_of(d, place);
+    return length(arc.back() - arc.front()) > 4.0;
+  }
   return length(map(place, d.to) - map(place, d.from)) > 4.0;
 }
 

@@ -3,7 +3,6 @@
 #include "desktop/theme.hpp"
 #include "facade/outline.hpp"
 
-#include <QBrush>
 #include <QPainterPath>
 #include <QPolygonF>
 #include <QTransform>
@@ -14,7 +13,6 @@ class QPainter;
 /// pixels.
 namespace adore::adrinput::marks {
 
-[[nodiscard]] QBrush ball_brush(QPointF centre, double radius, const QColor& colour);
 /// Section lines at 45°, leaning the other way when `mirrored`.
 void hatch(QPainter& painter, const QPainterPath& area, const QColor& colour, bool mirrored);
 /// Along the polygon with a head at its end; `faint` for an arrow that only shows its sense.
@@ -26,6 +24,11 @@ void dimension(QPainter& painter, const facade::Dimension& dimension, const QTra
                const QColor& colour, double width);
 /// Where the label of a dimension belongs.
 [[nodiscard]] QPointF label_point(const facade::Dimension& dimension, const QTransform& place);
+/// Is there room for a label of that width within the line itself?
+[[nodiscard]] bool room_for(const facade::Dimension& dimension, const QTransform& place,
+                            double width);
+/// Where the label of an arrow belongs.
+[[nodiscard]] QPointF beyond_tip(const facade::Arrow& arrow, const QTransform& place);
 /// Is it large enough on the screen to be named without being in focus?
 [[nodiscard]] bool worth_a_name(const facade::Dimension& dimension, const QTransform& place);
 /// Distance of a point from its line.

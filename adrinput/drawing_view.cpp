@@ -2,6 +2,7 @@
 
 #include "adrinput/drawing_marks.hpp"
 #include "desktop/axis_scale.hpp"
+#include "desktop/picture_marks.hpp"
 #include "desktop/theme.hpp"
 
 #include <QFontMetricsF>
@@ -22,10 +23,11 @@ using desktop::Theme;
 using facade::Part;
 using Style = facade::Shape::Style;
 
-constexpr double kMargin = 10.0;  // around everything, px
-constexpr double kTitle = 20.0;   // height of a figure's title, px
-constexpr double kNear = 7.0;     // how near a click must be, px
-constexpr int kText = 11;         // px
+constexpr double kMargin = 10.0;                        // around everything, px
+constexpr double kTitle = 20.0;                         // height of a figure's title, px
+constexpr double kNear = 7.0;                           // how near a click must be, px
+constexpr double kAxisLeft = 60.0, kAxisBottom = 38.0;  // beside a chart, px
+constexpr int kText = 11;                               // px
 
 QString text_of(const std::string& text) { return QString::fromStdString(text); }
 
@@ -193,8 +195,8 @@ void DrawingView::layOut() {
     y += share;
     Frame frame;
     frame.area = area;
-    const QRectF inner =
-        pane.axes.empty() ? area.adjusted(16, 16, -16, -16) : area.adjusted(46, 8, -10, -38);
+    const QRectF inner = pane.axes.empty() ? area.adjusted(16, 16, -16, -16)
+                                           : area.adjusted(kAxisLeft, 8, -10, -kAxisBottom);
     frame.place = fitted(pane, inner);
     if (pane.axes.empty() && i < zooms_.size()) {
       const Zoom& z = zooms_[i];
@@ -261,7 +263,7 @@ void DrawingView::paintPane(QPainter& painter, const facade::Pane& pane, const F
     if (arrow.value != 0.0 || inFocus(arrow)) paintArrow(painter, arrow, frame.place);
   for (const bool focused : {false, true})
     for (const facade::Dimension& d : pane.dimensions)
-      if (visible(d) && inFocus(d) == focused &&
+      if (visible(d) && inFocus(d) == focused && (focused || marks::worth_a_name(d, frame.place)) &&
           (focused || d.kind != facade::Dimension::Kind::Leader))
         paintDimension(painter, d, frame.place);
   writeLabels(painter, pane, frame);
@@ -326,7 +328,7 @@ void DrawingView::paintShape(QPainter& painter, const facade::Shape& shape,
   QColor line = dark ? body.lighter(150) : body.darker(160);
   QColor fill = body;
   if (shape.style == Style::Behind) fill.setAlpha(90);
-  if (focused && area) {
+  if (focused && area && shape.part != Part::Cage) {
     const double mix = 0.35;
     fill = QColor::fromRgbF(static_cast<float>((1 - mix) * fill.redF() + mix * t.accent.redF()),
                             static_cast<float>((1 - mix) * fill.greenF() + mix * t.accent.greenF()),
@@ -336,11 +338,12 @@ void DrawingView::paintShape(QPainter& painter, const facade::Shape& shape,
   if (area) {
     if (shape.style == Style::Body && shape.circles.size() == 1 && shape.paths.empty()) {
       const QPointF c = place.map(QPointF(shape.circles[0].centre.x, shape.circles[0].centre.y));
-      painter.setBrush(marks::ball_brush(c, shape.circles[0].radius * place.m11(), fill));
+      painter.setBrush(desktop::ball_brush(c, shape.circles[0].radius * place.m11(),
+                                           fill.lighter(125), fill, fill.darker(130)));
     } else {
       painter.setBrush(fill);
     }
-    painter.setPen(QPen(focused ? t.accent : line, focused ? 2.2 : 1.1));
+    painter.setPen(QPen(focused ? t.accent : line, focused ? 2.6 : 1.1));
     painter.drawPath(path);
     if (shape.style == Style::Cut && shape.part != Part::Cage) {
       QColor hatch = focused ? t.accent : line;
@@ -381,17 +384,19 @@ void DrawingView::paintDimension(QPainter& painter, const facade::Dimension& d,
 
 void DrawingView::writeLabels(QPainter& painter, const facade::Pane& pane, const Frame& frame) {
   const Theme& t = desktop::current_theme();
-  const QRectF area = frame.area;
+  const QRectF area =
+      pane.axes.empty() ? frame.area : frame.area.adjusted(kAxisLeft, 0.0, 0.0, -kAxisBottom);
   const auto middle = [&](const facade::Dimension& d) {
     return marks::label_point(d, frame.place);
   };
   for (const facade::Dimension& d : pane.dimensions)
     if (ofRecord(d.variable) && inFocus(d))
-      write(painter, area, middle(d), text_of(d.label), true, t.accent);
+      write(painter, area, middle(d), text_of(d.label), true, t.accent,
+            marks::room_for(d, frame.place, text_of(d.label).size() * 8.0) ? 0.0 : 12.0);
   for (const facade::Arrow& arrow : pane.arrows)
     if (inFocus(arrow) && !arrow.path.empty())
-      write(painter, area, frame.place.map(QPointF(arrow.path.back().x, arrow.path.back().y)),
-            text_of(arrow.label), true, t.accent);
+      write(painter, area, marks::beyond_tip(arrow, frame.place), text_of(arrow.label), true,
+            t.accent);
   if (!measured_ && &pane == &drawing_.panes.front() && !focus_.variable.empty()) {
     // The body that the field speaks of, or the curve, carries its name.
     for (const facade::Shape& shape : pane.shapes) {
@@ -419,8 +424,8 @@ void DrawingView::writeLabels(QPainter& painter, const facade::Pane& pane, const
   }
   for (const facade::Arrow& arrow : pane.arrows)
     if (arrow.value != 0.0 && !inFocus(arrow) && !arrow.path.empty())
-      write(painter, area, frame.place.map(QPointF(arrow.path.back().x, arrow.path.back().y)),
-            text_of(arrow.label), false, marks::arrow_colour(t, arrow.kind));
+      write(painter, area, marks::beyond_tip(arrow, frame.place), text_of(arrow.label), false,
+            marks::arrow_colour(t, arrow.kind));
   for (const facade::Dimension& d : pane.dimensions)
     if (visible(d) && !inFocus(d) && marks::worth_a_name(d, frame.place) &&
         write(painter, area, middle(d), text_of(d.variable), false, t.muted) &&
@@ -437,13 +442,14 @@ void DrawingView::writeLabels(QPainter& painter, const facade::Pane& pane, const
 }
 
 bool DrawingView::write(QPainter& painter, const QRectF& area, QPointF near, const QString& text,
-                        bool strong, const QColor& colour) {
+                        bool strong, const QColor& colour, double free) {
   painter.setFont(desktop::ui_font(strong ? 12 : kText, strong));
   const QFontMetricsF metrics(painter.font());
   QSizeF size = metrics.size(Qt::TextSingleLine, text) + QSizeF(6, 2);
   size.setWidth(std::min(size.width(), area.width()));
   // Beside the point in eight directions, then further out.
-  for (const double distance : {0.0, 12.0, 26.0, 44.0, 70.0})
+  for (const double distance : {0.0, 16.0, 28.0, 44.0, 70.0, 100.0}) {
+    if (distance < free) continue;
     for (int direction = 0; direction < (distance == 0.0 ? 1 : 8); ++direction) {
       const double a = (direction * 0.25 + 0.5) * 3.14159265358979;
       QRectF box(QPointF(), size);
@@ -470,6 +476,7 @@ bool DrawingView::write(QPainter& painter, const QRectF& area, QPointF near, con
       labels_.push_back({box, text, strong});
       return true;
     }
+  }
   return false;
 }
 

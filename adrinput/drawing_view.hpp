@@ -80,8 +80,9 @@ class DrawingView : public QWidget {
   void writeLabels(QPainter& painter, const facade::Pane& pane, const Frame& frame);
   [[nodiscard]] bool visible(const facade::Dimension& dimension) const;
   /// Writes near a point where nothing is written yet; false when there is no room.
+  /// `free`: how far from the point the label has to stay, [px].
   bool write(QPainter& painter, const QRectF& area, QPointF near, const QString& text, bool strong,
-             const QColor& colour);
+             const QColor& colour, double free = 0.0);
   [[nodiscard]] bool inFocus(const facade::Shape& shape) const;
   [[nodiscard]] bool inFocus(const facade::Dimension& dimension) const;
   [[nodiscard]] bool inFocus(const facade::Arrow& arrow) const;

@@ -196,13 +196,13 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   row.unit = new QLabel(this);
   row.unit->setTextFormat(Qt::PlainText);
   side->addWidget(field, row.table != nullptr ? 100 : 0);
-  side->addWidget(row.unit);
+  if (variable.name == "kUnit") side->addWidget(other_units_ = makeUnitsButton());
+  row.unit->setWordWrap(true);
+  side->addWidget(row.unit, 1000);
   row.other = new QLabel(this);
   row.other->setTextFormat(Qt::PlainText);
   row.other->setObjectName("other-" + text_of(variable.name));
   row.other->setStyleSheet(QString("color: %1").arg(theme.accent.name()));
-  side->addWidget(row.other);
-  if (variable.name == "kUnit") side->addWidget(other_units_ = makeUnitsButton());
   side->addStretch(1);
   QString help = text_of(variable.help);
   if (row.combo != nullptr && row.combo->isEditable()) help += " (" + open_codes(variable) + ")";
@@ -211,9 +211,10 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   const int at = grid->rowCount();
   grid->addWidget(name, at, 0, row.table != nullptr ? Qt::AlignTop : Qt::AlignVCenter);
   grid->addLayout(side, at, 1);
-  grid->addWidget(row.problem, at + 1, 1);
-  grid->addWidget(make_text(help, theme.muted, this), at + 2, 1);
-  grid->setRowMinimumHeight(at + 3, 8);
+  grid->addWidget(row.other, at + 1, 1);
+  grid->addWidget(row.problem, at + 2, 1);
+  grid->addWidget(make_text(help, theme.muted, this), at + 3, 1);
+  grid->setRowMinimumHeight(at + 4, 8);
   rows_.push_back(row);
 }
 
@@ -442,11 +443,13 @@ bool RecordPage::focusCell(const Cell& cell) {
   if (auto* table = qobject_cast<CellTable*>(field)) {
     const bool there = table->focusCell(cell);
     emit focusMoved(table);
+    announce(table);  // an inactive window gets no focus event
     return there;
   }
   field->setFocus(Qt::OtherFocusReason);
   if (auto* line = qobject_cast<QLineEdit*>(field)) line->selectAll();
   emit focusMoved(field);
+  announce(field);
   return true;
 }
 

@@ -1,7 +1,8 @@
 #include "agore/sketch.hpp"
 
+#include "desktop/picture_marks.hpp"
+
 #include <QFontMetricsF>
-#include <QRadialGradient>
 
 #include <cmath>
 #include <numbers>
@@ -43,12 +44,9 @@ void Sketch::circle(QPointF centre, double radius, const QPen& pen) const {
 void Sketch::ball(QPointF centre, double radius, const std::array<double, 3>& mark) const {
   const QPointF middle = at(centre.x(), centre.y());
   const double r = radius * scale_;
-  QRadialGradient shine(middle - QPointF(0.35, 0.4) * r, 1.5 * r);
-  shine.setColorAt(0, QColor("#ffffff"));
-  shine.setColorAt(0.45, theme_.steel_light);
-  shine.setColorAt(1, theme_.steel_dark.darker(115));
   painter_.setPen(QPen(theme_.steel_dark.darker(150), 1));
-  painter_.setBrush(shine);
+  painter_.setBrush(desktop::ball_brush(middle, r, QColor("#ffffff"), theme_.steel_light,
+                                        theme_.steel_dark.darker(115)));
   painter_.drawEllipse(middle, r, r);
   // A mark on the surface, paler on the far side.
   const QPointF tip = middle + QPointF(mark[0], -mark[1]) * r * 0.8;
@@ -106,14 +104,11 @@ void Sketch::arrow(QPointF from, QPointF to, const QColor& colour, double width)
   const QPointF along = to - from;
   const double length = std::hypot(along.x(), along.y());
   if (length < 1.0) return;
-  const QPointF u = along / length, across(-u.y(), u.x());
+  const QPointF u = along / length;
   const double head = std::min(length, 5.0 + 3.2 * width);
   painter_.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
   painter_.drawLine(from, to - u * head * 0.8);
-  painter_.setPen(Qt::NoPen);
-  painter_.setBrush(colour);
-  painter_.drawPolygon(
-      QPolygonF({to, to - u * head + across * head * 0.42, to - u * head - across * head * 0.42}));
+  desktop::arrow_head(painter_, to, u, head, colour);
 }
 
 void Sketch::asterisk(QPointF where, double size, const QColor& colour) const {

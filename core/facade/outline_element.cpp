@@ -46,7 +46,7 @@ void draw_ball(const Deck& deck, const OutlineModel& m, Pane& pane) {
     body.paths.front().push_back({face.front().x, back});
     pane.shapes.push_back(std::move(body));
     const double a = middle + 0.45 * (race == 0 ? 1.0 : -1.0) * sigma;
-    put.leader(race == 0 ? "raceCurFac1" : "raceCurFac2", centre,
+    put.radius(race == 0 ? "raceCurFac1" : "raceCurFac2", centre,
                {centre.x + groove * std::cos(a), centre.y + groove * std::sin(a)});
   }
   pane.shapes.push_back(std::move(ball));
@@ -178,6 +178,7 @@ Pane pocket_from_outside(const Deck& deck, const OutlineModel& m, Point push) {
   const double half = 0.5 * cage.width, wide = std::clamp(room, 1.15 * around, 1.6 * around);
   Shape wall = pocket_hole(m, 0.0, Shape::Style::Cut);
   wall.name = "cage around the pocket";
+  wall.shows.clear();
   wall.paths.push_back(rectangle(-wide, -half, wide, half));
   pane.shapes.push_back(std::move(wall));
   if (!m.rollers && (cage.pocket_code == 4 || cage.pocket_code == 1))
@@ -214,6 +215,8 @@ Pane pocket_from_outside(const Deck& deck, const OutlineModel& m, Point push) {
                {edge, 0.25 * axial});
     if (cage.pocket_code == 3 && !m.rollers)
       put.upright("bPocCls2", push.y + r, axial, 0.0, {0.0, push.y + r}, {0.0, axial});
+    else  // it has no meaning for this shape
+      put.note("bPocCls2", {0.8 * wide, half + step}, {0.0, axial});
   }
   put.upright("cageWidth", -half, half, wide + step, {wide, -half}, {wide, half});
   put.note("bPocCenVar1", {-0.5 * wide, half + step}, {0.0, 0.0});

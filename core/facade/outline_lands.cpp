@@ -47,7 +47,7 @@ void add_land(const Deck& deck, const OutlineCage& cage, std::size_t index, doub
   const double left = std::min(land.edge, inside), right = std::max(land.edge, inside);
   const double y = std::clamp(0.5 * land.diameter - mid, -2.0 * thick, 2.0 * thick);
   const double surface = sigma * 0.5 * thick;
-  if (sigma * (y - surface) > 0.0)
+  if (sigma * (y - surface) > 1e-6 * thick)
     pane.shapes.push_back(block(Part::Cage, Shape::Style::Cut, "raised land",
                                 rectangle(left, surface, right, y), {"cageGsDia"}));
   pane.shapes.push_back(block(Part::Cage, Shape::Style::Strong,
@@ -156,8 +156,8 @@ void add_round_lands(const Deck& deck, const OutlineCage& cage, Drawing& out) {
     pane.shapes.push_back(std::move(ideal));
     Measures put(deck, pane);
     for (int k = 1; k <= 3; ++k)
-      put.leader(fmt::format("{}GsRadVar{}", stem, k), {aside, 0.0},
-                 {aside - 0.7071 * base, 0.7071 * base}, ring.land);
+      put.note(fmt::format("{}GsRadVar{}", stem, k), {aside, 0.0},
+               {aside - 0.7071 * base, 0.7071 * base}, ring.land);
     pane.captions.push_back({{aside, -0.25 * size}, fmt::format("land {}", ring.land), 0.0});
   }
   out.panes.push_back(std::move(pane));

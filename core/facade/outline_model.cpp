@@ -54,6 +54,12 @@ std::vector<std::string> needed(Type type) {
   throw InputError({deck.issue(Severity::Error, name, std::move(message), std::move(remedy))});
 }
 
+void check_pitch(const Deck& deck, const OutlineModel& m) {
+  if (!(m.pitch > m.diameter) || m.pitch > 1000.0 * m.diameter)
+    refuse(deck, "pitchDia", "leaves the elements no circle to run on",
+           "give a value above bReDia");
+}
+
 void read_rollers(const Deck& deck, OutlineModel& m) {
   m.rollers = build::build_rollers(deck);
   m.pitch = m.rollers->pitch_diameter;
@@ -172,6 +178,7 @@ OutlineModel outline_model(const Deck& deck) {
     refuse(deck, "bReDia", "is no diameter", "give a value above 0");
   if (m.type == Type::Ball) {
     m.pitch = deck.si("pitchDia");
+    check_pitch(deck, m);
     for (const char* factor : {"raceCurFac1", "raceCurFac2"})
       if (!(deck.si(factor) > 0.5) || deck.si(factor) > 10.0)
         refuse(deck, factor, "makes no groove that a ball fits into", "give a value above 0.5");
@@ -182,9 +189,9 @@ OutlineModel outline_model(const Deck& deck) {
   } else {
     read_rollers(deck, m);
   }
-  if (!(m.pitch > m.diameter) || m.pitch > 1000.0 * m.diameter)
-    refuse(deck, "pitchDia", "leaves the elements no circle to run on",
-           "give a value above bReDia");
+  check_pitch(deck, m);
+  if (std::abs(value_or_zero(deck, "freeIntCls")) > m.diameter)
+    refuse(deck, "freeIntCls", "is larger than an element", "check it and its unit");
   read_envelope(deck, m);
   m.cage = outline_cage(deck);
   if (deck.integer("nCseg") > 0 && !m.cage)

@@ -7,6 +7,7 @@ namespace adore::facade {
 namespace {
 
 constexpr int kRacewayParts = 48;
+constexpr double kSmallestPocket = 0.05;  // of the element diameter: what is still drawn
 
 /// A raceway with its limits to both sides, from -x to +x.
 struct Raceway {
@@ -94,6 +95,39 @@ Raceway roller_raceway(const OutlineModel& m, int race) {
   }
   append(out.points, right_flange);
   return out;
+}
+
+/// Half sizes of a pocket as the deck has them; too small a clearance makes them nonsense.
+double axial_half(const OutlineModel& m, double z) {
+  const OutlineCage& cage = *m.cage;
+  const double radius = 0.5 * (m.diameter + cage.clearance_1);
+  if (m.rollers) return 0.5 * m.length;
+  switch (cage.pocket_code) {
+    case 1:
+      return std::sqrt(std::max(radius * radius - z * z, 0.0));
+    case 3:
+      return 0.5 * (m.diameter + cage.clearance_2);
+    case 4: {
+      const double low = 0.5 * (cage.inner - m.pitch), high = 0.5 * (cage.outer - m.pitch);
+      const double t = (z - low) / (high - low);
+      return 0.5 * (m.diameter + cage.clearance_1 + t * (cage.clearance_2 - cage.clearance_1));
+    }
+    default:
+      return radius;
+  }
+}
+
+double around_half(const OutlineModel& m, double z) {
+  const OutlineCage& cage = *m.cage;
+  if (m.rollers) {
+    const double radius = 0.5 * (m.diameter + cage.clearance_1);
+    if (cage.pocket_code == -1) return std::sqrt(std::max(radius * radius - z * z, 0.0));
+    return radius;
+  }
+  if (cage.pocket_code == 2)
+    return 0.5 * (m.diameter + cage.clearance_1) + 0.5 * std::max(cage.clearance_2, 0.0);
+  if (cage.pocket_code == 3) return 0.5 * (m.diameter + cage.clearance_1);
+  return axial_half(m, z);
 }
 
 }  // namespace
@@ -191,35 +225,11 @@ Shape element_section(const OutlineModel& m) {
 }
 
 double pocket_half_axial(const OutlineModel& m, double z) {
-  const OutlineCage& cage = *m.cage;
-  const double radius = 0.5 * (m.diameter + cage.clearance_1);
-  if (m.rollers) return 0.5 * m.length;
-  switch (cage.pocket_code) {
-    case 1:
-      return std::sqrt(std::max(radius * radius - z * z, 0.0));
-    case 3:
-      return 0.5 * (m.diameter + cage.clearance_2);
-    case 4: {
-      const double low = 0.5 * (cage.inner - m.pitch), high = 0.5 * (cage.outer - m.pitch);
-      const double t = (z - low) / (high - low);
-      return 0.5 * (m.diameter + cage.clearance_1 + t * (cage.clearance_2 - cage.clearance_1));
-    }
-    default:
-      return radius;
-  }
+  return std::max(axial_half(m, z), kSmallestPocket * m.diameter);
 }
 
 double pocket_half_around(const OutlineModel& m, double z) {
-  const OutlineCage& cage = *m.cage;
-  if (m.rollers) {
-    const double radius = 0.5 * (m.diameter + cage.clearance_1);
-    if (cage.pocket_code == -1) return std::sqrt(std::max(radius * radius - z * z, 0.0));
-    return radius;
-  }
-  if (cage.pocket_code == 2)
-    return 0.5 * (m.diameter + cage.clearance_1) + 0.5 * std::max(cage.clearance_2, 0.0);
-  if (cage.pocket_code == 3) return 0.5 * (m.diameter + cage.clearance_1);
-  return pocket_half_axial(m, z);
+  return std::max(around_half(m, z), kSmallestPocket * m.diameter);
 }
 
 std::vector<Shape> cage_section(const OutlineModel& m) {
@@ -292,6 +302,11 @@ void Measures::between(std::string_view variable, Point from, Point to, int inst
   d.from = d.from_edge = from;
   d.to = d.to_edge = to;
   add(std::move(d), variable, instance, index);
+}
+
+void Measures::radius(std::string_view variable, Point centre, Point on_arc) {
+  leader(variable, centre, on_arc);
+  pane_.dimensions.back().kind = Dimension::Kind::Radius;
 }
 
 void Measures::leader(std::string_view variable, Point from, Point to, int instance, int index) {

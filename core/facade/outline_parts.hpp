@@ -41,6 +41,7 @@ class Measures {
                int instance = 1, int index = 1);
   /// Straight from point to point.
   void between(std::string_view variable, Point from, Point to, int instance = 1, int index = 1);
+  void radius(std::string_view variable, Point centre, Point on_arc);
   void leader(std::string_view variable, Point from, Point to, int instance = 1, int index = 1);
   /// A leader that is shown only in focus: of what is too small to see, or mostly zero.
   void note(std::string_view variable, Point from, Point to, int instance = 1, int index = 1);

@@ -131,7 +131,7 @@ void measure_balls(const OutlineModel& m, Measures& put, double reach, double st
     const double radius = m.groove.groove_radius[j];
     const Point from{m.groove.centre_x[j], m.groove.centre_radius[j]};
     const double side = race == 0 ? -0.6 : 0.6;  // away from the contact
-    put.leader("raceCurFac" + code, from, {from.x + radius * side, from.y + sigma * radius * 0.8});
+    put.radius("raceCurFac" + code, from, {from.x + radius * side, from.y + sigma * radius * 0.8});
     const double shoulder = 0.5 * m.balls->shoulder_diameter[j];
     const double w = 0.5 * m.ring_width[j];
     put.upright("shoulderDia" + code, 0.0, shoulder, reach + step * (race + 1.0), {w, 0.0},
@@ -197,29 +197,41 @@ void measure_cage(const Deck& deck, const OutlineModel& m, Measures& put, double
   put.angle("cageConeAng", end, {end.x - cage.width, end.y}, {-half, cage.outer_radius(-half)});
 }
 
-void measure_flanges(const OutlineModel& m, Measures& put, double step) {
-  for (const statics::FlangePair& pair : m.flanges) {
-    const std::string code = fmt::format("{}{}", pair.side + 1, pair.race + 1);
-    const contact::FlangeFace& f = pair.face;
-    const Point root{f.root_x, f.root_r};
-    const double layback =
-        m.rollers->flange[static_cast<std::size_t>(pair.race)][static_cast<std::size_t>(pair.side)]
-            ->layback;
-    const double height = f.reach * std::cos(layback);
-    // Across the raceway, out of the race: the face turned back by the layback.
-    const double c = std::cos(layback), s = std::sin(layback);
-    const Point n{c * f.t_x + s * f.m_x, c * f.t_r + s * f.m_r};
-    const double away = pair.side == 0 ? -step : step;
-    const Point base = offset(root, away, 0.0);
-    put.between("flngHt" + code, base, offset(base, height * n.x, height * n.y));
-    const double l = 1.6 * f.reach;
-    put.angle("flngAng" + code, root, offset(root, l * n.x, l * n.y),
-              offset(root, l * f.t_x, l * f.t_r));
-    const Point gap = offset(root, 0.6 * f.reach * f.t_x, 0.6 * f.reach * f.t_r);
-    if (pair.side == 0 || !m.rollers->flange[static_cast<std::size_t>(pair.race)][0])
-      put.leader(fmt::format("flngCls{}", pair.race + 1),
-                 offset(gap, 0.0, (pair.race == 0 ? 1.0 : -1.0) * 2.5 * step), gap);
-  }
+void measure_flange(const OutlineModel& m, const statics::FlangePair& pair, Measures& put) {
+  const auto race = static_cast<std::size_t>(pair.race), side = static_cast<std::size_t>(pair.side);
+  const std::string code = fmt::format("{}{}", pair.side + 1, pair.race + 1);
+  const contact::FlangeFace& f = pair.face;
+  const Point root{f.root_x, f.root_r};
+  const double layback = m.rollers->flange[race][side]->layback;
+  const double height = f.reach * std::cos(layback);
+  // Across the raceway, out of the race: the face turned back by the layback.
+  const double c = std::cos(layback), s = std::sin(layback);
+  const Point n{c * f.t_x + s * f.m_x, c * f.t_r + s * f.m_r};
+  const double away = (pair.side == 0 ? -0.3 : 0.3) * f.reach;
+  const Point base = offset(root, away, 0.0);
+  put.between("flngHt" + code, base, offset(base, height * n.x, height * n.y));
+  const double l = 1.25 * f.reach;
+  put.angle("flngAng" + code, root, offset(root, l * n.x, l * n.y),
+            offset(root, l * f.t_x, l * f.t_r));
+  const Point gap = offset(root, 0.7 * f.reach * f.t_x, 0.7 * f.reach * f.t_r);
+  if (m.rollers->flange[race][0] && m.rollers->flange[race][1])
+    put.leader(fmt::format("flngCls{}", pair.race + 1),
+               offset(gap, -2.5 * away, 0.25 * f.reach * n.y), gap);
+}
+
+/// The flange and the roller's corner before it, as large as they go.
+Pane flange_pane(const Deck& deck, const OutlineModel& m, const statics::FlangePair& pair) {
+  Pane pane;
+  pane.title = fmt::format("Flange {}{}: {} race, {} side, to scale", pair.side + 1, pair.race + 1,
+                           pair.race == 0 ? "outer" : "inner", pair.side == 0 ? "-x" : "+x");
+  add_bodies(m, pane);
+  Measures put(deck, pane);
+  measure_flange(m, pair, put);
+  const contact::FlangeFace& f = pair.face;
+  const double half = 1.1 * f.reach;
+  const Point middle{f.root_x + 0.5 * f.reach * f.t_x, f.root_r + 0.5 * f.reach * f.t_r};
+  pane.window = {offset(middle, -half, -half), offset(middle, half, half)};
+  return pane;
 }
 
 }  // namespace
@@ -263,15 +275,21 @@ Drawing draw_flanges(const Deck& deck) {
   add_bodies(m, pane);
   add_contact_line(m, pane);
   const double step = 0.06 * m.diameter;
+  // Two flanges have room for a closer look each; more are measured where they are.
+  const bool closer = m.flanges.size() <= 2;
   Measures put(deck, pane);
-  measure_flanges(m, put, step);
   double half = 0.62 * m.length;
-  for (const statics::FlangePair& pair : m.flanges)
+  for (const statics::FlangePair& pair : m.flanges) {
     half = std::max(half, std::abs(pair.face.root_x) + 3.0 * step);
+    if (!closer) measure_flange(m, pair, put);
+  }
   const double height = 0.5 * m.diameter + 0.5 * m.length * std::sin(m.angle) + 5.0 * step;
   pane.window = {{-half, m.pitch_radius() - height}, {half, m.pitch_radius() + height}};
   out.remarks = m.remarks;
   out.panes.push_back(std::move(pane));
+  if (closer)
+    for (const statics::FlangePair& pair : m.flanges)
+      out.panes.push_back(flange_pane(deck, m, pair));
   return out;
 }
 

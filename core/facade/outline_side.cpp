@@ -125,19 +125,22 @@ class Actions {
 
   /// Straight arrow from the centre along an axis (0 x, 1 y, 2 z); its length is the value's share
   /// of `largest`.
-  void force(const std::string& variable, int axis, double largest, Arrow::Kind kind) {
-    const double value = value_or_zero(deck_, variable);
+  void force(const std::string& variable, int axis, double largest, Arrow::Kind kind, bool rules,
+             Point foot = {}) {
+    const double value = rules ? value_or_zero(deck_, variable) : 0.0;
     const double share = value == 0.0 || largest == 0.0
                              ? 0.45
                              : std::copysign(std::max(std::abs(value) / largest, 0.25), value);
     std::array<double, 3> tip{};
-    tip[static_cast<std::size_t>(axis)] = share * size_;
-    add(variable, value, kind, {map_(0.0, 0.0, 0.0), map_(tip[0], tip[1], tip[2])});
+    tip[static_cast<std::size_t>(axis)] =
+        share * (kind == Arrow::Kind::Gravity ? 0.35 : 1.0) * size_;
+    add(variable, value, kind,
+        {map_(0.0, foot.x, foot.y), map_(tip[0], foot.x + tip[1], foot.y + tip[2])});
   }
   /// Turning arrow about an axis, at a distance along it, in the sense of the right hand.
-  void turn(const std::string& variable, int axis, double distance, double radius,
-            Arrow::Kind kind) {
-    const double value = value_or_zero(deck_, variable);
+  void turn(const std::string& variable, int axis, double distance, double radius, Arrow::Kind kind,
+            bool rules = true) {
+    const double value = rules ? value_or_zero(deck_, variable) : 0.0;
     const double sense = value < 0.0 ? -1.0 : 1.0;
     Path path;
     constexpr int kParts = 28;
@@ -179,20 +182,19 @@ void add_actions(const Deck& deck, Actions& act, double rim, bool along_axis) {
   }
   for (int i = along_axis ? 0 : 1; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    if (held(deck, i + 1))
-      act.force(kMoves[k], i, move, Arrow::Kind::Displacement);
-    else
-      act.force(kLoads[k], i, load, Arrow::Kind::Load);
+    // The one that is a result, or a first guess, shows only while somebody works on it.
+    act.force(kMoves[k], i, move, Arrow::Kind::Displacement, held(deck, i + 1));
+    act.force(kLoads[k], i, load, Arrow::Kind::Load, !held(deck, i + 1));
     if (deck.has(kGravity[k]))
       act.force(kGravity[k], i, largest_of(deck, {"gravityVecX", "gravityVecY", "gravityVecZ"}),
-                Arrow::Kind::Gravity);
+                Arrow::Kind::Gravity, true, {-1.2 * rim, 1.2 * rim});
   }
   const double r = 0.16 * rim;
-  act.turn(held(deck, 4) ? "appMis12" : "appMomY", 1, 0.78 * rim, r,
-           held(deck, 4) ? Arrow::Kind::Displacement : Arrow::Kind::Moment);
+  act.turn("appMis12", 1, 0.78 * rim, r, Arrow::Kind::Displacement, held(deck, 4));
+  act.turn("appMomY", 1, 0.78 * rim, r, Arrow::Kind::Moment, !held(deck, 4));
   act.turn("appMis11", 1, 1.12 * rim, r, Arrow::Kind::Displacement);
-  act.turn(held(deck, 5) ? "appMis22" : "appMomZ", 2, 0.78 * rim, r,
-           held(deck, 5) ? Arrow::Kind::Displacement : Arrow::Kind::Moment);
+  act.turn("appMis22", 2, 0.78 * rim, r, Arrow::Kind::Displacement, held(deck, 5));
+  act.turn("appMomZ", 2, 0.78 * rim, r, Arrow::Kind::Moment, !held(deck, 5));
   act.turn("appMis21", 2, 1.12 * rim, r, Arrow::Kind::Displacement);
 }
 
@@ -201,7 +203,7 @@ Point seen_from_x(double x, double y, double z) { return {y - 0.22 * x, z - 0.3 
 
 /// Base frame with all three axes: x towards the viewer and to the left.
 Point seen_askew(double x, double y, double z) {
-  return {0.92 * y - 0.62 * x, z - 0.36 * x - 0.12 * y};
+  return {0.9 * y - 0.66 * x, z - 0.42 * x - 0.14 * y};
 }
 
 Path askew_circle(double x, double radius) {
@@ -258,7 +260,7 @@ Drawing draw_side_view(const Deck& deck) {
     const double r = 0.5 * (m.raceway(0) + outside);
     put.angle("nRe", {0.0, 0.0}, at_azimuth(r, kTurn / m.count), at_azimuth(r, 0.0));
   }
-  Actions act(deck, pane, &seen_from_x, 0.9 * bore);
+  Actions act(deck, pane, &seen_from_x, m.pitch_radius());
   add_actions(deck, act, outside, false);
   act.turn("rpm2", 0, 0.0, 0.45 * bore, Arrow::Kind::Speed);
   act.turn("rpm1", 0, 0.0, 0.5 * (outside + m.raceway(0)), Arrow::Kind::Speed);
@@ -277,20 +279,14 @@ Drawing draw_loads(const Deck& deck) {
   Pane pane;
   pane.title = "Loads on the inner race";
   const double outside = m.ring_radius[0], bore = m.ring_radius[1];
-  const double half = 0.5 * std::max(m.ring_width[0], m.ring_width[1]);
   const auto ring = [&](Part part, const char* name, double r1, double r2,
                         std::vector<std::string> shows) {
     Shape shape;
     shape.part = part;
     shape.style = Shape::Style::Behind;
     shape.name = name;
-    shape.paths = {askew_circle(half, r1), askew_circle(half, r2)};
+    shape.paths = {askew_circle(0.0, r1), askew_circle(0.0, r2)};
     shape.shows = std::move(shows);
-    Shape far = shape;
-    far.style = Shape::Style::Dashed;
-    far.name += ", far face";
-    far.paths = {askew_circle(-half, r1), askew_circle(-half, r2)};
-    pane.shapes.push_back(std::move(far));
     pane.shapes.push_back(std::move(shape));
   };
   ring(Part::OuterRing, "outer ring", outside, m.raceway(0), {"rpm1", "appMis11", "appMis21"});
@@ -311,10 +307,10 @@ Drawing draw_loads(const Deck& deck) {
     pane.captions.push_back(
         {seen_askew(tip[0], tip[1], tip[2]), kNames[static_cast<std::size_t>(i)], 0.0});
   }
-  Actions act(deck, pane, &seen_askew, 0.62 * outside);
+  Actions act(deck, pane, &seen_askew, 1.15 * outside);
   add_actions(deck, act, outside, true);
-  act.turn("rpm2", 0, half, 0.5 * bore, Arrow::Kind::Speed);
-  act.turn("rpm1", 0, half, 0.5 * (outside + m.raceway(0)), Arrow::Kind::Speed);
+  act.turn("rpm2", 0, 0.0, 0.5 * (bore + m.raceway(1)), Arrow::Kind::Speed);
+  act.turn("rpm1", 0, 0.0, 0.5 * (outside + m.raceway(0)), Arrow::Kind::Speed);
   out.remarks = m.remarks;
   for (int i = 0; i < 3; ++i)
     if (held(deck, i + 1))

@@ -45,10 +45,12 @@ void measure(const Deck& deck, const Curve& c, double range, Pane& pane) {
   const auto at = [&](double u) { return Point{u, tribology::traction_coefficient(c.law, u)}; };
   Measures put(deck, pane);
   const Point start = at(0.0), far = at(range);
-  put.leader(stem + "1", {0.16 * range, start.y}, start);
+  const double height = std::max(at(0.2 * range).y, at(range).y);
+  put.leader(stem + "1", {0.22 * range, start.y + 0.12 * height}, start);
   const auto tangent = [&](const char* name, double from) {
     const double slope = tribology::traction_slope(c.law, from * 1.000001);
-    const double to = from + 0.15 * range;
+    const double rise = 0.9 * height;
+    const double to = from + (slope > 0.0 ? std::min(0.15 * range, rise / slope) : 0.15 * range);
     const Point a = at(from), b{to, a.y + slope * (to - from)};
     put.between(name, a, b);
   };

@@ -1,0 +1,27 @@
+#include "desktop/picture_marks.hpp"
+
+#include <QPainter>
+#include <QPolygonF>
+#include <QRadialGradient>
+
+namespace adore::desktop {
+
+void arrow_head(QPainter& painter, QPointF tip, QPointF direction, double length,
+                const QColor& colour) {
+  const QPointF across(-direction.y(), direction.x());
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(colour);
+  painter.drawPolygon(QPolygonF({tip, tip - direction * length + across * length * 0.42,
+                                 tip - direction * length - across * length * 0.42}));
+}
+
+QBrush ball_brush(QPointF centre, double radius, const QColor& lit, const QColor& middle,
+                  const QColor& rim) {
+  QRadialGradient shine(centre - QPointF(0.35, 0.4) * radius, 1.5 * radius);
+  shine.setColorAt(0, lit);
+  shine.setColorAt(0.45, middle);
+  shine.setColorAt(1, rim);
+  return shine;
+}
+
+}  // namespace adore::desktop

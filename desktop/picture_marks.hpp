@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QBrush>
+#include <QColor>
+#include <QPointF>
+
+class QPainter;
+
+/// Signs that the pictures of all programs share. Positions in pixels.
+namespace adore::desktop {
+
+/// Filled head of an arrow; `direction` is a unit vector.
+void arrow_head(QPainter& painter, QPointF tip, QPointF direction, double length,
+                const QColor& colour);
+
+/// A round body lit from the upper left: its colours towards the light, in the middle and at the
+/// rim.
+[[nodiscard]] QBrush ball_brush(QPointF centre, double radius, const QColor& lit,
+                                const QColor& middle, const QColor& rim);
+
+}  // namespace adore::desktop
