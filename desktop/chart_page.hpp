@@ -11,6 +11,7 @@ struct ChartCurve {
   std::string name;
   std::vector<double> y;  ///< one per abscissa value; NaN = no value, the line is broken there
   std::vector<double> x;  ///< empty: the page's abscissa (own values only on pages with equal axes)
+  bool dashed = false;    ///< drawn broken, so that a curve below it stays visible
 };
 
 struct ChartPanel {
@@ -35,6 +36,7 @@ struct ChartPage {
   std::vector<ChartPanel> panels;
   std::vector<ChartMark> marks;            ///< dashed vertical lines with a label
   bool equal_axes = false;                 ///< an orbit: same scale both ways, one panel
+  bool points = false;                     ///< each value is marked: there is nothing between them
   bool closed_outline = false;             ///< an orbit page whose curves are outlines, not paths
   double guide_radius = 0.0;               ///< circle about the origin of an orbit; 0 = none
   double view_low = 0.0, view_high = 0.0;  ///< first view of the abscissa; equal = all of it
