@@ -118,11 +118,11 @@ ChartPage load_rose(const StaticTables& all, const StaticTable& elements) {
   const StaticColumn* azimuth = elements.find("azimuth");
   ChartPanel rose;
   rose.title = "z direction";
-  for (const auto& [column, name] : both_races("load")) {
+  for (const auto& [column, name, dashed] : both_races("load")) {
     const StaticColumn* load = elements.find(column);
     if (load == nullptr || azimuth == nullptr || load->values.empty()) continue;
     rose.unit = results::unit_name(*load->unit, all.units);
-    ChartCurve curve{name, {}, {}};
+    ChartCurve curve{name, {}, {}, dashed};
     const std::vector<double> size = shown(*load, all.units);
     for (std::size_t k = 0; k <= size.size(); ++k) {
       const std::size_t i = k % size.size();

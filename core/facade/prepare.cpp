@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <numbers>
 
 namespace adore::facade {
 namespace fs = std::filesystem;
@@ -157,6 +158,17 @@ Prepared prepare(LoadedDeck input) {
                                  : static_plan(out);
   const bearing::LifeInputs life_inputs = build::build_life(deck, out.options.life);
   out.stiffness_seconds = timed([&] { out.stiffness = stiffness_over_speed(out); });
+  // The first speed at which the table's geometry gives way.
+  for (const statics::StiffnessRow& row : out.stiffness) {
+    if (!row.operating || row.operating->warnings.empty()) continue;
+    constexpr double kRpm = 30.0 / std::numbers::pi;
+    for (const std::string& text : row.operating->warnings)
+      out.input.warnings.push_back(
+          remark(Severity::Warning, out.input.path.string(),
+                 fmt::format("stiffness over speed, from {:g} and {:g} rpm on: {}",
+                             kRpm * row.speed[0], kRpm * row.speed[1], text)));
+    break;
+  }
   const auto judge = [&](const life::RaceStrength& strength) {
     for (const std::string& text : life::strength_warnings(out.bearing, strength))
       out.input.warnings.push_back(remark(Severity::Warning, out.input.path.string(), text));

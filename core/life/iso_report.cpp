@@ -39,15 +39,15 @@ IsoGeometry iso_geometry(const bearing::BallGeometry& balls, std::vector<std::st
     notes.push_back(
         "ISO: the load-dependent factors for angles below 20 deg are not held; those of "
         "deep-groove bearings are taken");
-  const auto replaced = [&](const char* race, double own, double rated) {
+  const auto replaced = [&](const char* race, double own, double rated, double limit) {
     if (own != rated)
       notes.push_back(fmt::format(
           "ISO: the {} groove of factor {:g} is rated as one of {:g}, for which the standard's "
-          "tables are made and which covers closer grooves too",
-          race, own, rated));
+          "tables are made; they hold for grooves up to {:g}",
+          race, own, rated, limit));
   };
-  replaced("outer", balls.groove_factor[0], out.conformity_outer);
-  replaced("inner", balls.groove_factor[1], out.conformity_inner);
+  replaced("outer", balls.groove_factor[0], out.conformity_outer, thrust ? table : 0.53);
+  replaced("inner", balls.groove_factor[1], out.conformity_inner, thrust ? table : 0.52);
   return out;
 }
 

@@ -26,24 +26,18 @@ void ball_contacts(Report& report, const statics::StaticSolution& solution) {
 }
 
 /// What the columns s and t of a race are to be compared with.
-std::string edge_limits(const bearing::Bearing& bearing, UnitSystem units) {
-  std::string out;
-  for (std::size_t race = 0; race < 2; ++race) {
-    const auto length = [&](double si) {
-      return Report::number(from_si(si, unit::kLength, units)) + " " +
-             std::string(unit_name(unit::kLength, units));
-    };
-    const double shoulder = bearing.balls.shoulder_diameter[race];
-    const double shim = bearing.balls.shim[race];
-    out +=
-        fmt::format("{} race: s {}; t {}. ", race == 0 ? "Outer" : "Inner",
-                    shoulder > 0.0 ? fmt::format("above 0, shoulder diameter {}", length(shoulder))
-                                   : std::string("without a limit, no shoulder given"),
-                    shim > 0.0 ? fmt::format("above {}, half the shim", length(0.5 * shim))
-                               : std::string("without a limit, not split"));
-  }
-  out.pop_back();
-  return out;
+std::string edge_limits(const bearing::Bearing& bearing, std::size_t race, UnitSystem units) {
+  const auto length = [&](double si) {
+    return Report::number(from_si(si, unit::kLength, units)) + " " +
+           std::string(unit_name(unit::kLength, units));
+  };
+  const double shoulder = bearing.balls.shoulder_diameter[race];
+  const double shim = bearing.balls.shim[race];
+  return fmt::format("Allowed at the {} race: s {}; t {}.", race == 0 ? "outer" : "inner",
+                     shoulder > 0.0 ? fmt::format("above 0, shoulder diameter {}", length(shoulder))
+                                    : std::string("without a limit, no shoulder given"),
+                     shim > 0.0 ? fmt::format("above {}, half the shim", length(0.5 * shim))
+                                : std::string("without a limit, not split"));
 }
 
 void balls(Report& report, const statics::StaticSolution& solution,
@@ -93,7 +87,8 @@ void balls(Report& report, const statics::StaticSolution& solution,
   report.text(
       "s: depth of the contact's far edge below the shoulder; below 0 it reaches over. t: from the "
       "middle plane of the groove to the contact's near edge, where a split race has its gap.");
-  report.text("Allowed: " + edge_limits(bearing, report.units()));
+  for (std::size_t race = 0; race < 2; ++race)
+    report.text(edge_limits(bearing, race, report.units()));
   report.table("ball",
                {{"azimuth", &unit::kAngle},
                 {"s outer", &unit::kLength},

@@ -20,6 +20,7 @@ const UnitPair& motion_unit(std::size_t k) { return k < 3 ? unit::kLength : unit
 std::string entry(const Report& report, const Eigen::Matrix<double, 5, 5>& K, std::size_t i,
                   std::size_t j) {
   const double value = K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+  if (value == 0.0) return fmt::format("{:>15}", 0);
   const double load = from_si(value, load_unit(i), report.units());
   return fmt::format("{:15.7e}", load * to_si(1.0, motion_unit(j), report.units()));
 }

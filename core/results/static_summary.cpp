@@ -222,10 +222,13 @@ void lives(Report& report, const life::BearingLife& life) {
 void remarks(Report& report, const std::vector<std::string>& warnings,
              const std::vector<std::string>& notes) {
   report.text(fmt::format("Warnings: {}. Notes: {}.", warnings.size(), notes.size()));
+  // Whole where there is room, cut where there is room for one line, which the last one keeps free.
   const auto shown = [&](const std::string& text) {
-    constexpr std::size_t kWidth = 118;
+    constexpr std::size_t kWidth = 112;
+    const int lines = static_cast<int>(text.size() / kWidth) + 1;
     if (report.lines_left() < 2) return false;
-    report.text("  " + (text.size() > kWidth ? text.substr(0, kWidth - 4) + " ..." : text), 4);
+    const bool whole = lines == 1 || lines < report.lines_left();
+    report.text(whole ? text : text.substr(0, kWidth - 4) + " ...", 6);
     return true;
   };
   for (const auto* list : {&warnings, &notes})

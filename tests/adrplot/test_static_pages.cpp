@@ -3,9 +3,11 @@
 #include "adrplot/static_pages.hpp"
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
+#include "desktop/chart_scene.hpp"
 #include "desktop/theme.hpp"
 #include "support/qt_app.hpp"
 
+#include <QGraphicsEllipseItem>
 #include <QImage>
 #include <QTemporaryDir>
 #include <catch2/catch.hpp>
@@ -171,4 +173,23 @@ TEST_CASE("quasi-static pages become pictures with curves in them", "[gui]") {
   }
   options.page = 9;
   CHECK_THROWS_WITH(adrplot::render_plots({file}, options), Catch::Contains("pages are 1 to 3"));
+}
+
+TEST_CASE("a value between gaps is drawn as a point, and every element of a bearing is", "[gui]") {
+  const auto points = [](const desktop::ChartPage& page) {
+    desktop::ChartScene scene;
+    scene.setPage(page);
+    int count = 0;
+    for (const QGraphicsItem* item : scene.items())
+      count += dynamic_cast<const QGraphicsEllipseItem*>(item) != nullptr ? 1 : 0;
+    return count;
+  };
+  desktop::ChartPage page;
+  page.x = {0.0, 1.0, 2.0, 3.0, 4.0};
+  page.panels = {{"Angle", "deg", {{"inner race", {kNone, 5.0, kNone, 6.0, 7.0}, {}}}}};
+  CHECK(points(page) == 1);  // 6 and 7 make a line
+  page.points = true;
+  CHECK(points(page) == 3);
+  page.panels[0].curves[0].y = {kNone, kNone, kNone, kNone, kNone};
+  CHECK(points(page) == 0);
 }

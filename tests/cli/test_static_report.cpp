@@ -152,3 +152,22 @@ TEST_CASE("the plan of a quasi-static deck names its unknowns and switches", "[c
   const std::string roller = plan("cylindrical-nu209", "--opt rollerSlices=15");
   CHECK(line(roller, "on +roller / race contact +.*in 15 slices"));
 }
+
+TEST_CASE("the stiffness table gives clearance and angle at each speed and warns of lost clearance",
+          "[cli]") {
+  const StaticRun run("angular-218", "--set kStif=3 --set rpmRange12=0. --set rpmRange22=12000.");
+  const std::regex clearance("Diametral clearance at this speed +([0-9.e-]+) +m");
+  std::vector<double> found;
+  for (std::sregex_iterator at(run.print.begin(), run.print.end(), clearance), end; at != end; ++at)
+    found.push_back(std::stod((*at)[1]));
+  REQUIRE(found.size() == 3);
+  CHECK(found[0] > found[1]);  // the inner race grows with the square of its speed
+  CHECK(found[0] - found[2] == Approx(4.0 * (found[0] - found[1])).epsilon(0.01));
+  CHECK(contains(run.print, "Free contact angle at this speed"));
+  const StaticRun tight("deep-groove-6205",
+                        "--set kStif=2 --set pctDisp=1. --set rpmRange11=0. "
+                        "--set rpmRange21=0. --set rpmRange12=3000. --set "
+                        "rpmRange22=80000.");
+  CHECK(contains(tight.print, "Warning: the clearance turns negative"));
+  CHECK(contains(tight.result.out, "stiffness over speed, from 0 and 80000 rpm on: the clearance"));
+}

@@ -110,7 +110,7 @@ TEST_CASE("the quasi-static page shows every number with its unit", "[unit][prin
     const std::string text = report.take();
     check_pages(text);
     const bool si = units == UnitSystem::SI;
-    CHECK_THAT(line_with(text, "  x "),
+    CHECK_THAT(line_with(text, "  x    "),
                Contains(si ? "1e-05             m" : "0.0003937008      in") &&
                    Contains(si ? "1000" : "224.8089"));
     CHECK_THAT(line_with(text, "  about y "), Contains("0.05729578        deg"));
