@@ -31,6 +31,7 @@ QString from(const std::string& text) { return QString::fromStdString(text); }
 
 QString report(const facade::RunOutcome& outcome) {
   std::string text;
+  for (const std::string& line : outcome.results) text += line + "\n";
   for (const Issue& issue : outcome.warnings) text += issue.text() + "\n";
   if (outcome.energy_scale > 0.0)
     text += fmt::format("Energy residual {:.3g} J, {:.2g} of {:.3g} J moved.\n",

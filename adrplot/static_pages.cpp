@@ -23,6 +23,7 @@ using results::StaticTables;
 
 struct CurveChoice {
   std::string column, name;
+  bool dashed = false;
 };
 
 std::vector<double> shown(const StaticColumn& column, results::UnitSystem units) {
@@ -42,7 +43,7 @@ std::optional<ChartPanel> panel(const StaticTables& all, const StaticTable& tabl
     if (column == nullptr) continue;
     const std::string_view unit = results::unit_name(*column->unit, all.units);
     out.unit = unit == "-" ? "" : unit;
-    out.curves.push_back({choice.name, shown(*column, all.units), {}});
+    out.curves.push_back({choice.name, shown(*column, all.units), {}, choice.dashed});
   }
   if (out.curves.empty()) return std::nullopt;
   return out;
@@ -92,6 +93,21 @@ StaticTable by_azimuth(StaticTable table) {
   return table;
 }
 
+/// A sorted table whose element at 180 degrees stands at -180 too, so that the axis is a whole
+/// turn.
+StaticTable whole_turn(StaticTable table) {
+  const StaticColumn* azimuth = table.find("azimuth");
+  const double half_turn = std::acos(-1.0);
+  if (azimuth == nullptr || azimuth->values.empty() ||
+      std::abs(azimuth->values.back() - half_turn) > 1e-9)
+    return table;
+  for (StaticColumn& column : table.columns) {
+    const double last = column.name == "azimuth" ? -half_turn : column.values.back();
+    column.values.insert(column.values.begin(), last);
+  }
+  return table;
+}
+
 /// Loads as the radius of a closed line about the bearing's axis, seen along +x: +z up, azimuth
 /// turning from z towards -y.
 ChartPage load_rose(const StaticTables& all, const StaticTable& elements) {
@@ -104,11 +120,11 @@ ChartPage load_rose(const StaticTables& all, const StaticTable& elements) {
   const StaticColumn* azimuth = elements.find("azimuth");
   ChartPanel rose;
   rose.title = "z direction";
-  for (const auto& [column, name] : both_races("load")) {
+  for (const auto& [column, name, dashed] : both_races("load")) {
     const StaticColumn* load = elements.find(column);
     if (load == nullptr || azimuth == nullptr || load->values.empty()) continue;
     rose.unit = results::unit_name(*load->unit, all.units);
-    ChartCurve curve{name, {}, {}};
+    ChartCurve curve{name, {}, {}, dashed};
     const std::vector<double> size = shown(*load, all.units);
     for (std::size_t k = 0; k <= size.size(); ++k) {
       const std::size_t i = k % size.size();
@@ -125,6 +141,7 @@ ChartPage load_rose(const StaticTables& all, const StaticTable& elements) {
 ChartPage element_page(const StaticTables& all, const StaticTable& elements) {
   ChartPage page;
   page.title = "Contact loads, angles and pressures";
+  page.points = true;
   set_abscissa(page, all, elements, "azimuth", "Azimuth");
   add(page, panel(all, elements, "Contact load", both_races("load")));
   add(page, panel(all, elements, "Contact angle", both_races("contact angle")));
@@ -135,6 +152,7 @@ ChartPage element_page(const StaticTables& all, const StaticTable& elements) {
 /// Where the ellipses of all elements lie on their grooves.
 std::optional<ChartPage> ellipse_page(const StaticTables& all, const StaticTable& elements) {
   ChartPage page;
+  page.points = true;
   page.title = "Contact ellipses around the bearing";
   page.note =
       "Angles on the groove from its bottom: the ellipse should stay inside the groove's end.";
@@ -235,6 +253,7 @@ std::optional<ChartPage> cut_page(const StaticTables& all) {
 std::optional<ChartPage> tilt_page(const StaticTables& all, const StaticTable& elements) {
   ChartPage page;
   page.title = "Roller attitude and guidance";
+  page.points = true;
   set_abscissa(page, all, elements, "azimuth", "Azimuth");
   add(page, panel(all, elements, "Tilt", {{"tilt", ""}}));
   add(page, panel(all, elements, "Contact moment", both_races("moment")));
@@ -244,6 +263,10 @@ std::optional<ChartPage> tilt_page(const StaticTables& all, const StaticTable& e
                    {"inner flange -x load", "inner, −x"},
                    {"inner flange +x load", "inner, +x"}}));
   if (page.panels.empty()) return std::nullopt;
+  // One flange alone has no legend: the title names it.
+  for (ChartPanel& each : page.panels)
+    if (each.curves.size() == 1 && !each.curves[0].name.empty())
+      each.title += ", " + each.curves[0].name;
   // Millionths of a degree, of a newton or of a newton metre are rounding, not a picture.
   for (ChartPanel& each : page.panels) each.least_span = 1e-6;
   return page;
@@ -275,7 +298,8 @@ std::vector<ChartPage> stiffness_pages(const StaticTables& all) {
     return out;
   };
   const auto entry = [&](const std::string& name) {
-    return std::vector<CurveChoice>{{name, "exact"}, {name + " by difference", "by difference"}};
+    return std::vector<CurveChoice>{{name, "exact"},
+                                    {name + " by difference", "by difference", true}};
   };
   std::vector<ChartPage> out;
   out.push_back(page("Stiffness over speed: translation"));
@@ -289,6 +313,7 @@ std::vector<ChartPage> stiffness_pages(const StaticTables& all) {
   add(out.back(),
       panel(all, *table, "Displacement",
             {{"displacement x", "x"}, {"displacement y", "y"}, {"displacement z", "z"}}));
+  add(out.back(), panel(all, *table, "Diametral clearance", {{"clearance", ""}}));
   std::erase_if(out, [](const ChartPage& p) { return p.panels.empty(); });
   return out;
 }
@@ -311,6 +336,15 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kSuffixe
      {"_K", "K"},
      {"_s", "s"}}};
 
+/// Key results whose names are short.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kNames{
+    {{"life_lp", "Life, original Lundberg-Palmgren"},
+     {"life_lpu", "Life, updated Lundberg-Palmgren"},
+     {"life_gz", "Life, Gupta-Zaretsky type"},
+     {"life_ih", "Life, Ioannides-Harris type"},
+     {"life_stored", "Life, model of the plot files"},
+     {"run_life", "Life by the loads of the run"}}};
+
 /// Parts of a name that tell curves of one quantity apart.
 constexpr std::array<std::string_view, 9> kParts{
     "_about_y", "_about_z", "_x", "_y", "_z", "_outer", "_inner", "_bearing", "_elements"};
@@ -326,6 +360,11 @@ NameParts split(std::string name) {
       out.unit = unit;
       name.resize(name.size() - suffix.size());
       break;
+    }
+  for (const auto& [key, full] : kNames)
+    if (name == key) {
+      out.quantity = full;
+      return out;
     }
   for (const std::string_view part : kParts)
     if (name.ends_with(part)) {
@@ -346,8 +385,9 @@ NameParts split(std::string name) {
 std::vector<ChartPage> static_pages(const StaticTables& all) {
   std::vector<ChartPage> pages;
   if (const StaticTable* table = all.find("elements")) {
-    const StaticTable elements = by_azimuth(*table);
-    pages.push_back(load_rose(all, elements));
+    const StaticTable sorted = by_azimuth(*table);
+    const StaticTable elements = whole_turn(sorted);
+    pages.push_back(load_rose(all, sorted));
     pages.push_back(element_page(all, elements));
     if (auto page = cut_page(all)) pages.push_back(std::move(*page));
     if (auto page = ellipse_page(all, elements)) pages.push_back(std::move(*page));
@@ -383,12 +423,14 @@ std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep) {
           fmt::format("{} runs{}", sweep.values.size(),
                       sweep.failed > 0 ? fmt::format(", {} without a result", sweep.failed) : "");
       page.x_title = sweep.variable;
+      page.x_unit = sweep.unit;
       page.x = sweep.values;
     }
-    if (panels[i].title.starts_with("Life "))
+    if (panels[i].title.starts_with("Life"))
       pages.back().note =
-          "Lives: lp by a published constant (seen); lpu, gz and ih calibrated on it by this "
-          "program; factors recalled (STLE) or derived (Tallian-type).";
+          "Lives: the original model by a published constant (seen); the others calibrated on it "
+          "by "
+          "this program; factors recalled (STLE) or derived (Tallian-type).";
     pages.back().panels.push_back(std::move(panels[i]));
   }
   return pages;

@@ -48,6 +48,9 @@ class InterruptWatch {
 };
 
 std::string progress_line(const facade::Progress& p) {
+  if (p.runs > 0)
+    return fmt::format("{:3.0f}%  run {} of {}  ETA {}", 100.0 * p.fraction, p.step, p.runs,
+                       duration_text(p.remaining));
   return fmt::format(
       "{:3.0f}%  {:.3f} rev  t = {:.4e} of {:.4e} s  step {}  {:.3g}x real time  ETA {}",
       100.0 * p.fraction, p.revolutions, p.time, p.end_time, p.step, p.speed_up,
@@ -84,8 +87,12 @@ int report(const facade::RunOutcome& outcome, bool quiet) {
   if (outcome.status == facade::RunStatus::Interrupted)
     fmt::print(stderr, "\ninterrupted; the files are valid up to the last stored step\n");
   if (!quiet) {
-    fmt::print("{} steps, {:.4g} revolutions, t = {:.6g} s, computed in {}\n", outcome.steps,
-               outcome.revolutions, outcome.time, duration_text(outcome.seconds));
+    for (const std::string& line : outcome.results) fmt::print("{}\n", line);
+    if (!outcome.results.empty())
+      fmt::print("quasi-static solution computed in {}\n", duration_text(outcome.seconds));
+    else
+      fmt::print("{} steps, {:.4g} revolutions, t = {:.6g} s, computed in {}\n", outcome.steps,
+                 outcome.revolutions, outcome.time, duration_text(outcome.seconds));
     if (outcome.energy_scale > 0.0)
       fmt::print("energy residual {:.3g} J ({:.2g} of {:.3g} J)\n", outcome.energy_residual,
                  outcome.energy_residual / outcome.energy_scale, outcome.energy_scale);

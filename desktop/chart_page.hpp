@@ -12,6 +12,7 @@ struct ChartCurve {
   std::vector<double> y;  ///< one per abscissa value; NaN = no value, the line is broken there
   std::vector<double> x;  ///< empty: the page's abscissa (own values only on pages with equal axes)
   bool heavy = false;     ///< drawn thick: what the picture is about
+  bool dashed = false;    ///< drawn broken, so that a curve below it stays visible
 };
 
 struct ChartPanel {
@@ -43,6 +44,7 @@ struct ChartPage {
   std::vector<ChartPanel> panels;
   std::vector<ChartMark> marks;    ///< dashed vertical lines with a label
   bool equal_axes = false;         ///< an orbit: same scale both ways, one panel
+  bool points = false;             ///< each value is marked: there is nothing between them
   bool closed_outline = false;     ///< an orbit page whose curves are outlines, not paths
   bool fitted = false;             ///< an orbit page as wide and high as its curves, not square
   std::vector<ChartLabel> labels;  ///< of a page with equal axes

@@ -175,8 +175,12 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   for (const auto& curve : panel.curves) {
     const auto pieces =
         drawable_pieces(page_.x, curve.y, low_, high_, static_cast<int>(area.width()), panel.wraps);
-    for (const auto& piece : pieces)
-      addSeries(chart, piece, x_axis, y_axis, text_of(curve.name), colour, m.line);
+    for (const auto& piece : pieces) {
+      addSeries(chart, piece, x_axis, y_axis, text_of(curve.name), colour, m.line, curve.dashed);
+      // A value between gaps has no line: it is a point.
+      if (page_.points || piece.x.size() == 1)
+        addPoints(piece, area, x_axis, y_axis, colour, m.line);
+    }
     ++colour;
   }
   if (extent.empty()) addMessage(area, "no values in the file", m);
@@ -279,7 +283,8 @@ void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const A
 }
 
 void ChartScene::addSeries(QChart* chart, const Polyline& line, const AxisScale& x_axis,
-                           const AxisScale& y_axis, const QString& name, int colour, qreal width) {
+                           const AxisScale& y_axis, const QString& name, int colour, qreal width,
+                           bool dashed) {
   auto* series = new QLineSeries;
   QList<QPointF> points;
   points.reserve(static_cast<qsizetype>(line.x.size()));
@@ -289,9 +294,24 @@ void ChartScene::addSeries(QChart* chart, const Polyline& line, const AxisScale&
   series->setName(name);
   QPen pen(theme_->curves[static_cast<std::size_t>(colour) % theme_->curves.size()], width);
   pen.setJoinStyle(Qt::RoundJoin);
+  if (dashed) pen.setDashPattern({4.0, 4.0});
   series->setPen(pen);
   chart->addSeries(series);
   for (auto* axis : chart->axes()) series->attachAxis(axis);
+}
+
+void ChartScene::addPoints(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
+                           const AxisScale& y_axis, int colour, qreal width) {
+  const QColor fill = theme_->curves[static_cast<std::size_t>(colour) % theme_->curves.size()];
+  const qreal r = 1.6 * width;
+  for (std::size_t i = 0; i < line.x.size(); ++i) {
+    if (line.x[i] < low_ || line.x[i] > high_) continue;
+    const qreal x = area.left() + (x_axis.shown(line.x[i]) - x_axis.min) /
+                                      (x_axis.max - x_axis.min) * area.width();
+    const qreal y = area.bottom() - (y_axis.shown(line.y[i]) - y_axis.min) /
+                                        (y_axis.max - y_axis.min) * area.height();
+    addEllipse(QRectF(x - r, y - r, 2 * r, 2 * r), QPen(Qt::NoPen), fill)->setZValue(5);
+  }
 }
 
 void ChartScene::addLegend(const ChartPanel& panel, const QRectF& area, const Metrics& m) {
@@ -306,8 +326,9 @@ void ChartScene::addLegend(const ChartPanel& panel, const QRectF& area, const Me
     label->setBrush(theme_->text);
     label->setPos(x, area.top() - metrics.height() - 3);
     const qreal middle = area.top() - 0.5 * metrics.height() - 3;
-    addLine(QLineF(x - 24, middle, x - 6, middle),
-            QPen(theme_->curves[i % theme_->curves.size()], 2.4));
+    QPen pen(theme_->curves[i % theme_->curves.size()], 2.4);
+    if (panel.curves[i].dashed) pen.setDashPattern({2.0, 1.5});
+    addLine(QLineF(x - 24, middle, x - 6, middle), pen);
     x -= 40;
   }
 }

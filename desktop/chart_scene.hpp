@@ -62,7 +62,10 @@ class ChartScene : public QGraphicsScene {
   void addLabels(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
                  const QString& x_title, const QString& y_title, bool x_labels, const Metrics& m);
   void addSeries(QChart* chart, const Polyline& line, const AxisScale& x_axis,
-                 const AxisScale& y_axis, const QString& name, int colour, qreal width);
+                 const AxisScale& y_axis, const QString& name, int colour, qreal width,
+                 bool dashed = false);
+  void addPoints(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
+                 const AxisScale& y_axis, int colour, qreal width);
 
   ChartStyle style_;
   const Theme* theme_;

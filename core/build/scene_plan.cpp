@@ -28,15 +28,13 @@ dynamics::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Beari
   dynamics::ScenePlan plan;
   const int n = bearing.element_count();
   const std::string element = bearing.rollers ? "roller" : "ball";
-  const bool dynamic = control.dynamic;
   const std::string mode = fmt::format("mode = {}", deck.integer("mode"));
   const std::string cage_switch = fmt::format("nCseg = {}", deck.integer("nCseg"));
-  const bool cage = dynamic && bearing.cage.has_value();
+  const bool cage = bearing.cage.has_value();
   const bool guided = cage && bearing.land_traction.has_value();
 
   auto effect = [&](Effect id, const std::string& name, bool on, std::string because) {
-    plan.effects.push_back(
-        {id, name, dynamic && on, dynamic ? std::move(because) : mode + " (quasi-static)"});
+    plan.effects.push_back({id, name, on, std::move(because)});
   };
   effect(Effect::RaceContact, element + " / race contact", true, mode);
   effect(Effect::RaceTraction, element + " / race traction", can_push(bearing.race_traction),
@@ -57,8 +55,8 @@ dynamics::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Beari
                      bearing.gravity.y(), bearing.gravity.z()));
 
   // A perfect sphere's orientation is integrated only for elements that a file shows.
-  const bool sections = dynamic && control.print_option >= 1;
-  for (int i = 0; i < n && dynamic; ++i) {
+  const bool sections = control.print_option >= 1;
+  for (int i = 0; i < n; ++i) {
     const bool monitored = std::find(control.monitored.begin(), control.monitored.end(), i + 1) !=
                            control.monitored.end();
     if (control.animate || monitored || (sections && i % control.print_option == 0))
@@ -76,24 +74,17 @@ dynamics::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Beari
          fmt::format("qFac = {:g}", control.light_load_ratio));
 
   auto rpm = [](double speed) { return speed * 30.0 / std::numbers::pi; };
-  if (dynamic) {
-    plan.bodies.push_back({fmt::format("balls ({})", n),
-                           "x, r, theta, angular velocity: 6 degrees of freedom each", 9 * n});
-    if (oriented > 0)
-      plan.bodies.push_back({fmt::format("orientation of balls ({})", oriented),
-                             "quaternion and total rotation", 5 * oriented});
-    if (cage) plan.bodies.push_back({"cage", "6 degrees of freedom and total rotation", 14});
-  } else {
-    plan.bodies.push_back({fmt::format("{}s ({})", element, n),
-                           bearing.rollers ? "x, r, tilt in equilibrium" : "x, r in equilibrium",
-                           (bearing.rollers ? 3 : 2) * n});
-  }
-  const char* how = dynamic ? "at the static position" : "in equilibrium";
+  plan.bodies.push_back({fmt::format("balls ({})", n),
+                         "x, r, theta, angular velocity: 6 degrees of freedom each", 9 * n});
+  if (oriented > 0)
+    plan.bodies.push_back({fmt::format("orientation of balls ({})", oriented),
+                           "quaternion and total rotation", 5 * oriented});
+  if (cage) plan.bodies.push_back({"cage", "6 degrees of freedom and total rotation", 14});
   plan.bodies.push_back(
       {"outer race", fmt::format("fixed, speed {:g} rpm", rpm(bearing.speed[0])), 0});
-  plan.bodies.push_back({"inner race",
-                         fmt::format("{}, speed {:g} rpm", how, rpm(bearing.speed[1])),
-                         dynamic ? 0 : 5});
+  plan.bodies.push_back(
+      {"inner race", fmt::format("at the static position, speed {:g} rpm", rpm(bearing.speed[1])),
+       0});
   for (const dynamics::BodyEntry& body : plan.bodies) plan.unknowns += body.unknowns;
   return plan;
 }

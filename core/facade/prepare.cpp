@@ -5,14 +5,18 @@
 #include "build/scene_plan.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/scene_estimate.hpp"
+#include "facade/static_plan.hpp"
 #include "facade/stiffness.hpp"
+#include "life/contact_strength.hpp"
 #include "thermal/operating.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <cmath>
 #include <fstream>
+#include <numbers>
 
 namespace adore::facade {
 namespace fs = std::filesystem;
@@ -34,6 +38,22 @@ std::array<double, 2> mean_contact_angles(const statics::StaticSolution& solutio
     if (weight > 0.0) out[j] = sum / weight;
   }
   return out;
+}
+
+Issue remark(Severity severity, const std::string& file, const std::string& text) {
+  Issue issue;
+  issue.severity = severity;
+  issue.file = file;
+  issue.message = text;
+  return issue;
+}
+
+/// Seconds that an action takes.
+template <class Action>
+double timed(Action&& action) {
+  const auto begin = std::chrono::steady_clock::now();
+  action();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 }  // namespace
@@ -105,13 +125,15 @@ LoadedDeck load_deck(const DeckRequest& request) {
 std::vector<Issue> operating_warnings(const bearing::Bearing& bearing, const std::string& file) {
   std::vector<Issue> out;
   if (!bearing.operating) return out;
-  for (const std::string& text : bearing.operating->warnings) {
-    Issue issue;
-    issue.severity = Severity::Warning;
-    issue.file = file;
-    issue.message = text;
-    out.push_back(std::move(issue));
-  }
+  for (const std::string& text : bearing.operating->warnings)
+    out.push_back(remark(Severity::Warning, file, text));
+  return out;
+}
+
+std::vector<Issue> solution_notes(const Prepared& prepared) {
+  std::vector<Issue> out;
+  for (const std::string& text : prepared.race_result().notes)
+    out.push_back(remark(Severity::Note, prepared.input.path.string(), text));
   return out;
 }
 
@@ -132,15 +154,34 @@ Prepared prepare(LoadedDeck input) {
   for (Issue& issue : operating_warnings(out.bearing, out.input.path.string()))
     out.input.warnings.push_back(std::move(issue));
   out.control = build::build_run_control(deck);
-  out.plan = build::make_scene_plan(deck, out.bearing, out.control);
+  out.plan = out.control.dynamic ? build::make_scene_plan(deck, out.bearing, out.control)
+                                 : static_plan(out);
   const bearing::LifeInputs life_inputs = build::build_life(deck, out.options.life);
-  out.stiffness = stiffness_over_speed(out);
+  out.stiffness_seconds = timed([&] { out.stiffness = stiffness_over_speed(out); });
+  // The first speed at which the table's geometry gives way.
+  for (const statics::StiffnessRow& row : out.stiffness) {
+    if (!row.operating || row.operating->warnings.empty()) continue;
+    constexpr double kRpm = 30.0 / std::numbers::pi;
+    for (const std::string& text : row.operating->warnings)
+      out.input.warnings.push_back(
+          remark(Severity::Warning, out.input.path.string(),
+                 fmt::format("stiffness over speed, from {:g} and {:g} rpm on: {}",
+                             kRpm * row.speed[0], kRpm * row.speed[1], text)));
+    break;
+  }
+  const auto judge = [&](const life::RaceStrength& strength) {
+    for (const std::string& text : life::strength_warnings(out.bearing, strength))
+      out.input.warnings.push_back(remark(Severity::Warning, out.input.path.string(), text));
+  };
   if (out.bearing.rollers) {
-    out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers);
+    out.solve_seconds = timed(
+        [&] { out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers); });
+    judge(life::contact_strength(out.bearing, *out.rollers));
     out.life = life::roller_bearing_life(out.bearing, life_inputs, *out.rollers);
     return out;
   }
-  out.statics = statics::solve_ball_statics(out.bearing);
+  out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
+  judge(life::contact_strength(out.bearing, out.statics));
   if (out.control.dynamic) {
     out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls.contact_angle);
     statics::StaticsOptions frozen;
@@ -170,12 +211,15 @@ std::string plan_text(const Prepared& prepared, const dynamics::ScenePlan& plan)
   std::string out =
       fmt::format("{}\n{}\n\nbodies\n", prepared.input.path.string(), prepared.bearing.run_id);
   for (const dynamics::BodyEntry& body : plan.bodies)
-    out += fmt::format("  {:<24} {:<52} {:>5} unknowns\n", body.name, body.degrees, body.unknowns);
+    out += body.degrees.size() <= 52 ? fmt::format("  {:<24} {:<52} {:>5} unknowns\n", body.name,
+                                                   body.degrees, body.unknowns)
+                                     : fmt::format("  {:<24} {}\n  {:<24} {:<52} {:>5} unknowns\n",
+                                                   body.name, body.degrees, "", "", body.unknowns);
   out += fmt::format("  {:<24} {:<52} {:>5}\n\neffects\n", "together", "", plan.unknowns);
   for (const dynamics::EffectEntry& effect : plan.effects)
     out +=
-        fmt::format("  {:<3} {:<28} {}\n", effect.on ? "on" : "off", effect.name, effect.because);
-  if (!prepared.control.dynamic) return out;
+        fmt::format("  {:<3} {:<30} {}\n", effect.on ? "on" : "off", effect.name, effect.because);
+  if (!prepared.control.dynamic) return out + static_cost_text(prepared);
   out += fmt::format(
       "\nestimates\n"
       "  fastest frequency        {:.4g} Hz, {}\n"

@@ -58,7 +58,9 @@ struct Prepared {
       fixed_angle{};  ///< contact angles that the run's Hertz constants are frozen at [rad]
   statics::StaticSolution
       start;  ///< with those constants: start of a dynamic run (empty when quasi-static)
-  life::BearingLife life;  ///< at the equilibrium that PRINT.txt shows
+  double solve_seconds = 0.0;      ///< computing time of the equilibrium
+  double stiffness_seconds = 0.0;  ///< and of the table over speed
+  life::BearingLife life;          ///< at the equilibrium that PRINT.txt shows
 
   /// What the quasi-static solution says of the inner race, whatever rolls on it.
   [[nodiscard]] const statics::RaceResult& race_result() const {
@@ -70,6 +72,10 @@ struct Prepared {
 /// the deck.
 [[nodiscard]] std::vector<Issue> operating_warnings(const bearing::Bearing& bearing,
                                                     const std::string& file);
+
+/// What the equilibrium says of itself (unstable, dual contact, edges, elements without load):
+/// notes on the deck.
+[[nodiscard]] std::vector<Issue> solution_notes(const Prepared& prepared);
 
 /// The run options of the ADORE.json beside a deck, as given; empty when there is none.
 /// @throws InputError when the file is no object of named values.

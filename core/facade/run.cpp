@@ -100,7 +100,7 @@ class ProgressMeter {
 RunOutcome run_quasi_static(const Prepared& prepared, const fs::path& folder) {
   RunOutcome out;
   RunOutputs outputs(prepared, folder);
-  outputs.write_quasi_static();
+  out.results = outputs.write_quasi_static();
   out.files = outputs.files();
   out.summary = outputs.summary();
   return out;
@@ -309,6 +309,7 @@ RunOutcome run(const RunRequest& request, const ProgressSink& progress, std::sto
                                             : run_quasi_static(prepared, folder);
   out.folder = folder;
   out.warnings = prepared.input.warnings;
+  for (Issue& note : solution_notes(prepared)) out.warnings.push_back(std::move(note));
   out.seconds = seconds_since(begin);
   return out;
 }

@@ -30,6 +30,8 @@ struct Progress {
   double elapsed = 0.0;    ///< computing time so far [s]
   double remaining = 0.0;  ///< estimate [s]
   double speed_up = 0.0;   ///< simulated over computing time
+  long runs = 0;           ///< of a sweep: how many there are, and `step` counts those that are
+                           ///< done; 0: one run
 };
 using ProgressSink = std::function<void(const Progress&)>;
 
@@ -41,7 +43,9 @@ struct RunOutcome {
       message;  ///< Failed: diagnosis and remedy. Files are valid up to the last stored step
   std::filesystem::path folder;
   std::vector<std::filesystem::path> files;  ///< written, in the order of outputs.md
-  std::vector<Issue> warnings;
+  std::vector<Issue> warnings;       ///< of the deck, and what the equilibrium says of itself
+  std::vector<std::string> results;  ///< of a quasi-static run: displacement, largest load and
+                                     ///< pressure, life, a line each in the deck's units
   long steps = 0;
   double time = 0.0, revolutions = 0.0, seconds = 0.0;
   double energy_residual = 0.0;  ///< [J]

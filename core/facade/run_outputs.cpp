@@ -18,6 +18,7 @@
 #include "results/run_json.hpp"
 #include "results/sol_writer.hpp"
 #include "results/static_cut.hpp"
+#include "results/static_summary.hpp"
 #include "results/static_tables.hpp"
 
 #include <fmt/format.h>
@@ -174,6 +175,7 @@ struct RunOutputs::Impl {
   void open_files(bool continued, long last_step, std::uintmax_t print_bytes);
   void print_front(const std::optional<dynamics::Scales>& scales);
   [[nodiscard]] results::FinalState final_state(const dynamics::System& system) const;
+  [[nodiscard]] results::StaticSummary static_summary(bool dynamic) const;
   void write_restart(const dynamics::System& system);
   [[nodiscard]] results::RunSummary summary_of_deck() const;
   void close(results::RunSummary& run, const std::optional<results::RunLife>& run_life = {});
@@ -293,15 +295,27 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
   return out;
 }
 
+/// Of the equilibrium that PRINT.txt shows: a dynamic run's starts from frozen Hertz constants.
+results::StaticSummary RunOutputs::Impl::static_summary(bool dynamic) const {
+  if (prepared.rollers) return results::summarise(*prepared.rollers, prepared.bearing);
+  return results::summarise(dynamic ? prepared.start : prepared.statics, prepared.bearing);
+}
+
 /// Everything of PRINT.txt that is known before the first step.
 void RunOutputs::Impl::print_front(const std::optional<dynamics::Scales>& scales) {
   print->front({prepared.input.deck, prepared.as_built, scales, summary_of_deck().options});
-  if (prepared.bearing.operating) print->fits(prepared.bearing);
-  if (control.stiffness) print->stiffness_table(prepared.stiffness, control.stiffness->share);
+  std::vector<std::string> warnings;
+  for (Issue issue : prepared.input.warnings) {
+    issue.file.clear();  // the page is about one deck
+    warnings.push_back(issue.text());
+  }
+  print->summary(static_summary(scales.has_value()), prepared.bearing, prepared.life, warnings);
   if (prepared.rollers)
     print->quasi_static(*prepared.rollers, prepared.bearing);
   else
     print->quasi_static(scales ? prepared.start : prepared.statics, prepared.bearing);
+  if (prepared.bearing.operating) print->fits(prepared.bearing);
+  if (control.stiffness) print->stiffness_table(prepared.stiffness, control.stiffness->share);
   print->life(prepared.life);
 }
 
@@ -456,7 +470,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   s.close(run, run_life);
 }
 
-void RunOutputs::write_quasi_static() {
+std::vector<std::string> RunOutputs::write_quasi_static() {
   Impl& s = *impl_;
   s.written.push_back(s.path("PRINT.txt"));
   s.print = results::PrintFile::create(s.path("PRINT.txt"), s.prepared.bearing.run_id, s.units);
@@ -480,6 +494,8 @@ void RunOutputs::write_quasi_static() {
     tables.tables.push_back(results::stiffness_over_speed(s.prepared.stiffness));
   run.quasi_static = results::to_json(tables);
   s.close(run);
+  return results::summary_lines(s.static_summary(false), s.prepared.bearing, s.prepared.life,
+                                s.units);
 }
 
 std::vector<fs::path> RunOutputs::files() const { return impl_->written; }

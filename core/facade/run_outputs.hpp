@@ -43,8 +43,8 @@ class RunOutputs {
   RunOutputs(const Prepared& prepared, const std::filesystem::path& folder);
   ~RunOutputs();
 
-  /// A quasi-static deck's only output: PRINT.txt and RUN.json.
-  void write_quasi_static();
+  /// A quasi-static deck's only output: PRINT.txt and RUN.json. @return the results in a few lines
+  std::vector<std::string> write_quasi_static();
 
   /// Finds the start state (statics, FINAL, or MASTER's run), opens every file, and writes the
   /// front part of PRINT.txt. Nothing of an earlier run is touched before everything has been

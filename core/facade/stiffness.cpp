@@ -3,6 +3,8 @@
 #include "statics/roller_statics.hpp"
 #include "thermal/operating.hpp"
 
+#include <array>
+#include <map>
 #include <optional>
 
 namespace adore::facade {
@@ -12,10 +14,12 @@ std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared
   const statics::StiffnessRequest& request = *prepared.control.stiffness;
   bearing::Bearing as_built = prepared.as_built;
   std::optional<statics::RollerSolution> last_rollers;
+  std::map<std::array<double, 2>, std::optional<bearing::OperatingFits>> operating;
   const auto solve = [&](const std::array<double, 2>& speed,
                          const statics::RaceResult* previous) -> statics::RaceResult {
     as_built.speed = speed;
     bearing::Bearing bearing = thermal::operating_bearing(as_built);
+    operating[speed] = bearing.operating;
     if (bearing.rollers) {
       statics::RollerOptions options = prepared.options.rollers;
       options.difference_share = request.share;
@@ -33,7 +37,11 @@ std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared
           bearing.constraints.displacement[k] = previous->displacement[k];
     return statics::solve_ball_statics(bearing, options);
   };
-  return statics::stiffness_table(request, solve);
+  std::vector<statics::StiffnessRow> rows = statics::stiffness_table(request, solve);
+  for (statics::StiffnessRow& row : rows)
+    if (const auto found = operating.find(row.speed); found != operating.end())
+      row.operating = found->second;
+  return rows;
 }
 
 }  // namespace adore::facade

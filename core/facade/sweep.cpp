@@ -1,12 +1,15 @@
 #include "facade/sweep.hpp"
 
 #include "base/atomic_file.hpp"
+#include "deck/reader.hpp"
+#include "deck/schema.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <atomic>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 #include <mutex>
 #include <thread>
@@ -51,12 +54,27 @@ struct Row {
   int exit_code = 0;
 };
 
-std::string sweep_csv(const std::string& variable, const std::vector<Row>& rows) {
+/// Unit of the deck variable in the deck's system; empty for a pure number, or where the runs will
+/// say what is wrong with deck or name.
+std::string unit_of(const RunRequest& request, const std::string& variable) {
+  const auto found = deck::find_variable(variable.substr(0, variable.find('[')));
+  if (found.empty()) return {};
+  const deck::ReadResult read = deck::read_deck(deck_path(request.deck));
+  if (!read.ok()) return {};
+  const deck::UnitPair& unit = found.front().spec().unit;
+  const std::string_view name = read.deck.units() == deck::UnitSystem::SI ? unit.si : unit.en;
+  return name == "-" ? std::string() : std::string(name);
+}
+
+/// The variable with its unit, then key results, whose names end in their SI units whatever the
+/// deck's.
+std::string sweep_csv(const std::string& variable, const std::string& unit,
+                      const std::vector<Row>& rows) {
   std::vector<std::string> columns;
   for (const Row& row : rows)
     for (const auto& [name, value] : row.outcome.summary)
       if (std::find(columns.begin(), columns.end(), name) == columns.end()) columns.push_back(name);
-  std::string out = variable + ",exit";
+  std::string out = variable + (unit.empty() ? "" : " [" + unit + "]") + ",exit";
   for (const std::string& column : columns) out += "," + column;
   out += ",message\n";
   for (const Row& row : rows) {
@@ -116,6 +134,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   std::vector<Row> rows(count);
   std::atomic<std::size_t> next{0};
   std::size_t done = 0;
+  const auto begin = std::chrono::steady_clock::now();
   std::mutex mutex;
   std::exception_ptr bug;
   auto work = [&] {
@@ -143,6 +162,9 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
         Progress p;
         p.fraction = static_cast<double>(done) / static_cast<double>(count);
         p.step = static_cast<long>(done);
+        p.runs = static_cast<long>(count);
+        p.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        p.remaining = p.elapsed * static_cast<double>(count - done) / static_cast<double>(done);
         progress(p);
       }
     }
@@ -162,7 +184,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   out.table = folder / "SWEEP.csv";
   for (const Row& row : rows) out.exit_code = std::max(out.exit_code, row.exit_code);
   if (stop.stop_requested()) out.exit_code = 130;
-  write_file_atomically(out.table, sweep_csv(variable, rows));
+  write_file_atomically(out.table, sweep_csv(variable, unit_of(request, variable), rows));
   return out;
 }
 

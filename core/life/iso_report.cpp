@@ -39,12 +39,15 @@ IsoGeometry iso_geometry(const bearing::BallGeometry& balls, std::vector<std::st
     notes.push_back(
         "ISO: the load-dependent factors for angles below 20 deg are not held; those of "
         "deep-groove bearings are taken");
-  if (out.conformity_inner != balls.groove_factor[1] ||
-      out.conformity_outer != balls.groove_factor[0])
-    notes.push_back(fmt::format(
-        "ISO: rated with the groove factors {} and {} behind the standard's tables, which cover "
-        "the closer grooves of this bearing too",
-        out.conformity_outer, out.conformity_inner));
+  const auto replaced = [&](const char* race, double own, double rated, double limit) {
+    if (own != rated)
+      notes.push_back(fmt::format(
+          "ISO: the {} groove of factor {:g} is rated as one of {:g}, for which the standard's "
+          "tables are made; they hold for grooves up to {:g}",
+          race, own, rated, limit));
+  };
+  replaced("outer", balls.groove_factor[0], out.conformity_outer, thrust ? table : 0.53);
+  replaced("inner", balls.groove_factor[1], out.conformity_inner, thrust ? table : 0.52);
   return out;
 }
 
@@ -99,6 +102,11 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
   if (out.axial < kNoise * total) out.axial = 0.0;
   if (out.radial < kNoise * total) out.radial = 0.0;
   out.equivalent = iso_equivalent_load(out.geometry, out.radial, out.axial);
+  // The factors in use: the tables' hold above e only.
+  if (out.equivalent && out.axial <= out.equivalent->e * out.radial) {
+    out.equivalent->X = 1.0;
+    out.equivalent->Y = 0.0;
+  }
   if (!out.equivalent)
     out.notes.push_back(
         "ISO: the factors of a thrust bearing under radial load are not held; no equivalent load");

@@ -58,6 +58,12 @@ void PrintFile::fits(const bearing::Bearing& bearing) {
   flush();
 }
 
+void PrintFile::summary(const StaticSummary& summary, const bearing::Bearing& bearing,
+                        const life::BearingLife& life, const std::vector<std::string>& warnings) {
+  print_static_summary(report_, summary, bearing, life, warnings, summary.result.notes);
+  flush();
+}
+
 void PrintFile::quasi_static(const statics::StaticSolution& solution,
                              const bearing::Bearing& bearing) {
   print_quasi_static(report_, solution, bearing);

@@ -11,6 +11,7 @@
 #include "results/print_life.hpp"
 #include "results/report.hpp"
 #include "results/run_json.hpp"
+#include "results/static_summary.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_statics.hpp"
 #include "statics/stiffness_table.hpp"
@@ -59,6 +60,9 @@ class PrintFile {
   void front(const PrintFront& front);
   /// Operating fits, growths and clearances.
   void fits(const bearing::Bearing& bearing);
+  /// The equilibrium, operating geometry and life on one page.
+  void summary(const StaticSummary& summary, const bearing::Bearing& bearing,
+               const life::BearingLife& life, const std::vector<std::string>& warnings);
   /// Equilibrium of elements and races.
   void quasi_static(const statics::StaticSolution& solution, const bearing::Bearing& bearing);
   void quasi_static(const statics::RollerSolution& solution, const bearing::Bearing& bearing);

@@ -2,6 +2,7 @@
 #include "deck/defaults.hpp"
 #include "deck/schema.hpp"
 #include "results/print_cage.hpp"
+#include "life/constants.hpp"
 #include "results/print_file.hpp"
 #include "results/print_imperfections.hpp"
 #include "tribology/traction_curve.hpp"
@@ -49,7 +50,7 @@ void defaults(Report& report, const deck::Deck& deck) {
     report.text("None: the deck gives every value.");
     return;
   }
-  report.text_table({{"record", 14}, {"variable", 18}, {"value", 40}, {"unit", 12}}, rows);
+  report.text_table({{"record", 14}, {"variable", 18}, {"value", 76}, {"unit", 12}}, rows);
 }
 
 void echo(Report& report, const deck::Deck& deck) {
@@ -172,7 +173,13 @@ void materials(Report& report, const bearing::Bearing& bearing) {
       for (const Part& part : some) {
         // The deck's records leave out what a part does not need: 0 there means not given.
         const double value = part.material->*property.member;
-        const bool missing = value == 0.0 && part.material->code == 1;
+        // Where no fatigue limit is known the material carries its yield stress in that place.
+        const int code = part.material->code;
+        const bool no_limit = property.member == &bearing::Material::fatigue_limit_stress &&
+                              code != 1 &&
+                              (part.material->table_key == "mild_steel" ||
+                               !life::fatigue_limit_of_code(code == 0 ? 100 : code));
+        const bool missing = (value == 0.0 && part.material->code == 1) || no_limit;
         row.push_back(missing ? "-"
                               : Report::number(from_si(value, *property.unit, report.units())));
       }

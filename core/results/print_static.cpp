@@ -1,6 +1,8 @@
 #include "results/motion.hpp"
 #include "results/print_cage.hpp"
 #include "results/print_file.hpp"
+#include "results/rounding.hpp"
+#include "results/static_summary.hpp"
 
 #include <fmt/format.h>
 
@@ -24,17 +26,36 @@ void ball_contacts(Report& report, const statics::StaticSolution& solution) {
   }
 }
 
-void balls(Report& report, const statics::StaticSolution& solution) {
-  std::vector<Report::Row> loads, ellipses, motions;
+/// What the columns s and t of a race are to be compared with.
+std::string edge_limits(const bearing::Bearing& bearing, std::size_t race, UnitSystem units) {
+  const auto length = [&](double si) {
+    return Report::number(from_si(si, unit::kLength, units)) + " " +
+           std::string(unit_name(unit::kLength, units));
+  };
+  const double shoulder = bearing.balls.shoulder_diameter[race];
+  const double shim = bearing.balls.shim[race];
+  return fmt::format("Allowed at the {} race: s {}; t {}.", race == 0 ? "outer" : "inner",
+                     shoulder > 0.0 ? fmt::format("above 0, shoulder diameter {}", length(shoulder))
+                                    : std::string("without a limit, no shoulder given"),
+                     shim > 0.0 ? fmt::format("above {}, half the shim", length(0.5 * shim))
+                                : std::string("without a limit, not split"));
+}
+
+void balls(Report& report, const statics::StaticSolution& solution,
+           const bearing::Bearing& bearing) {
+  std::vector<Report::Row> loads, ellipses, edges, motions;
   for (std::size_t j = 0; j < solution.balls.size(); ++j) {
     const statics::StaticBall& b = solution.balls[j];
     const std::string name = std::to_string(j + 1);
     loads.push_back({name,
                      {b.azimuth, b.Q[0], b.Q[1], b.alpha[0], b.alpha[1], b.delta[0], b.delta[1],
                       b.p_max[0], b.p_max[1]}});
-    ellipses.push_back(
-        {name,
-         {b.a[0], b.b[0], b.a[1], b.b[1], b.edge[0], b.edge[1], b.spin_roll[0], b.spin_roll[1]}});
+    ellipses.push_back({name,
+                        {b.a[0], b.b[0], b.a[1], b.b[1], without_rounding(b.spin_roll[0]),
+                         without_rounding(b.spin_roll[1])}});
+    edges.push_back({name,
+                     {b.azimuth, b.shoulder_depth[0], b.inner_chord[0], b.shoulder_depth[1],
+                      b.inner_chord[1]}});
     const Vec3 omega(b.omega_x, -b.omega_theta, b.omega_r);
     const Direction direction = theta_phi(omega);
     motions.push_back({name,
@@ -54,21 +75,28 @@ void balls(Report& report, const statics::StaticSolution& solution) {
                 {"pmax inner", &unit::kPressure}},
                loads);
   report.heading(
-      "Contact ellipses (a across, b along the rolling direction), edge positions and spin to roll "
-      "ratios");
-  report.text(
-      "Edge s: depth of the outer contact's edge below the shoulder; edge t: half chord from the "
-      "groove's middle to the inner contact's edge.");
+      "Contact ellipses (a across, b along the rolling direction) and spin to roll ratios");
   report.table("ball",
                {{"a outer", &unit::kLength},
                 {"b outer", &unit::kLength},
                 {"a inner", &unit::kLength},
                 {"b inner", &unit::kLength},
-                {"edge s", &unit::kLength},
-                {"edge t", &unit::kLength},
                 {"s/r outer", &unit::kPure},
                 {"s/r inner", &unit::kPure}},
                ellipses);
+  report.heading("Edges of the contacts on their grooves");
+  report.text(
+      "s: depth of the contact's far edge below the shoulder; below 0 it reaches over. t: from the "
+      "middle plane of the groove to the contact's near edge, where a split race has its gap.");
+  for (std::size_t race = 0; race < 2; ++race)
+    report.text(edge_limits(bearing, race, report.units()));
+  report.table("ball",
+               {{"azimuth", &unit::kAngle},
+                {"s outer", &unit::kLength},
+                {"t outer", &unit::kLength},
+                {"s inner", &unit::kLength},
+                {"t inner", &unit::kLength}},
+               edges);
   report.heading(
       "Position and motion (theta, phi: direction of the angular velocity in the azimuth frame)");
   report.table("ball",
@@ -114,21 +142,34 @@ void split_races(Report& report, const statics::StaticSolution& solution,
 void print_race_equilibrium(Report& report, const statics::RaceResult& solution,
                             const bearing::Bearing& bearing) {
   report.text(
-      "Inner race relative to the outer race; loads are what the shaft applies to the inner race.");
+      "Inner race in the base frame, from its free position; loads are what the shaft applies to "
+      "it.");
+  report.text(zero_of_x(bearing, report.units()));
+  const double radius =
+      0.5 * (bearing.rollers ? bearing.rollers->pitch_diameter : bearing.balls.pitch_diameter);
+  const auto displacement = without_rounding(solution.displacement, radius);
+  const auto found_load = without_rounding(solution.load, 1.0 / radius);
   std::vector<std::vector<std::string>> rows;
   const char* const names[] = {"x", "y", "z", "about y", "about z"};
   for (std::size_t k = 0; k < 5; ++k) {
     const UnitPair& motion = k < 3 ? unit::kLength : unit::kAngle;
     const UnitPair& load = k < 3 ? unit::kForce : unit::kMoment;
     const bool given = bearing.constraints.displacement_given[k];
-    rows.push_back({names[k],
-                    Report::number(from_si(solution.displacement[k], motion, report.units())),
+    rows.push_back({names[k], Report::number(from_si(displacement[k], motion, report.units())),
                     std::string(unit_name(motion, report.units())), given ? "given" : "found",
-                    Report::number(from_si(solution.load[k], load, report.units())),
+                    Report::number(from_si(found_load[k], load, report.units())),
                     std::string(unit_name(load, report.units())), given ? "found" : "given"});
   }
   report.text_table(
       {{"", 8}, {"displacement", 16}, {"", 6}, {"", 8}, {"load", 16}, {"", 8}, {"", 8}}, rows);
+  const auto& outer = bearing.constraints.outer_misalignment;
+  if (outer[0] != 0.0 || outer[1] != 0.0) {
+    const auto tilt = relative_tilt({solution.displacement[3], solution.displacement[4]}, outer);
+    report.item("Tilt of the outer race about y, base frame", outer[0], unit::kAngle);
+    report.item("Tilt of the outer race about z, base frame", outer[1], unit::kAngle);
+    report.item("Tilt of the inner race relative to the outer race about y", tilt[0], unit::kAngle);
+    report.item("Tilt of the inner race relative to the outer race about z", tilt[1], unit::kAngle);
+  }
   report.blank();
   report.item("Largest contact load", solution.max_load, unit::kForce);
   report.item("Largest stiffness of a contact", solution.max_stiffness, unit::kStiffness);
@@ -148,6 +189,7 @@ void print_race_stiffness(Report& report, const statics::RaceResult& solution) {
   const auto motion_unit = [](std::size_t k) -> const UnitPair& {
     return k < 3 ? unit::kLength : unit::kRadian;
   };
+  const auto K = without_rounding(solution.stiffness);
   std::vector<Report::Column> columns;
   std::vector<Report::Row> rows;
   for (std::size_t i = 0; i < 5; ++i) {
@@ -155,7 +197,7 @@ void print_race_stiffness(Report& report, const statics::RaceResult& solution) {
         {fmt::format("{} [{}]", motions[i], unit_name(motion_unit(i), units)), nullptr});
     Report::Row row{fmt::format("{} [{}]", loads[i], unit_name(load_unit(i), units)), {}};
     for (std::size_t j = 0; j < 5; ++j) {
-      const double entry = solution.stiffness(static_cast<int>(i), static_cast<int>(j));
+      const double entry = K(static_cast<int>(i), static_cast<int>(j));
       row.values.push_back(from_si(entry, load_unit(i), units) * to_si(1.0, motion_unit(j), units));
     }
     rows.push_back(std::move(row));
@@ -169,7 +211,7 @@ void print_quasi_static(Report& report, const statics::StaticSolution& solution,
   print_race_equilibrium(report, solution, bearing);
   ball_contacts(report, solution);
   print_race_stiffness(report, solution);
-  balls(report, solution);
+  balls(report, solution, bearing);
   split_races(report, solution, bearing);
   print_cage_operation(report, bearing);
   if (solution.notes.empty()) return;

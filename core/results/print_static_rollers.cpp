@@ -53,10 +53,8 @@ void summary(Report& report, const statics::RollerSolution& s) {
       report.item(fmt::format("Hertz constant K of Q = K delta^1.5, {} race", kRaceName[race]),
                   s.line_constant[race], unit::kHertzConstant);
     else
-      report.item(
-          fmt::format("Constant K of Q = K L^(8/9) delta^(10/9), {} race, in SI units [N/m^2]",
-                      kRaceName[race]),
-          Report::number(s.line_constant[race]));
+      report.item(fmt::format("Constant K of Q = K L^(8/9) delta^(10/9), {} race", kRaceName[race]),
+                  s.line_constant[race], unit::kPressure);
   }
   if (!point) {
     report.item("Slices along a roller", static_cast<long>(s.slice_position.size()));
@@ -74,18 +72,33 @@ void summary(Report& report, const statics::RollerSolution& s) {
   report.text("Skew of the rollers is held at zero. " + s.unloaded_rule);
 }
 
+/// Position of the largest pressure: the middle of the neighbouring slices that carry it (to 1e-9,
+/// a land carries one pressure), and of two equal peaks the one towards +x.
+double peak_position(const statics::RollerRaceContact& c, const statics::RollerSolution& s) {
+  if (c.slice_pressure.empty() || !(c.peak_pressure > 0.0)) return c.peak_position;
+  const auto peak = [&](std::size_t k) {
+    return c.slice_pressure[k] >= c.peak_pressure * (1.0 - 1e-9);
+  };
+  std::size_t last = s.slice_position.size();
+  while (last > 0 && !peak(last - 1)) --last;
+  std::size_t first = last;
+  while (first > 0 && peak(first - 1)) --first;
+  if (first == last) return c.peak_position;
+  const double middle = 0.5 * (s.slice_position[first] + s.slice_position[last - 1]);
+  return std::abs(middle) < 1e-9 * s.slice_width ? 0.0 : middle;
+}
+
 void contacts(Report& report, const statics::RollerSolution& s, std::size_t race) {
   std::vector<Report::Row> rows;
   for (std::size_t k = 0; k < s.rollers.size(); ++k) {
     const statics::RollerRaceContact& c = s.rollers[k].race[race];
     rows.push_back({std::to_string(k + 1) + (c.at_edge ? " *" : ""),
-                    {c.load, c.moment, c.contact_angle, c.delta, c.peak_pressure, c.peak_position,
-                     c.half_width, c.length}});
+                    {c.load, c.moment, c.contact_angle, c.delta, c.peak_pressure,
+                     peak_position(c, s), c.half_width, c.length}});
   }
   report.heading(
       fmt::format("Contacts with the {} race (moment about mid length; position of the largest "
-                  "pressure from mid "
-                  "length)",
+                  "pressure from mid length, of two equal peaks the one towards +x)",
                   kRaceName[race]));
   report.table("roller",
                {{"load Q", &unit::kForce},

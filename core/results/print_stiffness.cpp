@@ -1,4 +1,5 @@
 #include "results/print_file.hpp"
+#include "results/rounding.hpp"
 #include "statics/stiffness_difference.hpp"
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@ const UnitPair& motion_unit(std::size_t k) { return k < 3 ? unit::kLength : unit
 std::string entry(const Report& report, const Eigen::Matrix<double, 5, 5>& K, std::size_t i,
                   std::size_t j) {
   const double value = K(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+  if (value == 0.0) return fmt::format("{:>15}", 0);
   const double load = from_si(value, load_unit(i), report.units());
   return fmt::format("{:15.7e}", load * to_si(1.0, motion_unit(j), report.units()));
 }
@@ -27,16 +29,21 @@ std::string titled(const char* name, const UnitPair& unit, UnitSystem units) {
   return fmt::format("{} [{}]", name, unit_name(unit, units));
 }
 
+std::vector<std::string> warnings_of(const statics::StiffnessRow& row) {
+  return row.operating ? row.operating->warnings : std::vector<std::string>();
+}
+
 void print_row(Report& report, const statics::StiffnessRow& row) {
   report.heading(fmt::format("Outer race {:.7g} rpm, inner race {:.7g} rpm",
                              from_si(row.speed[0], unit::kRotation, report.units()),
                              from_si(row.speed[1], unit::kRotation, report.units())));
   if (!row.failure.empty()) {
     report.text("No stiffness: " + row.failure);
+    for (const std::string& warning : warnings_of(row)) report.text("Warning: " + warning);
     return;
   }
   const auto& differences = row.result.stiffness_by_difference;
-  std::vector<std::pair<std::string, std::size_t>> columns{{"per", 10}, {"", 13}};
+  std::vector<std::pair<std::string, std::size_t>> columns{{"per", 12}, {"", 13}};
   for (std::size_t j = 0; j < 5; ++j)
     columns.emplace_back(titled(kMotions[j], motion_unit(j), report.units()), 15);
   std::vector<std::vector<std::string>> rows;
@@ -45,15 +52,24 @@ void print_row(Report& report, const statics::StiffnessRow& row) {
     rows.push_back({std::move(name), how});
     for (std::size_t j = 0; j < 5; ++j) rows.back().push_back(entry(report, K, i, j));
   };
+  const auto exact = without_rounding(row.result.stiffness);
   for (std::size_t i = 0; i < 5; ++i) {
-    add(i, titled(kLoads[i], load_unit(i), report.units()), "exact", row.result.stiffness);
-    if (differences) add(i, "", "by difference", *differences);
+    add(i, titled(kLoads[i], load_unit(i), report.units()), "exact", exact);
+    if (differences) add(i, "", "by difference", without_rounding(*differences));
   }
   report.text_table(columns, rows);
   report.item("Largest contact load", row.result.max_load, unit::kForce);
   if (differences)
     report.item("Largest disagreement, over the largest entry of its kind",
                 statics::stiffness_disagreement(row.result.stiffness, *differences), unit::kPure);
+  if (!row.operating) return;
+  const bearing::OperatingFits& fits = *row.operating;
+  report.item(fits.axial_setting ? "Change of the diametral play at this speed"
+                                 : "Diametral clearance at this speed",
+              fits.operating.clearance, unit::kLength);
+  if (fits.locus[0] > 0.0)
+    report.item("Free contact angle at this speed", fits.operating.contact_angle, unit::kAngle);
+  for (const std::string& warning : warnings_of(row)) report.text("Warning: " + warning);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ void Report::new_page(std::string_view title) {
 }
 
 void Report::heading(std::string_view title) {
-  need(7);
+  need(10);
   if (line_ > 2) put("");
   put(fmt::format("  {}", title));
   put(fmt::format("  {}", std::string(title.size(), '-')));

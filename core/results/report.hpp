@@ -17,6 +17,8 @@ class Report {
 
   Report(std::string run_id, UnitSystem units) : run_id_(std::move(run_id)), units_(units) {}
   [[nodiscard]] UnitSystem units() const noexcept { return units_; }
+  /// Lines that the present page still has room for.
+  [[nodiscard]] int lines_left() const noexcept { return kLines - line_; }
 
   void new_page(std::string_view title);
   /// Underlined heading within a page; keeps a few of the following lines with it.

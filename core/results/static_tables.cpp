@@ -199,6 +199,15 @@ StaticTable stiffness_over_speed(const std::vector<statics::StiffnessRow>& rows)
     solved(fmt::format("displacement {}", kMotions[k]), k < 3 ? unit::kLength : unit::kRadian,
            [&](const statics::RaceResult& r) { return r.displacement[k]; });
   solved("largest load", unit::kForce, [](const statics::RaceResult& r) { return r.max_load; });
+  // Where the caller knows the fits at each speed.
+  if (std::any_of(rows.begin(), rows.end(), [](const auto& row) { return row.operating; })) {
+    add("clearance", unit::kLength,
+        [](const auto& row) { return row.operating ? row.operating->operating.clearance : kNone; });
+    add("free contact angle", unit::kAngle, [](const auto& row) {
+      return row.operating && row.operating->locus[0] > 0.0 ? row.operating->operating.contact_angle
+                                                            : kNone;
+    });
+  }
   const bool differences = std::any_of(rows.begin(), rows.end(), [](const auto& row) {
     return row.result.stiffness_by_difference.has_value();
   });

@@ -44,6 +44,11 @@ SweepTable read_sweep(const std::filesystem::path& path) {
                                  path.string()));
   SweepTable out;
   out.variable = names.front();
+  if (const std::size_t bracket = out.variable.find(" [");
+      bracket != std::string::npos && out.variable.back() == ']') {
+    out.unit = out.variable.substr(bracket + 2, out.variable.size() - bracket - 3);
+    out.variable.resize(bracket);
+  }
   for (std::size_t i = 2; i + 1 < names.size(); ++i)
     out.columns.push_back({std::string(names[i]), {}});
   std::string row;

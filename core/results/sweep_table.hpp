@@ -14,7 +14,8 @@ struct SweepColumn {
 };
 
 struct SweepTable {
-  std::string variable;  ///< the deck variable that was varied, in the deck's units
+  std::string variable;  ///< the deck variable that was varied
+  std::string unit;      ///< of its values, the deck's; empty: a pure number
   std::vector<double> values;
   std::vector<SweepColumn> columns;  ///< key results, in the file's order
   std::size_t failed = 0;            ///< runs that ended without a result

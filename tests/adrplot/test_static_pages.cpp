@@ -3,9 +3,11 @@
 #include "adrplot/static_pages.hpp"
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
+#include "desktop/chart_scene.hpp"
 #include "desktop/theme.hpp"
 #include "support/qt_app.hpp"
 
+#include <QGraphicsEllipseItem>
 #include <QImage>
 #include <QTemporaryDir>
 #include <catch2/catch.hpp>
@@ -106,14 +108,20 @@ TEST_CASE("load rose: every load stands in the direction of its element", "[unit
   }
   CHECK(up == Approx(400.0));
   CHECK(left == Approx(-300.0));
-  // Rows are sorted by azimuth from -90 to 180 degrees.
-  CHECK(pages[1].x == std::vector<double>{-90.0, 0.0, 90.0, 180.0});
+  // Rows are sorted by azimuth; the element at 180 degrees stands at both ends of the turn.
+  CHECK(pages[1].x == std::vector<double>{-180.0, -90.0, 0.0, 90.0, 180.0});
+  const auto& load = pages[1].panels[0].curves[0].y;
+  CHECK(load == std::vector<double>{200.0, 300.0, 400.0, 300.0, 200.0});
+  CHECK(pages[1].points);
+  // The differences do not hide the exact curve.
+  CHECK_FALSE(pages[2].panels[0].curves[0].dashed);
+  CHECK(pages[2].panels[0].curves[1].dashed);
 }
 
 TEST_CASE("English decks are drawn in English units", "[unit]") {
   const auto pages = adrplot::static_pages(four_elements(results::UnitSystem::English));
   CHECK(pages[1].panels[0].unit == "lbf");
-  CHECK(pages[1].panels[0].curves[0].y[1] == Approx(400.0 / 4.4482216152605).epsilon(1e-12));
+  CHECK(pages[1].panels[0].curves[0].y[2] == Approx(400.0 / 4.4482216152605).epsilon(1e-12));
   CHECK(pages[2].x_unit == "rpm");
 }
 
@@ -121,16 +129,20 @@ TEST_CASE("sweep pages: quantities of one kind share a panel, missing runs are g
   const QTemporaryDir folder;
   const std::filesystem::path path = folder.filePath("SWEEP.csv").toStdString();
   write_file_atomically(path,
-                        "appLoadX,exit,displacement_x_m,displacement_y_m,displacement_about_y_rad,"
-                        "largest_pressure_Pa,message\n"
-                        "500,0,1e-6,2e-6,1e-5,1e9,\"\"\n"
-                        "750,3,,,,,\"no equilibrium, because\"\n"
-                        "1000,0,3e-6,4e-6,2e-5,1.5e9,\"\"\n");
+                        "appLoadX [lbf],exit,displacement_x_m,displacement_y_m,"
+                        "displacement_about_y_rad,largest_pressure_Pa,life_gz_hours,message\n"
+                        "500,0,1e-6,2e-6,1e-5,1e9,100,\"\"\n"
+                        "750,3,,,,,,\"no equilibrium, because\"\n"
+                        "1000,0,3e-6,4e-6,2e-5,1.5e9,50,\"\"\n");
   const results::SweepTable sweep = results::read_sweep(path);
   CHECK(sweep.values == std::vector<double>{500.0, 750.0, 1000.0});
   CHECK(sweep.failed == 1);
   const auto pages = adrplot::sweep_pages(sweep);
-  REQUIRE(pages.size() == 1);
+  REQUIRE(pages.size() == 2);
+  CHECK(pages[0].x_title == "appLoadX");
+  CHECK(pages[0].x_unit == "lbf");
+  CHECK(pages[1].panels.at(0).title == "Life, Gupta-Zaretsky type");
+  CHECK(pages[1].panels[0].unit == "hr");
   REQUIRE(pages[0].panels.size() == 3);
   CHECK(pages[0].panels[0].curves.size() == 2);
   CHECK(pages[0].panels[0].unit == "m");
@@ -246,4 +258,23 @@ TEST_CASE("quasi-static pages become pictures with curves in them", "[gui]") {
   }
   options.page = 9;
   CHECK_THROWS_WITH(adrplot::render_plots({file}, options), Catch::Contains("pages are 1 to 3"));
+}
+
+TEST_CASE("a value between gaps is drawn as a point, and every element of a bearing is", "[gui]") {
+  const auto points = [](const desktop::ChartPage& page) {
+    desktop::ChartScene scene;
+    scene.setPage(page);
+    int count = 0;
+    for (const QGraphicsItem* item : scene.items())
+      count += dynamic_cast<const QGraphicsEllipseItem*>(item) != nullptr ? 1 : 0;
+    return count;
+  };
+  desktop::ChartPage page;
+  page.x = {0.0, 1.0, 2.0, 3.0, 4.0};
+  page.panels = {{"Angle", "deg", {{"inner race", {kNone, 5.0, kNone, 6.0, 7.0}, {}}}}};
+  CHECK(points(page) == 1);  // 6 and 7 make a line
+  page.points = true;
+  CHECK(points(page) == 3);
+  page.panels[0].curves[0].y = {kNone, kNone, kNone, kNone, kNone};
+  CHECK(points(page) == 0);
 }

@@ -19,7 +19,22 @@ TEST_CASE("a sweep runs one folder per value and a table", "[cli]") {
   int lines = 0;
   while (std::getline(table, line)) ++lines;
   CHECK(lines == 4);
+  CHECK(read(folder / "sweep" / "SWEEP.csv").rfind("appLoadX [N],exit,", 0) == 0);
   CHECK(fs::exists(folder / "sweep" / "appLoadX-3" / "PRINT.txt"));
+}
+
+TEST_CASE("a sweep of an English deck names its unit, and progress counts runs", "[cli]") {
+  const Folder folder;
+  const std::string deck = (folder / "E.txt").string();
+  REQUIRE(run_adore("new ball-english --out " + deck).code == 0);
+  const Result sweep = run_adore(
+      "run " + deck + " --set mode=-1 --set appLoadX=100.0:300.0:2 --progress plain --out " +
+      folder.path().string());
+  INFO(sweep.out);
+  REQUIRE(sweep.code == 0);
+  CHECK(read(folder / "SWEEP.csv").rfind("appLoadX [lbf],exit,", 0) == 0);
+  CHECK(contains(sweep.out, "run 2 of 2"));
+  CHECK_FALSE(contains(sweep.out, "real time"));
 }
 
 TEST_CASE("a sweep whose runs all fail still leaves its table with the reasons", "[cli]") {

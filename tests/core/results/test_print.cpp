@@ -2,6 +2,7 @@
 #include "deck/deck.hpp"
 #include "results/fortran_format.hpp"
 #include "results/print_file.hpp"
+#include "results/static_summary.hpp"
 #include "synthetic.hpp"
 
 #include <catch2/catch.hpp>
@@ -109,7 +110,7 @@ TEST_CASE("the quasi-static page shows every number with its unit", "[unit][prin
     const std::string text = report.take();
     check_pages(text);
     const bool si = units == UnitSystem::SI;
-    CHECK_THAT(line_with(text, "  x "),
+    CHECK_THAT(line_with(text, "  x    "),
                Contains(si ? "1e-05             m" : "0.0003937008      in") &&
                    Contains(si ? "1000" : "224.8089"));
     CHECK_THAT(line_with(text, "  about y "), Contains("0.05729578        deg"));
@@ -128,6 +129,43 @@ TEST_CASE("the quasi-static page shows every number with its unit", "[unit][prin
     REQUIRE(third != lines.end());
     CHECK_THAT(*third, Contains(" - "));
   }
+}
+
+TEST_CASE("edges of the contacts are printed for both races with their limits", "[unit][print]") {
+  bearing::Bearing bearing = make_bearing();
+  bearing.balls.shim = {0.0, 4e-4};
+  statics::StaticSolution solution = make_solution();
+  solution.balls[0].shoulder_depth = {1.1e-3, 1.2e-3};
+  solution.balls[0].inner_chord = {2.1e-3, 2.2e-3};
+  solution.balls[1].spin_roll = {7e-17, 0.25};
+  Report report(bearing.run_id, UnitSystem::SI);
+  print_quasi_static(report, solution, bearing);
+  const std::string text = report.take();
+  check_pages(text);
+  CHECK_THAT(line_with(text, "s outer"), Contains("t outer     s inner     t inner"));
+  CHECK_THAT(line_with(text, "0.0021"), Contains("0.0011      0.0021      0.0012      0.0022"));
+  CHECK_THAT(text, Contains("shoulder diameter 0.063 m; t above 0.0002 m"));
+  // Rounding is no spin.
+  CHECK_THAT(line_with(text, "0.25"), Contains("           0        0.25"));
+}
+
+TEST_CASE("the tilt of the inner race is told in the base frame and to the outer race",
+          "[unit][print]") {
+  bearing::Bearing bearing = make_bearing();
+  bearing.constraints.outer_misalignment = {0.001, 0.002};
+  statics::StaticSolution solution = make_solution();
+  solution.displacement[3] = 0.001;
+  solution.displacement[4] = 0.002;
+  Report report(bearing.run_id, UnitSystem::SI);
+  print_quasi_static(report, solution, bearing);
+  const std::string text = report.take();
+  CHECK_THAT(line_with(text, "Tilt of the outer race about z"), Contains("0.1145916  deg"));
+  CHECK_THAT(line_with(text, "relative to the outer race about y"), Contains(" 0  deg"));
+  CHECK_THAT(line_with(text, "relative to the outer race about z"), Contains(" 0  deg"));
+  // Large tilts about one axis subtract.
+  const auto tilt = relative_tilt({0.7, 0.0}, {0.2, 0.0});
+  CHECK(tilt[0] == Approx(0.5).epsilon(1e-14));
+  CHECK(tilt[1] == Approx(0.0).margin(1e-15));
 }
 
 TEST_CASE("kPrtOpt chooses the sections of a printed step", "[unit][print]") {

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "facade/prepare.hpp"
+
+/// What a quasi-static deck (mode below 0) will solve, and the switch that decides each part.
+namespace adore::facade {
+
+/// Bodies with the unknowns that the constraints leave them, and every part of the model with the
+/// deck variable or run option that turns it on or off. `prepared` needs its deck, bearing, control
+/// and options; nothing has been solved yet.
+[[nodiscard]] dynamics::ScenePlan static_plan(const Prepared& prepared);
+
+/// Size of the problem and what its solution took just now.
+[[nodiscard]] std::string static_cost_text(const Prepared& prepared);
+
+}  // namespace adore::facade

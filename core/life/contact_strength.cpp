@@ -1,0 +1,88 @@
+#include "life/contact_strength.hpp"
+
+#include "life/stress_life.hpp"
+
+#include <fmt/format.h>
+
+namespace adore::life {
+namespace {
+
+using bearing::Bearing;
+using bearing::Material;
+
+constexpr std::array<const char*, 2> kRaceName{"outer", "inner"};
+
+/// The contact of largest pressure, and its b/a (0: a line).
+struct Heaviest {
+  int element = 0;
+  double pressure = 0.0, ratio = 0.0;
+  void offer(std::size_t index, double p, double b_over_a) {
+    if (!(p > pressure)) return;
+    *this = {static_cast<int>(index) + 1, p, b_over_a};
+  }
+};
+
+ContactStrength strength_of(const Heaviest& contact, const Material& material) {
+  ContactStrength out{contact.element, contact.pressure, 0.0,
+                      material.elastic_strain_limit * material.elastic_modulus};
+  if (contact.element > 0)
+    out.von_mises = contact.pressure * peak_ratios(contact.ratio, material.poisson_ratio).von_mises;
+  return out;
+}
+
+RaceStrength strength_of(const Bearing& bearing, const std::array<Heaviest, 2>& heaviest) {
+  RaceStrength out;
+  for (std::size_t race = 0; race < 2; ++race)
+    out[race] = {strength_of(heaviest[race], bearing.race_material[race]),
+                 strength_of(heaviest[race], bearing.ball_material)};
+  return out;
+}
+
+}  // namespace
+
+RaceStrength contact_strength(const Bearing& bearing, const statics::StaticSolution& solution) {
+  std::array<Heaviest, 2> heaviest;
+  for (std::size_t k = 0; k < solution.balls.size(); ++k)
+    for (std::size_t race = 0; race < 2; ++race) {
+      const statics::StaticBall& ball = solution.balls[k];
+      if (ball.Q[race] > 0.0)
+        heaviest[race].offer(k, ball.p_max[race], ball.b[race] / ball.a[race]);
+    }
+  return strength_of(bearing, heaviest);
+}
+
+RaceStrength contact_strength(const Bearing& bearing, const statics::RollerSolution& solution) {
+  std::array<Heaviest, 2> heaviest;
+  for (std::size_t k = 0; k < solution.rollers.size(); ++k)
+    for (std::size_t race = 0; race < 2; ++race) {
+      const statics::RollerRaceContact& c = solution.rollers[k].race[race];
+      if (!(c.load > 0.0)) continue;
+      const bool point = c.slice_load.empty();  // then half width and length are of an ellipse
+      heaviest[race].offer(k, c.peak_pressure, point ? c.half_width / (0.5 * c.length) : 0.0);
+    }
+  return strength_of(bearing, heaviest);
+}
+
+std::vector<std::string> strength_warnings(const Bearing& bearing, const RaceStrength& strength) {
+  const std::string element = bearing.rollers ? "roller" : "ball";
+  std::vector<std::string> out;
+  for (std::size_t race = 0; race < 2; ++race)
+    for (std::size_t body = 0; body < 2; ++body) {
+      const ContactStrength& s = strength[race][body];
+      if (!s.yields()) continue;
+      const std::string where = body == 0 ? fmt::format("the {} race", kRaceName[race])
+                                          : fmt::format("{} {}", element, s.element);
+      const Material& material = body == 0 ? bearing.race_material[race] : bearing.ball_material;
+      out.push_back(fmt::format(
+          "{} ({}) yields under the contact of {} {} with the {} race: a von Mises stress of "
+          "{:.4g} "
+          "MPa at a pressure of {:.4g} MPa, with an elastic limit of {:.4g} MPa (strain limit "
+          "{:.4g} "
+          "times the modulus); elastic contact, loads and lives beyond that are not real",
+          where, material.name, element, s.element, kRaceName[race], 1e-6 * s.von_mises,
+          1e-6 * s.pressure, 1e-6 * s.elastic_limit, material.elastic_strain_limit));
+    }
+  return out;
+}
+
+}  // namespace adore::life
