@@ -155,7 +155,6 @@ TEST_CASE("values in the other system of units stand beside their fields and fol
   CHECK(under(cell("cageGsCls", 2)) == "1 in");
   QTest::keyClick(&window, Qt::Key_U, Qt::ControlModifier);
   CHECK(under(cell("cageGsCls", 2)).isEmpty());
-  window.newDeck("ball-english");
 }
 
 TEST_CASE("changing kUnit offers to convert the numbers, as one step", "[gui][adrinput]") {
