@@ -193,10 +193,11 @@ inline constexpr double kLastResidual = 1e-6;
 /// contacts that only push), a line search on the directional derivative converges from anywhere;
 /// otherwise steps must reduce the residual. Directions without stiffness are left alone when
 /// unloaded and walked along the load, a longest step at a time, until elements touch. `downhill`:
-/// steps follow the load along every mode, to a stable equilibrium.
+/// steps follow the load along every mode, to a stable equilibrium. `uphill_limit`: steps against
+/// the load before it gives up.
 template <class Set, class State>
 RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double target = 1e-12,
-                     bool downhill = false) {
+                     bool downhill = false, int uphill_limit = 1000) {
   RaceSolve result;
   const bool all_given =
       std::all_of(task.given.begin(), task.given.end(), [](bool given) { return given; });
@@ -216,7 +217,6 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
   }
   const bool conservative = is_conservative(set);
   constexpr int kIterations = 200;  // a race that nothing holds walks out of reach in fewer
-  constexpr int kUphill = 12;  // steps against the load, to an unstable equilibrium that is near
   double previous_size = -1.0;
   int uphill = 0;
   for (int n = 0; n <= kIterations; ++n) {
@@ -249,7 +249,7 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
     if (step.direction.dot(r) < 0.0) {
       ++uphill;
     }
-    if (n == kIterations || uphill > kUphill || !step.direction.allFinite()) {
+    if (n == kIterations || uphill > uphill_limit || !step.direction.allFinite()) {
       return result;
     }
     previous_size = r.norm();
@@ -282,7 +282,8 @@ template <class Set, class State>
 RaceSolve solve_race_surely(const Set& set, const RaceTask& task, State& state,
                             double target = 1e-12) {
   const State start = state;
-  RaceSolve result = solve_race(set, task, state, target);
+  constexpr int kUphill = 12;  // enough for an unstable equilibrium that is near
+  RaceSolve result = solve_race(set, task, state, target, false, kUphill);
   if (result.converged || result.ran_away) {
     return result;
   }
@@ -299,7 +300,8 @@ RaceSolve solve_race_surely(const Set& set, const RaceTask& task, State& state,
     state = std::move(down);
     return descent;
   }
-  return result;
+  state = start;
+  return solve_race(set, task, state, target);
 }
 
 /// Looks for stable equilibria on both sides of an unstable one: a step along the mode, downhill

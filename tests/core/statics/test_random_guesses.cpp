@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <random>
 
 /// A thousand first guesses of the race (and of the rollers) for each bearing lead to the
@@ -101,9 +100,6 @@ void check(const Tally& tally, const RaceResult& cold) {
   CHECK(noted(cold, "not stable") == (tally.known.size() > 1));
   // Nine of ten guesses are within reach and need no second start.
   CHECK(tally.restarted < kGuesses / 5);
-  if (std::getenv("ADORE_TALLY") != nullptr)
-    WARN("restarted " << tally.restarted << ", worst " << tally.worst << ", equilibria "
-                      << tally.met.size());
 }
 
 /// Guesses of the race; where it is, solve_ball finds every ball (see the test of that below).
@@ -277,5 +273,7 @@ TEST_CASE("a thousand first guesses: barrels as points in grooves of factor 0.50
 TEST_CASE("a thousand first guesses: spherical tapered rollers",
           "[physics][statics][rollers][hard][guesses][slow]") {
   Bearing bearing = roller_bearings::unloaded(roller_bearings::spherical_tapered(2000.0));
-  thousand_roller_guesses(load(bearing, 4000, 0, 3000), 16);
+  // Tilts held: barrels let the race swivel.
+  hold(hold(load(bearing, 4000, 0, 3000), 3, 0.0), 4, 0.0);
+  thousand_roller_guesses(bearing, 16);
 }
