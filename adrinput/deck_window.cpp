@@ -4,6 +4,7 @@
 #include "adrinput/help_text.hpp"
 #include "adrinput/record_list.hpp"
 #include "adrinput/record_page.hpp"
+#include "adrinput/run_panel.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/theme.hpp"
 
@@ -76,6 +77,8 @@ void DeckWindow::makeCentre() {
       &quasi_static_of, tr("The quasi-static equilibrium of this deck and its fatigue life: F6."),
       this);
   statics_->setObjectName("statics");
+  run_ = new RunPanel(this);
+  connect(run_, &RunPanel::wanted, this, &DeckWindow::runDeck);
   original_ = new QPlainTextEdit(this);
   original_->setObjectName("original");
   original_->setReadOnly(true);
@@ -89,6 +92,7 @@ void DeckWindow::makeCentre() {
   tabs_->addTab(problems_, tr("Problems"));
   tabs_->addTab(plan_, tr("Plan"));
   tabs_->addTab(statics_, tr("Quasi-static"));
+  tabs_->addTab(run_, tr("Run"));
   tabs_->addTab(original_, tr("File as opened"));
 
   auto* form = new QWidget(this);
@@ -151,6 +155,8 @@ QWidget* DeckWindow::makeButtons() {
   row->addWidget(button(tr("Run &quasi-static now"), "run-statics",
                         tr("Equilibrium, contacts, stiffness and life of this deck (F6)"),
                         &DeckWindow::runQuasiStatic));
+  row->addWidget(button(tr("&Run"), "run-deck", tr("Save the deck and run it whole (F7)"),
+                        &DeckWindow::runDeck));
   row->addWidget(button(tr("Save && E&xit"), "save-exit", tr("Save the deck and end AdrInput"),
                         &DeckWindow::saveAndExit));
   return bar;
@@ -189,6 +195,7 @@ void DeckWindow::refresh() {
   redo_->setEnabled(document_.can_redo());
   plan_->setDeck(document_.deck());
   statics_->setDeck(document_.deck());
+  run_->setDeck(document_.deck());
   const QString original = QString::fromStdString(document_.original());
   if (original_->toPlainText() != original) original_->setPlainText(original);
   const QString name = document_.path().empty()
@@ -309,6 +316,17 @@ void DeckWindow::runQuasiStatic() {
   if (document_.has_errors())
     return desktop::show_message(this, tr("The deck has errors; mend them first (F8)."), true);
   statics_->start(document_.deck(), document_.path());
+}
+
+void DeckWindow::runDeck() {
+  tabs_->setCurrentWidget(run_);
+  if (run_->busy()) return;
+  if (document_.has_errors())
+    return desktop::show_message(this, tr("The deck has errors; mend them first (F8)."), true);
+  const auto run = [this] { run_->start(document_.path(), document_.deck()); };
+  if (document_.path().empty()) return askForName(run);
+  if (document_.modified()) return saveTo(document_.path(), run);
+  run();
 }
 
 void DeckWindow::switchTheme() {

@@ -19,6 +19,7 @@ namespace adore::adrinput {
 class EvaluationPanel;
 class RecordList;
 class RecordPage;
+class RunPanel;
 
 /// AdrInput's window: the records on the left, the form of one of them, and below it what is wrong,
 /// the plan and the quasi-static solution.
@@ -38,6 +39,7 @@ class DeckWindow : public QMainWindow {
   [[nodiscard]] QScrollArea& pageArea() { return *scroll_; }
   [[nodiscard]] EvaluationPanel& planPanel() { return *plan_; }
   [[nodiscard]] EvaluationPanel& staticsPanel() { return *statics_; }
+  [[nodiscard]] RunPanel& runPanel() { return *run_; }
   /// The slower checks, which follow a change after a short pause, now.
   void checkNow();
 
@@ -55,6 +57,8 @@ class DeckWindow : public QMainWindow {
   void previousProblem();
   void showPlan();
   void runQuasiStatic();
+  /// Saves the deck where that is needed, then runs it whole.
+  void runDeck();
   void switchTheme();
 
  protected:
@@ -77,6 +81,8 @@ class DeckWindow : public QMainWindow {
   void askForName(std::function<void()> then);
   /// Goes on at once, or after the user has saved or given up what is not saved.
   void leaveDeck(std::function<void()> then);
+  /// Goes on at once, or after the user has agreed to end the run that is going on.
+  void leaveRun(std::function<void()> then);
   void showHelp(const QString& title, const QString& text);
   void remember(const std::filesystem::path& path);
 
@@ -89,6 +95,7 @@ class DeckWindow : public QMainWindow {
   QListWidget* problems_ = nullptr;
   QPlainTextEdit* original_ = nullptr;
   EvaluationPanel *plan_ = nullptr, *statics_ = nullptr;
+  RunPanel* run_ = nullptr;
   QMenu* recent_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr;
   QTimer* check_ = nullptr;

@@ -1,6 +1,7 @@
 #include "adrinput/deck_window.hpp"
 #include "adrinput/help_text.hpp"
 #include "adrinput/record_list.hpp"
+#include "adrinput/run_panel.hpp"
 #include "base/version.hpp"
 #include "deck/templates.hpp"
 #include "desktop/dialogs.hpp"
@@ -23,6 +24,7 @@
 #include <QVBoxLayout>
 
 #include <exception>
+#include <utility>
 
 /// Menus, files and questions of the window.
 namespace adore::adrinput {
@@ -82,6 +84,7 @@ void DeckWindow::makeOtherMenus() {
   view->addAction(tr("&Plan of this deck"), QKeySequence(Qt::Key_F5), this, &DeckWindow::showPlan);
   view->addAction(tr("&Quasi-static solution"), QKeySequence(Qt::Key_F6), this,
                   &DeckWindow::runQuasiStatic);
+  view->addAction(tr("&Run"), QKeySequence(Qt::Key_F7), this, &DeckWindow::runDeck);
   view->addAction(tr("&Dark or light"), QKeySequence(Qt::CTRL | Qt::Key_D), this,
                   &DeckWindow::switchTheme);
 
@@ -260,12 +263,32 @@ void DeckWindow::leaveDeck(std::function<void()> then) {
   box->open();
 }
 
+void DeckWindow::leaveRun(std::function<void()> then) {
+  if (!run_->busy()) return then();
+  auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput",
+                              tr("A run is going on. Quitting ends it; its files are valid up to "
+                                 "the last stored step."),
+                              QMessageBox::Cancel, this);
+  box->setObjectName("running");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  QPushButton* quit = box->addButton(tr("End the run"), QMessageBox::DestructiveRole);
+  connect(box, &QMessageBox::buttonClicked, this, [quit, then](QAbstractButton* button) {
+    if (button == quit) then();
+  });
+  box->open();
+}
+
 void DeckWindow::closeEvent(QCloseEvent* event) {
-  if (leaving_ || !document_.modified()) return event->accept();
+  if (std::exchange(leaving_, false) || (!document_.modified() && !run_->busy())) {
+    run_->cancel();
+    return event->accept();
+  }
   event->ignore();
-  leaveDeck([this] {
-    leaving_ = true;
-    close();
+  leaveRun([this] {
+    leaveDeck([this] {
+      leaving_ = true;
+      close();
+    });
   });
 }
 

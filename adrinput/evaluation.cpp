@@ -1,11 +1,11 @@
 #include "adrinput/evaluation.hpp"
 
 #include "desktop/axis_scale.hpp"
+#include "desktop/listing_view.hpp"
 #include "facade/prepare.hpp"
 #include "results/print_file.hpp"
 #include "results/print_life.hpp"
 
-#include <QFontDatabase>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QThread>
@@ -70,18 +70,10 @@ EvaluationPanel::EvaluationPanel(Function function, const QString& invitation, Q
     : QWidget(parent),
       function_(function),
       note_(new QLabel(invitation, this)),
-      view_(new QPlainTextEdit(this)) {
+      view_(desktop::make_listing_view(this)) {
   note_->setWordWrap(true);
   note_->setObjectName("note");
   view_->setObjectName("text");
-  view_->setReadOnly(true);
-  view_->setLineWrapMode(QPlainTextEdit::NoWrap);
-  view_->setTabChangesFocus(true);
-  QFont font = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-  font.setFamily("DejaVu Sans Mono");
-  font.setStyleHint(QFont::Monospace);
-  font.setPixelSize(12);
-  view_->setFont(font);
   view_->hide();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 6, 8, 6);

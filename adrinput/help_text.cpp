@@ -112,6 +112,7 @@ QString keyboard_help() {
       {"F1", "help on this record"},
       {"F5", "plan of this deck"},
       {"F6", "quasi-static solution of this deck"},
+      {"F7", "save and run this deck"},
       {"Ctrl+D", "dark or light"},
       {"Ctrl+Q", "quit"}};
   QString out = "<h2>Keyboard</h2><table cellpadding='3'>";

@@ -1,5 +1,6 @@
 #include "facade/run.hpp"
 
+#include "base/duration.hpp"
 #include "build/run_control.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
@@ -46,19 +47,11 @@ class InterruptWatch {
   std::jthread watcher_;
 };
 
-std::string clock_text(double seconds) {
-  if (!(seconds >= 0.0) || seconds > 3.6e6) return "-";
-  const long s = std::lround(seconds);
-  return s < 60     ? fmt::format("{:.1f}s", seconds)
-         : s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60)
-                    : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
-}
-
 std::string progress_line(const facade::Progress& p) {
   return fmt::format(
       "{:3.0f}%  {:.3f} rev  t = {:.4e} of {:.4e} s  step {}  {:.3g}x real time  ETA {}",
       100.0 * p.fraction, p.revolutions, p.time, p.end_time, p.step, p.speed_up,
-      clock_text(p.remaining));
+      duration_text(p.remaining));
 }
 
 facade::ProgressSink make_sink(const std::string& style) {
@@ -92,7 +85,7 @@ int report(const facade::RunOutcome& outcome, bool quiet) {
     fmt::print(stderr, "\ninterrupted; the files are valid up to the last stored step\n");
   if (!quiet) {
     fmt::print("{} steps, {:.4g} revolutions, t = {:.6g} s, computed in {}\n", outcome.steps,
-               outcome.revolutions, outcome.time, clock_text(outcome.seconds));
+               outcome.revolutions, outcome.time, duration_text(outcome.seconds));
     if (outcome.energy_scale > 0.0)
       fmt::print("energy residual {:.3g} J ({:.2g} of {:.3g} J)\n", outcome.energy_residual,
                  outcome.energy_residual / outcome.energy_scale, outcome.energy_scale);

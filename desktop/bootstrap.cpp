@@ -4,6 +4,7 @@
 #include "desktop/theme.hpp"
 
 #include <QFontDatabase>
+#include <QIcon>
 #include <QLocale>
 #include <fmt/core.h>
 
@@ -20,6 +21,9 @@ void set_up(const QString& name) {
   QLocale::setDefault(QLocale::c());
   QApplication::setOrganizationName("Adore");
   QApplication::setApplicationName(name);
+  // What the desktop knows the windows of this program by, and their picture.
+  QGuiApplication::setDesktopFileName(name);
+  QApplication::setWindowIcon(QIcon(":/adore/icons/" + name + ".png"));
   for (const char* file : {"DejaVuSans.ttf", "DejaVuSans-Bold.ttf"})
     demand(QFontDatabase::addApplicationFont(QString(":/adore/fonts/") + file) >= 0,
            "a shipped font does not load");

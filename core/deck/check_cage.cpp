@@ -11,6 +11,7 @@ namespace adore::deck {
 namespace {
 
 constexpr double kRounding = 1e-9;
+constexpr double kHardlyMetres = 5.0;  // larger lengths are remarked elsewhere: mm given as m
 
 void check_pocket_code(Checker& c) {
   const auto type = c.integer("kBrg");
@@ -25,20 +26,32 @@ void check_pocket_code(Checker& c) {
         "valid for rollers are -1 (cylindrical), 0 (rectangular), 1 to 3 (guide surface pairs)");
 }
 
-/// Ball pockets: the element must fit in, and neighbours must leave a web.
-void check_ball_pockets(Checker& c) {
+/// Pockets: the element must fit in, and neighbours must leave a web.
+void check_pockets(Checker& c) {
+  const auto type = c.integer("kBrg");
+  const auto pocket = c.integer("kPocType");
   const auto diameter = c.si("bReDia");
   const auto clearance = c.si("bPocCls1");
   const auto inner = c.si("cageDia2");
   const auto outer = c.si("cageDia1");
   const auto count = c.integer("nRe");
-  if (!c.is("kBrg", 1) || !diameter || !clearance) return;
+  if (!type || !pocket || !diameter || !clearance) return;
+  if (*type != 1 && *pocket > 0) return;  // guide surfaces: the clearance has no meaning
+  const char* element = *type == 1 ? "ball" : "roller";
   if (*clearance < 0.0)
-    c.warning("bPocCls1", "the pocket is smaller than the ball, which it therefore clamps",
+    c.warning("bPocCls1",
+              fmt::format("the pocket is smaller than the {0}, which it therefore clamps", element),
               "give a clearance above 0");
   else if (*clearance > *diameter)
-    c.warning("bPocCls1", "the pocket is more than twice as large as the ball",
+    c.warning("bPocCls1", fmt::format("the pocket is more than twice as large as the {}", element),
               "clearances are in m (SI) or in (English)");
+  const auto length = c.si("bReLen");
+  const auto width = c.si("cageWidth");
+  if (*type != 1 && length && width && *length >= *width)
+    c.warning("cageWidth",
+              fmt::format("the pockets of rollers {} long leave no rim at the sides of the cage",
+                          c.length(*length)),
+              "give a width above bReLen");
   if (!inner || !outer || !count || c.is("kPocType", 2) || *outer <= *inner) return;
   const double web = std::numbers::pi * 0.5 * (*inner + *outer) / static_cast<double>(*count) -
                      (*diameter + *clearance);
@@ -46,6 +59,44 @@ void check_ball_pockets(Checker& c) {
     c.warning("nRe",
               "neighbouring pockets overlap at the middle of the cage, so that no web is left",
               "take fewer or smaller elements, or a smaller pocket clearance");
+}
+
+/// The cage runs in the gap between the rings: below the outer shoulder, above the inner one; where
+/// no shoulder is given, between the raceways; in any case inside the bearing.
+void check_cage_between_races(Checker& c) {
+  const auto outer = c.si("cageDia1");
+  const auto inner = c.si("cageDia2");
+  const auto bore = c.si("brgBore");
+  const auto outside = c.si("brgOD");
+  if (!outer || !inner) return;
+  if (outside && *outside > 0.0 && *outer >= *outside)
+    return c.error("cageDia1",
+                   fmt::format("the cage stands outside the races: the bearing's outside diameter "
+                               "brgOD is {}",
+                               c.length(*outside)),
+                   "give less than the diameter of the outer race's shoulder");
+  if (bore && *inner <= *bore)
+    return c.error("cageDia2",
+                   fmt::format("the cage lies inside the inner race: the bearing's bore is {}",
+                               c.length(*bore)),
+                   "give more than the diameter of the inner race's shoulder");
+  const auto pitch = c.si("pitchDia");
+  const auto diameter = c.si("bReDia");
+  if (!pitch || !diameter || *outer > kHardlyMetres) return;
+  const double outer_shoulder = c.si("shoulderDia1").value_or(0.0);
+  const double inner_shoulder = c.si("shoulderDia2").value_or(0.0);
+  const double roof = outer_shoulder > 0.0 ? outer_shoulder : *pitch + *diameter;
+  const double floor = inner_shoulder > 0.0 ? inner_shoulder : *pitch - *diameter;
+  if (*outer > roof * (1.0 + kRounding))
+    c.warning("cageDia1",
+              fmt::format("the cage reaches into the outer race, whose {} has a diameter of {}",
+                          outer_shoulder > 0.0 ? "shoulder" : "raceway", c.length(roof)),
+              "give less, unless the cage is narrower than the race and stands beside it");
+  if (*inner < floor * (1.0 - kRounding))
+    c.warning("cageDia2",
+              fmt::format("the cage reaches into the inner race, whose {} has a diameter of {}",
+                          inner_shoulder > 0.0 ? "shoulder" : "raceway", c.length(floor)),
+              "give more, unless the cage is narrower than the race and stands beside it");
 }
 
 void check_cage_body(Checker& c) {
@@ -63,6 +114,8 @@ void check_cage_body(Checker& c) {
     c.error("cageDia1",
             "the cage does not reach the elements, so that they cannot touch its pockets",
             "choose the diameters around the pitch diameter");
+  else
+    check_cage_between_races(c);
   const auto cut = c.raw("cageAngCut");
   if (c.is("nCseg", 1) && cut && *cut != 0.0)
     c.warning("cageAngCut", "a one-piece cage has no cut; the value has no effect", "set it to 0");
@@ -149,7 +202,7 @@ void check_cage(Checker& c) {
   const auto segments = c.integer("nCseg");
   if (!segments || *segments < 1) return;
   check_pocket_code(c);
-  check_ball_pockets(c);
+  check_pockets(c);
   check_cage_body(c);
   check_lands(c);
   check_segments(c);

@@ -218,6 +218,12 @@ void check_ball_geometry(Checker& c) {
       *outer_shoulder <= *inner_shoulder)
     c.warning("shoulderDia1", "the outer shoulder is not larger than the inner one",
               "check shoulderDia1 and shoulderDia2");
+  else if (pitch && outer_shoulder && *outer_shoulder > 0.0 && *outer_shoulder < *pitch)
+    c.warning("shoulderDia1", "the outer shoulder stands higher than the centres of the balls",
+              "give more than pitchDia");
+  else if (pitch && inner_shoulder && *inner_shoulder > *pitch)
+    c.warning("shoulderDia2", "the inner shoulder stands higher than the centres of the balls",
+              "give less than pitchDia");
 }
 
 void check_roller_geometry(Checker& c) {

@@ -62,16 +62,23 @@ class ProgressMeter {
         span_(span),
         turns_per_second_(shaft_speed / (2.0 * std::numbers::pi)) {}
 
-  void update(double time, long step, long first_step, bool last) {
-    if (!sink_) return;
+  void update(double time, long step, long first_step) {
+    if (sink_ && seconds_since(begin_) - sent_ >= 0.05) send(time, step, first_step, false);
+  }
+  /// The last report; `done`: the run came to its end.
+  void finish(double time, long step, long first_step, bool done) {
+    if (sink_) send(time, step, first_step, done);
+  }
+
+ private:
+  void send(double time, long step, long first_step, bool done) {
     const double elapsed = seconds_since(begin_);
-    if (!last && elapsed - sent_ < 0.05) return;
     sent_ = elapsed;
     Progress p;
     const double by_time = span_.end > start_ ? (time - start_) / (span_.end - start_) : 1.0;
     const double by_steps =
         static_cast<double>(step - first_step) / static_cast<double>(std::max(1L, span_.max_steps));
-    p.fraction = last ? 1.0 : std::clamp(std::max(by_time, by_steps), 0.0, 0.9999);
+    p.fraction = done ? 1.0 : std::clamp(std::max(by_time, by_steps), 0.0, 0.9999);
     p.revolutions = turns_per_second_ * time;
     p.time = time;
     p.end_time = span_.end;
@@ -82,7 +89,6 @@ class ProgressMeter {
     sink_(p);
   }
 
- private:
   const ProgressSink& sink_;
   double start_;
   Span span_;
@@ -213,7 +219,7 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
       output([&] {
         outputs.checkpoint_if_due(system, {step, stepper->time(), h, stepper->state()});
       });
-      meter.update(stepper->time(), step, start.step, false);
+      meter.update(stepper->time(), step, start.step);
     }
   } catch (const integrators::StepFailure& failure) {
     out.status = RunStatus::Failed;
@@ -223,7 +229,8 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
     out.message = failure.what();
   }
   const RunPoint end{step, stepper->time(), h, stepper->state()};
-  if (out.status != RunStatus::Failed) meter.update(end.time, step, start.step, true);
+  if (out.status != RunStatus::Failed)
+    meter.finish(end.time, step, start.step, out.status == RunStatus::Done);
 
   // A failed state may be meaningless: the files end with the last stored step, and FINAL keeps the
   // last checkpoint.

@@ -1,4 +1,5 @@
 #include "desktop/image_export.hpp"
+#include "desktop/launch.hpp"
 #include "support/qt_app.hpp"
 
 #include <QDir>
@@ -6,6 +7,7 @@
 #include <QPrinter>
 #include <QProcess>
 #include <QProcessEnvironment>
+#include <QTest>
 #include <catch2/catch.hpp>
 
 #include <cstdlib>
@@ -120,6 +122,19 @@ TEST_CASE("adrinput --render draws its pages for a real deck", "[gui][apps]") {
   check_pictures(pictures.path(), 4, QImage(pictures.filePath(names.front())).size());
 }
 #endif
+
+TEST_CASE("one program starts another that lies beside it, and says when there is none",
+          "[gui][apps]") {
+  adore::test::use_qt();
+  QTemporaryDir pictures;
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  adore::desktop::start_program(
+      "adrplot", {"--render", pictures.path(), "--page", "1", run_folder() + "/SOL1"});
+  CHECK(QTest::qWaitFor(
+      [&] { return !QDir(pictures.path()).entryList({"*.png"}, QDir::Files).isEmpty(); }, 60000));
+  CHECK_THROWS_WITH(adore::desktop::start_program("no-such-viewer", {}),
+                    Catch::Contains("no-such-viewer") && Catch::Contains("PATH"));
+}
 
 TEST_CASE("a picture is printed on one page", "[gui][apps]") {
   adore::test::use_qt();

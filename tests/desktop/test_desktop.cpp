@@ -22,10 +22,13 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 
 using namespace adore;
 using namespace adore::desktop;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -200,6 +203,21 @@ TEST_CASE("theme: the shipped font is the one in use", "[gui]") {
   test::use_qt();
   CHECK(QFontInfo(ui_font(13)).family() == "DejaVu Sans");
   CHECK(QFile::exists(":/adore/fonts/LICENSE-DejaVu.txt"));
+}
+
+TEST_CASE("every app has an icon and an entry in the desktop's menu", "[gui]") {
+  test::use_qt();
+  const fs::path resources = fs::path(ADORE_SOURCE_DIR) / "resources";
+  for (const std::string app : {"adrinput", "adrplot", "agore"}) {
+    INFO(app);
+    const QImage icon(QString::fromStdString(":/adore/icons/" + app + ".png"));
+    CHECK(icon.size() == QSize(128, 128));
+    CHECK(fs::exists(resources / "icons" / (app + ".svg")));
+    std::ifstream file(resources / "applications" / (app + ".desktop"));
+    const std::string entry{std::istreambuf_iterator<char>(file), {}};
+    CHECK(entry.find("\nExec=" + app + " %") != std::string::npos);
+    CHECK(entry.find("\nIcon=" + app + "\n") != std::string::npos);
+  }
 }
 
 TEST_CASE("image_export: names count on, and skip files that exist", "[gui]") {

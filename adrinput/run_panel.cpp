@@ -1,0 +1,248 @@
+#include "adrinput/run_panel.hpp"
+
+#include "base/duration.hpp"
+#include "desktop/dialogs.hpp"
+#include "desktop/launch.hpp"
+#include "desktop/listing_view.hpp"
+
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QFile>
+#include <QFileInfo>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <exception>
+
+namespace adore::adrinput {
+namespace {
+
+constexpr int kBarSteps = 1000;
+constexpr qint64 kMostShown = 4'000'000;  // bytes of PRINT.txt in a window
+
+QString from(const std::string& text) { return QString::fromStdString(text); }
+
+QString report(const facade::RunOutcome& outcome) {
+  std::string text;
+  for (const Issue& issue : outcome.warnings) text += issue.text() + "\n";
+  if (outcome.energy_scale > 0.0)
+    text += fmt::format("Energy residual {:.3g} J, {:.2g} of {:.3g} J moved.\n",
+                        outcome.energy_residual, outcome.energy_residual / outcome.energy_scale,
+                        outcome.energy_scale);
+  text += fmt::format("Files in {}:\n ", outcome.folder.string());
+  for (const auto& file : outcome.files) text += " " + file.filename().string();
+  return from(text);
+}
+
+QString headline_of(const facade::RunOutcome& outcome) {
+  const std::string done =
+      outcome.steps > 0
+          ? fmt::format("{} steps, {:.4g} revolutions, {:.6g} s simulated, computed in {}.",
+                        outcome.steps, outcome.revolutions, outcome.time,
+                        duration_text(outcome.seconds))
+          : fmt::format("Quasi-static solution computed in {}.", duration_text(outcome.seconds));
+  switch (outcome.status) {
+    case facade::RunStatus::Done:
+      return from("Done: " + done);
+    case facade::RunStatus::Interrupted:
+      return from("Cancelled; the files are valid up to the last stored step. " + done);
+    case facade::RunStatus::Failed:
+      break;
+  }
+  return from("The run gave up: " + outcome.message + " The files are valid up to then. " + done);
+}
+
+QSettings settings() { return QSettings("Adore", "adrinput"); }
+
+}  // namespace
+
+RunPanel::RunPanel(QWidget* parent) : QWidget(parent), launch(&desktop::start_program) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 6, 8, 6);
+  auto* first = new QHBoxLayout;
+  auto* second = new QHBoxLayout;
+  const auto button = [&](QHBoxLayout* row, const QString& text, const char* name,
+                          const QString& help, auto slot) {
+    auto* push = new QPushButton(text, this);
+    push->setObjectName(name);
+    push->setToolTip(help);
+    push->setAutoDefault(true);
+    connect(push, &QPushButton::clicked, this, slot);
+    row->addWidget(push);
+    return push;
+  };
+  start_ = button(first, tr("Run"), "run", tr("Save the deck and run it (F7)"), &RunPanel::wanted);
+  cancel_ = button(first, tr("&Cancel"), "cancel", tr("End the run after the present step"),
+                   &RunPanel::cancel);
+  bar_ = new QProgressBar(this);
+  bar_->setObjectName("progress");
+  bar_->setRange(0, kBarSteps);
+  first->addWidget(bar_, 1);
+  plots_ = button(second, tr("P&lots"), "open-plots", tr("Open the plot files in AdrPlot"),
+                  &RunPanel::openPlots);
+  animation_ = button(second, tr("&Animation"), "open-animation", tr("Open SOL8 in AGORE"),
+                      &RunPanel::openAnimation);
+  listing_ = button(second, "PRINT.t&xt", "listing", tr("Show the listing in a window"),
+                    &RunPanel::showListing);
+  second->addStretch(1);
+  second->addWidget(new QLabel(tr("When done, open"), this));
+  const auto box = [&](const QString& text, const char* name) {
+    auto* check = new QCheckBox(text, this);
+    check->setObjectName(name);
+    check->setChecked(settings().value(QString("open/%1").arg(name), true).toBool());
+    connect(check, &QCheckBox::toggled, this,
+            [name](bool on) { settings().setValue(QString("open/%1").arg(name), on); });
+    second->addWidget(check);
+    return check;
+  };
+  plots_at_end_ = box(tr("plots"), "plots-at-end");
+  animation_at_end_ = box(tr("animation"), "animation-at-end");
+  note_ = new QLabel(
+      tr("Runs the deck as `adore run` does, with the results beside it. The deck is saved first."),
+      this);
+  note_->setObjectName("run-note");
+  note_->setWordWrap(true);
+  view_ = desktop::make_listing_view(this);
+  view_->setObjectName("run-text");
+  view_->hide();
+  layout->addLayout(first);
+  layout->addLayout(second);
+  layout->addWidget(note_);
+  layout->addWidget(view_, 1);
+  layout->addStretch(0);
+  run_.progressed = [this](const facade::Progress& progress) { show(progress); };
+  run_.ended = [this](const RunEnd& end) { show(end); };
+  enableButtons();
+}
+
+QString RunPanel::text() const { return view_->toPlainText(); }
+
+void RunPanel::enableButtons() {
+  start_->setEnabled(!busy());
+  cancel_->setEnabled(busy());
+  plots_->setEnabled(!busy() && !plotFiles().isEmpty());
+  animation_->setEnabled(!busy() && !fileNamed("SOL8").isEmpty());
+  listing_->setEnabled(!busy() && !fileNamed("PRINT.txt").isEmpty());
+}
+
+void RunPanel::start(const std::filesystem::path& file, const deck::Deck& deck) {
+  if (busy()) return;
+  computed_ = deck;
+  stale_ = false;
+  files_.clear();
+  view_->hide();
+  view_->clear();
+  bar_->setValue(0);
+  headline_ = tr("Finding the equilibrium that the run starts from …");
+  showNote();
+  facade::RunRequest request;
+  request.deck = file;
+  run_.start(std::move(request));
+  enableButtons();
+}
+
+void RunPanel::cancel() {
+  run_.stop();
+  cancel_->setEnabled(false);
+}
+
+void RunPanel::show(const facade::Progress& progress) {
+  bar_->setValue(static_cast<int>(std::lround(kBarSteps * progress.fraction)));
+  headline_ = from(fmt::format("Step {}, {:.3f} revolutions, {:.4g} of {:.4g} s. Remaining: {}.",
+                               progress.step, progress.revolutions, progress.time,
+                               progress.end_time, duration_text(progress.remaining)));
+  showNote();
+}
+
+void RunPanel::show(const RunEnd& end) {
+  if (end.outcome) {
+    for (const auto& file : end.outcome->files) files_ << from(file.string());
+    headline_ = headline_of(*end.outcome);
+    view_->setPlainText(report(*end.outcome));
+    if (end.outcome->status == facade::RunStatus::Done) bar_->setValue(kBarSteps);
+  } else {
+    headline_ = tr("The deck was not run, for this reason:");
+    view_->setPlainText(from(end.reason));
+  }
+  view_->show();
+  showNote();
+  enableButtons();
+  if (end.outcome && end.outcome->status == facade::RunStatus::Done) {
+    if (plots_at_end_->isChecked() && !plotFiles().isEmpty()) openPlots();
+    if (animation_at_end_->isChecked() && !fileNamed("SOL8").isEmpty()) openAnimation();
+  }
+  emit finished();
+}
+
+void RunPanel::showNote() {
+  note_->setText(stale_ ? tr("Of the deck as it was before the last change. ") + headline_
+                        : headline_);
+}
+
+void RunPanel::setDeck(const deck::Deck& deck) {
+  if (computed_.records.empty()) return;
+  const bool stale = !(deck == computed_);
+  if (stale == stale_) return;
+  stale_ = stale;
+  showNote();
+}
+
+QString RunPanel::fileNamed(const QString& name) const {
+  for (const QString& file : files_)
+    if (QFileInfo(file).fileName() == name && QFileInfo::exists(file)) return file;
+  return {};
+}
+
+/// SOL1 to SOL7, or the tables of a quasi-static solution.
+QStringList RunPanel::plotFiles() const {
+  QStringList found;
+  for (int number = 1; number <= 7; ++number)
+    if (const QString file = fileNamed(QString("SOL%1").arg(number)); !file.isEmpty())
+      found << file;
+  if (found.isEmpty())
+    if (const QString file = fileNamed("RUN.json"); !file.isEmpty()) found << file;
+  return found;
+}
+
+void RunPanel::view(const QString& program, const QStringList& files) {
+  try {
+    launch(program, files);
+  } catch (const std::exception& error) {
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+  }
+}
+
+void RunPanel::openPlots() { view("adrplot", plotFiles()); }
+
+void RunPanel::openAnimation() { view("agore", {fileNamed("SOL8")}); }
+
+void RunPanel::showListing() {
+  QFile file(fileNamed("PRINT.txt"));
+  if (!file.open(QIODevice::ReadOnly))
+    return desktop::show_message(
+        this, tr("%1 cannot be read: %2").arg(file.fileName(), file.errorString()), true);
+  QString text = QString::fromUtf8(file.read(kMostShown)).replace(QChar('\f'), QChar('\n'));
+  if (file.size() > kMostShown) text += tr("\n… the listing goes on in %1").arg(file.fileName());
+  auto* window = new QDialog(this);
+  window->setObjectName("listing-window");
+  window->setAttribute(Qt::WA_DeleteOnClose);
+  window->setWindowTitle(file.fileName());
+  window->resize(1080, 760);
+  auto* listing = desktop::make_listing_view(window);
+  listing->setPlainText(text);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, window);
+  connect(buttons, &QDialogButtonBox::rejected, window, &QDialog::reject);
+  auto* layout = new QVBoxLayout(window);
+  layout->addWidget(listing, 1);
+  layout->addWidget(buttons);
+  window->show();  // beside the form: the user goes on there
+}
+
+}  // namespace adore::adrinput

@@ -1,0 +1,47 @@
+#include "adrinput/solver_run.hpp"
+
+#include "base/errors.hpp"
+
+#include <QThread>
+
+#include <exception>
+#include <memory>
+#include <utility>
+
+namespace adore::adrinput {
+
+SolverRun::~SolverRun() {
+  stop();
+  if (thread_ != nullptr) thread_->wait();
+}
+
+void SolverRun::stop() { stop_.request_stop(); }
+
+void SolverRun::start(facade::RunRequest request) {
+  demand(!busy(), "one run at a time");
+  stop_ = {};
+  auto end = std::make_shared<RunEnd>();
+  const auto report = [this](const facade::Progress& progress) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, progress] {
+          if (progressed) progressed(progress);
+        },
+        Qt::QueuedConnection);
+  };
+  thread_ = QThread::create([request = std::move(request), report, token = stop_.get_token(), end] {
+    try {
+      end->outcome = facade::run(request, report, token);
+    } catch (const std::exception& error) {
+      end->reason = error.what();
+    }
+  });
+  thread_->setParent(this);
+  connect(thread_, &QThread::finished, this, [this, end] {
+    std::exchange(thread_, nullptr)->deleteLater();
+    if (ended) ended(*end);
+  });
+  thread_->start();
+}
+
+}  // namespace adore::adrinput

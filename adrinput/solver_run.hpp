@@ -1,0 +1,44 @@
+#pragma once
+
+#include "facade/run.hpp"
+
+#include <QObject>
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+
+class QThread;
+
+namespace adore::adrinput {
+
+/// How a run ended: with an outcome, or before it had any with the reason.
+struct RunEnd {
+  std::optional<facade::RunOutcome> outcome;
+  std::string reason;  ///< input wrong, no start state
+};
+
+/// One run of the solver in the background, the same as `adore run` makes. Its reports arrive in
+/// the thread of this object.
+class SolverRun : public QObject {
+  Q_OBJECT
+ public:
+  explicit SolverRun(QObject* parent = nullptr) : QObject(parent) {}
+  /// Stops a run that is under way and waits for it; its files are valid.
+  ~SolverRun() override;
+
+  std::function<void(const facade::Progress&)> progressed;
+  std::function<void(const RunEnd&)> ended;
+
+  void start(facade::RunRequest request);
+  /// Asks the run to end after the present step; `ended` follows.
+  void stop();
+  [[nodiscard]] bool busy() const { return thread_ != nullptr; }
+
+ private:
+  QThread* thread_ = nullptr;
+  std::stop_source stop_;
+};
+
+}  // namespace adore::adrinput

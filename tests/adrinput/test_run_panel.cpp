@@ -1,0 +1,172 @@
+#include "adrinput/deck_window.hpp"
+#include "adrinput/driver.hpp"
+#include "adrinput/run_panel.hpp"
+#include "deck/templates.hpp"
+#include "support/qt_app.hpp"
+
+#include <QCheckBox>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+using namespace adore;
+using namespace adore::adrinput;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Launches = std::vector<std::pair<QString, QStringList>>;
+
+void watch_launches(DeckWindow& window, Launches& launches) {
+  window.runPanel().launch = [&launches](const QString& program, const QStringList& arguments) {
+    launches.emplace_back(program, arguments);
+  };
+  for (const char* box : {"plots-at-end", "animation-at-end"})
+    window.findChild<QCheckBox*>(box)->setChecked(true);
+}
+
+void run_to_end(DeckWindow& window) {
+  QSignalSpy spy(&window.runPanel(), &RunPanel::finished);
+  press(window, "run-deck");
+  REQUIRE(window.runPanel().busy());
+  REQUIRE(spy.wait(120000));
+  CHECK_FALSE(window.runPanel().busy());
+}
+
+QString note(DeckWindow& window) { return window.findChild<QLabel*>("run-note")->text(); }
+
+void shorten(Document& document, const char* steps) {
+  document.edit(cell("maxStps"), steps);
+  document.edit(cell("kPltFreq"), "1");
+  document.edit(cell("kAGraf"), "1");
+}
+
+}  // namespace
+
+TEST_CASE("Run saves the deck, shows progress, and opens plots and animation of the results",
+          "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  DeckWindow window;
+  Launches launches;
+  watch_launches(window, launches);
+  window.show();
+  shorten(window.document(), "60");
+  press(window, "run-deck");  // has no name yet
+  CHECK_FALSE(window.runPanel().busy());
+  auto* dialog = window.findChild<QFileDialog*>("save");
+  REQUIRE(dialog != nullptr);
+  QSignalSpy spy(&window.runPanel(), &RunPanel::finished);
+  emit dialog->fileSelected(folder.filePath("DATA.txt"));
+  CHECK(window.runPanel().busy());
+  CHECK_FALSE(window.findChild<QPushButton*>("run")->isEnabled());
+  REQUIRE(spy.wait(120000));
+  CHECK(note(window).startsWith("Done: 60 steps"));
+  auto* bar = window.findChild<QProgressBar*>("progress");
+  CHECK(bar->value() == bar->maximum());
+  for (const char* name : {"PRINT.txt", "SOL1", "SOL8", "RUN.json", "FINAL"}) {
+    INFO(name);
+    CHECK(fs::exists(folder.filePath(name).toStdString()));
+    CHECK(window.runPanel().text().contains(name));
+  }
+  REQUIRE(launches.size() == 2);
+  CHECK(launches[0].first == "adrplot");
+  CHECK(launches[0].second.contains(folder.filePath("SOL1")));
+  CHECK(launches[1] == std::pair(QString("agore"), QStringList{folder.filePath("SOL8")}));
+  press(window, "listing");
+  auto* listing = window.findChild<QDialog*>("listing-window");
+  REQUIRE(listing != nullptr);
+  CHECK(listing->findChild<QPlainTextEdit*>()->toPlainText().contains("Largest contact load"));
+  window.document().edit(cell("appLoadX"), "1501");
+  CHECK(note(window).contains("before the last change"));
+
+  // A changed deck is saved first; without the marks nothing is opened.
+  for (const char* box : {"plots-at-end", "animation-at-end"})
+    window.findChild<QCheckBox*>(box)->setChecked(false);
+  launches.clear();
+  run_to_end(window);
+  CHECK(launches.empty());
+  CHECK(deck::read_deck(folder.filePath("DATA.txt").toStdString()).deck.real("appLoadX") == 1501);
+  press(window, "open-plots");
+  CHECK(launches.size() == 1);
+}
+
+TEST_CASE("a run can be cancelled, and quitting asks about one that goes on", "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  DeckWindow window;
+  Launches launches;
+  watch_launches(window, launches);
+  window.show();
+  shorten(window.document(), "1000000");
+  window.document().save(folder.filePath("DATA.txt").toStdString());
+  auto* bar = window.findChild<QProgressBar*>("progress");
+  QSignalSpy spy(&window.runPanel(), &RunPanel::finished);
+  const auto start = [&] {
+    window.runDeck();
+    REQUIRE(window.runPanel().busy());
+    REQUIRE(QTest::qWaitFor([&] { return note(window).startsWith("Step"); }, 60000));
+  };
+  start();
+  press(window, "cancel");
+  REQUIRE(spy.wait(60000));
+  CHECK(note(window).startsWith("Cancelled"));
+  CHECK(bar->value() < bar->maximum());
+  CHECK(launches.empty());
+  CHECK(fs::exists(folder.filePath("FINAL").toStdString()));
+
+  start();
+  const auto answer = [&](bool end) {
+    CHECK_FALSE(window.close());
+    auto* box = window.findChild<QMessageBox*>("running");
+    REQUIRE(box != nullptr);
+    for (QAbstractButton* button : box->buttons())
+      if ((box->standardButton(button) == QMessageBox::Cancel) != end)
+        QTest::mouseClick(button, Qt::LeftButton);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  };
+  answer(false);
+  CHECK(window.isVisible());
+  CHECK(window.runPanel().busy());
+  answer(true);
+  CHECK_FALSE(window.isVisible());
+  CHECK((spy.count() == 2 || spy.wait(60000)));
+  CHECK(note(window).startsWith("Cancelled"));
+}
+
+TEST_CASE("a quasi-static run leads to its tables; a deck that cannot run says why",
+          "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  DeckWindow window;
+  Launches launches;
+  watch_launches(window, launches);
+  window.show();
+  window.newDeck("cylindrical-nu209");
+  window.document().save(folder.filePath("NU209.txt").toStdString());
+  run_to_end(window);
+  CHECK(note(window).startsWith("Done: Quasi-static"));
+  REQUIRE(launches.size() == 1);
+  CHECK(launches[0] == std::pair(QString("adrplot"), QStringList{folder.filePath("RUN.json")}));
+  CHECK_FALSE(window.findChild<QPushButton*>("open-animation")->isEnabled());
+
+  window.document().edit(cell("mode"), "0");  // the motion of rollers
+  window.checkNow();
+  launches.clear();
+  run_to_end(window);
+  CHECK(note(window).contains("not run"));
+  CHECK(window.runPanel().text().contains("motion of rollers"));
+  CHECK(launches.empty());
+  CHECK_FALSE(window.findChild<QPushButton*>("open-plots")->isEnabled());
+}

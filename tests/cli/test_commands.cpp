@@ -1,0 +1,137 @@
+#include "cli/driver.hpp"
+
+#include <nlohmann/json.hpp>
+
+using namespace adore;
+using namespace adore::test;
+using nlohmann::json;
+
+TEST_CASE("adore refuses what it cannot read with a sentence and exit code 2", "[cli]") {
+  const Folder folder;
+  write(folder / "empty.txt", "");
+  write(folder / "binary.txt", std::string("\x7f"
+                                           "ELF\0\1\2\3\0\0\0",
+                                           11));
+  new_ball_deck(folder);
+  const std::string deck = (folder / "DATA.txt").string();
+
+  const auto refused = [](const Result& result, const std::string& part) {
+    INFO(result.out);
+    CHECK(result.code == 2);
+    CHECK(contains(result.out, part));
+  };
+  refused(run_adore("run " + (folder / "missing.txt").string()), "missing.txt");
+  refused(run_adore("run " + (folder / "empty.txt").string()), "empty");
+  refused(run_adore("run " + (folder / "binary.txt").string()), "binary");
+  refused(run_adore("run " + deck + " --set pitchDai=0.06"), "pitchDia");
+  refused(run_adore("run " + deck + " --set pitchDia=nan"), "pitchDia");
+  refused(run_adore("run " + deck + " --set pitchDia=1e999"), "pitchDia");
+  refused(run_adore("run " + deck + " --set nRe=2.5"), "nRe");
+  refused(run_adore("run " + deck + " --opt ellipse=3"), "ellipseMajor");
+  refused(run_adore("run " + deck + " --integrator euler"), "rkf1");
+  refused(run_adore("run " + deck + " --until 5turns"), "5rev");
+  refused(run_adore("run " + deck + " --tol -1"), "--tol");
+  refused(run_adore("run " + deck + " --out /proc/adore"), "/proc/adore");
+  refused(run_adore("check " + (folder / "nowhere").string()), "nowhere");
+  refused(run_adore("calc no-such --json " + deck), "JSON");
+  refused(run_adore("show " + deck), "DATA.txt");
+  refused(run_adore("nonsense"), "subcommand");
+}
+
+TEST_CASE(
+    "a deck that asks for what is not built checks clean and is refused by record and variable",
+    "[cli]") {
+  const Folder folder;
+  for (const std::string type : {"cylindrical", "spherical", "tapered", "spherical-tapered"}) {
+    const std::string deck = (folder / (type + ".txt")).string();
+    REQUIRE(run_adore("new " + type + " --out " + deck).code == 0);
+    CHECK(run_adore("check " + deck).code == 0);
+    const Result run = run_adore("run " + deck);
+    INFO(run.out);
+    CHECK(run.code == 2);
+    CHECK(contains(run.out, "record 3.2, kBrg"));
+    CHECK(contains(run.out, "set mode to -1"));
+    CHECK_FALSE(fs::exists(folder / "PRINT.txt"));
+  }
+  new_ball_deck(folder);
+  for (const std::string set : {"kTrac=3", "kVarLoad=1", "mode=1", "kDOF=2", "kPocType=1"}) {
+    const Result run = run_adore("run " + folder.path().string() + " --set " + set);
+    INFO(set << "\n" << run.out);
+    CHECK(run.code == 2);
+    CHECK(contains(run.out, set.substr(0, set.find('='))));
+  }
+}
+
+TEST_CASE("what an integrator cannot do is refused before a file is touched", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  for (const std::string set :
+       {" --set intMet=33 --set qFac=0.1", " --set intMet=21 --set stpMin=0.3 --set stpMax=0.3"}) {
+    const Result run = run_adore("run " + folder.path().string() + set);
+    INFO(run.out);
+    CHECK(run.code == 2);
+    CHECK_FALSE(fs::exists(folder / "PRINT.txt"));
+  }
+}
+
+TEST_CASE("adore plan, schema, examples and calc speak JSON and tables", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const Result plan = run_adore("plan --json " + folder.path().string());
+  INFO(plan.out);
+  REQUIRE(plan.code == 0);
+  const json scene = json::parse(plan.out);
+  CHECK(scene.at("estimates").at("fastest_frequency_Hz").get<double>() > 1000.0);
+  for (const json& effect : scene.at("effects"))
+    CHECK_FALSE(effect.at("because").get<std::string>().empty());
+  const Result off = run_adore("plan --json " + folder.path().string() + " --set gravityVecZ=0.0");
+  for (const json& effect : json::parse(off.out).at("effects"))
+    if (effect.at("name") == "gravity") CHECK(effect.at("on") == false);
+
+  CHECK(run_adore("schema").out.substr(0, 6) == "record");
+  CHECK(json::accept(run_adore("schema --format json").out));
+  CHECK(contains(run_adore("examples").out, "tapered"));
+  write(
+      folder / "hertz.json",
+      R"({"body1": {"Rx": 0.01, "Ry": 0.01, "E": 2e11, "nu": 0.3}, "body2": {"Rx": "inf", "Ry": "inf", "E": 2e11, "nu": 0.3}, "load": 100, "stress_poisson": 0.3})");
+  const Result hertz = run_adore("calc hertz --json " + (folder / "hertz.json").string());
+  INFO(hertz.out);
+  REQUIRE(hertz.code == 0);
+  // Sphere on flat: K = 4/3 E* sqrt(R) with E* = 1e11/0.91.
+  CHECK(json::parse(hertz.out).at("load_deflection_constant").get<double>() ==
+        Approx(4.0 / 3.0 * 1e11 / 0.91 * 0.1).epsilon(1e-9));
+}
+
+TEST_CASE("adore calc knows fits, growth, clearance, materials and units", "[cli]") {
+  const Folder folder;
+  const auto calc = [&](const std::string& name, const std::string& input) {
+    write(folder / "in.json", input);
+    const Result result = run_adore("calc " + name + " --json " + (folder / "in.json").string());
+    INFO(result.out);
+    REQUIRE(result.code == 0);
+    return json::parse(result.out);
+  };
+  const json steel = calc("material", R"({"code": 100})");
+  CHECK(steel.at("properties").at("density").at("value") == 7810.0);
+  CHECK(steel.at("properties").at("density").at("provenance") == "seen");
+  CHECK(steel.at("properties").at("elastic_modulus").at("unit") == "Pa");
+  CHECK(steel.at("properties").size() == 11);
+  CHECK_FALSE(steel.contains("T"));
+  CHECK(calc("material", R"({"code": 0, "part": "shaft", "T": 400})").at("key") == "mild_steel");
+  CHECK(calc("units", R"({"quantity": "force", "values": [1]})").at("values")[0] ==
+        Approx(4.4482216152605));
+  CHECK(calc("fits", R"({"inner_id": 0, "interface_dia": 0.04, "outer_od": 0.05,
+      "diametral_interference": -1e-6, "inner_part": {"E": 2e11, "nu": 0.3},
+      "outer_part": {"E": 2e11, "nu": 0.3}})")
+            .at("pressure") == 0.0);
+  CHECK(calc("growth", R"({"inner_dia": 0.05, "outer_dia": 0.06, "cte": 1e-5, "temp_inner": 300,
+      "temp_outer": 300, "room_temp": 290})")
+            .at("bore_growth") == Approx(0.05 * 1e-4));
+  CHECK(calc("clearance", R"({"curvature_radius": 0.0065405, "ball_dia": 0.0127, "shim": 0.0001,
+      "measured_clearance": 3e-5, "center_distance_A": 0.0004445})")
+            .at("contact_angle_deg") == Approx(17.968010894907867));
+  write(folder / "bad.json", R"({"code": 999})");
+  const Result bad = run_adore("calc material --json " + (folder / "bad.json").string());
+  CHECK(bad.code == 2);
+  CHECK(contains(bad.out, "valid codes"));
+}

@@ -1,0 +1,189 @@
+#include "cli/driver.hpp"
+#include "deck/deck.hpp"
+#include "deck/reader.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <locale>
+#include <map>
+
+using namespace adore;
+using namespace adore::test;
+using nlohmann::json;
+
+TEST_CASE("a quasi-static deck writes one page and the equilibrium carries the load", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const Result run = run_adore("run " + folder.path().string() + " --set mode=-1");
+  INFO(run.out);
+  REQUIRE(run.code == 0);
+  const json summary = json::parse(read(folder / "RUN.json"));
+  CHECK(summary.at("summary").at("load_x_N").get<double>() == Approx(1500.0).epsilon(1e-9));
+  CHECK(summary.at("summary").at("load_z_N").get<double>() == Approx(500.0).epsilon(1e-9));
+  CHECK_FALSE(fs::exists(folder / "SOL1"));
+}
+
+TEST_CASE("a quasi-static deck of each roller type writes one page and carries its load", "[cli]") {
+  for (const std::string type : {"cylindrical", "spherical", "tapered", "spherical-tapered"}) {
+    const Folder folder;
+    const std::string deck = (folder / "DATA.txt").string();
+    REQUIRE(run_adore("new " + type + " --out " + deck).code == 0);
+    const Result run = run_adore("run " + folder.path().string() + " --quiet --set mode=-1");
+    INFO(type << "\n" << run.out);
+    REQUIRE(run.code == 0);
+    const std::string print = read(folder / "PRINT.txt");
+    for (const char* part : {"QUASI-STATIC EQUILIBRIUM", "Contacts with the outer race",
+                             "Along the heaviest rollers", "Roller length"})
+      CHECK(contains(print, part));
+    CHECK_FALSE(contains(print, "nan"));
+    const json summary = json::parse(read(folder / "RUN.json")).at("summary");
+    CHECK(summary.at("load_z_N").get<double>() == Approx(5000.0).epsilon(1e-9));
+    CHECK(summary.at("largest_pressure_Pa").get<double>() > 5e8);
+  }
+}
+
+TEST_CASE("roller decks in SI and in English units give the same results", "[cli]") {
+  using namespace adore::deck;
+  for (const std::string type : {"cylindrical", "spherical", "tapered", "spherical-tapered"}) {
+    const Folder folder;
+    const fs::path path = folder / "SI.txt";
+    REQUIRE(run_adore("new " + type + " --out " + path.string()).code == 0);
+    Deck si = read_deck(path).deck;
+    si.set("mode", "-1");
+    si.complete();
+    Deck english = si;
+    english.set("kUnit", "2");
+    for (const RecordSpec& record : schema())
+      for (const VariableSpec& variable : record.variables) {
+        if (variable.type != VarType::Real) continue;
+        for (int i = 1; si.has_record(record.id, i); ++i) {
+          const std::string name = record.repeat.empty() ? std::string(variable.name)
+                                                         : fmt::format("{}[{}]", variable.name, i);
+          const double value = si.si(variable.name, i) / variable.unit.en_factor;
+          if (variable.length == "1") english.set(name, fmt::format("{}", value));
+        }
+      }
+    write_deck(si, folder / "SI.txt");
+    write_deck(english, folder / "EN.txt");
+    std::array<json, 2> result;
+    for (const std::size_t k : {0U, 1U}) {
+      const fs::path out = folder / (k == 0 ? "si" : "en");
+      const Result run = run_adore("run " + (folder / (k == 0 ? "SI.txt" : "EN.txt")).string() +
+                                   " --quiet --out " + out.string());
+      INFO(type << "\n" << run.out);
+      REQUIRE(run.code == 0);
+      result[k] = json::parse(read(out / "RUN.json")).at("summary");
+    }
+    for (const char* key : {"largest_contact_load_N", "largest_pressure_Pa", "displacement_z_m",
+                            "stiffness_z_N_per_m"}) {
+      CAPTURE(type, key);
+      CHECK(result[1].at(key).get<double>() ==
+            Approx(result[0].at(key).get<double>()).epsilon(1e-10));
+    }
+  }
+}
+
+TEST_CASE("the quasi-static example decks run, with tables for plots, lives and stiffness",
+          "[cli]") {
+  const Folder folder;
+  for (const std::string name : {"angular-218", "deep-groove-6205", "cylindrical-nu209",
+                                 "tapered-30208", "spherical-22210"}) {
+    INFO(name);
+    const std::string deck = (folder / (name + ".txt")).string(), out = (folder / name).string();
+    REQUIRE(run_adore("new " + name + " --out " + deck).code == 0);
+    const Result run = run_adore("run " + deck + " --quiet --out " + out);
+    INFO(run.out);
+    REQUIRE(run.code == 0);
+    const json report = json::parse(read(fs::path(out) / "RUN.json"));
+    const json& tables = report.at("quasi_static").at("tables");
+    const auto count = tables.at("elements").at("azimuth [deg]").size();
+    CHECK(count >= 9);
+    CHECK(tables.at("elements").at("inner load [N]").size() == count);
+    const bool rollers = name != "angular-218" && name != "deep-groove-6205";
+    CHECK(tables.contains("slices") == rollers);
+    CHECK(tables.contains("stiffness over speed") == (name == "angular-218"));
+    CHECK(report.at("summary").at("life_lp_hours").get<double>() > 0.0);
+    const std::string listing = read(fs::path(out) / "PRINT.txt");
+    for (const char* page : {"QUASI-STATIC EQUILIBRIUM", "OPERATING FITS AND CLEARANCES"})
+      CHECK(contains(listing, page));
+  }
+}
+
+namespace {
+
+/// --set of fits and temperatures in the units of a deck: metres and kelvin, or inches and rankine.
+std::string fits_and_temperatures(bool english) {
+  const double length = english ? 1.0 / 0.0254 : 1.0, temperature = english ? 1.8 : 1.0;
+  const auto set = [](const char* name, double value) {
+    std::ostringstream out;
+    out.imbue(std::locale::classic());
+    out.precision(17);
+    out << " --set " << name << "=" << std::scientific << value;
+    return out.str();
+  };
+  return set("raceFit1", 4e-6 * length) + set("raceFit2", 16e-6 * length) +
+         set("hsngTemp", 318.0 * temperature) + set("shftTemp", 336.0 * temperature) +
+         set("raceTemp1", 330.0 * temperature) + set("raceTemp2", 345.0 * temperature) +
+         set("reTemp", 350.0 * temperature) + set("cageTemp", 335.0 * temperature);
+}
+
+}  // namespace
+
+TEST_CASE("fits and temperatures change statics and dynamics alike, in either unit system",
+          "[cli]") {
+  const Folder folder;
+  std::map<std::string, json> runs;
+  for (const std::string type : {"ball", "ball-english"}) {
+    const std::string deck = (folder / (type + ".txt")).string();
+    REQUIRE(run_adore("new " + type + " --out " + deck).code == 0);
+    const std::string sets = fits_and_temperatures(type == "ball-english");
+    const std::string out = (folder / type).string();
+    for (const auto& [name, arguments] :
+         {std::pair<std::string, std::string>{"-static", " --set mode=-1"},
+          std::pair<std::string, std::string>{"-dynamic", " --until 0.01rev"}}) {
+      const Result run =
+          run_adore("run " + deck + sets + arguments + " --quiet --out " + out + name);
+      INFO(run.out);
+      REQUIRE(run.code == 0);
+      runs[type + name] = json::parse(read(fs::path(out + name) / "RUN.json"));
+      CHECK(contains(read(fs::path(out + name) / "PRINT.txt"), "OPERATING FITS AND CLEARANCES"));
+    }
+  }
+  const json& si = runs["ball-static"];
+  const json& fits = si.at("operating fits");
+  CHECK(fits.at("geometry changed").get<bool>());
+  const double free = fits.at("unmounted").at("diametral clearance [m]").get<double>();
+  const double warm = fits.at("operating").at("diametral clearance [m]").get<double>();
+  CHECK(warm < free);
+  // The dynamic run has the same bearing, and its cage too.
+  CHECK(runs["ball-dynamic"].at("operating fits").at("operating") == fits.at("operating"));
+  CHECK(runs["ball-dynamic"].at("operating fits").contains("cage play, diametral"));
+  // Statics in two unit systems: only the conversion of the deck's 16 digits differs.
+  for (const auto& [name, value] : si.at("summary").items()) {
+    INFO(name);
+    const double other = runs["ball-english-static"].at("summary").at(name).get<double>();
+    // Zero by symmetry, up to 1e-10 of the largest load [N, N m] or displacement [m].
+    const bool load = name.find("load_") == 0, displacement = name.find("displacement_") == 0;
+    const double scale = load ? 1e-10 * 1500.0 : displacement ? 1e-10 * 2e-5 : 0.0;
+    CHECK(other == Approx(value.get<double>()).epsilon(1e-10).margin(scale));
+  }
+}
+
+TEST_CASE("lost clearance and loose fits are said on the terminal, in PRINT and in RUN.json",
+          "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const Result run = run_adore("run " + folder.path().string() +
+                               " --set mode=-1 --set raceFit2=2e-6 --set rpm2=30000.0 --set "
+                               "reTemp=420.0 --set raceTemp2=400.0");
+  INFO(run.out);
+  REQUIRE(run.code == 0);
+  for (const char* text : {"clearance turns negative", "inner race comes loose from the shaft"}) {
+    CHECK(contains(run.out, text));
+    CHECK(contains(read(folder / "PRINT.txt"), text));
+    CHECK(contains(read(folder / "RUN.json"), text));
+  }
+  const Result check = run_adore("check " + folder.path().string());
+  CHECK(check.code == 0);
+}

@@ -1,0 +1,286 @@
+#include "cli/driver.hpp"
+#include "results/restart.hpp"
+#include "results/sol_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <vector>
+
+using namespace adore;
+using namespace adore::test;
+using nlohmann::json;
+
+TEST_CASE("every ball example checks clean and runs", "[cli]") {
+  const Folder folder;
+  for (const std::string type : {"ball", "ball-english", "ball-thrust", "ball-18"}) {
+    const std::string deck = (folder / (type + ".txt")).string();
+    REQUIRE(run_adore("new " + type + " --out " + deck).code == 0);
+    CHECK(run_adore("check " + deck).code == 0);
+    const Result run =
+        run_adore("run " + deck + " --until 0.02rev --quiet --out " + (folder / type).string());
+    INFO(type << "\n" << run.out);
+    CHECK(run.code == 0);
+  }
+  // The same bearing in two unit systems. The decks' own numbers are rounded to 1e-7 or better.
+  const auto result = [&](const std::string& type, const char* name) {
+    return json::parse(read(folder / type / "RUN.json")).at("summary").at(name).get<double>();
+  };
+  for (const char* name : {"largest_contact_load_N", "power_loss_W", "mean_orbital_ratio"})
+    CHECK(result("ball-english", name) == Approx(result("ball", name)).epsilon(1e-6));
+}
+
+TEST_CASE("a short run writes every file, and each can be shown and exported", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const Result run =
+      run_adore("run " + folder.path().string() + " --until 0.1rev --progress plain");
+  INFO(run.out);
+  REQUIRE(run.code == 0);
+  for (const char* name : {"PRINT.txt", "FINAL", "MASTER", "SOL1", "SOL2", "SOL3", "SOL4", "SOL7",
+                           "SOL8", "RUN.json", "RESULTS.h5"}) {
+    INFO(name);
+    REQUIRE(fs::exists(folder / name));
+    CHECK(fs::file_size(folder / name) > 0);
+    if (std::string(name) == "PRINT.txt") continue;
+    CHECK(run_adore("show " + (folder / name).string()).code == 0);
+    const Result csv = run_adore("convert " + (folder / name).string() + " --to csv");
+    CHECK(csv.code == 0);
+    const Result exported = run_adore("convert " + (folder / name).string() + " --to json");
+    CHECK(json::accept(exported.out));
+  }
+  const json summary = json::parse(read(folder / "RUN.json"));
+  CHECK(summary.at("status") == "done");
+  CHECK(summary.at("revolutions").get<double>() == Approx(0.1).epsilon(1e-9));
+  const std::string listing = read(folder / "PRINT.txt");
+  for (const char* part : {"kBrg", "residual", "stepper", "7208"}) CHECK(contains(listing, part));
+  std::size_t longest = 0;
+  std::istringstream lines(listing);
+  for (std::string line; std::getline(lines, line);) {
+    std::size_t columns = 0;
+    for (const char c : line) columns += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
+    longest = std::max(longest, columns);
+  }
+  CHECK(longest <= 132);
+}
+
+TEST_CASE("the same deck writes the same bytes, measured times apart", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const auto run_into = [&](const std::string& name, const std::string& environment = "") {
+    const Result run = run_adore("run " + folder.path().string() +
+                                     " --quiet --until 0.05rev --out " + (folder / name).string(),
+                                 environment);
+    INFO(run.out);
+    REQUIRE(run.code == 0);
+  };
+  run_into("a");
+  run_into("b", "LC_ALL=de_DE.UTF-8 LANG=de_DE.UTF-8");
+  for (const char* name : {"SOL1", "SOL2", "SOL3", "SOL4", "SOL7", "SOL8", "FINAL", "RESULTS.h5"}) {
+    INFO(name);
+    CHECK(read(folder / "a" / name) == read(folder / "b" / name));
+  }
+  json a = json::parse(read(folder / "a" / "RUN.json")),
+       b = json::parse(read(folder / "b" / "RUN.json"));
+  a.erase("measured");
+  b.erase("measured");
+  CHECK(a == b);
+}
+
+TEST_CASE("an interrupted run leaves valid files and exit code 130, and continues from there",
+          "[cli][slow]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const pid_t child = start_long_run(folder);
+  wait_for_steps(folder, 30000);
+  kill(child, SIGINT);
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  REQUIRE(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 130);
+  const auto stored = adore::results::read_sol(folder / "SOL1", {1, 1000000, 1});
+  CHECK(stored.note.empty());
+  const auto state = adore::results::read_final(folder / "FINAL");
+  CHECK(state.step == stored.steps.back().step);
+  CHECK(json::parse(read(folder / "RUN.json")).at("status") == "interrupted");
+
+  const Result more =
+      run_adore("run " + folder.path().string() + " --set kIcOpt=1 --set maxStps=10");
+  INFO(more.out);
+  REQUIRE(more.code == 0);
+  const auto longer = adore::results::read_sol(folder / "SOL1", {1, 1000000, 1});
+  CHECK(longer.steps.size() > stored.steps.size());
+  CHECK(longer.steps.back().step == state.step + 10);
+  for (std::size_t i = 1; i < longer.steps.size(); ++i)
+    CHECK(longer.steps[i].step > longer.steps[i - 1].step);
+}
+
+TEST_CASE("a killed run leaves readable files and continues from its last checkpoint",
+          "[cli][slow]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const pid_t child = start_long_run(folder);
+  wait_for_steps(folder, 60000);
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  kill(child, SIGKILL);
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  const auto master = adore::results::read_master(folder / "MASTER");
+  const auto stored = adore::results::read_sol(folder / "SOL7", {1, 1000000, 1});
+  REQUIRE_FALSE(stored.steps.empty());
+  CHECK(stored.steps.back().step >= master.last.step);
+  CHECK(run_adore("show " + (folder / "RESULTS.h5").string()).code == 0);
+
+  const Result more =
+      run_adore("run " + folder.path().string() + " --set kIcOpt=1 --set maxStps=5");
+  INFO(more.out);
+  REQUIRE(more.code == 0);
+  const auto longer = adore::results::read_sol(folder / "SOL7", {1, 1000000, 1});
+  CHECK(longer.steps.back().step == master.last.step + 5);
+  for (std::size_t i = 1; i < longer.steps.size(); ++i)
+    CHECK(longer.steps[i].step > longer.steps[i - 1].step);
+}
+
+TEST_CASE("a continued run reaches the state of an unbroken one", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string
+      deck = folder.path().string(),
+      fixed = " --set stpMin=0.2 --set stpMax=0.2 --set stpInit=0.2 --set intMet=4 --quiet";
+  REQUIRE(
+      run_adore("run " + deck + fixed + " --set maxStps=20 --out " + (folder / "whole").string())
+          .code == 0);
+  const std::string parts = (folder / "parts").string();
+  REQUIRE(run_adore("run " + deck + fixed + " --set maxStps=10 --out " + parts).code == 0);
+  REQUIRE(
+      run_adore("run " + deck + fixed + " --set maxStps=10 --set kIcOpt=1 --out " + parts).code ==
+      0);
+  const auto whole = adore::results::read_final(folder / "whole" / "FINAL");
+  const auto joined = adore::results::read_final(folder / "parts" / "FINAL");
+  CHECK(joined.step == whole.step);
+  REQUIRE(joined.state.size() == whole.state.size());
+  double worst = 0.0;
+  for (std::size_t i = 0; i < whole.state.size(); ++i)
+    worst = std::max(worst, std::abs(joined.state[i] - whole.state[i]) /
+                                std::max(1.0, std::abs(whole.state[i])));
+  CHECK(worst < 1e-11);  // the same steps; only t = k h is summed in two parts
+  CHECK(read(folder / "whole" / "SOL1").size() == read(folder / "parts" / "SOL1").size());
+
+  const Result other =
+      run_adore("run " + deck + fixed +
+                " --set maxStps=10 --set kIcOpt=1 --set runID=another --out " + parts);
+  INFO(other.out);
+  CHECK(other.code == 2);
+  CHECK(contains(other.out, "another"));
+  CHECK(contains(other.out, "7208"));
+}
+
+TEST_CASE("a run prints fatigue lives, and SOL7 stores the one that was asked for", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string deck = folder.path().string();
+  const auto sol7_lives = [&](const std::string& name, const std::string& options) {
+    const Result run = run_adore("run " + deck + " --quiet --until 0.1rev " + options + " --out " +
+                                 (folder / name).string());
+    INFO(run.out);
+    REQUIRE(run.code == 0);
+    std::istringstream csv(
+        run_adore("convert " + (folder / name / "SOL7").string() + " --to csv").out);
+    std::string line;
+    std::getline(csv, line);
+    std::size_t column = 0;
+    std::istringstream titles(line);
+    std::string title;
+    while (std::getline(titles, title, ',') && !contains(title, "life")) ++column;
+    std::vector<double> out;
+    while (std::getline(csv, line)) {
+      std::istringstream cells(line);
+      std::string cell;
+      for (std::size_t k = 0; k <= column; ++k) std::getline(cells, cell, ',');
+      out.push_back(std::stod(cell));
+    }
+    REQUIRE(out.size() > 3);
+    return out;
+  };
+  const std::vector<double> stored = sol7_lives("default", "");
+  for (const double life : stored) {
+    CHECK(life > 1.0);
+    CHECK(life < 1e9);
+  }
+  const json run = json::parse(read(folder / "default" / "RUN.json"));
+  const json& models = run.at("life").at("quasi-static").at("lives");
+  // The run starts from the statics that the page shows: the first instant has its life, elements
+  // at their actual spin instead of the formula's.
+  const double page = models.at("Gupta-Zaretsky type").at("STLE").at("L10 [hr]").get<double>();
+  CHECK(stored.front() == Approx(page).epsilon(0.02));
+  CHECK(run.at("life").at("run").at("life [hr]").get<double>() == Approx(page).epsilon(0.2));
+  CHECK(run.at("life").at("run").at("window [rev]").get<double>() == Approx(0.1).epsilon(1e-6));
+  const std::string listing = read(folder / "default" / "PRINT.txt");
+  for (const char* part : {"FATIGUE LIFE", "CALIBRATED", "Fatigue life of the run",
+                           "no lubricant film is computed", "Fatigue life at the present loads"})
+    CHECK(contains(listing, part));
+  CHECK_FALSE(contains(listing, "no life model is active"));
+
+  // Races only, of the original theory: no formula of spin in between.
+  const double original =
+      models.at("Original Lundberg-Palmgren").at("basic").at("L10 [hr]").get<double>();
+  CHECK(sol7_lives("lp", "--opt sol7Life=lp").front() == Approx(original).epsilon(1e-5));
+  // Every contact under the limit.
+  for (const double life : sol7_lives(
+           "light", "--opt sol7Life=ih --set appLoadX=60.0 --set appLoadZ=0.0 --set rpm2=500.0"))
+    CHECK(life == Approx(9.9999999e30).epsilon(1e-6));
+  CHECK(contains(read(folder / "light" / "PRINT.txt"), "INFINITE"));
+  CHECK(contains(run_adore("run " + deck + " --opt sol7Life=no").out, "gz"));
+}
+
+TEST_CASE("lightly loaded elements are held, booked and continued as in an unbroken run", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string deck = folder.path().string(),
+                    light = " --set appLoadX=200 --set appLoadZ=2000 --set qFac=0.1",
+                    fixed = light +
+                            " --set stpMin=0.2 --set stpMax=0.2 --set stpInit=0.2 --set intMet=4 "
+                            "--set nStps=5 --quiet";
+  const Result plan = run_adore("plan " + deck + light + " --json");
+  REQUIRE(plan.code == 0);
+  CHECK(contains(plan.out, "light-load balance"));
+  CHECK(contains(plan.out, "qFac = 0.1"));
+
+  const std::string whole = (folder / "whole").string(), parts = (folder / "parts").string();
+  REQUIRE(run_adore("run " + deck + fixed + " --set maxStps=400 --out " + whole).code == 0);
+  const json run = json::parse(read(folder / "whole" / "RUN.json"));
+  CHECK(run.at("counters").at("changes of held elements").get<int>() >= 3);
+  const json& energy = run.at("conservation").at("energy");
+  CHECK(energy.contains("switches of held elements [J]"));
+  CHECK(std::abs(energy.at("residual over energy moved").get<double>()) < 1e-5);
+  const json& momentum = run.at("conservation").at("momentum");
+  CHECK(std::abs(momentum.at("linear residual over momentum carried").get<double>()) < 1e-9);
+  CHECK(std::abs(momentum.at("angular residual over momentum carried").get<double>()) < 1e-9);
+  const std::string print = read(folder / "whole" / "PRINT.txt");
+  CHECK(contains(print, "Elements held in force balance"));
+  CHECK(contains(print, "residual of angular momentum, z"));
+
+  // Broken in the middle, while balls are held and between two changes.
+  REQUIRE(run_adore("run " + deck + fixed + " --set maxStps=230 --out " + parts).code == 0);
+  REQUIRE(
+      run_adore("run " + deck + fixed + " --set maxStps=170 --set kIcOpt=1 --out " + parts).code ==
+      0);
+  const auto one = adore::results::read_final(folder / "whole" / "FINAL");
+  const auto two = adore::results::read_final(folder / "parts" / "FINAL");
+  REQUIRE(one.components == two.components);
+  CHECK(one.step == two.step);
+  double held = 0.0, worst = 0.0;
+  for (std::size_t i = 0; i < one.state.size(); ++i) {
+    worst = std::max(worst,
+                     std::abs(one.state[i] - two.state[i]) / std::max(1.0, std::abs(one.state[i])));
+    if (one.components[i].rfind("held.element", 0) == 0) held += one.state[i];
+  }
+  CHECK(held >= 3.0);
+  CHECK(worst < 1e-9);  // the same steps; only t = k h is summed in two parts
+
+  // qFac = 0 is another state: refused by name when a run is continued.
+  const Result other = run_adore("run " + deck + fixed +
+                                 " --set qFac=0 --set maxStps=5 --set kIcOpt=1 --out " + parts);
+  CHECK(other.code == 2);
+  CHECK(contains(other.out, "qFac"));
+}
