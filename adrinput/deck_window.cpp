@@ -38,7 +38,7 @@ QString text_in(const std::string& bytes) {
                            : text;
 }
 
-constexpr int kDrawingWidth = 380;  // of the drawing beside the form
+constexpr int kDrawingWidth = 368;  // of the drawing beside the form
 constexpr int kCheckPause = 200;    // ms without a change before the model is built
 
 }  // namespace
@@ -130,7 +130,7 @@ void DeckWindow::makeCentre() {
   splitter->addWidget(list_);
   splitter->addWidget(right);
   splitter->setStretchFactor(1, 1);
-  splitter->setSizes({244, 980});
+  splitter->setSizes({256, 980});
   splitter->setChildrenCollapsible(false);
   setCentralWidget(splitter);
   connect(list_, &RecordList::recordChosen, this, [this](const QString& record) {

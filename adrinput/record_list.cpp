@@ -31,6 +31,7 @@ QListWidget* make_list(const QString& name, QWidget* parent) {
   auto* list = new QListWidget(parent);
   list->setObjectName(name);
   list->setWordWrap(true);
+  list->setTextElideMode(Qt::ElideNone);  // a wrapped title must not lose its second line
   list->setFrameShape(QFrame::NoFrame);
   list->setResizeMode(QListView::Adjust);
   list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -9,7 +9,6 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
-#include <QElapsedTimer>
 #include <QImage>
 #include <QLineEdit>
 #include <QScrollArea>
@@ -18,6 +17,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <ctime>
 
 using namespace adore;
 using namespace adore::adrinput;
@@ -226,8 +226,8 @@ TEST_CASE("a click on a measure leads to its field", "[gui][adrinput][drawing]")
 
 TEST_CASE("the drawing does not slow down typing or turning pages", "[gui][adrinput][drawing]") {
   test::use_qt();
-  // A tenth of the page budget for the outline, half of it for the painting; these machines are
-  // shared, so the best of ten counts.
+  // Half of what a change of page may take, in processor time, which other programs do not use up;
+  // the best of ten.
   DrawingPanel panel;
   panel.resize(380, 740);
   panel.show();
@@ -235,16 +235,15 @@ TEST_CASE("the drawing does not slow down typing or turning pages", "[gui][adrin
     const deck::Deck deck = deck::new_deck(name);
     panel.setDeck(deck);
     for (const facade::View view : facade::views_of(deck)) {
-      qint64 best = 1'000'000'000;
+      double best = 1e9;
       for (int i = 0; i < 10; ++i) {
-        QElapsedTimer timer;
-        timer.start();
+        const std::clock_t start = std::clock();
         panel.chooseView(view);
         picture_of(panel.picture());
-        best = std::min(best, timer.nsecsElapsed());
+        best = std::min(best, 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
       }
       INFO(name << ", " << facade::title_of(view));
-      CHECK(best < 25'000'000);
+      CHECK(best < 25.0);  // ms
     }
   }
 }
