@@ -338,8 +338,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kSuffixe
 
 /// Key results whose names are short.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kNames{
-    {{"life_lp", "Life, original Lundberg-Palmgren"},
-     {"life_lpu", "Life, updated Lundberg-Palmgren"},
+    {{"life_lp", "Original Lundberg-Palmgren"},
+     {"life_lpu", "Updated Lundberg-Palmgren"},
      {"life_gz", "Life, Gupta-Zaretsky type"},
      {"life_ih", "Life, Ioannides-Harris type"},
      {"life_stored", "Life, model of the plot files"},

@@ -1,5 +1,6 @@
 #include "results/print_cage.hpp"
 #include "results/print_file.hpp"
+#include "results/rounding.hpp"
 
 #include <fmt/format.h>
 
@@ -93,13 +94,13 @@ void contacts(Report& report, const statics::RollerSolution& s, std::size_t race
   for (std::size_t k = 0; k < s.rollers.size(); ++k) {
     const statics::RollerRaceContact& c = s.rollers[k].race[race];
     rows.push_back({std::to_string(k + 1) + (c.at_edge ? " *" : ""),
-                    {c.load, c.moment, c.contact_angle, c.delta, c.peak_pressure,
-                     peak_position(c, s), c.half_width, c.length}});
+                    {c.load, without_rounding(c.moment, c.load * c.length), c.contact_angle,
+                     c.delta, c.peak_pressure, peak_position(c, s), c.half_width, c.length}});
   }
-  report.heading(
-      fmt::format("Contacts with the {} race (moment about mid length; position of the largest "
-                  "pressure from mid length, of two equal peaks the one towards +x)",
-                  kRaceName[race]));
+  report.heading(fmt::format("Contacts with the {} race", kRaceName[race]));
+  report.text(
+      "Moment about mid length. At: largest pressure from mid length, of two equal peaks the one "
+      "towards +x.");
   report.table("roller",
                {{"load Q", &unit::kForce},
                 {"moment", &unit::kMoment},

@@ -31,9 +31,9 @@ namespace adore::results {
   return K;
 }
 
-/// Zero below 1e-12 for ratios of order one.
-[[nodiscard]] inline double without_rounding(double ratio) {
-  return std::abs(ratio) < 1e-12 ? 0.0 : ratio;
+/// Zero below 1e-12 of what the value would be compared with (1: a ratio of order one).
+[[nodiscard]] inline double without_rounding(double value, double scale = 1.0) {
+  return std::abs(value) < 1e-12 * scale ? 0.0 : value;
 }
 
 }  // namespace adore::results

@@ -286,7 +286,15 @@ std::array<double, 2> relative_tilt(const std::array<double, 2>& inner,
   };
   // First column of R_y(a) R_z(b): (cos a cos b, sin b, -sin a cos b).
   const Eigen::Vector3d axis = rotation(outer).transpose() * rotation(inner).col(0);
-  return {std::atan2(-axis.z(), axis.x()), std::asin(std::fmax(-1.0, std::fmin(1.0, axis.y())))};
+  std::array<double, 2> tilt{std::atan2(-axis.z(), axis.x()),
+                             std::asin(std::fmax(-1.0, std::fmin(1.0, axis.y())))};
+  // Equal tilts leave rounding.
+  double largest = 0.0;
+  for (const double angle : {inner[0], inner[1], outer[0], outer[1]})
+    largest = std::fmax(largest, std::abs(angle));
+  for (double& angle : tilt)
+    if (std::abs(angle) < 1e-12 * largest) angle = 0.0;
+  return tilt;
 }
 
 std::string zero_of_x(const Bearing& bearing, UnitSystem units) {

@@ -45,8 +45,9 @@ std::vector<std::string> pages(const std::string& print, const std::string& titl
 TEST_CASE("a quasi-static run ends with its results and says its notes on the terminal", "[cli]") {
   const StaticRun run("cylindrical-nu209", "--set appLoadZ=50.");
   for (const char* text :
-       {"displacement of the inner race: x ", "largest contact load: ", "largest pressure: ",
-        " Pa (roller ", "life at 90 % survival: ", "quasi-static solution computed in", "no load"})
+       {"displacement of the inner race: x ",
+        "largest contact load: ", "largest pressure: ", " Pa (roller ",
+        "life at 90 % survival: ", "quasi-static solution computed in", "is not stable"})
     CHECK(contains(run.result.out, text));
   CHECK_FALSE(contains(run.result.out, "0 steps"));
   const StaticRun split("deep-groove-6205", "--set shimThickness2=2e-4");
@@ -103,7 +104,7 @@ TEST_CASE("what x = 0 means is printed, and the 6205 example carries a pure radi
   const std::string page = pages(run.print, "SOLUTION: SUMMARY").at(0);
   // A radial load on a radial bearing has no contact angle.
   CHECK(std::regex_search(page, std::regex("largest contact angle +0 deg")));
-  CHECK(std::regex_search(run.print, std::regex("Dynamic load rating C +1(3\\.9|4\\.0)")));
+  CHECK(std::regex_search(run.print, std::regex("Dynamic load rating C +140[0-9][0-9]")));
   // Below e the factors in use are 1 and 0.
   CHECK(std::regex_search(run.print, std::regex("    X +1\n")));
   CHECK(std::regex_search(run.print, std::regex("    Y +0\n")));
