@@ -1,6 +1,7 @@
 #include "build/build_bearing.hpp"
 
 #include "build/build_rollers.hpp"
+#include "build/deck_text.hpp"
 #include "contact/cage_inertia.hpp"
 #include "contact/groove.hpp"
 #include "tribology/traction_curve.hpp"
@@ -58,8 +59,10 @@ bearing::BallGeometry ball_geometry(const Deck& deck) {
   out.shim = {deck.si("shimThickness1"), deck.si("shimThickness2")};
   out.shoulder_diameter = {deck.si("shoulderDia1"), deck.si("shoulderDia2")};
   out.roughness = {deck.si("rmsAspHt1"), deck.si("rmsAspHt2")};
-  const contact::FreeState free = contact::free_state(out.diameter, out.groove_factor, out.shim,
-                                                      deck.si("freeConAng"), deck.si("freeIntCls"));
+  const contact::FreeState free = at_variable(deck, "freeIntCls", [&] {
+    return contact::free_state(out.diameter, out.groove_factor, out.shim, deck.si("freeConAng"),
+                               deck.si("freeIntCls"));
+  });
   out.contact_angle = free.contact_angle;
   out.clearance = free.clearance;
   return out;
@@ -88,11 +91,9 @@ bearing::Inertia ring_inertia(double outer, double inner, double width, double d
 bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const std::string& stem) {
   const std::array<double, 4> tc{deck.si(stem + "1"), deck.si(stem + "2"), deck.si(stem + "3"),
                                  deck.si(stem + "4")};
-  try {
+  return at_variable(deck, stem + "1", [&] {
     return tribology::traction_curve(static_cast<int>(deck.integer(type_variable)), tc);
-  } catch (const InputError& error) {
-    throw InputError({deck.issue(Severity::Error, stem + "1", error.what())});
-  }
+  });
 }
 
 /// Roller cages are described for their play only: their inertia stays zero.
@@ -121,8 +122,10 @@ bearing::Cage cage(const Deck& deck, const Bearing& bearing) {
   out.material = material(deck, "kCageMat", Part::Cage, "cage", "");
   const bearing::BallGeometry& balls = bearing.balls;
   if (!bearing.rollers)
-    out.inertia = contact::cage_inertia(out, balls.count, balls.diameter, balls.pitch_diameter,
-                                        out.material.density);
+    out.inertia = at_variable(deck, "bPocCls1", [&] {
+      return contact::cage_inertia(out, balls.count, balls.diameter, balls.pitch_diameter,
+                                   out.material.density);
+    });
   if (deck.has("avRatio")) {
     out.whirl_ratio = deck.si("wvRatio");
     out.speed_ratio = deck.si("avRatio");
@@ -208,15 +211,19 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
                   {deck.si("raceWidth1"), deck.si("raceWidth2")}};
   build_elements(deck, out);
   const auto [groove_bottom_outer, groove_bottom_inner] = raceway_diameters(out);
+  const char* const cones =
+      deck.has("raceTaper1") ? ", which follows from bReDia, raceTaper1 and raceTaper2" : "";
   // Without material between groove and bore or outside, the ideal ring would have a negative mass.
   if (out.envelope.outer_diameter <= groove_bottom_outer)
-    throw InputError({deck.issue(
-        Severity::Error, "brgOD", "the outer raceway reaches through the ring",
-        fmt::format("give more than the raceway's diameter, {:.6g} m", groove_bottom_outer))});
+    throw InputError(
+        {deck.issue(Severity::Error, "brgOD", "the outer raceway reaches through the ring",
+                    fmt::format("give more than the raceway's diameter, {}{}",
+                                length_text(deck, groove_bottom_outer), cones))});
   if (out.envelope.bore >= groove_bottom_inner)
-    throw InputError({deck.issue(
-        Severity::Error, "brgBore", "the inner raceway reaches through the ring",
-        fmt::format("give less than the raceway's diameter, {:.6g} m", groove_bottom_inner))});
+    throw InputError(
+        {deck.issue(Severity::Error, "brgBore", "the inner raceway reaches through the ring",
+                    fmt::format("give less than the raceway's diameter, {}{}",
+                                length_text(deck, groove_bottom_inner), cones))});
   out.race_inertia = {ring_inertia(out.envelope.outer_diameter, groove_bottom_outer,
                                    out.envelope.race_width[0], out.race_material[0].density),
                       ring_inertia(groove_bottom_inner, out.envelope.bore,
