@@ -1,6 +1,7 @@
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
 #include "cli/commands.hpp"
+#include "facade/calculator_inputs.hpp"
 #include "facade/calculators.hpp"
 #include "facade/validate.hpp"
 
@@ -24,6 +25,30 @@ std::string read_all(const std::string& name) {
     throw InputError(
         fmt::format("cannot read {}; give a JSON file, or - for standard input", name));
   return {std::istreambuf_iterator<char>(file), {}};
+}
+
+const facade::CalculatorInfo& calculator(const std::string& name) {
+  for (const facade::CalculatorInfo& info : facade::calculators())
+    if (info.name == name) return info;
+  throw InputError(
+      fmt::format("there is no calculator named \"{}\"; `adore calc --list` shows them", name));
+}
+
+/// All calculators, or one, with what they take and give.
+void list_calculators(const std::string& name, bool json, bool describe) {
+  if (json) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const facade::CalculatorInfo& info : facade::calculators())
+      if (name.empty() || info.name == name) all.push_back(facade::describe_calculator(info));
+    fmt::print("{}\n", all.dump(2));
+  } else if (describe && !name.empty()) {
+    fmt::print("{}", facade::describe_calculator_text(calculator(name)));
+  } else {
+    for (const facade::CalculatorInfo& info : facade::calculators())
+      fmt::print("{:<20} {}\n", info.name, info.help);
+    fmt::print(
+        "`adore calc NAME --describe` lists inputs and results with units, and an example\n");
+  }
 }
 
 void calc(const std::string& name, const std::string& source) {
@@ -65,13 +90,14 @@ void add_calc(CLI::App& app, int& exit_code) {
     command->add_option("name", *name, "calculator; see --list");
     command->add_option("--json", *source, "file of inputs, or - for standard input")
         ->capture_default_str();
+    auto describe = std::make_shared<bool>(false);
+    auto as_json = std::make_shared<bool>(false);
     command->add_flag("--list", *list, "list the calculators");
+    command->add_flag("--describe", *describe,
+                      "inputs and results of the calculator with units, and an example");
+    command->add_flag("--as-json", *as_json, "--list or --describe as JSON");
     command->callback([=] {
-      if (*list) {
-        for (const facade::CalculatorInfo& info : facade::calculators())
-          fmt::print("{:<20} {} [{}]\n", info.name, info.help, info.family);
-        return;
-      }
+      if (*list || *describe) return list_calculators(*name, *as_json, *describe);
       if (name->empty()) throw InputError("name a calculator; `adore calc --list` shows them");
       calc(*name, *source);
     });

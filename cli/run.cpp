@@ -127,6 +127,7 @@ int run(const RunOptions& options, bool tolerance_given) {
   if (facade::is_sweep(request)) {
     const facade::SweepOutcome sweep =
         facade::run_sweep(request, options.threads, sink, watch.token());
+    print_warnings(sweep.warnings);
     if (!options.quiet) fmt::print("{}\n", sweep.table.string());
     return sweep.exit_code;
   }

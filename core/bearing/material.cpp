@@ -138,7 +138,16 @@ double hardness_from_hrc(double hrc) {
 }
 
 double contact_modulus(const Material& a, const Material& b) {
-  demand(a.elastic_modulus > 0.0 && b.elastic_modulus > 0.0, "elastic modulus must be positive");
+  for (const Material* m : {&a, &b}) {
+    if (!(m->elastic_modulus > 0.0))
+      throw InputError(fmt::format("the elastic modulus {}is {} Pa; it must be above 0",
+                                   m->name.empty() ? "" : "of " + m->name + " ",
+                                   m->elastic_modulus));
+    if (!(m->poisson_ratio > -1.0 && m->poisson_ratio <= 0.5))
+      throw InputError(
+          fmt::format("Poisson's ratio {}is {}; it must lie above -1 and not above 0.5",
+                      m->name.empty() ? "" : "of " + m->name + " ", m->poisson_ratio));
+  }
   const double compliance = (1.0 - a.poisson_ratio * a.poisson_ratio) / a.elastic_modulus +
                             (1.0 - b.poisson_ratio * b.poisson_ratio) / b.elastic_modulus;
   return 1.0 / compliance;

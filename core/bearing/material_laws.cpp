@@ -172,6 +172,24 @@ double thermal_growth(const Material& material, double T, double T_room, bool la
   return thermal_strain(material, T, true) - thermal_strain(material, T_room, true);
 }
 
+std::vector<ClampedLaw> clamped_laws(const Material& material, double T) {
+  std::vector<ClampedLaw> out;
+  const MaterialSheet* sheet = sheet_of(material);
+  if (sheet == nullptr) return out;
+  for (const char* name : {"elastic_modulus", "cte", "thermal_conductivity", "specific_heat"}) {
+    const PropertyEntry& p = sheet->property(name);
+    const bool cold = T < kStrainReference;
+    const std::optional<PropertyLaw>& cryogenic =
+        p.name == "cte" ? sheet->cryogenic_strain : p.cryogenic;
+    const std::optional<PropertyLaw>& law = cold && cryogenic ? cryogenic : p.law;
+    if (!law || (T >= law->T_min && T <= law->T_max)) continue;
+    const bool both = cryogenic.has_value() && p.law.has_value();
+    out.push_back({p.name, both ? std::min(cryogenic->T_min, p.law->T_min) : law->T_min,
+                   both ? std::max(cryogenic->T_max, p.law->T_max) : law->T_max});
+  }
+  return out;
+}
+
 Material material_at(const Material& material, double T) {
   check_temperature(material, T);
   const MaterialSheet* sheet = sheet_of(material);

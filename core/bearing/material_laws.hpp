@@ -64,6 +64,16 @@ struct MaterialSheet {
 /// Sheet of a key of the table. @throws InputError naming the valid keys.
 [[nodiscard]] const MaterialSheet& material_sheet(const std::string& key);
 
+/// A law that ends before the temperature asked for; its value at the nearer bound stands in.
+struct ClampedLaw {
+  std::string property;
+  double T_min = 0.0, T_max = 0.0;  ///< where it holds [K]
+};
+
+/// Of material_at(material, T): elastic modulus, expansion, conductivity and specific heat. Empty
+/// within all ranges, and for a material without laws.
+[[nodiscard]] std::vector<ClampedLaw> clamped_laws(const Material& material, double T);
+
 /// ε(T) = α_m(T) (T - 293.15 K), strain from 293.15 K [-]. Laws off: constant coefficient.
 /// @param T [K], > 0. @throws InputError when it is not.
 [[nodiscard]] double thermal_strain(const Material& material, double T, bool laws);

@@ -1,6 +1,7 @@
 #include "build/build_bearing.hpp"
 
 #include "build/build_rollers.hpp"
+#include "build/deck_text.hpp"
 #include "contact/cage_inertia.hpp"
 #include "contact/groove.hpp"
 #include "contact/roller_pocket_play.hpp"
@@ -74,11 +75,9 @@ bearing::Inertia ring_inertia(double outer, double inner, double width, double d
 bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const std::string& stem) {
   const std::array<double, 4> tc{deck.si(stem + "1"), deck.si(stem + "2"), deck.si(stem + "3"),
                                  deck.si(stem + "4")};
-  try {
+  return at_variable(deck, stem + "1", [&] {
     return tribology::traction_curve(static_cast<int>(deck.integer(type_variable)), tc);
-  } catch (const InputError& error) {
-    throw InputError({deck.issue(Severity::Error, stem + "1", error.what())});
-  }
+  });
 }
 
 /// Least play of a roller between the guide faces of record 7.3.
@@ -126,7 +125,7 @@ bearing::Inertia cage_mass(const Deck& deck, const Bearing& bearing, bool dynami
     return given;
   }
   try {
-    return contact::cage_inertia(bearing);
+    return at_variable(deck, "bPocCls1", [&] { return contact::cage_inertia(bearing); });
   } catch (const InputError&) {
     if (dynamic) throw;
     return {};
@@ -226,8 +225,10 @@ bearing::BallGeometry build_balls(const Deck& deck) {
   out.shim = {deck.si("shimThickness1"), deck.si("shimThickness2")};
   out.shoulder_diameter = {deck.si("shoulderDia1"), deck.si("shoulderDia2")};
   out.roughness = {deck.si("rmsAspHt1"), deck.si("rmsAspHt2")};
-  const contact::FreeState free = contact::free_state(out.diameter, out.groove_factor, out.shim,
-                                                      deck.si("freeConAng"), deck.si("freeIntCls"));
+  const contact::FreeState free = at_variable(deck, "freeIntCls", [&] {
+    return contact::free_state(out.diameter, out.groove_factor, out.shim, deck.si("freeConAng"),
+                               deck.si("freeIntCls"));
+  });
   out.contact_angle = free.contact_angle;
   out.clearance = free.clearance;
   return out;
@@ -251,15 +252,19 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
                   {deck.si("raceWidth1"), deck.si("raceWidth2")}};
   build_elements(deck, out);
   const auto [groove_bottom_outer, groove_bottom_inner] = raceway_diameters(out);
+  const char* const cones =
+      deck.has("raceTaper1") ? ", which follows from bReDia, raceTaper1 and raceTaper2" : "";
   // Without material between groove and bore or outside, the ideal ring would have a negative mass.
   if (out.envelope.outer_diameter <= groove_bottom_outer)
-    throw InputError({deck.issue(
-        Severity::Error, "brgOD", "the outer raceway reaches through the ring",
-        fmt::format("give more than the raceway's diameter, {:.6g} m", groove_bottom_outer))});
+    throw InputError(
+        {deck.issue(Severity::Error, "brgOD", "the outer raceway reaches through the ring",
+                    fmt::format("give more than the raceway's diameter, {}{}",
+                                length_text(deck, groove_bottom_outer), cones))});
   if (out.envelope.bore >= groove_bottom_inner)
-    throw InputError({deck.issue(
-        Severity::Error, "brgBore", "the inner raceway reaches through the ring",
-        fmt::format("give less than the raceway's diameter, {:.6g} m", groove_bottom_inner))});
+    throw InputError(
+        {deck.issue(Severity::Error, "brgBore", "the inner raceway reaches through the ring",
+                    fmt::format("give less than the raceway's diameter, {}{}",
+                                length_text(deck, groove_bottom_inner), cones))});
   out.race_inertia = {ring_inertia(out.envelope.outer_diameter, groove_bottom_outer,
                                    out.envelope.race_width[0], out.race_material[0].density),
                       ring_inertia(groove_bottom_inner, out.envelope.bore,

@@ -1,10 +1,13 @@
 #include "build/build_imperfections.hpp"
 
 #include "base/random_table.hpp"
+#include "build/check_rollers.hpp"
+#include "build/deck_text.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -51,12 +54,73 @@ class Deviations {
   RandomTable table_;
 };
 
-void check_positive(double value, const char* what, std::size_t element) {
+std::string diameter_variable(ElementErrors kind, std::size_t element) {
+  return kind == ElementErrors::Random ? "reDiaVar" : fmt::format("reDiaVar{}", element + 1);
+}
+
+void check_positive(const Deck& deck, double value, const char* what, std::size_t element,
+                    const std::string& variable) {
   if (value > 0.0) return;
-  throw InputError(
-      fmt::format("rolling element {}: its deviation (records 5G.1) leaves a {} of {} m; it must "
-                  "stay above 0. Give smaller deviations",
-                  element + 1, what, value));
+  throw InputError({deck.issue(
+      Severity::Error, variable,
+      fmt::format("the deviation of rolling element {} leaves a {} of {}, which must stay above 0",
+                  element + 1, what, length_text(deck, value)),
+      "give smaller deviations")});
+}
+
+/// The largest and smallest that a wave adds over the turn.
+std::array<double, 2> extremes(const Harmonic& wave) {
+  if (wave.waves == 0.0) return {wave.at(0.0), wave.at(0.0)};
+  return {-std::abs(wave.amplitude), std::abs(wave.amplitude)};
+}
+
+/// Each ball must fit in its grooves wherever it stands: groove radius between half its diameter
+/// and its diameter.
+void check_grooves(const Deck& deck, const bearing::Bearing& b) {
+  const double D = b.balls.diameter;
+  for (std::size_t k = 0; k < b.imperfections.ball_diameter.size(); ++k)
+    for (std::size_t j = 0; j < 2; ++j) {
+      const double ratio = b.balls.groove_factor[j] * D / (D + b.imperfections.ball_diameter[k]);
+      if (ratio > 0.5 && ratio < 1.0) continue;
+      throw InputError({deck.issue(
+          Severity::Error, diameter_variable(b.imperfections.elements, k),
+          fmt::format("ball {} with its deviation of {} does not fit the {} groove: the groove "
+                      "radius would be {:.6g} of its diameter",
+                      k + 1, length_text(deck, b.imperfections.ball_diameter[k]),
+                      j == 0 ? "outer" : "inner", ratio),
+          "give smaller deviations; above 0.5 and below 1 is possible")});
+    }
+  double smallest = D, largest = D;
+  for (const double growth : b.imperfections.ball_diameter) {
+    smallest = std::min(smallest, D + growth);
+    largest = std::max(largest, D + growth);
+  }
+  for (std::size_t j = 0; j < 2; ++j) {
+    const auto [low, high] = extremes(b.imperfections.race[j].curvature_factor);
+    const double f = b.balls.groove_factor[j];
+    if ((f + low) * D > 0.5 * largest && (f + high) * D < smallest) continue;
+    throw InputError({deck.issue(
+        Severity::Error, fmt::format("cFacVar1{}", j + 1),
+        fmt::format("the groove factor raceCurFac{} = {:.6g} becomes {:.6g} to {:.6g} around the "
+                    "race, where the balls do not fit",
+                    j + 1, f, f + low, f + high),
+        "give an amplitude that keeps it above 0.5 and below 1")});
+  }
+}
+
+/// Barrels must fit in their grooves: groove radius above the crown radius.
+void check_barrel_grooves(const Deck& deck, const bearing::Bearing& b) {
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double f = b.rollers->groove_factor[j];
+    const auto [low, high] = extremes(b.imperfections.race[j].curvature_factor);
+    if (f + low > 0.5) continue;
+    throw InputError({deck.issue(
+        Severity::Error, fmt::format("cFacVar1{}", j + 1),
+        fmt::format("the groove factor raceCurFac{} = {:.6g} becomes {:.6g} to {:.6g} around the "
+                    "race, where the rollers do not fit",
+                    j + 1, f, f + low, f + high),
+        "give an amplitude that keeps it above 0.5")});
+  }
 }
 
 bearing::RollerDeviation random_roller(const Deviations& random, std::size_t k,
@@ -74,8 +138,9 @@ bearing::RollerDeviation random_roller(const Deviations& random, std::size_t k,
 
 double diameter_deviation(const Deck& deck, const Deviations& random, ElementErrors kind,
                           std::size_t k) {
-  return kind == ElementErrors::Random ? random.at("reDiaVar", k, RandomColumn::Diameter)
-                                       : deck.si(fmt::format("reDiaVar{}", k + 1));
+  const std::string name = diameter_variable(kind, k);
+  return kind == ElementErrors::Random ? random.at(name.c_str(), k, RandomColumn::Diameter)
+                                       : deck.si(name);
 }
 
 void element_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
@@ -89,7 +154,8 @@ void element_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
   if (!b.rollers) {
     for (std::size_t k = 0; k < count; ++k) {
       out.ball_diameter.push_back(diameter_deviation(deck, random, out.elements, k));
-      check_positive(b.balls.diameter + out.ball_diameter.back(), "diameter", k);
+      check_positive(deck, b.balls.diameter + out.ball_diameter.back(), "diameter", k,
+                     diameter_variable(out.elements, k));
     }
     return;
   }
@@ -101,11 +167,13 @@ void element_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
       own = random_roller(random, k, rollers);
     else
       own.diameter = diameter_deviation(deck, random, out.elements, k);
-    check_positive(rollers.diameter + own.diameter, "diameter", k);
-    check_positive(rollers.length + own.length, "length", k);
-    check_positive(rollers.crown_radius + own.crown_radius, "crown radius", k);
+    check_positive(deck, rollers.diameter + own.diameter, "diameter", k,
+                   diameter_variable(out.elements, k));
+    check_positive(deck, rollers.length + own.length, "length", k, "reLenVar");
+    check_positive(deck, rollers.crown_radius + own.crown_radius, "crown radius", k, "reCrnVar");
     rollers.deviation.push_back(own);
   }
+  check_roller_deviations(deck, rollers);
 }
 
 }  // namespace
@@ -118,6 +186,10 @@ void build_imperfections(const Deck& deck, std::uint64_t seed, bearing::Bearing&
     bearing.imperfections.race_given[race] = true;
     bearing.imperfections.race[race] = race_errors(deck, race, code == 1);
   }
+  if (!bearing.rollers)
+    check_grooves(deck, bearing);
+  else if (bearing.rollers->shape == bearing::RollerShape::Arc)
+    check_barrel_grooves(deck, bearing);
 }
 
 }  // namespace adore::build

@@ -1,5 +1,7 @@
 #include "build/build_rollers.hpp"
 
+#include "build/check_rollers.hpp"
+#include "build/deck_text.hpp"
 #include "contact/roller_inertia.hpp"
 #include "contact/roller_shape.hpp"
 #include "contact/tapered_geometry.hpp"
@@ -50,7 +52,9 @@ void read_profile(const Deck& deck, Type type, bearing::RollerGeometry& out) {
 void read_races(const Deck& deck, Type type, bearing::RollerGeometry& out) {
   if (type == Type::Tapered || type == Type::SphericalTapered) {
     out.race_angle = {deck.si("raceTaper1"), deck.si("raceTaper2")};
-    const contact::TaperedGeometry g = contact::tapered_geometry(out.diameter, out.race_angle);
+    const contact::TaperedGeometry g = at_variable(deck, "raceTaper1", [&] {
+      return contact::tapered_geometry(out.diameter, out.race_angle);
+    });
     out.pitch_diameter = g.pitch_diameter;
     out.half_angle = g.half_angle;
     out.axis_angle = g.axis_angle;
@@ -88,6 +92,7 @@ bearing::RollerGeometry build_rollers(const Deck& deck) {
   read_profile(deck, type, out);
   read_races(deck, type, out);
   read_flanges(deck, out);
+  check_roller_shape(deck, out);
   out.roughness = {deck.si("rmsAspHt1"), deck.si("rmsAspHt2")};
   return out;
 }

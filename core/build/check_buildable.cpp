@@ -1,4 +1,6 @@
+#include "bearing/material_laws.hpp"
 #include "build/build_bearing.hpp"
+#include "build/deck_text.hpp"
 
 #include <fmt/format.h>
 
@@ -89,11 +91,48 @@ void check_waves(const Deck& deck, Checker& check) {
       const std::string waves = std::string(stem) + "2" + race;
       const bool wave = sinusoidal || std::string_view(stem) != "rndVar";
       if (!wave || !deck.has(amplitude) || deck.real(amplitude) == 0.0) continue;
+      const std::string phase = std::string(stem) + "3" + race;
+      if (deck.real(waves) == 0.0 && std::abs(std::sin(deck.si(phase))) < 1e-9)
+        check.warning(amplitude.c_str(),
+                      fmt::format("has no effect: with {} = 0 waves and a phase {} of {:.6g} "
+                                  "degrees, a sin(phase) is zero everywhere",
+                                  waves, phase, deck.real(phase)),
+                      fmt::format("give {}, or a phase of 90 degrees for a constant", waves));
       if (deck.real(waves) != std::round(deck.real(waves)))
         check.warning(waves.c_str(),
                       "is not a whole number of waves per turn: the surface has a step where the "
                       "turn closes, at the z axis of the race");
     }
+  }
+}
+
+/// Temperatures outside the laws of a table material: the laws are clamped there.
+void check_law_ranges(const Deck& deck, Checker& check) {
+  if (!deck.has("kMatPropMod") || deck.integer("kMatPropMod") != 1) return;
+  using bearing::Part;
+  struct Place {
+    const char* temperature;
+    const char* code;
+    Part part;
+  };
+  constexpr Place kPlaces[] = {
+      {"hsngTemp", "kHsngMat", Part::Housing},     {"shftTemp", "kShftMat", Part::Shaft},
+      {"raceTemp1", "kRaceMat1", Part::OuterRace}, {"raceTemp2", "kRaceMat2", Part::InnerRace},
+      {"reTemp", "kReMat", Part::RollingElement},  {"cageTemp", "kCageMat", Part::Cage}};
+  for (const Place& place : kPlaces) {
+    const int code = static_cast<int>(deck.integer(place.code));
+    if (code == 1 || code == 2 || !deck.has(place.temperature) || !deck.has(place.code)) continue;
+    const bearing::Material material = bearing::material_from_table(code, place.part);
+    const double T = deck.si(place.temperature);
+    std::string laws;
+    for (const bearing::ClampedLaw& law : bearing::clamped_laws(material, T))
+      laws += fmt::format("{}{} ({} to {})", laws.empty() ? "" : ", ", law.property,
+                          temperature_text(deck, law.T_min), temperature_text(deck, law.T_max));
+    if (!laws.empty())
+      check.warning(place.temperature,
+                    fmt::format("lies outside of what is known of {}: {}; the value at the nearer "
+                                "end is used",
+                                material.name, laws));
   }
 }
 
@@ -135,6 +174,7 @@ std::vector<Issue> check_buildable(const Deck& deck) {
           fmt::format("asks for user routine {}, which this version does not call yet", routine),
           "use 0, 1 or 2");
   check_waves(deck, check);
+  check_law_ranges(deck, check);
   if (!deck.user_lines.empty())
     check.warning("runID",
                   "the deck has lines after its last record, for user routines that this version "

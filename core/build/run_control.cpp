@@ -159,18 +159,19 @@ void add_life_options(std::vector<Option>& table) {
       });
   add("lifeLambda", "none",
       "film parameter (film thickness over roughness) taken for the life factors while no film is "
-      "computed, above 0, or none",
+      "computed, above 0 to 1000, or none",
       [](bearing::LifeChoices& o, std::string_view v) {
         return parse_optional(v, o.film_parameter, 1e3);
       });
-  add("lifeFilter", "none", "filter rating in micrometres at beta 200 (STLE factor), or none",
+  add("lifeFilter", "none",
+      "filter rating in micrometres at beta 200 (STLE factor), above 0 to 1000, or none",
       [](bearing::LifeChoices& o, std::string_view v) { return parse_optional(v, o.filter, 1e3); });
   add("lifeSkip", "0",
       "turns of the shaft at the start of the run that the run life leaves out, 0 or more",
       [](bearing::LifeChoices& o, std::string_view v) {
         return parse(v, o.skip_turns) && o.skip_turns >= 0.0;
       });
-  add("isoKappa", "none", "viscosity ratio of ISO 281, above 0, or none",
+  add("isoKappa", "none", "viscosity ratio of ISO 281, above 0 to 1000, or none",
       [](bearing::LifeChoices& o, std::string_view v) {
         return parse_optional(v, o.viscosity_ratio, 1e3);
       });

@@ -52,6 +52,12 @@ void check_pockets(Checker& c) {
               fmt::format("the pockets of rollers {} long leave no rim at the sides of the cage",
                           c.length(*length)),
               "give a width above bReLen");
+  if (*type == 1 && *pocket == 0 && width && *clearance >= 0.0 && *clearance <= *diameter &&
+      *diameter + *clearance >= *width)
+    c.error("cageWidth",
+            fmt::format("the pockets, bReDia + bPocCls1 = {} long, do not fit in",
+                        c.length(*diameter + *clearance)),
+            "give a larger width");
   if (!inner || !outer || !count || c.is("kPocType", 2) || *outer <= *inner) return;
   const double web = std::numbers::pi * 0.5 * (*inner + *outer) / static_cast<double>(*count) -
                      (*diameter + *clearance);

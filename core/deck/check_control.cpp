@@ -26,6 +26,14 @@ void check_run_mode(Checker& c) {
     if (c.is("kFnOpt", 1))
       c.warning("kFnOpt", "has no effect, because mode is negative and no data files are written",
                 "set kFnOpt to 0 and drop record 2.3");
+    if (c.is("kIcOpt", 1) || c.is("kIcOpt", -1))
+      c.warning("kIcOpt",
+                "has no effect, because mode is negative and there is no run to go on with",
+                "set kIcOpt to 0");
+    const auto churning = c.integer("kChrn");
+    if (churning && *churning != 0)
+      c.warning("kChrn", "has no effect, because mode is negative and nothing moves in the medium",
+                "set kChrn to 0 and drop record 10.7");
   }
   if (c.is("kRaceFlex", 1))
     c.error("kRaceFlex",
@@ -139,6 +147,24 @@ void check_monitored_bodies(Checker& c) {
             fmt::format("give numbers from 1 to {}", bodies));
 }
 
+/// The spin of balls is a choice; what rollers spin about is their own axis.
+void check_spin_rule(Checker& c) {
+  const auto rule = c.integer("kAngVel");
+  const auto angle = c.raw("angVelOrient");
+  const auto type = c.integer("kBrg");
+  if (!rule || !type) return;
+  if (*type != 1 && *rule == 2)
+    c.warning("kAngVel", "has no effect on rollers, which spin about their own axis",
+              "set it to 0 or 1");
+  if (angle && *angle != 0.0 && (*type != 1 || *rule != 2))
+    c.warning("angVelOrient",
+              *type == 1 ? fmt::format("is not used, because kAngVel = {}; only 2 prescribes the "
+                                       "spin axis",
+                                       *rule)
+                         : "has no effect on rollers, which spin about their own axis",
+              *type == 1 ? "set it to 0, or kAngVel to 2" : "set it to 0");
+}
+
 void check_types(Checker& c) {
   const auto type = c.integer("kBrg");
   for (const std::string_view flange : {"kFlngInd11", "kFlngInd21", "kFlngInd12", "kFlngInd22"}) {
@@ -190,6 +216,7 @@ void check_control(Checker& checker) {
   check_file_names(checker);
   check_monitored_bodies(checker);
   check_types(checker);
+  check_spin_rule(checker);
 }
 
 }  // namespace adore::deck

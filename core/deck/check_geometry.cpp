@@ -117,25 +117,93 @@ void check_shims(Checker& c, double diameter) {
   }
 }
 
-struct Cone {
-  double pitch_diameter = 0.0;
-};
-
 /// Both race cones share their apex; the element at half length rolls between them (notes N38).
-bool find_cone(Checker& c, double diameter, Cone& cone) {
+double cone_pitch_diameter(double diameter, double outer, double inner) {
+  return diameter * std::sin(0.5 * (outer + inner)) / std::tan(0.5 * (outer - inner));
+}
+
+/// The inner cone angle in (0, outer) that gives this pitch diameter, which grows with it.
+double inner_cone_for(double pitch_diameter, double diameter, double outer) {
+  double low = 0.0, high = outer;
+  for (int n = 0; n < 100; ++n) {
+    const double middle = 0.5 * (low + high);
+    (cone_pitch_diameter(diameter, outer, middle) < pitch_diameter ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+/// The pitch diameter is no input: angles that do not belong together send it to infinity or into
+/// the shaft (N38).
+void check_cone_pitch(Checker& c, double pitch, double diameter, double outer, double inner) {
+  const auto bore = c.si("brgBore");
+  const auto outside = c.si("brgOD");
+  if (!bore || !outside || *bore >= *outside) return;
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  const auto angle = [&](double rad) { return fmt::format("{:.5g} deg", rad / kDegree); };
+  const std::string formula = fmt::format(
+      "the pitch diameter that follows, D sin(mean angle)/tan(half the difference), is {}",
+      c.length(pitch));
+  const bool wide = pitch >= *outside;
+  if (wide || pitch <= *bore) {
+    const double first = inner_cone_for(*bore + diameter, diameter, outer);
+    const double last = inner_cone_for(*outside - diameter, diameter, outer);
+    const std::string remedy =
+        *bore + diameter < *outside - diameter
+            ? fmt::format("with this outer cone, an inner one of {} to {} fits; or change both",
+                          angle(first), angle(last))
+            : "check bReDia, brgBore and brgOD";
+    c.error("raceTaper2",
+            fmt::format("the cone angles {} (outer, raceTaper1) and {} (inner) are too {}: {}, "
+                        "{} the {} of {}",
+                        angle(outer), angle(inner), wide ? "close" : "far apart", formula,
+                        wide ? "not below" : "not above", wide ? "outside diameter" : "bore",
+                        c.length(wide ? *outside : *bore)),
+            remedy);
+  } else if (pitch - diameter <= *bore || pitch + diameter >= *outside) {
+    c.warning("raceTaper2",
+              fmt::format("the rollers reach through a race, so that no ring material is left at "
+                          "the bore or the outside: {}",
+                          formula),
+              "check raceTaper1, raceTaper2, bReDia, brgBore and brgOD");
+  }
+}
+
+void check_cones(Checker& c, double diameter) {
   const auto outer = c.si("raceTaper1");
   const auto inner = c.si("raceTaper2");
-  if (!outer || !inner) return false;
-  if (*outer <= *inner) {
-    c.error("raceTaper1",
-            "the outer cone must be wider than the inner one, or the roller has no taper",
-            "give raceTaper1 above raceTaper2");
-    return false;
+  if (!outer || !inner) return;
+  if (*outer <= *inner)
+    return c.error("raceTaper1",
+                   "the outer cone must be wider than the inner one, or the roller has no taper",
+                   "give raceTaper1 above raceTaper2");
+  const double pitch = cone_pitch_diameter(diameter, *outer, *inner);
+  check_cone_pitch(c, pitch, diameter, *outer, *inner);
+  check_fit_on_circle(c, pitch, diameter);
+}
+
+/// A flange that is there has a face: it leans away from the roller, and it has a height.
+void check_flanges(Checker& c) {
+  const auto type = c.integer("kBrg");
+  if (!type || *type == 1) return;  // balls touch none
+  for (const std::string_view code : {"11", "21", "12", "22"}) {
+    if (!c.is(fmt::format("kFlngInd{}", code), 1)) continue;
+    const std::string off = fmt::format("or set kFlngInd{} to 0", code);
+    const std::string height = fmt::format("flngHt{}", code);
+    const std::string layback = fmt::format("flngAng{}", code);
+    const auto h = c.si(height);
+    const auto angle = c.raw(layback);
+    if (h && *h == 0.0)
+      c.error(height, "the flange has no height and cannot touch a roller",
+              "give a height above 0, " + off);
+    if (angle && (*angle < 0.0 || *angle > 89.0))
+      c.error(layback, "the face of a flange leans back, away from the roller end",
+              "give 0 to 89 deg, " + off);
   }
-  const double mean = 0.5 * (*outer + *inner);
-  const double half = 0.5 * (*outer - *inner);
-  cone.pitch_diameter = diameter * std::sin(mean) / std::tan(half);
-  return true;
+  if (*type == 4 && c.is("kFlngInd11", 0) && c.is("kFlngInd12", 0))
+    c.error("kFlngInd12",
+            "tapered rollers need a flange at their large end (negative x side): without it any "
+            "load squeezes them out",
+            "give the inner race its rib: kFlngInd12 = 1 and record 5F");
 }
 
 void check_roller_profile(Checker& c, double diameter) {
@@ -187,13 +255,7 @@ void check_envelope(Checker& c) {
             fmt::format("the housing must be larger than the bearing, which measures {}",
                         c.length(*outside)),
             "check hsngOD and brgOD");
-  for (const std::string_view code : {"11", "21", "12", "22"}) {
-    const std::string height = fmt::format("flngHt{}", code);
-    const auto value = c.si(height);
-    if (c.is(fmt::format("kFlngInd{}", code), 1) && value && *value == 0.0)
-      c.warning(height, "the flange has no height and cannot touch a roller",
-                "give its height, or set the flange flag to 0");
-  }
+  check_flanges(c);
   check_plausible_lengths(c);
 }
 
@@ -231,11 +293,7 @@ void check_roller_geometry(Checker& c) {
   const auto diameter = c.si("bReDia");
   if (!type || *type < 2 || !diameter || *diameter <= 0.0) return;
   check_roller_profile(c, *diameter);
-  Cone cone;
-  if (*type == 4 || *type == 5) {
-    if (find_cone(c, *diameter, cone)) check_fit_on_circle(c, cone.pitch_diameter, *diameter);
-    return;
-  }
+  if (*type == 4 || *type == 5) return check_cones(c, *diameter);
   const auto pitch = c.si("pitchDia");
   if (!pitch || *pitch <= 0.0) return;
   if (*pitch <= *diameter)

@@ -64,6 +64,16 @@ void check_temperatures(Checker& c) {
               "give a flow, or set kCoolant to 0");
 }
 
+/// Rockwell C is a scale for hard steel; elsewhere its conversion is an extrapolation.
+void check_hardness(Checker& c) {
+  for (const std::string_view name : {"reH", "raceH1", "raceH2"}) {
+    const auto hardness = c.raw(name);
+    if (hardness && (*hardness < 20.0 || *hardness > 70.0))
+      c.warning(name, "lies outside of the 20 to 70 that the Rockwell C scale is meant for",
+                "hardness is in HRC, not HV or Pa");
+  }
+}
+
 /// The four-condition curve has a solution only when its largest value is really larger than both
 /// ends.
 void check_peak(Checker& c, std::string_view stem) {
@@ -130,6 +140,7 @@ void check_operation(Checker& c) {
   check_times(c);
   check_temperatures(c);
   check_curves(c);
+  check_hardness(c);
 }
 
 }  // namespace adore::deck

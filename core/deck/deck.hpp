@@ -26,7 +26,8 @@ struct RecordData {
     std::size_t variable = 0, element = 0;
     bool operator==(const Element&) const = default;
   };
-  /// Values that nobody gave and a default stands in for; see defaults_used(). Not part of equality.
+  /// Values that nobody gave and a default stands in for; see defaults_used(). Not part of
+  /// equality.
   std::vector<Element> defaulted;
   bool operator==(const RecordData& other) const {
     return id == other.id && instance == other.instance && values == other.values;
@@ -38,6 +39,9 @@ class Deck {
   std::string file;                     ///< where it was read from; messages only
   std::vector<RecordData> records;      ///< in deck order
   std::vector<std::string> user_lines;  ///< raw lines after the last required record (12.x)
+  /// Records that were given but that the options do not ask for: set() and complete() take them
+  /// back when the options change. Neither written nor part of equality.
+  std::vector<RecordData> shelf;
 
   bool operator==(const Deck& other) const {
     return records == other.records && user_lines == other.user_lines;
@@ -59,13 +63,13 @@ class Deck {
 
   /// Sets one variable from text as `--set` does: "pitchDia", "cageGsCls[2]" (instance of a
   /// repeated record, else array element), "cageGcPos[2][3]" (both), "iCageGuide" with "1,2" (a
-  /// whole array). A missing record that the options ask for is added when one of its variables is
-  /// set. Others that a changed option makes necessary are NOT invented: call complete() or check()
-  /// after. When it throws, the deck is unchanged.
+  /// whole array). A missing record that the options ask for is added, from the shelf if it is
+  /// there, when one of its variables is set. Others that a changed option makes necessary are NOT
+  /// invented: call complete() or check() after. When it throws, the deck is unchanged.
   /// @throws InputError naming close matches for an unknown variable, or the type that is expected.
   void set(std::string_view name, std::string_view value);
-  /// Adds required records that are missing (default values; 0 / "" where there is none) and drops
-  /// those that no longer apply, in schema order.
+  /// Adds required records that are missing (from the shelf, else default values; 0 / "" where
+  /// there is none) and shelves those that no longer apply, in schema order.
   void complete();
   /// An Issue that points at a variable of this deck (file, line, record, value filled in).
   [[nodiscard]] Issue issue(Severity severity, std::string_view name, std::string message,

@@ -21,4 +21,8 @@ struct DefaultUsed {
 /// constants or default names. In deck order.
 std::vector<DefaultUsed> defaults_used(const Deck& deck);
 
+/// What nobody gave in `after` and `before` did not have: records and array elements that changed
+/// options brought in, with their default values. One warning per record.
+std::vector<Issue> added_defaults(const Deck& before, const Deck& after);
+
 }  // namespace adore::deck

@@ -132,6 +132,24 @@ std::vector<std::string_view> split_at_commas(std::string_view text) {
   }
 }
 
+bool is_at(const RecordData& data, std::string_view id, int instance) {
+  return data.instance == instance && data.id == id;
+}
+
+/// The record as it was given before, taken off the shelf; without values when it never was.
+RecordData from_shelf(Deck& deck, std::string_view id, int instance) {
+  RecordData data;
+  const auto known = std::find_if(deck.shelf.begin(), deck.shelf.end(),
+                                  [&](const RecordData& r) { return is_at(r, id, instance); });
+  if (known != deck.shelf.end()) {
+    data = std::move(*known);
+    deck.shelf.erase(known);
+  }
+  data.id = id;
+  data.instance = instance;
+  return data;
+}
+
 /// The record that holds the variable; a record that the present options ask for is added with
 /// defaults.
 const VariableRef* find_or_add(Deck& deck, std::span<const VariableRef> refs, int instance) {
@@ -141,9 +159,7 @@ const VariableRef* find_or_add(Deck& deck, std::span<const VariableRef> refs, in
     if (!evaluate(ref.record->condition, scope_of(deck)) ||
         instance > repeat_count(deck, *ref.record))
       continue;
-    RecordData data;
-    data.id = ref.record->id;
-    data.instance = instance;
+    RecordData data = from_shelf(deck, ref.record->id, instance);
     const auto placed =
         deck.records.insert(place_of(deck.records, *ref.record, instance), std::move(data));
     fill_with_defaults(deck, static_cast<std::size_t>(placed - deck.records.begin()));
@@ -225,6 +241,7 @@ void Deck::set(std::string_view name, std::string_view value) {
     for (std::size_t i = 0; i < parts.size(); ++i) elements[i] = parse_value(spec, name, parts[i]);
   }
   records = std::move(changed.records);
+  shelf = std::move(changed.shelf);
 }
 
 void Deck::complete() {
@@ -235,15 +252,21 @@ void Deck::complete() {
     const int count = repeat_count(*this, spec);
     for (int instance = 1; instance <= count; ++instance) {
       const auto known = std::find_if(old.begin(), old.end(), [&](const RecordData& data) {
-        return data.instance == instance && data.id == spec.id;
+        return is_at(data, spec.id, instance);
       });
-      RecordData data;
-      if (known != old.end()) data = std::move(*known);
-      data.id = spec.id;
-      data.instance = instance;
-      records.push_back(std::move(data));
+      if (known != old.end()) {
+        records.push_back(std::move(*known));
+        old.erase(known);
+      } else {
+        records.push_back(from_shelf(*this, spec.id, instance));
+      }
       fill_with_defaults(*this, records.size() - 1);
     }
+  }
+  for (RecordData& dropped : old) {
+    std::erase_if(
+        shelf, [&](const RecordData& data) { return is_at(data, dropped.id, dropped.instance); });
+    shelf.push_back(std::move(dropped));
   }
 }
 

@@ -124,7 +124,7 @@ Range range_in_deck_units(const Deck& deck, const VariableSpec& variable) {
 }
 
 bool in_range(const Range& range, double value) {
-  return std::isfinite(value) && value <= range.max &&
+  return std::isfinite(value) && (range.max_exclusive ? value < range.max : value <= range.max) &&
          (range.min_exclusive ? value > range.min : value >= range.min);
 }
 
@@ -156,7 +156,8 @@ std::string describe_range(const Range& range, std::string_view unit) {
     out =
         fmt::format("{} {:.10g}{}", range.min_exclusive ? "above" : "at least", range.min, suffix);
   if (std::isfinite(range.max))
-    out += fmt::format("{}at most {:.10g}{}", out.empty() ? "" : " and ", range.max, suffix);
+    out += fmt::format("{}{} {:.10g}{}", out.empty() ? "" : " and ",
+                       range.max_exclusive ? "below" : "at most", range.max, suffix);
   return out;
 }
 

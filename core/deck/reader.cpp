@@ -31,6 +31,7 @@ class Reader {
   [[nodiscard]] Step next_step(std::size_t index, bool certain) const;
   bool pass_over_numbers();
   void skip_record();
+  void shelve(const RecordSpec& extra, int instance);
   void note_missing(Step step, bool doubtful);
   void report_missing_at_end();
   void keep_user_lines();
@@ -187,9 +188,30 @@ void Reader::skip_record() {
         fmt::format("this record is not needed and is ignored, because `{}` does not hold",
                     extra.condition),
         "remove it, or change the options");
+  const bool known_before = state_.deck().has_record(extra.id) && extra.repeat.empty();
+  if (!known_before && !is_doubtful(extra.condition)) shelve(extra, label.hint->instance);
   state_.spec = expected;
   const Label* next = state_.labels.after_line(label.line);
   state_.scanner.go_to_line(next == nullptr ? state_.scanner.lines().size() : next->line);
+}
+
+/// Keeps a record that the options do not ask for, quietly: when they change, the checks tell what
+/// is wrong with it.
+void Reader::shelve(const RecordSpec& extra, int instance) {
+  if (instance == 0 && !extra.repeat.empty()) return;  // its label does not say which it is
+  const Reported reported = state_.reported;
+  const std::vector<Issue> issues = state_.result.issues;
+  const std::size_t dropped = state_.issues_dropped;
+  const std::size_t records = state_.deck().records.size();
+  record_reader_.read(extra, std::max(1, instance));
+  std::vector<RecordData>& all = state_.deck().records;
+  if (all.size() > records) {
+    state_.deck().shelf.push_back(std::move(all.back()));
+    all.pop_back();
+  }
+  state_.reported = reported;
+  state_.result.issues = issues;
+  state_.issues_dropped = dropped;
 }
 
 void Reader::note_missing(Step step, bool doubtful) {

@@ -27,6 +27,7 @@ struct Range {  ///< in the deck's SI unit; inclusive unless said otherwise
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
   bool min_exclusive = false;
+  bool max_exclusive = false;
 };
 
 struct OptionSpec {

@@ -70,12 +70,14 @@ std::string json_variable(const VariableSpec& v) {
       "\"si_factor\": {}, "
       "\"en_factor\": {}, \"unitless_when\": {}, \"options\": {}, \"option_table\": {}, "
       "\"default\": {}, \"min\": {}, "
-      "\"max\": {}, \"min_exclusive\": {}, \"max_length\": {}, \"help\": {}}}",
+      "\"max\": {}, \"min_exclusive\": {}, \"max_exclusive\": {}, \"max_length\": {}, \"help\": "
+      "{}}}",
       json_string(v.name), json_string(type_name(v.type)), json_string(v.length),
       json_string(v.unit.si), json_string(v.unit.en), v.unit.si_factor, v.unit.en_factor,
       json_string(v.unitless_when), json_options(v.options), json_string(v.option_table),
       v.default_value.empty() ? "null" : json_string(v.default_value), json_bound(v.range.min),
-      json_bound(v.range.max), v.range.min_exclusive, v.max_length, json_string(v.help));
+      json_bound(v.range.max), v.range.min_exclusive, v.range.max_exclusive, v.max_length,
+      json_string(v.help));
 }
 
 std::string markdown_cell(std::string_view text) {

@@ -10,10 +10,12 @@ namespace adore::deck {
 namespace {
 
 using range::kAny;
+using range::kConeAngle;
 using range::kConformity;
+using range::kContactAngle;
+using range::kGroove;
 using range::kNotNegative;
 using range::kPositive;
-using range::kQuadrant;
 using range::kTilt;
 using unit::kAngle;
 using unit::kLength;
@@ -51,16 +53,18 @@ RecordSpec ball_geometry() {
       "5A", "Ball bearing geometry", "kBrg == 1",
       {real("bReDia", kLength, kPositive, "Nominal ball diameter."),
        real("pitchDia", kLength, kPositive, "Pitch diameter: the circle of the ball centres."),
-       real("freeConAng", kAngle, kQuadrant,
+       real("freeConAng", kAngle, kContactAngle,
             "Free contact angle. When it is above 0 it rules and the clearance follows from it; 0 "
             "derives it from freeIntCls."),
        real("freeIntCls", kLength, kAny,
             "Free internal diametral clearance, used when freeConAng is 0. Negative means "
             "interference."),
-       real("raceCurFac1", kPure, kConformity,
-            "Outer groove radius divided by ball diameter; above 0.5, usually 0.515 to 0.53."),
-       real("raceCurFac2", kPure, kConformity,
-            "Inner groove radius divided by ball diameter; above 0.5, usually 0.515 to 0.53."),
+       real("raceCurFac1", kPure, kGroove,
+            "Outer groove radius divided by ball diameter; above 0.5 and below 1, usually 0.515 to "
+            "0.53."),
+       real("raceCurFac2", kPure, kGroove,
+            "Inner groove radius divided by ball diameter; above 0.5 and below 1, usually 0.515 to "
+            "0.53."),
        real(
            "shoulderDia1", kLength, kNotNegative,
            "Shoulder diameter of the outer race; only tells how far the contact is from the edge."),
@@ -131,7 +135,7 @@ VariableSpec roller_groove(int race, std::string_view name) {
 
 VariableSpec cone_angle(int race, std::string_view name) {
   return real(
-      keep(fmt::format("raceTaper{}", race)), kAngle, kQuadrant,
+      keep(fmt::format("raceTaper{}", race)), kAngle, kConeAngle,
       keep(fmt::format(
           "Half cone angle of the {} race. The pitch diameter follows from both cones, which share "
           "their apex.",
@@ -163,7 +167,7 @@ RecordSpec spherical_roller() {
        real("pitchDia", kLength, kPositive, "Pitch diameter: the circle of the roller centres."),
        real("freeIntCls", kLength, kAny, "Free diametral play; negative means preload."),
        roller_groove(1, "outer"), roller_groove(2, "inner"),
-       real("freeConAng", kAngle, kQuadrant,
+       real("freeConAng", kAngle, kContactAngle,
             "Nominal contact angle of the row, from the radial plane: the tilt of the inner race "
             "surface from the shaft axis."),
        roughness(1, "outer"), roughness(2, "inner")});

@@ -11,6 +11,7 @@ namespace {
 
 using range::kAny;
 using range::kNotNegative;
+using range::kTaper;
 using unit::kAngle;
 using unit::kLength;
 using unit::kPure;
@@ -64,10 +65,10 @@ struct RaceNames {
 
 /// A wave over the turn, a sin(w theta + phi): amplitude, waves per turn, phase.
 std::vector<VariableSpec> wave(std::string_view stem, int race, const UnitPair& unit,
-                               std::string_view what) {
+                               std::string_view what, Range amplitude = kAny) {
   const auto name = [&](int i) { return keep(fmt::format("{}{}{}", stem, i, race)); };
   return {
-      real(name(1), unit, kAny,
+      real(name(1), unit, amplitude,
            keep(fmt::format("Amplitude a of the {}, a sin(w theta + phi).", what))),
       real(name(2), kWaves, kNotNegative, keep(fmt::format("Waves per turn w of the {}.", what))),
       real(name(3), kAngle, kAny, keep(fmt::format("Phase phi of the {}.", what)))};
@@ -105,7 +106,7 @@ void add_race_errors(std::vector<RecordSpec>& out, const RaceNames& race, std::s
         append(variables, wave("rlOffset", race.number, kLength,
                                keep(fmt::format("axial offset of the land, {} race", race.name))));
         append(variables, wave("rlTaper", race.number, kRadian,
-                               keep(fmt::format("taper of the land, {} race", race.name))));
+                               keep(fmt::format("taper of the land, {} race", race.name)), kTaper));
       }
       out.push_back(
           record(keep(fmt::format("5G.2.{}{}", race.number, variant)),

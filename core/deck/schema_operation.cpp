@@ -20,28 +20,35 @@ using unit::kRotation;
 using unit::kTemperature;
 
 RecordSpec room_and_fits() {
-  return record("9.0", "Room temperature, fits, residual stress", "true",
-                {real("roomTemp", kTemperature, kPositive,
-                      "Room temperature (absolute), at which all dimensions and fits are given."),
-                 real("raceFit1", kLength, kAny,
-                      "Diametral fit of the outer race in the housing, mounted at room "
-                      "temperature; positive is interference."),
-                 real("raceFit2", kLength, kAny,
-                      "Diametral fit of the inner race on the shaft, mounted at room temperature; "
-                      "positive is interference."),
-                 real("angVelOrient", kAngle, kAny,
-                      "Angle of the ball spin axis from x; used only when kAngVel is 2."),
-                 real("res1", unit::kStress, kAny,
-                      "Residual stress of the outer race in operation, tension positive; enters "
-                      "the STLE life factor."),
-                 real("res2", unit::kStress, kAny,
-                      "Residual stress of the inner race in operation, tension positive; enters "
-                      "the STLE life factor."),
-                 real("facStrLimit", kPure, kNotNegative,
-                      "Multiplier on the fatigue limit stress. 1 puts it at the octahedral shear "
-                      "stress that belongs to the von Mises "
-                      "stress of the race material; 1.28 reproduces ISO 281 for AISI 52100.",
-                      "1.0")});
+  return record(
+      "9.0", "Room temperature, fits, residual stress", "true",
+      {real("roomTemp", kTemperature, kPositive,
+            "Room temperature (absolute), at which all dimensions and fits are given."),
+       real("raceFit1", kLength, kAny,
+            "Diametral fit of the outer race in the housing, mounted at room "
+            "temperature; positive is interference."),
+       real("raceFit2", kLength, kAny,
+            "Diametral fit of the inner race on the shaft, mounted at room temperature; "
+            "positive is interference."),
+       real("angVelOrient", kAngle, kAny,
+            "Angle from the x axis of the axis that a ball spins about, relative to its "
+            "orbit, in the plane through ball and bearing axis; used only when kAngVel is "
+            "2. The end of the axis towards -x rises outwards when the angle is "
+            "positive: at the contact angle the ball rolls without spin. With an inner "
+            "race that turns positively the spin points to -x, so that theta in the "
+            "listing, of the whole angular velocity with the orbit in it, is somewhat "
+            "below 180 degrees less this angle."),
+       real("res1", unit::kStress, kAny,
+            "Residual stress of the outer race in operation, tension positive; enters "
+            "the STLE life factor."),
+       real("res2", unit::kStress, kAny,
+            "Residual stress of the inner race in operation, tension positive; enters "
+            "the STLE life factor."),
+       real("facStrLimit", kPure, kNotNegative,
+            "Multiplier on the fatigue limit stress. 1 puts it at the octahedral shear "
+            "stress that belongs to the von Mises "
+            "stress of the race material; 1.28 reproduces ISO 281 for AISI 52100.",
+            "1.0")});
 }
 
 RecordSpec loads() {

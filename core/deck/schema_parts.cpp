@@ -46,7 +46,7 @@ VariableSpec integer(std::string_view name, Range range, std::string_view help,
   variable.unit = unit::kNone;
   variable.default_value = default_value;
   variable.range = {std::max(range.min, -kLargestInteger), std::min(range.max, kLargestInteger),
-                    range.min_exclusive};
+                    range.min_exclusive, range.max_exclusive};
   variable.help = help;
   return variable;
 }

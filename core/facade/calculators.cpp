@@ -1,6 +1,7 @@
 #include "facade/calculators.hpp"
 
 #include "base/errors.hpp"
+#include "facade/calculator_inputs.hpp"
 #include "facade/reference/adapters.hpp"
 
 #include <fmt/format.h>
@@ -87,6 +88,34 @@ const std::vector<CalculatorInfo>& calculators() {
   return table;
 }
 
+namespace {
+
+std::string see_description(std::string_view name) {
+  return fmt::format("`adore calc {} --describe` lists its inputs, with an example", name);
+}
+
+/// The name in single or double quotes within a text; empty when there is none.
+std::string quoted(std::string_view text) {
+  const std::size_t first = text.find('\'', text.find("key"));
+  const std::size_t last = first == std::string_view::npos ? first : text.find('\'', first + 1);
+  return last == std::string_view::npos ? std::string()
+                                        : std::string(text.substr(first + 1, last - first - 1));
+}
+
+/// A sentence for what the JSON library says: a key that is not there, or a value of another type.
+std::string misfit(std::string_view name, std::string_view family,
+                   const nlohmann::json::exception& error) {
+  constexpr int kNoSuchKey = 403;
+  const std::string key = quoted(error.what());
+  if (error.id == kNoSuchKey && !key.empty())
+    return fmt::format("calculator {}: the input {} is missing; {}", name,
+                       paths_of_key(family, key), see_description(name));
+  return fmt::format("calculator {}: an input is missing or of the wrong type; {}", name,
+                     see_description(name));
+}
+
+}  // namespace
+
 nlohmann::json calculate(std::string_view name, const nlohmann::json& input) {
   const auto& table = calculators();
   const auto named = std::find_if(table.begin(), table.end(),
@@ -101,24 +130,25 @@ nlohmann::json calculate(std::string_view name, const nlohmann::json& input) {
   if (!input.is_object())
     throw InputError(fmt::format("calculator {} takes one JSON object of inputs", name));
   nlohmann::json the_case = input.contains("inputs") ? input : nlohmann::json{{"inputs", input}};
+  if (!the_case.at("inputs").is_object())
+    throw InputError(fmt::format("calculator {}: \"inputs\" must be one JSON object", name));
   if (!the_case.contains("id")) the_case["id"] = name;
   if (!the_case.contains("kind") && named != table.end() && !named->kind.empty())
     the_case["kind"] = named->kind;
+  check_calculator_inputs(family, the_case.at("inputs"));
   std::optional<nlohmann::json> result;
   try {
     for (const reference::Adapter& adapter : adapters)
       if (!result) result = adapter.run(the_case);
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(
-        fmt::format("calculator {}: an input is missing or has the wrong type ({}); "
-                    "tests/reference explains the inputs of "
-                    "family {}",
-                    name, error.what(), family));
+    throw InputError(misfit(name, family, error));
   }
   if (!result)
-    throw InputError(fmt::format(
-        "calculator {} does not understand these inputs; see family {} in tests/reference", name,
-        family));
+    throw InputError(fmt::format("calculator {} does not know what to do with these inputs; {}",
+                                 name, see_description(name)));
+  nlohmann::json units = result_units(family, *result);
+  if (result->is_object() && !units.empty() && !result->contains("units"))
+    (*result)["units"] = std::move(units);
   return *result;
 }
 

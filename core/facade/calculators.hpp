@@ -20,7 +20,9 @@ struct CalculatorInfo {
 [[nodiscard]] const std::vector<CalculatorInfo>& calculators();
 
 /// @param input the object of inputs, or a whole reference case with "inputs" (and "kind").
-/// @throws InputError naming the calculators, or what the input lacks.
+/// @return the results, and under "units" the unit of each.
+/// @throws InputError naming the calculators, what the input lacks, or which of its keys are
+/// unknown.
 [[nodiscard]] nlohmann::json calculate(std::string_view name, const nlohmann::json& input);
 
 }  // namespace adore::facade

@@ -1,7 +1,12 @@
 #include "facade/check.hpp"
 
 #include "build/build_bearing.hpp"
+#include "build/build_life.hpp"
+#include "build/run_control.hpp"
 #include "facade/prepare.hpp"
+#include "life/parameters.hpp"
+#include "statics/ball_model.hpp"
+#include "statics/roller_model.hpp"
 #include "thermal/operating.hpp"
 
 #include <algorithm>
@@ -14,6 +19,18 @@ namespace {
 bool has_error(const std::vector<Issue>& issues) {
   return std::any_of(issues.begin(), issues.end(),
                      [](const Issue& issue) { return issue.severity == Severity::Error; });
+}
+
+/// What a run builds of a deck before it solves anything. @throws InputError
+void check_rest(const deck::Deck& deck, const bearing::Bearing& operating) {
+  (void)build::build_run_control(deck);
+  const bearing::LifeInputs life_inputs = build::build_life(deck);
+  const bool line = operating.rollers.has_value();
+  (void)life::life_parameters(life_inputs, line, operating.ball_material, operating.race_material);
+  if (line)
+    (void)statics::make_roller_model(operating, {});
+  else
+    (void)statics::make_ball_model(operating, {});
 }
 
 }  // namespace
@@ -37,8 +54,12 @@ std::vector<Issue> check_model(const deck::Deck& deck) {
     const bearing::Bearing operating = thermal::operating_bearing(build::build_bearing(model));
     for (Issue& issue : operating_warnings(operating, deck.file))
       issues.push_back(std::move(issue));
+    check_rest(model, operating);
   } catch (const InputError& error) {
-    issues.insert(issues.end(), error.issues().begin(), error.issues().end());
+    for (Issue issue : error.issues()) {
+      if (issue.file.empty()) issue.file = deck.file;
+      issues.push_back(std::move(issue));
+    }
   }
   return issues;
 }

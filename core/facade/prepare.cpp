@@ -3,6 +3,7 @@
 #include "build/build_bearing.hpp"
 #include "build/build_life.hpp"
 #include "build/scene_plan.hpp"
+#include "deck/defaults.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/scene_estimate.hpp"
 #include "facade/static_plan.hpp"
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
+#include <set>
 
 namespace adore::facade {
 namespace fs = std::filesystem;
@@ -54,6 +56,74 @@ double timed(Action&& action) {
   const auto begin = std::chrono::steady_clock::now();
   action();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// What is to be said of a deck whose variables were set: the reader's remarks that still hold,
+/// what the sets brought in, and what the checks say now.
+std::vector<Issue> remarks_after_sets(const deck::Deck& given, const deck::Deck& changed,
+                                      const std::vector<Issue>& read) {
+  std::set<std::string> by_checks;
+  for (const Issue& issue : deck::check_deck(given)) by_checks.insert(issue.text());
+  std::vector<Issue> out;
+  for (const Issue& issue : read) {
+    const bool came_back = !given.has_record(issue.record) && changed.has_record(issue.record);
+    if (by_checks.count(issue.text()) == 0 && !came_back) out.push_back(issue);
+  }
+  for (Issue& issue : deck::added_defaults(given, changed)) out.push_back(std::move(issue));
+  for (Issue& issue : deck::check_deck(changed)) out.push_back(std::move(issue));
+  return out;
+}
+
+Prepared prepare_model(LoadedDeck input) {
+  Prepared out;
+  out.input = std::move(input);
+  const deck::Deck& deck = out.input.deck;
+  out.options = build::build_run_options(out.input.option_values);
+  out.as_built = build::build_bearing(deck, out.options.seed);
+  out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
+  for (Issue& issue : build::check_buildable(deck)) out.input.warnings.push_back(std::move(issue));
+  out.bearing = thermal::operating_bearing(out.as_built);
+  for (Issue& issue : operating_warnings(out.bearing, out.input.path.string()))
+    out.input.warnings.push_back(std::move(issue));
+  out.control = build::build_run_control(deck);
+  out.plan = out.control.dynamic ? build::make_scene_plan(deck, out.bearing, out.control)
+                                 : static_plan(out);
+  const bearing::LifeInputs life_inputs = build::build_life(deck, out.options.life);
+  out.stiffness_seconds = timed([&] { out.stiffness = stiffness_over_speed(out); });
+  // The first speed at which the table's geometry gives way.
+  for (const statics::StiffnessRow& row : out.stiffness) {
+    if (!row.operating || row.operating->warnings.empty()) continue;
+    constexpr double kRpm = 30.0 / std::numbers::pi;
+    for (const std::string& text : row.operating->warnings)
+      out.input.warnings.push_back(
+          remark(Severity::Warning, out.input.path.string(),
+                 fmt::format("stiffness over speed, from {:g} and {:g} rpm on: {}",
+                             kRpm * row.speed[0], kRpm * row.speed[1], text)));
+    break;
+  }
+  const auto judge = [&](const life::RaceStrength& strength) {
+    for (const std::string& text : life::strength_warnings(out.bearing, strength))
+      out.input.warnings.push_back(remark(Severity::Warning, out.input.path.string(), text));
+  };
+  if (out.bearing.rollers) {
+    out.solve_seconds = timed(
+        [&] { out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers); });
+    judge(life::contact_strength(out.bearing, *out.rollers));
+    out.life = life::roller_bearing_life(out.bearing, life_inputs, *out.rollers);
+    return out;
+  }
+  out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
+  judge(life::contact_strength(out.bearing, out.statics));
+  if (out.control.dynamic) {
+    out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls.contact_angle);
+    statics::StaticsOptions frozen;
+    frozen.curvature = statics::Curvature::Fixed;
+    frozen.fixed_angle = out.fixed_angle;
+    out.start = statics::solve_ball_statics(out.bearing, frozen);
+  }
+  out.life = life::ball_bearing_life(out.bearing, life_inputs,
+                                     out.control.dynamic ? out.start : out.statics);
+  return out;
 }
 
 }  // namespace
@@ -109,9 +179,10 @@ LoadedDeck load_deck(const DeckRequest& request) {
   std::vector<Issue> issues = std::move(read.issues);
   out.deck = std::move(read.deck);
   if (!request.sets.empty() && read.ok()) {
+    const deck::Deck given = out.deck;
     for (const auto& [name, value] : request.sets) out.deck.set(name, value);
     out.deck.complete();
-    issues = deck::check_deck(out.deck);
+    issues = remarks_after_sets(given, out.deck, issues);
   }
   bool wrong = false;
   for (const Issue& issue : issues) wrong = wrong || issue.severity == Severity::Error;
@@ -143,55 +214,16 @@ Prepared prepare(const DeckRequest& request) {
 }
 
 Prepared prepare(LoadedDeck input) {
-  Prepared out;
-  out.input = std::move(input);
-  const deck::Deck& deck = out.input.deck;
-  out.options = build::build_run_options(out.input.option_values);
-  out.as_built = build::build_bearing(deck, out.options.seed);
-  out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
-  for (Issue& issue : build::check_buildable(deck)) out.input.warnings.push_back(std::move(issue));
-  out.bearing = thermal::operating_bearing(out.as_built);
-  for (Issue& issue : operating_warnings(out.bearing, out.input.path.string()))
-    out.input.warnings.push_back(std::move(issue));
-  out.control = build::build_run_control(deck);
-  out.plan = out.control.dynamic ? build::make_scene_plan(deck, out.bearing, out.control)
-                                 : static_plan(out);
-  const bearing::LifeInputs life_inputs = build::build_life(deck, out.options.life);
-  out.stiffness_seconds = timed([&] { out.stiffness = stiffness_over_speed(out); });
-  // The first speed at which the table's geometry gives way.
-  for (const statics::StiffnessRow& row : out.stiffness) {
-    if (!row.operating || row.operating->warnings.empty()) continue;
-    constexpr double kRpm = 30.0 / std::numbers::pi;
-    for (const std::string& text : row.operating->warnings)
-      out.input.warnings.push_back(
-          remark(Severity::Warning, out.input.path.string(),
-                 fmt::format("stiffness over speed, from {:g} and {:g} rpm on: {}",
-                             kRpm * row.speed[0], kRpm * row.speed[1], text)));
-    break;
+  const std::string file = input.path.string();
+  (void)build::build_run_options(input.option_values);  // what is wrong with them is not the deck's
+  try {
+    return prepare_model(std::move(input));
+  } catch (const InputError& error) {
+    std::vector<Issue> issues = error.issues();
+    for (Issue& issue : issues)
+      if (issue.file.empty()) issue.file = file;
+    throw InputError(std::move(issues));
   }
-  const auto judge = [&](const life::RaceStrength& strength) {
-    for (const std::string& text : life::strength_warnings(out.bearing, strength))
-      out.input.warnings.push_back(remark(Severity::Warning, out.input.path.string(), text));
-  };
-  if (out.bearing.rollers) {
-    out.solve_seconds = timed(
-        [&] { out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers); });
-    judge(life::contact_strength(out.bearing, *out.rollers));
-    out.life = life::roller_bearing_life(out.bearing, life_inputs, *out.rollers);
-    return out;
-  }
-  out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
-  judge(life::contact_strength(out.bearing, out.statics));
-  if (out.control.dynamic) {
-    out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls.contact_angle);
-    statics::StaticsOptions frozen;
-    frozen.curvature = statics::Curvature::Fixed;
-    frozen.fixed_angle = out.fixed_angle;
-    out.start = statics::solve_ball_statics(out.bearing, frozen);
-  }
-  out.life = life::ball_bearing_life(out.bearing, life_inputs,
-                                     out.control.dynamic ? out.start : out.statics);
-  return out;
 }
 
 dynamics::System make_system(const Prepared& prepared) {

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 #include <mutex>
+#include <set>
 #include <thread>
 
 namespace adore::facade {
@@ -110,6 +111,20 @@ Row run_one(const RunRequest& request, std::string value, std::stop_token stop) 
   return row;
 }
 
+/// Remarks that differ only in their numbers come once, from the first run that makes them.
+std::vector<Issue> warnings_once(const std::vector<Row>& rows) {
+  std::set<std::string> seen;
+  std::vector<Issue> out;
+  for (const Row& row : rows)
+    for (const Issue& issue : row.outcome.warnings) {
+      std::string words = issue.record + issue.variable;
+      for (const char c : issue.message)
+        if ((c < '0' || c > '9') && c != '.') words += c;
+      if (seen.insert(words).second) out.push_back(issue);
+    }
+  return out;
+}
+
 }  // namespace
 
 bool is_sweep(const RunRequest& request) {
@@ -182,6 +197,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
                 [](const Row& row) { return row.value.empty(); });  // not started: interrupted
   SweepOutcome out;
   out.table = folder / "SWEEP.csv";
+  out.warnings = warnings_once(rows);
   for (const Row& row : rows) out.exit_code = std::max(out.exit_code, row.exit_code);
   if (stop.stop_requested()) out.exit_code = 130;
   write_file_atomically(out.table, sweep_csv(variable, unit_of(request, variable), rows));

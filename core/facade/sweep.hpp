@@ -14,6 +14,7 @@ namespace adore::facade {
 struct SweepOutcome {
   std::filesystem::path table;  ///< SWEEP.csv: one line per run
   int exit_code = 0;            ///< the worst of the runs
+  std::vector<Issue> warnings;  ///< of all runs, those that differ only in numbers once
 };
 
 /// Runs are independent and spread over `threads` (0: all cores); folders "<var>-<k>" below the

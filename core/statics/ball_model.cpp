@@ -55,7 +55,7 @@ void check_material(const bearing::Material& m, const char* part) {
 
 double prescribed_pitch_angle(double angle) {
   // A spin axis is a line: angles that differ by half a turn are the same.
-  return angle - std::numbers::pi * std::round(angle / std::numbers::pi);
+  return angle - std::numbers::pi * std::ceil(angle / std::numbers::pi - 0.5);
 }
 
 }  // namespace

@@ -190,11 +190,11 @@ void check_rolling(const BallModel& m, const BallRace& state) {
   for (std::size_t k = 0; k < state.elements.size(); ++k) {
     const BallState& ball = state.elements[k];
     if (!ball_forces<double>(m, ball.site, ball.x, ball.rho, inner_pose<double>(m, q)).rolls) {
-      throw SolverError(
-          fmt::format("bearing equilibrium: with the prescribed spin axis at {:.6g} rad from the "
-                      "bearing axis ball {} cannot roll on both "
-                      "races; prescribe an angle near the contact angle",
-                      m.spin_angle, k + 1));
+      throw SolverError(fmt::format(
+          "bearing equilibrium: with the spin axis prescribed at {:.6g} degrees from the "
+          "bearing axis (angVelOrient, less half turns) ball {} cannot roll on both "
+          "races; prescribe an angle near the contact angle",
+          m.spin_angle * 180.0 / std::numbers::pi, k + 1));
     }
   }
 }

@@ -118,6 +118,9 @@ UnstableMode unstable_mode(const RaceScales& scales, const RaceTask& task, const
   if (eigen.eigenvalues()(0) < -1e-6 * k_ref) {
     mode.stiffness = eigen.eigenvalues()(0);
     mode.direction = eigen.eigenvectors().col(0);
+    Eigen::Index largest = 0;
+    mode.direction.cwiseAbs().maxCoeff(&largest);
+    mode.lever = lever_of(scales, largest);
   }
   return mode;
 }
@@ -128,9 +131,10 @@ std::string instability_note(const UnstableMode& mode,
   mode.direction.cwiseAbs().maxCoeff(&largest);
   std::string text = fmt::format(
       "this equilibrium is not stable: the stiffness of the inner race mainly {} is negative "
-      "({:.3g} N/m), so that a disturbance grows; prescribe that displacement if the shaft holds "
+      "({:.3g} {}), so that a disturbance grows; prescribe that displacement if the shaft holds "
       "it. ",
-      kDirection[static_cast<std::size_t>(largest)], mode.stiffness);
+      kDirection[static_cast<std::size_t>(largest)], mode.stiffness * mode.lever * mode.lever,
+      largest < 3 ? "N/m" : "N.m/rad");
   if (stable_ones.empty()) {
     return text + "No stable equilibrium was found beside it";
   }

@@ -105,6 +105,7 @@ struct RaceStep {
 struct UnstableMode {
   double stiffness = 0.0;         ///< [N/m], < 0; 0: the free directions are stable
   Vec5 direction = Vec5::Zero();  ///< scaled
+  double lever = 1.0;             ///< of its largest component (lever_of)
   [[nodiscard]] explicit operator bool() const { return stiffness < 0.0; }
 };
 /// The lowest eigenvalue of the symmetric part of the free directions' stiffness, if it lies below

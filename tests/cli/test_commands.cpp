@@ -135,3 +135,58 @@ TEST_CASE("adore calc knows fits, growth, clearance, materials and units", "[cli
   CHECK(bad.code == 2);
   CHECK(contains(bad.out, "valid codes"));
 }
+
+TEST_CASE("adore calc tells what it takes, with units, and refuses what it does not", "[cli]") {
+  const Folder folder;
+  const auto calc = [&](const std::string& name, const std::string& input) {
+    write(folder / "in.json", input);
+    return run_adore("calc " + name + " --json " + (folder / "in.json").string());
+  };
+  const json list = json::parse(run_adore("calc --list --as-json").out);
+  REQUIRE(list.size() > 30);
+  for (const json& one : list) {
+    INFO(one.at("name"));
+    REQUIRE_FALSE(one.at("calculations").empty());
+    for (const json& calculation : one.at("calculations")) {
+      CHECK_FALSE(calculation.at("inputs").empty());
+      const json& row = calculation.at("inputs").at(0);
+      CHECK(row.contains("unit"));
+    }
+  }
+  const std::string text = run_adore("calc hertz --describe").out;
+  CHECK(contains(text, "body1.E"));
+  CHECK(contains(text, "Pa"));
+  const std::string example = text.substr(text.find("example") + 8);
+  const Result good = calc("hertz", example);
+  INFO(good.out);
+  REQUIRE(good.code == 0);
+  CHECK(json::parse(good.out).at("units").at("p_max") == "Pa");
+
+  struct Refusal {
+    const char* name;
+    const char* input;
+    const char* said;
+  };
+  const Refusal refusals[] = {
+      {"hertz", "{}", "the input body1 is missing"},
+      {"hertz", R"({"bodyy1": {}})", "bodyy1: there is no such input; did you mean body1"},
+      {"hertz", R"({"body1": {"Rx": 0.01, "Ry": 0.01, "E": -1, "nu": 0.3}})",
+       "body1.E: -1 is out of range; give a positive number [Pa]"},
+      {"hertz", R"({"load": -10})", "load: -10 is out of range; give a positive number [N]"},
+      {"hertz", R"({"load": "much"})", "of the wrong type; give a positive number [N]"},
+      {"hertz", R"({"body1": 3})", "give an object with E, Rx, Ry, nu"},
+      {"material", R"({"code": 101.5})", "101.5 is out of range"},
+      {"material", R"({"code": 100, "temperature": 300})", "there is no such input"},
+      {"fits", R"({"inputs": 3})", "must be one JSON object"},
+  };
+  for (const Refusal& r : refusals) {
+    const Result result = calc(r.name, r.input);
+    INFO(result.out);
+    CHECK(result.code == 2);
+    CHECK(contains(result.out, r.said));
+    CHECK_FALSE(contains(result.out, "json.exception"));
+  }
+  const json hot = json::parse(calc("material", R"({"code": 100, "T": 2500})").out);
+  CHECK(contains(hot.at("clamped").at("elastic_modulus").get<std::string>(), "T is outside"));
+  CHECK(json::parse(calc("material", R"({"code": 100, "T": 300})").out).at("clamped").empty());
+}

@@ -187,3 +187,89 @@ TEST_CASE("lost clearance and loose fits are said on the terminal, in PRINT and 
   const Result check = run_adore("check " + folder.path().string());
   CHECK(check.code == 0);
 }
+
+TEST_CASE("a set brings back the record that the deck holds, and names the defaults it invents",
+          "[cli]") {
+  const Folder folder;
+  const std::string path = (folder / "DATA.txt").string();
+  REQUIRE(run_adore("new angular-218 --out " + path).code == 0);
+  const std::string plain = read(folder / "DATA.txt");
+  const auto pressure = [&](const std::string& more, const char* said) {
+    const Result run = run_adore("run " + path + " --quiet " + more);
+    INFO(run.out);
+    REQUIRE(run.code == 0);
+    CHECK(contains(run.out, "was added with default values") == (said != nullptr));
+    if (said != nullptr) CHECK(contains(run.out, said));
+    return json::parse(read(folder / "RUN.json"))
+        .at("summary")
+        .at("largest_pressure_Pa")
+        .get<double>();
+  };
+  const double ideal = pressure("", nullptr);
+  CHECK(pressure("--set kReGeoImp=1", "record 5G.1A: was added with default values") == ideal);
+  CHECK(pressure("--set kRaceGeoImp2=2", "rndVar12 = 0.0 m") == ideal);
+  const double given = pressure("--set kReGeoImp=1 --set reDiaVar=2e-6", nullptr);
+  CHECK(given > ideal);
+
+  std::string with_record = plain;
+  with_record.insert(with_record.find("'Rec 7.0'"), "'Rec 5G.1A', 2.0e-6\n");
+  write(path, with_record);
+  CHECK(pressure("", nullptr) == ideal);  // ignored, and said so
+  CHECK(pressure("--set kReGeoImp=1", nullptr) == given);
+}
+
+TEST_CASE("check and run refuse the same values, by record and variable", "[cli]") {
+  struct Case {
+    const char* deck;
+    const char* set;
+    const char* said;
+  };
+  const Case cases[] = {
+      {"tapered-30208", "flngHt12=0.", "record 5F, flngHt12 = 0.0: the flange has no height"},
+      {"tapered-30208", "flngAng12=-1.", "record 5F, flngAng12 = -1.0: the face of a flange"},
+      {"tapered-30208", "bReEndRad1=0.001", "record 5D.1, bReEndRad1 = 0.001: a roller"},
+      {"tapered-30208", "raceTaper2=14.0", "(outer, raceTaper1) and 14 deg (inner) are too close"},
+      {"tapered-30208", "raceTaper1=10.2", "too close: the pitch diameter"},
+      {"cylindrical-nu209", "bReCrn=0.001", "record 5B.1, bReCrn = 0.001: a roller"},
+      {"angular-218", "raceCurFac1=1.1", "give a value above 0.5 and below 1"},
+      {"angular-218", "cageWidth=0.007", "record 7.1, cageWidth = 0.007: the pockets"},
+      {"cylindrical-nu209", "brgOD=0.07", "brgOD"},
+  };
+  for (const Case& c : cases) {
+    const Folder folder;
+    const std::string path = (folder / "DATA.txt").string();
+    REQUIRE(run_adore(std::string("new ") + c.deck + " --out " + path).code == 0);
+    const Result run = run_adore("run " + path + " --quiet --set " + c.set);
+    INFO(run.out);
+    CHECK(run.code == 2);
+    CHECK(contains(run.out, c.said));
+    deck::Deck changed = deck::read_deck(path).deck;
+    const std::string set = c.set;
+    changed.set(set.substr(0, set.find('=')), set.substr(set.find('=') + 1));
+    deck::write_deck(changed, path);
+    const Result check = run_adore("check " + path);
+    INFO(check.out);
+    CHECK(check.code == 2);
+    CHECK(contains(check.out, c.said));
+  }
+}
+
+TEST_CASE("messages about stiffness and spin speak the user's units", "[cli]") {
+  const Folder folder;
+  const std::string path = (folder / "DATA.txt").string();
+  REQUIRE(run_adore("new angular-218 --out " + path).code == 0);
+  const Result spin = run_adore("run " + path + " --set kAngVel=2 --set angVelOrient=90.");
+  INFO(spin.out);
+  CHECK(spin.code == 3);
+  CHECK(contains(spin.out, "at 90 degrees"));
+  CHECK(contains(spin.out, "angVelOrient"));
+
+  const Folder rollers;
+  const std::string nu = (rollers / "DATA.txt").string();
+  REQUIRE(run_adore("new cylindrical-nu209 --out " + nu).code == 0);
+  const Result one = run_adore("run " + nu + " --quiet --opt rollerSlices=1");
+  INFO(one.out);
+  REQUIRE(one.code == 0);
+  const std::string print = read(rollers / "PRINT.txt");
+  if (contains(print, "mainly about")) CHECK(contains(print, "N.m/rad"));
+}

@@ -308,6 +308,8 @@ std::string material_key(const Json& in) {
         fmt::format("part \"{}\" is not one of rolling_element, outer_race, "
                     "inner_race, housing, shaft, cage",
                     part));
+  if (code.is_number() && code.get<double>() != std::round(code.get<double>()))
+    throw InputError(fmt::format("material code {} is not a whole number", code.dump()));
   const int number = code.is_string() ? 0 : code.get<int>();
   return bearing::material_from_table(number, found->second).table_key;
 }
@@ -345,6 +347,14 @@ Json material_case(const Json& in) {
   out["T"] = T;
   for (const char* name : {"elastic_modulus", "cte", "thermal_conductivity", "specific_heat"})
     out[name] = sheet.at(name, T);
+  bearing::Material material;
+  material.table_key = sheet.key;
+  out["clamped"] = Json::object();
+  for (const bearing::ClampedLaw& law : bearing::clamped_laws(material, T))
+    out["clamped"][law.property] = fmt::format(
+        "T is outside of {} to {} K, where the law holds; this is its value at the "
+        "nearer end",
+        law.T_min, law.T_max);
   out["thermal_strain_from_293K"] = sheet.at("cte", T) * (T - bearing::kStrainReference);
   return out;
 }

@@ -325,3 +325,65 @@ TEST_CASE("a value that is set is no default any more, one that complete() adds 
   for (const DefaultUsed& used : defaults_used(deck))
     CHECK_FALSE((used.record == "7.2.i (3)" && used.variable == "cageGsCls"));
 }
+
+TEST_CASE("records that the options do not ask for are kept aside and come back with them",
+          "[unit][deck]") {
+  std::string text = write_deck(new_deck("ball"));
+  text.insert(text.find("'Rec 7.0'"), "'Rec 5G.1A', 2.0e-6\n");
+  const ReadResult read = read_deck_text(text, "DATA.txt");
+  REQUIRE(read.ok());
+  Deck deck = read.deck;
+  CHECK_FALSE(deck.has("reDiaVar"));
+  REQUIRE(deck.shelf.size() == 1);
+  CHECK(write_deck(deck).find("5G.1A") == std::string::npos);
+
+  deck.set("kReGeoImp", "1");
+  deck.complete();
+  CHECK(deck.real("reDiaVar") == 2e-6);
+  CHECK(deck.shelf.empty());
+  CHECK(added_defaults(read.deck, deck).empty());
+  deck.set("kReGeoImp", "0");
+  deck.complete();
+  CHECK_FALSE(deck.has("reDiaVar"));
+  deck.set("kReGeoImp", "1");
+  deck.set("reDiaVar", "3e-6");  // taken back before it is set
+  CHECK(deck.real("reDiaVar") == 3e-6);
+
+  // Repeated records come back by their number: one land of two is dropped and asked for again.
+  Deck lands = read.deck;
+  lands.set("cageGsWidth[2]", "0.0031");
+  lands.set("nGL", "1");
+  lands.complete();
+  CHECK_FALSE(lands.has_record("7.2.i", 2));
+  lands.set("nGL", "2");
+  lands.complete();
+  CHECK(lands.real("cageGsWidth", 2) == 0.0031);
+}
+
+TEST_CASE("what nobody gave is named when changed options bring it in", "[unit][deck]") {
+  const Deck before = new_deck("cylindrical");
+  Deck deck = before;
+  deck.set("kReGeoImp", "1");
+  deck.set("reCrnVar", "0.001");
+  deck.complete();
+  auto issues = added_defaults(before, deck);
+  REQUIRE(issues.size() == 1);
+  CHECK(issues[0].severity == adore::Severity::Warning);
+  CHECK(issues[0].record == "5G.1B");
+  CHECK(issues[0].message.find("reDiaVar = 0.0 m") != std::string::npos);
+  CHECK(issues[0].message.find("reCrnVar") == std::string::npos);
+  for (const char* name : {"reDiaVar", "reLenVar", "reCLVar", "reCLOffset"}) deck.set(name, "0.0");
+  CHECK(added_defaults(before, deck).empty());
+
+  deck = new_deck("ball");
+  const Deck ball = deck;
+  deck.set("kRaceGeoImp2", "2");
+  deck.set("nGL", "3");
+  deck.complete();
+  issues = added_defaults(ball, deck);
+  const std::string all = adore::to_text(issues);
+  INFO(all);
+  CHECK(all.find("record 5G.2.2B: was added with default values") != std::string::npos);
+  CHECK(all.find("record 7.2.i (3): was added") != std::string::npos);
+  CHECK(all.find("iCageGuide[3] = ") != std::string::npos);
+}

@@ -104,7 +104,12 @@ const BadDeck kBadDecks[] = {
     {"no_such_body", Severity::Error, "3.4", "kPltElemInd", "there is no body 16"},
     {"many_bodies", Severity::Warning, "3.4", "kNumPltElem", "hold only the first six"},
     {"ball_flange", Severity::Warning, "3.2", "kFlngInd11", "has no effect"},
-    {"flange_without_height", Severity::Warning, "5F", "flngHt11", "has no height"},
+    {"flange_without_height", Severity::Error, "5F", "flngHt12", "has no height"},
+    {"flange_layback", Severity::Error, "5F", "flngAng12", "leans back"},
+    {"no_rib", Severity::Error, "3.2", "kFlngInd12", "need a flange at their large end"},
+    {"short_ball_cage", Severity::Error, "7.1", "cageWidth", "0.01295 m long, do not fit"},
+    {"unused_spin_angle", Severity::Warning, "9.0", "angVelOrient", "because kAngVel = 1"},
+    {"roller_spin", Severity::Warning, "3.3", "kAngVel", "no effect on rollers"},
     {"long_diameter_list", Severity::Error, "3.2", "kReGeoImp", "the list of diameters holds 40"},
     {"diameter_without_element", Severity::Warning, "5G.1D.2", "reDiaVar13",
      "there is no such element"},
@@ -170,6 +175,8 @@ const BadDeck kBadDecks[] = {
     {"roller_corners", Severity::Error, "5B.1", "bReCorRad1", "whole roller length"},
     {"roller_corner", Severity::Error, "5B.1", "bReCorRad2", "cannot exceed the roller radius"},
     {"cone_angles", Severity::Error, "5D.1", "raceTaper1", "wider than the inner one"},
+    {"cones_too_close", Severity::Error, "5D.1", "raceTaper2", "are too close: the pitch diameter"},
+    {"cones_far_apart", Severity::Error, "5E", "raceTaper2", "are too far apart"},
     {"too_many_tapered", Severity::Error, "3.2", "nRe", "do not fit on the pitch circle"},
 };
 
@@ -402,6 +409,41 @@ TEST_CASE("unusual but legal bearings check clean", "[unit][deck]") {
   CHECK(issues_after({{"intMet", "33"}, {"stpMin", "0.5"}, {"stpInit", "0.5"}}).empty());
   CHECK(
       issues_after({{"kPrtFreq", "0"}, {"nStps", "0"}, {"kIcOpt", "1"}, {"stpInit", "0"}}).empty());
+}
+
+TEST_CASE("options that a quasi-static solution does not use say so", "[unit][deck]") {
+  Deck deck = new_deck("ball");
+  deck_variants::set_all(deck, {{"mode", "-1"}, {"kIcOpt", "1"}, {"kChrn", "13"}});
+  const std::string text = adore::to_text(check_deck(deck));
+  INFO(text);
+  CHECK(text.find("kIcOpt = 1: has no effect, because mode is negative") != std::string::npos);
+  CHECK(text.find("kChrn = 13: has no effect, because mode is negative") != std::string::npos);
+}
+
+TEST_CASE("the remedy for cones that do not belong together works, in either unit system",
+          "[unit][deck]") {
+  for (const double angle : {14.0, 4.0}) {
+    Deck deck = new_deck("tapered");
+    deck.set("raceTaper2", std::to_string(angle));
+    const auto remedy = [&]() -> std::string {
+      for (const Issue& issue : check_deck(deck))
+        if (issue.variable == "raceTaper2" && issue.severity == Severity::Error)
+          return issue.remedy;
+      return {};
+    };
+    const std::string text = remedy();
+    INFO(text);
+    const std::size_t at = text.find("one of ");
+    REQUIRE(at != std::string::npos);
+    const double first = std::stod(text.substr(at + 7));
+    const double last = std::stod(text.substr(text.find(" to ") + 4));
+    CHECK(first < 10.35);
+    CHECK(last > 10.35);
+    for (const double inner : {first + 0.01, last - 0.01}) {
+      deck.set("raceTaper2", std::to_string(inner));
+      CHECK(remedy().empty());
+    }
+  }
 }
 
 TEST_CASE("what is written reads back equal, for every record", "[unit][deck][schema]") {

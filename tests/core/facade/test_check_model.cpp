@@ -2,8 +2,11 @@
 #include "facade/check.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 using namespace adore;
 
@@ -33,4 +36,94 @@ TEST_CASE("a motion that cannot be run has its geometry checked all the same", "
   deck::Deck cylindrical = deck::new_deck("cylindrical");
   cylindrical.set("bReCrn", "0.001");
   CHECK(find(facade::check_model(cylindrical), Severity::Error, "crown radius") != nullptr);
+}
+
+TEST_CASE("impossible shapes are refused by record and variable, with a limit that works",
+          "[unit][check]") {
+  struct Bad {
+    const char* deck;
+    const char* variable;
+    const char* value;
+    const char* phrase;
+  };
+  const Bad bad[] = {
+      {"tapered-30208", "bReEndRad1", "0.001", "cannot have such an end radius; give more than"},
+      {"tapered-30208", "bReCrn", "0.001", "cannot have such a crown radius; give more than"},
+      {"tapered-30208", "bReCorRad2", "0.0037", "cannot have such a corner; give less than"},
+      {"cylindrical-nu209", "bReCrn", "0.001", "cannot have such a crown radius; give more than"},
+      {"spherical-22210", "bReCrn", "0.003", "cannot have such a crown radius; give more than"},
+  };
+  for (const Bad& b : bad) {
+    deck::Deck deck = deck::new_deck(b.deck);
+    deck.file = "DATA.txt";
+    deck.set(b.variable, b.value);
+    const auto issues = facade::check_model(deck);
+    INFO(b.variable << " of " << b.deck << "\n" << to_text(issues));
+    const Issue* issue = find(issues, Severity::Error, b.phrase);
+    REQUIRE(issue != nullptr);
+    CHECK(issue->variable == b.variable);
+    CHECK(issue->file == "DATA.txt");
+    CHECK_FALSE(issue->record.empty());
+    const double limit = std::stod(issue->remedy.substr(issue->remedy.find("than ") + 5));
+    const bool more = issue->remedy.find("more") != std::string::npos;
+    deck.set(b.variable, fmt::format("{}", limit * (more ? 1.001 : 0.999)));
+    CHECK(find(facade::check_model(deck), Severity::Error, "cannot have such") == nullptr);
+  }
+  deck::Deck english = deck::new_deck("tapered-30208");
+  english.set("kUnit", "2");  // the same numbers, now inches: the shape is the same
+  english.set("bReEndRad1", "0.001");
+  CHECK(find(facade::check_model(english), Severity::Error, " in long cannot have") != nullptr);
+}
+
+TEST_CASE("imperfections that leave no bearing are refused by record and variable",
+          "[unit][check]") {
+  const auto refusal = [](const char* name,
+                          const std::vector<std::pair<const char*, const char*>>& sets) {
+    deck::Deck deck = deck::new_deck(name);
+    for (const auto& [variable, value] : sets) deck.set(variable, value);
+    deck.complete();
+    for (const Issue& issue : facade::check_model(deck))
+      if (issue.severity == Severity::Error) return issue.record + " " + issue.variable;
+    return std::string("none");
+  };
+  CHECK(refusal("angular-218", {{"kReGeoImp", "1"}, {"reDiaVar", "0.01"}}) == "5G.1A reDiaVar");
+  CHECK(refusal("angular-218", {{"kReGeoImp", "2"}, {"reDiaVar3", "-0.012"}}) ==
+        "5G.1D.1 reDiaVar3");
+  CHECK(refusal("angular-218", {{"kReGeoImp", "2"}, {"reDiaVar3", "1e-6"}}) == "none");
+  CHECK(refusal("angular-218", {{"kRaceGeoImp1", "2"}, {"cFacVar11", "0.1"}, {"cFacVar21", "2"}}) ==
+        "5G.2.1B cFacVar11");
+  CHECK(refusal("spherical-22210",
+                {{"kRaceGeoImp2", "1"}, {"cFacVar12", "-0.1"}, {"cFacVar22", "1"}}) ==
+        "5G.2.2A cFacVar12");
+  CHECK(refusal("cylindrical-nu209", {{"kReGeoImp", "1"}, {"reLenVar", "0.02"}}) ==
+        "5G.1B reLenVar");
+}
+
+TEST_CASE("waves that cancel and laws that end are remarked", "[unit][check]") {
+  deck::Deck deck = deck::new_deck("cylindrical-nu209");
+  deck.set("kRaceGeoImp2", "2");
+  deck.set("rlTaper12", "1e-4");
+  deck.complete();
+  const char* const none = "rlTaper12 = 0.0001: has no effect";
+  CHECK(find(facade::check_model(deck), Severity::Warning, none) != nullptr);
+  deck.set("rlTaper32", "90.0");
+  CHECK(find(facade::check_model(deck), Severity::Warning, none) == nullptr);
+  deck.set("rlTaper32", "0.0");
+  deck.set("rlTaper22", "2.0");
+  CHECK(find(facade::check_model(deck), Severity::Warning, none) == nullptr);
+  deck.set("rlTaper12", "5.0");
+  CHECK(find(deck::check_deck(deck), Severity::Error,
+             "rlTaper12 = 5.0: is out of range; give a value at least -0.1 rad") != nullptr);
+
+  deck::Deck warm = deck::new_deck("angular-218");
+  warm.set("kTherm", "1");
+  warm.complete();
+  warm.set("kMatPropMod", "1");
+  CHECK(find(facade::check_model(warm), Severity::Warning, "known of") == nullptr);
+  warm.set("raceTemp2", "2500.0");
+  warm.set("hsngTemp", "2500.0");
+  const auto issues = facade::check_model(warm);
+  INFO(to_text(issues));
+  CHECK(find(issues, Severity::Warning, "raceTemp2 = 2500.0: lies outside of what is known of") !=
+        nullptr);
 }

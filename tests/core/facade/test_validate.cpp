@@ -1,4 +1,6 @@
 #include "base/errors.hpp"
+#include "facade/calculator_inputs.hpp"
+#include "facade/calculators.hpp"
 #include "facade/validate.hpp"
 
 #include <catch2/catch.hpp>
@@ -326,4 +328,38 @@ TEST_CASE("No reference case of any family fails", "[validation][slow]") {
   const ValidateReport report = validate_files(paths);
   INFO(complaints(report));
   CHECK(report.fail == 0);
+}
+
+TEST_CASE("every calculator runs its own examples, and every number it returns has a unit",
+          "[unit][calc]") {
+  for (const CalculatorInfo& info : calculators()) {
+    const auto described = describe_calculator(info);
+    CHECK_FALSE(described.at("calculations").empty());
+    for (const auto& one : described.at("calculations")) {
+      INFO(info.name << " " << one.at("kind"));
+      const Json result = calculate(info.name, Json(one.at("example")));
+      REQUIRE(result.contains("units"));
+      for (const auto& [key, unit] : result.at("units").items())
+        CHECK_FALSE(unit.get<std::string>().empty());
+      for (const auto& [key, value] : result.items()) {
+        INFO(key);
+        const bool described_by_itself = key == "units" || info.name == "units" ||
+                                         info.name == "material" || info.name == "fluid";
+        if (value.is_number() && !described_by_itself) CHECK(result.at("units").contains(key));
+      }
+    }
+  }
+}
+
+TEST_CASE("every input of the reference cases is known to its calculator", "[unit][calc]") {
+  std::set<std::string> families;
+  for (const CalculatorInfo& info : calculators()) families.insert(info.family);
+  for (const std::string& family : families) {
+    std::ifstream stream(kReference / (family + ".json"));
+    REQUIRE(stream);
+    for (const Json& one : Json::parse(stream).at("cases")) {
+      INFO(family << " " << one.at("id"));
+      CHECK_NOTHROW(check_calculator_inputs(family, one.at("inputs")));
+    }
+  }
 }
