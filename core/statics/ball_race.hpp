@@ -18,8 +18,10 @@ using BallRace = RaceState<BallState>;
 /// load is the gradient of a convex potential.
 [[nodiscard]] bool is_conservative(const BallModel& model);
 
+/// Balls are cheap: always balanced down to rounding.
+[[nodiscard]] inline double first_accuracy(const BallModel&) { return 0.0; }
+
 /// Re-solves every ball for displacement q. False when a ball has no equilibrium.
-/// `accuracy` makes no difference: the balls are cheap.
 [[nodiscard]] bool update_race(const BallModel& model, const Vec5& q, BallRace& state,
                                double accuracy = 0.0);
 

@@ -15,6 +15,7 @@
 ///   RaceScales race_scales(const Set&);                        constant sizes
 ///   double reference_stiffness(const Set&, double load);       of one contact under that load
 ///   [N/m] bool is_conservative(const Set&);                          the race load has a potential
+///   double first_accuracy(const Set&);                         `accuracy` before the first step
 ///   bool update_race(const Set&, const Vec5& q, RaceState<Element>&, double accuracy = 0);
 /// The last one brings every element into equilibrium for race displacement q, sums load and exact
 /// stiffness, and returns false when some element has no equilibrium. `accuracy`: out-of-balance
@@ -184,10 +185,8 @@ RaceSearch reduce(const Set& set, const RaceScales& scales, const RaceTask& task
   return outcome;
 }
 
-/// Elements need not be better balanced than the race: their accuracy before the first step, and
-/// what it becomes with the race's residual. Once that is below kLastResidual, Newton's next step
-/// may be the last, and they are balanced down to rounding.
-inline constexpr double kFirstAccuracy = 1e-3;
+/// Elements need not be better balanced than the race: their accuracy shrinks with its residual.
+/// Below this residual Newton's next step may be the last, and they are balanced down to rounding.
 inline constexpr double kLastResidual = 1e-6;
 
 /// Newton on the free directions from state.q. Where the race load has a potential (convex for
@@ -202,7 +201,7 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
   RaceSolve result;
   const bool all_given =
       std::all_of(task.given.begin(), task.given.end(), [](bool given) { return given; });
-  double accuracy = all_given ? 0.0 : kFirstAccuracy;
+  double accuracy = all_given ? 0.0 : first_accuracy(set);
   if (!update_race(set, Vec5(state.q), state, accuracy)) {
     result.element_failed = true;
     return result;
@@ -259,8 +258,9 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
       step.direction *= scales.longest_step / size;
     }
 
-    accuracy =
-        result.residual > kLastResidual ? kFirstAccuracy * std::min(result.residual, 1.0) : 0.0;
+    accuracy = result.residual > kLastResidual
+                   ? first_accuracy(set) * std::min(result.residual, 1.0)
+                   : 0.0;
     State trial;
     const RaceSearch search =
         conservative || downhill

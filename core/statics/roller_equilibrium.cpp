@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <type_traits>
+#include <vector>
 
 namespace adore::statics {
 namespace {
@@ -390,14 +391,49 @@ Eigen::Vector3d roller_step(const RollerModel& m, const Scaled& s, double k_ref,
   return step;
 }
 
-/// Where a roller stands when nothing is known: in the middle between both races; at speed against
-/// the outer race.
-Eigen::Vector3d first_place(const RollerModel& m, const RollerState& state, const Vec5& q) {
+/// In the middle between both races.
+Eigen::Vector3d middle_place(const RollerModel& m, const RollerState& state, const Vec5& q) {
   const double moved = 0.5 * (q(2) * state.cos - q(1) * state.sin);
   const double turned = -0.5 * (q(3) * state.cos + q(4) * state.sin);
   const double from_outer = -0.5 * (m.outer_tilt[0] * state.cos + m.outer_tilt[1] * state.sin);
   const bool held = m.rollers.axis_angle != 0.0;
   return {held ? 0.5 * q(0) : 0.0, moved, turned + from_outer};
+}
+
+/// Largest penetration of a roller into race j; negative: the gap.
+double penetration(const RollerModel& m, const RollerState& at, std::size_t j, const Vec5& q) {
+  const Vec4 p = relative_pose(m, at, j, q);
+  const RollerBody& body = m.body(at.number);
+  PairPotential unused;
+  if (m.contact == RollerContact::Point) {
+    SliceResult contact;
+    add_point(body.point[j], p, unused, &contact);
+    return contact.delta;
+  }
+  std::vector<SliceResult> each(body.slices.size());
+  if (m.linear) {
+    add_slices_linear(m.slices(j, body), p, unused, each);
+  } else {
+    add_slices(m.slices(j, body), p, unused, each);
+  }
+  return std::max_element(each.begin(), each.end(),
+                          [](const auto& a, const auto& b) { return a.delta < b.delta; })
+      ->delta;
+}
+
+/// Where a roller stands when nothing is known: at speed on the outer race, about as deep as its
+/// centrifugal force presses it, if the inner race does not touch it there; else in the middle.
+Eigen::Vector3d first_place(const RollerModel& m, const RollerState& state, const Vec5& q) {
+  if (m.moving) {
+    RollerState seated = state;
+    seated.e = {0.0, 0.0, -(m.outer_tilt[0] * state.cos + m.outer_tilt[1] * state.sin)};
+    const double missing = line_approach(m, m.centrifugal) - penetration(m, seated, 0, q);
+    seated.e(1) = missing / std::cos(m.rollers.race_angle[0]);
+    if (penetration(m, seated, 1, q) <= 0.0) {
+      return seated.e;
+    }
+  }
+  return middle_place(m, state, q);
 }
 
 /// A roller in equilibrium.
@@ -513,7 +549,7 @@ bool solve_roller(const RollerModel& m, const Vec5& q, const Races<PlaceDual>& r
                   double accuracy, RollerState& state, Balance& found) {
   if (!m.moving) {
     RollerState middle = state;
-    middle.e = first_place(m, state, q);
+    middle.e = middle_place(m, state, q);
     found = {contacts_at(m, middle, pose_of(m, middle, races))};
     if (found.contacts.total == 0.0) {
       state.e = middle.e;

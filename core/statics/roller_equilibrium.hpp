@@ -40,6 +40,7 @@ using RollerRace = RaceState<RollerState>;
 [[nodiscard]] RaceScales race_scales(const RollerModel& model);
 [[nodiscard]] double reference_stiffness(const RollerModel& model, double load);
 [[nodiscard]] inline bool is_conservative(const RollerModel&) { return true; }
+[[nodiscard]] inline double first_accuracy(const RollerModel&) { return 1e-3; }
 [[nodiscard]] bool update_race(const RollerModel& model, const Vec5& q, RollerRace& state,
                                double accuracy = 0.0);
 
