@@ -285,12 +285,17 @@ std::vector<std::string> report_notes(const BallModel& m, const std::vector<Stat
       balls_that(balls, [](const StaticBall& b) { return b.Q[0] > 0.0 && !b.inner_contact; });
   if (!outer_only.empty()) {
     notes.push_back(
-        fmt::format("{}: contact with the outer race only", number_list(outer_only, "ball")));
+        fmt::format("{}: contact with the outer race only; placed where the outer groove's normal "
+                    "meets the centrifugal force",
+                    number_list(outer_only, "ball")));
   }
   const auto unloaded =
       balls_that(balls, [](const StaticBall& b) { return b.Q[0] == 0.0 && b.Q[1] == 0.0; });
   if (!unloaded.empty()) {
-    notes.push_back(fmt::format("{}: no load", number_list(unloaded, "ball")));
+    notes.push_back(
+        fmt::format("{}: no load; at rest, so placed by rule: just touching the outer race, on the "
+                    "line between the groove centres",
+                    number_list(unloaded, "ball")));
   }
   const auto steep = balls_that(balls, [](const StaticBall& b) {
     return std::abs(b.alpha[0]) > 0.5 * std::numbers::pi ||

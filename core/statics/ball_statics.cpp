@@ -94,7 +94,7 @@ Staged solve_in_stages(BallModel& m, const RaceTask& task, BallRace& state, bool
   Staged result;
   if (cold && !plain) {
     m.own_speed_share = 0.0;
-    result.solve = solve_race(m, task, state, 1e-3);
+    result.solve = solve_race_surely(m, task, state, 1e-3);
     if (!result.solve.converged) {
       return result;
     }
@@ -105,7 +105,7 @@ Staged solve_in_stages(BallModel& m, const RaceTask& task, BallRace& state, bool
     m.own_speed_share = plain ? 1.0 : std::min(1.0, result.reached + step);
     BallRace trial = state;
     const int before = result.solve.iterations;
-    result.solve = solve_race(m, task, trial);
+    result.solve = plain ? solve_race_surely(m, task, trial) : solve_race(m, task, trial);
     result.solve.iterations += before;
     if (result.solve.converged) {
       result.reached = m.own_speed_share;

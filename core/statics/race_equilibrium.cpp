@@ -86,6 +86,10 @@ bool out_of_reach(const RaceScales& scales, const Vec5& q) {
   return !(largest < scales.reach);
 }
 
+bool starts_out_of_reach(const RaceScales& scales, const RaceTask& task, const Vec5& q) {
+  return out_of_reach(scales, q - given_only(task, q));
+}
+
 double force_scale(const RaceScales& scales, const RaceTask& task, double largest_contact) {
   double scale = 0.0;
   for (Eigen::Index k = 0; k < 5; ++k) {

@@ -90,6 +90,9 @@ struct RaceStep {
 [[nodiscard]] Vec5 moved(const RaceScales& scales, const Vec5& q, const Vec5& direction, double t);
 
 [[nodiscard]] bool out_of_reach(const RaceScales& scales, const Vec5& q);
+/// The same of a first guess: what is given counts as within reach.
+[[nodiscard]] bool starts_out_of_reach(const RaceScales& scales, const RaceTask& task,
+                                       const Vec5& q);
 
 /// Largest force that the problem speaks of: applied loads (moments over the lever), else contact
 /// loads.
@@ -189,10 +192,11 @@ inline constexpr double kLastResidual = 1e-6;
 /// contacts that only push), a line search on the directional derivative converges from anywhere;
 /// otherwise steps must reduce the residual. Directions without stiffness are left alone when
 /// unloaded and walked along the load, a longest step at a time, until elements touch. `downhill`:
-/// steps follow the load along every mode, to a stable equilibrium.
+/// steps follow the load along every mode, to a stable equilibrium. `uphill_limit`: steps against
+/// the load before it gives up.
 template <class Set, class State>
 RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double target = 1e-12,
-                     bool downhill = false) {
+                     bool downhill = false, int uphill_limit = 1000) {
   RaceSolve result;
   const bool all_given =
       std::all_of(task.given.begin(), task.given.end(), [](bool given) { return given; });
@@ -206,9 +210,14 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
     return result;
   }
   const RaceScales scales = race_scales(set);
+  if (starts_out_of_reach(scales, task, state.q)) {
+    result.ran_away = true;
+    return result;
+  }
   const bool conservative = is_conservative(set);
   constexpr int kIterations = 200;  // a race that nothing holds walks out of reach in fewer
   double previous_size = -1.0;
+  int uphill = 0;
   for (int n = 0; n <= kIterations; ++n) {
     const Vec5 r = scaled_residual(scales, task, state.load);
     const double force = std::max(force_scale(scales, task, state.largest_contact), 1e-300);
@@ -236,7 +245,10 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
       result.held = step.held;
       return result;
     }
-    if (n == kIterations || !step.direction.allFinite()) {
+    if (step.direction.dot(r) < 0.0) {
+      ++uphill;
+    }
+    if (n == kIterations || uphill > uphill_limit || !step.direction.allFinite()) {
       return result;
     }
     previous_size = r.norm();
@@ -262,6 +274,34 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
     state = std::move(trial);
   }
   return result;
+}
+
+/// Newton; where it fails (it wanders between unstable equilibria and open contacts), downhill from
+/// the same start to a stable equilibrium, and Newton again.
+template <class Set, class State>
+RaceSolve solve_race_surely(const Set& set, const RaceTask& task, State& state,
+                            double target = 1e-12) {
+  const State start = state;
+  constexpr int kUphill = 12;  // enough for an unstable equilibrium that is near
+  RaceSolve result = solve_race(set, task, state, target, false, kUphill);
+  if (result.converged || result.ran_away) {
+    return result;
+  }
+  State down = start;
+  const RaceSolve descent = solve_race(set, task, down, std::max(target, 1e-4), true);
+  if (descent.converged) {
+    RaceSolve again = solve_race(set, task, down, target);
+    if (again.converged) {
+      state = std::move(down);
+      again.iterations += result.iterations + descent.iterations;
+      return again;
+    }
+  } else if (descent.ran_away) {  // downhill for ever: nothing holds the race
+    state = std::move(down);
+    return descent;
+  }
+  state = start;
+  return solve_race(set, task, state, target);
 }
 
 /// Looks for stable equilibria on both sides of an unstable one: a step along the mode, downhill

@@ -194,8 +194,8 @@ std::string unloaded_rule(const RollerModel& m) {
   if (m.rollers.shape == bearing::RollerShape::Arc && !m.rollers.has_flange(0) &&
       !m.rollers.has_flange(1)) {
     return text +
-           "in the middle of its groove: what its centrifugal force has along the roller, guide "
-           "ring or cage hold.";
+           "its contact in the middle of the groove: what its centrifugal force has along the "
+           "roller, guide ring or cage hold.";
   }
   return text + "slid along it without friction until a flange stops it.";
 }

@@ -149,15 +149,22 @@ bool centre_gripped(const RollerModel& m, RollerRace& state) {
       continue;
     }
     const StaticRoller now = report_roller(m, state.q, roller);
-    const bool pushed = std::any_of(now.flange.begin(), now.flange.end(), [](const auto& of_race) {
-      return of_race[0].load > 0.0 || of_race[1].load > 0.0;
-    });
+    const double nothing = 1e-6 * state.largest_contact;
+    const bool pushed =
+        std::any_of(now.flange.begin(), now.flange.end(), [nothing](const auto& of_race) {
+          return of_race[0].load > nothing || of_race[1].load > nothing;
+        });
     if (!pushed) {
       roller.e(0) = 0.0;
       any = true;
     }
   }
   return any;
+}
+
+UnstableMode unstable_at(const RollerModel& m, const RaceTask& task, const RollerRace& state) {
+  const double k_ref = reference_stiffness(m, std::max(state.largest_contact, 1e-300));
+  return unstable_mode(race_scales(m), task, state.stiffness, k_ref);
 }
 
 [[noreturn]] void give_up(const RollerModel& m, const RaceTask& task, const RaceSolve& solve,
@@ -225,15 +232,22 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
                      : options.warm_start ? given
                                           : first_guess(model, task, given);
   RollerRace state = rollers_at(model, options.start, start);
-  RaceSolve solve = solve_race(model, task, state);
+  RaceSolve solve = solve_race_surely(model, task, state);
   const Vec5 cold = first_guess(model, task, given_only(task, given));
   RollerSolution out;
-  if (!solve.converged && cold != start) {
-    state = rollers_at(model, nullptr, cold);
-    solve = solve_race(model, task, state);
-    out.notes.push_back(
-        "no equilibrium was found from the first guess of the displacement; this one was found "
-        "without it");
+  const bool guessed = cold != start || options.start;
+  if (guessed && (!solve.converged || unstable_at(model, task, state))) {
+    RollerRace from_cold = rollers_at(model, nullptr, cold);
+    const RaceSolve second = solve_race_surely(model, task, from_cold);
+    if (!solve.converged || (second.converged && !unstable_at(model, task, from_cold))) {
+      out.notes.push_back(solve.converged
+                              ? "the equilibrium found from the first guess of the displacement is "
+                                "not stable; this one was found without the guess"
+                              : "no equilibrium was found from the first guess of the "
+                                "displacement; this one was found without it");
+      state = std::move(from_cold);
+      solve = second;
+    }
   }
   if (!solve.converged) {
     give_up(model, task, solve, state);
@@ -284,8 +298,7 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
   for (std::string& note : held_notes(solve.held, out.displacement)) {
     out.notes.push_back(std::move(note));
   }
-  const double k_ref = reference_stiffness(model, std::max(state.largest_contact, 1e-300));
-  if (const UnstableMode mode = unstable_mode(scales, task, state.stiffness, k_ref)) {
+  if (const UnstableMode mode = unstable_at(model, task, state)) {
     out.other_equilibria = equilibria_beside(model, task, state, mode);
     out.notes.push_back(instability_note(mode, out.other_equilibria));
   }

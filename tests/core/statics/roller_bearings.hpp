@@ -29,7 +29,7 @@ inline void finish(Bearing& b, double rpm) {
   b.speed = {0.0, rpm * std::numbers::pi / 30.0};
 }
 
-inline Bearing cylindrical(double rpm) {
+inline Bearing cylindrical(double rpm, double clearance = 2e-5) {
   Bearing b;
   b.type = Type::Cylindrical;
   adore::bearing::RollerGeometry g;
@@ -40,7 +40,7 @@ inline Bearing cylindrical(double rpm) {
   g.central_length = 0.008;
   g.corner_radius = {3e-4, 3e-4};
   g.pitch_diameter = 0.06;
-  g.clearance = 2e-5;
+  g.clearance = clearance;
   g.land_width = {0.012, 0.012};
   for (int side = 0; side < 2; ++side)
     g.flange[0][static_cast<std::size_t>(side)] = adore::bearing::Flange{0.5 * kDegree, 0.0015};
@@ -78,7 +78,8 @@ inline Bearing tapered(double rpm, double layback = 0.2 * kDegree) {
   return b;
 }
 
-inline Bearing spherical(double rpm) {
+/// A row of barrels.
+inline Bearing spherical(double rpm, double clearance = 3e-5) {
   Bearing b;
   b.type = Type::Spherical;
   adore::bearing::RollerGeometry g;
@@ -89,7 +90,7 @@ inline Bearing spherical(double rpm) {
   g.length = 0.011;
   g.corner_radius = {3e-4, 3e-4};
   g.pitch_diameter = 0.06;
-  g.clearance = 3e-5;
+  g.clearance = clearance;
   g.groove_factor = {0.51, 0.51};
   g.axis_angle = 8.0 * kDegree;
   g.race_angle = {g.axis_angle, g.axis_angle};
@@ -97,6 +98,30 @@ inline Bearing spherical(double rpm) {
   finish(b, rpm);
   b.constraints.displacement_given = {true, false, false, true, true};
   b.constraints.load = {0.0, 0.0, 5000.0, 0.0, 0.0};
+  return b;
+}
+
+/// Barrels between cones of the tapered bearing, with its rib.
+inline Bearing spherical_tapered(double rpm) {
+  Bearing b = tapered(rpm);
+  b.type = Type::SphericalTapered;
+  auto& g = *b.rollers;
+  g.shape = adore::bearing::RollerShape::Arc;
+  g.crown_radius = 0.040;
+  g.length = 0.012;
+  g.central_length = 0.0;
+  g.end_radius = {0.105, 0.105};
+  g.land_width = {};
+  g.groove_factor = {0.51, 0.51};
+  finish(b, rpm);
+  return b;
+}
+
+/// Without loads and with all freedoms but x of the cylindrical bearing, which nothing holds.
+inline Bearing unloaded(Bearing b) {
+  b.constraints.load.fill(0.0);
+  b.constraints.displacement_given.fill(false);
+  b.constraints.displacement_given[0] = b.type == Type::Cylindrical;
   return b;
 }
 

@@ -1,5 +1,6 @@
 #include "base/errors.hpp"
 #include "core/statics/ball_bearings.hpp"
+#include "core/statics/solution_checks.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/race_equilibrium.hpp"
 
@@ -7,29 +8,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 using namespace adore;
 using namespace adore::statics;
 using namespace ball_bearings;
+using namespace solution_checks;
 
 namespace {
 
-/// Solves and checks what holds for every solution: the given loads are carried, nothing is NaN,
-/// loads and contact states agree.
+/// Solves and checks what holds for every solution, and that loads and contact states agree.
 StaticSolution solved(const Bearing& bearing, const StaticsOptions& options = {}) {
   StaticSolution s = solve_ball_statics(bearing, options);
-  double scale = s.max_load;
-  for (double f : bearing.constraints.load) scale = std::max(scale, std::abs(f));
-  for (std::size_t k = 0; k < 5; ++k) {
-    REQUIRE(std::isfinite(s.displacement[k]));
-    if (bearing.constraints.displacement_given[k]) {
-      CHECK(s.displacement[k] == bearing.constraints.displacement[k]);
-    } else {
-      CHECK(s.load[k] == Approx(bearing.constraints.load[k]).margin(1e-8 * scale));
-    }
-  }
-  REQUIRE(s.stiffness.allFinite());
+  check_race(bearing, s);
   for (const StaticBall& b : s.balls) {
     for (std::size_t j = 0; j < 2; ++j) {
       REQUIRE(b.Q[j] >= 0.0);
@@ -45,11 +35,6 @@ StaticSolution solved(const Bearing& bearing, const StaticsOptions& options = {}
 int loaded_balls(const StaticSolution& s) {
   return static_cast<int>(std::count_if(s.balls.begin(), s.balls.end(),
                                         [](const StaticBall& b) { return b.inner_contact; }));
-}
-
-bool noted(const StaticSolution& s, const std::string& text) {
-  return std::any_of(s.notes.begin(), s.notes.end(),
-                     [&](const std::string& n) { return n.find(text) != std::string::npos; });
 }
 
 }  // namespace
@@ -258,52 +243,6 @@ TEST_CASE("loads too small to compute, and nonsense, are refused in a sentence",
   bearing.spin_rule = bearing::SpinRule::Prescribed;
   bearing.spin_angle = 1.57;
   CHECK_THROWS_WITH(solve_ball_statics(bearing), Catch::Contains("cannot roll on both races"));
-}
-
-TEST_CASE("a thousand first guesses lead to the one equilibrium, or to those that are reported",
-          "[physics][statics][hard][slow]") {
-  std::mt19937 random(5);  // its sequence is fixed by the standard; the mapping below is ours
-  const auto uniform = [&] { return static_cast<double>(random()) / 2147483648.0 - 1.0; };
-  std::vector<Bearing> bearings{deep_groove(1.5e-5), angular_contact_218(12000.0),
-                                spindle(3e6 / 54), angular_contact_218(6000.0)};
-  load(bearings[0], 0, 100, 300);
-  load(bearings[1], 5000, 0, 4000);
-  load(bearings[2], 400, 0, 300);
-  load(bearings[3], 3000, 1000, 3000, 20, 30);
-  bearings[3].spin_rule = bearing::SpinRule::MinimumHeat;
-  for (const Bearing& bearing : bearings) {
-    const auto cold = solved(bearing);
-    std::vector<std::array<double, 5>> known = cold.other_equilibria;
-    known.push_back(cold.displacement);
-    std::vector<int> met(known.size(), 0);
-    double worst = 0.0;
-    for (int n = 0; n < 250; ++n) {
-      Bearing guessed = bearing;
-      const double size = n % 3 == 0 ? 1e-5 : n % 3 == 1 ? 3e-4 : 2e-2;  // the last is out of reach
-      for (std::size_t k = 0; k < 5; ++k)
-        guessed.constraints.displacement[k] = uniform() * size / (k < 3 ? 1.0 : 0.03);
-      StaticsOptions warm;
-      warm.warm_start = true;
-      const auto s = solve_ball_statics(guessed, warm);
-      std::size_t nearest = 0;
-      double least = 1.0;
-      for (std::size_t e = 0; e < known.size(); ++e) {
-        double distance = 0.0;
-        for (std::size_t k = 0; k < 5; ++k)
-          distance =
-              std::max(distance, std::abs(s.displacement[k] - known[e][k]) * (k < 3 ? 1.0 : 0.03));
-        if (distance < least) {
-          least = distance;
-          nearest = e;
-        }
-      }
-      ++met[nearest];
-      worst = std::max(worst, least);
-    }
-    CHECK(worst < 1e-11);                    // of displacements of some 1e-5
-    for (int times : met) CHECK(times > 0);  // none is reported that nobody can find
-    CHECK(noted(cold, "not stable") == (known.size() > 1));
-  }
 }
 
 TEST_CASE("radial load on a free race with clearance is an inverted pendulum",
