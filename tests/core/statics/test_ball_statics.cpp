@@ -384,6 +384,35 @@ TEST_CASE("the least-heat axis is a minimum and lies between the race-control ax
   }
 }
 
+TEST_CASE("the least-heat axis moves with angles and loads as its derivatives say",
+          "[physics][statics][spin]") {
+  const double gamma = 0.18;
+  const auto axis = [&](const std::array<double, 4>& v) {  // α_o, α_i, Q_o, Q_i
+    std::array<HeatContact, 2> c;
+    for (std::size_t j = 0; j < 2; ++j) {
+      // a grows with exp(0.3 α) and Q^(1/3).
+      const double a = 2e-4 * std::exp(0.3 * v[j]) * std::cbrt(v[j + 2]);
+      c[j] = {{std::sin(v[j]), std::cos(v[j])}, v[j + 2], a, 0.3, 7.0 + double(j), 0.011};
+    }
+    return least_heat_axis(c, gamma);
+  };
+  for (const double outer_load : {60.0, 100.0, 300.0}) {
+    const std::array<double, 4> at{0.5, 0.75, outer_load, 100.0};
+    const auto here = axis(at);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double h = 1e-5 * at[k];
+      auto up = at;
+      auto down = at;
+      up[k] += h;
+      down[k] -= h;
+      const double difference = (axis(up).beta - axis(down).beta) / (2 * h);
+      const double exact = k < 2 ? here.over_angle[k] : here.over_load[k - 2];
+      // Central differences: error of the order of 1e-7 with this step, rounding 1e-15/1e-5.
+      CHECK(exact == Approx(difference).epsilon(1e-6));
+    }
+  }
+}
+
 TEST_CASE("pure radial load has one spin axis under every rule", "[physics][statics][spin]") {
   std::array<double, 3> spin{};
   std::size_t k = 0;
