@@ -156,7 +156,11 @@ bool room_for(const Dimension& d, const QTransform& place, double width) {
 
 QPointF beyond_tip(const facade::Arrow& arrow, const QTransform& place) {
   const QPointF tip = map(place, arrow.path.back());
-  if (arrow.path.size() > 2) return tip + QPointF(0.0, 12.0);  // turning: its arc is above
+  if (arrow.path.size() > 2) {  // turning: below its arc
+    QPolygonF arc;
+    for (const facade::Point& p : arrow.path) arc << map(place, p);
+    return {arc.boundingRect().center().x(), arc.boundingRect().bottom() + 14.0};
+  }
   const QPointF along = tip - map(place, arrow.path.front());
   return length(along) > 0.0 ? tip + along / length(along) * 12.0 : tip;
 }

@@ -189,7 +189,7 @@ void add_actions(const Deck& deck, Actions& act, double rim, bool along_axis) {
       act.force(kGravity[k], i, largest_of(deck, {"gravityVecX", "gravityVecY", "gravityVecZ"}),
                 Arrow::Kind::Gravity, true, {-1.2 * rim, 1.2 * rim});
   }
-  const double r = 0.16 * rim;
+  const double r = 0.22 * rim;
   act.turn("appMis12", 1, 0.78 * rim, r, Arrow::Kind::Displacement, held(deck, 4));
   act.turn("appMomY", 1, 0.78 * rim, r, Arrow::Kind::Moment, !held(deck, 4));
   act.turn("appMis11", 1, 1.12 * rim, r, Arrow::Kind::Displacement);

@@ -137,8 +137,7 @@ TEST_CASE("typing changes the drawing, and a wrong value keeps the last one with
     return 0.0;
   };
   CHECK(radius() == 0.5 * 0.0127);  // not at every key, but after a short pause
-  QTest::qWait(150);
-  CHECK(radius() == 0.5 * 0.0115);
+  CHECK(QTest::qWaitFor([&] { return radius() == 0.5 * 0.0115; }));
   const QImage after = picture_of(panel.picture());
   CHECK(differing(before, after) > 1000);
   replace_text(field, "-1");
