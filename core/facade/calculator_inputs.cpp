@@ -224,7 +224,8 @@ Ordered describe_calculator(const CalculatorInfo& info) {
   const std::vector<CalculatorField> inputs = fields(table->at("inputs"));
   const std::vector<CalculatorField> results = fields(table->at("results"));
   for (const auto& [kind, one] : table->at("kinds").items()) {
-    if (!info.kind.empty() && kind.rfind(info.kind, 0) != 0) continue;
+    const bool exact = table->at("kinds").contains(info.kind);
+    if (!info.kind.empty() && (exact ? kind != info.kind : kind.rfind(info.kind, 0) != 0)) continue;
     Ordered example = one.at("example");
     if (info.kind.empty()) example = Ordered{{"kind", kind}, {"inputs", one.at("example")}};
     out["calculations"].push_back({{"kind", kind},

@@ -209,10 +209,10 @@ TEST_CASE("a set brings back the record that the deck holds, and names the defau
   CHECK(pressure("--set kReGeoImp=1", "record 5G.1A: was added with default values") == ideal);
   CHECK(pressure("--set kRaceGeoImp2=2", "rndVar12 = 0.0 m") == ideal);
   const double given = pressure("--set kReGeoImp=1 --set reDiaVar=2e-6", nullptr);
-  CHECK(given > ideal);
+  CHECK(given != ideal);
 
   std::string with_record = plain;
-  with_record.insert(with_record.find("'Rec 7.0'"), "'Rec 5G.1A', 2.0e-6\n");
+  with_record.insert(with_record.find("'Rec 9.0'"), "'Rec 5G.1A', 2.0e-6\n");
   write(path, with_record);
   CHECK(pressure("", nullptr) == ideal);  // ignored, and said so
   CHECK(pressure("--set kReGeoImp=1", nullptr) == given);
@@ -232,7 +232,7 @@ TEST_CASE("check and run refuse the same values, by record and variable", "[cli]
       {"tapered-30208", "raceTaper1=10.2", "too close: the pitch diameter"},
       {"cylindrical-nu209", "bReCrn=0.001", "record 5B.1, bReCrn = 0.001: a roller"},
       {"angular-218", "raceCurFac1=1.1", "give a value above 0.5 and below 1"},
-      {"angular-218", "cageWidth=0.007", "record 7.1, cageWidth = 0.007: the pockets"},
+      {"ball", "cageWidth=0.007", "record 7.1, cageWidth = 0.007: the pockets"},
       {"cylindrical-nu209", "brgOD=0.07", "brgOD"},
   };
   for (const Case& c : cases) {
@@ -258,10 +258,10 @@ TEST_CASE("messages about stiffness and spin speak the user's units", "[cli]") {
   const Folder folder;
   const std::string path = (folder / "DATA.txt").string();
   REQUIRE(run_adore("new angular-218 --out " + path).code == 0);
-  const Result spin = run_adore("run " + path + " --set kAngVel=2 --set angVelOrient=90.");
+  const Result spin = run_adore("run " + path + " --set kAngVel=2 --set angVelOrient=-60.");
   INFO(spin.out);
   CHECK(spin.code == 3);
-  CHECK(contains(spin.out, "at 90 degrees"));
+  CHECK(contains(spin.out, "at -60 degrees"));
   CHECK(contains(spin.out, "angVelOrient"));
 
   const Folder rollers;
