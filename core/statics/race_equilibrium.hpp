@@ -269,7 +269,10 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
     if (search != RaceSearch::Accepted) {
       result.ran_away = search == RaceSearch::RanAway;
       result.element_failed = search == RaceSearch::ElementFailed;
-      result.converged = result.residual <= 1e-9 && update_race(set, Vec5(state.q), state);
+      if (result.residual <= 1e-9 && update_race(set, Vec5(state.q), state)) {
+        result.residual = scaled_residual(scales, task, state.load).cwiseAbs().maxCoeff() / floor;
+        result.converged = result.residual <= 1e-9;
+      }
       return result;
     }
     state = std::move(trial);

@@ -562,8 +562,14 @@ bool solve_roller(const RollerModel& m, const Vec5& q, const Races<PlaceDual>& r
   if (state.known && newton(m, races, accuracy, state, found)) {
     return true;
   }
-  state.e = first_place(m, state, q);
+  const Eigen::Vector3d first = first_place(m, state, q);
+  const Eigen::Vector3d middle = middle_place(m, state, q);
+  state.e = first;
   state.known = newton(m, races, accuracy, state, found);
+  if (!state.known && first != middle) {
+    state.e = middle;
+    state.known = newton(m, races, accuracy, state, found);
+  }
   return state.known;
 }
 

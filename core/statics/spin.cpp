@@ -57,11 +57,12 @@ struct SlipIntegral {
     const Nodes half_slope = (kRule.s2 + narrow * kRule.rest) * sigma + B;
     const Nodes square = (half_slope + B) * sigma + (t * t) * kRule.s4;
     const Nodes slip = square.sqrt();
-    const Nodes w_over_slip = kRule.weight / slip;
+    const Nodes over_slip = slip.inverse();
+    const Nodes weighted = kRule.weight * over_slip;
     H = (kRule.weight * slip).sum();
-    slope = (w_over_slip * half_slope).sum();
+    slope = (weighted * half_slope).sum();
     // A C - B² = t² s⁴ (1-s²)/(4κ²)
-    curvature = t * t * narrow * (w_over_slip * kRule.s4 * kRule.rest / square).sum();
+    curvature = t * t * narrow * (weighted * kRule.s4 * kRule.rest * over_slip * over_slip).sum();
   }
 };
 
