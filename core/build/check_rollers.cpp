@@ -122,14 +122,15 @@ void check_roller_shape(const Deck& deck, const RollerGeometry& rollers) {
   check.check_length();
   check.put(
       "bReCrn", "a crown radius", [](RollerProfile& p) -> double& { return p.crown_radius; }, true);
-  for (std::size_t end = 0; end < 2; ++end)
-    check.put(
-        fmt::format("bReEndRad{}", end + 1), "an end radius",
-        [end](RollerProfile& p) -> double& { return p.end_radius[end]; }, true);
+  // Corners before end radii: the limit of an end is the one beside the corners that are there.
   for (std::size_t end = 0; end < 2; ++end)
     check.put(
         fmt::format("bReCorRad{}", end + 1), "a corner",
         [end](RollerProfile& p) -> double& { return p.corner_radius[end]; }, false);
+  for (std::size_t end = 0; end < 2; ++end)
+    check.put(
+        fmt::format("bReEndRad{}", end + 1), "an end radius",
+        [end](RollerProfile& p) -> double& { return p.end_radius[end]; }, true);
   check.finish();
 }
 

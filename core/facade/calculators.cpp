@@ -147,8 +147,7 @@ nlohmann::json calculate(std::string_view name, const nlohmann::json& input) {
     throw InputError(fmt::format("calculator {} does not know what to do with these inputs; {}",
                                  name, see_description(name)));
   nlohmann::json units = result_units(family, *result);
-  if (result->is_object() && !units.empty() && !result->contains("units"))
-    (*result)["units"] = std::move(units);
+  if (result->is_object() && !result->contains("units")) (*result)["units"] = std::move(units);
   return *result;
 }
 

@@ -104,7 +104,7 @@ TEST_CASE("what x = 0 means is printed, and the 6205 example carries a pure radi
   const std::string page = pages(run.print, "SOLUTION: SUMMARY").at(0);
   // A radial load on a radial bearing has no contact angle.
   CHECK(std::regex_search(page, std::regex("largest contact angle +0 deg")));
-  CHECK(std::regex_search(run.print, std::regex("Dynamic load rating C +140[0-9][0-9]")));
+  CHECK(std::regex_search(run.print, std::regex("Dynamic load rating C [^\n]* 140[0-9][0-9]")));
   // Below e the factors in use are 1 and 0.
   CHECK(std::regex_search(run.print, std::regex("    X +1\n")));
   CHECK(std::regex_search(run.print, std::regex("    Y +0\n")));

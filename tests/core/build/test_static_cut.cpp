@@ -85,8 +85,9 @@ TEST_CASE("the cut of a ball touches both grooves where its contacts are", "[phy
     CHECK(gap(groove, contact) < 1e-4);  // the contact lies on its groove
     // Shoulders where the deck has them.
     const double shoulder = race == "outer" ? 0.0214 : 0.0171;
-    CHECK(groove.r.front() == Approx(shoulder).margin(2e-5));  // the ring has moved by micrometres
-    CHECK(groove.r.back() == Approx(shoulder).margin(2e-5));
+    // Under its load the inner ring moves by the clearance and the contacts' deflection, some 25 um.
+    CHECK(groove.r.front() == Approx(shoulder).margin(4e-5));
+    CHECK(groove.r.back() == Approx(shoulder).margin(4e-5));
   }
 }
 
