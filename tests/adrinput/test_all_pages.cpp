@@ -45,7 +45,8 @@ QString other_value(const Document& document, const Cell& at) {
     if (deck::in_range(deck::range_in_deck_units(document.deck(), variable), more.toDouble()))
       return QString(more).replace('.', ',');
   }
-  for (const char* text : {"0,75", "12,5", "1", "2", "3", "-0,25", "60", "0,4", "0,3", "0"}) {
+  for (const char* text :
+       {"0,75", "12,5", "1", "2", "3", "-0,25", "60", "0,4", "0,3", "0,05", "0"}) {
     const Typed typed = parse_typed(variable, text);
     if (typed.problem || shown_text(typed.value) == document.text(at)) continue;
     const auto* real = std::get_if<double>(&typed.value);
