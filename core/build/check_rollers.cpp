@@ -33,7 +33,7 @@ using Field = std::function<double&(RollerProfile&)>;
 
 /// The value between `bad`, which does not fit, and `good`, which does, where that changes.
 double limit_between(RollerProfile profile, const Field& field, double bad, double good) {
-  for (int n = 0; n < 60; ++n) {
+  for (int n = 0; n < 30; ++n) {  // more digits than a message shows
     const double middle = 0.5 * (bad + good);
     field(profile) = middle;
     (fits(profile) ? good : bad) = middle;
