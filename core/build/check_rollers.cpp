@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -41,9 +42,10 @@ double limit_between(RollerProfile profile, const Field& field, double bad, doub
   return good;
 }
 
-/// The smallest value above `bad` that fits.
+/// The smallest positive value above `bad` that fits.
 std::optional<double> smallest_above(RollerProfile profile, const Field& field, double bad) {
-  for (double good = 2.0 * bad; good < 1e8; good *= 2.0) {
+  constexpr double kSmallest = 1e-9, kLargest = 1e8;  // m
+  for (double good = std::max(2.0 * bad, kSmallest); good < kLargest; good *= 2.0) {
     field(profile) = good;
     if (fits(profile)) return limit_between(profile, field, 0.5 * good, good);
   }

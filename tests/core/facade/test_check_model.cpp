@@ -69,6 +69,11 @@ TEST_CASE("impossible shapes are refused by record and variable, with a limit th
     deck.set(b.variable, fmt::format("{}", limit * (more ? 1.001 : 0.999)));
     CHECK(find(facade::check_model(deck), Severity::Error, "cannot have such") == nullptr);
   }
+  for (const char* none : {"0.0", "-5.0"}) {  // out of range, yet it is drawn while it is typed
+    deck::Deck deck = deck::new_deck("tapered-30208");
+    deck.set("bReCrn", none);
+    CHECK(find(facade::check_model(deck), Severity::Error, "give more than") != nullptr);
+  }
   deck::Deck english = deck::new_deck("tapered-30208");
   english.set("kUnit", "2");  // the same numbers, now inches: the shape is the same
   english.set("bReEndRad1", "0.001");
