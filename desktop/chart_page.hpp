@@ -11,8 +11,8 @@ struct ChartCurve {
   std::string name;
   std::vector<double> y;  ///< one per abscissa value; NaN = no value, the line is broken there
   std::vector<double> x;  ///< empty: the page's abscissa (own values only on pages with equal axes)
-  bool heavy = false;     ///< drawn thick: what the picture is about
   bool dashed = false;    ///< drawn broken, so that a curve below it stays visible
+  bool heavy = false;     ///< drawn thick: what the picture is about
 };
 
 struct ChartPanel {

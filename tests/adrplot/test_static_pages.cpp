@@ -261,6 +261,7 @@ TEST_CASE("quasi-static pages become pictures with curves in them", "[gui]") {
 }
 
 TEST_CASE("a value between gaps is drawn as a point, and every element of a bearing is", "[gui]") {
+  test::use_qt();
   const auto points = [](const desktop::ChartPage& page) {
     desktop::ChartScene scene;
     scene.setPage(page);
