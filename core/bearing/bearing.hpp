@@ -30,6 +30,10 @@ struct BallGeometry {
   double contact_angle = 0.0;   ///< free contact angle α0 [rad], >= 0; 0 for a radial bearing with play
   double clearance = 0.0;       ///< diametral clearance Pd of the circular grooves [m]; < 0 is interference (then α0 = 0)
   std::array<double, 2> groove_factor{};  ///< f = groove radius / D, > 0.5
+  /// x of the planes of the groove centres at zero displacement, base frame, outer and inner [m]: the datum of every
+  /// displacement (decision 140). Empty: where unloaded balls just touch both grooves at contact_angle. Bearings given by
+  /// their clearance have {0, 0}, bearings in operation the planes of the bearing on the bench.
+  std::optional<std::array<double, 2>> groove_plane;
   std::array<double, 2> shim{};           ///< grinding shim of a split race [m], 0 = not split
   std::array<double, 2> shoulder_diameter{};  ///< [m], reports only
   std::array<double, 2> roughness{};          ///< composite rms [m]
@@ -73,6 +77,8 @@ struct Cage {
   double clearance_outer = 0.0, clearance_inner = 0.0;  ///< diametral, unguided surfaces and outputs only (N90) [m]
   PocketShape pocket = PocketShape::Cylindrical;
   double pocket_clearance_1 = 0.0, pocket_clearance_2 = 0.0;  ///< diametral [m]
+  /// What the clearances I and II of the first pockets have more [m]; empty: all pockets alike.
+  std::vector<std::array<double, 2>> pocket_deviation;
   double cone_angle = 0.0;                                    ///< [rad]
   std::vector<GuideLand> lands;
   Material material;

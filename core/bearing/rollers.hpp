@@ -39,6 +39,20 @@ struct RollerDeviation {
   double diameter = 0.0, crown_radius = 0.0, length = 0.0, central_length = 0.0, land_offset = 0.0;
 };
 
+/// What fits, temperatures and speeds make of one raceway.
+struct RacewayGrowth {
+  double radial = 0.0;  ///< outward displacement of the raceway under the middle of the rollers
+  double strain = 0.0;  ///< thermal strain of the race
+};
+
+/// A roller bearing in operation remembers the raceways of the deck and how they grew: sizes that
+/// the races follow from, on the bench, unmounted, cold and at rest.
+struct RollerBench {
+  double diameter = 0.0, length = 0.0, crown_radius = 0.0, pitch_diameter = 0.0, clearance = 0.0;
+  std::array<double, 2> groove_factor{};
+  std::array<RacewayGrowth, 2> growth;
+};
+
 struct RollerGeometry {
   int count = 0;          ///< nRe
   double diameter = 0.0;  ///< D, at mid length
@@ -61,6 +75,9 @@ struct RollerGeometry {
   std::array<std::array<std::optional<Flange>, 2>, 2> flange;  ///< [race][side]
   std::array<double, 2> flange_play{};     ///< total axial travel between the two flanges of a race
   std::vector<RollerDeviation> deviation;  ///< by roller; empty: all nominal
+  /// Set in operation: then the sizes above are those of the rollers in operation, and the races
+  /// are the bench's, grown (contact/race_growth.hpp).
+  std::optional<RollerBench> bench;
 
   /// Length over which a roller can touch a raceway: without its corners.
   [[nodiscard]] double contact_length() const noexcept {
@@ -72,6 +89,19 @@ struct RollerGeometry {
     const double cosine = std::cos(axis_angle);
     const double out = 0.5 * diameter * cosine + 0.25 * clearance * cosine * cosine;
     return 0.5 * pitch_diameter + (race == 0 ? out : -out);
+  }
+  /// Itself, or what it was before it was mounted and put to work.
+  [[nodiscard]] RollerGeometry on_bench() const {
+    RollerGeometry out = *this;
+    if (!bench) return out;
+    out.diameter = bench->diameter;
+    out.length = bench->length;
+    out.crown_radius = bench->crown_radius;
+    out.pitch_diameter = bench->pitch_diameter;
+    out.clearance = bench->clearance;
+    out.groove_factor = bench->groove_factor;
+    out.bench.reset();
+    return out;
   }
   [[nodiscard]] bool has_flange(int race) const noexcept {
     const auto& f = flange[static_cast<std::size_t>(race)];

@@ -231,6 +231,7 @@ bearing::BallGeometry build_balls(const Deck& deck) {
   });
   out.contact_angle = free.contact_angle;
   out.clearance = free.clearance;
+  if (!(deck.si("freeConAng") > 0.0)) out.groove_plane = {0.0, 0.0};
   return out;
 }
 
@@ -269,12 +270,9 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
                                    out.envelope.race_width[0], out.race_material[0].density),
                       ring_inertia(groove_bottom_inner, out.envelope.bore,
                                    out.envelope.race_width[1], out.race_material[1].density)};
-  out.race_traction = curve(deck, "kTracType", "reRaceTC");
   const bool dynamic = deck.integer("mode") >= 0;
-  if (deck.integer("nCseg") == 1) {
-    out.cage = cage(deck, out);
-    out.cage->inertia = cage_mass(deck, out, dynamic);
-  }
+  if (dynamic || deck.has("reRaceTC1")) out.race_traction = curve(deck, "kTracType", "reRaceTC");
+  if (deck.integer("nCseg") == 1) out.cage = cage(deck, out);
   if (dynamic && out.cage) {
     out.pocket_traction = curve(deck, "kCPTracType", "reCageTC");
     const bool guided = std::any_of(out.cage->lands.begin(), out.cage->lands.end(),
@@ -298,6 +296,7 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   out.cage_temperature = deck.si("cageTemp");
   out.mounting = mounting(deck);
   build_imperfections(deck, seed, out);
+  if (out.cage) out.cage->inertia = cage_mass(deck, out, dynamic);
   return out;
 }
 

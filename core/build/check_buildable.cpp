@@ -1,6 +1,7 @@
 #include "bearing/material_laws.hpp"
 #include "build/build_bearing.hpp"
 #include "build/deck_text.hpp"
+#include "build/idle_options.hpp"
 
 #include <fmt/format.h>
 
@@ -24,9 +25,9 @@ struct Gate {
 // A deck with another code parses and checks clean, but cannot run.
 constexpr Gate kAlways[] = {
     {"kRaceFlex", 0, "a flexible outer race (announced by the classic program, never available)"},
-    {"kTrac", 0, "a lubricant's traction model (or user routine ADRX7)"},
 };
 constexpr Gate kDynamic[] = {
+    {"kTrac", 0, "a lubricant's traction model (or user routine ADRX7)"},
     {"kReGeoImp", 0, "the motion of rolling elements with geometric imperfections"},
     {"kRaceGeoImp1", 0, "motion on an outer race with geometric imperfections"},
     {"kRaceGeoImp2", 0, "motion on an inner race with geometric imperfections"},
@@ -73,6 +74,10 @@ class Checker {
   void warning(const char* variable, std::string message, std::string remedy = {}) {
     issues_.push_back(
         deck_.issue(Severity::Warning, variable, std::move(message), std::move(remedy)));
+  }
+
+  void note(const char* variable, std::string message) {
+    issues_.push_back(deck_.issue(Severity::Note, variable, std::move(message), {}));
   }
 
   std::vector<Issue> take() { return std::move(issues_); }
@@ -136,6 +141,20 @@ void check_law_ranges(const Deck& deck, Checker& check) {
   }
 }
 
+/// What a quasi-static solution leaves out, in one note.
+void name_idle_options(const Deck& deck, Checker& check) {
+  std::string names;
+  for (const IdleOption& option : idle_options(deck)) {
+    names += fmt::format("{}{} = {} ({})", names.empty() ? "" : ", ", option.variable, option.value,
+                         option.asks_for);
+    if (option.variable == "kTherm")
+      names.insert(names.size() - 1,
+                   "; the temperatures of record 9.1.3 rule, of record 3.5 only kMatPropMod acts");
+  }
+  if (!names.empty())
+    check.note("mode", "is a quasi-static solution, in which these play no part: " + names);
+}
+
 }  // namespace
 
 std::vector<Issue> check_buildable(const Deck& deck) {
@@ -179,10 +198,7 @@ std::vector<Issue> check_buildable(const Deck& deck) {
     check.warning("runID",
                   "the deck has lines after its last record, for user routines that this version "
                   "does not call");
-  if (!dynamic && deck.integer("kTherm") != 0)
-    check.warning("kTherm",
-                  "a quasi-static solution has no thermal steps: the temperatures of record 9.1.3 "
-                  "rule, and of record 3.5 only kMatPropMod has an effect");
+  name_idle_options(deck, check);
 
   if (deck.integer("kBrg") == 1)
     for (const char* flange : {"kFlngInd11", "kFlngInd21", "kFlngInd12", "kFlngInd22"})

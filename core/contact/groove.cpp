@@ -62,6 +62,9 @@ GrooveGeometry groove_geometry(const bearing::BallGeometry& balls) {
           0.5 * balls.pitch_diameter + sign * (g.offset[j] - 0.25 * balls.clearance);
       g.centre_x[j] = 0.0;
     }
+    if (balls.groove_plane) {
+      g.centre_x[j] = (*balls.groove_plane)[j];
+    }
   }
   return g;
 }

@@ -9,7 +9,8 @@
 ///
 /// Race frame j: origin P_j on the race axis in the plane of its groove-centre circle, x along the axis. The groove
 /// cross-section is a circle of radius f_j D whose centre runs on a circle of radius centre_radius[j] about that axis.
-/// Base frame: the ball plane of the unloaded, just touching (or centred) bearing is x = 0; P_j then lies at x = centre_x[j].
+/// Base frame: at zero displacement P_j lies at x = centre_x[j], its free position, which the deck's geometry alone fixes
+/// (BallGeometry::groove_plane, decision 140): the ball plane of the unloaded, just touching (or centred) bearing is x = 0.
 /// A reported displacement of race j is P_j minus that free position.
 namespace adore::contact {
 
@@ -18,7 +19,7 @@ struct GrooveGeometry {
   std::array<double, 2> groove_radius{};   ///< r_j = f_j D [m]
   std::array<double, 2> offset{};          ///< s_j = (f_j - 1/2) D, groove centre to ball centre at touch [m]
   std::array<double, 2> centre_radius{};   ///< Rc_j [m]: outer d_m/2 - s_o cos α0 (+ Pd/4 radial), inner d_m/2 + s_i cos α0 (- Pd/4)
-  std::array<double, 2> centre_x{};        ///< free axial position of P_j [m]: outer -s_o sin α0, inner +s_i sin α0
+  std::array<double, 2> centre_x{};        ///< free axial position of P_j [m]: groove_plane, else outer -s_o sin α0, inner +s_i sin α0
 };
 
 /// With α0 > 0 the bearing just touches at α0; with α0 = 0 the clearance Pd places the centres (README C of the

@@ -65,8 +65,13 @@ RecordSpec loads() {
         real(keep(fmt::format("appDisp{}", axis)), kLength, kAny,
              keep(fmt::format(
                  "Displacement of the inner race relative to the outer along {1} when kFS{0} "
-                 "is 1; first guess when kFS{0} is 0, where 0 asks for an estimate.",
-                 number, static_cast<char>(axis - 'A' + 'a')))));
+                 "is 1; first guess when kFS{0} is 0, where 0 asks for an estimate. Measured from "
+                 "{2} of the unmounted bearing at room temperature and rest: fits, growth and "
+                 "speed act against it.",
+                 number, static_cast<char>(axis - 'A' + 'a'),
+                 axis == 'X' ? "where all balls just touch at freeConAng by +x, or cones just "
+                               "touch, or else mid planes coincide,"
+                             : "the coaxial position"))));
   return spec;
 }
 

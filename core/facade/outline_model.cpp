@@ -73,8 +73,8 @@ void read_rollers(const Deck& deck, OutlineModel& m) {
   m.races = statics::race_surfaces(b);
   if (!m.rollers->has_flange(0) && !m.rollers->has_flange(1)) return;
   try {
-    m.flanges = statics::flange_pairs(*m.rollers, m.races, {kEffectiveModulus, kEffectiveModulus},
-                                      m.profile, m.profile);
+    m.flanges = statics::flange_pairs(m.type, *m.rollers, {kEffectiveModulus, kEffectiveModulus},
+                                      m.profile);
   } catch (const std::exception& error) {
     m.remarks.push_back(fmt::format("Flanges are left out: {}.", error.what()));
   }
@@ -183,6 +183,7 @@ OutlineModel outline_model(const Deck& deck) {
       if (!(deck.si(factor) > 0.5) || deck.si(factor) > 10.0)
         refuse(deck, factor, "makes no groove that a ball fits into", "give a value above 0.5");
     m.balls = build::build_balls(deck);
+    m.balls->groove_plane.reset();  // drawn where the balls touch, whatever displacements count from
     m.groove = contact::groove_geometry(*m.balls);
     m.length = m.diameter;
     m.angle = m.balls->contact_angle;

@@ -1,5 +1,7 @@
 #include "facade/static_plan.hpp"
 
+#include "build/idle_options.hpp"
+
 #include <fmt/format.h>
 
 #include <numbers>
@@ -119,6 +121,10 @@ void results(Entries& out, const Prepared& p) {
           "mode = -1: only its plays are computed (nCseg = " +
               std::to_string(deck.integer("nCseg")) + ")");
   out.add("friction, gravity, cage forces", false, "mode = -1: no part of the equilibrium");
+  for (const build::IdleOption& option : build::idle_options(deck))
+    out.add(option.asks_for, false,
+            fmt::format("{} = {}: no part of a quasi-static solution", option.variable,
+                        option.value));
 }
 
 }  // namespace

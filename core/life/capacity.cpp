@@ -10,6 +10,9 @@
 namespace adore::life {
 namespace {
 
+/// D/d_m, whatever the angle.
+double size_ratio(const CapacityGeometry& g) { return g.gamma / g.cos_alpha; }
+
 void check(const CapacityGeometry& g) {
   const auto positive = [](double value, const char* name) {
     if (!(value > 0.0))
@@ -17,11 +20,12 @@ void check(const CapacityGeometry& g) {
           fmt::format("load capacity of a race: {} is {}; it must be above 0", name, value));
   };
   positive(g.diameter, "the diameter of the rolling element");
-  positive(g.cos_alpha, "the cosine of the contact angle");
   positive(static_cast<double>(g.count), "the number of rolling elements");
-  if (!(g.gamma > 0.0 && g.gamma < 1.0))
+  if (const double ratio = size_ratio(g); !(ratio > 0.0 && ratio < 1.0))
     throw InputError(fmt::format(
-        "load capacity of a race: D cos(alpha)/d_m is {}; it must lie between 0 and 1", g.gamma));
+        "load capacity of a race: D/d_m is {} (D cos(alpha)/d_m {}, cos(alpha) {}); it must lie "
+        "between 0 and 1",
+        ratio, g.gamma, g.cos_alpha));
 }
 
 /// ∓γ: minus on the inner race.
@@ -41,7 +45,7 @@ double point_capacity(const CapacityGeometry& g, double factor) {
   const double conformity = 2.0 * g.profile_radius / g.diameter * embrace;
   const double s = signed_gamma(g);
   return factor * constants().point_constant.value * std::pow(conformity, 0.41) *
-         std::pow(1.0 - s, 1.39) / std::cbrt(1.0 + s) * std::pow(g.gamma / g.cos_alpha, 0.3) *
+         std::pow(1.0 - s, 1.39) / std::cbrt(1.0 + s) * std::pow(size_ratio(g), 0.3) *
          std::pow(1e3 * g.diameter, 1.8) / std::cbrt(static_cast<double>(g.count));
 }
 
@@ -52,7 +56,7 @@ double line_capacity(const CapacityGeometry& g, double factor) {
         "load capacity of a race: the effective length is {} m; it must be above 0", g.length));
   const double s = signed_gamma(g);
   return factor * constants().line_constant.value * std::pow(1.0 - s, 29.0 / 27.0) /
-         std::pow(1.0 + s, 0.25) * std::pow(g.gamma / g.cos_alpha, 2.0 / 9.0) *
+         std::pow(1.0 + s, 0.25) * std::pow(size_ratio(g), 2.0 / 9.0) *
          std::pow(1e3 * g.diameter, 29.0 / 27.0) * std::pow(1e3 * g.length, 7.0 / 9.0) *
          std::pow(static_cast<double>(g.count), -0.25);
 }

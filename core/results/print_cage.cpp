@@ -89,7 +89,8 @@ void mass(Report& report, const Bearing& bearing, bool given) {
 const CagePlay* least_play(const Bearing& bearing) {
   const CagePlay* out = nullptr;
   for (const CagePlay& play : bearing.operating->plays) {
-    const bool pocket_2 = play.name == "pocket clearance II";  // axial, or the wider end of a cone
+    // Axial, or the wider end of a cone.
+    const bool pocket_2 = play.name.starts_with("pocket clearance II");
     if (!pocket_2 && (out == nullptr || play.operating < out->operating)) out = &play;
   }
   return out;

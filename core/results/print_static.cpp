@@ -142,9 +142,8 @@ void split_races(Report& report, const statics::StaticSolution& solution,
 void print_race_equilibrium(Report& report, const statics::RaceResult& solution,
                             const bearing::Bearing& bearing) {
   report.text(
-      "Inner race in the base frame, from its free position; loads are what the shaft applies to "
-      "it.");
-  report.text(zero_of_x(bearing, report.units()));
+      "Inner race relative to the outer race, base frame; loads are what the shaft applies to it.");
+  report.text(datum_text(bearing, report.units()));
   const double radius =
       0.5 * (bearing.rollers ? bearing.rollers->pitch_diameter : bearing.balls.pitch_diameter);
   const auto displacement = without_rounding(solution.displacement, radius);

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/version.hpp"
+#include "contact/groove.hpp"
 #include "results/continuation.hpp"
 #include "results/h5_layout.hpp"
 #include "results/sol_writer.hpp"
@@ -139,7 +140,10 @@ std::string_view coherent_unit(const UnitPair& unit) {
 
 std::map<std::string, double> geometry_of(const bearing::Bearing& bearing) {
   const Sol8Geometry g = make_sol8_geometry(bearing);
+  const std::array<double, 2> free_x = contact::groove_geometry(bearing.balls).centre_x;
   std::map<std::string, double> out{
+      {"outer_race_free_x", free_x[0]},  // the race's centre less its stored displacement
+      {"inner_race_free_x", free_x[1]},
       {"cage_outer_radius", g.cage_outer_radius},
       {"cage_inner_radius", g.cage_inner_radius},
       {"cage_outer_clearance", g.cage_outer_clearance},

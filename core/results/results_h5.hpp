@@ -14,8 +14,10 @@
 /// One extendible dataset per channel, named after it: "contact.load" is /contact/load with
 /// dimensions [step][element][race]; its attributes tell label, unit, frame, meaning and
 /// dimensions. /step, /time, /step_size and /shaft_rotation hold one value per stored step.
-/// /geometry has the sizes a picture needs as attributes [m]. The file is written in HDF5's
-/// single-writer mode: it can be read while it grows, and after the writer was killed.
+/// /geometry has the sizes a picture needs as attributes [m], and outer_race_free_x,
+/// inner_race_free_x: where a race's centre stands when its stored displacement is zero. The file
+/// is written in HDF5's single-writer mode: it can be read while it grows, and after the writer was
+/// killed.
 namespace adore::results {
 
 class H5Writer {

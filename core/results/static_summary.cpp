@@ -87,7 +87,7 @@ void inner_race(Report& report, const StaticSummary& s, const Bearing& bearing) 
         quantity(outer[0], unit::kAngle, units), quantity(outer[1], unit::kAngle, units),
         quantity(tilt[0], unit::kAngle, units), quantity(tilt[1], unit::kAngle, units)));
   }
-  report.text(zero_of_x(bearing, units));
+  report.text(datum_text(bearing, units));
 }
 
 void contacts(Report& report, const StaticSummary& s) {
@@ -297,21 +297,33 @@ std::array<double, 2> relative_tilt(const std::array<double, 2>& inner,
   return tilt;
 }
 
-std::string zero_of_x(const Bearing& bearing, UnitSystem units) {
+std::string datum_text(const Bearing& bearing, UnitSystem units) {
   const bool cones =
       bearing.type == bearing::Type::Tapered || bearing.type == bearing::Type::SphericalTapered;
-  if (cones) return "x = 0: the nominal pose, in which both cones just touch their rollers.";
-  if (bearing.rollers) return "x = 0: both races centred on the middle of the row.";
-  const double apart = [&] {
+  std::string place = cones             ? "both races just touch the rollers"
+                      : bearing.rollers ? "the mid planes of both races coincide"
+                                        : "the planes of the groove centres coincide";
+  if (!bearing.rollers) {
     const contact::GrooveGeometry g = contact::groove_geometry(bearing.balls);
-    return g.centre_x[1] - g.centre_x[0];
-  }();
-  if (apart == 0.0) return "x = 0: the grooves of both races face each other.";
+    const double apart = g.centre_x[1] - g.centre_x[0];
+    const double angle = bearing.operating ? bearing.operating->free.contact_angle
+                                           : bearing.balls.contact_angle;
+    if (apart != 0.0)
+      place = fmt::format(
+          "all balls just touch both grooves at {}, by +x (the planes of the groove centres "
+          "coincide at x = {})",
+          quantity(angle, unit::kAngle, units), quantity(-apart, unit::kLength, units));
+  }
+  const char* const kept = !bearing.rollers ? "the plane of its groove centres"
+                           : bearing.type == bearing::Type::Spherical
+                               ? "the plane of the outer groove's centres"
+                               : "the middle plane of the row";
   return fmt::format(
-      "x = 0: the balls seated without load at the free contact angle of {}, by a thrust along +x; "
-      "the grooves face each other at x = {}.",
-      quantity(bearing.balls.contact_angle, unit::kAngle, units),
-      quantity(-apart, unit::kLength, units));
+      "Zero of displacements: the bearing unmounted, at room temperature and at rest, races "
+      "coaxial; at x = 0 {}. Fits, temperatures and speeds move the raceways against this datum, "
+      "not the datum: each race keeps {}; axial growth of the rings against their faces is not "
+      "modelled.",
+      place, kept);
 }
 
 void print_static_summary(Report& report, const StaticSummary& s, const Bearing& bearing,

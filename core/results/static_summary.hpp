@@ -58,8 +58,8 @@ void print_static_summary(Report& report, const StaticSummary& summary,
                                                      const life::BearingLife& life,
                                                      UnitSystem units);
 
-/// In words, where the inner race is when its displacement along x is zero.
-[[nodiscard]] std::string zero_of_x(const bearing::Bearing& bearing, UnitSystem units);
+/// In words, what displacements are measured from (decision 140).
+[[nodiscard]] std::string datum_text(const bearing::Bearing& bearing, UnitSystem units);
 
 /// Tilt of the inner race relative to a misaligned outer one, about the outer race's y and then z
 /// [rad]; both tilts are R = R_y R_z of the base frame.

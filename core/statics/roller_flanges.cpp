@@ -1,6 +1,7 @@
 #include "statics/roller_flanges.hpp"
 
 #include "base/errors.hpp"
+#include "contact/roller_shape.hpp"
 
 #include <fmt/format.h>
 
@@ -28,12 +29,14 @@ Vec4 gap_gradient(const contact::FlangeContact& c, const Vec4& p) {
 
 }  // namespace
 
-std::vector<FlangePair> flange_pairs(const bearing::RollerGeometry& g,
-                                     const std::array<contact::RaceSurface, 2>& races,
+std::vector<FlangePair> flange_pairs(bearing::Type type, const bearing::RollerGeometry& rollers,
                                      const std::array<double, 2>& E_star,
-                                     const contact::RollerProfile& ideal,
                                      const contact::RollerProfile& profile) {
   std::vector<FlangePair> out;
+  const bearing::RollerGeometry g = rollers.on_bench();
+  const RollerRaces races = bench_races(type, g);
+  const auto growth = race_growths(type, rollers);
+  const contact::RollerProfile ideal = contact::roller_profile(g);
   for (int race = 0; race < 2; ++race) {
     const auto j = static_cast<std::size_t>(race);
     const bool both = g.flange[j][0] && g.flange[j][1];
@@ -64,14 +67,14 @@ std::vector<FlangePair> flange_pairs(const bearing::RollerGeometry& g,
         FlangePair pair;
         pair.race = race;
         pair.side = side;
-        pair.face = contact::flange_face(flange);
         pair.end = contact::roller_end(profile, side);
         const Vec3 along(std::cos(alpha), 0.0, -std::sin(alpha));
         const Vec3 touching = centre + (flange.at * travel) * along;
         const contact::FlangeContact first =
-            contact::flange_contact(pair.face, ideal_end, touching, axis);
+            contact::flange_contact(contact::flange_face(flange), ideal_end, touching, axis);
         pair.K = contact::flange_load(ideal_end, axis, first, E_star[j]).hertz.K;
-        pair.open_pose = Vec4(0.0, 0.5 * g.pitch_diameter, -std::sin(g.axis_angle), 0.0);
+        pair.face = contact::flange_face(contact::grown(flange, growth[j]));
+        pair.open_pose = Vec4(0.0, 0.5 * rollers.pitch_diameter, -std::sin(g.axis_angle), 0.0);
         pair.open_gap = contact_at(pair, pair.open_pose).gap;
         pair.reach = std::hypot(0.5 * profile.length, 0.5 * profile.diameter);
         out.push_back(pair);

@@ -4,6 +4,7 @@
 #include "contact/race_surface.hpp"
 #include "contact/roller_flange.hpp"
 #include "contact/roller_profile.hpp"
+#include "statics/roller_races.hpp"
 #include "statics/slice_potential.hpp"
 
 #include <array>
@@ -40,13 +41,12 @@ struct FlangePair {
 /// The flanges of both races with their faces placed (rollers.md 5): two on one race leave the
 /// deck's play for the ideal roller; the rib of a tapered bearing touches the ideal roller; a
 /// single flange on a cylindrical race leaves half the other race's play.
-/// `ideal` places the flange, `profile` is the roller whose end it meets.
-/// `ideal` places the flange, `profile` is the roller whose end it meets.
+/// They are placed on the bench, for the nominal roller there, and grow with their race.
+/// @param profile the roller whose end they meet
 /// @throws InputError naming the flange that cannot be.
-[[nodiscard]] std::vector<FlangePair> flange_pairs(const bearing::RollerGeometry& rollers,
-                                                   const std::array<contact::RaceSurface, 2>& races,
+[[nodiscard]] std::vector<FlangePair> flange_pairs(bearing::Type type,
+                                                   const bearing::RollerGeometry& rollers,
                                                    const std::array<double, 2>& E_star,
-                                                   const contact::RollerProfile& ideal,
                                                    const contact::RollerProfile& profile);
 
 /// The contact at p, and the load on it.

@@ -100,7 +100,8 @@ void place_races(const RollerModel& m, const bearing::Imperfections& errors, dou
   }
 }
 
-RollerBody body_of(const RollerModel& m, const bearing::Imperfections& errors, std::size_t roller) {
+RollerBody body_of(const RollerModel& m, bearing::Type type, const bearing::Imperfections& errors,
+                   std::size_t roller) {
   RollerBody body;
   place_races(m, errors, m.azimuth[roller], body);
   body.profile = profile_of(m.rollers, roller);
@@ -128,8 +129,7 @@ RollerBody body_of(const RollerModel& m, const bearing::Imperfections& errors, s
       }
     }
   }
-  body.flanges =
-      flange_pairs(m.rollers, m.race, m.E_star, profile_of(m.rollers, kNominal), body.profile);
+  body.flanges = flange_pairs(type, m.rollers, m.E_star, body.profile);
   return body;
 }
 
@@ -155,36 +155,6 @@ void add_inertia(RollerModel& m, const bearing::Bearing& b) {
 
 }  // namespace
 
-std::array<contact::RaceSurface, 2> race_surfaces(const bearing::Bearing& b) {
-  const auto& g = *b.rollers;
-  std::array<contact::RaceSurface, 2> race;
-  switch (b.type) {
-    case bearing::Type::Spherical:
-      race = contact::spherical_row(g.diameter, g.pitch_diameter, g.race_angle[0], g.crown_radius,
-                                    g.groove_factor, g.clearance)
-                 .race;
-      break;
-    case bearing::Type::Tapered:
-      race = contact::tapered_races(contact::tapered_geometry(g.diameter, g.race_angle));
-      break;
-    case bearing::Type::SphericalTapered:
-      race = contact::grooved_tapered_races(contact::tapered_geometry(g.diameter, g.race_angle),
-                                            g.crown_radius, g.groove_factor);
-      break;
-    default:
-      for (int j = 0; j < 2; ++j) {
-        race[static_cast<std::size_t>(j)] = contact::cylinder_race(
-            j, contact::cylinder_radius(j, g.pitch_diameter, g.diameter, g.clearance));
-      }
-  }
-  for (std::size_t j = 0; j < 2; ++j) {
-    if (g.land_width[j] > 0.0 && g.shape != bearing::RollerShape::Arc) {
-      race[j].land_width = g.land_width[j];
-    }
-  }
-  return race;
-}
-
 RollerModel make_roller_model(const bearing::Bearing& b, const RollerOptions& options) {
   check(b, options);
   RollerModel m;
@@ -208,7 +178,7 @@ RollerModel make_roller_model(const bearing::Bearing& b, const RollerOptions& op
   const bool ideal = g.deviation.empty() && errors.race[0].ideal() && errors.race[1].ideal();
   const std::size_t bodies = ideal ? 1 : static_cast<std::size_t>(g.count);
   for (std::size_t k = 0; k < bodies; ++k) {
-    m.bodies.push_back(body_of(m, errors, k));
+    m.bodies.push_back(body_of(m, b.type, errors, k));
   }
   m.race_speed = b.speed;
   m.outer_tilt = b.constraints.outer_misalignment;

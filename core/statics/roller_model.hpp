@@ -3,6 +3,7 @@
 #include "contact/roller_profile.hpp"
 #include "contact/tapered_geometry.hpp"
 #include "statics/roller_flanges.hpp"
+#include "statics/roller_races.hpp"
 #include "statics/roller_statics.hpp"
 #include "statics/slice_potential.hpp"
 
@@ -22,16 +23,13 @@ struct RollerBody {
   std::vector<FlangePair> flanges;  ///< that this roller can touch
 };
 
-/// The ideal races of a roller bearing: type and rollers of `b` are read. @throws InputError
-[[nodiscard]] std::array<contact::RaceSurface, 2> race_surfaces(const bearing::Bearing& b);
-
 struct RollerModel {
   bearing::RollerGeometry rollers;
   RollerContact contact = RollerContact::Sliced;
   bool linear = false;
   bool grips = false;  ///< straight raceways: friction holds the roller axially (decision 109)
   contact::Slicing slicing;
-  std::array<contact::RaceSurface, 2> race;  ///< ideal
+  RollerRaces race;                          ///< ideal
   std::array<contact::PowerLaw, 2> law;
   std::array<double, 2> E_star{};
   std::array<double, 2> line_constant{};  ///< K_l [N/m²]

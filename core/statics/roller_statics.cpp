@@ -44,6 +44,9 @@ Vec5 first_guess(const RollerModel& m, const RaceTask& task, const Vec5& given) 
   if (thrust != 0.0) {
     if (sine > 0.0) {
       q(0) = std::copysign(closure(m, std::abs(thrust) / (count * sine)) / sine, thrust);
+      if (g.bench && g.shape != bearing::RollerShape::Arc) {
+        q(0) += 0.5 * g.clearance / std::tan(g.race_angle[0]);  // cones that grew into each other
+      }
     } else {
       q(0) = std::copysign(0.5 * (g.flange_play[0] + g.flange_play[1]), thrust);
     }
@@ -111,7 +114,9 @@ double row_angle(const RollerModel& m, const Vec5& q) {
 }
 
 /// Each roller hands on what it gets along the outer normal, so that F_x >= F_r tan α, F_r the
-/// radial load: why a row whose x is free has no equilibrium; empty when that is not the reason.
+/// radial load; cones add the centrifugal force of all Z rollers, which the rib of the inner race
+/// takes along x (that of barrels their guide ring holds): F_x >= (F_r + Z F_c) tan α. Why a row
+/// whose x is free has no equilibrium; empty when that is not the reason.
 std::string missing_thrust(const RollerModel& m, const RaceTask& task, const Vec5& q) {
   const auto& flange = m.rollers.flange;
   if (task.given[0] || !(m.rollers.race_angle[0] > 0.0) || (flange[0][0] && flange[1][1])) {
@@ -120,23 +125,27 @@ std::string missing_thrust(const RollerModel& m, const RaceTask& task, const Vec
   const double radial =
       std::hypot(task.given[1] ? 0.0 : task.load(1), task.given[2] ? 0.0 : task.load(2));
   const double angle = row_angle(m, Vec5::Zero());
-  const double needed = radial * std::tan(angle);
-  const double still = radial * std::tan(row_angle(m, q));
+  const bool cones = m.rollers.shape != bearing::RollerShape::Arc || m.guide[0] == 0.0;
+  const double thrown = m.moving && cones ? m.rollers.count * m.centrifugal : 0.0;
+  const double needed = (radial + thrown) * std::tan(angle);
+  const double still = (radial + thrown) * std::tan(row_angle(m, q));
   if (!(task.load(0) < needed && task.load(0) < still)) {
     return "";
   }
   constexpr double kDegree = 180.0 / std::numbers::pi;
   std::string text = fmt::format(
       ". A row at {:.4g} degrees carries thrust towards +x only, and each roller turns what it "
-      "carries radially into thrust: under a radial load of {:.6g} N it needs at least F_r tan α = "
-      "{:.4g} N along x and has {:.6g} N",
-      angle * kDegree, radial, needed, task.load(0));
+      "carries radially into thrust{}: under a radial load of {:.6g} N it needs at least {} tan α "
+      "= {:.4g} N along x and has {:.6g} N",
+      angle * kDegree,
+      thrown > 0.0 ? fmt::format(", its centrifugal force of {:.4g} N too", m.centrifugal) : "",
+      radial, thrown > 0.0 ? "(F_r + Z F_c)" : "F_r", needed, task.load(0));
   if (m.rollers.shape == bearing::RollerShape::Arc) {
     text += fmt::format(" (with the race at x = {:.4g} m the angle is still {:.4g} degrees)", q(0),
                         row_angle(m, q) * kDegree);
   }
-  return text +
-         ". Give it that thrust, or prescribe x (kFS1 = 1) for the second row or the shaft "
+  return text + (thrown > 0.0 ? ". Lower the speed, give" : ". Give") +
+         " it that thrust, or prescribe x (kFS1 = 1) for the second row or the shaft "
          "that holds it";
 }
 

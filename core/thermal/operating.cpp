@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace adore::thermal {
@@ -110,7 +111,9 @@ void add_ball_states(OperatingFits& out, const Bearing& b, const contact::Groove
 }
 
 /// Balls and grooves in operation; the report's pitch diameter.
-void move_grooves(bearing::BallGeometry& balls, OperatingFits& report, const MountedState& state) {
+/// @param plane of the groove centres on the bench, which each race keeps [m]
+void move_grooves(bearing::BallGeometry& balls, OperatingFits& report, const MountedState& state,
+                  const std::array<double, 2>& plane) {
   const std::array<double, 2> growth{state.rings.outer.growth, state.rings.inner.growth};
   const double free_diameter = balls.diameter;
   balls.diameter += report.element_growth;
@@ -123,6 +126,7 @@ void move_grooves(bearing::BallGeometry& balls, OperatingFits& report, const Mou
   }
   balls.clearance = report.operating.clearance;
   balls.contact_angle = report.operating.contact_angle;
+  balls.groove_plane = plane;
   // The groove centres of groove_geometry must come to lie on the moved circles.
   const double offset = (balls.groove_factor[0] - 0.5) * balls.diameter;
   balls.pitch_diameter =
@@ -177,6 +181,19 @@ ElementSizes element_sizes(const Bearing& b) {
   return {b.rollers->count, b.rollers->diameter, b.rollers->pitch_diameter, b.rollers->axis_angle};
 }
 
+/// The tightest of the pockets that differ from the others.
+void report_tightest_pocket(const bearing::Cage& cage, std::size_t which, double nominal,
+                            double diameter, double g_cage, double g_ball, OperatingFits& report) {
+  const auto& own = cage.pocket_deviation;
+  const auto tightest = std::min_element(
+      own.begin(), own.end(), [which](const auto& a, const auto& b) { return a[which] < b[which]; });
+  if (tightest == own.end()) return;
+  double clearance = nominal + (*tightest)[which];
+  move_pocket(fmt::format("pocket clearance {}, pocket {}{}", which == 0 ? "I" : "II",
+                          tightest - own.begin() + 1, own.size() > 1 ? ", the tightest" : ""),
+              clearance, diameter, g_cage, g_ball, report);
+}
+
 /// Cage, lands and pockets in operation. `free` is the bearing on the bench.
 void move_cage(bearing::Cage& cage, const Bearing& free, const MountedState& state,
                double ball_growth, OperatingFits& report) {
@@ -205,14 +222,22 @@ void move_cage(bearing::Cage& cage, const Bearing& free, const MountedState& sta
             ring, report);
   move_play("cage bore to the inner race", 1, cage.inner_diameter, cage.clearance_inner, state,
             ring, report);
+  const std::array<double, 2> nominal{cage.pocket_clearance_1, cage.pocket_clearance_2};
+  const auto tightest = [&](std::size_t which) {
+    report_tightest_pocket(cage, which, nominal[which], elements.diameter, ring.growth, ball_growth,
+                           report);
+  };
   move_pocket("pocket clearance I", cage.pocket_clearance_1, elements.diameter, ring.growth,
               ball_growth, report);
+  tightest(0);
   if (cage.pocket == bearing::PocketShape::Elongated)
     cage.pocket_clearance_2 *= 1.0 + ring.growth;  // length of the straight part
   else if (!free.rollers && (cage.pocket == bearing::PocketShape::Rectangular ||
-                             cage.pocket == bearing::PocketShape::Conical))
+                             cage.pocket == bearing::PocketShape::Conical)) {
     move_pocket("pocket clearance II", cage.pocket_clearance_2, elements.diameter, ring.growth,
                 ball_growth, report);
+    tightest(1);
+  }
   cage.outer_diameter += 2.0 * report.cage[0].total();
   cage.inner_diameter += 2.0 * report.cage[1].total();
   cage.width *= 1.0 + ring.growth;
@@ -288,6 +313,17 @@ Bearing operating_roller_bearing_of(const Bearing& free) {
   }
   if (report.changed) {
     const RollerSizes& sizes = operating.rollers.geometry;
+    bearing::RollerBench bench{rollers.diameter,       rollers.length,    rollers.crown_radius,
+                               rollers.pitch_diameter, rollers.clearance, rollers.groove_factor,
+                               {}};
+    const std::array<double, 2> strain{operating.state.rings.outer.growth,
+                                       operating.state.rings.inner.growth};
+    for (std::size_t j = 0; j < 2; ++j) {
+      bench.growth[j] = {operating.rollers.raceway_displacement[j], strain[j]};
+      if (rollers.groove_factor[j] > 0.0)
+        rollers.groove_factor[j] *= (1.0 + strain[j]) * rollers.crown_radius / sizes.crown_radius;
+    }
+    rollers.bench = bench;
     rollers.diameter = sizes.diameter;
     rollers.length = sizes.length;
     rollers.crown_radius = sizes.crown_radius;
@@ -352,7 +388,7 @@ Bearing operating_bearing(const Bearing& free) {
   if (free.cage) move_cage(*out.cage, free, state, ball_growth, report);
   report.changed = moves(report, state, free);
   if (report.changed) {
-    move_grooves(out.balls, report, state);
+    move_grooves(out.balls, report, state, groove.centre_x);
     scale_inertia(out.ball_inertia, ball_growth);
     scale_inertia(out.race_inertia[0], rings.outer.growth);
     scale_inertia(out.race_inertia[1], rings.inner.growth);

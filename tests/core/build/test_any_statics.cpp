@@ -1,0 +1,157 @@
+#include "build/build_bearing.hpp"
+#include "build/idle_options.hpp"
+#include "deck/check.hpp"
+#include "deck/schema.hpp"
+#include "deck/templates.hpp"
+#include "statics/ball_statics.hpp"
+#include "statics/roller_statics.hpp"
+#include "thermal/operating.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+using namespace adore;
+
+namespace {
+
+constexpr const char* kTypes[] = {"ball", "cylindrical", "spherical", "tapered",
+                                  "spherical-tapered"};
+
+deck::Deck at_rest(const char* type) {
+  deck::Deck deck = deck::new_deck(type);
+  deck.set("mode", "-1");
+  deck.complete();
+  return deck;
+}
+
+std::array<double, 5> solution(const deck::Deck& deck) {
+  const bearing::Bearing b = thermal::operating_bearing(build::build_bearing(deck));
+  if (b.rollers) return statics::solve_roller_statics(b).displacement;
+  return statics::solve_ball_statics(b).displacement;
+}
+
+/// Everything that the checks say of a deck.
+std::string remarks(const deck::Deck& deck) {
+  std::string out;
+  for (const Issue& issue : build::check_buildable(deck)) out += issue.text() + "\n";
+  return out;
+}
+
+/// Options of motion, cage, lubrication and traction: none is a part of the static equilibrium.
+/// Materials and what shapes elements and races are.
+bool moves_only(std::string_view record, std::string_view variable) {
+  static const std::set<std::string_view> kOthers{"mode", "kStif", "kLifeCons", "kCageMat"};
+  if (kOthers.count(variable) > 0) return false;
+  if (record == "3.3") return variable == "kChrn";
+  return record == "1" || record == "3.5" || record.starts_with("7.") || record == "10.0";
+}
+
+std::vector<std::string> codes(const deck::VariableSpec& variable) {
+  std::vector<std::string> out;
+  const auto add = [&](std::span<const deck::OptionSpec> options) {
+    for (const deck::OptionSpec& option : options)
+      out.emplace_back(option.code == "n" ? "3" : option.code);
+  };
+  add(variable.options);
+  if (!variable.option_table.empty()) add(deck::option_table(variable.option_table));
+  return out;
+}
+
+bool has_errors(const deck::Deck& deck) {
+  const auto issues = deck::check_deck(deck);
+  return std::any_of(issues.begin(), issues.end(),
+                     [](const Issue& issue) { return issue.severity == Severity::Error; });
+}
+
+}  // namespace
+
+TEST_CASE("any deck has its statics: whatever only moves is left out, and named",
+          "[physics][statics]") {
+  for (const char* type : kTypes) {
+    const auto base = solution(at_rest(type));
+    std::set<std::string> named;
+    int solved = 0;
+    for (const deck::RecordSpec& record : deck::schema())
+      for (const deck::VariableSpec& variable : record.variables) {
+        if (!moves_only(record.id, variable.name)) continue;
+        const std::string name(variable.name);
+        for (const std::string& code : codes(variable)) {
+          deck::Deck deck = at_rest(type);
+          if (!deck.has(name)) continue;  // of a record that this deck has no use for
+          if (name == "kPocHydro" || name == "kGsHydro" || name == "kChrn") deck.set("kTrac", "1");
+          deck.set(variable.length == "1" ? name : name + "[1]", code);
+          deck.complete();
+          if (deck.has("baseTemp")) {  // record 9.7 has no defaults
+            deck.set("baseTemp", "300.0");
+            deck.set("aveTime", "1.0");
+          }
+          if (has_errors(deck)) continue;  // no such code for this type
+          INFO(type << ": " << name << " = " << code << "\n" << remarks(deck));
+          CHECK(solution(deck) == base);
+          ++solved;
+          for (const build::IdleOption& idle : build::idle_options(deck)) {
+            named.insert(idle.variable);
+            CHECK_THAT(remarks(deck), Catch::Contains("play no part") &&
+                                          Catch::Contains(idle.variable + " = " + idle.value));
+          }
+        }
+      }
+    INFO(type);
+    CHECK(solved > 40);
+    for (const char* must : {"kTrac", "kTherm", "kChrn", "kPocHydro", "kGsHydro", "kDOF"}) {
+      INFO(must);
+      CHECK(named.count(must) == 1);
+    }
+  }
+}
+
+TEST_CASE("a cut or conical cage and given inertia leave the statics alone", "[physics][statics]") {
+  for (const char* type : kTypes) {
+    INFO(type);
+    const deck::Deck plain = at_rest(type);
+    const auto base = solution(plain);
+    deck::Deck cut = plain;
+    cut.set("nCseg", "2");
+    cut.complete();
+    if (!has_errors(cut)) {
+      CHECK(solution(cut) == base);
+      CHECK_THAT(remarks(cut), Catch::Contains("nCseg = 2 (a cage cut into segments)"));
+    }
+    deck::Deck bare = plain;
+    bare.set("nCseg", "0");
+    bare.complete();
+    CHECK(solution(bare) == base);
+  }
+}
+
+TEST_CASE("deviations of pocket clearances change the play of the cage", "[physics][cage]") {
+  const auto plays = [](const char* code, const char* deviation) {
+    deck::Deck deck = at_rest("ball");
+    deck.set("kCagePocImp", code);
+    deck.complete();
+    deck.set("bPocClsVar1", deviation);
+    deck.set("bPocCenVar1", "1e-4");
+    CHECK_THAT(remarks(deck), Catch::Contains("bPocCenVar1 = 0.0001 (an axial shift"));
+    return thermal::operating_bearing(build::build_bearing(deck)).operating->plays;
+  };
+  const auto find = [](const std::vector<bearing::CagePlay>& plays, const std::string& start) {
+    const auto at = std::find_if(plays.begin(), plays.end(),
+                                 [&](const auto& play) { return play.name.starts_with(start); });
+    REQUIRE(at != plays.end());
+    return at->free;
+  };
+  const double nominal = at_rest("ball").si("bPocCls1");
+  CHECK(find(plays("2", "-0.0003"), "pocket clearance I") == Approx(nominal - 3e-4));
+  const auto first = plays("1", "-0.0003");
+  CHECK(find(first, "pocket clearance I") == Approx(nominal));
+  CHECK(find(first, "pocket clearance I, pocket 1") == Approx(nominal - 3e-4));
+  const auto random = plays("3", "2e-5");
+  CHECK(find(random, "pocket clearance I") == Approx(nominal));
+  const double least = find(random, "pocket clearance I, pocket ");
+  CHECK(least < nominal);
+  CHECK(least > nominal - 1e-4);
+}
