@@ -145,6 +145,8 @@ void check_law_ranges(const Deck& deck, Checker& check) {
 void name_idle_options(const Deck& deck, Checker& check) {
   std::string names;
   for (const IdleOption& option : idle_options(deck)) {
+    if (option.variable == "kDCR" || option.variable == "kIcOpt" || option.variable == "kChrn")
+      continue;  // check_deck has warned of these
     names += fmt::format("{}{} = {} ({})", names.empty() ? "" : ", ", option.variable, option.value,
                          option.asks_for);
     if (option.variable == "kTherm")

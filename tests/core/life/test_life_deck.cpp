@@ -3,6 +3,7 @@
 #include "build/run_control.hpp"
 #include "deck/templates.hpp"
 #include "life/bearing_life.hpp"
+#include "life/capacity.hpp"
 #include "results/print_life.hpp"
 #include "statics/ball_statics.hpp"
 #include "thermal/operating.hpp"
@@ -12,6 +13,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 using namespace adore;
@@ -282,4 +284,36 @@ TEST_CASE("with material laws lives follow the modulus of the hot parts, and the
   CHECK_THAT(page(hot), Catch::Contains("The moduli, and with them the pressures") &&
                             Catch::Contains("Poisson's ratio, fatigue limit and the life factors"));
   CHECK_THAT(page(cold), Catch::Contains("The moduli are those of room temperature"));
+}
+
+TEST_CASE("a contact angle past 90 degrees leaves a life, and capacities pass 90 degrees smoothly",
+          "[physics][life]") {
+  deck::Deck deck = deck::new_deck("ball");
+  deck.set("mode", "-1");
+  deck.complete();
+  for (const auto& [name, value] :
+       {std::pair{"freeConAng", "88.0"}, {"appLoadX", "20000.0"}, {"appLoadZ", "0.0"},
+        {"rpm2", "20000.0"}})
+    deck.set(name, value);
+  const life::BearingLife past = life_of(deck);
+  CHECK(past.race[1].angle > 0.5 * std::numbers::pi);
+  CHECK(past.race[1].gamma < 0.0);
+  for (std::size_t race = 0; race < 2; ++race) {
+    CHECK(std::isfinite(past.race[race].Q_c));
+    CHECK(past.race[race].Q_c > 0.0);
+  }
+  const auto capacity = [](double degrees, bool inner) {
+    life::CapacityGeometry g;
+    g.diameter = 0.0127;
+    g.cos_alpha = std::cos(degrees * std::numbers::pi / 180.0);
+    g.gamma = g.diameter * g.cos_alpha / 0.060;
+    g.count = 12;
+    g.inner = inner;
+    g.profile_radius = 0.5 * g.diameter;
+    g.groove_radius = 0.52 * g.diameter;
+    return life::point_capacity(g);
+  };
+  CHECK(capacity(89.9, true) == Approx(capacity(90.1, true)).epsilon(2e-3));
+  // Past 90 degrees the inner race is curved as an outer one is before.
+  CHECK(capacity(95.0, true) == Approx(capacity(85.0, false)).epsilon(1e-9));
 }

@@ -123,6 +123,28 @@ TEST_CASE("reversed thrust on cones has no equilibrium, and that is said",
   CHECK_THROWS_AS(solve_roller_statics(load(cone, -3000, 0, 5000)), SolverError);
 }
 
+TEST_CASE("cones that turn so fast that they throw the inner race off say what thrust is missing",
+          "[physics][statics][rollers][hard]") {
+  const Bearing fast = roller_bearings::tapered(30000.0);
+  try {
+    solve_roller_statics(fast);
+    FAIL("2000 N cannot hold 17 rollers of 400 N centrifugal force each");
+  } catch (const SolverError& error) {
+    CHECK_THAT(error.what(), Catch::Contains("its centrifugal force of") &&
+                                 Catch::Contains("at least (F_r + Z F_c) tan α = ") &&
+                                 Catch::Contains("Lower the speed") &&
+                                 !Catch::Contains("first guess"));
+  }
+  Bearing slower = roller_bearings::tapered(10000.0);
+  CHECK(solved(slower).max_load > 0.0);
+  // With what was missing, and a tenth more, there is an equilibrium.
+  Bearing held = fast;
+  const RollerModel m = make_roller_model(fast, {});
+  const double needed = (5000.0 + 17 * m.centrifugal) * std::tan(14.2 * roller_bearings::kDegree);
+  held.constraints.load[0] = 1.1 * needed;
+  CHECK(solved(held).load[0] == Approx(1.1 * needed));
+}
+
 TEST_CASE("cones with their preload given as a displacement", "[physics][statics][rollers][hard]") {
   Bearing cone = unloaded(roller_bearings::tapered(3000.0));
   hold(load(cone, 0, 0, 2000), 0, 2e-5);

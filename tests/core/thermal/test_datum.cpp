@@ -2,6 +2,7 @@
 #include "build/build_bearing.hpp"
 #include "contact/groove.hpp"
 #include "deck/templates.hpp"
+#include "facade/prepare.hpp"
 #include "results/results_h5.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_model.hpp"
@@ -216,4 +217,26 @@ TEST_CASE("RESULTS.h5 tells where the race centres stand at zero displacement", 
   const double D = 0.0127, sine = std::sin(25.0 * std::numbers::pi / 180.0);
   CHECK(geometry.at("outer_race_free_x") == Approx(-0.020 * D * sine));
   CHECK(geometry.at("inner_race_free_x") == Approx(0.015 * D * sine));
+}
+
+TEST_CASE("a dynamic run starts from the same datum: held races carry the warm preload",
+          "[physics][datum]") {
+  const auto axial = [](const char* mode, const char* inner) {
+    facade::DeckRequest request;
+    request.deck = ADORE_SOURCE_DIR "/resources/decks/ball.txt";
+    request.sets = {{"mode", mode},         {"rpm2", "1000.0"},   {"appLoadZ", "0.0"},
+                    {"kFS1", "1"},          {"kFS3", "1"},        {"appDispX", "5.0307e-6"},
+                    {"raceTemp2", inner},   {"shftTemp", inner}};
+    const facade::Prepared p = facade::prepare(request);
+    if (!p.control.dynamic) return p.statics.load[0];
+    dynamics::System system = facade::make_system(p);
+    const dynamics::Snapshot now = system.snapshot(0.0, system.initial_state());
+    // Traction, which the statics leave out, carries up to a few parts in a thousand.
+    CHECK(now.races[1].applied_force.x() == Approx(p.start.load[0]).epsilon(5e-3));
+    CHECK(now.races[1].position.x() == Approx(5.0307e-6));
+    return p.start.load[0];
+  };
+  const double cold = axial("0", "293.15"), warm = axial("0", "333.15");
+  CHECK(warm > 8.0 * cold);
+  CHECK(warm == Approx(axial("-1", "333.15")).epsilon(0.02));  // frozen Hertz constants
 }
