@@ -30,6 +30,12 @@ int CostLedger::add_entry(std::string name) {
   return static_cast<int>(entries_.size()) - 1;
 }
 
+int CostLedger::entry(std::string_view name) {
+  for (std::size_t i = 0; i < entries_.size(); ++i)
+    if (entries_[i].name == name) return static_cast<int>(i);
+  return add_entry(std::string(name));
+}
+
 void CostLedger::add_sampled(int entry, Clock::duration duration) noexcept {
   Entry& e = entries_[static_cast<std::size_t>(entry)];
   e.sampled += std::max(duration - clock_cost(), Clock::duration::zero());

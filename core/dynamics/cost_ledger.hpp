@@ -3,6 +3,7 @@
 #include <array>
 #include <chrono>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// Where the time of a run goes. Timers inside the right-hand side are sampled (every n-th call is
@@ -14,6 +15,8 @@ class CostLedger {
   using Clock = std::chrono::steady_clock;
   /// Registers an entry and returns its handle.
   int add_entry(std::string name);
+  /// Handle of the entry of that name, registered at its first mention.
+  int entry(std::string_view name);
   /// Called at the start of each right-hand side; true when this call is to be measured.
   bool sample() noexcept { return (calls_++ % kSampleEvery) == 0; }
   /// Adds measured time of one sampled call (scaled up by calls / sampled calls on report; an entry

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "dynamics/ledger.hpp"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -41,11 +43,11 @@ struct ElementSnapshot {
   double x = 0.0, r = 0.0, theta = 0.0;  ///< mass centre; theta accumulates turns [m, m, rad]
   double vx = 0.0, vr = 0.0, theta_dot = 0.0;
   double ax = 0.0, ar = 0.0, theta_ddot = 0.0;  ///< ẍ, r̈ [m/s²], θ̈ [rad/s²]
-  Vec3 omega = Vec3::Zero();      ///< absolute, azimuth frame (x, y = -e_θ, z = e_r) [rad/s]
-  Vec3 x_axis = Vec3::UnitX();    ///< body x axis in the azimuth frame; valid when oriented
-  Quat orientation{1, 0, 0, 0};   ///< valid when oriented
-  double total_rotation = 0.0;    ///< ∫ ω·(body x axis) dt [rad]; valid when oriented
-  bool oriented = false;          ///< orientation is integrated for this element
+  Vec3 omega = Vec3::Zero();     ///< absolute, azimuth frame (x, y = -e_θ, z = e_r) [rad/s]
+  Vec3 x_axis = Vec3::UnitX();   ///< body x axis in the azimuth frame; valid when oriented
+  Quat orientation{1, 0, 0, 0};  ///< valid when oriented
+  double total_rotation = 0.0;   ///< ∫ ω·(body x axis) dt [rad]; valid when oriented
+  bool oriented = false;         ///< orientation is integrated for this element
   bool held = false;  ///< x and r in force balance (qFac): vx, vr, ax, ar are zero by definition
   std::array<RaceContactSnapshot, 2> race{};
   std::vector<PocketContactSnapshot> pocket;  ///< one per surface; empty without cage
@@ -79,46 +81,12 @@ struct RaceSnapshot : BodySnapshot {
 };
 
 struct PowerSnapshot {
-  double total_loss = 0.0;                                           ///< all dissipation now [W]
-  double churning_fraction = 0.0;                                    ///< 0 until churning exists
-  double race_contacts[2] = {0.0, 0.0}, pockets = 0.0, lands = 0.0;  ///< heat [W]
+  double total_loss = 0.0;         ///< all dissipation now: energy.heat_rate() [W]
+  double churning_fraction = 0.0;  ///< 0 until churning exists
   double life_hours = 0.0;         ///< at the loads now; infinity is a valid life; 0: no life model
-  // Time integrals since t = 0 of load x slip [J]: what Archard wear needs (element 1 per race, all of a race, cage).
+  // Time integrals since t = 0 of load x slip [J]: what Archard wear needs (element 1 per race, all
+  // of a race, cage).
   double qv_element1[2] = {0.0, 0.0}, qv_race[2] = {0.0, 0.0}, qv_cage = 0.0;
-};
-
-/// Items of the conservation ledger since the start of the run [J].
-struct EnergySnapshot {
-  double kinetic = 0.0, elastic = 0.0, gravity = 0.0;  ///< stored now
-  double stored_at_start = 0.0;
-  double work_race[2] = {
-      0.0, 0.0};  ///< done on the elements and cage by the prescribed motion of each race
-  double heat_race[2] = {0.0, 0.0}, heat_pockets = 0.0, heat_lands = 0.0;  ///< dissipated
-  // Light-load balance (qFac). `kinetic` leaves out ½m(ẋ² + ṙ²) of held elements.
-  bool light_load_balance = false;  ///< the three items below belong to the ledger
-  double switches = 0.0;      ///< Σ stored energy after - before, over all switches to held and back
-  double balance = 0.0;       ///< ∫ G·(ẋ, ṙ) dt, taken by the motion of held elements to balance
-  double left_out = 0.0;      ///< ½m(ẋ² + ṙ²) of held elements now: for information, no term
-  /// work - heat - balance + switches - (stored - stored_at_start); shrinks with the tolerance.
-  [[nodiscard]] double residual() const {
-    return work_race[0] + work_race[1] - heat_race[0] - heat_race[1] - heat_pockets - heat_lands -
-           balance + switches - (kinetic + elastic + gravity - stored_at_start);
-  }
-};
-
-/// Momentum of balls and cage together in the base frame, moments about its origin, since the start
-/// of the run. The races are prescribed: what they exert is external.
-struct MomentumSnapshot {
-  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();              ///< now [N s, N m s]
-  Vec3 linear_start = Vec3::Zero(), angular_start = Vec3::Zero();
-  Vec3 impulse = Vec3::Zero(), angular_impulse = Vec3::Zero();  ///< ∫ external force, moment dt
-  Vec3 held = Vec3::Zero(), angular_held = Vec3::Zero();  ///< taken by held elements (qFac)
-  double linear_size = 0.0, angular_size = 0.0;  ///< Σ over bodies of the momentum's size, now
-  /// impulse - held - change; both shrink with the tolerance.
-  [[nodiscard]] Vec3 linear_residual() const { return impulse - held - (linear - linear_start); }
-  [[nodiscard]] Vec3 angular_residual() const {
-    return angular_impulse - angular_held - (angular - angular_start);
-  }
 };
 
 struct Snapshot {
@@ -129,9 +97,10 @@ struct Snapshot {
   std::vector<CageSnapshot> cages;  ///< 0 or 1 entries (segments later)
   std::array<RaceSnapshot, 2> races;
   PowerSnapshot power;
-  EnergySnapshot energy;
-  std::optional<MomentumSnapshot> momentum;  ///< with the momentum ledger
-  double max_quaternion_error = 0.0;   ///< largest | |q| - 1 |
+  EnergyLedger energy;                     ///< since the start of the run
+  std::optional<MomentumLedger> momentum;  ///< the same, with the momentum ledger
+  std::optional<int> held_elements;        ///< in force balance, with light-load balance (qFac)
+  double max_quaternion_error = 0.0;       ///< largest | |q| - 1 |
 };
 
 }  // namespace adore::dynamics

@@ -1,70 +1,84 @@
 #include "dynamics/system.hpp"
 
 #include "base/errors.hpp"
-#include "dynamics/rigid_body.hpp"
+#include "base/rotation.hpp"
+#include "dynamics/state_access.hpp"
 #include "dynamics/system_impl.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace adore::dynamics {
 
-bool System::Impl::evaluate(double t, const double* y, double* dydt) noexcept {
+bool System::Impl::evaluate_blocks(double t, const double* y, double* dydt) noexcept {
   e.begin(t, y, dydt);
-  for (const Block& b : blocks) {
+  for (const Assembly::Block& b : parts.blocks) {
     b.block->apply(e);
     if (!e.valid) return false;
   }
+  for (const Integral& integral : integrals) dydt[integral.index] = *integral.rate;
   return true;
 }
 
 bool System::Impl::evaluate_measured(double t, const double* y, double* dydt) noexcept {
   e.begin(t, y, dydt);
-  for (const Block& b : blocks) {
+  for (const Assembly::Block& b : parts.blocks) {
     const auto start = CostLedger::Clock::now();
     b.block->apply(e);
-    ledger.add_sampled(b.entry, CostLedger::Clock::now() - start);
+    parts.cost.add_sampled(b.entry, CostLedger::Clock::now() - start);
     if (!e.valid) return false;
   }
+  for (const Integral& integral : integrals) dydt[integral.index] = *integral.rate;
   return true;
 }
 
-void System::Impl::evaluate_for_report(double t, std::span<const double> y) {
-  demand(static_cast<int>(y.size()) == layout.size(), "a state of another system was given");
-  if (!evaluate(t, y.data(), rates.data())) throw_invalid(t, y.data());
+/// What a block did to the elements is the difference of the forces on them.
+bool System::Impl::evaluate_with_shares(double t, const double* y, double* dydt,
+                                        double* shares) noexcept {
+  const auto border = static_cast<std::size_t>(border_count);
+  const std::size_t elements = e.F_x.size();
+  std::fill_n(shares, border * elements, 0.0);
+  e.begin(t, y, dydt);
+  const std::array now{&e.F_x, &e.F_r, &e.F_theta, &e.M_x, &e.M_r, &e.M_theta};
+  for (const Assembly::Block& b : parts.blocks) {
+    if (b.meets_border)
+      for (std::size_t k = 0; k < 6; ++k)
+        std::copy(now[k]->begin(), now[k]->end(), before[k].begin());
+    b.block->apply(e);
+    if (!e.valid) return false;
+    if (!b.meets_border) continue;
+    for (std::size_t i = 0; i < elements; ++i) {
+      const Vec3 force = e.to_base(i, e.F_x[i] - before[0][i], e.F_r[i] - before[1][i],
+                                   e.F_theta[i] - before[2][i]);
+      const Vec3 moment = e.to_base(i, e.M_x[i] - before[3][i], e.M_r[i] - before[4][i],
+                                    e.M_theta[i] - before[5][i]);
+      parts.border->add_share(e, i, force, moment, border_first, shares + i * border);
+    }
+  }
+  for (const Integral& integral : integrals) dydt[integral.index] = *integral.rate;
+  return true;
+}
+
+const Evaluation& System::Impl::evaluate(double t, std::span<const double> y) {
+  demand(static_cast<int>(y.size()) == parts.layout.size(), "a state of another system was given");
+  if (!evaluate_blocks(t, y.data(), rates.data())) throw_invalid(t, y.data());
+  return e;
+}
+
+bool System::Impl::is_valid(double t, std::span<const double> y) noexcept {
+  return evaluate_blocks(t, y.data(), rates.data());
 }
 
 std::string System::Impl::what_is_invalid(const double* y) const {
-  for (int i = 0; i < layout.controlled_size(); ++i)
+  for (int i = 0; i < parts.layout.controlled_size(); ++i)
     if (!std::isfinite(y[i]))
       return fmt::format(
           "the state is not finite ({} = {}); use a smaller tolerance or largest step",
-          layout.component_name(i), y[i]);
-  for (std::size_t i = 0; i < e.balls.n; ++i)
-    if (!(y[ball.r.first + static_cast<int>(i)] > 0.0))
-      return fmt::format(
-          "element {} has reached the bearing axis; check speeds, loads and the largest step",
-          i + 1);
-  for (std::size_t j = 0; j < 2; ++j)
-    for (std::size_t i = 0; i < e.balls.n; ++i)
-      if (e.load[j][i] > contact::hertz_load(contacts[j].hertz.K, contacts[j].groove.ball_radius))
-        return fmt::format(
-            "element {} is pressed into the {} race by more than its own radius; use a "
-            "smaller largest step",
-            i + 1, j == 0 ? "outer" : "inner");
-  if (pockets)
-    for (std::size_t i = 0; i < pockets->size(); ++i)
-      if (!pockets->inside(i)) {
-        const Vec3 q = pockets->centre(i);
-        return fmt::format(
-            "the centre of element {} is outside its cage pocket (axial {:.4g} m, against the "
-            "rotation {:.4g} m, radial {:.4g} m from the pocket centre); check the cage's start "
-            "position, its pocket clearance and the largest step",
-            i + 1, q[0], q[1], q[2]);
-      }
+          parts.layout.component_name(i), y[i]);
+  for (const auto& effect : parts.effects)
+    if (std::string why = effect->why_invalid(e); !why.empty()) return why;
   return "an acceleration is not finite; use a smaller tolerance or largest step";
 }
 
@@ -74,15 +88,16 @@ void System::Impl::throw_invalid(double t, const double* y) const {
 
 System::System(const bearing::Bearing& bearing, const ScenePlan& plan,
                const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
-               const SystemOptions& options)
-    : impl_(std::make_unique<Impl>(bearing, plan, statics, fixed_angle, options)) {}
+               const SystemOptions& options, const std::vector<EffectMaker>& more_effects)
+    : impl_(std::make_unique<Impl>(bearing, plan, statics, fixed_angle, options, more_effects)) {}
 System::~System() = default;
 System::System(System&&) noexcept = default;
 
-const StateLayout& System::layout() const noexcept { return impl_->layout; }
+const StateLayout& System::layout() const noexcept { return impl_->parts.layout; }
 const Scales& System::scales() const noexcept { return impl_->scales; }
-CostLedger& System::cost() noexcept { return impl_->ledger; }
+CostLedger& System::cost() noexcept { return impl_->parts.cost; }
 const bearing::Bearing& System::bearing() const noexcept { return impl_->bearing; }
+std::span<const int> System::coupling() const noexcept { return impl_->parts.owner; }
 
 void System::set_scales(const Scales& scales) {
   demand(scales.length > 0.0 && scales.force > 0.0 && scales.time > 0.0, "scales must be positive");
@@ -91,67 +106,79 @@ void System::set_scales(const Scales& scales) {
 }
 
 std::vector<double> System::initial_state() const {
-  const Impl& s = *impl_;
-  std::vector<double> y(static_cast<std::size_t>(s.layout.size()), 0.0);
-  const auto at = [&y](const Slice& slice, std::size_t i) -> double& {
-    return y[static_cast<std::size_t>(slice.first) + i];
-  };
-  double mean_x = 0.0;
-  for (std::size_t i = 0; i < s.statics.balls.size(); ++i) {
-    const statics::StaticBall& ball = s.statics.balls[i];
-    at(s.ball.x, i) = ball.x;
-    at(s.ball.r, i) = ball.r;
-    at(s.ball.theta, i) = ball.azimuth;
-    at(s.ball.theta_dot, i) = ball.orbital_speed;
-    at(s.ball.omega_x, i) = ball.omega_x;
-    at(s.ball.omega_r, i) = ball.omega_r;
-    at(s.ball.omega_theta, i) = ball.omega_theta;
-    mean_x += ball.x / static_cast<double>(s.statics.balls.size());
-  }
-  for (const OrientedElement& oriented : s.oriented) {  // body axes start along the azimuth frame
-    const Quat q = quaternion_about(Vec3::UnitX(), s.statics.balls[oriented.element].azimuth);
-    for (std::size_t k = 0; k < 4; ++k) at(oriented.orientation, k) = q[k];
-  }
-  if (!s.has_cage()) return y;
-
-  const bearing::Cage& cage = *s.bearing.cage;
-  const CageStart start =
-      cage_start(nominal_cage_speed(s.bearing), cage.speed_ratio, cage.whirl_ratio,
-                 {mean_x, 0.0, 0.0}, cage.start_offset, cage.start_angles);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto axis = static_cast<Eigen::Index>(k);
-    at(s.cage.position, k) = start.mass_centre[axis];
-    at(s.cage.velocity, k) = start.mass_centre_velocity[axis];
-    at(s.cage.omega, k) = start.omega_body[axis];
-  }
-  for (std::size_t k = 0; k < 4; ++k) at(s.cage.orientation, k) = start.orientation[k];
+  std::vector<double> y(static_cast<std::size_t>(impl_->parts.layout.size()), 0.0);
+  for (const auto& effect : impl_->parts.effects) effect->start(y);
   return y;
 }
 
 RhsStatus System::rhs(double t, const double* y, double* dydt) noexcept {
   Impl& s = *impl_;
-  const bool valid = s.ledger.sample() ? s.evaluate_measured(t, y, dydt) : s.evaluate(t, y, dydt);
+  const bool valid =
+      s.parts.cost.sample() ? s.evaluate_measured(t, y, dydt) : s.evaluate_blocks(t, y, dydt);
   return valid ? RhsStatus::Ok : RhsStatus::Retry;
+}
+
+RhsStatus System::rhs_with_shares(double t, const double* y, double* dydt,
+                                  double* shares) noexcept {
+  return impl_->evaluate_with_shares(t, y, dydt, shares) ? RhsStatus::Ok : RhsStatus::Retry;
+}
+
+bool System::has_stiff_part() const noexcept { return impl_->stiff != nullptr; }
+
+RhsStatus System::rhs_stiff(double, const double* y, double* dydt) noexcept {
+  Impl& s = *impl_;
+  if (s.stiff == nullptr) return RhsStatus::Fail;
+  return s.stiff->stiff_part(s.e, y, dydt, s.parts.layout.size()) ? RhsStatus::Ok
+                                                                  : RhsStatus::Retry;
 }
 
 bool System::project(double, double* y) const noexcept {
   bool changed = false;
-  const auto renormalise = [&](const Slice& slice) {
-    double* q = y + slice.first;
-    const Quat unit = normalise({q[0], q[1], q[2], q[3]});
+  for (const Slice& slice : impl_->parts.quaternions) {
+    const Quat unit = normalise(quaternion_at(y, slice));
     for (std::size_t k = 0; k < 4; ++k) {
-      changed = changed || q[k] != unit[k];
-      q[k] = unit[k];
+      double& q = y[slice.first + static_cast<int>(k)];
+      changed = changed || q != unit[k];
+      q = unit[k];
     }
-  };
-  if (impl_->has_cage()) renormalise(impl_->cage.orientation);
-  for (const OrientedElement& element : impl_->oriented) renormalise(element.orientation);
+  }
   return changed;
 }
 
 void System::check_state(double t, const double* y) const {
   Impl& s = *impl_;
-  if (!s.evaluate(t, y, s.rates.data())) s.throw_invalid(t, y);
+  if (!s.evaluate_blocks(t, y, s.rates.data())) s.throw_invalid(t, y);
+}
+
+bool System::between_steps(double t, std::span<double> y) {
+  bool changed = false;
+  for (const auto& effect : impl_->parts.effects)
+    changed = effect->between_steps(t, y, *impl_) || changed;
+  return changed;
+}
+
+Snapshot System::snapshot(double t, std::span<const double> y) {
+  Impl& s = *impl_;
+  s.evaluate(t, y);
+  Snapshot snapshot;
+  snapshot.time = t;
+  snapshot.energy = s.energy_ledger();
+  if (s.parts.wants_momentum) snapshot.momentum = s.momentum_ledger();
+  snapshot.power.total_loss = snapshot.energy.heat_rate();
+  for (const Slice& slice : s.parts.quaternions)
+    snapshot.max_quaternion_error = std::max(snapshot.max_quaternion_error,
+                                             std::abs(norm(quaternion_at(y.data(), slice)) - 1.0));
+  for (const auto& effect : s.parts.effects) effect->report(s.e, snapshot);
+  return snapshot;
+}
+
+double System::quadrature_error(double t, std::span<const double> y) {
+  Impl& s = *impl_;
+  s.evaluate(t, y);
+  double largest = 0.0;
+  for (const auto& effect : s.parts.effects)
+    largest = std::max(largest, effect->quadrature_error(s.e));
+  return largest;
 }
 
 }  // namespace adore::dynamics

@@ -8,6 +8,7 @@
 #include "statics/ball_statics.hpp"
 #include "tribology/ellipse_traction.hpp"
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -30,6 +31,10 @@ struct SystemOptions {
   int land_slices = 3;
 };
 
+class SceneEffect;  // effect.hpp
+/// Makes an effect that the catalogue does not have; null: not in this scene.
+using EffectMaker = std::function<std::unique_ptr<SceneEffect>(const ScenePlan&)>;
+
 enum class RhsStatus : unsigned char { Ok, Retry, Fail };
 
 class System {
@@ -38,7 +43,7 @@ class System {
   /// that forces agree).
   System(const bearing::Bearing& bearing, const ScenePlan& plan,
          const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
-         const SystemOptions& options);
+         const SystemOptions& options, const std::vector<EffectMaker>& more_effects = {});
   ~System();
   System(System&&) noexcept;
 
@@ -47,33 +52,30 @@ class System {
   void set_scales(const Scales& scales);  ///< continuation keeps the first run's scales (N7)
   /// Start from statics and record 9.6.
   [[nodiscard]] std::vector<double> initial_state() const;
-  /// Fixes the reference of the ledgers and takes over which elements the state holds (call once
-  /// with the start state).
+  /// Fixes the reference of the ledgers and takes over what effects keep beside the state (call
+  /// once with the start state).
   void set_start(double t, std::span<const double> y);
 
   /// y' = f(t, y). No allocation, no throw. Retry: a ball left its pocket radially or the like in a
   /// trial step.
   RhsStatus rhs(double t, const double* y, double* dydt) noexcept;
-  /// The fast part of the motion by itself, for implicit-explicit methods (system_stiff.hpp): false
-  /// without race contacts.
+  /// The fast part of the motion by itself, for implicit-explicit methods (normal_contacts.hpp):
+  /// false without race contacts.
   [[nodiscard]] bool has_stiff_part() const noexcept;
   /// Writes its rates, all of dydt. No allocation, no throw.
   RhsStatus rhs_stiff(double t, const double* y, double* dydt) noexcept;
   /// Who couples with whom: number of the element (0, 1, ...) that each controlled component
-  /// belongs to, -1 for the cage. Elements meet only through the cage.
+  /// belongs to, -1 for what meets every element (the cage). Elements meet only through that.
   [[nodiscard]] std::span<const int> coupling() const noexcept;
-  /// rhs, and what each element adds to each rate of the cage: shares[element * cage components +
-  /// component], in the order of the components.
+  /// rhs, and what each element adds to each rate of the border (coupling -1): shares[element *
+  /// border components + component], in the order of the components.
   RhsStatus rhs_with_shares(double t, const double* y, double* dydt, double* shares) noexcept;
-  /// Light-load balance (qFac): which elements stand in force balance changes here and nowhere
+  /// Changes of the model (which elements stand in force balance, qFac) happen here and nowhere
   /// else, so that between two calls rhs stays a pure function of (t, y). Call after a finished
-  /// step, and once at the start of a new run; true when y changed: the stepper must restart.
-  /// An element is held when its largest contact load is at or below qFac times the force scale
-  /// and, put in balance, below the release level; released above kReleaseRatio times that. The
-  /// jumps of energy and momentum are booked in y. Always false without the effect.
+  /// step, and once at the start of a new run; true when y changed: the stepper must restart. Jumps
+  /// of energy and momentum are booked in y.
   /// @throws SolverError when the state is not valid
-  bool update_held(double t, std::span<double> y);
-  [[nodiscard]] int held_count() const noexcept;
+  bool between_steps(double t, std::span<double> y);
   /// Renormalises quaternions; true when y changed.
   bool project(double t, double* y) const noexcept;
   /// Throws SolverError with a sentence when an accepted state is physically meaningless (ball

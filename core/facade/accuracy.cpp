@@ -28,7 +28,7 @@ EndState integrate(const Prepared& prepared, const std::string& method, double t
   system.set_start(0.0, start);
   // With qFac: the elements that the start state holds, for the whole span. When a method would
   // hold or release others depends on where its steps end, and that is no error of the method.
-  system.update_held(0.0, start);
+  system.between_steps(0.0, start);
   SystemOde ode(system);
   const auto stepper = integrators::make_stepper(method);
   const double scale = system.scales().time;

@@ -182,7 +182,7 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
   /// starts anew from the changed state with its last step size.
   auto update_held = [&] {
     std::vector<double> y(stepper->state().begin(), stepper->state().end());
-    if (!system.update_held(stepper->time(), y)) return;
+    if (!system.between_steps(stepper->time(), y)) return;
     ++held_changes;
     add_counters(counters, stepper->counters());
     ++counters.restarts;
@@ -194,7 +194,7 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
 
   const auto loop_begin = Clock::now();
   try {
-    if (!start.continued && system.update_held(start.time, start.y)) ++held_changes;
+    if (!start.continued && system.between_steps(start.time, start.y)) ++held_changes;
     stepper->start(ode, start.time, start.y, control);
     if (!start.continued)
       output([&] {

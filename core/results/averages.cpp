@@ -12,8 +12,7 @@ RunAverages::Totals RunAverages::totals(const dynamics::Snapshot& snapshot) {
     totals.elements += element.theta;
   if (!snapshot.elements.empty()) totals.elements /= static_cast<double>(snapshot.elements.size());
   if (!snapshot.cages.empty()) totals.cage = snapshot.cages.front().total_rotation;
-  const dynamics::EnergySnapshot& energy = snapshot.energy;
-  totals.heat = energy.heat_race[0] + energy.heat_race[1] + energy.heat_pockets + energy.heat_lands;
+  totals.heat = snapshot.energy.sum(dynamics::LedgerKind::Heat);
   return totals;
 }
 

@@ -1,8 +1,13 @@
+#include "dynamics/effect_catalogue.hpp"
 #include "results/channels.hpp"
 #include "results/motion.hpp"
 #include "results/print_life.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
+#include <deque>
+#include <string>
 
 /// The table itself. Adding a quantity is one entry here (and one column in sol_columns.cpp when a
 /// classic file has it).
@@ -254,31 +259,38 @@ constexpr auto kTable = std::to_array<Channel>({
      [](const Source& s) { return s.bearing->ball_temperature; }, "rolling elements"},
     {"power.cage_temperature", "cage bulk temperature", &unit::kTemperature, "-", Per::Run, 1, false,
      [](const Source& s) { return s.bearing->cage_temperature; }, "cage"},
-    {"power.pocket_heat", "heat in the pockets", &unit::kPower, "-", Per::Run, 1, false,
-     [](const Source& s) { return s.snapshot->power.pockets; }, "dissipated between elements and cage"},
-    {"power.land_heat", "heat at the guide lands", &unit::kPower, "-", Per::Run, 1, false,
-     [](const Source& s) { return s.snapshot->power.lands; }, "dissipated between cage and races"},
-    // Conservation ledger.
-    {"energy.kinetic", "kinetic energy", &unit::kEnergy, "N", Per::Run, 1, false,
-     [](const Source& s) { return s.snapshot->energy.kinetic; }, "stored now"},
-    {"energy.elastic", "elastic energy", &unit::kEnergy, "-", Per::Run, 1, false,
-     [](const Source& s) { return s.snapshot->energy.elastic; }, "stored now"},
-    {"energy.gravity", "energy in gravity", &unit::kEnergy, "N", Per::Run, 1, false,
-     [](const Source& s) { return s.snapshot->energy.gravity; }, "stored now"},
-    {"energy.work", "work of the races", &unit::kEnergy, "-", Per::Race, 1, false,
-     [](const Source& s) { return s.snapshot->energy.work_race[s.race]; }, "done by the prescribed motion since the start"},
-    {"energy.heat", "heat at the races", &unit::kEnergy, "-", Per::Race, 1, false,
-     [](const Source& s) { return s.snapshot->energy.heat_race[s.race]; }, "dissipated since the start"},
-    {"energy.pocket_heat", "heat in the pockets", &unit::kEnergy, "-", Per::Run, 1, false,
-     [](const Source& s) { return s.snapshot->energy.heat_pockets; }, "dissipated since the start"},
-    {"energy.land_heat", "heat at the guide lands", &unit::kEnergy, "-", Per::Run, 1, false,
-     [](const Source& s) { return s.snapshot->energy.heat_lands; }, "dissipated since the start"},
-    {"energy.residual", "energy residual", &unit::kEnergy, "-", Per::Run, 1, false,
-     [](const Source& s) { return s.snapshot->energy.residual(); }, "work less heat less change of stored energy"},
 });
+
+/// Of the conservation ledger: a channel for each item that it may hold, and the heat now of those
+/// that no race owns.
+std::vector<Channel> with_ledger() {
+  using dynamics::LedgerKind;
+  static std::deque<std::string> ids;  // outlive the channels
+  std::vector<Channel> all(kTable.begin(), kTable.end());
+  const std::vector<const dynamics::LedgerTerm*> terms = dynamics::energy_terms();
+  for (const dynamics::LedgerTerm* term : terms)
+    if (term->kind == LedgerKind::Heat && !term->per_race())
+      all.push_back({ids.emplace_back(fmt::format("power.{}", term->id)), term->label, &unit::kPower, term->frame,
+                     Per::Run, 1, false, [](const Source& s) { return s.snapshot->energy.rate(s.term->id); },
+                     "dissipated now", term});
+  for (const dynamics::LedgerTerm* term : terms)
+    all.push_back({ids.emplace_back(fmt::format("energy.{}", term->id)), term->label, &unit::kEnergy, term->frame,
+                   term->per_race() ? Per::Race : Per::Run, 1, false,
+                   [](const Source& s) {
+                     return s.snapshot->energy.value(s.term->id, s.term->per_race() ? static_cast<int>(s.race) : 0);
+                   },
+                   term->help, term});
+  all.push_back({"energy.residual", "energy residual", &unit::kEnergy, "-", Per::Run, 1, false,
+                 [](const Source& s) { return s.snapshot->energy.residual(); },
+                 "work less heat less change of stored energy"});
+  return all;
+}
 
 }  // namespace
 
-std::span<const Channel> channels() { return kTable; }
+std::span<const Channel> channels() {
+  static const std::vector<Channel> all = with_ledger();
+  return all;
+}
 
 }  // namespace adore::results

@@ -148,6 +148,7 @@ const StepRecord& ChannelRecorder::record(const dynamics::Snapshot& snapshot) {
   for (std::size_t c = 0; c < record_.values.size(); ++c) {
     const Channel& channel = channels()[c];
     std::vector<double>& values = record_.values[c];
+    source.term = channel.term;
     for (std::size_t k = 0; k < values.size(); ++k) {
       point_at(source, channel, shape, k);
       const double value = channel.value(source);

@@ -25,6 +25,7 @@ struct ChannelSource {
   const bearing::Bearing* bearing = nullptr;
   double unit_length = 1.0;  ///< the deck's unit of length [m], see cage_clearance_scale()
   std::size_t element = 0, race = 0, surface = 0, cage = 0, land = 0, component = 0;
+  const dynamics::LedgerTerm* term = nullptr;  ///< that of the channel
 
   [[nodiscard]] const dynamics::ElementSnapshot& ball() const {
     return snapshot->elements[element];
@@ -47,6 +48,7 @@ struct Channel {
   bool continuous = false;  ///< an angle kept continuous between records (N101)
   double (*value)(const ChannelSource&) = nullptr;  ///< SI and radians
   std::string_view help;
+  const dynamics::LedgerTerm* term = nullptr;  ///< of channels that show an item of the ledger
 };
 
 /// All channels, in a fixed order.

@@ -259,10 +259,9 @@ void summary(Report& report, const dynamics::Snapshot& snapshot, const StepRecor
   }
   report.item("Power loss", snapshot.power.total_loss, unit::kPower);
   report.item("Power loss, average over time", averages.power_loss, unit::kPower);
-  report.item("    of it now: outer race contacts", snapshot.power.race_contacts[0], unit::kPower);
-  report.item("    of it now: inner race contacts", snapshot.power.race_contacts[1], unit::kPower);
-  report.item("    of it now: cage pockets", snapshot.power.pockets, unit::kPower);
-  report.item("    of it now: guide lands", snapshot.power.lands, unit::kPower);
+  for (const auto& item : snapshot.energy.items())
+    if (item.term->kind == dynamics::LedgerKind::Heat)
+      report.item(fmt::format("    of it now: {}", item.place()), item.rate, unit::kPower);
   report.item("Churning and drag, fraction of the loss", snapshot.power.churning_fraction,
               unit::kPure);
   report.item("Average wear rate, rolling element 1", record["power.element1_wear_rate"][0],
@@ -272,10 +271,8 @@ void summary(Report& report, const dynamics::Snapshot& snapshot, const StepRecor
   if (!snapshot.cages.empty())
     report.item("Average wear rate, cage", record["power.cage_wear_rate"][0], unit::kVolumeFlow);
   fatigue_life(report, snapshot);
-  if (snapshot.energy.light_load_balance)
-    report.item("Elements held in force balance",
-                std::count_if(snapshot.elements.begin(), snapshot.elements.end(),
-                              [](const dynamics::ElementSnapshot& e) { return e.held; }));
+  if (snapshot.held_elements)
+    report.item("Elements held in force balance", static_cast<long>(*snapshot.held_elements));
   report.item("Energy residual", snapshot.energy.residual(), unit::kEnergy);
 }
 

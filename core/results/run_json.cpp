@@ -34,56 +34,50 @@ std::string compiler() {
 
 }  // namespace
 
-std::vector<std::pair<std::string, double>> energy_items(const dynamics::EnergySnapshot& e) {
-  std::vector<std::pair<std::string, double>> items{{"stored at the start", e.stored_at_start},
-                                                    {"kinetic energy now", e.kinetic},
-                                                    {"elastic energy now", e.elastic},
-                                                    {"energy in gravity now", e.gravity},
-                                                    {"work of the outer race", e.work_race[0]},
-                                                    {"work of the inner race", e.work_race[1]},
-                                                    {"heat, outer race contacts", e.heat_race[0]},
-                                                    {"heat, inner race contacts", e.heat_race[1]},
-                                                    {"heat, cage pockets", e.heat_pockets},
-                                                    {"heat, guide lands", e.heat_lands}};
-  if (e.light_load_balance) {
-    items.emplace_back("switches of held elements", e.switches);
-    items.emplace_back("taken by held elements' way to balance", e.balance);
-    items.emplace_back("kinetic energy left out of held elements now", e.left_out);
-  }
-  items.emplace_back("residual", e.residual());
+std::vector<std::pair<std::string, double>> energy_items(const dynamics::EnergyLedger& energy) {
+  std::vector<std::pair<std::string, double>> items;
+  for (const auto& item : energy.items()) items.emplace_back(item.name(), item.value);
+  items.emplace_back("residual", energy.residual());
   return items;
 }
 
-std::vector<std::pair<std::string, double>> momentum_items(const dynamics::MomentumSnapshot& m) {
+std::vector<std::pair<std::string, double>> momentum_items(const dynamics::MomentumLedger& m) {
+  using dynamics::LedgerKind;
   static constexpr const char* kAxes[] = {"x", "y", "z"};
   std::vector<std::pair<std::string, double>> items;
-  const auto add = [&items](const std::string& name, const char* unit, const dynamics::Vec3& v) {
-    for (int k = 0; k < 3; ++k)
-      items.emplace_back(name + ", " + kAxes[k] + " [" + unit + "]", v[k]);
+  const auto walk = [&items](const dynamics::Ledger<dynamics::Vec3>& ledger,
+                             const std::string& quantity, const char* unit) {
+    const auto add = [&](const std::string& name, const dynamics::Vec3& v) {
+      for (int k = 0; k < 3; ++k)
+        items.emplace_back(name + ", " + kAxes[k] + " [" + unit + "]", v[k]);
+    };
+    const auto add_kind = [&](LedgerKind kind) {
+      for (const auto& item : ledger.items())
+        if (item.term->kind == kind && (kind == LedgerKind::Work || !item.value.isZero(0.0)))
+          add(item.name(), item.value);
+    };
+    add_kind(LedgerKind::Work);
+    add("change of " + quantity, ledger.sum(LedgerKind::Stored) - ledger.sum(LedgerKind::Start));
+    for (const LedgerKind kind : {LedgerKind::Heat, LedgerKind::Switch, LedgerKind::Taken})
+      add_kind(kind);
+    add("residual of " + quantity, ledger.residual());
   };
-  const dynamics::Vec3 linear = m.linear_residual(), angular = m.angular_residual();
-  add("impulse from outside", "N s", m.impulse);
-  add("change of linear momentum", "N s", m.linear - m.linear_start);
-  if (!m.held.isZero(0.0)) add("linear momentum taken by held elements", "N s", m.held);
-  add("residual of linear momentum", "N s", linear);
-  add("angular impulse from outside", "N m s", m.angular_impulse);
-  add("change of angular momentum", "N m s", m.angular - m.angular_start);
-  if (!m.angular_held.isZero(0.0))
-    add("angular momentum taken by held elements", "N m s", m.angular_held);
-  add("residual of angular momentum", "N m s", angular);
+  walk(m.linear, "linear momentum", "N s");
+  walk(m.angular, "angular momentum", "N m s");
   items.emplace_back("linear residual over momentum carried",
-                     m.linear_size > 0.0 ? linear.norm() / m.linear_size : 0.0);
+                     m.linear_size > 0.0 ? m.linear.residual().norm() / m.linear_size : 0.0);
   items.emplace_back("angular residual over momentum carried",
-                     m.angular_size > 0.0 ? angular.norm() / m.angular_size : 0.0);
+                     m.angular_size > 0.0 ? m.angular.residual().norm() / m.angular_size : 0.0);
   return items;
 }
 
-double energy_scale(const dynamics::EnergySnapshot& e) {
-  const double moved = std::max(std::abs(e.work_race[0] + e.work_race[1]),
-                                e.heat_race[0] + e.heat_race[1] + e.heat_pockets + e.heat_lands);
-  return moved > 0.0
-             ? moved
-             : std::max(std::abs(e.stored_at_start), std::abs(e.kinetic + e.elastic + e.gravity));
+double energy_scale(const dynamics::EnergyLedger& energy) {
+  using dynamics::LedgerKind;
+  const double moved =
+      std::max(std::abs(energy.sum(LedgerKind::Work)), energy.sum(LedgerKind::Heat));
+  return moved > 0.0 ? moved
+                     : std::max(std::abs(energy.sum(LedgerKind::Start)),
+                                std::abs(energy.sum(LedgerKind::Stored)));
 }
 
 Json run_json(const RunSummary& run) {

@@ -39,7 +39,7 @@ struct RunSummary {
   long steps = 0;
   double time = 0.0, revolutions = 0.0;
   Counters counters;
-  std::optional<dynamics::EnergySnapshot> energy;        ///< at the end
+  std::optional<dynamics::EnergyLedger> energy;          ///< at the end
   std::vector<std::pair<std::string, double>> momentum;  ///< residuals, by name with unit
   std::optional<double> max_quaternion_error;
   std::optional<double> quadrature_error;               ///< System::quadrature_error at the end
@@ -59,15 +59,15 @@ void write_run_json(const RunSummary& run, const std::filesystem::path& path);
 
 /// Name, value [J] of each item of the conservation ledger, residual last. Shared with PRINT.txt.
 [[nodiscard]] std::vector<std::pair<std::string, double>> energy_items(
-    const dynamics::EnergySnapshot& energy);
+    const dynamics::EnergyLedger& energy);
 
 /// Name with unit and value of each item of the momentum ledger: what came from outside, what
 /// changed, and the residuals, also relative to the momentum that the bodies carry now.
 [[nodiscard]] std::vector<std::pair<std::string, double>> momentum_items(
-    const dynamics::MomentumSnapshot& momentum);
+    const dynamics::MomentumLedger& momentum);
 
 /// Size of the energies that moved, to judge the residual by: heat and work, or else the stored
 /// energy [J].
-[[nodiscard]] double energy_scale(const dynamics::EnergySnapshot& energy);
+[[nodiscard]] double energy_scale(const dynamics::EnergyLedger& energy);
 
 }  // namespace adore::results

@@ -137,8 +137,8 @@ TEST_CASE("implicit-explicit steps converge to the explicit solution of a bearin
     double error = 0.0;
     for (int i = 0; i < system.layout().controlled_size(); ++i)
       error = std::max(error, std::abs(imex.y[i] - reference.y[i]) / scales[i]);
-    const EnergySnapshot energy = system.snapshot(end, imex.y).energy;
-    const double residual = std::abs(energy.residual()) / energy.stored_at_start;
+    const EnergyLedger energy = system.snapshot(end, imex.y).energy;
+    const double residual = std::abs(energy.residual()) / energy.sum(LedgerKind::Start);
     INFO("tolerance " << tolerance << ": error " << error << ", energy residual " << residual
                       << ", steps " << imex.counters.steps);
     // Two decades of tolerance are 1.6 of the error at order four; contacts open and close.

@@ -303,9 +303,9 @@ TEST_CASE(
   }
   system.set_start(0.0, y);
   const RunResult result = run(system, y, 2e-3, 1e-10);
-  const EnergySnapshot energy = system.snapshot(2e-3, result.y).energy;
-  CHECK(energy.work_race[0] + energy.work_race[1] == 0.0);
-  CHECK(std::abs(energy.residual()) < 1e-7 * energy.stored_at_start);
+  const EnergyLedger energy = system.snapshot(2e-3, result.y).energy;
+  CHECK(energy.sum(LedgerKind::Work) == 0.0);
+  CHECK(std::abs(energy.residual()) < 1e-7 * energy.sum(LedgerKind::Start));
   for (std::size_t i = 0; i < 6; ++i)  // concentric races of revolution: r² θ' is conserved
     CHECK(result.y[6 + i] * result.y[6 + i] * result.y[30 + i] ==
           Approx(y[6 + i] * y[6 + i] * y[30 + i]).epsilon(1e-8));

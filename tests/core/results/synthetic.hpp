@@ -2,8 +2,11 @@
 
 #include "base/errors.hpp"
 #include "bearing/bearing.hpp"
+#include "dynamics/effect_catalogue.hpp"
+#include "dynamics/ledger_terms.hpp"
 #include "dynamics/snapshot.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -126,16 +129,29 @@ inline dynamics::Snapshot make_snapshot(const bearing::Bearing& bearing, long st
   snapshot.races[0].applied_force = {-1000.0, 0.0, 500.0};
   snapshot.races[0].applied_moment = {0.15, -0.25, -0.35};
   snapshot.power.total_loss = 55.0;
-  snapshot.power.race_contacts[0] = 20.0;
-  snapshot.power.race_contacts[1] = 30.0;
-  snapshot.power.pockets = 3.0;
-  snapshot.power.lands = 2.0;
   for (int race = 0; race < 2; ++race) {
     snapshot.power.qv_element1[race] = (10.0 + race) * t;
     snapshot.power.qv_race[race] = (100.0 + race) * t;
   }
   snapshot.power.qv_cage = 5.0 * t;
-  snapshot.energy = {1.0, 2.0, 3.0, 5.5, {0.25, 0.5}, {20.0 * t, 30.0 * t}, 3.0 * t, 2.0 * t};
+  using dynamics::terms::kElastic;
+  using dynamics::terms::kKinetic;
+  using dynamics::terms::kStart;
+  // Items of effects, as their files would add them.
+  static const std::vector<const dynamics::LedgerTerm*> all = dynamics::energy_terms();
+  const auto term = [](std::string_view id) -> const dynamics::LedgerTerm& {
+    return **std::find_if(all.begin(), all.end(), [id](const auto* one) { return one->id == id; });
+  };
+  snapshot.energy.add(kStart, 5.5);
+  snapshot.energy.add(kKinetic, 1.0);
+  snapshot.energy.add(kElastic, 2.0);
+  snapshot.energy.add(term("gravity"), 3.0);
+  snapshot.energy.add(term("work"), 0.25, 0);
+  snapshot.energy.add(term("work"), 0.5, 1);
+  snapshot.energy.add(term("heat"), 20.0 * t, 0, 20.0);
+  snapshot.energy.add(term("heat"), 30.0 * t, 1, 30.0);
+  snapshot.energy.add(term("pocket_heat"), 3.0 * t, 0, 3.0);
+  snapshot.energy.add(term("land_heat"), 2.0 * t, 0, 2.0);
   snapshot.max_quaternion_error = 1e-16;
   return snapshot;
 }

@@ -170,7 +170,7 @@ TEST_CASE("RUN.json differs between equal runs only under 'measured'", "[unit][r
   ja.erase("measured");
   jb.erase("measured");
   CHECK(ja.dump() == jb.dump());
-  const dynamics::EnergySnapshot e = *a.energy;
+  const dynamics::EnergyLedger e = *a.energy;
   CHECK(ja["conservation"]["energy"]["residual [J]"] == e.residual());
   // 0.75 J of work and 0.055 J of heat at 1 ms: the larger is the measure.
   CHECK(ja["conservation"]["energy"]["residual over energy moved"] == e.residual() / 0.75);

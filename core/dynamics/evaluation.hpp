@@ -10,20 +10,13 @@
 #include <limits>
 #include <vector>
 
-/// Inside of System: what one evaluation of the right-hand side works on, and the blocks that it is
-/// made of. A block is one effect over all its contacts: one virtual call per block, none per
-/// contact. Blocks of effects that are off are never made.
+/// What one evaluation of the right-hand side works on: bodies, and the forces and moments that
+/// effects (effect.hpp) add to them.
 namespace adore::dynamics {
 
 /// Where each quantity of the balls stands in the state: one slice per quantity, all balls in it.
 struct BallSlices {
   Slice x, r, theta, x_dot, r_dot, theta_dot, omega_x, omega_r, omega_theta;
-};
-
-/// Cage: mass centre from the base origin and its velocity in base axes, quaternion body -> base, ω
-/// in body axes, ∫ω_x dt. Empty slices (count 0) without cage motion.
-struct CageSlices {
-  Slice position, velocity, orientation, omega, rotation;
 };
 
 /// Pose and motion of the cage at this evaluation, and what acts on it (base axes, moment about the
@@ -33,6 +26,7 @@ struct CageState {
   Mat3 to_base = Mat3::Identity();                        ///< R, body -> base
   Vec3 omega = Vec3::Zero(), omega_body = Vec3::Zero();   ///< [rad/s]
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();       ///< [N, N m]
+  double load_slip = 0.0;                                 ///< Σ N u of all its contacts [W]
   /// Velocity of the body point that is at `point` of the base frame now.
   [[nodiscard]] Vec3 velocity_at(const Vec3& point) const noexcept {
     return velocity + omega.cross(point - position);
@@ -76,18 +70,8 @@ struct Evaluation {
   CageState cage;
   std::array<RaceState, 2> race;
 
-  double elastic = 0.0;                            ///< [J]
-  std::array<double, 2> race_power{};              ///< of each race on balls and cage [W]
-  std::array<double, 2> heat_race{}, wear_race{};  ///< [W]; wear: ∫ p u dA
-  std::array<double, 2> wear_element1{};
-  double heat_pockets = 0.0, heat_lands = 0.0, wear_cage = 0.0;
-  /// From outside on balls and cage together; moment about the base origin [N, N m]. With the
-  /// momentum ledger only.
-  Vec3 external_force = Vec3::Zero(), external_moment = Vec3::Zero();
-  /// Held balls: what their missing inertia in x and r takes. With light-load balance only.
-  double held_power = 0.0;                                     ///< [W]
-  Vec3 held_force = Vec3::Zero(), held_moment = Vec3::Zero();  ///< about the base origin
-  bool valid = true;  ///< false: outside the model's validity
+  double elastic = 0.0;  ///< of all contacts [J]
+  bool valid = true;     ///< false: outside the model's validity
 
   void begin(double time, const double* state, double* rates) noexcept;
   [[nodiscard]] Vec3 ball_centre(std::size_t i) const noexcept {
@@ -107,13 +91,6 @@ struct Evaluation {
   [[nodiscard]] Vec3 ball_omega(std::size_t i) const noexcept {
     return to_base(i, balls.omega_x[i], balls.omega_r[i], balls.omega_theta[i]);
   }
-};
-
-class EffectBlock {
- public:
-  virtual ~EffectBlock() = default;
-  /// Adds this effect's share to `e`.
-  virtual void apply(Evaluation& e) noexcept = 0;
 };
 
 /// Friction force per newton of normal load, along a slip of size u: κ(u) u_vec/|u|. Laws with κ(0)

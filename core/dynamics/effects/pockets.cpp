@@ -1,7 +1,10 @@
-#include "dynamics/system_pockets.hpp"
+#include "dynamics/effects/pockets.hpp"
 
 #include "base/errors.hpp"
+#include "dynamics/effect_makers.hpp"
 #include "statics/kinematics.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -66,9 +69,32 @@ PocketContactSnapshot PocketSet::report(std::size_t i) const {
           contact::pocket_phi(wall.m)};
 }
 
+namespace {
+
+constexpr LedgerTerm kHeat{LedgerKind::Heat,
+                           "pocket_heat",
+                           "heat in the pockets",
+                           {"cage pockets"},
+                           "dissipated since the start"};
+constexpr const LedgerTerm* kTerms[] = {&kHeat};
+
+template <bool Traction>
+class PocketBlock final : public EffectBlock {
+ public:
+  PocketBlock(PocketSet& set, const SlipFriction& friction, double& heat)
+      : set_(set), friction_(friction), heat_(heat) {}
+  void apply(Evaluation& e) noexcept override;
+
+ private:
+  PocketSet& set_;
+  SlipFriction friction_;
+  double& heat_;
+};
+
 template <bool Traction>
 void PocketBlock<Traction>::apply(Evaluation& e) noexcept {
   set_.locate(e);
+  if constexpr (Traction) heat_ = 0.0;
   for (std::size_t i = 0; i < set_.size(); ++i) {
     if (set_.surely_open(i) && set_.inside(i)) continue;
     if (!set_.inside(i)) {
@@ -83,8 +109,8 @@ void PocketBlock<Traction>::apply(Evaluation& e) noexcept {
       e.M_x[i] += moment[0];
       e.M_r[i] += moment[1];
       e.M_theta[i] += moment[2];
-      e.heat_pockets += action.heat;
-      e.wear_cage += action.N * action.slip;
+      heat_ += action.heat;
+      e.cage.load_slip += action.N * action.slip;
     }
     const Vec3 force = e.to_cylindrical(i, action.on_ball);
     e.F_x[i] += force[0];
@@ -95,7 +121,49 @@ void PocketBlock<Traction>::apply(Evaluation& e) noexcept {
   }
 }
 
-template class PocketBlock<false>;
-template class PocketBlock<true>;
+}  // namespace
+
+void PocketContact::declare(SceneBuilder& scene) {
+  demand(scene.plan.has(Effect::CageMotion), "the plan has cage contacts but no cage motion");
+  std::vector<double> azimuths;
+  for (const statics::StaticBall& b : scene.statics.balls) azimuths.push_back(b.azimuth);
+  set_.emplace(scene.bearing, azimuths);
+  constexpr std::string_view kCost = "pocket contacts";
+  if (!scene.plan.has(Effect::PocketTraction)) {
+    scene.block<PocketBlock<false>>(Phase::Force, kCost, true, *set_, SlipFriction(), heat_);
+    return;
+  }
+  demand(scene.bearing.pocket_traction.has_value(),
+         "pocket traction is on without a traction curve");
+  friction_.emplace(*scene.bearing.pocket_traction);
+  scene.block<PocketBlock<true>>(Phase::Force, kCost, true, *set_, *friction_, heat_);
+  scene.energy("pockets.heat", kHeat, &heat_);
+}
+
+std::string PocketContact::why_invalid(const Evaluation&) const {
+  for (std::size_t i = 0; i < set_->size(); ++i)
+    if (!set_->inside(i)) {
+      const Vec3 q = set_->centre(i);
+      return fmt::format(
+          "the centre of element {} is outside its cage pocket (axial {:.4g} m, against the "
+          "rotation {:.4g} m, radial {:.4g} m from the pocket centre); check the cage's start "
+          "position, its pocket clearance and the largest step",
+          i + 1, q[0], q[1], q[2]);
+    }
+  return {};
+}
+
+void PocketContact::report(const Evaluation& e, Snapshot& snapshot) const {
+  for (std::size_t i = 0; i < e.balls.n; ++i) {
+    snapshot.elements[i].pocket = {set_->report(i)};
+    snapshot.elements[i].pocket_to_centre = set_->centre(i);
+  }
+}
+
+std::unique_ptr<SceneEffect> make_pocket_contact(const ScenePlan& plan) {
+  if (!plan.has(Effect::PocketContact)) return nullptr;
+  return std::make_unique<PocketContact>();
+}
+std::span<const LedgerTerm* const> pocket_terms() { return kTerms; }
 
 }  // namespace adore::dynamics

@@ -1,4 +1,4 @@
-#include "dynamics/system_held.hpp"
+#include "dynamics/held_balls.hpp"
 
 #include "dynamics/rigid_body.hpp"
 
@@ -220,9 +220,7 @@ void HeldBalls::form_rates(Evaluation& e) noexcept {
 /// The inertia that is left out would take m(ẍ, r̈ - rθ̇²) = F: what the equations of motion found
 /// for ẍ, r̈ is G/m. Momentum is that of r θ̇ alone, p = m r θ̇ e_θ: ṗ = F - G - m ṙ θ̇ e_θ.
 void HeldBalls::take_inertia_out(Evaluation& e) noexcept {
-  e.held_power = 0.0;
-  e.held_force.setZero();
-  e.held_moment.setZero();
+  account_ = {};
   const double m = scene_.mass;
   for (const std::size_t i : list_) {
     const auto k = static_cast<int>(i);
@@ -230,11 +228,12 @@ void HeldBalls::take_inertia_out(Evaluation& e) noexcept {
     double& ar = e.dydt[slices_.r_dot.first + k];
     const double td = e.balls.theta_dot[i], r = e.balls.r[i];
     residual_[i] = Vec2(m * ax, m * ar);
-    e.held_power += residual_[i].dot(rate(i));
+    account_.power += residual_[i].dot(rate(i));
     const Vec3 force = e.to_base(i, m * ax, m * ar, m * r_dot_[i] * td);
     const Vec3 velocity = e.to_base(i, x_dot_[i], r_dot_[i], 0.0);
-    e.held_force += force;
-    e.held_moment += e.ball_centre(i).cross(force) - velocity.cross(m * r * td * e_theta_at(e, i));
+    account_.force += force;
+    account_.moment +=
+        e.ball_centre(i).cross(force) - velocity.cross(m * r * td * e_theta_at(e, i));
     ax = ar = 0.0;
   }
 }

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "dynamics/constrained.hpp"
-#include "dynamics/system_effects.hpp"
-#include "dynamics/system_pockets.hpp"
+#include "dynamics/effects/pockets.hpp"
 
 #include <array>
 #include <cstddef>
@@ -65,8 +64,18 @@ class HeldBalls {
   /// Normal forces of the races on (x, r) of ball i [N].
   [[nodiscard]] Vec2 normal_force(const Evaluation& e, std::size_t i) const noexcept;
 
-  // For the blocks.
+  /// What the inertia that is left out takes at this evaluation; moment about the base origin.
+  struct Account {
+    double power = 0.0;                                ///< [W]
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< [N, N m]
+  };
+  [[nodiscard]] const Account& account() const noexcept { return account_; }
+
+  /// Gives held balls the rates (ẋ, ṙ) that all slips are formed with. After the kinematics, before
+  /// every force.
   void form_rates(Evaluation& e) noexcept;
+  /// Replaces ẍ and r̈ of held balls by zero and books what their inertia would take. After the
+  /// equations of motion of the balls.
   void take_inertia_out(Evaluation& e) noexcept;
 
  private:
@@ -91,33 +100,12 @@ class HeldBalls {
   std::vector<std::size_t> list_;      ///< held balls, rising
   std::vector<double> x_dot_, r_dot_;  ///< of all balls
   std::vector<Vec2> residual_;
+  Account account_;
   // One value per held ball.
   std::vector<Estimate> estimate_;
   std::array<std::vector<double>, 10> state_;  ///< BallArrays of the held balls
   std::array<std::vector<double>, 6> action_;  ///< forces and moments of the races
   std::array<std::vector<double>, 2> load_, heat_, load_slip_;
-};
-
-/// Gives held balls the rates (ẋ, ṙ) that all slips are formed with. After the kinematics, before
-/// every force.
-class HeldRates final : public EffectBlock {
- public:
-  explicit HeldRates(HeldBalls& held) : held_(held) {}
-  void apply(Evaluation& e) noexcept override { held_.form_rates(e); }
-
- private:
-  HeldBalls& held_;
-};
-
-/// Replaces ẍ and r̈ of held balls by zero and books what their inertia would take. After the
-/// equations of motion of the balls.
-class HeldMotion final : public EffectBlock {
- public:
-  explicit HeldMotion(HeldBalls& held) : held_(held) {}
-  void apply(Evaluation& e) noexcept override { held_.take_inertia_out(e); }
-
- private:
-  HeldBalls& held_;
 };
 
 }  // namespace adore::dynamics

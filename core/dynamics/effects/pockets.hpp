@@ -2,8 +2,9 @@
 
 #include "contact/ball_pocket.hpp"
 #include "contact/conformal.hpp"
-#include "dynamics/snapshot.hpp"
-#include "dynamics/system_effects.hpp"
+#include "dynamics/effect.hpp"
+
+#include <optional>
 
 /// Balls in the cylindrical pockets of a one-piece cage.
 ///
@@ -95,18 +96,21 @@ template <bool Traction>
   return a;
 }
 
-/// Effect "pocket contact", with friction when Traction. `set` must outlive the block.
-template <bool Traction>
-class PocketBlock final : public EffectBlock {
+/// Effects "pocket contact" and "pocket traction". Not valid when a ball's centre left the hole.
+class PocketContact final : public SceneEffect {
  public:
-  PocketBlock(PocketSet& set, const SlipFriction& friction) : set_(set), friction_(friction) {}
-  void apply(Evaluation& e) noexcept override;
+  void declare(SceneBuilder& scene) override;
+  [[nodiscard]] std::string why_invalid(const Evaluation& e) const override;
+  void report(const Evaluation& e, Snapshot& snapshot) const override;
+
+  [[nodiscard]] PocketSet& set() noexcept { return *set_; }
+  /// Has no friction without pocket traction.
+  [[nodiscard]] const std::optional<SlipFriction>& friction() const noexcept { return friction_; }
 
  private:
-  PocketSet& set_;
-  SlipFriction friction_;
+  std::optional<PocketSet> set_;
+  std::optional<SlipFriction> friction_;
+  double heat_ = 0.0;  ///< now [W]
 };
-extern template class PocketBlock<false>;
-extern template class PocketBlock<true>;
 
 }  // namespace adore::dynamics

@@ -1,11 +1,10 @@
 #pragma once
 
-#include "dynamics/system_effects.hpp"
+#include "dynamics/evaluation.hpp"
 
 #include <array>
 #include <vector>
 
-/// What implicit methods ask of the equations of motion beside the rates themselves.
 namespace adore::dynamics {
 
 /// The fastest part of the motion by itself: ball centres vibrating on their normal race contacts,
@@ -31,21 +30,6 @@ class NormalContacts {
   double per_mass_ = 0.0;
   std::array<double, 2> load_limit_{};
   std::vector<double> sin_, cos_, F_x_, F_r_, F_theta_, M_, load_, heat_;
-};
-
-/// Force and moment of each pocket on the cage, from what the pockets did to the balls (action =
-/// reaction): the ball's forces before and after the pocket block.
-class PocketShares {
- public:
-  void resize(std::size_t balls);
-  void before(const Evaluation& e) noexcept;
-  /// Adds the rates that ball i causes in the cage: velocity by F/m, ω by I⁻¹ Rᵀ M.
-  /// @param velocity, omega where the three components stand within one row of `shares`
-  void after(const Evaluation& e, const bearing::Inertia& cage, int velocity, int omega, int border,
-             double* shares) const noexcept;
-
- private:
-  std::array<std::vector<double>, 6> before_;
 };
 
 }  // namespace adore::dynamics

@@ -1,0 +1,233 @@
+#pragma once
+
+#include "dynamics/evaluation.hpp"
+#include "dynamics/ledger.hpp"
+#include "dynamics/scene_plan.hpp"
+#include "dynamics/snapshot.hpp"
+#include "dynamics/system.hpp"
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// What an effect or a body of a scene is to the System that holds it: it names its states,
+/// integrals and blocks once, and afterwards starts, stores, reports and explains itself. System
+/// knows this interface and no effect by name; effect_catalogue.hpp has one line for each.
+namespace adore::dynamics {
+
+/// One virtual call per block, none per contact. Blocks of effects that are off are never made.
+class EffectBlock {
+ public:
+  virtual ~EffectBlock() = default;
+  /// Adds this effect's share to `e`. No allocation.
+  virtual void apply(Evaluation& e) noexcept = 0;
+};
+
+/// When a block acts; within a phase in the order of declaration.
+enum class Phase : unsigned char {
+  Kinematics,  ///< poses and velocities of bodies from the state
+  Force,       ///< forces and moments on bodies
+  Motion,      ///< rates of the bodies' states
+  Account      ///< sums for integrals and ledgers
+};
+
+/// Kind of error scale of state components (N7, N11).
+enum class ScaleKind : unsigned char { Length, Velocity, Angle, Rate };
+
+/// Where the cost ledger books the bodies' own blocks.
+inline constexpr std::string_view kMotionCost = "kinematics and equations of motion";
+
+/// Owner of state components that meet every element: the border of the arrow (System::coupling).
+inline constexpr int kBorder = -1;
+
+/// Momentum that bodies carry, about the base origin, base frame.
+struct Momenta {
+  Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();  ///< [N s, N m s]
+  double linear_size = 0.0, angular_size = 0.0;        ///< Σ over bodies of the sizes
+  void add(const Vec3& p, const Vec3& L) noexcept {
+    linear += p;
+    angular += L;
+    linear_size += p.norm();
+    angular_size += L.norm();
+  }
+};
+
+/// A body of the border: turns what elements do to it into its rates.
+class BorderBody {
+ public:
+  virtual ~BorderBody() = default;
+  /// Adds to `row`, which starts at state component `first`, what a contact of element i adds to
+  /// the rates of this body; force and moment (about the element's centre) are those on the
+  /// element [N, N m], base frame.
+  virtual void add_share(const Evaluation& e, std::size_t i, const Vec3& force, const Vec3& moment,
+                         int first, double* row) const noexcept = 0;
+};
+
+/// What an effect may ask of the whole between two steps.
+class BetweenSteps {
+ public:
+  virtual ~BetweenSteps() = default;
+  /// @throws SolverError when the state is not valid
+  virtual const Evaluation& evaluate(double t, std::span<const double> y) = 0;
+  [[nodiscard]] virtual bool is_valid(double t, std::span<const double> y) noexcept = 0;
+  // Of the state evaluated last.
+  [[nodiscard]] virtual double stored_energy() const = 0;  ///< [J]
+  [[nodiscard]] virtual Momenta momenta() const = 0;
+  [[nodiscard]] virtual const Scales& run_scales() const noexcept = 0;
+};
+
+class SceneBuilder;
+
+/// One effect or body. Everything but declare() may be left out.
+class SceneEffect {
+ public:
+  virtual ~SceneEffect() = default;
+  /// Names states, integrals and blocks. Called once, in the order of the catalogue.
+  /// @throws InternalError when the plan asks for what the bearing does not have
+  virtual void declare(SceneBuilder& scene) = 0;
+  /// Fills its components of the start state (0 until then).
+  virtual void start(std::span<double> y) const { (void)y; }
+  /// Takes over from a start state what it keeps beside y.
+  virtual void resume(std::span<const double> y) { (void)y; }
+  /// Largest dQ/dδ of its contacts at a load of 1e-3 `force` [N/m]; 0: it has none.
+  [[nodiscard]] virtual double stiffness(double force) const { return (void)force, 0.0; }
+
+  // Of the state evaluated last.
+  /// Clause that says why the state is not valid; empty: not because of this effect.
+  [[nodiscard]] virtual std::string why_invalid(const Evaluation& e) const { return (void)e, ""; }
+  /// Adds the energy that it stores beside Evaluation::elastic.
+  virtual void store(const Evaluation& e, EnergyLedger& energy) const { (void)e, (void)energy; }
+  virtual void carry(const Evaluation& e, Momenta& momenta) const { (void)e, (void)momenta; }
+  virtual void report(const Evaluation& e, Snapshot& snapshot) const { (void)e, (void)snapshot; }
+  /// System::quadrature_error of its contacts.
+  [[nodiscard]] virtual double quadrature_error(const Evaluation& e) const { return (void)e, 0.0; }
+
+  /// Changes of the model that may happen between steps only; true when y changed.
+  virtual bool between_steps(double t, std::span<double> y, BetweenSteps& scene) {
+    return (void)t, (void)y, (void)scene, false;
+  }
+  /// The fast part of the motion by itself (System::rhs_stiff): all `size` rates. One effect of a
+  /// scene may have it.
+  [[nodiscard]] virtual bool has_stiff_part() const noexcept { return false; }
+  virtual bool stiff_part(const Evaluation& e, const double* y, double* dydt, int size) noexcept {
+    return (void)e, (void)y, (void)dydt, (void)size, false;
+  }
+};
+
+/// What a System is assembled from.
+struct Assembly {
+  struct Integral {
+    int* index;
+    std::string name, unit;
+    const double* rate;
+    int count;
+  };
+  struct EnergyItem {
+    const LedgerTerm* term;
+    int race, integral;
+    const double* rate;
+  };
+  struct MomentumItem {
+    const LedgerTerm* term;
+    bool angular;
+    int integral;
+  };
+  struct Block {
+    Phase phase;
+    std::unique_ptr<EffectBlock> block;
+    int entry;          ///< of the cost ledger
+    bool meets_border;  ///< it couples elements with the border
+  };
+
+  std::vector<std::unique_ptr<SceneEffect>> effects;
+  StateLayout layout;
+  std::vector<std::pair<Slice, ScaleKind>> kinds;
+  std::vector<Slice> quaternions;
+  std::vector<int> owner;  ///< of each controlled component: element or kBorder
+  std::vector<Integral> integrals;
+  std::vector<EnergyItem> energy;
+  std::vector<MomentumItem> momentum;
+  bool wants_momentum = false;
+  std::vector<Block> blocks;
+  const BorderBody* border = nullptr;
+  CostLedger cost;
+};
+
+/// What SceneEffect::declare() works with.
+class SceneBuilder {
+ public:
+  const bearing::Bearing& bearing;
+  const ScenePlan& plan;
+  const statics::StaticSolution& statics;
+  const std::array<double, 2>& fixed_angle;
+  const SystemOptions& options;
+  Evaluation& e;  ///< the blocks' working memory, there as long as the System
+
+  /// Controlled components "<name>[k] [unit]" of one element, or of kBorder.
+  Slice state(std::string name, std::string_view unit, int count, ScaleKind kind, int element);
+  /// One component for each element.
+  Slice states_of_elements(std::string name, std::string_view unit, ScaleKind kind);
+  /// Four components that are kept at unit length.
+  Slice quaternion(std::string name, int element);
+
+  /// Time integrals of *rate, *(rate + 1) ...; null: they change between steps only. `index` of the
+  /// first component is known once all effects have declared themselves.
+  void integral(int& index, std::string name, std::string_view unit, const double* rate,
+                int count = 1);
+  /// An integral that is an item of the energy ledger [J].
+  void energy(std::string name, const LedgerTerm& term, const double* rate, int race = 0);
+  void energy(int& index, std::string name, const LedgerTerm& term, const double* rate,
+              int race = 0);
+  /// Three integrals that are an item of the ledger of linear or angular momentum.
+  enum class Momentum : unsigned char { Linear, Angular };
+  void momentum(int& index, std::string name, Momentum which, const LedgerTerm& term,
+                const double* rate);
+  /// A momentum ledger is shown.
+  void want_momentum_ledger() { out_.wants_momentum = true; }
+
+  /// @param cost where the cost ledger books it
+  /// @param meets_border it couples elements with the border: whatever it adds to an element's
+  /// force and moment acts on the border body with the opposite sign
+  template <class Block, class... Arguments>
+  void block(Phase phase, std::string_view cost, bool meets_border, Arguments&&... arguments) {
+    add_block(phase, std::make_unique<Block>(std::forward<Arguments>(arguments)...), cost,
+              meets_border);
+  }
+  /// There is one at most.
+  void border_body(const BorderBody& body);
+
+  /// An effect that declared itself before; null when the scene has none.
+  template <class E>
+  [[nodiscard]] E* find() const {
+    for (const auto& effect : out_.effects)
+      if (auto* found = dynamic_cast<E*>(effect.get())) return found;
+    return nullptr;
+  }
+
+  SceneBuilder(const bearing::Bearing& bearing_, const ScenePlan& plan_,
+               const statics::StaticSolution& statics_, const std::array<double, 2>& fixed_angle_,
+               const SystemOptions& options_, Evaluation& e_, Assembly& out)
+      : bearing(bearing_),
+        plan(plan_),
+        statics(statics_),
+        fixed_angle(fixed_angle_),
+        options(options_),
+        e(e_),
+        out_(out) {}
+
+ private:
+  void add_block(Phase phase, std::unique_ptr<EffectBlock> block, std::string_view cost,
+                 bool meets_border);
+  Assembly& out_;
+};
+
+/// For effects that read their own components back.
+[[nodiscard]] inline double integral_at(const Evaluation& e, int index) noexcept {
+  return index < 0 ? 0.0 : e.y[index];
+}
+
+}  // namespace adore::dynamics

@@ -1,0 +1,43 @@
+#include "dynamics/effect_catalogue.hpp"
+
+#include "dynamics/effect_makers.hpp"
+#include "dynamics/ledger_terms.hpp"
+
+#include <algorithm>
+
+namespace adore::dynamics {
+namespace {
+
+constexpr CatalogueLine kCatalogue[] = {
+    {"balls", "-", "bodies with six degrees of freedom each", make_balls, nullptr},
+    {"ball orientation", "kPltElemInd, kPrtOpt, kAGraf", "quaternions of the balls that are shown",
+     make_ball_orientation, nullptr},
+    {"races", "kTracType", "prescribed bodies, contact and traction with the balls", make_races,
+     race_terms},
+    {"cage pockets", "nCseg, kCPTracType", "contact and traction of balls and cage",
+     make_pocket_contact, pocket_terms},
+    {"guide lands", "nGL, kCRTracType", "contact and traction of cage and races", make_land_contact,
+     land_terms},
+    {"cage", "nCseg", "body with six degrees of freedom", make_cage, nullptr},
+    {"gravity", "gravityVec", "weight of balls and cage", make_gravity, gravity_terms},
+    {"momentum ledger", "-", "what acts from outside on balls and cage", make_momentum_ledger,
+     nullptr},
+    {"light-load balance", "qFac", "lightly loaded balls stand in force balance",
+     make_light_load_balance, light_load_terms},
+};
+
+}  // namespace
+
+std::span<const CatalogueLine> effect_catalogue() { return kCatalogue; }
+
+std::vector<const LedgerTerm*> energy_terms() {
+  std::vector<const LedgerTerm*> all{&terms::kStart, &terms::kKinetic, &terms::kElastic};
+  for (const CatalogueLine& line : kCatalogue)
+    if (line.terms != nullptr)
+      for (const LedgerTerm* term : line.terms()) all.push_back(term);
+  std::stable_sort(all.begin(), all.end(),
+                   [](const LedgerTerm* a, const LedgerTerm* b) { return a->kind < b->kind; });
+  return all;
+}
+
+}  // namespace adore::dynamics

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "dynamics/ledger.hpp"
+#include "dynamics/scene_plan.hpp"
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+/// Every body and effect that a scene may have, one line each.
+namespace adore::dynamics {
+
+class SceneEffect;
+
+struct CatalogueLine {
+  std::string_view name;
+  std::string_view decided_by;  ///< deck variables that switch it, "-": always there
+  std::string_view help;
+  std::unique_ptr<SceneEffect> (*make)(const ScenePlan&);  ///< null where the plan leaves it out
+  std::span<const LedgerTerm* const> (*terms)();           ///< of the energy ledger; may be null
+};
+
+/// In the order in which effects declare themselves: who needs another one comes after it.
+[[nodiscard]] std::span<const CatalogueLine> effect_catalogue();
+
+/// All items that the energy ledger of any scene may hold, kind by kind.
+[[nodiscard]] std::vector<const LedgerTerm*> energy_terms();
+
+}  // namespace adore::dynamics

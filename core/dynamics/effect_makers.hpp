@@ -1,0 +1,27 @@
+#pragma once
+
+#include "dynamics/effect.hpp"
+
+/// One maker for each line of the catalogue; null where the plan does not ask for the effect. The
+/// terms are what an effect may add to the energy ledger.
+namespace adore::dynamics {
+
+using MadeEffect = std::unique_ptr<SceneEffect>;
+using LedgerTerms = std::span<const LedgerTerm* const>;
+
+MadeEffect make_balls(const ScenePlan& plan);
+MadeEffect make_ball_orientation(const ScenePlan& plan);
+MadeEffect make_races(const ScenePlan& plan);
+LedgerTerms race_terms();
+MadeEffect make_pocket_contact(const ScenePlan& plan);
+LedgerTerms pocket_terms();
+MadeEffect make_land_contact(const ScenePlan& plan);
+LedgerTerms land_terms();
+MadeEffect make_cage(const ScenePlan& plan);
+MadeEffect make_gravity(const ScenePlan& plan);
+LedgerTerms gravity_terms();
+MadeEffect make_momentum_ledger(const ScenePlan& plan);
+MadeEffect make_light_load_balance(const ScenePlan& plan);
+LedgerTerms light_load_terms();
+
+}  // namespace adore::dynamics

@@ -1,0 +1,81 @@
+#include "base/errors.hpp"
+#include "dynamics/effect_makers.hpp"
+#include "dynamics/rigid_body.hpp"
+#include "dynamics/state_access.hpp"
+
+#include <fmt/format.h>
+
+/// Orientation of the balls that something reads: a perfect sphere moves without it.
+namespace adore::dynamics {
+namespace {
+
+struct OrientedElement {
+  std::size_t element = 0;  ///< 0-based
+  double azimuth = 0.0;     ///< at the start [rad]
+  Slice orientation;        ///< quaternion, body -> base
+  Slice rotation;           ///< ∫ ω·(body x axis) dt
+};
+
+class OrientationMotion final : public EffectBlock {
+ public:
+  explicit OrientationMotion(const std::vector<OrientedElement>& elements) : elements_(elements) {}
+  void apply(Evaluation& e) noexcept override;
+
+ private:
+  const std::vector<OrientedElement>& elements_;
+};
+
+void OrientationMotion::apply(Evaluation& e) noexcept {
+  for (const OrientedElement& element : elements_) {
+    const Quat q = quaternion_at(e.y, element.orientation);
+    const Vec3 omega = rotation_matrix(normalise(q)).transpose() * e.ball_omega(element.element);
+    store_at(e.dydt, element.orientation, quaternion_rate(q, omega));
+    e.dydt[element.rotation.first] = omega[0];
+  }
+}
+
+class BallOrientation final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override {
+    for (const int index : scene.plan.oriented_elements) {
+      demand(index >= 0 && index < scene.bearing.balls.count,
+             "the plan orients an element that does not exist");
+      const std::string name = fmt::format("element{}", index + 1);
+      const auto i = static_cast<std::size_t>(index);
+      elements_.push_back({i, scene.statics.balls[i].azimuth,
+                           scene.quaternion(name + ".quaternion", index),
+                           scene.state(name + ".rotation", "rad", 1, ScaleKind::Angle, index)});
+    }
+    if (!elements_.empty())
+      scene.block<OrientationMotion>(Phase::Motion, "orientation of elements", false, elements_);
+  }
+
+  void start(std::span<double> y) const override {
+    for (const OrientedElement& one : elements_)  // body axes start along the azimuth frame
+      store_at(y.data(), one.orientation, quaternion_about(Vec3::UnitX(), one.azimuth));
+  }
+
+  void report(const Evaluation& e, Snapshot& snapshot) const override {
+    for (const OrientedElement& one : elements_) {
+      ElementSnapshot& ball = snapshot.elements[one.element];
+      ball.oriented = true;
+      ball.orientation = quaternion_at(e.y, one.orientation);
+      ball.total_rotation = e.y[one.rotation.first];
+      const Vec3 axis =
+          e.to_cylindrical(one.element, rotation_matrix(normalise(ball.orientation)).col(0));
+      ball.x_axis = Vec3(axis[0], -axis[2], axis[1]);
+    }
+  }
+
+ private:
+  std::vector<OrientedElement> elements_;
+};
+
+}  // namespace
+
+std::unique_ptr<SceneEffect> make_ball_orientation(const ScenePlan& plan) {
+  if (!plan.has(Effect::ElementOrientation)) return nullptr;
+  return std::make_unique<BallOrientation>();
+}
+
+}  // namespace adore::dynamics

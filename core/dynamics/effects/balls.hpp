@@ -1,0 +1,49 @@
+#pragma once
+
+#include "dynamics/effect.hpp"
+
+/// The balls as bodies: states, equations of motion, energy and momentum. Ball equations in
+/// (x, r, θ) and the azimuth components of ω: tests/reference/dynamics_README.md, "Ball equations".
+namespace adore::dynamics {
+
+/// Views of the ball states; sines and cosines of the azimuths. Not valid when a ball is on the
+/// axis.
+class BallKinematics final : public EffectBlock {
+ public:
+  explicit BallKinematics(const BallSlices& slices) : s_(slices) {}
+  void apply(Evaluation& e) noexcept override;
+
+ private:
+  BallSlices s_;
+};
+
+class BallMotion final : public EffectBlock {
+ public:
+  BallMotion(const BallSlices& slices, double mass, double inertia)
+      : s_(slices), mass_(mass), inertia_(inertia) {}
+  void apply(Evaluation& e) noexcept override;
+
+ private:
+  BallSlices s_;
+  double mass_, inertia_;
+};
+
+class Balls final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override;
+  void start(std::span<double> y) const override;
+  [[nodiscard]] std::string why_invalid(const Evaluation& e) const override;
+  void store(const Evaluation& e, EnergyLedger& energy) const override;
+  void carry(const Evaluation& e, Momenta& momenta) const override;
+  void report(const Evaluation& e, Snapshot& snapshot) const override;
+
+  [[nodiscard]] const BallSlices& slices() const noexcept { return s_; }
+  [[nodiscard]] double mass() const noexcept { return mass_; }
+
+ private:
+  BallSlices s_;
+  double mass_ = 0.0, inertia_ = 0.0;  ///< [kg, kg m²]
+  std::vector<statics::StaticBall> start_;
+};
+
+}  // namespace adore::dynamics

@@ -1,0 +1,72 @@
+#include "dynamics/effect_makers.hpp"
+#include "dynamics/ledger_terms.hpp"
+
+/// Weight of balls and cage, and their energy in the field: -m g · position.
+namespace adore::dynamics {
+namespace {
+
+constexpr LedgerTerm kEnergy{LedgerKind::Stored,        "gravity",    "energy in gravity",
+                             {"energy in gravity now"}, "stored now", "N"};
+constexpr const LedgerTerm* kTerms[] = {&kEnergy};
+
+class BallGravity final : public EffectBlock {
+ public:
+  explicit BallGravity(const Vec3& weight) : weight_(weight) {}
+  void apply(Evaluation& e) noexcept override;
+
+ private:
+  Vec3 weight_;  ///< of one ball [N]
+};
+
+class CageGravity final : public EffectBlock {
+ public:
+  explicit CageGravity(const Vec3& weight) : weight_(weight) {}
+  void apply(Evaluation& e) noexcept override { e.cage.force += weight_; }
+
+ private:
+  Vec3 weight_;
+};
+
+void BallGravity::apply(Evaluation& e) noexcept {
+  for (std::size_t i = 0; i < e.balls.n; ++i) {
+    const Vec3 f = e.to_cylindrical(i, weight_);
+    e.F_x[i] += f[0];
+    e.F_r[i] += f[1];
+    e.F_theta[i] += f[2];
+  }
+}
+
+class Gravity final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override {
+    gravity_ = scene.bearing.gravity;
+    ball_mass_ = scene.bearing.ball_inertia.mass;
+    constexpr std::string_view kCost = "gravity";
+    scene.block<BallGravity>(Phase::Force, kCost, false, Vec3(ball_mass_ * gravity_));
+    if (!scene.plan.has(Effect::CageMotion)) return;
+    cage_mass_ = scene.bearing.cage->inertia.mass;
+    scene.block<CageGravity>(Phase::Force, kCost, false, Vec3(cage_mass_ * gravity_));
+  }
+
+  void store(const Evaluation& e, EnergyLedger& energy) const override {
+    double stored = 0.0;
+    for (std::size_t i = 0; i < e.balls.n; ++i)
+      stored -= ball_mass_ * gravity_.dot(e.ball_centre(i));
+    if (cage_mass_ > 0.0) stored -= cage_mass_ * gravity_.dot(e.cage.position);
+    energy.accumulate(kEnergy, stored);
+  }
+
+ private:
+  Vec3 gravity_ = Vec3::Zero();               ///< [m/s²]
+  double ball_mass_ = 0.0, cage_mass_ = 0.0;  ///< [kg]; 0: no cage
+};
+
+}  // namespace
+
+std::unique_ptr<SceneEffect> make_gravity(const ScenePlan& plan) {
+  if (!plan.has(Effect::Gravity)) return nullptr;
+  return std::make_unique<Gravity>();
+}
+std::span<const LedgerTerm* const> gravity_terms() { return kTerms; }
+
+}  // namespace adore::dynamics

@@ -1,0 +1,210 @@
+#include "base/errors.hpp"
+#include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/balls.hpp"
+#include "dynamics/effects/races.hpp"
+#include "dynamics/held_balls.hpp"
+
+#include <algorithm>
+#include <vector>
+
+/// Effect "light-load balance" (qFac): which balls are held, changed between steps only, and the
+/// books of what held balls leave out. The motion of a held ball: held_balls.hpp.
+namespace adore::dynamics {
+namespace {
+
+// The kinetic energy leaves out ½m(ẋ² + ṙ²) of held elements.
+constexpr LedgerTerm kSwitches{LedgerKind::Switch,
+                               "switches",
+                               "switches of held elements",
+                               {"switches of held elements"},
+                               "stored energy after less before, since the start"};
+/// ∫ G·(ẋ, ṙ) dt
+constexpr LedgerTerm kBalance{LedgerKind::Taken,
+                              "balance",
+                              "way of held elements to balance",
+                              {"taken by held elements' way to balance"},
+                              "taken since the start"};
+constexpr LedgerTerm kLeftOut{LedgerKind::Note,
+                              "left_out",
+                              "kinetic energy left out of held elements",
+                              {"kinetic energy left out of held elements now"},
+                              "for information"};
+constexpr LedgerTerm kMomentum{
+    LedgerKind::Taken, "", "", {"linear momentum taken by held elements"}, ""};
+constexpr LedgerTerm kAngularMomentum{
+    LedgerKind::Taken, "", "", {"angular momentum taken by held elements"}, ""};
+constexpr const LedgerTerm* kTerms[] = {&kSwitches, &kBalance, &kLeftOut};
+
+class HeldRates final : public EffectBlock {
+ public:
+  explicit HeldRates(HeldBalls& held) : held_(held) {}
+  void apply(Evaluation& e) noexcept override { held_.form_rates(e); }
+
+ private:
+  HeldBalls& held_;
+};
+
+class HeldMotion final : public EffectBlock {
+ public:
+  explicit HeldMotion(HeldBalls& held) : held_(held) {}
+  void apply(Evaluation& e) noexcept override { held_.take_inertia_out(e); }
+
+ private:
+  HeldBalls& held_;
+};
+
+/// A ball that becomes held: where it was and where its balance is.
+struct Candidate {
+  std::size_t ball;
+  double x, r, theta_dot;
+  Vec2 residual;  ///< G at the old place [N]
+};
+
+class LightLoadBalance final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override;
+  void resume(std::span<const double> y) override;
+  void report(const Evaluation& e, Snapshot& snapshot) const override;
+  /// An element is held when its largest contact load is at or below qFac times the force scale
+  /// and, put in balance, below the release level; released above kReleaseRatio times that. The
+  /// jumps of energy and momentum are booked in y.
+  bool between_steps(double t, std::span<double> y, BetweenSteps& scene) override;
+
+ private:
+  std::optional<HeldBalls> held_;
+  BallSlices ball_;
+  double mass_ = 0.0, load_ratio_ = 0.0;
+  // In the state.
+  int balance_ = -1, switches_ = -1;
+  int impulse_ = -1, angular_impulse_ = -1;  ///< first of three
+  int flags_ = -1;                           ///< first of one per ball: 1 held, 0 free
+};
+
+void LightLoadBalance::declare(SceneBuilder& scene) {
+  load_ratio_ = scene.plan.light_load_ratio;
+  demand(load_ratio_ > 0.0, "light-load balance needs a load ratio above 0");
+  const Balls& balls = *scene.find<Balls>();
+  ball_ = balls.slices();
+  mass_ = balls.mass();
+  PocketContact* pockets = scene.find<PocketContact>();
+  const bool friction = pockets != nullptr && pockets->friction().has_value();
+  held_.emplace(
+      HeldBalls::Scene{scene.find<Races>()->contacts(), mass_,
+                       scene.plan.has(Effect::Gravity) ? scene.bearing.gravity : Vec3(Vec3::Zero()),
+                       pockets != nullptr ? &pockets->set() : nullptr,
+                       friction ? *pockets->friction() : SlipFriction(), friction},
+      ball_, static_cast<std::size_t>(scene.bearing.balls.count));
+  constexpr std::string_view kCost = "light-load balance";
+  scene.block<HeldRates>(Phase::Kinematics, kCost, false, *held_);
+  scene.block<HeldMotion>(Phase::Motion, kCost, false, *held_);
+
+  using Momentum = SceneBuilder::Momentum;
+  const HeldBalls::Account& account = held_->account();
+  scene.energy(balance_, "held.balance_work", kBalance, &account.power);
+  scene.energy(switches_, "held.switch_energy", kSwitches, nullptr);
+  scene.momentum(impulse_, "held.impulse", Momentum::Linear, kMomentum, account.force.data());
+  scene.momentum(angular_impulse_, "held.angular_impulse", Momentum::Angular, kAngularMomentum,
+                 account.moment.data());
+  scene.integral(flags_, "held.element", "-", nullptr, scene.bearing.balls.count);
+}
+
+void LightLoadBalance::resume(std::span<const double> y) {
+  for (int i = 0; i < ball_.x.count; ++i)
+    held_->set(static_cast<std::size_t>(i), y[static_cast<std::size_t>(flags_ + i)] > 0.5);
+}
+
+void LightLoadBalance::report(const Evaluation&, Snapshot& snapshot) const {
+  double left_out = 0.0;
+  for (const std::size_t i : held_->list()) {
+    left_out += 0.5 * mass_ * held_->rate(i).squaredNorm();
+    snapshot.elements[i].held = true;
+  }
+  snapshot.energy.add(kLeftOut, left_out);
+  snapshot.held_elements = static_cast<int>(held_->list().size());
+}
+
+bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps& scene) {
+  HeldBalls& held = *held_;
+  const Evaluation& e = scene.evaluate(t, y);
+  const double threshold = load_ratio_ * scene.run_scales().force, mass = mass_;
+  const auto at = [&y](const Slice& slice, std::size_t i) -> double& {
+    return y[static_cast<std::size_t>(slice.first) + i];
+  };
+  const auto rate_of = [&e](const Slice& slice, std::size_t i) {
+    return e.dydt[slice.first + static_cast<int>(i)];
+  };
+  const auto load_of = [&e](std::size_t i) { return std::max(e.load[0][i], e.load[1][i]); };
+
+  struct Release {
+    std::size_t ball;
+    Vec2 rate;
+  };
+  std::vector<Release> released;
+  std::vector<Candidate> taken;
+  std::vector<BallBalance> places;
+  for (std::size_t i = 0; i < e.balls.n; ++i) {
+    const bool was = held.is_held(i);
+    if (held_next(was, load_of(i), threshold) == was) continue;
+    if (was) {
+      released.push_back({i, held.rate(i)});
+      continue;
+    }
+    // All forces but the normal ones of the races stay as they are while the place is sought.
+    const double centrifugal = mass * e.balls.r[i] * e.balls.theta_dot[i] * e.balls.theta_dot[i];
+    const Vec2 residual = mass * Vec2(rate_of(ball_.x_dot, i), rate_of(ball_.r_dot, i));
+    const Vec2 other = residual - Vec2(0.0, centrifugal) - held.normal_force(e, i);
+    const BallBalance place = held.balanced(e, i, other);
+    const double load = std::max(place.contact[0].load, place.contact[1].load);
+    if (!place.solved || load > kReleaseRatio * threshold) continue;  // only passing through
+    taken.push_back({i, e.balls.x[i], e.balls.r[i], e.balls.theta_dot[i], residual});
+    places.push_back(place);
+  }
+  if (released.empty() && taken.empty()) return false;
+
+  const double energy = scene.stored_energy();
+  const Momenta momenta = scene.momenta();
+  for (const Release& release : released) {
+    held.set(release.ball, false);
+    at(ball_.x_dot, release.ball) = release.rate[0];
+    at(ball_.r_dot, release.ball) = release.rate[1];
+  }
+  for (std::size_t k = 0; k < taken.size(); ++k) {
+    const std::size_t i = taken[k].ball;
+    held.set(i, true);
+    at(ball_.x_dot, i) = at(ball_.r_dot, i) = 0.0;
+    at(ball_.x, i) = places[k].x;
+    at(ball_.r, i) = places[k].r;
+    at(ball_.theta_dot, i) = places[k].speed;  // L is kept
+  }
+  // A pocket wall in the way can make the new place worse than the old one: then the ball stays and
+  // its motion as a held ball brings it to balance.
+  const bool valid = scene.is_valid(t, y);
+  for (const Candidate& c : taken) {
+    if (valid && held.residual(c.ball).norm() <= c.residual.norm()) continue;
+    at(ball_.x, c.ball) = c.x;
+    at(ball_.r, c.ball) = c.r;
+    at(ball_.theta_dot, c.ball) = c.theta_dot;
+  }
+  scene.evaluate(t, y);
+
+  const auto integral = [&y](int index) -> double& { return y[static_cast<std::size_t>(index)]; };
+  integral(switches_) += scene.stored_energy() - energy;
+  const Momenta after = scene.momenta();
+  for (int k = 0; k < 3; ++k) {
+    integral(impulse_ + k) -= after.linear[k] - momenta.linear[k];
+    integral(angular_impulse_ + k) -= after.angular[k] - momenta.angular[k];
+  }
+  for (std::size_t i = 0; i < e.balls.n; ++i)
+    integral(flags_ + static_cast<int>(i)) = held.is_held(i) ? 1.0 : 0.0;
+  return true;
+}
+
+}  // namespace
+
+std::unique_ptr<SceneEffect> make_light_load_balance(const ScenePlan& plan) {
+  if (!plan.has(Effect::LightLoadBalance)) return nullptr;
+  return std::make_unique<LightLoadBalance>();
+}
+std::span<const LedgerTerm* const> light_load_terms() { return kTerms; }
+
+}  // namespace adore::dynamics

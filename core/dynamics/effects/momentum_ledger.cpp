@@ -1,0 +1,80 @@
+#include "dynamics/effect_makers.hpp"
+#include "dynamics/ledger_terms.hpp"
+
+/// What acts from outside on balls and cage together: the reactions of the prescribed races and
+/// gravity, as force and as moment about the base origin. The race sums are formed apart from the
+/// forces on the balls, so the momentum residual sees a force without its reaction.
+namespace adore::dynamics {
+namespace {
+
+constexpr LedgerTerm kImpulse{LedgerKind::Work, "", "", {"impulse from outside"}, ""};
+constexpr LedgerTerm kAngularImpulse{
+    LedgerKind::Work, "", "", {"angular impulse from outside"}, ""};
+
+class ExternalActions final : public EffectBlock {
+ public:
+  ExternalActions(const Vec3& gravity, double ball_mass, double cage_mass, Vec3& force,
+                  Vec3& moment)
+      : gravity_(gravity),
+        ball_mass_(ball_mass),
+        cage_mass_(cage_mass),
+        has_gravity_(!gravity.isZero(0.0)),
+        force_(force),
+        moment_(moment) {}
+  void apply(Evaluation& e) noexcept override;
+
+ private:
+  Vec3 gravity_;
+  double ball_mass_, cage_mass_;
+  bool has_gravity_;
+  Vec3 &force_, &moment_;
+};
+
+void ExternalActions::apply(Evaluation& e) noexcept {
+  force_.setZero();
+  moment_.setZero();
+  for (const RaceState& race : e.race) {
+    force_ -= race.force;
+    moment_ -= race.moment + race.motion.centre.cross(race.force);
+  }
+  if (!has_gravity_) return;
+  const BallArrays& b = e.balls;
+  double x = 0.0, y = 0.0, z = 0.0;
+  for (std::size_t i = 0; i < b.n; ++i) {
+    x += b.x[i];
+    y -= b.r[i] * b.sin_theta[i];
+    z += b.r[i] * b.cos_theta[i];
+  }
+  const Vec3 first_moment = ball_mass_ * Vec3(x, y, z) + cage_mass_ * e.cage.position;
+  force_ += (ball_mass_ * static_cast<double>(b.n) + cage_mass_) * gravity_;
+  moment_ += first_moment.cross(gravity_);
+}
+
+class MomentumAccount final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override {
+    const ScenePlan& plan = scene.plan;
+    const Vec3 gravity = plan.has(Effect::Gravity) ? scene.bearing.gravity : Vec3(Vec3::Zero());
+    const double cage_mass = plan.has(Effect::CageMotion) ? scene.bearing.cage->inertia.mass : 0.0;
+    scene.block<ExternalActions>(Phase::Account, "momentum ledger", false, gravity,
+                                 scene.bearing.ball_inertia.mass, cage_mass, force_, moment_);
+    using Momentum = SceneBuilder::Momentum;
+    scene.momentum(impulse_, "external.impulse", Momentum::Linear, kImpulse, force_.data());
+    scene.momentum(angular_impulse_, "external.angular_impulse", Momentum::Angular, kAngularImpulse,
+                   moment_.data());
+    scene.want_momentum_ledger();
+  }
+
+ private:
+  Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();  ///< now [N, N m]
+  int impulse_ = -1, angular_impulse_ = -1;
+};
+
+}  // namespace
+
+std::unique_ptr<SceneEffect> make_momentum_ledger(const ScenePlan& plan) {
+  if (!plan.has(Effect::MomentumLedger)) return nullptr;
+  return std::make_unique<MomentumAccount>();
+}
+
+}  // namespace adore::dynamics

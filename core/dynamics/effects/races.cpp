@@ -1,0 +1,201 @@
+#include "dynamics/effects/races.hpp"
+
+#include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/balls.hpp"
+#include "dynamics/rigid_body.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::dynamics {
+namespace {
+
+/// On elements and cage, by the prescribed motion of each race.
+constexpr LedgerTerm kWork{LedgerKind::Work,
+                           "work",
+                           "work of the races",
+                           {"work of the outer race", "work of the inner race"},
+                           "done by the prescribed motion since the start"};
+constexpr LedgerTerm kHeat{LedgerKind::Heat,
+                           "heat",
+                           "heat at the races",
+                           {"outer race contacts", "inner race contacts"},
+                           "dissipated since the start"};
+constexpr const LedgerTerm* kTerms[] = {&kWork, &kHeat};
+
+class RaceBlock final : public EffectBlock {
+ public:
+  /// @param load_slip the wear integrals are wanted
+  RaceBlock(const RaceContactModel& model, bool load_slip, RaceAccount& sums)
+      : model_(model),
+        load_slip_(load_slip),
+        load_limit_(contact::hertz_load(model.hertz.K, model.groove.ball_radius)),
+        sums_(sums) {}
+  void apply(Evaluation& e) noexcept override;
+
+ private:
+  const RaceContactModel& model_;
+  bool load_slip_;
+  double load_limit_;
+  RaceAccount& sums_;
+};
+
+void RaceBlock::apply(Evaluation& e) noexcept {
+  const auto j = static_cast<std::size_t>(model_.race);
+  RaceState& race = e.race[j];
+  const BallForces out{
+      e.F_x.data(),     e.F_r.data(),     e.F_theta.data(),
+      e.M_x.data(),     e.M_r.data(),     e.M_theta.data(),
+      e.load[j].data(), e.heat[j].data(), load_slip_ ? e.load_slip[j].data() : nullptr};
+  const RaceSums sums = evaluate_race_contacts(model_, e.balls, race.motion, out);
+  race.force += sums.force;
+  race.moment += sums.moment;
+  e.elastic += sums.elastic_energy;
+  sums_.heat = sums.heat;
+  sums_.load_slip = sums.load_slip;
+  sums_.load_slip_element1 = e.load_slip[j][0];
+  for (const double Q : e.load[j]) e.valid = e.valid && !(Q > load_limit_);
+}
+
+class RacePower final : public EffectBlock {
+ public:
+  explicit RacePower(std::array<RaceAccount, 2>& account) : account_(account) {}
+  void apply(Evaluation& e) noexcept override {
+    for (std::size_t j = 0; j < 2; ++j) account_[j].power = e.race[j].power();
+  }
+
+ private:
+  std::array<RaceAccount, 2>& account_;
+};
+
+}  // namespace
+
+void Races::set_up(const SceneBuilder& scene) {
+  const contact::GrooveGeometry groove = contact::groove_geometry(scene.bearing.balls);
+  const tribology::EllipseRule rule =
+      tribology::make_split_ellipse_rule(scene.options.ellipse_major, scene.options.ellipse_minor);
+  const auto& misalignment = scene.bearing.constraints.outer_misalignment;
+  attitude_[0] = quaternion_from_angles({0.0, misalignment[0], misalignment[1]});
+  attitude_[1] =
+      quaternion_from_angles({0.0, scene.statics.displacement[3], scene.statics.displacement[4]});
+  for (std::size_t j = 0; j < 2; ++j) {
+    RaceContactModel& model = contacts_[j];
+    model.race = static_cast<bearing::Race>(j);
+    model.groove = groove;
+    model.effective_modulus =
+        bearing::contact_modulus(scene.bearing.ball_material, scene.bearing.race_material[j]);
+    model.hertz = contact::hertz_constants(
+        contact::race_curvature(scene.bearing.balls, static_cast<int>(j), scene.fixed_angle[j]),
+        model.effective_modulus);
+    model.shoulder_radius = 0.5 * scene.bearing.balls.shoulder_diameter[j];
+    model.traction = scene.plan.has(Effect::RaceTraction);
+    model.curve = scene.bearing.race_traction;
+    model.surface = scene.options.surface;
+    model.rule = rule;
+    free_centre_[j] = Vec3(groove.centre_x[j], 0.0, 0.0);
+    RaceMotion& motion = scene.e.race[j].motion;
+    motion.centre = free_centre_[j];
+    motion.axis = rotation_matrix(attitude_[j]).col(0);
+    motion.speed = scene.bearing.speed[j];
+  }
+  scene.e.race[1].motion.centre += Vec3(
+      scene.statics.displacement[0], scene.statics.displacement[1], scene.statics.displacement[2]);
+}
+
+void Races::declare(SceneBuilder& scene) {
+  set_up(scene);
+  speed_ = scene.bearing.speed;
+  temperature_ = scene.bearing.race_temperature;
+  const ScenePlan& plan = scene.plan;
+  in_contact_ = plan.has(Effect::RaceContact);
+  const bool traction = plan.has(Effect::RaceTraction), wear = plan.has(Effect::WearIntegrals);
+  // Without friction a body of revolution that only spins about its axis exerts no power.
+  const bool work = traction || plan.has(Effect::LandTraction);
+  const std::array<std::string, 2> names{"outer race", "inner race"};
+  for (std::size_t j = 0; j < 2; ++j) {
+    const std::string& name = names[j];
+    RaceAccount& account = account_[j];
+    if (in_contact_)
+      scene.block<RaceBlock>(Phase::Force, name + " contacts", false, contacts_[j], wear, account);
+    if (work) scene.energy(name + ".work", kWork, &account.power, static_cast<int>(j));
+    if (!traction) continue;
+    scene.energy(name + ".heat", kHeat, &account.heat, static_cast<int>(j));
+    if (!wear) continue;
+    scene.integral(load_slip_[j], name + ".load_slip", "J", &account.load_slip);
+    scene.integral(load_slip_element1_[j], name + ".load_slip_element1", "J",
+                   &account.load_slip_element1);
+  }
+  if (work) scene.block<RacePower>(Phase::Account, kMotionCost, false, account_);
+  if (in_contact_) {
+    const Balls& balls = *scene.find<Balls>();
+    normal_.emplace(contacts_, balls.slices(), balls.mass());
+  }
+}
+
+double Races::stiffness(double force) const {
+  const double K = std::max(contacts_[0].hertz.K, contacts_[1].hertz.K);
+  return 1.5 * std::cbrt(K * K * 1e-3 * force);
+}
+
+std::string Races::why_invalid(const Evaluation& e) const {
+  for (std::size_t j = 0; j < 2; ++j)
+    for (std::size_t i = 0; i < e.balls.n; ++i)
+      if (e.load[j][i] > contact::hertz_load(contacts_[j].hertz.K, contacts_[j].groove.ball_radius))
+        return fmt::format(
+            "element {} is pressed into the {} race by more than its own radius; use a "
+            "smaller largest step",
+            i + 1, j == 0 ? "outer" : "inner");
+  return {};
+}
+
+void Races::report(const Evaluation& e, Snapshot& snapshot) const {
+  snapshot.shaft_rotation = (speed_[1] - speed_[0]) * e.t;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const RaceState& state = e.race[j];
+    RaceSnapshot& race = snapshot.races[j];
+    race.position = state.motion.centre - free_centre_[j];
+    race.velocity = state.motion.velocity;
+    race.total_rotation = state.motion.speed * e.t;
+    race.orientation = multiply(attitude_[j], quaternion_about(Vec3::UnitX(), race.total_rotation));
+    race.omega = state.motion.speed * state.motion.axis;
+    race.applied_force = -state.force;
+    race.applied_moment = -state.moment;
+    snapshot.power.qv_race[j] = integral_at(e, load_slip_[j]);
+    snapshot.power.qv_element1[j] = integral_at(e, load_slip_element1_[j]);
+    if (!in_contact_) continue;
+    for (std::size_t i = 0; i < e.balls.n; ++i) {
+      RaceContactSnapshot& contact = snapshot.elements[i].race[j];
+      contact = race_contact_detail(contacts_[j], e.balls, i, state.motion);
+      contact.contact_temperature = temperature_[j] + contact.temperature_rise;
+    }
+  }
+}
+
+double Races::quadrature_error(const Evaluation& e) const {
+  double largest = 0.0;
+  if (!in_contact_) return largest;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const RaceContactModel& model = contacts_[j];
+    if (!model.traction) continue;
+    for (std::size_t i = 0; i < e.balls.n; ++i) {
+      const RaceContactState contact = race_contact_state(model, e.balls, i, e.race[j].motion);
+      if (!(contact.ellipse.Q > 0.0)) continue;
+      const auto fixed =
+          tribology::ellipse_traction(model.curve, contact.ellipse, contact.motion, model.rule);
+      const auto exact =
+          tribology::ellipse_traction_converged(model.curve, contact.ellipse, contact.motion);
+      if (!(exact.heat > 0.0)) continue;
+      const double friction = exact.heat * contact.ellipse.Q / exact.load_slip;
+      largest =
+          std::max(largest, std::hypot(fixed.F_c - exact.F_c, fixed.F_t - exact.F_t) / friction);
+    }
+  }
+  return largest;
+}
+
+std::unique_ptr<SceneEffect> make_races(const ScenePlan&) { return std::make_unique<Races>(); }
+std::span<const LedgerTerm* const> race_terms() { return kTerms; }
+
+}  // namespace adore::dynamics

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "dynamics/effect.hpp"
+#include "dynamics/normal_contacts.hpp"
+
+#include <optional>
+
+/// Both races: prescribed bodies, and the contacts of the balls with them (effects "race contact"
+/// and "race traction"). Not valid when a ball is pressed into a race by more than its radius.
+namespace adore::dynamics {
+
+/// Sums over all balls of one race at this evaluation.
+struct RaceAccount {
+  double power = 0.0;      ///< that the race exerts on balls and cage [W]
+  double heat = 0.0;       ///< [W]
+  double load_slip = 0.0;  ///< ∫ p u dA [W]
+  double load_slip_element1 = 0.0;
+};
+
+class Races final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override;
+  [[nodiscard]] double stiffness(double force) const override;
+  [[nodiscard]] std::string why_invalid(const Evaluation& e) const override;
+  void report(const Evaluation& e, Snapshot& snapshot) const override;
+  [[nodiscard]] double quadrature_error(const Evaluation& e) const override;
+  [[nodiscard]] bool has_stiff_part() const noexcept override { return normal_.has_value(); }
+  bool stiff_part(const Evaluation& e, const double* y, double* dydt, int size) noexcept override {
+    return normal_->evaluate(e.race, y, dydt, size);
+  }
+
+  [[nodiscard]] const std::array<RaceContactModel, 2>& contacts() const noexcept {
+    return contacts_;
+  }
+
+ private:
+  void set_up(const SceneBuilder& scene);
+
+  std::array<RaceContactModel, 2> contacts_;
+  std::array<Vec3, 2> free_centre_;  ///< free positions of the race centres [m]
+  std::array<Quat, 2> attitude_{};   ///< race frame without its spin -> base
+  std::array<double, 2> speed_{}, temperature_{};
+  bool in_contact_ = false;
+  std::optional<NormalContacts> normal_;  ///< with race contact
+  std::array<RaceAccount, 2> account_;
+  std::array<int, 2> load_slip_{-1, -1}, load_slip_element1_{-1, -1};  ///< in the state
+};
+
+}  // namespace adore::dynamics

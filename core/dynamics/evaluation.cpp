@@ -1,0 +1,42 @@
+#include "dynamics/evaluation.hpp"
+
+#include "tribology/traction_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::dynamics {
+
+SlipFriction::SlipFriction(const bearing::TractionCurve& curve) : curve_(curve) {
+  constexpr double kSlip = tribology::kRegularisationSlip;
+  if (tribology::traction_coefficient(curve, 0.0) != 0.0) smoothing_ = kSlip * kSlip;
+}
+
+double SlipFriction::per_slip(double u) const noexcept {
+  return tribology::traction_coefficient(curve_, u) / std::sqrt(u * u + smoothing_);
+}
+
+Evaluation::Evaluation(std::size_t n)
+    : sin_theta(n), cos_theta(n), F_x(n), F_r(n), F_theta(n), M_x(n), M_r(n), M_theta(n) {
+  for (auto* arrays : {&load, &heat, &load_slip})
+    for (auto& array : *arrays) array.assign(n, 0.0);
+}
+
+void Evaluation::begin(double time, const double* state, double* rates) noexcept {
+  t = time;
+  y = state;
+  dydt = rates;
+  for (auto* array : {&F_x, &F_r, &F_theta, &M_x, &M_r, &M_theta})
+    std::fill(array->begin(), array->end(), 0.0);
+  cage.force.setZero();
+  cage.moment.setZero();
+  for (RaceState& r : race) {
+    r.force.setZero();
+    r.moment.setZero();
+  }
+  cage.load_slip = 0.0;
+  elastic = 0.0;
+  valid = true;
+}
+
+}  // namespace adore::dynamics
