@@ -4,6 +4,7 @@
 #include "deck/lookup.hpp"
 #include "deck/templates.hpp"
 #include "facade/check.hpp"
+#include "support/paths.hpp"
 
 #include <QTemporaryDir>
 #include <catch2/catch.hpp>
@@ -37,7 +38,7 @@ void write(const fs::path& path, std::string_view text) {
 std::vector<fs::path> bad_decks() {
   std::vector<fs::path> out;
   for (const auto& entry :
-       fs::directory_iterator(fs::path(ADORE_SOURCE_DIR) / "tests" / "decks" / "bad"))
+       fs::directory_iterator(adore::test::source_dir() / "tests" / "decks" / "bad"))
     if (entry.path().extension() == ".txt") out.push_back(entry.path());
   std::sort(out.begin(), out.end());
   return out;

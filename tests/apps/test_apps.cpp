@@ -1,5 +1,6 @@
 #include "desktop/image_export.hpp"
 #include "desktop/launch.hpp"
+#include "support/paths.hpp"
 #include "support/qt_app.hpp"
 
 #include <QDir>
@@ -20,13 +21,13 @@ struct Ended {
   int code = -1;
   QString output;
 };
-Ended start(const char* program, const QStringList& arguments) {
+Ended start(const char* name, const QStringList& arguments) {
   QProcess process;
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
   environment.insert("QT_QPA_PLATFORM", "offscreen");
   process.setProcessEnvironment(environment);
   process.setProcessChannelMode(QProcess::MergedChannels);
-  process.start(program, arguments);
+  process.start(QString::fromStdString(adore::test::program(name).string()), arguments);
   if (!process.waitForFinished(100000)) return {};
   return {process.exitStatus() == QProcess::NormalExit ? process.exitCode() : -1,
           QString::fromUtf8(process.readAll())};
@@ -36,9 +37,9 @@ Ended start(const char* program, const QStringList& arguments) {
 const QString& run_folder() {
   static QTemporaryDir folder;
   static const bool done = [] {
-    REQUIRE(start(ADORE_EXECUTABLE, {"new", "ball", "--out", folder.filePath("DATA.txt")}).code ==
+    REQUIRE(start("adore", {"new", "ball", "--out", folder.filePath("DATA.txt")}).code ==
             0);
-    const Ended run = start(ADORE_EXECUTABLE, {"run", folder.path(), "--until", "40", "--set",
+    const Ended run = start("adore", {"run", folder.path(), "--until", "40", "--set",
                                                "kPltFreq=1", "--set", "kAGraf=1", "--quiet"});
     INFO(run.output.toStdString());
     REQUIRE(run.code == 0);
@@ -80,7 +81,7 @@ TEST_CASE("adrplot --render draws every page of a real run", "[gui][apps]") {
   QTemporaryDir pictures;
   QStringList arguments{"--render", pictures.path(), "--size", "900x700"};
   for (const char* name : {"SOL1", "SOL4", "SOL7"}) arguments << run_folder() + "/" + name;
-  const Ended ended = start(ADRPLOT_EXECUTABLE, arguments);
+  const Ended ended = start("adrplot", arguments);
   INFO(ended.output.toStdString());
   REQUIRE(ended.code == 0);
   check_pictures(pictures.path(), 8 + 3, {900, 700});
@@ -91,7 +92,7 @@ TEST_CASE("agore --render draws every view of a real run", "[gui][apps]") {
   for (const char* view : {"bearing", "cage", "pocket", "element", "race"}) {
     QTemporaryDir pictures;
     const Ended ended = start(
-        AGORE_EXECUTABLE,
+        "agore",
         {run_folder() + "/SOL8", "--render", pictures.path(), "--view", view, "--size", "800x640"});
     INFO(view << ": " << ended.output.toStdString());
     REQUIRE(ended.code == 0);
@@ -102,26 +103,24 @@ TEST_CASE("agore --render draws every view of a real run", "[gui][apps]") {
 TEST_CASE("the programs refuse what is no file of theirs with exit code 2", "[gui][apps]") {
   adore::test::use_qt();
   QTemporaryDir pictures;
-  for (const char* program : {ADRPLOT_EXECUTABLE, AGORE_EXECUTABLE}) {
+  for (const char* program : {"adrplot", "agore"}) {
     const Ended ended = start(program, {"--render", pictures.path(), run_folder() + "/DATA.txt"});
     CHECK(ended.code == 2);
     CHECK(ended.output.contains("DATA.txt"));
   }
 }
 
-#ifdef ADRINPUT_EXECUTABLE
 TEST_CASE("adrinput --render draws its pages for a real deck", "[gui][apps]") {
   adore::test::use_qt();
   QTemporaryDir pictures;
   const Ended ended =
-      start(ADRINPUT_EXECUTABLE, {"--render", pictures.path(), run_folder() + "/DATA.txt"});
+      start("adrinput", {"--render", pictures.path(), run_folder() + "/DATA.txt"});
   INFO(ended.output.toStdString());
   REQUIRE(ended.code == 0);
   const auto names = QDir(pictures.path()).entryList({"*.png"}, QDir::Files);
   REQUIRE(names.size() > 3);
   check_pictures(pictures.path(), 4, QImage(pictures.filePath(names.front())).size());
 }
-#endif
 
 TEST_CASE("one program starts another that lies beside it, and says when there is none",
           "[gui][apps]") {

@@ -15,6 +15,8 @@
 #include <thread>
 #include <unistd.h>
 
+#include "support/paths.hpp"
+
 /// What tests of the program `adore` do: start it in a folder of their own and read what it leaves.
 namespace adore::test {
 
@@ -47,7 +49,7 @@ struct Result {
 };
 
 inline std::string command_line(const std::string& arguments) {
-  return std::string(ADORE_EXECUTABLE) + " " + arguments;
+  return adore::test::program("adore").string() + " " + arguments;
 }
 
 inline Result run_adore(const std::string& arguments, const std::string& environment = "") {
@@ -91,10 +93,10 @@ inline pid_t start_long_run(const Folder& folder, const std::string& set = "") {
     std::freopen("/dev/null", "w", stdout);
     const std::string deck = folder.path().string();
     if (set.empty())
-      execl(ADORE_EXECUTABLE, "adore", "run", deck.c_str(), "--until", "500rev", "--opt",
+      execl(adore::test::program("adore").c_str(), "adore", "run", deck.c_str(), "--until", "500rev", "--opt",
             "checkpointSeconds=0.2", nullptr);
     else
-      execl(ADORE_EXECUTABLE, "adore", "run", deck.c_str(), "--until", "500rev", "--opt",
+      execl(adore::test::program("adore").c_str(), "adore", "run", deck.c_str(), "--until", "500rev", "--opt",
             "checkpointSeconds=0.2", "--set", set.c_str(), nullptr);
     _exit(99);
   }

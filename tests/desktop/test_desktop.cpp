@@ -6,6 +6,7 @@
 #include "desktop/disclaimer.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/log_chart.hpp"
+#include "support/paths.hpp"
 #include "support/qt_app.hpp"
 
 #include <QChart>
@@ -207,7 +208,7 @@ TEST_CASE("theme: the shipped font is the one in use", "[gui]") {
 
 TEST_CASE("every app has an icon and an entry in the desktop's menu", "[gui]") {
   test::use_qt();
-  const fs::path resources = fs::path(ADORE_SOURCE_DIR) / "resources";
+  const fs::path resources = adore::test::source_dir() / "resources";
   for (const std::string app : {"adrinput", "adrplot", "agore"}) {
     INFO(app);
     const QImage icon(QString::fromStdString(":/adore/icons/" + app + ".png"));

@@ -1,5 +1,6 @@
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
+#include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -14,7 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 struct Folder {
-  fs::path path = fs::path(ADORE_BINARY_DIR) / ("atomic_file_test_" + std::to_string(::getpid()));
+  fs::path path = adore::test::binary_dir() / ("atomic_file_test_" + std::to_string(::getpid()));
   Folder() { fs::create_directories(path); }
   Folder(const Folder&) = delete;
   Folder& operator=(const Folder&) = delete;

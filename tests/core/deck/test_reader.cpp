@@ -2,6 +2,7 @@
 #include "core/deck/deck_variants.hpp"
 #include "deck/deck.hpp"
 #include "deck/templates.hpp"
+#include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -180,7 +181,7 @@ const BadDeck kBadDecks[] = {
     {"too_many_tapered", Severity::Error, "3.2", "nRe", "do not fit on the pitch circle"},
 };
 
-const fs::path kFolder = fs::path(ADORE_SOURCE_DIR) / "tests/decks/bad";
+const fs::path kFolder = adore::test::source_dir() / "tests/decks/bad";
 
 std::string content_of(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
@@ -531,7 +532,7 @@ TEST_CASE("a locale with decimal comma changes nothing", "[unit][deck]") {
 }
 
 TEST_CASE("files: missing, folder, binary, too large, and a good one", "[unit][deck]") {
-  const fs::path folder = fs::path(ADORE_BINARY_DIR) / ("deck_test_" + std::to_string(::getpid()));
+  const fs::path folder = adore::test::binary_dir() / ("deck_test_" + std::to_string(::getpid()));
   fs::create_directories(folder);
   CHECK_THROWS_WITH(read_deck(folder / "none.txt"), Catch::Contains("no such file"));
   CHECK_THROWS_WITH(read_deck(folder), Catch::Contains("is a folder"));

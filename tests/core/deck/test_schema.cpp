@@ -3,6 +3,7 @@
 #include "core/deck/deck_variants.hpp"
 #include "deck/condition.hpp"
 #include "deck/schema.hpp"
+#include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
@@ -50,7 +51,7 @@ std::vector<Row> parse_tsv(const std::string& text) {
 }
 
 std::vector<Row> reference_rows() {
-  std::ifstream in(std::string(ADORE_SOURCE_DIR) + "/tests/reference/records.tsv");
+  std::ifstream in(adore::test::source_dir().string() + "/tests/reference/records.tsv");
   REQUIRE(in);
   std::stringstream text;
   text << in.rdbuf();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/race_contacts.hpp"
+#include "support/paths.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <nlohmann/json.hpp>
@@ -69,7 +70,7 @@ inline tribology::ContactSurface surface_of(const std::string& name) {
 
 inline ThrustScene thrust_scene(const std::string& id, std::size_t n,
                                 const tribology::EllipseRule& rule, double spread) {
-  std::ifstream file(ADORE_SOURCE_DIR "/tests/reference/dynamics_ball_thrust.json");
+  std::ifstream file(adore::test::source_dir().string() + "/tests/reference/dynamics_ball_thrust.json");
   const nlohmann::json all = nlohmann::json::parse(file);
   for (const nlohmann::json& one : all.at("cases")) {
     if (one.at("id") != id) continue;

@@ -1,4 +1,5 @@
 #include "facade/reference/cases_traction.hpp"
+#include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -13,7 +14,7 @@ using adore::facade::reference::Json;
 namespace {
 
 Json read_family(const std::string& family) {
-  std::ifstream file(ADORE_SOURCE_DIR "/tests/reference/" + family + ".json");
+  std::ifstream file(adore::test::source_dir().string() + "/tests/reference/" + family + ".json");
   return Json::parse(file);
 }
 

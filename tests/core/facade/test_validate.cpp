@@ -2,6 +2,7 @@
 #include "facade/calculator_inputs.hpp"
 #include "facade/calculators.hpp"
 #include "facade/validate.hpp"
+#include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -15,7 +16,7 @@ using Json = nlohmann::json;
 namespace {
 
 const std::filesystem::path kReference =
-    std::filesystem::path(ADORE_SOURCE_DIR) / "tests" / "reference";
+    adore::test::source_dir() / "tests" / "reference";
 
 ValidateReport run(const std::vector<std::string>& names) {
   std::vector<std::filesystem::path> paths;
@@ -234,7 +235,7 @@ TEST_CASE("Recalled values never gate", "[validation]") {
 TEST_CASE("Unknown families and inputs are not covered, and the report counts them",
           "[validation]") {
   const std::filesystem::path path =
-      std::filesystem::path(ADORE_BINARY_DIR) / "validate_unknown.json";
+      adore::test::binary_dir() / "validate_unknown.json";
   std::ofstream(path)
       << R"({"family": "no_such_family", "cases": [{"id": "x", "inputs": {}, "expected": {"a": 1}, "tolerance": 1}]})";
   const ValidateReport report = validate_files(std::vector{path});
@@ -246,7 +247,7 @@ TEST_CASE("Unknown families and inputs are not covered, and the report counts th
 }
 
 TEST_CASE("Files that hold no reference cases are refused, all at once", "[validation]") {
-  const std::filesystem::path folder(ADORE_BINARY_DIR), text = folder / "validate_text.json",
+  const std::filesystem::path folder = adore::test::binary_dir(), text = folder / "validate_text.json",
                                                         empty = folder / "validate_empty.json";
   std::ofstream(text) << "not json";
   std::ofstream(empty) << "{}";

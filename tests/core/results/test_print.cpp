@@ -3,6 +3,7 @@
 #include "results/fortran_format.hpp"
 #include "results/print_file.hpp"
 #include "results/static_summary.hpp"
+#include "support/paths.hpp"
 #include "synthetic.hpp"
 
 #include <catch2/catch.hpp>
@@ -71,7 +72,7 @@ std::string read_text(const std::filesystem::path& path) { return read_bytes(pat
 TEST_CASE("the front part echoes every record and every variable of the deck", "[unit][print]") {
   for (const char* example : {"ball.txt", "ball-english.txt"}) {
     const deck::ReadResult read =
-        deck::read_deck(std::string(ADORE_SOURCE_DIR) + "/resources/decks/" + example);
+        deck::read_deck(adore::test::source_dir().string() + "/resources/decks/" + example);
     REQUIRE(read.ok());
     const bearing::Bearing bearing = make_bearing();
     TemporaryFolder folder;

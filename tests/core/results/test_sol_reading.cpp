@@ -4,6 +4,7 @@
 #include "results/motion.hpp"
 #include "results/sol_parser.hpp"
 #include "results/sol_writer.hpp"
+#include "support/paths.hpp"
 #include "synthetic.hpp"
 
 #include <catch2/catch.hpp>
@@ -305,7 +306,7 @@ TEST_CASE("a locale with a decimal comma changes no byte and no reading", "[unit
 }
 
 TEST_CASE("the version of the files is that of the build", "[unit]") {
-  const std::string cmake = read_bytes(std::string(ADORE_SOURCE_DIR) + "/CMakeLists.txt");
+  const std::string cmake = read_bytes(adore::test::source_dir().string() + "/CMakeLists.txt");
   CHECK_THAT(cmake, Contains("project(adore VERSION " + std::string(kVersionNumber) + " "));
   CHECK(std::string(kProgramVersion) == "Adore " + std::string(kVersionNumber));
   CHECK(std::string(kFileVersion) == "Adore" + std::string(kVersionNumber));

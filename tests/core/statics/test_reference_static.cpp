@@ -1,4 +1,5 @@
 #include "facade/reference/cases_static.hpp"
+#include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -92,7 +93,7 @@ TEST_CASE(
   int gated = 0;
   for (const auto& adapter : adore::facade::reference::static_adapters()) {
     const std::string file =
-        std::string(ADORE_SOURCE_DIR) + "/tests/reference/" + std::string(adapter.family) + ".json";
+        adore::test::source_dir().string() + "/tests/reference/" + std::string(adapter.family) + ".json";
     std::ifstream stream(file);
     REQUIRE(stream.good());
     const Json document = Json::parse(stream);

@@ -2,6 +2,7 @@
 #include "contact/slice_contact.hpp"
 #include "roller_bearings.hpp"
 #include "statics/roller_report.hpp"
+#include "support/paths.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
@@ -288,7 +289,7 @@ TEST_CASE("reference cases rib_static: a tapered bearing of their geometry, solv
   // The reference takes rigid bodies in the nominal pose. A modulus 1e5 times that of steel leaves
   // tilts of 1e-9 rad: what is compared are the forces and the place of contact of the solver, not
   // a formula. With steel the same solver differs by what the roller tilts, under 2 % at the rib.
-  std::ifstream file(std::string(ADORE_SOURCE_DIR) + "/tests/reference/rollers_tapered.json");
+  std::ifstream file(adore::test::source_dir().string() + "/tests/reference/rollers_tapered.json");
   const auto family = nlohmann::json::parse(file);
   int compared = 0;
   for (const auto& the_case : family.at("cases")) {

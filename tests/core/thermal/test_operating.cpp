@@ -5,6 +5,7 @@
 #include "deck/reader.hpp"
 #include "statics/ball_statics.hpp"
 #include "../statics/roller_bearings.hpp"
+#include "support/paths.hpp"
 #include "thermal/operating.hpp"
 
 #include <catch2/catch.hpp>
@@ -19,7 +20,7 @@ namespace {
 
 /// The example ball bearing with its cage: 7208, 12 balls, 10000 rpm, at room temperature, no fits.
 Bearing example() {
-  const deck::ReadResult read = deck::read_deck(ADORE_SOURCE_DIR "/resources/decks/ball.txt");
+  const deck::ReadResult read = deck::read_deck(adore::test::source_dir().string() + "/resources/decks/ball.txt");
   REQUIRE(read.ok());
   return build::build_bearing(read.deck);
 }
