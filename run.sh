@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds the suite, simulates the example bearing and draws its pictures into out/example.
+# Installs what is missing, builds what the main job needs (the solver and its pictures), simulates the example bearing and draws its pictures into out/example.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -11,7 +11,7 @@ preset=release
 [ "${CI:-}" = true ] && preset=ci-release
 echo "build: preset $preset"
 cmake --preset "$preset" >/dev/null
-cmake --build --preset "$preset"
+cmake --build --preset "$preset" --target adore adrplot agore
 
 bin=$PWD/build/$preset/bin
 out=$PWD/out/example

@@ -9,6 +9,7 @@ export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 QT_QPA_PLATFORM=offscreen
 preset=release sanitizer=asan-ubsan
 [ "${CI:-}" = true ] && preset=ci-release sanitizer=ci-asan-ubsan
 build/$preset/bin/adore validate tests/reference/*.json
+cmake --build --preset "$preset"
 
 echo "sanitizers: preset $sanitizer"
 cmake --preset "$sanitizer" >/dev/null
