@@ -1,3 +1,5 @@
+#include "support/paths.hpp"
+
 #include <catch2/catch.hpp>
 
 #include <filesystem>
@@ -5,6 +7,7 @@
 #include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -12,25 +15,31 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The dependency rule of the design: a folder may include itself and what stands here.
-const std::map<std::string, std::set<std::string>> kAllowed = {
-    {"base", {}},
-    {"deck", {"base"}},
-    {"bearing", {"base"}},
-    {"contact", {"base", "bearing"}},
-    {"tribology", {"base", "bearing"}},
-    {"integrators", {}},
-    {"statics", {"base", "bearing", "contact", "tribology"}},
-    {"thermal", {"base", "bearing", "contact", "statics"}},
-    {"dynamics", {"base", "bearing", "contact", "tribology", "statics"}},
-    {"life", {"base", "bearing", "contact", "tribology", "statics", "dynamics"}},
-    {"build",
-     {"base", "deck", "bearing", "contact", "tribology", "statics", "dynamics", "integrators"}},
-    {"results", {"base", "deck", "bearing", "contact", "tribology", "statics", "dynamics", "life"}},
-    {"facade",
-     {"base", "deck", "bearing", "contact", "tribology", "statics", "thermal", "dynamics",
-      "integrators", "life", "build", "results"}},
-};
+using Rule = std::map<std::string, std::set<std::string>>;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+/// The dependency rule: core/CMakeLists.txt says which folder may include which.
+Rule dependency_rule() {
+  Rule rule;
+  const std::string text = text_of(adore::test::source_dir() / "core" / "CMakeLists.txt");
+  static const std::regex library(R"(adore_core_library\((\w+)([^)]*)\))");
+  for (std::sregex_iterator match(text.begin(), text.end(), library), end; match != end; ++match) {
+    std::set<std::string>& allowed = rule[(*match)[1]];
+    std::istringstream words((*match)[2]);
+    bool depends = false;
+    for (std::string word; words >> word;) {
+      if (word == "DEPENDS" || word == "LINK")
+        depends = word == "DEPENDS";
+      else if (depends)
+        allowed.insert(word);
+    }
+  }
+  return rule;
+}
 /// Apps see core through deck, results and facade only; base holds errors and files.
 const std::set<std::string> kAppsMaySee = {"base", "deck", "results", "facade"};
 
@@ -66,13 +75,14 @@ bool is_qt(const Include& include) { return !include.quoted && include.target[0]
 }  // namespace
 
 TEST_CASE("core folders include only what the dependency rule allows", "[unit][architecture]") {
-  const fs::path core = fs::path(ADORE_SOURCE_DIR) / "core";
+  const fs::path core = adore::test::source_dir() / "core";
+  const Rule rule = dependency_rule();
   int seen = 0;
   for (const auto& entry : fs::directory_iterator(core)) {
     if (!entry.is_directory()) continue;
     const std::string folder = entry.path().filename().string();
     INFO("core/" << folder << " has no line in the dependency rule");
-    REQUIRE(kAllowed.count(folder) == 1);
+    REQUIRE(rule.count(folder) == 1);
     for (const fs::path& file : sources(entry.path()))
       for (const Include& include : includes(file)) {
         INFO(file.string() << " includes " << include.target);
@@ -80,7 +90,7 @@ TEST_CASE("core folders include only what the dependency rule allows", "[unit][a
         if (!include.quoted) continue;
         ++seen;
         const std::string target = first_folder(include.target);
-        CHECK((target == folder || kAllowed.at(folder).count(target) == 1));
+        CHECK((target == folder || rule.at(folder).count(target) == 1));
       }
   }
   CHECK(seen > 50);
@@ -88,7 +98,7 @@ TEST_CASE("core folders include only what the dependency rule allows", "[unit][a
 
 TEST_CASE("apps reach the core through deck, results and facade only", "[unit][architecture]") {
   for (const std::string app : {"desktop", "adrplot", "agore", "adrinput"})
-    for (const fs::path& file : sources(fs::path(ADORE_SOURCE_DIR) / app))
+    for (const fs::path& file : sources(adore::test::source_dir() / app))
       for (const Include& include : includes(file)) {
         if (!include.quoted) continue;
         INFO(file.string() << " includes " << include.target);
@@ -100,9 +110,79 @@ TEST_CASE("apps reach the core through deck, results and facade only", "[unit][a
 }
 
 TEST_CASE("the command line uses Qt in its picture commands only", "[unit][architecture]") {
-  for (const fs::path& file : sources(fs::path(ADORE_SOURCE_DIR) / "cli"))
+  for (const fs::path& file : sources(adore::test::source_dir() / "cli"))
     for (const Include& include : includes(file)) {
       INFO(file.string() << " includes " << include.target);
       CHECK((!is_qt(include) || file.filename() == "pictures_qt.cpp"));
     }
+}
+
+TEST_CASE("the picture of the core's folders is the dependency rule", "[unit][architecture]") {
+  const std::string page = text_of(adore::test::source_dir() / "resources/docs/architecture.md");
+  static const std::regex arrow(R"((\w+) --> (\w+))");
+  Rule drawn;
+  for (std::sregex_iterator match(page.begin(), page.end(), arrow), end; match != end; ++match)
+    drawn[(*match)[2]].insert((*match)[1]);
+  // The picture leaves out arrows that others imply.
+  const Rule rule = dependency_rule();
+  const auto reaches = [&](const std::string& from, const std::string& to, const auto& self) -> bool {
+    const auto found = drawn.find(to);
+    if (found == drawn.end()) return false;
+    for (const std::string& before : found->second)
+      if (before == from || self(from, before, self)) return true;
+    return false;
+  };
+  for (const auto& [folder, allowed] : rule)
+    for (const std::string& dependency : allowed) {
+      INFO("no way from " << dependency << " to " << folder << " in architecture.md");
+      CHECK(reaches(dependency, folder, reaches));
+    }
+  for (const auto& [folder, before] : drawn)
+    for (const std::string& dependency : before) {
+      INFO("architecture.md draws " << dependency << " --> " << folder);
+      CHECK(rule.at(folder).count(dependency) == 1);
+    }
+}
+
+TEST_CASE("every reading and every output rule that the code cites stands in the docs",
+          "[unit][architecture]") {
+  const fs::path root = adore::test::source_dir();
+  const std::string readings = text_of(root / "resources/docs/readings.md");
+  const std::string outputs = text_of(root / "resources/docs/outputs.md");
+  static const std::regex number(R"(\bN(\d{1,3})\b)"),
+      section(R"(outputs\.md (?:§)?(\d+(?:\.\d+)?))");
+  int seen = 0;
+  for (const std::string folder : {"core", "cli", "desktop", "adrinput", "adrplot", "agore"})
+    for (const fs::path& file : sources(root / folder)) {
+      std::ifstream stream(file);
+      for (std::string line; std::getline(stream, line);) {
+        // Code has template parameters of this shape; readings are cited in comments.
+        const std::size_t comment = line.find("//");
+        if (comment == std::string::npos) continue;
+        const std::string words = line.substr(comment);
+        INFO(file.string() << ": " << words);
+        for (std::sregex_iterator m(words.begin(), words.end(), number), end; m != end; ++m, ++seen)
+          CHECK(readings.find("| N" + (*m)[1].str() + " |") != std::string::npos);
+        for (std::sregex_iterator m(words.begin(), words.end(), section), end; m != end; ++m, ++seen)
+          CHECK(outputs.find("# " + (*m)[1].str()) != std::string::npos);
+      }
+    }
+  CHECK(seen > 50);
+}
+
+TEST_CASE("every decision stands in the index, and the index names no others",
+          "[unit][architecture]") {
+  const fs::path folder = adore::test::source_dir() / "resources/docs/decisions";
+  const std::string index = text_of(folder / "README.md");
+  std::set<std::string> listed;
+  static const std::regex link(R"(\]\((\d{3}-[^)]*\.md)\))");
+  for (std::sregex_iterator m(index.begin(), index.end(), link), end; m != end; ++m)
+    CHECK(listed.insert((*m)[1]).second);
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name == "README.md") continue;
+    INFO(name);
+    CHECK(listed.erase(name) == 1);
+  }
+  CHECK(listed.empty());
 }
