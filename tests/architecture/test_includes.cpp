@@ -118,14 +118,16 @@ TEST_CASE("the command line uses Qt in its picture commands only", "[unit][archi
 }
 
 TEST_CASE("the picture of the core's folders is the dependency rule", "[unit][architecture]") {
-  const std::string page = text_of(adore::test::source_dir() / "resources/docs/architecture.md");
-  static const std::regex arrow(R"((\w+) --> (\w+))");
+  std::ifstream page(adore::test::source_dir() / "resources/docs/architecture.md");
+  static const std::regex arrow(R"(  (\w+) --> (\w+))");
   Rule drawn;
-  for (std::sregex_iterator match(page.begin(), page.end(), arrow), end; match != end; ++match)
-    drawn[(*match)[2]].insert((*match)[1]);
+  std::smatch match;
+  for (std::string line; std::getline(page, line);)
+    if (std::regex_match(line, match, arrow)) drawn[match[2]].insert(match[1]);
   // The picture leaves out arrows that others imply.
   const Rule rule = dependency_rule();
-  const auto reaches = [&](const std::string& from, const std::string& to, const auto& self) -> bool {
+  const auto reaches = [&](const std::string& from, const std::string& to,
+                           const auto& self) -> bool {
     const auto found = drawn.find(to);
     if (found == drawn.end()) return false;
     for (const std::string& before : found->second)
@@ -163,7 +165,8 @@ TEST_CASE("every reading and every output rule that the code cites stands in the
         INFO(file.string() << ": " << words);
         for (std::sregex_iterator m(words.begin(), words.end(), number), end; m != end; ++m, ++seen)
           CHECK(readings.find("| N" + (*m)[1].str() + " |") != std::string::npos);
-        for (std::sregex_iterator m(words.begin(), words.end(), section), end; m != end; ++m, ++seen)
+        for (std::sregex_iterator m(words.begin(), words.end(), section), end; m != end;
+             ++m, ++seen)
           CHECK(outputs.find("# " + (*m)[1].str()) != std::string::npos);
       }
     }

@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <string_view>
 
-/// Where the tests find what they read and run. Compiled into one object, so that a clone in another folder
-/// shares the compiler cache for all others.
+/// Where the tests find what they read and run. Compiled into one object, so that a clone in
+/// another folder shares the compiler cache for all others.
 namespace adore::test {
 
 /// The checkout: `source_dir() / "resources/decks/ball.txt"`.
