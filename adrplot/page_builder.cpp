@@ -2,6 +2,7 @@
 
 #include "adrplot/spectrum.hpp"
 #include "base/errors.hpp"
+#include "results/channels.hpp"
 
 #include <fmt/format.h>
 
@@ -17,19 +18,37 @@ using desktop::ChartPage;
 using desktop::ChartPanel;
 using results::SolFile;
 
-std::vector<double> column(const SolFile& file, int value) {
-  std::vector<double> numbers;
-  numbers.reserve(file.steps.size());
-  const auto index = static_cast<std::size_t>(value - 1);
-  for (const auto& step : file.steps)
-    numbers.push_back(index < step.values.size() ? step.values[index]
-                                                 : std::numeric_limits<double>::quiet_NaN());
-  return numbers;
-}
+/// The columns of one file, found by id: numbers and unit. What the file does not hold is missing
+/// at every step.
+class FileColumns {
+ public:
+  explicit FileColumns(const SolFile& file)
+      : file_(file), columns_(results::sol_columns(file.header)) {}
 
-std::string unit_of(const SolFile& file, int unit_slot) {
-  return file.header.units.at(static_cast<std::size_t>(unit_slot - 1));
-}
+  [[nodiscard]] std::vector<double> numbers(const std::string& id) const {
+    const std::size_t index = find(id);
+    std::vector<double> out;
+    out.reserve(file_.steps.size());
+    for (const auto& step : file_.steps)
+      out.push_back(index < step.values.size() ? step.values[index]
+                                               : std::numeric_limits<double>::quiet_NaN());
+    return out;
+  }
+  [[nodiscard]] std::string unit(const std::string& id) const {
+    const std::size_t index = find(id);
+    return index < columns_.size() ? results::unit_of_column(file_, columns_[index]) : "";
+  }
+
+ private:
+  [[nodiscard]] std::size_t find(const std::string& id) const {
+    const auto found = std::find_if(columns_.begin(), columns_.end(),
+                                    [&](const auto& column) { return column.id == id; });
+    return static_cast<std::size_t>(found - columns_.begin());
+  }
+
+  const SolFile& file_;
+  std::vector<results::SolColumn> columns_;
+};
 
 std::vector<double> times(const SolFile& file) {
   std::vector<double> numbers;
@@ -47,10 +66,11 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
     chart.x_unit = "rev";
     for (const auto& step : file.steps) chart.x.push_back(step.revolutions);
   }
+  const FileColumns columns(file);
   for (const auto& spec : page.panels) {
-    ChartPanel panel{spec.title, unit_of(file, spec.unit_slot), {}, spec.wraps};
+    ChartPanel panel{spec.title, columns.unit(spec.curves.front().column), {}, spec.wraps};
     for (const auto& curve : spec.curves)
-      panel.curves.push_back({curve.name, column(file, curve.value), {}});
+      panel.curves.push_back({curve.name, columns.numbers(curve.column), {}});
     chart.panels.push_back(std::move(panel));
   }
 }
@@ -65,9 +85,10 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
   // axial coordinate.
   if (over_clearance && pair.across != 0 && pair.up != 0) chart.guide_radius = 1.0;
   chart.x_title = across.title + suffix;
-  ChartPanel panel{up.title + suffix, unit_of(file, up.unit_slot), {}, false};
-  panel.curves.push_back({"mass centre", column(file, up.curves.front().value),
-                          column(file, across.curves.front().value)});
+  const FileColumns columns(file);
+  ChartPanel panel{up.title + suffix, columns.unit(up.curves.front().column), {}, false};
+  panel.curves.push_back({"mass centre", columns.numbers(up.curves.front().column),
+                          columns.numbers(across.curves.front().column)});
   chart.panels.push_back(std::move(panel));
 }
 
@@ -95,10 +116,11 @@ void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page) {
   }
   chart.x_title = "Frequency";
   chart.x_unit = "Hz";
+  const FileColumns columns(file);
   // y and z carry the whirl, so they come first; x is the third panel.
   for (const std::size_t coordinate : {1U, 2U, 0U}) {
     const PanelSpec& spec = page.panels.at(coordinate);
-    const std::vector<double> samples = column(file, spec.curves.front().value);
+    const std::vector<double> samples = columns.numbers(spec.curves.front().column);
     if (std::any_of(samples.begin(), samples.end(), [](double s) { return !std::isfinite(s); })) {
       chart.panels.clear();
       chart.note =

@@ -6,9 +6,8 @@
 #include <vector>
 
 /// The plot pages of each kind of result file, as a table without Qt: what stands on page 7 of an
-/// element file is said here only. Values are numbered as in the record descriptions of the SOL
-/// files, from 1; unit slots are those of the file's header, 1 to 10, where slot 10 is the blank
-/// one of pure numbers.
+/// element file is said here only. Curves name columns by id (results::sol_columns); where a value
+/// stands in the file and which unit it has is the business of the results.
 namespace adore::adrplot {
 
 enum class PageKind : unsigned char {
@@ -20,12 +19,12 @@ enum class PageKind : unsigned char {
 
 struct CurveSpec {
   std::string name;
-  int value = 1;
+  std::string column;  ///< "contact.load.outer"
 };
 
+/// Curves of one unit: that of the first column.
 struct PanelSpec {
   std::string title;
-  int unit_slot = 10;
   std::vector<CurveSpec> curves;
   bool wraps = false;  ///< an angle that starts again after a turn
 };

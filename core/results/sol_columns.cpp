@@ -179,7 +179,9 @@ void add_element_columns(Columns& columns, const SolHeader& header) {
 void add_cage_columns(Columns& columns, const SolHeader& header) {
   for (std::string_view id : kCageFile) columns.add(id, 0);
   const int surfaces = std::max(header.pocket_surfaces, 1);
-  for (int pocket = 1; pocket <= header.per_segment && !columns.full(); ++pocket) {
+  // The count decides: a segment whose cut goes through a pocket carries half a pocket more than
+  // the header says.
+  for (int pocket = 1; !columns.full(); ++pocket) {
     for (int surface = 1; surface <= surfaces && !columns.full(); ++surface) {
       const auto at = static_cast<std::size_t>((pocket - 1) * surfaces + surface - 1);
       const std::string where = surfaces == 1
