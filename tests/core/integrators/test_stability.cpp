@@ -1,6 +1,6 @@
 #include "integrators/stability.hpp"
 #include "integrators/stepper.hpp"
-#include "problems.hpp"
+#include "core/integrators/problems.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -43,7 +43,8 @@ TEST_CASE("The amplification per step is what the steppers do to a vibration",
       const double factor = amplification(name, phase);
       // A start of higher order and parasitic roots die out before the ratio is taken.
       Vibration vibration(std::string(name), phase);
-      const int before = factor > 2.0 ? 40 : 200, between = 40;
+      const bool slow = factor > 0.98 && factor < 1.1;
+      const int before = factor > 2.0 ? 40 : slow ? 4000 : 200, between = 40;
       const double first = vibration.amplitude_after(before);
       const double second = vibration.amplitude_after(between);
       CHECK(std::pow(second / first, 1.0 / between) == Approx(factor).epsilon(0.02));
