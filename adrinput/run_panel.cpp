@@ -54,6 +54,8 @@ QString headline_of(const facade::RunOutcome& outcome) {
       return from("Done: " + done);
     case facade::RunStatus::Interrupted:
       return from("Cancelled; the files are valid up to the last stored step. " + done);
+    case facade::RunStatus::Untrusted:
+      return from("Done, but not to be trusted: " + outcome.message + ". " + done);
     case facade::RunStatus::Failed:
       break;
   }

@@ -63,7 +63,7 @@ void plan(const DeckOptions& options, bool json) {
   print_warnings(prepared.input.warnings);
   const dynamics::ScenePlan scene = facade::plan_with_estimates(prepared);
   if (json)
-    fmt::print("{}\n", facade::plan_json(scene).dump(2));
+    fmt::print("{}\n", facade::plan_json(scene, facade::stability_text(prepared)).dump(2));
   else
     fmt::print("{}", facade::plan_text(prepared, scene));
 }

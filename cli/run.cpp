@@ -82,8 +82,7 @@ facade::ProgressSink make_sink(const std::string& style) {
 }
 
 int report(const facade::RunOutcome& outcome, bool quiet) {
-  if (outcome.status == facade::RunStatus::Failed)
-    fmt::print(stderr, "adore: {}\n", outcome.message);
+  if (!outcome.message.empty()) fmt::print(stderr, "adore: {}\n", outcome.message);
   if (outcome.status == facade::RunStatus::Interrupted)
     fmt::print(stderr, "\ninterrupted; the files are valid up to the last stored step\n");
   if (!quiet) {

@@ -15,14 +15,9 @@
 namespace adore::dynamics {
 namespace {
 
-struct BallStiffness {
-  double largest = 0.0;  ///< eigenvalue [N/m]
-  int stiffer_race = 0;
-};
-
-BallStiffness ball_stiffness(const statics::StaticBall& ball,
-                             const contact::GrooveGeometry& groove) {
-  BallStiffness result;
+BallVibration ball_vibration(const statics::StaticBall& ball, const contact::GrooveGeometry& groove,
+                             double mass) {
+  BallVibration result;
   double xx = 0.0, xr = 0.0, rr = 0.0;  // the symmetric 2 x 2 matrix
   std::array<double, 2> normal{};
   for (std::size_t j = 0; j < 2; ++j) {
@@ -34,7 +29,9 @@ BallStiffness ball_stiffness(const statics::StaticBall& ball,
     xr += (normal[j] - across) * nx * nr;
     rr += normal[j] * nr * nr + across * nx * nx;
   }
-  result.largest = 0.5 * (xx + rr) + std::hypot(0.5 * (xx - rr), xr);
+  const double mean = 0.5 * (xx + rr), half = std::hypot(0.5 * (xx - rr), xr);
+  result.along = std::sqrt((mean + half) / mass);
+  result.across = std::sqrt(std::max(mean - half, 0.0) / mass);
   result.stiffer_race = normal[1] > normal[0] ? 1 : 0;
   return result;
 }
@@ -59,23 +56,31 @@ double seconds_per_evaluation(System& system) {
 
 }  // namespace
 
+std::vector<BallVibration> ball_vibrations(const bearing::Bearing& bearing,
+                                           const statics::StaticSolution& statics) {
+  const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls);
+  std::vector<BallVibration> out;
+  for (const statics::StaticBall& ball : statics.balls)
+    out.push_back(ball_vibration(ball, groove, bearing.ball_inertia.mass));
+  return out;
+}
+
 void estimate(ScenePlan& plan, const bearing::Bearing& bearing,
               const statics::StaticSolution& statics, System& system) {
-  const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls);
-  BallStiffness stiffest;
+  BallVibration fastest;
   std::size_t element = 0;
-  for (std::size_t i = 0; i < statics.balls.size(); ++i) {
-    const BallStiffness k = ball_stiffness(statics.balls[i], groove);
-    if (k.largest <= stiffest.largest) continue;
-    stiffest = k;
+  const std::vector<BallVibration> vibrations = ball_vibrations(bearing, statics);
+  for (std::size_t i = 0; i < vibrations.size(); ++i) {
+    if (vibrations[i].along <= fastest.along) continue;
+    fastest = vibrations[i];
     element = i;
   }
   plan.quadratures = system.layout().size() - system.layout().controlled_size();
   constexpr double kTurn = 2.0 * std::numbers::pi;
-  if (stiffest.largest > 0.0) {
-    plan.fastest_frequency = std::sqrt(stiffest.largest / bearing.ball_inertia.mass) / kTurn;
+  if (fastest.along > 0.0) {
+    plan.fastest_frequency = fastest.along / kTurn;
     plan.fastest_contact = fmt::format("element {} / {} race", element + 1,
-                                       stiffest.stiffer_race == 0 ? "outer" : "inner");
+                                       fastest.stiffer_race == 0 ? "outer" : "inner");
   } else {
     plan.fastest_frequency = 1.0 / (kTurn * system.scales().time);
     plan.fastest_contact = "no contact is loaded; a contact at 0.001 of the force scale";

@@ -5,6 +5,8 @@
 #include "dynamics/system.hpp"
 #include "statics/ball_statics.hpp"
 
+#include <vector>
+
 /// Estimates of a scene plan that need the static solution: how fast the model vibrates and what a
 /// run will cost.
 namespace adore::dynamics {
@@ -16,11 +18,20 @@ inline constexpr double kPeriodsPerStep = 0.2;
 /// Right-hand sides per step of that stepper (Fehlberg 5(6)).
 inline constexpr int kEvaluationsPerStep = 8;
 
+/// How the centre of one ball vibrates between its two contacts, in its axial plane: along the
+/// stiffer principal direction (near the contact normals), and across it. 0: nothing pulls it back.
+struct BallVibration {
+  double along = 0.0, across = 0.0;  ///< angular frequency [rad/s]
+  int stiffer_race = 0;              ///< whose contact is the stiffer one
+};
+
+/// One per ball of the static solution: √(λ/m) of the two eigenvalues λ of its contact stiffness
+/// Σ 1.5 Q/δ n nᵀ + Q/l (I - n nᵀ), l groove centre to ball centre.
+[[nodiscard]] std::vector<BallVibration> ball_vibrations(const bearing::Bearing& bearing,
+                                                         const statics::StaticSolution& statics);
+
 /// Fills the estimates of `plan` and its number of quadratures:
-/// fastest_frequency: largest f = √(λ/m)/2π over the balls, λ the larger eigenvalue of the contact
-/// stiffness of a ball
-///   between its two contacts in its axial plane, Σ 1.5 Q/δ n nᵀ + Q/l (I - n nᵀ), l groove centre
-///   to ball centre; fastest_contact names the stiffer contact of that ball. Without a loaded
+/// fastest_frequency: the largest of ball_vibrations() [Hz]; fastest_contact names the stiffer contact of that ball. Without a loaded
 ///   contact: of a contact at 1e-3 of the force scale (the time scale of the run);
 /// expected_step = kPeriodsPerStep/f; steps per revolution of inner relative to outer race (0 for a
 /// bearing that stands); seconds_per_revolution from the least of a few timed right-hand sides at

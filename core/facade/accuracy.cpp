@@ -1,5 +1,6 @@
 #include "facade/accuracy.hpp"
 
+#include "facade/judge_steps.hpp"
 #include "facade/system_ode.hpp"
 
 #include <fmt/format.h>
@@ -20,9 +21,34 @@ struct EndState {
   double seconds = 0.0;
 };
 
-/// Integrates the deck's start state over the span with one method and tolerance.
+/// Smallest and longest step, and the order of methods that change theirs.
+integrators::StepControl limits_of(const build::RunControl& control, double time_scale) {
+  integrators::StepControl out;
+  out.initial = control.step_initial * time_scale;
+  out.minimum = control.step_minimum * time_scale;
+  out.maximum = control.step_maximum * time_scale;
+  return out;
+}
+
+/// What a run of the deck with this method is held to: the deck's limits, or those that its
+/// stability asks for. @throws InputError when the method is refused.
+integrators::StepControl limits_of_run(Prepared prepared, const std::string& method,
+                                       double time_scale) {
+  prepared.control.integrator = method;
+  integrators::StepControl out = limits_of(prepared.control, time_scale);
+  const JudgedSteps steps = judge_steps(prepared, time_scale);
+  if (steps.limits.action == StepAction::Refused) throw InputError(steps.text);
+  if (steps.limits.action != StepAction::Kept) {
+    out.minimum = steps.limits.minimum;
+    out.maximum = steps.limits.maximum;
+    out.highest_order = steps.limits.highest_order;
+  }
+  return out;
+}
+
+/// Integrates the deck's start state over the span with one method, tolerance and step control.
 EndState integrate(const Prepared& prepared, const std::string& method, double tolerance,
-                   double end, std::stop_token stop) {
+                   double end, integrators::StepControl control, std::stop_token stop) {
   dynamics::System system = make_system(prepared);
   std::vector<double> start = system.initial_state();
   system.set_start(0.0, start);
@@ -31,11 +57,6 @@ EndState integrate(const Prepared& prepared, const std::string& method, double t
   system.between_steps(0.0, start);
   SystemOde ode(system);
   const auto stepper = integrators::make_stepper(method);
-  const double scale = system.scales().time;
-  integrators::StepControl control;
-  control.initial = prepared.control.step_initial * scale;
-  control.minimum = 0.0;
-  control.maximum = std::max(prepared.control.step_maximum, 1.0) * scale;
   control.tolerance = tolerance;
   const auto begin = std::chrono::steady_clock::now();
   stepper->start(ode, 0.0, start, control);
@@ -89,7 +110,8 @@ AccuracyStudy study_accuracy(const AccuracyRequest& request,
   const dynamics::System system = make_system(prepared);
   const auto scales = system.layout().scales();
   const int controlled = system.layout().controlled_size();
-  const double end = request.span * system.scales().time;
+  const double scale = system.scales().time;
+  const double end = request.span * scale;
 
   AccuracyStudy study;
   study.span_seconds = end;
@@ -97,55 +119,77 @@ AccuracyStudy study_accuracy(const AccuracyRequest& request,
       (prepared.bearing.speed[1] - prepared.bearing.speed[0]) * end / (2.0 * std::numbers::pi);
   const double tight = std::min(
       1e-11, 1e-2 * *std::min_element(request.tolerances.begin(), request.tolerances.end()));
+  study.steps = fmt::format("{:.3g} to {:.3g} s (stpMin {:g}, stpMax {:g})",
+                            prepared.control.step_minimum * scale,
+                            prepared.control.step_maximum * scale, prepared.control.step_minimum,
+                            prepared.control.step_maximum);
   study.reference =
       fmt::format("rkf7 at {:.0e}, checked against rkf5 at {:.0e}", tight, 10.0 * tight);
   EndState reference, check;
   try {
-    reference = integrate(prepared, "rkf7", tight, end, stop);
-    check = integrate(prepared, "rkf5", 10.0 * tight, end, stop);
+    // The reference may take smaller steps than the deck allows, not longer ones.
+    integrators::StepControl free = limits_of(prepared.control, scale);
+    free.minimum = 0.0;
+    reference = integrate(prepared, "rkf7", tight, end, free, stop);
+    check = integrate(prepared, "rkf5", 10.0 * tight, end, free, stop);
   } catch (const integrators::StepFailure& failure) {
     throw SolverError(fmt::format("no reference solution: {}", failure.what()));
   }
   study.reference_check = state_difference(check.y, reference.y, scales, controlled);
 
-  for (const std::string& method : request.methods)
+  for (const std::string& method : request.methods) {
+    integrators::StepControl control;
+    std::string refusal;
+    try {
+      control = limits_of_run(prepared, method, scale);
+    } catch (const InputError& error) {
+      refusal = error.what();
+    }
     for (const double tolerance : request.tolerances) {
       if (stop.stop_requested()) return study;
       AccuracyRow row;
       row.method = method;
       row.tolerance = tolerance;
+      row.failure = refusal;
       try {
-        const EndState result = integrate(prepared, method, tolerance, end, stop);
-        row.error = state_difference(result.y, reference.y, scales, controlled);
-        row.load_error = load_difference(result.loads, reference.loads);
-        row.energy_residual = result.energy_residual;
-        row.steps = result.counters.steps;
-        row.rejected = result.counters.rejected;
-        row.evaluations = result.counters.evaluations;
-        row.seconds = result.seconds;
+        if (refusal.empty()) {
+          const EndState result = integrate(prepared, method, tolerance, end, control, stop);
+          row.error = state_difference(result.y, reference.y, scales, controlled);
+          row.load_error = load_difference(result.loads, reference.loads);
+          row.energy_residual = result.energy_residual;
+          row.steps = result.counters.steps;
+          row.at_minimum = result.counters.at_minimum;
+          row.rejected = result.counters.rejected;
+          row.evaluations = result.counters.evaluations;
+          row.seconds = result.seconds;
+        }
       } catch (const integrators::StepFailure& failure) {
         row.failure = failure.what();
-      } catch (const std::invalid_argument& refusal) {
-        row.failure = refusal.what();
+      } catch (const std::invalid_argument& error) {
+        row.failure = error.what();
       }
       study.rows.push_back(row);
       if (row_done) row_done(row);
     }
+  }
   return study;
 }
 
 std::string accuracy_table(const AccuracyStudy& study) {
   std::string out = fmt::format(
-      "span {:.4g} s, {:.3g} revolutions; reference: {} (they differ by {:.1e})\n\n"
-      "{:<12} {:>8} {:>10} {:>10} {:>12} {:>8} {:>8} {:>10} {:>9}\n",
-      study.span_seconds, study.span_revolutions, study.reference, study.reference_check, "method",
-      "tol", "error", "load error", "energy [J]", "steps", "rejected", "rhs calls", "time [s]");
+      "span {:.4g} s, {:.3g} revolutions; steps as the deck allows them: {}\n"
+      "reference: {} (they differ by {:.1e})\n\n"
+      "{:<12} {:>8} {:>10} {:>10} {:>12} {:>8} {:>8} {:>10} {:>10} {:>9}\n",
+      study.span_seconds, study.span_revolutions, study.steps, study.reference,
+      study.reference_check, "method", "tol", "error", "load error", "energy [J]", "steps",
+      "rejected", "at stpMin", "rhs calls", "time [s]");
   for (const AccuracyRow& row : study.rows) {
     if (row.failure.empty())
       out +=
-          fmt::format("{:<12} {:>8.0e} {:>10.2e} {:>10.2e} {:>12.2e} {:>8} {:>8} {:>10} {:>9.3f}\n",
-                      row.method, row.tolerance, row.error, row.load_error, row.energy_residual,
-                      row.steps, row.rejected, row.evaluations, row.seconds);
+          fmt::format(
+              "{:<12} {:>8.0e} {:>10.2e} {:>10.2e} {:>12.2e} {:>8} {:>8} {:>10} {:>10} {:>9.3f}\n",
+              row.method, row.tolerance, row.error, row.load_error, row.energy_residual, row.steps,
+              row.rejected, row.at_minimum, row.evaluations, row.seconds);
     else
       out += fmt::format("{:<12} {:>8.0e} gave up: {}\n", row.method, row.tolerance, row.failure);
   }
@@ -154,13 +198,14 @@ std::string accuracy_table(const AccuracyStudy& study) {
 
 std::string accuracy_csv(const AccuracyStudy& study) {
   std::string out =
-      "method,tol,error,load_error,energy_residual_J,steps,rejected,rhs_calls,seconds,failure\n";
+      "method,tol,error,load_error,energy_residual_J,steps,rejected,at_minimum,rhs_calls,seconds,"
+      "failure\n";
   for (const AccuracyRow& row : study.rows) {
     std::string failure = row.failure;
     std::replace(failure.begin(), failure.end(), '"', '\'');
-    out += fmt::format("{},{},{},{},{},{},{},{},{},\"{}\"\n", row.method, row.tolerance, row.error,
-                       row.load_error, row.energy_residual, row.steps, row.rejected,
-                       row.evaluations, row.seconds, failure);
+    out += fmt::format("{},{},{},{},{},{},{},{},{},{},\"{}\"\n", row.method, row.tolerance,
+                       row.error, row.load_error, row.energy_residual, row.steps, row.rejected,
+                       row.at_minimum, row.evaluations, row.seconds, failure);
   }
   return out;
 }

@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
-/// Work-precision study: what accuracy costs in time, for the user's own deck.
+/// Work-precision study: what accuracy costs in time, for the user's own deck. Every method takes
+/// the steps that a run with it would take: the deck's limits, changed where its stability asks for
+/// it (judge_steps); only the references may go below stpMin.
 namespace adore::facade {
 
 struct AccuracyRequest : DeckRequest {
@@ -25,11 +27,13 @@ struct AccuracyRow {
   double load_error = 0.0;  ///< largest |Q - Q_ref| over the largest Q_ref
   double energy_residual = 0.0;  ///< |residual| [J]
   long steps = 0, rejected = 0, evaluations = 0;
+  long at_minimum = 0;   ///< steps of stpMin, accepted above the tolerance
   double seconds = 0.0;  ///< computing time of the integration
   std::string failure;   ///< empty, or why the method gave up
 };
 
 struct AccuracyStudy {
+  std::string steps;      ///< limits of the deck's steps
   std::string reference;  ///< how the reference was made
   double reference_check =
       0.0;  ///< difference of the reference to a second tight solution, same measure as `error`

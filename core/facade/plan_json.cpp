@@ -2,7 +2,8 @@
 
 namespace adore::facade {
 
-nlohmann::ordered_json plan_json(const dynamics::ScenePlan& plan) {
+nlohmann::ordered_json plan_json(const dynamics::ScenePlan& plan,
+                                  const std::string& stability) {
   nlohmann::ordered_json out;
   out["bodies"] = nlohmann::ordered_json::array();
   for (const dynamics::BodyEntry& body : plan.bodies)
@@ -20,6 +21,7 @@ nlohmann::ordered_json plan_json(const dynamics::ScenePlan& plan) {
                         {"expected_step_s", plan.expected_step},
                         {"steps_per_revolution", plan.steps_per_revolution},
                         {"computing_s_per_revolution", plan.seconds_per_revolution}};
+  if (!stability.empty()) out["stability"] = stability;
   return out;
 }
 

@@ -4,9 +4,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+
 namespace adore::facade {
 
 /// The scene plan as JSON: `adore plan --json` and RUN.json.
-[[nodiscard]] nlohmann::ordered_json plan_json(const dynamics::ScenePlan& plan);
+/// @param stability what was decided on the integrator's steps; empty: nothing
+[[nodiscard]] nlohmann::ordered_json plan_json(const dynamics::ScenePlan& plan,
+                                               const std::string& stability);
 
 }  // namespace adore::facade

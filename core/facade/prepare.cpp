@@ -6,6 +6,7 @@
 #include "deck/defaults.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/scene_estimate.hpp"
+#include "facade/judge_steps.hpp"
 #include "facade/static_plan.hpp"
 #include "facade/stiffness.hpp"
 #include "life/contact_strength.hpp"
@@ -14,6 +15,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <fstream>
@@ -236,7 +238,19 @@ dynamics::ScenePlan plan_with_estimates(const Prepared& prepared) {
   if (!prepared.control.dynamic) return plan;
   dynamics::System system = make_system(prepared);
   dynamics::estimate(plan, prepared.bearing, prepared.start, system);
+  const JudgedSteps steps = judge_steps(prepared, system.scales().time);
+  const double step =
+      std::clamp(plan.expected_step, steps.limits.minimum, steps.limits.maximum);
+  const double more = plan.expected_step / step;
+  plan.expected_step = step;
+  plan.steps_per_revolution *= more;
+  plan.seconds_per_revolution *= more;
   return plan;
+}
+
+std::string stability_text(const Prepared& prepared) {
+  if (!prepared.control.dynamic) return {};
+  return judge_steps(prepared, make_system(prepared).scales().time).text;
 }
 
 std::string plan_text(const Prepared& prepared, const dynamics::ScenePlan& plan) {
@@ -257,9 +271,10 @@ std::string plan_text(const Prepared& prepared, const dynamics::ScenePlan& plan)
       "  fastest frequency        {:.4g} Hz, {}\n"
       "  expected step            {:.3g} s ({})\n"
       "  steps per revolution     {:.4g}\n"
-      "  computing per revolution {:.3g} s\n",
+      "  computing per revolution {:.3g} s\n"
+      "  stability                {}\n",
       plan.fastest_frequency, plan.fastest_contact, plan.expected_step, prepared.control.integrator,
-      plan.steps_per_revolution, plan.seconds_per_revolution);
+      plan.steps_per_revolution, plan.seconds_per_revolution, stability_text(prepared));
   return out;
 }
 

@@ -58,6 +58,7 @@ struct Prepared {
       fixed_angle{};  ///< contact angles that the run's Hertz constants are frozen at [rad]
   statics::StaticSolution
       start;  ///< with those constants: start of a dynamic run (empty when quasi-static)
+  std::string stability;           ///< of a run: what was decided on its steps (judge_steps.hpp)
   double solve_seconds = 0.0;      ///< computing time of the equilibrium
   double stiffness_seconds = 0.0;  ///< and of the table over speed
   life::BearingLife life;          ///< at the equilibrium that PRINT.txt shows
@@ -92,6 +93,9 @@ struct Prepared {
 
 /// Plan with its estimates (frequencies, step, cost) as text or JSON.
 [[nodiscard]] dynamics::ScenePlan plan_with_estimates(const Prepared& prepared);
+/// What the integrator's steps do to contact vibrations, and what is done about it; empty for a
+/// quasi-static deck.
+[[nodiscard]] std::string stability_text(const Prepared& prepared);
 [[nodiscard]] std::string plan_text(const Prepared& prepared, const dynamics::ScenePlan& plan);
 
 }  // namespace adore::facade

@@ -1,5 +1,6 @@
 #include "facade/run.hpp"
 
+#include "facade/judge_steps.hpp"
 #include "facade/run_outputs.hpp"
 #include "facade/system_ode.hpp"
 
@@ -106,6 +107,24 @@ RunOutcome run_quasi_static(const Prepared& prepared, const fs::path& folder) {
   return out;
 }
 
+void warn(Prepared& prepared, const std::string& text) {
+  Issue issue;
+  issue.severity = Severity::Warning;
+  issue.file = prepared.input.path.string();
+  issue.message = text;
+  prepared.input.warnings.push_back(std::move(issue));
+}
+
+/// The steps that the run takes. What was changed becomes a remark on the deck and part of its plan.
+/// @throws InputError when the method is refused.
+StepLimits settle_steps(Prepared& prepared, double time_scale) {
+  const JudgedSteps steps = judge_steps(prepared, time_scale);
+  if (steps.limits.action == StepAction::Refused) throw InputError(steps.text);
+  prepared.stability = steps.text;
+  if (steps.limits.action != StepAction::Kept) warn(prepared, steps.text);
+  return steps.limits;
+}
+
 /// The deck's integrator. @throws InputError when it cannot do what the deck asks of it.
 std::unique_ptr<integrators::Stepper> make_checked_stepper(const build::RunControl& control,
                                                            const SystemOde& ode, bool held) {
@@ -138,7 +157,7 @@ void add_counters(integrators::Counters& sum, const integrators::Counters& c) {
   sum.nonlinear_iterations += c.nonlinear_iterations;
 }
 
-RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, const fs::path& folder,
+RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::path& folder,
                        const ProgressSink& progress, std::stop_token stop) {
   const auto begin = Clock::now();
   dynamics::System system = make_system(prepared);
@@ -147,6 +166,7 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
       make_checked_stepper(prepared.control, ode, prepared.plan.light_load_ratio > 0.0);
   // Everything that the deck alone decides is checked before a file of an earlier run is touched.
   (void)run_span(request, prepared, system.scales().time);
+  const StepLimits limits = settle_steps(prepared, system.scales().time);
   RunOutputs outputs(prepared, folder);
   StartPoint start =
       outputs.begin(system, prepared.control.start);  // y, t, step; appends when it continues
@@ -160,6 +180,11 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
                         : prepared.control.step_initial * scale;
   control.minimum = prepared.control.step_minimum * scale;
   control.maximum = prepared.control.step_maximum * scale;
+  if (limits.action != StepAction::Kept) {
+    control.minimum = limits.minimum;
+    control.maximum = limits.maximum;
+    control.highest_order = limits.highest_order;
+  }
   control.tolerance = prepared.control.tolerance;
 
   const int stepper_cost = system.cost().add_entry("stepper");
@@ -235,6 +260,14 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
   // A failed state may be meaningless: the files end with the last stored step, and FINAL keeps the
   // last checkpoint.
   if (out.status != RunStatus::Failed) output([&] { outputs.store(system, end, true); });
+  const results::EnergyJudgement judgement = outputs.judge_energy();
+  if (judgement.trust == results::Trust::None && out.status != RunStatus::Failed) {
+    if (out.status == RunStatus::Done) out.status = RunStatus::Untrusted;
+    out.message = judgement.text;
+  } else if (judgement.trust == results::Trust::Warned) {
+    warn(prepared, judgement.text);
+  }
+  if (const std::string text = outputs.load_warning(); !text.empty()) warn(prepared, text);
   // What the loop spent outside the right-hand side and the output belongs to the stepper.
   const double loop_seconds = seconds_since(loop_begin);
   double rhs_seconds = 0.0;

@@ -35,12 +35,17 @@ struct Progress {
 };
 using ProgressSink = std::function<void(const Progress&)>;
 
-enum class RunStatus : unsigned char { Done, Interrupted, Failed };
+enum class RunStatus : unsigned char {
+  Done,
+  Interrupted,
+  Failed,    ///< the numerics gave up
+  Untrusted  ///< it came to its end, and its results cannot be trusted
+};
 
 struct RunOutcome {
   RunStatus status = RunStatus::Done;
   std::string
-      message;  ///< Failed: diagnosis and remedy. Files are valid up to the last stored step
+      message;  ///< Failed, Untrusted: diagnosis and remedy. Files are valid up to the last step
   std::filesystem::path folder;
   std::vector<std::filesystem::path> files;  ///< written, in the order of outputs.md
   std::vector<Issue> warnings;       ///< of the deck, and what the equilibrium says of itself

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "base/version.hpp"
 #include "dynamics/race_contacts.hpp"
+#include "facade/cage_start.hpp"
 #include "facade/life_observer.hpp"
 #include "facade/plan_json.hpp"
 #include "life/statistics.hpp"
@@ -41,6 +42,20 @@ std::vector<std::string> component_names(const dynamics::System& system) {
   std::vector<std::string> out;
   for (int i = 0; i < system.layout().size(); ++i) out.push_back(system.layout().component_name(i));
   return out;
+}
+
+const char* status_word(RunStatus status) {
+  switch (status) {
+    case RunStatus::Done:
+      return "done";
+    case RunStatus::Interrupted:
+      return "interrupted";
+    case RunStatus::Untrusted:
+      return "untrusted";
+    case RunStatus::Failed:
+      break;
+  }
+  return "failed";
 }
 
 bool due(long step, int every) { return every > 0 && step % every == 0; }
@@ -109,7 +124,8 @@ KeyResults static_results(const Prepared& prepared) {
   return out;
 }
 
-KeyResults dynamic_results(const Snapshot& last, const results::Averages& averages) {
+KeyResults dynamic_results(const Snapshot& last, const results::Averages& averages,
+                           const results::MeanLoad& carried) {
   double load = 0.0, slip = 0.0;
   for (const dynamics::ElementSnapshot& element : last.elements)
     for (const dynamics::RaceContactSnapshot& contact : element.race) {
@@ -125,6 +141,10 @@ KeyResults dynamic_results(const Snapshot& last, const results::Averages& averag
           {"mean_orbital_ratio", averages.orbital_ratio},
           {"mean_cage_ratio", averages.cage_ratio},
           {"mean_whirl_ratio", averages.whirl_ratio},
+          {"mean_load_x_N", carried.mean[0]},
+          {"mean_load_y_N", carried.mean[1]},
+          {"mean_load_z_N", carried.mean[2]},
+          {"load_departure", carried.departure()},
           {"energy_residual_J", last.energy.residual()}};
 }
 
@@ -177,6 +197,10 @@ struct RunOutputs::Impl {
   [[nodiscard]] results::FinalState final_state(const dynamics::System& system) const;
   [[nodiscard]] results::StaticSummary static_summary(bool dynamic) const;
   void write_restart(const dynamics::System& system);
+  [[nodiscard]] double static_elastic() const;
+  [[nodiscard]] results::MeanLoad mean_load() const {
+    return results::mean_load(averages.averages(), prepared.bearing);
+  }
   [[nodiscard]] results::RunSummary summary_of_deck() const;
   void close(results::RunSummary& run, const std::optional<results::RunLife>& run_life = {});
 };
@@ -246,6 +270,15 @@ results::FinalState RunOutputs::Impl::final_state(const dynamics::System& system
   return out;
 }
 
+/// Elastic energy of the contacts in the quasi-static solution that the run starts from [J].
+double RunOutputs::Impl::static_elastic() const {
+  double elastic = 0.0;
+  for (const statics::StaticBall& ball : prepared.start.balls)
+    for (std::size_t j = 0; j < 2; ++j)
+      if (ball.Q[j] > 0.0) elastic += 0.4 * ball.Q[j] * ball.delta[j];
+  return elastic;
+}
+
 void RunOutputs::Impl::write_restart(const dynamics::System& system) {
   if (all) all->flush();
   results::MasterState master;
@@ -272,7 +305,8 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
   results::RunSummary out;
   out.run_id = prepared.bearing.run_id;
   out.deck_file = prepared.input.path.filename().string();
-  out.plan = plan_json(plan);
+  out.plan = plan_json(plan, prepared.stability);
+  out.stability = prepared.stability;
   for (const build::OptionInfo& info : build::run_option_list()) {
     const auto given = prepared.input.option_values.find(info.name);
     const bool set = given != prepared.input.option_values.end();
@@ -364,6 +398,8 @@ StartPoint RunOutputs::begin(dynamics::System& system, build::StartState start) 
     if (listing != nullptr) print_bytes = listing->bytes;
   }
   system.set_start(out.time, out.y);
+  if (start == build::StartState::Statics)
+    check_cage_start(s.prepared, system.snapshot(out.time, out.y));
   s.plan.quadratures = system.layout().size() - system.layout().controlled_size();
   s.open_files(out.continued, out.step, print_bytes);
   if (!out.continued) s.print_front(system.scales());
@@ -434,9 +470,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   s.written.push_back(s.path(s.control.final_file));
   s.written.push_back(s.path(s.control.master_file));
   results::RunSummary run = s.summary_of_deck();
-  run.status = end.status == RunStatus::Done          ? "done"
-               : end.status == RunStatus::Interrupted ? "interrupted"
-                                                      : "failed";
+  run.status = status_word(end.status);
   run.message = end.message;
   run.scales = system.scales();
   run.integrator = s.control.integrator;
@@ -455,12 +489,14 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   if (s.plan.has(dynamics::Effect::LightLoadBalance))
     run.counters.emplace_back("changes of held elements", end.held_changes);
   run.energy = s.last.energy;
+  run.load = s.mean_load();
+  run.elastic = s.static_elastic();
   if (s.last.momentum) run.momentum = results::momentum_items(*s.last.momentum);
   run.max_quaternion_error = s.last.max_quaternion_error;
   run.quadrature_error = system.quadrature_error(s.last.time, s.last_y);
   run.cost = system.cost().rows();
   run.seconds = end.loop_seconds;
-  s.key_results = dynamic_results(s.last, s.averages.averages());
+  s.key_results = dynamic_results(s.last, s.averages.averages(), s.mean_load());
   add_lives(s.key_results, s.prepared.life);
   const results::RunLife run_life = s.life.run_life();
   if (run_life.damage.seconds() > 0.0)
@@ -502,6 +538,14 @@ std::vector<fs::path> RunOutputs::files() const { return impl_->written; }
 
 std::vector<std::pair<std::string, double>> RunOutputs::summary() const {
   return impl_->key_results;
+}
+
+results::EnergyJudgement RunOutputs::judge_energy() const {
+  return results::judge_energy(impl_->last.energy, impl_->static_elastic());
+}
+
+std::string RunOutputs::load_warning() const {
+  return results::load_warning(impl_->mean_load(), impl_->units);
 }
 
 double RunOutputs::energy_residual() const { return impl_->last.energy.residual(); }

@@ -3,6 +3,7 @@
 #include "facade/prepare.hpp"
 #include "facade/run.hpp"
 #include "integrators/stepper.hpp"
+#include "results/energy_judgement.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -64,6 +65,10 @@ class RunOutputs {
 
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
   [[nodiscard]] std::vector<std::pair<std::string, double>> summary() const;
+  /// Of the last stored instant, against the elastic energy of the quasi-static solution.
+  [[nodiscard]] results::EnergyJudgement judge_energy() const;
+  /// A sentence when the elements carried another load than the deck asks; empty when not.
+  [[nodiscard]] std::string load_warning() const;
   [[nodiscard]] double energy_residual() const;  ///< [J]
   [[nodiscard]] double energy_scale() const;     ///< [J]
 

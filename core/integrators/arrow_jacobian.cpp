@@ -44,7 +44,7 @@ Outcome ArrowJacobian::displaced(double t, double* y, std::span<const int> colum
   for (std::size_t k = 0; k < columns.size(); ++k) kept_[k] = y[columns[k]];
   for (const double side : {root, -root}) {
     for (std::size_t k = 0; k < columns.size(); ++k) {
-      const double scale = system_->scales()[static_cast<std::size_t>(columns[k])];
+      const double scale = std::abs(system_->scales()[static_cast<std::size_t>(columns[k])]);
       y[columns[k]] = kept_[k] + side * std::max(std::abs(kept_[k]), scale);
       moved_[k] = y[columns[k]] - kept_[k];
     }

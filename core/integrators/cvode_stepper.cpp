@@ -5,6 +5,8 @@
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 #include <sunnonlinsol/sunnonlinsol_newton.h>
 
+#include <algorithm>
+
 namespace adore::integrators {
 namespace {
 
@@ -44,6 +46,8 @@ class CvodeStepper final : public SundialsStepper {
       nonlinear_solver_.reset(SUNNonlinSol_FixedPoint(vector_.get(), 0, context_.get()));
       check(CVodeSetNonlinearSolver(m, nonlinear_solver_.get()), "CVodeSetNonlinearSolver");
     }
+    if (control_.highest_order > 0)
+      check(CVodeSetMaxOrd(m, std::min(control_.highest_order, order())), "CVodeSetMaxOrd");
     check(CVodeSetMinStep(m, control_.minimum), "CVodeSetMinStep");
     check(CVodeSetMaxStep(m, control_.maximum), "CVodeSetMaxStep");
     check(CVodeSetInitStep(m, first_), "CVodeSetInitStep");

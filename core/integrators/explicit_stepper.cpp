@@ -19,9 +19,7 @@ void ExplicitStepper::start(OdeSystem& system, double t0, std::span<const double
   t_rounding_ = 0.0;
   for (auto* v : {&y_, &f_, &y_new_, &f_new_, &error_, &weights_}) v->assign(width_, 0.0);
   std::copy(y0.begin(), y0.end(), y_.begin());
-  for (int i = 0; i < system.controlled_size(); ++i) {
-    weights_[i] = 1.0 / (system.scales()[i] * control.tolerance);
-  }
+  error_weights(system, control.tolerance, weights_);
   if (!all_finite(y_.data(), size_)) {
     evaluate_.blame(worst_index(y_.data(), weights_.data(), size_));
     give_up(Outcome::NotFinite, 0.0);

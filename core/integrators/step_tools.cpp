@@ -107,9 +107,9 @@ void check_start(const OdeSystem& system, double t0, std::span<const double> y0,
   demand(scales.size() >= static_cast<std::size_t>(controlled),
          "every controlled component needs an error scale");
   for (int i = 0; i < controlled; ++i) {
-    if (!(scales[i] > 0.0 && std::isfinite(scales[i]))) {
+    if (scales[i] == 0.0 || !std::isfinite(scales[i])) {
       throw std::invalid_argument("the error scale of " + system.component_name(i) + " is " +
-                                  text(scales[i]) + "; it must be positive and finite");
+                                  text(scales[i]) + "; it must be finite and not 0");
     }
   }
   demand(std::isfinite(t0), "the start time must be finite");
@@ -121,6 +121,13 @@ void check_start(const OdeSystem& system, double t0, std::span<const double> y0,
          "the first step must be positive, or 0 to have it chosen");
   demand(control.tolerance > 0.0 && std::isfinite(control.tolerance),
          "the error tolerance must be positive and finite");
+}
+
+void error_weights(const OdeSystem& system, double tolerance, std::vector<double>& weights) {
+  const auto scales = system.scales();
+  std::fill(weights.begin(), weights.end(), 0.0);
+  for (int i = 0; i < system.controlled_size(); ++i)
+    weights[i] = 1.0 / (std::abs(scales[i]) * tolerance);
 }
 
 double longest_step(const OdeSystem& system, double t, const StepControl& control) {

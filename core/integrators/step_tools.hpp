@@ -52,6 +52,10 @@ class Evaluator {
 void check_start(const OdeSystem& system, double t0, std::span<const double> y0,
                  const StepControl& control);
 
+/// Weights of the error norm: 1 / (|scale| * tolerance) of the controlled components, 0 of the
+/// quadratures and of the padding.
+void error_weights(const OdeSystem& system, double tolerance, std::vector<double>& weights);
+
 /// A careful first step: the second-order term of the solution, estimated by one explicit Euler
 /// step, is held to the tolerance. `weights` = 1 / (scale * tolerance), 0 for quadratures. Within
 /// [minimum, maximum] and the guard. `y`, `f` are scratch of system size. Returns control.initial

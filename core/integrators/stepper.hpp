@@ -29,7 +29,8 @@ class OdeSystem {
   /// Components [0, controlled_size) enter the error norm; the rest are quadratures (y_q' = g(t,
   /// y_controlled)), integrated with the same formula and never controlling the step.
   [[nodiscard]] virtual int controlled_size() const noexcept = 0;
-  /// Scale of each controlled component: error is |e_i| / scale_i, to be held below tol. All > 0.
+  /// Scale of each controlled component: error is |e_i| / |scale_i|, to be held below tol. A scale
+  /// is a magnitude: its sign does not count. None is 0.
   [[nodiscard]] virtual std::span<const double> scales() const noexcept = 0;
   /// Writes dydt[0..size). No allocation, no throw.
   virtual EvalStatus rhs(double t, const double* y, double* dydt) noexcept = 0;
@@ -74,7 +75,8 @@ struct StepControl {
   double initial = 0.0;     ///< first trial step [s]; 0: chosen by the stepper
   double minimum = 0.0;     ///< a step of this size is accepted whatever its error, and counted
   double maximum = 0.0;     ///< [s], > 0; equal to minimum: constant step
-  double tolerance = 1e-6;  ///< bound on max_i |e_i| / scale_i per step
+  double tolerance = 1e-6;  ///< bound on max_i |e_i| / |scale_i| per step
+  int highest_order = 0;    ///< methods of variable order (CVODE) go no higher; 0: their own limit
 };
 
 /// What one accepted step was.

@@ -47,9 +47,7 @@ void SundialsStepper::start(OdeSystem& system, double t0, std::span<const double
     v->assign(n, 0.0);
   }
   seen_ = false;
-  for (int i = 0; i < system.controlled_size(); ++i) {
-    weights_[i] = 1.0 / (system.scales()[i] * control.tolerance);
-  }
+  integrators::error_weights(system, control.tolerance, weights_);
   if (!all_finite(state_.data(), static_cast<int>(n))) {
     evaluate_.blame(worst_index(state_.data(), weights_.data(), static_cast<int>(n)));
     trouble_ = Outcome::NotFinite;
@@ -81,8 +79,11 @@ double SundialsStepper::estimate_first_step() {
 StepInfo SundialsStepper::step(double t_stop) {
   if (!(t_stop > t_)) throw std::invalid_argument("the stop time must lie after the present time");
   const double before = t_;
+  // The package itself keeps to the longest step; a stop time is for what it cannot know. (A stop
+  // time one longest step ahead, set anew for every step, makes it cut its steps in two.)
   const double longest = longest_step(*system_, t_, control_);
-  const double stop = reaches(t_, longest, t_stop) ? t_stop : t_ + longest;
+  const bool guarded = longest < control_.maximum && !reaches(t_, longest, t_stop);
+  const double stop = guarded ? t_ + longest : t_stop;
   bool at_minimum = false;
   advance_or_throw(stop, at_minimum);
   ++counters_.steps;

@@ -17,7 +17,11 @@ RunAverages::Totals RunAverages::totals(const dynamics::Snapshot& snapshot) {
 }
 
 void RunAverages::add(const dynamics::Snapshot& snapshot) {
+  const double before = now_.time;
   now_ = totals(snapshot);
+  const dynamics::Vec3& force = snapshot.races[1].applied_force;
+  if (started_) impulse_ += 0.5 * (now_.time - before) * (force_ + force);
+  force_ = force;
   loss_ = snapshot.power.total_loss;
   if (!started_) start_ = now_;
   started_ = true;
@@ -41,6 +45,7 @@ Averages RunAverages::averages() const {
     out.whirl_ratio = (whirl_now_ - whirl_start_) / turned;
   }
   out.power_loss = out.time > 0.0 ? (now_.heat - start_.heat) / out.time : loss_;
+  out.load = out.time > 0.0 ? dynamics::Vec3(impulse_ / out.time) : force_;
   return out;
 }
 
@@ -60,6 +65,12 @@ void RunAverages::visit(Self& self, Visit visit) {
   visit("average whirl start", self.whirl_start_);
   visit("average whirl", self.whirl_now_);
   visit("average loss", self.loss_);
+  visit("average force x", self.force_[0]);
+  visit("average force y", self.force_[1]);
+  visit("average force z", self.force_[2]);
+  visit("average impulse x", self.impulse_[0]);
+  visit("average impulse y", self.impulse_[1]);
+  visit("average impulse z", self.impulse_[2]);
 }
 
 void RunAverages::save(std::map<std::string, double>& state) const {

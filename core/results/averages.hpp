@@ -15,12 +15,15 @@ struct Averages {
   double cage_ratio = 0.0;     ///< cage speed about its own axis
   double whirl_ratio = 0.0;    ///< speed of the cage's mass centre about the bearing axis
   double power_loss = 0.0;     ///< [W]
+  dynamics::Vec3 load = dynamics::Vec3::Zero();  ///< what held the inner race against the elements
+                                                 ///< [N], base frame
 };
 
 /// Accumulates them. All but the whirl come from angles and heats that the run itself integrates,
 /// so they are exact whatever the interval between the snapshots; the whirl angle needs two or more
 /// positions per turn of the whirl. A ratio is 0 while the races have not turned against each
-/// other; before the first span ends the loss is that of the first snapshot.
+/// other; before the first span ends the loss and the load are those of the first snapshot. The load
+/// is the trapezoidal mean over the snapshots: sampled, not integrated by the run.
 class RunAverages {
  public:
   void add(const dynamics::Snapshot& snapshot);
@@ -46,6 +49,8 @@ class RunAverages {
   double whirl_start_ = 0.0,
          whirl_now_ = 0.0;  ///< continuous azimuth of the cage's mass centre [rad]
   double loss_ = 0.0;       ///< of the last snapshot [W]
+  dynamics::Vec3 force_ = dynamics::Vec3::Zero();    ///< on the inner race, last snapshot [N]
+  dynamics::Vec3 impulse_ = dynamics::Vec3::Zero();  ///< its time integral [N s]
 };
 
 }  // namespace adore::results

@@ -303,6 +303,18 @@ void print_ledgers(Report& report, const RunSummary& run, const dynamics::SceneP
   for (const auto& [name, value] : run.counters)
     report.item(fmt::format("Counter: {}", name), value);
 
+  if (!run.stability.empty()) report.text("Stability: " + run.stability);
+  if (run.load) {
+    report.heading("Load carried by the elements, mean over the stored instants, against the deck's");
+    for (int k = 0; k < 3; ++k) {
+      const char axis = "xyz"[k];
+      if (run.load->given[static_cast<std::size_t>(k)])
+        report.item(fmt::format("{}: asked", axis), run.load->asked[k], unit::kForce);
+      report.item(fmt::format("{}: carried", axis), run.load->mean[k], unit::kForce);
+    }
+    report.item("departure from the asked load", run.load->departure(), unit::kPure);
+  }
+
   if (life) print_run_life(report, *life);
 
   report.heading("Plan: what was simulated and why");
@@ -324,6 +336,9 @@ void print_ledgers(Report& report, const RunSummary& run, const dynamics::SceneP
     if (scale > 0.0)
       report.item("residual over the energy that moved", run.energy->residual() / scale,
                   unit::kPure);
+    if (run.elastic && *run.elastic > 0.0)
+      report.item("residual over the elastic energy of the quasi-static solution",
+                  run.energy->residual() / *run.elastic, unit::kPure);
   }
   if (!run.momentum.empty()) {
     report.heading("Conservation of momentum of elements and cage since the start, base frame, SI");

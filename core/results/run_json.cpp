@@ -104,12 +104,27 @@ Json run_json(const RunSummary& run) {
   out["time [s]"] = run.time;
   out["revolutions"] = run.revolutions;
   out["counters"] = object_of(run.counters);
+  if (run.load) {
+    Json load = Json::object();
+    load["span of the mean [s]"] = run.load->time;
+    for (int k = 0; k < 3; ++k) {
+      const std::string axis(1, "xyz"[k]);
+      if (run.load->given[static_cast<std::size_t>(k)])
+        load["asked " + axis + " [N]"] = run.load->asked[k];
+      load["mean " + axis + " [N]"] = run.load->mean[k];
+    }
+    load["departure from the asked load"] = run.load->departure();
+    out["load carried by the elements"] = load;
+  }
   Json conservation = Json::object();
   if (run.energy) {
     Json items = Json::object();
     for (const auto& [name, value] : energy_items(*run.energy)) items[name + " [J]"] = value;
     const double scale = energy_scale(*run.energy);
     items["residual over energy moved"] = scale > 0.0 ? run.energy->residual() / scale : 0.0;
+    if (run.elastic && *run.elastic > 0.0)
+      items["residual over elastic energy of the quasi-static solution"] =
+          run.energy->residual() / *run.elastic;
     conservation["energy"] = items;
   }
   if (!run.momentum.empty()) conservation["momentum"] = object_of(run.momentum);

@@ -4,6 +4,7 @@
 #include "dynamics/cost_ledger.hpp"
 #include "dynamics/snapshot.hpp"
 #include "dynamics/system.hpp"
+#include "results/mean_load.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -26,6 +27,7 @@ struct RunSummary {
   std::string status;                ///< "done", "interrupted", "failed"
   std::string message;               ///< diagnosis, empty when done
   nlohmann::ordered_json plan;       ///< the scene plan
+  std::string stability;             ///< what was decided on the integrator's steps; also in plan
   nlohmann::ordered_json operating;  ///< operating fits and clearances; null: none
   std::optional<dynamics::Scales> scales;
   std::string integrator;
@@ -40,6 +42,8 @@ struct RunSummary {
   double time = 0.0, revolutions = 0.0;
   Counters counters;
   std::optional<dynamics::EnergyLedger> energy;          ///< at the end
+  std::optional<MeanLoad> load;                          ///< of the elements, against the asked one
+  std::optional<double> elastic;                         ///< of the quasi-static solution [J]
   std::vector<std::pair<std::string, double>> momentum;  ///< residuals, by name with unit
   std::optional<double> max_quaternion_error;
   std::optional<double> quadrature_error;               ///< System::quadrature_error at the end

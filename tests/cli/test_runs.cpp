@@ -284,3 +284,97 @@ TEST_CASE("lightly loaded elements are held, booked and continued as in an unbro
   CHECK(other.code == 2);
   CHECK(contains(other.out, "qFac"));
 }
+
+TEST_CASE("an integrator whose steps would let contacts vibrate is told, and held or refused", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string deck = folder.path().string();
+  const auto run = [&](const std::string& method) {
+    return run_adore("run " + deck + " --until 0.02rev --quiet --integrator " + method + " --out " +
+                     (folder / method).string());
+  };
+  const Result refused = run("rkf1");
+  INFO(refused.out);
+  CHECK(refused.code == 2);
+  CHECK(contains(refused.out, "rkf1 is refused for this deck. Integrators that need no other steps"));
+  CHECK_FALSE(fs::exists(folder / "rkf1" / "SOL1"));
+
+  const Result held = run("pece4");
+  INFO(held.out);
+  CHECK(held.code == 0);
+  CHECK(contains(held.out, "pece4 with steps of up to"));
+  CHECK(contains(held.out, "it runs with steps of up to"));
+  const json summary = json::parse(read(folder / "pece4" / "RUN.json"));
+  CHECK(contains(summary.at("plan").at("stability").get<std::string>(), "pece4"));
+  CHECK(contains(read(folder / "pece4" / "PRINT.txt"), "it runs with steps of up to"));
+
+  CHECK(run("rkf5").code == 0);
+  const json kept = json::parse(read(folder / "rkf5" / "RUN.json"));
+  CHECK(contains(kept.at("plan").at("stability").get<std::string>(), "keeps contact vibrations"));
+  const Result plan = run_adore("plan " + deck + " --set intMet=4");
+  CHECK(contains(plan.out, "it runs with steps of up to"));
+}
+
+TEST_CASE("the plan promises the steps that a run with a step cap takes", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string deck = folder.path().string();
+  for (const std::string code : {"5", "21", "31"}) {  // rkf5, cvode-adams, arkode-erk
+    const std::string set = " --set intMet=" + code + " --set tol=1e-4";
+    const json plan = json::parse(run_adore("plan " + deck + set + " --json").out);
+    const double promised = plan.at("estimates").at("steps_per_revolution").get<double>();
+    REQUIRE(run_adore("run " + deck + set + " --until 0.1rev --quiet --out " +
+                      (folder / code).string())
+                .code == 0);
+    const json run = json::parse(read(folder / code / "RUN.json"));
+    INFO("intMet " << code);
+    CHECK(run.at("counters").at("steps").get<double>() == Approx(0.1 * promised).epsilon(0.15));
+  }
+}
+
+TEST_CASE("a run whose energy has no account does not end with exit 0", "[cli][slow]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  // One ball between fixed races is squeezed out of its groove.
+  const Result run = run_adore("run " + folder.path().string() +
+                               " --set nRe=1 --set kPltElemInd=1,2,3,4 --until 0.797rev --quiet --out " +
+                               (folder / "one").string());
+  INFO(run.out);
+  CHECK(run.code == 3);
+  CHECK(contains(run.out, "cannot be trusted"));
+  CHECK(json::parse(read(folder / "one" / "RUN.json")).at("status") == "untrusted");
+}
+
+TEST_CASE("a cage that starts inside elements or lands is refused with the overlap", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string deck = folder.path().string();
+  for (const std::string place : {"--set cageAngPos[1]=5", "--set cageGcPos[3]=-0.001"}) {
+    const Result run = run_adore("run " + deck + " " + place + " --until 0.01rev --quiet --out " +
+                                 (folder / "out").string());
+    INFO(run.out);
+    CHECK(run.code == 2);
+    CHECK(contains(run.out, "the cage starts"));
+    CHECK(contains(run.out, "record 9.6"));
+    CHECK_FALSE(fs::exists(folder / "out" / "PRINT.txt"));
+  }
+}
+
+TEST_CASE("the load carried on the mean stands beside the one that the deck asks for", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const Result run = run_adore("run " + folder.path().string() + " --until 0.1rev --quiet");
+  INFO(run.out);
+  REQUIRE(run.code == 0);
+  const json load = json::parse(read(folder / "RUN.json")).at("load carried by the elements");
+  CHECK(load.at("asked x [N]") == 1500.0);
+  CHECK(load.at("mean x [N]").get<double>() == Approx(1450.0).epsilon(0.03));
+  CHECK(contains(read(folder / "PRINT.txt"), "departure from the asked load"));
+  // A light load at high speed: carried by the bodies' inertia rather than by the contacts' closing.
+  const Result light = run_adore("run " + folder.path().string() +
+                                 " --set appLoadX=100 --set appLoadZ=10 --set rpm2=20000"
+                                 " --until 0.1rev --quiet --out " +
+                                 (folder / "light").string());
+  INFO(light.out);
+  CHECK(contains(light.out, "% off"));
+}

@@ -40,7 +40,7 @@ Json bounce(const Json& the_case) {
   const auto penetration = [=](const double* y) { return std::abs(y[0]) - c; };
   Problem problem;
   problem.start = {get(in, "initial_position"), get(in, "initial_relative_velocity")};
-  problem.scales = {c, std::max(std::abs(problem.start[1]), std::sqrt(push * c / m))};
+  problem.scales = {c, std::max(std::abs(problem.start[1]), std::sqrt(std::abs(push) * c / m))};
   problem.longest_step = 0.2 * std::sqrt(m / k);
   problem.rates = [=](double, const double* y, double* d) {
     d[0] = y[1];

@@ -25,9 +25,10 @@ struct Impact {
 /// do not see its error.
 constexpr const char* kSeesTimeErrors = "rkf4";
 
-/// m d'' = -K d^1.5 from d = 0 with speed v; sampled at `times` (may be empty).
+/// m d'' = -K d^1.5 from d = 0 with speed v (below 0: it leaves, and nothing touches); sampled at
+/// `times` (may be empty).
 Impact impact(double mass, double K, double speed, std::vector<double> times) {
-  const double size = std::pow(mass * speed * speed / K, 0.4), time = size / speed;
+  const double size = std::pow(mass * speed * speed / K, 0.4), time = size / std::abs(speed);
   const std::size_t samples = times.size();
   if (times.empty()) times.push_back(0.0);
   times.push_back(std::max(5 * time, 1.01 * times.back()));
@@ -191,7 +192,8 @@ Json slide_to_rolling(const Json& in) {
 Json orbit_spin_up(const Json& in) {
   const double m = get(in, "mass"), R = get(in, "radius"), r_m = get(in, "pitch_radius");
   const double I = get(in, "inertia_coefficient") * m * R * R, speed = get(in, "inner_speed");
-  const double friction = get(in, "friction_coefficient") * get(in, "inner_normal_force");
+  const double friction =
+      sign(speed) * get(in, "friction_coefficient") * get(in, "inner_normal_force");
   // m r_m ω_m' = friction + T, I r_m ω_m'/R = R (friction - T), T along the motion.
   const double acceleration = 2 * friction / (r_m * (m + I / (R * R)));
   Problem problem;

@@ -11,12 +11,14 @@ namespace {
 
 class System final : public integrators::OdeSystem {
  public:
-  explicit System(const Problem& problem) : problem_(problem) {}
+  explicit System(const Problem& problem) : problem_(problem), scales_(problem.scales) {
+    for (double& scale : scales_) scale = scale == 0.0 ? 1.0 : std::abs(scale);
+  }
   [[nodiscard]] int size() const noexcept override {
     return static_cast<int>(problem_.start.size());
   }
   [[nodiscard]] int controlled_size() const noexcept override { return size(); }
-  [[nodiscard]] std::span<const double> scales() const noexcept override { return problem_.scales; }
+  [[nodiscard]] std::span<const double> scales() const noexcept override { return scales_; }
   integrators::EvalStatus rhs(double t, const double* y, double* dydt) noexcept override {
     problem_.rates(t, y, dydt);
     for (int i = 0; i < size(); ++i)
@@ -26,6 +28,7 @@ class System final : public integrators::OdeSystem {
 
  private:
   const Problem& problem_;
+  State scales_;  ///< magnitudes, none 0
 };
 
 /// The solution from a known point to a later time, by a stepper of its own.

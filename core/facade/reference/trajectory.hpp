@@ -16,8 +16,8 @@ struct Problem {
   /// dydt = f(t, y)
   std::function<void(double t, const double* y, double* dydt)> rates;
   State start;
-  State scales;  ///< size of each component; the local error of a step is held below tolerance ×
-                 ///< scale
+  State scales;  ///< size of each component, its sign aside; the local error of a step is held
+                 ///< below tolerance × scale. 0: nothing moves that component, any scale will do
   double tolerance = 1e-13;
   double longest_step = 0.0;  ///< [s]; 0: a tenth of the whole time
   const char* stepper = "rkf7";

@@ -464,3 +464,76 @@ TEST_CASE("A stepper starts again from any state as if it were new", "[unit][int
     CHECK(used->counters().evaluations == fresh->counters().evaluations);
   }
 }
+
+TEST_CASE("A step cap costs no more steps than the span holds, and none exceeds it",
+          "[unit][integrators]") {
+  // A slow motion that every method would take in longer steps.
+  Problem problem(1, 1, [](double t, const double*, double* d) {
+    d[0] = std::cos(t);
+    return EvalStatus::Ok;
+  });
+  const double cap = 0.01;
+  for (const auto name : stepper_names()) {
+    if (name == "arkode-imex") continue;  // needs a split
+    const auto stepper = make_stepper(name);
+    stepper->start(problem, 0.0, std::vector<double>{0.0},
+                   {.initial = cap, .maximum = cap, .tolerance = 1e-2});
+    double longest = 0.0;
+    while (stepper->time() < 1.0) longest = std::max(longest, stepper->step(1.0).h);
+    INFO(name << ": " << stepper->counters().steps << " steps, the longest " << longest);
+    CHECK(longest <= cap * (1.0 + 2e-6));
+    CHECK(stepper->counters().steps < 115);
+  }
+}
+
+TEST_CASE("The order of a method that changes its order is held where it is asked", "[unit][integrators]") {
+  Problem problem(2, 2, [](double, const double* y, double* d) {
+    d[0] = y[1];
+    d[1] = -y[0];
+    return EvalStatus::Ok;
+  });
+  for (const char* name : {"cvode-adams", "cvode-bdf"}) {
+    long steps[2] = {0, 0};
+    for (const int order : {1, 0}) {
+      const auto stepper = make_stepper(name);
+      stepper->start(problem, 0.0, std::vector<double>{1.0, 0.0},
+                     {.maximum = 1.0, .tolerance = 1e-5, .highest_order = order});
+      while (stepper->time() < 3.0) (void)stepper->step(3.0);
+      steps[order] = stepper->counters().steps;
+    }
+    INFO(name << ": " << steps[1] << " steps of order 1, " << steps[0] << " of any");
+    CHECK(steps[1] > 3 * steps[0]);
+  }
+}
+
+TEST_CASE("Error scales are magnitudes: their sign changes nothing", "[unit][integrators]") {
+  class Signed final : public OdeSystem {
+   public:
+    explicit Signed(double sign) : scales_{sign, sign * 2.0} {}
+    [[nodiscard]] int size() const noexcept override { return 2; }
+    [[nodiscard]] int controlled_size() const noexcept override { return 2; }
+    [[nodiscard]] std::span<const double> scales() const noexcept override { return scales_; }
+    EvalStatus rhs(double, const double* y, double* d) noexcept override {
+      d[0] = y[1];
+      d[1] = -y[0];
+      return EvalStatus::Ok;
+    }
+
+   private:
+    std::array<double, 2> scales_;
+  };
+  for (const auto name : stepper_names()) {
+    if (name == "arkode-imex") continue;
+    std::vector<double> ends[2];
+    for (const int k : {0, 1}) {
+      Signed system(k == 0 ? 1.0 : -1.0);
+      const auto stepper = make_stepper(name);
+      stepper->start(system, 0.0, std::vector<double>{1.0, 0.0}, {.maximum = 1.0, .tolerance = 1e-6});
+      for (int i = 0; i < 20; ++i) (void)stepper->step(50.0);
+      ends[k].assign(stepper->state().begin(), stepper->state().end());
+      ends[k].push_back(stepper->time());
+    }
+    INFO(name);
+    CHECK(ends[0] == ends[1]);
+  }
+}

@@ -1,0 +1,59 @@
+#include "facade/judge_steps.hpp"
+
+#include "dynamics/scene_estimate.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace adore::facade {
+namespace {
+
+void widen(VibrationBand& band, double frequency) {
+  if (!(frequency > 0.0)) return;
+  band.lowest = band.highest > 0.0 ? std::min(band.lowest, frequency) : frequency;
+  band.highest = std::max(band.highest, frequency * kVibrationMargin);
+}
+
+std::vector<VibrationBand> bands_of(const Prepared& prepared, double time_scale) {
+  VibrationBand along{"elements along their race contacts"},
+      across{"elements across their race contacts"};
+  for (const auto& ball : dynamics::ball_vibrations(prepared.bearing, prepared.start)) {
+    widen(along, ball.along);
+    widen(across, ball.across);
+  }
+  if (!(along.highest > 0.0)) widen(along, 1.0 / time_scale);
+  std::vector<VibrationBand> out{along};
+  if (across.highest > 0.0) out.push_back(across);
+  return out;
+}
+
+}  // namespace
+
+JudgedSteps judge_steps(const Prepared& prepared, double time_scale) {
+  const build::RunControl& control = prepared.control;
+  JudgedSteps out;
+  out.request.method = control.integrator;
+  out.request.minimum = control.step_minimum * time_scale;
+  out.request.maximum = control.step_maximum * time_scale;
+  const double speed = std::abs(prepared.bearing.speed[1] - prepared.bearing.speed[0]);
+  out.request.turn =
+      speed > 0.0 ? 2.0 * std::numbers::pi / speed : control.end_time * time_scale;
+  out.request.bands = bands_of(prepared, time_scale);
+  out.limits = stable_steps(out.request);
+  out.text = step_limits_text(out.request, out.limits, time_scale);
+  if (out.limits.action == StepAction::Refused) {
+    std::string others;
+    for (const std::string& name : methods_that_keep(out.request))
+      others += (others.empty() ? "" : ", ") + name;
+    out.text += fmt::format(
+        ". {} is refused for this deck. {}", out.request.method,
+        others.empty() ? "Lower stpMax on record 2.1"
+                       : fmt::format("Integrators that need no other steps: {}", others));
+  }
+  return out;
+}
+
+}  // namespace adore::facade

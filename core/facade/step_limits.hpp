@@ -1,0 +1,62 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Which steps a method may take without letting contact vibrations grow. An explicit method (and a
+/// backward difference of high order) multiplies the amplitude of a vibration by a factor per step
+/// that depends on step × frequency alone. Above 1 it grows from rounding to the size at which the
+/// error control sees it: with the usual tolerances that is some percent of the contact loads, and
+/// of nothing that the run prints.
+namespace adore::facade {
+
+/// A range of angular frequencies at which the bearing's contacts vibrate.
+struct VibrationBand {
+  std::string name;                ///< "along the contact normals"
+  double lowest = 0.0, highest = 0.0;  ///< [rad/s], > 0
+};
+
+struct StepRequest {
+  std::string method;                  ///< name of the integrator
+  double minimum = 0.0, maximum = 0.0;  ///< what the deck allows [s]; equal: constant step
+  double turn = 0.0;                   ///< time over which growth is counted [s]
+  std::vector<VibrationBand> bands;
+};
+
+enum class StepAction : unsigned char { Kept, Shortened, Lengthened, OrderHeld, Refused };
+
+struct StepLimits {
+  StepAction action = StepAction::Kept;
+  double minimum = 0.0, maximum = 0.0;  ///< in force [s]
+  int highest_order = 0;     ///< of a method that changes its order; 0: its own limit
+  double growth_asked = 1.0;  ///< per turn, of the vibration that grows most with the deck's limits
+  double growth = 1.0;        ///< and with those in force
+  double frequency = 0.0;     ///< of the vibration that grows most with the deck's limits [rad/s]
+  std::string vibration;      ///< name of its band
+};
+
+/// No vibration may grow by more than this factor per turn.
+inline constexpr double kGrowthPerTurn = 1.01;
+/// A method that needs steps shorter than this over the highest frequency (600 a period) is refused.
+inline constexpr double kLeastPhase = 0.01;
+
+/// The nearest limits at which no vibration grows by more than kGrowthPerTurn:
+///   amplification per step |R(hω)|, integrators/stability.hpp, over all ω of the bands and all h
+///   that the limits allow; growth per turn = |R|^(turn/h).
+/// A variable step may take any size below its longest, so that is lowered until every shorter step
+/// is good too; a constant step, or one that may not go below what is good, moves to the nearest
+/// good size, up or down: some methods damp in a band only. CVODE is held at the order that allows
+/// the longest steps. Limits: linear vibrations of the quasi-static solution's stiffness; contacts
+/// that open and close are left to the error control and the judgement of the energy.
+[[nodiscard]] StepLimits stable_steps(const StepRequest& request);
+
+/// One sentence of what was done and why. `time_scale` [s]: unit of the deck's step sizes.
+[[nodiscard]] std::string step_limits_text(const StepRequest& request, const StepLimits& limits,
+                                           double time_scale);
+
+/// Methods that keep the deck's limits as they are, in the order of stepper_names().
+[[nodiscard]] std::vector<std::string> methods_that_keep(StepRequest request);
+
+}  // namespace adore::facade

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+/// What a method does to a vibration that it does not resolve. The test equation is y' = iω y: an
+/// undamped contact vibration. A method multiplies its amplitude by some factor per step that
+/// depends on hω alone; above 1 the vibration grows out of rounding until the error control sees
+/// it, far below the loads that it then carries.
+namespace adore::integrators {
+
+/// Which of its steps a method is asked about: the methods of fixed order have one.
+/// CVODE changes its order; `order` is the one held by the package's last steps, or its bound.
+inline constexpr int kOwnOrder = 0;
+
+/// Amplification per step of equal size at hω = phase, dimensionless: the largest modulus of the
+/// eigenvalues of the step's matrix. 1: kept, below: damped, above: grows.
+///
+///   rkf, arkode    |R(iφ)|, R(z) = 1 + z bᵀ (1 - z A)⁻¹ 1 of the solution that is propagated;
+///                  arkode-imex with the whole vibration in its implicit part, as dynamics splits it
+///   pece           predict, evaluate, correct, evaluate, with the history of derivatives and the
+///                  weights (adams_weights) that the stepper itself uses
+///   cvode-adams    Nordsieck predictor and one fixed-point iteration: what the package does while
+///                  a vibration is small against the tolerance
+///   cvode-bdf      backward differences of the order, solved exactly
+///
+/// Sources: [hairer1993] II.2, III.3-5; [hairer1996] IV.2-3, V.1; [hindmarsh2005] for CVODE's mode.
+/// Limits: linear, equal steps. Unequal steps of an explicit one-step method multiply their own
+/// factors; for the multistep methods see history_amplification().
+/// @throws std::invalid_argument for an unknown method, or an order that it does not have.
+[[nodiscard]] double amplification(std::string_view method, double phase, int order = kOwnOrder);
+
+}  // namespace adore::integrators

@@ -1,0 +1,71 @@
+#include "results/mean_load.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace adore::results {
+namespace {
+
+/// "appLoadX 1500, appLoadZ 500" of the directions with a given load that is not 0.
+std::string named(const MeanLoad& load, const dynamics::Vec3& values, UnitSystem units) {
+  std::string out;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    if (!load.given[k] || load.asked[i] == 0.0) continue;
+    out += fmt::format("{}appLoad{} {:.4g}", out.empty() ? "" : ", ", "XYZ"[k],
+                       from_si(values[i], unit::kForce, units));
+  }
+  return out + " " + std::string(unit_name(unit::kForce, units));
+}
+
+}  // namespace
+
+double MeanLoad::departure() const {
+  double difference = 0.0, size = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!given[k]) continue;
+    const auto i = static_cast<Eigen::Index>(k);
+    difference = std::hypot(difference, mean[i] - asked[i]);
+    size = std::hypot(size, asked[i]);
+  }
+  return size > 0.0 ? difference / size : 0.0;
+}
+
+MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing) {
+  MeanLoad out;
+  out.time = averages.time;
+  out.mean = averages.load;
+  for (std::size_t k = 0; k < 3; ++k) {
+    out.given[k] = !bearing.constraints.displacement_given[k];
+    if (out.given[k]) out.asked[static_cast<Eigen::Index>(k)] = bearing.constraints.load[k];
+  }
+  return out;
+}
+
+std::string load_warning(const MeanLoad& load, UnitSystem units) {
+  const double departure = load.departure();
+  if (departure <= kLoadWarning) return {};
+  // What is carried follows what is asked nearly in proportion, if it is not another load altogether.
+  dynamics::Vec3 instead = load.asked;
+  bool scalable = true;
+  for (int k = 0; k < 3; ++k) {
+    if (load.asked[k] == 0.0 || !load.given[static_cast<std::size_t>(k)]) continue;
+    const double ratio = load.mean[k] / load.asked[k];
+    scalable = scalable && ratio > 0.3 && ratio < 3.0;
+    if (ratio != 0.0) instead[k] = load.asked[k] / ratio;
+  }
+  std::string out = fmt::format(
+      "the elements carried {} on the mean of {:.3g} s where the deck asks for {} ({:.1f} % off): a "
+      "dynamic run holds the inner race where the quasi-static solution put it, and moving elements "
+      "push back differently there. ",
+      named(load, load.mean, units), load.time, named(load, load.asked, units), 100.0 * departure);
+  out += scalable ? fmt::format("A first guess for the load that brings about the one you want: {}; "
+                                "or give the displacement (kFS1-3, appDispX to Z)",
+                                named(load, instead, units))
+                  : "Give the displacement instead of the load (kFS1-3, appDispX to Z), and change it "
+                    "until the mean load of the run is the one you want";
+  return out;
+}
+
+}  // namespace adore::results

@@ -1,0 +1,149 @@
+#include "facade/step_limits.hpp"
+#include "integrators/stepper.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <string>
+
+using namespace adore;
+using namespace adore::facade;
+
+namespace {
+
+/// One turn in which a contact vibrates 450 times, as in a ball bearing at 10,000 rpm.
+constexpr double kOmega = 2800.0, kTurn = 1.0;
+
+StepRequest request_of(const std::string& method, double shortest, double longest) {
+  StepRequest out;
+  out.method = method;
+  out.minimum = shortest / kOmega;
+  out.maximum = longest / kOmega;
+  out.turn = kTurn;
+  out.bands = {{"along", 0.9 * kOmega, kOmega}, {"across", 0.1 * kOmega, 0.12 * kOmega}};
+  return out;
+}
+
+class Vibration final : public integrators::OdeSystem {
+ public:
+  explicit Vibration(double omega) : omega_(omega), scales_{1.0, omega} {}
+  [[nodiscard]] int size() const noexcept override { return 2; }
+  [[nodiscard]] int controlled_size() const noexcept override { return 2; }
+  [[nodiscard]] std::span<const double> scales() const noexcept override { return scales_; }
+  integrators::EvalStatus rhs(double, const double* y, double* d) noexcept override {
+    d[0] = y[1];
+    d[1] = -omega_ * omega_ * y[0];
+    return integrators::EvalStatus::Ok;
+  }
+  [[nodiscard]] bool has_stiff_part() const noexcept override { return true; }
+  integrators::EvalStatus rhs_stiff(double t, const double* y, double* d) noexcept override {
+    return rhs(t, y, d);
+  }
+  [[nodiscard]] double amplitude(std::span<const double> y) const {
+    return std::hypot(y[0], y[1] / omega_);
+  }
+
+ private:
+  double omega_;
+  std::array<double, 2> scales_;
+};
+
+/// Factor by which a vibration far below the tolerance changes in a turn.
+double growth_by_stepper(const std::string& method, const StepLimits& limits, double omega) {
+  Vibration system(omega);
+  const auto stepper = integrators::make_stepper(method);
+  integrators::StepControl control;
+  control.minimum = limits.minimum;
+  control.maximum = limits.maximum;
+  control.highest_order = limits.highest_order;
+  control.tolerance = 1.0;
+  const double start = 1e-6;
+  stepper->start(system, 0.0, std::vector<double>{start, 0.0}, control);
+  while (stepper->time() < kTurn) (void)stepper->step(kTurn);
+  return system.amplitude(stepper->state()) / start;
+}
+
+}  // namespace
+
+TEST_CASE("With the limits in force no method lets a vibration grow, and with the deck's those do "
+          "that are changed",
+          "[physics][facade]") {
+  for (const std::string_view name : integrators::stepper_names()) {
+    const std::string method(name);
+    const StepRequest request = request_of(method, 1e-3, 0.7);
+    const StepLimits limits = stable_steps(request);
+    INFO(step_limits_text(request, limits, 1.0 / kOmega));
+    CHECK(limits.minimum <= limits.maximum);
+    CHECK(limits.growth <= kGrowthPerTurn);
+    if (limits.action == StepAction::Refused) {
+      CHECK(method == "rkf1");
+      continue;
+    }
+    for (const double omega : {kOmega, 0.95 * kOmega, 0.11 * kOmega})
+      CHECK(growth_by_stepper(method, limits, omega) <= kGrowthPerTurn * 1.001);
+    if (limits.action == StepAction::Kept) continue;
+    CHECK(limits.growth_asked > kGrowthPerTurn);
+    StepLimits asked;
+    asked.minimum = request.minimum;
+    asked.maximum = request.maximum;
+    // CVODE picks orders as it sees fit, and pece3 damps at the longest step but not below it.
+    if (method.starts_with("cvode") || method == "pece3") continue;
+    CHECK(growth_by_stepper(method, asked, limits.frequency) > kGrowthPerTurn);
+  }
+}
+
+TEST_CASE("The methods that damp at the usual step keep it", "[unit][facade]") {
+  const auto action = [](const char* method) {
+    return stable_steps(request_of(method, 1e-3, 0.7)).action;
+  };
+  for (const char* method : {"rkf2", "rkf5", "rkf6", "rkf7", "pece1", "pece2", "arkode-erk",
+                             "arkode-dirk", "arkode-imex"}) {
+    INFO(method);
+    CHECK(action(method) == StepAction::Kept);
+  }
+  for (const char* method : {"rkf3", "rkf4", "pece4", "pece8"}) {
+    INFO(method);
+    CHECK(action(method) == StepAction::Shortened);
+  }
+  CHECK(action("rkf1") == StepAction::Refused);
+  const StepLimits bdf = stable_steps(request_of("cvode-bdf", 1e-3, 0.7));
+  CHECK(bdf.action == StepAction::OrderHeld);
+  CHECK(bdf.highest_order == 2);
+  CHECK(bdf.maximum == 0.7 / kOmega);
+}
+
+TEST_CASE("A constant step moves to the nearest good one, up into a band where there is one",
+          "[unit][facade]") {
+  // rkf4 damps from hω = 2.37 to 3.2 and, slow enough, below 0.3.
+  StepRequest request = request_of("rkf4", 2.2, 2.2);
+  request.bands.pop_back();
+  request.bands[0].lowest = 0.98 * kOmega;
+  const StepLimits up = stable_steps(request);
+  CHECK(up.action == StepAction::Lengthened);
+  CHECK(up.minimum == up.maximum);
+  CHECK(up.maximum * kOmega > 2.35);
+  CHECK(up.maximum * kOmega < 2.6);
+  CHECK(growth_by_stepper("rkf4", up, kOmega) <= kGrowthPerTurn);
+  request.minimum = request.maximum = 0.4 / kOmega;
+  const StepLimits down = stable_steps(request);
+  CHECK(down.action == StepAction::Shortened);
+  CHECK(down.minimum == down.maximum);
+  CHECK(down.maximum * kOmega < 0.4);
+  CHECK(down.maximum * kOmega > 0.2);
+}
+
+TEST_CASE("What was done to the steps is said in a sentence with frequency and factor",
+          "[unit][facade]") {
+  const StepRequest request = request_of("rkf4", 1e-3, 0.7);
+  const std::string text = step_limits_text(request, stable_steps(request), 1.0 / kOmega);
+  INFO(text);
+  CHECK(text.find("rkf4") == 0);
+  CHECK(text.find("Hz (along)") != std::string::npos);
+  CHECK(text.find("it runs with steps of up to") != std::string::npos);
+  const auto keep = methods_that_keep(request);
+  CHECK(std::find(keep.begin(), keep.end(), "rkf5") != keep.end());
+  CHECK(std::find(keep.begin(), keep.end(), "rkf4") == keep.end());
+  StepRequest idle = request;
+  idle.bands.clear();
+  CHECK(stable_steps(idle).action == StepAction::Kept);
+}

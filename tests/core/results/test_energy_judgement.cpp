@@ -1,0 +1,48 @@
+#include "results/energy_judgement.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <limits>
+
+using namespace adore::results;
+
+namespace {
+
+/// Heat of 1 J, work larger by the residual.
+adore::dynamics::EnergyLedger run_of(double residual) {
+  using adore::dynamics::LedgerKind;
+  static const adore::dynamics::LedgerTerm heat{LedgerKind::Heat, "heat", "", {"contacts", ""}, ""};
+  static const adore::dynamics::LedgerTerm work{LedgerKind::Work, "work", "", {"races", ""}, ""};
+  adore::dynamics::EnergyLedger energy;
+  energy.add(heat, 1.0);
+  energy.add(work, 1.0 + residual);
+  return energy;
+}
+
+}  // namespace
+
+TEST_CASE("The energy residual is judged against what moved and against the elastic energy",
+          "[unit][results]") {
+  const double much = 1e6;  // elastic energy that judges nothing
+  CHECK(judge_energy(run_of(0.9e-4), much).trust == Trust::Full);
+  CHECK(judge_energy(run_of(0.9e-4), much).text.empty());
+  CHECK(judge_energy(run_of(1.1e-4), much).trust == Trust::Warned);
+  CHECK(judge_energy(run_of(-1.1e-4), much).trust == Trust::Warned);
+  CHECK(judge_energy(run_of(0.9e-2), much).trust == Trust::Warned);
+  CHECK(judge_energy(run_of(-1.1e-2), much).trust == Trust::None);
+  const double residual = 1e-5;
+  CHECK(judge_energy(run_of(residual), residual / 0.019).trust == Trust::Full);
+  CHECK(judge_energy(run_of(residual), residual / 0.021).trust == Trust::Warned);
+  CHECK(judge_energy(run_of(residual), residual / 0.49).trust == Trust::Warned);
+  CHECK(judge_energy(run_of(residual), residual / 0.51).trust == Trust::None);
+  CHECK(judge_energy(run_of(residual), 0.0).trust == Trust::Full);  // nothing is loaded
+}
+
+TEST_CASE("An energy that is no number is never trusted", "[unit][results]") {
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
+                           std::numeric_limits<double>::infinity(), 1e300}) {
+    const EnergyJudgement judgement = judge_energy(run_of(bad), 1.0);
+    CHECK(judgement.trust == Trust::None);
+    CHECK_FALSE(judgement.text.empty());
+  }
+}

@@ -1,0 +1,55 @@
+#include "results/mean_load.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace adore;
+using namespace adore::results;
+
+namespace {
+
+dynamics::Snapshot at(double time, double force_x) {
+  dynamics::Snapshot out;
+  out.time = time;
+  out.races[1].applied_force = {force_x, 0.0, 100.0};
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("The mean load is the time mean of what holds the inner race", "[unit][results]") {
+  RunAverages averages;
+  averages.add(at(0.0, 100.0));
+  CHECK(averages.averages().load[0] == 100.0);
+  averages.add(at(1.0, 200.0));
+  averages.add(at(4.0, 200.0));
+  CHECK(averages.averages().load[0] == Approx((150.0 + 600.0) / 4.0));
+  std::map<std::string, double> kept;
+  averages.save(kept);
+  RunAverages again;
+  again.restore(kept);
+  again.add(at(5.0, 100.0));
+  averages.add(at(5.0, 100.0));
+  CHECK(again.averages().load == averages.averages().load);
+}
+
+TEST_CASE("A load other than the asked one is told with its remedy, displaced directions aside",
+          "[unit][results]") {
+  bearing::Bearing bearing;
+  bearing.constraints.load = {1000.0, 0.0, 0.0, 0.0, 0.0};
+  bearing.constraints.displacement_given[2] = true;
+  RunAverages averages;
+  averages.add(at(0.0, 960.0));
+  averages.add(at(1.0, 960.0));
+  CHECK(mean_load(averages.averages(), bearing).departure() == Approx(0.04));
+  CHECK(load_warning(mean_load(averages.averages(), bearing), UnitSystem::SI).empty());
+  bearing.constraints.load[0] = 1200.0;
+  const MeanLoad load = mean_load(averages.averages(), bearing);
+  CHECK(load.departure() == Approx(0.2));
+  const std::string text = load_warning(load, UnitSystem::SI);
+  INFO(text);
+  CHECK(text.find("carried appLoadX 960 N") != std::string::npos);
+  CHECK(text.find("asks for appLoadX 1200 N (20.0 % off)") != std::string::npos);
+  CHECK(text.find("appLoadX 1500 N") != std::string::npos);
+  bearing.constraints.displacement_given[0] = true;
+  CHECK(mean_load(averages.averages(), bearing).departure() == 0.0);
+}
