@@ -72,11 +72,14 @@ GrowingFile::~GrowingFile() {
 
 GrowingFile GrowingFile::create(const fs::path& path) {
   // A file of its own: neither the target of a link nor another name of the old file is written to,
-  // and permissions to execute are not inherited.
-  if (::unlink(path.c_str()) != 0 && errno != ENOENT)
+  // and permissions to execute are not inherited. What is no plain file (a device) stays.
+  struct stat old {};
+  const bool exists = ::lstat(path.c_str(), &old) == 0;
+  const bool replaces = exists && (S_ISREG(old.st_mode) || S_ISLNK(old.st_mode));
+  if (replaces && ::unlink(path.c_str()) != 0 && errno != ENOENT)
     fail(path, errno, "the file cannot be replaced");
-  const int descriptor =
-      ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  const int how = exists && !replaces ? O_WRONLY : O_WRONLY | O_CREAT | O_EXCL;
+  const int descriptor = ::open(path.c_str(), how | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (descriptor < 0) fail(path, errno, "the file cannot be written");
   return {path, descriptor, 0};
 }

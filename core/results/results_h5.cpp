@@ -368,7 +368,7 @@ H5Writer H5Writer::create(const std::filesystem::path& path, const bearing::Bear
   impl->shape = shape_of(bearing);
   impl->block = static_cast<std::size_t>(std::clamp(block, 1, kBlock));
   std::error_code ignored;
-  std::filesystem::remove(path, ignored);  // a link, not what it points to
+  if (std::filesystem::is_symlink(path, ignored)) std::filesystem::remove(path, ignored);
   impl->open_empty(path, bearing);
   return H5Writer(std::move(impl));
 }
