@@ -152,7 +152,7 @@ struct RunOutputs::Impl {
   /// What the ledgers of a continued run began with, and their residual where it goes on.
   struct LedgerStart {
     double stored = 0.0, residual = 0.0;  ///< [J]
-    dynamics::Vec3 linear, angular;       ///< [N s, N m s]
+    Eigen::Vector3d linear, angular;      ///< [N s, N m s]
   };
   std::optional<LedgerStart> ledger_start;
   Snapshot last;                         ///< last stored instant
@@ -313,6 +313,16 @@ constexpr const char* kLived = "last step of the life models";
 constexpr const char* kStored = "ledger stored at start";
 constexpr const char* kResidual = "ledger residual";
 
+/// The same ledger with another start.
+template <class Value>
+void set_start(dynamics::Ledger<Value>& ledger, const Value& start) {
+  dynamics::Ledger<Value> out;
+  for (const auto& item : ledger.items())
+    out.add(*item.term, item.term->kind == dynamics::LedgerKind::Start ? start : item.value,
+            item.race, item.rate);
+  ledger = std::move(out);
+}
+
 std::string momentum_name(std::string_view kind, int axis) {
   return fmt::format("ledger {} momentum at start {}", kind, axis);
 }
@@ -323,11 +333,11 @@ std::string momentum_name(std::string_view kind, int axis) {
 /// which belongs to one method with its limits.
 void RunOutputs::Impl::save_progress(std::map<std::string, double>& state, const Snapshot& at,
                                      const Resume& resume) const {
-  state[kStored] = at.energy.stored_at_start;
+  state[kStored] = at.energy.sum(dynamics::LedgerKind::Start);
   state[kResidual] = at.energy.residual();
   for (int k = 0; at.momentum && k < 3; ++k) {
-    state[momentum_name("linear", k)] = at.momentum->linear_start[k];
-    state[momentum_name("angular", k)] = at.momentum->angular_start[k];
+    state[momentum_name("linear", k)] = at.momentum->linear.sum(dynamics::LedgerKind::Start)[k];
+    state[momentum_name("angular", k)] = at.momentum->angular.sum(dynamics::LedgerKind::Start)[k];
   }
   const auto whole = [&](const char* name, long value) { state[name] = static_cast<double>(value); };
   whole(kSubsteps, resume.substeps);
@@ -370,10 +380,10 @@ Snapshot RunOutputs::Impl::snapshot(dynamics::System& system, const RunPoint& po
   out.step = point.step;
   out.step_size = point.step_size;
   if (!ledger_start) return out;
-  out.energy.stored_at_start = ledger_start->stored;
+  set_start(out.energy, ledger_start->stored);
   if (out.momentum) {
-    out.momentum->linear_start = ledger_start->linear;
-    out.momentum->angular_start = ledger_start->angular;
+    set_start<Eigen::Vector3d>(out.momentum->linear, ledger_start->linear);
+    set_start<Eigen::Vector3d>(out.momentum->angular, ledger_start->angular);
   }
   return out;
 }
