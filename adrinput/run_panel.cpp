@@ -12,6 +12,7 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
+#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
@@ -142,15 +143,43 @@ void RunPanel::start(const std::filesystem::path& file, const deck::Deck& deck,
   computed_options_ = options;
   stale_ = false;
   files_.clear();
+  if (file_ != file) own_report_.reset();
+  file_ = file;
+  launchRun(own_report_ && own_report_ == reportTime());
+}
+
+void RunPanel::launchRun(bool overwrite) {
   view_->hide();
   view_->clear();
   bar_->setValue(0);
   headline_ = tr("Finding the equilibrium that the run starts from …");
   showNote();
   facade::RunRequest request;
-  request.deck = file;
+  request.deck = file_;
+  request.overwrite = overwrite;
   run_.start(std::move(request));
   enableButtons();
+}
+
+std::optional<std::filesystem::file_time_type> RunPanel::reportTime() const {
+  std::error_code error;
+  const auto time = std::filesystem::last_write_time(file_.parent_path() / "RUN.json", error);
+  if (error) return {};
+  return time;
+}
+
+void RunPanel::askToReplace() {
+  auto* box = new QMessageBox(QMessageBox::Question, "AdrInput",
+                              tr("The folder of the deck holds results of an earlier run. Replace "
+                                 "them?"),
+                              QMessageBox::Cancel, this);
+  box->setObjectName("replace-results");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  QPushButton* replace = box->addButton(tr("Replace them"), QMessageBox::DestructiveRole);
+  connect(box, &QMessageBox::buttonClicked, this, [this, replace](QAbstractButton* button) {
+    if (button == replace && !busy()) launchRun(true);
+  });
+  box->open();
 }
 
 void RunPanel::cancel() {
@@ -170,6 +199,7 @@ void RunPanel::show(const RunEnd& end) {
   if (end.outcome) {
     for (const auto& file : end.outcome->files) files_ << from(file.string());
     headline_ = headline_of(*end.outcome);
+    own_report_ = reportTime();
     view_->setPlainText(report(*end.outcome));
     if (end.outcome->status == facade::RunStatus::Done) bar_->setValue(kBarSteps);
   } else {
@@ -179,6 +209,7 @@ void RunPanel::show(const RunEnd& end) {
   view_->show();
   showNote();
   enableButtons();
+  if (end.results_exist) askToReplace();
   if (end.outcome && end.outcome->status == facade::RunStatus::Done) {
     if (plots_at_end_->isChecked() && !plotFiles().isEmpty()) openPlots();
     if (animation_at_end_->isChecked() && !fileNamed("SOL8").isEmpty()) openAnimation();

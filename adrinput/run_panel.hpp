@@ -7,7 +7,9 @@
 #include <QStringList>
 #include <QWidget>
 
+#include <filesystem>
 #include <functional>
+#include <optional>
 
 class QCheckBox;
 class QLabel;
@@ -28,7 +30,8 @@ class RunPanel : public QWidget {
   std::function<void(const QString& program, const QStringList& arguments)> launch;
 
   /// Runs the deck file, whose content is `deck`, with the ADORE.json beside it, which holds
-  /// `options`. Results go there too.
+  /// `options`. Results go there too, in place of those that this panel computed before; others are
+  /// replaced only after a question (a box named "replace-results").
   void start(const std::filesystem::path& file, const deck::Deck& deck,
              const RunOptionValues& options);
   /// The deck is this one now: results of an older one say so.
@@ -51,6 +54,10 @@ class RunPanel : public QWidget {
   void show(const facade::Progress& progress);
   void show(const RunEnd& end);
   void showNote();
+  void launchRun(bool overwrite);
+  void askToReplace();
+  /// The report that stands beside the deck, as far as it can be told from another one.
+  [[nodiscard]] std::optional<std::filesystem::file_time_type> reportTime() const;
   void enableButtons();
   void view(const QString& program, const QStringList& files);
   [[nodiscard]] QStringList plotFiles() const;
@@ -63,6 +70,8 @@ class RunPanel : public QWidget {
   QPlainTextEdit* view_;
   QString headline_;
   QStringList files_;
+  std::filesystem::path file_;  ///< the deck that runs
+  std::optional<std::filesystem::file_time_type> own_report_;  ///< of the last run made here
   deck::Deck computed_;
   RunOptionValues computed_options_;
   bool stale_ = false;

@@ -1,6 +1,7 @@
 #include "adrinput/solver_run.hpp"
 
 #include "base/errors.hpp"
+#include "facade/output_folder.hpp"
 
 #include <QThread>
 
@@ -32,6 +33,9 @@ void SolverRun::start(facade::RunRequest request) {
   thread_ = QThread::create([request = std::move(request), report, token = stop_.get_token(), end] {
     try {
       end->outcome = facade::run(request, report, token);
+    } catch (const facade::ResultsExist& found) {
+      end->reason = found.what();
+      end->results_exist = true;
     } catch (const std::exception& error) {
       end->reason = error.what();
     }

@@ -1,9 +1,10 @@
 #include "facade/accuracy.hpp"
 
-#include "base/atomic_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
+#include "cli/export.hpp"
 #include "cli/pictures.hpp"
+#include "cli/streams.hpp"
 
 #include <fmt/format.h>
 
@@ -54,14 +55,14 @@ void run(const Options& options) {
   request.span = options.span;
   const facade::AccuracyStudy study =
       facade::study_accuracy(request, [](const facade::AccuracyRow& row) {
-        fmt::print(stderr, "{} at {:.0e}: {}\n", row.method, row.tolerance,
-                   row.failure.empty() ? fmt::format("error {:.2e}", row.error) : "gave up");
+        tell(fmt::format("{} at {:.0e}: {}\n", row.method, row.tolerance,
+                         row.failure.empty() ? fmt::format("error {:.2e}", row.error) : "gave up"));
       });
   fmt::print("{}", facade::accuracy_table(study));
   const std::filesystem::path folder(options.out);
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  write_file_atomically(folder / "ACCURACY.csv", facade::accuracy_csv(study));
+  write_export(folder / "ACCURACY.csv", facade::accuracy_csv(study), {options.deck});
   fmt::print("\n{}\n", (folder / "ACCURACY.csv").string());
   if (draw_accuracy_chart(study, folder / "ACCURACY.png"))
     fmt::print("{}\n", (folder / "ACCURACY.png").string());

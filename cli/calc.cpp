@@ -1,6 +1,7 @@
-#include "base/atomic_file.hpp"
 #include "base/errors.hpp"
 #include "cli/commands.hpp"
+#include "cli/export.hpp"
+#include "cli/streams.hpp"
 #include "facade/calculator_inputs.hpp"
 #include "facade/calculators.hpp"
 #include "facade/validate.hpp"
@@ -66,8 +67,8 @@ int validate(const std::vector<std::string>& files, const std::string& report_fi
   const std::vector<std::filesystem::path> paths(files.begin(), files.end());
   const facade::ValidateReport report =
       facade::validate_files(paths, [](const facade::FileResult& file) {
-        fmt::print(stderr, "{}: {} cases in {:.1f} s\n", file.file, file.cases.size(),
-                   file.seconds);
+        tell(fmt::format("{}: {} cases in {:.1f} s\n", file.file, file.cases.size(),
+                         file.seconds));
       });
   if (!quiet)
     fmt::print("{}", facade::report_text(report));
@@ -75,7 +76,7 @@ int validate(const std::vector<std::string>& files, const std::string& report_fi
     fmt::print("{} passed, {} failed, {} not covered\n", report.pass, report.fail,
                report.not_covered);
   if (!report_file.empty())
-    write_file_atomically(report_file, facade::report_json(report).dump(2) + "\n");
+    write_export(report_file, facade::report_json(report).dump(2) + "\n", paths);
   return report.fail > 0 ? 1 : 0;
 }
 

@@ -1,6 +1,7 @@
 #include "base/atomic_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
+#include "cli/streams.hpp"
 #include "deck/templates.hpp"
 #include "facade/check.hpp"
 #include "facade/plan_json.hpp"
@@ -79,7 +80,7 @@ void new_deck(const std::string& type, const std::string& out) {
     throw InputError(
         fmt::format("{} exists already; name another file, or remove it first", path.string()));
   write_file_atomically(path, text);
-  fmt::print(stderr, "wrote {}\n", path.string());
+  tell(fmt::format("wrote {}\n", path.string()));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "cli/deck_options.hpp"
 
 #include "base/errors.hpp"
+#include "cli/streams.hpp"
 
 #include <fmt/format.h>
 
@@ -37,7 +38,7 @@ void DeckOptions::fill(facade::DeckRequest& request) const {
 
 void print_warnings(const std::vector<Issue>& issues) {
   for (const Issue& issue : issues)
-    if (issue.severity != Severity::Error) fmt::print(stderr, "{}\n", issue.text());
+    if (issue.severity != Severity::Error) tell(issue.text() + "\n");
 }
 
 }  // namespace adore::cli

@@ -1,5 +1,5 @@
-#include "base/atomic_file.hpp"
 #include "cli/commands.hpp"
+#include "cli/export.hpp"
 #include "results/convert.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ void add_file_commands(CLI::App& app, int&) {
       std::ostringstream text;
       text.imbue(std::locale::classic());
       results::convert_file(*file, *format, text);
-      write_file_atomically(*out, text.str());
+      write_export(*out, text.str(), {*file});
     });
   }
 }

@@ -1,23 +1,26 @@
 #include "base/errors.hpp"
+#include "base/interrupted.hpp"
 #include "base/version.hpp"
 #include "cli/commands.hpp"
+#include "cli/signals.hpp"
+#include "cli/streams.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <new>
+#include <string>
+#include <system_error>
 
 namespace {
 
 int report(const char* text, int code) {
-  fmt::print(stderr, "adore: {}\n", text);
+  adore::cli::tell(std::string("adore: ") + text + "\n");
   return code;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_command(int argc, char** argv) {
   CLI::App app{
       "Adore: rolling-bearing dynamics. Exit codes: 0 done, 1 a bug or a failed reference case, 2 "
       "wrong input, "
@@ -40,9 +43,22 @@ int main(int argc, char** argv) {
     return report(error.what(), 2);
   } catch (const adore::SolverError& error) {
     return report(error.what(), 3);
+  } catch (const adore::Interrupted& stop) {
+    return report(stop.what(), 130);
+  } catch (const std::system_error& error) {
+    // Writing to a standard stream: said once, when it is closed.
+    return std::ferror(stdout) != 0 ? 2 : report(error.what(), 1);
   } catch (const std::bad_alloc&) {
     return report("out of memory: the deck asks for more than this machine has", 3);
   } catch (const std::exception& error) {
     return report(error.what(), 1);
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  adore::cli::keep_stream_numbers();
+  adore::cli::ignore_file_size_signal();
+  return adore::cli::close_output(run_command(argc, argv));
 }

@@ -4,48 +4,21 @@
 #include "build/run_control.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
+#include "cli/signals.hpp"
+#include "cli/streams.hpp"
+#include "facade/output_folder.hpp"
 #include "facade/sweep.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <atomic>
-#include <csignal>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
-#include <thread>
 #include <unistd.h>
 
 namespace adore::cli {
 namespace {
-
-std::atomic<bool> interrupted{false};
-static_assert(std::atomic<bool>::is_always_lock_free);
-
-extern "C" void on_interrupt(int) {
-  interrupted = true;
-  std::signal(SIGINT, SIG_DFL);  // a second Ctrl-C ends the program at once
-}
-
-/// Turns the signal's flag into a stop request while a run lasts.
-class InterruptWatch {
- public:
-  InterruptWatch() {
-    std::signal(SIGINT, on_interrupt);
-    std::signal(SIGTERM, on_interrupt);
-    watcher_ = std::jthread([this](std::stop_token done) {
-      while (!done.stop_requested()) {
-        if (interrupted) source_.request_stop();
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      }
-    });
-  }
-  [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
-
- private:
-  std::stop_source source_;
-  std::jthread watcher_;
-};
 
 std::string progress_line(const facade::Progress& p) {
   if (p.runs > 0)
@@ -66,25 +39,54 @@ facade::ProgressSink make_sink(const std::string& style) {
                                         {"time", p.time},           {"end_time", p.end_time},
                                         {"step", p.step},           {"elapsed", p.elapsed},
                                         {"remaining", p.remaining}, {"speed_up", p.speed_up}};
-      fmt::print(stderr, "{}\n", line.dump());
+      tell(line.dump() + "\n", false);
     };
   if (style == "auto" && terminal)
     return [](const facade::Progress& p) {
-      fmt::print(stderr, "\r\033[K{}{}", progress_line(p), p.fraction >= 1.0 ? "\n" : "");
-      std::fflush(stderr);
+      tell(fmt::format("\r\033[K{}{}", progress_line(p), p.fraction >= 1.0 ? "\n" : ""), false);
     };
   // Plain lines, at most one every two seconds, and the last.
   return [last = -1e9](const facade::Progress& p) mutable {
     if (p.elapsed - last < 2.0 && p.fraction < 1.0) return;
     last = p.elapsed;
-    fmt::print(stderr, "{}\n", progress_line(p));
+    tell(progress_line(p) + "\n", false);
   };
 }
 
-int report(const facade::RunOutcome& outcome, bool quiet) {
-  if (!outcome.message.empty()) fmt::print(stderr, "adore: {}\n", outcome.message);
+/// A word of a command line as a shell reads it back.
+std::string quoted(const std::string& word) {
+  const auto plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 || std::string_view("+,-./:=@_%[]").find(static_cast<char>(c)) !=
+                                       std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+/// May the results of an earlier run be replaced? Only somebody at a terminal can say so.
+bool may_replace(const facade::ResultsExist& found) {
+  if (isatty(STDIN_FILENO) == 0 || isatty(STDERR_FILENO) == 0) return false;
+  tell(fmt::format("{}\nReplace them? [y/N] ", found.what()));
+  const int answer = std::getchar();
+  return answer == 'y' || answer == 'Y';
+}
+
+int report(const facade::RunOutcome& outcome, bool quiet, const std::string& how_to_go_on) {
+  if (outcome.status == facade::RunStatus::Failed ||
+      outcome.status == facade::RunStatus::Untrusted ||
+      (outcome.status == facade::RunStatus::Interrupted && !outcome.message.empty()))
+    tell(fmt::format("adore: {}\n", outcome.message));
+  else if (!outcome.message.empty()) {
+    tell(outcome.message + "\n");
+    return 0;
+  }
   if (outcome.status == facade::RunStatus::Interrupted)
-    fmt::print(stderr, "\ninterrupted; the files are valid up to the last stored step\n");
+    tell(
+        fmt::format("\ninterrupted; the files are valid up to the last stored step. Go on with\n"
+                    "  {}\n",
+                    how_to_go_on));
   if (!quiet) {
     for (const std::string& line : outcome.results) fmt::print("{}\n", line);
     if (!outcome.results.empty())
@@ -106,8 +108,35 @@ struct RunOptions : DeckOptions {
   std::string out, until, integrator, progress = "auto";
   double tolerance = 0.0;
   int threads = 0;
-  bool quiet = false, list_options = false;
+  bool quiet = false, list_options = false, go_on = false, overwrite = false;
+
+  /// The command that goes on with this run.
+  [[nodiscard]] std::string continuation(bool tolerance_given) const {
+    std::string line = "adore run " + quoted(deck);
+    const auto add = [&](const char* name, const std::string& value) {
+      if (!value.empty()) line += fmt::format(" {} {}", name, quoted(value));
+    };
+    add("--out", out);
+    for (const std::string& text : sets) add("--set", text);
+    for (const std::string& text : this->options) add("--opt", text);
+    add("--until", until);
+    add("--integrator", integrator);
+    if (tolerance_given) add("--tol", fmt::format("{}", tolerance));
+    return line + " --continue";
+  }
 };
+
+/// Runs, and once more when what stands in the way may go.
+template <class Run>
+auto run_asking(facade::RunRequest& request, Run&& run_it) {
+  try {
+    return run_it();
+  } catch (const facade::ResultsExist& found) {
+    if (!may_replace(found)) throw;
+  }
+  request.overwrite = true;
+  return run_it();
+}
 
 int run(const RunOptions& options, bool tolerance_given) {
   if (options.list_options) {
@@ -121,18 +150,25 @@ int run(const RunOptions& options, bool tolerance_given) {
   request.until = options.until;
   request.integrator = options.integrator;
   if (tolerance_given) request.tolerance = options.tolerance;
+  request.go_on = options.go_on;
+  request.overwrite = options.overwrite;
   const facade::ProgressSink sink = make_sink(options.quiet ? "none" : options.progress);
   InterruptWatch watch;
   if (facade::is_sweep(request)) {
-    const facade::SweepOutcome sweep =
-        facade::run_sweep(request, options.threads, sink, watch.token());
+    const facade::SweepOutcome sweep = run_asking(request, [&] {
+      return facade::run_sweep(request, options.threads, sink, watch.token());
+    });
     print_warnings(sweep.warnings);
+    if (watch.token().stop_requested())
+      tell(fmt::format("\ninterrupted; run what is missing with\n  {}\n",
+                       options.continuation(tolerance_given)));
     if (!options.quiet) fmt::print("{}\n", sweep.table.string());
     return sweep.exit_code;
   }
-  const facade::RunOutcome outcome = facade::run(request, sink, watch.token());
+  const facade::RunOutcome outcome =
+      run_asking(request, [&] { return facade::run(request, sink, watch.token()); });
   print_warnings(outcome.warnings);
-  return report(outcome, options.quiet);
+  return report(outcome, options.quiet, options.continuation(tolerance_given));
 }
 
 }  // namespace
@@ -156,6 +192,14 @@ void add_run(CLI::App& app, int& exit_code) {
   command->add_option("--progress", options->progress, "auto, plain, json or none")
       ->check(CLI::IsMember({"auto", "plain", "json", "none"}))
       ->capture_default_str();
+  CLI::Option* go_on = command->add_flag(
+      "--continue", options->go_on,
+      "complete an interrupted or killed run (or sweep) from its last checkpoint; with a later "
+      "--until also a run that is complete");
+  command
+      ->add_flag("--overwrite", options->overwrite,
+                 "replace the results of an earlier run in the folder")
+      ->excludes(go_on);
   command->add_flag("--quiet", options->quiet, "no progress and no summary");
   command->add_flag("--list-options", options->list_options,
                     "list the run options of --opt and ADORE.json");

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <fcntl.h>
@@ -47,19 +48,29 @@ namespace fs = std::filesystem;
   throw InputError({issue});
 }
 
-/// The temporary file: closed and removed on every way out unless it was renamed.
+/// The temporary file: closed and removed on every way out unless it was renamed. It gets a name
+/// only when all is on the disk, where the file system knows files without one: a process that is
+/// killed while it writes leaves nothing behind.
 class TemporaryFile {
  public:
   TemporaryFile(const fs::path& target, const fs::path& shown) : shown_(shown) {
-    name_ = (target.parent_path() / fmt::format(".{}.XXXXXX", target.filename().string())).string();
-    descriptor_ = ::mkostemp(name_.data(), O_CLOEXEC);
+    const fs::path folder = target.parent_path();
+    name_ = (folder / temporary_pattern(target)).string();
+    descriptor_ = ::open(folder.empty() ? "." : folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC,
+                         S_IRUSR | S_IWUSR);
+    if (descriptor_ >= 0 && ::access(own_link(descriptor_).c_str(), F_OK) != 0) {
+      ::close(descriptor_);  // no /proc, no way to name it later
+      descriptor_ = -1;
+    }
+    named_ = descriptor_ < 0;
+    if (named_) descriptor_ = ::mkostemp(name_.data(), O_CLOEXEC);
     if (descriptor_ < 0) fail(shown_, errno, "creating a file in its folder");
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
   ~TemporaryFile() {
     if (descriptor_ >= 0) ::close(descriptor_);
-    if (!renamed_) ::unlink(name_.c_str());
+    if (named_ && !renamed_) ::unlink(name_.c_str());
   }
 
   void write(std::string_view content) {
@@ -71,12 +82,13 @@ class TemporaryFile {
     }
   }
 
-  /// mkstemp makes private files; a data file should be readable as the user's mask says.
+  /// The file is private so far; a data file should be readable as the user's mask says, and none
+  /// is a program.
   void set_permissions_like(const fs::path& target) {
     struct stat old {};
     mode_t mode = 0;
     if (::stat(target.c_str(), &old) == 0) {
-      mode = old.st_mode & 07777;
+      mode = old.st_mode & 0666;
     } else {
       const mode_t mask = ::umask(0);
       ::umask(mask);
@@ -87,6 +99,7 @@ class TemporaryFile {
 
   void rename_to(const fs::path& target) {
     if (::fsync(descriptor_) != 0) fail(shown_, errno, "flushing to the disk");
+    if (!named_) give_name();
     const int descriptor = descriptor_;
     descriptor_ = -1;
     if (::close(descriptor) != 0) fail(shown_, errno, "closing");
@@ -95,10 +108,26 @@ class TemporaryFile {
   }
 
  private:
+  static std::string own_link(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
+  void give_name() {
+    static std::atomic<unsigned> counter{0};
+    const std::string stem = name_.substr(0, name_.size() - 6);  // what stands before the X's
+    for (int attempt = 0;; ++attempt) {
+      const unsigned number = static_cast<unsigned>(::getpid()) * 64 + counter++;
+      name_ = stem + fmt::format("{:06x}", number & 0xffffffU);
+      if (::linkat(AT_FDCWD, own_link(descriptor_).c_str(), AT_FDCWD, name_.c_str(),
+                   AT_SYMLINK_FOLLOW) == 0) {
+        named_ = true;
+        return;
+      }
+      if (errno != EEXIST || attempt > 100) fail(shown_, errno, "naming it");
+    }
+  }
+
   fs::path shown_;
   std::string name_;
   int descriptor_ = -1;
-  bool renamed_ = false;
+  bool named_ = false, renamed_ = false;
 };
 
 /// Makes the rename itself durable; not every file system allows it, and then nothing is lost but
@@ -111,6 +140,10 @@ void flush_folder(const fs::path& folder) {
 }
 
 }  // namespace
+
+std::string temporary_pattern(const fs::path& target) {
+  return fmt::format(".{}.XXXXXX", target.filename().string());
+}
 
 void write_file_atomically(const fs::path& path, std::string_view content) {
   std::error_code error;

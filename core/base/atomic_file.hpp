@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace adore {
@@ -8,9 +9,13 @@ namespace adore {
 /// Replaces a file as a whole: the content goes to a new file in the same folder, is forced to the
 /// disk and then renamed over the old one. Whoever reads the path sees the old content or the new
 /// one, never a part, also after a crash. A symbolic link keeps pointing to its (replaced) target
-/// and the permissions of an existing file are kept.
+/// and the permissions of an existing file are kept, but for those to execute it.
 /// @throws InputError naming the path and the reason: folder missing or not writable, disk full,
 /// path is a folder.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
+
+/// Name of the new file until it is renamed, X standing for any letter or digit: what a killed
+/// process may leave on file systems that know no files without a name.
+[[nodiscard]] std::string temporary_pattern(const std::filesystem::path& target);
 
 }  // namespace adore

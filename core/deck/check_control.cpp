@@ -88,29 +88,68 @@ void check_race_constraints(Checker& c) {
   }
 }
 
+std::string upper(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char ch) { return static_cast<char>(std::toupper(ch)); });
+  return text;
+}
+
+std::string without_blanks_behind(std::string text) {
+  text.erase(std::find_if(text.rbegin(), text.rend(), [](char ch) { return ch != ' '; }).base(),
+             text.end());
+  return text;
+}
+
+/// Why a file of results may not have this name; empty when it may. What a shell or another program
+/// would take for its own is refused: the first line of a result file holds the deck's words.
+std::string_view name_trouble(const std::string& file) {
+  if (file.empty() || file.find_first_of("/\\") != std::string::npos || file == "." || file == "..")
+    return "is no name of a file in the output folder";
+  const auto plain = [](unsigned char ch) {
+    return std::isalnum(ch) != 0 || ch == '.' || ch == '_' || ch == '-' || ch == '+';
+  };
+  if (!std::all_of(file.begin(), file.end(), plain))
+    return "has characters that files of results do not have in their names";
+  if (std::isalnum(static_cast<unsigned char>(file.front())) == 0)
+    return "begins with a character that hides a file or starts an option";
+  constexpr std::string_view kPrograms[] = {
+      "SH",  "BASH", "CSH", "KSH", "ZSH", "FISH", "BAT", "CMD", "COM", "EXE", "PS1", "PY",
+      "PL",  "RB",   "JS",  "VBS", "WSF", "LUA",  "TCL", "AWK", "SED", "PHP", "R",   "JAR",
+      "MK",  "CMAKE", "SO", "DLL", "APP", "LNK",  "PIF", "SCR", "REG", "HTM", "HTML", "DESKTOP",
+      "C",   "CC",   "CPP", "H",   "HPP", "F",    "FOR", "F90", "INI", "CFG", "CONF", "RC",
+      "YML", "YAML", "TOML", "JSON", "H5", "CSV"};
+  const std::string name = upper(file);
+  const std::size_t dot = name.rfind('.');
+  if (dot != std::string::npos &&
+      std::find(std::begin(kPrograms), std::end(kPrograms), name.substr(dot + 1)) !=
+          std::end(kPrograms))
+    return "is a name of programs, scripts, settings or other data";
+  if (name == "MAKEFILE" || name == "GNUMAKEFILE" || name == "DOCKERFILE")
+    return "is a name of programs, scripts, settings or other data";
+  return {};
+}
+
 void check_file_names(Checker& c) {
   if (!c.deck().has_record("2.3")) return;
   constexpr std::array<std::string_view, 10> kNames = {
       "masName",   "finName",   "pltNames1", "pltNames2", "pltNames3",
       "pltNames4", "pltNames5", "pltNames6", "pltNames7", "pltNames8"};
   std::map<std::string, std::string> seen = {
-      {"DATA.TXT", "the deck"},       {"PRINT.TXT", "the listing"},
-      {"SOL9", "user routine ADRX9"}, {"RUN.JSON", "the run report"},
-      {"RESULTS.H5", "the results"},  {"ADORE.JSON", "the run options"}};
+      {"DATA.TXT", "the deck"},        {"PRINT.TXT", "the listing"},
+      {"SOL9", "user routine ADRX9"},  {"RUN.JSON", "the run report"},
+      {"RESULTS.H5", "the results"},   {"ADORE.JSON", "the run options"},
+      {"SWEEP.CSV", "a sweep's table"}};
+  const std::string& path = c.deck().file;
+  if (!path.empty()) seen.emplace(upper(path.substr(path.find_last_of('/') + 1)), "the deck itself");
   for (const std::string_view name : kNames) {
     if (!c.deck().has(name)) continue;
-    std::string file = c.deck().text(name);
-    file.erase(std::find_if(file.rbegin(), file.rend(), [](char ch) { return ch != ' '; }).base(),
-               file.end());
-    if (file.empty() || file.find_first_of("/\\") != std::string::npos || file == "." ||
-        file == "..") {
-      c.error(name, "is no name of a file in the output folder",
-              "give a name of 1 to 10 letters and digits");
+    const std::string file = without_blanks_behind(c.deck().text(name));
+    if (const std::string_view trouble = name_trouble(file); !trouble.empty()) {
+      c.error(name, std::string(trouble),
+              "give a name of 1 to 10 letters and digits, for instance SOL1");
       continue;
     }
-    std::transform(file.begin(), file.end(), file.begin(),
-                   [](unsigned char ch) { return static_cast<char>(std::toupper(ch)); });
-    const auto [earlier, fresh] = seen.emplace(file, std::string(name));
+    const auto [earlier, fresh] = seen.emplace(upper(file), std::string(name));
     if (!fresh)
       c.error(name, fmt::format("this name is already taken by {}", earlier->second),
               "give every file its own name");

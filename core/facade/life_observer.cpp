@@ -51,6 +51,7 @@ void LifeObserver::save(std::map<std::string, double>& state) const {
   for (std::size_t i = 0; i < rate_.damage.size(); ++i)
     state[fmt::format("life.rate.{}", i)] = rate_.damage[i];
   state["life.per_hour"] = hours_ > 0.0 ? 1.0 / hours_ : -1.0;  // 0: infinite
+  if (std::isfinite(hours_)) state["life.hours"] = hours_;      // to the last bit
 }
 
 void LifeObserver::restore(const std::map<std::string, double>& state) {
@@ -65,6 +66,7 @@ void LifeObserver::restore(const std::map<std::string, double>& state) {
   hours_ = per_hour > 0.0    ? 1.0 / per_hour
            : per_hour == 0.0 ? std::numeric_limits<double>::infinity()
                              : 0.0;
+  if (const auto found = state.find("life.hours"); found != state.end()) hours_ = found->second;
 }
 
 }  // namespace adore::facade

@@ -13,6 +13,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,6 +35,7 @@ struct LoadedDeck {
   deck::Deck deck;             ///< with the sets applied
   std::vector<Issue> warnings;
   std::map<std::string, std::string> option_values;  ///< ADORE.json and --opt, as given
+  std::stop_token stop;  ///< ends a long preparation (Interrupted)
 };
 
 /// The deck file that a path means: itself, or DATA.txt in it. @throws InputError when there is

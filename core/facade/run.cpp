@@ -1,6 +1,9 @@
 #include "facade/run.hpp"
 
+#include "base/version.hpp"
+#include "dynamics/race_contacts.hpp"
 #include "facade/judge_steps.hpp"
+#include "facade/output_folder.hpp"
 #include "facade/run_outputs.hpp"
 #include "facade/system_ode.hpp"
 
@@ -12,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 namespace adore::facade {
 namespace fs = std::filesystem;
@@ -52,6 +56,43 @@ Span run_span(const RunRequest& request, const Prepared& prepared, double time_s
   if (!request.until.empty())
     return {parse_until(request.until, shaft_speed, time_scale), std::numeric_limits<long>::max()};
   return {prepared.control.end_time * time_scale, prepared.control.max_steps};
+}
+
+Issue note(const Prepared& prepared, const std::string& text) {
+  Issue issue;
+  issue.severity = Severity::Note;
+  issue.file = prepared.input.path.string();
+  issue.message = text;
+  return issue;
+}
+
+/// Number of the last counted step of a run that goes on or begins at `start`.
+long last_step(const RunRequest& request, const Span& span, const StartPoint& start) {
+  const long from = start.continued && request.go_on ? start.segment : start.step;
+  constexpr long kMost = std::numeric_limits<long>::max();
+  return span.max_steps > kMost - from ? kMost : from + span.max_steps;
+}
+
+/// A continued run must have its end before it. @return true when it has reached it already
+bool at_its_end(const Span& span, long last_step, const StartPoint& start,
+                double turns_per_second) {
+  const auto refuse = [&](const std::string& end, const std::string& now) {
+    throw InputError(fmt::format(
+        "the run to be continued stands at {} already, after the end that is asked for, {}; give a "
+        "later end with --until, fTime or maxStps",
+        now, end));
+  };
+  if (span.end < start.time * (1.0 - 1e-12)) {
+    const auto text = [&](double time) {
+      return turns_per_second != 0.0
+                 ? fmt::format("{:.6g} s ({:.6g} turns)", time, turns_per_second * time)
+                 : fmt::format("{:.6g} s", time);
+    };
+    refuse(text(span.end), text(start.time));
+  }
+  if (last_step < start.step)
+    refuse(fmt::format("step {}", last_step), fmt::format("step {}", start.step));
+  return start.time >= span.end || last_step == start.step;
 }
 
 /// Reports progress at most about 20 times a second.
@@ -98,12 +139,18 @@ class ProgressMeter {
   double sent_ = -1.0;
 };
 
-RunOutcome run_quasi_static(const Prepared& prepared, const fs::path& folder) {
+RunOutcome run_quasi_static(const RunRequest& request, const Prepared& prepared,
+                            const fs::path& folder) {
+  if (request.go_on)
+    throw InputError(fmt::format(
+        "--continue: the deck {} is quasi-static, there is nothing to go on with; leave it out",
+        prepared.input.path.string()));
   RunOutcome out;
-  RunOutputs outputs(prepared, folder);
+  RunOutputs outputs(prepared, folder, request_digest(request, prepared.input), request.overwrite);
   out.results = outputs.write_quasi_static();
   out.files = outputs.files();
   out.summary = outputs.summary();
+  for (const std::string& text : outputs.remarks()) out.warnings.push_back(note(prepared, text));
   return out;
 }
 
@@ -164,14 +211,49 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
   SystemOde ode(system);
   const auto stepper =
       make_checked_stepper(prepared.control, ode, prepared.plan.light_load_ratio > 0.0);
-  // Everything that the deck alone decides is checked before a file of an earlier run is touched.
+  // Everything is checked before a file of an earlier run is touched.
   (void)run_span(request, prepared, system.scales().time);
   const StepLimits limits = settle_steps(prepared, system.scales().time);
-  RunOutputs outputs(prepared, folder);
-  StartPoint start =
-      outputs.begin(system, prepared.control.start);  // y, t, step; appends when it continues
+  const build::StartState how = request.go_on ? build::StartState::Continue : prepared.control.start;
+  const fs::path master = folder / prepared.control.master_file;
+  if (request.go_on && !fs::exists(master))
+    throw InputError(fmt::format(
+        "{}: there is no run to go on with: it was never started here, or ended before its first "
+        "checkpoint; start it again without --continue, with --overwrite if files are left",
+        master.string()));
+  RunOutputs outputs(prepared, folder, request_digest(request, prepared.input), request.overwrite);
+  StartPoint start = outputs.find_start(system, how);
   const double scale = system.scales().time;
   const Span span = run_span(request, prepared, scale);
+  const long last = last_step(request, span, start);
+  const double turns_per_second =
+      (prepared.bearing.speed[1] - prepared.bearing.speed[0]) / (2.0 * std::numbers::pi);
+  if (start.continued && at_its_end(span, last, start, turns_per_second) && start.complete) {
+    RunOutcome nothing;
+    nothing.message = fmt::format(
+        "nothing left to do: the run is complete, at step {} and t = {:.6g} s; go on with a later "
+        "end (--until, fTime, maxStps)",
+        start.step, start.time);
+    nothing.steps = start.step;
+    nothing.time = start.time;
+    nothing.revolutions = turns_per_second * start.time;
+    return nothing;
+  }
+  if (!start.continued || !request.go_on) start.segment = start.step;
+  const bool remembers = start.continued && !start.resume.memory.empty();
+  if (start.continued) {
+    if (!remembers)
+      outputs.remark(fmt::format(
+          "continued from step {}: {} starts anew there, because the run so far had another method, "
+          "tolerance or limits of the step, or ended with a failure",
+          start.step, prepared.control.integrator));
+    else if (!stepper->loses().empty())
+      outputs.remark(
+          fmt::format("continued from step {}: {} loses {}; the path differs from that of an "
+                      "unbroken run by errors of the size that the tolerance allows",
+                      start.step, prepared.control.integrator, stepper->loses()));
+  }
+  outputs.open(system, start);
 
   RunOutcome out;
   integrators::StepControl control;
@@ -192,6 +274,7 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
   ProgressMeter meter(progress, start.time, span,
                       prepared.bearing.speed[1] - prepared.bearing.speed[0]);
   long step = start.step;
+  long substeps = start.resume.substeps;  // done of the counted step under way
   double h = start.step_size;
   double output_seconds = 0.0;
   auto output = [&](auto&& action) {
@@ -220,30 +303,49 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
   const auto loop_begin = Clock::now();
   try {
     if (!start.continued && system.between_steps(start.time, start.y)) ++held_changes;
-    stepper->start(ode, start.time, start.y, control);
-    if (!start.continued)
+    try {
+      if (remembers)
+        stepper->resume(ode, start.time, start.y, control, start.resume.memory);
+      else
+        stepper->start(ode, start.time, start.y, control);
+    } catch (const std::out_of_range&) {
+      throw InputError(fmt::format(
+          "{}: what {} remembers is incomplete; the file is damaged, restore it or start again with "
+          "--overwrite",
+          master.string(), prepared.control.integrator));
+    }
+    const auto checkpoint = [&] {
       output([&] {
-        outputs.store(system, {0, start.time, 0.0, start.y}, true);
-        outputs.write_first_checkpoint(system);
+        outputs.checkpoint(system, {step, stepper->time(), h, stepper->state()},
+                           {substeps, stepper->memory()});
       });
-    const long last_step = span.max_steps > std::numeric_limits<long>::max() - step
-                               ? span.max_steps
-                               : step + span.max_steps;
-    while (stepper->time() < span.end && step < last_step) {
-      if (stop.stop_requested()) {
-        out.status = RunStatus::Interrupted;
-        break;
-      }
-      for (int k = 0; k < prepared.control.substeps && stepper->time() < span.end; ++k)
+    };
+    if (!start.continued) {
+      output([&] { outputs.store(system, {0, start.time, 0.0, start.y}, true); });
+      checkpoint();
+    }
+    while (out.status == RunStatus::Done && stepper->time() < span.end && step < last) {
+      while (substeps < prepared.control.substeps && stepper->time() < span.end) {
+        if (stop.stop_requested()) {
+          out.status = RunStatus::Interrupted;
+          break;
+        }
         h = stepper->step(span.end).h;
+        ++substeps;
+        if (substeps == prepared.control.substeps) break;
+        if (outputs.checkpoint_due()) checkpoint();
+        meter.update(stepper->time(), step, start.step);
+      }
+      if (out.status == RunStatus::Interrupted) break;
+      substeps = 0;
       ++step;
-      system.check_state(stepper->time(), stepper->state().data());
+      const RunPoint point{step, stepper->time(), h, stepper->state()};
+      system.check_state(point.time, point.y.data());
       if (may_hold) update_held();
-      if (outputs.wants(step))
-        output([&] { outputs.store(system, {step, stepper->time(), h, stepper->state()}, false); });
-      output([&] {
-        outputs.checkpoint_if_due(system, {step, stepper->time(), h, stepper->state()});
-      });
+      const RunPoint now{step, stepper->time(), h, stepper->state()};
+      if (outputs.wants(step)) output([&] { outputs.store(system, now, false); });
+      outputs.follow(now);
+      if (outputs.checkpoint_due()) checkpoint();
       meter.update(stepper->time(), step, start.step);
     }
   } catch (const integrators::StepFailure& failure) {
@@ -257,9 +359,11 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
   if (out.status != RunStatus::Failed)
     meter.finish(end.time, step, start.step, out.status == RunStatus::Done);
 
-  // A failed state may be meaningless: the files end with the last stored step, and FINAL keeps the
-  // last checkpoint.
-  if (out.status != RunStatus::Failed) output([&] { outputs.store(system, end, true); });
+  RunEnd summary;
+  summary.status = out.status;
+  summary.point = end;
+  if (out.status != RunStatus::Failed) summary.resume = {substeps, stepper->memory()};
+  output([&] { outputs.store_end(system, summary); });
   const results::EnergyJudgement judgement = outputs.judge_energy();
   if (judgement.trust == results::Trust::None && out.status != RunStatus::Failed) {
     if (out.status == RunStatus::Done) out.status = RunStatus::Untrusted;
@@ -277,10 +381,8 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
   system.cost().add(stepper_cost, std::chrono::duration_cast<Clock::duration>(
                                       std::chrono::duration<double>(rest)));
 
-  RunEnd summary;
   summary.status = out.status;
   summary.message = out.message;
-  summary.point = end;
   add_counters(counters, stepper->counters());
   summary.counters = counters;
   summary.held_changes = held_changes;
@@ -293,6 +395,7 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
   out.time = end.time;
   out.revolutions =
       (prepared.bearing.speed[1] - prepared.bearing.speed[0]) * end.time / (2.0 * std::numbers::pi);
+  for (const std::string& text : outputs.remarks()) out.warnings.push_back(note(prepared, text));
   out.seconds = seconds_since(begin);
   out.energy_residual = outputs.energy_residual();
   out.energy_scale = outputs.energy_scale();
@@ -333,16 +436,38 @@ double parse_until(const std::string& text, double shaft_speed, double time_scal
   return value * 2.0 * std::numbers::pi / std::abs(shaft_speed);
 }
 
+std::string request_digest(const RunRequest& request, const LoadedDeck& deck) {
+  std::string text = fmt::format("{}\n{}\n", kProgramVersion, deck::write_deck(deck.deck));
+  for (const auto& [name, value] : deck.option_values) text += fmt::format("{}={}\n", name, value);
+  text += fmt::format("{}\n{}\n", request.until, request.integrator);
+  if (request.tolerance) text += fmt::format("{}\n", *request.tolerance);
+  std::uint64_t sum = 0xcbf29ce484222325U;  // Fowler, Noll and Vo's FNV-1a
+  for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return fmt::format("{:016x}", sum);
+}
+
 RunOutcome run(const RunRequest& request, const ProgressSink& progress, std::stop_token stop) {
   const auto begin = Clock::now();
-  Prepared prepared = prepare(request);
+  dynamics::check_instruction_set_request();
+  LoadedDeck input = load_deck(request);
+  input.stop = stop;
+  if (input.deck.integer("kStif") > 0 && !request.go_on && input.deck.integer("kIcOpt") != 1) {
+    // The table may take minutes: a folder that is taken is refused before.
+    const fs::path there = request.out ? *request.out : input.path.parent_path();
+    check_room({there.empty() ? "." : there, {"PRINT.txt"}, {input.path}}, request.overwrite);
+  }
+  Prepared prepared = prepare(std::move(input));
   apply_overrides(request, prepared);
   const fs::path folder = output_folder(request, prepared.input.path);
-  RunOutcome out = prepared.control.dynamic ? run_dynamic(request, prepared, folder, progress, stop)
-                                            : run_quasi_static(prepared, folder);
+  const FolderLock lock(folder);
+  RunOutcome out = prepared.control.dynamic
+                       ? run_dynamic(request, prepared, folder, progress, stop)
+                       : run_quasi_static(request, prepared, folder);
   out.folder = folder;
+  std::vector<Issue> remarks = std::move(out.warnings);
   out.warnings = prepared.input.warnings;
-  for (Issue& note : solution_notes(prepared)) out.warnings.push_back(std::move(note));
+  for (Issue& issue : solution_notes(prepared)) out.warnings.push_back(std::move(issue));
+  for (Issue& issue : remarks) out.warnings.push_back(std::move(issue));
   out.seconds = seconds_since(begin);
   return out;
 }

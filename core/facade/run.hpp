@@ -18,6 +18,9 @@ struct RunRequest : DeckRequest {
                            ///< Empty: the deck's
   std::string integrator;  ///< name instead of intMet; empty: the deck's
   std::optional<double> tolerance;  ///< instead of tol
+  bool go_on = false;      ///< complete the run whose MASTER is in the folder; maxStps counts from
+                           ///< where that run began
+  bool overwrite = false;  ///< results of an earlier run in the folder may be replaced
 };
 
 /// What a live display needs, sent at most about 20 times a second and once at the end.
@@ -45,7 +48,8 @@ enum class RunStatus : unsigned char {
 struct RunOutcome {
   RunStatus status = RunStatus::Done;
   std::string
-      message;  ///< Failed, Untrusted: diagnosis and remedy. Files are valid up to the last step
+      message;  ///< Failed, Untrusted: diagnosis and remedy. Files are valid up to the last stored
+                ///< step. Done: says so when there was nothing left to do
   std::filesystem::path folder;
   std::vector<std::filesystem::path> files;  ///< written, in the order of outputs.md
   std::vector<Issue> warnings;       ///< of the deck, and what the equilibrium says of itself
@@ -60,13 +64,17 @@ struct RunOutcome {
 };
 
 /// Runs the deck to its end, to an interruption, or to a diagnosed failure.
-/// @throws InputError (nothing was overwritten), SolverError when no start state exists (PRINT.txt
-/// says so far).
+/// @throws InputError (nothing was overwritten; ResultsExist when results of an earlier run stand in
+/// the way and nobody allowed to replace them), SolverError when no start state exists (PRINT.txt
+/// says so far), Interrupted when the stop came before anything was written.
 RunOutcome run(const RunRequest& request, const ProgressSink& progress = {},
                std::stop_token stop = {});
 
 /// The folder that the request's files go into, made when missing. @throws InputError
 std::filesystem::path output_folder(const RunRequest& request, const std::filesystem::path& deck);
+
+/// Says what is run, in a few digits: deck with its sets, options, end, method and program version.
+[[nodiscard]] std::string request_digest(const RunRequest& request, const LoadedDeck& deck);
 
 /// Seconds for "5rev", "0.02s" or a dimensionless number. @throws InputError
 double parse_until(const std::string& text, double shaft_speed, double time_scale);

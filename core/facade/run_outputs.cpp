@@ -5,6 +5,7 @@
 #include "dynamics/race_contacts.hpp"
 #include "facade/cage_start.hpp"
 #include "facade/life_observer.hpp"
+#include "facade/output_folder.hpp"
 #include "facade/plan_json.hpp"
 #include "life/statistics.hpp"
 #include "results/averages.hpp"
@@ -153,6 +154,8 @@ KeyResults dynamic_results(const Snapshot& last, const results::Averages& averag
 /// The open files of one run and what they need to go on.
 struct RunOutputs::Impl {
   const Prepared& prepared;
+  std::string request;
+  bool overwrite;
   const build::RunControl& control;
   fs::path folder;
   dynamics::ScenePlan plan;
@@ -165,6 +168,13 @@ struct RunOutputs::Impl {
   std::optional<results::Sol8Writer> animation;
   std::optional<results::PrintFile> print;
   std::optional<results::H5Writer> all;  ///< RESULTS.h5
+  std::uintmax_t print_bytes = 0;        ///< of a listing that is continued
+  /// What the ledgers of a continued run began with, and their residual where it goes on.
+  struct LedgerStart {
+    double stored = 0.0, residual = 0.0;  ///< [J]
+    Eigen::Vector3d linear, angular;      ///< [N s, N m s]
+  };
+  std::optional<LedgerStart> ledger_start;
   Snapshot last;                         ///< last stored instant
   std::vector<double> last_y;
   std::vector<fs::path> written;
@@ -173,10 +183,14 @@ struct RunOutputs::Impl {
   Clock::time_point checkpoint = Clock::now();
   long plotted = -1, animated = -1, printed = -1, saved = -1;  ///< last step in each kind of file
   long lived = -1;                                             ///< last step of the life models
+  long segment = 0;           ///< step from which maxStps counts
+  long restart_step = -1;     ///< of the last checkpoint
   int cage_position = -1;  ///< first component of the cage's mass centre
 
-  Impl(const Prepared& p, fs::path f)
+  Impl(const Prepared& p, fs::path f, std::string r, bool o)
       : prepared(p),
+        request(std::move(r)),
+        overwrite(o),
         control(p.control),
         folder(std::move(f)),
         plan(p.plan),
@@ -191,12 +205,22 @@ struct RunOutputs::Impl {
 
   [[nodiscard]] int cages() const { return prepared.bearing.cage ? 1 : 0; }
   [[nodiscard]] bool writes_animation() const;
+  [[nodiscard]] Outputs outputs() const;
   void check_files() const;
-  void open_files(bool continued, long last_step, std::uintmax_t print_bytes);
+  void open_files(bool continued);
+  void make_room();
   void print_front(const std::optional<dynamics::Scales>& scales);
-  [[nodiscard]] results::FinalState final_state(const dynamics::System& system) const;
+  [[nodiscard]] results::FinalState final_state(const dynamics::System& system,
+                                                const Snapshot& at,
+                                                std::span<const double> y) const;
   [[nodiscard]] results::StaticSummary static_summary(bool dynamic) const;
-  void write_restart(const dynamics::System& system);
+  void write_restart(const dynamics::System& system, const Snapshot& at,
+                     std::span<const double> y, const Resume& resume);
+  void save_progress(std::map<std::string, double>& state, const Snapshot& at,
+                     const Resume& resume) const;
+  void restore_progress(const results::MasterState& master, StartPoint& out);
+  void restore_ledgers(const results::MasterState& master);
+  [[nodiscard]] Snapshot snapshot(dynamics::System& system, const RunPoint& point) const;
   [[nodiscard]] double static_elastic() const;
   [[nodiscard]] results::MeanLoad mean_load() const {
     return results::mean_load(averages.averages(), prepared.bearing);
@@ -204,6 +228,23 @@ struct RunOutputs::Impl {
   [[nodiscard]] results::RunSummary summary_of_deck() const;
   void close(results::RunSummary& run, const std::optional<results::RunLife>& run_life = {});
 };
+
+/// What this run will write, and what it reads.
+Outputs RunOutputs::Impl::outputs() const {
+  Outputs out;
+  out.folder = folder;
+  out.inputs = {prepared.input.path, prepared.input.path.parent_path() / "ADORE.json"};
+  out.names = {"PRINT.txt", "RUN.json"};
+  if (!control.dynamic) return out;
+  for (std::size_t k = 0; k < control.monitored.size() && k < 6; ++k)
+    out.names.push_back(control.sol_files[k]);
+  out.names.push_back(control.sol_files[6]);
+  if (writes_animation()) out.names.push_back(control.sol_files[7]);
+  if (prepared.options.results_h5) out.names.push_back("RESULTS.h5");
+  out.names.push_back(control.final_file);
+  out.names.push_back(control.master_file);
+  return out;
+}
 
 /// Refuses to continue files of another run or layout, before any of them is touched (N3).
 void RunOutputs::Impl::check_files() const {
@@ -223,8 +264,18 @@ bool RunOutputs::Impl::writes_animation() const {
   return control.animate && !results::sol8_refusal(prepared.bearing.balls.count, cages());
 }
 
-void RunOutputs::Impl::open_files(bool continued, long last_step, std::uintmax_t print_bytes) {
-  if (continued) check_files();
+void RunOutputs::Impl::make_room() {
+  Outputs all_outputs = outputs();
+  // Its state is the start; the first checkpoint takes its place.
+  if (control.start != build::StartState::Statics) std::erase(all_outputs.names, control.final_file);
+  const fs::path away = facade::make_room(all_outputs);
+  if (!away.empty())
+    remarks.push_back(
+        fmt::format("results of an earlier run that this run does not write were moved into {}",
+                    away.string()));
+}
+
+void RunOutputs::Impl::open_files(bool continued) {
   written.push_back(path("PRINT.txt"));
   print = continued ? results::PrintFile::continue_after(path("PRINT.txt"), prepared.bearing.run_id,
                                                          units, print_bytes)
@@ -233,7 +284,7 @@ void RunOutputs::Impl::open_files(bool continued, long last_step, std::uintmax_t
     const results::SolHeader header = results::make_sol_header(prepared.bearing, index, units);
     written.push_back(sol_path(number));
     return continued
-               ? results::SolWriter::continue_after(sol_path(number), header, units, last_step)
+               ? results::SolWriter::continue_after(sol_path(number), header, units, plotted)
                : results::SolWriter::create(sol_path(number), header, units);
   };
   for (std::size_t k = 0; k < control.monitored.size() && k < 6; ++k)
@@ -242,7 +293,7 @@ void RunOutputs::Impl::open_files(bool continued, long last_step, std::uintmax_t
   if (prepared.options.results_h5) {
     written.push_back(path("RESULTS.h5"));
     all = continued
-              ? results::H5Writer::continue_after(path("RESULTS.h5"), prepared.bearing, last_step)
+              ? results::H5Writer::continue_after(path("RESULTS.h5"), prepared.bearing, saved)
               : results::H5Writer::create(path("RESULTS.h5"), prepared.bearing);
   }
   if (!control.animate) return;
@@ -252,21 +303,23 @@ void RunOutputs::Impl::open_files(bool continued, long last_step, std::uintmax_t
   }
   written.push_back(sol_path(8));
   animation = continued ? results::Sol8Writer::continue_after(sol_path(8), prepared.bearing, units,
-                                                              last_step)
+                                                              animated)
                         : results::Sol8Writer::create(sol_path(8), prepared.bearing, units);
 }
 
-results::FinalState RunOutputs::Impl::final_state(const dynamics::System& system) const {
+results::FinalState RunOutputs::Impl::final_state(const dynamics::System& system,
+                                                  const Snapshot& at,
+                                                  std::span<const double> y) const {
   results::FinalState out;
   out.version = kProgramVersion;
   out.run_id = prepared.bearing.run_id;
-  out.step = last.step;
-  out.time = last.time;
-  out.step_size = last.step_size;
-  out.shaft_rotation = last.shaft_rotation;
+  out.step = at.step;
+  out.time = at.time;
+  out.step_size = at.step_size;
+  out.shaft_rotation = at.shaft_rotation;
   out.scales = system.scales();
   out.components = component_names(system);
-  out.state = last_y;
+  out.state.assign(y.begin(), y.end());
   return out;
 }
 
@@ -279,13 +332,138 @@ double RunOutputs::Impl::static_elastic() const {
   return elastic;
 }
 
-void RunOutputs::Impl::write_restart(const dynamics::System& system) {
+namespace {
+
+/// Names in MASTER.
+constexpr std::string_view kStepper = "stepper ";
+constexpr const char* kSubsteps = "substeps of the step under way";
+constexpr const char* kSegment = "step from which maxStps counts";
+constexpr const char* kPlotted = "last step in SOL1-SOL7";
+constexpr const char* kAnimated = "last step in SOL8";
+constexpr const char* kPrinted = "last step in PRINT";
+constexpr const char* kSaved = "last step in RESULTS";
+constexpr const char* kLived = "last step of the life models";
+constexpr const char* kStored = "ledger stored at start";
+constexpr const char* kResidual = "ledger residual";
+
+/// The same ledger with another start.
+template <class Value>
+void set_start(dynamics::Ledger<Value>& ledger, const Value& start) {
+  dynamics::Ledger<Value> out;
+  for (const auto& item : ledger.items())
+    out.add(*item.term, item.term->kind == dynamics::LedgerKind::Start ? start : item.value,
+            item.race, item.rate);
+  ledger = std::move(out);
+}
+
+std::string momentum_name(std::string_view kind, int axis) {
+  return fmt::format("ledger {} momentum at start {}", kind, axis);
+}
+
+}  // namespace
+
+/// What a continued run takes up beside the state: places in the files, and the stepper's memory,
+/// which belongs to one method with its limits.
+void RunOutputs::Impl::save_progress(std::map<std::string, double>& state, const Snapshot& at,
+                                     const Resume& resume) const {
+  state[kStored] = at.energy.sum(dynamics::LedgerKind::Start);
+  state[kResidual] = at.energy.residual();
+  for (int k = 0; at.momentum && k < 3; ++k) {
+    state[momentum_name("linear", k)] = at.momentum->linear.sum(dynamics::LedgerKind::Start)[k];
+    state[momentum_name("angular", k)] = at.momentum->angular.sum(dynamics::LedgerKind::Start)[k];
+  }
+  const auto whole = [&](const char* name, long value) { state[name] = static_cast<double>(value); };
+  whole(kSubsteps, resume.substeps);
+  whole(kSegment, segment);
+  whole(kPlotted, plotted);
+  whole(kAnimated, animated);
+  whole(kPrinted, printed);
+  whole(kSaved, saved);
+  whole(kLived, lived);
+  if (resume.memory.empty()) return;
+  const std::string stem(kStepper);
+  state[stem + "is " + control.integrator] = 1.0;
+  state[stem + "tolerance"] = control.tolerance;
+  state[stem + "minimum"] = control.step_minimum;
+  state[stem + "maximum"] = control.step_maximum;
+  for (const auto& [name, value] : resume.memory) state[stem + "memory " + name] = value;
+}
+
+/// The ledgers go on from what the run began with, to the last bit, while their residual is that of
+/// MASTER; under other loads or speeds it jumps, and they begin anew.
+void RunOutputs::Impl::restore_ledgers(const results::MasterState& master) {
+  const std::map<std::string, double>& state = master.averages;
+  if (state.count(kStored) == 0 || state.count(kResidual) == 0) return;
+  const auto number = [&](const std::string& name) {
+    const auto found = state.find(name);
+    return found == state.end() ? 0.0 : found->second;
+  };
+  LedgerStart start;
+  start.stored = number(kStored);
+  start.residual = number(kResidual);
+  for (int k = 0; k < 3; ++k) {
+    start.linear[k] = number(momentum_name("linear", k));
+    start.angular[k] = number(momentum_name("angular", k));
+  }
+  ledger_start = start;
+}
+
+Snapshot RunOutputs::Impl::snapshot(dynamics::System& system, const RunPoint& point) const {
+  Snapshot out = system.snapshot(point.time, point.y);
+  out.step = point.step;
+  out.step_size = point.step_size;
+  if (!ledger_start) return out;
+  set_start(out.energy, ledger_start->stored);
+  if (out.momentum) {
+    set_start<Eigen::Vector3d>(out.momentum->linear, ledger_start->linear);
+    set_start<Eigen::Vector3d>(out.momentum->angular, ledger_start->angular);
+  }
+  return out;
+}
+
+void RunOutputs::Impl::restore_progress(const results::MasterState& master, StartPoint& out) {
+  const std::map<std::string, double>& state = master.averages;
+  const auto number = [&](const std::string& name, double otherwise) {
+    const auto found = state.find(name);
+    return found == state.end() ? otherwise : found->second;
+  };
+  const auto whole = [&](const char* name, long otherwise) {
+    const double value = number(name, static_cast<double>(otherwise));
+    return value >= -1.0 && value < 9e15 ? static_cast<long>(value) : otherwise;
+  };
+  out.resume.substeps = std::clamp(whole(kSubsteps, 0), 0L, control.substeps - 1L);
+  out.segment = whole(kSegment, 0);
+  // Older files hold the state of the last stored step.
+  plotted = whole(kPlotted, out.step);
+  animated = whole(kAnimated, out.step);
+  printed = whole(kPrinted, out.step);
+  saved = whole(kSaved, out.step);
+  lived = whole(kLived, out.step);
+  const std::string stem(kStepper), memory = stem + "memory ";
+  if (number(stem + "is " + control.integrator, 0.0) != 1.0 ||
+      number(stem + "tolerance", 0.0) != control.tolerance ||
+      number(stem + "minimum", -1.0) != control.step_minimum ||
+      number(stem + "maximum", -1.0) != control.step_maximum)
+    return;
+  for (auto at = state.lower_bound(memory); at != state.end() && at->first.starts_with(memory);
+       ++at) {
+    if (!std::isfinite(at->second))
+      throw InputError(fmt::format("{}: \"{}\" is not finite; the file is damaged, restore it or "
+                                   "start again with --overwrite",
+                                   path(control.master_file).string(), at->first));
+    out.resume.memory[at->first.substr(memory.size())] = at->second;
+  }
+}
+
+void RunOutputs::Impl::write_restart(const dynamics::System& system, const Snapshot& at,
+                                     std::span<const double> y, const Resume& resume) {
   if (all) all->flush();
   results::MasterState master;
-  master.last = final_state(system);
+  master.last = final_state(system, at, y);
   averages.save(master.averages);
   life.save(master.averages);
   recorder.save(master.averages);
+  save_progress(master.averages, at, resume);
   const auto add = [&](const std::string& role, const results::GrowingFile& file) {
     master.files.push_back({role, file.path().filename().string(), file.bytes()});
   };
@@ -298,6 +476,7 @@ void RunOutputs::Impl::write_restart(const dynamics::System& system) {
   results::write_final(master.last, path(control.final_file));
   results::write_master(master, path(control.master_file));
   checkpoint = Clock::now();
+  restart_step = at.step;
 }
 
 /// What RUN.json says of the deck before anything has run.
@@ -307,6 +486,7 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
   out.deck_file = prepared.input.path.filename().string();
   out.plan = plan_json(plan, prepared.stability);
   out.stability = prepared.stability;
+  out.request = request;
   for (const build::OptionInfo& info : build::run_option_list()) {
     const auto given = prepared.input.option_values.find(info.name);
     const bool set = given != prepared.input.option_values.end();
@@ -361,15 +541,18 @@ void RunOutputs::Impl::close(results::RunSummary& run,
   results::write_run_json(run, path("RUN.json"));
 }
 
-RunOutputs::RunOutputs(const Prepared& prepared, const fs::path& folder)
-    : impl_(std::make_unique<Impl>(prepared, folder)) {}
+RunOutputs::RunOutputs(const Prepared& prepared, const fs::path& folder, std::string request,
+                       bool overwrite)
+    : impl_(std::make_unique<Impl>(prepared, folder, std::move(request), overwrite)) {}
 RunOutputs::~RunOutputs() = default;
 
-StartPoint RunOutputs::begin(dynamics::System& system, build::StartState start) {
+void RunOutputs::remark(std::string text) { impl_->remarks.push_back(std::move(text)); }
+const std::vector<std::string>& RunOutputs::remarks() const { return impl_->remarks; }
+
+StartPoint RunOutputs::find_start(dynamics::System& system, build::StartState start) {
   Impl& s = *impl_;
   StartPoint out;
   out.y = system.initial_state();
-  std::uintmax_t print_bytes = 0;
   std::error_code error;
   const bool master_exists = fs::exists(s.path(s.control.master_file), error);
   if (start == build::StartState::Continue && !master_exists) {
@@ -394,19 +577,53 @@ StartPoint RunOutputs::begin(dynamics::System& system, build::StartState start) 
     s.averages.restore(master.averages);
     s.life.restore(master.averages);
     s.recorder.restore(master.averages);
+    s.restore_progress(master, out);
+    s.restore_ledgers(master);
     const results::MasterFile* listing = master.file("PRINT");
-    if (listing != nullptr) print_bytes = listing->bytes;
+    if (listing != nullptr) s.print_bytes = listing->bytes;
+    out.complete = results::read_run_mark(s.path("RUN.json")).status == "done";
   }
-  system.set_start(out.time, out.y);
-  if (start == build::StartState::Statics)
+  if (start == build::StartState::Statics) {
+    system.set_start(out.time, out.y);
     check_cage_start(s.prepared, system.snapshot(out.time, out.y));
+  }
+  if (out.continued) {
+    check_names(s.outputs());
+    s.check_files();
+  } else {
+    check_room(s.outputs(), s.overwrite);
+  }
+  return out;
+}
+
+void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
+  Impl& s = *impl_;
+  system.set_start(start.time, start.y);
   s.plan.quadratures = system.layout().size() - system.layout().controlled_size();
-  s.open_files(out.continued, out.step, print_bytes);
-  if (!out.continued) s.print_front(system.scales());
+  s.segment = start.segment;
+  if (!start.continued) s.make_room();
+  s.open_files(start.continued);
+  if (!start.continued) s.print_front(system.scales());
   for (const dynamics::StateLayout::Group& group : system.layout().groups())
     if (group.name == "cage.position") s.cage_position = group.slice.first;
-  s.last_y = out.y;
-  return out;
+  s.last_y = start.y;
+  // Should the process be killed, it says which run that was.
+  results::RunSummary run = s.summary_of_deck();
+  run.status = "running";
+  run.integrator = s.control.integrator;
+  run.tolerance = s.control.tolerance;
+  for (const fs::path& file : s.written) run.files.push_back(file.filename().string());
+  results::write_run_json(run, s.path("RUN.json"));
+  if (!start.continued) return;
+  // Until something is stored, the last page is of this point.
+  const RunPoint here{start.step, start.time, start.step_size, start.y};
+  s.last = s.snapshot(system, here);
+  if (s.ledger_start && std::abs(s.last.energy.residual() - s.ledger_start->residual) >
+                            1e-9 * results::energy_scale(s.last.energy)) {
+    s.ledger_start.reset();
+    s.last = s.snapshot(system, here);
+  }
+  s.last.power.life_hours = s.life.hours();
 }
 
 bool RunOutputs::wants(long step) const {
@@ -428,9 +645,7 @@ void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool alw
   const bool print = meets(s.control.print_every, s.printed);
   const bool life = meets(s.control.life_every, s.lived);
   if (!plot && !animate && !print && !life) return;
-  s.last = system.snapshot(point.time, point.y);
-  s.last.step = point.step;
-  s.last.step_size = point.step_size;
+  s.last = s.snapshot(system, point);
   s.last_y.assign(point.y.begin(), point.y.end());
   if (life) s.life.observe(s.last);
   s.last.power.life_hours = s.life.hours();
@@ -450,23 +665,49 @@ void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool alw
                   s.control.print_option);
 }
 
-void RunOutputs::write_first_checkpoint(dynamics::System& system) { impl_->write_restart(system); }
-
-void RunOutputs::checkpoint_if_due(dynamics::System& system, const RunPoint& point) {
+void RunOutputs::follow(const RunPoint& point) {
   Impl& s = *impl_;
-  if (s.cage_position >= 0) {
-    const double* c = point.y.data() + s.cage_position;
-    s.averages.add_cage_position({c[0], c[1], c[2]});
+  if (s.cage_position < 0) return;
+  const double* c = point.y.data() + s.cage_position;
+  s.averages.add_cage_position({c[0], c[1], c[2]});
+}
+
+bool RunOutputs::checkpoint_due() const {
+  return std::chrono::duration<double>(Clock::now() - impl_->checkpoint).count() >=
+         impl_->prepared.options.checkpoint_seconds;
+}
+
+void RunOutputs::checkpoint(dynamics::System& system, const RunPoint& point, Resume resume) {
+  impl_->write_restart(system, impl_->snapshot(system, point), point.y, resume);
+}
+
+void RunOutputs::store_end(dynamics::System& system, const RunEnd& end) {
+  Impl& s = *impl_;
+  switch (end.status) {
+    case RunStatus::Done:
+    case RunStatus::Untrusted:
+      store(system, end.point, true);
+      checkpoint(system, end.point, end.resume);
+      break;
+    case RunStatus::Interrupted: {
+      // The point at which somebody lost patience is shown, and gone when the run goes on.
+      checkpoint(system, end.point, end.resume);
+      RunPoint shown = end.point;
+      if (end.resume.substeps > 0) ++shown.step;
+      store(system, shown, true);
+      results::write_final(s.final_state(system, s.last, s.last_y), s.path(s.control.final_file));
+      break;
+    }
+    case RunStatus::Failed:
+      // The failed state may be meaningless.
+      if (s.last.step > s.restart_step && !s.last_y.empty())
+        s.write_restart(system, s.last, s.last_y, {});
+      break;
   }
-  if (std::chrono::duration<double>(Clock::now() - s.checkpoint).count() <
-      s.prepared.options.checkpoint_seconds)
-    return;
-  s.write_restart(system);
 }
 
 void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   Impl& s = *impl_;
-  s.write_restart(system);
   s.written.push_back(s.path(s.control.final_file));
   s.written.push_back(s.path(s.control.master_file));
   results::RunSummary run = s.summary_of_deck();
@@ -508,6 +749,8 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
 
 std::vector<std::string> RunOutputs::write_quasi_static() {
   Impl& s = *impl_;
+  check_room(s.outputs(), s.overwrite);
+  s.make_room();
   s.written.push_back(s.path("PRINT.txt"));
   s.print = results::PrintFile::create(s.path("PRINT.txt"), s.prepared.bearing.run_id, s.units);
   s.print_front(std::nullopt);

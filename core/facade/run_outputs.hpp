@@ -15,6 +15,13 @@
 /// All files of one run: which step goes where, restart, checkpoints, and the closing ledgers.
 namespace adore::facade {
 
+/// Where inside a counted step the run stands, and what the stepper remembers there: what a run
+/// needs, beyond time and state, to go on as if it had never stopped.
+struct Resume {
+  long substeps = 0;  ///< done of the counted step under way (nStps)
+  integrators::Memory memory;
+};
+
 /// One instant of the run.
 struct RunPoint {
   long step = 0;
@@ -28,12 +35,16 @@ struct StartPoint {
   long step = 0;
   double step_size = 0.0;  ///< last step of the run that is continued [s]; 0 for a new one
   bool continued = false;
+  Resume resume;       ///< of the run that is continued; memory empty: its stepper starts anew
+  long segment = 0;    ///< step from which maxStps counts
+  bool complete = false;  ///< the run that is continued has its last page
 };
 
 struct RunEnd {
   RunStatus status = RunStatus::Done;
   std::string message;
   RunPoint point;
+  Resume resume;
   integrators::Counters counters;
   long held_changes = 0;  ///< steps after which elements were held or released (qFac)
   double loop_seconds = 0.0;
@@ -41,26 +52,38 @@ struct RunEnd {
 
 class RunOutputs {
  public:
-  RunOutputs(const Prepared& prepared, const std::filesystem::path& folder);
+  /// `request`: digest for RUN.json. `overwrite`: results of an earlier run may be replaced
+  /// (facade/output_folder.hpp).
+  RunOutputs(const Prepared& prepared, const std::filesystem::path& folder, std::string request,
+             bool overwrite);
   ~RunOutputs();
 
   /// A quasi-static deck's only output: PRINT.txt and RUN.json. @return the results in a few lines
   std::vector<std::string> write_quasi_static();
 
-  /// Finds the start state (statics, FINAL, or MASTER's run), opens every file, and writes the
-  /// front part of PRINT.txt. Nothing of an earlier run is touched before everything has been
-  /// checked.
-  [[nodiscard]] StartPoint begin(dynamics::System& system, build::StartState start);
+  /// Finds the start state (statics, FINAL, or MASTER's run) and checks every file that will be
+  /// written; touches none.
+  [[nodiscard]] StartPoint find_start(dynamics::System& system, build::StartState start);
+  /// Opens every file for a run from there, and writes the front part of PRINT.txt.
+  void open(dynamics::System& system, const StartPoint& start);
+  /// Says something in RUN.json and on the last page, and to whoever asks for remarks().
+  void remark(std::string text);
+  [[nodiscard]] const std::vector<std::string>& remarks() const;
   /// Does any file store this step? (print, plot and animation intervals)
   [[nodiscard]] bool wants(long step) const;
   /// Stores a point in the files whose interval it meets; `always` in all of them (first and last
   /// step).
   void store(dynamics::System& system, const RunPoint& point, bool always);
-  /// FINAL and MASTER of the start, so that none of an older run is left beside the new files.
-  void write_first_checkpoint(dynamics::System& system);
-  /// Writes FINAL and MASTER when the checkpoint interval of computing time has passed.
-  void checkpoint_if_due(dynamics::System& system, const RunPoint& point);
-  /// FINAL, MASTER, the ledgers of PRINT.txt, and RUN.json.
+  /// Follows what averages need between stored points; after every counted step.
+  void follow(const RunPoint& point);
+  /// Has the checkpoint interval of computing time passed?
+  [[nodiscard]] bool checkpoint_due() const;
+  /// FINAL and MASTER of this point, from where the run can be continued. Points stored later are
+  /// dropped when it is.
+  void checkpoint(dynamics::System& system, const RunPoint& point, Resume resume);
+  /// The last point; FINAL and MASTER unless the run failed after a checkpoint.
+  void store_end(dynamics::System& system, const RunEnd& end);
+  /// The ledgers of PRINT.txt, and RUN.json. @pre store_end
   void finish(dynamics::System& system, const RunEnd& end);
 
   [[nodiscard]] std::vector<std::filesystem::path> files() const;

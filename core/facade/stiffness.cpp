@@ -1,5 +1,6 @@
 #include "facade/stiffness.hpp"
 
+#include "base/interrupted.hpp"
 #include "statics/roller_statics.hpp"
 #include "thermal/operating.hpp"
 
@@ -17,6 +18,8 @@ std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared
   std::map<std::array<double, 2>, std::optional<bearing::OperatingFits>> operating;
   const auto solve = [&](const std::array<double, 2>& speed,
                          const statics::RaceResult* previous) -> statics::RaceResult {
+    if (prepared.input.stop.stop_requested())
+      throw Interrupted("interrupted in the table of stiffness over speed; nothing was written");
     as_built.speed = speed;
     bearing::Bearing bearing = thermal::operating_bearing(as_built);
     operating[speed] = bearing.operating;

@@ -1,17 +1,24 @@
 #include "facade/sweep.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/interrupted.hpp"
 #include "deck/reader.hpp"
 #include "deck/schema.hpp"
+#include "facade/output_folder.hpp"
+#include "results/run_json.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <atomic>
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <fstream>
+#include <limits>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <thread>
 
@@ -107,8 +114,53 @@ Row run_one(const RunRequest& request, std::string value, std::stop_token stop) 
   } catch (const SolverError& error) {
     row.failure = error.what();
     row.exit_code = 3;
+  } catch (const Interrupted& error) {
+    row.failure = error.what();
+    row.exit_code = 130;
   }
   return row;
+}
+
+/// The row of a run that an earlier, broken-off sweep completed: the same deck, options and end.
+std::optional<Row> completed(const RunRequest& request, const std::string& value,
+                             const std::string& digest) {
+  const std::filesystem::path file = *request.out / "RUN.json";
+  const results::RunMark mark = results::read_run_mark(file);
+  if (mark.status != "done" || mark.request != digest) return {};
+  Row row;
+  row.value = value;
+  try {
+    std::ifstream stream(file, std::ios::binary);
+    const auto json = nlohmann::ordered_json::parse(stream);
+    for (const auto& [name, item] : json.at("summary").items())
+      row.outcome.summary.emplace_back(name, item.is_number()
+                                                 ? item.get<double>()
+                                                 : std::numeric_limits<double>::infinity());
+  } catch (const std::exception&) {
+    return {};  // damaged: it runs again
+  }
+  return row;
+}
+
+/// One run of a sweep that goes on: taken over, completed from its last checkpoint, or run again.
+Row run_what_is_missing(RunRequest request, const std::string& value, std::stop_token stop) {
+  std::string digest;
+  try {
+    digest = request_digest(request, load_deck(request));
+  } catch (const InputError&) {
+    // The run says it.
+  }
+  if (std::optional<Row> row = completed(request, value, digest)) return *row;
+  const std::string status = results::read_run_mark(*request.out / "RUN.json").status;
+  if ((status == "running" || status == "interrupted") &&
+      results::read_run_mark(*request.out / "RUN.json").request == digest) {
+    request.go_on = true;
+    Row row = run_one(request, value, stop);
+    if (row.exit_code != 2) return row;  // else its files do not fit together
+  }
+  request.go_on = false;
+  request.overwrite = true;
+  return run_one(request, value, stop);
 }
 
 /// Remarks that differ only in their numbers come once, from the first run that makes them.
@@ -145,40 +197,78 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   const Range range = parse_range(variable, request.sets[swept].second);
   const std::filesystem::path folder = output_folder(request, deck_path(request.deck));
 
+  const FolderLock lock(folder);
   const auto count = static_cast<std::size_t>(range.count);
+  SweepOutcome out;
+  out.table = folder / "SWEEP.csv";
+  const auto one_request = [&](std::size_t k) {
+    RunRequest one = request;
+    // Integer variables take whole values: to_string of a whole double is written without a
+    // point.
+    const double value =
+        range.first + (range.last - range.first) * static_cast<double>(k) / (range.count - 1);
+    one.sets[swept].second = value == std::round(value) && std::abs(value) < 1e15
+                                 ? fmt::format("{:.0f}", value)
+                                 : fmt::format("{}", value);
+    one.out = folder / fmt::format("{}-{}", variable, k + 1);
+    return one;
+  };
+  const bool keep = !request.overwrite && !request.go_on;
+  check_room({folder, {"SWEEP.csv"}, {deck_path(request.deck)}}, true);
+  if (keep && std::filesystem::exists(out.table)) throw ResultsExist(folder, {"SWEEP.csv"});
+  for (std::size_t k = 0; keep && k < count; ++k)
+    if (const auto place = *one_request(k).out; std::filesystem::exists(place))
+      check_room({place, {"PRINT.txt", "RUN.json"}, {}}, false);
+
   std::vector<Row> rows(count);
   std::atomic<std::size_t> next{0};
   std::size_t done = 0;
-  const auto begin = std::chrono::steady_clock::now();
+  using Clock = std::chrono::steady_clock;
+  const auto seconds = [](Clock::time_point since) {
+    return std::chrono::duration<double>(Clock::now() - since).count();
+  };
+  const auto begin = Clock::now();
   std::mutex mutex;
   std::exception_ptr bug;
+  const std::string unit = unit_of(request, variable);
+  const auto write_table = [&] {
+    std::vector<Row> finished = rows;
+    std::erase_if(finished, [](const Row& row) { return row.value.empty(); });
+    write_file_atomically(out.table, sweep_csv(variable, unit, finished));
+  };
+  // The table grows with the runs, so that a sweep that is killed leaves one. A tenth of the time
+  // at most goes into that.
+  double rest = 0.0;
+  auto written = begin;
   auto work = [&] {
     for (std::size_t k = next++; k < count && !stop.stop_requested(); k = next++) {
-      RunRequest one = request;
-      // Integer variables take whole values: to_string of a whole double is written without a
-      // point.
-      const double value =
-          range.first + (range.last - range.first) * static_cast<double>(k) / (range.count - 1);
-      one.sets[swept].second = value == std::round(value) && std::abs(value) < 1e15
-                                   ? fmt::format("{:.0f}", value)
-                                   : fmt::format("{}", value);
-      one.out = folder / fmt::format("{}-{}", variable, k + 1);
+      RunRequest one = one_request(k);
+      one.go_on = false;
       try {
-        rows[k] = run_one(one, one.sets[swept].second, stop);
+        const std::string value = one.sets[swept].second;
+        Row row = request.go_on ? run_what_is_missing(one, value, stop)
+                                : run_one(one, value, stop);
+        const std::scoped_lock guard(mutex);
+        rows[k] = std::move(row);
+        ++done;
+        if (const auto at = Clock::now(); seconds(written) >= rest) {
+          write_table();
+          written = Clock::now();
+          rest = 10.0 * seconds(at);
+        }
       } catch (...) {
-        const std::scoped_lock lock(mutex);
+        const std::scoped_lock guard(mutex);
         bug = std::current_exception();
         next = count;
         return;
       }
-      const std::scoped_lock lock(mutex);
-      ++done;
+      const std::scoped_lock guard(mutex);
       if (progress) {
         Progress p;
         p.fraction = static_cast<double>(done) / static_cast<double>(count);
         p.step = static_cast<long>(done);
         p.runs = static_cast<long>(count);
-        p.elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        p.elapsed = seconds(begin);
         p.remaining = p.elapsed * static_cast<double>(count - done) / static_cast<double>(done);
         progress(p);
       }
@@ -193,14 +283,12 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   }
   if (bug) std::rethrow_exception(bug);
 
+  write_table();
   std::erase_if(rows,
                 [](const Row& row) { return row.value.empty(); });  // not started: interrupted
-  SweepOutcome out;
-  out.table = folder / "SWEEP.csv";
   out.warnings = warnings_once(rows);
   for (const Row& row : rows) out.exit_code = std::max(out.exit_code, row.exit_code);
   if (stop.stop_requested()) out.exit_code = 130;
-  write_file_atomically(out.table, sweep_csv(variable, unit_of(request, variable), rows));
   return out;
 }
 

@@ -19,6 +19,9 @@ class ArkodeStepper final : public SundialsStepper {
   ArkodeStepper(std::string name, ArkodeMethod method)
       : SundialsStepper(std::move(name), order_of(method)), method_(method) {}
   [[nodiscard]] bool holds_constant_step() const noexcept override { return true; }
+  [[nodiscard]] std::string_view loses() const noexcept override {
+    return "what its step size control knows of earlier errors";
+  }
 
  private:
   [[nodiscard]] ARKRhsFn explicit_part() const {

@@ -22,6 +22,9 @@ class CvodeStepper final : public SundialsStepper {
       : SundialsStepper(std::move(name), method == CvodeMethod::Adams ? kAdamsOrder : kBdfOrder),
         method_(method) {}
   [[nodiscard]] bool holds_constant_step() const noexcept override { return false; }
+  [[nodiscard]] std::string_view loses() const noexcept override {
+    return "its order and its past steps: it begins again at order 1";
+  }
 
  private:
   void create() override {

@@ -20,6 +20,12 @@ ExplicitStepper::Trial EmbeddedRungeKutta::attempt(double h) {
   return {Outcome::Ok, weighted_maximum(error_.data(), weights_.data(), width())};
 }
 
+void EmbeddedRungeKutta::save(Memory& memory) const { memory["error before"] = error_before_; }
+
+void EmbeddedRungeKutta::restore(const Memory& memory) {
+  error_before_ = memory.at("error before");
+}
+
 const double* EmbeddedRungeKutta::end_derivative() const { return stages_.end_derivative(); }
 
 // h' = 0.9 h e^(-0.7/q) e_before^(0.4/q), q = p + 1: [gustafsson1991]; damps the saw-tooth of

@@ -17,6 +17,8 @@ class EmbeddedRungeKutta final : public ExplicitStepper {
   Trial attempt(double h) override;
   [[nodiscard]] const double* end_derivative() const override;
   void accepted(double h) override { (void)h; }
+  void save(Memory& memory) const override;
+  void restore(const Memory& memory) override;
   [[nodiscard]] double growth(double error) override;
 
   const Tableau& tableau_;

@@ -7,8 +7,8 @@
 
 namespace adore::integrators {
 
-void ExplicitStepper::start(OdeSystem& system, double t0, std::span<const double> y0,
-                            const StepControl& control) {
+void ExplicitStepper::attach(OdeSystem& system, double t0, std::span<const double> y0,
+                             const StepControl& control) {
   check_start(system, t0, y0, control);
   counters_ = {};
   control_ = control;
@@ -24,12 +24,45 @@ void ExplicitStepper::start(OdeSystem& system, double t0, std::span<const double
     evaluate_.blame(worst_index(y_.data(), weights_.data(), size_));
     give_up(Outcome::NotFinite, 0.0);
   }
+}
+
+void ExplicitStepper::start(OdeSystem& system, double t0, std::span<const double> y0,
+                            const StepControl& control) {
+  attach(system, t0, y0, control);
   system.project(t_, y_.data());
   const Outcome outcome = evaluate_(t_, y_.data(), f_.data());
   if (outcome != Outcome::Ok) give_up(outcome, 0.0);
   h_next_ = first_step(evaluate_, t_, y_.data(), f_.data(), weights_.data(), control_,
                        y_new_.data(), f_new_.data());
   prepare();
+}
+
+Memory ExplicitStepper::memory() const {
+  Memory out{{"next step", h_next_}, {"time lost by rounding", t_rounding_}};
+  // Not computed anew: a method whose last stage is the derivative rounds it in its own way.
+  for (int i = 0; i < size_; ++i) out["rate[" + std::to_string(i) + "]"] = f_[i];
+  save(out);
+  return out;
+}
+
+void ExplicitStepper::resume(OdeSystem& system, double t0, std::span<const double> y0,
+                             const StepControl& control, const Memory& memory) {
+  attach(system, t0, y0, control);
+  t_rounding_ = memory.at("time lost by rounding");
+  h_next_ = std::clamp(memory.at("next step"), control.minimum, control.maximum);
+  for (int i = 0; i < size_; ++i) f_[i] = memory.at("rate[" + std::to_string(i) + "]");
+  // Other loads or speeds than before: the past says nothing of what follows.
+  double change = 0.0;
+  const bool valid = evaluate_(t_, y_.data(), f_new_.data()) == Outcome::Ok;
+  for (int i = 0; i < size_; ++i)
+    change = std::max(change, std::abs(f_new_[i] - f_[i]) * weights_[i] * h_next_);
+  if (!valid || change > 1e-3) {
+    StepControl again = control;
+    again.initial = h_next_;
+    return start(system, t0, y0, again);
+  }
+  prepare();
+  restore(memory);
 }
 
 ExplicitStepper::Trial ExplicitStepper::try_step(double h, double t_new, bool accept_any_error) {

@@ -22,6 +22,9 @@ class ExplicitStepper : public Stepper {
   [[nodiscard]] bool holds_constant_step() const noexcept final { return true; }
   void start(OdeSystem& system, double t0, std::span<const double> y0,
              const StepControl& control) final;
+  [[nodiscard]] Memory memory() const final;
+  void resume(OdeSystem& system, double t0, std::span<const double> y0, const StepControl& control,
+              const Memory& memory) final;
   StepInfo step(double t_stop) final;
   [[nodiscard]] double time() const noexcept final { return t_; }
   [[nodiscard]] std::span<const double> state() const noexcept final {
@@ -47,6 +50,9 @@ class ExplicitStepper : public Stepper {
   virtual void accepted(double h) = 0;
   /// The n-th trial in a row failed.
   virtual void rejected(int in_a_row) { (void)in_a_row; }
+  /// What the method itself remembers of the past, and back.
+  virtual void save(Memory& memory) const = 0;
+  virtual void restore(const Memory& memory) = 0;
   /// Factor to the next step after an accepted trial of this error.
   [[nodiscard]] virtual double growth(double error) = 0;
 
@@ -62,6 +68,7 @@ class ExplicitStepper : public Stepper {
   std::vector<double> weights_;  ///< 1 / (scale * tolerance); 0 for quadratures and padding
 
  private:
+  void attach(OdeSystem& system, double t0, std::span<const double> y0, const StepControl& control);
   [[nodiscard]] Trial try_step(double h, double t_new, bool accept_any_error);
   [[noreturn]] void give_up(Outcome outcome, double h) const;
 

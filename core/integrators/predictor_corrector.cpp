@@ -147,6 +147,26 @@ void PredictorCorrector::accepted(double h) {
   std::copy(f_.begin(), f_.end(), history_[0]);
 }
 
+void PredictorCorrector::save(Memory& memory) const {
+  memory["points of the past"] = known_;
+  for (int j = 0; j < known_; ++j) {
+    const std::string point = "past[" + std::to_string(j) + "]";
+    memory[point + " time"] = times_[j];
+    for (int i = 0; i < evaluate_.system().size(); ++i)
+      memory[point + " rate[" + std::to_string(i) + "]"] = history_[j][i];
+  }
+}
+
+void PredictorCorrector::restore(const Memory& memory) {
+  known_ = static_cast<int>(std::clamp(memory.at("points of the past"), 1.0, 1.0 * order()));
+  for (int j = 0; j < known_; ++j) {
+    const std::string point = "past[" + std::to_string(j) + "]";
+    times_[j] = memory.at(point + " time");
+    for (int i = 0; i < evaluate_.system().size(); ++i)
+      history_[j][i] = memory.at(point + " rate[" + std::to_string(i) + "]");
+  }
+}
+
 void PredictorCorrector::rejected(int in_a_row) {
   if (in_a_row % kPatience == 0 && order() > 1 && known_ > 1) {
     forget_past();

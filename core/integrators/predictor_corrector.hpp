@@ -42,6 +42,8 @@ class PredictorCorrector final : public ExplicitStepper {
   void prepare() override;
   Trial attempt(double h) override;
   void accepted(double h) override;
+  void save(Memory& memory) const override;
+  void restore(const Memory& memory) override;
   void rejected(int in_a_row) override;
   [[nodiscard]] double growth(double error) override;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <span>
 #include <stdexcept>
@@ -94,6 +95,9 @@ struct Counters {
        nonlinear_iterations = 0;
 };
 
+/// What a method knows beyond time and state, by name.
+using Memory = std::map<std::string, double>;
+
 /// The stepper cannot go on. The text names time, step size and the worst component.
 class StepFailure : public std::runtime_error {
  public:
@@ -117,6 +121,16 @@ class Stepper {
   /// themselves.
   virtual void start(OdeSystem& system, double t0, std::span<const double> y0,
                      const StepControl& control) = 0;
+  /// What a continued run needs to go on from here, for resume(): always "next step" [s].
+  [[nodiscard]] virtual Memory memory() const = 0;
+  /// As start(), from time, state and memory() of an earlier run by the same method. Goes on bit
+  /// for bit as if it had never stopped, unless loses() says otherwise; with a right-hand side that
+  /// has changed since, starts with the next step. @throws as start(), and std::out_of_range when
+  /// the memory is not of this method.
+  virtual void resume(OdeSystem& system, double t0, std::span<const double> y0,
+                      const StepControl& control, const Memory& memory) = 0;
+  /// What memory() cannot hold, as a clause; empty when it holds everything.
+  [[nodiscard]] virtual std::string_view loses() const noexcept { return {}; }
   /// One accepted step, never beyond t_stop (the last step is shortened to hit it exactly, or
   /// stretched by at most one part in a million).
   /// @throws StepFailure, and std::invalid_argument when t_stop does not lie after time()

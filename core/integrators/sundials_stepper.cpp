@@ -76,6 +76,18 @@ double SundialsStepper::estimate_first_step() {
                     scratch_y_.data(), scratch_f_.data());
 }
 
+Memory SundialsStepper::memory() const {
+  return {{"next step", std::clamp(counters_.steps == 0 ? first_ : next_step(), control_.minimum,
+                                   control_.maximum)}};
+}
+
+void SundialsStepper::resume(OdeSystem& system, double t0, std::span<const double> y0,
+                             const StepControl& control, const Memory& memory) {
+  StepControl again = control;
+  again.initial = memory.at("next step");
+  start(system, t0, y0, again);
+}
+
 StepInfo SundialsStepper::step(double t_stop) {
   if (!(t_stop > t_)) throw std::invalid_argument("the stop time must lie after the present time");
   const double before = t_;

@@ -61,6 +61,10 @@ class SundialsStepper : public Stepper {
   [[nodiscard]] int order() const noexcept final { return order_; }
   void start(OdeSystem& system, double t0, std::span<const double> y0,
              const StepControl& control) final;
+  [[nodiscard]] Memory memory() const final;
+  /// The packages give their past to nobody: starts with the next step.
+  void resume(OdeSystem& system, double t0, std::span<const double> y0, const StepControl& control,
+              const Memory& memory) final;
   StepInfo step(double t_stop) final;
   [[nodiscard]] double time() const noexcept final { return t_; }
   [[nodiscard]] std::span<const double> state() const noexcept final { return state_; }

@@ -90,8 +90,11 @@ PeakRatios peak_ratios(double k, double poisson) {
 }
 
 const PeakRatios& PeakCache::at(double k, double poisson) {
+  // On a grid: what was asked before must not show in the answer.
+  constexpr double kGrid = 1e10;
+  k = std::round(k * kGrid) / kGrid;
   for (const Entry& entry : entries_)
-    if (std::abs(entry.k - k) <= 1e-10 && entry.poisson == poisson) return entry.ratios;
+    if (entry.k == k && entry.poisson == poisson) return entry.ratios;
   constexpr std::size_t kKept = 64;
   const Entry entry{k, poisson, peak_ratios(k, poisson)};
   if (entries_.size() < kKept) return entries_.emplace_back(entry).ratios;

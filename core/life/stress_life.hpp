@@ -37,7 +37,7 @@ struct PeakRatios {
 [[nodiscard]] PeakRatios peak_ratios(double k, double poisson);
 
 /// Remembers the ratios of the ellipticities seen: contacts of one race share theirs, and one costs
-/// 50 µs. Keeps the last few; a ratio within 1e-10 of a stored one counts as the same.
+/// 50 µs. Keeps the last few; a ratio is rounded to a multiple of 1e-10.
 class PeakCache {
  public:
   const PeakRatios& at(double k, double poisson);

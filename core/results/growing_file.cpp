@@ -32,6 +32,8 @@ std::string_view remedy(int error) {
       return "free some disk space or choose another disk, then continue the run";
     case EISDIR:
       return "give the name of a file, not of a folder";
+    case ELOOP:
+      return "put the file itself in place of the symbolic link";
     case EFBIG:
       return "the file system allows no larger files: choose another disk or store fewer steps";
     default:
@@ -69,13 +71,21 @@ GrowingFile::~GrowingFile() {
 }
 
 GrowingFile GrowingFile::create(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  // A file of its own: neither the target of a link nor another name of the old file is written to,
+  // and permissions to execute are not inherited. What is no plain file (a device) stays.
+  struct stat old {};
+  const bool exists = ::lstat(path.c_str(), &old) == 0;
+  const bool replaces = exists && (S_ISREG(old.st_mode) || S_ISLNK(old.st_mode));
+  if (replaces && ::unlink(path.c_str()) != 0 && errno != ENOENT)
+    fail(path, errno, "the file cannot be replaced");
+  const int how = exists && !replaces ? O_WRONLY : O_WRONLY | O_CREAT | O_EXCL;
+  const int descriptor = ::open(path.c_str(), how | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (descriptor < 0) fail(path, errno, "the file cannot be written");
   return {path, descriptor, 0};
 }
 
 GrowingFile GrowingFile::append_after(const fs::path& path, std::uintmax_t bytes) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC);
   if (descriptor < 0) fail(path, errno, "the file to be continued cannot be opened");
   GrowingFile file(path, descriptor, bytes);
   struct stat status {};

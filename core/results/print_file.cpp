@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <fstream>
 
 namespace adore::results {
@@ -43,7 +45,17 @@ void PrintFile::check(const std::filesystem::path& path, const std::string& run_
 PrintFile PrintFile::continue_after(const std::filesystem::path& path, std::string run_id,
                                     UnitSystem units, std::uintmax_t bytes) {
   check(path, run_id);
-  return {GrowingFile::append_after(path, bytes), std::move(run_id), units};
+  PrintFile out(GrowingFile::append_after(path, bytes), std::move(run_id), units);
+  // The last page lies in the last bytes.
+  constexpr std::uintmax_t kMost = 1 << 16;
+  const std::uintmax_t size = std::min(bytes, kMost);
+  std::ifstream stream(path, std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(bytes - size));
+  std::string tail(static_cast<std::size_t>(size), '\0');
+  stream.read(tail.data(), static_cast<std::streamsize>(size));
+  tail.resize(static_cast<std::size_t>(stream.gcount()));
+  out.report_.resume(tail);
+  return out;
 }
 
 void PrintFile::flush() { file_.append(report_.take()); }

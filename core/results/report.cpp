@@ -38,14 +38,30 @@ void Report::need(int lines) {
 
 void Report::new_page(std::string_view title) {
   const std::string text(title);  // may be title_ itself
-  const std::string_view continued = " (continued)";
   const bool again = text == title_ && !title_.empty();
   title_ = text;
   out_ += '\f';
   line_ = 0;
   put(fmt::format("{:<20}{:<44}{}{}", kProgramVersion, run_id_.substr(0, 40), text,
-                  again ? continued : ""));
+                  again ? kContinued : ""));
   put("");
+}
+
+void Report::resume(std::string_view text) {
+  const std::size_t page = text.rfind('\f');
+  if (page == std::string_view::npos) return;  // the next line begins a page
+  text.remove_prefix(page + 1);
+  line_ = static_cast<int>(std::min<std::ptrdiff_t>(
+      std::count(text.begin(), text.end(), '\n'), kLines));
+  // The heading: version in 20 columns, run code in 44, title; columns are characters, not bytes.
+  std::string_view heading = text.substr(0, text.find('\n'));
+  for (std::size_t column = 0; !heading.empty() && column < kTitleColumn; ++column) {
+    heading.remove_prefix(1);
+    while (!heading.empty() && (static_cast<unsigned char>(heading.front()) & 0xC0U) == 0x80U)
+      heading.remove_prefix(1);
+  }
+  if (heading.ends_with(kContinued)) heading.remove_suffix(kContinued.size());
+  title_ = heading;
 }
 
 void Report::heading(std::string_view title) {

@@ -21,6 +21,8 @@ class Report {
   [[nodiscard]] int lines_left() const noexcept { return kLines - line_; }
 
   void new_page(std::string_view title);
+  /// Goes on with the page that `text`, printed earlier, ends with.
+  void resume(std::string_view text);
   /// Underlined heading within a page; keeps a few of the following lines with it.
   void heading(std::string_view title);
   void blank();
@@ -55,6 +57,8 @@ class Report {
   [[nodiscard]] static std::string number(double value);
 
  private:
+  static constexpr std::size_t kTitleColumn = 64;
+  static constexpr std::string_view kContinued = " (continued)";
   void put(std::string_view line);
   void need(int lines);
   std::string run_id_;

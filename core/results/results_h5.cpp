@@ -1,9 +1,11 @@
 #include "results/results_h5.hpp"
 
+#include "base/atomic_file.hpp"
 #include "base/errors.hpp"
 #include "base/version.hpp"
 #include "contact/groove.hpp"
 #include "results/continuation.hpp"
+#include "results/h5_driver.hpp"
 #include "results/h5_layout.hpp"
 #include "results/sol_writer.hpp"
 
@@ -13,6 +15,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <system_error>
 
 namespace adore::results {
 namespace {
@@ -101,24 +104,6 @@ void write_attribute(hid_t object, const std::string& name, double value) {
   H5Awrite(attribute, H5T_NATIVE_DOUBLE, &value);
 }
 
-/// Switches on one of the properties by which HDF5's own repair program opens a file that was not
-/// closed properly.
-void set_repair(const Handle& access, const char* property) {
-  const hbool_t on = true;
-  if (H5Pexist(access, property) > 0) H5Pset(access, property, &on);
-}
-
-/// A killed writer leaves its mark and an old file length in the file's first block. Puts both
-/// right.
-void repair(const std::filesystem::path& path) {
-  const Handle access = access_list();
-  set_repair(access, "clear_status_flags");
-  set_repair(access, "skip_eof_check");
-  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access));
-  if (!file.valid() || H5Fincrement_filesize(file, 0) < 0)
-    fail(path, "the file to be continued cannot be opened for writing");
-}
-
 /// One dataset and the rows that wait to be written.
 struct Series {
   Handle dataset;
@@ -198,6 +183,11 @@ struct H5Writer::Impl {
     for (hsize_t size : made.dims) made.width *= size;
     return made;
   }
+  /// The bytes of a file with every dataset and no step.
+  std::string empty_file(const bearing::Bearing& bearing);
+  /// Puts such a file there and opens it for growing.
+  void open_empty(const std::filesystem::path& name, const bearing::Bearing& bearing);
+
   /// Calls use(series, path, series name or channel) for every dataset that this bearing has; /step
   /// comes last, so that its length tells of whole rows.
   template <class Use>
@@ -271,16 +261,6 @@ struct H5Writer::Impl {
     if (H5Fstart_swmr_write(file) < 0) fail(path, "the file cannot be prepared for growing");
   }
 
-  /// After a failure: every dataset ends with the last step that all of them hold.
-  void cut_back_to_written() {
-    for (Series& one : series) {
-      std::vector<hsize_t> size{written};
-      size.insert(size.end(), one.dims.begin(), one.dims.end());
-      H5Dset_extent(one.dataset, size.data());
-      H5Dflush(one.dataset);
-    }
-  }
-
   void write_waiting() {
     if (waiting == 0) return;
     if (broken)
@@ -304,14 +284,14 @@ struct H5Writer::Impl {
                       one.waiting.data()) >= 0 &&
              H5Dflush(one.dataset) >= 0;
       }
-      if (!ok) {
-        broken = true;
-        const std::string reason = h5::last_error();
-        cut_back_to_written();
+      const int error = write_error(file);
+      if (!ok || error != 0) {
+        broken = true;  // /step, written last, tells of the steps that all of them hold
         throw InputError(
             fmt::format("{}: the file cannot be written any further ({}); free some disk space or "
                         "choose another disk, then continue the run",
-                        path.string(), reason));
+                        path.string(),
+                        error != 0 ? std::generic_category().message(error) : h5::last_error()));
       }
       one.waiting.clear();
     }
@@ -335,6 +315,51 @@ H5Writer::~H5Writer() {
   impl_->file.reset();
 }
 
+std::string H5Writer::Impl::empty_file(const bearing::Bearing& bearing) {
+  constexpr std::size_t kGrowth = 1 << 16;
+  const Handle creation(H5Pcreate(H5P_FILE_CREATE)), access = access_list();
+  H5Pset_obj_track_times(creation, false);
+  H5Pset_fapl_core(access, kGrowth, false);
+  file = Handle(H5Fcreate("RESULTS.h5 in memory", H5F_ACC_TRUNC, creation, access));
+  if (!file.valid()) fail(path, "the file cannot be created");
+  create_groups();
+  {
+    const Handle root(H5Gopen2(file, "/", H5P_DEFAULT));
+    write_attribute(root, "program", kProgramVersion);
+    write_attribute(root, "format", static_cast<double>(kFormat));
+    write_attribute(root, "run_id", bearing.run_id);
+    write_attribute(root, "conventions", kConventions);
+    const Handle geometry(H5Gopen2(file, "geometry", H5P_DEFAULT));
+    for (const auto& [name, value] : geometry_of(bearing)) write_attribute(geometry, name, value);
+  }
+  for_each([&](Series made, const std::string& name) { create_dataset(std::move(made), name); });
+  series.clear();
+  H5Fflush(file, H5F_SCOPE_GLOBAL);
+  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
+  std::string bytes(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
+  if (size <= 0 || H5Fget_file_image(file, bytes.data(), bytes.size()) < 0)
+    fail(path, "the file cannot be created");
+  file.reset();
+  clean_image(bytes);
+  return bytes;
+}
+
+void H5Writer::Impl::open_empty(const std::filesystem::path& name,
+                                const bearing::Bearing& bearing) {
+  const std::string bytes = empty_file(bearing);
+  write_file_atomically(name, bytes);
+  const Handle access = access_list();
+  use_safe_driver(access);
+  file = Handle(H5Fopen(name.c_str(), H5F_ACC_RDWR, access));
+  if (!file.valid()) fail(path, "the file cannot be created");
+  for_each([&](Series made, const std::string& dataset) {
+    made.dataset = Handle(H5Dopen2(file, dataset.c_str(), dataset_access(made)));
+    if (!made.dataset.valid()) fail(path, "a dataset cannot be created");
+    series.push_back(std::move(made));
+  });
+  start_single_writer();
+}
+
 H5Writer H5Writer::create(const std::filesystem::path& path, const bearing::Bearing& bearing,
                           int block) {
   const Quiet quiet;
@@ -342,23 +367,9 @@ H5Writer H5Writer::create(const std::filesystem::path& path, const bearing::Bear
   impl->path = path;
   impl->shape = shape_of(bearing);
   impl->block = static_cast<std::size_t>(std::clamp(block, 1, kBlock));
-  const Handle creation(H5Pcreate(H5P_FILE_CREATE));
-  H5Pset_obj_track_times(creation, false);
-  impl->file = Handle(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access_list()));
-  if (!impl->file.valid()) fail(path, "the file cannot be created");
-  impl->create_groups();
-  {
-    const Handle root(H5Gopen2(impl->file, "/", H5P_DEFAULT));
-    write_attribute(root, "program", kProgramVersion);
-    write_attribute(root, "format", static_cast<double>(kFormat));
-    write_attribute(root, "run_id", bearing.run_id);
-    write_attribute(root, "conventions", kConventions);
-    const Handle geometry(H5Gopen2(impl->file, "geometry", H5P_DEFAULT));
-    for (const auto& [name, value] : geometry_of(bearing)) write_attribute(geometry, name, value);
-  }
-  impl->for_each(
-      [&](Series made, const std::string& name) { impl->create_dataset(std::move(made), name); });
-  impl->start_single_writer();
+  std::error_code ignored;
+  if (std::filesystem::is_symlink(path, ignored)) std::filesystem::remove(path, ignored);
+  impl->open_empty(path, bearing);
   return H5Writer(std::move(impl));
 }
 
@@ -389,34 +400,48 @@ void H5Writer::check(const std::filesystem::path& path, const bearing::Bearing& 
   check_file(H5Reader(path), path, bearing);
 }
 
+std::filesystem::path H5Writer::unfinished(const std::filesystem::path& path) {
+  return path.parent_path() / fmt::format(".{}.new", path.filename().string());
+}
+
 H5Writer H5Writer::continue_after(const std::filesystem::path& path,
                                   const bearing::Bearing& bearing, long last_step, int block) {
-  const std::vector<long> steps = [&] {
-    const H5Reader old(path);
-    check_file(old, path, bearing);
-    return old.step_numbers();
-  }();
+  const H5Reader old(path);
+  check_file(old, path, bearing);
+  const std::vector<long> steps = old.step_numbers();
+  const auto rows = static_cast<std::size_t>(
+      std::upper_bound(steps.begin(), steps.end(), last_step) - steps.begin());
   const Quiet quiet;
   auto impl = std::make_unique<Impl>();
   impl->path = path;
   impl->shape = shape_of(bearing);
   impl->block = static_cast<std::size_t>(std::clamp(block, 1, kBlock));
-  repair(path);
-  impl->file = Handle(H5Fopen(path.c_str(), H5F_ACC_RDWR, access_list()));
-  if (!impl->file.valid()) fail(path, "the file to be continued cannot be opened for writing");
-  impl->written = static_cast<std::size_t>(std::upper_bound(steps.begin(), steps.end(), last_step) -
-                                           steps.begin());
-  impl->for_each([&](Series made, const std::string& name) {
-    made.dataset = Handle(H5Dopen2(impl->file, name.c_str(), Impl::dataset_access(made)));
-    std::vector<hsize_t> size{impl->written};
-    size.insert(size.end(), made.dims.begin(), made.dims.end());
-    if (!made.dataset.valid() || H5Dset_extent(made.dataset, size.data()) < 0)
-      fail(path, "the file to be continued cannot be cut back");
-    impl->series.push_back(std::move(made));
-  });
-  if (H5Fflush(impl->file, H5F_SCOPE_GLOBAL) < 0)
-    fail(path, "the file to be continued cannot be cut back");
-  impl->start_single_writer();
+  // A new file, and the steps that stay: the bytes are those of a run that was never interrupted,
+  // and damage of the old file is found before it is given up.
+  const std::filesystem::path next = unfinished(path);
+  try {
+    impl->open_empty(next, bearing);
+    while (impl->written < rows) {
+      impl->waiting = std::min<std::size_t>(rows - impl->written, kBlock);
+      std::size_t name = kSeries.size();
+      for (Series& one : impl->series) {
+        const std::string_view id = one.channel < 0
+                                        ? kSeries[--name].name
+                                        : channels()[static_cast<std::size_t>(one.channel)].id;
+        one.waiting = old.read(id, impl->written, impl->waiting);
+      }
+      impl->write_waiting();
+    }
+    std::error_code error;
+    std::filesystem::rename(next, path, error);
+    if (error)
+      throw InputError(
+          fmt::format("{}: the file cannot be replaced ({})", path.string(), error.message()));
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(next, ignored);
+    throw;
+  }
   return H5Writer(std::move(impl));
 }
 

@@ -16,8 +16,9 @@
 /// dimensions. /step, /time, /step_size and /shaft_rotation hold one value per stored step.
 /// /geometry has the sizes a picture needs as attributes [m], and outer_race_free_x,
 /// inner_race_free_x: where a race's centre stands when its stored displacement is zero. The file
-/// is written in HDF5's single-writer mode: it can be read while it grows, and after the writer was
-/// killed.
+/// is written in HDF5's single-writer mode: it can be read while it grows, and any HDF5 program
+/// opens it after the writer was killed or the disk was full; the last block may then be longer in
+/// some datasets than in /step, which is written last.
 namespace adore::results {
 
 class H5Writer {
@@ -30,10 +31,14 @@ class H5Writer {
   /// @throws InputError when it cannot be written.
   static H5Writer create(const std::filesystem::path& path, const bearing::Bearing& bearing,
                          int block = kBlock);
-  /// Continues a file: checks run code and sizes, cuts back to the steps <= `last_step`. Repairs
-  /// the mark that a killed writer leaves. @throws InputError saying what does not fit.
+  /// Continues a file: checks run code and sizes, and goes on behind the steps <= `last_step` in a
+  /// new file that takes the old one's place when all of them are in it.
+  /// @throws InputError saying what does not fit or cannot be read; the old file is as it was.
   static H5Writer continue_after(const std::filesystem::path& path, const bearing::Bearing& bearing,
                                  long last_step, int block = kBlock);
+
+  /// Where continue_after() makes the new file: what a process killed there leaves behind.
+  [[nodiscard]] static std::filesystem::path unfinished(const std::filesystem::path& path);
 
   /// The checks of continue_after() alone; nothing is touched. @throws InputError
   static void check(const std::filesystem::path& path, const bearing::Bearing& bearing);

@@ -2,9 +2,11 @@
 
 #include "base/atomic_file.hpp"
 #include "base/version.hpp"
+#include "results/own_file.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 namespace adore::results {
 namespace {
@@ -87,6 +89,7 @@ Json run_json(const RunSummary& run) {
   out["build"] = {{"compiler", compiler()}};
   out["run"] = run.run_id;
   out["deck"] = run.deck_file;
+  out["request"] = run.request;
   out["status"] = run.status;
   if (!run.message.empty()) out["message"] = run.message;
   out["integrator"] = run.integrator;
@@ -159,6 +162,21 @@ Json run_json(const RunSummary& run) {
                      {"accounted seconds", accounted},
                      {"instruction set", run.instruction_set},
                      {"cost", cost}};
+  return out;
+}
+
+RunMark read_run_mark(const std::filesystem::path& path) {
+  RunMark out;
+  if (!is_own_file(path)) return out;
+  std::ifstream stream(path, std::ios::binary);
+  // Members of the outer object stand two blanks in; those looked for come before anything long.
+  std::string line;
+  for (int count = 0; count < 40 && std::getline(stream, line); ++count)
+    for (const auto& [name, value] : {std::pair{"request", &out.request}, {"status", &out.status}}) {
+      const std::string start = std::string("  \"") + name + "\": \"";
+      if (line.rfind(start, 0) == 0)
+        *value = line.substr(start.size(), line.find('"', start.size()) - start.size());
+    }
   return out;
 }
 

@@ -24,6 +24,7 @@ using Counters = std::vector<std::pair<std::string, long>>;
 
 struct RunSummary {
   std::string run_id, deck_file;     ///< deck's file name without folders
+  std::string request;               ///< digest of what was asked for
   std::string status;                ///< "done", "interrupted", "failed"
   std::string message;               ///< diagnosis, empty when done
   nlohmann::ordered_json plan;       ///< the scene plan
@@ -60,6 +61,13 @@ struct RunSummary {
 [[nodiscard]] nlohmann::ordered_json run_json(const RunSummary& run);
 /// Replaces the file atomically. @throws InputError
 void write_run_json(const RunSummary& run, const std::filesystem::path& path);
+
+/// What an earlier RUN.json says first, as far as it says it; empty texts when there is none of this
+/// program.
+struct RunMark {
+  std::string request, status;
+};
+[[nodiscard]] RunMark read_run_mark(const std::filesystem::path& path);
 
 /// Name, value [J] of each item of the conservation ledger, residual last. Shared with PRINT.txt.
 [[nodiscard]] std::vector<std::pair<std::string, double>> energy_items(

@@ -170,3 +170,51 @@ TEST_CASE("a quasi-static run leads to its tables; a deck that cannot run says w
   CHECK(launches.empty());
   CHECK_FALSE(window.findChild<QPushButton*>("open-plots")->isEnabled());
 }
+
+TEST_CASE("results that the window did not compute are replaced after a question only",
+          "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const fs::path report = folder.filePath("RUN.json").toStdString();
+  const auto open = [&](DeckWindow& window, Launches& launches) {
+    watch_launches(window, launches);
+    window.show();
+    shorten(window.document(), "20");
+    window.document().save(folder.filePath("DATA.txt").toStdString());
+  };
+  {
+    DeckWindow window;
+    Launches launches;
+    open(window, launches);
+    run_to_end(window);
+    CHECK(note(window).startsWith("Done: 20 steps"));
+    run_to_end(window);  // its own results
+    CHECK(note(window).startsWith("Done: 20 steps"));
+  }
+  DeckWindow window;
+  Launches launches;
+  open(window, launches);
+  const auto before = fs::last_write_time(report);
+  const auto answer = [&](bool replace) {
+    auto* box = window.findChild<QMessageBox*>("replace-results");
+    REQUIRE(box != nullptr);
+    for (QAbstractButton* button : box->buttons())
+      if ((box->standardButton(button) == QMessageBox::Cancel) != replace)
+        QTest::mouseClick(button, Qt::LeftButton);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  };
+  run_to_end(window);
+  CHECK(note(window).contains("was not run"));
+  CHECK(window.runPanel().text().contains("earlier run"));
+  answer(false);
+  CHECK_FALSE(window.runPanel().busy());
+  CHECK(fs::last_write_time(report) == before);
+  CHECK(launches.empty());
+
+  run_to_end(window);
+  QSignalSpy spy(&window.runPanel(), &RunPanel::finished);
+  answer(true);
+  REQUIRE((spy.count() == 1 || spy.wait(120000)));
+  CHECK(note(window).startsWith("Done: 20 steps"));
+  CHECK(fs::last_write_time(report) != before);
+}

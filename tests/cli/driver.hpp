@@ -7,13 +7,16 @@
 #include <chrono>
 #include <csignal>
 #include <cstdio>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+#include <vector>
 
 #include "support/paths.hpp"
 
@@ -52,9 +55,12 @@ inline std::string command_line(const std::string& arguments) {
   return adore::test::program("adore").string() + " " + arguments;
 }
 
-inline Result run_adore(const std::string& arguments, const std::string& environment = "") {
+/// Runs a line in a shell; for redirections and limits. ADORE stands for the program.
+inline Result run_shell(std::string line) {
+  for (std::size_t at = 0; (at = line.find("ADORE ", at)) != std::string::npos;)
+    line.replace(at, 5, program("adore").string());
   Result result;
-  FILE* pipe = popen((environment + " " + command_line(arguments) + " 2>&1").c_str(), "r");
+  FILE* pipe = popen(line.c_str(), "r");
   REQUIRE(pipe != nullptr);
   std::array<char, 4096> buffer{};
   std::size_t count = 0;
@@ -63,6 +69,20 @@ inline Result run_adore(const std::string& arguments, const std::string& environ
   const int status = pclose(pipe);
   result.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   return result;
+}
+
+/// The command as it stands.
+inline Result run_as_given(const std::string& arguments, const std::string& environment = "") {
+  return run_shell(environment + " " + command_line(arguments) + " 2>&1");
+}
+
+/// The same, and a run may replace the results of the one before: most tests run several times in
+/// one folder.
+inline Result run_adore(const std::string& arguments, const std::string& environment = "") {
+  const bool replaces = arguments.rfind("run ", 0) == 0 &&
+                        arguments.find("--continue") == std::string::npos &&
+                        arguments.find("--overwrite") == std::string::npos;
+  return run_as_given(arguments + (replaces ? " --overwrite" : ""), environment);
 }
 
 inline void write(const fs::path& path, const std::string& text) {
@@ -85,32 +105,75 @@ inline void new_ball_deck(const Folder& folder) {
   REQUIRE(run_adore("new ball --out " + (folder / "DATA.txt").string()).code == 0);
 }
 
-/// Starts a long run in the background and returns its process.
-inline pid_t start_long_run(const Folder& folder, const std::string& set = "") {
-  const pid_t child = fork();
-  if (child == 0) {
-    std::freopen("/dev/null", "w", stderr);
-    std::freopen("/dev/null", "w", stdout);
-    const std::string deck = folder.path().string();
-    if (set.empty())
-      execl(adore::test::program("adore").c_str(), "adore", "run", deck.c_str(), "--until", "500rev", "--opt",
-            "checkpointSeconds=0.2", nullptr);
-    else
-      execl(adore::test::program("adore").c_str(), "adore", "run", deck.c_str(), "--until", "500rev", "--opt",
-            "checkpointSeconds=0.2", "--set", set.c_str(), nullptr);
-    _exit(99);
-  }
-  return child;
+/// Waits for something that the program does, however long that takes on this machine.
+template <class Condition>
+void wait_for(Condition condition) {
+  for (int i = 0; i < 15000 && !condition(); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  REQUIRE(condition());
 }
 
-/// Waits until the run has stored some steps.
-inline void wait_for_steps(const Folder& folder, std::uintmax_t bytes) {
-  std::error_code error;
-  for (int i = 0; i < 600 && (!fs::exists(folder / "SOL7", error) ||
-                              fs::file_size(folder / "SOL7", error) < bytes);
-       ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  REQUIRE(fs::file_size(folder / "SOL7") >= bytes);
-}
+/// A run in the background that never ends by itself. It ends with this object, and with the test
+/// program, whatever becomes of that.
+class EndlessRun {
+ public:
+  /// Beside the deck of the folder, with further arguments; what it says goes into the file "said".
+  explicit EndlessRun(const Folder& folder, const std::vector<std::string>& more = {},
+                      const std::string& until = "1e9rev")
+      : said_(folder / "said") {
+    std::vector<std::string> words{program("adore").string(), "run", folder.path().string(), "--overwrite",
+                                   "--opt", "checkpointSeconds=0.05"};
+    if (!until.empty()) words.insert(words.end(), {"--until", until});
+    words.insert(words.end(), more.begin(), more.end());
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    const std::string said = said_.string();
+    const pid_t parent = getpid();
+    child_ = fork();
+    if (child_ != 0) return;
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const int file = open(said.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    if (getppid() == parent && file >= 0 && dup2(file, STDOUT_FILENO) >= 0 &&
+        dup2(file, STDERR_FILENO) >= 0)
+      execv(arguments.front(), arguments.data());
+    _exit(99);
+  }
+  ~EndlessRun() {
+    if (child_ <= 0) return;
+    ::kill(child_, SIGKILL);
+    waitpid(child_, nullptr, 0);
+  }
+  EndlessRun(const EndlessRun&) = delete;
+  EndlessRun& operator=(const EndlessRun&) = delete;
+
+  [[nodiscard]] bool alive() const { return ::kill(child_, 0) == 0; }
+  void send(int signal) const { REQUIRE(::kill(child_, signal) == 0); }
+  /// Has the program taken over the handling of interrupts?
+  [[nodiscard]] bool listens() const {
+    std::ifstream status(fmt::format("/proc/{}/status", child_));
+    for (std::string line; std::getline(status, line);)
+      if (line.rfind("SigCgt:", 0) == 0)
+        return (std::stoull(line.substr(7), nullptr, 16) & (1ULL << (SIGINT - 1))) != 0;
+    return false;
+  }
+  /// Waits for its end. @return the exit code, or 128 + the signal that ended it
+  int end() {
+    int status = 0;
+    REQUIRE(waitpid(child_, &status, 0) == child_);
+    child_ = -1;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+  }
+  [[nodiscard]] std::string said() const {
+    std::ifstream file(said_, std::ios::binary);
+    std::stringstream out;
+    out << file.rdbuf();
+    return out.str();
+  }
+
+ private:
+  fs::path said_;
+  pid_t child_ = -1;
+};
 
 }  // namespace adore::test

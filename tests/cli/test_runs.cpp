@@ -87,60 +87,6 @@ TEST_CASE("the same deck writes the same bytes, measured times apart", "[cli]") 
   CHECK(a == b);
 }
 
-TEST_CASE("an interrupted run leaves valid files and exit code 130, and continues from there",
-          "[cli][slow]") {
-  const Folder folder;
-  new_ball_deck(folder);
-  const pid_t child = start_long_run(folder);
-  wait_for_steps(folder, 30000);
-  kill(child, SIGINT);
-  int status = 0;
-  REQUIRE(waitpid(child, &status, 0) == child);
-  REQUIRE(WIFEXITED(status));
-  CHECK(WEXITSTATUS(status) == 130);
-  const auto stored = adore::results::read_sol(folder / "SOL1", {1, 1000000, 1});
-  CHECK(stored.note.empty());
-  const auto state = adore::results::read_final(folder / "FINAL");
-  CHECK(state.step == stored.steps.back().step);
-  CHECK(json::parse(read(folder / "RUN.json")).at("status") == "interrupted");
-
-  const Result more =
-      run_adore("run " + folder.path().string() + " --set kIcOpt=1 --set maxStps=10");
-  INFO(more.out);
-  REQUIRE(more.code == 0);
-  const auto longer = adore::results::read_sol(folder / "SOL1", {1, 1000000, 1});
-  CHECK(longer.steps.size() > stored.steps.size());
-  CHECK(longer.steps.back().step == state.step + 10);
-  for (std::size_t i = 1; i < longer.steps.size(); ++i)
-    CHECK(longer.steps[i].step > longer.steps[i - 1].step);
-}
-
-TEST_CASE("a killed run leaves readable files and continues from its last checkpoint",
-          "[cli][slow]") {
-  const Folder folder;
-  new_ball_deck(folder);
-  const pid_t child = start_long_run(folder);
-  wait_for_steps(folder, 60000);
-  std::this_thread::sleep_for(std::chrono::milliseconds(400));
-  kill(child, SIGKILL);
-  int status = 0;
-  REQUIRE(waitpid(child, &status, 0) == child);
-  const auto master = adore::results::read_master(folder / "MASTER");
-  const auto stored = adore::results::read_sol(folder / "SOL7", {1, 1000000, 1});
-  REQUIRE_FALSE(stored.steps.empty());
-  CHECK(stored.steps.back().step >= master.last.step);
-  CHECK(run_adore("show " + (folder / "RESULTS.h5").string()).code == 0);
-
-  const Result more =
-      run_adore("run " + folder.path().string() + " --set kIcOpt=1 --set maxStps=5");
-  INFO(more.out);
-  REQUIRE(more.code == 0);
-  const auto longer = adore::results::read_sol(folder / "SOL7", {1, 1000000, 1});
-  CHECK(longer.steps.back().step == master.last.step + 5);
-  for (std::size_t i = 1; i < longer.steps.size(); ++i)
-    CHECK(longer.steps[i].step > longer.steps[i - 1].step);
-}
-
 TEST_CASE("a continued run reaches the state of an unbroken one", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);

@@ -48,6 +48,44 @@ TEST_CASE("a sweep whose runs all fail still leaves its table with the reasons",
   CHECK(read(folder / "sweep" / "SWEEP.csv").find("noSuchVariable") != std::string::npos);
 }
 
+TEST_CASE("a sweep that is killed keeps its table, and only what is missing runs again",
+          "[cli][slow]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string sweep = " --set mode=-1 --set appLoadX=500.0:900.0:5 --threads 1 --quiet";
+  const std::string run = "run " + folder.path().string() + sweep + " --out ";
+  REQUIRE(run_as_given(run + (folder / "whole").string()).code == 0);
+  const std::string whole = read(folder / "whole" / "SWEEP.csv"), broken = (folder / "broken").string();
+
+  // Killed at a call of its own choice, not after a time.
+  const Result counted =
+      run_as_given(run + (folder / "counted").string(),
+                   "LD_PRELOAD=" ADORE_KILL_SHIM " ADORE_COUNT_CALLS=" + (folder / "calls").string());
+  REQUIRE(counted.code == 0);
+  const long calls = std::stol(read(folder / "calls"));
+  const Result killed =
+      run_as_given(run + broken, "LD_PRELOAD=" ADORE_KILL_SHIM
+                                 " ADORE_KILL_AT=" + std::to_string(calls * 7 / 10));
+  CHECK(killed.code == 128 + SIGKILL);
+  REQUIRE(fs::exists(folder / "broken" / "SWEEP.csv"));
+  const auto first = fs::last_write_time(folder / "broken" / "appLoadX-1" / "RUN.json");
+
+  const Result refused = run_as_given(run + broken + " < /dev/null");
+  CHECK(refused.code == 2);
+  CHECK(contains(refused.out, "--continue"));
+  const Result more = run_as_given(run + broken + " --continue");
+  INFO(more.out);
+  REQUIRE(more.code == 0);
+  CHECK(read(folder / "broken" / "SWEEP.csv") == whole);
+  CHECK(fs::last_write_time(folder / "broken" / "appLoadX-1" / "RUN.json") == first);
+
+  // Another deck: nothing of the old runs is taken over.
+  const Result other = run_as_given(run + broken + " --continue --set appLoadZ=100.0");
+  INFO(other.out);
+  REQUIRE(other.code == 0);
+  CHECK(read(folder / "broken" / "SWEEP.csv") != whole);
+}
+
 TEST_CASE("adore accuracy tabulates error against cost", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);

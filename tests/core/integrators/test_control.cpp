@@ -537,3 +537,41 @@ TEST_CASE("Error scales are magnitudes: their sign changes nothing", "[unit][int
     CHECK(ends[0] == ends[1]);
   }
 }
+
+TEST_CASE("A stepper that is resumed goes on bit for bit, or says what it lost",
+          "[unit][integrators]") {
+  Problem orbit = kepler(), spin = rotation(), bounce = bouncing_mass();
+  struct Case {
+    Problem* problem;
+    std::vector<double> y0;
+  };
+  const Case cases[] = {
+      {&orbit, kepler_exact(0.0)}, {&spin, rotation_exact(0.0)}, {&bounce, {1.0, 0.0, 0.0}}};
+  for (const auto name : stepper_names()) {
+    for (const Case& c : cases) {
+      for (const int steps : {1, 3, 37}) {
+        const StepControl control{.maximum = 0.1, .tolerance = 1e-6};
+        const auto whole = make_stepper(name);
+        whole->start(*c.problem, 0.0, c.y0, control);
+        for (int i = 0; i < steps; ++i) whole->step(10.0);
+        const double t = whole->time();
+        const std::vector<double> y(whole->state().begin(), whole->state().end());
+        const Memory memory = whole->memory();
+        REQUIRE(memory.at("next step") > 0.0);
+        const auto part = make_stepper(name);
+        part->resume(*c.problem, t, y, control, memory);
+        CHECK(part->time() == t);
+        run_to(*whole, 6.0);
+        run_to(*part, 6.0);
+        INFO(name << " resumed after " << steps << " steps, " << whole->loses());
+        double difference = 0.0;
+        for (std::size_t i = 0; i < y.size(); ++i)
+          difference = std::max(difference, std::abs(whole->state()[i] - part->state()[i]));
+        if (whole->loses().empty())
+          CHECK(difference == 0.0);
+        else
+          CHECK(difference < 1e-2);
+      }
+    }
+  }
+}

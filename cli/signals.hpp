@@ -1,0 +1,25 @@
+#pragma once
+
+#include <stop_token>
+#include <thread>
+
+/// What ends a run from outside.
+namespace adore::cli {
+
+/// A file that grows beyond the limit of its process is a full disk, not the end of the program.
+void ignore_file_size_signal();
+
+/// While it lives, SIGINT, SIGTERM and SIGHUP become a stop request; the second SIGINT or SIGTERM
+/// ends the program at once. Signals that were ignored when the program started (nohup) stay so. A
+/// closed pipe is an error of writing only.
+class InterruptWatch {
+ public:
+  InterruptWatch();
+  [[nodiscard]] std::stop_token token() const { return source_.get_token(); }
+
+ private:
+  std::stop_source source_;
+  std::jthread watcher_;
+};
+
+}  // namespace adore::cli

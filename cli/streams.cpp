@@ -1,0 +1,42 @@
+#include "cli/streams.hpp"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <poll.h>
+#include <string>
+#include <unistd.h>
+
+namespace adore::cli {
+
+void keep_stream_numbers() {
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(number, F_GETFD) != -1 || errno != EBADF) continue;
+    // The lowest free number is this one; neither reading from 0 nor writing to 1 and 2 succeeds.
+    (void)!::open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+  }
+}
+
+void tell(std::string_view text, bool patient) noexcept {
+  while (!text.empty()) {
+    pollfd ready{STDERR_FILENO, POLLOUT, 0};
+    if (!patient && ::poll(&ready, 1, 0) <= 0) return;
+    const ssize_t count = ::write(STDERR_FILENO, text.data(), text.size());
+    if (count <= 0) return;  // also when a signal ended the wait
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+int close_output(int code) noexcept {
+  errno = 0;
+  const bool flushed = std::fflush(stdout) == 0;
+  if (flushed && std::ferror(stdout) == 0) return code;
+  const int error = errno;
+  tell(std::string("adore: standard output cannot be written") +
+       (error != 0 ? std::string(": ") + std::strerror(error) : std::string()) +
+       "; free some disk space, or send it elsewhere\n");
+  return code == 0 ? 2 : code;
+}
+
+}  // namespace adore::cli

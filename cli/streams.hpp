@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string_view>
+
+/// The three standard streams of a program that must not lose a run to them.
+namespace adore::cli {
+
+/// A stream that was closed when the program started is opened so that writing fails as before, but
+/// no result file gets its number. Call first.
+void keep_stream_numbers();
+
+/// Writes to standard error, and goes on whatever becomes of it. `patient` false: only if that
+/// needs no waiting (progress on a full pipe or a stopped terminal).
+void tell(std::string_view text, bool patient = true) noexcept;
+
+/// Hands everything on standard output to the system and says when that failed.
+/// @return the exit code: `code`, or 2 when it was 0 and something is lost
+[[nodiscard]] int close_output(int code) noexcept;
+
+}  // namespace adore::cli

@@ -1,0 +1,241 @@
+#include "facade/output_folder.hpp"
+
+#include "base/atomic_file.hpp"
+#include "results/own_file.hpp"
+#include "results/restart.hpp"
+#include "results/results_h5.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <ctime>
+#include <fcntl.h>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace adore::facade {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kDefaultNames[] = {"PRINT.txt", "FINAL", "MASTER", "SOL1", "SOL2",
+                                         "SOL3",      "SOL4",  "SOL5",   "SOL6", "SOL7",
+                                         "SOL8",      "SOL9",  "RUN.json", "RESULTS.h5"};
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string out;
+  for (std::size_t i = 0; i < names.size() && i < 4; ++i) out += (i > 0 ? ", " : "") + names[i];
+  if (names.size() > 4) out += fmt::format(" and {} more", names.size() - 4);
+  return out;
+}
+
+std::string whoami() {
+  char host[256] = "this machine";
+  ::gethostname(host, sizeof host - 1);
+  const std::time_t now = std::time(nullptr);
+  return fmt::format("process {} on {}, since {:%Y-%m-%d %H:%M:%S} UTC\n", ::getpid(), host,
+                     fmt::gmtime(now));
+}
+
+/// The names of the default files, this run's, and those that the earlier run says it wrote.
+std::set<std::string> candidates(const Outputs& outputs) {
+  std::set<std::string> out(outputs.names.begin(), outputs.names.end());
+  out.insert(std::begin(kDefaultNames), std::end(kDefaultNames));
+  const auto add = [&](const std::string& name) {
+    if (!name.empty() && name.find('/') == std::string::npos) out.insert(name);
+  };
+  try {
+    std::ifstream stream(outputs.folder / "RUN.json", std::ios::binary);
+    if (results::is_own_file(outputs.folder / "RUN.json"))
+      for (const auto& name : nlohmann::json::parse(stream).at("files"))
+        add(name.get<std::string>());
+  } catch (const std::exception&) {
+    // The default names will do.
+  }
+  for (const std::string& name : std::set<std::string>(out)) {
+    if (!results::is_own_file(outputs.folder / name)) continue;
+    try {
+      for (const results::MasterFile& file : results::read_master(outputs.folder / name).files)
+        add(file.name);
+    } catch (const InputError&) {
+      // No MASTER.
+    }
+  }
+  return out;
+}
+
+/// Results of an earlier run in the folder.
+std::vector<std::string> earlier_results(const Outputs& outputs) {
+  std::vector<std::string> out;
+  for (const std::string& name : candidates(outputs)) {
+    std::error_code error;
+    if (!fs::is_symlink(outputs.folder / name, error) &&
+        results::is_own_file(outputs.folder / name))
+      out.push_back(name);
+  }
+  return out;
+}
+
+/// Does `name` look like what stands in `pattern`, X for any letter or digit?
+bool matches(const std::string& name, const std::string& pattern) {
+  if (name.size() != pattern.size()) return false;
+  const std::size_t stem = pattern.size() - 6;
+  return name.compare(0, stem, pattern, 0, stem) == 0 &&
+         std::all_of(name.begin() + static_cast<std::ptrdiff_t>(stem), name.end(),
+                     [](unsigned char c) { return std::isalnum(c) != 0; });
+}
+
+/// What a process that was killed while it wrote a small file may have left.
+void remove_leftovers(const Outputs& outputs) {
+  std::vector<std::string> patterns;
+  const std::string unfinished = results::H5Writer::unfinished("RESULTS.h5").string();
+  patterns.push_back(temporary_pattern(unfinished));
+  for (const std::string& name : outputs.names) patterns.push_back(temporary_pattern(name));
+  std::error_code error;
+  std::vector<fs::path> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(outputs.folder, error)) {
+    const std::string name = entry.path().filename().string();
+    for (const std::string& pattern : patterns)
+      if (matches(name, pattern)) found.push_back(entry.path());
+  }
+  found.push_back(outputs.folder / unfinished);
+  for (const fs::path& path : found) fs::remove(path, error);
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const fs::path& folder) : path_(folder / kName) {
+  for (;;) {
+    const int descriptor =
+        ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor < 0)
+      throw InputError(fmt::format(
+          "{}: nothing can be written into this folder ({}); make it writable, free some disk "
+          "space, or choose another one with --out",
+          folder.string(), std::generic_category().message(errno)));
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+      const int error = errno;
+      if (error == EINTR) {
+        ::close(descriptor);
+        continue;
+      }
+      if (error == EWOULDBLOCK) {
+        std::string who(400, '\0');
+        const ssize_t size = ::pread(descriptor, who.data(), who.size(), 0);
+        who.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+        who = who.substr(0, who.find('\n'));
+        ::close(descriptor);
+        throw InputError(
+            fmt::format("{}: another run is writing into this folder ({}); wait for its end, or "
+                        "choose another folder with --out",
+                        folder.string(), who.empty() ? "a process that has not named itself" : who));
+      }
+      ::close(descriptor);  // a file system without locks
+      return;
+    }
+    struct stat here {
+    }, there{};
+    if (::fstat(descriptor, &here) == 0 && ::stat(path_.c_str(), &there) == 0 &&
+        here.st_dev == there.st_dev && here.st_ino == there.st_ino) {
+      descriptor_ = descriptor;
+      break;
+    }
+    ::close(descriptor);  // its owner removed it at that moment
+  }
+  const std::string who = whoami();
+  if (::ftruncate(descriptor_, 0) != 0 ||
+      ::pwrite(descriptor_, who.data(), who.size(), 0) != static_cast<ssize_t>(who.size()))
+    return;  // a full disk: the lock holds all the same
+}
+
+FolderLock::~FolderLock() {
+  if (descriptor_ < 0) return;
+  ::unlink(path_.c_str());
+  ::close(descriptor_);
+}
+
+ResultsExist::ResultsExist(const fs::path& folder, const std::vector<std::string>& names)
+    : InputError(fmt::format(
+          "{}: the folder holds results of an earlier run ({}); go on with that run with "
+          "--continue, replace its results with --overwrite, or choose another folder with --out",
+          folder.string(), joined(names))) {}
+
+void check_names(const Outputs& outputs) {
+  std::vector<Issue> issues;
+  for (const std::string& name : outputs.names) {
+    const fs::path path = outputs.folder / name;
+    Issue issue;
+    issue.file = path.string();
+    std::error_code error;
+    const fs::file_status status = fs::symlink_status(path, error);
+    if (!fs::exists(status)) continue;
+    const bool input =
+        std::any_of(outputs.inputs.begin(), outputs.inputs.end(), [&](const fs::path& one) {
+          std::error_code ignored;
+          return fs::equivalent(one, path, ignored);
+        });
+    if (input) {
+      issue.message = "this output of the run would replace an input of it";
+      issue.remedy = "rename the input, choose another name on record 2.3, or another folder with "
+                     "--out";
+    } else if (fs::is_symlink(status)) {
+      issue.message = fmt::format("this output of the run is a symbolic link to {}",
+                                  fs::read_symlink(path, error).string());
+      issue.remedy = "remove the link, or choose another folder with --out";
+    } else if (!fs::is_regular_file(status)) {
+      issue.message = "this output of the run exists and is no plain file";
+      issue.remedy = "choose another name on record 2.3, or another folder with --out";
+    } else if ((fs::file_size(path, error) > 0 ||
+                (status.permissions() & (fs::perms::owner_exec | fs::perms::group_exec |
+                                         fs::perms::others_exec)) != fs::perms::none) &&
+               !results::is_own_file(path)) {
+      issue.message = "this output of the run exists, and is not a file that this program wrote";
+      issue.remedy = "move it away, choose another name on record 2.3, or another folder with --out";
+    } else {
+      continue;
+    }
+    issues.push_back(issue);
+  }
+  if (!issues.empty()) throw InputError(std::move(issues));
+}
+
+void check_room(const Outputs& outputs, bool overwrite) {
+  check_names(outputs);
+  if (overwrite) return;
+  const std::vector<std::string> found = earlier_results(outputs);
+  if (!found.empty()) throw ResultsExist(outputs.folder, found);
+}
+
+fs::path make_room(const Outputs& outputs) {
+  std::vector<std::string> away;
+  std::error_code error;
+  const std::vector<std::string> found = earlier_results(outputs);
+  remove_leftovers(outputs);
+  for (const std::string& name : found)
+    if (std::find(outputs.names.begin(), outputs.names.end(), name) == outputs.names.end())
+      away.push_back(name);
+  fs::path folder;
+  if (!away.empty()) {
+    for (int number = 1; folder.empty() || fs::exists(folder, error); ++number)
+      folder = outputs.folder / fmt::format("earlier-{}", number);
+    fs::create_directory(folder, error);
+    for (const std::string& name : away) {
+      if (!error) fs::rename(outputs.folder / name, folder / name, error);
+      if (error)
+        throw InputError(fmt::format(
+            "{}: this result of an earlier run cannot be moved away into {} ({}); move it yourself",
+            (outputs.folder / name).string(), folder.string(), error.message()));
+    }
+  }
+  for (const std::string& name : outputs.names) fs::remove(outputs.folder / name, error);
+  return folder;
+}
+
+}  // namespace adore::facade

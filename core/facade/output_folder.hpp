@@ -1,0 +1,55 @@
+#pragma once
+
+#include "base/errors.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// The folder of a run's files: who writes there, and what may be replaced (decision 160).
+namespace adore::facade {
+
+/// One process at a time writes into a folder. The lock ends with the process that holds it,
+/// however that ends.
+class FolderLock {
+ public:
+  /// @throws InputError naming the process that is at work there; or when nothing can be written.
+  explicit FolderLock(const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+  static constexpr const char* kName = ".adore.lock";
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_ = -1;  ///< -1: the file system knows no locks
+};
+
+/// The folder holds results that a new run would replace, and nobody has allowed it.
+class ResultsExist : public InputError {
+ public:
+  ResultsExist(const std::filesystem::path& folder, const std::vector<std::string>& names);
+};
+
+struct Outputs {
+  std::filesystem::path folder;
+  std::vector<std::string> names;             ///< of the files that the run writes
+  std::vector<std::filesystem::path> inputs;  ///< deck, option file
+};
+
+/// Refuses names that are an input of the run, a symbolic link, no plain file, or a file that this
+/// program did not write. Touches nothing. @throws InputError naming file and remedy
+void check_names(const Outputs& outputs);
+
+/// check_names(), and the same question for a run that starts anew: earlier results are there.
+/// @throws ResultsExist unless `overwrite`
+void check_room(const Outputs& outputs, bool overwrite);
+
+/// Makes room for a run that starts anew, after check_room(): what an earlier run's MASTER and
+/// RUN.json name, and what a killed process left, goes: files that will be written are removed,
+/// other results are moved into a folder "earlier-1", "earlier-2" ... @return that folder, empty
+/// when nothing had to be moved.
+std::filesystem::path make_room(const Outputs& outputs);
+
+}  // namespace adore::facade

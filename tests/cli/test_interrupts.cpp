@@ -1,0 +1,330 @@
+#include "cli/driver.hpp"
+#include "results/restart.hpp"
+#include "results/results_h5.hpp"
+#include "results/sol_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <vector>
+
+/// Runs that end from outside: nothing here waits for a time, only for what the program does.
+using namespace adore;
+using namespace adore::test;
+using nlohmann::json;
+
+namespace {
+
+/// The next steps of the run in the folder, whatever its state.
+const char* const kMore = " --quiet --set kIcOpt=1 --set fTime=1e12 --set maxStps=5";
+
+results::SolFile stored(const fs::path& path) {
+  return results::read_sol(path, {1, 1000000, 1});
+}
+
+void check_increasing(const results::SolFile& file) {
+  CHECK(file.note.empty());
+  for (std::size_t i = 1; i < file.steps.size(); ++i)
+    CHECK(file.steps[i].step > file.steps[i - 1].step);
+}
+
+/// MASTER's step, -1 while there is none.
+long master_step(const Folder& folder) {
+  std::error_code error;
+  return fs::exists(folder / "MASTER", error) ? results::read_master(folder / "MASTER").last.step
+                                              : -1;
+}
+
+std::vector<std::string> hidden_files(const Folder& folder) {
+  std::vector<std::string> out;
+  for (const auto& entry : fs::directory_iterator(folder.path()))
+    if (entry.path().filename().string().front() == '.')
+      out.push_back(entry.path().filename().string());
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("an interrupted run leaves valid files and exit code 130, and continues from there",
+          "[cli][slow]") {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const Folder folder;
+    new_ball_deck(folder);
+    EndlessRun run(folder);
+    wait_for([&] { return master_step(folder) > 10; });
+    run.send(signal);
+    CHECK(run.end() == 130);
+    const std::string said = run.said();
+    INFO(signal << "\n" << said);
+    CHECK(contains(said, "--continue"));
+    CHECK(contains(said, "--until 1e9rev"));
+    check_increasing(stored(folder / "SOL1"));
+    const auto state = results::read_final(folder / "FINAL");
+    CHECK(state.step == stored(folder / "SOL1").steps.back().step);
+    CHECK(json::parse(read(folder / "RUN.json")).at("status") == "interrupted");
+    CHECK(hidden_files(folder).empty());
+
+    const long step = master_step(folder);
+    const Result more = run_adore("run " + folder.path().string() + kMore);
+    INFO(more.out);
+    REQUIRE(more.code == 0);
+    const auto longer = stored(folder / "SOL1");
+    check_increasing(longer);
+    CHECK(longer.steps.back().step == step + 5);
+  }
+}
+
+TEST_CASE("the second interrupt ends the program at once", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  EndlessRun run(folder);
+  wait_for([&] { return master_step(folder) >= 0; });
+  run.send(SIGSTOP);  // both wait for it
+  run.send(SIGINT);
+  run.send(SIGTERM);
+  run.send(SIGCONT);
+  CHECK(run.end() == 130);
+  CHECK_FALSE(contains(run.said(), "interrupted"));
+}
+
+TEST_CASE("an interrupt is seen inside a counted step and in a table of statics", "[cli][slow]") {
+  {
+    const Folder folder;
+    new_ball_deck(folder);
+    EndlessRun run(folder, {"--set", "nStps=1000000000"});
+    wait_for([&] {
+      return master_step(folder) >= 0 && results::read_master(folder / "MASTER").last.time > 0.0;
+    });
+    run.send(SIGINT);
+    CHECK(run.end() == 130);
+    const auto master = results::read_master(folder / "MASTER");
+    CHECK(master.last.step == 0);
+    CHECK(master.averages.at("substeps of the step under way") > 0.0);
+    CHECK(results::read_final(folder / "FINAL").step == 1);
+    check_increasing(stored(folder / "SOL1"));
+  }
+  const Folder folder;
+  new_ball_deck(folder);
+  EndlessRun run(folder,
+                 {"--set", "mode=-1", "--set", "kStif=10000", "--set", "pctDisp=1.0", "--set", "rpmRange12=10.0",
+                  "--set", "rpmRange22=12000.0"},
+                 "");
+  wait_for([&] { return run.listens(); });
+  run.send(SIGTERM);
+  CHECK(run.end() == 130);
+  CHECK(contains(run.said(), "nothing was written"));
+  CHECK_FALSE(fs::exists(folder / "PRINT.txt"));
+}
+
+TEST_CASE("a checkpoint holds the state, not the last stored step", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  EndlessRun run(folder, {"--set", "kPltFreq=100000000", "--set", "kPrtFreq=100000000", "--set",
+                          "kAGraf=0", "--set", "kLifeFreq=0"});
+  wait_for([&] { return master_step(folder) > 20; });
+  run.send(SIGKILL);
+  CHECK(run.end() == 128 + SIGKILL);
+  const auto master = results::read_master(folder / "MASTER");
+  CHECK(master.last.time > 0.0);
+  CHECK(stored(folder / "SOL1").steps.size() == 1);
+  const Result more = run_adore("run " + folder.path().string() + kMore +
+                                " --set kPltFreq=100000000 --set kPrtFreq=100000000 --set kAGraf=0 "
+                                "--set kLifeFreq=0");
+  INFO(more.out);
+  REQUIRE(more.code == 0);
+  CHECK(results::read_final(folder / "FINAL").step == master.last.step + 5);
+}
+
+TEST_CASE("a killed run leaves readable files and continues from its last checkpoint",
+          "[cli][slow]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  EndlessRun run(folder);
+  wait_for([&] { return master_step(folder) > 80; });
+  run.send(SIGKILL);
+  CHECK(run.end() == 128 + SIGKILL);
+  const auto master = results::read_master(folder / "MASTER");
+  const auto file = stored(folder / "SOL7");
+  REQUIRE_FALSE(file.steps.empty());
+  CHECK(file.steps.back().step >=
+        static_cast<long>(master.averages.at("last step in SOL1-SOL7")));
+  CHECK(json::parse(read(folder / "RUN.json")).at("status") == "running");
+  CHECK(run_adore("show " + (folder / "RESULTS.h5").string()).code == 0);
+
+  const Result more = run_adore("run " + folder.path().string() + kMore);
+  INFO(more.out);
+  REQUIRE(more.code == 0);
+  const auto longer = stored(folder / "SOL7");
+  CHECK(longer.steps.back().step == master.last.step + 5);
+  check_increasing(longer);
+  CHECK(hidden_files(folder).empty());
+}
+
+TEST_CASE("a run killed at any call that changes a file joins to the bytes of an unbroken one",
+          "[cli][slow]") {
+  // Three steps a counted step, a checkpoint after each: the same calls on every machine.
+  const std::string how =
+      " --quiet --opt checkpointSeconds=1e-9 --set maxStps=9 --set nStps=3 --set kPltFreq=2 --set "
+      "kPrtFreq=4 --set kAGraf=3 --set kLifeFreq=2";
+  for (const std::string method : {"rkf5", "pece4"}) {
+    const std::string set = how + " --integrator " + method;
+    const Folder whole;
+    new_ball_deck(whole);
+    const std::string preload = "LD_PRELOAD=" ADORE_KILL_SHIM " ";
+    const Result counted = run_adore("run " + whole.path().string() + set,
+                                     preload + "ADORE_COUNT_CALLS=" + (whole / "calls").string());
+    INFO(counted.out);
+    REQUIRE(counted.code == 0);
+    const long calls = std::stol(read(whole / "calls"));
+    REQUIRE(calls > 200);
+    constexpr long kKills = 14;
+    for (long k = 0; k < kKills; ++k) {
+      const long at = 1 + k * (calls - 2) / (kKills - 1);
+      const Folder folder;
+      new_ball_deck(folder);
+      const std::string run = "run " + folder.path().string() + set;
+      const Result killed =
+          run_as_given(run, preload + fmt::format("ADORE_KILL_AT={} {}", at,
+                                                  k % 2 == 0 ? "" : "ADORE_KILL_AFTER=1"));
+      INFO(method << " killed at call " << at << " of " << calls << "\n" << killed.out);
+      REQUIRE(killed.code == 128 + SIGKILL);
+      Result more = run_as_given(run + " --continue");
+      if (more.code == 2) {  // before the first checkpoint: it says how to start again
+        CHECK(contains(more.out, "--overwrite"));
+        more = run_as_given(run + " --overwrite");
+      }
+      INFO(more.out);
+      REQUIRE(more.code == 0);
+      for (const char* name :
+           {"SOL1", "SOL2", "SOL3", "SOL4", "SOL7", "SOL8", "FINAL", "RESULTS.h5"}) {
+        INFO(name);
+        CHECK(read(folder / name) == read(whole / name));
+      }
+      CHECK(hidden_files(folder).empty());
+    }
+  }
+}
+
+TEST_CASE("methods whose past is lost say so, and go on within their tolerance", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string deck = "run " + folder.path().string() + " --integrator cvode-bdf --quiet ";
+  REQUIRE(run_adore(deck + "--set maxStps=40 --out " + (folder / "whole").string()).code == 0);
+  const std::string parts = " --out " + (folder / "parts").string();
+  REQUIRE(run_adore(deck + "--set maxStps=20" + parts).code == 0);
+  const Result more = run_adore(deck + "--set maxStps=20 --set kIcOpt=1" + parts);
+  INFO(more.out);
+  REQUIRE(more.code == 0);
+  CHECK(contains(more.out, "its order and its past steps"));
+  CHECK(contains(read(folder / "parts" / "RUN.json"), "its order and its past steps"));
+}
+
+TEST_CASE("a complete run is continued to a later end only, and stores no step twice", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string deck = "run " + folder.path().string() + " --quiet ";
+  REQUIRE(run_as_given(deck + "--until 0.02rev").code == 0);
+  const auto before = stored(folder / "SOL1");
+  const std::string report = read(folder / "RUN.json");
+  const Result again = run_as_given(deck + "--until 0.02rev --continue");
+  INFO(again.out);
+  CHECK(again.code == 0);
+  CHECK(contains(again.out, "nothing left to do"));
+  CHECK(read(folder / "RUN.json") == report);
+
+  const Result sooner = run_as_given(deck + "--until 0.01rev --continue");
+  INFO(sooner.out);
+  CHECK(sooner.code == 2);
+  CHECK(contains(sooner.out, "later end"));
+  CHECK(read(folder / "RUN.json") == report);
+
+  // The step that the end cut short is not the one to go on with.
+  const double cut = results::read_master(folder / "MASTER").last.step_size;
+  CHECK(results::read_master(folder / "MASTER").averages.at("stepper memory next step") > cut);
+  REQUIRE(run_as_given(deck + "--until 0.04rev --continue").code == 0);
+  const auto after = stored(folder / "SOL1");
+  check_increasing(after);
+  REQUIRE(after.steps.size() > before.steps.size());
+  CHECK(after.steps[before.steps.size() - 1].step == before.steps.back().step);
+  CHECK(after.steps.back().revolutions == Approx(0.04).epsilon(1e-6));
+}
+
+TEST_CASE("there must be a run to go on with", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const Result none = run_as_given("run " + folder.path().string() + " --continue");
+  CHECK(none.code == 2);
+  CHECK(contains(none.out, "no run to go on with"));
+  CHECK(contains(none.out, "--overwrite"));
+  const Result still = run_as_given("run " + folder.path().string() + " --set mode=-1 --continue");
+  CHECK(still.code == 2);
+  CHECK(contains(still.out, "quasi-static"));
+}
+
+TEST_CASE("a file limit stops a run with a sentence, valid files, and a way to go on",
+          "[cli][slow]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string deck = "run " + folder.path().string() + " --quiet --set kPltFreq=1";
+  const Result stopped = run_shell("ulimit -f 700; ADORE " + deck + " --until 1e9rev 2>&1");
+  INFO(stopped.out);
+  CHECK(stopped.code == 2);
+  CHECK(contains(stopped.out, "File too large"));
+  check_increasing(stored(folder / "SOL1"));
+  const results::H5Reader before(folder / "RESULTS.h5");
+  CHECK(before.steps() > 10);
+  const Result more = run_adore(deck + kMore);
+  INFO(more.out);
+  CHECK(more.code == 0);
+  check_increasing(stored(folder / "SOL1"));
+}
+
+TEST_CASE("a run on a disk of any small size ends with a sentence and no crash", "[cli][slow]") {
+  const Folder place;
+  if (run_shell("mount -t tmpfs -o size=64k none " + place.path().string() + " 2>&1").code != 0) {
+    WARN("not done: mounting a small disk needs rights that this user does not have");
+    return;
+  }
+  run_shell("umount " + place.path().string());
+  const Folder decks;
+  new_ball_deck(decks);
+  for (const int size : {64, 176, 272, 368, 500, 620}) {
+    REQUIRE(run_shell(fmt::format("mount -t tmpfs -o size={}k none {}", size,
+                                  place.path().string()))
+                .code == 0);
+    const Result run = run_as_given("run " + decks.path().string() +
+                                    " --quiet --opt checkpointSeconds=0.2 --set kPltFreq=1 --until "
+                                    "1e9rev --out " +
+                                    place.path().string());
+    INFO(size << " kB\n" << run.out);
+    CHECK(run.code == 2);
+    CHECK(contains(run.out, "No space left"));
+    if (fs::exists(place / "SOL1") && fs::file_size(place / "SOL1") > 0)
+      check_increasing(stored(place / "SOL1"));
+    if (fs::exists(place / "RESULTS.h5")) {
+      const results::H5Reader file(place / "RESULTS.h5");
+      CHECK(file.read("time").size() == file.steps());
+    }
+    CHECK(run_shell("umount " + place.path().string()).code == 0);
+  }
+}
+
+TEST_CASE("other programs open the RESULTS.h5 of a killed run", "[cli][slow]") {
+  if (run_shell("/usr/bin/python3 -c 'import h5py' 2>/dev/null").code != 0) {
+    WARN("not done: python3 has no h5py");
+    return;
+  }
+  const Folder folder;
+  new_ball_deck(folder);
+  EndlessRun run(folder, {"--set", "kPltFreq=1"});
+  wait_for([&] { return master_step(folder) > 100; });
+  run.send(SIGKILL);
+  run.end();
+  const Result opened = run_shell(
+      "/usr/bin/python3 -c \"import h5py,sys; f=h5py.File(sys.argv[1],'r'); n=f['step'].shape[0]; "
+      "f.visititems(lambda k,o: o[...] if isinstance(o,h5py.Dataset) else None); "
+      "assert n > 50 and f['time'][n-1] > 0; print('steps', n)\" " +
+      (folder / "RESULTS.h5").string() + " 2>&1");
+  INFO(opened.out);
+  CHECK(opened.code == 0);
+}
