@@ -1,5 +1,6 @@
 #include "facade/run.hpp"
 
+#include "deck/unit_text.hpp"
 #include "facade/run_outputs.hpp"
 #include "facade/system_ode.hpp"
 
@@ -226,7 +227,7 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
     out.message = failure.what();
   } catch (const SolverError& failure) {
     out.status = RunStatus::Failed;
-    out.message = failure.what();
+    out.message = deck::message_in_units(failure.what(), prepared.input.deck.units());
   }
   const RunPoint end{step, stepper->time(), h, stepper->state()};
   if (out.status != RunStatus::Failed)
@@ -259,7 +260,9 @@ RunOutcome run_dynamic(const RunRequest& request, const Prepared& prepared, cons
   out.steps = step;
   out.time = end.time;
   out.revolutions =
-      (prepared.bearing.speed[1] - prepared.bearing.speed[0]) * end.time / (2.0 * std::numbers::pi);
+      ((prepared.bearing.speed[1] - prepared.bearing.speed[0]) * end.time + start.turned_before) /
+      (2.0 * std::numbers::pi);
+  out.warnings = outputs.remarks();
   out.seconds = seconds_since(begin);
   out.energy_residual = outputs.energy_residual();
   out.energy_scale = outputs.energy_scale();
@@ -308,8 +311,10 @@ RunOutcome run(const RunRequest& request, const ProgressSink& progress, std::sto
   RunOutcome out = prepared.control.dynamic ? run_dynamic(request, prepared, folder, progress, stop)
                                             : run_quasi_static(prepared, folder);
   out.folder = folder;
+  std::vector<Issue> remarks = std::move(out.warnings);
   out.warnings = prepared.input.warnings;
   for (Issue& note : solution_notes(prepared)) out.warnings.push_back(std::move(note));
+  for (Issue& note : remarks) out.warnings.push_back(std::move(note));
   out.seconds = seconds_since(begin);
   return out;
 }

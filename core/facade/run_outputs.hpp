@@ -27,6 +27,7 @@ struct StartPoint {
   long step = 0;
   double step_size = 0.0;  ///< last step of the run that is continued [s]; 0 for a new one
   bool continued = false;
+  double turned_before = 0.0;  ///< shaft rotation beyond speed times time: of earlier speeds [rad]
 };
 
 struct RunEnd {
@@ -64,6 +65,8 @@ class RunOutputs {
 
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
   [[nodiscard]] std::vector<std::pair<std::string, double>> summary() const;
+  /// What turned up while the run started and ended: notes on the deck.
+  [[nodiscard]] std::vector<Issue> remarks() const;
   [[nodiscard]] double energy_residual() const;  ///< [J]
   [[nodiscard]] double energy_scale() const;     ///< [J]
 
