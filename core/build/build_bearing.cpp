@@ -24,15 +24,24 @@ using deck::Deck;
 
 constexpr double kPi = std::numbers::pi;
 
+/// A value in SI; one that does not act is read for the listing only.
+double si_where(bool acts, const Deck& deck, std::string_view name) {
+  const deck::ReportOnly quiet(deck, !acts);
+  return deck.si(name);
+}
+
 /// Material of one part: its code, and for code 1 the deck's own record, whose variables share a
 /// prefix and a suffix.
 Material material(const Deck& deck, const char* code_variable, Part part, const std::string& prefix,
                   const std::string& suffix) {
   const int code = static_cast<int>(deck.integer(code_variable));
   if (code != 1) return bearing::material_from_table(code, part);
-  auto value = [&](const char* stem) {
+  const bool contact =
+      part == Part::RollingElement || part == Part::OuterRace || part == Part::InnerRace;
+  const bool wears = deck.integer("mode") >= 0 && part != Part::Housing && part != Part::Shaft;
+  auto value = [&](const char* stem, bool acts = true) {
     const std::string name = prefix + stem + suffix;
-    return deck.has(name) ? deck.si(name) : 0.0;
+    return deck.has(name) ? si_where(acts, deck, name) : 0.0;
   };
   Material out;
   out.code = 1;
@@ -41,13 +50,15 @@ Material material(const Deck& deck, const char* code_variable, Part part, const 
   out.elastic_modulus = value("EM");
   out.poisson_ratio = value("PR");
   out.thermal_expansion = value("CTE");
-  out.conductivity = value("TC");
-  out.specific_heat = value("SH");
-  out.elastic_strain_limit = value("ESL");
-  if (deck.has(prefix + "H" + suffix))
-    out.hardness = bearing::hardness_from_hrc(deck.real(prefix + "H" + suffix));
-  out.wear_coefficient = value("WC");
-  out.fatigue_limit_stress = value("VM");
+  out.conductivity = value("TC", false);  // until temperatures are computed
+  out.specific_heat = value("SH", false);
+  out.elastic_strain_limit = value("ESL", part != Part::Cage);
+  out.wear_coefficient = value("WC", wears);
+  out.fatigue_limit_stress = value("VM", contact);
+  if (const std::string hardness = prefix + "H" + suffix; deck.has(hardness)) {
+    const deck::ReportOnly quiet(deck, !wears);
+    out.hardness = bearing::hardness_from_hrc(deck.real(hardness));
+  }
   out.provenance = "deck";
   return out;
 }
@@ -72,12 +83,15 @@ bearing::Inertia ring_inertia(double outer, double inner, double width, double d
   return out;
 }
 
-bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const std::string& stem) {
+/// `acts`: some result of this run depends on it.
+bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const std::string& stem,
+                             bool acts) {
+  const deck::ReportOnly quiet(deck, !acts);
+  const int type = static_cast<int>(deck.integer(type_variable));
+  const bool asymptote = type == 2;  // has three coefficients
   const std::array<double, 4> tc{deck.si(stem + "1"), deck.si(stem + "2"), deck.si(stem + "3"),
-                                 deck.si(stem + "4")};
-  return at_variable(deck, stem + "1", [&] {
-    return tribology::traction_curve(static_cast<int>(deck.integer(type_variable)), tc);
-  });
+                                 si_where(!asymptote, deck, stem + "4")};
+  return at_variable(deck, stem + "1", [&] { return tribology::traction_curve(type, tc); });
 }
 
 /// Least play of a roller between the guide faces of record 7.3.
@@ -102,8 +116,8 @@ void read_pocket(const Deck& deck, const Bearing& bearing, bearing::Cage& out) {
   using bearing::PocketShape;
   const long long type = deck.integer("kPocType");
   out.pocket_clearance_1 = deck.si("bPocCls1");
-  out.pocket_clearance_2 = deck.si("bPocCls2");
   if (!bearing.rollers) {
+    if (type >= 2) out.pocket_clearance_2 = deck.si("bPocCls2");  // the others have one clearance
     constexpr std::array kShapes{PocketShape::Cylindrical, PocketShape::Spherical,
                                  PocketShape::Elongated, PocketShape::Rectangular,
                                  PocketShape::Conical};
@@ -111,7 +125,6 @@ void read_pocket(const Deck& deck, const Bearing& bearing, bearing::Cage& out) {
     return;
   }
   out.pocket = type < 0 ? PocketShape::Cylindrical : PocketShape::Rectangular;
-  out.pocket_clearance_2 = 0.0;
   if (type > 0) out.pocket_clearance_1 = face_play(deck, *bearing.rollers);
 }
 
@@ -149,13 +162,17 @@ bearing::Cage cage(const Deck& deck, const Bearing& bearing) {
                  : guide == 2 ? bearing::GuideLand::Guide::Inner
                               : bearing::GuideLand::Guide::None;
     land.diameter = deck.si("cageGsDia", i);
-    land.width = deck.si("cageGsWidth", i);
-    land.edge = deck.si("cageGsPos", i);
+    {
+      const deck::ReportOnly quiet(deck, deck.integer("mode") < 0);  // of plays no part
+      land.width = deck.si("cageGsWidth", i);
+      land.edge = deck.si("cageGsPos", i);
+    }
     land.clearance = deck.si("cageGsCls", i);
     out.lands.push_back(land);
   }
   out.material = material(deck, "kCageMat", Part::Cage, "cage", "");
   if (deck.has("avRatio")) {
+    const deck::ReportOnly quiet(deck, deck.integer("mode") < 0);  // statics moves no cage
     out.whirl_ratio = deck.si("wvRatio");
     out.speed_ratio = deck.si("avRatio");
     for (int k = 0; k < 3; ++k) {
@@ -174,9 +191,10 @@ bearing::StaticConstraints constraints(const Deck& deck) {
                                             "appMis22"};
   for (int i = 0; i < 5; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    out.displacement_given[k] = deck.integer(kFlags[i]) == 1;
-    out.load[k] = deck.si(kLoads[i]);
-    out.displacement[k] = deck.si(kDisplacements[i]);
+    const bool given = deck.integer(kFlags[i]) == 1;
+    out.displacement_given[k] = given;
+    out.load[k] = si_where(!given, deck, kLoads[i]);
+    if (given) out.displacement[k] = deck.si(kDisplacements[i]);
   }
   out.outer_misalignment = {deck.si("appMis11"), deck.si("appMis21")};
   return out;
@@ -224,10 +242,11 @@ bearing::BallGeometry build_balls(const Deck& deck) {
   out.groove_factor = {deck.si("raceCurFac1"), deck.si("raceCurFac2")};
   out.shim = {deck.si("shimThickness1"), deck.si("shimThickness2")};
   out.shoulder_diameter = {deck.si("shoulderDia1"), deck.si("shoulderDia2")};
-  out.roughness = {deck.si("rmsAspHt1"), deck.si("rmsAspHt2")};
+  // Until films are computed.
+  out.roughness = {si_where(false, deck, "rmsAspHt1"), si_where(false, deck, "rmsAspHt2")};
   const contact::FreeState free = at_variable(deck, "freeIntCls", [&] {
     return contact::free_state(out.diameter, out.groove_factor, out.shim, deck.si("freeConAng"),
-                               deck.si("freeIntCls"));
+                               si_where(!(deck.si("freeConAng") > 0.0), deck, "freeIntCls"));
   });
   out.contact_angle = free.contact_angle;
   out.clearance = free.clearance;
@@ -271,22 +290,26 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
                       ring_inertia(groove_bottom_inner, out.envelope.bore,
                                    out.envelope.race_width[1], out.race_material[1].density)};
   const bool dynamic = deck.integer("mode") >= 0;
-  if (dynamic || deck.has("reRaceTC1")) out.race_traction = curve(deck, "kTracType", "reRaceTC");
+  if (dynamic || deck.has("reRaceTC1"))
+    out.race_traction = curve(deck, "kTracType", "reRaceTC", dynamic);
   if (deck.integer("nCseg") == 1) out.cage = cage(deck, out);
   if (dynamic && out.cage) {
-    out.pocket_traction = curve(deck, "kCPTracType", "reCageTC");
+    out.pocket_traction = curve(deck, "kCPTracType", "reCageTC", true);
     const bool guided = std::any_of(out.cage->lands.begin(), out.cage->lands.end(),
                                     [](const bearing::GuideLand& land) {
                                       return land.guide != bearing::GuideLand::Guide::None;
                                     });
-    if (guided) out.land_traction = curve(deck, "kCRTracType", "cageRaceTC");
+    if (guided) out.land_traction = curve(deck, "kCRTracType", "cageRaceTC", true);
   }
   out.constraints = constraints(deck);
   constexpr bearing::SpinRule kRules[] = {bearing::SpinRule::MinimumHeat,
                                           bearing::SpinRule::RaceControl,
                                           bearing::SpinRule::Prescribed};
-  out.spin_rule = kRules[deck.integer("kAngVel")];
-  out.spin_angle = deck.si("angVelOrient");
+  {
+    const deck::ReportOnly quiet(deck, out.rollers.has_value());
+    out.spin_rule = kRules[deck.integer("kAngVel")];
+    out.spin_angle = si_where(out.spin_rule == bearing::SpinRule::Prescribed, deck, "angVelOrient");
+  }
   out.speed = {deck.si("rpm1"), deck.si("rpm2")};
   if (deck.has("gravityVecX"))
     out.gravity = {deck.si("gravityVecX"), deck.si("gravityVecY"), deck.si("gravityVecZ")};

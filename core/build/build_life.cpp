@@ -14,8 +14,9 @@ class Reader {
   explicit Reader(const Deck& deck) : deck_(deck) {}
 
   /// Empty when no present record has the variable.
-  [[nodiscard]] std::optional<double> value(const std::string& name) const {
+  [[nodiscard]] std::optional<double> value(const std::string& name, bool acts = true) const {
     if (!deck_.has(name)) return std::nullopt;
+    const deck::ReportOnly quiet(deck_, !acts);
     return deck_.si(name);
   }
   /// The same for a value that must be above 0.
@@ -59,10 +60,11 @@ void read_constants(Reader& read, const std::string& suffix, const std::string& 
   out.weibull_slope = read.positive(slope, "give e.g. 1.111 (point) or 1.125 (line contact)");
 }
 
+/// `film`: a film parameter is known, so that asperities are counted.
 void read_factors(Reader& read, const std::string& suffix, const std::string& stle_suffix,
-                  LifeComponentInput& out) {
-  out.asperity_slope = read.value("rmsAspSlope" + suffix);
-  out.asperity_traction = read.value("aspTrac" + suffix);
+                  bool film, LifeComponentInput& out) {
+  out.asperity_slope = read.value("rmsAspSlope" + suffix, film);
+  out.asperity_traction = read.value("aspTrac" + suffix, film);
   out.tallian_material = read.value("facMat" + suffix);
   out.tallian_contamination = read.value("facCont" + suffix);
   out.tallian_process = read.value("facProc" + suffix);
@@ -82,9 +84,10 @@ bearing::LifeInputs build_life(const Deck& deck, const bearing::LifeChoices& cho
   const std::string suffixes[] = {"1", "2", "re"};
   const std::string slopes[] = {"wbDis1", "wbDis2", "wbDisRe"};
   for (std::size_t i = 0; i < 3; ++i) read_constants(read, suffixes[i], slopes[i], out.part[i]);
-  read_factors(read, "1", "1", out.part[bearing::kOuterRacePart]);
-  read_factors(read, "2", "2", out.part[bearing::kInnerRacePart]);
-  read_factors(read, "Re", "re", out.part[bearing::kElementPart]);
+  const bool film = choices.film_parameter.has_value();
+  read_factors(read, "1", "1", film, out.part[bearing::kOuterRacePart]);
+  read_factors(read, "2", "2", film, out.part[bearing::kInnerRacePart]);
+  read_factors(read, "Re", "re", film, out.part[bearing::kElementPart]);
   out.part[bearing::kOuterRacePart].residual_stress = read.value("res1").value_or(0.0);
   out.part[bearing::kInnerRacePart].residual_stress = read.value("res2").value_or(0.0);
   out.limit_factor = read.value("facStrLimit").value_or(1.0);

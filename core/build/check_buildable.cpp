@@ -175,8 +175,8 @@ std::vector<Issue> check_buildable(const Deck& deck) {
                   "set it to 0");
   }
   if (dynamic && deck.integer("kDCR") == 1)
-    for (const char* flag :
-         {"kFD11", "kFD21", "kFD31", "kFD12", "kFD22", "kFD32", "kMD11", "kMD12"})
+    for (const char* flag : {"kFD11", "kFD21", "kFD31", "kFD12", "kFD22", "kFD32", "kMD11", "kMD21",
+                             "kMD31", "kMD12", "kMD22", "kMD32"})
       if (deck.integer(flag) == 0)
         check.error(
             flag,

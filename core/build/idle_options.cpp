@@ -46,6 +46,7 @@ constexpr std::pair<const char*, const char*> kPocketErrors[] = {
 std::vector<IdleOption> idle_options(const Deck& deck) {
   std::vector<IdleOption> out;
   if (deck.integer("mode") >= 0) return out;
+  const deck::ReportOnly quiet(deck);  // to ask is not to use
   for (const Option& option : kOptions)
     if (deck.has(option.variable) && deck.integer(option.variable) != option.neutral)
       out.push_back(

@@ -14,19 +14,22 @@ namespace adore::build {
 RunControl build_run_control(const deck::Deck& deck) {
   RunControl out;
   out.dynamic = deck.integer("mode") >= 0;
+  if (const long long points = deck.integer("kStif"); points > 0) {
+    out.stiffness = {static_cast<int>(points),
+                     deck.si("pctDisp"),
+                     {deck.si("rpmRange11"), deck.si("rpmRange12")},
+                     {}};
+    const deck::ReportOnly quiet(deck, points == 1);  // no last one
+    out.stiffness->last = {deck.si("rpmRange21"), deck.si("rpmRange22")};
+  }
+  if (!out.dynamic) return out;
+
   out.print_option = static_cast<int>(deck.integer("kPrtOpt"));
   out.print_every = static_cast<int>(deck.integer("kPrtFreq"));
   out.plot_every = static_cast<int>(deck.integer("kPltFreq"));
   out.animate_every = static_cast<int>(deck.integer("kAGraf"));
   out.animate = out.animate_every > 0;
   out.life_every = static_cast<int>(deck.integer("kLifeFreq"));
-  if (const long long points = deck.integer("kStif"); points > 0)
-    out.stiffness = {static_cast<int>(points),
-                     deck.si("pctDisp"),
-                     {deck.si("rpmRange11"), deck.si("rpmRange12")},
-                     {deck.si("rpmRange21"), deck.si("rpmRange22")}};
-  if (!out.dynamic) return out;
-
   const long long start = deck.integer("kIcOpt");
   out.start = start == 0  ? StartState::Statics
               : start < 0 ? StartState::FromFinal
@@ -51,8 +54,11 @@ RunControl build_run_control(const deck::Deck& deck) {
   if (deck.has_record("2.3")) {
     out.master_file = deck.text("masName");
     out.final_file = deck.text("finName");
-    for (std::size_t i = 0; i < out.sol_files.size(); ++i)
+    for (std::size_t i = 0; i < out.sol_files.size(); ++i) {
+      const bool written = i < 6 ? i < out.monitored.size() : i == 6 || out.animate;
+      const deck::ReportOnly quiet(deck, !written);
       out.sol_files[i] = deck.text(fmt::format("pltNames{}", i + 1));
+    }
   }
   return out;
 }

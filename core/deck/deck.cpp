@@ -5,6 +5,20 @@
 #include <fmt/format.h>
 
 namespace adore::deck {
+namespace {
+
+/// find_value, entered in the deck's log.
+const Value* read_value(const Deck& deck, std::string_view name, int instance, int index) {
+  const Value* value = find_value(deck, name, instance, index);
+  if (value != nullptr && deck.reads) {
+    const VariableRef ref = find_present(deck, name, instance);
+    deck.reads->add(*find_record_data(deck, ref.record->id, instance), ref.position,
+                    static_cast<std::size_t>(index) - 1);
+  }
+  return value;
+}
+
+}  // namespace
 
 bool Deck::has_record(std::string_view id, int instance) const {
   return find_record_data(*this, id, instance) != nullptr;
@@ -16,13 +30,13 @@ bool Deck::has(std::string_view name) const {
 }
 
 long long Deck::integer(std::string_view name, int index) const {
-  const Value* value = find_value(*this, name, 1, index);
+  const Value* value = read_value(*this, name, 1, index);
   const long long* integer = value == nullptr ? nullptr : std::get_if<long long>(value);
   return integer == nullptr ? 0 : *integer;
 }
 
 double Deck::real(std::string_view name, int instance, int index) const {
-  if (const Value* value = find_value(*this, name, instance, index)) {
+  if (const Value* value = read_value(*this, name, instance, index)) {
     if (const double* real = std::get_if<double>(value)) return *real;
     if (const long long* integer = std::get_if<long long>(value))
       return static_cast<double>(*integer);
@@ -39,13 +53,14 @@ double Deck::si(std::string_view name, int instance, int index) const {
 }
 
 std::string Deck::text(std::string_view name) const {
-  const Value* value = find_value(*this, name);
+  const Value* value = read_value(*this, name, 1, 1);
   const std::string* text = value == nullptr ? nullptr : std::get_if<std::string>(value);
   return text == nullptr ? std::string() : *text;
 }
 
 UnitSystem Deck::units() const {
-  return integer("kUnit") == 2 ? UnitSystem::English : UnitSystem::SI;
+  const Value* value = find_value(*this, "kUnit");
+  return value != nullptr && *value == Value(2LL) ? UnitSystem::English : UnitSystem::SI;
 }
 
 Issue Deck::issue(Severity severity, std::string_view name, std::string message, std::string remedy,

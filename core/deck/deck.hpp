@@ -3,9 +3,15 @@
 #include "base/errors.hpp"
 #include "deck/schema.hpp"
 
+#include <cstddef>
 #include <filesystem>
+#include <memory>
+#include <set>
+#include <span>
 #include <string>
 #include <string_view>
+#include <tuple>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -34,6 +40,24 @@ struct RecordData {
   }
 };
 
+/// Which values of a deck were asked for: what nobody asked for played no part.
+class ReadLog {
+ public:
+  void add(const RecordData& record, std::size_t variable, std::size_t element) {
+    if (paused_ == 0) read_.insert({record.id, record.instance, variable, element});
+  }
+  [[nodiscard]] bool has(const RecordData& record, std::size_t variable,
+                         std::size_t element) const {
+    return read_.count({record.id, record.instance, variable, element}) > 0;
+  }
+  void pause() { ++paused_; }
+  void resume() { --paused_; }
+
+ private:
+  int paused_ = 0;
+  std::set<std::tuple<std::string, int, std::size_t, std::size_t>> read_;
+};
+
 class Deck {
  public:
   std::string file;                     ///< where it was read from; messages only
@@ -42,6 +66,9 @@ class Deck {
   /// Records that were given but that the options do not ask for: set() and complete() take them
   /// back when the options change. Neither written nor part of equality.
   std::vector<RecordData> shelf;
+  /// When there is one, integer(), real(), si() and text() enter what they were asked for. Copies
+  /// share it. Not part of equality.
+  std::shared_ptr<ReadLog> reads;
 
   bool operator==(const Deck& other) const {
     return records == other.records && user_lines == other.user_lines;
@@ -64,16 +91,39 @@ class Deck {
   /// Sets one variable from text as `--set` does: "pitchDia", "cageGsCls[2]" (instance of a
   /// repeated record, else array element), "cageGcPos[2][3]" (both), "iCageGuide" with "1,2" (a
   /// whole array). A missing record that the options ask for is added, from the shelf if it is
-  /// there, when one of its variables is set. Others that a changed option makes necessary are NOT
-  /// invented: call complete() or check() after. When it throws, the deck is unchanged.
+  /// there, when one of its variables is set; one that they do not ask for takes no value. Others
+  /// that a changed option makes necessary are NOT invented: call complete() or check() after. When
+  /// it throws, the deck is unchanged.
   /// @throws InputError naming close matches for an unknown variable, or the type that is expected.
   void set(std::string_view name, std::string_view value);
+  /// Sets several variables as one change, name and value as in set(): the options among them act
+  /// before the records that they decide, in whatever order they are given, and the deck comes out
+  /// complete(). When it throws, the deck is unchanged.
+  /// @throws InputError with every mistake: also for a variable of a record that the changed deck
+  /// does not have, and for one that is given two values.
+  void set_all(std::span<const std::pair<std::string, std::string>> sets);
   /// Adds required records that are missing (from the shelf, else default values; 0 / "" where
   /// there is none) and shelves those that no longer apply, in schema order.
   void complete();
   /// An Issue that points at a variable of this deck (file, line, record, value filled in).
   [[nodiscard]] Issue issue(Severity severity, std::string_view name, std::string message,
                             std::string remedy = {}, int instance = 1) const;
+};
+
+/// While it lives, values are read for reports only: they are not entered in the deck's log.
+class ReportOnly {
+ public:
+  explicit ReportOnly(const Deck& deck, bool when = true) : log_(when ? deck.reads : nullptr) {
+    if (log_) log_->pause();
+  }
+  ~ReportOnly() {
+    if (log_) log_->resume();
+  }
+  ReportOnly(const ReportOnly&) = delete;
+  ReportOnly& operator=(const ReportOnly&) = delete;
+
+ private:
+  std::shared_ptr<ReadLog> log_;
 };
 
 struct ReadResult {

@@ -7,9 +7,10 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
+#include <utility>
 #include <vector>
 
-/// Deck::set and Deck::complete.
+/// Deck::set, Deck::set_all and Deck::complete.
 namespace adore::deck {
 namespace {
 
@@ -150,15 +151,14 @@ RecordData from_shelf(Deck& deck, std::string_view id, int instance) {
   return data;
 }
 
-/// The record that holds the variable; a record that the present options ask for is added with
-/// defaults.
+/// The record that holds the variable, among those that the present options ask for; it is added
+/// with defaults when the deck lacks it. A record that a changed option left over holds nothing.
 const VariableRef* find_or_add(Deck& deck, std::span<const VariableRef> refs, int instance) {
-  for (const VariableRef& ref : refs)
-    if (deck.has_record(ref.record->id, instance)) return &ref;
   for (const VariableRef& ref : refs) {
     if (!evaluate(ref.record->condition, scope_of(deck)) ||
         instance > repeat_count(deck, *ref.record))
       continue;
+    if (deck.has_record(ref.record->id, instance)) return &ref;
     RecordData data = from_shelf(deck, ref.record->id, instance);
     const auto placed =
         deck.records.insert(place_of(deck.records, *ref.record, instance), std::move(data));
@@ -191,7 +191,7 @@ Place locate(Deck& deck, const Target& target, std::string_view name, std::strin
          "give a smaller number, or raise the count");
   if (place.ref == nullptr)
     fail(name, value, "this deck has no such record",
-         fmt::format("it belongs to {}; set that option first", condition_of(refs)));
+         fmt::format("it belongs to {}; set that option too", condition_of(refs)));
 
   const RecordSpec& record = *place.ref->record;
   const int count = record.repeat.empty() ? 1 : repeat_count(deck, record);
@@ -213,7 +213,73 @@ Place locate(Deck& deck, const Target& target, std::string_view name, std::strin
   return place;
 }
 
+/// One of several sets.
+struct Pending {
+  const std::pair<std::string, std::string>* text = nullptr;
+  Target target;
+  bool done = false;
+};
+
+/// The sets as targets. @throws InputError with every name that cannot be understood, and every
+/// pair that gives one target two values.
+std::vector<Pending> parse_all(std::span<const std::pair<std::string, std::string>> sets) {
+  std::vector<Pending> out;
+  std::vector<Issue> issues;
+  for (const auto& text : sets) try {
+      Pending pending{&text, parse_target(text.first)};
+      if (find_variable(pending.target.name).empty())
+        fail_unknown(pending.target.name, text.second);
+      const auto same = std::find_if(out.begin(), out.end(), [&](const Pending& other) {
+        return other.target.name == pending.target.name &&
+               other.target.indices == pending.target.indices;
+      });
+      if (same == out.end())
+        out.push_back(std::move(pending));
+      else if (trimmed(same->text->second) != trimmed(text.second))
+        fail(text.first, text.second,
+             fmt::format("is set twice, to {} and to {}", same->text->second, text.second),
+             "give it one value");
+    } catch (const InputError& error) {
+      issues.insert(issues.end(), error.issues().begin(), error.issues().end());
+    }
+  if (!issues.empty()) throw InputError(std::move(issues));
+  // Of one variable the whole array comes before an element of it.
+  std::stable_sort(out.begin(), out.end(), [](const Pending& a, const Pending& b) {
+    return a.target.indices.size() < b.target.indices.size();
+  });
+  return out;
+}
+
 }  // namespace
+
+void Deck::set_all(std::span<const std::pair<std::string, std::string>> sets) {
+  std::vector<Pending> pending = parse_all(sets);
+  Deck changed = *this;
+  std::vector<Issue> issues;
+  const auto apply = [&](Pending& item) {
+    item.done = true;
+    try {
+      changed.set(item.text->first, item.text->second);
+    } catch (const InputError& error) {
+      issues.insert(issues.end(), error.issues().begin(), error.issues().end());
+    }
+  };
+  // In deck order, so that whatever decides whether a record is there, or how long it is, has its
+  // value before the record gets its own.
+  for (const RecordSpec& record : schema())
+    for (const VariableSpec& variable : record.variables)
+      for (Pending& item : pending) {
+        if (item.done || item.target.name != variable.name) continue;
+        changed.complete();
+        if (changed.has_record(record.id)) apply(item);
+      }
+  for (Pending& item : pending)
+    if (!item.done) apply(item);  // no record takes it: set() says why
+  if (!issues.empty()) throw InputError(std::move(issues));
+  changed.complete();
+  records = std::move(changed.records);
+  shelf = std::move(changed.shelf);
+}
 
 void Deck::set(std::string_view name, std::string_view value) {
   Deck changed = *this;  // so that a mistake leaves this deck as it is

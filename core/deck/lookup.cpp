@@ -66,7 +66,11 @@ const Value* find_value(const Deck& deck, std::string_view name, int instance, i
 
 ConditionScope scope_of(const Deck& deck) {
   ConditionScope scope;
-  scope.integer = [&deck](std::string_view name) { return deck.integer(name); };
+  scope.integer = [&deck](std::string_view name) {
+    const Value* value = find_value(deck, name);
+    const long long* integer = value == nullptr ? nullptr : std::get_if<long long>(value);
+    return integer == nullptr ? 0 : *integer;
+  };
   scope.array = [&deck](std::string_view name) {
     std::vector<long long> items;
     const VariableRef ref = find_present(deck, name);

@@ -16,10 +16,10 @@ const RecordData* find_record_data(const Deck& deck, std::string_view id, int in
 /// record.
 VariableRef find_present(const Deck& deck, std::string_view name, int instance = 1);
 
-/// nullptr when no present record has that element.
+/// nullptr when no present record has that element. Not entered in the deck's ReadLog.
 const Value* find_value(const Deck& deck, std::string_view name, int instance = 1, int index = 1);
 
-/// Conditions evaluated on what the deck holds.
+/// Conditions evaluated on what the deck holds; not entered in the deck's ReadLog.
 ConditionScope scope_of(const Deck& deck);
 
 /// Number of elements of an array variable; never below 0 and, whatever the deck says, bounded.

@@ -2,7 +2,9 @@
 
 #include "build/build_bearing.hpp"
 #include "build/build_life.hpp"
+#include "build/no_part.hpp"
 #include "build/run_control.hpp"
+#include "deck/unit_text.hpp"
 #include "facade/prepare.hpp"
 #include "life/parameters.hpp"
 #include "statics/ball_model.hpp"
@@ -50,16 +52,24 @@ std::vector<Issue> check_model(const deck::Deck& deck) {
     model.complete();
     if (has_error(build::check_buildable(model))) return issues;
   }
+  model.reads = std::make_shared<deck::ReadLog>();
   try {
     const bearing::Bearing operating = thermal::operating_bearing(build::build_bearing(model));
     for (Issue& issue : operating_warnings(operating, deck.file))
       issues.push_back(std::move(issue));
     check_rest(model, operating);
+    if (runs)
+      if (std::optional<Issue> note = build::note_of(build::values_without_part(model), model))
+        issues.push_back(std::move(*note));
   } catch (const InputError& error) {
     for (Issue issue : error.issues()) {
       if (issue.file.empty()) issue.file = deck.file;
       issues.push_back(std::move(issue));
     }
+  }
+  for (Issue& issue : issues) {
+    issue.message = deck::message_in_units(issue.message, deck.units());
+    issue.remedy = deck::message_in_units(issue.remedy, deck.units());
   }
   return issues;
 }

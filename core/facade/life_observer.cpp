@@ -30,6 +30,7 @@ void LifeObserver::observe(const dynamics::Snapshot& snapshot) {
   started_ = inside;
   rate_ = rate;
   time_ = snapshot.time;
+  step_ = snapshot.step;
 }
 
 results::RunLife LifeObserver::run_life() const {
@@ -47,6 +48,7 @@ void LifeObserver::save(std::map<std::string, double>& state) const {
   damage_.save(state);
   state["life.started"] = started_ ? 1.0 : 0.0;
   state["life.time"] = time_;
+  state["life.step"] = static_cast<double>(step_);
   state["life.turns_rate"] = rate_.turns;
   for (std::size_t i = 0; i < rate_.damage.size(); ++i)
     state[fmt::format("life.rate.{}", i)] = rate_.damage[i];
@@ -59,6 +61,7 @@ void LifeObserver::restore(const std::map<std::string, double>& state) {
   damage_.restore(state);
   started_ = state.at("life.started") > 0.5;
   time_ = state.at("life.time");
+  if (state.count("life.step") > 0) step_ = std::lround(state.at("life.step"));
   rate_.turns = state.at("life.turns_rate");
   for (std::size_t i = 0; i < rate_.damage.size(); ++i)
     rate_.damage[i] = state.at(fmt::format("life.rate.{}", i));

@@ -20,6 +20,8 @@ class LifeObserver {
   /// Of the last instant, as if its loads lasted for ever, by the model that SOL7 stores, at the
   /// deck's survival probability [hr]; infinity is a valid life, 0 before the first instant.
   [[nodiscard]] double hours() const noexcept { return hours_; }
+  /// Number of that instant's step.
+  [[nodiscard]] long step() const noexcept { return step_; }
   [[nodiscard]] results::RunLife run_life() const;
 
   /// For MASTER, and back.
@@ -34,6 +36,7 @@ class LifeObserver {
   double time_ = 0.0;      ///< of it [s]
   bool started_ = false;   ///< there was one inside the window
   double hours_ = 0.0;
+  long step_ = 0;
 };
 
 }  // namespace adore::facade

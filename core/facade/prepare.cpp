@@ -2,8 +2,10 @@
 
 #include "build/build_bearing.hpp"
 #include "build/build_life.hpp"
+#include "build/no_part.hpp"
 #include "build/scene_plan.hpp"
 #include "deck/defaults.hpp"
+#include "deck/unit_text.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/scene_estimate.hpp"
 #include "facade/judge_steps.hpp"
@@ -76,11 +78,37 @@ std::vector<Issue> remarks_after_sets(const deck::Deck& given, const deck::Deck&
   return out;
 }
 
+void to_deck_units(std::vector<std::string>& texts, deck::UnitSystem units) {
+  for (std::string& text : texts) text = deck::message_in_units(text, units);
+}
+
+void to_deck_units(std::vector<Issue>& issues, deck::UnitSystem units) {
+  for (Issue& issue : issues) {
+    issue.message = deck::message_in_units(issue.message, units);
+    issue.remedy = deck::message_in_units(issue.remedy, units);
+  }
+}
+
+/// Whatever the library says of this deck is read by who wrote the deck.
+void say_in_deck_units(Prepared& out) {
+  const deck::UnitSystem units = out.input.deck.units();
+  to_deck_units(out.input.warnings, units);
+  to_deck_units(out.statics.notes, units);
+  to_deck_units(out.start.notes, units);
+  if (out.rollers) to_deck_units(out.rollers->notes, units);
+  if (out.bearing.operating) to_deck_units(out.bearing.operating->warnings, units);
+  for (statics::StiffnessRow& row : out.stiffness)
+    if (row.operating) to_deck_units(row.operating->warnings, units);
+  to_deck_units(out.life.notes, units);
+  if (out.life.iso) to_deck_units(out.life.iso->notes, units);
+}
+
 Prepared prepare_model(LoadedDeck input) {
   Prepared out;
   out.input = std::move(input);
   const deck::Deck& deck = out.input.deck;
   out.options = build::build_run_options(out.input.option_values);
+  out.input.deck.reads = std::make_shared<deck::ReadLog>();
   out.as_built = build::build_bearing(deck, out.options.seed);
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
   for (Issue& issue : build::check_buildable(deck)) out.input.warnings.push_back(std::move(issue));
@@ -88,9 +116,13 @@ Prepared prepare_model(LoadedDeck input) {
   for (Issue& issue : operating_warnings(out.bearing, out.input.path.string()))
     out.input.warnings.push_back(std::move(issue));
   out.control = build::build_run_control(deck);
+  const bearing::LifeInputs life_inputs = build::build_life(deck, out.options.life);
+  out.no_part = build::values_without_part(deck);
+  out.input.deck.reads.reset();  // the rest reads the deck for texts
+  if (std::optional<Issue> note = build::note_of(out.no_part, deck))
+    out.input.warnings.push_back(std::move(*note));
   out.plan = out.control.dynamic ? build::make_scene_plan(deck, out.bearing, out.control)
                                  : static_plan(out);
-  const bearing::LifeInputs life_inputs = build::build_life(deck, out.options.life);
   out.stiffness_seconds = timed([&] { out.stiffness = stiffness_over_speed(out); });
   // The first speed at which the table's geometry gives way.
   for (const statics::StiffnessRow& row : out.stiffness) {
@@ -182,8 +214,7 @@ LoadedDeck load_deck(const DeckRequest& request) {
   out.deck = std::move(read.deck);
   if (!request.sets.empty() && read.ok()) {
     const deck::Deck given = out.deck;
-    for (const auto& [name, value] : request.sets) out.deck.set(name, value);
-    out.deck.complete();
+    out.deck.set_all(request.sets);
     issues = remarks_after_sets(given, out.deck, issues);
   }
   bool wrong = false;
@@ -217,14 +248,20 @@ Prepared prepare(const DeckRequest& request) {
 
 Prepared prepare(LoadedDeck input) {
   const std::string file = input.path.string();
+  const deck::UnitSystem units = input.deck.units();
   (void)build::build_run_options(input.option_values);  // what is wrong with them is not the deck's
   try {
-    return prepare_model(std::move(input));
+    Prepared out = prepare_model(std::move(input));
+    say_in_deck_units(out);
+    return out;
   } catch (const InputError& error) {
     std::vector<Issue> issues = error.issues();
     for (Issue& issue : issues)
       if (issue.file.empty()) issue.file = file;
+    to_deck_units(issues, units);
     throw InputError(std::move(issues));
+  } catch (const SolverError& error) {
+    throw SolverError(deck::message_in_units(error.what(), units));
   }
 }
 

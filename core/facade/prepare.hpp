@@ -3,6 +3,7 @@
 #include "bearing/bearing.hpp"
 #include "build/run_control.hpp"
 #include "deck/deck.hpp"
+#include "deck/no_part.hpp"
 #include "dynamics/scene_plan.hpp"
 #include "dynamics/system.hpp"
 #include "life/bearing_life.hpp"
@@ -63,6 +64,7 @@ struct Prepared {
   std::string stability;           ///< of a run: what was decided on its steps (judge_steps.hpp)
   double solve_seconds = 0.0;      ///< computing time of the equilibrium
   double stiffness_seconds = 0.0;  ///< and of the table over speed
+  std::vector<deck::NoPart> no_part;  ///< values of the deck that this run does not use, and why
   life::BearingLife life;          ///< at the equilibrium that PRINT.txt shows
 
   /// What the quasi-static solution says of the inner race, whatever rolls on it.

@@ -2,6 +2,7 @@
 
 #include "base/version.hpp"
 #include "dynamics/race_contacts.hpp"
+#include "deck/unit_text.hpp"
 #include "facade/judge_steps.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/run_outputs.hpp"
@@ -56,14 +57,6 @@ Span run_span(const RunRequest& request, const Prepared& prepared, double time_s
   if (!request.until.empty())
     return {parse_until(request.until, shaft_speed, time_scale), std::numeric_limits<long>::max()};
   return {prepared.control.end_time * time_scale, prepared.control.max_steps};
-}
-
-Issue note(const Prepared& prepared, const std::string& text) {
-  Issue issue;
-  issue.severity = Severity::Note;
-  issue.file = prepared.input.path.string();
-  issue.message = text;
-  return issue;
 }
 
 /// Number of the last counted step of a run that goes on or begins at `start`.
@@ -150,7 +143,7 @@ RunOutcome run_quasi_static(const RunRequest& request, const Prepared& prepared,
   out.results = outputs.write_quasi_static();
   out.files = outputs.files();
   out.summary = outputs.summary();
-  for (const std::string& text : outputs.remarks()) out.warnings.push_back(note(prepared, text));
+  out.warnings = outputs.remarks();
   return out;
 }
 
@@ -353,7 +346,7 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
     out.message = failure.what();
   } catch (const SolverError& failure) {
     out.status = RunStatus::Failed;
-    out.message = failure.what();
+    out.message = deck::message_in_units(failure.what(), prepared.input.deck.units());
   }
   const RunPoint end{step, stepper->time(), h, stepper->state()};
   if (out.status != RunStatus::Failed)
@@ -394,8 +387,9 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
   out.steps = step;
   out.time = end.time;
   out.revolutions =
-      (prepared.bearing.speed[1] - prepared.bearing.speed[0]) * end.time / (2.0 * std::numbers::pi);
-  for (const std::string& text : outputs.remarks()) out.warnings.push_back(note(prepared, text));
+      ((prepared.bearing.speed[1] - prepared.bearing.speed[0]) * end.time + start.turned_before) /
+      (2.0 * std::numbers::pi);
+  out.warnings = outputs.remarks();
   out.seconds = seconds_since(begin);
   out.energy_residual = outputs.energy_residual();
   out.energy_scale = outputs.energy_scale();
@@ -466,8 +460,8 @@ RunOutcome run(const RunRequest& request, const ProgressSink& progress, std::sto
   out.folder = folder;
   std::vector<Issue> remarks = std::move(out.warnings);
   out.warnings = prepared.input.warnings;
-  for (Issue& issue : solution_notes(prepared)) out.warnings.push_back(std::move(issue));
-  for (Issue& issue : remarks) out.warnings.push_back(std::move(issue));
+  for (Issue& note : solution_notes(prepared)) out.warnings.push_back(std::move(note));
+  for (Issue& note : remarks) out.warnings.push_back(std::move(note));
   out.seconds = seconds_since(begin);
   return out;
 }

@@ -4,6 +4,7 @@
 #include "base/version.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "facade/cage_start.hpp"
+#include "facade/continued_deck.hpp"
 #include "facade/life_observer.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/plan_json.hpp"
@@ -178,7 +179,7 @@ struct RunOutputs::Impl {
   Snapshot last;                         ///< last stored instant
   std::vector<double> last_y;
   std::vector<fs::path> written;
-  std::vector<std::string> remarks;
+  std::vector<Issue> remarks;
   std::vector<std::pair<std::string, double>> key_results;
   Clock::time_point checkpoint = Clock::now();
   long plotted = -1, animated = -1, printed = -1, saved = -1;  ///< last step in each kind of file
@@ -186,6 +187,7 @@ struct RunOutputs::Impl {
   long segment = 0;           ///< step from which maxStps counts
   long restart_step = -1;     ///< of the last checkpoint
   int cage_position = -1;  ///< first component of the cage's mass centre
+  double turned_before = 0.0;  ///< rotation of the shaft beyond speed times time [rad]
 
   Impl(const Prepared& p, fs::path f, std::string r, bool o)
       : prepared(p),
@@ -203,6 +205,16 @@ struct RunOutputs::Impl {
     return folder / control.sol_files[number - 1];
   }
 
+  [[nodiscard]] double shaft_speed() const {
+    return prepared.bearing.speed[1] - prepared.bearing.speed[0];
+  }
+  void remark(std::string text, Severity severity = Severity::Note) {
+    Issue issue;
+    issue.severity = severity;
+    issue.file = prepared.input.path.string();
+    issue.message = std::move(text);
+    remarks.push_back(std::move(issue));
+  }
   [[nodiscard]] int cages() const { return prepared.bearing.cage ? 1 : 0; }
   [[nodiscard]] bool writes_animation() const;
   [[nodiscard]] Outputs outputs() const;
@@ -270,9 +282,8 @@ void RunOutputs::Impl::make_room() {
   if (control.start != build::StartState::Statics) std::erase(all_outputs.names, control.final_file);
   const fs::path away = facade::make_room(all_outputs);
   if (!away.empty())
-    remarks.push_back(
-        fmt::format("results of an earlier run that this run does not write were moved into {}",
-                    away.string()));
+    remark(fmt::format("results of an earlier run that this run does not write were moved into {}",
+                       away.string()));
 }
 
 void RunOutputs::Impl::open_files(bool continued) {
@@ -298,7 +309,7 @@ void RunOutputs::Impl::open_files(bool continued) {
   }
   if (!control.animate) return;
   if (const auto refusal = results::sol8_refusal(prepared.bearing.balls.count, cages())) {
-    remarks.push_back(*refusal);
+    remark(*refusal);
     return;
   }
   written.push_back(sol_path(8));
@@ -320,6 +331,9 @@ results::FinalState RunOutputs::Impl::final_state(const dynamics::System& system
   out.scales = system.scales();
   out.components = component_names(system);
   out.state.assign(y.begin(), y.end());
+  deck::Deck deck = prepared.input.deck;
+  deck.user_lines.clear();  // of user routines: any text
+  out.deck = deck::write_deck(deck);
   return out;
 }
 
@@ -412,6 +426,7 @@ Snapshot RunOutputs::Impl::snapshot(dynamics::System& system, const RunPoint& po
   Snapshot out = system.snapshot(point.time, point.y);
   out.step = point.step;
   out.step_size = point.step_size;
+  out.shaft_rotation += turned_before;
   if (!ledger_start) return out;
   set_start(out.energy, ledger_start->stored);
   if (out.momentum) {
@@ -493,8 +508,9 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
     out.options.emplace_back(info.name, set ? given->second : info.default_value);
   }
   out.defaults_used = deck::defaults_used(prepared.input.deck);
+  out.no_part = prepared.no_part;
   for (const Issue& issue : prepared.input.warnings) out.notes.push_back(issue.text());
-  for (const std::string& remark : remarks) out.notes.push_back(remark);
+  for (const Issue& remark : remarks) out.notes.push_back(remark.text());
   for (const std::string& note : prepared.race_result().notes) out.notes.push_back(note);
   out.instruction_set = dynamics::race_contact_instruction_set();
   const bearing::Imperfections& imperfections = prepared.bearing.imperfections;
@@ -546,8 +562,7 @@ RunOutputs::RunOutputs(const Prepared& prepared, const fs::path& folder, std::st
     : impl_(std::make_unique<Impl>(prepared, folder, std::move(request), overwrite)) {}
 RunOutputs::~RunOutputs() = default;
 
-void RunOutputs::remark(std::string text) { impl_->remarks.push_back(std::move(text)); }
-const std::vector<std::string>& RunOutputs::remarks() const { return impl_->remarks; }
+void RunOutputs::remark(std::string text) { impl_->remark(std::move(text)); }
 
 StartPoint RunOutputs::find_start(dynamics::System& system, build::StartState start) {
   Impl& s = *impl_;
@@ -556,17 +571,25 @@ StartPoint RunOutputs::find_start(dynamics::System& system, build::StartState st
   std::error_code error;
   const bool master_exists = fs::exists(s.path(s.control.master_file), error);
   if (start == build::StartState::Continue && !master_exists) {
-    s.remarks.push_back(fmt::format("kIcOpt = 1, and there is no {}: a new run from {}",
-                                    s.control.master_file, s.control.final_file));
+    s.remark(fmt::format("kIcOpt = 1, and there is no {}: a new run from {}", s.control.master_file,
+                         s.control.final_file));
     start = build::StartState::FromFinal;
   }
+  const auto compare = [&](const results::FinalState& stored, const fs::path& file) {
+    for (Issue& note : compare_with_stored(stored.deck, s.prepared.input.deck, file, start))
+      s.remarks.push_back(std::move(note));
+  };
   if (start == build::StartState::FromFinal) {
-    const results::FinalState from = results::read_final(s.path(s.control.final_file));
+    const fs::path file = s.path(s.control.final_file);
+    const results::FinalState from = results::read_final(file);
+    results::check_bodies(from, component_names(system), file);
+    compare(from, file);
     take_state(from, system, out.y);
   } else if (start == build::StartState::Continue) {
     const results::MasterState master = results::read_master(s.path(s.control.master_file));
     results::check_run_id(s.path(s.control.master_file), master.last.run_id,
                           s.prepared.bearing.run_id);
+    compare(master.last, s.path(s.control.master_file));
     results::check_layout(master.last, component_names(system), s.path(s.control.master_file));
     system.set_scales(master.last.scales);
     out.y = master.last.state;
@@ -574,6 +597,9 @@ StartPoint RunOutputs::find_start(dynamics::System& system, build::StartState st
     out.step = master.last.step;
     out.step_size = master.last.step_size;
     out.continued = true;
+    // Speeds may have changed: the shaft goes on from where it was.
+    out.turned_before = master.last.shaft_rotation - s.shaft_speed() * master.last.time;
+    s.turned_before = out.turned_before;
     s.averages.restore(master.averages);
     s.life.restore(master.averages);
     s.recorder.restore(master.averages);
@@ -661,8 +687,8 @@ void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool alw
     s.saved = point.step;
   }
   if (print)
-    s.print->step(s.last, record, s.prepared.bearing, s.averages.averages(),
-                  s.control.print_option);
+    s.print->step(s.last, record, s.prepared.bearing, s.averages.averages(), s.control.print_option,
+                  s.life.step());
 }
 
 void RunOutputs::follow(const RunPoint& point) {
@@ -710,6 +736,16 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   Impl& s = *impl_;
   s.written.push_back(s.path(s.control.final_file));
   s.written.push_back(s.path(s.control.master_file));
+  if (const long missed = end.counters.at_minimum; missed > 0) {
+    const double share =
+        100.0 * static_cast<double>(missed) / static_cast<double>(std::max(1L, end.counters.steps));
+    s.remark(
+        fmt::format("{} of {} steps ({:.2g} %) missed the tolerance of {:g}: the smallest step "
+                    "that record 2.1 allows is too long for it; make stpMin smaller, or tol "
+                    "larger",
+                    missed, end.counters.steps, share, s.control.tolerance),
+        Severity::Warning);
+  }
   results::RunSummary run = s.summary_of_deck();
   run.status = status_word(end.status);
   run.message = end.message;
@@ -790,6 +826,7 @@ results::EnergyJudgement RunOutputs::judge_energy() const {
 std::string RunOutputs::load_warning() const {
   return results::load_warning(impl_->mean_load(), impl_->units);
 }
+std::vector<Issue> RunOutputs::remarks() const { return impl_->remarks; }
 
 double RunOutputs::energy_residual() const { return impl_->last.energy.residual(); }
 

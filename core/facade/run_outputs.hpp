@@ -38,6 +38,7 @@ struct StartPoint {
   Resume resume;       ///< of the run that is continued; memory empty: its stepper starts anew
   long segment = 0;    ///< step from which maxStps counts
   bool complete = false;  ///< the run that is continued has its last page
+  double turned_before = 0.0;  ///< shaft rotation beyond speed times time: of earlier speeds [rad]
 };
 
 struct RunEnd {
@@ -68,7 +69,6 @@ class RunOutputs {
   void open(dynamics::System& system, const StartPoint& start);
   /// Says something in RUN.json and on the last page, and to whoever asks for remarks().
   void remark(std::string text);
-  [[nodiscard]] const std::vector<std::string>& remarks() const;
   /// Does any file store this step? (print, plot and animation intervals)
   [[nodiscard]] bool wants(long step) const;
   /// Stores a point in the files whose interval it meets; `always` in all of them (first and last
@@ -92,6 +92,8 @@ class RunOutputs {
   [[nodiscard]] results::EnergyJudgement judge_energy() const;
   /// A sentence when the elements carried another load than the deck asks; empty when not.
   [[nodiscard]] std::string load_warning() const;
+  /// What turned up while the run started and ended: notes on the deck.
+  [[nodiscard]] std::vector<Issue> remarks() const;
   [[nodiscard]] double energy_residual() const;  ///< [J]
   [[nodiscard]] double energy_scale() const;     ///< [J]
 

@@ -243,7 +243,7 @@ constexpr auto kTable = std::to_array<Channel>({
     {"power.churning_fraction", "churning fraction", &unit::kPure, "-", Per::Run, 1, false,
      [](const Source& s) { return s.snapshot->power.churning_fraction; }, "share of churning and drag in the loss"},
     {"power.life", "fatigue life", &unit::kLife, "-", Per::Run, 1, false,
-     [](const Source& s) { return plotted_life(s.snapshot->power.life_hours); }, "at the present loads; infinite as 9.9999999E+30; 0 where no life model is active"},
+     [](const Source& s) { return plotted_life(s.snapshot->power.life_hours); }, "at the loads of the last life prediction (kLifeFreq); infinite as 9.9999999E+30; 0 where no life model is active"},
     {"power.element1_wear_rate", "average wear rate, rolling element 1", &unit::kVolumeFlow, "-", Per::Run, 1, false,
      [](const Source& s) {
        return average_wear_rate(s.bearing->ball_material, s.snapshot->power.qv_element1[0] + s.snapshot->power.qv_element1[1],

@@ -61,7 +61,8 @@ Json to_json(const FinalState& state) {
             {"force", state.scales.force},
             {"time", state.scales.time}}},
           {"extras", state.extras},
-          {"state", components}};
+          {"state", components},
+          {"deck", state.deck}};
 }
 
 Json to_json(const MasterState& state) {

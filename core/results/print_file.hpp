@@ -71,9 +71,11 @@ class PrintFile {
   /// Stiffness over speed (kStif); `share`: of the contact deflection, for the differences.
   void stiffness_table(const std::vector<statics::StiffnessRow>& rows, double share);
   /// One printed step: rolling elements, races and cage, applied parameters, summary, as kPrtOpt
-  /// selects. `record` is the snapshot as the ChannelRecorder shows it.
+  /// selects. `record` is the snapshot as the ChannelRecorder shows it; `life_step`: whose loads
+  /// the life of the snapshot is for, when not its own.
   void step(const dynamics::Snapshot& snapshot, const StepRecord& record,
-            const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt);
+            const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt,
+            std::optional<long> life_step = {});
   /// Last page: plan, steps, conservation and cost ledgers, accuracy of the contact integrals,
   /// defaults used.
   void ledgers(const RunSummary& run, const dynamics::ScenePlan& plan,
@@ -105,7 +107,8 @@ void print_race_stiffness(Report& report, const statics::RaceResult& solution);
 void print_stiffness_table(Report& report, const std::vector<statics::StiffnessRow>& rows,
                            double share);
 void print_step(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record,
-                const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt);
+                const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt,
+                std::optional<long> life_step = {});
 void print_ledgers(Report& report, const RunSummary& run, const dynamics::ScenePlan& plan,
                    const std::optional<RunLife>& life = std::nullopt);
 

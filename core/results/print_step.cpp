@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <span>
 
 /// The four sections of a printed step (outputs.md 3.3).
 namespace adore::results {
@@ -17,6 +19,8 @@ struct ChannelColumn {
   std::string title;
   std::string_view id;
   int race = -1;  ///< of contact channels
+  /// Instead of a channel's values: SI, of one element.
+  std::function<double(std::size_t)> value = {};
 };
 
 void element_table(Report& report, const StepRecord& record, int interval,
@@ -28,14 +32,24 @@ void element_table(Report& report, const StepRecord& record, int interval,
   for (int j = 0; j < record.shape.elements; j += interval) {
     Report::Row row{std::to_string(j + 1), {}};
     for (const ChannelColumn& column : wanted)
-      row.values.push_back(
-          record[column.id][static_cast<std::size_t>(column.race < 0 ? j : 2 * j + column.race)]);
+      row.values.push_back(column.value ? column.value(static_cast<std::size_t>(j))
+                                        : record[column.id][static_cast<std::size_t>(
+                                              column.race < 0 ? j : 2 * j + column.race)]);
     rows.push_back(std::move(row));
   }
   report.table("element", columns, rows);
 }
 
-void elements(Report& report, const StepRecord& record, int interval) {
+/// Is there a film, a temperature rise anywhere? 0 in all contacts: no model computes it.
+bool is_computed(const StepRecord& record, std::string_view id) {
+  const std::span<const double> values = record[id];
+  return std::any_of(values.begin(), values.end(), [](double v) { return v != 0.0; });
+}
+
+void elements(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record,
+              int interval) {
+  const bool film = is_computed(record, "contact.film");
+  const bool rise = is_computed(record, "contact.temperature_rise");
   report.heading(
       "1. Rolling element parameters: position, velocity, angular velocity (theta, phi in the "
       "azimuth frame)");
@@ -50,31 +64,38 @@ void elements(Report& report, const StepRecord& record, int interval) {
                  {"theta", "element.angular_velocity_theta"},
                  {"phi", "element.angular_velocity_phi"}});
   report.heading("Angular position of the principal x axis, and thermal state of the contacts");
-  element_table(report, record, interval,
-                {{"theta", "element.theta"},
-                 {"phi", "element.phi"},
-                 {"rotation", "element.rotation"},
-                 {"QV outer", "contact.load_slip", 0},
-                 {"QV inner", "contact.load_slip", 1},
-                 {"rise outer", "contact.temperature_rise", 0},
-                 {"rise inner", "contact.temperature_rise", 1},
-                 {"temp outer", "contact.temperature", 0},
-                 {"temp inner", "contact.temperature", 1}});
+  std::vector<ChannelColumn> thermal{{"theta", "element.theta"},
+                                     {"phi", "element.phi"},
+                                     {"rotation", "element.rotation"},
+                                     {"QV outer", "contact.load_slip", 0},
+                                     {"QV inner", "contact.load_slip", 1}};
+  if (rise)
+    thermal.insert(thermal.end(), {{"rise outer", "contact.temperature_rise", 0},
+                                   {"rise inner", "contact.temperature_rise", 1},
+                                   {"temp outer", "contact.temperature", 0},
+                                   {"temp inner", "contact.temperature", 1}});
+  element_table(report, record, interval, thermal);
+  if (!rise) report.item("Contact temperature and its rise above the race", "not computed");
+  if (!film) report.item("Film thickness (hypothetical traction)", "not computed");
   for (int race = 0; race < 2; ++race) {
     report.heading(fmt::format(
         "Contacts with the {} race (a across, b along the rolling direction; edge: {})",
         race == 0 ? "outer" : "inner", race == 0 ? "depth s below the shoulder" : "half chord t"));
-    element_table(report, record, interval,
-                  {{"load", "contact.load", race},
-                   {"angle", "contact.angle", race},
-                   {"a", "contact.half_major", race},
-                   {"b", "contact.half_minor", race},
-                   {"pressure", "contact.pressure", race},
-                   {"film", "contact.film", race},
-                   {"slip", "contact.slip", race},
-                   {"spin/roll", "contact.spin_to_roll", race},
-                   {"heat", "contact.heat", race},
-                   {"edge", "contact.edge", race}});
+    std::vector<ChannelColumn> columns{{"load", "contact.load", race},
+                                       {"angle", "contact.angle", race},
+                                       {"a", "contact.half_major", race},
+                                       {"b", "contact.half_minor", race},
+                                       {"pressure", "contact.pressure", race}};
+    if (film) columns.push_back({"film", "contact.film", race});
+    columns.insert(columns.end(), {{"slip", "contact.slip", race},
+                                   {"spin/roll", "contact.spin_to_roll", race},
+                                   {"heat", "contact.heat", race},
+                                   {"edge", "contact.edge", race}});
+    if (race == 1)  // N94: the channel holds s of both races
+      columns.back().value = [&](std::size_t j) {
+        return snapshot.elements[j].race[1].centre_chord;
+      };
+    element_table(report, record, interval, columns);
   }
   if (record.shape.cages == 0) return;
   report.heading(
@@ -96,20 +117,23 @@ void elements(Report& report, const StepRecord& record, int interval) {
   report.table("element", columns, rows);
 }
 
-/// By the model that run option sol7Life names, as if the loads of this instant lasted for ever.
-void fatigue_life(Report& report, const dynamics::Snapshot& snapshot) {
+/// By the model that run option sol7Life names, as if the loads of `life_step` lasted for ever.
+void fatigue_life(Report& report, const dynamics::Snapshot& snapshot, long life_step) {
   const double life = snapshot.power.life_hours;
+  const std::string label =
+      life_step == snapshot.step
+          ? std::string("Fatigue life at the present loads (sol7Life; page FATIGUE LIFE)")
+          : fmt::format("Fatigue life at the loads of step {} (kLifeFreq; sol7Life)", life_step);
   if (std::isinf(life))
-    report.item("Fatigue life at the present loads (sol7Life; origin: page FATIGUE LIFE)",
-                "INFINITE");
+    report.item(label, "INFINITE");
   else if (life > 0.0)
-    report.item("Fatigue life at the present loads (sol7Life; origin: page FATIGUE LIFE)", life,
-                unit::kLife);
+    report.item(label, life, unit::kLife);
   else
     report.item("Fatigue life", "no life model is active");
 }
 
-void bodies(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record) {
+void bodies(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record,
+            long life_step) {
   report.heading(
       "2. Race and cage parameters: position and orientation (theta, phi of the body's axis in the "
       "base frame)");
@@ -183,7 +207,7 @@ void bodies(Report& report, const dynamics::Snapshot& snapshot, const StepRecord
   report.item("Inner race", record["race.wear_rate"][1], unit::kVolumeFlow);
   if (!snapshot.cages.empty())
     report.item("Cage", record["power.cage_wear_rate"][0], unit::kVolumeFlow);
-  fatigue_life(report, snapshot);
+  fatigue_life(report, snapshot, life_step);
 }
 
 void applied(Report& report, const dynamics::Snapshot& snapshot, const bearing::Bearing& bearing) {
@@ -240,7 +264,7 @@ void applied(Report& report, const dynamics::Snapshot& snapshot, const bearing::
 }
 
 void summary(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record,
-             const Averages& averages) {
+             const Averages& averages, long life_step) {
   report.heading("4. Time step summary");
   report.item("Step", snapshot.step);
   report.item("Time", snapshot.time, unit::kTime);
@@ -270,7 +294,7 @@ void summary(Report& report, const dynamics::Snapshot& snapshot, const StepRecor
   report.item("Average wear rate, inner race", record["race.wear_rate"][1], unit::kVolumeFlow);
   if (!snapshot.cages.empty())
     report.item("Average wear rate, cage", record["power.cage_wear_rate"][0], unit::kVolumeFlow);
-  fatigue_life(report, snapshot);
+  fatigue_life(report, snapshot, life_step);
   if (snapshot.held_elements)
     report.item("Elements held in force balance", static_cast<long>(*snapshot.held_elements));
   report.item("Energy residual", snapshot.energy.residual(), unit::kEnergy);
@@ -279,13 +303,15 @@ void summary(Report& report, const dynamics::Snapshot& snapshot, const StepRecor
 }  // namespace
 
 void print_step(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record,
-                const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt) {
+                const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt,
+                std::optional<long> life_step) {
   const PrintSections sections = print_sections(kPrtOpt);
+  const long step = life_step.value_or(snapshot.step);
   report.new_page(fmt::format("STEP {}", snapshot.step));
-  if (sections.element_interval > 0) elements(report, record, sections.element_interval);
-  if (sections.bodies) bodies(report, snapshot, record);
+  if (sections.element_interval > 0) elements(report, snapshot, record, sections.element_interval);
+  if (sections.bodies) bodies(report, snapshot, record, step);
   if (sections.applied) applied(report, snapshot, bearing);
-  summary(report, snapshot, record, averages);
+  summary(report, snapshot, record, averages, step);
 }
 
 void print_ledgers(Report& report, const RunSummary& run, const dynamics::ScenePlan& plan,
@@ -366,6 +392,21 @@ void print_ledgers(Report& report, const RunSummary& run, const dynamics::SceneP
          run.seconds > 0.0 ? fmt::format("{:.1f} %", 100.0 * total / run.seconds) : std::string()});
     rows.push_back({"whole run", "", fmt::format("{:.4f}", run.seconds), ""});
     report.text_table({{"part", 40}, {"calls", 14}, {"seconds", 12}, {"share", 8}}, rows);
+  }
+  if (!run.no_part.empty()) {
+    report.heading("Values of the deck that play no part in this run");
+    std::vector<std::string> reasons;
+    for (const deck::NoPart& value : run.no_part)
+      if (std::find(reasons.begin(), reasons.end(), value.because) == reasons.end())
+        reasons.push_back(value.because);
+    for (const std::string& because : reasons) {
+      std::string names;
+      for (const deck::NoPart& value : run.no_part) {
+        if (value.because != because) continue;
+        names += fmt::format("{}{} = {}", names.empty() ? "" : ", ", value.variable, value.value);
+      }
+      report.text(fmt::format("{}: {}", because, names));
+    }
   }
   if (!run.notes.empty()) {
     report.heading("Notes");

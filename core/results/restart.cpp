@@ -16,7 +16,7 @@ namespace adore::results {
 namespace {
 
 constexpr std::string_view kFinal = "FINAL", kMaster = "MASTER";
-constexpr int kFormat = 1;
+constexpr int kFormat = 2;  // format 1 held no deck
 
 void append_title(std::string& out, std::string_view kind) {
   out +=
@@ -39,6 +39,8 @@ void append_state(std::string& out, const FinalState& state) {
   out += fmt::format("state {}\n", state.state.size());
   for (std::size_t i = 0; i < state.state.size(); ++i)
     out += fmt::format("{} {}\n", state.state[i], state.components[i]);
+  out += fmt::format("deck {}\n", std::count(state.deck.begin(), state.deck.end(), '\n'));
+  out += state.deck;
 }
 
 /// Reads "keyword value" lines in their fixed order and says where it goes wrong.
@@ -53,12 +55,14 @@ class Reader {
           "{}: this is no {} file of this program; give the {} of the run to start from",
           path.string(), kind, kind));
     line();
-    if (const long format = integer("format"); format != kFormat)
+    format_ = integer("format");
+    if (format_ < 1 || format_ > kFormat)
       throw InputError(
-          fmt::format("{}: the file has format {}, this program reads format {}; use the program "
-                      "version that wrote it",
-                      path.string(), format, kFormat));
+          fmt::format("{}: the file has format {}, this program reads formats 1 to {}; use the "
+                      "program version that wrote it",
+                      path.string(), format_, kFormat));
   }
+  [[nodiscard]] long format() const { return format_; }
   std::string text(std::string_view keyword) {
     const std::string_view whole = line();
     if (whole.substr(0, keyword.size()) != keyword ||
@@ -84,6 +88,12 @@ class Reader {
     if (blank == std::string_view::npos) fail("a number and a name are expected here");
     return {number(whole.substr(0, blank)), std::string(whole.substr(blank + 1))};
   }
+  /// As many whole lines, with their ends.
+  std::string lines(std::size_t count) {
+    std::string out;
+    for (; count > 0; --count) out += std::string(line()) + '\n';
+    return out;
+  }
   void end() {
     if (line() != "end") fail("'end' is expected here");
   }
@@ -108,6 +118,7 @@ class Reader {
   std::filesystem::path path_;
   std::istringstream stream_;
   LineReader lines_;
+  long format_ = 0;
 };
 
 FinalState read_state(Reader& reader) {
@@ -130,7 +141,18 @@ FinalState read_state(Reader& reader) {
     state.state.push_back(value);
     state.components.push_back(std::move(name));
   }
+  if (reader.format() >= 2) state.deck = reader.lines(reader.count("deck"));
   return state;
+}
+
+/// "14 rolling elements and a cage"
+std::string bodies_text(const std::vector<std::string>& components) {
+  const auto count = [&](std::string_view stem) {
+    return std::count_if(components.begin(), components.end(),
+                         [&](const std::string& name) { return name.starts_with(stem); });
+  };
+  return fmt::format("{} rolling elements and {}", count("element.x["),
+                     count("cage.position[") > 0 ? "a cage" : "no cage");
 }
 
 }  // namespace
@@ -204,6 +226,16 @@ void check_layout(const FinalState& state, const std::vector<std::string>& compo
                   "off of the stored run, or start from statics (kIcOpt = 0)",
                   path.string(), state.components.size(), components.size(),
                   name(stored, state.components.end()), name(wanted, components.end())));
+}
+
+void check_bodies(const FinalState& state, const std::vector<std::string>& components,
+                  const std::filesystem::path& path) {
+  const std::string stored = bodies_text(state.components), wanted = bodies_text(components);
+  if (stored == wanted) return;
+  throw InputError(fmt::format(
+      "{}: the stored state is of {}, this deck has {}; give the FINAL of such a bearing, or start "
+      "from statics (kIcOpt = 0)",
+      path.string(), stored, wanted));
 }
 
 }  // namespace adore::results

@@ -25,6 +25,7 @@ struct FinalState {
                                          ///< word or several, no line ends)
   std::vector<std::string> components;   ///< StateLayout::component_name of each value
   std::vector<double> state;
+  std::string deck;  ///< the deck that was run, in deck syntax; empty in files of format 1
 };
 
 struct MasterFile {
@@ -54,6 +55,12 @@ void write_master(const MasterState& state, const std::filesystem::path& path);
 /// Throws unless a stored state fits this run's unknowns. @throws InputError naming the first
 /// component that differs and what to do.
 void check_layout(const FinalState& state, const std::vector<std::string>& components,
+                  const std::filesystem::path& path);
+
+/// Throws unless a stored state is of the same bodies as this run: as many rolling elements, the
+/// same cage. What else it has (orientations that only one of the runs shows) is not compared.
+/// @throws InputError naming both.
+void check_bodies(const FinalState& state, const std::vector<std::string>& components,
                   const std::filesystem::path& path);
 
 }  // namespace adore::results

@@ -147,6 +147,8 @@ std::map<std::string, double> geometry_of(const bearing::Bearing& bearing) {
       {"inner_groove_radius", bearing.balls.groove_factor[1] * bearing.balls.diameter},
       {"outer_shoulder_radius", bearing.balls.shoulder_diameter[0] / 2.0},
       {"inner_shoulder_radius", bearing.balls.shoulder_diameter[1] / 2.0},
+      {"outer_race_centre_x", contact::groove_geometry(bearing.balls).centre_x[0]},
+      {"inner_race_centre_x", contact::groove_geometry(bearing.balls).centre_x[1]},
       {"outer_race_width", bearing.envelope.race_width[0]},
       {"inner_race_width", bearing.envelope.race_width[1]},
       {"cages", bearing.cage ? 1.0 : 0.0}};

@@ -146,6 +146,13 @@ Json run_json(const RunSummary& run) {
                         {"unit", used.unit}});
   }
   out["defaults_used"] = defaults;
+  Json idle = Json::array();
+  for (const deck::NoPart& value : run.no_part)
+    idle.push_back({{"record", value.record},
+                    {"variable", value.variable},
+                    {"value", value.value},
+                    {"because", value.because}});
+  out["played_no_part"] = idle;
   out["notes"] = run.notes;
   out["files"] = run.files;
 

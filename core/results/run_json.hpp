@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deck/defaults.hpp"
+#include "deck/no_part.hpp"
 #include "dynamics/cost_ledger.hpp"
 #include "dynamics/snapshot.hpp"
 #include "dynamics/system.hpp"
@@ -38,6 +39,7 @@ struct RunSummary {
   std::vector<std::pair<std::string, long>> seeds;  ///< of random numbers, by use
   nlohmann::ordered_json imperfections;  ///< geometric, of elements and races; null: ideal bearing
   std::vector<deck::DefaultUsed> defaults_used;  ///< values that the deck left out
+  std::vector<deck::NoPart> no_part;             ///< values of the deck that the run does not use
   std::vector<std::string> notes;                ///< warnings and remarks
   long steps = 0;
   double time = 0.0, revolutions = 0.0;

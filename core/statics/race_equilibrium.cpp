@@ -142,8 +142,9 @@ std::string instability_note(const UnstableMode& mode,
       stable_ones.size() == 1 ? "A stable equilibrium beside it:" : "Stable equilibria beside it:";
   for (std::size_t k = 0; k < stable_ones.size(); ++k) {
     const auto& q = stable_ones[k];
-    text += fmt::format("{} x, y, z = {:.4g}, {:.4g}, {:.4g} m, about y, z = {:.4g}, {:.4g} rad",
-                        k == 0 ? "" : ";", q[0], q[1], q[2], q[3], q[4]);
+    text +=
+        fmt::format("{} x, y, z = {:.4g} m, {:.4g} m, {:.4g} m, about y, z = {:.4g}, {:.4g} rad",
+                    k == 0 ? "" : ";", q[0], q[1], q[2], q[3], q[4]);
   }
   return text;
 }

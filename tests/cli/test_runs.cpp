@@ -121,6 +121,59 @@ TEST_CASE("a continued run reaches the state of an unbroken one", "[cli]") {
   CHECK(contains(other.out, "7208"));
 }
 
+TEST_CASE("a run goes on under changed loads and speeds and says so, and with no other bearing",
+          "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string deck = folder.path().string();
+  const auto run = [&](const std::string& options) {
+    return run_adore("run " + deck + " --quiet --set maxStps=20 " + options);
+  };
+  REQUIRE(run("").code == 0);
+  const auto first = adore::results::read_final(folder / "FINAL");
+  const std::string listing = read(folder / "PRINT.txt");
+
+  for (const auto& [set, name] : {std::pair{"bReDia=0.0126", "bReDia"},
+                                  {"nRe=11", "nRe"},
+                                  {"kRaceMat1=101", "kRaceMat1"},
+                                  {"cageGsCls[2]=2.5e-4", "cageGsCls[2]"},
+                                  {"raceFit2=1e-6", "raceFit2"},
+                                  {"runID=another", "another"}}) {
+    const Result other = run(std::string("--set kIcOpt=1 --set ") + set);
+    INFO(other.out);
+    CHECK(other.code == 2);
+    CHECK(contains(other.out, name));
+    CHECK(contains(other.out, "kIcOpt = -1"));
+  }
+  CHECK(read(folder / "PRINT.txt") == listing);
+
+  const Result more =
+      run("--set kIcOpt=1 --set rpm2=9000 --set appLoadX=1200 --set cageGcPos[1]=1e-5");
+  INFO(more.out);
+  REQUIRE(more.code == 0);
+  CHECK(contains(more.out, "under a changed deck: appLoadX: "));
+  CHECK(contains(more.out, "; rpm2: 10000.0 rpm before, 9000.0 rpm now"));
+  CHECK(contains(more.out, "no effect, because the stored state is the start: cageGcPos[1]"));
+  CHECK(contains(read(folder / "PRINT.txt"), "under a changed deck"));
+  CHECK(contains(read(folder / "RUN.json"), "9000.0 rpm now"));
+  // The shaft goes on from where it was.
+  const auto second = adore::results::read_final(folder / "FINAL");
+  CHECK(second.step == 40);
+  CHECK(second.shaft_rotation - first.shaft_rotation ==
+        Approx(9000.0 * std::acos(-1.0) / 30.0 * (second.time - first.time)).epsilon(1e-9));
+
+  const Result same = run("--set kIcOpt=1 --set rpm2=9000 --set appLoadX=1200");
+  CHECK(same.code == 0);
+  CHECK_FALSE(contains(same.out, "changed deck"));
+
+  const Result fewer = run("--set kIcOpt=-1 --set nRe=11");
+  CHECK(fewer.code == 2);
+  CHECK(contains(fewer.out, "12 rolling elements and a cage, this deck has 11"));
+  const Result smaller = run("--set kIcOpt=-1 --set cageGsCls[2]=2.5e-4 --set rpm2=9000");
+  CHECK(smaller.code == 0);
+  CHECK(contains(smaller.out, "starts under a changed deck"));
+}
+
 TEST_CASE("a run prints fatigue lives, and SOL7 stores the one that was asked for", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);

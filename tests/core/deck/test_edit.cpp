@@ -6,7 +6,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace adore::deck;
 
@@ -386,4 +389,128 @@ TEST_CASE("what nobody gave is named when changed options bring it in", "[unit][
   CHECK(all.find("record 5G.2.2B: was added with default values") != std::string::npos);
   CHECK(all.find("record 7.2.i (3): was added") != std::string::npos);
   CHECK(all.find("iCageGuide[3] = ") != std::string::npos);
+}
+
+namespace {
+
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+std::string refusal(Deck deck, const Sets& sets) {
+  const Deck before = deck;
+  try {
+    deck.set_all(sets);
+  } catch (const adore::InputError& error) {
+    CHECK(deck.records == before.records);
+    return error.what();
+  }
+  return "no error";
+}
+
+/// The codes of an option as text; one larger and one smaller number where any is taken.
+std::vector<std::string> codes_of(const VariableSpec& option) {
+  std::vector<std::string> out;
+  for (const OptionSpec& code : option.options)
+    out.push_back(code.code == "n" ? "3" : code.code == "-n" ? "-2" : std::string(code.code));
+  return out;
+}
+
+/// A value for every variable of the records that `changed` has and `deck` has not.
+Sets values_of_new_records(const Deck& deck, const Deck& changed) {
+  Sets out;
+  for (const RecordData& record : changed.records) {
+    if (deck.has_record(record.id, record.instance)) continue;
+    const RecordSpec& spec = *find_record(record.id);
+    for (std::size_t v = 1; v < spec.variables.size(); ++v)
+      for (std::size_t k = 0; k < record.values[v].size(); ++k) {
+        std::string name(spec.variables[v].name);
+        if (!spec.repeat.empty()) name += "[" + std::to_string(record.instance) + "]";
+        if (spec.variables[v].length != "1") name += "[" + std::to_string(k + 1) + "]";
+        const Value& value = record.values[v][k];
+        if (spec.variables[v].type == VarType::Real)
+          out.emplace_back(name, "0.37");
+        else if (const auto* integer = std::get_if<long long>(&value))
+          out.emplace_back(name, std::to_string(*integer));
+      }
+  }
+  return out;
+}
+
+std::ptrdiff_t count_of(const Deck& deck, double number) {
+  std::ptrdiff_t count = 0;
+  for (const RecordData& record : deck.records)
+    for (const std::vector<Value>& elements : record.values)
+      count += std::count(elements.begin(), elements.end(), Value(number));
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("several sets act as one change, whatever their order", "[unit][deck]") {
+  // The hypothetical traction of record 8.1.1 has another record for each form of the curve.
+  Sets sets{{"kTracType", "-1"},
+            {"reRaceTC1", "-0.04"},
+            {"kNumPltElem", "2"},
+            {"kPltElemInd", "3,4"},
+            {"kPltElemInd[2]", "7"}};
+  std::sort(sets.begin(), sets.end());
+  do {
+    Deck deck = new_deck("ball");
+    deck.set_all(sets);
+    CHECK(deck.integer("kTracType") == -1);
+    CHECK(deck.real("reRaceTC1") == -0.04);
+    CHECK(deck.integer("kPltElemInd", 1) == 3);
+    CHECK(deck.integer("kPltElemInd", 2) == 7);
+  } while (std::next_permutation(sets.begin(), sets.end()));
+
+  // One set alone takes the record that the option asks for, too.
+  Deck deck = new_deck("ball");
+  deck.set("kTracType", "-1");
+  deck.set("reRaceTC1", "-0.04");
+  deck.complete();
+  CHECK(deck.real("reRaceTC1") == -0.04);
+}
+
+TEST_CASE("every option and the values of the records that it brings can be set in any order",
+          "[unit][deck]") {
+  std::ptrdiff_t checked = 0;
+  for (const char* type : {"ball", "cylindrical"}) {
+    const Deck deck = new_deck(type);
+    for (const RecordData& record : deck.records)
+      for (const VariableSpec& option : find_record(record.id)->variables)
+        for (const std::string& code : codes_of(option)) {
+          if (option.length != "1" || record.instance > 1) continue;
+          Deck changed = deck;
+          changed.set(option.name, code);
+          changed.complete();
+          Sets sets = values_of_new_records(deck, changed);
+          if (sets.empty()) continue;
+          CAPTURE(type, option.name, code);
+          sets.emplace_back(option.name, code);
+          Deck forwards = deck, backwards = deck;
+          forwards.set_all(sets);
+          std::reverse(sets.begin(), sets.end());
+          backwards.set_all(sets);
+          CHECK(forwards == backwards);
+          const auto given = std::count_if(sets.begin(), sets.end(),
+                                           [](const auto& set) { return set.second == "0.37"; });
+          CHECK(count_of(forwards, 0.37) == given);
+          checked += given;
+        }
+  }
+  CHECK(checked > 300);
+}
+
+TEST_CASE("sets that find no home, or contradict each other, are refused together",
+          "[unit][deck]") {
+  const Deck deck = new_deck("ball");
+  const std::string all = refusal(deck, {{"pichDia", "0.06"}, {"rpm1", "1"}, {"rpm1", "2"}});
+  CHECK_THAT(all, Catch::Contains("did you mean pitchDia"));
+  CHECK_THAT(all, Catch::Contains("set twice, to 1 and to 2"));
+  CHECK_THAT(refusal(deck, {{"kFD11", "1"}, {"nRe", "x"}}),
+             Catch::Contains("record 2.2") && Catch::Contains("takes an integer"));
+  // The option takes its record away: the value would go nowhere.
+  CHECK_THAT(refusal(deck, {{"cageGsCls[2]", "3e-4"}, {"nCseg", "0"}}),
+             Catch::Contains("needed when") && Catch::Contains("cageGsCls"));
+  CHECK_THAT(refusal(deck, {{"mode", "-1"}, {"stpMax", "0.5"}}), Catch::Contains("stpMax"));
+  CHECK(refusal(deck, {{"rpm1", "1"}, {"rpm1", " 1"}}) == "no error");
 }

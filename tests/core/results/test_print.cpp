@@ -16,6 +16,7 @@ using namespace adore;
 using namespace adore::results;
 using namespace adore::testing;
 using Catch::Matchers::Contains;
+using Catch::Matchers::EndsWith;
 
 namespace {
 
@@ -224,6 +225,41 @@ TEST_CASE("kPrtOpt chooses the sections of a printed step", "[unit][print]") {
   const std::string without = report.take();
   CHECK(without.find("whirl ratio") == std::string::npos);
   CHECK(without.find("pocket") != 0);
+}
+
+TEST_CASE("a printed step shows half chords of inner contacts and says what was not computed",
+          "[unit][print]") {
+  const bearing::Bearing bearing = make_bearing(3, false);
+  dynamics::Snapshot snapshot = make_snapshot(bearing, 20);
+  for (dynamics::ElementSnapshot& element : snapshot.elements)
+    for (dynamics::RaceContactSnapshot& contact : element.race) {
+      contact.film = contact.temperature_rise = 0.0;
+      contact.edge = 0.00111;
+      contact.centre_chord = 0.00222;
+    }
+  snapshot.power.life_hours = 1234.0;
+  const auto print = [&](std::optional<long> life_step) {
+    ChannelRecorder recorder(bearing, UnitSystem::SI);
+    Report report(bearing.run_id, UnitSystem::SI);
+    print_step(report, snapshot, recorder.record(snapshot), bearing, {}, 1, life_step);
+    return report.take();
+  };
+  const std::string text = print({});
+  const auto row_after = [&](const std::string& heading) {
+    const std::size_t row = text.find("\n  2   ", text.find(heading));
+    return text.substr(row + 1, text.find('\n', row + 1) - row - 1);
+  };
+  CHECK_THAT(row_after("Contacts with the outer race"), EndsWith(" 0.00111"));
+  CHECK_THAT(row_after("Contacts with the inner race"), EndsWith(" 0.00222"));
+  CHECK_THAT(line_with(text, "Film thickness"), Contains("not computed"));
+  CHECK_THAT(line_with(text, "Contact temperature"), Contains("not computed"));
+  CHECK(text.find("rise outer") == std::string::npos);
+  CHECK_THAT(line_with(text, "Fatigue life"), Contains("at the present loads"));
+  CHECK_THAT(line_with(print(7), "Fatigue life"), Contains("at the loads of step 7"));
+
+  snapshot.elements[0].race[0].film = 1e-7;
+  snapshot.elements[0].race[0].temperature_rise = 2.0;
+  CHECK_THAT(print({}), Contains("rise outer") && Contains(" film "));
 }
 
 TEST_CASE("a tilted race shows its misalignment about y and z", "[unit][print]") {

@@ -30,6 +30,7 @@ FinalState make_state() {
   state.components = {"element.x[1] [m]", "element.x[2] [m]", "cage.q[1] [-]"};
   state.state = {std::numeric_limits<double>::denorm_min(), -1.0 / 3.0,
                  std::numeric_limits<double>::max()};
+  state.deck = "'Rec 1',0,0\n'Rec 3.1','synthetic'\n";
   return state;
 }
 
@@ -45,6 +46,7 @@ void check_equal(const FinalState& a, const FinalState& b) {
   CHECK(a.extras == b.extras);
   CHECK(a.components == b.components);
   CHECK(a.state == b.state);
+  CHECK(a.deck == b.deck);
 }
 
 }  // namespace
@@ -101,7 +103,7 @@ TEST_CASE("a damaged or foreign FINAL or MASTER is refused with the line", "[uni
     CHECK_THAT(message_of(read),
                Contains(name + ":7:") && Contains("no number") && Contains("kIcOpt"));
     wrong = text;
-    wrong.replace(wrong.find("format 1"), 8, "format 9");
+    wrong.replace(wrong.find("format 2"), 8, "format 9");
     write_bytes(folder / name, wrong);
     CHECK_THAT(message_of(read), Contains("format 9"));
   }
@@ -119,6 +121,29 @@ TEST_CASE("a state of another layout is refused by component name", "[unit][rest
   more.push_back("cage.q[2] [-]");
   CHECK_THAT(message_of([&] { check_layout(state, more, "FINAL"); }),
              Contains("nothing more") && Contains("'cage.q[2] [-]'"));
+}
+
+TEST_CASE("a FINAL of before decks were stored still reads", "[unit][restart]") {
+  TemporaryFolder folder;
+  FinalState state = make_state();
+  write_final(state, folder / "FINAL");
+  std::string text = read_bytes(folder / "FINAL");
+  text.replace(text.find("format 2"), 8, "format 1");
+  text.erase(text.find("deck 2"), text.find("end\n") - text.find("deck 2"));
+  write_bytes(folder / "FINAL", text);
+  state.deck.clear();
+  check_equal(read_final(folder / "FINAL"), state);
+}
+
+TEST_CASE("a state of other bodies is refused", "[unit][restart]") {
+  FinalState state;
+  state.components = {"element.x[1] [m]", "element.x[2] [m]", "element1.rotation [rad]"};
+  CHECK_NOTHROW(check_bodies(state, {"element.x[1] [m]", "element.x[2] [m]"}, "FINAL"));
+  CHECK_THAT(message_of([&] {
+               check_bodies(state, {"element.x[1] [m]", "cage.position[1] [m]"}, "FINAL");
+             }),
+             Contains("2 rolling elements and no cage") &&
+                 Contains("1 rolling elements and a cage") && Contains("kIcOpt = 0"));
 }
 
 TEST_CASE("the checkpoint of an unwritable folder is told", "[unit][restart]") {

@@ -1,0 +1,109 @@
+#include "facade/continued_deck.hpp"
+
+#include "deck/difference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+namespace adore::facade {
+namespace {
+
+enum class Change : unsigned char {
+  Unsaid,  ///< what a continuation is for
+  Accepted,
+  NoPart,   ///< read at the start of a new run only
+  Refused,  ///< the stored state and files are of another bearing
+};
+
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Of a record as a whole where `variable` is empty.
+Change kind_of(std::string_view record, std::string_view variable, bool continues) {
+  if (record == "2.3" || is_one_of(variable, {"kIcOpt", "kFnOpt", "maxStps", "fTime"}))
+    return Change::Unsaid;
+  if (record == "9.6" || record == "9.6.k" || variable == "kAngVel" || variable == "angVelOrient")
+    return Change::NoPart;
+  if (!continues)
+    return is_one_of(variable, {"kUnit", "runID"}) ? Change::Unsaid : Change::Accepted;
+  if (record == "9.2" || variable == "kStif") return Change::NoPart;
+  const bool bearing = is_one_of(record, {"3.2", "4", "9.0"}) || record.starts_with("5") ||
+                       record.starts_with("6") || record.starts_with("7") ||
+                       (record.starts_with("8") && !record.starts_with("8.6"));
+  const bool code = is_one_of(
+      variable, {"mode", "kDOF", "runID", "kReMat", "kRaceMat1", "kRaceMat2", "kHsngMat",
+                 "kShftMat", "kReIP", "kRaceIP1", "kRaceIP2", "kNumPltElem", "kPltElemInd"});
+  return bearing || code ? Change::Refused : Change::Accepted;
+}
+
+/// "rpm2: 10000.0 rpm before, 12000.0 rpm now"
+std::string sentence(const deck::Difference& d) {
+  if (d.variable.empty())
+    return fmt::format("record {}: {}", d.record, d.in_left ? "only before" : "only now");
+  return fmt::format("{}{}: {} before, {} now", d.variable,
+                     d.index > 0 ? fmt::format("[{}]", d.index) : std::string(),
+                     d.in_left ? d.left : "none", d.in_right ? d.right : "none");
+}
+
+Issue note(const std::filesystem::path& file, std::string message) {
+  Issue out;
+  out.severity = Severity::Note;
+  out.file = file.string();
+  out.message = std::move(message);
+  return out;
+}
+
+}  // namespace
+
+std::vector<Issue> compare_with_stored(const std::string& stored, const deck::Deck& now,
+                                       const std::filesystem::path& file, build::StartState start) {
+  if (stored.empty())
+    return {note(file,
+                 "the file does not hold the deck of its run: whether this deck fits it "
+                 "cannot be said beyond the number of elements and the cage")};
+  deck::ReadResult read = deck::read_deck_text(stored, file.string());
+  if (!read.ok())
+    throw InputError(
+        fmt::format("{}: the file is damaged: the deck in it does not read; take the "
+                    "file of an earlier run, or start from statics (kIcOpt = 0)",
+                    file.string()));
+  const bool continues = start == build::StartState::Continue;
+  std::vector<Issue> refused;
+  std::string accepted, idle;
+  for (const deck::Difference& d : deck::differences(read.deck, now)) {
+    if (d.label || d.record == "12") continue;
+    switch (kind_of(d.record, d.variable, continues)) {
+      case Change::Unsaid:
+        break;
+      case Change::Accepted:
+        accepted += (accepted.empty() ? "" : "; ") + sentence(d);
+        break;
+      case Change::NoPart:
+        idle += (idle.empty() ? "" : "; ") + sentence(d);
+        break;
+      case Change::Refused: {
+        Issue issue =
+            now.issue(Severity::Error, d.variable.empty() ? "kIcOpt" : d.variable,
+                      fmt::format("the run to be continued had another bearing ({})", sentence(d)),
+                      "give the old value, or start new files from its last state with "
+                      "kIcOpt = -1",
+                      d.instance);
+        refused.push_back(std::move(issue));
+      }
+    }
+  }
+  if (!refused.empty()) throw InputError(std::move(refused));
+  std::vector<Issue> out;
+  if (!accepted.empty())
+    out.push_back(note(file, fmt::format("the run {} under a changed deck: {}",
+                                         continues ? "goes on" : "starts", accepted)));
+  if (!idle.empty())
+    out.push_back(
+        note(file, fmt::format("has no effect, because the stored state is the start: {}", idle)));
+  return out;
+}
+
+}  // namespace adore::facade

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "base/errors.hpp"
+#include "build/run_control.hpp"
+#include "deck/deck.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+/// A run that starts from the files of another one, under a deck that may have changed since.
+namespace adore::facade {
+
+/// Compares the deck stored in `file` (FINAL or MASTER) with the one to be run now. Loads, speeds,
+/// temperatures, friction, steps and output may change; a continued run (StartState::Continue)
+/// keeps the bearing itself, because its state, files and sums are of that bearing. What every
+/// continuation changes (kIcOpt, maxStps, fTime) and the names of files are not mentioned.
+/// @return notes on what changed, and on what changed without effect; one note when the file holds
+/// no deck.
+/// @throws InputError with every change that cannot be, or for a stored deck that does not read.
+[[nodiscard]] std::vector<Issue> compare_with_stored(const std::string& stored,
+                                                     const deck::Deck& now,
+                                                     const std::filesystem::path& file,
+                                                     build::StartState start);
+
+}  // namespace adore::facade

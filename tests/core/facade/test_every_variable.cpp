@@ -1,0 +1,362 @@
+#include "build/no_part.hpp"
+#include "core/results/synthetic.hpp"
+#include "deck/lookup.hpp"
+#include "deck/templates.hpp"
+#include "facade/run.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <deque>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+/// Every variable of the schema acts, or is refused, or is said to play no part. Walks the records
+/// of decks of all types, quasi-static and in motion; an option that brings other records opens
+/// another deck, whose new records are walked in turn.
+using namespace adore;
+using deck::Deck;
+using deck::RecordData;
+using deck::Value;
+using deck::VariableSpec;
+using deck::VarType;
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// What a run said of a deck.
+struct Outcome {
+  bool ran = false;
+  std::string refusal;
+  std::map<std::string, std::string>
+      results;                              ///< by file or part, whatever echoes the deck cut out
+  std::map<std::string, std::string> idle;  ///< variable -> why it plays no part
+  std::set<std::string> warnings;           ///< of the model, not of one value by itself
+};
+
+/// Values of the deck that a result repeats: {"origin": "deck", "value": ...}.
+void drop_echoes(json& part) {
+  if (part.is_object())
+    for (auto it = part.begin(); it != part.end();)
+      it = it->is_object() && it->contains("origin") ? part.erase(it) : std::next(it);
+  if (part.is_structured())
+    for (json& item : part) drop_echoes(item);
+}
+
+std::string between(const std::string& text, const std::string& from, const std::string& to) {
+  const std::size_t begin = text.find(from);
+  if (begin == std::string::npos) return {};
+  return text.substr(begin, text.find(to, begin) - begin);
+}
+
+Outcome run_deck(const Deck& deck, const fs::path& folder) {
+  Outcome out;
+  std::error_code error;
+  fs::remove_all(folder, error);
+  fs::create_directories(folder);
+  deck::write_deck(deck, folder / "DATA.txt");
+  facade::RunRequest request;
+  request.deck = folder / "DATA.txt";
+  facade::RunOutcome run;
+  try {
+    run = facade::run(request);
+  } catch (const InputError& refused) {
+    out.refusal = refused.what();
+    return out;
+  } catch (const SolverError& failed) {
+    out.refusal = failed.what();
+    return out;
+  }
+  out.ran = true;
+  std::set<std::string> of_values;
+  for (const Issue& issue : deck::check_deck(deck)) of_values.insert(issue.message);
+  for (const Issue& issue : run.warnings)
+    if (of_values.count(issue.message) == 0) out.warnings.insert(issue.message);
+  json summary = json::parse(testing::read_bytes(folder / "RUN.json"));
+  for (const json& value : summary.at("played_no_part"))
+    out.idle[value.at("variable").get<std::string>()] = value.at("because").get<std::string>();
+  for (const char* echo : {"measured", "options", "plan", "notes", "defaults_used", "deck",
+                           "integrator", "tolerance", "played_no_part"})
+    summary.erase(echo);
+  drop_echoes(summary);
+  for (const auto& [name, part] : summary.items()) out.results[name] = part.dump();
+  for (const fs::path& file : run.files) {
+    const std::string name = file.filename().string();
+    if (name == "RUN.json" || name == "MASTER") continue;
+    const std::string text = testing::read_bytes(file);
+    if (name == "PRINT.txt") {
+      // Other pages repeat the deck or RUN.json, the last one has times.
+      out.results["inertia"] = between(text, "Inertia about", "Traction coefficient");
+      out.results["stiffness"] = between(text, "STIFFNESS OVER SPEED", "FATIGUE LIFE");
+      out.results["printed steps"] = between(text, "STEP 0", "TIME STEP SUMMARY");
+    } else if (name == "FINAL") {
+      out.results[name] = text.substr(0, text.find("\ndeck "));
+    } else {
+      out.results[name] = text;
+    }
+  }
+  return out;
+}
+
+/// A deck in which little stands at a value that hides others: fits, temperatures, loads and speeds
+/// of both races.
+Deck lively(const std::string& type, bool motion) {
+  Deck deck = deck::new_deck(type);
+  std::vector<std::pair<std::string, std::string>> sets{
+      {"mode", motion ? "0" : "-1"}, {"hsngTemp", "303"},  {"shftTemp", "318"},
+      {"raceTemp1", "308"},          {"raceTemp2", "323"}, {"reTemp", "333"},
+      {"cageTemp", "328"},           {"raceFit1", "5e-6"}, {"raceFit2", "1e-5"},
+      {"bPocCls2", "1e-4"},          {"rpm1", "-500"},     {"shftID", "0.01"}};
+  if (motion)  // long and wild enough for the cage to meet elements and lands
+    for (const auto& set : {std::pair{"maxStps", "60"},
+                            {"nStps", "1"},
+                            {"kPrtOpt", "1"},
+                            {"kPrtFreq", "30"},
+                            {"kPltFreq", "20"},
+                            {"kAGraf", "20"},
+                            {"kLifeFreq", "20"},
+                            {"kNumPltElem", "2"},
+                            {"kPltElemInd", "1,5"},
+                            {"avRatio", "2.5"},
+                            {"wvRatio", "40"},
+                            {"cageGcPos", "0,0,-8.5e-5"},
+                            {"cageGsCls[1]", "2e-4"},
+                            {"cageGsCls[2]", "2e-4"}})
+      sets.emplace_back(set.first, set.second);
+  deck.set_all(sets);
+  return deck;
+}
+
+/// Something to begin with for the records that an option brings in, whose defaults are 0.
+void fill(Deck& deck, const Deck& before) {
+  static const std::pair<const char*, double> kValues[] = {
+      {"Den", 7800.0},        {"EM", 2e11},           {"PR", 0.3},
+      {"CTE", 1.2e-5},        {"RaceTC1", 0.01},      {"RaceTC2", 0.06},
+      {"RaceTC3", 0.04},      {"RaceTC4", 0.5},       {"CageTC1", 0.01},
+      {"CageTC2", 0.06},      {"CageTC3", 0.04},      {"CageTC4", 0.5},
+      {"FlngTC1", 0.01},      {"FlngTC2", 0.06},      {"FlngTC3", 0.04},
+      {"FlngTC4", 0.5},       {"TC", 40.0},           {"SH", 450.0},
+      {"ESL", 0.02},          {"WC", 1e-6},           {"VM", 5e8},
+      {"flngAng", 0.5},       {"flngHt", 0.004},      {"flngCls", 1e-4},
+      {"pctDisp", 1.0},       {"rpmRange11", -500},   {"rpmRange21", 0.0},
+      {"rpmRange12", 1000.0}, {"rpmRange22", 2000.0}, {"reDiaVar", 1e-6},
+      {"reCrnVar", 1e-3},     {"reLenVar", 1e-6},     {"reCLVar", 1e-6},
+      {"reCLOffset", 1e-6},   {"rndVar1", 2e-6},      {"rndVar2", 1e-6},
+      {"rndVar3", 20.0},      {"cFacVar1", 1e-3},     {"cFacVar2", 2.0},
+      {"cFacVar3", 20.0},     {"rlOffset1", 1e-4},    {"rlOffset2", 2.0},
+      {"rlOffset3", 20.0},    {"rlTaper1", 1e-2},     {"rlTaper2", 2.0},
+      {"rlTaper3", 20.0},     {"cageMass", 0.02},     {"cageMI", 1e-5}};
+  for (RecordData& record : deck.records) {
+    if (before.has_record(record.id, record.instance)) continue;
+    const deck::RecordSpec& spec = *deck::find_record(record.id);
+    for (std::size_t v = 1; v < record.values.size(); ++v)
+      for (Value& value : record.values[v]) {
+        const auto* real = std::get_if<double>(&value);
+        if (real == nullptr || *real != 0.0) continue;
+        const std::string_view name = spec.variables[v].name;
+        const auto* known = std::find_if(
+            std::begin(kValues), std::end(kValues),
+            [&](const auto& k) { return name.find(k.first) != std::string_view::npos; });
+        if (known != std::end(kValues))
+          value = known->second;
+        else if (record.id.starts_with("8"))
+          value = 60.0;  // hardness
+      }
+  }
+}
+
+std::string name_of(const RecordData& record, const VariableSpec& variable, std::size_t element) {
+  std::string name(variable.name);
+  if (!deck::find_record(record.id)->repeat.empty()) name += fmt::format("[{}]", record.instance);
+  if (variable.length != "1") name += fmt::format("[{}]", element + 1);
+  return name;
+}
+
+/// Other legal values to try, in that order.
+std::vector<std::string> alternatives(const Deck& deck, const VariableSpec& variable,
+                                      const Value& value) {
+  std::vector<std::string> out;
+  const auto add = [&](const std::string& text) {
+    if (std::find(out.begin(), out.end(), text) == out.end()) out.push_back(text);
+  };
+  if (const auto* text = std::get_if<std::string>(&value)) return {*text + "x"};
+  if (const auto* integer = std::get_if<long long>(&value)) {
+    for (const deck::OptionSpec& option : variable.options)
+      if (option.code != "n" && option.code != "-n") add(std::string(option.code));
+    if (!variable.option_table.empty())
+      for (const deck::OptionSpec& option : deck::option_table(variable.option_table)) {
+        if (out.size() < 4) add(std::string(option.code));
+      }
+    for (const long long other : {3LL, *integer + 1, *integer - 1, *integer + 2, -1LL})
+      if ((variable.options.empty() || deck::is_valid_code(variable, other)) &&
+          deck::in_range(variable.range, static_cast<double>(other)) && out.size() < 8)
+        add(fmt::format("{}", other));
+    std::erase(out, fmt::format("{}", *integer));
+    return out;
+  }
+  if (const auto* real = std::get_if<double>(&value)) {
+    const deck::Range range = deck::range_in_deck_units(deck, variable);
+    std::vector<double> numbers;
+    if (*real != 0.0)
+      for (const double factor : {1.01, 0.99, 1.1, 0.9, 2.0, 0.5, 10.0, 0.1, 1e-3, 1e3, 1e-6, 1e6})
+        numbers.push_back(factor * *real);
+    else
+      for (const double number : {1e-5, 1e-3, 0.1, 1.0, 1e-7, 1e-4, 100.0, 1e4, 1e6, 1e8}) {
+        numbers.push_back(number);
+        numbers.push_back(-number);
+      }
+    for (const double number : numbers)
+      if (deck::in_range(range, number)) add(fmt::format("{}", number));
+  }
+  return out;
+}
+
+class Walk {
+ public:
+  Walk(std::string title, Deck first) : title_(std::move(title)) {
+    queue_.push_back(std::move(first));
+  }
+
+  void run() {
+    while (!queue_.empty()) {
+      deck_ = std::move(queue_.front());
+      queue_.pop_front();
+      base_ = run_deck(deck_, folder_ / "base");
+      if (!base_.ran) continue;  // the option that brought the records is refused
+      for (const RecordData& record : deck_.records) queued_.insert(record.id);
+      for (const RecordData& record : deck_.records)
+        if (walked.insert(record.id).second) walk(record);
+    }
+  }
+
+  std::set<std::string> walked;  ///< records
+  std::vector<std::string> faults;
+  std::size_t runs = 0;
+
+ private:
+  void walk(const RecordData& record) {
+    const deck::RecordSpec& spec = *deck::find_record(record.id);
+    for (std::size_t v = 1; v < record.values.size(); ++v)
+      for (std::size_t k = 0; k < record.values[v].size() && k < 2; ++k)
+        examine(record, spec.variables[v], v, k);
+  }
+
+  void examine(const RecordData& record, const VariableSpec& variable, std::size_t v,
+               std::size_t k) {
+    const std::string name = name_of(record, variable, k);
+    if (name == "mode" || name == "kUnit" || name == "kBrg") return;  // other walks
+    const bool option = !variable.options.empty() || !variable.option_table.empty();
+    const auto told = base_.idle.find(name);
+    if (told != base_.idle.end() && told->second == build::kNoReason)
+      fault(name, "plays no part without a reason");
+    bool accepted = false, acted = false;
+    std::string tried;
+    for (const std::string& value : alternatives(deck_, variable, record.values[v][k])) {
+      Deck changed = deck_;
+      const std::pair<std::string, std::string> set{name, value};
+      try {
+        changed.set_all({&set, 1});
+        fill(changed, deck_);
+      } catch (const InputError&) {
+        continue;
+      }
+      bool wrong = false;
+      for (const Issue& issue : deck::check_deck(changed))
+        wrong = wrong || issue.severity == Severity::Error;
+      if (wrong) continue;
+      tried += (tried.empty() ? "" : ", ") + value;
+      const Outcome outcome = run_deck(changed, folder_ / "changed");
+      ++runs;
+      if (!outcome.ran) {
+        if (option) follow(changed);
+        continue;
+      }
+      accepted = true;
+      const bool idle_now = outcome.idle.count(name) > 0;
+      const bool same = outcome.results == base_.results;
+      if (idle_now && told != base_.idle.end() && !same)
+        fault(name, fmt::format("is said to play no part ({}), but {} changes {}", told->second,
+                                value, first_change(outcome)));
+      const bool acts = idle_now || !same || outcome.warnings != base_.warnings;
+      if (option) {
+        follow(changed);
+        const bool steel = variable.option_table == "@materials" && value == "100";  // 0 means it
+        const bool brings = std::any_of(
+            changed.records.begin(), changed.records.end(), [&](const RecordData& other) {
+              return !deck_.has_record(other.id, other.instance);  // which are walked, too
+            });
+        if (!acts && !steel && !brings) fault(name, fmt::format("= {} does nothing", value));
+        continue;
+      }
+      acted = acted || acts;
+      if (acts) break;
+    }
+    if (!option && accepted && !acted) fault(name, fmt::format("does nothing (tried {})", tried));
+  }
+
+  /// A deck with records that no deck had before is walked, too.
+  void follow(const Deck& changed) {
+    bool fresh = false;
+    for (const RecordData& record : changed.records)
+      fresh = queued_.insert(record.id).second || fresh;
+    if (fresh) queue_.push_back(changed);
+  }
+
+  [[nodiscard]] std::string first_change(const Outcome& outcome) const {
+    for (const auto& [part, text] : outcome.results) {
+      const auto before = base_.results.find(part);
+      if (before == base_.results.end()) return part + " (new)";
+      if (before->second != text) {
+        const auto at =
+            std::mismatch(text.begin(), text.end(), before->second.begin(), before->second.end());
+        const auto offset = static_cast<std::size_t>(at.first - text.begin());
+        return fmt::format("{} at '{}'", part, text.substr(offset < 60 ? 0 : offset - 60, 90));
+      }
+    }
+    return "files";
+  }
+
+  void fault(const std::string& name, const std::string& what) {
+    faults.push_back(fmt::format("{}: {} {}", title_, name, what));
+  }
+
+  std::string title_;
+  testing::TemporaryFolder folder_;
+  std::deque<Deck> queue_;
+  std::set<std::string> queued_;
+  Deck deck_;
+  Outcome base_;
+};
+
+void check_walk(const std::string& title, const Deck& first) {
+  Walk walk(title, first);
+  walk.run();
+  std::string all;
+  for (const std::string& fault : walk.faults) all += fault + "\n";
+  INFO(walk.runs << " runs, " << walk.walked.size() << " records\n" << all);
+  CHECK(walk.faults.empty());
+  CHECK(walk.walked.size() > 20);
+}
+
+}  // namespace
+
+TEST_CASE("every variable of a quasi-static ball deck acts, is refused, or is said to play no part",
+          "[validation][variables][slow]") {
+  check_walk("ball, mode -1", lively("ball", false));
+}
+
+TEST_CASE("every variable of a ball deck in motion acts, is refused, or is said to play no part",
+          "[validation][variables][slow]") {
+  check_walk("ball, mode 0", lively("ball", true));
+}
+
+TEST_CASE(
+    "every variable of a quasi-static roller deck acts, is refused, or is said to play no part",
+    "[validation][variables][slow]") {
+  for (const char* type : {"cylindrical", "spherical", "tapered", "spherical-tapered"})
+    check_walk(fmt::format("{}, mode -1", type), lively(type, false));
+}
