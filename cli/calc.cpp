@@ -1,5 +1,6 @@
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
+#include "base/json_text.hpp"
 #include "cli/commands.hpp"
 #include "facade/calculator_inputs.hpp"
 #include "facade/calculators.hpp"
@@ -52,13 +53,8 @@ void list_calculators(const std::string& name, bool json, bool describe) {
 }
 
 void calc(const std::string& name, const std::string& source) {
-  nlohmann::json input;
-  try {
-    input = nlohmann::json::parse(read_all(source));
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{} is not valid JSON: {}",
-                                 source == "-" ? "standard input" : source, error.what()));
-  }
+  const nlohmann::json input =
+      parse_json(read_all(source), source == "-" ? "standard input" : source);
   fmt::print("{}\n", facade::calculate(name, input).dump(2));
 }
 
