@@ -4,6 +4,7 @@
 #include "build/run_control.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
+#include "cli/option_ranges.hpp"
 #include "facade/sweep.hpp"
 
 #include <fmt/format.h>
@@ -122,6 +123,7 @@ int run(const RunOptions& options, bool tolerance_given) {
   request.until = options.until;
   request.integrator = options.integrator;
   if (tolerance_given) request.tolerance = options.tolerance;
+  check_range("--threads", options.threads);
   const facade::ProgressSink sink = make_sink(options.quiet ? "none" : options.progress);
   InterruptWatch watch;
   if (facade::is_sweep(request)) {
