@@ -13,7 +13,7 @@ cmake --build --preset "$preset"
 
 echo "sanitizers: preset $sanitizer"
 cmake --preset "$sanitizer" >/dev/null
-cmake --build --preset "$sanitizer" --target test_base test_bearing test_deck test_results fuzz_deck fuzz_sol
+cmake --build --preset "$sanitizer" --target test_base test_bearing test_deck test_results fuzz_readers
 ctest --test-dir "build/$sanitizer" --output-on-failure -L unit -LE slow -j2
 
 echo "tests: preset $preset"

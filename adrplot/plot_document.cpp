@@ -59,12 +59,17 @@ PlotDocument open_document(const std::filesystem::path& path, const results::Sol
     return document_of(path, "sweep of " + sweep.variable, sweep_pages(sweep));
   }
   results::SolFile file = results::read_sol(path, range);
-  const bool precise = results::use_full_precision(file).empty();
+  const std::string why_not = results::use_full_precision(file);
+  std::error_code ignored;
+  const bool beside = std::filesystem::exists(path.parent_path() / "RESULTS.h5", ignored);
   PlotDocument out = make_document(std::move(file));
-  if (!precise) return out;
-  out.build = [build = std::move(out.build)](int number, const PageOptions& options) {
+  if (!why_not.empty() && !beside) return out;
+  out.build = [build = std::move(out.build), why_not](int number, const PageOptions& options) {
     desktop::ChartPage page = build(number, options);
-    page.subtitle += "   ·   all digits from RESULTS.h5";
+    if (why_not.empty())
+      page.subtitle += "   ·   all digits from RESULTS.h5";
+    else
+      page.note += (page.note.empty() ? "" : " ") + ("Eight digits: " + why_not + ".");
     return page;
   };
   return out;

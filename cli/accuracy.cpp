@@ -3,6 +3,7 @@
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
 #include "cli/export.hpp"
+#include "cli/option_ranges.hpp"
 #include "cli/pictures.hpp"
 #include "cli/streams.hpp"
 
@@ -34,6 +35,7 @@ std::vector<double> parse_tolerances(const std::string& text) {
     if (error != std::errc() || end != item.data() + item.size() || !(value > 0.0))
       throw InputError(fmt::format(
           "--tols: \"{}\" is no tolerance; give positive numbers, e.g. 1e-4,1e-6,1e-8", item));
+    check_range("--tols", value);
     out.push_back(value);
   }
   if (out.empty()) throw InputError("--tols is empty; give positive numbers, e.g. 1e-4,1e-6,1e-8");
@@ -50,8 +52,7 @@ void run(const Options& options) {
   options.fill(request);
   if (!options.methods.empty()) request.methods = split_list(options.methods);
   if (!options.tolerances.empty()) request.tolerances = parse_tolerances(options.tolerances);
-  if (!(options.span > 0.0))
-    throw InputError("--span must be above 0 (simulated time over the time scale)");
+  check_range("--span", options.span);
   request.span = options.span;
   const facade::AccuracyStudy study =
       facade::study_accuracy(request, [](const facade::AccuracyRow& row) {

@@ -1,4 +1,5 @@
 #include "base/errors.hpp"
+#include "base/json_text.hpp"
 #include "cli/commands.hpp"
 #include "cli/export.hpp"
 #include "cli/streams.hpp"
@@ -53,13 +54,8 @@ void list_calculators(const std::string& name, bool json, bool describe) {
 }
 
 void calc(const std::string& name, const std::string& source) {
-  nlohmann::json input;
-  try {
-    input = nlohmann::json::parse(read_all(source));
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{} is not valid JSON: {}",
-                                 source == "-" ? "standard input" : source, error.what()));
-  }
+  const nlohmann::json input =
+      parse_json(read_all(source), source == "-" ? "standard input" : source);
   fmt::print("{}\n", facade::calculate(name, input).dump(2));
 }
 

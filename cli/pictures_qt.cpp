@@ -2,6 +2,7 @@
 #include "agore/render.hpp"
 #include "base/errors.hpp"
 #include "cli/commands.hpp"
+#include "cli/option_ranges.hpp"
 #include "cli/pictures.hpp"
 #include "desktop/bootstrap.hpp"
 #include "desktop/image_export.hpp"
@@ -20,14 +21,15 @@ void print_files(const std::vector<std::filesystem::path>& files) {
 }
 
 void add_plot(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("plot", "draw the pages of SOL1-SOL7, a quasi-static RUN.json or SWEEP.csv as PNG files");
+  CLI::App* command = app.add_subcommand(
+      "plot", "draw the pages of SOL1-SOL7, a quasi-static RUN.json or SWEEP.csv as PNG files");
   auto files = std::make_shared<std::vector<std::string>>();
   auto out = std::make_shared<std::string>();
   auto options = std::make_shared<adrplot::RenderOptions>();
   auto time = std::make_shared<bool>(false);
   command->add_option("files", *files, "SOL1-SOL7, RUN.json, SWEEP.csv")->required();
   command->add_option("--out", *out, "folder of the pictures")->required();
-  command->add_option("--page", options->page, "one page (default: all)");
+  CLI::Option* page = command->add_option("--page", options->page, "one page (default: all)");
   command->add_option("--from", options->range.from, "first stored step, counted from 1")
       ->capture_default_str();
   command->add_option("--to", options->range.to, "last stored step")->capture_default_str();
@@ -36,6 +38,10 @@ void add_plot(CLI::App& app) {
   command->add_flag("--time", *time, "time as abscissa instead of revolutions");
   command->add_flag("--dark", options->dark, "dark theme");
   command->callback([=] {
+    if (page->count() > 0) check_range("--page", options->page);
+    check_range("--from", static_cast<double>(options->range.from));
+    check_range("--to", static_cast<double>(options->range.to));
+    check_range("--every", static_cast<double>(options->range.every));
     desktop::ensure_headless_application();
     options->folder = *out;
     if (*time) options->view.abscissa = adrplot::Abscissa::Time;
@@ -85,7 +91,8 @@ void add_animate(CLI::App& app) {
   command
       ->add_option("--element", options->element, "element or pocket of the single-element views")
       ->capture_default_str();
-  command->add_option("--frame", options->frame, "one stored frame, counted from 1 (default: all)");
+  CLI::Option* frame = command->add_option("--frame", options->frame,
+                                           "one stored frame, counted from 1 (default: all)");
   command->add_option("--every", options->every, "every n-th frame")->capture_default_str();
   command->add_option("--movie", options->movie,
                       "film to write: NAME.avi, or a folder of numbered pictures");
@@ -93,7 +100,13 @@ void add_animate(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--out", options->out, "folder of the pictures")->capture_default_str();
   command->add_flag("--dark", options->dark, "dark theme");
-  command->callback([=] { animate(*options); });
+  command->callback([=] {
+    if (frame->count() > 0) check_range("--frame", options->frame);
+    check_range("--every", options->every);
+    check_range("--fps", options->frames_per_second);
+    check_range("--element", options->element);
+    animate(*options);
+  });
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "build/run_control.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
+#include "cli/option_ranges.hpp"
 #include "cli/signals.hpp"
 #include "cli/streams.hpp"
 #include "facade/output_folder.hpp"
@@ -152,6 +153,7 @@ int run(const RunOptions& options, bool tolerance_given) {
   if (tolerance_given) request.tolerance = options.tolerance;
   request.go_on = options.go_on;
   request.overwrite = options.overwrite;
+  check_range("--threads", options.threads);
   const facade::ProgressSink sink = make_sink(options.quiet ? "none" : options.progress);
   InterruptWatch watch;
   if (facade::is_sweep(request)) {

@@ -78,6 +78,8 @@ struct Limits {
 /// as standing still, because the files hold seven digits.
 Limits drawable(double low, double high) {
   if (!std::isfinite(low) || !std::isfinite(high) || low > high) return {0.0, 1.0};
+  low = std::clamp(low, -kLargestDrawable, kLargestDrawable);
+  high = std::clamp(high, -kLargestDrawable, kLargestDrawable);
   const double size = std::max(std::abs(low), std::abs(high));
   if (size < 1e-300) return {-1.0, 1.0};
   if (high - low > 1e-6 * size) return {low, high};
@@ -107,6 +109,8 @@ AxisScale scaled(const Limits& limits, std::string_view unit, int parts) {
 }
 
 }  // namespace
+
+bool is_drawable(double value) { return std::abs(value) <= kLargestDrawable; }
 
 double nice_step(double span, int parts) {
   const double raw = span / std::max(parts, 1);

@@ -19,6 +19,11 @@ struct AxisScale {
   [[nodiscard]] double shown(double value) const { return (value - offset) / factor; }
 };
 
+/// Numbers beyond have no place on an axis: sums and differences of them overflow.
+inline constexpr double kLargestDrawable = 1e290;
+/// False for NaN too.
+bool is_drawable(double value);
+
 /// The largest of 1, 2, 5 times a power of ten that divides `span` into at least `parts` parts.
 double nice_step(double span, int parts);
 

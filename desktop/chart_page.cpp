@@ -1,5 +1,7 @@
 #include "desktop/chart_page.hpp"
 
+#include "desktop/axis_scale.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -45,7 +47,7 @@ std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::v
     const bool needed = (x[i] >= low && x[i] <= high) ||
                         (i + 1 < count && x[i] < low && x[i + 1] >= low) ||
                         (i > 0 && x[i] > high && x[i - 1] <= high);
-    if (!needed || !std::isfinite(y[i]) || !std::isfinite(x[i])) {
+    if (!needed || !is_drawable(y[i]) || !is_drawable(x[i])) {
       open = false;
       continue;
     }

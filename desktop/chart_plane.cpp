@@ -80,7 +80,7 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
   for (const auto& curve : panel.curves) {
     Polyline line;
     for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
-      if (!std::isfinite(curve.x[i]) || !std::isfinite(curve.y[i])) continue;
+      if (!is_drawable(curve.x[i]) || !is_drawable(curve.y[i])) continue;
       line.x.push_back(curve.x[i]);
       line.y.push_back(curve.y[i]);
     }

@@ -239,10 +239,11 @@ void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const A
   const QFont font = ui_font(m.tick_font), title_font = ui_font(m.text_font);
   const QFontMetricsF metrics(font), title_metrics(title_font);
   const auto ticks = [](const AxisScale& scale) {
+    constexpr std::size_t kMostTicks = 200;
     std::vector<double> values;
     const double slack = 1e-6 * scale.step;
     for (double k = std::ceil((scale.min - slack) / scale.step);
-         k * scale.step <= scale.max + slack; ++k)
+         k * scale.step <= scale.max + slack && values.size() < kMostTicks; ++k)
       values.push_back(k * scale.step);
     return values;
   };

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -14,9 +15,18 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLargestDeck = std::size_t{16} * 1024 * 1024;
+constexpr long kMostLines = 200'000;  ///< a deck has about a hundred, tables of user routines more
 
-/// Control characters mean that this is no text.
-std::optional<Issue> find_binary(std::string_view text, const std::string& file_name) {
+/// Control characters mean that this is no text, and so many lines that it is no deck.
+std::optional<Issue> find_no_deck(std::string_view text, const std::string& file_name) {
+  const auto count = [&](char c) { return std::count(text.begin(), text.end(), c); };
+  if (const auto lines = std::max(count('\n'), count('\r')); lines > kMostLines) {
+    Issue issue;
+    issue.file = file_name;
+    issue.message = fmt::format("the file has {} lines, so it is no data deck", lines);
+    issue.remedy = fmt::format("give the deck (DATA.txt); it has at most {} lines", kMostLines);
+    return issue;
+  }
   int line = 1;
   for (const char c : text) {
     if (c == '\n') ++line;
@@ -75,10 +85,10 @@ std::string read_text(const fs::path& path) {
 
 ReadResult read_deck_text(std::string_view text, std::string file_name) {
   text = strip_marks(text);
-  if (std::optional<Issue> binary = find_binary(text, file_name)) {
+  if (std::optional<Issue> wrong = find_no_deck(text, file_name)) {
     ReadResult result;
     result.deck.file = std::move(file_name);
-    result.issues.push_back(std::move(*binary));
+    result.issues.push_back(std::move(*wrong));
     return result;
   }
   return read_records_of(text, std::move(file_name));
@@ -86,8 +96,8 @@ ReadResult read_deck_text(std::string_view text, std::string file_name) {
 
 ReadResult read_deck(const fs::path& path) {
   const std::string text = read_text(path);
-  if (std::optional<Issue> binary = find_binary(strip_marks(text), path.string()))
-    throw InputError({*binary});
+  if (std::optional<Issue> wrong = find_no_deck(strip_marks(text), path.string()))
+    throw InputError({*wrong});
   return read_deck_text(text, path.string());
 }
 

@@ -18,35 +18,37 @@ bool is_blank_line(std::string_view line) {
 
 Scanner::Scanner(std::string_view text) {
   bare_end_ = !text.empty() && text.back() != '\n' && text.back() != '\r';
+  std::vector<std::string_view> lines;
   while (!text.empty()) {
     const std::size_t end = text.find_first_of("\r\n");
-    lines_.push_back(text.substr(0, end));
+    lines.push_back(text.substr(0, end));
     if (end == std::string_view::npos) break;
     const bool crlf = text[end] == '\r' && end + 1 < text.size() && text[end + 1] == '\n';
     text.remove_prefix(end + (crlf ? 2 : 1));
   }
+  lines_ = std::make_shared<const std::vector<std::string_view>>(std::move(lines));
 }
 
 bool Scanner::at_bare_end() const {
-  return bare_end_ && at_.line + 1 == lines_.size() && at_.column == lines_.back().size();
+  return bare_end_ && at_.line + 1 == lines().size() && at_.column == lines().back().size();
 }
 
 bool Scanner::start_record() {
   if (at_.column > 0) go_to_line(at_.line + 1);
-  while (at_.line < lines_.size() && is_blank_line(lines_[at_.line])) ++at_.line;
+  while (at_.line < lines().size() && is_blank_line(lines()[at_.line])) ++at_.line;
   at_.column = 0;
   at_.after_value = false;
-  return at_.line < lines_.size();
+  return at_.line < lines().size();
 }
 
 std::string_view Scanner::rest_of_line() const {
-  if (at_.line >= lines_.size()) return {};
-  return lines_[at_.line].substr(std::min(at_.column, lines_[at_.line].size()));
+  if (at_.line >= lines().size()) return {};
+  return lines()[at_.line].substr(std::min(at_.column, lines()[at_.line].size()));
 }
 
 bool Scanner::skip_blanks() {
-  while (at_.line < lines_.size()) {
-    const std::size_t next = lines_[at_.line].find_first_not_of(kBlanks, at_.column);
+  while (at_.line < lines().size()) {
+    const std::size_t next = lines()[at_.line].find_first_not_of(kBlanks, at_.column);
     if (next != std::string_view::npos) {
       at_.column = next;
       return true;
@@ -60,12 +62,12 @@ bool Scanner::skip_blanks() {
 Token Scanner::next() {
   Token token;
   if (!skip_blanks()) return token;
-  if (at_.after_value && lines_[at_.line][at_.column] == ',') {
+  if (at_.after_value && lines()[at_.line][at_.column] == ',') {
     ++at_.column;
     at_.after_value = false;
     if (!skip_blanks()) return token;
   }
-  const std::string_view line = lines_[at_.line];
+  const std::string_view line = lines()[at_.line];
   const char first = line[at_.column];
   token.line = static_cast<int>(at_.line) + 1;
   token.first_in_line = is_blank_line(line.substr(0, at_.column));
@@ -88,7 +90,7 @@ Token Scanner::next() {
 }
 
 void Scanner::scan_quoted(Token& token) {
-  const std::string_view line = lines_[at_.line];
+  const std::string_view line = lines()[at_.line];
   const char quote = line[at_.column++];
   token.kind = Token::Kind::Quoted;
   for (;; ++at_.column) {
@@ -111,7 +113,7 @@ void Scanner::scan_quoted(Token& token) {
 }
 
 void Scanner::scan_word(Token& token) {
-  const std::string_view line = lines_[at_.line];
+  const std::string_view line = lines()[at_.line];
   std::string_view word = line.substr(at_.column);
   const std::size_t digits = std::min(word.find_first_not_of("0123456789"), word.size());
   if (digits > 0 && digits < word.size() && word[digits] == '*') {

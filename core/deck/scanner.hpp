@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,7 +49,7 @@ class Scanner {
   /// The next token, on following lines if need be.
   Token next();
 
-  [[nodiscard]] const std::vector<std::string_view>& lines() const { return lines_; }
+  [[nodiscard]] const std::vector<std::string_view>& lines() const { return *lines_; }
   /// Is the position exactly at the end of a text whose last line has no line end?
   [[nodiscard]] bool at_bare_end() const;
   /// What is left of the current line.
@@ -59,7 +60,8 @@ class Scanner {
   void scan_quoted(Token& token);
   void scan_word(Token& token);
 
-  std::vector<std::string_view> lines_;
+  std::shared_ptr<const std::vector<std::string_view>>
+      lines_;  ///< copies of the scanner share them
   Position at_;
   bool bare_end_ = false;  // the last line has no line end
 };

@@ -10,6 +10,9 @@
 namespace adore::deck {
 namespace {
 
+/// Residual stresses that no material bears, in either unit; beyond, the life factor overflows.
+constexpr Range kResidual = range::between(-1e10, 1e10);
+
 using range::kAny;
 using range::kNotNegative;
 using range::kPositive;
@@ -38,10 +41,10 @@ RecordSpec room_and_fits() {
             "race that turns positively the spin points to -x, so that theta in the "
             "listing, of the whole angular velocity with the orbit in it, is somewhat "
             "below 180 degrees less this angle."),
-       real("res1", unit::kStress, kAny,
+       real("res1", unit::kStress, kResidual,
             "Residual stress of the outer race in operation, tension positive; enters "
             "the STLE life factor."),
-       real("res2", unit::kStress, kAny,
+       real("res2", unit::kStress, kResidual,
             "Residual stress of the inner race in operation, tension positive; enters "
             "the STLE life factor."),
        real("facStrLimit", kPure, kNotNegative,

@@ -114,6 +114,13 @@ std::string misfit(std::string_view name, std::string_view family,
                      see_description(name));
 }
 
+/// The condition of a demand() without its place in the source.
+std::string_view reason(std::string_view what) {
+  const std::size_t begin = what.rfind(": "), end = what.rfind(" (this is");
+  if (begin == std::string_view::npos) return what;
+  return what.substr(begin + 2, end == std::string_view::npos ? end : end - begin - 2);
+}
+
 }  // namespace
 
 nlohmann::json calculate(std::string_view name, const nlohmann::json& input) {
@@ -142,6 +149,10 @@ nlohmann::json calculate(std::string_view name, const nlohmann::json& input) {
       if (!result) result = adapter.run(the_case);
   } catch (const nlohmann::json::exception& error) {
     throw InputError(misfit(name, family, error));
+  } catch (const std::logic_error& error) {
+    // The numbers go straight to the library, so a precondition that fails there is theirs.
+    throw InputError(fmt::format("calculator {} does not take these inputs ({}); {}", name,
+                                 reason(error.what()), see_description(name)));
   }
   if (!result)
     throw InputError(fmt::format("calculator {} does not know what to do with these inputs; {}",

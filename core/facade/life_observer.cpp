@@ -59,13 +59,13 @@ void LifeObserver::save(std::map<std::string, double>& state) const {
 void LifeObserver::restore(const std::map<std::string, double>& state) {
   if (state.count("life.started") == 0) return;
   damage_.restore(state);
-  started_ = state.at("life.started") > 0.5;
-  time_ = state.at("life.time");
-  if (state.count("life.step") > 0) step_ = std::lround(state.at("life.step"));
-  rate_.turns = state.at("life.turns_rate");
+  started_ = life::stored(state, "life.started") > 0.5;
+  time_ = life::stored(state, "life.time");
+  if (state.count("life.step") > 0) step_ = std::lround(life::stored(state, "life.step"));
+  rate_.turns = life::stored(state, "life.turns_rate");
   for (std::size_t i = 0; i < rate_.damage.size(); ++i)
-    rate_.damage[i] = state.at(fmt::format("life.rate.{}", i));
-  const double per_hour = state.at("life.per_hour");
+    rate_.damage[i] = life::stored(state, fmt::format("life.rate.{}", i));
+  const double per_hour = life::stored(state, "life.per_hour");
   hours_ = per_hour > 0.0    ? 1.0 / per_hour
            : per_hour == 0.0 ? std::numeric_limits<double>::infinity()
                              : 0.0;

@@ -1,6 +1,7 @@
 #include "facade/option_file.hpp"
 
 #include "base/errors.hpp"
+#include "base/json_text.hpp"
 #include "build/run_control.hpp"
 
 #include <nlohmann/json.hpp>
@@ -95,9 +96,9 @@ OptionFile OptionFile::from_text(std::string text) {
   out.text_ = std::move(text);
   Json json;
   try {
-    json = Json::parse(out.text_);
-  } catch (const nlohmann::json::exception& error) {
-    out.problem_ = std::string("is not valid JSON: ") + error.what();
+    json = parse_json<Json>(out.text_, "");
+  } catch (const InputError& error) {
+    out.problem_ = error.what();
     return out;
   }
   if (!json.is_object()) {

@@ -1,5 +1,6 @@
 #include "facade/prepare.hpp"
 
+#include "base/json_text.hpp"
 #include "build/build_bearing.hpp"
 #include "build/build_life.hpp"
 #include "build/no_part.hpp"
@@ -12,15 +13,14 @@
 #include "facade/static_plan.hpp"
 #include "facade/stiffness.hpp"
 #include "life/contact_strength.hpp"
+#include "results/growing_file.hpp"
 #include "thermal/operating.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <set>
 
@@ -165,14 +165,9 @@ Prepared prepare_model(LoadedDeck input) {
 std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
   const fs::path path = deck_file.parent_path() / "ADORE.json";
   std::map<std::string, std::string> out;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return out;
-  nlohmann::json json;
-  try {
-    json = nlohmann::json::parse(file);
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{} is not valid JSON: {}", path.string(), error.what()));
-  }
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(path, error))) return out;
+  const nlohmann::json json = parse_json(results::read_text_file(path), path.string());
   if (!json.is_object())
     throw InputError(fmt::format(
         "{} must hold one object of run options, e.g. {{\"ellipseMajor\": 16}}", path.string()));

@@ -1,6 +1,7 @@
 #include "facade/validate.hpp"
 
 #include "base/errors.hpp"
+#include "base/json_text.hpp"
 #include "facade/reference/adapters.hpp"
 #include "facade/reference/tolerance.hpp"
 
@@ -39,10 +40,11 @@ class Comparison {
  public:
   Comparison(const ToleranceRule& rule, const Json& expected)
       : rule_(rule), channel_(largest_magnitude(expected)) {
-    if (rule.scale == ToleranceRule::Scale::Diagonal)
+    if (rule.scale == ToleranceRule::Scale::Diagonal && expected.is_array())
       for (std::size_t i = 0; i < expected.size(); ++i)
-        diagonal_.push_back(expected[i][i].is_number() ? std::abs(expected[i][i].get<double>())
-                                                       : 0.0);
+        diagonal_.push_back(expected[i].is_array() && expected[i].size() > i
+                                ? largest_magnitude(expected[i][i])
+                                : 0.0);
   }
   QuantityResult run(const Json& expected, const Json& got) {
     compare(expected, got, {}, channel_);
@@ -100,7 +102,9 @@ class Comparison {
         scale = norm;
         break;
       case ToleranceRule::Scale::Diagonal:
-        scale = index.size() == 2 ? std::sqrt(diagonal_[index[0]] * diagonal_[index[1]]) : channel_;
+        scale = index.size() == 2 && std::max(index[0], index[1]) < diagonal_.size()
+                    ? std::sqrt(diagonal_[index[0]] * diagonal_[index[1]])
+                    : channel_;
         break;
     }
     const double allowed = std::max(rule_.relative * scale, rule_.absolute);
@@ -216,6 +220,21 @@ FileResult run_file(const std::filesystem::path& path, const Json& content) {
   return result;
 }
 
+/// What keeps the list from being one of cases; empty when it is one.
+std::string wrong_case(const Json& cases) {
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const Json& one = cases[i];
+    if (!one.is_object()) return fmt::format("case {} is no object", i + 1);
+    for (const char* key : {"id", "kind", "provenance"})
+      if (one.contains(key) && !one.at(key).is_string())
+        return fmt::format("\"{}\" of case {} is no text", key, i + 1);
+    for (const char* key : {"inputs", "expected"})
+      if (!one.contains(key) || !one.at(key).is_object())
+        return fmt::format("case {} has no object \"{}\"", i + 1, key);
+  }
+  return {};
+}
+
 Json read_cases(const std::filesystem::path& path, std::vector<Issue>& issues) {
   const auto complain = [&](std::string message) {
     Issue issue;
@@ -229,12 +248,18 @@ Json read_cases(const std::filesystem::path& path, std::vector<Issue>& issues) {
     complain("the file cannot be read");
     return {};
   }
-  Json content = Json::parse(stream, nullptr, false);
-  if (content.is_discarded())
-    complain("the file is not JSON");
-  else if (!content.is_object() || !content.value("family", Json()).is_string() ||
-           !content.value("cases", Json()).is_array())
+  Json content;
+  try {
+    content = parse_json(std::string(std::istreambuf_iterator<char>(stream), {}), "the file");
+  } catch (const InputError& error) {
+    complain(error.what());
+    return {};
+  }
+  if (!content.is_object() || !content.value("family", Json()).is_string() ||
+      !content.value("cases", Json()).is_array())
     complain("the file holds no reference cases");
+  else if (const std::string wrong = wrong_case(content.at("cases")); !wrong.empty())
+    complain(wrong);
   return content;
 }
 

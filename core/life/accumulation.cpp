@@ -15,10 +15,20 @@ DamageRate damage_rate(double speed, const DamageParts& lives) {
   DamageRate out;
   out.turns = std::abs(speed) / (2.0 * std::numbers::pi);
   for (std::size_t i = 0; i < kDamageParts; ++i) {
-    demand(lives[i] > 0.0, "a life is not positive");
+    check_life(lives[i]);
     out.damage[i] = out.turns / lives[i] * 1e-6;
   }
   return out;
+}
+
+double stored(const std::map<std::string, double>& state, const std::string& name) {
+  const auto found = state.find(name);
+  if (found == state.end())
+    throw InputError(fmt::format(
+        "MASTER is damaged: it lacks '{}'; take the file of an earlier run, or start new files with "
+        "kIcOpt = -1",
+        name));
+  return found->second;
 }
 
 void DamageSum::add_between(double seconds, const DamageRate& before, const DamageRate& after) {
@@ -55,9 +65,9 @@ void DamageSum::save(std::map<std::string, double>& state) const {
 void DamageSum::restore(const std::map<std::string, double>& state) {
   if (state.count("life.seconds") == 0) return;
   for (std::size_t i = 0; i < kDamageParts; ++i)
-    damage_[i] = state.at(fmt::format("life.damage.{}", i));
-  seconds_ = state.at("life.seconds");
-  revolutions_ = state.at("life.revolutions");
+    damage_[i] = stored(state, fmt::format("life.damage.{}", i));
+  seconds_ = stored(state, "life.seconds");
+  revolutions_ = stored(state, "life.revolutions");
 }
 
 }  // namespace adore::life

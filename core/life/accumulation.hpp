@@ -37,11 +37,14 @@ class DamageSum {
 
   /// For MASTER, and back (keys "life.…").
   void save(std::map<std::string, double>& state) const;
-  void restore(const std::map<std::string, double>& state);
+  void restore(const std::map<std::string, double>& state);  ///< @throws InputError: values lack
 
  private:
   DamageParts damage_{};
   double seconds_ = 0.0, revolutions_ = 0.0;
 };
+
+/// One of the values that save() wrote. @throws InputError naming it when MASTER lacks it
+[[nodiscard]] double stored(const std::map<std::string, double>& state, const std::string& name);
 
 }  // namespace adore::life

@@ -26,12 +26,20 @@ void check_slope(double slope) {
 }
 
 double shortest(std::span<const double> lives) {
-  demand(!lives.empty(), "no life to combine");
-  for (const double life : lives) demand(life > 0.0, "a life is not positive");
+  if (lives.empty()) throw InputError("there is no life to combine; give at least one");
+  for (const double life : lives) check_life(life);
   return *std::min_element(lives.begin(), lives.end());
 }
 
 }  // namespace
+
+void check_life(double life) {
+  if (!(life > 0.0))
+    throw InputError(fmt::format(
+        "a life of {} million revolutions comes out, which is none; a load, a residual stress or a "
+        "life factor is out of all proportion",
+        life));
+}
 
 double race_life(std::span<const double> lives, bool rotating, double slope) {
   check_slope(slope);

@@ -6,11 +6,15 @@
 /// infinity means no fatigue damage and is a valid life everywhere.
 namespace adore::life {
 
+/// @throws InputError unless the life is positive (10^6 revolutions, infinity included): loads and
+/// factors out of all proportion give none.
+void check_life(double life);
+
 /// Life of a race from the lives L_j it would have if every contact were like contact j.
 /// Rotating relative to the load (every point of the race sees every position): 1/L = mean 1/L_j.
 /// Stationary (survival probabilities of the zones multiply): L^-e = mean L_j^-e.
 /// The mean runs over all contacts, unloaded ones enter with infinite life. [lundberg1947]
-/// @throws InternalError for a life that is not positive, or no contact at all.
+/// @throws InputError for a life that is not positive, or no contact at all.
 [[nodiscard]] double race_life(std::span<const double> lives, bool rotating, double slope);
 
 /// Life at survival S of components that must all survive: Σ ln(1/0.9) (L/L_i)^e_i = ln(1/S), where

@@ -1,6 +1,7 @@
 #include "results/convert.hpp"
 
 #include "base/errors.hpp"
+#include "base/json_text.hpp"
 #include "results/growing_file.hpp"
 #include "results/restart.hpp"
 #include "results/sol_file.hpp"
@@ -38,12 +39,7 @@ ResultTable table_of(const std::filesystem::path& path, FileKind kind) {
 }
 
 Json read_run_json(const std::filesystem::path& path) {
-  try {
-    return Json::parse(read_text_file(path));
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{}: the file is no valid JSON ({}); give the RUN.json of a run",
-                                 path.string(), error.what()));
-  }
+  return parse_json<Json>(read_text_file(path), path.string());
 }
 
 Json to_json(const FinalState& state) {

@@ -63,6 +63,58 @@ UnitSystem units_of(const SolFile& file, const std::vector<SolColumn>& columns) 
 constexpr const char* kOtherRun =
     "RESULTS.h5 beside the file holds other numbers, so it is of another run";
 
+/// Steps of the classic file that stand in RESULTS.h5 at even distances: a piece of bounded size.
+struct StepBlock {
+  std::size_t step = 0, count = 0;   ///< of the classic file
+  std::size_t first = 0, every = 1;  ///< in RESULTS.h5
+};
+
+/// `at`: where each step stands in RESULTS.h5, or `nowhere`.
+std::vector<StepBlock> blocks_of(const std::vector<std::size_t>& at, std::size_t nowhere) {
+  constexpr std::size_t kMostSteps = 2048;
+  std::vector<StepBlock> out;
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    if (at[i] == nowhere) continue;
+    StepBlock* last = out.empty() || out.back().step + out.back().count != i ||
+                              out.back().count == kMostSteps || at[i] <= at[i - 1]
+                          ? nullptr
+                          : &out.back();
+    if (last != nullptr && last->count == 1) last->every = at[i] - at[i - 1];
+    if (last == nullptr || at[i] - at[i - 1] != last->every)
+      out.push_back({i, 1, at[i], 1});
+    else
+      ++last->count;
+  }
+  return out;
+}
+
+/// Compares the numbers of a block, or replaces them. False when one differs.
+bool use_block(SolFile& file, const H5Reader& reader, const StepBlock& block, bool replace) {
+  const std::vector<SolColumn> columns = sol_columns(file.header);
+  const UnitSystem units = units_of(file, columns);
+  std::map<int, std::vector<double>> read;  // by channel: neighbouring columns share one
+  for (std::size_t c = 0; c < columns.size(); ++c) {
+    const SolColumn& column = columns[c];
+    if (column.channel < 0) continue;
+    const std::string id(channels()[static_cast<std::size_t>(column.channel)].id);
+    const H5Reader::ChannelInfo* info = reader.find(id);
+    if (info == nullptr || column.at >= info->size()) continue;
+    auto& values = read[column.channel];
+    if (values.empty()) values = reader.read(id, block.first, block.count, block.every);
+    for (std::size_t i = 0; i < block.count; ++i) {
+      std::vector<double>& shown = file.steps[block.step + i].values;
+      if (c >= shown.size()) continue;
+      const double exact = values[i * info->size() + column.at];
+      const double value = column.unit == nullptr ? exact : from_si(exact, *column.unit, units);
+      if (replace)
+        shown[c] = value;
+      else if (!fits(shown[c], value, kSolDigits, 1e-30))
+        return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 std::string use_full_precision(SolFile& file) {
@@ -83,30 +135,13 @@ std::string use_full_precision(SolFile& file) {
     }
     if (!any) return "RESULTS.h5 beside the file holds none of its steps";
 
-    const std::vector<SolColumn> columns = sol_columns(file.header);
-    const UnitSystem units = units_of(file, columns);
-    std::vector<SolStep> steps = file.steps;
-    std::map<int, std::vector<double>> read;  // by channel: neighbouring columns share one
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      const SolColumn& column = columns[c];
-      if (column.channel < 0) continue;
-      const std::string id(channels()[static_cast<std::size_t>(column.channel)].id);
-      const H5Reader::ChannelInfo* info = reader->find(id);
-      if (info == nullptr || column.at >= info->size()) continue;
-      auto& values = read[column.channel];
-      if (values.empty()) values = reader->read(id);
-      for (std::size_t i = 0; i < steps.size(); ++i) {
-        if (at[i] == reader->steps() || c >= steps[i].values.size()) continue;
-        const double exact = values[at[i] * info->size() + column.at];
-        const double value = column.unit == nullptr ? exact : from_si(exact, *column.unit, units);
-        if (!fits(steps[i].values[c], value, kSolDigits, 1e-30)) return kOtherRun;
-        steps[i].values[c] = value;
-      }
-    }
-    for (std::size_t i = 0; i < steps.size(); ++i) {
-      if (at[i] < reader->steps()) steps[i].time = times[at[i]];
-    }
-    file.steps = std::move(steps);
+    // Nothing is replaced before every number has been compared.
+    const std::vector<StepBlock> blocks = blocks_of(at, reader->steps());
+    for (const bool replace : {false, true})
+      for (const StepBlock& block : blocks)
+        if (!use_block(file, *reader, block, replace)) return kOtherRun;
+    for (std::size_t i = 0; i < file.steps.size(); ++i)
+      if (at[i] < reader->steps()) file.steps[i].time = times[at[i]];
     return {};
   } catch (const InputError& error) {
     return error.what();

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace adore::results {
@@ -17,6 +18,9 @@ namespace {
 
 constexpr std::string_view kFinal = "FINAL", kMaster = "MASTER";
 constexpr int kFormat = 2;  // format 1 held no deck
+/// Far beyond any run: thirty years of simulated time, whole numbers that a double can count.
+constexpr double kLongestTime = 1e9;
+constexpr long kMostSteps = 1'000'000'000'000'000;
 
 void append_title(std::string& out, std::string_view kind) {
   out +=
@@ -80,13 +84,27 @@ class Reader {
     if (value < 0 || value > 100'000'000) fail(fmt::format("{} is no possible count", value));
     return static_cast<std::size_t>(value);
   }
-  double real(std::string_view keyword) { return number(text(keyword)); }
+  /// A finite number between the limits, which belong to it.
+  double real(std::string_view keyword, double least, double most) {
+    const double value = number(text(keyword));
+    if (!(value >= least && value <= most))
+      fail(fmt::format("{} is {}, which is not between {} and {}", keyword, value, least, most));
+    return value;
+  }
+  /// A step number.
+  long step() {
+    const long value = integer("step");
+    if (value < 0 || value > kMostSteps) fail(fmt::format("step is {}; steps count from 0", value));
+    return value;
+  }
   /// "number name" lines.
   std::pair<double, std::string> named() {
     const std::string_view whole = line();
     const std::size_t blank = whole.find(' ');
     if (blank == std::string_view::npos) fail("a number and a name are expected here");
-    return {number(whole.substr(0, blank)), std::string(whole.substr(blank + 1))};
+    const double value = number(whole.substr(0, blank));
+    if (!std::isfinite(value)) fail(fmt::format("'{}' is not finite", whole));
+    return {value, std::string(whole.substr(blank + 1))};
   }
   /// As many whole lines, with their ends.
   std::string lines(std::size_t count) {
@@ -125,13 +143,13 @@ FinalState read_state(Reader& reader) {
   FinalState state;
   state.version = reader.text("version");
   state.run_id = reader.text("run");
-  state.step = reader.integer("step");
-  state.time = reader.real("time");
-  state.step_size = reader.real("step_size");
-  state.shaft_rotation = reader.real("shaft_rotation");
-  state.scales.length = reader.real("scale_length");
-  state.scales.force = reader.real("scale_force");
-  state.scales.time = reader.real("scale_time");
+  state.step = reader.step();
+  state.time = reader.real("time", 0.0, kLongestTime);
+  state.step_size = reader.real("step_size", 0.0, kLongestTime);
+  state.shaft_rotation = reader.real("shaft_rotation", -1e18, 1e18);
+  state.scales.length = reader.real("scale_length", 1e-12, 1e6);
+  state.scales.force = reader.real("scale_force", 1e-12, 1e18);
+  state.scales.time = reader.real("scale_time", 1e-15, 1e9);
   for (std::size_t left = reader.count("extras"); left > 0; --left) {
     auto [value, name] = reader.named();
     state.extras[name] = value;

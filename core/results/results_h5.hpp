@@ -57,10 +57,11 @@ class H5Writer {
   std::unique_ptr<Impl> impl_;
 };
 
-/// Reads RESULTS.h5, also while it grows and after its writer was killed.
+/// Reads RESULTS.h5, also while it grows and after its writer was killed. A process of its own does
+/// it (h5_process.hpp), so that a damaged or crafted file costs a sentence, not the program.
 class H5Reader {
  public:
-  /// @throws InputError when the file is missing or none of ours.
+  /// @throws InputError when the file is missing, none of ours or damaged.
   explicit H5Reader(const std::filesystem::path& path);
   H5Reader(H5Reader&&) noexcept;
   H5Reader& operator=(H5Reader&&) noexcept;

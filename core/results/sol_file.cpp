@@ -32,12 +32,20 @@ void check(const SolRange& range) {
 }
 
 /// Calls take(step) for every complete step of the range; returns the note.
+/// @throws InputError when the file ends before the range begins
 template <class Take>
-std::string for_each_step(SolParser& parser, const SolRange& range, Take take) {
+std::string for_each_step(SolParser& parser, const std::string& name, const SolRange& range,
+                          Take take) {
   SolStep step;
   for (long position = 1; position <= range.to; ++position) {
     const bool kept = position >= range.from && (position - range.from) % range.every == 0;
-    if (parser.next(step, kept) != BlockStatus::Complete) return parser.note();
+    if (parser.next(step, kept) != BlockStatus::Complete) {
+      if (position <= range.from && range.from > 1)
+        throw InputError(
+            fmt::format("{}: the stored steps from {} on are asked for, but the file holds {}",
+                        name, range.from, position - 1));
+      return parser.note();
+    }
     if (kept) take(step);
   }
   return {};
@@ -115,8 +123,8 @@ SolFile read_sol(std::istream& stream, const std::string& name, const SolRange& 
   file.path = name;
   file.kind = parser.kind();
   file.header = parser.header();
-  file.note =
-      for_each_step(parser, range, [&](SolStep& step) { file.steps.push_back(std::move(step)); });
+  file.note = for_each_step(parser, name, range,
+                            [&](SolStep& step) { file.steps.push_back(std::move(step)); });
   return file;
 }
 
@@ -134,7 +142,7 @@ Sol8File read_sol8(std::istream& stream, const std::string& name, const SolRange
   file.elements = parser.header().elements;
   file.units = parser.header().units;
   file.geometry = make_geometry(parser.geometry());
-  file.note = for_each_step(parser, range, [&](const SolStep& step) {
+  file.note = for_each_step(parser, name, range, [&](const SolStep& step) {
     file.frames.push_back(make_frame(step, file.elements));
   });
   return file;

@@ -1,14 +1,15 @@
 #include "results/static_tables.hpp"
 
 #include "base/errors.hpp"
+#include "base/json_text.hpp"
 #include "contact/groove.hpp"
+#include "results/growing_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <limits>
 
 namespace adore::results {
@@ -249,10 +250,8 @@ StaticTables read_static_tables(const std::filesystem::path& run_json) {
   const auto refuse = [&](const std::string& why) -> InputError {
     return InputError(fmt::format("{}: {}", run_json.string(), why));
   };
-  std::ifstream file(run_json, std::ios::binary);
-  if (!file) throw refuse("cannot be read");
+  const Json json = parse_json<Json>(read_text_file(run_json), run_json.string());
   try {
-    const Json json = Json::parse(file);
     if (!json.is_object() || !json.contains("quasi_static"))
       throw refuse(
           "holds no quasi-static solution; plots of this kind come from the RUN.json of a run with "

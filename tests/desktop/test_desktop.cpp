@@ -98,11 +98,16 @@ TEST_CASE("axis_scale: constants, zeros and missing values still give a drawable
                                   {-2e-30, -2e-30},
                                   {nan, nan},
                                   {inf, -inf},
-                                  {1e300, 1e300}}) {
+                                  {1e300, 1e300},
+                                  {9e307, 9e307},
+                                  {-1.7e308, 1.7e308},
+                                  {5e-324, 5e-324}}) {
     const AxisScale axis = value_axis(low, high, "m", 5);
     CHECK(std::isfinite(axis.min));
+    CHECK(std::isfinite(axis.max));
     CHECK(axis.max > axis.min);
     CHECK(axis.step > 0.0);
+    CHECK((axis.max - axis.min) / axis.step < 20.0);
   }
 }
 

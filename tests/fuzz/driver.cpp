@@ -13,22 +13,29 @@
 #include <random>
 #include <string>
 #include <string_view>
+#include <sys/resource.h>
 #include <unistd.h>
 #include <vector>
 
 /// Feeds LLVMFuzzerTestOneInput without libFuzzer: replays a corpus, then changes its files at
-/// random. No coverage guides it, so a good corpus matters; the same seed gives the same inputs. An
-/// input that crashes is left in a file.
+/// random, or lets the fuzzer's own LLVMFuzzerCustomMutator do it. No coverage guides it, so a good
+/// corpus matters; the same seed gives the same inputs. An input that crashes, throws, takes more
+/// than a minute or makes the process larger than 500 MB is left in a file.
 ///
 ///   fuzz_deck [--iterations N] [--seconds S] [--seed K] [--crash-file FILE] FILE-or-FOLDER...
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size,
+                                               std::size_t most, unsigned seed)
+    __attribute__((weak));
 extern "C" void __sanitizer_set_death_callback(void (*callback)()) __attribute__((weak));
 
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLargestInput = 64 * 1024;
+constexpr std::size_t kLargestInput = 64 * 1024, kLargestOwn = 4 * 1024 * 1024;
+constexpr unsigned kLongest = 60;         // seconds for one input
+constexpr long kMostMemory = 500 * 1000;  // KiB
 
 struct Options {
   long long iterations = 0;
@@ -65,14 +72,26 @@ void on_signal(int number) {
   std::raise(number);
 }
 
+void refuse(const char* why) {
+  std::fprintf(stderr, "%s\n", why);
+  save_current_input();
+  std::_Exit(1);
+}
+
 void run(const std::string& input) {
   current_input = &input;
+  ::alarm(kLongest);
   try {
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(input.data()), input.size());
   } catch (const std::exception& error) {
     std::fprintf(stderr, "uncaught exception: %s\n", error.what());
-    save_current_input();
-    std::_Exit(1);
+    refuse("an exception left the reader");
+  }
+  ::alarm(0);
+  if (__sanitizer_set_death_callback == nullptr) {  // sanitizers need a multiple
+    struct rusage used {};
+    ::getrusage(RUSAGE_SELF, &used);
+    if (used.ru_maxrss > kMostMemory) refuse("more than 500 MB of memory");
   }
   current_input = nullptr;
 }
@@ -108,6 +127,13 @@ class Mutator {
 
   std::string next() {
     std::string text = corpus_[below(corpus_.size())];
+    if (LLVMFuzzerCustomMutator != nullptr && below(8) > 0) {
+      const std::size_t size = text.size();
+      text.resize(kLargestOwn);
+      text.resize(LLVMFuzzerCustomMutator(reinterpret_cast<std::uint8_t*>(text.data()), size,
+                                          kLargestOwn, static_cast<unsigned>(random_())));
+      return text;
+    }
     const std::size_t changes = 1 + below(4);
     for (std::size_t i = 0; i < changes; ++i) change(text);
     if (text.size() > kLargestInput) text.resize(kLargestInput);
@@ -158,7 +184,17 @@ class Mutator {
                                                           "****",
                                                           "-0.0",
                                                           "e",
-                                                          " "};
+                                                          " ",
+                                                          "{",
+                                                          "}",
+                                                          "[[[[[[[[",
+                                                          "\"",
+                                                          ":",
+                                                          "null",
+                                                          "true",
+                                                          "1e308",
+                                                          "-5",
+                                                          "9e307"};
     const std::size_t at = below(text.size() + 1);
     const std::size_t length = std::min(text.size() - at, 1 + below(16));
     switch (below(9)) {
@@ -250,7 +286,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   std::strcpy(crash_path, options.crash_file.c_str());
-  for (const int number : {SIGABRT, SIGSEGV, SIGFPE, SIGBUS, SIGILL})
+  for (const int number : {SIGABRT, SIGSEGV, SIGFPE, SIGBUS, SIGILL, SIGALRM})
     std::signal(number, on_signal);
   if (__sanitizer_set_death_callback != nullptr) __sanitizer_set_death_callback(save_current_input);
 

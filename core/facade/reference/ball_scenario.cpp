@@ -102,7 +102,7 @@ BallBetweenRaces::BallBetweenRaces(const Json& in, const Vec3& inner_centre, boo
       orbit_radius_(0.5 * get(in.at("bearing"), "dm")) {
   const Json& b = in.at("bearing");
   bearing::BallGeometry balls;
-  balls.count = in.value("n_balls", b.value("Z", 1));
+  balls.count = whole_or(in, "n_balls", whole_or(b, "Z", 1, 1, kMostElements), 1, kMostElements);
   balls.diameter = get(b, "D");
   balls.pitch_diameter = get(b, "dm");
   balls.contact_angle = get(b, "alpha0");

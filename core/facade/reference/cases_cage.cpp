@@ -26,11 +26,11 @@ std::optional<PocketShape> pocket_shape(const Json& inputs) {
 // ---- cage_pockets
 
 Json pocket_frame_case(const Json& in) {
-  const int n = in.at("nRe").get<int>();
+  const int n = whole(in, "nRe", 1, kMostElements);
   const double dm = get(in, "pitch_diameter");
   contact::PocketPlacement placement;
   placement.azimuth = get(in, "azimuth_pocket_1_deg") * kDegree +
-                      2 * kPi * (in.at("pocket").get<int>() - 1) / n +
+                      2 * kPi * (whole(in, "pocket", 1, kMostElements) - 1) / n +
                       in.value("bPocCenVar2_deg", 0.0) * kDegree;
   placement.pitch_radius = 0.5 * dm;
   placement.axial_variation = in.value("bPocCenVar1", 0.0);
@@ -79,7 +79,7 @@ Json half_pocket_case(const Json& in) {
   const double y_cut =
       get(in, "pocket_centre_radius") * std::tan(0.5 * get(in, "cageAngCut_deg") * kDegree);
   const contact::WallPoint wall = contact::nearest_wall_half(
-      pocket, vec3(in.at("element_centre_pocket")), r_b, in.at("half_side").get<int>(), y_cut);
+      pocket, vec3(in.at("element_centre_pocket")), r_b, whole(in, "half_side", -1, 1), y_cut);
   return {
       {"gap", wall.gap}, {"contact_point", json(wall.w)}, {"inward_normal", json(Vec3(-wall.m))}};
 }
@@ -132,14 +132,14 @@ contact::LandProfile land_profile(double radius, int code, const Json& in, const
 
 contact::LandPair land_pair(const Json& in) {
   contact::LandPair land;
-  land.outer = in.at("iCageGuide").get<int>() == 1;
+  land.outer = whole(in, "iCageGuide", 0, 2) == 1;
   land.width = get(in, "cageGsWidth");
   land.centre_x = contact::land_centre(get(in, "cageGsPos"), land.width);
-  land.slices = in.at("slices").get<int>();
+  land.slices = whole(in, "slices", 1, kMostSlices);
   const double cage_radius = 0.5 * get(in, "cageGsDia"), play = 0.5 * get(in, "cageGsCls");
-  land.cage = land_profile(cage_radius, in.value("kCageGsImp", 0), in, "cageGsRadVar");
-  land.race = land_profile(cage_radius + (land.outer ? play : -play), in.value("kRaceGsImp", 0), in,
-                           "raceGsRadVar");
+  land.cage = land_profile(cage_radius, whole_or(in, "kCageGsImp", 0, 0, 2), in, "cageGsRadVar");
+  land.race = land_profile(cage_radius + (land.outer ? play : -play),
+                           whole_or(in, "kRaceGsImp", 0, 0, 2), in, "raceGsRadVar");
   return land;
 }
 
@@ -168,7 +168,7 @@ Json land_gap_case(const Json& in) {
 
 Json land_profile_case(const Json& in) {
   const contact::LandProfile profile =
-      land_profile(get(in, "nominal_radius"), in.at("code").get<int>(), in, "radVar");
+      land_profile(get(in, "nominal_radius"), whole(in, "code", 0, 2), in, "radVar");
   Json radius = Json::array(), slope = Json::array();
   for (const Json& azimuth : in.at("azimuths_deg")) {
     const auto [R, dR] = profile.at(azimuth.get<double>() * kDegree);
@@ -248,7 +248,7 @@ std::optional<Json> inertia_case(const Json& the_case) {
   solid.outer_diameter = get(in, "cageDia1");
   solid.inner_diameter = get(in, "cageDia2");
   solid.width = get(in, "cageWidth");
-  solid.pockets = in.at("nRe").get<int>();
+  solid.pockets = whole(in, "nRe", 1, kMostElements);
   solid.element_diameter = get(in, "element_diameter");
   solid.pitch_diameter = get(in, "pitch_diameter");
   solid.clearance_1 = get(in, "bPocCls1");
@@ -256,7 +256,7 @@ std::optional<Json> inertia_case(const Json& the_case) {
   solid.roller_length = in.value("roller_length", 0.0);
   solid.density = get(in, "density");
   solid.cone_angle = in.value("cageConeAng_deg", 0.0) * kDegree;
-  solid.segments = in.value("nCseg", 1);
+  solid.segments = whole_or(in, "nCseg", 1, 0, 1000);
   solid.cut_angle = in.value("cageAngCut_deg", 0.0) * kDegree;
   solid.cut_at_pocket = in.value("cut", "") == "pocket";
   const contact::SolidInertia result = contact::cage_solid_inertia(solid);

@@ -49,7 +49,7 @@ std::optional<Json> capacity_case(const Json& the_case) {
   g.cos_alpha = std::cos(in.value("alpha_deg", 0.0) * kDegree);
   g.gamma = in.contains("gamma") ? get(in, "gamma")
                                  : 1e-3 * get(in, "D") * g.cos_alpha / (1e-3 * get(in, "dm"));
-  g.count = in.at("Z").get<int>();
+  g.count = whole(in, "Z", 1, kMostElements);
   const double fco = in.value("fco", 1.0);
   const double factor = in.value("lam", 1.0) * fco;
   const bool line = in.contains("l");
@@ -118,7 +118,7 @@ struct Geometry {
 Geometry geometry(const Json& geo) {
   Geometry out;
   out.life.line = geo.contains("l");
-  out.life.count = geo.at("Z").get<int>();
+  out.life.count = whole(geo, "Z", 1, kMostElements);
   out.life.diameter = get(geo, "D");
   out.life.pitch_diameter = get(geo, "dm");
   out.alpha = geo.value("alpha", 0.0) * kDegree;

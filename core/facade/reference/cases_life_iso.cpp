@@ -25,8 +25,8 @@ IsoGeometry iso_geometry(const Json& in) {
   g.element_diameter = in.value("Dw", in.value("Dwe", 0.0));
   g.length = in.value("Lwe", 0.0);
   g.pitch_diameter = in.value("Dpw", 0.0);
-  g.count = in.value("Z", 0);
-  g.rows = in.value("i", 1);
+  g.count = whole_or(in, "Z", 0, 0, kMostElements);
+  g.rows = whole_or(in, "i", 1, 1, 100);
   g.contact_angle = in.value("alpha_deg", 0.0) * kDegree;
   const life::LifeConstants& c = life::constants();
   const double table =
@@ -133,7 +133,7 @@ IsoGeometry reference_geometry(const Json& in, IsoType type) {
   g.pitch_diameter = 1.0;
   g.element_diameter = get(in, "gamma") / std::cos(g.contact_angle);
   g.length = 1.0;
-  g.count = in.at("Z").get<int>();
+  g.count = whole(in, "Z", 1, kMostElements);
   g.conformity_inner = in.value("f_inner", 0.52);
   g.conformity_outer = in.value("f_outer", 0.52);
   return g;
@@ -147,7 +147,7 @@ std::optional<life::IsoCondition> condition(const Json& in) {
 Json roller_reference(const Json& in) {
   const IsoGeometry g = reference_geometry(in, IsoType::RadialRoller);
   life::LaminaLoads loads;
-  loads.laminae = in.at("ns").get<std::size_t>();
+  loads.laminae = static_cast<std::size_t>(whole(in, "ns", 1, kMostSlices));
   for (const Json& Q : in.at("Q_roller"))
     for (const Json& weight : in.at("lamina_weights"))
       loads.inner.push_back(Q.get<double>() * weight.get<double>());

@@ -127,7 +127,7 @@ Json trajectory_case(const Json& in) {
 }
 
 std::array<bool, 3> flags(const Json& j) {
-  return {j.at(0).get<int>() != 0, j.at(1).get<int>() != 0, j.at(2).get<int>() != 0};
+  return {j.at(0).get<double>() != 0.0, j.at(1).get<double>() != 0.0, j.at(2).get<double>() != 0.0};
 }
 
 Json race_flags_case(const Json& in) {

@@ -73,7 +73,7 @@ struct EndAtFlange {
 EndAtFlange end_at_flange(const Json& in) {
   EndAtFlange e;
   e.face = flange_face(flange_of(in.at("flange")));
-  e.end = roller_end(flange_roller(in), in.at("end").get<int>() - 1);
+  e.end = roller_end(flange_roller(in), whole(in, "end", 1, 2) - 1);
   e.place = roller_place(in.at("pose"));
   e.contact = flange_contact(e.face, e.end, e.place.centre, e.place.axis);
   return e;
@@ -106,7 +106,7 @@ Json end_case(const Json& in) {
 }
 
 Json corner_case(const Json& in) {
-  const RollerEnd e = roller_end(flange_roller(in), in.at("end").get<int>() - 1);
+  const RollerEnd e = roller_end(flange_roller(in), whole(in, "end", 1, 2) - 1);
   return {{"tube_centre_s", e.sign * e.ring},
           {"ring_radius", e.ring_radius},
           {"cap_radius", e.cap_radius}};
@@ -205,7 +205,7 @@ Json geometry_case(const Json& in) {
           {"inner_cone_radius_at_x0", g.cone_radius_at_x0[1]},
           {"large_end_diameter", ends.large},
           {"small_end_diameter", ends.small},
-          {"neighbours_clear", in.at("n_rollers").get<int>() <= most},
+          {"neighbours_clear", whole(in, "n_rollers", 0, kMostElements) <= most},
           {"max_rollers", most}};
 }
 

@@ -78,7 +78,7 @@ Json sliced_case(const Json& the_case) {
   const auto drop = [&](double x) {
     return logarithmic ? logarithmic_drop(x, L, 0.00035 * D) : roller_drop(p, x);
   };
-  SlicedLine line = sliced_line(p, in.at("n_slices").get<int>(), get(in, "K_line"));
+  SlicedLine line = sliced_line(p, whole(in, "n_slices", 1, kMostSlices), get(in, "K_line"));
   for (std::size_t k = 0; k < line.x.size(); ++k) line.drop[k] = drop(line.x[k]);
   const bearing::Material both = elastic(get(in, "E"), get(in, "nu"));
   const double E_star = bearing::contact_modulus(both, both);
@@ -151,13 +151,13 @@ std::vector<SliceContact> contacts_of(const Json& in, const RollerProfile& p, co
   const auto slices = roller_slices(p, cut);
   std::vector<SliceContact> contacts(slices.size());
   roller_race_contacts(race.surface, race.pose, place.centre, place.axis, slices, contacts,
-                       in.value("passes", kSlicePasses));
+                       whole_or(in, "passes", kSlicePasses, 1, 100));
   return contacts;
 }
 
 Json penetration_case(const Json& in) {
   const RollerProfile p = roller_profile(in.at("roller"));
-  const Slicing cut = slicing(p, in.at("n_slices").get<int>());
+  const Slicing cut = slicing(p, whole(in, "n_slices", 1, kMostSlices));
   Json out;
   int k = 0;
   for (const SliceContact& c : contacts_of(in, p, cut)) {
@@ -176,8 +176,8 @@ Json load_case(const Json& in) {
   const double width = in.contains("land") ? get(in["land"], "width") : kInfinity;
   const double offset = in.contains("land") ? get(in["land"], "offset") : 0.0;
   const SlicedLine line =
-      sliced_line(p, in.at("n_slices").get<int>(), power ? get(law, "K_line") : kLineConstantSteel,
-                  width, offset);
+      sliced_line(p, whole(in, "n_slices", 1, kMostSlices),
+                  power ? get(law, "K_line") : kLineConstantSteel, width, offset);
   HalfSpaceLaw half_space;
   if (!power)
     half_space = half_space_law(elastic(get(law, "E1"), get(law, "nu1")),
@@ -202,7 +202,7 @@ Json load_case(const Json& in) {
 
 Json traction_case(const Json& in) {
   const RollerProfile p = roller_profile(in.at("roller"));
-  const Slicing cut = slicing(p, in.at("n_slices").get<int>());
+  const Slicing cut = slicing(p, whole(in, "n_slices", 1, kMostSlices));
   const RollerPlace place = roller_place(in.at("pose"));
   const PlacedRace placed = placed_race(in.at("race"));
   const Json& moving = in.at("kinematics");
@@ -238,8 +238,9 @@ Json traction_case(const Json& in) {
 
 /// The continuum as a sliced model sees it, with the number of slices that the case suggests.
 Json continuum_case(const Json& in) {
-  const SlicedLine line = sliced_line(roller_profile(in.at("roller")),
-                                      in.at("n_slices_suggested").get<int>(), get(in, "K_line"));
+  const SlicedLine line =
+      sliced_line(roller_profile(in.at("roller")), whole(in, "n_slices_suggested", 1, kMostSlices),
+                  get(in, "K_line"));
   const LineResultant sum = line_resultant(line, get(in, "delta0"), get(in, "slope"));
   return {{"Q", sum.load},
           {"M", sum.moment},
@@ -270,7 +271,7 @@ Json race_errors_case(const Json& in) {
                                      (get(j, "curvature_factor") + local.curvature_factor));
     if (!in.contains("roller")) continue;
     const RollerProfile p = roller_profile(in["roller"]);
-    const Slicing cut = slicing(p, in.at("n_slices").get<int>());
+    const Slicing cut = slicing(p, whole(in, "n_slices", 1, kMostSlices));
     RaceSurface race = race_with_error(cylinder_race(side_of(in), R), local);
     race.land_width = get(in, "land_width");
     const Vec3 centre(get(in, "x"), 0.0, get(in, "r")), axis = Vec3::UnitX();

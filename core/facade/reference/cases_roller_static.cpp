@@ -18,7 +18,7 @@ bearing::Bearing cylindrical(const Json& in) {
   bearing::Bearing b;
   b.type = bearing::Type::Cylindrical;
   bearing::RollerGeometry g;
-  g.count = in.at("Z").get<int>();
+  g.count = whole(in, "Z", 1, kMostElements);
   g.diameter = get(in, "roller_diameter");
   g.length = get(in, "roller_length");
   g.pitch_diameter = get(in, "pitch_diameter");
@@ -65,7 +65,7 @@ Json block(const statics::RollerSolution& s, int size) {
 
 Json cylindrical_case(const Json& in) {
   statics::RollerOptions options;
-  options.slices = in.at("n_slices").get<int>();
+  options.slices = whole(in, "n_slices", 1, kMostSlices);
   options.kinematics = statics::RollerKinematics::Linear;
   options.line_constant = get(in, "K_line");
   options.first_azimuth = in.value("psi0_deg", 0.0) * kDegree;
@@ -104,7 +104,7 @@ Json cylindrical_case(const Json& in) {
 Json tapered_case(const Json& in) {
   const std::array<double, 2> angle{get(in, "cup_half_angle_deg") * kDegree,
                                     get(in, "cone_half_angle_deg") * kDegree};
-  const double count = in.at("Z").get<int>();
+  const double count = whole(in, "Z", 1, kMostElements);
   const contact::RibLoads q =
       contact::rib_loads(get(in, "thrust") / count, angle, get(in, "flange_angle_deg") * kDegree,
                          get(in, "centrifugal_force"));

@@ -91,7 +91,7 @@ std::optional<Json> hertz_case(const Json& the_case) {
 
 bearing::BallGeometry geometry(const Json& g) {
   bearing::BallGeometry balls;
-  balls.count = g.at("Z").get<int>();
+  balls.count = whole(g, "Z", 1, kMostElements);
   balls.diameter = get(g, "D");
   balls.pitch_diameter = get(g, "dm");
   balls.groove_factor = {get(g, "fo"), get(g, "fi")};
@@ -222,8 +222,9 @@ std::optional<Json> kinematics_case(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   const double inner = get(in, "inner_speed_rpm") * kRpm;
   const double outer = get(in, "outer_speed_rpm") * kRpm;
-  const auto s = statics::epicyclic_speeds(in.at("Z").get<int>(), get(in, "D"), get(in, "dm"),
-                                           get(in, "contact_angle_deg") * kDegree, outer, inner);
+  const auto s =
+      statics::epicyclic_speeds(whole(in, "Z", 1, kMostElements), get(in, "D"), get(in, "dm"),
+                                get(in, "contact_angle_deg") * kDegree, outer, inner);
   Json out = frequencies(s, 1.0);
   out["gamma"] = s.gamma;
   out["cage_speed"] = s.cage_speed;
@@ -286,11 +287,11 @@ std::optional<Json> published_case(const Json& the_case) {
   if (kind == "cwru_drive_end_bearing") {
     const double gamma =
         get(in, "D") / get(in, "dm") * std::cos(get(in, "contact_angle_deg") * kDegree);
-    return multiples_of_shaft_speed(in.at("Z").get<int>(), gamma);
+    return multiples_of_shaft_speed(whole(in, "Z", 1, kMostElements), gamma);
   }
   if (kind == "timken_wide_inner_ring") {
     // The catalogue's BSF is per turn of the shaft, d_m(1-γ²)/(2D) with γ = D/d_m.
-    return multiples_of_shaft_speed(in.at("Z").get<int>(), get(in, "gamma"));
+    return multiples_of_shaft_speed(whole(in, "Z", 1, kMostElements), get(in, "gamma"));
   }
   if (kind == "harris_rolling_bearing_analysis" && in.contains("thrust")) return thrust_bearing(in);
   if (kind == "harris_angular_contact_curvature") return curvature_of_both_races(in);

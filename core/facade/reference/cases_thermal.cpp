@@ -186,7 +186,7 @@ std::optional<Json> assembly_case(const Json& in) {
   const RingPart cage = ring(in, "cage", ci, co, get(in, "rpm_cage") * kRpm);
   int number = 0;
   for (const Json& land : in.at("lands")) {
-    const int race = land.at("race").get<int>() - 1;
+    const int race = whole(land, "race", 1, 2) - 1;
     const double r = 0.5 * get(land, "land_dia"), on_cage = race == 0 ? co : ci;
     out[fmt::format("land_clearance_{}", ++number)] = land_clearance(
         race, r, state.race_displacement(race, r), on_cage, cage_displacement(cage, on_cage, true));
@@ -279,7 +279,7 @@ std::optional<Json> units_case(const Json& the_case) {
 
 Json fluid_case(const Json& in) {
   const tribology::FluidProperties fluid =
-      tribology::fluid_properties(in.at("code").get<int>(), get(in, "T"));
+      tribology::fluid_properties(whole(in, "code", 0, 1'000'000), get(in, "T"));
   return {{"name", fluid.name},
           {"provenance", fluid.provenance},
           {"density", fluid.density},
@@ -308,9 +308,7 @@ std::string material_key(const Json& in) {
         fmt::format("part \"{}\" is not one of rolling_element, outer_race, "
                     "inner_race, housing, shaft, cage",
                     part));
-  if (code.is_number() && code.get<double>() != std::round(code.get<double>()))
-    throw InputError(fmt::format("material code {} is not a whole number", code.dump()));
-  const int number = code.is_string() ? 0 : code.get<int>();
+  const int number = code.is_string() ? 0 : whole(in, "code", -1'000'000, 1'000'000);
   return bearing::material_from_table(number, found->second).table_key;
 }
 

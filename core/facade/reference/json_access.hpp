@@ -1,9 +1,13 @@
 #pragma once
 
+#include "base/errors.hpp"
 #include "base/rotation.hpp"
 #include "bearing/bearing.hpp"
 #include "facade/reference/adapter.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -34,6 +38,23 @@ inline constexpr double kRpm = kPi / 30.0;
 }
 [[nodiscard]] inline double get(const Json& inputs, const char* key) {
   return inputs.at(key).get<double>();
+}
+
+/// Limits of counts, those of the deck; every work and memory that follows from them stays bounded.
+inline constexpr int kMostElements = 10'000, kMostSlices = 1'000;
+
+/// A whole number within its range; no adapter reads an integer in another way. @throws InputError
+[[nodiscard]] inline int whole(const Json& inputs, const char* key, int least, int most) {
+  const Json& value = inputs.at(key);
+  const double number = value.get<double>();
+  if (!(number >= least) || !(number <= most) || number != std::round(number))
+    throw InputError(
+        fmt::format("{} is {}; give a whole number from {} to {}", key, value.dump(), least, most));
+  return static_cast<int>(number);
+}
+[[nodiscard]] inline int whole_or(const Json& inputs, const char* key, int fallback, int least,
+                                  int most) {
+  return inputs.contains(key) ? whole(inputs, key, least, most) : fallback;
 }
 [[nodiscard]] inline std::string kind_of(const Json& the_case) {
   return the_case.value("kind", std::string());

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -378,6 +379,23 @@ TEST_CASE("an element that spins faster lives shorter in proportion", "[physics]
   contacts.element_turns.assign(9, 2.0 * turns);
   CHECK(basic(calculator.evaluate(contacts), LifeModel::Zaretsky, 2) ==
         Approx(0.5 * rolling).epsilon(1e-9));
+}
+
+TEST_CASE("damage of a run is restored whole or refused by the value that lacks", "[unit][life]") {
+  DamageSum sum;
+  std::map<std::string, double> state;
+  sum.save(state);
+  for (const auto& [name, value] : state) {
+    if (name == "life.seconds") continue;  // without it nothing was stored
+    std::map<std::string, double> part = state;
+    part.erase(name);
+    CAPTURE(name);
+    DamageSum again;
+    CHECK_THROWS_WITH(again.restore(part), Catch::Matchers::Contains("lacks '" + name + "'"));
+  }
+  for (const double life : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
+    CHECK_THROWS_AS(check_life(life), InputError);
+  CHECK_NOTHROW(check_life(std::numeric_limits<double>::infinity()));
 }
 
 TEST_CASE("damage of constant conditions returns the instant life, and standstill none",

@@ -51,6 +51,7 @@ void write_all(const TemporaryFolder& folder, const bearing::Bearing& bearing) {
   }
   MasterState master;
   master.last.run_id = bearing.run_id;
+  master.last.scales = {0.00635, 1000.0, 2e-5};
   master.last.components = {"element.x[1] [m]"};
   master.last.state = {0.1};
   master.averages["average time"] = 0.5;
@@ -118,7 +119,7 @@ TEST_CASE("every result file is recognised by its content and described", "[unit
              Contains("cannot be opened"));
   write_bytes(folder / "broken", "{ \"a\": ");
   CHECK_THAT(message_of([&] { (void)describe_file(folder / "broken"); }),
-             Contains("no valid JSON"));
+             Contains("not valid JSON"));
 }
 
 TEST_CASE("conversion to CSV and JSON keeps every value", "[unit][convert]") {

@@ -203,3 +203,41 @@ TEST_CASE("the whirl is followed by positions alone between snapshots", "[unit][
   }
   CHECK(averages.averages().whirl_ratio == Approx(0.45));
 }
+
+TEST_CASE("a MASTER whose place in time or scales are impossible is refused by name",
+          "[unit][restart]") {
+  TemporaryFolder folder;
+  MasterState master;
+  master.last = make_state();
+  master.averages = {{"average time", 0.125}};
+  write_master(master, folder / "MASTER");
+  const std::string good = read_bytes(folder / "MASTER");
+  for (const auto& [key, value] :
+       std::vector<std::pair<std::string, std::string>>{{"step", "-5"},
+                                                        {"step", "9999999999999999999"},
+                                                        {"time", "1e300"},
+                                                        {"time", "-1"},
+                                                        {"time", "nan"},
+                                                        {"step_size", "-1e-9"},
+                                                        {"step_size", "inf"},
+                                                        {"shaft_rotation", "nan"},
+                                                        {"scale_length", "0"},
+                                                        {"scale_force", "-1"},
+                                                        {"scale_time", "inf"},
+                                                        {"scale_time", "0"}}) {
+    CAPTURE(key, value);
+    const std::size_t at = good.find("\n" + key + " ") + 1;
+    std::string bad = good;
+    bad.replace(at, good.find('\n', at) - at, key + " " + value);
+    write_bytes(folder / "MASTER", bad);
+    CHECK_THAT(message_of([&] { (void)read_master(folder / "MASTER"); }),
+               Contains("MASTER:") && Contains(key) && Contains("the file is damaged"));
+  }
+  for (const std::string name : {"element.x[1] [m]", "average time"}) {
+    std::string bad = good;
+    const std::size_t end = good.find(" " + name), begin = good.rfind('\n', end) + 1;
+    bad.replace(begin, end - begin, "inf");
+    write_bytes(folder / "MASTER", bad);
+    CHECK_THAT(message_of([&] { (void)read_master(folder / "MASTER"); }), Contains("not finite"));
+  }
+}

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+/// Ranges of the numbers that options take, said once.
+namespace adore::cli {
+
+struct OptionRange {
+  std::string_view option;
+  double least, most;
+  std::string_view meaning;  ///< what the ends stand for; may be empty
+};
+inline constexpr std::array kOptionRanges{
+    OptionRange{"--threads", 0, 1024, "0: all cores"},
+    OptionRange{"--page", 1, 10'000, ""},
+    OptionRange{"--from", 1, 1e15, "steps are counted from 1"},
+    OptionRange{"--to", 1, 1e15, "steps are counted from 1"},
+    OptionRange{"--every", 1, 1e9, ""},
+    OptionRange{"--frame", 1, 1e9, "frames are counted from 1"},
+    OptionRange{"--fps", 1, 240, ""},
+    OptionRange{"--element", 1, 10'000, "elements are counted from 1"},
+    OptionRange{"--tols", 1e-14, 0.01, "coarser ones follow no motion"},
+    OptionRange{"--span", 1e-6, 1e9, "simulated time over the time scale"},
+};
+
+/// @throws InputError "--threads is -3; give a number from 0 to 1024 (0: all cores)"
+inline void check_range(std::string_view option, double value) {
+  for (const OptionRange& range : kOptionRanges) {
+    if (range.option != option) continue;
+    if (value >= range.least && value <= range.most) return;
+    throw InputError(fmt::format(
+        "{} is {}; give a number from {} to {}{}", option, value, range.least, range.most,
+        range.meaning.empty() ? std::string() : fmt::format(" ({})", range.meaning)));
+  }
+  demand(false, "every option with a number has a range");
+}
+
+}  // namespace adore::cli

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "base/errors.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <string_view>
+
+/// JSON that somebody else wrote: the one reader of it. Deep nesting is refused, because walking,
+/// printing and comparing such a value is recursive and would end in the stack.
+namespace adore {
+
+inline constexpr int kDeepestJson = 64;  ///< RUN.json and reference cases need about ten
+
+namespace detail {
+/// "is not valid JSON: ..." in a clause of bounded length.
+std::string json_problem(std::string_view what);
+}  // namespace detail
+
+/// @throws InputError "`name` is not valid JSON: ..."; without the name when that is empty.
+template <class Json = nlohmann::json>
+Json parse_json(std::string_view text, std::string_view name) {
+  const std::string start = name.empty() ? std::string() : std::string(name) + " ";
+  const typename Json::parser_callback_t shallow = [&](int depth, auto event, Json&) {
+    using Event = typename Json::parse_event_t;
+    if (depth >= kDeepestJson && (event == Event::object_start || event == Event::array_start))
+      throw InputError(start + "is not valid JSON for this program: it is nested more than " +
+                       std::to_string(kDeepestJson) + " levels deep");
+    return true;
+  };
+  try {
+    return Json::parse(text, shallow);
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(start + detail::json_problem(error.what()));
+  }
+}
+
+}  // namespace adore

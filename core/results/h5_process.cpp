@@ -1,0 +1,279 @@
+#include "results/h5_process.hpp"
+
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <poll.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define ADORE_SANITIZED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define ADORE_SANITIZED 1
+#endif
+#endif
+
+namespace adore::results::h5 {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t kPiece = std::size_t{1} << 17;  ///< values in one answer
+constexpr std::size_t kLargestContent = std::size_t{64} << 20, kLongestSentence = 1 << 16;
+
+enum class Kind : std::uint8_t { Refused, Content, Values };
+
+/// Before the bytes of each answer.
+struct Head {
+  Kind kind = Kind::Refused;
+  std::uint64_t bytes = 0;
+};
+
+/// Before the channel's name.
+struct Request {
+  std::uint64_t first = 0, count = 0, every = 1, name = 0;
+};
+
+bool send_all(int socket, const void* data, std::size_t count) {
+  const char* bytes = static_cast<const char*>(data);
+  while (count > 0) {
+    const ssize_t sent = ::send(socket, bytes, count, MSG_NOSIGNAL);
+    if (sent < 0 && errno == EINTR) continue;
+    if (sent <= 0) return false;
+    bytes += sent;
+    count -= static_cast<std::size_t>(sent);
+  }
+  return true;
+}
+
+bool send_answer(int socket, Kind kind, const void* data, std::size_t count) {
+  const Head head{kind, count};
+  return send_all(socket, &head, sizeof head) && send_all(socket, data, count);
+}
+
+Json to_json(const Content& content) {
+  Json channels = Json::array();
+  for (const H5Reader::ChannelInfo& info : content.channels)
+    channels.push_back(
+        {info.id, info.label, info.unit, info.frame, info.description, info.dimensions});
+  return {content.version, content.run_id, content.steps, content.geometry, channels};
+}
+
+Content from_json(const Json& json) {
+  Content content;
+  content.version = json.at(0).get<std::string>();
+  content.run_id = json.at(1).get<std::string>();
+  content.steps = json.at(2).get<std::size_t>();
+  content.geometry = json.at(3).get<std::map<std::string, double>>();
+  for (const Json& row : json.at(4))
+    content.channels.push_back({row.at(0).get<std::string>(), row.at(1).get<std::string>(),
+                                row.at(2).get<std::string>(), row.at(3).get<std::string>(),
+                                row.at(4).get<std::string>(),
+                                row.at(5).get<std::vector<std::size_t>>()});
+  return content;
+}
+
+void limit_memory(const Limits& limits) {
+#ifdef ADORE_SANITIZED
+  (void)limits;  // their shadow memory alone is terabytes
+#else
+  std::uint64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  const rlim_t most = pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE)) + limits.memory;
+  const struct rlimit space { most, most };
+  ::setrlimit(RLIMIT_AS, &space);
+#endif
+}
+
+/// So much processor time from now on; SIGXCPU ends the process.
+void limit_time(const Limits& limits) {
+  struct rusage used {};
+  ::getrusage(RUSAGE_SELF, &used);
+  const rlim_t soft =
+      static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec + 1 + limits.cpu.count());
+  const struct rlimit time { soft, RLIM_INFINITY };
+  ::setrlimit(RLIMIT_CPU, &time);
+}
+
+/// The child's own surroundings: its parent's handlers, terminal and files are none of its
+/// business.
+void settle_in(int socket, const Limits& limits) {
+  for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGPIPE})
+    std::signal(number, SIG_DFL);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(number, SIG_IGN);
+  const int nowhere = ::open("/dev/null", O_RDWR);
+  for (const int file : {0, 1, 2})
+    if (nowhere >= 0 && file != socket) ::dup2(nowhere, file);
+  if (socket > 3) ::close_range(3, static_cast<unsigned>(socket) - 1, 0);
+  ::close_range(static_cast<unsigned>(std::max(socket + 1, 3)), ~0U, 0);
+  const struct rlimit none { 0, 0 };
+  ::setrlimit(RLIMIT_CORE, &none);
+  limit_memory(limits);
+  limit_time(limits);
+}
+
+bool receive_all(int socket, void* data, std::size_t count) {
+  char* bytes = static_cast<char*>(data);
+  while (count > 0) {
+    const ssize_t got = ::recv(socket, bytes, count, 0);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    bytes += got;
+    count -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+/// Answers until the parent closes its end.
+void serve(int socket, const std::filesystem::path& path, const Limits& limits) {
+  const Quiet quiet;
+  const auto refuse = [&](std::string_view why) {
+    return send_answer(socket, Kind::Refused, why.data(), std::min(why.size(), kLongestSentence));
+  };
+  try {
+    File file(path);
+    const std::vector<std::uint8_t> content = Json::to_cbor(to_json(file.content()));
+    if (!send_answer(socket, Kind::Content, content.data(), content.size())) return;
+    Request request;
+    while (receive_all(socket, &request, sizeof request)) {
+      std::string id(request.name, '\0');
+      if (!receive_all(socket, id.data(), id.size())) return;
+      limit_time(limits);
+      const std::vector<double> values = file.read(id, request.first, request.count, request.every);
+      if (!send_answer(socket, Kind::Values, values.data(), values.size() * sizeof(double))) return;
+    }
+  } catch (const InputError& error) {
+    refuse(error.what());
+  } catch (const std::bad_alloc&) {
+    refuse("reading it takes more memory than such a file needs; the file is damaged");
+  } catch (const std::exception& error) {
+    refuse(fmt::format("the file is damaged ({})", error.what()));
+  }
+}
+
+}  // namespace
+
+Process::Process(std::filesystem::path path, Limits limits)
+    : path_(std::move(path)), limits_(limits) {
+  int ends[2];
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+    fail(fmt::format("no process can be started to read it ({})", std::strerror(errno)));
+  child_ = ::fork();
+  if (child_ == 0) {
+    settle_in(ends[1], limits_);
+    serve(ends[1], path_, limits_);
+    ::_exit(0);
+  }
+  const int reason = errno;
+  ::close(ends[1]);
+  socket_ = ends[0];
+  if (child_ < 0)
+    fail(fmt::format("no process can be started to read it ({})", std::strerror(reason)));
+  try {
+    content_ = from_json(Json::from_cbor(answer(kLargestContent)));
+  } catch (const nlohmann::json::exception&) {
+    fail("the file is damaged");
+  } catch (...) {
+    end();
+    throw;
+  }
+}
+
+Process::~Process() { end(); }
+
+void Process::end() {
+  if (socket_ >= 0) ::close(socket_);
+  socket_ = -1;
+  if (child_ <= 0) return;
+  ::kill(child_, SIGKILL);
+  while (::waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  child_ = -1;
+}
+
+void Process::fail(std::string_view why) {
+  end();
+  throw InputError(fmt::format("{}: {}", path_.string(), why));
+}
+
+void Process::receive(char* bytes, std::size_t count) {
+  using Clock = std::chrono::steady_clock;
+  auto patience = Clock::now() + limits_.silence;
+  while (count > 0) {
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(patience - Clock::now()).count();
+    struct pollfd ready {
+      socket_, POLLIN, 0
+    };
+    const int any = ::poll(&ready, 1, static_cast<int>(std::max<long>(left, 0)));
+    if (any < 0 && errno == EINTR) continue;
+    if (any == 0)
+      fail(
+          fmt::format("reading it came to no end in {} s; the file is damaged, or its disk does "
+                      "not answer",
+                      limits_.silence.count()));
+    const ssize_t got = ::recv(socket_, bytes, count, 0);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) {
+      int status = 0;
+      pid_t gone = 0;
+      while ((gone = ::waitpid(child_, &status, 0)) < 0 && errno == EINTR) {
+      }
+      child_ = -1;
+      if (gone > 0 && WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+        fail(fmt::format("reading it came to no end in {} s of processor time; the file is damaged",
+                         limits_.cpu.count()));
+      fail(gone > 0 && WIFSIGNALED(status)
+               ? fmt::format("the HDF5 library failed on it ({}); the file is damaged",
+                             ::strsignal(WTERMSIG(status)))
+               : std::string("the HDF5 library failed on it; the file is damaged"));
+    }
+    bytes += got;
+    count -= static_cast<std::size_t>(got);
+    patience = Clock::now() + limits_.silence;
+  }
+}
+
+std::string Process::answer(std::size_t most) {
+  Head head;
+  receive(reinterpret_cast<char*>(&head), sizeof head);
+  if (head.kind == Kind::Refused) most = kLongestSentence;
+  if (head.bytes > most) fail("the file is damaged");
+  std::string bytes(head.bytes, '\0');
+  receive(bytes.data(), bytes.size());
+  if (head.kind == Kind::Refused) fail(bytes);
+  return bytes;
+}
+
+std::vector<double> Process::read(const std::string& id, std::size_t width, std::size_t first,
+                                  std::size_t count, std::size_t every) {
+  if (socket_ < 0) fail("the file could not be read earlier; it is damaged");
+  std::vector<double> values;
+  values.reserve(count * width);
+  const std::size_t rows = std::max<std::size_t>(kPiece / width, 1);
+  for (std::size_t done = 0; done < count; done += rows) {
+    const Request request{first + done * every, std::min(rows, count - done), every, id.size()};
+    if (!send_all(socket_, &request, sizeof request) || !send_all(socket_, id.data(), id.size()))
+      fail("the HDF5 library failed on it; the file is damaged");
+    const std::string bytes = answer(request.count * width * sizeof(double));
+    if (bytes.size() != request.count * width * sizeof(double)) fail("the file is damaged");
+    const std::size_t old = values.size();
+    values.resize(old + request.count * width);
+    std::memcpy(values.data() + old, bytes.data(), bytes.size());
+  }
+  return values;
+}
+
+}  // namespace adore::results::h5

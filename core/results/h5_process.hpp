@@ -1,0 +1,47 @@
+#pragma once
+
+#include "results/h5_file.hpp"
+
+#include <chrono>
+#include <sys/types.h>
+
+/// A process of its own that reads one RESULTS.h5 for us. What a crafted file does to the HDF5
+/// library (crash, endless loop, gigabytes of memory) happens there, within limits, and reaches the
+/// caller as one sentence. The child holds no open file but this one, writes nothing, and ends with
+/// its Process or when its parent dies.
+namespace adore::results::h5 {
+
+struct Limits {
+  std::chrono::seconds silence{30};             ///< without an answer
+  std::chrono::seconds cpu{20};                 ///< of processor time for one answer
+  std::size_t memory = std::size_t{256} << 20;  ///< beyond what the parent has mapped [bytes]
+};
+
+class Process {
+ public:
+  /// Opens the file in a new process. @throws InputError naming it: what is wrong with it, or how
+  /// the process ended.
+  explicit Process(std::filesystem::path path, Limits limits = {});
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+  ~Process();
+
+  [[nodiscard]] const Content& content() const noexcept { return content_; }
+  /// As File::read(), in pieces. The caller has checked steps against content(). @throws InputError
+  [[nodiscard]] std::vector<double> read(const std::string& id, std::size_t width,
+                                         std::size_t first, std::size_t count, std::size_t every);
+
+ private:
+  [[nodiscard]] std::string answer(std::size_t most);
+  void receive(char* bytes, std::size_t count);
+  [[noreturn]] void fail(std::string_view why);
+  void end();
+
+  std::filesystem::path path_;
+  Limits limits_;
+  pid_t child_ = -1;
+  int socket_ = -1;
+  Content content_;
+};
+
+}  // namespace adore::results::h5

@@ -1,0 +1,96 @@
+#include "driver.hpp"
+
+#include <sys/resource.h>
+
+using namespace adore::test;
+
+namespace {
+
+/// Exit 2, and a sentence that holds `part` and calls nothing a bug.
+void refused(const Result& result, const std::string& part) {
+  CAPTURE(result.out);
+  CHECK(result.code == 2);
+  CHECK(contains(result.out, part));
+  CHECK_FALSE(contains(result.out, "bug"));
+}
+
+}  // namespace
+
+TEST_CASE("numbers of options out of range are refused with their range", "[cli]") {
+  Folder folder;
+  new_ball_deck(folder);
+  const std::string deck = " " + folder.path().string() + " ";
+  refused(run_adore("run" + deck + "--threads -3"),
+          "--threads is -3; give a number from 0 to 1024");
+  refused(run_adore("run" + deck + "--threads 1000000"), "--threads");
+  refused(run_adore("accuracy" + deck + "--tols 1"),
+          "--tols is 1; give a number from 1e-14 to 0.01");
+  refused(run_adore("accuracy" + deck + "--tols 1e-4,1e-30"), "--tols is 1e-30");
+  refused(run_adore("accuracy" + deck + "--span 1e300"), "--span");
+  if (contains(run_adore("plot none --out none").out, "ADORE_WITH_QT")) return;  // no pictures
+  const std::string to = " --out " + (folder / "p").string();
+  refused(run_adore("plot none" + to + " --page 0"), "--page is 0; give a number from 1");
+  refused(run_adore("plot none" + to + " --from 0"), "--from is 0");
+  refused(run_adore("plot none" + to + " --every -1"), "--every is -1");
+  refused(run_adore("animate none --frame 0"), "--frame is 0");
+  refused(run_adore("animate none --fps 0"), "--fps is 0");
+}
+
+TEST_CASE("inputs of calculators beyond their range are refused, never read beyond", "[cli]") {
+  const std::string corpus = ADORE_SOURCE_DIR "/tests/fuzz/corpus/calc/";
+  Folder folder;
+  // Each file of the corpus is a line with the calculator, then its inputs.
+  for (const char* name : {"flange_end", "corner_end", "laminae", "negative_life", "slices"}) {
+    const std::string text = read(corpus + name);
+    const std::size_t end = text.find('\n');
+    write(folder / "IN.json", text.substr(end));
+    refused(run_adore("calc " + text.substr(0, end) + " --json " + (folder / "IN.json").string()),
+            "");
+  }
+}
+
+TEST_CASE("deep JSON is refused wherever JSON is read", "[cli]") {
+  Folder folder;
+  new_ball_deck(folder);
+  const std::string deep(50000, '[');
+  write(folder / "deep.json", "{\"a\": " + deep);
+  const std::string file = " " + (folder / "deep.json").string();
+  refused(run_adore("convert" + file + " --to csv"), "64 levels");
+  refused(run_adore("show" + file), "64 levels");
+  refused(run_adore("validate" + file), "64 levels");
+  refused(run_adore("calc hertz --json" + file), "64 levels");
+  write(folder / "ADORE.json", deep);
+  refused(run_adore("plan " + folder.path().string()), "64 levels");
+}
+
+TEST_CASE("an ADORE.json that cannot be read is refused, not passed over", "[cli]") {
+  Folder folder;
+  new_ball_deck(folder);
+  std::filesystem::create_directory(folder / "ADORE.json");
+  refused(run_adore("plan " + folder.path().string()), "ADORE.json");
+  std::filesystem::remove(folder / "ADORE.json");
+  std::filesystem::create_symlink("nowhere", folder / "ADORE.json");
+  refused(run_adore("plan " + folder.path().string()), "ADORE.json");
+  std::filesystem::remove(folder / "ADORE.json");
+  CHECK(run_adore("plan " + folder.path().string()).code == 0);
+}
+
+TEST_CASE("a residual stress of no material is refused", "[cli]") {
+  Folder folder;
+  new_ball_deck(folder);
+  for (const char* value : {"1e100", "-1e100", "1e308"})
+    refused(run_adore("plan " + folder.path().string() + " --set res2=" + value), "res2");
+  CHECK(run_adore("plan " + folder.path().string() + " --set res2=-2e8").code == 0);
+  CHECK(run_adore("plan " + folder.path().string() + " --set res2=1e10").code != 1);
+}
+
+TEST_CASE("fifteen megabytes of blank lines are refused in little memory", "[cli]") {
+  Folder folder;
+  write(folder / "DATA.txt", std::string(15'000'000, '\n') + "'Rec 1', 0");
+  refused(run_adore("check " + (folder / "DATA.txt").string()), "15000000 lines");
+  struct rusage used {};
+  ::getrusage(RUSAGE_CHILDREN, &used);
+#ifndef __SANITIZE_ADDRESS__
+  CHECK(used.ru_maxrss < 150'000);  // [KiB]
+#endif
+}

@@ -1,0 +1,73 @@
+#include "base/json_text.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+using namespace adore;
+using Catch::Matchers::Contains;
+
+namespace {
+
+std::string refusal(const std::string& text) {
+  try {
+    (void)parse_json(text, "IN.json");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+std::string nested(int levels) {
+  return std::string(static_cast<std::size_t>(levels), '[') +
+         std::string(static_cast<std::size_t>(levels), ']');
+}
+
+}  // namespace
+
+TEST_CASE("JSON is read to 64 levels and no deeper, as array and as object", "[unit][json]") {
+  CHECK(refusal(nested(kDeepestJson)) == "no error");
+  CHECK_THAT(refusal(nested(kDeepestJson + 1)),
+             Contains("IN.json is not valid JSON") && Contains("more than 64 levels"));
+  CHECK_THAT(refusal(nested(50000)), Contains("64 levels"));
+  CHECK_THAT(refusal(std::string(200000, '[')), Contains("64 levels"));
+  std::string objects;
+  for (int k = 0; k < 1000; ++k) objects += "{\"a\":";
+  CHECK_THAT(refusal(objects), Contains("64 levels"));
+}
+
+TEST_CASE("what is no JSON is refused in one bounded printable line", "[unit][json]") {
+  for (const std::string& text :
+       {std::string("{ \"a\": "), std::string("nope"), std::string(), std::string("{\"a\": 1e999}"),
+        "\"" + std::string(100000, '\xff'), std::string("\x1b[2J"), std::string("{\"a\": 1,}")}) {
+    const std::string said = refusal(text);
+    CHECK_THAT(said, Contains("IN.json is not valid JSON: "));
+    CHECK(said.size() < 260);
+    for (const char c : said) CHECK((c >= 0x20 && c < 0x7f));
+  }
+}
+
+TEST_CASE("foreign JSON is parsed in one place", "[unit][json]") {
+  // Tables that the program carries, and an option's value, are no foreign files.
+  const std::set<std::string> own{"core/base/json_text.hpp",      "core/bearing/material_laws.cpp",
+                                  "core/bearing/material.cpp",    "core/tribology/fluid.cpp",
+                                  "core/life/constants.cpp",      "core/facade/option_file.cpp",
+                                  "core/facade/calculator_inputs.cpp"};
+  namespace fs = std::filesystem;
+  const fs::path root(ADORE_SOURCE_DIR);
+  for (const char* folder : {"core", "cli", "desktop", "adrinput", "adrplot", "agore"})
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const std::string extension = entry.path().extension().string();
+      if (extension != ".cpp" && extension != ".hpp") continue;
+      std::ifstream stream(entry.path());
+      const std::string text{std::istreambuf_iterator<char>(stream), {}};
+      const std::string name = fs::relative(entry.path(), root).generic_string();
+      if (own.count(name) > 0) continue;
+      CAPTURE(name);
+      CHECK(text.find("son::parse(") == std::string::npos);
+    }
+}

@@ -1,0 +1,45 @@
+#include "base/errors.hpp"
+#include "input_file.hpp"
+#include "results/convert.hpp"
+#include "results/restart.hpp"
+
+#include <cmath>
+#include <sstream>
+
+using namespace adore;
+using namespace adore::results;
+
+namespace {
+
+void check(const FinalState& state) {
+  demand(state.step >= 0 && std::isfinite(state.time) && state.time >= 0.0,
+         "a run's place in time");
+  demand(state.scales.length > 0.0 && state.scales.force > 0.0 && state.scales.time > 0.0,
+         "scales divide");
+  demand(state.components.size() == state.state.size(), "every component has a name");
+  for (const double value : state.state) demand(std::isfinite(value), "a state is finite");
+}
+
+template <class Read>
+void refused_or(Read read) {
+  try {
+    read();
+  } catch (const InputError&) {
+  }
+}
+
+}  // namespace
+
+/// FINAL and MASTER: whatever the bytes, a state that a run can start from, or a sentence. Showing
+/// and converting any file that is not HDF5 likewise.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const testing::InputFile file(data, size);
+  refused_or([&] { check(read_final(file.path())); });
+  refused_or([&] { check(read_master(file.path()).last); });
+  if (size >= 4 && std::string(data, data + 4) == "\x89HDF") return 0;  // fuzz_h5
+  std::ostringstream out;
+  refused_or([&] { out << describe_file(file.path()); });
+  refused_or([&] { convert_file(file.path(), "csv", out); });
+  refused_or([&] { convert_file(file.path(), "json", out); });
+  return 0;
+}
