@@ -341,6 +341,14 @@ void print_ledgers(Report& report, const RunSummary& run, const dynamics::SceneP
     report.item("departure from the asked load", run.load->departure(), unit::kPure);
   }
 
+  report.heading("Arithmetic: what decides the last digits");
+  for (const auto& [name, value] : arithmetic_items(run)) {
+    if (name == "note")
+      report.text(value);
+    else
+      report.item(name, value);
+  }
+
   if (life) print_run_life(report, *life);
 
   report.heading("Plan: what was simulated and why");

@@ -56,8 +56,9 @@ struct RunSummary {
   nlohmann::ordered_json quasi_static;  ///< results/static_tables.hpp; null when there is none
   // Measured.
   std::vector<dynamics::CostLedger::Row> cost;
-  double seconds = 0.0;         ///< of the whole run
-  std::string instruction_set;  ///< chosen at run time
+  double seconds = 0.0;  ///< of the whole run
+
+  std::string instruction_set;  ///< of the contact kernel, chosen at run time
 };
 
 [[nodiscard]] nlohmann::ordered_json run_json(const RunSummary& run);
@@ -70,6 +71,10 @@ struct RunMark {
   std::string request, status;
 };
 [[nodiscard]] RunMark read_run_mark(const std::filesystem::path& path);
+
+/// What decides the last digits beside deck and build. Shared with PRINT.txt.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> arithmetic_items(
+    const RunSummary& run);
 
 /// Name, value [J] of each item of the conservation ledger, residual last. Shared with PRINT.txt.
 [[nodiscard]] std::vector<std::pair<std::string, double>> energy_items(
