@@ -54,7 +54,7 @@ void check_times(Checker& c) {
 
 void check_temperatures(Checker& c) {
   const auto room = c.si("roomTemp");
-  if (room && *room > 0.0 && (*room < 200.0 || *room > 400.0))
+  if (room && *room > 400.0)
     c.warning("roomTemp", fmt::format("a room of {} is unusual", c.temperature(*room)),
               "temperatures are absolute, in K (SI) or R (English)");
   const auto coolant = c.integer("kCoolant");

@@ -1,3 +1,4 @@
+#include "base/own_files.hpp"
 #include "deck/deck.hpp"
 #include "deck/reader.hpp"
 
@@ -96,6 +97,10 @@ ReadResult read_deck_text(std::string_view text, std::string file_name) {
 
 ReadResult read_deck(const fs::path& path) {
   const std::string text = read_text(path);
+  const FileSort sort = sort_of(std::string_view(text).substr(0, kSortBytes));
+  if (sort != FileSort::Unknown && sort != FileSort::Deck)
+    fail(path, fmt::format("this is {}, not a deck", sort_name(sort)),
+         fmt::format("give the deck, such as DATA.txt; {}", sort_use(sort)));
   if (std::optional<Issue> wrong = find_no_deck(strip_marks(text), path.string()))
     throw InputError({*wrong});
   return read_deck_text(text, path.string());

@@ -64,7 +64,9 @@ void ReadState::report(Severity severity, int line, std::string_view variable, s
 
 void RecordReader::read(const RecordSpec& spec, int instance) {
   pending_uses_ = 0;
-  ended_ = broken_ = last_word_bad_ = false;
+  ended_ = broken_ = last_word_bad_ = loose_ = false;
+  commas_ = 0;
+  apart_token_ = {};
   last_line_ = 0;
   RecordData empty;
   empty.id = spec.id;
@@ -88,6 +90,7 @@ void RecordReader::read(const RecordSpec& spec, int instance) {
         data.defaulted.push_back({i, k});
     }
   }
+  if (!ended_ && !broken_) warn_about_value_apart();
   if (!ended_ && !broken_) warn_about_rest();
   if (!ended_ && !broken_) note_bare_end();
   note_doubtful(data);
@@ -138,7 +141,9 @@ bool RecordReader::is_next_label(const Token& token) const {
 bool RecordReader::fetch(const VariableSpec& variable, std::size_t position) {
   if (pending_uses_ > 0) return true;
   const Scanner::Position before = state_.scanner.position();
+  note_separator(position);
   pending_ = state_.scanner.next();
+  if (apart_ == position && apart_token_.line < 0) apart_token_ = pending_;
   const bool next_record = pending_.kind == Token::Kind::Quoted && pending_.first_in_line &&
                            (variable.type != VarType::String || is_next_label(pending_));
   if (pending_.kind == Token::Kind::End || next_record) {
@@ -245,6 +250,37 @@ void RecordReader::note_bare_end() {
   state_.report(Severity::Note, state_.deck().records.back().line, "", "",
                 "the file ends right after this value, without a line end; it may have been cut",
                 "compare the last value with what you meant, and end the line");
+}
+
+/// What stands between the last value and the next one, on the same line.
+void RecordReader::note_separator(std::size_t position) {
+  const std::string_view rest = state_.scanner.rest_of_line();
+  const std::size_t next = rest.find_first_not_of(" \t");
+  if (next == std::string_view::npos) return;
+  if (rest[next] == ',') {
+    ++commas_;
+    apart_token_ = {};
+  } else if (next < 2) {
+    loose_ = true;
+  } else if (apart_token_.text.empty()) {
+    apart_ = position;
+    apart_token_.line = -1;  // the token that comes now
+  }
+}
+
+/// Commas between all values, then a gap, a number and prose: "0.018   2 races". The number may
+/// have been meant as part of the comment, and a value be missing.
+void RecordReader::warn_about_value_apart() {
+  if (apart_token_.text.empty() || commas_ < 2 || loose_) return;
+  const std::string_view rest = state_.scanner.rest_of_line();
+  const std::size_t word = rest.find_first_not_of(" \t");
+  if (word == std::string_view::npos || std::isalpha(static_cast<unsigned char>(rest[word])) == 0)
+    return;
+  state_.report(
+      Severity::Warning, apart_token_.line, state_.spec->variables[apart_].name, apart_token_.text,
+      "was read as a value, but it stands apart from the others and before text, like the "
+      "beginning of a comment",
+      "put a comma before it when it is meant; else give the value that is missing");
 }
 
 /// Text after the last value is ignored by the rules, but a number after a comma is likely a

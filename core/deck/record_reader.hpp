@@ -49,6 +49,8 @@ class RecordReader {
   bool store(const VariableSpec& variable, const Token& token, Value& value);
   bool store_number(const VariableSpec& variable, const Token& token, Value& value);
   void end_short(const Token& token, std::size_t position);
+  void note_separator(std::size_t position);
+  void warn_about_value_apart();
   void warn_about_rest();
   void note_bare_end();
   void note_doubtful(const RecordData& data);
@@ -57,8 +59,12 @@ class RecordReader {
   ReadState& state_;
   Token pending_;  // a token whose repeat count is not used up
   long long pending_uses_ = 0;
-  bool ended_ = false;   // a slash was read: the rest keeps its defaults
-  bool broken_ = false;  // short or unreadable: the rest has no values, and that has been said
+  bool ended_ = false;     // a slash was read: the rest keeps its defaults
+  bool broken_ = false;    // short or unreadable: the rest has no values, and that has been said
+  int commas_ = 0;         ///< values after a comma
+  bool loose_ = false;     ///< some values stand after single blanks: that is the deck's style
+  std::size_t apart_ = 0;  ///< variable of the first value after the last comma that stands apart
+  Token apart_token_;      ///< and that value; text empty: there is none
   bool last_word_bad_ = false;  // the last word was prose, not a number
   int last_line_ = 0;
 };

@@ -1,6 +1,7 @@
 #include "results/sol_parser.hpp"
 
 #include "base/errors.hpp"
+#include "base/own_files.hpp"
 #include "results/channels.hpp"
 #include "results/fortran_format.hpp"
 
@@ -35,6 +36,9 @@ std::string_view without_trailing_blanks(std::string_view line) {
 SolParser::SolParser(std::istream& stream, std::string name)
     : reader_(stream), name_(std::move(name)) {
   const std::string first(header_line("the version and the run code"));
+  if (const FileSort sort = sort_of(first); sort != FileSort::Unknown)
+    throw InputError(fmt::format("{}: this is {}, not one of SOL1-SOL8; {}", name_, sort_name(sort),
+                                 sort_use(sort)));
   const std::string second(header_line("a title or integers"));
   if (first.find('\0') != std::string::npos || second.find('\0') != std::string::npos)
     reject("it holds binary data");

@@ -164,7 +164,7 @@ const BadDeck kBadDecks[] = {
     {"segment_count", Severity::Error, "3.2", "nCseg", "cannot be shared"},
     {"unused_load", Severity::Warning, "9.1.1", "appLoadZ", "is not used, because kFS3 is 1"},
     {"acceleration_times", Severity::Error, "9.4A", "endTime2", "end before it starts"},
-    {"cold_room", Severity::Warning, "9.0", "roomTemp", "is unusual"},
+    {"cold_room", Severity::Warning, "9.0", "roomTemp", "colder than"},
     {"no_peak", Severity::Error, "10.1C", "reRaceTC2", "must be above those at zero slip"},
     {"wrong_slope", Severity::Error, "10.5.1D", "reCageTC3", "never reaches its asymptote"},
     {"growing_traction", Severity::Error, "10.1A", "reRaceTC3", "grow without limit"},
@@ -394,7 +394,9 @@ TEST_CASE("unusual but legal bearings check clean", "[unit][deck]") {
     deck_variants::set_all(deck, changes);
     return check_deck(deck);
   };
-  CHECK(issues_after({{"appLoadX", "0"}, {"appLoadZ", "0"}, {"rpm2", "0"}}).empty());
+  // Nothing loads or turns it: most likely forgotten, and legal all the same.
+  for (const Issue& issue : issues_after({{"appLoadX", "0"}, {"appLoadZ", "0"}, {"rpm2", "0"}}))
+    CHECK(issue.severity == Severity::Warning);
   CHECK(issues_after({{"freeConAng", "0"}, {"freeIntCls", "-1e-5"}}).empty());
   CHECK(issues_after({{"nRe", "1"}, {"kNumPltElem", "1"}}).empty());
   for (const std::string count : {"41", "200"}) {

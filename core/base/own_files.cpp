@@ -1,0 +1,117 @@
+#include "base/own_files.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+
+namespace adore {
+namespace {
+
+bool has(std::string_view text, std::string_view part) {
+  return text.find(part) != std::string_view::npos;
+}
+
+/// The second line of SOL8: nothing but integers.
+bool only_integers(std::string_view line) {
+  return !line.empty() && std::all_of(line.begin(), line.end(), [](char c) {
+    return c == ' ' || c == '-' || c == '*' || c == '\r' || (c >= '0' && c <= '9');
+  });
+}
+
+/// A text in single quotes that begins like a record's label.
+bool starts_with_label(std::string_view text) {
+  if (text.size() < 5 || text[0] != '\'') return false;
+  const auto lower = [&](std::size_t i) {
+    return std::tolower(static_cast<unsigned char>(text[i]));
+  };
+  return lower(1) == 'r' && lower(2) == 'e' && lower(3) == 'c';
+}
+
+}  // namespace
+
+FileSort sort_of(std::string_view bytes) {
+  if (bytes.starts_with("\x89HDF")) return FileSort::ResultsH5;
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  const std::string_view line = bytes.substr(0, bytes.find('\n'));
+  const std::string_view rest = bytes.substr(std::min(line.size() + 1, bytes.size()));
+  const std::string_view second = rest.substr(0, rest.find('\n'));
+  if (!bytes.empty() && bytes[0] == '\f' && has(line, "Adore")) return FileSort::Listing;
+  if (has(line, "Adore") && has(line, " FINAL: ")) return FileSort::Final;
+  if (has(line, "Adore") && has(line, " MASTER: ")) return FileSort::Master;
+  if (line.starts_with("  Adore") || line.starts_with("  ADORE")) {
+    if (has(second, "$")) return FileSort::Plot;
+    if (only_integers(second)) return FileSort::Animation;
+  }
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return FileSort::Unknown;
+  if (bytes[first] == '{')
+    return has(bytes, "\"program\": \"Adore") ? FileSort::RunJson : FileSort::Json;
+  if (bytes[first] == '[') return FileSort::Json;
+  if (has(line, ",exit,") && has(line, ",message")) return FileSort::SweepTable;
+  return starts_with_label(bytes.substr(first)) ? FileSort::Deck : FileSort::Unknown;
+}
+
+FileSort sort_of_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return FileSort::Unknown;
+  std::ifstream stream(path, std::ios::binary);
+  std::string bytes(kSortBytes, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
+  return sort_of(bytes);
+}
+
+std::string_view sort_name(FileSort sort) {
+  switch (sort) {
+    case FileSort::Deck:
+      return "a deck";
+    case FileSort::Listing:
+      return "a listing (PRINT.txt of a run)";
+    case FileSort::Plot:
+      return "a file of plotted channels (SOL1-SOL7 of a run)";
+    case FileSort::Animation:
+      return "an animation file (SOL8 of a run)";
+    case FileSort::Final:
+      return "the last state of a run (FINAL)";
+    case FileSort::Master:
+      return "the bookkeeping of a run (MASTER)";
+    case FileSort::RunJson:
+      return "the summary of a run (RUN.json)";
+    case FileSort::ResultsH5:
+      return "an HDF5 file (RESULTS.h5 of a run)";
+    case FileSort::SweepTable:
+      return "the table of a sweep (SWEEP.csv)";
+    case FileSort::Json:
+      return "a JSON file";
+    case FileSort::Unknown:
+      break;
+  }
+  return {};
+}
+
+std::string_view sort_use(FileSort sort) {
+  switch (sort) {
+    case FileSort::Deck:
+      return "`adore check` and `adore run` read it";
+    case FileSort::Listing:
+      return "read it with a text viewer such as less";
+    case FileSort::Plot:
+      return "`adore plot`, `adore show` and `adore convert` read it";
+    case FileSort::Animation:
+      return "`adore animate`, `adore show` and `adore convert` read it";
+    case FileSort::Final:
+    case FileSort::Master:
+    case FileSort::RunJson:
+    case FileSort::ResultsH5:
+      return "`adore show` and `adore convert` read it";
+    case FileSort::SweepTable:
+      return "`adore plot` draws it";
+    case FileSort::Json:
+      return "`adore calc` and `adore validate` read JSON";
+    case FileSort::Unknown:
+      break;
+  }
+  return {};
+}
+
+}  // namespace adore

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+/// What a file is, by its first bytes: for messages such as "PRINT.txt is a listing, not a deck",
+/// and for knowing our own outputs again.
+namespace adore {
+
+enum class FileSort : unsigned char {
+  Unknown,
+  Deck,        ///< 'Rec 1', ...
+  Listing,     ///< PRINT.txt
+  Plot,        ///< SOL1-SOL7
+  Animation,   ///< SOL8
+  Final,       ///< FINAL
+  Master,      ///< MASTER
+  RunJson,     ///< RUN.json
+  ResultsH5,   ///< RESULTS.h5, or any HDF5 file
+  SweepTable,  ///< SWEEP.csv
+  Json,        ///< other JSON: inputs of calculators, reference cases, ADORE.json
+};
+
+/// Enough bytes for sort_of.
+inline constexpr std::size_t kSortBytes = 1024;
+
+/// @param first_bytes up to kSortBytes of a file's beginning
+[[nodiscard]] FileSort sort_of(std::string_view first_bytes);
+/// Unknown too when the file cannot be read.
+[[nodiscard]] FileSort sort_of_file(const std::filesystem::path& path);
+
+/// "a listing (PRINT.txt of a run)"; empty for Unknown.
+[[nodiscard]] std::string_view sort_name(FileSort sort);
+
+/// What the suite does with such a file: "plot it with `adore plot`". Empty for Unknown.
+[[nodiscard]] std::string_view sort_use(FileSort sort);
+
+}  // namespace adore
