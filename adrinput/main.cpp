@@ -2,11 +2,12 @@
 #include "adrinput/render.hpp"
 #include "adrinput/session.hpp"
 #include "base/errors.hpp"
+#include "command_line/program.hpp"
+#include "command_line/tree.hpp"
 #include "desktop/bootstrap.hpp"
 #include "desktop/command_line.hpp"
 #include "desktop/disclaimer.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 using namespace adore;
@@ -35,24 +36,25 @@ int show(int& argc, char** argv, const std::filesystem::path& deck) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App cli(
+  const auto program = command_line::make_program(
       "AdrInput: prepares data decks, record by record, with checks as you type. Without a deck it "
       "starts with the example ball bearing; without --render it opens a window.",
       "adrinput");
+  CLI::App& cli = *program;
   std::filesystem::path deck;
   adrinput::RenderOptions options;
   std::string size = "1280x800";
-  cli.add_option("DECK", deck, "deck file, or a folder that holds DATA.txt");
+  cli.add_option("DECK", deck, "deck file, or a folder that holds DATA.txt")->type_name("DECK");
   auto* folder =
       cli.add_option("--render", options.folder,
-                     "write every page as PNG into this folder instead of opening a window");
-  cli.add_option("--size", size, "picture size in pixels, WIDTHxHEIGHT")->needs(folder);
+                     "write every page as PNG into this folder instead of opening a window")
+          ->type_name("DIR");
+  cli.add_option("--size", size, "picture size in pixels, WIDTHxHEIGHT")
+      ->capture_default_str()
+      ->type_name("SIZE")
+      ->needs(folder);
   cli.add_flag("--dark", options.dark, "dark colours")->needs(folder);
-  try {
-    cli.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return cli.exit(error) == 0 ? 0 : 2;
-  }
+  if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("adrinput", [&] {
     const auto pixels = desktop::parse_size(size);
     options.width = pixels.width;

@@ -1,11 +1,12 @@
 #include "adrplot/plot_window.hpp"
 #include "adrplot/render.hpp"
 #include "base/errors.hpp"
+#include "command_line/program.hpp"
+#include "command_line/tree.hpp"
 #include "desktop/bootstrap.hpp"
 #include "desktop/command_line.hpp"
 #include "desktop/disclaimer.hpp"
 
-#include <CLI/CLI.hpp>
 #include <QTimer>
 #include <fmt/core.h>
 
@@ -38,35 +39,39 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App cli(
+  const auto program = command_line::make_program(
       "AdrPlot: plots of the result files SOL1 to SOL7, of the quasi-static solution in RUN.json, "
       "and "
       "of SWEEP.csv. Without --render it opens a window.",
       "adrplot");
+  CLI::App& cli = *program;
   std::vector<std::filesystem::path> files;
   adrplot::RenderOptions options;
   std::string size = "1280x800", abscissa = "rev";
-  cli.add_option("FILE", files, "result files: SOL1 to SOL7, RUN.json, SWEEP.csv");
+  cli.add_option("FILE", files, "result files: SOL1 to SOL7, RUN.json, SWEEP.csv")
+      ->type_name("FILE");
   auto* folder =
       cli.add_option("--render", options.folder,
-                     "write the pages as PNG into this folder instead of opening a window");
-  cli.add_option("--page", options.page, "only this page")
-      ->check(CLI::PositiveNumber)
+                     "write the pages as PNG into this folder instead of opening a window")
+          ->type_name("DIR");
+  command_line::at_least(cli.add_option("--page", options.page, "only this page"), 1)
       ->needs(folder);
-  cli.add_option("--from", options.range.from, "first stored step, counted from 1")
-      ->check(CLI::PositiveNumber);
-  cli.add_option("--to", options.range.to, "last stored step (5000 unless given)")
-      ->check(CLI::PositiveNumber);
-  cli.add_option("--every", options.range.every, "interval of the stored steps")
-      ->check(CLI::PositiveNumber);
-  cli.add_option("--size", size, "picture size in pixels, WIDTHxHEIGHT")->needs(folder);
+  command_line::at_least(
+      cli.add_option("--from", options.range.from, "first stored step, counted from 1"), 1);
+  command_line::at_least(
+      cli.add_option("--to", options.range.to, "last stored step (5000 unless given)"), 1);
+  command_line::at_least(
+      cli.add_option("--every", options.range.every, "interval of the stored steps"), 1);
+  cli.add_option("--size", size, "picture size in pixels, WIDTHxHEIGHT")
+      ->capture_default_str()
+      ->type_name("SIZE")
+      ->needs(folder);
   cli.add_flag("--dark", options.dark, "dark colours")->needs(folder);
-  cli.add_option("--abscissa", abscissa, "rev or time")->check(CLI::IsMember({"rev", "time"}));
-  try {
-    cli.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return cli.exit(error) == 0 ? 0 : 2;
-  }
+  command_line::one_of(cli.add_option("--abscissa", abscissa, "revolutions or time")
+                           ->capture_default_str()
+                           ->type_name("WHAT"),
+                       {"rev", "time"});
+  if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("adrplot", [&] {
     const auto pixels = desktop::parse_size(size);
     options.width = pixels.width;

@@ -47,6 +47,8 @@ std::vector<fs::path> render_plots(const std::vector<fs::path>& files,
     const std::string stem = (twin ? folder + "-" : "") + path.filename().string();
     const auto pictures = render_document(document, stem, options);
     written.insert(written.end(), pictures.begin(), pictures.end());
+    if (options.progress)
+      options.progress(&path - files.data() + 1, static_cast<long>(files.size()));
   }
   return written;
 }

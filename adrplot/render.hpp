@@ -3,6 +3,7 @@
 #include "adrplot/plot_document.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 namespace adore::adrplot {
@@ -12,6 +13,7 @@ struct RenderOptions {
   int page = 0;                  ///< 0 = every page
   results::SolRange range;
   int width = 1280, height = 800;
+  std::function<void(long done, long total)> progress;  ///< called after each file; may be empty
   bool dark = false;
   PageOptions view;
 };

@@ -1,12 +1,13 @@
 #include "agore/agore_window.hpp"
 #include "agore/render.hpp"
 #include "base/errors.hpp"
+#include "command_line/program.hpp"
+#include "command_line/tree.hpp"
 #include "desktop/bootstrap.hpp"
 #include "desktop/command_line.hpp"
 #include "desktop/disclaimer.hpp"
 #include "desktop/image_export.hpp"
 
-#include <CLI/CLI.hpp>
 #include <QTimer>
 #include <fmt/core.h>
 
@@ -64,42 +65,52 @@ int show(int& argc, char** argv, const Request& request) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App cli(
+  const auto program = command_line::make_program(
       "AGORE: the motion of a bearing from an animation file SOL8. Without --render it opens a "
       "window.",
       "agore");
+  CLI::App& cli = *program;
   Request request;
-  cli.add_option("SOL8", request.file, "animation file");
+  cli.add_option("SOL8", request.file, "animation file")->type_name("FILE");
   auto* folder = cli.add_option("--render", request.folder,
-                                "write pictures into this folder instead of opening a window");
-  cli.add_option("--view", request.view, "bearing, cage, pocket, element or race");
-  cli.add_option("--race", request.race, "outer or inner, for the race view");
-  cli.add_option("--element", request.options.view.element, "number of the element or pocket")
-      ->check(CLI::PositiveNumber);
-  cli.add_option("--exaggerate", request.options.view.exaggeration,
-                 "factor on clearances; 1 is to scale")
-      ->check(CLI::PositiveNumber);
+                                "write pictures into this folder instead of opening a window")
+                     ->type_name("DIR");
+  command_line::one_of(cli.add_option("--view", request.view, "what is looked at")
+                           ->capture_default_str()
+                           ->type_name("VIEW"),
+                       {"bearing", "cage", "pocket", "element", "race", "flange"});
+  command_line::one_of(cli.add_option("--race", request.race, "race of the race view")
+                           ->capture_default_str()
+                           ->type_name("RACE"),
+                       {"outer", "inner"});
+  command_line::at_least(
+      cli.add_option("--element", request.options.view.element, "number of the element or pocket"),
+      1);
+  command_line::at_least(cli.add_option("--exaggerate", request.options.view.exaggeration,
+                                        "factor on clearances; 1 is to scale"),
+                         0.001);
   auto* frame =
-      cli.add_option("--frame", request.frame, "one frame, counted from 1 (the last unless given)")
-          ->check(CLI::PositiveNumber)
+      command_line::at_least(cli.add_option("--frame", request.frame,
+                                            "one frame, counted from 1 (the last unless given)"),
+                             1)
           ->needs(folder);
-  cli.add_option("--every", request.every, "every K-th frame")
-      ->check(CLI::PositiveNumber)
+  command_line::at_least(cli.add_option("--every", request.every, "every K-th frame"), 1)
       ->needs(folder)
       ->excludes(frame);
   cli.add_option("--movie", request.film, "a film of this name (.avi) in the folder")
+      ->type_name("FILE")
       ->needs(folder)
       ->excludes(frame);
-  cli.add_option("--fps", request.rate, "pictures per second of the film")
-      ->check(CLI::Range(1, 120))
+  command_line::at_least(cli.add_option("--fps", request.rate, "pictures per second of the film")
+                             ->capture_default_str(),
+                         1)
       ->needs(folder);
-  cli.add_option("--size", request.size, "picture size in pixels, WIDTHxHEIGHT")->needs(folder);
+  cli.add_option("--size", request.size, "picture size in pixels, WIDTHxHEIGHT")
+      ->capture_default_str()
+      ->type_name("SIZE")
+      ->needs(folder);
   cli.add_flag("--dark", request.options.view.dark, "dark colours")->needs(folder);
-  try {
-    cli.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return cli.exit(error) == 0 ? 0 : 2;
-  }
+  if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("agore", [&] {
     request.options.view.view = agore::view_named(request.view, request.race);
     const auto pixels = desktop::parse_size(request.size);

@@ -23,9 +23,27 @@ void render_frame(MotionPicture& picture, int frame, const fs::path& path,
                       path);
 }
 
+namespace {
+
+void require_interval(int every) {
+  if (every < 1)
+    throw InputError(fmt::format(
+        "an interval of {} frames draws nothing; give 1 for every frame, 2 for every second one",
+        every));
+}
+
+/// Tells how many of the pictures are drawn.
+void tell(const RenderOptions& options, int frame, int every, std::size_t frames) {
+  if (!options.progress) return;
+  const auto total = (static_cast<long>(frames) + every - 1) / every;
+  options.progress(frame / every + 1, total);
+}
+
+}  // namespace
+
 std::vector<fs::path> render_frames(MotionPicture& picture, int every, const fs::path& folder,
                                     const RenderOptions& options) {
-  demand(every >= 1, "the interval of frames must be at least 1");
+  require_interval(every);
   desktop::make_folder(folder);
   std::vector<fs::path> written;
   const std::string stem = picture.animation().file.path.filename().string();
@@ -33,13 +51,17 @@ std::vector<fs::path> render_frames(MotionPicture& picture, int every, const fs:
     const fs::path path = folder / fmt::format("{}-frame-{:05}.png", stem, frame);
     render_frame(picture, frame, path, options);
     written.push_back(path);
+    tell(options, frame - 1, every, picture.frames());
   }
   return written;
 }
 
 void render_movie(MotionPicture& picture, int every, int frames_per_second, const fs::path& film,
                   const RenderOptions& options) {
-  demand(every >= 1 && frames_per_second >= 1, "a film needs an interval and a rate of at least 1");
+  require_interval(every);
+  if (frames_per_second < 1)
+    throw InputError(fmt::format("a film of {} pictures per second shows nothing; give at least 1",
+                                 frames_per_second));
   std::string suffix = film.extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -52,8 +74,10 @@ void render_movie(MotionPicture& picture, int every, int frames_per_second, cons
                      "; give a name that ends in .avi, or a folder name for numbered pictures");
   if (film.has_parent_path()) desktop::make_folder(film.parent_path());
   desktop::AviWriter writer(film, {options.width, options.height}, frames_per_second);
-  for (std::size_t frame = 0; frame < picture.frames(); frame += static_cast<std::size_t>(every))
+  for (std::size_t frame = 0; frame < picture.frames(); frame += static_cast<std::size_t>(every)) {
     writer.add(picture.image({options.width, options.height}, frame, options.view));
+    tell(options, static_cast<int>(frame), every, picture.frames());
+  }
   writer.finish();
 }
 

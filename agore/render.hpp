@@ -3,6 +3,7 @@
 #include "agore/motion_picture.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 /// Headless pictures and films of a SOL8 file, by the same code as the window. Needs an application
@@ -12,6 +13,7 @@ namespace adore::agore {
 struct RenderOptions {
   ViewOptions view;
   int width = 1280, height = 800;
+  std::function<void(long done, long total)> progress;  ///< called after each picture; may be empty
 };
 
 /// One picture; `frame` counts the file's frames from 1. PNG or JPEG by suffix.

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <cstdio>
 #include <memory>
 
 namespace adore::cli {
@@ -76,12 +75,18 @@ void add_accuracy(CLI::App& app, int&) {
       "accuracy", "what accuracy costs in time: methods x tolerances against a tight reference");
   auto options = std::make_shared<Options>();
   options->add_to(*command);
-  command->add_option("--methods", options->methods, "comma-separated integrators");
-  command->add_option("--tols", options->tolerances, "comma-separated tolerances");
+  command->add_option("--methods", options->methods, "integrators, separated by commas")
+      ->type_name("LIST");
+  command->add_option("--tols", options->tolerances, "tolerances, separated by commas")
+      ->type_name("LIST");
   command->add_option("--span", options->span, "simulated time over the time scale")
       ->capture_default_str();
   command->add_option("--out", options->out, "folder for ACCURACY.csv and ACCURACY.png")
-      ->capture_default_str();
+      ->type_name("DIR")
+      ->default_str("here");
+  command->footer(
+      "Example\n"
+      "  adore accuracy DATA.txt --methods rkf5,cvode-adams --tols 1e-5,1e-7 --out study");
   command->callback([=] { run(*options); });
 }
 

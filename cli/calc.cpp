@@ -1,8 +1,9 @@
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
 #include "cli/commands.hpp"
-#include "cli/export.hpp"
 #include "cli/streams.hpp"
+#include "cli/text_io.hpp"
+#include "command_line/tree.hpp"
 #include "facade/calculator_inputs.hpp"
 #include "facade/calculators.hpp"
 #include "facade/validate.hpp"
@@ -59,20 +60,22 @@ void calc(const std::string& name, const std::string& source) {
   fmt::print("{}\n", facade::calculate(name, input).dump(2));
 }
 
-int validate(const std::vector<std::string>& files, const std::string& report_file, bool quiet) {
+int validate(const std::vector<std::string>& files, const std::string& report_file, bool quiet,
+             bool json) {
   const std::vector<std::filesystem::path> paths(files.begin(), files.end());
   const facade::ValidateReport report =
       facade::validate_files(paths, [](const facade::FileResult& file) {
-        tell(fmt::format("{}: {} cases in {:.1f} s\n", file.file, file.cases.size(),
-                         file.seconds));
+        tell(fmt::format("{}: {} cases in {:.1f} s\n", file.file, file.cases.size(), file.seconds));
       });
-  if (!quiet)
+  if (json)
+    fmt::print("{}\n", facade::report_json(report).dump(2));
+  else if (!quiet)
     fmt::print("{}", facade::report_text(report));
   else
     fmt::print("{} passed, {} failed, {} not covered\n", report.pass, report.fail,
                report.not_covered);
   if (!report_file.empty())
-    write_export(report_file, facade::report_json(report).dump(2) + "\n", paths);
+    write_text(report_file, "report.json", facade::report_json(report).dump(2) + "\n", paths);
   return report.fail > 0 ? 1 : 0;
 }
 
@@ -84,15 +87,36 @@ void add_calc(CLI::App& app, int& exit_code) {
     auto name = std::make_shared<std::string>();
     auto source = std::make_shared<std::string>("-");
     auto list = std::make_shared<bool>(false);
-    command->add_option("name", *name, "calculator; see --list");
-    command->add_option("--json", *source, "file of inputs, or - for standard input")
-        ->capture_default_str();
     auto describe = std::make_shared<bool>(false);
     auto as_json = std::make_shared<bool>(false);
+    std::vector<std::string> names;
+    for (const facade::CalculatorInfo& info : facade::calculators()) names.push_back(info.name);
+    command_line::offer(
+        command->add_option("name", *name, "calculator; see --list")->type_name("NAME"), names);
+    command->add_option("input", *source, "file of inputs, or - for standard input")
+        ->type_name("FILE")
+        ->capture_default_str();
     command->add_flag("--list", *list, "list the calculators");
     command->add_flag("--describe", *describe,
                       "inputs and results of the calculator with units, and an example");
-    command->add_flag("--as-json", *as_json, "--list or --describe as JSON");
+    // Elsewhere --json is a flag; here a file may follow, as it did before there was `input`.
+    command
+        ->add_option_function<std::vector<std::string>>(
+            "--json",
+            [=](const std::vector<std::string>& given) {
+              *as_json = true;
+              if (!given.empty() && !given.front().empty()) *source = given.front();
+            },
+            "--list or --describe as JSON (results always are); a FILE after it is the input")
+        ->expected(0, 1)
+        ->type_name("FILE");
+    command->add_flag("--as-json", *as_json, "the older name of --json")->group("");
+    command->footer(
+        "Examples\n"
+        "  adore calc --list\n"
+        "  adore calc hertz --describe\n"
+        "  adore calc hertz input.json\n"
+        "  echo '{\"code\": 100}' | adore calc material");
     command->callback([=] {
       if (*list || *describe) return list_calculators(*name, *as_json, *describe);
       if (name->empty()) throw InputError("name a calculator; `adore calc --list` shows them");
@@ -105,10 +129,14 @@ void add_calc(CLI::App& app, int& exit_code) {
     auto files = std::make_shared<std::vector<std::string>>();
     auto report = std::make_shared<std::string>();
     auto quiet = std::make_shared<bool>(false);
-    command->add_option("files", *files, "case files")->required();
-    command->add_option("--report", *report, "write the results as JSON");
+    auto json = std::make_shared<bool>(false);
+    command->add_option("files", *files, "case files")->required()->type_name("FILE");
+    command->add_option("--report", *report, "write the results as JSON to this file")
+        ->type_name("FILE");
+    command->add_flag("--json", *json, "the results as JSON on standard output");
     command->add_flag("--quiet", *quiet, "only the totals");
-    command->callback([=, &exit_code] { exit_code = validate(*files, *report, *quiet); });
+    command->footer("Example\n  adore validate tests/reference/*.json --report report.json");
+    command->callback([=, &exit_code] { exit_code = validate(*files, *report, *quiet, *json); });
   }
 }
 

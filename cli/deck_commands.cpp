@@ -1,9 +1,12 @@
-#include "base/atomic_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
 #include "cli/streams.hpp"
+#include "cli/text_io.hpp"
+#include "command_line/tree.hpp"
 #include "deck/templates.hpp"
 #include "facade/check.hpp"
+#include "facade/deck_story.hpp"
+#include "facade/disk_use.hpp"
 #include "facade/plan_json.hpp"
 #include "facade/prepare.hpp"
 
@@ -25,7 +28,7 @@ const char* word(Severity severity) {
 /// All errors and warnings of a deck; what it asks for that cannot run yet is a note here and an
 /// error of `run`.
 int check(const std::string& path, bool json) {
-  const deck::ReadResult read = deck::read_deck(facade::deck_path(path));
+  const deck::ReadResult read = facade::read_deck(deck_request(path));
   std::vector<Issue> issues = read.issues;
   if (read.ok())
     for (Issue& issue : facade::check_model(read.deck)) issues.push_back(std::move(issue));
@@ -63,24 +66,69 @@ void plan(const DeckOptions& options, bool json) {
   const facade::Prepared prepared = facade::prepare(request);
   print_warnings(prepared.input.warnings);
   const dynamics::ScenePlan scene = facade::plan_with_estimates(prepared);
-  if (json)
-    fmt::print("{}\n", facade::plan_json(scene, facade::stability_text(prepared)).dump(2));
-  else
-    fmt::print("{}", facade::plan_text(prepared, scene));
+  const facade::DiskUse disk = facade::disk_use(prepared, scene);
+  if (json) {
+    nlohmann::ordered_json out = facade::plan_json(scene, facade::stability_text(prepared));
+    out["disk"] = facade::disk_use_json(disk);
+    fmt::print("{}\n", out.dump(2));
+  } else {
+    fmt::print("{}{}", facade::plan_text(prepared, scene), facade::disk_use_text(disk));
+  }
+}
+
+std::string text_of(const std::vector<std::string>& lines) {
+  std::string out;
+  for (const std::string& line : lines) out += line + "\n";
+  return out;
 }
 
 void new_deck(const std::string& type, const std::string& out) {
   const std::string_view text = deck::template_text(type);
-  if (out.empty()) {
-    fmt::print("{}", text);
-    return;
-  }
-  const std::filesystem::path path(out);
-  if (std::filesystem::exists(path))
+  std::filesystem::path path(out);
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) path /= "DATA.txt";
+  if (!out.empty() && out != kStream && std::filesystem::exists(path))
     throw InputError(
         fmt::format("{} exists already; name another file, or remove it first", path.string()));
-  write_file_atomically(path, text);
-  tell(fmt::format("wrote {}\n", path.string()));
+  const std::string written = write_text(out, "DATA.txt", text);
+  if (written.empty()) return;
+  tell(fmt::format("wrote {}\n{}", written, text_of(facade::deck_story(deck::new_deck(type)))));
+}
+
+const deck::TemplateInfo& example(const std::string& name) {
+  (void)deck::template_text(name);  // refuses an unknown one
+  return *std::find_if(deck::templates().begin(), deck::templates().end(),
+                       [&](const deck::TemplateInfo& info) { return info.name == name; });
+}
+
+nlohmann::ordered_json example_json(const deck::TemplateInfo& info) {
+  return {{"name", info.name},
+          {"description", info.description},
+          {"does", facade::deck_story(deck::new_deck(info.name))}};
+}
+
+void examples(const std::string& name, bool json) {
+  if (json) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const deck::TemplateInfo& info : deck::templates())
+      if (name.empty() || info.name == name) list.push_back(example_json(info));
+    if (!name.empty()) (void)example(name);
+    fmt::print("{}\n", list.dump(2));
+  } else if (!name.empty()) {
+    fmt::print("{}: {}\n{}", name, example(name).description,
+               text_of(facade::deck_story(deck::new_deck(name))));
+  } else {
+    for (const deck::TemplateInfo& info : deck::templates())
+      fmt::print("{:<20} {}\n", info.name, info.description);
+    fmt::print(
+        "\n`adore examples NAME` says what a deck does; `adore new NAME --out FILE` writes it\n");
+  }
+}
+
+std::vector<std::string> template_names() {
+  std::vector<std::string> out;
+  for (const deck::TemplateInfo& info : deck::templates()) out.emplace_back(info.name);
+  return out;
 }
 
 }  // namespace
@@ -90,48 +138,74 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
     CLI::App* command = app.add_subcommand("check", "list every error and warning of a deck");
     auto path = std::make_shared<std::string>(".");
     auto json = std::make_shared<bool>(false);
-    command->add_option("deck", *path, "deck file, or a folder that holds DATA.txt")
-        ->capture_default_str();
+    add_deck(*command, *path);
     command->add_flag("--json", *json, "as JSON");
+    command->footer(
+        "Examples\n"
+        "  adore check DATA.txt\n"
+        "  adore new ball | adore check -");
     command->callback([=, &exit_code] { exit_code = check(*path, *json); });
   }
   {
-    CLI::App* command =
-        app.add_subcommand("plan", "show what a deck would simulate, why, and at what cost");
+    CLI::App* command = app.add_subcommand(
+        "plan", "show what a deck would simulate, why, and at what cost in time and disk");
     auto options = std::make_shared<DeckOptions>();
     auto json = std::make_shared<bool>(false);
     options->add_to(*command);
     command->add_flag("--json", *json, "as JSON");
+    command->footer(
+        "Examples\n"
+        "  adore plan DATA.txt\n"
+        "  adore plan DATA.txt --set kTrac=0 --json");
     command->callback([=] { plan(*options, *json); });
   }
   {
     CLI::App* command = app.add_subcommand("schema", "print the record schema of the deck");
     auto format = std::make_shared<std::string>("tsv");
-    command->add_option("--format", *format, "tsv, json or md")
-        ->check(CLI::IsMember({"tsv", "json", "md"}))
-        ->capture_default_str();
+    auto json = std::make_shared<bool>(false);
+    command_line::one_of(command->add_option("--format", *format, "form of the table")
+                             ->capture_default_str()
+                             ->type_name("FORM"),
+                         {"tsv", "json", "md"});
+    command->add_flag("--json", *json, "as JSON; the same as --format json");
+    command->footer("Example\n  adore schema --format md > records.md");
     command->callback([=] {
-      const std::string text = *format == "tsv"    ? deck::schema_tsv()
-                               : *format == "json" ? deck::schema_json()
-                                                   : deck::schema_markdown();
-      std::fwrite(text.data(), 1, text.size(), stdout);
+      const std::string form = *json ? "json" : *format;
+      write_text("", "",
+                 form == "tsv"    ? deck::schema_tsv()
+                 : form == "json" ? deck::schema_json()
+                                  : deck::schema_markdown());
     });
   }
   {
-    CLI::App* command = app.add_subcommand("new", "write a complete, runnable deck");
+    CLI::App* command =
+        app.add_subcommand("new", "write a complete, runnable deck and say what it does");
     auto type = std::make_shared<std::string>();
     auto out = std::make_shared<std::string>();
-    command->add_option("type", *type, "ball, cylindrical, spherical, tapered or spherical-tapered")
-        ->required();
-    command->add_option("--out", *out, "file to write (default: standard output)");
+    command_line::offer(
+        command
+            ->add_option("type", *type,
+                         "ball, cylindrical, spherical, tapered or spherical-tapered, or another "
+                         "name of `adore examples`")
+            ->required()
+            ->type_name("NAME"),
+        template_names());
+    command->add_option("--out", *out, "file or folder to write (standard output unless given)")
+        ->type_name("FILE");
+    command->footer("Example\n  adore new ball --out DATA.txt");
     command->callback([=] { new_deck(*type, *out); });
   }
   {
-    CLI::App* command = app.add_subcommand("examples", "list the example decks");
-    command->callback([] {
-      for (const deck::TemplateInfo& info : deck::templates())
-        fmt::print("{:<20} {}\n", info.name, info.description);
-    });
+    CLI::App* command =
+        app.add_subcommand("examples", "list the example decks, or say what one does");
+    auto name = std::make_shared<std::string>();
+    auto json = std::make_shared<bool>(false);
+    command_line::offer(
+        command->add_option("name", *name, "the one to describe")->type_name("NAME"),
+        template_names());
+    command->add_flag("--json", *json, "as JSON");
+    command->footer("Example\n  adore examples deep-groove-6205");
+    command->callback([=] { examples(*name, *json); });
   }
 }
 

@@ -1,14 +1,20 @@
 #include "cli/deck_options.hpp"
 
 #include "base/errors.hpp"
+#include "build/run_control.hpp"
 #include "cli/streams.hpp"
+#include "cli/text_io.hpp"
+#include "command_line/tree.hpp"
+#include "deck/schema.hpp"
 
 #include <fmt/format.h>
 
-#include <cstdio>
+#include <algorithm>
 
 namespace adore::cli {
 namespace {
+
+constexpr std::size_t kLargestDeck = std::size_t{16} << 20;
 
 std::pair<std::string, std::string> split(const std::string& text, const char* option) {
   const std::size_t at = text.find('=');
@@ -17,21 +23,71 @@ std::pair<std::string, std::string> split(const std::string& text, const char* o
   return {text.substr(0, at), text.substr(at + 1)};
 }
 
+std::vector<std::string> variable_words() {
+  std::vector<std::string> out;
+  for (const deck::RecordSpec& record : deck::schema())
+    for (const deck::VariableSpec& variable : record.variables)
+      if (variable.name != "recID") out.push_back(fmt::format("{}=", variable.name));
+  // The same name may stand in several records.
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+std::vector<std::string> option_words() {
+  std::vector<std::string> out;
+  for (const build::OptionInfo& info : build::run_option_list()) out.push_back(info.name + "=");
+  return out;
+}
+
 }  // namespace
 
+void add_deck(CLI::App& command, std::string& deck) {
+  command
+      .add_option("deck", deck, "deck file, a folder that holds DATA.txt, or - for standard input")
+      ->type_name("DECK")
+      ->default_str("DATA.txt here");
+}
+
 void DeckOptions::add_to(CLI::App& command) {
-  command.add_option("deck", deck, "deck file, or a folder that holds DATA.txt")
-      ->capture_default_str();
-  command
-      .add_option("--set", sets, "change a deck variable: name=value, name[i]=value (deck units)")
-      ->take_all();
-  command
-      .add_option("--opt", options, "set a run option: name=value (see `adore run --list-options`)")
-      ->take_all();
+  add_deck(command, deck);
+  // One value each: what follows the value is the deck.
+  command_line::offer(
+      command
+          .add_option("--set", sets,
+                      "change a deck variable, in the deck's units; repeat it for more")
+          ->type_name("NAME=VALUE")
+          ->allow_extra_args(false),
+      variable_words());
+  command_line::offer(
+      command
+          .add_option(
+              "--opt", options,
+              "set a run option (`adore run --list-options` lists them); repeat it for more")
+          ->type_name("NAME=VALUE")
+          ->allow_extra_args(false),
+      option_words());
+}
+
+facade::DeckRequest deck_request(const std::string& deck) {
+  facade::DeckRequest request;
+  if (deck == kStream)
+    request.text = read_standard_input(kLargestDeck);
+  else
+    request.deck = deck;
+  std::error_code error;
+  if (deck.find('=') != std::string::npos && !std::filesystem::exists(deck, error))
+    throw InputError(
+        fmt::format("\"{}\" stands where the deck does; write --set (or --opt) before "
+                    "every name=value",
+                    deck));
+  return request;
 }
 
 void DeckOptions::fill(facade::DeckRequest& request) const {
-  request.deck = deck;
+  const facade::DeckRequest source = deck_request(deck);
+  request.deck = source.deck;
+  request.text = source.text;
   for (const std::string& text : sets) request.sets.push_back(split(text, "--set"));
   for (const std::string& text : options) request.options.push_back(split(text, "--opt"));
 }

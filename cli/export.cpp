@@ -26,8 +26,8 @@ void write_export(const fs::path& path, std::string_view text,
   std::error_code error;
   for (const fs::path& input : inputs)
     if (fs::equivalent(input, path, error))
-      throw InputError(fmt::format("--out {}: this is the file that is read; name another one",
-                                   path.string()));
+      throw InputError(
+          fmt::format("--out {}: this is the file that is read; name another one", path.string()));
   const fs::file_status status = fs::symlink_status(path, error);
   if (fs::is_regular_file(status) && fs::file_size(path, error) > 0) {
     const std::string_view start = beginning(text);

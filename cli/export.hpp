@@ -6,7 +6,8 @@
 
 namespace adore::cli {
 
-/// Writes a file that the user named: a new one, or in place of an earlier export that begins alike.
+/// Writes a file that the user named: a new one, or in place of an earlier export that begins
+/// alike.
 /// @throws InputError when it is one of the inputs, a link, or something else than such an export.
 void write_export(const std::filesystem::path& path, std::string_view text,
                   const std::vector<std::filesystem::path>& inputs);

@@ -1,12 +1,9 @@
 #include "base/errors.hpp"
 #include "base/interrupted.hpp"
-#include "base/version.hpp"
 #include "cli/commands.hpp"
 #include "cli/signals.hpp"
 #include "cli/streams.hpp"
-
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
+#include "command_line/program.hpp"
 
 #include <cstdio>
 #include <new>
@@ -21,24 +18,29 @@ int report(const char* text, int code) {
 }
 
 int run_command(int argc, char** argv) {
-  CLI::App app{
-      "Adore: rolling-bearing dynamics. Exit codes: 0 done, 1 a bug or a failed reference case, 2 "
-      "wrong input, "
-      "3 the numerics gave up, 130 interrupted."};
-  app.set_version_flag("--version", std::string(adore::kProgramVersion));
-  app.require_subcommand(1);
+  const auto app = adore::command_line::make_program(
+      "Adore: dynamics of rolling bearings, from a deck of records to listings, result files and "
+      "pictures.",
+      "adore");
+  app->footer(
+      "First steps\n"
+      "  adore new ball --out DATA.txt    a complete deck\n"
+      "  adore plan                       what it would simulate, why, and at what cost\n"
+      "  adore run                        simulate it\n"
+      "  adore COMMAND --help             options of a command, with examples\n"
+      "\n"
+      "Exit codes: 0 done, 1 a bug or a failed reference case, 2 wrong input, 3 the numerics gave\n"
+      "up, 130 interrupted.");
+  app->require_subcommand(1);
   int exit_code = 0;
-  adore::cli::add_run(app, exit_code);
-  adore::cli::add_deck_commands(app, exit_code);
-  adore::cli::add_calc(app, exit_code);
-  adore::cli::add_accuracy(app, exit_code);
-  adore::cli::add_file_commands(app, exit_code);
-  adore::cli::add_picture_commands(app, exit_code);
+  adore::cli::add_run(*app, exit_code);
+  adore::cli::add_deck_commands(*app, exit_code);
+  adore::cli::add_calc(*app, exit_code);
+  adore::cli::add_accuracy(*app, exit_code);
+  adore::cli::add_file_commands(*app, exit_code);
+  adore::cli::add_picture_commands(*app, exit_code);
   try {
-    app.parse(argc, argv);
-    return exit_code;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return adore::command_line::parse(*app, argc, argv).value_or(exit_code);
   } catch (const adore::InputError& error) {
     return report(error.what(), 2);
   } catch (const adore::SolverError& error) {

@@ -4,6 +4,8 @@
 #include "cli/commands.hpp"
 #include "cli/option_ranges.hpp"
 #include "cli/pictures.hpp"
+#include "cli/progress.hpp"
+#include "command_line/tree.hpp"
 #include "desktop/bootstrap.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/log_chart.hpp"
@@ -20,23 +22,43 @@ void print_files(const std::vector<std::filesystem::path>& files) {
   for (const auto& file : files) fmt::print("{}\n", file.string());
 }
 
+CLI::Option* add_progress(CLI::App& command, std::string& style) {
+  return command_line::one_of(
+      command.add_option("--progress", style, "how progress is shown on stderr")
+          ->capture_default_str()
+          ->type_name("STYLE"),
+      {"auto", "plain", "json", "none"});
+}
+
 void add_plot(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "plot", "draw the pages of SOL1-SOL7, a quasi-static RUN.json or SWEEP.csv as PNG files");
   auto files = std::make_shared<std::vector<std::string>>();
-  auto out = std::make_shared<std::string>();
+  auto out = std::make_shared<std::string>(".");
   auto options = std::make_shared<adrplot::RenderOptions>();
   auto time = std::make_shared<bool>(false);
-  command->add_option("files", *files, "SOL1-SOL7, RUN.json, SWEEP.csv")->required();
-  command->add_option("--out", *out, "folder of the pictures")->required();
-  CLI::Option* page = command->add_option("--page", options->page, "one page (default: all)");
+  auto progress = std::make_shared<std::string>("auto");
+  auto abscissa = std::make_shared<std::string>("rev");
+  command->add_option("files", *files, "SOL1-SOL7, RUN.json, SWEEP.csv")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--out", *out, "folder of the pictures")
+      ->type_name("DIR")
+      ->default_str("here");
+  CLI::Option* page = command->add_option("--page", options->page, "one page (all unless given)");
   command->add_option("--from", options->range.from, "first stored step, counted from 1")
       ->capture_default_str();
   command->add_option("--to", options->range.to, "last stored step")->capture_default_str();
   command->add_option("--every", options->range.every, "interval of stored steps")
       ->capture_default_str();
-  command->add_flag("--time", *time, "time as abscissa instead of revolutions");
+  command_line::one_of(command->add_option("--abscissa", *abscissa, "revolutions or time")
+                           ->capture_default_str()
+                           ->type_name("WHAT"),
+                       {"rev", "time"});
+  command->add_flag("--time", *time, "the same as --abscissa time")->group("");
   command->add_flag("--dark", options->dark, "dark theme");
+  add_progress(*command, *progress);
+  command->footer("Example\n  adore plot SOL1 SOL7 --page 1 --out pictures");
   command->callback([=] {
     if (page->count() > 0) check_range("--page", options->page);
     check_range("--from", static_cast<double>(options->range.from));
@@ -44,13 +66,14 @@ void add_plot(CLI::App& app) {
     check_range("--every", static_cast<double>(options->range.every));
     desktop::ensure_headless_application();
     options->folder = *out;
-    if (*time) options->view.abscissa = adrplot::Abscissa::Time;
+    options->progress = make_count_progress("file", *progress);
+    if (*time || *abscissa == "time") options->view.abscissa = adrplot::Abscissa::Time;
     print_files(adrplot::render_plots({files->begin(), files->end()}, *options));
   });
 }
 
 struct AnimateOptions {
-  std::string file, out = ".", view = "bearing", race = "inner", movie;
+  std::string file, out = ".", view = "bearing", race = "inner", movie, progress = "auto";
   int frame = 0, every = 1, frames_per_second = 25, element = 1;
   bool dark = false;
 };
@@ -61,6 +84,7 @@ void animate(const AnimateOptions& options) {
   render.view.view = agore::view_named(options.view, options.race);
   render.view.element = options.element;
   render.view.dark = options.dark;
+  render.progress = make_count_progress("frame", options.progress);
   agore::MotionPicture picture = agore::open_animation(options.file);
   const std::filesystem::path folder(options.out);
   if (!options.movie.empty()) {
@@ -83,23 +107,38 @@ void animate(const AnimateOptions& options) {
 void add_animate(CLI::App& app) {
   CLI::App* command = app.add_subcommand("animate", "draw frames or a film of SOL8");
   auto options = std::make_shared<AnimateOptions>();
-  command->add_option("file", options->file, "SOL8 file")->required();
-  command->add_option("--view", options->view, "bearing, cage, pocket, element, race or flange")
-      ->capture_default_str();
-  command->add_option("--race", options->race, "outer or inner, for the race view")
-      ->capture_default_str();
+  command->add_option("file", options->file, "SOL8 file")->required()->type_name("FILE");
+  command_line::one_of(command->add_option("--view", options->view, "what is looked at")
+                           ->capture_default_str()
+                           ->type_name("VIEW"),
+                       {"bearing", "cage", "pocket", "element", "race", "flange"});
+  command_line::one_of(command->add_option("--race", options->race, "race of the race view")
+                           ->capture_default_str()
+                           ->type_name("RACE"),
+                       {"outer", "inner"});
   command
       ->add_option("--element", options->element, "element or pocket of the single-element views")
       ->capture_default_str();
   CLI::Option* frame = command->add_option("--frame", options->frame,
-                                           "one stored frame, counted from 1 (default: all)");
-  command->add_option("--every", options->every, "every n-th frame")->capture_default_str();
-  command->add_option("--movie", options->movie,
-                      "film to write: NAME.avi, or a folder of numbered pictures");
+                                           "one stored frame, counted from 1 (all unless given)");
+  CLI::Option* every =
+      command->add_option("--every", options->every, "every n-th frame")->capture_default_str();
+  CLI::Option* movie = command
+                           ->add_option("--movie", options->movie,
+                                        "film to write: NAME.avi, or a folder of numbered pictures")
+                           ->type_name("FILE");
   command->add_option("--fps", options->frames_per_second, "pictures per second of the film")
       ->capture_default_str();
-  command->add_option("--out", options->out, "folder of the pictures")->capture_default_str();
+  frame->excludes(every)->excludes(movie);
+  command->add_option("--out", options->out, "folder of the pictures")
+      ->type_name("DIR")
+      ->default_str("here");
   command->add_flag("--dark", options->dark, "dark theme");
+  add_progress(*command, options->progress);
+  command->footer(
+      "Examples\n"
+      "  adore animate SOL8 --frame 1 --out pictures\n"
+      "  adore animate SOL8 --view cage --every 5 --movie cage.avi");
   command->callback([=] {
     if (frame->count() > 0) check_range("--frame", options->frame);
     check_range("--every", options->every);
@@ -115,6 +154,8 @@ void add_picture_commands(CLI::App& app, int&) {
   add_plot(app);
   add_animate(app);
 }
+
+bool has_pictures() noexcept { return true; }
 
 bool draw_accuracy_chart(const facade::AccuracyStudy& study, const std::filesystem::path& file) {
   desktop::ensure_headless_application();

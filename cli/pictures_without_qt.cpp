@@ -9,6 +9,7 @@ namespace adore::cli {
 void add_picture_commands(CLI::App& app, int&) {
   for (const char* name : {"plot", "animate"}) {
     CLI::App* command = app.add_subcommand(name, "pictures of result files (this build has no Qt)");
+    command->footer("Without Qt\n  adore convert SOL1 --to csv --out sol1.csv");
     command->allow_extras();
     command->callback([name] {
       throw InputError(std::string("`adore ") + name +
@@ -18,6 +19,8 @@ void add_picture_commands(CLI::App& app, int&) {
     });
   }
 }
+
+bool has_pictures() noexcept { return false; }
 
 bool draw_accuracy_chart(const facade::AccuracyStudy&, const std::filesystem::path&) {
   return false;

@@ -201,10 +201,19 @@ fs::path deck_path(const fs::path& path) {
   return path;
 }
 
+fs::path deck_path(const DeckRequest& request) {
+  return request.text ? fs::path(kStandardInput) : deck_path(request.deck);
+}
+
+deck::ReadResult read_deck(const DeckRequest& request) {
+  return request.text ? deck::read_deck_text(*request.text, kStandardInput)
+                      : deck::read_deck(deck_path(request.deck));
+}
+
 LoadedDeck load_deck(const DeckRequest& request) {
   LoadedDeck out;
-  out.path = deck_path(request.deck);
-  deck::ReadResult read = deck::read_deck(out.path);
+  out.path = deck_path(request);
+  deck::ReadResult read = read_deck(request);
   std::vector<Issue> issues = std::move(read.issues);
   out.deck = std::move(read.deck);
   if (!request.sets.empty() && read.ok()) {

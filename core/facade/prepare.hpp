@@ -12,6 +12,7 @@
 #include "statics/stiffness_table.hpp"
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <stop_token>
@@ -25,6 +26,8 @@ namespace adore::facade {
 /// What the user asked for beyond the deck.
 struct DeckRequest {
   std::filesystem::path deck = ".";  ///< the deck, or a folder that holds DATA.txt
+  std::optional<std::string> text;   ///< the deck itself, in place of the file; its outputs go to
+                                     ///< the current folder
   std::vector<std::pair<std::string, std::string>>
       sets;  ///< --set variable=value, in the deck's units
   std::vector<std::pair<std::string, std::string>>
@@ -37,11 +40,20 @@ struct LoadedDeck {
   std::vector<Issue> warnings;
   std::map<std::string, std::string> option_values;  ///< ADORE.json and --opt, as given
   std::stop_token stop;  ///< ends a long preparation (Interrupted)
+  /// Called after each speed of the stiffness table; may be empty.
+  std::function<void(long done, long total)> table_progress;
 };
 
 /// The deck file that a path means: itself, or DATA.txt in it. @throws InputError when there is
 /// none.
 [[nodiscard]] std::filesystem::path deck_path(const std::filesystem::path& path);
+
+/// What messages call a deck that came as text.
+inline constexpr const char* kStandardInput = "standard input";
+/// The deck file of the request, or kStandardInput. @throws InputError when there is none.
+[[nodiscard]] std::filesystem::path deck_path(const DeckRequest& request);
+/// The request's deck before any of its sets. @throws InputError when it cannot be read.
+[[nodiscard]] deck::ReadResult read_deck(const DeckRequest& request);
 
 /// Reads, applies the sets, checks again. @throws InputError with every error of the deck.
 [[nodiscard]] LoadedDeck load_deck(const DeckRequest& request);

@@ -7,6 +7,7 @@
 #include "facade/output_folder.hpp"
 #include "facade/run_outputs.hpp"
 #include "facade/system_ode.hpp"
+#include "facade/unused_request.hpp"
 
 #include <fmt/format.h>
 
@@ -396,6 +397,22 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
   return out;
 }
 
+/// Shows a table over speed as pieces of work, at most about 20 times a second.
+std::function<void(long, long)> table_meter(const ProgressSink& sink) {
+  return [&sink, begin = Clock::now(), sent = -1.0](long done, long total) mutable {
+    Progress p;
+    p.elapsed = seconds_since(begin);
+    if (p.elapsed - sent < 0.05 && done < total) return;
+    sent = p.elapsed;
+    p.fraction = static_cast<double>(done) / static_cast<double>(total);
+    p.step = done;
+    p.runs = total;
+    p.piece = "speed";
+    p.remaining = p.elapsed * (1.0 - p.fraction) / p.fraction;
+    sink(p);
+  };
+}
+
 }  // namespace
 
 fs::path output_folder(const RunRequest& request, const fs::path& deck) {
@@ -445,6 +462,7 @@ RunOutcome run(const RunRequest& request, const ProgressSink& progress, std::sto
   dynamics::check_instruction_set_request();
   LoadedDeck input = load_deck(request);
   input.stop = stop;
+  if (progress) input.table_progress = table_meter(progress);
   if (input.deck.integer("kStif") > 0 && !request.go_on && input.deck.integer("kIcOpt") != 1) {
     // The table may take minutes: a folder that is taken is refused before.
     const fs::path there = request.out ? *request.out : input.path.parent_path();
@@ -460,8 +478,9 @@ RunOutcome run(const RunRequest& request, const ProgressSink& progress, std::sto
   out.folder = folder;
   std::vector<Issue> remarks = std::move(out.warnings);
   out.warnings = prepared.input.warnings;
-  for (Issue& note : solution_notes(prepared)) out.warnings.push_back(std::move(note));
-  for (Issue& note : remarks) out.warnings.push_back(std::move(note));
+  for (Issue& note : unused_request(request, prepared)) out.warnings.push_back(std::move(note));
+  for (Issue& issue : solution_notes(prepared)) out.warnings.push_back(std::move(issue));
+  for (Issue& issue : remarks) out.warnings.push_back(std::move(issue));
   out.seconds = seconds_since(begin);
   return out;
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// A whole run: deck in, every output file out.
@@ -35,6 +36,7 @@ struct Progress {
   double speed_up = 0.0;   ///< simulated over computing time
   long runs = 0;           ///< of a sweep: how many there are, and `step` counts those that are
                            ///< done; 0: one run
+  std::string_view piece = "run";  ///< what `runs` counts: "run", or "speed" of a table
 };
 using ProgressSink = std::function<void(const Progress&)>;
 

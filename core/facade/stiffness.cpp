@@ -20,6 +20,8 @@ std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared
                          const statics::RaceResult* previous) -> statics::RaceResult {
     if (prepared.input.stop.stop_requested())
       throw Interrupted("interrupted in the table of stiffness over speed; nothing was written");
+    const auto& tell = prepared.input.table_progress;
+    if (tell && !operating.empty()) tell(static_cast<long>(operating.size()), request.points);
     as_built.speed = speed;
     bearing::Bearing bearing = thermal::operating_bearing(as_built);
     operating[speed] = bearing.operating;
@@ -41,6 +43,7 @@ std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared
     return statics::solve_ball_statics(bearing, options);
   };
   std::vector<statics::StiffnessRow> rows = statics::stiffness_table(request, solve);
+  if (prepared.input.table_progress) prepared.input.table_progress(request.points, request.points);
   for (statics::StiffnessRow& row : rows)
     if (const auto found = operating.find(row.speed); found != operating.end())
       row.operating = found->second;

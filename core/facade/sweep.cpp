@@ -67,7 +67,7 @@ struct Row {
 std::string unit_of(const RunRequest& request, const std::string& variable) {
   const auto found = deck::find_variable(variable.substr(0, variable.find('[')));
   if (found.empty()) return {};
-  const deck::ReadResult read = deck::read_deck(deck_path(request.deck));
+  const deck::ReadResult read = read_deck(request);
   if (!read.ok()) return {};
   const deck::UnitPair& unit = found.front().spec().unit;
   const std::string_view name = read.deck.units() == deck::UnitSystem::SI ? unit.si : unit.en;
@@ -195,7 +195,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   }
   const std::string variable = request.sets[swept].first;
   const Range range = parse_range(variable, request.sets[swept].second);
-  const std::filesystem::path folder = output_folder(request, deck_path(request.deck));
+  const std::filesystem::path folder = output_folder(request, deck_path(request));
 
   const FolderLock lock(folder);
   const auto count = static_cast<std::size_t>(range.count);

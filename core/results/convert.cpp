@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
+#include "base/own_files.hpp"
 #include "results/growing_file.hpp"
 #include "results/restart.hpp"
 #include "results/sol_file.hpp"
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -142,39 +144,67 @@ void add_line(std::string& out, std::string_view name, std::string_view value) {
   out += fmt::format("{:<26} {}\n", name, value);
 }
 
+/// Number of complete steps, and the range of each column; not-a-numbers are passed over.
+struct TableRanges {
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  explicit TableRanges(ResultTable& table) : ranges(table.columns.size(), {kInfinity, -kInfinity}) {
+    std::vector<double> row;
+    for (; table.next(row); ++steps)
+      for (std::size_t k = 0; k < row.size(); ++k) {
+        if (row[k] < ranges[k][0]) ranges[k][0] = row[k];
+        if (row[k] > ranges[k][1]) ranges[k][1] = row[k];
+      }
+  }
+  [[nodiscard]] bool any(std::size_t column) const {
+    return ranges[column][0] <= ranges[column][1];
+  }
+  std::vector<std::array<double, 2>> ranges;
+  long steps = 0;
+};
+
 std::string describe(ResultTable table, const std::filesystem::path& path) {
   std::string out;
   add_line(out, "file", path.string());
   for (const auto& [name, value] : table.header) add_line(out, name, value);
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  std::vector<std::array<double, 2>> ranges(table.columns.size(), {kInfinity, -kInfinity});
-  std::vector<double> row;
-  long steps = 0;
-  for (; table.next(row); ++steps) {
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      if (row[k] < ranges[k][0]) ranges[k][0] = row[k];
-      if (row[k] > ranges[k][1]) ranges[k][1] = row[k];
-    }
-  }
-  add_line(out, "complete steps", std::to_string(steps));
+  const TableRanges found(table);
+  add_line(out, "complete steps", std::to_string(found.steps));
   if (const std::string note = table.note(); !note.empty()) add_line(out, "note", note);
-  if (steps == 0) return out;
+  if (found.steps == 0) return out;
   out += fmt::format("\n{:>5} {:<48} {:<10} {:>15} {:>15}  {}\n", "No", "channel", "unit", "least",
                      "largest", "id");
   int number_in_file = 0;
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
     const TableColumn& column = table.columns[k];
-    const bool any = ranges[k][0] <= ranges[k][1];
     const auto shown = [&](double value) {
-      return any ? fmt::format("{:.7g}", value) : std::string("-");
+      return found.any(k) ? fmt::format("{:.7g}", value) : std::string("-");
     };
     // The columns of the step line have no number of their own.
     const bool step_line = column.id == "step" || column.id == "revolutions" ||
                            column.id == "element_revolutions" || column.id == "step_size" ||
                            column.id == "time" || column.id == "shaft_rotation";
-    out += fmt::format("{:>5} {:<48} {:<10} {:>15} {:>15}  {}\n",
-                       step_line ? std::string() : std::to_string(++number_in_file), column.label,
-                       column.unit, shown(ranges[k][0]), shown(ranges[k][1]), column.id);
+    out +=
+        fmt::format("{:>5} {:<48} {:<10} {:>15} {:>15}  {}\n",
+                    step_line ? std::string() : std::to_string(++number_in_file), column.label,
+                    column.unit, shown(found.ranges[k][0]), shown(found.ranges[k][1]), column.id);
+  }
+  return out;
+}
+
+Json describe_json(ResultTable table, const std::filesystem::path& path) {
+  Json out{{"file", path.string()}};
+  for (const auto& [name, value] : table.header) out[name] = value;
+  const TableRanges found(table);
+  out["complete steps"] = found.steps;
+  if (const std::string note = table.note(); !note.empty()) out["note"] = note;
+  out["channels"] = Json::array();
+  for (std::size_t k = 0; k < table.columns.size(); ++k) {
+    const TableColumn& column = table.columns[k];
+    const auto shown = [&](double value) { return found.any(k) ? Json(value) : Json(); };
+    out["channels"].push_back({{"id", column.id},
+                               {"label", column.label},
+                               {"unit", column.unit},
+                               {"least", shown(found.ranges[k][0])},
+                               {"largest", shown(found.ranges[k][1])}});
   }
   return out;
 }
@@ -204,6 +234,10 @@ std::string describe(const FinalState& state, std::string_view kind,
 
 FileKind file_kind(const std::filesystem::path& path) {
   const std::string bytes = first_bytes(path);
+  const FileSort sort = sort_of(bytes);
+  if (sort == FileSort::Deck || sort == FileSort::Listing || sort == FileSort::SweepTable)
+    throw InputError(fmt::format("{}: this is {}, not a result file that can be shown; {}",
+                                 path.string(), sort_name(sort), sort_use(sort)));
   if (bytes.substr(0, 4) == "\x89HDF") return FileKind::ResultsH5;
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
   if (start != std::string::npos && bytes[start] == '{') return FileKind::RunJson;
@@ -231,6 +265,20 @@ std::string describe_file(const std::filesystem::path& path) {
     default:
       return describe(table_of(path, kind), path);
   }
+}
+
+std::string describe_file_json(const std::filesystem::path& path) {
+  const FileKind kind = file_kind(path);
+  Json out;
+  if (kind == FileKind::Final)
+    out = to_json(read_final(path));
+  else if (kind == FileKind::Master)
+    out = to_json(read_master(path));
+  else if (kind == FileKind::RunJson)
+    out = read_run_json(path);
+  else
+    out = describe_json(table_of(path, kind), path);
+  return out.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 void convert_file(const std::filesystem::path& path, std::string_view format, std::ostream& out) {

@@ -17,6 +17,9 @@ enum class FileKind : unsigned char { Sol, Animation, Final, Master, RunJson, Re
 /// What it is, its header, and the range of each channel with name and unit. @throws InputError
 [[nodiscard]] std::string describe_file(const std::filesystem::path& path);
 
+/// The same as JSON text. @throws InputError
+[[nodiscard]] std::string describe_file_json(const std::filesystem::path& path);
+
 /// The whole content. CSV: one line per stored step, the first line names the columns with their
 /// units (FINAL and MASTER: one line per component; RUN.json: one line per leaf). Decimal point and
 /// full precision whatever the locale; missing values are empty (csv) or null (json). @param format

@@ -41,7 +41,7 @@ Rule dependency_rule() {
   return rule;
 }
 /// Apps see core through deck, results and facade only; base holds errors and files.
-const std::set<std::string> kAppsMaySee = {"base", "deck", "results", "facade"};
+const std::set<std::string> kAppsMaySee = {"base", "deck", "results", "facade", "command_line"};
 
 std::vector<fs::path> sources(const fs::path& folder) {
   std::vector<fs::path> out;

@@ -35,7 +35,7 @@ TEST_CASE("adore refuses what it cannot read with a sentence and exit code 2", "
   refused(run_adore("check " + (folder / "nowhere").string()), "nowhere");
   refused(run_adore("calc no-such --json " + deck), "JSON");
   refused(run_adore("show " + deck), "DATA.txt");
-  refused(run_adore("nonsense"), "subcommand");
+  refused(run_adore("nonsense"), "there is no command \"nonsense\"");
 }
 
 TEST_CASE(

@@ -1,0 +1,131 @@
+#include "cli/run_report.hpp"
+
+#include "base/duration.hpp"
+#include "base/own_files.hpp"
+#include "cli/pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string_view>
+
+namespace adore::cli {
+namespace {
+
+/// The commands that draw the run's files, one a line.
+std::string picture_lines(const facade::RunOutcome& outcome) {
+  std::string plots, animation, table;
+  for (const std::filesystem::path& file : outcome.files) {
+    const FileSort sort = sort_of_file(file);
+    const std::string name = " " + quoted(file.string());
+    if (sort == FileSort::Plot) plots += name;
+    if (sort == FileSort::Animation) animation = name;
+    if (sort == FileSort::RunJson) table = name;
+  }
+  if (!outcome.results.empty()) plots = table;  // the tables of a quasi-static run
+  if (plots.empty() && animation.empty()) return {};
+  const std::string out = quoted((outcome.folder / "pictures").string());
+  if (!has_pictures())
+    return fmt::format("numbers:   adore convert{} --to csv (this build draws no pictures)\n",
+                       plots.empty() ? animation : plots.substr(0, plots.find(' ', 1)));
+  std::string text;
+  if (!plots.empty()) text += fmt::format("pictures:  adore plot{} --out {}\n", plots, out);
+  if (!animation.empty())
+    text += fmt::format("{}adore animate{} --out {}\n",
+                        plots.empty() ? "pictures:  " : "           ", animation, out);
+  return text;
+}
+
+std::string status_name(facade::RunStatus status) {
+  return status == facade::RunStatus::Done          ? "done"
+         : status == facade::RunStatus::Interrupted ? "interrupted"
+         : status == facade::RunStatus::Untrusted   ? "untrusted"
+                                                    : "failed";
+}
+
+}  // namespace
+
+std::string quoted(const std::string& word) {
+  const auto plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 ||
+           std::string_view("+,-./:=@_%[]").find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  if (!word.empty() && std::all_of(word.begin(), word.end(), plain)) return word;
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+std::string twice_as_far(const facade::RunOutcome& outcome) {
+  const double turns = std::abs(outcome.revolutions);
+  return turns > 0.0 ? fmt::format("{:.4g}rev", 2.0 * turns)
+                     : fmt::format("{:.4g}s", 2.0 * outcome.time);
+}
+
+std::string summary_text(const facade::RunOutcome& outcome, const std::string& continuation) {
+  std::string text;
+  for (const std::string& line : outcome.results) text += line + "\n";
+  if (!outcome.results.empty())
+    text += fmt::format("quasi-static solution computed in {}\n", duration_text(outcome.seconds));
+  else
+    text +=
+        fmt::format("{} steps, {:.4g} revolutions, t = {:.6g} s, computed in {}\n", outcome.steps,
+                    outcome.revolutions, outcome.time, duration_text(outcome.seconds));
+  if (outcome.energy_scale > 0.0)
+    text += fmt::format("energy residual {:.3g} J ({:.2g} of {:.3g} J)\n", outcome.energy_residual,
+                        outcome.energy_residual / outcome.energy_scale, outcome.energy_scale);
+  for (const std::filesystem::path& file : outcome.files) text += "  " + file.string() + "\n";
+  text += picture_lines(outcome);
+  if (outcome.results.empty() && !continuation.empty())
+    text += fmt::format("go on:     {}\n", continuation);
+  return text;
+}
+
+std::string sweep_text(const facade::SweepOutcome& outcome) {
+  const std::string table = quoted(outcome.table.string());
+  std::string text = outcome.table.string() + "\n";
+  if (has_pictures())
+    text += fmt::format("pictures:  adore plot {} --out {}\n", table,
+                        quoted((outcome.table.parent_path() / "pictures").string()));
+  return text;
+}
+
+nlohmann::ordered_json summary_json(const facade::RunOutcome& outcome) {
+  nlohmann::ordered_json out{{"status", status_name(outcome.status)}};
+  if (!outcome.message.empty()) out["message"] = outcome.message;
+  out["folder"] = outcome.folder.string();
+  out["files"] = nlohmann::ordered_json::array();
+  for (const std::filesystem::path& file : outcome.files) out["files"].push_back(file.string());
+  out["steps"] = outcome.steps;
+  out["time_s"] = outcome.time;
+  out["revolutions"] = outcome.revolutions;
+  out["computing_s"] = outcome.seconds;
+  if (outcome.energy_scale > 0.0)
+    out["energy"] = {{"residual_J", outcome.energy_residual}, {"moved_J", outcome.energy_scale}};
+  nlohmann::ordered_json results = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : outcome.summary)
+    results[name] = std::isfinite(value)
+                        ? nlohmann::ordered_json(value)
+                        : nlohmann::ordered_json(std::isinf(value) ? "infinite" : "not computed");
+  out["results"] = results;
+  out["remarks"] = nlohmann::ordered_json::array();
+  for (const Issue& issue : outcome.warnings) out["remarks"].push_back(issue.text());
+  return out;
+}
+
+nlohmann::ordered_json summary_json(const facade::SweepOutcome& outcome) {
+  nlohmann::ordered_json out{{"table", outcome.table.string()}, {"exit", outcome.exit_code}};
+  out["remarks"] = nlohmann::ordered_json::array();
+  for (const Issue& issue : outcome.warnings) out["remarks"].push_back(issue.text());
+  return out;
+}
+
+int exit_code(const facade::RunOutcome& outcome) {
+  return outcome.status == facade::RunStatus::Done          ? 0
+         : outcome.status == facade::RunStatus::Interrupted ? 130
+                                                            : 3;
+}
+
+}  // namespace adore::cli

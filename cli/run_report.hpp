@@ -1,0 +1,31 @@
+#pragma once
+
+#include "facade/run.hpp"
+#include "facade/sweep.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+
+/// What `adore run` says when it is over.
+namespace adore::cli {
+
+/// A word of a command line as a shell reads it back.
+[[nodiscard]] std::string quoted(const std::string& word);
+
+/// The summary, its files, how to get pictures of them and how to go on.
+/// @param continuation the command that goes on; empty: none
+[[nodiscard]] std::string summary_text(const facade::RunOutcome& outcome,
+                                       const std::string& continuation);
+
+/// An end for --until that is twice as far as the run came.
+[[nodiscard]] std::string twice_as_far(const facade::RunOutcome& outcome);
+
+[[nodiscard]] std::string sweep_text(const facade::SweepOutcome& outcome);
+/// The same as one JSON object.
+[[nodiscard]] nlohmann::ordered_json summary_json(const facade::RunOutcome& outcome);
+[[nodiscard]] nlohmann::ordered_json summary_json(const facade::SweepOutcome& outcome);
+
+[[nodiscard]] int exit_code(const facade::RunOutcome& outcome);
+
+}  // namespace adore::cli

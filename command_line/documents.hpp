@@ -1,0 +1,25 @@
+#pragma once
+
+#include "command_line/tree.hpp"
+
+#include <cstddef>
+#include <string>
+
+/// What is written from the tree of commands: help on the terminal, the manual page, completion of
+/// the three shells, JSON.
+namespace adore::command_line {
+
+/// `--help` of a command; `path`: "adore run".
+[[nodiscard]] std::string help_text(const CommandText& command, const std::string& path,
+                                    std::size_t width);
+/// Section 1, in man(7).
+[[nodiscard]] std::string manual_page(const CommandText& program, const std::string& version);
+[[nodiscard]] std::string bash_completion(const CommandText& program);
+[[nodiscard]] std::string zsh_completion(const CommandText& program);
+[[nodiscard]] std::string fish_completion(const CommandText& program);
+[[nodiscard]] std::string tree_json(const CommandText& program);
+
+/// "adore run [DECK] [OPTIONS]"
+[[nodiscard]] std::string usage_line(const CommandText& command, const std::string& path);
+
+}  // namespace adore::command_line

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+#include <vector>
+
+/// The tree of a program's commands and options as plain values: help, manual page, completion and
+/// JSON are walks over it.
+namespace adore::command_line {
+
+/// What may follow an option, for completion.
+enum class ValueKind : unsigned char { None, Text, Number, File, Folder, Words };
+
+struct OptionText {
+  std::vector<std::string> names;  ///< "--out", "-h"; of a positional its one name: "deck"
+  std::string value;               ///< "FILE"; empty: a flag
+  std::string help;
+  std::string default_value;  ///< empty: none to show
+  ValueKind kind = ValueKind::None;
+  std::vector<std::string> words;  ///< what may be given, or begins what may be given
+  bool positional = false, required = false, many = false;
+};
+
+struct CommandText {
+  std::string name, help, footer;
+  std::vector<OptionText> options;  ///< positionals first
+  std::vector<CommandText> commands;
+};
+
+/// Hidden options and commands (of an empty group) are left out.
+[[nodiscard]] CommandText describe(const CLI::App& app);
+
+/// Only these values are taken; anything else is refused with the nearest of them. They are shown
+/// by help and completed by the shells.
+CLI::Option* one_of(CLI::Option* option, std::vector<std::string> words);
+
+/// Words that the shells offer for an option that takes others too: "pitchDia=".
+CLI::Option* offer(CLI::Option* option, std::vector<std::string> words);
+
+/// A whole number, or a number, of at least `least`; refused otherwise.
+CLI::Option* at_least(CLI::Option* option, double least);
+
+/// The known word that `text` was most likely meant to be; empty when none is near.
+[[nodiscard]] std::string nearest(const std::string& text, const std::vector<std::string>& words);
+
+}  // namespace adore::command_line

@@ -1,0 +1,59 @@
+#include "facade/unused_request.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace adore::facade {
+namespace {
+
+constexpr std::array<std::string_view, 6> kOfMotion = {"ellipseMajor",      "ellipseMinor",
+                                                       "contactSurface",    "landSlices",
+                                                       "checkpointSeconds", "resultsH5"};
+constexpr std::array<std::string_view, 2> kOfRollers = {"rollerSlices", "rollerContact"};
+
+template <std::size_t N>
+bool is_in(const std::array<std::string_view, N>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string out;
+  for (const std::string& name : names)
+    out += (out.empty() ? "" : &name == &names.back() ? " and " : ", ") + name;
+  return out;
+}
+
+Issue note(const Prepared& prepared, const std::vector<std::string>& names,
+           const std::string& because) {
+  Issue issue;
+  issue.severity = Severity::Note;
+  issue.file = prepared.input.path.string();
+  issue.message = fmt::format("{} {} no part, because {}", listed(names),
+                              names.size() == 1 ? "plays" : "play", because);
+  return issue;
+}
+
+}  // namespace
+
+std::vector<Issue> unused_request(const RunRequest& request, const Prepared& prepared) {
+  std::vector<std::string> motion, rollers;
+  if (!prepared.control.dynamic) {
+    if (!request.until.empty()) motion.emplace_back("--until");
+    if (!request.integrator.empty()) motion.emplace_back("--integrator");
+    if (request.tolerance) motion.emplace_back("--tol");
+  }
+  for (const auto& [name, value] : prepared.input.option_values) {
+    if (!prepared.control.dynamic && is_in(kOfMotion, name)) motion.push_back("option " + name);
+    if (!prepared.bearing.rollers && is_in(kOfRollers, name)) rollers.push_back("option " + name);
+  }
+  std::vector<Issue> out;
+  if (!motion.empty())
+    out.push_back(note(prepared, motion, "mode = -1 asks for the quasi-static solution alone"));
+  if (!rollers.empty()) out.push_back(note(prepared, rollers, "the bearing has balls"));
+  return out;
+}
+
+}  // namespace adore::facade
