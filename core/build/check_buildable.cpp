@@ -157,6 +157,18 @@ void name_idle_options(const Deck& deck, Checker& check) {
     check.note("mode", "is a quasi-static solution, in which these play no part: " + names);
 }
 
+/// The same deviation in all pockets; that of single ones is looked at in operation.
+void check_pocket_errors(const Deck& deck, Checker& check) {
+  if (!deck.has("bPocClsVar1") || deck.integer("kCagePocImp") != 2) return;
+  if (deck.integer("kBrg") != 1 && deck.integer("kPocType") > 0) return;  // guide faces
+  const double given = deck.si("bPocCls1"), left = given + deck.si("bPocClsVar1");
+  if (given >= 0.0 && left < 0.0)
+    check.warning("bPocClsVar1",
+                  fmt::format("makes every pocket smaller than its rolling element, which it "
+                              "clamps: bPocCls1 + bPocClsVar1 is {}",
+                              length_text(deck, left)));
+}
+
 }  // namespace
 
 std::vector<Issue> check_buildable(const Deck& deck) {
@@ -196,6 +208,7 @@ std::vector<Issue> check_buildable(const Deck& deck) {
           "use 0, 1 or 2");
   check_waves(deck, check);
   check_law_ranges(deck, check);
+  check_pocket_errors(deck, check);
   if (!deck.user_lines.empty())
     check.warning("runID",
                   "the deck has lines after its last record, for user routines that this version "

@@ -189,8 +189,12 @@ void report_tightest_pocket(const bearing::Cage& cage, std::size_t which, double
       own.begin(), own.end(), [which](const auto& a, const auto& b) { return a[which] < b[which]; });
   if (tightest == own.end()) return;
   double clearance = nominal + (*tightest)[which];
-  move_pocket(fmt::format("pocket clearance {}, pocket {}{}", which == 0 ? "I" : "II",
-                          tightest - own.begin() + 1, own.size() > 1 ? ", the tightest" : ""),
+  if (nominal >= 0.0 && clearance < 0.0)
+    report.warnings.push_back(
+        fmt::format("pocket {} of the cage clamps its rolling element: its clearance {} is {:.4g} m",
+                    tightest - own.begin() + 1, which == 0 ? "I" : "II", clearance));
+  move_pocket(fmt::format("pocket clearance {}, {} {}", which == 0 ? "I" : "II",
+                          own.size() > 1 ? "least: no." : "pocket", tightest - own.begin() + 1),
               clearance, diameter, g_cage, g_ball, report);
 }
 

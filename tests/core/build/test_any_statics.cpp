@@ -131,14 +131,18 @@ TEST_CASE("a cut or conical cage and given inertia leave the statics alone", "[p
 }
 
 TEST_CASE("deviations of pocket clearances change the play of the cage", "[physics][cage]") {
-  const auto plays = [](const char* code, const char* deviation) {
+  std::string said;
+  const auto plays = [&](const char* code, const char* deviation) {
     deck::Deck deck = at_rest("ball");
     deck.set("kCagePocImp", code);
     deck.complete();
     deck.set("bPocClsVar1", deviation);
     deck.set("bPocCenVar1", "1e-4");
     CHECK_THAT(remarks(deck), Catch::Contains("bPocCenVar1 = 0.0001 (an axial shift"));
-    return thermal::operating_bearing(build::build_bearing(deck)).operating->plays;
+    const auto fits = *thermal::operating_bearing(build::build_bearing(deck)).operating;
+    said = remarks(deck);
+    for (const std::string& warning : fits.warnings) said += warning + "\n";
+    return fits.plays;
   };
   const auto find = [](const std::vector<bearing::CagePlay>& plays, const std::string& start) {
     const auto at = std::find_if(plays.begin(), plays.end(),
@@ -148,12 +152,14 @@ TEST_CASE("deviations of pocket clearances change the play of the cage", "[physi
   };
   const double nominal = at_rest("ball").si("bPocCls1");
   CHECK(find(plays("2", "-0.0003"), "pocket clearance I") == Approx(nominal - 3e-4));
+  CHECK_THAT(said, Catch::Contains("makes every pocket smaller than its rolling element"));
   const auto first = plays("1", "-0.0003");
   CHECK(find(first, "pocket clearance I") == Approx(nominal));
   CHECK(find(first, "pocket clearance I, pocket 1") == Approx(nominal - 3e-4));
+  CHECK_THAT(said, Catch::Contains("pocket 1 of the cage clamps its rolling element"));
   const auto random = plays("3", "2e-5");
   CHECK(find(random, "pocket clearance I") == Approx(nominal));
-  const double least = find(random, "pocket clearance I, pocket ");
+  const double least = find(random, "pocket clearance I, least: no. ");
   CHECK(least < nominal);
   CHECK(least > nominal - 1e-4);
 }
