@@ -177,7 +177,8 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
     race.acceleration = motion.acceleration;
     race.total_rotation = motion.angle;
     race.orientation = multiply(motion.attitude, quaternion_about(Vec3::UnitX(), motion.angle));
-    race.omega = motion.speed * motion.axis + motion.tilt;
+    race.omega = motion.speed * motion.axis;
+    if (!motion.tilt.isZero(0.0)) race.omega += motion.tilt;  // else zeros keep their signs
     race.applied_force = -state.force;
     race.applied_moment = -state.moment;
     snapshot.power.qv_race[j] = integral_at(e, load_slip_[j]);
