@@ -2,6 +2,8 @@
 
 #include "base/errors.hpp"
 
+#include <algorithm>
+
 namespace adore::dynamics {
 
 Slice SceneBuilder::state(std::string name, std::string_view unit, int count, ScaleKind kind,
@@ -50,6 +52,11 @@ void SceneBuilder::momentum(int& index, std::string name, Momentum which, const 
 void SceneBuilder::border_body(const BorderBody& body) {
   demand(out_.border == nullptr, "a scene has one body in the border of the arrow");
   out_.border = &body;
+}
+
+bool SceneBuilder::races_move() const {
+  return std::any_of(out_.effects.begin(), out_.effects.end(),
+                     [](const auto& effect) { return effect->moves_races(); });
 }
 
 void SceneBuilder::add_block(Phase phase, std::unique_ptr<EffectBlock> block, std::string_view cost,

@@ -29,6 +29,7 @@ class EffectBlock {
 
 /// When a block acts; within a phase in the order of declaration.
 enum class Phase : unsigned char {
+  Prescribed,  ///< motion of prescribed bodies from Evaluation::t alone: sees no state, cannot fail
   Kinematics,  ///< poses and velocities of bodies from the state
   Force,       ///< forces and moments on bodies
   Motion,      ///< rates of the bodies' states
@@ -105,6 +106,9 @@ class SceneEffect {
   virtual void report(const Evaluation& e, Snapshot& snapshot) const { (void)e, (void)snapshot; }
   /// System::quadrature_error of its contacts.
   [[nodiscard]] virtual double quadrature_error(const Evaluation& e) const { return (void)e, 0.0; }
+
+  /// A block of it gives races a motion beside their spin (then they do work without friction).
+  [[nodiscard]] virtual bool moves_races() const noexcept { return false; }
 
   /// Changes of the model that may happen between steps only; true when y changed.
   virtual bool between_steps(double t, std::span<double> y, BetweenSteps& scene) {
@@ -200,7 +204,10 @@ class SceneBuilder {
   /// There is one at most.
   void border_body(const BorderBody& body);
 
-  /// An effect that declared itself before; null when the scene has none.
+  /// Does an effect of the scene move the races?
+  [[nodiscard]] bool races_move() const;
+
+  /// An effect of the scene, declared before when the catalogue has it before; null: there is none.
   template <class E>
   [[nodiscard]] E* find() const {
     for (const auto& effect : out_.effects)

@@ -43,7 +43,8 @@ struct RaceState {
   RaceMotion motion;
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< [N, N m]
   [[nodiscard]] Vec3 velocity_at(const Vec3& point) const noexcept {
-    return motion.velocity + motion.speed * motion.axis.cross(point - motion.centre);
+    const Vec3 arm = point - motion.centre;
+    return motion.velocity + motion.speed * motion.axis.cross(arm) + motion.tilt.cross(arm);
   }
   void add_force(const Vec3& f, const Vec3& point) noexcept {
     force += f;
@@ -51,7 +52,8 @@ struct RaceState {
   }
   /// Power that the race exerts on what it touches [W].
   [[nodiscard]] double power() const noexcept {
-    return -force.dot(motion.velocity) - motion.speed * moment.dot(motion.axis);
+    return -force.dot(motion.velocity) - motion.speed * moment.dot(motion.axis) -
+           moment.dot(motion.tilt);
   }
 };
 

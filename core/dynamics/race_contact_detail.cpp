@@ -32,8 +32,9 @@ RaceContactState race_contact_state(const RaceContactModel& model, const BallArr
   state.c = state.t.cross(state.n);
   state.angle = model.race == bearing::kOuter ? std::atan2(n_k, n_e) : std::atan2(-n_k, -n_e);
 
-  const Vec3 slip = race.velocity + race.speed * race.axis.cross(state.arm) - velocity;
-  const Vec3 W = race.speed * race.axis - omega;
+  const Vec3 slip = race.velocity + race.speed * race.axis.cross(state.arm) +
+                    race.tilt.cross(state.arm) - velocity;
+  const Vec3 W = race.speed * race.axis + race.tilt - omega;
   state.motion = {slip.dot(state.c), slip.dot(state.t), W.dot(state.c), W.dot(state.t),
                   W.dot(state.n)};
   if (state.approach > 0.0) {

@@ -104,7 +104,9 @@ RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const B
     in.centre[i] = race.centre[i];
     in.axis[i] = race.axis[i];
     in.velocity[i] = race.velocity[i];
+    in.tilt[i] = race.tilt[i];
   }
+  in.tilts = in.tilt[0] != 0.0 || in.tilt[1] != 0.0 || in.tilt[2] != 0.0;
   in.speed = race.speed;
   in.n = balls.n;
   in.x = balls.x, in.r = balls.r, in.sin_theta = balls.sin_theta, in.cos_theta = balls.cos_theta;

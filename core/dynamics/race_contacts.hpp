@@ -15,9 +15,9 @@
 /// With d = ball centre - P_j, race axis k, radial unit vector e of d about k, G = Rc_j e, v = d -
 /// G, l = |v|:
 ///   n = v/l,  δ = l - s_j,  Q = K δ^1.5 (δ > 0, else open),  t = k × e,  c = t × n
-///   slip at the ball centre u0 = V_P + Ω k × d - V_ball,  W = Ω k - ω_ball,  traction as in
-///   ellipse_traction.hpp on the ball:  F = -Q n + F_c c + F_t t,  M = M_c c + M_t t + M_n n about
-///   its centre on the race:  -Σ F,  about P_j: -Σ (d × F + M)
+///   slip at the ball centre u0 = V_P + ω × d - V_ball,  W = ω - ω_ball,  ω = Ω k + tilt,  traction
+///   as in ellipse_traction.hpp on the ball:  F = -Q n + F_c c + F_t t,  M = M_c c + M_t t + M_n n
+///   about its centre on the race:  -Σ F,  about P_j: -Σ (d × F + M)
 /// Source: tests/reference/dynamics_README.md ("Ball/race contact geometry", "Traction"). The
 /// traction power on ball and race together is -heat identically (also for the quadrature rule).
 /// Limits: r_ball > a; ball centre off the race axis. At zero contact angle c is -e_x on the outer
@@ -34,12 +34,17 @@ struct BallArrays {
       *omega_theta;  ///< absolute angular velocity on e_x, e_r, e_θ [rad/s]
 };
 
-/// Pose and motion of one race, base frame.
+/// Pose and motion of one race as a rigid body of revolution, base frame: its angular velocity is
+/// Ω k + tilt.
 struct RaceMotion {
-  Vec3 centre;                   ///< P_j [m] (see groove.hpp)
-  Vec3 axis;                     ///< unit vector of the race's x axis
-  double speed = 0.0;            ///< Ω about its axis [rad/s]
-  Vec3 velocity = Vec3::Zero();  ///< of P_j [m/s]
+  Vec3 centre;                       ///< P_j [m] (see groove.hpp)
+  Vec3 axis;                         ///< k, unit vector of the race's x axis
+  double speed = 0.0;                ///< Ω about its axis [rad/s]
+  Vec3 velocity = Vec3::Zero();      ///< of P_j [m/s]
+  Vec3 tilt = Vec3::Zero();          ///< part of the angular velocity across k: dk/dt = tilt × k
+  Vec3 acceleration = Vec3::Zero();  ///< of P_j, reports only [m/s²]
+  double angle = 0.0;                ///< turned about its axis since the start [rad]
+  Quat attitude{1, 0, 0, 0};         ///< race frame without that turn -> base, reports only
 };
 
 /// Constants of the contacts with one race.

@@ -35,6 +35,8 @@ struct RaceKernelInput {
   const double *v, *weight_v, *weight_v1, *weight_v2;
   // Race pose and motion, base frame.
   double centre[3], axis[3], velocity[3], speed;
+  bool tilts;
+  double tilt[3];
   // Balls and results (see race_contacts.hpp).
   std::size_t n;
   const double *x, *r, *sin_theta, *cos_theta, *x_dot, *r_dot, *theta_dot;

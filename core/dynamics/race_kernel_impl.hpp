@@ -207,9 +207,15 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
   V moment_k = 0.0, moment_e = 0.0, moment_t = 0.0;
   if (in.traction) {
     const Vec race_velocity = to_azimuth(in.velocity, s, c);
-    const Vec w{race_velocity.x - get(at.x_dot), race_velocity.r - get(at.r_dot),
-                race_velocity.t - r * get(at.theta_dot)};
-    const Vec omega{get(at.omega_x), get(at.omega_r), get(at.omega_theta)};
+    Vec w{race_velocity.x - get(at.x_dot), race_velocity.r - get(at.r_dot),
+          race_velocity.t - r * get(at.theta_dot)};
+    Vec omega{get(at.omega_x), get(at.omega_r), get(at.omega_theta)};
+    if (in.tilts) {  // across k: W_k below is not touched
+      const Vec tilt = to_azimuth(in.tilt, s, c);
+      w = {w.x + (tilt.r * d.t - tilt.t * d.r), w.r + (tilt.t * d.x - tilt.x * d.t),
+           w.t + (tilt.x * d.r - tilt.r * d.x)};
+      omega = {omega.x - tilt.x, omega.r - tilt.r, omega.t - tilt.t};
+    }
     const V W_k = in.speed - dot(omega, k), W_e = -dot(omega, e);
     Ellipse ellipse;
     ellipse.load = load;

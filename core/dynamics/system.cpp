@@ -125,9 +125,11 @@ RhsStatus System::rhs_with_shares(double t, const double* y, double* dydt,
 
 bool System::has_stiff_part() const noexcept { return impl_->stiff != nullptr; }
 
-RhsStatus System::rhs_stiff(double, const double* y, double* dydt) noexcept {
+RhsStatus System::rhs_stiff(double t, const double* y, double* dydt) noexcept {
   Impl& s = *impl_;
   if (s.stiff == nullptr) return RhsStatus::Fail;
+  s.e.t = t;
+  for (std::size_t k = 0; k < s.prescribed_blocks; ++k) s.parts.blocks[k].block->apply(s.e);
   return s.stiff->stiff_part(s.e, y, dydt, s.parts.layout.size()) ? RhsStatus::Ok
                                                                   : RhsStatus::Retry;
 }

@@ -37,6 +37,7 @@ struct System::Impl final : BetweenSteps {
   std::vector<Integral> integrals;
   std::vector<EnergyItem> energy_items;
   std::vector<MomentumItem> momentum_items;
+  std::size_t prescribed_blocks = 0;       ///< the first of parts.blocks
   SceneEffect* stiff = nullptr;            ///< the effect with the fast part; null: there is none
   int border_first = 0, border_count = 0;  ///< components of the border
   /// Forces and moments on the elements before a block that meets the border.

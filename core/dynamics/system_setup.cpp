@@ -30,15 +30,16 @@ System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
     : bearing(bearing_), e(static_cast<std::size_t>(bearing_.balls.count)) {
   SceneBuilder scene(bearing, plan, statics, fixed_angle, options, e, parts);
   const auto take = [&](std::unique_ptr<SceneEffect> effect) {
-    if (effect == nullptr) return;
-    effect->declare(scene);
-    parts.effects.push_back(std::move(effect));
+    if (effect != nullptr) parts.effects.push_back(std::move(effect));
   };
   for (const CatalogueLine& line : effect_catalogue()) take(line.make(plan));
   for (const EffectMaker& make : more_effects) take(make(plan));
+  for (const auto& effect : parts.effects) effect->declare(scene);
   std::stable_sort(
       parts.blocks.begin(), parts.blocks.end(),
       [](const Assembly::Block& a, const Assembly::Block& b) { return a.phase < b.phase; });
+  for (const Assembly::Block& block : parts.blocks)
+    if (block.phase == Phase::Prescribed) ++prescribed_blocks;
   for (const auto& effect : parts.effects)
     if (effect->has_stiff_part()) {
       demand(stiff == nullptr, "one effect of a scene may have a stiff part");

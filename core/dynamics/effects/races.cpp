@@ -59,6 +59,22 @@ void RaceBlock::apply(Evaluation& e) noexcept {
   for (const double Q : e.load[j]) e.valid = e.valid && !(Q > load_limit_);
 }
 
+/// The motion that other prescribed motions add to.
+class RaceSpin final : public EffectBlock {
+ public:
+  explicit RaceSpin(const std::array<RaceMotion, 2>& motion) : motion_(motion) {}
+  void apply(Evaluation& e) noexcept override {
+    for (std::size_t j = 0; j < 2; ++j) {
+      RaceMotion& race = e.race[j].motion;
+      race = motion_[j];
+      race.angle = race.speed * e.t;
+    }
+  }
+
+ private:
+  const std::array<RaceMotion, 2>& motion_;
+};
+
 class RacePower final : public EffectBlock {
  public:
   explicit RacePower(std::array<RaceAccount, 2>& account) : account_(account) {}
@@ -77,9 +93,9 @@ void Races::set_up(const SceneBuilder& scene) {
   const tribology::EllipseRule rule =
       tribology::make_split_ellipse_rule(scene.options.ellipse_major, scene.options.ellipse_minor);
   const auto& misalignment = scene.bearing.constraints.outer_misalignment;
-  attitude_[0] = quaternion_from_angles({0.0, misalignment[0], misalignment[1]});
-  attitude_[1] =
-      quaternion_from_angles({0.0, scene.statics.displacement[3], scene.statics.displacement[4]});
+  const auto& displacement = scene.statics.displacement;
+  motion_[0].attitude = quaternion_from_angles({0.0, misalignment[0], misalignment[1]});
+  motion_[1].attitude = quaternion_from_angles({0.0, displacement[3], displacement[4]});
   for (std::size_t j = 0; j < 2; ++j) {
     RaceContactModel& model = contacts_[j];
     model.race = static_cast<bearing::Race>(j);
@@ -95,24 +111,24 @@ void Races::set_up(const SceneBuilder& scene) {
     model.surface = scene.options.surface;
     model.rule = rule;
     free_centre_[j] = Vec3(groove.centre_x[j], 0.0, 0.0);
-    RaceMotion& motion = scene.e.race[j].motion;
+    RaceMotion& motion = motion_[j];
     motion.centre = free_centre_[j];
-    motion.axis = rotation_matrix(attitude_[j]).col(0);
+    motion.axis = rotation_matrix(motion.attitude).col(0);
     motion.speed = scene.bearing.speed[j];
   }
-  scene.e.race[1].motion.centre += Vec3(
-      scene.statics.displacement[0], scene.statics.displacement[1], scene.statics.displacement[2]);
+  motion_[1].centre += Vec3(displacement[0], displacement[1], displacement[2]);
 }
 
 void Races::declare(SceneBuilder& scene) {
   set_up(scene);
-  speed_ = scene.bearing.speed;
+  for (std::size_t j = 0; j < 2; ++j) scene.e.race[j].motion = motion_[j];
+  scene.block<RaceSpin>(Phase::Prescribed, kMotionCost, false, motion_);
   temperature_ = scene.bearing.race_temperature;
   const ScenePlan& plan = scene.plan;
   in_contact_ = plan.has(Effect::RaceContact);
   const bool traction = plan.has(Effect::RaceTraction), wear = plan.has(Effect::WearIntegrals);
   // Without friction a body of revolution that only spins about its axis exerts no power.
-  const bool work = traction || plan.has(Effect::LandTraction);
+  const bool work = traction || plan.has(Effect::LandTraction) || scene.races_move();
   const std::array<std::string, 2> names{"outer race", "inner race"};
   for (std::size_t j = 0; j < 2; ++j) {
     const std::string& name = names[j];
@@ -151,15 +167,18 @@ std::string Races::why_invalid(const Evaluation& e) const {
 }
 
 void Races::report(const Evaluation& e, Snapshot& snapshot) const {
-  snapshot.shaft_rotation = (speed_[1] - speed_[0]) * e.t;
+  snapshot.shaft_rotation = e.race[1].motion.angle - e.race[0].motion.angle;
   for (std::size_t j = 0; j < 2; ++j) {
     const RaceState& state = e.race[j];
+    const RaceMotion& motion = state.motion;
     RaceSnapshot& race = snapshot.races[j];
-    race.position = state.motion.centre - free_centre_[j];
-    race.velocity = state.motion.velocity;
-    race.total_rotation = state.motion.speed * e.t;
-    race.orientation = multiply(attitude_[j], quaternion_about(Vec3::UnitX(), race.total_rotation));
-    race.omega = state.motion.speed * state.motion.axis;
+    race.position = motion.centre - free_centre_[j];
+    race.velocity = motion.velocity;
+    race.acceleration = motion.acceleration;
+    race.total_rotation = motion.angle;
+    race.orientation = multiply(motion.attitude, quaternion_about(Vec3::UnitX(), motion.angle));
+    race.omega = motion.speed * motion.axis;
+    if (!motion.tilt.isZero(0.0)) race.omega += motion.tilt;  // else zeros keep their signs
     race.applied_force = -state.force;
     race.applied_moment = -state.moment;
     snapshot.power.qv_race[j] = integral_at(e, load_slip_[j]);
@@ -167,7 +186,7 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
     if (!in_contact_) continue;
     for (std::size_t i = 0; i < e.balls.n; ++i) {
       RaceContactSnapshot& contact = snapshot.elements[i].race[j];
-      contact = race_contact_detail(contacts_[j], e.balls, i, state.motion);
+      contact = race_contact_detail(contacts_[j], e.balls, i, motion);
       contact.contact_temperature = temperature_[j] + contact.temperature_rise;
     }
   }

@@ -37,9 +37,9 @@ class Races final : public SceneEffect {
   void set_up(const SceneBuilder& scene);
 
   std::array<RaceContactModel, 2> contacts_;
-  std::array<Vec3, 2> free_centre_;  ///< free positions of the race centres [m]
-  std::array<Quat, 2> attitude_{};   ///< race frame without its spin -> base
-  std::array<double, 2> speed_{}, temperature_{};
+  std::array<Vec3, 2> free_centre_;   ///< free positions of the race centres [m]
+  std::array<RaceMotion, 2> motion_;  ///< at t = 0: they stand still but for their spin
+  std::array<double, 2> temperature_{};
   bool in_contact_ = false;
   std::optional<NormalContacts> normal_;  ///< with race contact
   std::array<RaceAccount, 2> account_;

@@ -36,12 +36,13 @@ ThrustScene scene_of(const char* id, std::size_t n, double spread = 1.0, bool sp
   return test::thrust_scene(id, n, rule, spread);
 }
 
-/// A race pushed off its place and tilted, turning and moving.
+/// A race pushed off its place and tilted, turning, moving and tilting on.
 RaceMotion tilted(const RaceMotion& race) {
   RaceMotion moved = race;
   moved.centre += Vec3(1e-6, 2e-6, -3e-6);
   moved.axis = Vec3(1.0, 3e-5, -2e-5).normalized();
   moved.velocity = Vec3(2e-3, -1e-3, 3e-3);
+  moved.tilt = moved.axis.cross(Vec3(0.0, 4.0, -7.0));  // 0.3 m/s at the contacts
   return moved;
 }
 
@@ -168,7 +169,7 @@ TEST_CASE("race contacts: traction takes exactly as much power as it heats", "[p
             dynamics::evaluate_race_contacts(set, smooth, scene.arrays(), race, without.forces());
         CHECK(normal.heat == 0.0);
         double power = (all.force - normal.force).dot(race.velocity) +
-                       (all.moment - normal.moment).dot(race.speed * race.axis);
+                       (all.moment - normal.moment).dot(race.speed * race.axis + race.tilt);
         double gross = std::abs(power);
         for (std::size_t i = 0; i < 18; ++i) {
           const double velocity[6] = {
@@ -254,6 +255,7 @@ TEST_CASE("race contacts: turning the whole scene about x turns the race loads",
     turned.centre = rotation * race.centre;
     turned.axis = rotation * race.axis;
     turned.velocity = rotation * race.velocity;
+    turned.tilt = rotation * race.tilt;
     ThrustScene rotated = scene;
     for (std::size_t i = 0; i < 18; ++i) {
       const double theta = std::atan2(scene.ball[2][i], scene.ball[3][i]) + turn;
