@@ -235,7 +235,7 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
     given(static_cast<Eigen::Index>(k)) = bearing.constraints.displacement[k];
   }
   const RaceScales scales = race_scales(model);
-  model.load_floor = std::max(1e-13 * force_scale(scales, task, 0.0), 1e-12);
+  set_load_floors(model, force_scale(scales, task, 0.0));
 
   const Vec5 start = options.start        ? start_displacement(model, *options.start, task, given)
                      : options.warm_start ? given
