@@ -13,6 +13,7 @@
 
 using namespace adore;
 using statics::RollerSolution;
+using statics::solve_roller_statics;
 
 namespace {
 
@@ -22,9 +23,10 @@ constexpr std::array<const char*, 7> kExamples{
     "cylindrical-nu209", "spherical-22210", "tapered-30208"};
 
 bearing::Bearing example(const std::string& name) {
-  const deck::ReadResult read =
-      deck::read_deck(ADORE_SOURCE_DIR "/resources/decks/" + name + ".txt");
+  deck::ReadResult read = deck::read_deck(ADORE_SOURCE_DIR "/resources/decks/" + name + ".txt");
   REQUIRE(read.ok());
+  read.deck.set("mode", "-1");
+  read.deck.complete();
   return thermal::operating_bearing(build::build_bearing(read.deck, 1));
 }
 
