@@ -337,11 +337,19 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kSuffixe
      {"_s", "s"}}};
 
 /// Key results whose names are short.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 6> kNames{
-    {{"life_lp", "Original Lundberg-Palmgren"},
-     {"life_lpu", "Updated Lundberg-Palmgren"},
+constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kNames{
+    {{"life_lp", "Life, original Lundberg-Palmgren"},
+     {"life_lp_stle", "Life, original Lundberg-Palmgren with STLE factors"},
+     {"life_lp_tallian", "Life, original Lundberg-Palmgren with Tallian-type factors"},
+     {"life_lpu", "Life, updated Lundberg-Palmgren"},
+     {"life_lpu_stle", "Life, updated Lundberg-Palmgren with STLE factors"},
+     {"life_lpu_tallian", "Life, updated Lundberg-Palmgren with Tallian-type factors"},
      {"life_gz", "Life, Gupta-Zaretsky type"},
+     {"life_gz_stle", "Life, Gupta-Zaretsky type with STLE factors"},
+     {"life_gz_tallian", "Life, Gupta-Zaretsky type with Tallian-type factors"},
      {"life_ih", "Life, Ioannides-Harris type"},
+     {"life_ih_stle", "Life, Ioannides-Harris type with STLE factors"},
+     {"life_ih_tallian", "Life, Ioannides-Harris type with Tallian-type factors"},
      {"life_stored", "Life, model of the plot files"},
      {"run_life", "Life by the loads of the run"}}};
 

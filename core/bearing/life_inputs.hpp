@@ -45,8 +45,9 @@ enum class LifeModification : unsigned char { None, Stle, Tallian };
 
 /// Run options of the life models: what no record holds.
 struct LifeChoices {
-  LifeModel stored_model = LifeModel::Zaretsky;  ///< the life that SOL7 stores
-  LifeModification stored_modification = LifeModification::Stle;
+  /// The life that SOL7, terminal and sweeps show (decision 145).
+  LifeModel stored_model = LifeModel::Original;
+  LifeModification stored_modification = LifeModification::None;
   ElementLife elements = ElementLife::Zaretsky;
   bool shared_track = false;  ///< both races stress the same volume of a rolling element
   LimitForm limit_form = LimitForm::Peak;

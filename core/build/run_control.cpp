@@ -132,9 +132,11 @@ void add_life_options(std::vector<Option>& table) {
     table.push_back({{name, value, meaning},
                      [set](RunOptions& o, std::string_view v) { return set(o.life, v); }});
   };
-  add("sol7Life", "gz-stle",
-      "the life that SOL7 stores: lp, lpu, gz or ih (original and updated Lundberg-Palmgren, "
-      "Gupta-Zaretsky, Ioannides-Harris), alone or with -stle or -tallian",
+  add("sol7Life", "lp",
+      "the life that SOL7 stores and that terminal and sweeps show: lp (original "
+      "Lundberg-Palmgren), or a model that this program calibrated on it, lpu, gz or ih (updated "
+      "Lundberg-Palmgren, Gupta-Zaretsky, Ioannides-Harris); alone or with the factors -stle or "
+      "-tallian",
       parse_stored_life);
   add("lifeElements", "gz",
       "rolling elements in the life of the bearing: gz (in Gupta-Zaretsky only, not when "

@@ -10,7 +10,7 @@ NormalContacts::NormalContacts(const std::array<RaceContactModel, 2>& contacts,
     : contacts_(contacts), s_(slices), per_mass_(1.0 / mass) {
   for (std::size_t j = 0; j < 2; ++j) {
     contacts_[j].traction = false;
-    load_limit_[j] = contact::hertz_load(contacts[j].hertz.K, contacts[j].groove.ball_radius);
+    load_limit_[j] = load_limit(contacts[j]);
   }
   for (auto* array : {&sin_, &cos_, &F_x_, &F_r_, &F_theta_, &M_, &load_, &heat_})
     array->assign(static_cast<std::size_t>(slices.x.count), 0.0);

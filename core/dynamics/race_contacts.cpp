@@ -128,6 +128,11 @@ RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const B
 
 }  // namespace
 
+double load_limit(const RaceContactModel& model) noexcept {
+  const double radius = model.groove.ball_radius, wide = radius / model.hertz.a_hat;
+  return std::min(contact::hertz_load(model.hertz.K, radius), wide * wide * wide);
+}
+
 RaceSums evaluate_race_contacts(const RaceContactModel& model, const BallArrays& balls,
                                 const RaceMotion& race, const BallForces& out) noexcept {
   static const RaceKernel kernel = kernel_of(chosen_instruction_set());

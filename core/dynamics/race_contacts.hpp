@@ -20,8 +20,8 @@
 ///   about its centre on the race:  -Σ F,  about P_j: -Σ (d × F + M)
 /// Source: tests/reference/dynamics_README.md ("Ball/race contact geometry", "Traction"). The
 /// traction power on ball and race together is -heat identically (also for the quadrature rule).
-/// Limits: r_ball > a; ball centre off the race axis. At zero contact angle c is -e_x on the outer
-/// race and +e_x on the inner.
+/// Limits: r_ball > a (load_limit); ball centre off the race axis. At zero contact angle c is -e_x
+/// on the outer race and +e_x on the inner.
 namespace adore::dynamics {
 
 /// States of n balls; each pointer addresses n values. Azimuth unit vectors e_r = (0,-s,c), e_θ =
@@ -59,6 +59,10 @@ struct RaceContactModel {
   tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;
   tribology::EllipseRule rule;  ///< fixed quadrature rule of the run (make_ellipse_rule)
 };
+
+/// Load up to which a contact can be one [N]: there the ball lies in the race by its own radius, or
+/// half the major axis is as long as that.
+[[nodiscard]] double load_limit(const RaceContactModel& model) noexcept;
 
 /// Results, n values each; forces and moments are ADDED to what is there.
 struct BallForces {

@@ -13,8 +13,10 @@
 #include "facade/static_plan.hpp"
 #include "facade/stiffness.hpp"
 #include "life/contact_strength.hpp"
+#include "results/ball_warnings.hpp"
 #include "results/growing_file.hpp"
 #include "thermal/operating.hpp"
+#include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
 
@@ -52,6 +54,14 @@ Issue remark(Severity severity, const std::string& file, const std::string& text
   issue.file = file;
   issue.message = text;
   return issue;
+}
+
+/// The most that friction between ball and race can carry, over the load; empty where no traction
+/// law of the deck says so.
+std::optional<double> available_friction(const deck::Deck& deck, const bearing::Bearing& bearing) {
+  const double largest = tribology::largest_traction(bearing.race_traction);
+  if (!deck.has("kTracType") || !(largest > 0.0)) return std::nullopt;
+  return largest;
 }
 
 /// Seconds that an action takes.
@@ -148,6 +158,9 @@ Prepared prepare_model(LoadedDeck input) {
   }
   out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
   judge(life::contact_strength(out.bearing, out.statics));
+  for (const std::string& text : results::ball_warnings(
+           out.bearing, out.statics, available_friction(deck, out.bearing), deck.units()))
+    out.input.warnings.push_back(remark(Severity::Warning, out.input.path.string(), text));
   if (out.control.dynamic) {
     out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls.contact_angle);
     statics::StaticsOptions frozen;

@@ -78,21 +78,25 @@ void take_state(const results::FinalState& from, const dynamics::System& system,
 
 using KeyResults = std::vector<std::pair<std::string, double>>;
 
-/// Life of the bearing by every model, and as SOL7 stores it [hr].
+/// Life of the bearing by the original theory, and by the model that run option sol7Life asks for
+/// if that is another one [hr]: life_lp_hours, life_gz_stle_hours.
 void add_lives(KeyResults& out, const life::BearingLife& life) {
   using bearing::LifeModel;
   using bearing::LifeModification;
-  const auto hours = [&](LifeModel model, LifeModification modification) {
-    return life::life_hours(life.state.of(model, modification).L_S, life.state.relative_speed);
+  static constexpr std::array<const char*, life::kModels> kModels{"lp", "lpu", "gz", "ih"};
+  static constexpr std::array<const char*, life::kModifications> kModifications{"", "_stle",
+                                                                                "_tallian"};
+  const auto add = [&](LifeModel model, LifeModification modification) {
+    out.emplace_back(
+        fmt::format("life_{}{}_hours", kModels[static_cast<std::size_t>(model)],
+                    kModifications[static_cast<std::size_t>(modification)]),
+        life::life_hours(life.state.of(model, modification).L_S, life.state.relative_speed));
   };
-  constexpr std::pair<const char*, LifeModel> kModels[] = {{"life_lp_hours", LifeModel::Original},
-                                                           {"life_lpu_hours", LifeModel::Updated},
-                                                           {"life_gz_hours", LifeModel::Zaretsky},
-                                                           {"life_ih_hours", LifeModel::Harris}};
-  for (const auto& [name, model] : kModels)
-    out.emplace_back(name, hours(model, LifeModification::None));
+  add(LifeModel::Original, LifeModification::None);
   const bearing::LifeChoices& choices = life.parameters.choices;
-  out.emplace_back("life_stored_hours", hours(choices.stored_model, choices.stored_modification));
+  if (choices.stored_model != LifeModel::Original ||
+      choices.stored_modification != LifeModification::None)
+    add(choices.stored_model, choices.stored_modification);
 }
 
 double largest_pressure(const Prepared& prepared) {

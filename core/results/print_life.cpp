@@ -74,6 +74,9 @@ void lives(Report& report, const BearingLife& life) {
                      {"origin", 12}},
                     rows);
   report.blank();
+  const bearing::LifeChoices& choices = life.parameters.choices;
+  report.item("SOL7, terminal and sweeps show (sol7Life)",
+              life_name(choices.stored_model, choices.stored_modification));
   report.item("Survival probability asked for", marked(life.parameters.survival));
   report.item("Weibull slope of the bearing", marked(life.parameters.bearing_slope));
   report.text(

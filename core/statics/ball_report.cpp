@@ -1,5 +1,6 @@
 #include "statics/ball_report.hpp"
 
+#include "base/errors.hpp"
 #include "statics/race_text.hpp"
 
 #include <Eigen/LU>
@@ -135,6 +136,13 @@ void report_speeds(const BallModel& m, const BallSite& site, const BallForces<do
   s.spin_speed = std::copysign(std::hypot(speeds(1) - speeds(0), speeds(2)), f.spin);
 }
 
+/// Share of the load of a Hertz ellipse beyond ξ = x/a on its major axis: the pressure
+/// sqrt(1 - ξ² - η²), integrated over η, leaves ¾ (1 - ξ²) per ξ.
+double load_beyond(double xi) {
+  const double s = std::clamp(xi, -1.0, 1.0);
+  return 0.25 * (2.0 - 3.0 * s + s * s * s);
+}
+
 /// N94: far edge against the shoulder, near edge against the groove-centre plane.
 void report_edges(const BallModel& m, const BallSeat& seat, std::size_t j, StaticBall& s) {
   const double radius = seat.groove.groove_radius[j];
@@ -145,9 +153,29 @@ void report_edges(const BallModel& m, const BallSeat& seat, std::size_t j, Stati
   s.shoulder_depth[j] = kNone;
   if (shoulder > 0.0) {
     const double sign = j == 0 ? 1.0 : -1.0;
-    s.shoulder_depth[j] =
-        radius * std::cos(alpha + half_angle) + sign * (seat.groove.centre_radius[j] - shoulder);
+    const double below = sign * (seat.groove.centre_radius[j] - shoulder);
+    s.shoulder_depth[j] = radius * std::cos(alpha + half_angle) + below;
+    if (s.shoulder_depth[j] < 0.0) {
+      const double edge = std::acos(std::clamp(-below / radius, -1.0, 1.0));
+      s.beyond[j] = s.Q[j] * load_beyond((edge - alpha) / half_angle);
+    }
   }
+}
+
+/// The contact surface, an arc through the ends of the ellipse, needs a ball that is longer than
+/// these.
+void check_ellipse(const BallSeat& seat, std::size_t j, const StaticBall& s) {
+  const double radius = seat.groove.ball_radius;
+  if (s.a[j] < radius) {
+    return;
+  }
+  throw SolverError(fmt::format(
+      "bearing equilibrium: a contact of {:.6g} N with the {} race makes an ellipse whose half "
+      "length of {:.4g} m reaches the ball radius of {:.4g} m, because the groove fits the ball so "
+      "closely (groove factor {:.6g}, pressure only {:.3g} Pa): Hertz's theory, and every contact "
+      "surface, ends before that. Give a larger groove factor or less load",
+      s.Q[j], kRaceName[j], s.a[j], radius, seat.groove.groove_radius[j] / (2.0 * radius),
+      s.p_max[j]));
 }
 
 /// Gap between the ball and the other half of a split race. A shim g ground off shifts the arcs of
@@ -239,6 +267,7 @@ StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const
     s.alpha[j] = loaded ? alpha : kNone;
     s.delta[j] = c.approach;
     s.spin_roll[j] = kNone;
+    s.friction[j] = loaded ? std::abs(c.friction) / c.load : kNone;
     s.shoulder_depth[j] = kNone;
     s.inner_chord[j] = kNone;
     s.other_half[j] = kNone;
@@ -252,6 +281,7 @@ StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const
     s.a[j] = hertz.a_hat * cube_root;
     s.b[j] = hertz.b_hat * cube_root;
     s.p_max[j] = 1.5 * c.load / (std::numbers::pi * s.a[j] * s.b[j]);
+    check_ellipse(seat, j, s);
     capacity[j] = c.load * s.a[j] * hertz.E_integral;
     report_edges(m, seat, j, s);
     s.other_half[j] = gap_to_other_half(m, seat, j, f.position[j]);
@@ -307,13 +337,6 @@ std::vector<std::string> report_notes(const BallModel& m, const std::vector<Stat
                     number_list(steep, "ball")));
   }
   for (std::size_t j = 0; j < 2; ++j) {
-    const auto over =
-        balls_that(balls, [&](const StaticBall& b) { return b.shoulder_depth[j] < 0.0; });
-    if (!over.empty()) {
-      notes.push_back(
-          fmt::format("{}: the contact ellipse reaches over the shoulder of the {} race",
-                      number_list(over, "ball"), kRaceName[j]));
-    }
     note_split_race(m, j, balls, notes);
   }
   return notes;

@@ -71,6 +71,10 @@ struct StaticBall {
   std::array<double, 2> other_half{};  ///< per split race: gap between the ball and the half that
                                        ///< its contact is not on [m], < 0: it touches both;
                                        ///< NaN: not split, or unloaded
+  std::array<double, 2> beyond{};      ///< part of Q whose place of the ellipse lies over the
+                                       ///< shoulder, which the solution counts all the same [N]
+  std::array<double, 2> friction{};    ///< coefficient of friction that the race must have to hold
+                                       ///< the ball against its gyroscopic moment; NaN unloaded
   std::array<double, 2> K{};           ///< Hertz constants in use [N m^-1.5]
   double orbital_speed = 0.0;          ///< ω_m [rad/s]
   double omega_x = 0.0, omega_r = 0.0,

@@ -356,39 +356,63 @@ Eigen::Vector3d unscaled(const RollerModel& m, Eigen::Vector3d step) {
   return step;
 }
 
-/// Newton step; where the stiffness is singular, unloaded modes stay and loaded ones walk.
-Eigen::Vector3d roller_step(const RollerModel& m, const Scaled& s, double k_ref, double nothing) {
+/// Newton step. A contact with load Q is held along its normal by some Q/δ, but across it only by Q
+/// over its radii: for light contacts that is 1e-8 of the former and less, and along a valley of
+/// the potential that is as curved as the groove. Such weak modes, and those that nothing holds,
+/// move only where their load is more than RollerModel::weak_floor, and only once the others are in
+/// balance; without stiffness they walk along the load.
+struct Step {
+  Eigen::Vector3d step = Eigen::Vector3d::Zero();
+  bool balanced = false;  ///< but for the modes that stay
+};
+Step roller_step(const RollerModel& m, const Scaled& s, double k_ref, double rounding) {
+  constexpr double kWeak = 1e-6;
+  Step out;
   const Eigen::Matrix3d K = 0.5 * (s.stiffness + s.stiffness.transpose());
   const double d0 = K(0, 0);
   const double d1 = K(0, 0) * K(1, 1) - K(0, 1) * K(0, 1);
   const double det = K.determinant();
   const double small = 1e-7 * k_ref;
   if (d0 > small && d1 > small * d0 && det > small * d1) {
-    return s.stiffness.partialPivLu().solve(s.force);
+    out.step = s.stiffness.partialPivLu().solve(s.force);
+    return out;
   }
   const double across = K(1, 1) * K(2, 2) - K(1, 2) * K(1, 2);
   if (K.col(0).isZero(0.0) && s.force(0) == 0.0 && K(1, 1) > small && across > small * K(1, 1)) {
     const Eigen::Matrix2d rest = s.stiffness.bottomRightCorner<2, 2>();
-    const Eigen::Vector2d step = rest.partialPivLu().solve(s.force.tail<2>());
-    return {0.0, step(0), step(1)};
+    out.step.tail<2>() = rest.partialPivLu().solve(s.force.tail<2>());
+    return out;
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(K);
-  Eigen::Vector3d step = Eigen::Vector3d::Zero();
-  Eigen::Vector3d unresisted = Eigen::Vector3d::Zero();
+  const double stiffest = eigen.eigenvalues().cwiseAbs().maxCoeff();
+  if (!(stiffest > 1e-9 * k_ref)) {  // touches nothing: walks until it does, without turning
+    const double load = s.force.head<2>().norm();
+    if (load > rounding) {
+      out.step.head<2>() = s.force.head<2>() * (m.longest_step / load);
+    }
+    out.balanced = !(load > rounding);
+    return out;
+  }
+  Eigen::Vector3d weak = Eigen::Vector3d::Zero();
+  double load_of_rest = 0.0, load_of_weak = 0.0;
   for (Eigen::Index k = 0; k < 3; ++k) {
     const Eigen::Vector3d mode = eigen.eigenvectors().col(k);
     const double load = mode.dot(s.force);
     const double stiffness = std::abs(eigen.eigenvalues()(k));
-    if (stiffness > 1e-9 * k_ref) {
-      step += mode * (load / stiffness);
-    } else if (std::abs(load) > nothing) {
-      unresisted += mode * load;
+    if (stiffness > kWeak * stiffest) {
+      out.step += mode * (load / stiffness);
+      load_of_rest = std::hypot(load_of_rest, load);
+    } else if (std::abs(load) > m.weak_floor) {
+      weak += mode * (load / std::max(stiffness, 1e-13 * stiffest));
+      load_of_weak = std::hypot(load_of_weak, load);
     }
   }
-  if (unresisted.squaredNorm() > 0.0) {
-    step += unresisted * (m.longest_step / unresisted.norm());
+  out.balanced = load_of_weak == 0.0 && load_of_rest <= rounding;
+  if (load_of_rest <= 10.0 * load_of_weak) {
+    const double length = weak.norm();
+    out.step += length > m.longest_step ? weak * (m.longest_step / length) : weak;
   }
-  return step;
+  return out;
 }
 
 /// In the middle between both races.
@@ -428,7 +452,8 @@ Eigen::Vector3d first_place(const RollerModel& m, const RollerState& state, cons
     RollerState seated = state;
     seated.e = {0.0, 0.0, -(m.outer_tilt[0] * state.cos + m.outer_tilt[1] * state.sin)};
     const double missing = line_approach(m, m.centrifugal) - penetration(m, seated, 0, q);
-    seated.e(1) = missing / std::cos(m.rollers.race_angle[0]);
+    seated.e(0) = missing * std::sin(m.rollers.race_angle[0]);
+    seated.e(1) = missing * std::cos(m.rollers.race_angle[0]);
     if (penetration(m, seated, 1, q) <= 0.0) {
       return seated.e;
     }
@@ -464,11 +489,15 @@ bool newton(const RollerModel& m, const Races<PlaceDual>& races, double accuracy
     const double k_ref = reference_stiffness(m, std::max(contacts.total, nothing));
     // Rounding of positions of the size of the pitch radius, through the stiffness.
     const double noise = 2e-16 * m.rollers.pitch_diameter * now.stiffness.diagonal().maxCoeff();
-    if (size <= std::max({nothing, noise, 1e-15 * contacts.total})) {
+    const double rounding = std::max({nothing, noise, 1e-15 * contacts.total});
+    if (size <= rounding) {
       return true;
     }
-    Eigen::Vector3d step = roller_step(m, now, k_ref, nothing);
+    auto [step, balanced] = roller_step(m, now, k_ref, rounding);
     const double length = step.norm();
+    if (balanced) {
+      return true;
+    }
     if (!std::isfinite(length) || length == 0.0) {
       return false;
     }

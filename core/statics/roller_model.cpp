@@ -190,6 +190,15 @@ RollerModel make_roller_model(const bearing::Bearing& b, const RollerOptions& op
   return m;
 }
 
+void set_load_floors(RollerModel& m, double bearing_load) {
+  const double position = 4e-16 * m.rollers.pitch_diameter;
+  const double rounding = m.line_stiffness * std::pow(position, 10.0 / 9.0);
+  m.load_floor = std::max(1e-13 * bearing_load, rounding);
+  const bool guided = m.guide[0] != 0.0 || m.guide[1] != 0.0;
+  m.weak_floor = guided ? std::numeric_limits<double>::infinity()
+                        : std::max(1e-9 * bearing_load, m.load_floor);
+}
+
 double line_approach(const RollerModel& m, double load) {
   return std::pow(std::abs(load) / m.line_stiffness, 0.9);
 }

@@ -50,6 +50,9 @@ struct RollerModel {
   double lever = 0.0;           ///< of a roller's tilt [m/rad]
   double longest_step = 0.0;    ///< of one Newton step [m]
   double load_floor = 0.0;      ///< forces below are nothing [N]
+  double weak_floor = 0.0;      ///< the same along modes that are held by the curvature of a light
+                                ///< contact only (roller_equilibrium.cpp); infinite where the guide
+                                ///< force holds the roller [N]
 
   [[nodiscard]] const RollerBody& body(std::size_t k) const {
     return bodies[bodies.size() == 1 ? 0 : k];
@@ -65,6 +68,11 @@ struct RollerModel {
 /// @throws InputError naming the value that makes no bearing.
 [[nodiscard]] RollerModel make_roller_model(const bearing::Bearing& bearing,
                                             const RollerOptions& options);
+
+/// Fills load_floor and weak_floor: a roller need not be balanced better than to 1e-13 of the load
+/// on the bearing, and cannot be where a step of its position in floating point changes the force
+/// by more. Weak modes: 1e-9 of the load.
+void set_load_floors(RollerModel& model, double bearing_load);
 
 /// Penetration of one roller between both races as a power of the load: δ = (Q/(K L^(8/9)))^0.9.
 [[nodiscard]] double line_approach(const RollerModel& model, double load);

@@ -186,14 +186,18 @@ UnstableMode unstable_at(const RollerModel& m, const RaceTask& task, const Rolle
                     "moved to x = {:.4g} m, y = {:.4g} m, z = {:.4g} m{}",
                     loads, state.q(0), state.q(1), state.q(2), why));
   }
-  if (solve.ran_away && tilt * race_scales(m).lever > 0.5 * race_scales(m).reach) {
+  const bool barrels = m.rollers.shape == bearing::RollerShape::Arc;
+  const bool may_tilt = !task.given[3] || !task.given[4];
+  const double far = 0.5 * race_scales(m).reach;
+  if ((solve.ran_away && tilt * race_scales(m).lever > far) ||
+      (barrels && may_tilt && tilt * race_scales(m).lever > 0.1 * far)) {
     throw SolverError(fmt::format(
         "bearing equilibrium: nothing stops the inner race from tilting under {}; it had tilted by "
         "{:.3g} rad (about y {:.3g}, about z {:.3g}) when the rollers could not follow any "
         "more{}. Prescribe the tilts about y and z (kFS4 = kFS5 = 1), or let the load pass through "
         "the point about which the bearing swivels",
         loads, tilt, state.q(3), state.q(4),
-        m.rollers.shape == bearing::RollerShape::Arc
+        barrels
             ? ": barrels in a groove that is nearly a sphere let the race swivel about its centre"
             : ""));
   }
@@ -235,7 +239,7 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
     given(static_cast<Eigen::Index>(k)) = bearing.constraints.displacement[k];
   }
   const RaceScales scales = race_scales(model);
-  model.load_floor = std::max(1e-13 * force_scale(scales, task, 0.0), 1e-12);
+  set_load_floors(model, force_scale(scales, task, 0.0));
 
   const Vec5 start = options.start        ? start_displacement(model, *options.start, task, given)
                      : options.warm_start ? given

@@ -191,6 +191,17 @@ double regularisation_slip(const TractionCurve& curve) noexcept {
   return std::abs(at_rest) > kZeroCoefficient ? kRegularisationSlip : 0.0;
 }
 
+double largest_traction(const TractionCurve& curve) noexcept {
+  double largest =
+      std::max(traction_coefficient(curve, 0.0), traction_coefficient(curve, kLargestSlip));
+  double turn = curve.u0;
+  if (curve.form == TractionCurve::Form::Exponential)
+    turn = curve.B != 0.0 && curve.C > 0.0 ? 1.0 / curve.C - curve.A / curve.B : 0.0;
+  if (turn > 0.0 && turn < kLargestSlip)
+    largest = std::max(largest, traction_coefficient(curve, turn));
+  return largest;
+}
+
 double slip_floor(const TractionCurve& curve) noexcept {
   const double epsilon = regularisation_slip(curve);
   return epsilon > 0.0 ? epsilon * epsilon : 1e-24;

@@ -54,4 +54,7 @@ inline constexpr double kRegularisationSlip = 1e-5;
 /// it.
 inline constexpr double kLargestSlip = 100.0;
 
+/// Largest κ over 0 <= u <= kLargestSlip: the most that friction can carry, over the load.
+[[nodiscard]] double largest_traction(const bearing::TractionCurve& curve) noexcept;
+
 }  // namespace adore::tribology

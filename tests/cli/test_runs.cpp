@@ -208,22 +208,31 @@ TEST_CASE("a run prints fatigue lives, and SOL7 stores the one that was asked fo
   }
   const json run = json::parse(read(folder / "default" / "RUN.json"));
   const json& models = run.at("life").at("quasi-static").at("lives");
-  // The run starts from the statics that the page shows: the first instant has its life, elements
-  // at their actual spin instead of the formula's.
-  const double page = models.at("Gupta-Zaretsky type").at("STLE").at("L10 [hr]").get<double>();
-  CHECK(stored.front() == Approx(page).epsilon(0.02));
-  CHECK(run.at("life").at("run").at("life [hr]").get<double>() == Approx(page).epsilon(0.2));
+  // The run starts from the statics that the page shows: the first instant has its life.
+  const auto page = [&](const char* model, const char* factors) {
+    return models.at(model).at(factors).at("L10 [hr]").get<double>();
+  };
+  // Races only, of the original theory: no formula of spin in between.
+  const double original = page("Original Lundberg-Palmgren", "basic");
+  CHECK(stored.front() == Approx(original).epsilon(1e-5));
+  CHECK(run.at("life").at("run").at("life [hr]").get<double>() == Approx(original).epsilon(0.2));
+  CHECK(run.at("summary").at("life_lp_hours").get<double>() == Approx(original).epsilon(1e-12));
+  CHECK_FALSE(run.at("summary").contains("life_gz_stle_hours"));
   CHECK(run.at("life").at("run").at("window [rev]").get<double>() == Approx(0.1).epsilon(1e-6));
   const std::string listing = read(folder / "default" / "PRINT.txt");
   for (const char* part : {"FATIGUE LIFE", "CALIBRATED", "Fatigue life of the run",
-                           "no lubricant film is computed", "Fatigue life at the present loads"})
+                           "no lubricant film is computed", "Fatigue life at the present loads",
+                           "SOL7, terminal and sweeps show (sol7Life)"})
     CHECK(contains(listing, part));
   CHECK_FALSE(contains(listing, "no life model is active"));
 
-  // Races only, of the original theory: no formula of spin in between.
-  const double original =
-      models.at("Original Lundberg-Palmgren").at("basic").at("L10 [hr]").get<double>();
-  CHECK(sol7_lives("lp", "--opt sol7Life=lp").front() == Approx(original).epsilon(1e-5));
+  // A model of the program only when chosen; elements at their actual spin, not the formula's.
+  const double chosen = page("Gupta-Zaretsky type", "STLE");
+  CHECK(sol7_lives("gz", "--opt sol7Life=gz-stle").front() == Approx(chosen).epsilon(0.02));
+  const json other = json::parse(read(folder / "gz" / "RUN.json"));
+  CHECK(other.at("summary").at("life_lp_hours").get<double>() == Approx(original).epsilon(1e-12));
+  CHECK(other.at("summary").at("life_gz_stle_hours").get<double>() ==
+        Approx(chosen).epsilon(1e-12));
   // Every contact under the limit.
   for (const double life : sol7_lives(
            "light", "--opt sol7Life=ih --set appLoadX=60.0 --set appLoadZ=0.0 --set rpm2=500.0"))

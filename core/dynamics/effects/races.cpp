@@ -29,10 +29,7 @@ class RaceBlock final : public EffectBlock {
  public:
   /// @param load_slip the wear integrals are wanted
   RaceBlock(const RaceContactModel& model, bool load_slip, RaceAccount& sums)
-      : model_(model),
-        load_slip_(load_slip),
-        load_limit_(contact::hertz_load(model.hertz.K, model.groove.ball_radius)),
-        sums_(sums) {}
+      : model_(model), load_slip_(load_slip), load_limit_(load_limit(model)), sums_(sums) {}
   void apply(Evaluation& e) noexcept override;
 
  private:
@@ -157,12 +154,20 @@ double Races::stiffness(double force) const {
 
 std::string Races::why_invalid(const Evaluation& e) const {
   for (std::size_t j = 0; j < 2; ++j)
-    for (std::size_t i = 0; i < e.balls.n; ++i)
+    for (std::size_t i = 0; i < e.balls.n; ++i) {
       if (e.load[j][i] > contact::hertz_load(contacts_[j].hertz.K, contacts_[j].groove.ball_radius))
         return fmt::format(
             "element {} is pressed into the {} race by more than its own radius; use a "
             "smaller largest step",
             i + 1, j == 0 ? "outer" : "inner");
+      if (e.load[j][i] > load_limit(contacts_[j]))
+        return fmt::format(
+            "a contact of {:.6g} N between element {} and the {} race makes an ellipse whose half "
+            "length reaches the radius of the element ({:.4g} m), because the groove fits it so "
+            "closely: Hertz's theory ends before that. Give a larger groove factor or less load, "
+            "or, where the load is a peak of the run, a smaller largest step",
+            e.load[j][i], i + 1, j == 0 ? "outer" : "inner", contacts_[j].groove.ball_radius);
+    }
   return {};
 }
 
