@@ -179,11 +179,12 @@ void element_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
 /// kCagePocImp: 1 the first pocket, 2 all alike, 3 each its own.
 void pocket_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
   if (!b.cage || !deck.has("bPocClsVar1") || (b.rollers && deck.integer("kPocType") > 0)) return;
-  const std::array<double, 2> given{deck.si("bPocClsVar1"), deck.si("bPocClsVar2")};
+  const bool two = !b.rollers && deck.integer("kPocType") >= 2;  // pockets with clearance II
+  const std::array<double, 2> given{deck.si("bPocClsVar1"), two ? deck.si("bPocClsVar2") : 0.0};
   const long long code = deck.integer("kCagePocImp");
   if (code == 2) {
     b.cage->pocket_clearance_1 += given[0];
-    b.cage->pocket_clearance_2 += b.rollers ? 0.0 : given[1];
+    b.cage->pocket_clearance_2 += given[1];
   } else if (code == 1) {
     b.cage->pocket_deviation = {given};
   } else if (code == 3) {
@@ -191,7 +192,7 @@ void pocket_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
     for (std::size_t k = 0; k < static_cast<std::size_t>(b.element_count()); ++k)
       b.cage->pocket_deviation.push_back(
           {random.at("bPocClsVar1", k, RandomColumn::PocketClearance1),
-           random.at("bPocClsVar2", k, RandomColumn::PocketClearance2)});
+           two ? random.at("bPocClsVar2", k, RandomColumn::PocketClearance2) : 0.0});
   }
 }
 

@@ -52,8 +52,7 @@ std::vector<IdleOption> idle_options(const Deck& deck) {
       out.push_back(
           {option.variable, std::to_string(deck.integer(option.variable)), option.asks_for});
   const long long segments = deck.integer("nCseg");
-  if (segments > 1)
-    out.push_back({"nCseg", std::to_string(segments), "a cage cut into segments"});
+  if (segments > 1) out.push_back({"nCseg", std::to_string(segments), "a cage cut into segments"});
   if (segments != 0 && deck.integer("kCagePocImp") == 4)
     out.push_back({"kCagePocImp", "4", "pocket imperfections by a routine"});
   const auto number = [&](const char* variable, const char* what) {

@@ -89,6 +89,7 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (name.starts_with("pltNames") && scene.motion) return "fewer bodies have a plot file";
   if (name == "angVelOrient") return "only kAngVel = 2 gives the angle of the spin axis";
   if (name == "bPocCls2" && !scene.segments) return "a pocket of this shape has one clearance";
+  if (name == "bPocClsVar2" && !scene.segments) return "a pocket of this shape has no clearance II";
   if (name == "cageAngCut" && !scene.segments) return "a cage of one piece has no cut";
   if (name == "pocLubFilm") return "no hydrodynamics of the pockets is computed";
   if (record.starts_with("5G.1D")) return "there are fewer rolling elements";
@@ -144,9 +145,8 @@ std::optional<Issue> note_of(const std::vector<deck::NoPart>& values, const Deck
   std::string names;
   const std::vector<IdleOption> named = idle_options(deck);  // by a note of check_buildable
   const auto is_named = [&](const deck::NoPart& value) {
-    return std::any_of(named.begin(), named.end(), [&](const IdleOption& option) {
-      return option.variable == value.variable;
-    });
+    return std::any_of(named.begin(), named.end(),
+                       [&](const IdleOption& option) { return option.variable == value.variable; });
   };
   for (const deck::NoPart& value : values)
     if (asks_for_an_effect(value) && !is_named(value))
