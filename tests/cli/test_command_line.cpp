@@ -279,7 +279,7 @@ TEST_CASE("plan tells the disk that a run needs", "[cli]") {
 TEST_CASE("the progress line is never wider than the terminal", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
-  const std::string deck = folder.path().string();
+  const std::string deck = folder.path().string(), adore = program("adore").string();
   for (const int width : {20, 40, 80, 200}) {
     winsize size{};
     size.ws_row = 24;
@@ -288,7 +288,7 @@ TEST_CASE("the progress line is never wider than the terminal", "[cli]") {
     const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
     REQUIRE(child >= 0);
     if (child == 0) {
-      execl(ADORE_EXECUTABLE, "adore", "run", deck.c_str(), "--until", "0.3rev", "--json",
+      execl(adore.c_str(), "adore", "run", deck.c_str(), "--until", "0.3rev", "--json",
             "--overwrite", nullptr);
       _exit(99);
     }

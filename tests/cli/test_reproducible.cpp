@@ -99,7 +99,7 @@ TEST_CASE("PRINT and RUN.json say which arithmetic made the last digits", "[cli]
 
 TEST_CASE("no function that glibc has in variants is called from outside the program", "[cli]") {
   if (!built_with_portable_math()) return;
-  FILE* pipe = popen(("nm -D --undefined-only " + std::string(ADORE_EXECUTABLE)).c_str(), "r");
+  FILE* pipe = popen(("nm -D --undefined-only " + program("adore").string()).c_str(), "r");
   REQUIRE(pipe != nullptr);
   std::string symbols;
   std::array<char, 4096> buffer{};
