@@ -125,7 +125,9 @@ std::string sentence(const CLI::App& program, const CLI::ParseError& error,
                        option == nullptr ? "it is missing" : option->help);
   }
   if (kind == "ArgumentMismatch") {
-    const std::string name = name_in(error, "");
+    std::string name = name_in(error, "");
+    // Of a flag with a value the library says the name without its dashes.
+    if (option_named(command, name) == nullptr) name = "--" + name;
     const OptionText* option = option_named(command, name);
     if (after_colon(error).find("Most") != std::string::npos)
       return fmt::format("{} was given more than once; give it once", name);
