@@ -92,23 +92,6 @@ bool matches(const std::string& name, const std::string& pattern) {
                      [](unsigned char c) { return std::isalnum(c) != 0; });
 }
 
-/// What a process that was killed while it wrote a small file may have left.
-void remove_leftovers(const Outputs& outputs) {
-  std::vector<std::string> patterns;
-  const std::string unfinished = results::H5Writer::unfinished("RESULTS.h5").string();
-  patterns.push_back(temporary_pattern(unfinished));
-  for (const std::string& name : outputs.names) patterns.push_back(temporary_pattern(name));
-  std::error_code error;
-  std::vector<fs::path> found;
-  for (const fs::directory_entry& entry : fs::directory_iterator(outputs.folder, error)) {
-    const std::string name = entry.path().filename().string();
-    for (const std::string& pattern : patterns)
-      if (matches(name, pattern)) found.push_back(entry.path());
-  }
-  found.push_back(outputs.folder / unfinished);
-  for (const fs::path& path : found) fs::remove(path, error);
-}
-
 }  // namespace
 
 FolderLock::FolderLock(const fs::path& folder) : path_(folder / kName) {
@@ -211,6 +194,22 @@ void check_room(const Outputs& outputs, bool overwrite) {
   if (overwrite) return;
   const std::vector<std::string> found = earlier_results(outputs);
   if (!found.empty()) throw ResultsExist(outputs.folder, found);
+}
+
+void remove_leftovers(const Outputs& outputs) {
+  std::vector<std::string> patterns;
+  const std::string unfinished = results::H5Writer::unfinished("RESULTS.h5").string();
+  patterns.push_back(temporary_pattern(unfinished));
+  for (const std::string& name : outputs.names) patterns.push_back(temporary_pattern(name));
+  std::error_code error;
+  std::vector<fs::path> found;
+  for (const fs::directory_entry& entry : fs::directory_iterator(outputs.folder, error)) {
+    const std::string name = entry.path().filename().string();
+    for (const std::string& pattern : patterns)
+      if (matches(name, pattern)) found.push_back(entry.path());
+  }
+  found.push_back(outputs.folder / unfinished);
+  for (const fs::path& path : found) fs::remove(path, error);
 }
 
 fs::path make_room(const Outputs& outputs) {

@@ -46,6 +46,10 @@ void check_names(const Outputs& outputs);
 /// @throws ResultsExist unless `overwrite`
 void check_room(const Outputs& outputs, bool overwrite);
 
+/// Removes the hidden files that a process left which was killed while it replaced one of the
+/// outputs. Every run that holds the lock does so before it writes.
+void remove_leftovers(const Outputs& outputs);
+
 /// Makes room for a run that starts anew, after check_room(): what an earlier run's MASTER and
 /// RUN.json name, and what a killed process left, goes: files that will be written are removed,
 /// other results are moved into a folder "earlier-1", "earlier-2" ... @return that folder, empty

@@ -631,7 +631,10 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
   system.set_start(start.time, start.y);
   s.plan.quadratures = system.layout().size() - system.layout().controlled_size();
   s.segment = start.segment;
-  if (!start.continued) s.make_room();
+  if (start.continued)
+    remove_leftovers(s.outputs());
+  else
+    s.make_room();
   s.open_files(start.continued);
   if (!start.continued) s.print_front(system.scales());
   for (const dynamics::StateLayout::Group& group : system.layout().groups())
