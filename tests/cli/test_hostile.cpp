@@ -1,4 +1,5 @@
 #include "driver.hpp"
+#include "support/paths.hpp"
 
 #include <sys/resource.h>
 
@@ -37,7 +38,7 @@ TEST_CASE("numbers of options out of range are refused with their range", "[cli]
 }
 
 TEST_CASE("inputs of calculators beyond their range are refused, never read beyond", "[cli]") {
-  const std::string corpus = ADORE_SOURCE_DIR "/tests/fuzz/corpus/calc/";
+  const std::string corpus = adore::test::source_dir().string() + "/tests/fuzz/corpus/calc/";
   Folder folder;
   // Each file of the corpus is a line with the calculator, then its inputs.
   for (const char* name : {"flange_end", "corner_end", "laminae", "negative_life", "slices"}) {

@@ -1,4 +1,5 @@
 #include "base/json_text.hpp"
+#include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -58,7 +59,7 @@ TEST_CASE("foreign JSON is parsed in one place", "[unit][json]") {
                                   "core/life/constants.cpp",      "core/facade/option_file.cpp",
                                   "core/facade/calculator_inputs.cpp"};
   namespace fs = std::filesystem;
-  const fs::path root(ADORE_SOURCE_DIR);
+  const fs::path root = adore::test::source_dir();
   for (const char* folder : {"core", "cli", "desktop", "adrinput", "adrplot", "agore"})
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const std::string extension = entry.path().extension().string();

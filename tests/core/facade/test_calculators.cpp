@@ -1,6 +1,7 @@
 #include "base/errors.hpp"
 #include "facade/calculator_inputs.hpp"
 #include "facade/calculators.hpp"
+#include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -62,7 +63,7 @@ TEST_CASE("every number of every calculator takes any value: results, or a sente
 
 TEST_CASE("no adapter reads an integer without its range", "[unit][calc]") {
   for (const auto& entry :
-       std::filesystem::directory_iterator(ADORE_SOURCE_DIR "/core/facade/reference")) {
+       std::filesystem::directory_iterator(adore::test::source_dir() / "core/facade/reference")) {
     if (entry.path().extension() != ".cpp") continue;
     std::ifstream stream(entry.path());
     const std::string text{std::istreambuf_iterator<char>(stream), {}};

@@ -2,6 +2,7 @@
 #include "deck/reader.hpp"
 #include "statics/roller_statics.hpp"
 #include "thermal/operating.hpp"
+#include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -23,7 +24,7 @@ constexpr std::array<const char*, 7> kExamples{
     "cylindrical-nu209", "spherical-22210", "tapered-30208"};
 
 bearing::Bearing example(const std::string& name) {
-  deck::ReadResult read = deck::read_deck(ADORE_SOURCE_DIR "/resources/decks/" + name + ".txt");
+  deck::ReadResult read = deck::read_deck(adore::test::source_dir().string() + "/resources/decks/" + name + ".txt");
   REQUIRE(read.ok());
   read.deck.set("mode", "-1");
   read.deck.complete();

@@ -8,6 +8,7 @@
 #include "statics/roller_model.hpp"
 #include "statics/roller_statics.hpp"
 #include "thermal/operating.hpp"
+#include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -223,7 +224,7 @@ TEST_CASE("a dynamic run starts from the same datum: held races carry the warm p
           "[physics][datum]") {
   const auto axial = [](const char* mode, const char* inner) {
     facade::DeckRequest request;
-    request.deck = ADORE_SOURCE_DIR "/resources/decks/ball.txt";
+    request.deck = adore::test::source_dir() / "resources/decks/ball.txt";
     request.sets = {{"mode", mode},         {"rpm2", "1000.0"},   {"appLoadZ", "0.0"},
                     {"kFS1", "1"},          {"kFS3", "1"},        {"appDispX", "5.0307e-6"},
                     {"raceTemp2", inner},   {"shftTemp", inner}};
