@@ -602,7 +602,10 @@ StartPoint RunOutputs::find_start(dynamics::System& system, build::StartState st
     out.step_size = master.last.step_size;
     out.continued = true;
     // Speeds may have changed: the shaft goes on from where it was.
-    out.turned_before = master.last.shaft_rotation - s.shaft_speed() * master.last.time;
+    const double turned = master.last.shaft_rotation;
+    const double beyond = turned - s.shaft_speed() * master.last.time;
+    // Not what rounding leaves: runs under one speed join to the same bytes.
+    out.turned_before = std::abs(beyond) > 1e-12 * std::abs(turned) ? beyond : 0.0;
     s.turned_before = out.turned_before;
     s.averages.restore(master.averages);
     s.life.restore(master.averages);
