@@ -84,10 +84,10 @@ void CompareDialog::sync() {
     const deck::Difference& row = rows_[i];
     if (row.variable.empty() && row.record != "12") {
       record.clear();
-      QString text = page_heading(*deck::find_record(row.record));
-      if (row.instance > 1) text += QString(" (%1)").arg(row.instance);
+      QString heading = page_heading(*deck::find_record(row.record));
+      if (row.instance > 1) heading += QString(" (%1)").arg(row.instance);
       auto* item = new QListWidgetItem(
-          tr("%1: only %2").arg(text, row.in_left ? tr("here") : tr("there")), list_);
+          tr("%1: only %2").arg(heading, row.in_left ? tr("here") : tr("there")), list_);
       item->setFont(desktop::ui_font(13, true));
       item->setData(kRowRole, static_cast<int>(i));
       continue;
