@@ -1,13 +1,13 @@
 #include "facade/output_folder.hpp"
 
 #include "base/atomic_file.hpp"
+#include "base/json_text.hpp"
 #include "results/own_file.hpp"
 #include "results/restart.hpp"
 #include "results/results_h5.hpp"
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cerrno>
@@ -53,9 +53,10 @@ std::set<std::string> candidates(const Outputs& outputs) {
   };
   try {
     std::ifstream stream(outputs.folder / "RUN.json", std::ios::binary);
-    if (results::is_own_file(outputs.folder / "RUN.json"))
-      for (const auto& name : nlohmann::json::parse(stream).at("files"))
-        add(name.get<std::string>());
+    if (results::is_own_file(outputs.folder / "RUN.json")) {
+      const auto json = parse_json(std::string(std::istreambuf_iterator<char>(stream), {}), "");
+      for (const auto& name : json.at("files")) add(name.get<std::string>());
+    }
   } catch (const std::exception&) {
     // The default names will do.
   }

@@ -2,13 +2,13 @@
 
 #include "base/atomic_file.hpp"
 #include "base/interrupted.hpp"
+#include "base/json_text.hpp"
 #include "deck/reader.hpp"
 #include "deck/schema.hpp"
 #include "facade/output_folder.hpp"
 #include "results/run_json.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <atomic>
@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <mutex>
 #include <optional>
@@ -131,7 +132,8 @@ std::optional<Row> completed(const RunRequest& request, const std::string& value
   row.value = value;
   try {
     std::ifstream stream(file, std::ios::binary);
-    const auto json = nlohmann::ordered_json::parse(stream);
+    const auto json = parse_json<nlohmann::ordered_json>(
+        std::string(std::istreambuf_iterator<char>(stream), {}), file.string());
     for (const auto& [name, item] : json.at("summary").items())
       row.outcome.summary.emplace_back(name, item.is_number()
                                                  ? item.get<double>()

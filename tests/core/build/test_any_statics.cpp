@@ -144,10 +144,10 @@ TEST_CASE("deviations of pocket clearances change the play of the cage", "[physi
     for (const std::string& warning : fits.warnings) said += warning + "\n";
     return fits.plays;
   };
-  const auto find = [](const std::vector<bearing::CagePlay>& plays, const std::string& start) {
-    const auto at = std::find_if(plays.begin(), plays.end(),
+  const auto find = [](const std::vector<bearing::CagePlay>& all, const std::string& start) {
+    const auto at = std::find_if(all.begin(), all.end(),
                                  [&](const auto& play) { return play.name.starts_with(start); });
-    REQUIRE(at != plays.end());
+    REQUIRE(at != all.end());
     return at->free;
   };
   const double nominal = at_rest("ball").si("bPocCls1");
