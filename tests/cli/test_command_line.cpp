@@ -15,7 +15,7 @@ using nlohmann::json;
 
 namespace {
 
-json tree() { return json::parse(run_adore("--completion json").out); }
+json tree() { return json::parse(run_as_given("--completion json").out); }
 
 /// Arguments that a command cannot do without, so that only the one at hand is wrong.
 std::string needed(const json& command) {
@@ -71,7 +71,7 @@ TEST_CASE("mistakes on the command line are met with what was probably meant", "
       {"new bal", "bal"},
   };
   for (const Case& one : cases) {
-    const Result result = run_adore(one.arguments);
+    const Result result = run_as_given(one.arguments);
     INFO(one.arguments << "\n" << result.out);
     CHECK(result.code == 2);
     CHECK(contains(result.out, one.said));
@@ -101,7 +101,7 @@ TEST_CASE("every option of every command refuses a wrong use with a remedy", "[c
         wrong.push_back(flag);
       if (value == "N" || value == "NUMBER") wrong.push_back(flag + " nonsense");
       for (const std::string& use : wrong) {
-        const Result result = run_adore(name + needed(command) + " " + use);
+        const Result result = run_as_given(name + needed(command) + " " + use);
         INFO(use << "\n" << result.out);
         CHECK(result.code == 2);
         CHECK(speaks_for_itself(result.out));
@@ -135,19 +135,19 @@ TEST_CASE("an option's value does not swallow the deck", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string deck = (folder / "DATA.txt").string();
-  const Result plan = run_adore("plan --json --set gravityVecZ=0 " + deck);
+  const Result plan = run_as_given("plan --json --set gravityVecZ=0 " + deck);
   INFO(plan.out);
   REQUIRE(plan.code == 0);
   for (const json& effect : json::parse(plan.out).at("effects"))
     if (effect.at("name") == "gravity") CHECK(effect.at("on") == false);
-  CHECK(run_adore("plan --opt resultsH5=0 " + deck).code == 0);
+  CHECK(run_as_given("plan --opt resultsH5=0 " + deck).code == 0);
 }
 
 TEST_CASE("a dash stands for the standard streams", "[cli]") {
   const Folder folder;
   const std::string out = (folder / "out").string();
   const auto piped = [](const std::string& first, const std::string& second) {
-    return run_adore(first + " | " + command_line(second));
+    return run_as_given(first + " | " + command_line(second));
   };
   const Result check = piped("new ball", "check -");
   INFO(check.out);
@@ -164,11 +164,11 @@ TEST_CASE("a dash stands for the standard streams", "[cli]") {
   const Result wrong = piped("new ball", "run - --set nRe=-1");
   CHECK(wrong.code == 2);
   CHECK(contains(wrong.out, "standard input"));
-  const Result shown = run_adore("convert " + out + "/RUN.json --to csv --out -");
+  const Result shown = run_as_given("convert " + out + "/RUN.json --to csv --out -");
   CHECK(contains(shown.out, "name,value"));
-  CHECK(run_adore("convert " + out + "/RUN.json --to csv --out " + out).code == 0);
+  CHECK(run_as_given("convert " + out + "/RUN.json --to csv --out " + out).code == 0);
   CHECK(fs::exists(folder / "out" / "RUN.json.csv"));
-  const Result calc = run_adore("--version >/dev/null; echo '{\"code\": 100}' | " +
+  const Result calc = run_as_given("--version >/dev/null; echo '{\"code\": 100}' | " +
                                 command_line("calc material -"));
   INFO(calc.out);
   CHECK(calc.code == 0);
@@ -179,7 +179,7 @@ TEST_CASE("show, examples, run options and the run's summary speak JSON", "[cli]
   const Folder folder;
   new_ball_deck(folder);
   const Result run =
-      run_adore("run " + folder.path().string() + " --until 0.02rev --json --progress none");
+      run_as_given("run " + folder.path().string() + " --until 0.02rev --json --progress none");
   INFO(run.out);
   REQUIRE(run.code == 0);
   const json summary = json::parse(run.out);
@@ -189,7 +189,7 @@ TEST_CASE("show, examples, run options and the run's summary speak JSON", "[cli]
   for (const json& file : summary.at("files")) CHECK(fs::exists(file.get<std::string>()));
 
   for (const char* file : {"SOL1", "SOL7", "RESULTS.h5"}) {
-    const Result shown = run_adore("show --json " + (folder / file).string());
+    const Result shown = run_as_given("show --json " + (folder / file).string());
     INFO(file << '\n' << shown.out);
     REQUIRE(shown.code == 0);
     const json content = json::parse(shown.out);
@@ -198,35 +198,35 @@ TEST_CASE("show, examples, run options and the run's summary speak JSON", "[cli]
     CHECK(content.at("channels").at(0).contains("unit"));
   }
   for (const char* file : {"FINAL", "MASTER", "RUN.json"})
-    CHECK(json::accept(run_adore("show --json " + (folder / file).string()).out));
+    CHECK(json::accept(run_as_given("show --json " + (folder / file).string()).out));
 
-  const json examples = json::parse(run_adore("examples --json").out);
+  const json examples = json::parse(run_as_given("examples --json").out);
   CHECK(examples.size() == 13);
   for (const json& one : examples) CHECK(one.at("does").size() >= 4);
-  CHECK(json::parse(run_adore("run --list-options --json").out).size() > 8);
+  CHECK(json::parse(run_as_given("run --list-options --json").out).size() > 8);
 }
 
 TEST_CASE("examples and new say what a deck does", "[cli]") {
   const Folder folder;
-  const Result written = run_adore("new ball --out " + folder.path().string());
+  const Result written = run_as_given("new ball --out " + folder.path().string());
   INFO(written.out);
   CHECK(written.code == 0);
   CHECK(fs::exists(folder / "DATA.txt"));
   for (const char* said : {"12 elements of 0.0127 m", "appLoadX = 1500 N", "inner race 10000 rpm",
                            "motion over time", "the animation SOL8"})
     CHECK(contains(written.out, said));
-  const Result still = run_adore("examples angular-218");
+  const Result still = run_as_given("examples angular-218");
   INFO(still.out);
   CHECK(contains(still.out, "the quasi-static solution alone"));
   CHECK(contains(still.out, "stiffness at 11 speeds"));
-  CHECK(run_adore("examples no-such").code == 2);
+  CHECK(run_as_given("examples no-such").code == 2);
 }
 
 TEST_CASE("what plays no part in a run is said", "[cli]") {
   const Folder folder;
   const std::string deck = (folder / "DATA.txt").string();
-  REQUIRE(run_adore("new deep-groove-6205 --out " + deck).code == 0);
-  const Result run = run_adore("run " + deck +
+  REQUIRE(run_as_given("new deep-groove-6205 --out " + deck).code == 0);
+  const Result run = run_as_given("run " + deck +
                                " --until 5rev --tol 1e-8 --integrator rkf4 --threads 2 --opt "
                                "ellipseMajor=20 --opt rollerSlices=30");
   INFO(run.out);
@@ -234,13 +234,13 @@ TEST_CASE("what plays no part in a run is said", "[cli]") {
   CHECK(contains(run.out, "--until, --integrator, --tol and option ellipseMajor play no part"));
   CHECK(contains(run.out, "option rollerSlices plays no part, because the bearing has balls"));
   CHECK(contains(run.out, "--threads plays no part"));
-  CHECK_FALSE(contains(run_adore("run " + deck).out, "--tol"));
+  CHECK_FALSE(contains(run_as_given("run " + deck).out, "--tol"));
 }
 
 TEST_CASE("a run ends with the way to its pictures and the way on", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
-  const Result run = run_adore("run " + folder.path().string() + " --until 0.02rev");
+  const Result run = run_as_given("run " + folder.path().string() + " --until 0.02rev");
   INFO(run.out);
   REQUIRE(run.code == 0);
   // A build without Qt draws no pictures.
@@ -250,7 +250,7 @@ TEST_CASE("a run ends with the way to its pictures and the way on", "[cli]") {
   // The line that is printed does what it says.
   const std::string line = run.out.substr(at, run.out.find('\n', at) - at);
   const std::string arguments = line.substr(line.find("adore ") + 6);
-  const Result more = run_adore(arguments);
+  const Result more = run_as_given(arguments);
   INFO(arguments << '\n' << more.out);
   CHECK(more.code == 0);
   CHECK(contains(more.out, "0.04 revolutions"));
@@ -261,8 +261,8 @@ TEST_CASE("plan tells the disk that a run needs", "[cli]") {
   new_ball_deck(folder);
   const std::string deck = folder.path().string();
   const std::string sets = " --set maxStps=300 --set kPltFreq=2 --set kAGraf=3 --set kPrtFreq=50";
-  const json disk = json::parse(run_adore("plan " + deck + sets + " --json").out).at("disk");
-  REQUIRE(run_adore("run " + deck + sets + " --quiet").code == 0);
+  const json disk = json::parse(run_as_given("plan " + deck + sets + " --json").out).at("disk");
+  REQUIRE(run_as_given("run " + deck + sets + " --quiet").code == 0);
   double planned = 0.0, found = 0.0;
   for (const auto& [name, bytes] : disk.at("files").items()) {
     const double size = static_cast<double>(fs::file_size(folder / name));
@@ -273,7 +273,7 @@ TEST_CASE("plan tells the disk that a run needs", "[cli]") {
   }
   CHECK(planned == Approx(found).epsilon(0.15));
   CHECK(disk.at("bytes").get<double>() == Approx(planned).epsilon(1e-6));
-  CHECK(contains(run_adore("plan " + deck).out, "disk\n  about "));
+  CHECK(contains(run_as_given("plan " + deck).out, "disk\n  about "));
 }
 
 TEST_CASE("the progress line is never wider than the terminal", "[cli]") {
@@ -320,7 +320,7 @@ TEST_CASE("a file given to the wrong command is named for what it is", "[cli]") 
   const Folder folder;
   new_ball_deck(folder);
   const std::string out = folder.path().string();
-  REQUIRE(run_adore("run " + out + " --until 0.01rev --quiet").code == 0);
+  REQUIRE(run_as_given("run " + out + " --until 0.01rev --quiet").code == 0);
   struct Case {
     const char* arguments;
     const char* said;
@@ -335,7 +335,7 @@ TEST_CASE("a file given to the wrong command is named for what it is", "[cli]") 
         Case{"show DATA.txt", "this is a deck"},
         Case{"show PRINT.txt", "read it with a text viewer"},
         Case{"convert DATA.txt --to csv", "`adore check` and `adore run` read it"}}) {
-    const Result result = run_adore(one.arguments, "cd " + out + " &&");
+    const Result result = run_as_given(one.arguments, "cd " + out + " &&");
     INFO(one.arguments << '\n' << result.out);
     CHECK(result.code == 2);
     CHECK(contains(result.out, one.said));
@@ -343,7 +343,7 @@ TEST_CASE("a file given to the wrong command is named for what it is", "[cli]") 
 }
 
 TEST_CASE("the manual page holds every command and option", "[cli]") {
-  const std::string page = run_adore("--man").out;
+  const std::string page = run_as_given("--man").out;
   CHECK(contains(page, ".TH ADORE 1"));
   const auto holds = [&page](const json& command) {
     for (const json& option : command.at("options")) {
@@ -366,14 +366,14 @@ TEST_CASE("the manual page holds every command and option", "[cli]") {
 TEST_CASE("bash completes commands, options, values and deck variables", "[cli]") {
   if (std::system("bash -c true") != 0) return;
   const Folder folder;
-  write(folder / "adore.bash", run_adore("--completion bash").out);
+  write(folder / "adore.bash", run_as_given("--completion bash").out);
   const auto completed = [&](const std::string& words) {
     const std::string script =
         "source " + (folder / "adore.bash").string() + "; COMP_WORDS=(" + words +
         "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); compopt() { :; }; _adore; "
         "printf \"%s\\n\" \"${COMPREPLY[@]}\"";
     write(folder / "ask.sh", script);
-    const Result result = run_adore("--version >/dev/null; bash " + (folder / "ask.sh").string());
+    const Result result = run_as_given("--version >/dev/null; bash " + (folder / "ask.sh").string());
     return "\n" + result.out;
   };
   CHECK(completed("adore exa") == "\nexamples\n");
@@ -386,7 +386,7 @@ TEST_CASE("bash completes commands, options, values and deck variables", "[cli]"
   CHECK(completed("adore convert SOL1 --to c") == "\ncsv\n");
   CHECK(contains(completed("adore --comp"), "\n--completion\n"));
   for (const char* shell : {"zsh", "fish"}) {
-    const std::string script = run_adore(std::string("--completion ") + shell).out;
+    const std::string script = run_as_given(std::string("--completion ") + shell).out;
     for (const json& command : tree().at("commands"))
       CHECK(contains(script, command.at("name").get<std::string>()));
   }
