@@ -179,6 +179,14 @@ void add_run(CLI::App& app, int& exit_code) {
           ->capture_default_str()
           ->type_name("STYLE"),
       {"auto", "plain", "json", "none"});
+  CLI::Option* overwrite =
+      command->add_flag("--overwrite", options->overwrite,
+                        "replace the results of an earlier run in the output folder");
+  command
+      ->add_flag("--continue", options->go_on,
+                 "go on with the run whose results are in the output folder, interrupted, killed "
+                 "or complete; of a sweep, run what is missing")
+      ->excludes(overwrite);
   command->add_flag(
       "--reproducible", options->reproducible,
       "the same bytes on any x86-64 processor; without AVX, so two to three times slower");
