@@ -26,10 +26,11 @@ std::string bearing_line(const deck::Deck& deck) {
   static constexpr const char* kTypes[] = {"ball", "cylindrical roller", "spherical roller",
                                            "tapered roller", "spherical tapered roller"};
   const auto type = static_cast<std::size_t>(deck.integer("kBrg"));
-  std::string line =
-      fmt::format("bearing:    {} bearing with {} elements of {} on a pitch circle of {}",
-                  type >= 1 && type <= 5 ? kTypes[type - 1] : "rolling", deck.integer("nRe"),
-                  with_unit(deck, "bReDia"), with_unit(deck, "pitchDia"));
+  std::string line = fmt::format("bearing:    {} bearing with {} elements of {}",
+                                 type >= 1 && type <= 5 ? kTypes[type - 1] : "rolling",
+                                 deck.integer("nRe"), with_unit(deck, "bReDia"));
+  // Cones have no pitch diameter in the deck: it follows from their angles (N38).
+  if (deck.has("pitchDia")) line += " on a pitch circle of " + with_unit(deck, "pitchDia");
   const long long segments = deck.integer("nCseg");
   return line + (segments == 0   ? ", no cage"
                  : segments == 1 ? ", one cage"

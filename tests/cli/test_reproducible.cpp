@@ -29,7 +29,7 @@ std::string without_times(const std::string& print) {
 
 }  // namespace
 
-TEST_CASE("--reproducible gives the same bytes whatever the processor offers", "[cli]") {
+TEST_CASE("a reproducible run gives the same bytes whatever the processor offers", "[cli]") {
   if (!built_with_portable_math()) return;
   const Folder folder;
   new_ball_deck(folder);
