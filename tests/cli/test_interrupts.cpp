@@ -87,7 +87,7 @@ TEST_CASE("the second interrupt ends the program at once", "[cli]") {
   CHECK_FALSE(contains(run.said(), "interrupted"));
 }
 
-TEST_CASE("an interrupt is seen inside a counted step and in a table of statics", "[cli][slow]") {
+TEST_CASE("an interrupt is seen inside a counted step and in a table of statics", "[.][cli][slow]") {
   {
     const Folder folder;
     new_ball_deck(folder);
@@ -262,7 +262,7 @@ TEST_CASE("there must be a run to go on with", "[cli]") {
 }
 
 TEST_CASE("a file limit stops a run with a sentence, valid files, and a way to go on",
-          "[cli][slow]") {
+          "[.][cli][slow]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string deck = "run " + folder.path().string() + " --quiet --set kPltFreq=1";

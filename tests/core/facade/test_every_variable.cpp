@@ -345,18 +345,18 @@ void check_walk(const std::string& title, const Deck& first) {
 }  // namespace
 
 TEST_CASE("every variable of a quasi-static ball deck acts, is refused, or is said to play no part",
-          "[validation][variables][slow]") {
+          "[.][validation][variables][slow]") {
   check_walk("ball, mode -1", lively("ball", false));
 }
 
 TEST_CASE("every variable of a ball deck in motion acts, is refused, or is said to play no part",
-          "[validation][variables][slow]") {
+          "[.][validation][variables][slow]") {
   check_walk("ball, mode 0", lively("ball", true));
 }
 
 TEST_CASE(
     "every variable of a quasi-static roller deck acts, is refused, or is said to play no part",
-    "[validation][variables][slow]") {
+    "[.][validation][variables][slow]") {
   for (const char* type : {"cylindrical", "spherical", "tapered", "spherical-tapered"})
     check_walk(fmt::format("{}, mode -1", type), lively(type, false));
 }
