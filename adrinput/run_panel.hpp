@@ -70,7 +70,7 @@ class RunPanel : public QWidget {
   QPlainTextEdit* view_;
   QString headline_;
   QStringList files_;
-  std::filesystem::path file_;  ///< the deck that runs
+  std::filesystem::path file_;                                 ///< the deck that runs
   std::optional<std::filesystem::file_time_type> own_report_;  ///< of the last run made here
   deck::Deck computed_;
   RunOptionValues computed_options_;

@@ -17,7 +17,8 @@ namespace adore::adrinput {
 struct RunEnd {
   std::optional<facade::RunOutcome> outcome;
   std::string reason;  ///< input wrong, no start state
-  bool results_exist = false;  ///< the reason: results of an earlier run, which may be allowed to go
+  bool results_exist =
+      false;  ///< the reason: results of an earlier run, which may be allowed to go
 };
 
 /// One run of the solver in the background, the same as `adore run` makes. Its reports arrive in

@@ -108,7 +108,9 @@ class TemporaryFile {
   }
 
  private:
-  static std::string own_link(int descriptor) { return fmt::format("/proc/self/fd/{}", descriptor); }
+  static std::string own_link(int descriptor) {
+    return fmt::format("/proc/self/fd/{}", descriptor);
+  }
   void give_name() {
     static std::atomic<unsigned> counter{0};
     const std::string stem = name_.substr(0, name_.size() - 6);  // what stands before the X's

@@ -8,8 +8,10 @@ namespace adore {
 
 std::string Issue::text() const {
   std::string out;
-  if (!file.empty()) out += file + (line > 0 ? fmt::format(":{}", line) : "") + ": ";
-  else if (line > 0) out += fmt::format("line {}: ", line);
+  if (!file.empty())
+    out += file + (line > 0 ? fmt::format(":{}", line) : "") + ": ";
+  else if (line > 0)
+    out += fmt::format("line {}: ", line);
   if (severity == Severity::Warning) out += "warning: ";
   if (severity == Severity::Note) out += "note: ";
   std::string place;

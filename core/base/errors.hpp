@@ -7,7 +7,8 @@
 #include <vector>
 
 /// How things go wrong, and who can mend them (CLI exit codes in brackets):
-/// InputError [2] the user's deck, file or argument; SolverError [3] the numerics gave up; InternalError [1] a bug.
+/// InputError [2] the user's deck, file or argument; SolverError [3] the numerics gave up;
+/// InternalError [1] a bug.
 namespace adore {
 
 enum class Severity : unsigned char { Note, Warning, Error };
@@ -20,8 +21,9 @@ struct Issue {
   std::string record;    ///< record id, e.g. "5A"
   std::string variable;  ///< deck variable, e.g. "pitchDia"; "cageGsCls[2]" for the second instance
   std::string value;     ///< what the user wrote
-  std::string message;   ///< what is wrong, as a clause: "the pitch diameter must be larger than the ball diameter"
-  std::string remedy;    ///< what would be valid: "give a value above 0.0127 m"
+  std::string message;  ///< what is wrong, as a clause: "the pitch diameter must be larger than the
+                        ///< ball diameter"
+  std::string remedy;   ///< what would be valid: "give a value above 0.0127 m"
 
   /// "DATA.txt:12: record 5A, pitchDia = 0.001: <message>; <remedy>"
   [[nodiscard]] std::string text() const;
@@ -41,7 +43,8 @@ class InputError : public std::runtime_error {
   std::vector<Issue> issues_;
 };
 
-/// The numerics gave up: no equilibrium, step size collapsed, state not finite. The text holds diagnosis and remedy.
+/// The numerics gave up: no equilibrium, step size collapsed, state not finite. The text holds
+/// diagnosis and remedy.
 class SolverError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -1,8 +1,8 @@
 #include "base/resources.hpp"
 
-#include <string>
-
 #include "base/errors.hpp"
+
+#include <string>
 
 namespace adore::resources {
 

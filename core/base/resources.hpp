@@ -3,7 +3,8 @@
 #include <span>
 #include <string_view>
 
-/// Files compiled into the library (materials, example decks), so that an installed program needs no data folder.
+/// Files compiled into the library (materials, example decks), so that an installed program needs
+/// no data folder.
 namespace adore::resources {
 
 struct Resource {

@@ -1,10 +1,5 @@
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
-
 #include "bearing/fits.hpp"
 #include "bearing/imperfections.hpp"
 #include "bearing/material.hpp"
@@ -12,29 +7,38 @@
 
 #include <Eigen/Core>
 
-/// The SI model of one bearing: what the physics reads. Plain values; knows no deck and no unit but SI and radians.
-/// Arrays of two are [0] = outer race ("1" in the deck), [1] = inner race ("2").
-/// Frames (design §6): base frame N at the ball plane of the unloaded bearing, X bearing axis, Z radial up;
-/// azimuth θ about +X from Z: y = -r sin θ, z = r cos θ; azimuth frame A: x axial, z radially outward, y = z × x.
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The SI model of one bearing: what the physics reads. Plain values; knows no deck and no unit but
+/// SI and radians. Arrays of two are [0] = outer race ("1" in the deck), [1] = inner race ("2").
+/// Frames (design §6): base frame N at the ball plane of the unloaded bearing, X bearing axis, Z
+/// radial up; azimuth θ about +X from Z: y = -r sin θ, z = r cos θ; azimuth frame A: x axial, z
+/// radially outward, y = z × x.
 namespace adore::bearing {
 
 using Vec3 = Eigen::Vector3d;
 enum Race : int { kOuter = 0, kInner = 1 };
 
-/// Ball and groove geometry (record 5A) after the free state has been resolved: exactly one of contact angle and
-/// clearance is independent (N39), both are filled here.
+/// Ball and groove geometry (record 5A) after the free state has been resolved: exactly one of
+/// contact angle and clearance is independent (N39), both are filled here.
 struct BallGeometry {
-  int count = 0;              ///< nRe
-  double diameter = 0.0;      ///< D [m]
+  int count = 0;                ///< nRe
+  double diameter = 0.0;        ///< D [m]
   double pitch_diameter = 0.0;  ///< d_m [m]
-  double contact_angle = 0.0;   ///< free contact angle α0 [rad], >= 0; 0 for a radial bearing with play
-  double clearance = 0.0;       ///< diametral clearance Pd of the circular grooves [m]; < 0 is interference (then α0 = 0)
+  double contact_angle =
+      0.0;                 ///< free contact angle α0 [rad], >= 0; 0 for a radial bearing with play
+  double clearance = 0.0;  ///< diametral clearance Pd of the circular grooves [m]; < 0 is
+                           ///< interference (then α0 = 0)
   std::array<double, 2> groove_factor{};  ///< f = groove radius / D, > 0.5
-  /// x of the planes of the groove centres at zero displacement, base frame, outer and inner [m]: the datum of every
-  /// displacement (decision 140). Empty: where unloaded balls just touch both grooves at contact_angle. Bearings given by
-  /// their clearance have {0, 0}, bearings in operation the planes of the bearing on the bench.
+  /// x of the planes of the groove centres at zero displacement, base frame, outer and inner [m]:
+  /// the datum of every displacement (decision 140). Empty: where unloaded balls just touch both
+  /// grooves at contact_angle. Bearings given by their clearance have {0, 0}, bearings in operation
+  /// the planes of the bearing on the bench.
   std::optional<std::array<double, 2>> groove_plane;
-  std::array<double, 2> shim{};           ///< grinding shim of a split race [m], 0 = not split
+  std::array<double, 2> shim{};               ///< grinding shim of a split race [m], 0 = not split
   std::array<double, 2> shoulder_diameter{};  ///< [m], reports only
   std::array<double, 2> roughness{};          ///< composite rms [m]
 };
@@ -44,15 +48,17 @@ struct Envelope {  ///< record 4 [m]
   std::array<double, 2> race_width{};
 };
 
-/// A hypothetical traction curve κ(u), u = slip speed [m/s] (record 10.1, four forms reduced to two, N44, N45).
+/// A hypothetical traction curve κ(u), u = slip speed [m/s] (record 10.1, four forms reduced to
+/// two, N44, N45).
 struct TractionCurve {
   enum class Form : unsigned char {
     Exponential,  ///< κ = (A + B u) exp(-C u) + D
     TwoSlope      ///< κ = A + B u for u <= u0, A + B u0 + C (u - u0) above
   };
   Form form = Form::Exponential;
-  double A = 0.0, B = 0.0, C = 0.0, D = 0.0;  ///< A [-], B [s/m], C [s/m], D [-] (D unused by TwoSlope)
-  double u0 = 0.0;                            ///< [m/s], TwoSlope only
+  double A = 0.0, B = 0.0, C = 0.0,
+         D = 0.0;   ///< A [-], B [s/m], C [s/m], D [-] (D unused by TwoSlope)
+  double u0 = 0.0;  ///< [m/s], TwoSlope only
 };
 
 struct GuideLand {  ///< record 7.2.i
@@ -66,37 +72,41 @@ struct GuideLand {  ///< record 7.2.i
 
 enum class PocketShape : unsigned char { Cylindrical, Spherical, Elongated, Rectangular, Conical };
 
-/// Inertia of one rigid body about its mass centre, in geometric axes (diagonal for all ideal shapes here).
+/// Inertia of one rigid body about its mass centre, in geometric axes (diagonal for all ideal
+/// shapes here).
 struct Inertia {
-  double mass = 0.0;           ///< [kg]
-  Vec3 moments = Vec3::Zero(); ///< about x, y, z [kg m^2]
+  double mass = 0.0;            ///< [kg]
+  Vec3 moments = Vec3::Zero();  ///< about x, y, z [kg m^2]
 };
 
 struct Cage {
   double outer_diameter = 0.0, inner_diameter = 0.0, width = 0.0;  ///< [m]
-  double clearance_outer = 0.0, clearance_inner = 0.0;  ///< diametral, unguided surfaces and outputs only (N90) [m]
+  double clearance_outer = 0.0,
+         clearance_inner = 0.0;  ///< diametral, unguided surfaces and outputs only (N90) [m]
   PocketShape pocket = PocketShape::Cylindrical;
   double pocket_clearance_1 = 0.0, pocket_clearance_2 = 0.0;  ///< diametral [m]
   /// What the clearances I and II of the first pockets have more [m]; empty: all pockets alike.
   std::vector<std::array<double, 2>> pocket_deviation;
-  double cone_angle = 0.0;                                    ///< [rad]
+  double cone_angle = 0.0;  ///< [rad]
   std::vector<GuideLand> lands;
   Material material;
-  Inertia inertia;                 ///< from ideal geometry (contact/cage_inertia) or given
+  Inertia inertia;  ///< from ideal geometry (contact/cage_inertia) or given
   // Initial state, record 9.6.
-  double whirl_ratio = 0.0;        ///< wvRatio
-  double speed_ratio = 1.0;        ///< avRatio
-  Vec3 start_offset = Vec3::Zero();   ///< cageGcPos [m]
-  Vec3 start_angles = Vec3::Zero();   ///< η, ξ, λ [rad]
+  double whirl_ratio = 0.0;          ///< wvRatio
+  double speed_ratio = 1.0;          ///< avRatio
+  Vec3 start_offset = Vec3::Zero();  ///< cageGcPos [m]
+  Vec3 start_angles = Vec3::Zero();  ///< η, ξ, λ [rad]
 };
 
-/// How the inner-race equilibrium of the quasi-static solution is constrained, order x, y, z, about y, about z (kFS1-5).
-/// Inner race relative to outer race; rotations about P, the centre of the inner groove-centre circle.
+/// How the inner-race equilibrium of the quasi-static solution is constrained, order x, y, z, about
+/// y, about z (kFS1-5). Inner race relative to outer race; rotations about P, the centre of the
+/// inner groove-centre circle.
 struct StaticConstraints {
-  std::array<bool, 5> displacement_given{};     ///< false: force or moment given
-  std::array<double, 5> load{};                 ///< [N, N, N, N m, N m], applied to the inner race
-  std::array<double, 5> displacement{};         ///< [m, m, m, rad, rad]; first guess where the load is given (0: none)
-  std::array<double, 2> outer_misalignment{};   ///< about y, z [rad]
+  std::array<bool, 5> displacement_given{};  ///< false: force or moment given
+  std::array<double, 5> load{};              ///< [N, N, N, N m, N m], applied to the inner race
+  std::array<double, 5>
+      displacement{};  ///< [m, m, m, rad, rad]; first guess where the load is given (0: none)
+  std::array<double, 2> outer_misalignment{};  ///< about y, z [rad]
 };
 
 enum class SpinRule : unsigned char { MinimumHeat, RaceControl, Prescribed };  ///< kAngVel
@@ -110,25 +120,29 @@ struct Bearing {
   Envelope envelope;
   Material ball_material;  ///< of the rolling elements
   std::array<Material, 2> race_material;
-  Inertia ball_inertia;  ///< of one ball, or of a nominal roller: x along its own axis, about its mass centre
+  Inertia ball_inertia;  ///< of one ball, or of a nominal roller: x along its own axis, about its
+                         ///< mass centre
   double roller_mass_offset = 0.0;  ///< s_G: roller mass centre along its axis from mid length [m]
   std::array<Inertia, 2> race_inertia;
   std::optional<Cage> cage;
-  TractionCurve race_traction;                      ///< element to race
-  std::optional<TractionCurve> pocket_traction;     ///< element to cage
-  std::optional<TractionCurve> land_traction;       ///< cage to race
+  TractionCurve race_traction;                   ///< element to race
+  std::optional<TractionCurve> pocket_traction;  ///< element to cage
+  std::optional<TractionCurve> land_traction;    ///< cage to race
   Imperfections imperfections;  ///< of balls and races; rollers keep their own in RollerGeometry
   StaticConstraints constraints;
   SpinRule spin_rule = SpinRule::RaceControl;
-  double spin_angle = 0.0;               ///< angVelOrient [rad], Prescribed only: angle of the spin axis from x
-  std::array<double, 2> speed{};         ///< Ω of each race about its own axis [rad/s]
-  Vec3 gravity = Vec3::Zero();           ///< [m/s^2], base frame
-  std::array<double, 2> race_temperature{293.15, 293.15};  ///< [K]
+  double spin_angle = 0.0;  ///< angVelOrient [rad], Prescribed only: angle of the spin axis from x
+  std::array<double, 2> speed{};  ///< Ω of each race about its own axis [rad/s]
+  Vec3 gravity = Vec3::Zero();    ///< [m/s^2], base frame
+  std::array<double, 2> race_temperature{293.15, 293.15};                                  ///< [K]
   double ball_temperature = 293.15, cage_temperature = 293.15, room_temperature = 293.15;  ///< [K]
-  Mounting mounting;                        ///< fits, housing and shaft
-  std::optional<OperatingFits> operating;   ///< set once the geometry is the operating one (thermal/operating.hpp)
+  Mounting mounting;  ///< fits, housing and shaft
+  std::optional<OperatingFits>
+      operating;  ///< set once the geometry is the operating one (thermal/operating.hpp)
 
-  [[nodiscard]] int element_count() const noexcept { return rollers ? rollers->count : balls.count; }
+  [[nodiscard]] int element_count() const noexcept {
+    return rollers ? rollers->count : balls.count;
+  }
 };
 
 }  // namespace adore::bearing

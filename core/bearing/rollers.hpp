@@ -83,8 +83,8 @@ struct RollerGeometry {
   [[nodiscard]] double contact_length() const noexcept {
     return length - corner_radius[0] - corner_radius[1];
   }
-  /// Radius about the bearing axis of the raceway under the middle of a nominal roller, half the play
-  /// taken at this race.
+  /// Radius about the bearing axis of the raceway under the middle of a nominal roller, half the
+  /// play taken at this race.
   [[nodiscard]] double race_radius(int race) const noexcept {
     const double cosine = std::cos(axis_angle);
     const double out = 0.5 * diameter * cosine + 0.25 * clearance * cosine * cosine;

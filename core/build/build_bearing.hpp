@@ -22,7 +22,8 @@ namespace adore::build {
 [[nodiscard]] bearing::Bearing build_bearing(const deck::Deck& deck,
                                              std::uint64_t seed = kDefaultSeed);
 
-/// Record 5A alone, in the free state. @throws InputError when the grooves do not allow the clearance.
+/// Record 5A alone, in the free state. @throws InputError when the grooves do not allow the
+/// clearance.
 [[nodiscard]] bearing::BallGeometry build_balls(const deck::Deck& deck);
 
 }  // namespace adore::build

@@ -37,7 +37,7 @@ struct RunControl {
   double step_initial = 0.0, step_minimum = 0.0, step_maximum = 0.0,
          end_time = 0.0;  ///< over the time scale
   double tolerance = 1e-6;
-  double light_load_ratio = 0.0;  ///< qFac, 0 when off
+  double light_load_ratio = 0.0;                       ///< qFac, 0 when off
   std::optional<statics::StiffnessRequest> stiffness;  ///< kStif > 0
   std::vector<int>
       monitored;  ///< element numbers of SOL1..SOL6 (1..n elements, cage, outer, inner)

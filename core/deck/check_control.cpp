@@ -113,16 +113,15 @@ std::string_view name_trouble(const std::string& file) {
   if (std::isalnum(static_cast<unsigned char>(file.front())) == 0)
     return "begins with a character that hides a file or starts an option";
   constexpr std::string_view kPrograms[] = {
-      "SH",  "BASH", "CSH", "KSH", "ZSH", "FISH", "BAT", "CMD", "COM", "EXE", "PS1", "PY",
-      "PL",  "RB",   "JS",  "VBS", "WSF", "LUA",  "TCL", "AWK", "SED", "PHP", "R",   "JAR",
-      "MK",  "CMAKE", "SO", "DLL", "APP", "LNK",  "PIF", "SCR", "REG", "HTM", "HTML", "DESKTOP",
-      "C",   "CC",   "CPP", "H",   "HPP", "F",    "FOR", "F90", "INI", "CFG", "CONF", "RC",
-      "YML", "YAML", "TOML", "JSON", "H5", "CSV"};
+      "SH",  "BASH", "CSH",     "KSH",   "ZSH", "FISH", "BAT",  "CMD",  "COM", "EXE", "PS1",
+      "PY",  "PL",   "RB",      "JS",    "VBS", "WSF",  "LUA",  "TCL",  "AWK", "SED", "PHP",
+      "R",   "JAR",  "MK",      "CMAKE", "SO",  "DLL",  "APP",  "LNK",  "PIF", "SCR", "REG",
+      "HTM", "HTML", "DESKTOP", "C",     "CC",  "CPP",  "H",    "HPP",  "F",   "FOR", "F90",
+      "INI", "CFG",  "CONF",    "RC",    "YML", "YAML", "TOML", "JSON", "H5",  "CSV"};
   const std::string name = upper(file);
   const std::size_t dot = name.rfind('.');
-  if (dot != std::string::npos &&
-      std::find(std::begin(kPrograms), std::end(kPrograms), name.substr(dot + 1)) !=
-          std::end(kPrograms))
+  if (dot != std::string::npos && std::find(std::begin(kPrograms), std::end(kPrograms),
+                                            name.substr(dot + 1)) != std::end(kPrograms))
     return "is a name of programs, scripts, settings or other data";
   if (name == "MAKEFILE" || name == "GNUMAKEFILE" || name == "DOCKERFILE")
     return "is a name of programs, scripts, settings or other data";
@@ -140,7 +139,8 @@ void check_file_names(Checker& c) {
       {"RESULTS.H5", "the results"},   {"ADORE.JSON", "the run options"},
       {"SWEEP.CSV", "a sweep's table"}};
   const std::string& path = c.deck().file;
-  if (!path.empty()) seen.emplace(upper(path.substr(path.find_last_of('/') + 1)), "the deck itself");
+  if (!path.empty())
+    seen.emplace(upper(path.substr(path.find_last_of('/') + 1)), "the deck itself");
   for (const std::string_view name : kNames) {
     if (!c.deck().has(name)) continue;
     const std::string file = without_blanks_behind(c.deck().text(name));

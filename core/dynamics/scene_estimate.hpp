@@ -31,7 +31,8 @@ struct BallVibration {
                                                          const statics::StaticSolution& statics);
 
 /// Fills the estimates of `plan` and its number of quadratures:
-/// fastest_frequency: the largest of ball_vibrations() [Hz]; fastest_contact names the stiffer contact of that ball. Without a loaded
+/// fastest_frequency: the largest of ball_vibrations() [Hz]; fastest_contact names the stiffer
+/// contact of that ball. Without a loaded
 ///   contact: of a contact at 1e-3 of the force scale (the time scale of the run);
 /// expected_step = kPeriodsPerStep/f; steps per revolution of inner relative to outer race (0 for a
 /// bearing that stands); seconds_per_revolution from the least of a few timed right-hand sides at

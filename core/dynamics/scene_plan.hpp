@@ -41,7 +41,7 @@ struct ScenePlan {
   std::vector<int> oriented_elements;  ///< 0-based elements whose orientation is integrated
   double light_load_ratio = 0.0;  ///< qFac: with LightLoadBalance, load over the force scale at or
                                   ///< below which an element is held
-  int unknowns = 0;                    ///< controlled state components
+  int unknowns = 0;               ///< controlled state components
   int quadratures = 0;
   // Estimates, filled once the static solution is known.
   double fastest_frequency = 0.0;  ///< [Hz]

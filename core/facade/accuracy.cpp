@@ -119,10 +119,10 @@ AccuracyStudy study_accuracy(const AccuracyRequest& request,
       (prepared.bearing.speed[1] - prepared.bearing.speed[0]) * end / (2.0 * std::numbers::pi);
   const double tight = std::min(
       1e-11, 1e-2 * *std::min_element(request.tolerances.begin(), request.tolerances.end()));
-  study.steps = fmt::format("{:.3g} to {:.3g} s (stpMin {:g}, stpMax {:g})",
-                            prepared.control.step_minimum * scale,
-                            prepared.control.step_maximum * scale, prepared.control.step_minimum,
-                            prepared.control.step_maximum);
+  study.steps =
+      fmt::format("{:.3g} to {:.3g} s (stpMin {:g}, stpMax {:g})",
+                  prepared.control.step_minimum * scale, prepared.control.step_maximum * scale,
+                  prepared.control.step_minimum, prepared.control.step_maximum);
   study.reference =
       fmt::format("rkf7 at {:.0e}, checked against rkf5 at {:.0e}", tight, 10.0 * tight);
   EndState reference, check;
@@ -185,11 +185,10 @@ std::string accuracy_table(const AccuracyStudy& study) {
       "rejected", "at stpMin", "rhs calls", "time [s]");
   for (const AccuracyRow& row : study.rows) {
     if (row.failure.empty())
-      out +=
-          fmt::format(
-              "{:<12} {:>8.0e} {:>10.2e} {:>10.2e} {:>12.2e} {:>8} {:>8} {:>10} {:>10} {:>9.3f}\n",
-              row.method, row.tolerance, row.error, row.load_error, row.energy_residual, row.steps,
-              row.rejected, row.at_minimum, row.evaluations, row.seconds);
+      out += fmt::format(
+          "{:<12} {:>8.0e} {:>10.2e} {:>10.2e} {:>12.2e} {:>8} {:>8} {:>10} {:>10} {:>9.3f}\n",
+          row.method, row.tolerance, row.error, row.load_error, row.energy_residual, row.steps,
+          row.rejected, row.at_minimum, row.evaluations, row.seconds);
     else
       out += fmt::format("{:<12} {:>8.0e} gave up: {}\n", row.method, row.tolerance, row.failure);
   }

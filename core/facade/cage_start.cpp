@@ -49,9 +49,9 @@ void check_cage_start(const Prepared& prepared, const dynamics::Snapshot& start)
   issue.file = prepared.input.path.string();
   issue.record = "9.6";
   issue.variable = cage.start_angles.isZero(0.0) ? "cageGcPos" : "cageAngPos";
-  issue.message = fmt::format(
-      "the cage starts {} inside other bodies (the worst: {}), where {} and {} put it", length(worst),
-      where, triple("cageGcPos"), triple("cageAngPos"));
+  issue.message =
+      fmt::format("the cage starts {} inside other bodies (the worst: {}), where {} and {} put it",
+                  length(worst), where, triple("cageGcPos"), triple("cageAngPos"));
   issue.remedy =
       "start it within its clearances: smaller offsets and angles, or 0 for the centred cage";
   throw InputError(std::vector<Issue>{issue});

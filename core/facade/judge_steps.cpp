@@ -39,8 +39,7 @@ JudgedSteps judge_steps(const Prepared& prepared, double time_scale) {
   out.request.minimum = control.step_minimum * time_scale;
   out.request.maximum = control.step_maximum * time_scale;
   const double speed = std::abs(prepared.bearing.speed[1] - prepared.bearing.speed[0]);
-  out.request.turn =
-      speed > 0.0 ? 2.0 * std::numbers::pi / speed : control.end_time * time_scale;
+  out.request.turn = speed > 0.0 ? 2.0 * std::numbers::pi / speed : control.end_time * time_scale;
   out.request.bands = bands_of(prepared, time_scale);
   out.limits = stable_steps(out.request);
   out.text = step_limits_text(out.request, out.limits, time_scale);
@@ -48,10 +47,10 @@ JudgedSteps judge_steps(const Prepared& prepared, double time_scale) {
     std::string others;
     for (const std::string& name : methods_that_keep(out.request))
       others += (others.empty() ? "" : ", ") + name;
-    out.text += fmt::format(
-        ". {} is refused for this deck. {}", out.request.method,
-        others.empty() ? "Lower stpMax on record 2.1"
-                       : fmt::format("Integrators that need no other steps: {}", others));
+    out.text += fmt::format(". {} is refused for this deck. {}", out.request.method,
+                            others.empty()
+                                ? "Lower stpMax on record 2.1"
+                                : fmt::format("Integrators that need no other steps: {}", others));
   }
   return out;
 }

@@ -183,7 +183,8 @@ OutlineModel outline_model(const Deck& deck) {
       if (!(deck.si(factor) > 0.5) || deck.si(factor) > 10.0)
         refuse(deck, factor, "makes no groove that a ball fits into", "give a value above 0.5");
     m.balls = build::build_balls(deck);
-    m.balls->groove_plane.reset();  // drawn where the balls touch, whatever displacements count from
+    m.balls->groove_plane
+        .reset();  // drawn where the balls touch, whatever displacements count from
     m.groove = contact::groove_geometry(*m.balls);
     m.length = m.diameter;
     m.angle = m.balls->contact_angle;

@@ -25,8 +25,8 @@ namespace adore::facade {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kDefaultNames[] = {"PRINT.txt", "FINAL", "MASTER", "SOL1", "SOL2",
-                                         "SOL3",      "SOL4",  "SOL5",   "SOL6", "SOL7",
+constexpr const char* kDefaultNames[] = {"PRINT.txt", "FINAL", "MASTER",   "SOL1",      "SOL2",
+                                         "SOL3",      "SOL4",  "SOL5",     "SOL6",      "SOL7",
                                          "SOL8",      "SOL9",  "RUN.json", "RESULTS.h5"};
 
 std::string joined(const std::vector<std::string>& names) {
@@ -97,8 +97,7 @@ bool matches(const std::string& name, const std::string& pattern) {
 
 FolderLock::FolderLock(const fs::path& folder) : path_(folder / kName) {
   for (;;) {
-    const int descriptor =
-        ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+    const int descriptor = ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor < 0)
       throw InputError(fmt::format(
           "{}: nothing can be written into this folder ({}); make it writable, free some disk "
@@ -116,10 +115,10 @@ FolderLock::FolderLock(const fs::path& folder) : path_(folder / kName) {
         who.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
         who = who.substr(0, who.find('\n'));
         ::close(descriptor);
-        throw InputError(
-            fmt::format("{}: another run is writing into this folder ({}); wait for its end, or "
-                        "choose another folder with --out",
-                        folder.string(), who.empty() ? "a process that has not named itself" : who));
+        throw InputError(fmt::format(
+            "{}: another run is writing into this folder ({}); wait for its end, or "
+            "choose another folder with --out",
+            folder.string(), who.empty() ? "a process that has not named itself" : who));
       }
       ::close(descriptor);  // a file system without locks
       return;
@@ -167,8 +166,9 @@ void check_names(const Outputs& outputs) {
         });
     if (input) {
       issue.message = "this output of the run would replace an input of it";
-      issue.remedy = "rename the input, choose another name on record 2.3, or another folder with "
-                     "--out";
+      issue.remedy =
+          "rename the input, choose another name on record 2.3, or another folder with "
+          "--out";
     } else if (fs::is_symlink(status)) {
       issue.message = fmt::format("this output of the run is a symbolic link to {}",
                                   fs::read_symlink(path, error).string());
@@ -181,7 +181,8 @@ void check_names(const Outputs& outputs) {
                                          fs::perms::others_exec)) != fs::perms::none) &&
                !results::is_own_file(path)) {
       issue.message = "this output of the run exists, and is not a file that this program wrote";
-      issue.remedy = "move it away, choose another name on record 2.3, or another folder with --out";
+      issue.remedy =
+          "move it away, choose another name on record 2.3, or another folder with --out";
     } else {
       continue;
     }

@@ -2,8 +2,7 @@
 
 namespace adore::facade {
 
-nlohmann::ordered_json plan_json(const dynamics::ScenePlan& plan,
-                                  const std::string& stability) {
+nlohmann::ordered_json plan_json(const dynamics::ScenePlan& plan, const std::string& stability) {
   nlohmann::ordered_json out;
   out["bodies"] = nlohmann::ordered_json::array();
   for (const dynamics::BodyEntry& body : plan.bodies)

@@ -293,8 +293,7 @@ dynamics::ScenePlan plan_with_estimates(const Prepared& prepared) {
   dynamics::System system = make_system(prepared);
   dynamics::estimate(plan, prepared.bearing, prepared.start, system);
   const JudgedSteps steps = judge_steps(prepared, system.scales().time);
-  const double step =
-      std::clamp(plan.expected_step, steps.limits.minimum, steps.limits.maximum);
+  const double step = std::clamp(plan.expected_step, steps.limits.minimum, steps.limits.maximum);
   const double more = plan.expected_step / step;
   plan.expected_step = step;
   plan.steps_per_revolution *= more;

@@ -39,7 +39,7 @@ struct LoadedDeck {
   deck::Deck deck;             ///< with the sets applied
   std::vector<Issue> warnings;
   std::map<std::string, std::string> option_values;  ///< ADORE.json and --opt, as given
-  std::stop_token stop;  ///< ends a long preparation (Interrupted)
+  std::stop_token stop;                              ///< ends a long preparation (Interrupted)
   /// Called after each speed of the stiffness table; may be empty.
   std::function<void(long done, long total)> table_progress;
 };
@@ -73,11 +73,11 @@ struct Prepared {
       fixed_angle{};  ///< contact angles that the run's Hertz constants are frozen at [rad]
   statics::StaticSolution
       start;  ///< with those constants: start of a dynamic run (empty when quasi-static)
-  std::string stability;           ///< of a run: what was decided on its steps (judge_steps.hpp)
-  double solve_seconds = 0.0;      ///< computing time of the equilibrium
-  double stiffness_seconds = 0.0;  ///< and of the table over speed
+  std::string stability;              ///< of a run: what was decided on its steps (judge_steps.hpp)
+  double solve_seconds = 0.0;         ///< computing time of the equilibrium
+  double stiffness_seconds = 0.0;     ///< and of the table over speed
   std::vector<deck::NoPart> no_part;  ///< values of the deck that this run does not use, and why
-  life::BearingLife life;          ///< at the equilibrium that PRINT.txt shows
+  life::BearingLife life;             ///< at the equilibrium that PRINT.txt shows
 
   /// What the quasi-static solution says of the inner race, whatever rolls on it.
   [[nodiscard]] const statics::RaceResult& race_result() const {

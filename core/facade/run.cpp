@@ -1,8 +1,8 @@
 #include "facade/run.hpp"
 
 #include "base/version.hpp"
-#include "dynamics/race_contacts.hpp"
 #include "deck/unit_text.hpp"
+#include "dynamics/race_contacts.hpp"
 #include "facade/judge_steps.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/run_outputs.hpp"
@@ -156,7 +156,8 @@ void warn(Prepared& prepared, const std::string& text) {
   prepared.input.warnings.push_back(std::move(issue));
 }
 
-/// The steps that the run takes. What was changed becomes a remark on the deck and part of its plan.
+/// The steps that the run takes. What was changed becomes a remark on the deck and part of its
+/// plan.
 /// @throws InputError when the method is refused.
 StepLimits settle_steps(Prepared& prepared, double time_scale) {
   const JudgedSteps steps = judge_steps(prepared, time_scale);
@@ -208,7 +209,8 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
   // Everything is checked before a file of an earlier run is touched.
   (void)run_span(request, prepared, system.scales().time);
   const StepLimits limits = settle_steps(prepared, system.scales().time);
-  const build::StartState how = request.go_on ? build::StartState::Continue : prepared.control.start;
+  const build::StartState how =
+      request.go_on ? build::StartState::Continue : prepared.control.start;
   const fs::path master = folder / prepared.control.master_file;
   if (request.go_on && !fs::exists(master))
     throw InputError(fmt::format(
@@ -237,10 +239,11 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
   const bool remembers = start.continued && !start.resume.memory.empty();
   if (start.continued) {
     if (!remembers)
-      outputs.remark(fmt::format(
-          "continued from step {}: {} starts anew there, because the run so far had another method, "
-          "tolerance or limits of the step, or ended with a failure",
-          start.step, prepared.control.integrator));
+      outputs.remark(
+          fmt::format("continued from step {}: {} starts anew there, because the run so far had "
+                      "another method, "
+                      "tolerance or limits of the step, or ended with a failure",
+                      start.step, prepared.control.integrator));
     else if (!stepper->loses().empty())
       outputs.remark(
           fmt::format("continued from step {}: {} loses {}; the path differs from that of an "
@@ -303,10 +306,11 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
       else
         stepper->start(ode, start.time, start.y, control);
     } catch (const std::out_of_range&) {
-      throw InputError(fmt::format(
-          "{}: what {} remembers is incomplete; the file is damaged, restore it or start again with "
-          "--overwrite",
-          master.string(), prepared.control.integrator));
+      throw InputError(
+          fmt::format("{}: what {} remembers is incomplete; the file is damaged, restore it or "
+                      "start again with "
+                      "--overwrite",
+                      master.string(), prepared.control.integrator));
     }
     const auto checkpoint = [&] {
       output([&] {
@@ -472,9 +476,8 @@ RunOutcome run(const RunRequest& request, const ProgressSink& progress, std::sto
   apply_overrides(request, prepared);
   const fs::path folder = output_folder(request, prepared.input.path);
   const FolderLock lock(folder);
-  RunOutcome out = prepared.control.dynamic
-                       ? run_dynamic(request, prepared, folder, progress, stop)
-                       : run_quasi_static(request, prepared, folder);
+  RunOutcome out = prepared.control.dynamic ? run_dynamic(request, prepared, folder, progress, stop)
+                                            : run_quasi_static(request, prepared, folder);
   out.folder = folder;
   std::vector<Issue> remarks = std::move(out.warnings);
   out.warnings = prepared.input.warnings;

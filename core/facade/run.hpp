@@ -49,9 +49,8 @@ enum class RunStatus : unsigned char {
 
 struct RunOutcome {
   RunStatus status = RunStatus::Done;
-  std::string
-      message;  ///< Failed, Untrusted: diagnosis and remedy. Files are valid up to the last stored
-                ///< step. Done: says so when there was nothing left to do
+  std::string message;  ///< Failed, Untrusted: diagnosis and remedy. Files are valid up to the last
+                        ///< stored step. Done: says so when there was nothing left to do
   std::filesystem::path folder;
   std::vector<std::filesystem::path> files;  ///< written, in the order of outputs.md
   std::vector<Issue> warnings;       ///< of the deck, and what the equilibrium says of itself
@@ -66,9 +65,9 @@ struct RunOutcome {
 };
 
 /// Runs the deck to its end, to an interruption, or to a diagnosed failure.
-/// @throws InputError (nothing was overwritten; ResultsExist when results of an earlier run stand in
-/// the way and nobody allowed to replace them), SolverError when no start state exists (PRINT.txt
-/// says so far), Interrupted when the stop came before anything was written.
+/// @throws InputError (nothing was overwritten; ResultsExist when results of an earlier run stand
+/// in the way and nobody allowed to replace them), SolverError when no start state exists
+/// (PRINT.txt says so far), Interrupted when the stop came before anything was written.
 RunOutcome run(const RunRequest& request, const ProgressSink& progress = {},
                std::stop_token stop = {});
 

@@ -180,7 +180,7 @@ struct RunOutputs::Impl {
     Eigen::Vector3d linear, angular;      ///< [N s, N m s]
   };
   std::optional<LedgerStart> ledger_start;
-  Snapshot last;                         ///< last stored instant
+  Snapshot last;  ///< last stored instant
   std::vector<double> last_y;
   std::vector<fs::path> written;
   std::vector<Issue> remarks;
@@ -188,9 +188,9 @@ struct RunOutputs::Impl {
   Clock::time_point checkpoint = Clock::now();
   long plotted = -1, animated = -1, printed = -1, saved = -1;  ///< last step in each kind of file
   long lived = -1;                                             ///< last step of the life models
-  long segment = 0;           ///< step from which maxStps counts
-  long restart_step = -1;     ///< of the last checkpoint
-  int cage_position = -1;  ///< first component of the cage's mass centre
+  long segment = 0;                                            ///< step from which maxStps counts
+  long restart_step = -1;                                      ///< of the last checkpoint
+  int cage_position = -1;      ///< first component of the cage's mass centre
   double turned_before = 0.0;  ///< rotation of the shaft beyond speed times time [rad]
 
   Impl(const Prepared& p, fs::path f, std::string r, bool o)
@@ -226,12 +226,11 @@ struct RunOutputs::Impl {
   void open_files(bool continued);
   void make_room();
   void print_front(const std::optional<dynamics::Scales>& scales);
-  [[nodiscard]] results::FinalState final_state(const dynamics::System& system,
-                                                const Snapshot& at,
+  [[nodiscard]] results::FinalState final_state(const dynamics::System& system, const Snapshot& at,
                                                 std::span<const double> y) const;
   [[nodiscard]] results::StaticSummary static_summary(bool dynamic) const;
-  void write_restart(const dynamics::System& system, const Snapshot& at,
-                     std::span<const double> y, const Resume& resume);
+  void write_restart(const dynamics::System& system, const Snapshot& at, std::span<const double> y,
+                     const Resume& resume);
   void save_progress(std::map<std::string, double>& state, const Snapshot& at,
                      const Resume& resume) const;
   void restore_progress(const results::MasterState& master, StartPoint& out);
@@ -283,7 +282,8 @@ bool RunOutputs::Impl::writes_animation() const {
 void RunOutputs::Impl::make_room() {
   Outputs all_outputs = outputs();
   // Its state is the start; the first checkpoint takes its place.
-  if (control.start != build::StartState::Statics) std::erase(all_outputs.names, control.final_file);
+  if (control.start != build::StartState::Statics)
+    std::erase(all_outputs.names, control.final_file);
   const fs::path away = facade::make_room(all_outputs);
   if (!away.empty())
     remark(fmt::format("results of an earlier run that this run does not write were moved into {}",
@@ -298,18 +298,16 @@ void RunOutputs::Impl::open_files(bool continued) {
   const auto open = [&](std::size_t number, int index) {
     const results::SolHeader header = results::make_sol_header(prepared.bearing, index, units);
     written.push_back(sol_path(number));
-    return continued
-               ? results::SolWriter::continue_after(sol_path(number), header, units, plotted)
-               : results::SolWriter::create(sol_path(number), header, units);
+    return continued ? results::SolWriter::continue_after(sol_path(number), header, units, plotted)
+                     : results::SolWriter::create(sol_path(number), header, units);
   };
   for (std::size_t k = 0; k < control.monitored.size() && k < 6; ++k)
     elements.push_back(open(k + 1, control.monitored[k]));
   power = open(7, 0);
   if (prepared.options.results_h5) {
     written.push_back(path("RESULTS.h5"));
-    all = continued
-              ? results::H5Writer::continue_after(path("RESULTS.h5"), prepared.bearing, saved)
-              : results::H5Writer::create(path("RESULTS.h5"), prepared.bearing);
+    all = continued ? results::H5Writer::continue_after(path("RESULTS.h5"), prepared.bearing, saved)
+                    : results::H5Writer::create(path("RESULTS.h5"), prepared.bearing);
   }
   if (!control.animate) return;
   if (const auto refusal = results::sol8_refusal(prepared.bearing.balls.count, cages())) {
@@ -390,7 +388,9 @@ void RunOutputs::Impl::save_progress(std::map<std::string, double>& state, const
     state[momentum_name("linear", k)] = at.momentum->linear.sum(dynamics::LedgerKind::Start)[k];
     state[momentum_name("angular", k)] = at.momentum->angular.sum(dynamics::LedgerKind::Start)[k];
   }
-  const auto whole = [&](const char* name, long value) { state[name] = static_cast<double>(value); };
+  const auto whole = [&](const char* name, long value) {
+    state[name] = static_cast<double>(value);
+  };
   whole(kSubsteps, resume.substeps);
   whole(kSegment, segment);
   whole(kPlotted, plotted);
@@ -467,9 +467,10 @@ void RunOutputs::Impl::restore_progress(const results::MasterState& master, Star
   for (auto at = state.lower_bound(memory); at != state.end() && at->first.starts_with(memory);
        ++at) {
     if (!std::isfinite(at->second))
-      throw InputError(fmt::format("{}: \"{}\" is not finite; the file is damaged, restore it or "
-                                   "start again with --overwrite",
-                                   path(control.master_file).string(), at->first));
+      throw InputError(
+          fmt::format("{}: \"{}\" is not finite; the file is damaged, restore it or "
+                      "start again with --overwrite",
+                      path(control.master_file).string(), at->first));
     out.resume.memory[at->first.substr(memory.size())] = at->second;
   }
 }

@@ -35,8 +35,8 @@ struct StartPoint {
   long step = 0;
   double step_size = 0.0;  ///< last step of the run that is continued [s]; 0 for a new one
   bool continued = false;
-  Resume resume;       ///< of the run that is continued; memory empty: its stepper starts anew
-  long segment = 0;    ///< step from which maxStps counts
+  Resume resume;          ///< of the run that is continued; memory empty: its stepper starts anew
+  long segment = 0;       ///< step from which maxStps counts
   bool complete = false;  ///< the run that is continued has its last page
   double turned_before = 0.0;  ///< shaft rotation beyond speed times time: of earlier speeds [rad]
 };

@@ -122,9 +122,9 @@ void results(Entries& out, const Prepared& p) {
               std::to_string(deck.integer("nCseg")) + ")");
   out.add("friction, gravity, cage forces", false, "mode = -1: no part of the equilibrium");
   for (const build::IdleOption& option : build::idle_options(deck))
-    out.add(option.asks_for, false,
-            fmt::format("{} = {}: no part of a quasi-static solution", option.variable,
-                        option.value));
+    out.add(
+        option.asks_for, false,
+        fmt::format("{} = {}: no part of a quasi-static solution", option.variable, option.value));
 }
 
 }  // namespace

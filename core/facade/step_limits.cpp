@@ -208,35 +208,37 @@ std::string steps_text(double minimum, double maximum, double time_scale) {
   const auto one = [&](double h) {
     return fmt::format("{:.4g} s ({:.4g} time scales)", h, h / time_scale);
   };
-  return minimum == maximum ? "constant steps of " + one(maximum) : "steps of up to " + one(maximum);
+  return minimum == maximum ? "constant steps of " + one(maximum)
+                            : "steps of up to " + one(maximum);
 }
 
 }  // namespace
 
 std::string step_limits_text(const StepRequest& request, const StepLimits& limits,
                              double time_scale) {
-  if (limits.frequency == 0.0) return request.method + ": no contact vibration to judge the step by";
+  if (limits.frequency == 0.0)
+    return request.method + ": no contact vibration to judge the step by";
   const std::string asked = steps_text(request.minimum, request.maximum, time_scale);
   const std::string hertz =
       fmt::format("{:.4g} Hz ({})", limits.frequency / (2.0 * std::numbers::pi), limits.vibration);
   if (limits.action == StepAction::Kept)
-    return fmt::format("{} keeps contact vibrations bounded with {}: the worst, {}, is multiplied "
-                       "by {:.4g} per turn",
-                       request.method, asked, hertz, limits.growth);
-  const std::string why = fmt::format(
-      "{} with {}, as the deck asks, lets the contact vibration of {} grow {} per turn",
-      request.method, asked, hertz, growth_text(limits.growth_asked));
+    return fmt::format(
+        "{} keeps contact vibrations bounded with {}: the worst, {}, is multiplied "
+        "by {:.4g} per turn",
+        request.method, asked, hertz, limits.growth);
+  const std::string why =
+      fmt::format("{} with {}, as the deck asks, lets the contact vibration of {} grow {} per turn",
+                  request.method, asked, hertz, growth_text(limits.growth_asked));
   const std::string now = steps_text(limits.minimum, limits.maximum, time_scale);
   switch (limits.action) {
     case StepAction::Shortened:
       return fmt::format("{}; it runs with {}, which allow {:.4g}", why, now, limits.growth);
     case StepAction::Lengthened:
-      return fmt::format("{}; it runs with {}{}, in the band where it damps them ({:.4g} per turn)",
-                         why, now,
-                         limits.minimum < limits.maximum
-                             ? fmt::format(" and not below {:.4g} s", limits.minimum)
-                             : "",
-                         limits.growth);
+      return fmt::format(
+          "{}; it runs with {}{}, in the band where it damps them ({:.4g} per turn)", why, now,
+          limits.minimum < limits.maximum ? fmt::format(" and not below {:.4g} s", limits.minimum)
+                                          : "",
+          limits.growth);
     case StepAction::OrderHeld:
       return fmt::format("{}; it runs with orders up to {} and {}, which allow {:.4g}", why,
                          limits.highest_order, now, limits.growth);

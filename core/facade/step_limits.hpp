@@ -14,14 +14,14 @@ namespace adore::facade {
 
 /// A range of angular frequencies at which the bearing's contacts vibrate.
 struct VibrationBand {
-  std::string name;                ///< "along the contact normals"
+  std::string name;                    ///< "along the contact normals"
   double lowest = 0.0, highest = 0.0;  ///< [rad/s], > 0
 };
 
 struct StepRequest {
-  std::string method;                  ///< name of the integrator
+  std::string method;                   ///< name of the integrator
   double minimum = 0.0, maximum = 0.0;  ///< what the deck allows [s]; equal: constant step
-  double turn = 0.0;                   ///< time over which growth is counted [s]
+  double turn = 0.0;                    ///< time over which growth is counted [s]
   std::vector<VibrationBand> bands;
 };
 
@@ -30,7 +30,7 @@ enum class StepAction : unsigned char { Kept, Shortened, Lengthened, OrderHeld, 
 struct StepLimits {
   StepAction action = StepAction::Kept;
   double minimum = 0.0, maximum = 0.0;  ///< in force [s]
-  int highest_order = 0;     ///< of a method that changes its order; 0: its own limit
+  int highest_order = 0;                ///< of a method that changes its order; 0: its own limit
   double growth_asked = 1.0;  ///< per turn, of the vibration that grows most with the deck's limits
   double growth = 1.0;        ///< and with those in force
   double frequency = 0.0;     ///< of the vibration that grows most with the deck's limits [rad/s]
@@ -39,7 +39,8 @@ struct StepLimits {
 
 /// No vibration may grow by more than this factor per turn.
 inline constexpr double kGrowthPerTurn = 1.01;
-/// A method that needs steps shorter than this over the highest frequency (600 a period) is refused.
+/// A method that needs steps shorter than this over the highest frequency (600 a period) is
+/// refused.
 inline constexpr double kLeastPhase = 0.01;
 
 /// The nearest limits at which no vibration grows by more than kGrowthPerTurn:

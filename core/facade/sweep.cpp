@@ -135,9 +135,8 @@ std::optional<Row> completed(const RunRequest& request, const std::string& value
     const auto json = parse_json<nlohmann::ordered_json>(
         std::string(std::istreambuf_iterator<char>(stream), {}), file.string());
     for (const auto& [name, item] : json.at("summary").items())
-      row.outcome.summary.emplace_back(name, item.is_number()
-                                                 ? item.get<double>()
-                                                 : std::numeric_limits<double>::infinity());
+      row.outcome.summary.emplace_back(
+          name, item.is_number() ? item.get<double>() : std::numeric_limits<double>::infinity());
   } catch (const std::exception&) {
     return {};  // damaged: it runs again
   }
@@ -248,8 +247,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
       one.go_on = false;
       try {
         const std::string value = one.sets[swept].second;
-        Row row = request.go_on ? run_what_is_missing(one, value, stop)
-                                : run_one(one, value, stop);
+        Row row = request.go_on ? run_what_is_missing(one, value, stop) : run_one(one, value, stop);
         const std::scoped_lock guard(mutex);
         rows[k] = std::move(row);
         ++done;

@@ -17,7 +17,8 @@ inline constexpr int kOwnOrder = 0;
 /// eigenvalues of the step's matrix. 1: kept, below: damped, above: grows.
 ///
 ///   rkf, arkode    |R(iφ)|, R(z) = 1 + z bᵀ (1 - z A)⁻¹ 1 of the solution that is propagated;
-///                  arkode-imex with the whole vibration in its implicit part, as dynamics splits it
+///                  arkode-imex with the whole vibration in its implicit part, as dynamics splits
+///                  it
 ///   pece           predict, evaluate, correct, evaluate, with the history of derivatives and the
 ///                  weights (adams_weights) that the stepper itself uses
 ///   cvode-adams    Nordsieck predictor and one fixed-point iteration: what the package does while

@@ -24,10 +24,11 @@ DamageRate damage_rate(double speed, const DamageParts& lives) {
 double stored(const std::map<std::string, double>& state, const std::string& name) {
   const auto found = state.find(name);
   if (found == state.end())
-    throw InputError(fmt::format(
-        "MASTER is damaged: it lacks '{}'; take the file of an earlier run, or start new files with "
-        "kIcOpt = -1",
-        name));
+    throw InputError(
+        fmt::format("MASTER is damaged: it lacks '{}'; take the file of an earlier run, or start "
+                    "new files with "
+                    "kIcOpt = -1",
+                    name));
   return found->second;
 }
 

@@ -45,9 +45,9 @@ struct ModificationFactors {
 struct LifeState {
   std::array<ModelLives, kModels> model;
   ModificationFactors factors;
-  double relative_speed = 0.0;         ///< [rad/s]
+  double relative_speed = 0.0;          ///< [rad/s]
   std::array<ContactShape, 2> shape{};  ///< by race
-  std::array<double, 2> major_axis{};  ///< 2a of the heaviest roller's ellipse; 0: none [m]
+  std::array<double, 2> major_axis{};   ///< 2a of the heaviest roller's ellipse; 0: none [m]
   [[nodiscard]] const PartLives& of(LifeModel m, LifeModification f) const {
     return model[static_cast<std::size_t>(m)].modified[static_cast<std::size_t>(f)];
   }
@@ -61,7 +61,8 @@ struct RaceReport {
   double p_max = 0.0;                        ///< [Pa]
   PeakRatios peaks;                          ///< below the heaviest contact
   std::array<double, 3> stress_capacity{};   ///< p_c: updated, GZ, IH [Pa]; NaN without load
-  double major_axis = 0.0;  ///< 2a that the heaviest roller's ellipse has or would have; NaN: none [m]
+  double major_axis =
+      0.0;            ///< 2a that the heaviest roller's ellipse has or would have; NaN: none [m]
   bool line = false;  ///< all of these as a line contact; between line and point: the one that the
                       ///< original theory counts
 };
@@ -143,7 +144,8 @@ class LifeCalculator {
                                    const std::array<double, 3>& load,
                                    const LifeParameters& parameters);
 
-/// Quasi-static life of a roller bearing in operation; each race as lines or points by contact_shape.
+/// Quasi-static life of a roller bearing in operation; each race as lines or points by
+/// contact_shape.
 [[nodiscard]] BearingLife roller_bearing_life(const bearing::Bearing& bearing,
                                               const bearing::LifeInputs& inputs,
                                               const statics::RollerSolution& solution);

@@ -21,8 +21,8 @@ struct CapacityGeometry {
 /// Q_c = A λ (2R/D · r/(r-R))^0.41 (1∓γ)^1.39/(1±γ)^(1/3) (γ/cos α)^0.3 D^1.8 Z^(-1/3), upper sign
 /// inner race [N]; for a ball R = D/2, r = fD the conformity term is (2f/(2f-1))^0.41.
 /// Past α = 90° γ changes its sign, as the curvature around the bearing does, and γ/cos α = D/d_m
-/// stays [derived]. A = 98.0665 N/mm^1.8 (seen). D^1.8 at every size: the 3.647 D^1.4 above 25.4 mm belongs to the
-/// rating standards. [lundberg1947]
+/// stays [derived]. A = 98.0665 N/mm^1.8 (seen). D^1.8 at every size: the 3.647 D^1.4 above 25.4 mm
+/// belongs to the rating standards. [lundberg1947]
 /// @throws InputError when the groove does not embrace the element or a size is not positive.
 [[nodiscard]] double point_capacity(const CapacityGeometry& geometry, double factor = 1.0);
 

@@ -24,9 +24,9 @@ struct PartParameters {
   std::string material;                  ///< its name
   Marked original_factor;                ///< races
   std::array<ModelParameters, 3> model;  ///< updated, Zaretsky, Harris
-  Marked slope;        ///< of balls, or of rollers that count as lines
-  Marked point_slope;  ///< where they count as points
-  Marked fatigue_limit;  ///< von Mises, with facStrLimit [Pa]; 0: no limit known
+  Marked slope;                          ///< of balls, or of rollers that count as lines
+  Marked point_slope;                    ///< where they count as points
+  Marked fatigue_limit;                  ///< von Mises, with facStrLimit [Pa]; 0: no limit known
   double poisson_ratio = 0.3;
   double elastic_modulus = 0.0;  ///< behind the pressures [Pa]
   double temperature = 0.0;      ///< of the part; 0: not said [K]

@@ -22,8 +22,8 @@ struct Averages {
 /// Accumulates them. All but the whirl come from angles and heats that the run itself integrates,
 /// so they are exact whatever the interval between the snapshots; the whirl angle needs two or more
 /// positions per turn of the whirl. A ratio is 0 while the races have not turned against each
-/// other; before the first span ends the loss and the load are those of the first snapshot. The load
-/// is the trapezoidal mean over the snapshots: sampled, not integrated by the run.
+/// other; before the first span ends the loss and the load are those of the first snapshot. The
+/// load is the trapezoidal mean over the snapshots: sampled, not integrated by the run.
 class RunAverages {
  public:
   void add(const dynamics::Snapshot& snapshot);

@@ -270,14 +270,16 @@ std::vector<Channel> with_ledger() {
   const std::vector<const dynamics::LedgerTerm*> terms = dynamics::energy_terms();
   for (const dynamics::LedgerTerm* term : terms)
     if (term->kind == LedgerKind::Heat && !term->per_race())
-      all.push_back({ids.emplace_back(fmt::format("power.{}", term->id)), term->label, &unit::kPower, term->frame,
-                     Per::Run, 1, false, [](const Source& s) { return s.snapshot->energy.rate(s.term->id); },
+      all.push_back({ids.emplace_back(fmt::format("power.{}", term->id)), term->label,
+                     &unit::kPower, term->frame, Per::Run, 1, false,
+                     [](const Source& s) { return s.snapshot->energy.rate(s.term->id); },
                      "dissipated now", term});
   for (const dynamics::LedgerTerm* term : terms)
-    all.push_back({ids.emplace_back(fmt::format("energy.{}", term->id)), term->label, &unit::kEnergy, term->frame,
-                   term->per_race() ? Per::Race : Per::Run, 1, false,
+    all.push_back({ids.emplace_back(fmt::format("energy.{}", term->id)), term->label,
+                   &unit::kEnergy, term->frame, term->per_race() ? Per::Race : Per::Run, 1, false,
                    [](const Source& s) {
-                     return s.snapshot->energy.value(s.term->id, s.term->per_race() ? static_cast<int>(s.race) : 0);
+                     return s.snapshot->energy.value(
+                         s.term->id, s.term->per_race() ? static_cast<int>(s.race) : 0);
                    },
                    term->help, term});
   all.push_back({"energy.residual", "energy residual", &unit::kEnergy, "-", Per::Run, 1, false,

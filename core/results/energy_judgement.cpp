@@ -27,7 +27,8 @@ EnergyJudgement judge_energy(const dynamics::EnergyLedger& energy, double elasti
   out.trust = std::max(by_moved, by_elastic);
   if (out.trust == Trust::Full) return out;
   out.text = fmt::format(
-      "{:.3g} J of energy have no account: {:.2g} of the {:.3g} J that moved{}, {:.2g} of the {:.3g} J "
+      "{:.3g} J of energy have no account: {:.2g} of the {:.3g} J that moved{}, {:.2g} of the "
+      "{:.3g} J "
       "of elastic energy in the quasi-static solution{}. ",
       residual, out.over_moved, moved,
       by_moved == Trust::None ? fmt::format(" (limit {:g})", kMovedLimit) : "", out.over_elastic,

@@ -120,8 +120,7 @@ struct File {
 
   void load_superblock() {
     Superblock block{};
-    if (::pread(descriptor, block.data(), block.size(), 0) !=
-            static_cast<ssize_t>(block.size()) ||
+    if (::pread(descriptor, block.data(), block.size(), 0) != static_cast<ssize_t>(block.size()) ||
         !is_superblock(block))
       return;
     superblock = block;
@@ -200,7 +199,8 @@ herr_t read_file(H5FD_t* head, H5FD_mem_t, hid_t, haddr_t at, std::size_t count,
     from += static_cast<haddr_t>(n);
     left -= static_cast<std::size_t>(n);
   }
-  // A file of an older version of this program whose writer was killed: without mark and old length.
+  // A file of an older version of this program whose writer was killed: without mark and old
+  // length.
   if (file.has_superblock && at < kSuperblock) {
     const Superblock block = File::clean(file.superblock, file.size);
     const std::size_t first = static_cast<std::size_t>(at),
@@ -222,7 +222,7 @@ herr_t write_file(H5FD_t* head, H5FD_mem_t, hid_t, haddr_t at, std::size_t count
   std::memcpy(block.data(), buffer, block.size());
   if (File::is_superblock(block)) {
     file.has_superblock = true;
-    file.superblock = block;  // of the library: never equal to what announce() makes of it ...
+    file.superblock = block;      // of the library: never equal to what announce() makes of it ...
     file.superblock[kFlags] = 1;  // ... so that it is written
     if (!file.announce(file.allocated)) return 0;
     at += kSuperblock;

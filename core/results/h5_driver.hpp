@@ -5,12 +5,13 @@
 #include <string>
 
 /// How RESULTS.h5 reaches the disk: a file driver for HDF5 under which the file on the disk is at
-/// every moment one that any HDF5 program opens, whenever the process is killed or the disk is full.
+/// every moment one that any HDF5 program opens, whenever the process is killed or the disk is
+/// full.
 ///
 /// HDF5's single-writer mode orders what it writes so that nothing is referred to before it is
 /// there, but marks the file as open and leaves the length in its first block (the superblock)
-/// behind. This driver passes on every write in its order, and keeps that block free of the mark and
-/// the length right. After the first write that fails it lets nothing more through and reports
+/// behind. This driver passes on every write in its order, and keeps that block free of the mark
+/// and the length right. After the first write that fails it lets nothing more through and reports
 /// success to the library (which would crash at exit with data it cannot get rid of): the file is
 /// then as if the process had been killed there, and the caller asks for write_error().
 namespace adore::results::h5 {

@@ -46,7 +46,8 @@ MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing) {
 std::string load_warning(const MeanLoad& load, UnitSystem units) {
   const double departure = load.departure();
   if (departure <= kLoadWarning) return {};
-  // What is carried follows what is asked nearly in proportion, if it is not another load altogether.
+  // What is carried follows what is asked nearly in proportion, if it is not another load
+  // altogether.
   dynamics::Vec3 instead = load.asked;
   bool scalable = true;
   for (int k = 0; k < 3; ++k) {
@@ -56,15 +57,19 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
     if (ratio != 0.0) instead[k] = load.asked[k] / ratio;
   }
   std::string out = fmt::format(
-      "the elements carried {} on the mean of {:.3g} s where the deck asks for {} ({:.1f} % off): a "
-      "dynamic run holds the inner race where the quasi-static solution put it, and moving elements "
+      "the elements carried {} on the mean of {:.3g} s where the deck asks for {} ({:.1f} % off): "
+      "a "
+      "dynamic run holds the inner race where the quasi-static solution put it, and moving "
+      "elements "
       "push back differently there. ",
       named(load, load.mean, units), load.time, named(load, load.asked, units), 100.0 * departure);
-  out += scalable ? fmt::format("A first guess for the load that brings about the one you want: {}; "
-                                "or give the displacement (kFS1-3, appDispX to Z)",
-                                named(load, instead, units))
-                  : "Give the displacement instead of the load (kFS1-3, appDispX to Z), and change it "
-                    "until the mean load of the run is the one you want";
+  out += scalable
+             ? fmt::format(
+                   "A first guess for the load that brings about the one you want: {}; "
+                   "or give the displacement (kFS1-3, appDispX to Z)",
+                   named(load, instead, units))
+             : "Give the displacement instead of the load (kFS1-3, appDispX to Z), and change it "
+               "until the mean load of the run is the one you want";
   return out;
 }
 

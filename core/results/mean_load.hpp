@@ -7,17 +7,18 @@
 #include <array>
 #include <string>
 
-/// The load that the elements carried on the mean, against the load that the deck asks for. A dynamic
-/// run holds its races where the quasi-static solution put them: what they carry there follows from
-/// the motion (other contact angles, gyroscopic moments, a finite number of orbiting elements).
+/// The load that the elements carried on the mean, against the load that the deck asks for. A
+/// dynamic run holds its races where the quasi-static solution put them: what they carry there
+/// follows from the motion (other contact angles, gyroscopic moments, a finite number of orbiting
+/// elements).
 namespace adore::results {
 
 /// Above this departure the run says so.
 inline constexpr double kLoadWarning = 0.05;
 
 struct MeanLoad {
-  double time = 0.0;                   ///< span of the mean [s]
-  std::array<bool, 3> given{};         ///< directions whose load is given: the others are displaced
+  double time = 0.0;            ///< span of the mean [s]
+  std::array<bool, 3> given{};  ///< directions whose load is given: the others are displaced
   dynamics::Vec3 asked = dynamics::Vec3::Zero(), mean = dynamics::Vec3::Zero();  ///< x, y, z [N]
   /// |mean - asked| / |asked| over the directions with a given load; 0 when none is asked.
   [[nodiscard]] double departure() const;

@@ -331,7 +331,8 @@ void print_ledgers(Report& report, const RunSummary& run, const dynamics::SceneP
 
   if (!run.stability.empty()) report.text("Stability: " + run.stability);
   if (run.load) {
-    report.heading("Load carried by the elements, mean over the stored instants, against the deck's");
+    report.heading(
+        "Load carried by the elements, mean over the stored instants, against the deck's");
     for (int k = 0; k < 3; ++k) {
       const char axis = "xyz"[k];
       if (run.load->given[static_cast<std::size_t>(k)])

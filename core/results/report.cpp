@@ -51,8 +51,8 @@ void Report::resume(std::string_view text) {
   const std::size_t page = text.rfind('\f');
   if (page == std::string_view::npos) return;  // the next line begins a page
   text.remove_prefix(page + 1);
-  line_ = static_cast<int>(std::min<std::ptrdiff_t>(
-      std::count(text.begin(), text.end(), '\n'), kLines));
+  line_ = static_cast<int>(
+      std::min<std::ptrdiff_t>(std::count(text.begin(), text.end(), '\n'), kLines));
   // The heading: version in 20 columns, run code in 44, title; columns are characters, not bytes.
   std::string_view heading = text.substr(0, text.find('\n'));
   for (std::size_t column = 0; !heading.empty() && column < kTitleColumn; ++column) {

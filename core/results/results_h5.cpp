@@ -289,11 +289,10 @@ struct H5Writer::Impl {
       const int error = write_error(file);
       if (!ok || error != 0) {
         broken = true;  // /step, written last, tells of the steps that all of them hold
-        throw InputError(
-            fmt::format("{}: the file cannot be written any further ({}); free some disk space or "
-                        "choose another disk, then continue the run",
-                        path.string(),
-                        error != 0 ? std::generic_category().message(error) : h5::last_error()));
+        throw InputError(fmt::format(
+            "{}: the file cannot be written any further ({}); free some disk space or "
+            "choose another disk, then continue the run",
+            path.string(), error != 0 ? std::generic_category().message(error) : h5::last_error()));
       }
       one.waiting.clear();
     }

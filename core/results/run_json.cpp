@@ -192,7 +192,8 @@ RunMark read_run_mark(const std::filesystem::path& path) {
   // Members of the outer object stand two blanks in; those looked for come before anything long.
   std::string line;
   for (int count = 0; count < 40 && std::getline(stream, line); ++count)
-    for (const auto& [name, value] : {std::pair{"request", &out.request}, {"status", &out.status}}) {
+    for (const auto& [name, value] :
+         {std::pair{"request", &out.request}, {"status", &out.status}}) {
       const std::string start = std::string("  \"") + name + "\": \"";
       if (line.rfind(start, 0) == 0)
         *value = line.substr(start.size(), line.find('"', start.size()) - start.size());

@@ -65,8 +65,8 @@ struct RunSummary {
 /// Replaces the file atomically. @throws InputError
 void write_run_json(const RunSummary& run, const std::filesystem::path& path);
 
-/// What an earlier RUN.json says first, as far as it says it; empty texts when there is none of this
-/// program.
+/// What an earlier RUN.json says first, as far as it says it; empty texts when there is none of
+/// this program.
 struct RunMark {
   std::string request, status;
 };

@@ -306,8 +306,8 @@ std::string datum_text(const Bearing& bearing, UnitSystem units) {
   if (!bearing.rollers) {
     const contact::GrooveGeometry g = contact::groove_geometry(bearing.balls);
     const double apart = g.centre_x[1] - g.centre_x[0];
-    const double angle = bearing.operating ? bearing.operating->free.contact_angle
-                                           : bearing.balls.contact_angle;
+    const double angle =
+        bearing.operating ? bearing.operating->free.contact_angle : bearing.balls.contact_angle;
     if (apart != 0.0)
       place = fmt::format(
           "all balls just touch both grooves at {}, by +x (the planes of the groove centres "

@@ -12,9 +12,10 @@ namespace adore::statics {
 
 struct RaceResult {
   /// Inner race minus its free position, the datum that the deck's geometry alone fixes (decision
-  /// 140): x, y, z of its reference point [m] (the outer race does not translate), tilts about y and z [rad] measured from the base frame, R = R_y R_z; an outer
-  /// misalignment tilts the outer race the same way. The reference point is the centre of the
-  /// groove-centre circle for balls, the middle of the bearing (x = 0 of the row) for rollers.
+  /// 140): x, y, z of its reference point [m] (the outer race does not translate), tilts about y
+  /// and z [rad] measured from the base frame, R = R_y R_z; an outer misalignment tilts the outer
+  /// race the same way. The reference point is the centre of the groove-centre circle for balls,
+  /// the middle of the bearing (x = 0 of the row) for rollers.
   std::array<double, 5> displacement{};
   std::array<double, 5> load{};  ///< what the shaft side applies to the inner race in this state
                                  ///< (given or reaction) [N, N m]

@@ -29,7 +29,7 @@ struct RollerModel {
   bool linear = false;
   bool grips = false;  ///< straight raceways: friction holds the roller axially (decision 109)
   contact::Slicing slicing;
-  RollerRaces race;                          ///< ideal
+  RollerRaces race;  ///< ideal
   std::array<contact::PowerLaw, 2> law;
   std::array<double, 2> E_star{};
   std::array<double, 2> line_constant{};  ///< K_l [N/m²]

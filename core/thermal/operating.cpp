@@ -185,14 +185,15 @@ ElementSizes element_sizes(const Bearing& b) {
 void report_tightest_pocket(const bearing::Cage& cage, std::size_t which, double nominal,
                             double diameter, double g_cage, double g_ball, OperatingFits& report) {
   const auto& own = cage.pocket_deviation;
-  const auto tightest = std::min_element(
-      own.begin(), own.end(), [which](const auto& a, const auto& b) { return a[which] < b[which]; });
+  const auto tightest =
+      std::min_element(own.begin(), own.end(),
+                       [which](const auto& a, const auto& b) { return a[which] < b[which]; });
   if (tightest == own.end()) return;
   double clearance = nominal + (*tightest)[which];
   if (nominal >= 0.0 && clearance < 0.0)
-    report.warnings.push_back(
-        fmt::format("pocket {} of the cage clamps its rolling element: its clearance {} is {:.4g} m",
-                    tightest - own.begin() + 1, which == 0 ? "I" : "II", clearance));
+    report.warnings.push_back(fmt::format(
+        "pocket {} of the cage clamps its rolling element: its clearance {} is {:.4g} m",
+        tightest - own.begin() + 1, which == 0 ? "I" : "II", clearance));
   move_pocket(fmt::format("pocket clearance {}, {} {}", which == 0 ? "I" : "II",
                           own.size() > 1 ? "least: no." : "pocket", tightest - own.begin() + 1),
               clearance, diameter, g_cage, g_ball, report);
@@ -317,8 +318,12 @@ Bearing operating_roller_bearing_of(const Bearing& free) {
   }
   if (report.changed) {
     const RollerSizes& sizes = operating.rollers.geometry;
-    bearing::RollerBench bench{rollers.diameter,       rollers.length,    rollers.crown_radius,
-                               rollers.pitch_diameter, rollers.clearance, rollers.groove_factor,
+    bearing::RollerBench bench{rollers.diameter,
+                               rollers.length,
+                               rollers.crown_radius,
+                               rollers.pitch_diameter,
+                               rollers.clearance,
+                               rollers.groove_factor,
                                {}};
     const std::array<double, 2> strain{operating.state.rings.outer.growth,
                                        operating.state.rings.inner.growth};

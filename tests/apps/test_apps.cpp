@@ -37,10 +37,9 @@ Ended start(const char* name, const QStringList& arguments) {
 const QString& run_folder() {
   static QTemporaryDir folder;
   static const bool done = [] {
-    REQUIRE(start("adore", {"new", "ball", "--out", folder.filePath("DATA.txt")}).code ==
-            0);
-    const Ended run = start("adore", {"run", folder.path(), "--until", "40", "--set",
-                                               "kPltFreq=1", "--set", "kAGraf=1", "--quiet"});
+    REQUIRE(start("adore", {"new", "ball", "--out", folder.filePath("DATA.txt")}).code == 0);
+    const Ended run = start("adore", {"run", folder.path(), "--until", "40", "--set", "kPltFreq=1",
+                                      "--set", "kAGraf=1", "--quiet"});
     INFO(run.output.toStdString());
     REQUIRE(run.code == 0);
     return true;
@@ -91,9 +90,8 @@ TEST_CASE("agore --render draws every view of a real run", "[gui][apps]") {
   adore::test::use_qt();
   for (const char* view : {"bearing", "cage", "pocket", "element", "race"}) {
     QTemporaryDir pictures;
-    const Ended ended = start(
-        "agore",
-        {run_folder() + "/SOL8", "--render", pictures.path(), "--view", view, "--size", "800x640"});
+    const Ended ended = start("agore", {run_folder() + "/SOL8", "--render", pictures.path(),
+                                        "--view", view, "--size", "800x640"});
     INFO(view << ": " << ended.output.toStdString());
     REQUIRE(ended.code == 0);
     check_pictures(pictures.path(), 1, {800, 640});
@@ -113,8 +111,7 @@ TEST_CASE("the programs refuse what is no file of theirs with exit code 2", "[gu
 TEST_CASE("adrinput --render draws its pages for a real deck", "[gui][apps]") {
   adore::test::use_qt();
   QTemporaryDir pictures;
-  const Ended ended =
-      start("adrinput", {"--render", pictures.path(), run_folder() + "/DATA.txt"});
+  const Ended ended = start("adrinput", {"--render", pictures.path(), run_folder() + "/DATA.txt"});
   INFO(ended.output.toStdString());
   REQUIRE(ended.code == 0);
   const auto names = QDir(pictures.path()).entryList({"*.png"}, QDir::Files);

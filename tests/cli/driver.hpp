@@ -1,5 +1,7 @@
 #pragma once
 
+#include "support/paths.hpp"
+
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
@@ -17,8 +19,6 @@
 #include <thread>
 #include <unistd.h>
 #include <vector>
-
-#include "support/paths.hpp"
 
 /// What tests of the program `adore` do: start it in a folder of their own and read what it leaves.
 namespace adore::test {
@@ -121,8 +121,9 @@ class EndlessRun {
   explicit EndlessRun(const Folder& folder, const std::vector<std::string>& more = {},
                       const std::string& until = "1e9rev")
       : said_(folder / "said") {
-    std::vector<std::string> words{program("adore").string(), "run", folder.path().string(), "--overwrite",
-                                   "--opt", "checkpointSeconds=0.05"};
+    std::vector<std::string> words{
+        program("adore").string(), "run", folder.path().string(), "--overwrite", "--opt",
+        "checkpointSeconds=0.05"};
     if (!until.empty()) words.insert(words.end(), {"--until", until});
     words.insert(words.end(), more.begin(), more.end());
     std::vector<char*> arguments;

@@ -169,7 +169,7 @@ TEST_CASE("a dash stands for the standard streams", "[cli]") {
   CHECK(run_as_given("convert " + out + "/RUN.json --to csv --out " + out).code == 0);
   CHECK(fs::exists(folder / "out" / "RUN.json.csv"));
   const Result calc = run_as_given("--version >/dev/null; echo '{\"code\": 100}' | " +
-                                command_line("calc material -"));
+                                   command_line("calc material -"));
   INFO(calc.out);
   CHECK(calc.code == 0);
   CHECK(json::accept(calc.out));
@@ -227,8 +227,8 @@ TEST_CASE("what plays no part in a run is said", "[cli]") {
   const std::string deck = (folder / "DATA.txt").string();
   REQUIRE(run_as_given("new deep-groove-6205 --out " + deck).code == 0);
   const Result run = run_as_given("run " + deck +
-                               " --until 5rev --tol 1e-8 --integrator rkf4 --threads 2 --opt "
-                               "ellipseMajor=20 --opt rollerSlices=30");
+                                  " --until 5rev --tol 1e-8 --integrator rkf4 --threads 2 --opt "
+                                  "ellipseMajor=20 --opt rollerSlices=30");
   INFO(run.out);
   CHECK(run.code == 0);
   CHECK(contains(run.out, "--until, --integrator, --tol and option ellipseMajor play no part"));
@@ -373,7 +373,8 @@ TEST_CASE("bash completes commands, options, values and deck variables", "[cli]"
         "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); compopt() { :; }; _adore; "
         "printf \"%s\\n\" \"${COMPREPLY[@]}\"";
     write(folder / "ask.sh", script);
-    const Result result = run_as_given("--version >/dev/null; bash " + (folder / "ask.sh").string());
+    const Result result =
+        run_as_given("--version >/dev/null; bash " + (folder / "ask.sh").string());
     return "\n" + result.out;
   };
   CHECK(completed("adore exa") == "\nexamples\n");
@@ -388,7 +389,7 @@ TEST_CASE("bash completes commands, options, values and deck variables", "[cli]"
   for (const char* shell : {"zsh", "fish"}) {
     const std::string script = run_as_given(std::string("--completion ") + shell).out;
     const json whole = tree();
-  for (const json& command : whole.at("commands"))
+    for (const json& command : whole.at("commands"))
       CHECK(contains(script, command.at("name").get<std::string>()));
   }
 }

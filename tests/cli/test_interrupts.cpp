@@ -18,9 +18,7 @@ namespace {
 /// The next steps of the run in the folder, whatever its state.
 const char* const kMore = " --quiet --set kIcOpt=1 --set fTime=1e12 --set maxStps=5";
 
-results::SolFile stored(const fs::path& path) {
-  return results::read_sol(path, {1, 1000000, 1});
-}
+results::SolFile stored(const fs::path& path) { return results::read_sol(path, {1, 1000000, 1}); }
 
 void check_increasing(const results::SolFile& file) {
   CHECK(file.note.empty());
@@ -87,7 +85,8 @@ TEST_CASE("the second interrupt ends the program at once", "[cli]") {
   CHECK_FALSE(contains(run.said(), "interrupted"));
 }
 
-TEST_CASE("an interrupt is seen inside a counted step and in a table of statics", "[.][cli][slow]") {
+TEST_CASE("an interrupt is seen inside a counted step and in a table of statics",
+          "[.][cli][slow]") {
   {
     const Folder folder;
     new_ball_deck(folder);
@@ -106,8 +105,8 @@ TEST_CASE("an interrupt is seen inside a counted step and in a table of statics"
   const Folder folder;
   new_ball_deck(folder);
   EndlessRun run(folder,
-                 {"--set", "mode=-1", "--set", "kStif=10000", "--set", "pctDisp=1.0", "--set", "rpmRange12=10.0",
-                  "--set", "rpmRange22=12000.0"},
+                 {"--set", "mode=-1", "--set", "kStif=10000", "--set", "pctDisp=1.0", "--set",
+                  "rpmRange12=10.0", "--set", "rpmRange22=12000.0"},
                  "");
   wait_for([&] { return run.listens(); });
   run.send(SIGTERM);
@@ -146,8 +145,7 @@ TEST_CASE("a killed run leaves readable files and continues from its last checkp
   const auto master = results::read_master(folder / "MASTER");
   const auto file = stored(folder / "SOL7");
   REQUIRE_FALSE(file.steps.empty());
-  CHECK(file.steps.back().step >=
-        static_cast<long>(master.averages.at("last step in SOL1-SOL7")));
+  CHECK(file.steps.back().step >= static_cast<long>(master.averages.at("last step in SOL1-SOL7")));
   CHECK(json::parse(read(folder / "RUN.json")).at("status") == "running");
   CHECK(run_adore("show " + (folder / "RESULTS.h5").string()).code == 0);
 
@@ -183,9 +181,9 @@ TEST_CASE("a run killed at any call that changes a file joins to the bytes of an
       const Folder folder;
       new_ball_deck(folder);
       const std::string run = "run " + folder.path().string() + set;
-      const Result killed =
-          run_as_given(run, preload + fmt::format("ADORE_KILL_AT={} {}", at,
-                                                  k % 2 == 0 ? "" : "ADORE_KILL_AFTER=1"));
+      const Result killed = run_as_given(
+          run,
+          preload + fmt::format("ADORE_KILL_AT={} {}", at, k % 2 == 0 ? "" : "ADORE_KILL_AFTER=1"));
       INFO(method << " killed at call " << at << " of " << calls << "\n" << killed.out);
       REQUIRE(killed.code == 128 + SIGKILL);
       Result more = run_as_given(run + " --continue");
@@ -289,9 +287,9 @@ TEST_CASE("a run on a disk of any small size ends with a sentence and no crash",
   const Folder decks;
   new_ball_deck(decks);
   for (const int size : {64, 176, 272, 368, 500, 620}) {
-    REQUIRE(run_shell(fmt::format("mount -t tmpfs -o size={}k none {}", size,
-                                  place.path().string()))
-                .code == 0);
+    REQUIRE(
+        run_shell(fmt::format("mount -t tmpfs -o size={}k none {}", size, place.path().string()))
+            .code == 0);
     const Result run = run_as_given("run " + decks.path().string() +
                                     " --quiet --opt checkpointSeconds=0.2 --set kPltFreq=1 --until "
                                     "1e9rev --out " +

@@ -110,7 +110,8 @@ TEST_CASE("results of an earlier run are replaced only when that is asked for", 
     const Result refused = run_as_given(again + " < /dev/null");
     INFO(again << "\n" << refused.out);
     CHECK(refused.code == 2);
-    for (const char* way : {"--continue", "--overwrite", "--out"}) CHECK(contains(refused.out, way));
+    for (const char* way : {"--continue", "--overwrite", "--out"})
+      CHECK(contains(refused.out, way));
     CHECK(content(folder.path()) == before);
   }
 
@@ -203,9 +204,14 @@ TEST_CASE("standard streams that fail cost no results, and are noticed", "[cli]"
 
   REQUIRE(run_adore("run " + deck + " --until 0.005rev --quiet" + out).code == 0);
   const std::string sol = (folder / "out" / "SOL1").string();
-  const std::vector<std::string> commands{
-      "convert " + sol + " --to csv", "convert " + sol + " --to json", "show " + sol,
-      "plan " + deck, "schema", "new ball", "examples", "check " + deck};
+  const std::vector<std::string> commands{"convert " + sol + " --to csv",
+                                          "convert " + sol + " --to json",
+                                          "show " + sol,
+                                          "plan " + deck,
+                                          "schema",
+                                          "new ball",
+                                          "examples",
+                                          "check " + deck};
   for (const std::string& command : commands) {
     const Result lost = run_shell("{ ADORE " + command + " >/dev/full; } 2>&1");
     INFO(command << "\n" << lost.out);

@@ -220,9 +220,9 @@ TEST_CASE("a run prints fatigue lives, and SOL7 stores the one that was asked fo
   CHECK_FALSE(run.at("summary").contains("life_gz_stle_hours"));
   CHECK(run.at("life").at("run").at("window [rev]").get<double>() == Approx(0.1).epsilon(1e-6));
   const std::string listing = read(folder / "default" / "PRINT.txt");
-  for (const char* part : {"FATIGUE LIFE", "CALIBRATED", "Fatigue life of the run",
-                           "no lubricant film is computed", "Fatigue life at the present loads",
-                           "SOL7, terminal and sweeps show (sol7Life)"})
+  for (const char* part :
+       {"FATIGUE LIFE", "CALIBRATED", "Fatigue life of the run", "no lubricant film is computed",
+        "Fatigue life at the present loads", "SOL7, terminal and sweeps show (sol7Life)"})
     CHECK(contains(listing, part));
   CHECK_FALSE(contains(listing, "no life model is active"));
 
@@ -293,7 +293,8 @@ TEST_CASE("lightly loaded elements are held, booked and continued as in an unbro
   CHECK(contains(other.out, "qFac"));
 }
 
-TEST_CASE("an integrator whose steps would let contacts vibrate is told, and held or refused", "[cli]") {
+TEST_CASE("an integrator whose steps would let contacts vibrate is told, and held or refused",
+          "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string deck = folder.path().string();
@@ -304,7 +305,8 @@ TEST_CASE("an integrator whose steps would let contacts vibrate is told, and hel
   const Result refused = run("rkf1");
   INFO(refused.out);
   CHECK(refused.code == 2);
-  CHECK(contains(refused.out, "rkf1 is refused for this deck. Integrators that need no other steps"));
+  CHECK(
+      contains(refused.out, "rkf1 is refused for this deck. Integrators that need no other steps"));
   CHECK_FALSE(fs::exists(folder / "rkf1" / "SOL1"));
 
   const Result held = run("pece4");
@@ -331,9 +333,9 @@ TEST_CASE("the plan promises the steps that a run with a step cap takes", "[cli]
     const std::string set = " --set intMet=" + code + " --set tol=1e-4";
     const json plan = json::parse(run_adore("plan " + deck + set + " --json").out);
     const double promised = plan.at("estimates").at("steps_per_revolution").get<double>();
-    REQUIRE(run_adore("run " + deck + set + " --until 0.1rev --quiet --out " +
-                      (folder / code).string())
-                .code == 0);
+    REQUIRE(
+        run_adore("run " + deck + set + " --until 0.1rev --quiet --out " + (folder / code).string())
+            .code == 0);
     const json run = json::parse(read(folder / code / "RUN.json"));
     INFO("intMet " << code);
     CHECK(run.at("counters").at("steps").get<double>() == Approx(0.1 * promised).epsilon(0.15));
@@ -344,9 +346,10 @@ TEST_CASE("a run whose energy has no account does not end with exit 0", "[cli][s
   const Folder folder;
   new_ball_deck(folder);
   // One ball between fixed races is squeezed out of its groove.
-  const Result run = run_adore("run " + folder.path().string() +
-                               " --set nRe=1 --set kPltElemInd=1,2,3,4 --until 0.797rev --quiet --out " +
-                               (folder / "one").string());
+  const Result run =
+      run_adore("run " + folder.path().string() +
+                " --set nRe=1 --set kPltElemInd=1,2,3,4 --until 0.797rev --quiet --out " +
+                (folder / "one").string());
   INFO(run.out);
   CHECK(run.code == 3);
   // The contact grows beyond what Hertz allows before the energy is judged at the end.
@@ -378,7 +381,8 @@ TEST_CASE("the load carried on the mean stands beside the one that the deck asks
   CHECK(load.at("asked x [N]") == 1500.0);
   CHECK(load.at("mean x [N]").get<double>() == Approx(1450.0).epsilon(0.03));
   CHECK(contains(read(folder / "PRINT.txt"), "departure from the asked load"));
-  // A light load at high speed: carried by the bodies' inertia rather than by the contacts' closing.
+  // A light load at high speed: carried by the bodies' inertia rather than by the contacts'
+  // closing.
   const Result light = run_adore("run " + folder.path().string() +
                                  " --set appLoadX=100 --set appLoadZ=10 --set rpm2=20000"
                                  " --until 0.1rev --quiet --out " +

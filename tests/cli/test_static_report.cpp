@@ -95,7 +95,8 @@ TEST_CASE("the quasi-static summary fits one page in SI and in English units", "
   }
 }
 
-TEST_CASE("the datum of displacements is printed, and the 6205 example carries a pure radial load", "[cli]") {
+TEST_CASE("the datum of displacements is printed, and the 6205 example carries a pure radial load",
+          "[cli]") {
   const StaticRun run("deep-groove-6205", "");
   CHECK(contains(run.print, "x = 0 the planes of the"));
   const json summary = json::parse(read(run.folder / "RUN.json")).at("summary");

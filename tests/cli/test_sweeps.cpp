@@ -55,17 +55,17 @@ TEST_CASE("a sweep that is killed keeps its table, and only what is missing runs
   const std::string sweep = " --set mode=-1 --set appLoadX=500.0:900.0:5 --threads 1 --quiet";
   const std::string run = "run " + folder.path().string() + sweep + " --out ";
   REQUIRE(run_as_given(run + (folder / "whole").string()).code == 0);
-  const std::string whole = read(folder / "whole" / "SWEEP.csv"), broken = (folder / "broken").string();
+  const std::string whole = read(folder / "whole" / "SWEEP.csv"),
+                    broken = (folder / "broken").string();
 
   // Killed at a call of its own choice, not after a time.
-  const Result counted =
-      run_as_given(run + (folder / "counted").string(),
-                   "LD_PRELOAD=" ADORE_KILL_SHIM " ADORE_COUNT_CALLS=" + (folder / "calls").string());
+  const Result counted = run_as_given(
+      run + (folder / "counted").string(),
+      "LD_PRELOAD=" ADORE_KILL_SHIM " ADORE_COUNT_CALLS=" + (folder / "calls").string());
   REQUIRE(counted.code == 0);
   const long calls = std::stol(read(folder / "calls"));
-  const Result killed =
-      run_as_given(run + broken, "LD_PRELOAD=" ADORE_KILL_SHIM
-                                 " ADORE_KILL_AT=" + std::to_string(calls * 7 / 10));
+  const Result killed = run_as_given(run + broken, "LD_PRELOAD=" ADORE_KILL_SHIM " ADORE_KILL_AT=" +
+                                                       std::to_string(calls * 7 / 10));
   CHECK(killed.code == 128 + SIGKILL);
   REQUIRE(fs::exists(folder / "broken" / "SWEEP.csv"));
   const auto first = fs::last_write_time(folder / "broken" / "appLoadX-1" / "RUN.json");

@@ -1,10 +1,12 @@
-/* Preloaded into a program, ends it (SIGKILL) at its n-th call that changes a file: a kill at a moment that does not
- * depend on the machine's speed.
+/* Preloaded into a program, ends it (SIGKILL) at its n-th call that changes a file: a kill at a
+ * moment that does not depend on the machine's speed.
  *
- *   ADORE_KILL_AT=n      before the call is made, n = 1, 2, ...; with ADORE_KILL_AFTER=1 when it has been made
- *   ADORE_COUNT_CALLS=f  writes the number of calls into file f when the program ends by itself
+ *   ADORE_KILL_AT=n      before the call is made, n = 1, 2, ...; with ADORE_KILL_AFTER=1 when it
+ * has been made ADORE_COUNT_CALLS=f  writes the number of calls into file f when the program ends
+ * by itself
  *
- * Counted: write beyond the standard streams, pwrite, ftruncate, fsync, rename, link, unlink, and open that creates. */
+ * Counted: write beyond the standard streams, pwrite, ftruncate, fsync, rename, link, unlink, and
+ * open that creates. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -43,15 +45,15 @@ static int comes(void) {
   return now;
 }
 
-#define AROUND(type, call)      \
-  do {                          \
-    const int last = comes();   \
-    type result = (call);       \
-    if (last) die();            \
-    return result;              \
+#define AROUND(type, call)    \
+  do {                        \
+    const int last = comes(); \
+    type result = (call);     \
+    if (last) die();          \
+    return result;            \
   } while (0)
-#define REAL(name, ...)                             \
-  static type_##name real;                          \
+#define REAL(name, ...)    \
+  static type_##name real; \
   if (real == NULL) real = (type_##name)dlsym(RTLD_NEXT, #name)
 
 typedef ssize_t (*type_write)(int, const void*, size_t);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dynamics/race_contacts.hpp"
 #include "dynamics/effects/balls.hpp"
+#include "dynamics/race_contacts.hpp"
 #include "facade/reference/json_access.hpp"
 #include "facade/reference/trajectory.hpp"
 

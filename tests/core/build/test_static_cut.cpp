@@ -85,7 +85,8 @@ TEST_CASE("the cut of a ball touches both grooves where its contacts are", "[phy
     CHECK(gap(groove, contact) < 1e-4);  // the contact lies on its groove
     // Shoulders where the deck has them.
     const double shoulder = race == "outer" ? 0.0214 : 0.0171;
-    // Under its load the inner ring moves by the clearance and the contacts' deflection, some 25 um.
+    // Under its load the inner ring moves by the clearance and the contacts' deflection, some 25
+    // um.
     CHECK(groove.r.front() == Approx(shoulder).margin(4e-5));
     CHECK(groove.r.back() == Approx(shoulder).margin(4e-5));
   }

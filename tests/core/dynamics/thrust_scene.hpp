@@ -70,7 +70,8 @@ inline tribology::ContactSurface surface_of(const std::string& name) {
 
 inline ThrustScene thrust_scene(const std::string& id, std::size_t n,
                                 const tribology::EllipseRule& rule, double spread) {
-  std::ifstream file(adore::test::source_dir().string() + "/tests/reference/dynamics_ball_thrust.json");
+  std::ifstream file(adore::test::source_dir().string() +
+                     "/tests/reference/dynamics_ball_thrust.json");
   const nlohmann::json all = nlohmann::json::parse(file);
   for (const nlohmann::json& one : all.at("cases")) {
     if (one.at("id") != id) continue;

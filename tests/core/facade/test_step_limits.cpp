@@ -65,9 +65,10 @@ double growth_by_stepper(const std::string& method, const StepLimits& limits, do
 
 }  // namespace
 
-TEST_CASE("With the limits in force no method lets a vibration grow, and with the deck's those do "
-          "that are changed",
-          "[physics][facade]") {
+TEST_CASE(
+    "With the limits in force no method lets a vibration grow, and with the deck's those do "
+    "that are changed",
+    "[physics][facade]") {
   for (const std::string_view name : integrators::stepper_names()) {
     const std::string method(name);
     const StepRequest request = request_of(method, 1e-3, 0.7);

@@ -15,8 +15,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-const std::filesystem::path kReference =
-    adore::test::source_dir() / "tests" / "reference";
+const std::filesystem::path kReference = adore::test::source_dir() / "tests" / "reference";
 
 ValidateReport run(const std::vector<std::string>& names) {
   std::vector<std::filesystem::path> paths;
@@ -234,8 +233,7 @@ TEST_CASE("Recalled values never gate", "[validation]") {
 
 TEST_CASE("Unknown families and inputs are not covered, and the report counts them",
           "[validation]") {
-  const std::filesystem::path path =
-      adore::test::binary_dir() / "validate_unknown.json";
+  const std::filesystem::path path = adore::test::binary_dir() / "validate_unknown.json";
   std::ofstream(path)
       << R"({"family": "no_such_family", "cases": [{"id": "x", "inputs": {}, "expected": {"a": 1}, "tolerance": 1}]})";
   const ValidateReport report = validate_files(std::vector{path});
@@ -247,8 +245,9 @@ TEST_CASE("Unknown families and inputs are not covered, and the report counts th
 }
 
 TEST_CASE("Files that hold no reference cases are refused, all at once", "[validation]") {
-  const std::filesystem::path folder = adore::test::binary_dir(), text = folder / "validate_text.json",
-                                                        empty = folder / "validate_empty.json";
+  const std::filesystem::path folder = adore::test::binary_dir(),
+                              text = folder / "validate_text.json",
+                              empty = folder / "validate_empty.json";
   std::ofstream(text) << "not json";
   std::ofstream(empty) << "{}";
   try {

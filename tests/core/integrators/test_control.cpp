@@ -486,7 +486,8 @@ TEST_CASE("A step cap costs no more steps than the span holds, and none exceeds 
   }
 }
 
-TEST_CASE("The order of a method that changes its order is held where it is asked", "[unit][integrators]") {
+TEST_CASE("The order of a method that changes its order is held where it is asked",
+          "[unit][integrators]") {
   Problem problem(2, 2, [](double, const double* y, double* d) {
     d[0] = y[1];
     d[1] = -y[0];
@@ -528,7 +529,8 @@ TEST_CASE("Error scales are magnitudes: their sign changes nothing", "[unit][int
     for (const int k : {0, 1}) {
       Signed system(k == 0 ? 1.0 : -1.0);
       const auto stepper = make_stepper(name);
-      stepper->start(system, 0.0, std::vector<double>{1.0, 0.0}, {.maximum = 1.0, .tolerance = 1e-6});
+      stepper->start(system, 0.0, std::vector<double>{1.0, 0.0},
+                     {.maximum = 1.0, .tolerance = 1e-6});
       for (int i = 0; i < 20; ++i) (void)stepper->step(50.0);
       ends[k].assign(stepper->state().begin(), stepper->state().end());
       ends[k].push_back(stepper->time());

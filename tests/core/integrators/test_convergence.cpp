@@ -202,7 +202,8 @@ TEST_CASE("All methods agree on a mass that bounces on a Hertz contact", "[physi
     const auto stepper = make_stepper(name);
     const double tolerance = name.ends_with("1") ? 1e-9 : 1e-8;
     // The implicit embedded pairs are blind to some onsets of contact late in a step (arkode-dirk
-    // and -imex at two caps in nine), which costs them digits: of three caps the middle error counts.
+    // and -imex at two caps in nine), which costs them digits: of three caps the middle error
+    // counts.
     std::vector<std::pair<double, double>> errors;
     for (const double cap : {0.19, 0.2, 0.21}) {
       stepper->start(problem, 0.0, y0, {.maximum = cap, .tolerance = tolerance});

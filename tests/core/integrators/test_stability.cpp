@@ -1,6 +1,6 @@
+#include "core/integrators/problems.hpp"
 #include "integrators/stability.hpp"
 #include "integrators/stepper.hpp"
-#include "core/integrators/problems.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -54,7 +54,8 @@ TEST_CASE("The amplification per step is what the steppers do to a vibration",
   }
 }
 
-TEST_CASE("Amplification at small steps has the leading term of the method", "[physics][integrators]") {
+TEST_CASE("Amplification at small steps has the leading term of the method",
+          "[physics][integrators]") {
   // |R|² - 1 of rkf1: (255/512)² φ⁴ + (1 - 255/256) φ², of rkf4: (2/104 - 1/72) φ⁶.
   const double y = 0.05;
   CHECK(std::pow(amplification("rkf1", y), 2) - 1.0 ==

@@ -291,9 +291,10 @@ TEST_CASE("a contact angle past 90 degrees leaves a life, and capacities pass 90
   deck::Deck deck = deck::new_deck("ball");
   deck.set("mode", "-1");
   deck.complete();
-  for (const auto& [name, value] :
-       {std::pair{"freeConAng", "88.0"}, {"appLoadX", "20000.0"}, {"appLoadZ", "0.0"},
-        {"rpm2", "20000.0"}})
+  for (const auto& [name, value] : {std::pair{"freeConAng", "88.0"},
+                                    {"appLoadX", "20000.0"},
+                                    {"appLoadZ", "0.0"},
+                                    {"rpm2", "20000.0"}})
     deck.set(name, value);
   const life::BearingLife past = life_of(deck);
   CHECK(past.race[1].angle > 0.5 * std::numbers::pi);

@@ -39,8 +39,8 @@ TEST_CASE("The energy residual is judged against what moved and against the elas
 }
 
 TEST_CASE("An energy that is no number is never trusted", "[unit][results]") {
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
-                           std::numeric_limits<double>::infinity(), 1e300}) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300}) {
     const EnergyJudgement judgement = judge_energy(run_of(bad), 1.0);
     CHECK(judgement.trust == Trust::None);
     CHECK_FALSE(judgement.text.empty());

@@ -92,8 +92,8 @@ TEST_CASE(
     "[validation][statics]") {
   int gated = 0;
   for (const auto& adapter : adore::facade::reference::static_adapters()) {
-    const std::string file =
-        adore::test::source_dir().string() + "/tests/reference/" + std::string(adapter.family) + ".json";
+    const std::string file = adore::test::source_dir().string() + "/tests/reference/" +
+                             std::string(adapter.family) + ".json";
     std::ifstream stream(file);
     REQUIRE(stream.good());
     const Json document = Json::parse(stream);

@@ -1,8 +1,8 @@
 #include "build/build_bearing.hpp"
 #include "deck/reader.hpp"
 #include "statics/roller_statics.hpp"
-#include "thermal/operating.hpp"
 #include "support/paths.hpp"
+#include "thermal/operating.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -24,7 +24,8 @@ constexpr std::array<const char*, 7> kExamples{
     "cylindrical-nu209", "spherical-22210", "tapered-30208"};
 
 bearing::Bearing example(const std::string& name) {
-  deck::ReadResult read = deck::read_deck(adore::test::source_dir().string() + "/resources/decks/" + name + ".txt");
+  deck::ReadResult read =
+      deck::read_deck(adore::test::source_dir().string() + "/resources/decks/" + name + ".txt");
   REQUIRE(read.ok());
   read.deck.set("mode", "-1");
   read.deck.complete();

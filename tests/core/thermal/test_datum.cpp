@@ -7,8 +7,8 @@
 #include "statics/ball_statics.hpp"
 #include "statics/roller_model.hpp"
 #include "statics/roller_statics.hpp"
-#include "thermal/operating.hpp"
 #include "support/paths.hpp"
+#include "thermal/operating.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -71,12 +71,9 @@ struct Case {
   const char* type;
   double x, z;
 };
-constexpr Case kHeld[] = {{"ball", 2e-5, 0.0},
-                          {"deep-groove-6205", 1.2e-4, 1e-5},
-                          {"cylindrical", 0.0, 4e-5},
-                          {"spherical", 5e-5, 5e-5},
-                          {"tapered", 4e-5, 0.0},
-                          {"spherical-tapered", 4e-5, 0.0}};
+constexpr Case kHeld[] = {{"ball", 2e-5, 0.0},        {"deep-groove-6205", 1.2e-4, 1e-5},
+                          {"cylindrical", 0.0, 4e-5}, {"spherical", 5e-5, 5e-5},
+                          {"tapered", 4e-5, 0.0},     {"spherical-tapered", 4e-5, 0.0}};
 
 }  // namespace
 
@@ -94,7 +91,7 @@ TEST_CASE("a held preload rises when inner ring and shaft get warm: the manual's
 
 TEST_CASE("30208: growth loads held cones as the displacement does that it stands for",
           "[physics][datum]") {
-  const Sets sets{{"rpm2", "0.0"}, {"kFS1", "1"},       {"kFS3", "1"},
+  const Sets sets{{"rpm2", "0.0"},     {"kFS1", "1"},       {"kFS3", "1"},
                   {"appLoadX", "0.0"}, {"appLoadZ", "0.0"}, {"appDispX", "15e-6"}};
   const Bearing cold = built("tapered-30208", sets);
   CHECK(solve(cold).race.load[0] == Approx(2790.0).epsilon(0.005));
@@ -164,8 +161,8 @@ TEST_CASE("one temperature of all parts changes no roller bearing", "[physics][d
     b.ball_material = b.mounting.shaft = b.mounting.housing = b.race_material[1] =
         b.race_material[0];
     // Everything grows by g, the given displacement does not: loads fall by a few g.
-    const double g = bearing::thermal_growth(b.ball_material, b.ball_temperature,
-                                             b.room_temperature, false);
+    const double g =
+        bearing::thermal_growth(b.ball_material, b.ball_temperature, b.room_temperature, false);
     REQUIRE(g > 5e-4);
     CHECK(solve(b).first[0] == Approx(solve(cold).first[0]).epsilon(10.0 * g));
   }
@@ -225,9 +222,9 @@ TEST_CASE("a dynamic run starts from the same datum: held races carry the warm p
   const auto axial = [](const char* mode, const char* inner) {
     facade::DeckRequest request;
     request.deck = adore::test::source_dir() / "resources/decks/ball.txt";
-    request.sets = {{"mode", mode},         {"rpm2", "1000.0"},   {"appLoadZ", "0.0"},
-                    {"kFS1", "1"},          {"kFS3", "1"},        {"appDispX", "5.0307e-6"},
-                    {"raceTemp2", inner},   {"shftTemp", inner}};
+    request.sets = {{"mode", mode},       {"rpm2", "1000.0"}, {"appLoadZ", "0.0"},
+                    {"kFS1", "1"},        {"kFS3", "1"},      {"appDispX", "5.0307e-6"},
+                    {"raceTemp2", inner}, {"shftTemp", inner}};
     const facade::Prepared p = facade::prepare(request);
     if (!p.control.dynamic) return p.statics.load[0];
     dynamics::System system = facade::make_system(p);

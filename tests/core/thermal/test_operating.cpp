@@ -1,10 +1,10 @@
+#include "../statics/roller_bearings.hpp"
 #include "base/errors.hpp"
 #include "bearing/material_laws.hpp"
 #include "build/build_bearing.hpp"
 #include "contact/groove.hpp"
 #include "deck/reader.hpp"
 #include "statics/ball_statics.hpp"
-#include "../statics/roller_bearings.hpp"
 #include "support/paths.hpp"
 #include "thermal/operating.hpp"
 
@@ -20,7 +20,8 @@ namespace {
 
 /// The example ball bearing with its cage: 7208, 12 balls, 10000 rpm, at room temperature, no fits.
 Bearing example() {
-  const deck::ReadResult read = deck::read_deck(adore::test::source_dir().string() + "/resources/decks/ball.txt");
+  const deck::ReadResult read =
+      deck::read_deck(adore::test::source_dir().string() + "/resources/decks/ball.txt");
   REQUIRE(read.ok());
   return build::build_bearing(read.deck);
 }
@@ -320,8 +321,7 @@ TEST_CASE("a roller bearing in operation: rings, rollers and play move, nothing 
   const double lost = b.rollers->clearance - mounted.rollers->clearance;
   CHECK(lost > 0.5 * 20e-6);
   CHECK(lost < 20e-6);
-  CHECK(mounted.rollers->race_radius(bearing::kInner) -
-            b.rollers->race_radius(bearing::kInner) ==
+  CHECK(mounted.rollers->race_radius(bearing::kInner) - b.rollers->race_radius(bearing::kInner) ==
         Approx(0.5 * lost).epsilon(1e-9));
 
   bearing::Bearing warm = b;
