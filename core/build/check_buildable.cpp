@@ -1,7 +1,6 @@
 #include "bearing/material_laws.hpp"
 #include "build/build_bearing.hpp"
 #include "build/deck_text.hpp"
-#include "build/idle_options.hpp"
 
 #include <fmt/format.h>
 
@@ -141,22 +140,6 @@ void check_law_ranges(const Deck& deck, Checker& check) {
   }
 }
 
-/// What a quasi-static solution leaves out, in one note.
-void name_idle_options(const Deck& deck, Checker& check) {
-  std::string names;
-  for (const IdleOption& option : idle_options(deck)) {
-    if (option.variable == "kDCR" || option.variable == "kIcOpt" || option.variable == "kChrn")
-      continue;  // check_deck has warned of these
-    names += fmt::format("{}{} = {} ({})", names.empty() ? "" : ", ", option.variable, option.value,
-                         option.asks_for);
-    if (option.variable == "kTherm")
-      names.insert(names.size() - 1,
-                   "; the temperatures of record 9.1.3 rule, of record 3.5 only kMatPropMod acts");
-  }
-  if (!names.empty())
-    check.note("mode", "is a quasi-static solution, in which these play no part: " + names);
-}
-
 /// The same deviation in all pockets; that of single ones is looked at in operation.
 void check_pocket_errors(const Deck& deck, Checker& check) {
   if (!deck.has("bPocClsVar1") || deck.integer("kCagePocImp") != 2) return;
@@ -213,7 +196,6 @@ std::vector<Issue> check_buildable(const Deck& deck) {
     check.warning("runID",
                   "the deck has lines after its last record, for user routines that this version "
                   "does not call");
-  name_idle_options(deck, check);
 
   if (deck.integer("kBrg") == 1)
     for (const char* flange : {"kFlngInd11", "kFlngInd21", "kFlngInd12", "kFlngInd22"})

@@ -1,7 +1,5 @@
 #include "build/no_part.hpp"
 
-#include "build/idle_options.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,6 +14,7 @@ using deck::Deck;
 /// What the reasons depend on.
 struct Scene {
   bool motion = false;  ///< mode >= 0
+  bool race_control = false;  ///< balls, kAngVel = 1
   bool balls = false, cage = false, guided = false, flanges = false, segments = false;
 };
 
@@ -23,6 +22,7 @@ Scene scene_of(const Deck& deck) {
   Scene out;
   out.motion = deck.integer("mode") >= 0;
   out.balls = deck.integer("kBrg") == 1;
+  out.race_control = out.balls && deck.integer("kAngVel") == 1;
   out.cage = deck.integer("nCseg") > 0;
   for (int i = 1; i <= deck.integer("nGL"); ++i)
     out.guided = out.guided || deck.integer("iCageGuide", i) > 0;
@@ -72,6 +72,9 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
     return "no land guides a cage";
   if (record.starts_with("10") && record.ends_with("D") && name.ends_with("TC4"))
     return "the asymptotic law has three coefficients";
+  if (record.starts_with("10.1") && !scene.motion && scene.race_control)
+    return "of friction a quasi-static solution only asks whether its largest value can carry race "
+           "control, for a warning";
   if (record.starts_with("10") && !scene.motion)
     return "friction and lubricant play no part in a quasi-static solution";
   if (name == "iTherm") return "no lubricant's traction is computed";
@@ -97,7 +100,8 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (starts_with_one_of(name, {"rmsAspHt", "rmsAspSlope", "aspTrac"}))
     return "no lubricant film is computed";
   if (record == "9.7" || record == "9.8" || record == "3.5" || name == "kTherm")
-    return "no thermal steps are computed: the temperatures of record 9.1.3 rule";
+    return "no thermal steps are computed: the temperatures of record 9.1.3 rule, and of record "
+           "3.5 only kMatPropMod acts";
   if (record == "8.1" || record == "8.2.1" || record == "8.2.2" || record == "8.3" ||
       record == "8.4" || record == "8.5")
     return of_material(name, scene);
@@ -121,6 +125,12 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
 std::vector<deck::NoPart> values_without_part(const Deck& deck) {
   std::vector<deck::NoPart> out = deck::values_not_read(deck);
   const deck::ReportOnly quiet(deck);
+  // It brings record 3.5, of which kMatPropMod acts, but asks for more.
+  const bool named = std::any_of(out.begin(), out.end(), [](const deck::NoPart& value) {
+    return value.variable == "kTherm";
+  });
+  if (!named && deck.integer("kTherm") != 0)
+    out.insert(out.begin(), {"1", "kTherm", std::to_string(deck.integer("kTherm")), {}, true});
   const Scene scene = scene_of(deck);
   for (deck::NoPart& value : out) {
     value.because = reason(value, scene);
@@ -129,27 +139,25 @@ std::vector<deck::NoPart> values_without_part(const Deck& deck) {
   return out;
 }
 
-namespace {
-
-/// Does it ask for an effect, rather than choose how something is integrated, written or described?
 bool asks_for_an_effect(const deck::NoPart& value) {
+  if (value.record.starts_with("7") && value.variable.starts_with("bPoc") &&
+      value.variable.find("Var") != std::string::npos)
+    return value.value != "0.0";  // a deviation of the pockets
   if (!value.switched_on || value.variable.ends_with("TracType") || value.variable == "kAngVel")
     return false;
   return value.record != "2.2" &&
-         (value.record != "1" || is_one_of(value.variable, {"kDOF", "kTherm"}));
+         (value.record != "1" || is_one_of(value.variable, {"kDCR", "kDOF", "kIcOpt", "kTherm"}));
 }
 
-}  // namespace
-
-std::optional<Issue> note_of(const std::vector<deck::NoPart>& values, const Deck& deck) {
+std::optional<Issue> note_of(const std::vector<deck::NoPart>& values, const Deck& deck,
+                             const std::vector<Issue>& said) {
   std::string names;
-  const std::vector<IdleOption> named = idle_options(deck);  // by a note of check_buildable
-  const auto is_named = [&](const deck::NoPart& value) {
-    return std::any_of(named.begin(), named.end(),
-                       [&](const IdleOption& option) { return option.variable == value.variable; });
+  const auto is_said = [&](const deck::NoPart& value) {
+    return std::any_of(said.begin(), said.end(),
+                       [&](const Issue& issue) { return issue.variable == value.variable; });
   };
   for (const deck::NoPart& value : values)
-    if (asks_for_an_effect(value) && !is_named(value))
+    if (asks_for_an_effect(value) && !is_said(value))
       names += fmt::format("{}{} = {} ({})", names.empty() ? "" : ", ", value.variable, value.value,
                            value.because);
   if (names.empty()) return std::nullopt;

@@ -14,9 +14,13 @@ namespace adore::build {
 /// there while check_buildable, build_bearing, build_run_control and build_life read the deck.
 [[nodiscard]] std::vector<deck::NoPart> values_without_part(const deck::Deck& deck);
 
-/// One note that names the options among them that ask for something; nothing when there are none.
+/// Does it ask for an effect, rather than choose how something is integrated, written or described?
+[[nodiscard]] bool asks_for_an_effect(const deck::NoPart& value);
+
+/// One note that names those among them that ask for an effect and that no issue of `said` speaks
+/// of; nothing when there are none.
 [[nodiscard]] std::optional<Issue> note_of(const std::vector<deck::NoPart>& values,
-                                           const deck::Deck& deck);
+                                           const deck::Deck& deck, const std::vector<Issue>& said);
 
 /// What is said of a value that no rule explains: a gap in the table of reasons.
 inline constexpr const char* kNoReason = "nothing in this version reads it";

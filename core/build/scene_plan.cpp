@@ -51,8 +51,14 @@ dynamics::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Beari
          guided ? curve_reason(deck, "kCRTracType", *bearing.land_traction)
                 : std::string("no guided land"));
   effect(Effect::Gravity, "gravity", bearing.gravity.norm() > 0.0,
-         fmt::format("gravityVec = ({:g}, {:g}, {:g}) m/s^2", bearing.gravity.x(),
+         fmt::format("gravityVec = {:g} m/s^2, {:g} m/s^2, {:g} m/s^2", bearing.gravity.x(),
                      bearing.gravity.y(), bearing.gravity.z()));
+  for (std::size_t j = 0; j < 2; ++j)
+    if (!bearing.rollers && bearing.balls.shim[j] > 0.0)
+      effect(Effect::RaceContact, j == 0 ? "split outer race" : "split inner race", true,
+             fmt::format("shimThickness{} > 0: contact with one half; the other half is watched in "
+                         "the static solution only",
+                         j + 1));
 
   // A perfect sphere's orientation is integrated only for elements that a file shows.
   const bool sections = control.print_option >= 1;

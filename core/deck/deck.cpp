@@ -59,7 +59,7 @@ std::string Deck::text(std::string_view name) const {
 }
 
 UnitSystem Deck::units() const {
-  const Value* value = find_value(*this, "kUnit");
+  const Value* value = read_value(*this, "kUnit", 1, 1);
   return value != nullptr && *value == Value(2LL) ? UnitSystem::English : UnitSystem::SI;
 }
 

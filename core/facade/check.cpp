@@ -59,7 +59,8 @@ std::vector<Issue> check_model(const deck::Deck& deck) {
       issues.push_back(std::move(issue));
     check_rest(model, operating);
     if (runs)
-      if (std::optional<Issue> note = build::note_of(build::values_without_part(model), model))
+      if (std::optional<Issue> note =
+              build::note_of(build::values_without_part(model), model, issues))
         issues.push_back(std::move(*note));
   } catch (const InputError& error) {
     for (Issue issue : error.issues()) {

@@ -110,6 +110,8 @@ void say_in_deck_units(Prepared& out) {
   for (statics::StiffnessRow& row : out.stiffness)
     if (row.operating) to_deck_units(row.operating->warnings, units);
   to_deck_units(out.life.notes, units);
+  for (dynamics::EffectEntry& effect : out.plan.effects)
+    effect.because = deck::message_in_units(effect.because, units);
   if (out.life.iso) to_deck_units(out.life.iso->notes, units);
 }
 
@@ -129,7 +131,7 @@ Prepared prepare_model(LoadedDeck input) {
   const bearing::LifeInputs life_inputs = build::build_life(deck, out.options.life);
   out.no_part = build::values_without_part(deck);
   out.input.deck.reads.reset();  // the rest reads the deck for texts
-  if (std::optional<Issue> note = build::note_of(out.no_part, deck))
+  if (std::optional<Issue> note = build::note_of(out.no_part, deck, out.input.warnings))
     out.input.warnings.push_back(std::move(*note));
   out.plan = out.control.dynamic ? build::make_scene_plan(deck, out.bearing, out.control)
                                  : static_plan(out);

@@ -1,6 +1,6 @@
 #include "facade/static_plan.hpp"
 
-#include "build/idle_options.hpp"
+#include "build/no_part.hpp"
 
 #include <fmt/format.h>
 
@@ -121,10 +121,9 @@ void results(Entries& out, const Prepared& p) {
           "mode = -1: only its plays are computed (nCseg = " +
               std::to_string(deck.integer("nCseg")) + ")");
   out.add("friction, gravity, cage forces", false, "mode = -1: no part of the equilibrium");
-  for (const build::IdleOption& option : build::idle_options(deck))
-    out.add(
-        option.asks_for, false,
-        fmt::format("{} = {}: no part of a quasi-static solution", option.variable, option.value));
+  for (const deck::NoPart& value : p.no_part)
+    if (build::asks_for_an_effect(value))
+      out.add(fmt::format("{} = {}", value.variable, value.value), false, value.because);
 }
 
 }  // namespace
