@@ -190,3 +190,11 @@ TEST_CASE("adore calc tells what it takes, with units, and refuses what it does 
   CHECK(contains(hot.at("clamped").at("elastic_modulus").get<std::string>(), "T is outside"));
   CHECK(json::parse(calc("material", R"({"code": 100, "T": 300})").out).at("clamped").empty());
 }
+
+TEST_CASE("the deck reference of the docs is what the schema says now", "[cli]") {
+  const fs::path page = source_dir() / "resources/docs/deck-reference.md";
+  std::ifstream stream(page);
+  const std::string written{std::istreambuf_iterator<char>(stream), {}};
+  INFO("make it anew: adore schema --format md > resources/docs/deck-reference.md");
+  CHECK((run_as_given("schema --format md").out == written));
+}
