@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-/// What a run will simulate, decided before anything runs. Made by build/ from the deck; a plain
+/// What a run will simulate, decided before anything runs. Made by setup/ from the deck; a plain
 /// value.
 namespace adore::dynamics {
 

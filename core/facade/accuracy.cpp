@@ -22,7 +22,7 @@ struct EndState {
 };
 
 /// Smallest and longest step, and the order of methods that change theirs.
-integrators::StepControl limits_of(const build::RunControl& control, double time_scale) {
+integrators::StepControl limits_of(const setup::RunControl& control, double time_scale) {
   integrators::StepControl out;
   out.initial = control.step_initial * time_scale;
   out.minimum = control.step_minimum * time_scale;

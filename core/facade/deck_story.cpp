@@ -1,6 +1,6 @@
 #include "facade/deck_story.hpp"
 
-#include "build/run_control.hpp"
+#include "setup/run_control.hpp"
 #include "deck/schema.hpp"
 #include "facade/check.hpp"
 

@@ -51,7 +51,7 @@ double DiskUse::total() const {
 DiskUse disk_use(const Prepared& prepared, const dynamics::ScenePlan& plan) {
   DiskUse out;
   if (!prepared.control.dynamic) return out;
-  const build::RunControl& control = prepared.control;
+  const setup::RunControl& control = prepared.control;
   const deck::UnitSystem units = prepared.input.deck.units();
   dynamics::System system = make_system(prepared);
   const std::vector<double> y = system.initial_state();

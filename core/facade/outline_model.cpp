@@ -1,7 +1,7 @@
 #include "facade/outline_model.hpp"
 
-#include "build/build_bearing.hpp"
-#include "build/build_rollers.hpp"
+#include "setup/build_bearing.hpp"
+#include "setup/build_rollers.hpp"
 #include "contact/roller_shape.hpp"
 #include "contact/tapered_geometry.hpp"
 #include "deck/lookup.hpp"
@@ -61,7 +61,7 @@ void check_pitch(const Deck& deck, const OutlineModel& m) {
 }
 
 void read_rollers(const Deck& deck, OutlineModel& m) {
-  m.rollers = build::build_rollers(deck);
+  m.rollers = setup::build_rollers(deck);
   m.pitch = m.rollers->pitch_diameter;
   m.length = m.rollers->length;
   m.angle = m.rollers->axis_angle;
@@ -182,7 +182,7 @@ OutlineModel outline_model(const Deck& deck) {
     for (const char* factor : {"raceCurFac1", "raceCurFac2"})
       if (!(deck.si(factor) > 0.5) || deck.si(factor) > 10.0)
         refuse(deck, factor, "makes no groove that a ball fits into", "give a value above 0.5");
-    m.balls = build::build_balls(deck);
+    m.balls = setup::build_balls(deck);
     m.balls->groove_plane
         .reset();  // drawn where the balls touch, whatever displacements count from
     m.groove = contact::groove_geometry(*m.balls);

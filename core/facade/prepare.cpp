@@ -1,10 +1,10 @@
 #include "facade/prepare.hpp"
 
 #include "base/json_text.hpp"
-#include "build/build_bearing.hpp"
-#include "build/build_life.hpp"
-#include "build/no_part.hpp"
-#include "build/scene_plan.hpp"
+#include "setup/build_bearing.hpp"
+#include "setup/build_life.hpp"
+#include "setup/no_part.hpp"
+#include "setup/scene_plan.hpp"
 #include "deck/defaults.hpp"
 #include "deck/unit_text.hpp"
 #include "dynamics/race_contacts.hpp"
@@ -117,21 +117,21 @@ Prepared prepare_model(LoadedDeck input) {
   Prepared out;
   out.input = std::move(input);
   const deck::Deck& deck = out.input.deck;
-  out.options = build::build_run_options(out.input.option_values);
+  out.options = setup::build_run_options(out.input.option_values);
   out.input.deck.reads = std::make_shared<deck::ReadLog>();
-  out.as_built = build::build_bearing(deck, out.options.seed);
+  out.as_built = setup::build_bearing(deck, out.options.seed);
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
-  for (Issue& issue : build::check_buildable(deck)) out.input.warnings.push_back(std::move(issue));
+  for (Issue& issue : setup::check_buildable(deck)) out.input.warnings.push_back(std::move(issue));
   out.bearing = thermal::operating_bearing(out.as_built);
   for (Issue& issue : operating_warnings(out.bearing, out.input.path.string()))
     out.input.warnings.push_back(std::move(issue));
-  out.control = build::build_run_control(deck);
-  const bearing::LifeInputs life_inputs = build::build_life(deck, out.options.life);
-  out.no_part = build::values_without_part(deck);
+  out.control = setup::build_run_control(deck);
+  const bearing::LifeInputs life_inputs = setup::build_life(deck, out.options.life);
+  out.no_part = setup::values_without_part(deck);
   out.input.deck.reads.reset();  // the rest reads the deck for texts
-  if (std::optional<Issue> note = build::note_of(out.no_part, deck))
+  if (std::optional<Issue> note = setup::note_of(out.no_part, deck))
     out.input.warnings.push_back(std::move(*note));
-  out.plan = out.control.dynamic ? build::make_scene_plan(deck, out.bearing, out.control)
+  out.plan = out.control.dynamic ? setup::make_scene_plan(deck, out.bearing, out.control)
                                  : static_plan(out);
   out.stiffness_seconds = timed([&] { out.stiffness = stiffness_over_speed(out); });
   // The first speed at which the table's geometry gives way.
@@ -266,7 +266,7 @@ Prepared prepare(const DeckRequest& request) {
 Prepared prepare(LoadedDeck input) {
   const std::string file = input.path.string();
   const deck::UnitSystem units = input.deck.units();
-  (void)build::build_run_options(input.option_values);  // what is wrong with them is not the deck's
+  (void)setup::build_run_options(input.option_values);  // what is wrong with them is not the deck's
   try {
     Prepared out = prepare_model(std::move(input));
     say_in_deck_units(out);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
-#include "build/run_control.hpp"
+#include "setup/run_control.hpp"
 #include "deck/deck.hpp"
 #include "deck/no_part.hpp"
 #include "dynamics/scene_plan.hpp"
@@ -63,8 +63,8 @@ struct Prepared {
   LoadedDeck input;
   bearing::Bearing as_built;  ///< of the deck: unmounted, at room temperature, at rest
   bearing::Bearing bearing;   ///< mounted and in operation; what statics and dynamics see
-  build::RunControl control;
-  build::RunOptions options;
+  setup::RunControl control;
+  setup::RunOptions options;
   dynamics::ScenePlan plan;
   statics::StaticSolution statics;  ///< balls: actual curvature, the quasi-static page
   std::optional<statics::RollerSolution> rollers;  ///< roller bearings, instead of it

@@ -161,7 +161,7 @@ struct RunOutputs::Impl {
   const Prepared& prepared;
   std::string request;
   bool overwrite;
-  const build::RunControl& control;
+  const setup::RunControl& control;
   fs::path folder;
   dynamics::ScenePlan plan;
   deck::UnitSystem units;
@@ -282,7 +282,7 @@ bool RunOutputs::Impl::writes_animation() const {
 void RunOutputs::Impl::make_room() {
   Outputs all_outputs = outputs();
   // Its state is the start; the first checkpoint takes its place.
-  if (control.start != build::StartState::Statics)
+  if (control.start != setup::StartState::Statics)
     std::erase(all_outputs.names, control.final_file);
   const fs::path away = facade::make_room(all_outputs);
   if (!away.empty())
@@ -507,7 +507,7 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
   out.plan = plan_json(plan, prepared.stability);
   out.stability = prepared.stability;
   out.request = request;
-  for (const build::OptionInfo& info : build::run_option_list()) {
+  for (const setup::OptionInfo& info : setup::run_option_list()) {
     const auto given = prepared.input.option_values.find(info.name);
     const bool set = given != prepared.input.option_values.end();
     out.options.emplace_back(info.name, set ? given->second : info.default_value);
@@ -569,28 +569,28 @@ RunOutputs::~RunOutputs() = default;
 
 void RunOutputs::remark(std::string text) { impl_->remark(std::move(text)); }
 
-StartPoint RunOutputs::find_start(dynamics::System& system, build::StartState start) {
+StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState start) {
   Impl& s = *impl_;
   StartPoint out;
   out.y = system.initial_state();
   std::error_code error;
   const bool master_exists = fs::exists(s.path(s.control.master_file), error);
-  if (start == build::StartState::Continue && !master_exists) {
+  if (start == setup::StartState::Continue && !master_exists) {
     s.remark(fmt::format("kIcOpt = 1, and there is no {}: a new run from {}", s.control.master_file,
                          s.control.final_file));
-    start = build::StartState::FromFinal;
+    start = setup::StartState::FromFinal;
   }
   const auto compare = [&](const results::FinalState& stored, const fs::path& file) {
     for (Issue& note : compare_with_stored(stored.deck, s.prepared.input.deck, file, start))
       s.remarks.push_back(std::move(note));
   };
-  if (start == build::StartState::FromFinal) {
+  if (start == setup::StartState::FromFinal) {
     const fs::path file = s.path(s.control.final_file);
     const results::FinalState from = results::read_final(file);
     results::check_bodies(from, component_names(system), file);
     compare(from, file);
     take_state(from, system, out.y);
-  } else if (start == build::StartState::Continue) {
+  } else if (start == setup::StartState::Continue) {
     const results::MasterState master = results::read_master(s.path(s.control.master_file));
     results::check_run_id(s.path(s.control.master_file), master.last.run_id,
                           s.prepared.bearing.run_id);
@@ -617,7 +617,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, build::StartState st
     if (listing != nullptr) s.print_bytes = listing->bytes;
     out.complete = results::read_run_mark(s.path("RUN.json")).status == "done";
   }
-  if (start == build::StartState::Statics) {
+  if (start == setup::StartState::Statics) {
     system.set_start(out.time, out.y);
     check_cage_start(s.prepared, system.snapshot(out.time, out.y));
   }
@@ -664,7 +664,7 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
 }
 
 bool RunOutputs::wants(long step) const {
-  const build::RunControl& c = impl_->control;
+  const setup::RunControl& c = impl_->control;
   return due(step, c.print_every) || due(step, c.plot_every) || due(step, c.animate_every) ||
          due(step, c.life_every);
 }

@@ -1,6 +1,6 @@
 #include "facade/static_plan.hpp"
 
-#include "build/idle_options.hpp"
+#include "setup/idle_options.hpp"
 
 #include <fmt/format.h>
 
@@ -121,7 +121,7 @@ void results(Entries& out, const Prepared& p) {
           "mode = -1: only its plays are computed (nCseg = " +
               std::to_string(deck.integer("nCseg")) + ")");
   out.add("friction, gravity, cage forces", false, "mode = -1: no part of the equilibrium");
-  for (const build::IdleOption& option : build::idle_options(deck))
+  for (const setup::IdleOption& option : setup::idle_options(deck))
     out.add(
         option.asks_for, false,
         fmt::format("{} = {}: no part of a quasi-static solution", option.variable, option.value));

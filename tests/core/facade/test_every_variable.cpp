@@ -1,4 +1,4 @@
-#include "build/no_part.hpp"
+#include "setup/no_part.hpp"
 #include "core/results/synthetic.hpp"
 #include "deck/lookup.hpp"
 #include "deck/templates.hpp"
@@ -251,7 +251,7 @@ class Walk {
     if (name == "mode" || name == "kUnit" || name == "kBrg") return;  // other walks
     const bool option = !variable.options.empty() || !variable.option_table.empty();
     const auto told = base_.idle.find(name);
-    if (told != base_.idle.end() && told->second == build::kNoReason)
+    if (told != base_.idle.end() && told->second == setup::kNoReason)
       fault(name, "plays no part without a reason");
     bool accepted = false, acted = false;
     std::string tried;

@@ -1,7 +1,7 @@
 #include "base/errors.hpp"
 #include "base/random_table.hpp"
-#include "build/build_bearing.hpp"
-#include "build/run_control.hpp"
+#include "setup/build_bearing.hpp"
+#include "setup/run_control.hpp"
 #include "deck/templates.hpp"
 #include "results/print_imperfections.hpp"
 #include "statics/ball_statics.hpp"
@@ -33,20 +33,20 @@ deck::Deck with(const char* name, std::initializer_list<std::pair<const char*, c
 TEST_CASE("random ball diameters follow the seed and the rms of the deck",
           "[unit][imperfections]") {
   const deck::Deck deck = with("ball", {{"kReGeoImp", "1"}}, {{"reDiaVar", "2e-6"}});
-  const auto b = build::build_bearing(deck);
+  const auto b = setup::build_bearing(deck);
   REQUIRE(b.imperfections.ball_diameter.size() == static_cast<std::size_t>(b.balls.count));
-  const RandomTable table(build::kDefaultSeed);
+  const RandomTable table(setup::kDefaultSeed);
   for (std::size_t k = 0; k < b.imperfections.ball_diameter.size(); ++k)
     CHECK(b.imperfections.ball_diameter[k] == 2e-6 * table.normal(k, 0));
-  CHECK(build::build_bearing(deck).imperfections.ball_diameter == b.imperfections.ball_diameter);
-  CHECK(build::build_bearing(deck, 2).imperfections.ball_diameter != b.imperfections.ball_diameter);
-  CHECK(build::build_run_options({{"seed", "77"}}).seed == 77);
-  CHECK_THROWS_AS(build::build_run_options({{"seed", "-1"}}), InputError);
-  CHECK_THROWS_AS(build::build_run_options({{"seed", "1.5"}}), InputError);
+  CHECK(setup::build_bearing(deck).imperfections.ball_diameter == b.imperfections.ball_diameter);
+  CHECK(setup::build_bearing(deck, 2).imperfections.ball_diameter != b.imperfections.ball_diameter);
+  CHECK(setup::build_run_options({{"seed", "77"}}).seed == 77);
+  CHECK_THROWS_AS(setup::build_run_options({{"seed", "-1"}}), InputError);
+  CHECK_THROWS_AS(setup::build_run_options({{"seed", "1.5"}}), InputError);
   // In inches the same bearing.
   const deck::Deck english =
       with("ball-english", {{"kReGeoImp", "1"}}, {{"reDiaVar", "7.874015748031496e-05"}});
-  const auto e = build::build_bearing(english);
+  const auto e = setup::build_bearing(english);
   for (std::size_t k = 0; k < b.imperfections.ball_diameter.size(); ++k)
     CHECK(e.imperfections.ball_diameter[k] ==
           Approx(b.imperfections.ball_diameter[k]).epsilon(1e-12));
@@ -76,7 +76,7 @@ TEST_CASE("listed diameters and race errors reach the bearing", "[unit][imperfec
             {"cFacVar12", "0.001"},
             {"cFacVar22", "2"},
             {"cFacVar32", "45"}});
-  const auto b = build::build_bearing(deck);
+  const auto b = setup::build_bearing(deck);
   CHECK(b.imperfections.ball_diameter[1] == 3e-6);
   CHECK(b.imperfections.ball_diameter[10] == -1e-6);
   CHECK(b.imperfections.ball_diameter[0] == 0.0);
@@ -108,9 +108,9 @@ TEST_CASE("all deviations of random rollers, and their lands, are solved",
                                 {"rlTaper11", "1e-4"},
                                 {"rlTaper21", "2"},
                                 {"rlOffset11", "1e-4"}});
-  const auto b = build::build_bearing(deck);
+  const auto b = setup::build_bearing(deck);
   REQUIRE(b.rollers);
-  const RandomTable table(build::kDefaultSeed);
+  const RandomTable table(setup::kDefaultSeed);
   CHECK(b.rollers->deviation[5].diameter == 1e-6 * table.normal(5, 0));
   CHECK(b.rollers->deviation[5].crown_radius == 0.1 * table.normal(5, 1));
   CHECK(b.rollers->deviation[5].length == 1e-5 * table.normal(5, 2));
@@ -131,15 +131,15 @@ TEST_CASE("imperfections that cannot be simulated are refused by name", "[unit][
   deck::Deck moving = with("ball", {{"kReGeoImp", "1"}}, {{"reDiaVar", "1e-6"}});
   moving.set("mode", "0");
   moving.complete();
-  CHECK_THROWS_WITH(build::build_bearing(moving),
+  CHECK_THROWS_WITH(setup::build_bearing(moving),
                     Catch::Contains("kReGeoImp") && Catch::Contains("does not simulate yet"));
   const deck::Deck routine = with("ball", {{"kRaceGeoImp2", "3"}}, {});
-  CHECK_THROWS_WITH(build::build_bearing(routine), Catch::Contains("ADRX6"));
+  CHECK_THROWS_WITH(setup::build_bearing(routine), Catch::Contains("ADRX6"));
   const deck::Deck gone = with("ball", {{"kReGeoImp", "2"}}, {{"reDiaVar4", "-1"}});
-  CHECK_THROWS_WITH(build::build_bearing(gone), Catch::Contains("rolling element 4"));
+  CHECK_THROWS_WITH(setup::build_bearing(gone), Catch::Contains("rolling element 4"));
   const deck::Deck open =
       with("ball", {{"kRaceGeoImp1", "2"}}, {{"rndVar11", "1e-6"}, {"rndVar21", "2.5"}});
-  const auto issues = build::check_buildable(open);
+  const auto issues = setup::check_buildable(open);
   REQUIRE(issues.size() == 1);
   CHECK(issues[0].severity == Severity::Warning);
   CHECK(issues[0].text().find("rndVar21") != std::string::npos);

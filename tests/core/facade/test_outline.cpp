@@ -1,6 +1,6 @@
 #include "bearing/bearing.hpp"
-#include "build/build_bearing.hpp"
-#include "build/build_rollers.hpp"
+#include "setup/build_bearing.hpp"
+#include "setup/build_rollers.hpp"
 #include "deck/templates.hpp"
 #include "facade/outline.hpp"
 #include "tribology/traction_curve.hpp"
@@ -156,7 +156,7 @@ TEST_CASE("the side view has all elements on the pitch circle", "[unit][outline]
     const deck::Deck deck = deck::new_deck(name);
     const Drawing side = draw(View::SideView, deck);
     const double pitch =
-        deck.integer("kBrg") == 1 ? deck.si("pitchDia") : build::build_rollers(deck).pitch_diameter;
+        deck.integer("kBrg") == 1 ? deck.si("pitchDia") : setup::build_rollers(deck).pitch_diameter;
     int elements = 0;
     for (const Shape& shape : side.panes[0].shapes) {
       if (shape.part != Part::Element) continue;

@@ -1,6 +1,6 @@
-#include "build/build_bearing.hpp"
-#include "build/build_life.hpp"
-#include "build/run_control.hpp"
+#include "setup/build_bearing.hpp"
+#include "setup/build_life.hpp"
+#include "setup/run_control.hpp"
 #include "deck/templates.hpp"
 #include "life/bearing_life.hpp"
 #include "life/capacity.hpp"
@@ -21,8 +21,8 @@ using namespace adore;
 namespace {
 
 life::BearingLife life_of(const deck::Deck& deck, const bearing::LifeChoices& choices = {}) {
-  const bearing::Bearing bearing = build::build_bearing(deck);
-  return life::ball_bearing_life(bearing, build::build_life(deck, choices),
+  const bearing::Bearing bearing = setup::build_bearing(deck);
+  return life::ball_bearing_life(bearing, setup::build_life(deck, choices),
                                  statics::solve_ball_statics(bearing));
 }
 
@@ -142,10 +142,10 @@ TEST_CASE("life factors of materials given in the deck are all used", "[physics]
 TEST_CASE("a multiplier of zero is refused by record and variable", "[unit][life]") {
   deck::Deck deck = with_constants(deck::new_deck("ball"));
   deck.set("fcGZ2", "0");
-  CHECK_THROWS_WITH(build::build_life(deck), Catch::Contains("8.6.2") && Catch::Contains("fcGZ2"));
-  CHECK(build::build_run_options({{"sol7Life", "ih-tallian"}}).life.stored_modification ==
+  CHECK_THROWS_WITH(setup::build_life(deck), Catch::Contains("8.6.2") && Catch::Contains("fcGZ2"));
+  CHECK(setup::build_run_options({{"sol7Life", "ih-tallian"}}).life.stored_modification ==
         bearing::LifeModification::Tallian);
-  CHECK_THROWS_WITH(build::build_run_options({{"sol7Life", "best"}}),
+  CHECK_THROWS_WITH(setup::build_run_options({{"sol7Life", "best"}}),
                     Catch::Contains("lpu") && Catch::Contains("sol7Life"));
 }
 
@@ -260,8 +260,8 @@ TEST_CASE("with material laws lives follow the modulus of the hot parts, and the
     deck.set(name, "450");
   const auto hot_life = [&](const char* laws) {
     deck.set("kMatPropMod", laws);
-    const bearing::Bearing bearing = thermal::operating_bearing(build::build_bearing(deck));
-    return life::ball_bearing_life(bearing, build::build_life(deck),
+    const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
+    return life::ball_bearing_life(bearing, setup::build_life(deck),
                                    statics::solve_ball_statics(bearing));
   };
   const life::BearingLife cold = hot_life("0"), hot = hot_life("1");

@@ -1,5 +1,5 @@
 #include "bearing/material_laws.hpp"
-#include "build/build_bearing.hpp"
+#include "setup/build_bearing.hpp"
 #include "contact/groove.hpp"
 #include "deck/templates.hpp"
 #include "facade/prepare.hpp"
@@ -33,7 +33,7 @@ Bearing built(const char* type, const Sets& sets) {
   deck.complete();
   for (const auto& [name, value] : sets) deck.set(name, value);
   deck.complete();
-  return build::build_bearing(deck);
+  return setup::build_bearing(deck);
 }
 
 /// Nothing turns, nothing presses, everything is held at (x, 0, z).

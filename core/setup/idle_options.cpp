@@ -1,8 +1,8 @@
-#include "build/idle_options.hpp"
+#include "setup/idle_options.hpp"
 
 #include <fmt/format.h>
 
-namespace adore::build {
+namespace adore::setup {
 namespace {
 
 using deck::Deck;
@@ -70,4 +70,4 @@ std::vector<IdleOption> idle_options(const Deck& deck) {
   return out;
 }
 
-}  // namespace adore::build
+}  // namespace adore::setup

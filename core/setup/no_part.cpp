@@ -1,6 +1,6 @@
-#include "build/no_part.hpp"
+#include "setup/no_part.hpp"
 
-#include "build/idle_options.hpp"
+#include "setup/idle_options.hpp"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <initializer_list>
 #include <string_view>
 
-namespace adore::build {
+namespace adore::setup {
 namespace {
 
 using deck::Deck;
@@ -161,4 +161,4 @@ std::optional<Issue> note_of(const std::vector<deck::NoPart>& values, const Deck
   return out;
 }
 
-}  // namespace adore::build
+}  // namespace adore::setup

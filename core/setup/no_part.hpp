@@ -8,7 +8,7 @@
 
 /// Every variable of a deck acts, or is refused, or is named here with the reason why it plays no
 /// part.
-namespace adore::build {
+namespace adore::setup {
 
 /// Values that no builder read, each with its reason. The deck's log (Deck::reads) must have been
 /// there while check_buildable, build_bearing, build_run_control and build_life read the deck.
@@ -21,4 +21,4 @@ namespace adore::build {
 /// What is said of a value that no rule explains: a gap in the table of reasons.
 inline constexpr const char* kNoReason = "nothing in this version reads it";
 
-}  // namespace adore::build
+}  // namespace adore::setup

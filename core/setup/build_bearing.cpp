@@ -1,7 +1,7 @@
-#include "build/build_bearing.hpp"
+#include "setup/build_bearing.hpp"
 
-#include "build/build_rollers.hpp"
-#include "build/deck_text.hpp"
+#include "setup/build_rollers.hpp"
+#include "setup/deck_text.hpp"
 #include "contact/cage_inertia.hpp"
 #include "contact/groove.hpp"
 #include "contact/roller_pocket_play.hpp"
@@ -14,7 +14,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace adore::build {
+namespace adore::setup {
 namespace {
 
 using bearing::Bearing;
@@ -323,4 +323,4 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   return out;
 }
 
-}  // namespace adore::build
+}  // namespace adore::setup

@@ -1,4 +1,4 @@
-#include "build/build_bearing.hpp"
+#include "setup/build_bearing.hpp"
 #include "deck/templates.hpp"
 #include "results/print_cage.hpp"
 #include "thermal/operating.hpp"
@@ -39,7 +39,7 @@ TEST_CASE("cages of every roller type have mass, play and speed in a quasi-stati
   for (const char* name : {"cylindrical", "tapered", "spherical", "spherical-tapered"}) {
     INFO(name);
     const deck::Deck deck = at_rest(name);
-    const bearing::Bearing bearing = thermal::operating_bearing(build::build_bearing(deck));
+    const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
     REQUIRE(bearing.cage);
     const bearing::Cage& cage = *bearing.cage;
     // Less than the whole shell, more than the bars and rims that windows over all of it would
@@ -71,7 +71,7 @@ TEST_CASE("cages of every roller type have mass, play and speed in a quasi-stati
 
 TEST_CASE("a conical cage's mass centre lies towards its large end", "[physics][cage]") {
   const deck::Deck deck = at_rest("tapered");
-  const bearing::Bearing bearing = thermal::operating_bearing(build::build_bearing(deck));
+  const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
   CHECK(bearing.cage->cone_angle == Approx(12.275 * kPi / 180.0));
   CHECK_THAT(page(bearing, deck), Catch::Contains("Mass centre from the middle of the cage") &&
                                       Catch::Contains("-0.0007"));  // the large end is at -x
@@ -92,17 +92,17 @@ TEST_CASE("shaped roller pockets: their least play, and the cylinder of a roller
     deck.set(fmt::format("bPocGsLen1[{}]", pair), "0.002");
     deck.set(fmt::format("bPocGsLen2[{}]", pair), "0.008");
   }
-  const bearing::Bearing faces = thermal::operating_bearing(build::build_bearing(deck));
+  const bearing::Bearing faces = thermal::operating_bearing(setup::build_bearing(deck));
   CHECK(faces.cage->pocket_clearance_1 == Approx(1.8e-4).epsilon(1e-6));
   CHECK(faces.cage->inertia.mass > 0.0);
   CHECK_THAT(page(faces, deck), Catch::Contains("2 pairs of guide faces") &&
                                     Catch::Contains("Least pocket play between the guide faces"));
 
   deck = at_rest("cylindrical");
-  const bearing::Bearing window = build::build_bearing(deck);
+  const bearing::Bearing window = setup::build_bearing(deck);
   deck.set("kPocType", "-1");
   deck.complete();
-  const bearing::Bearing guided = build::build_bearing(deck);
+  const bearing::Bearing guided = setup::build_bearing(deck);
   // Inside the wall a cylinder takes less than a window of parallel faces.
   CHECK(guided.cage->inertia.mass > window.cage->inertia.mass);
   CHECK_THAT(page(guided, deck), Catch::Contains("roller-guided cage"));
@@ -119,7 +119,7 @@ TEST_CASE("ball cages of every pocket shape are reported in a quasi-static solut
     deck::Deck deck = at_rest("ball");
     deck.set("kPocType", code);
     deck.set("bPocCls2", clearance);
-    const bearing::Bearing bearing = thermal::operating_bearing(build::build_bearing(deck));
+    const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
     REQUIRE(bearing.cage);
     CHECK(bearing.cage->inertia.mass > 0.0);
     CHECK_THAT(page(bearing, deck), Catch::Contains(name));
@@ -131,7 +131,7 @@ TEST_CASE("a cage whose windows cannot be cut is reported without mass, and why"
   deck.set("cageWidth", "0.009");  // narrower than the rollers are long
   deck.set("cageGsPos[1]", "-0.0045");
   deck.set("cageGsPos[2]", "0.0045");
-  const bearing::Bearing bearing = thermal::operating_bearing(build::build_bearing(deck));
+  const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
   REQUIRE(bearing.cage);
   CHECK(bearing.cage->inertia.mass == 0.0);
   CHECK_THAT(page(bearing, deck), Catch::Contains("The mass of the cage is not known") &&
@@ -145,7 +145,7 @@ TEST_CASE("a cage's given mass comes from its record", "[unit][cage]") {
   deck.complete();
   deck.set("cageMass", "0.0321");
   for (const char* moment : {"cageMIx", "cageMIy", "cageMIz"}) deck.set(moment, "1.5e-5");
-  const bearing::Bearing bearing = build::build_bearing(deck);
+  const bearing::Bearing bearing = setup::build_bearing(deck);
   CHECK(bearing.cage->inertia.mass == 0.0321);
   CHECK_THAT(page(bearing, deck), Catch::Contains("Mass (record 7.7)"));
 }

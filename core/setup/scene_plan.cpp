@@ -1,11 +1,11 @@
-#include "build/scene_plan.hpp"
+#include "setup/scene_plan.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numbers>
 
-namespace adore::build {
+namespace adore::setup {
 namespace {
 
 using dynamics::Effect;
@@ -89,4 +89,4 @@ dynamics::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Beari
   return plan;
 }
 
-}  // namespace adore::build
+}  // namespace adore::setup

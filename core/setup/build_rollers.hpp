@@ -4,7 +4,7 @@
 #include "deck/deck.hpp"
 
 /// Records 5B to 5F of a deck: roller and raceway geometry in SI, and what a roller weighs.
-namespace adore::build {
+namespace adore::setup {
 
 /// @throws InputError for reserved values and geometry that cannot close.
 [[nodiscard]] bearing::RollerGeometry build_rollers(const deck::Deck& deck);
@@ -16,4 +16,4 @@ struct RollerMass {
 /// Of the nominal roller, crown, domes and corners included.
 [[nodiscard]] RollerMass roller_mass(const bearing::RollerGeometry& rollers, double density);
 
-}  // namespace adore::build
+}  // namespace adore::setup

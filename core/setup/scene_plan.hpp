@@ -1,9 +1,9 @@
 #pragma once
 
-#include "build/run_control.hpp"
+#include "setup/run_control.hpp"
 #include "dynamics/scene_plan.hpp"
 
-namespace adore::build {
+namespace adore::setup {
 
 /// What a run of this deck simulates and why: bodies, degrees of freedom, effects with the deck
 /// switch that decides each.
@@ -11,4 +11,4 @@ namespace adore::build {
                                                   const bearing::Bearing& bearing,
                                                   const RunControl& control);
 
-}  // namespace adore::build
+}  // namespace adore::setup

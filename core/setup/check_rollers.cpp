@@ -1,6 +1,6 @@
-#include "build/check_rollers.hpp"
+#include "setup/check_rollers.hpp"
 
-#include "build/deck_text.hpp"
+#include "setup/deck_text.hpp"
 #include "contact/roller_profile.hpp"
 #include "contact/roller_shape.hpp"
 
@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace adore::build {
+namespace adore::setup {
 namespace {
 
 using bearing::RollerDeviation;
@@ -146,4 +146,4 @@ void check_roller_deviations(const Deck& deck, const RollerGeometry& rollers) {
   }
 }
 
-}  // namespace adore::build
+}  // namespace adore::setup

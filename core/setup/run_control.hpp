@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bearing/life_inputs.hpp"
-#include "build/build_imperfections.hpp"
+#include "setup/build_imperfections.hpp"
 #include "deck/deck.hpp"
 #include "dynamics/system.hpp"
 #include "statics/roller_statics.hpp"
@@ -15,7 +15,7 @@
 #include <vector>
 
 /// How long, how finely and with what output a deck wants to be run.
-namespace adore::build {
+namespace adore::setup {
 
 enum class StartState : unsigned char {
   Statics,    ///< kIcOpt 0
@@ -72,4 +72,4 @@ struct OptionInfo {
 /// @throws InputError naming the valid options, or the value that is expected.
 [[nodiscard]] RunOptions build_run_options(const std::map<std::string, std::string>& values);
 
-}  // namespace adore::build
+}  // namespace adore::setup

@@ -1,8 +1,8 @@
-#include "build/build_life.hpp"
+#include "setup/build_life.hpp"
 
 #include <string>
 
-namespace adore::build {
+namespace adore::setup {
 namespace {
 
 using bearing::LifeComponentInput;
@@ -95,4 +95,4 @@ bearing::LifeInputs build_life(const Deck& deck, const bearing::LifeChoices& cho
   return out;
 }
 
-}  // namespace adore::build
+}  // namespace adore::setup

@@ -8,7 +8,7 @@
 /// Options of a deck that a quasi-static solution (mode -1) has no use for: nothing moves there, so
 /// traction, lubricant films, the cage's motion, drag, the thermal network and the control of
 /// motion play no part. The deck is solved without them and they are named.
-namespace adore::build {
+namespace adore::setup {
 
 struct IdleOption {
   std::string variable;
@@ -19,4 +19,4 @@ struct IdleOption {
 /// Empty for a dynamic run, and where every option is neutral.
 [[nodiscard]] std::vector<IdleOption> idle_options(const deck::Deck& deck);
 
-}  // namespace adore::build
+}  // namespace adore::setup

@@ -1,7 +1,7 @@
-#include "build/build_rollers.hpp"
+#include "setup/build_rollers.hpp"
 
-#include "build/check_rollers.hpp"
-#include "build/deck_text.hpp"
+#include "setup/check_rollers.hpp"
+#include "setup/deck_text.hpp"
 #include "contact/roller_inertia.hpp"
 #include "contact/roller_shape.hpp"
 #include "contact/tapered_geometry.hpp"
@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-namespace adore::build {
+namespace adore::setup {
 namespace {
 
 using bearing::Type;
@@ -108,4 +108,4 @@ RollerMass roller_mass(const bearing::RollerGeometry& rollers, double density) {
   return out;
 }
 
-}  // namespace adore::build
+}  // namespace adore::setup

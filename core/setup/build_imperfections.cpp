@@ -1,8 +1,8 @@
-#include "build/build_imperfections.hpp"
+#include "setup/build_imperfections.hpp"
 
 #include "base/random_table.hpp"
-#include "build/check_rollers.hpp"
-#include "build/deck_text.hpp"
+#include "setup/check_rollers.hpp"
+#include "setup/deck_text.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <cmath>
 #include <string>
 
-namespace adore::build {
+namespace adore::setup {
 namespace {
 
 using bearing::ElementErrors;
@@ -213,4 +213,4 @@ void build_imperfections(const Deck& deck, std::uint64_t seed, bearing::Bearing&
     check_barrel_grooves(deck, bearing);
 }
 
-}  // namespace adore::build
+}  // namespace adore::setup

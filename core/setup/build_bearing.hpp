@@ -2,13 +2,13 @@
 
 #include "base/errors.hpp"
 #include "bearing/bearing.hpp"
-#include "build/build_imperfections.hpp"
+#include "setup/build_imperfections.hpp"
 #include "deck/deck.hpp"
 
 #include <vector>
 
 /// Deck -> SI model: the only place where deck variables become physics, and where units end.
-namespace adore::build {
+namespace adore::setup {
 
 /// What this deck asks for that the program cannot simulate yet, as errors that name record and
 /// variable, and what it asks for that has no effect, as warnings. Empty when everything asked for
@@ -26,4 +26,4 @@ namespace adore::build {
 /// clearance.
 [[nodiscard]] bearing::BallGeometry build_balls(const deck::Deck& deck);
 
-}  // namespace adore::build
+}  // namespace adore::setup

@@ -5,7 +5,7 @@
 
 /// Can rollers of this shape exist? In the deck's words, with the limit of each value that cannot
 /// be.
-namespace adore::build {
+namespace adore::setup {
 
 /// The nominal roller: length under its taper, crown, end radii, corners.
 /// @throws InputError with every value that does not fit, and what would.
@@ -15,4 +15,4 @@ void check_roller_shape(const deck::Deck& deck, const bearing::RollerGeometry& r
 /// @throws InputError naming roller and variable.
 void check_roller_deviations(const deck::Deck& deck, const bearing::RollerGeometry& rollers);
 
-}  // namespace adore::build
+}  // namespace adore::setup

@@ -8,7 +8,7 @@
 #include <utility>
 
 /// How the builder speaks of a deck: in its units, and with record and variable.
-namespace adore::build {
+namespace adore::setup {
 
 /// "0.0127 m" or "0.5 in", as the deck has it.
 [[nodiscard]] std::string length_text(const deck::Deck& deck, double metres);
@@ -30,4 +30,4 @@ auto at_variable(const deck::Deck& deck, std::string_view variable, Make&& make)
   }
 }
 
-}  // namespace adore::build
+}  // namespace adore::setup

@@ -3,7 +3,7 @@
 #include "bearing/life_inputs.hpp"
 #include "deck/deck.hpp"
 
-namespace adore::build {
+namespace adore::setup {
 
 /// What a deck says about fatigue life: records 8.6.0 to 8.6.3 (kLifeCons 1), 8.6.4 to 8.6.6
 /// (materials given in the deck), residual stresses and fatigue limit of record 9.0.
@@ -11,4 +11,4 @@ namespace adore::build {
 [[nodiscard]] bearing::LifeInputs build_life(const deck::Deck& deck,
                                              const bearing::LifeChoices& choices = {});
 
-}  // namespace adore::build
+}  // namespace adore::setup

@@ -1,7 +1,7 @@
 #include "bearing/material_laws.hpp"
-#include "build/build_bearing.hpp"
-#include "build/deck_text.hpp"
-#include "build/idle_options.hpp"
+#include "setup/build_bearing.hpp"
+#include "setup/deck_text.hpp"
+#include "setup/idle_options.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <string_view>
 #include <utility>
 
-namespace adore::build {
+namespace adore::setup {
 namespace {
 
 using deck::Deck;
@@ -222,4 +222,4 @@ std::vector<Issue> check_buildable(const Deck& deck) {
   return check.take();
 }
 
-}  // namespace adore::build
+}  // namespace adore::setup

@@ -1,5 +1,5 @@
-#include "build/build_bearing.hpp"
-#include "build/idle_options.hpp"
+#include "setup/build_bearing.hpp"
+#include "setup/idle_options.hpp"
 #include "deck/check.hpp"
 #include "deck/schema.hpp"
 #include "deck/templates.hpp"
@@ -29,7 +29,7 @@ deck::Deck at_rest(const char* type) {
 }
 
 std::array<double, 5> solution(const deck::Deck& deck) {
-  const bearing::Bearing b = thermal::operating_bearing(build::build_bearing(deck));
+  const bearing::Bearing b = thermal::operating_bearing(setup::build_bearing(deck));
   if (b.rollers) return statics::solve_roller_statics(b).displacement;
   return statics::solve_ball_statics(b).displacement;
 }
@@ -38,7 +38,7 @@ std::array<double, 5> solution(const deck::Deck& deck) {
 std::string remarks(const deck::Deck& deck) {
   std::string out;
   for (const Issue& issue : deck::check_deck(deck)) out += issue.text() + "\n";
-  for (const Issue& issue : build::check_buildable(deck)) out += issue.text() + "\n";
+  for (const Issue& issue : setup::check_buildable(deck)) out += issue.text() + "\n";
   return out;
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("any deck has its statics: whatever only moves is left out, and named"
           INFO(type << ": " << name << " = " << code << "\n" << remarks(deck));
           CHECK(solution(deck) == base);
           ++solved;
-          for (const build::IdleOption& idle : build::idle_options(deck)) {
+          for (const setup::IdleOption& idle : setup::idle_options(deck)) {
             named.insert(idle.variable);
             CHECK_THAT(remarks(deck), (Catch::Contains("play no part") ||
                                        Catch::Contains("has no effect, because mode")) &&
@@ -139,7 +139,7 @@ TEST_CASE("deviations of pocket clearances change the play of the cage", "[physi
     deck.set("bPocClsVar1", deviation);
     deck.set("bPocCenVar1", "1e-4");
     CHECK_THAT(remarks(deck), Catch::Contains("bPocCenVar1 = 0.0001 (an axial shift"));
-    const auto fits = *thermal::operating_bearing(build::build_bearing(deck)).operating;
+    const auto fits = *thermal::operating_bearing(setup::build_bearing(deck)).operating;
     said = remarks(deck);
     for (const std::string& warning : fits.warnings) said += warning + "\n";
     return fits.plays;

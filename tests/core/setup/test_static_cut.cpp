@@ -1,4 +1,4 @@
-#include "build/build_bearing.hpp"
+#include "setup/build_bearing.hpp"
 #include "deck/templates.hpp"
 #include "results/static_cut.hpp"
 #include "statics/ball_statics.hpp"
@@ -16,7 +16,7 @@ using namespace adore;
 namespace {
 
 results::StaticTables tables_of(const deck::Deck& deck) {
-  const bearing::Bearing bearing = thermal::operating_bearing(build::build_bearing(deck));
+  const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
   if (bearing.rollers) {
     const auto solution = statics::solve_roller_statics(bearing);
     auto out = results::static_tables(solution, bearing, deck::UnitSystem::SI);

@@ -1,4 +1,4 @@
-#include "build/run_control.hpp"
+#include "setup/run_control.hpp"
 
 #include "integrators/stepper.hpp"
 
@@ -9,7 +9,7 @@
 #include <functional>
 #include <optional>
 
-namespace adore::build {
+namespace adore::setup {
 
 RunControl build_run_control(const deck::Deck& deck) {
   RunControl out;
@@ -294,4 +294,4 @@ RunOptions build_run_options(const std::map<std::string, std::string>& values) {
   return out;
 }
 
-}  // namespace adore::build
+}  // namespace adore::setup

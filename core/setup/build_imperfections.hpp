@@ -7,7 +7,7 @@
 
 /// Records 5G and 7.4 of a deck: geometric imperfections of rolling elements, races and cage
 /// pockets.
-namespace adore::build {
+namespace adore::setup {
 
 /// The random table that kReGeoImp = 1 uses when no other seed is asked for.
 inline constexpr std::uint64_t kDefaultSeed = 1;
@@ -32,4 +32,4 @@ enum class RandomColumn : unsigned char {
 /// @throws InputError naming the element that the deviations leave without size.
 void build_imperfections(const deck::Deck& deck, std::uint64_t seed, bearing::Bearing& bearing);
 
-}  // namespace adore::build
+}  // namespace adore::setup

@@ -1,10 +1,10 @@
-#include "build/deck_text.hpp"
+#include "setup/deck_text.hpp"
 
 #include <fmt/format.h>
 
 #include <vector>
 
-namespace adore::build {
+namespace adore::setup {
 namespace {
 
 constexpr double kInch = 0.0254, kRankine = 5.0 / 9.0;
@@ -33,4 +33,4 @@ InputError located(const deck::Deck& deck, std::string_view variable, const Inpu
   return InputError(std::move(out));
 }
 
-}  // namespace adore::build
+}  // namespace adore::setup
