@@ -1,5 +1,6 @@
 #include "facade/disk_use.hpp"
 
+#include "dynamics/effect_catalogue.hpp"
 #include "results/averages.hpp"
 #include "results/channels.hpp"
 #include "results/print_file.hpp"
@@ -20,7 +21,7 @@ double selected(double steps, int every) {
                    : 2.0;
 }
 
-double counted_steps(const Prepared& prepared, const dynamics::ScenePlan& plan, double time_scale) {
+double counted_steps(const Prepared& prepared, const scene::ScenePlan& plan, double time_scale) {
   const double most = static_cast<double>(prepared.control.max_steps);
   const double step = plan.expected_step * prepared.control.substeps;
   if (!(step > 0.0)) return most;
@@ -48,15 +49,16 @@ double DiskUse::total() const {
   return sum;
 }
 
-DiskUse disk_use(const Prepared& prepared, const dynamics::ScenePlan& plan) {
+DiskUse disk_use(const Prepared& prepared, const scene::ScenePlan& plan) {
   DiskUse out;
   if (!prepared.control.dynamic) return out;
   const setup::RunControl& control = prepared.control;
   const deck::UnitSystem units = prepared.input.deck.units();
   dynamics::System system = make_system(prepared);
   const std::vector<double> y = system.initial_state();
-  const dynamics::Snapshot snapshot = system.snapshot(0.0, y);
-  results::ChannelRecorder recorder(prepared.bearing, units);
+  const scene::Snapshot snapshot = system.snapshot(0.0, y);
+  results::ChannelRecorder recorder(prepared.bearing, units,
+                                    results::ChannelTable(dynamics::energy_terms()));
   const results::StepRecord& record = recorder.record(snapshot);
 
   out.steps = counted_steps(prepared, plan, system.scales().time);

@@ -1,10 +1,6 @@
 #include "facade/prepare.hpp"
 
 #include "base/json_text.hpp"
-#include "setup/build_bearing.hpp"
-#include "setup/build_life.hpp"
-#include "setup/no_part.hpp"
-#include "setup/scene_plan.hpp"
 #include "deck/defaults.hpp"
 #include "deck/unit_text.hpp"
 #include "dynamics/race_contacts.hpp"
@@ -15,6 +11,10 @@
 #include "life/contact_strength.hpp"
 #include "results/ball_warnings.hpp"
 #include "results/growing_file.hpp"
+#include "setup/build_bearing.hpp"
+#include "setup/build_life.hpp"
+#include "setup/no_part.hpp"
+#include "setup/scene_plan.hpp"
 #include "thermal/operating.hpp"
 #include "tribology/traction_curve.hpp"
 
@@ -287,8 +287,8 @@ dynamics::System make_system(const Prepared& prepared) {
                           prepared.options.system);
 }
 
-dynamics::ScenePlan plan_with_estimates(const Prepared& prepared) {
-  dynamics::ScenePlan plan = prepared.plan;
+scene::ScenePlan plan_with_estimates(const Prepared& prepared) {
+  scene::ScenePlan plan = prepared.plan;
   if (!prepared.control.dynamic) return plan;
   dynamics::System system = make_system(prepared);
   dynamics::estimate(plan, prepared.bearing, prepared.start, system);
@@ -306,16 +306,16 @@ std::string stability_text(const Prepared& prepared) {
   return judge_steps(prepared, make_system(prepared).scales().time).text;
 }
 
-std::string plan_text(const Prepared& prepared, const dynamics::ScenePlan& plan) {
+std::string plan_text(const Prepared& prepared, const scene::ScenePlan& plan) {
   std::string out =
       fmt::format("{}\n{}\n\nbodies\n", prepared.input.path.string(), prepared.bearing.run_id);
-  for (const dynamics::BodyEntry& body : plan.bodies)
+  for (const scene::BodyEntry& body : plan.bodies)
     out += body.degrees.size() <= 52 ? fmt::format("  {:<24} {:<52} {:>5} unknowns\n", body.name,
                                                    body.degrees, body.unknowns)
                                      : fmt::format("  {:<24} {}\n  {:<24} {:<52} {:>5} unknowns\n",
                                                    body.name, body.degrees, "", "", body.unknowns);
   out += fmt::format("  {:<24} {:<52} {:>5}\n\neffects\n", "together", "", plan.unknowns);
-  for (const dynamics::EffectEntry& effect : plan.effects)
+  for (const scene::EffectEntry& effect : plan.effects)
     out +=
         fmt::format("  {:<3} {:<30} {}\n", effect.on ? "on" : "off", effect.name, effect.because);
   if (!prepared.control.dynamic) return out + static_cost_text(prepared);

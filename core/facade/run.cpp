@@ -295,7 +295,7 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
     again.initial = h;
     stepper->start(ode, stepper->time(), y, again);
   };
-  const bool may_hold = prepared.plan.has(dynamics::Effect::LightLoadBalance);
+  const bool may_hold = prepared.plan.has(scene::Effect::LightLoadBalance);
 
   const auto loop_begin = Clock::now();
   try {

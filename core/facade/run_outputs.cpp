@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/version.hpp"
+#include "dynamics/effect_catalogue.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "facade/cage_start.hpp"
 #include "facade/continued_deck.hpp"
@@ -38,7 +39,7 @@ namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using dynamics::Snapshot;
+using scene::Snapshot;
 
 std::vector<std::string> component_names(const dynamics::System& system) {
   std::vector<std::string> out;
@@ -133,8 +134,8 @@ KeyResults static_results(const Prepared& prepared) {
 KeyResults dynamic_results(const Snapshot& last, const results::Averages& averages,
                            const results::MeanLoad& carried) {
   double load = 0.0, slip = 0.0;
-  for (const dynamics::ElementSnapshot& element : last.elements)
-    for (const dynamics::RaceContactSnapshot& contact : element.race) {
+  for (const scene::ElementSnapshot& element : last.elements)
+    for (const scene::RaceContactSnapshot& contact : element.race) {
       load = std::max(load, contact.load);
       slip = std::max(slip, contact.max_slip);
     }
@@ -163,7 +164,7 @@ struct RunOutputs::Impl {
   bool overwrite;
   const setup::RunControl& control;
   fs::path folder;
-  dynamics::ScenePlan plan;
+  scene::ScenePlan plan;
   deck::UnitSystem units;
   results::ChannelRecorder recorder;
   results::RunAverages averages;
@@ -201,7 +202,7 @@ struct RunOutputs::Impl {
         folder(std::move(f)),
         plan(p.plan),
         units(p.input.deck.units()),
-        recorder(p.bearing, units),
+        recorder(p.bearing, units, results::ChannelTable(dynamics::energy_terms())),
         life(p.bearing, p.life.parameters) {}
 
   [[nodiscard]] fs::path path(const std::string& name) const { return folder / name; }
@@ -225,7 +226,7 @@ struct RunOutputs::Impl {
   void check_files() const;
   void open_files(bool continued);
   void make_room();
-  void print_front(const std::optional<dynamics::Scales>& scales);
+  void print_front(const std::optional<scene::Scales>& scales);
   [[nodiscard]] results::FinalState final_state(const dynamics::System& system, const Snapshot& at,
                                                 std::span<const double> y) const;
   [[nodiscard]] results::StaticSummary static_summary(bool dynamic) const;
@@ -271,7 +272,8 @@ void RunOutputs::Impl::check_files() const {
   for (std::size_t k = 0; k < control.monitored.size() && k < 6; ++k)
     check(k + 1, control.monitored[k]);
   check(7, 0);
-  if (prepared.options.results_h5) results::H5Writer::check(path("RESULTS.h5"), prepared.bearing);
+  if (prepared.options.results_h5)
+    results::H5Writer::check(path("RESULTS.h5"), prepared.bearing, recorder.table());
   if (writes_animation()) results::Sol8Writer::check(sol_path(8), prepared.bearing, units);
 }
 
@@ -306,8 +308,10 @@ void RunOutputs::Impl::open_files(bool continued) {
   power = open(7, 0);
   if (prepared.options.results_h5) {
     written.push_back(path("RESULTS.h5"));
-    all = continued ? results::H5Writer::continue_after(path("RESULTS.h5"), prepared.bearing, saved)
-                    : results::H5Writer::create(path("RESULTS.h5"), prepared.bearing);
+    all = continued
+              ? results::H5Writer::continue_after(path("RESULTS.h5"), prepared.bearing,
+                                                  recorder.table(), saved)
+              : results::H5Writer::create(path("RESULTS.h5"), prepared.bearing, recorder.table());
   }
   if (!control.animate) return;
   if (const auto refusal = results::sol8_refusal(prepared.bearing.balls.count, cages())) {
@@ -364,11 +368,11 @@ constexpr const char* kResidual = "ledger residual";
 
 /// The same ledger with another start.
 template <class Value>
-void set_start(dynamics::Ledger<Value>& ledger, const Value& start) {
-  dynamics::Ledger<Value> out;
+void set_start(scene::Ledger<Value>& ledger, const Value& start) {
+  scene::Ledger<Value> out;
   for (const auto& item : ledger.items())
-    out.add(*item.term, item.term->kind == dynamics::LedgerKind::Start ? start : item.value,
-            item.race, item.rate);
+    out.add(*item.term, item.term->kind == scene::LedgerKind::Start ? start : item.value, item.race,
+            item.rate);
   ledger = std::move(out);
 }
 
@@ -382,11 +386,11 @@ std::string momentum_name(std::string_view kind, int axis) {
 /// which belongs to one method with its limits.
 void RunOutputs::Impl::save_progress(std::map<std::string, double>& state, const Snapshot& at,
                                      const Resume& resume) const {
-  state[kStored] = at.energy.sum(dynamics::LedgerKind::Start);
+  state[kStored] = at.energy.sum(scene::LedgerKind::Start);
   state[kResidual] = at.energy.residual();
   for (int k = 0; at.momentum && k < 3; ++k) {
-    state[momentum_name("linear", k)] = at.momentum->linear.sum(dynamics::LedgerKind::Start)[k];
-    state[momentum_name("angular", k)] = at.momentum->angular.sum(dynamics::LedgerKind::Start)[k];
+    state[momentum_name("linear", k)] = at.momentum->linear.sum(scene::LedgerKind::Start)[k];
+    state[momentum_name("angular", k)] = at.momentum->angular.sum(scene::LedgerKind::Start)[k];
   }
   const auto whole = [&](const char* name, long value) {
     state[name] = static_cast<double>(value);
@@ -537,7 +541,7 @@ results::StaticSummary RunOutputs::Impl::static_summary(bool dynamic) const {
 }
 
 /// Everything of PRINT.txt that is known before the first step.
-void RunOutputs::Impl::print_front(const std::optional<dynamics::Scales>& scales) {
+void RunOutputs::Impl::print_front(const std::optional<scene::Scales>& scales) {
   print->front({prepared.input.deck, prepared.as_built, scales, summary_of_deck().options});
   std::vector<std::string> warnings;
   for (Issue issue : prepared.input.warnings) {
@@ -774,7 +778,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
                   {"restarts", c.restarts},
                   {"jacobians", c.jacobians},
                   {"nonlinear_iterations", c.nonlinear_iterations}};
-  if (s.plan.has(dynamics::Effect::LightLoadBalance))
+  if (s.plan.has(scene::Effect::LightLoadBalance))
     run.counters.emplace_back("changes of held elements", end.held_changes);
   run.energy = s.last.energy;
   run.load = s.mean_load();

@@ -93,7 +93,7 @@ void PrintFile::stiffness_table(const std::vector<statics::StiffnessRow>& rows, 
   flush();
 }
 
-void PrintFile::step(const dynamics::Snapshot& snapshot, const StepRecord& record,
+void PrintFile::step(const scene::Snapshot& snapshot, const StepRecord& record,
                      const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt,
                      std::optional<long> life_step) {
   print_step(report_, snapshot, record, bearing, averages, kPrtOpt, life_step);
@@ -105,7 +105,7 @@ void PrintFile::life(const life::BearingLife& life) {
   flush();
 }
 
-void PrintFile::ledgers(const RunSummary& run, const dynamics::ScenePlan& plan,
+void PrintFile::ledgers(const RunSummary& run, const scene::ScenePlan& plan,
                         const std::optional<RunLife>& life) {
   print_ledgers(report_, run, plan, life);
   flush();

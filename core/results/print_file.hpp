@@ -2,9 +2,6 @@
 
 #include "bearing/bearing.hpp"
 #include "deck/deck.hpp"
-#include "dynamics/scene_plan.hpp"
-#include "dynamics/snapshot.hpp"
-#include "dynamics/system.hpp"
 #include "results/averages.hpp"
 #include "results/channels.hpp"
 #include "results/growing_file.hpp"
@@ -12,6 +9,9 @@
 #include "results/report.hpp"
 #include "results/run_json.hpp"
 #include "results/static_summary.hpp"
+#include "scene/plan.hpp"
+#include "scene/scales.hpp"
+#include "scene/snapshot.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_statics.hpp"
 #include "statics/stiffness_table.hpp"
@@ -32,7 +32,7 @@ namespace adore::results {
 struct PrintFront {
   const deck::Deck& deck;
   const bearing::Bearing& bearing;
-  std::optional<dynamics::Scales> scales;  ///< dynamic runs
+  std::optional<scene::Scales> scales;  ///< dynamic runs
   std::vector<std::pair<std::string, std::string>>
       options;  ///< named options with the values in force
 };
@@ -73,12 +73,12 @@ class PrintFile {
   /// One printed step: rolling elements, races and cage, applied parameters, summary, as kPrtOpt
   /// selects. `record` is the snapshot as the ChannelRecorder shows it; `life_step`: whose loads
   /// the life of the snapshot is for, when not its own.
-  void step(const dynamics::Snapshot& snapshot, const StepRecord& record,
+  void step(const scene::Snapshot& snapshot, const StepRecord& record,
             const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt,
             std::optional<long> life_step = {});
   /// Last page: plan, steps, conservation and cost ledgers, accuracy of the contact integrals,
   /// defaults used.
-  void ledgers(const RunSummary& run, const dynamics::ScenePlan& plan,
+  void ledgers(const RunSummary& run, const scene::ScenePlan& plan,
                const std::optional<RunLife>& life = std::nullopt);
 
   [[nodiscard]] const GrowingFile& file() const noexcept { return file_; }
@@ -106,10 +106,10 @@ void print_race_equilibrium(Report& report, const statics::RaceResult& solution,
 void print_race_stiffness(Report& report, const statics::RaceResult& solution);
 void print_stiffness_table(Report& report, const std::vector<statics::StiffnessRow>& rows,
                            double share);
-void print_step(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record,
+void print_step(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
                 const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt,
                 std::optional<long> life_step = {});
-void print_ledgers(Report& report, const RunSummary& run, const dynamics::ScenePlan& plan,
+void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan& plan,
                    const std::optional<RunLife>& life = std::nullopt);
 
 }  // namespace adore::results

@@ -306,7 +306,7 @@ void operation(Report& report, const PrintFront& front) {
   }
 }
 
-void scales(Report& report, const dynamics::Scales& s) {
+void scales(Report& report, const scene::Scales& s) {
   report.heading("Scale factors");
   report.text(
       "A dimensionless number of the deck (step sizes and end time of record 2.1) times its scale "

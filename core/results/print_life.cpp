@@ -308,8 +308,6 @@ std::string life_text(double life) {
   return std::isinf(life) ? std::string("INFINITE") : Report::number(life);
 }
 
-double plotted_life(double life) { return std::isinf(life) ? 9.9999999e30 : life; }
-
 std::string life_name(LifeModel model, LifeModification modification) {
   std::string out = kModelNames[static_cast<std::size_t>(model)];
   if (modification != LifeModification::None)

@@ -14,8 +14,6 @@ namespace adore::results {
 
 /// "INFINITE", or seven significant digits.
 [[nodiscard]] std::string life_text(double life);
-/// A life as a plot file of fixed width stores it: 9.9999999E+30 stands for infinity (N77).
-[[nodiscard]] double plotted_life(double life);
 
 /// Life accumulated over a dynamic run.
 struct RunLife {

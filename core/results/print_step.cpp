@@ -46,7 +46,7 @@ bool is_computed(const StepRecord& record, std::string_view id) {
   return std::any_of(values.begin(), values.end(), [](double v) { return v != 0.0; });
 }
 
-void elements(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record,
+void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
               int interval) {
   const bool film = is_computed(record, "contact.film");
   const bool rise = is_computed(record, "contact.temperature_rise");
@@ -118,7 +118,7 @@ void elements(Report& report, const dynamics::Snapshot& snapshot, const StepReco
 }
 
 /// By the model that run option sol7Life names, as if the loads of `life_step` lasted for ever.
-void fatigue_life(Report& report, const dynamics::Snapshot& snapshot, long life_step) {
+void fatigue_life(Report& report, const scene::Snapshot& snapshot, long life_step) {
   const double life = snapshot.power.life_hours;
   const std::string label =
       life_step == snapshot.step
@@ -132,14 +132,14 @@ void fatigue_life(Report& report, const dynamics::Snapshot& snapshot, long life_
     report.item("Fatigue life", "no life model is active");
 }
 
-void bodies(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record,
+void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
             long life_step) {
   report.heading(
       "2. Race and cage parameters: position and orientation (theta, phi of the body's axis in the "
       "base frame)");
   std::vector<Report::Row> places, speeds, orbits;
-  const auto add = [&](const char* name, const dynamics::BodySnapshot& body, double theta,
-                       double phi, double w_theta, double w_phi) {
+  const auto add = [&](const char* name, const scene::BodySnapshot& body, double theta, double phi,
+                       double w_theta, double w_phi) {
     const OrbitMotion orbit = orbit_motion(body.position, body.velocity, body.acceleration);
     places.push_back({name,
                       {body.position.x(), body.position.y(), body.position.z(), theta, phi,
@@ -195,7 +195,7 @@ void bodies(Report& report, const dynamics::Snapshot& snapshot, const StepRecord
         "Cage to race contact (contact angle in the cage frame; no attitude angle without "
         "hydrodynamics)");
     std::vector<Report::Row> lands;
-    for (const dynamics::LandSnapshot& land : snapshot.cages.front().lands)
+    for (const scene::LandSnapshot& land : snapshot.cages.front().lands)
       lands.push_back(
           {fmt::format("land {}", lands.size() + 1), {land.force, land.gap, wrapped(land.angle)}});
     report.table("", {{"force", &unit::kForce}, {"gap", &unit::kLength}, {"angle", &unit::kAngle}},
@@ -210,11 +210,11 @@ void bodies(Report& report, const dynamics::Snapshot& snapshot, const StepRecord
   fatigue_life(report, snapshot, life_step);
 }
 
-void applied(Report& report, const dynamics::Snapshot& snapshot, const bearing::Bearing& bearing) {
+void applied(Report& report, const scene::Snapshot& snapshot, const bearing::Bearing& bearing) {
   report.heading("3. Applied parameters: forces and moments on the races, about their centres");
   std::vector<Report::Row> rows;
   for (std::size_t race = 0; race < 2; ++race) {
-    const dynamics::RaceSnapshot& body = snapshot.races[race];
+    const scene::RaceSnapshot& body = snapshot.races[race];
     rows.push_back(
         {race == 0 ? "outer race" : "inner race",
          {body.applied_force.x(), body.applied_force.y(), body.applied_force.z(),
@@ -263,7 +263,7 @@ void applied(Report& report, const dynamics::Snapshot& snapshot, const bearing::
                 bearing.cage->lands[i].clearance, unit::kLength);
 }
 
-void summary(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record,
+void summary(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
              const Averages& averages, long life_step) {
   report.heading("4. Time step summary");
   report.item("Step", snapshot.step);
@@ -284,7 +284,7 @@ void summary(Report& report, const dynamics::Snapshot& snapshot, const StepRecor
   report.item("Power loss", snapshot.power.total_loss, unit::kPower);
   report.item("Power loss, average over time", averages.power_loss, unit::kPower);
   for (const auto& item : snapshot.energy.items())
-    if (item.term->kind == dynamics::LedgerKind::Heat)
+    if (item.term->kind == scene::LedgerKind::Heat)
       report.item(fmt::format("    of it now: {}", item.place()), item.rate, unit::kPower);
   report.item("Churning and drag, fraction of the loss", snapshot.power.churning_fraction,
               unit::kPure);
@@ -302,7 +302,7 @@ void summary(Report& report, const dynamics::Snapshot& snapshot, const StepRecor
 
 }  // namespace
 
-void print_step(Report& report, const dynamics::Snapshot& snapshot, const StepRecord& record,
+void print_step(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
                 const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt,
                 std::optional<long> life_step) {
   const PrintSections sections = print_sections(kPrtOpt);
@@ -314,7 +314,7 @@ void print_step(Report& report, const dynamics::Snapshot& snapshot, const StepRe
   summary(report, snapshot, record, averages, step);
 }
 
-void print_ledgers(Report& report, const RunSummary& run, const dynamics::ScenePlan& plan,
+void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan& plan,
                    const std::optional<RunLife>& life) {
   report.new_page("TIME STEP SUMMARY AND LEDGERS");
   report.item("Run ended", run.status);
@@ -354,12 +354,12 @@ void print_ledgers(Report& report, const RunSummary& run, const dynamics::SceneP
 
   report.heading("Plan: what was simulated and why");
   std::vector<std::vector<std::string>> rows;
-  for (const dynamics::EffectEntry& effect : plan.effects)
+  for (const scene::EffectEntry& effect : plan.effects)
     rows.push_back({effect.name, effect.on ? "on" : "off", effect.because});
   report.text_table({{"effect", 30}, {"", 4}, {"because", 88}}, rows);
   report.blank();
   rows.clear();
-  for (const dynamics::BodyEntry& body : plan.bodies)
+  for (const scene::BodyEntry& body : plan.bodies)
     rows.push_back({body.name, std::to_string(body.unknowns), body.degrees});
   report.text_table({{"body", 30}, {"unknowns", 9}, {"degrees of freedom", 83}}, rows);
 
@@ -390,7 +390,7 @@ void print_ledgers(Report& report, const RunSummary& run, const dynamics::SceneP
     report.heading("Cost: where the computing time went (measured, differs from run to run)");
     rows.clear();
     double total = 0.0;
-    for (const dynamics::CostLedger::Row& row : run.cost) {
+    for (const scene::CostLedger::Row& row : run.cost) {
       total += row.seconds;
       rows.push_back({row.name, std::to_string(row.calls), fmt::format("{:.4f}", row.seconds),
                       run.seconds > 0.0 ? fmt::format("{:.1f} %", 100.0 * row.seconds / run.seconds)

@@ -8,7 +8,7 @@
 namespace adore::setup {
 namespace {
 
-using dynamics::Effect;
+using scene::Effect;
 
 bool can_push(const bearing::TractionCurve& c) {
   return c.A != 0.0 || c.B != 0.0 || c.C != 0.0 || c.D != 0.0;
@@ -23,9 +23,9 @@ std::string curve_reason(const deck::Deck& deck, const char* type,
 
 }  // namespace
 
-dynamics::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing& bearing,
-                                    const RunControl& control) {
-  dynamics::ScenePlan plan;
+scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing& bearing,
+                                 const RunControl& control) {
+  scene::ScenePlan plan;
   const int n = bearing.element_count();
   const std::string element = bearing.rollers ? "roller" : "ball";
   const std::string mode = fmt::format("mode = {}", deck.integer("mode"));
@@ -85,7 +85,7 @@ dynamics::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Beari
   plan.bodies.push_back(
       {"inner race", fmt::format("at the static position, speed {:g} rpm", rpm(bearing.speed[1])),
        0});
-  for (const dynamics::BodyEntry& body : plan.bodies) plan.unknowns += body.unknowns;
+  for (const scene::BodyEntry& body : plan.bodies) plan.unknowns += body.unknowns;
   return plan;
 }
 

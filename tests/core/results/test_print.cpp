@@ -80,7 +80,7 @@ TEST_CASE("the front part echoes every record and every variable of the deck", "
     {
       PrintFile print = PrintFile::create(folder / "PRINT.txt", bearing.run_id, read.deck.units());
       print.front(
-          {read.deck, bearing, dynamics::Scales{0.00635, 1000.0, 2e-5}, {{"ellipse_major", "12"}}});
+          {read.deck, bearing, scene::Scales{0.00635, 1000.0, 2e-5}, {{"ellipse_major", "12"}}});
     }
     const std::string text = read_text(folder / "PRINT.txt");
     check_pages(text);
@@ -172,8 +172,8 @@ TEST_CASE("the tilt of the inner race is told in the base frame and to the outer
 
 TEST_CASE("kPrtOpt chooses the sections of a printed step", "[unit][print]") {
   bearing::Bearing bearing = make_bearing(30);
-  const dynamics::Snapshot snapshot = make_snapshot(bearing, 100);
-  ChannelRecorder recorder(bearing, UnitSystem::SI);
+  const scene::Snapshot snapshot = make_snapshot(bearing, 100);
+  ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
   const StepRecord& record = recorder.record(snapshot);
   RunAverages averages;
   averages.add(make_snapshot(bearing, 0));
@@ -218,9 +218,9 @@ TEST_CASE("kPrtOpt chooses the sections of a printed step", "[unit][print]") {
              Contains("-1e-05  m"));
   CHECK_THAT(line_with(text, "Energy residual"), Contains("J"));
   const bearing::Bearing cageless = make_bearing(3, false);
-  ChannelRecorder plain(cageless, UnitSystem::SI);
+  ChannelRecorder plain(cageless, UnitSystem::SI, channel_table());
   Report report(cageless.run_id, UnitSystem::SI);
-  const dynamics::Snapshot bare = make_snapshot(cageless, 1);
+  const scene::Snapshot bare = make_snapshot(cageless, 1);
   print_step(report, bare, plain.record(bare), cageless, {}, 1);
   const std::string without = report.take();
   CHECK(without.find("whirl ratio") == std::string::npos);
@@ -230,16 +230,16 @@ TEST_CASE("kPrtOpt chooses the sections of a printed step", "[unit][print]") {
 TEST_CASE("a printed step shows half chords of inner contacts and says what was not computed",
           "[unit][print]") {
   const bearing::Bearing bearing = make_bearing(3, false);
-  dynamics::Snapshot snapshot = make_snapshot(bearing, 20);
-  for (dynamics::ElementSnapshot& element : snapshot.elements)
-    for (dynamics::RaceContactSnapshot& contact : element.race) {
+  scene::Snapshot snapshot = make_snapshot(bearing, 20);
+  for (scene::ElementSnapshot& element : snapshot.elements)
+    for (scene::RaceContactSnapshot& contact : element.race) {
       contact.film = contact.temperature_rise = 0.0;
       contact.edge = 0.00111;
       contact.centre_chord = 0.00222;
     }
   snapshot.power.life_hours = 1234.0;
   const auto print = [&](std::optional<long> life_step) {
-    ChannelRecorder recorder(bearing, UnitSystem::SI);
+    ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
     Report report(bearing.run_id, UnitSystem::SI);
     print_step(report, snapshot, recorder.record(snapshot), bearing, {}, 1, life_step);
     return report.take();
@@ -264,10 +264,10 @@ TEST_CASE("a printed step shows half chords of inner contacts and says what was 
 
 TEST_CASE("a tilted race shows its misalignment about y and z", "[unit][print]") {
   bearing::Bearing bearing = make_bearing(3, false);
-  dynamics::Snapshot snapshot = make_snapshot(bearing, 0);
+  scene::Snapshot snapshot = make_snapshot(bearing, 0);
   const double tilt = 0.002;  // about y
   snapshot.races[1].orientation = {std::cos(tilt / 2), 0.0, std::sin(tilt / 2), 0.0};
-  ChannelRecorder recorder(bearing, UnitSystem::SI);
+  ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
   Report report(bearing.run_id, UnitSystem::SI);
   print_step(report, snapshot, recorder.record(snapshot), bearing, {}, -1);
   const std::string text = report.take();
@@ -288,9 +288,9 @@ TEST_CASE("the last page holds plan, ledgers and cost", "[unit][print]") {
   run.cost = {{"race contacts", 1000, 0.6}, {"stepper", 500, 0.39}};
   run.seconds = 1.0;
   run.notes = {"a note that is long " + std::string(200, 'x') + " and goes on after it"};
-  dynamics::ScenePlan plan;
-  plan.effects = {{dynamics::Effect::RaceContact, "race contact", true, "kBrg = 1"},
-                  {dynamics::Effect::Gravity, "gravity", false, "gravityVec = 0"}};
+  scene::ScenePlan plan;
+  plan.effects = {{scene::Effect::RaceContact, "race contact", true, "kBrg = 1"},
+                  {scene::Effect::Gravity, "gravity", false, "gravityVec = 0"}};
   plan.bodies = {{"balls (12)", "x, r, theta", 72}};
   Report report("synthetic run 7", UnitSystem::SI);
   print_ledgers(report, run, plan);
@@ -307,9 +307,9 @@ TEST_CASE("the last page holds plan, ledgers and cost", "[unit][print]") {
 TEST_CASE("PRINT.txt is continued after MASTER's length of it", "[unit][print]") {
   const bearing::Bearing bearing = make_bearing();
   TemporaryFolder folder;
-  ChannelRecorder recorder(bearing, UnitSystem::SI);
+  ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
   const auto step = [&](PrintFile& print, long number) {
-    const dynamics::Snapshot snapshot = make_snapshot(bearing, number);
+    const scene::Snapshot snapshot = make_snapshot(bearing, number);
     print.step(snapshot, recorder.record(snapshot), bearing, {}, -2);
   };
   std::uintmax_t bytes = 0;

@@ -1,8 +1,8 @@
-#include "dynamics/cost_ledger.hpp"
+#include "scene/cost_ledger.hpp"
 
 #include <algorithm>
 
-namespace adore::dynamics {
+namespace adore::scene {
 namespace {
 
 /// Time between two neighbouring readings of the clock: the least of a few hundred.
@@ -64,4 +64,4 @@ std::vector<CostLedger::Row> CostLedger::rows() const {
   return result;
 }
 
-}  // namespace adore::dynamics
+}  // namespace adore::scene

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -10,7 +11,7 @@
 
 /// Conservation ledgers: lists of named items. Whoever shows a ledger walks the list; nobody but
 /// the maker of an item knows which items there are.
-namespace adore::dynamics {
+namespace adore::scene {
 
 /// What an item is to the balance
 ///   residual = work - heat - taken + switches - (stored - start),
@@ -37,6 +38,9 @@ struct LedgerTerm {
   std::string_view frame = "-";  ///< of the channel: "N" where the value depends on the frame
   [[nodiscard]] constexpr bool per_race() const noexcept { return !name[1].empty(); }
 };
+
+/// The items that some ledger may hold, each of them there as long as the program.
+using LedgerTerms = std::span<const LedgerTerm* const>;
 
 template <class Value>
 struct LedgerItem {
@@ -131,4 +135,4 @@ struct MomentumLedger {
   double linear_size = 0.0, angular_size = 0.0;  ///< Σ over bodies of the momentum's size, now
 };
 
-}  // namespace adore::dynamics
+}  // namespace adore::scene

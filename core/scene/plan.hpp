@@ -5,7 +5,7 @@
 
 /// What a run will simulate, decided before anything runs. Made by setup/ from the deck; a plain
 /// value.
-namespace adore::dynamics {
+namespace adore::scene {
 
 enum class Effect : unsigned char {
   RaceContact,    ///< element / race normal force
@@ -57,4 +57,4 @@ struct ScenePlan {
   }
 };
 
-}  // namespace adore::dynamics
+}  // namespace adore::scene

@@ -8,7 +8,7 @@
 
 /// Where the time of a run goes. Timers inside the right-hand side are sampled (every n-th call is
 /// measured in full) so that the ledger costs below 2 % and still adds up to the run's time.
-namespace adore::dynamics {
+namespace adore::scene {
 
 class CostLedger {
  public:
@@ -47,4 +47,4 @@ class CostLedger {
   long calls_ = 0;
 };
 
-}  // namespace adore::dynamics
+}  // namespace adore::scene

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/ledger.hpp"
+#include "scene/ledger.hpp"
 
 #include <Eigen/Core>
 
@@ -10,7 +10,7 @@
 
 /// Everything the outputs may show of one instant, in SI and radians. Observers and writers read
 /// this and nothing else.
-namespace adore::dynamics {
+namespace adore::scene {
 
 using Vec3 = Eigen::Vector3d;
 
@@ -103,4 +103,4 @@ struct Snapshot {
   double max_quaternion_error = 0.0;       ///< largest | |q| - 1 |
 };
 
-}  // namespace adore::dynamics
+}  // namespace adore::scene

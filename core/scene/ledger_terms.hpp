@@ -1,9 +1,9 @@
 #pragma once
 
-#include "dynamics/ledger.hpp"
+#include "scene/ledger.hpp"
 
 /// Items of the ledgers that belong to no effect. Those of an effect stand in its file.
-namespace adore::dynamics::terms {
+namespace adore::scene::terms {
 
 using enum LedgerKind;
 
@@ -17,4 +17,4 @@ inline constexpr LedgerTerm kElastic{
 inline constexpr LedgerTerm kMomentumStart{Start, "", "", {"at the start"}, ""};
 inline constexpr LedgerTerm kMomentumNow{Stored, "", "", {"now"}, ""};
 
-}  // namespace adore::dynamics::terms
+}  // namespace adore::scene::terms
