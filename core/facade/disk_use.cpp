@@ -1,9 +1,9 @@
 #include "facade/disk_use.hpp"
 
 #include "dynamics/effect_catalogue.hpp"
+#include "listing/print_file.hpp"
 #include "results/averages.hpp"
 #include "results/channels.hpp"
-#include "results/print_file.hpp"
 #include "results/sol_writer.hpp"
 
 #include <fmt/format.h>
@@ -64,10 +64,10 @@ DiskUse disk_use(const Prepared& prepared, const scene::ScenePlan& plan) {
   out.steps = counted_steps(prepared, plan, system.scales().time);
   out.stored = selected(out.steps, control.plot_every);
 
-  results::Report report(prepared.bearing.run_id, units);
-  results::print_front(report, {prepared.input.deck, prepared.as_built, system.scales(), {}});
+  listing::Report report(prepared.bearing.run_id, units);
+  listing::print_front(report, {prepared.input.deck, prepared.as_built, system.scales(), {}});
   const double front = static_cast<double>(report.take().size());
-  results::print_step(report, snapshot, record, prepared.bearing, {}, control.print_option);
+  listing::print_step(report, snapshot, record, prepared.bearing, {}, control.print_option);
   const double page = static_cast<double>(report.take().size());
   out.files.emplace_back("PRINT.txt", front + page * selected(out.steps, control.print_every));
 

@@ -33,9 +33,9 @@ void LifeObserver::observe(const scene::Snapshot& snapshot) {
   step_ = snapshot.step;
 }
 
-results::RunLife LifeObserver::run_life() const {
+listing::RunLife LifeObserver::run_life() const {
   const life::LifeParameters& p = calculator_.parameters();
-  results::RunLife out;
+  listing::RunLife out;
   out.damage = damage_;
   out.skipped_turns = p.choices.skip_turns;
   out.model = p.choices.stored_model;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "life/bearing_life.hpp"
-#include "results/print_life.hpp"
+#include "listing/print_life.hpp"
 
 #include <map>
 #include <string>
@@ -22,7 +22,7 @@ class LifeObserver {
   [[nodiscard]] double hours() const noexcept { return hours_; }
   /// Number of that instant's step.
   [[nodiscard]] long step() const noexcept { return step_; }
-  [[nodiscard]] results::RunLife run_life() const;
+  [[nodiscard]] listing::RunLife run_life() const;
 
   /// For MASTER, and back.
   void save(std::map<std::string, double>& state) const;

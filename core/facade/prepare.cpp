@@ -9,7 +9,7 @@
 #include "facade/static_plan.hpp"
 #include "facade/stiffness.hpp"
 #include "life/contact_strength.hpp"
-#include "results/ball_warnings.hpp"
+#include "listing/ball_warnings.hpp"
 #include "results/growing_file.hpp"
 #include "setup/build_bearing.hpp"
 #include "setup/build_life.hpp"
@@ -158,7 +158,7 @@ Prepared prepare_model(LoadedDeck input) {
   }
   out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
   judge(life::contact_strength(out.bearing, out.statics));
-  for (const std::string& text : results::ball_warnings(
+  for (const std::string& text : listing::ball_warnings(
            out.bearing, out.statics, available_friction(deck, out.bearing), deck.units()))
     out.input.warnings.push_back(remark(Severity::Warning, out.input.path.string(), text));
   if (out.control.dynamic) {

@@ -10,20 +10,20 @@
 #include "facade/output_folder.hpp"
 #include "facade/plan_json.hpp"
 #include "life/statistics.hpp"
+#include "listing/print_cage.hpp"
+#include "listing/print_file.hpp"
+#include "listing/print_fits.hpp"
+#include "listing/print_imperfections.hpp"
+#include "listing/solution_tables.hpp"
+#include "listing/static_cut.hpp"
+#include "listing/static_summary.hpp"
 #include "results/averages.hpp"
 #include "results/channels.hpp"
 #include "results/continuation.hpp"
-#include "results/print_cage.hpp"
-#include "results/print_file.hpp"
-#include "results/print_fits.hpp"
-#include "results/print_imperfections.hpp"
 #include "results/restart.hpp"
 #include "results/results_h5.hpp"
 #include "results/run_json.hpp"
 #include "results/sol_writer.hpp"
-#include "results/static_cut.hpp"
-#include "results/static_summary.hpp"
-#include "results/static_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -172,7 +172,7 @@ struct RunOutputs::Impl {
   std::vector<results::SolWriter> elements;  ///< SOL1..SOL6
   std::optional<results::SolWriter> power;   ///< SOL7
   std::optional<results::Sol8Writer> animation;
-  std::optional<results::PrintFile> print;
+  std::optional<listing::PrintFile> print;
   std::optional<results::H5Writer> all;  ///< RESULTS.h5
   std::uintmax_t print_bytes = 0;        ///< of a listing that is continued
   /// What the ledgers of a continued run began with, and their residual where it goes on.
@@ -229,7 +229,7 @@ struct RunOutputs::Impl {
   void print_front(const std::optional<scene::Scales>& scales);
   [[nodiscard]] results::FinalState final_state(const dynamics::System& system, const Snapshot& at,
                                                 std::span<const double> y) const;
-  [[nodiscard]] results::StaticSummary static_summary(bool dynamic) const;
+  [[nodiscard]] listing::StaticSummary static_summary(bool dynamic) const;
   void write_restart(const dynamics::System& system, const Snapshot& at, std::span<const double> y,
                      const Resume& resume);
   void save_progress(std::map<std::string, double>& state, const Snapshot& at,
@@ -242,7 +242,7 @@ struct RunOutputs::Impl {
     return results::mean_load(averages.averages(), prepared.bearing);
   }
   [[nodiscard]] results::RunSummary summary_of_deck() const;
-  void close(results::RunSummary& run, const std::optional<results::RunLife>& run_life = {});
+  void close(results::RunSummary& run, const std::optional<listing::RunLife>& run_life = {});
 };
 
 /// What this run will write, and what it reads.
@@ -264,7 +264,7 @@ Outputs RunOutputs::Impl::outputs() const {
 
 /// Refuses to continue files of another run or layout, before any of them is touched (N3).
 void RunOutputs::Impl::check_files() const {
-  results::PrintFile::check(path("PRINT.txt"), prepared.bearing.run_id);
+  listing::PrintFile::check(path("PRINT.txt"), prepared.bearing.run_id);
   const auto check = [&](std::size_t number, int index) {
     results::SolWriter::check(sol_path(number),
                               results::make_sol_header(prepared.bearing, index, units));
@@ -294,9 +294,9 @@ void RunOutputs::Impl::make_room() {
 
 void RunOutputs::Impl::open_files(bool continued) {
   written.push_back(path("PRINT.txt"));
-  print = continued ? results::PrintFile::continue_after(path("PRINT.txt"), prepared.bearing.run_id,
+  print = continued ? listing::PrintFile::continue_after(path("PRINT.txt"), prepared.bearing.run_id,
                                                          units, print_bytes)
-                    : results::PrintFile::create(path("PRINT.txt"), prepared.bearing.run_id, units);
+                    : listing::PrintFile::create(path("PRINT.txt"), prepared.bearing.run_id, units);
   const auto open = [&](std::size_t number, int index) {
     const results::SolHeader header = results::make_sol_header(prepared.bearing, index, units);
     written.push_back(sol_path(number));
@@ -525,19 +525,19 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
   const bearing::Imperfections& imperfections = prepared.bearing.imperfections;
   if (imperfections.elements == bearing::ElementErrors::Random)
     out.seeds.emplace_back("geometric imperfections", static_cast<long>(imperfections.seed));
-  out.imperfections = results::imperfections_json(prepared.bearing);
+  out.imperfections = listing::imperfections_json(prepared.bearing);
   if (prepared.bearing.operating) {
-    out.operating = results::fits_json(*prepared.bearing.operating);
-    if (prepared.bearing.cage) out.operating["cage"] = results::cage_json(prepared.bearing);
+    out.operating = listing::fits_json(*prepared.bearing.operating);
+    if (prepared.bearing.cage) out.operating["cage"] = listing::cage_json(prepared.bearing);
   }
-  out.life["quasi-static"] = results::life_json(prepared.life);
+  out.life["quasi-static"] = listing::life_json(prepared.life);
   return out;
 }
 
 /// Of the equilibrium that PRINT.txt shows: a dynamic run's starts from frozen Hertz constants.
-results::StaticSummary RunOutputs::Impl::static_summary(bool dynamic) const {
-  if (prepared.rollers) return results::summarise(*prepared.rollers, prepared.bearing);
-  return results::summarise(dynamic ? prepared.start : prepared.statics, prepared.bearing);
+listing::StaticSummary RunOutputs::Impl::static_summary(bool dynamic) const {
+  if (prepared.rollers) return listing::summarise(*prepared.rollers, prepared.bearing);
+  return listing::summarise(dynamic ? prepared.start : prepared.statics, prepared.bearing);
 }
 
 /// Everything of PRINT.txt that is known before the first step.
@@ -559,7 +559,7 @@ void RunOutputs::Impl::print_front(const std::optional<scene::Scales>& scales) {
 }
 
 void RunOutputs::Impl::close(results::RunSummary& run,
-                             const std::optional<results::RunLife>& run_life) {
+                             const std::optional<listing::RunLife>& run_life) {
   written.push_back(path("RUN.json"));
   for (const fs::path& file : written) run.files.push_back(file.filename().string());
   print->ledgers(run, plan, run_life);
@@ -790,11 +790,11 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   run.seconds = end.loop_seconds;
   s.key_results = dynamic_results(s.last, s.averages.averages(), s.mean_load());
   add_lives(s.key_results, s.prepared.life);
-  const results::RunLife run_life = s.life.run_life();
+  const listing::RunLife run_life = s.life.run_life();
   if (run_life.damage.seconds() > 0.0)
     s.key_results.emplace_back("run_life_hours", run_life.damage.life_hours(run_life.slopes));
   run.summary = s.key_results;
-  run.life["run"] = results::run_life_json(run_life);
+  run.life["run"] = listing::run_life_json(run_life);
   s.close(run, run_life);
 }
 
@@ -803,28 +803,28 @@ std::vector<std::string> RunOutputs::write_quasi_static() {
   check_room(s.outputs(), s.overwrite);
   s.make_room();
   s.written.push_back(s.path("PRINT.txt"));
-  s.print = results::PrintFile::create(s.path("PRINT.txt"), s.prepared.bearing.run_id, s.units);
+  s.print = listing::PrintFile::create(s.path("PRINT.txt"), s.prepared.bearing.run_id, s.units);
   s.print_front(std::nullopt);
   results::RunSummary run = s.summary_of_deck();
   run.status = "done";
   s.key_results = static_results(s.prepared);
   if (s.prepared.bearing.operating)
-    for (auto& item : results::fits_summary(*s.prepared.bearing.operating))
+    for (auto& item : listing::fits_summary(*s.prepared.bearing.operating))
       s.key_results.push_back(std::move(item));
   add_lives(s.key_results, s.prepared.life);
   run.summary = s.key_results;
   results::StaticTables tables =
-      s.prepared.rollers ? results::static_tables(*s.prepared.rollers, s.prepared.bearing, s.units)
-                         : results::static_tables(s.prepared.statics, s.prepared.bearing, s.units);
+      s.prepared.rollers ? listing::static_tables(*s.prepared.rollers, s.prepared.bearing, s.units)
+                         : listing::static_tables(s.prepared.statics, s.prepared.bearing, s.units);
   if (s.prepared.rollers)
-    results::add_cut(tables, *s.prepared.rollers, s.prepared.bearing);
+    listing::add_cut(tables, *s.prepared.rollers, s.prepared.bearing);
   else
-    results::add_cut(tables, s.prepared.statics, s.prepared.bearing);
+    listing::add_cut(tables, s.prepared.statics, s.prepared.bearing);
   if (!s.prepared.stiffness.empty())
-    tables.tables.push_back(results::stiffness_over_speed(s.prepared.stiffness));
+    tables.tables.push_back(listing::stiffness_over_speed(s.prepared.stiffness));
   run.quasi_static = results::to_json(tables);
   s.close(run);
-  return results::summary_lines(s.static_summary(false), s.prepared.bearing, s.prepared.life,
+  return listing::summary_lines(s.static_summary(false), s.prepared.bearing, s.prepared.life,
                                 s.units);
 }
 

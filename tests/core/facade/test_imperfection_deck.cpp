@@ -1,9 +1,9 @@
 #include "base/errors.hpp"
 #include "base/random_table.hpp"
+#include "deck/templates.hpp"
+#include "listing/print_imperfections.hpp"
 #include "setup/build_bearing.hpp"
 #include "setup/run_control.hpp"
-#include "deck/templates.hpp"
-#include "results/print_imperfections.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_statics.hpp"
 
@@ -51,13 +51,13 @@ TEST_CASE("random ball diameters follow the seed and the rms of the deck",
     CHECK(e.imperfections.ball_diameter[k] ==
           Approx(b.imperfections.ball_diameter[k]).epsilon(1e-12));
   // Said in PRINT.txt and RUN.json.
-  results::Report report("test", deck::UnitSystem::SI);
-  results::print_imperfections(report, b);
+  listing::Report report("test", deck::UnitSystem::SI);
+  listing::print_imperfections(report, b);
   const std::string text = report.take();
   CHECK(text.find("GEOMETRIC IMPERFECTIONS") != std::string::npos);
   // Tables have five digits.
   CHECK(text.find(fmt::format("{:.4e}", b.imperfections.ball_diameter[5])) != std::string::npos);
-  const auto json = results::imperfections_json(b);
+  const auto json = listing::imperfections_json(b);
   CHECK(json.at("elements").at("diameter [m]").at(3).get<double>() ==
         b.imperfections.ball_diameter[3]);
 }
@@ -91,7 +91,7 @@ TEST_CASE("listed diameters and race errors reach the bearing", "[unit][imperfec
   CHECK(inner.curvature_factor.phase == Approx(45 * kDegree));
   const auto s = statics::solve_ball_statics(b);
   CHECK(s.residual < 1e-9);
-  const auto json = results::imperfections_json(b);
+  const auto json = listing::imperfections_json(b);
   // Ball 1 stands at z: 30 degrees from the major axis, R ~ 4e-6 cos 2t.
   CHECK(json.at("outer race at the elements").at("radius [m]").at(0).get<double>() ==
         Approx(4e-6 * std::cos(60 * kDegree)).epsilon(1e-3));
@@ -122,8 +122,8 @@ TEST_CASE("all deviations of random rollers, and their lands, are solved",
   held.constraints.displacement_given[0] = true;
   const auto s = statics::solve_roller_statics(held);
   CHECK(s.residual < 1e-9);
-  results::Report report("test", deck::UnitSystem::SI);
-  results::print_imperfections(report, b);
+  listing::Report report("test", deck::UnitSystem::SI);
+  listing::print_imperfections(report, b);
   CHECK(report.take().find("land offs") != std::string::npos);
 }
 

@@ -1,6 +1,6 @@
-#include "setup/build_bearing.hpp"
 #include "deck/templates.hpp"
-#include "results/print_cage.hpp"
+#include "listing/print_cage.hpp"
+#include "setup/build_bearing.hpp"
 #include "thermal/operating.hpp"
 
 #include <catch2/catch.hpp>
@@ -25,10 +25,10 @@ deck::Deck at_rest(const char* name) {
 }
 
 std::string page(const bearing::Bearing& bearing, const deck::Deck& deck) {
-  results::Report report("page", deck::UnitSystem::SI);
+  listing::Report report("page", deck::UnitSystem::SI);
   report.new_page("CAGE");
-  results::print_cage_geometry(report, bearing, deck);
-  results::print_cage_operation(report, bearing);
+  listing::print_cage_geometry(report, bearing, deck);
+  listing::print_cage_operation(report, bearing);
   return report.take();
 }
 
@@ -63,7 +63,7 @@ TEST_CASE("cages of every roller type have mass, play and speed in a quasi-stati
     for (const char* words : {"Cage mass", "Effective cage play", "pocket clearance I",
                               "Cage speed (epicyclic)", "Mass, from the ideal shape"})
       CHECK_THAT(text, Catch::Contains(words));
-    const auto json = results::cage_json(bearing);
+    const auto json = listing::cage_json(bearing);
     CHECK(json["mass [kg]"] == cage.inertia.mass);
     CHECK(json["effective play"]["diametral [m]"].get<double>() > 0.0);
   }
@@ -136,7 +136,7 @@ TEST_CASE("a cage whose windows cannot be cut is reported without mass, and why"
   CHECK(bearing.cage->inertia.mass == 0.0);
   CHECK_THAT(page(bearing, deck), Catch::Contains("The mass of the cage is not known") &&
                                       Catch::Contains("Effective cage play"));
-  CHECK(results::cage_json(bearing)["mass [kg]"].is_null());
+  CHECK(listing::cage_json(bearing)["mass [kg]"].is_null());
 }
 
 TEST_CASE("a cage's given mass comes from its record", "[unit][cage]") {

@@ -1,4 +1,4 @@
-#include "results/print_imperfections.hpp"
+#include "listing/print_imperfections.hpp"
 
 #include "contact/groove.hpp"
 #include "contact/race_errors.hpp"
@@ -8,7 +8,7 @@
 #include <array>
 #include <numbers>
 
-namespace adore::results {
+namespace adore::listing {
 namespace {
 
 using bearing::RaceErrors;
@@ -162,4 +162,4 @@ nlohmann::ordered_json imperfections_json(const bearing::Bearing& b) {
   return out;
 }
 
-}  // namespace adore::results
+}  // namespace adore::listing

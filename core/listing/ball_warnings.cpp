@@ -1,4 +1,4 @@
-#include "results/ball_warnings.hpp"
+#include "listing/ball_warnings.hpp"
 
 #include "statics/race_text.hpp"
 
@@ -7,7 +7,7 @@
 #include <array>
 #include <functional>
 
-namespace adore::results {
+namespace adore::listing {
 namespace {
 
 using statics::StaticBall;
@@ -106,4 +106,4 @@ std::vector<std::string> ball_warnings(const bearing::Bearing& bearing,
   return out;
 }
 
-}  // namespace adore::results
+}  // namespace adore::listing

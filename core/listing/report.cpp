@@ -1,4 +1,4 @@
-#include "results/report.hpp"
+#include "listing/report.hpp"
 
 #include "base/errors.hpp"
 #include "base/version.hpp"
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-namespace adore::results {
+namespace adore::listing {
 namespace {
 
 constexpr std::size_t kCell = 12;
@@ -166,4 +166,4 @@ void Report::text_table(const std::vector<std::pair<std::string, std::size_t>>& 
 
 std::string Report::take() { return std::exchange(out_, {}); }
 
-}  // namespace adore::results
+}  // namespace adore::listing

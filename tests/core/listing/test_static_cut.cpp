@@ -1,6 +1,6 @@
-#include "setup/build_bearing.hpp"
 #include "deck/templates.hpp"
-#include "results/static_cut.hpp"
+#include "listing/static_cut.hpp"
+#include "setup/build_bearing.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_statics.hpp"
 #include "thermal/operating.hpp"
@@ -19,13 +19,13 @@ results::StaticTables tables_of(const deck::Deck& deck) {
   const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
   if (bearing.rollers) {
     const auto solution = statics::solve_roller_statics(bearing);
-    auto out = results::static_tables(solution, bearing, deck::UnitSystem::SI);
-    results::add_cut(out, solution, bearing);
+    auto out = listing::static_tables(solution, bearing, deck::UnitSystem::SI);
+    listing::add_cut(out, solution, bearing);
     return out;
   }
   const auto solution = statics::solve_ball_statics(bearing);
-  auto out = results::static_tables(solution, bearing, deck::UnitSystem::SI);
-  results::add_cut(out, solution, bearing);
+  auto out = listing::static_tables(solution, bearing, deck::UnitSystem::SI);
+  listing::add_cut(out, solution, bearing);
   return out;
 }
 

@@ -1,8 +1,8 @@
+#include "listing/print_cage.hpp"
+#include "listing/print_file.hpp"
+#include "listing/rounding.hpp"
+#include "listing/static_summary.hpp"
 #include "results/motion.hpp"
-#include "results/print_cage.hpp"
-#include "results/print_file.hpp"
-#include "results/rounding.hpp"
-#include "results/static_summary.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <limits>
 
 /// Quasi-static page of PRINT.txt.
-namespace adore::results {
+namespace adore::listing {
 namespace {
 
 void ball_contacts(Report& report, const statics::StaticSolution& solution) {
@@ -218,4 +218,4 @@ void print_quasi_static(Report& report, const statics::StaticSolution& solution,
   for (const std::string& note : solution.notes) report.text(note);
 }
 
-}  // namespace adore::results
+}  // namespace adore::listing

@@ -7,7 +7,7 @@
 
 /// Numbers that are zero but for rounding (a side force under a load without a side) as zeros, so
 /// that a listing does not show noise as a result.
-namespace adore::results {
+namespace adore::listing {
 
 /// Zero for entries below 1e-10 of the largest of five displacements or loads of a race: x, y, z,
 /// about y, about z. `arm` [m] compares one kind with the other (radius for displacements: r φ with
@@ -36,4 +36,4 @@ namespace adore::results {
   return std::abs(value) < 1e-12 * scale ? 0.0 : value;
 }
 
-}  // namespace adore::results
+}  // namespace adore::listing

@@ -2,12 +2,12 @@
 
 #include "bearing/bearing.hpp"
 #include "deck/deck.hpp"
-#include "results/report.hpp"
+#include "listing/report.hpp"
 
 #include <nlohmann/json.hpp>
 
 /// The cage in PRINT.txt and RUN.json, of balls and rollers alike.
-namespace adore::results {
+namespace adore::listing {
 
 /// Sizes, pockets, lands and mass of the geometry page.
 void print_cage_geometry(Report& report, const bearing::Bearing& bearing, const deck::Deck& deck);
@@ -19,4 +19,4 @@ void print_cage_operation(Report& report, const bearing::Bearing& bearing);
 /// The same for RUN.json. @pre a cage, and a bearing in operation
 [[nodiscard]] nlohmann::ordered_json cage_json(const bearing::Bearing& bearing);
 
-}  // namespace adore::results
+}  // namespace adore::listing

@@ -1,5 +1,5 @@
-#include "results/print_file.hpp"
-#include "results/rounding.hpp"
+#include "listing/print_file.hpp"
+#include "listing/rounding.hpp"
 #include "statics/stiffness_difference.hpp"
 
 #include <fmt/format.h>
@@ -7,7 +7,7 @@
 #include <array>
 
 /// Stiffness-speed table of PRINT.txt.
-namespace adore::results {
+namespace adore::listing {
 namespace {
 
 constexpr std::array<const char*, 5> kLoads{"Fx", "Fy", "Fz", "My", "Mz"},
@@ -88,4 +88,4 @@ void print_stiffness_table(Report& report, const std::vector<statics::StiffnessR
   for (const statics::StiffnessRow& row : rows) print_row(report, row);
 }
 
-}  // namespace adore::results
+}  // namespace adore::listing

@@ -1,10 +1,10 @@
 #include "base/errors.hpp"
+#include "core/results/synthetic.hpp"
 #include "deck/deck.hpp"
+#include "listing/print_file.hpp"
+#include "listing/static_summary.hpp"
 #include "results/fortran_format.hpp"
-#include "results/print_file.hpp"
-#include "results/static_summary.hpp"
 #include "support/paths.hpp"
-#include "synthetic.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -13,7 +13,7 @@
 #include <sstream>
 
 using namespace adore;
-using namespace adore::results;
+using namespace adore::listing;
 using namespace adore::testing;
 using Catch::Matchers::Contains;
 using Catch::Matchers::EndsWith;

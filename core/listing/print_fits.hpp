@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
-#include "results/report.hpp"
+#include "listing/report.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -11,7 +11,7 @@
 
 /// Operating fits, clearances and growths of a bearing: page of PRINT.txt, object of RUN.json,
 /// columns of a sweep.
-namespace adore::results {
+namespace adore::listing {
 
 /// Of a bearing that has its operating report.
 void print_fits(Report& report, const bearing::Bearing& bearing);
@@ -23,4 +23,4 @@ void print_fits(Report& report, const bearing::Bearing& bearing);
 [[nodiscard]] std::vector<std::pair<std::string, double>> fits_summary(
     const bearing::OperatingFits& fits);
 
-}  // namespace adore::results
+}  // namespace adore::listing

@@ -2,9 +2,9 @@
 #include "deck/defaults.hpp"
 #include "deck/schema.hpp"
 #include "life/constants.hpp"
-#include "results/print_cage.hpp"
-#include "results/print_file.hpp"
-#include "results/print_imperfections.hpp"
+#include "listing/print_cage.hpp"
+#include "listing/print_file.hpp"
+#include "listing/print_imperfections.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 #include <span>
 
 /// Front part of PRINT.txt (outputs.md 3.1).
-namespace adore::results {
+namespace adore::listing {
 namespace {
 
 std::string value_text(const deck::Value& value) {
@@ -362,4 +362,4 @@ void print_front(Report& report, const PrintFront& front) {
   output_control(report, front);
 }
 
-}  // namespace adore::results
+}  // namespace adore::listing

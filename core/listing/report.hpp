@@ -8,7 +8,9 @@
 
 /// Text of printed pages: headings, named values with units, tables; at most 132 columns, 60 lines
 /// a page. Every page starts with a form feed and carries the program version and the run code.
-namespace adore::results {
+namespace adore::listing {
+
+using namespace results;  // NOLINT(google-build-using-namespace): quantities, tables, run summaries
 
 class Report {
  public:
@@ -67,4 +69,4 @@ class Report {
   int line_ = kLines;
 };
 
-}  // namespace adore::results
+}  // namespace adore::listing

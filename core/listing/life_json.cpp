@@ -1,11 +1,11 @@
 #include "life/statistics.hpp"
-#include "results/print_life.hpp"
+#include "listing/print_life.hpp"
 
 #include <array>
 #include <cmath>
 
 /// Fatigue life in RUN.json: names carry their units; infinite lives are the text "infinite".
-namespace adore::results {
+namespace adore::listing {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -166,4 +166,4 @@ Json run_life_json(const RunLife& run) {
   return out;
 }
 
-}  // namespace adore::results
+}  // namespace adore::listing

@@ -1,4 +1,4 @@
-#include "results/print_fits.hpp"
+#include "listing/print_fits.hpp"
 
 #include "base/errors.hpp"
 
@@ -7,7 +7,7 @@
 #include <array>
 #include <limits>
 
-namespace adore::results {
+namespace adore::listing {
 namespace {
 
 using bearing::ClearanceState;
@@ -222,4 +222,4 @@ std::vector<std::pair<std::string, double>> fits_summary(const OperatingFits& fi
           {"inner_fit_pressure_Pa", fits.fit[1].pressure}};
 }
 
-}  // namespace adore::results
+}  // namespace adore::listing

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "results/static_tables.hpp"
+#include "listing/solution_tables.hpp"
 
 /// Radial cut through the most loaded element: where its contacts lie on the raceways, and how far
 /// they are from the raceways' edges. Tables for plots, in metres, x along the bearing's axis, r
@@ -13,11 +13,11 @@
 /// "cut outer contact", "cut inner contact": the raceway from one edge of the contact to the other.
 /// Balls and their grooves stand at the angles of the solution; rollers, whose displacements no eye
 /// would see at this scale, at their nominal place.
-namespace adore::results {
+namespace adore::listing {
 
 void add_cut(StaticTables& out, const statics::StaticSolution& solution,
              const bearing::Bearing& bearing);
 void add_cut(StaticTables& out, const statics::RollerSolution& solution,
              const bearing::Bearing& bearing);
 
-}  // namespace adore::results
+}  // namespace adore::listing

@@ -1,4 +1,4 @@
-#include "results/static_cut.hpp"
+#include "listing/static_cut.hpp"
 
 #include "contact/groove.hpp"
 #include "contact/roller_shape.hpp"
@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-namespace adore::results {
+namespace adore::listing {
 namespace {
 
 using bearing::Bearing;
@@ -375,4 +375,4 @@ void add_cut(StaticTables& out, const statics::RollerSolution& solution, const B
   }
 }
 
-}  // namespace adore::results
+}  // namespace adore::listing

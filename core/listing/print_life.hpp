@@ -2,7 +2,7 @@
 
 #include "life/accumulation.hpp"
 #include "life/bearing_life.hpp"
-#include "results/report.hpp"
+#include "listing/report.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -10,7 +10,7 @@
 
 /// Fatigue life in PRINT.txt and RUN.json. Every parameter carries the word for its origin, so that
 /// what is calibrated or recalled never looks like a published constant.
-namespace adore::results {
+namespace adore::listing {
 
 /// "INFINITE", or seven significant digits.
 [[nodiscard]] std::string life_text(double life);
@@ -40,4 +40,4 @@ void print_run_life(Report& report, const RunLife& run);
 [[nodiscard]] std::string life_origin(bearing::LifeModel model,
                                       bearing::LifeModification modification);
 
-}  // namespace adore::results
+}  // namespace adore::listing

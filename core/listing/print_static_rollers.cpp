@@ -1,6 +1,6 @@
-#include "results/print_cage.hpp"
-#include "results/print_file.hpp"
-#include "results/rounding.hpp"
+#include "listing/print_cage.hpp"
+#include "listing/print_file.hpp"
+#include "listing/rounding.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 
 /// Roller bearings in PRINT.txt: geometry and quasi-static page.
-namespace adore::results {
+namespace adore::listing {
 namespace {
 
 constexpr std::array<const char*, 2> kRaceName{"outer", "inner"};
@@ -250,4 +250,4 @@ void print_quasi_static(Report& report, const statics::RollerSolution& solution,
   for (const std::string& note : solution.notes) report.text(note);
 }
 
-}  // namespace adore::results
+}  // namespace adore::listing

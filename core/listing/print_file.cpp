@@ -1,10 +1,10 @@
-#include "results/print_file.hpp"
+#include "listing/print_file.hpp"
 
 #include "base/errors.hpp"
+#include "listing/print_fits.hpp"
 #include "results/continuation.hpp"
 #include "results/fortran_format.hpp"
 #include "results/line_reader.hpp"
-#include "results/print_fits.hpp"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <fstream>
 
-namespace adore::results {
+namespace adore::listing {
 
 PrintSections print_sections(int kPrtOpt) {
   PrintSections out;
@@ -111,4 +111,4 @@ void PrintFile::ledgers(const RunSummary& run, const scene::ScenePlan& plan,
   flush();
 }
 
-}  // namespace adore::results
+}  // namespace adore::listing

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
-#include "results/quantities.hpp"
+#include "listing/report.hpp"
 #include "statics/ball_statics.hpp"
 
 #include <optional>
@@ -9,7 +9,7 @@
 #include <vector>
 
 /// What a quasi-static ball solution assumes and cannot hold, as sentences in the deck's units.
-namespace adore::results {
+namespace adore::listing {
 
 /// - The spin rule lets the races hold each ball against its gyroscopic moment by friction
 ///   (ball_forces.hpp): StaticBall::friction above `available`, or above 0.06 where that is not
@@ -22,4 +22,4 @@ namespace adore::results {
                                                      std::optional<double> available,
                                                      UnitSystem units);
 
-}  // namespace adore::results
+}  // namespace adore::listing

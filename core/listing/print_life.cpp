@@ -1,4 +1,4 @@
-#include "results/print_life.hpp"
+#include "listing/print_life.hpp"
 
 #include "life/statistics.hpp"
 
@@ -8,7 +8,7 @@
 #include <cmath>
 
 /// Page "FATIGUE LIFE" of PRINT.txt.
-namespace adore::results {
+namespace adore::listing {
 namespace {
 
 using bearing::LifeModel;
@@ -357,4 +357,4 @@ void print_run_life(Report& report, const RunLife& run) {
               life_text(run.damage.life_hours(run.slopes)) + " hr");
 }
 
-}  // namespace adore::results
+}  // namespace adore::listing

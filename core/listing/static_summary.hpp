@@ -3,7 +3,7 @@
 #include "bearing/bearing.hpp"
 #include "life/bearing_life.hpp"
 #include "life/contact_strength.hpp"
-#include "results/report.hpp"
+#include "listing/report.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_statics.hpp"
 
@@ -14,7 +14,7 @@
 
 /// What an engineer wants first of a quasi-static solution: one page of PRINT.txt, and a few lines
 /// for the terminal and the run panel. SI inside; every printed number has its unit.
-namespace adore::results {
+namespace adore::listing {
 
 /// A number and the rolling element (1-based; 0: none) that it belongs to.
 struct AtElement {
@@ -66,4 +66,4 @@ void print_static_summary(Report& report, const StaticSummary& summary,
 [[nodiscard]] std::array<double, 2> relative_tilt(const std::array<double, 2>& inner,
                                                   const std::array<double, 2>& outer);
 
-}  // namespace adore::results
+}  // namespace adore::listing

@@ -1,5 +1,5 @@
+#include "listing/print_file.hpp"
 #include "results/motion.hpp"
-#include "results/print_file.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <span>
 
 /// The four sections of a printed step (outputs.md 3.3).
-namespace adore::results {
+namespace adore::listing {
 namespace {
 
 /// Columns of a table as channels, one row per element.
@@ -423,4 +423,4 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
   }
 }
 
-}  // namespace adore::results
+}  // namespace adore::listing

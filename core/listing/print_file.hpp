@@ -2,13 +2,13 @@
 
 #include "bearing/bearing.hpp"
 #include "deck/deck.hpp"
+#include "listing/print_life.hpp"
+#include "listing/report.hpp"
+#include "listing/static_summary.hpp"
 #include "results/averages.hpp"
 #include "results/channels.hpp"
 #include "results/growing_file.hpp"
-#include "results/print_life.hpp"
-#include "results/report.hpp"
 #include "results/run_json.hpp"
-#include "results/static_summary.hpp"
 #include "scene/plan.hpp"
 #include "scene/scales.hpp"
 #include "scene/snapshot.hpp"
@@ -26,7 +26,7 @@
 /// PRINT.txt (outputs.md 3): what was asked, what the bearing is, its equilibrium, the printed
 /// steps, the ledgers. In the deck's units, every number with its unit. What is printed reaches the
 /// file part by part.
-namespace adore::results {
+namespace adore::listing {
 
 /// Material of the front part.
 struct PrintFront {
@@ -112,4 +112,4 @@ void print_step(Report& report, const scene::Snapshot& snapshot, const StepRecor
 void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan& plan,
                    const std::optional<RunLife>& life = std::nullopt);
 
-}  // namespace adore::results
+}  // namespace adore::listing

@@ -1,16 +1,16 @@
-#include "results/static_summary.hpp"
+#include "listing/static_summary.hpp"
 
 #include "contact/groove.hpp"
 #include "life/statistics.hpp"
-#include "results/print_life.hpp"
-#include "results/rounding.hpp"
+#include "listing/print_life.hpp"
+#include "listing/rounding.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <cmath>
 
-namespace adore::results {
+namespace adore::listing {
 namespace {
 
 using bearing::Bearing;
@@ -390,4 +390,4 @@ std::vector<std::string> summary_lines(const StaticSummary& s, const Bearing& be
   return out;
 }
 
-}  // namespace adore::results
+}  // namespace adore::listing

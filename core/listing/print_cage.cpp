@@ -1,4 +1,4 @@
-#include "results/print_cage.hpp"
+#include "listing/print_cage.hpp"
 
 #include "base/errors.hpp"
 #include "contact/cage_inertia.hpp"
@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <string>
 
-namespace adore::results {
+namespace adore::listing {
 namespace {
 
 using bearing::Bearing;
@@ -169,4 +169,4 @@ nlohmann::ordered_json cage_json(const Bearing& bearing) {
   return out;
 }
 
-}  // namespace adore::results
+}  // namespace adore::listing
