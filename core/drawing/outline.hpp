@@ -12,7 +12,7 @@
 ///
 /// Planes: the meridian plane has x along the bearing axis to the right and the distance from it
 /// upwards (roller at azimuth 0); the side view is seen from +X, y to the right and z up.
-namespace adore::facade {
+namespace adore::drawing {
 
 enum class View : unsigned char {
   CrossSection,  ///< meridian half section to scale
@@ -143,4 +143,4 @@ struct Drawing {
 [[nodiscard]] std::string label_of(const deck::Deck& deck, std::string_view variable,
                                    int instance = 1, int index = 1);
 
-}  // namespace adore::facade
+}  // namespace adore::drawing

@@ -1,4 +1,4 @@
-#include "facade/outline_parts.hpp"
+#include "drawing/outline_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 /// The bearing seen along its axis, and the base frame with what acts on the bearing.
-namespace adore::facade {
+namespace adore::drawing {
 namespace {
 
 using deck::Deck;
@@ -321,4 +321,4 @@ Drawing draw_loads(const Deck& deck) {
   return out;
 }
 
-}  // namespace adore::facade
+}  // namespace adore::drawing

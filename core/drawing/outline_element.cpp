@@ -1,4 +1,4 @@
-#include "facade/outline_parts.hpp"
+#include "drawing/outline_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 
 /// The rolling element alone, and in its pocket.
-namespace adore::facade {
+namespace adore::drawing {
 namespace {
 
 using deck::Deck;
@@ -325,4 +325,4 @@ Drawing draw_pocket(const Deck& deck) {
   return out;
 }
 
-}  // namespace adore::facade
+}  // namespace adore::drawing

@@ -1,4 +1,4 @@
-#include "facade/outline_parts.hpp"
+#include "drawing/outline_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 /// The meridian half section, and the flanges as a closer look at it.
-namespace adore::facade {
+namespace adore::drawing {
 namespace {
 
 using deck::Deck;
@@ -293,4 +293,4 @@ Drawing draw_flanges(const Deck& deck) {
   return out;
 }
 
-}  // namespace adore::facade
+}  // namespace adore::drawing

@@ -4,14 +4,14 @@
 #include "contact/groove.hpp"
 #include "contact/race_surface.hpp"
 #include "contact/roller_profile.hpp"
-#include "facade/outline.hpp"
+#include "drawing/outline.hpp"
 #include "statics/roller_flanges.hpp"
 
 #include <array>
 #include <optional>
 
 /// What the views share: the geometry that a deck describes, read as far as it goes. SI.
-namespace adore::facade {
+namespace adore::drawing {
 
 struct OutlineCage {
   double outer = 0.0, inner = 0.0, width = 0.0;  ///< diameters and width; > 0
@@ -61,4 +61,4 @@ struct OutlineModel {
 /// Guide lands and pockets only; empty when the deck has no cage that can be drawn.
 [[nodiscard]] std::optional<OutlineCage> outline_cage(const deck::Deck& deck);
 
-}  // namespace adore::facade
+}  // namespace adore::drawing

@@ -1,10 +1,10 @@
-#include "facade/outline_model.hpp"
+#include "drawing/outline_model.hpp"
 
-#include "setup/build_bearing.hpp"
-#include "setup/build_rollers.hpp"
 #include "contact/roller_shape.hpp"
 #include "contact/tapered_geometry.hpp"
 #include "deck/lookup.hpp"
+#include "setup/build_bearing.hpp"
+#include "setup/build_rollers.hpp"
 #include "statics/roller_model.hpp"
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace adore::facade {
+namespace adore::drawing {
 namespace {
 
 using bearing::Type;
@@ -202,4 +202,4 @@ OutlineModel outline_model(const Deck& deck) {
   return m;
 }
 
-}  // namespace adore::facade
+}  // namespace adore::drawing

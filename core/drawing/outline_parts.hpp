@@ -1,11 +1,11 @@
 #pragma once
 
-#include "facade/outline_model.hpp"
+#include "drawing/outline_model.hpp"
 
 #include <numbers>
 
 /// Pieces that several views are put together from.
-namespace adore::facade {
+namespace adore::drawing {
 
 inline constexpr double kTurn = 2.0 * std::numbers::pi;
 
@@ -64,4 +64,4 @@ class Measures {
 [[nodiscard]] Drawing draw_traction(const deck::Deck& deck);
 [[nodiscard]] Drawing draw_loads(const deck::Deck& deck);
 
-}  // namespace adore::facade
+}  // namespace adore::drawing

@@ -1,8 +1,8 @@
 #include "bearing/bearing.hpp"
+#include "deck/templates.hpp"
+#include "drawing/outline.hpp"
 #include "setup/build_bearing.hpp"
 #include "setup/build_rollers.hpp"
-#include "deck/templates.hpp"
-#include "facade/outline.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <catch2/catch.hpp>
@@ -12,7 +12,7 @@
 #include <string>
 
 using namespace adore;
-using namespace adore::facade;
+using namespace adore::drawing;
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "facade/outline_parts.hpp"
+#include "drawing/outline_parts.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include <optional>
 
 /// The traction curves of a deck, each by the law that a run uses.
-namespace adore::facade {
+namespace adore::drawing {
 namespace {
 
 using deck::Deck;
@@ -146,4 +146,4 @@ Drawing draw_traction(const Deck& deck) {
   return out;
 }
 
-}  // namespace adore::facade
+}  // namespace adore::drawing

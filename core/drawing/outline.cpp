@@ -1,8 +1,8 @@
-#include "facade/outline.hpp"
+#include "drawing/outline.hpp"
 
 #include "base/errors.hpp"
 #include "deck/lookup.hpp"
-#include "facade/outline_parts.hpp"
+#include "drawing/outline_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -10,7 +10,7 @@
 #include <array>
 #include <exception>
 
-namespace adore::facade {
+namespace adore::drawing {
 namespace {
 
 bool starts(std::string_view text, std::string_view with) {
@@ -172,4 +172,4 @@ std::string label_of(const deck::Deck& deck, std::string_view variable, int inst
   return out;
 }
 
-}  // namespace adore::facade
+}  // namespace adore::drawing

@@ -1,5 +1,5 @@
 #include "contact/guide_land.hpp"
-#include "facade/outline_parts.hpp"
+#include "drawing/outline_parts.hpp"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 
 /// Guide lands of the cage: section with exaggerated clearances, and out-of-round lands around the
 /// axis.
-namespace adore::facade {
+namespace adore::drawing {
 namespace {
 
 using bearing::GuideLand;
@@ -203,4 +203,4 @@ Drawing draw_lands(const Deck& deck) {
   return out;
 }
 
-}  // namespace adore::facade
+}  // namespace adore::drawing

@@ -1,9 +1,9 @@
-#include "facade/outline_parts.hpp"
+#include "drawing/outline_parts.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace adore::facade {
+namespace adore::drawing {
 namespace {
 
 constexpr int kRacewayParts = 48;
@@ -332,4 +332,4 @@ void Measures::angle(std::string_view variable, Point centre, Point from, Point 
   add(std::move(d), variable, instance, index);
 }
 
-}  // namespace adore::facade
+}  // namespace adore::drawing
