@@ -11,11 +11,11 @@
 namespace adore::adrinput::marks {
 namespace {
 
-using facade::Dimension;
+using drawing::Dimension;
 
 constexpr double kShortest = 20.0;  // a dimension line below this has its arrows outside, px
 
-QPointF map(const QTransform& place, const facade::Point& p) {
+QPointF map(const QTransform& place, const drawing::Point& p) {
   return place.map(QPointF(p.x, p.y));
 }
 
@@ -69,17 +69,17 @@ void arrow(QPainter& painter, const QPolygonF& path, const QColor& colour, doubl
   desktop::arrow_head(painter, tip, direction, std::min(size, 1.5 * long_enough), colour);
 }
 
-QColor arrow_colour(const desktop::Theme& theme, facade::Arrow::Kind kind) {
+QColor arrow_colour(const desktop::Theme& theme, drawing::Arrow::Kind kind) {
   switch (kind) {
-    case facade::Arrow::Kind::Load:
+    case drawing::Arrow::Kind::Load:
       return theme.red;
-    case facade::Arrow::Kind::Moment:
+    case drawing::Arrow::Kind::Moment:
       return theme.curves[3];
-    case facade::Arrow::Kind::Speed:
+    case drawing::Arrow::Kind::Speed:
       return theme.green;
-    case facade::Arrow::Kind::Displacement:
+    case drawing::Arrow::Kind::Displacement:
       return theme.curves[1];
-    case facade::Arrow::Kind::Gravity:
+    case drawing::Arrow::Kind::Gravity:
       return theme.muted;
   }
   return theme.text;
@@ -154,11 +154,11 @@ bool room_for(const Dimension& d, const QTransform& place, double width) {
   return std::abs(along.x()) > width + 30.0 || std::abs(along.y()) > 60.0;
 }
 
-QPointF beyond_tip(const facade::Arrow& arrow, const QTransform& place) {
+QPointF beyond_tip(const drawing::Arrow& arrow, const QTransform& place) {
   const QPointF tip = map(place, arrow.path.back());
   if (arrow.path.size() > 2) {  // turning: below its arc
     QPolygonF arc;
-    for (const facade::Point& p : arrow.path) arc << map(place, p);
+    for (const drawing::Point& p : arrow.path) arc << map(place, p);
     return {arc.boundingRect().center().x(), arc.boundingRect().bottom() + 14.0};
   }
   const QPointF along = tip - map(place, arrow.path.front());

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "desktop/theme.hpp"
-#include "facade/outline.hpp"
+#include "drawing/outline.hpp"
 
 #include <QPainterPath>
 #include <QPolygonF>
@@ -18,21 +18,21 @@ void hatch(QPainter& painter, const QPainterPath& area, const QColor& colour, bo
 /// Along the polygon with a head at its end; `faint` for an arrow that only shows its sense.
 void arrow(QPainter& painter, const QPolygonF& path, const QColor& colour, double width,
            bool faint);
-[[nodiscard]] QColor arrow_colour(const desktop::Theme& theme, facade::Arrow::Kind kind);
+[[nodiscard]] QColor arrow_colour(const desktop::Theme& theme, drawing::Arrow::Kind kind);
 
-void dimension(QPainter& painter, const facade::Dimension& dimension, const QTransform& place,
+void dimension(QPainter& painter, const drawing::Dimension& dimension, const QTransform& place,
                const QColor& colour, double width);
 /// Where the label of a dimension belongs.
-[[nodiscard]] QPointF label_point(const facade::Dimension& dimension, const QTransform& place);
+[[nodiscard]] QPointF label_point(const drawing::Dimension& dimension, const QTransform& place);
 /// Is there room for a label of that width within the line itself?
-[[nodiscard]] bool room_for(const facade::Dimension& dimension, const QTransform& place,
+[[nodiscard]] bool room_for(const drawing::Dimension& dimension, const QTransform& place,
                             double width);
 /// Where the label of an arrow belongs.
-[[nodiscard]] QPointF beyond_tip(const facade::Arrow& arrow, const QTransform& place);
+[[nodiscard]] QPointF beyond_tip(const drawing::Arrow& arrow, const QTransform& place);
 /// Is it large enough on the screen to be named without being in focus?
-[[nodiscard]] bool worth_a_name(const facade::Dimension& dimension, const QTransform& place);
+[[nodiscard]] bool worth_a_name(const drawing::Dimension& dimension, const QTransform& place);
 /// Distance of a point from its line.
-[[nodiscard]] double distance(const facade::Dimension& dimension, const QTransform& place,
+[[nodiscard]] double distance(const drawing::Dimension& dimension, const QTransform& place,
                               QPointF from);
 
 }  // namespace adore::adrinput::marks

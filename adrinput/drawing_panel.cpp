@@ -35,7 +35,7 @@ DrawingPanel::DrawingPanel(QWidget* parent) : QWidget(parent) {
   pause_->setInterval(kDrawPause);
   connect(pause_, &QTimer::timeout, this, &DrawingPanel::drawNow);
   connect(views_, &QComboBox::activated, this, [this](int index) {
-    chooseView(static_cast<facade::View>(views_->itemData(index).toInt()));
+    chooseView(static_cast<drawing::View>(views_->itemData(index).toInt()));
   });
   connect(picture_, &DrawingView::dimensionClicked, this, &DrawingPanel::fieldWanted);
 }
@@ -47,14 +47,14 @@ void DrawingPanel::setDeck(const deck::Deck& deck) {
 }
 
 void DrawingPanel::fillViews() {
-  const std::vector<facade::View> views = facade::views_of(deck_);
-  std::vector<facade::View> present;
+  const std::vector<drawing::View> views = drawing::views_of(deck_);
+  std::vector<drawing::View> present;
   for (int i = 0; i < views_->count(); ++i)
-    present.push_back(static_cast<facade::View>(views_->itemData(i).toInt()));
+    present.push_back(static_cast<drawing::View>(views_->itemData(i).toInt()));
   if (views != present) {
     views_->clear();
-    for (const facade::View view : views) {
-      const std::string_view title = facade::title_of(view);
+    for (const drawing::View view : views) {
+      const std::string_view title = drawing::title_of(view);
       views_->addItem(QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size())),
                       static_cast<int>(view));
     }
@@ -62,11 +62,11 @@ void DrawingPanel::fillViews() {
   views_->setCurrentIndex(views_->findData(static_cast<int>(view())));
 }
 
-facade::View DrawingPanel::view() const {
-  const facade::View wanted = chosen_.value_or(preferred_);
-  const std::vector<facade::View> views = facade::views_of(deck_);
+drawing::View DrawingPanel::view() const {
+  const drawing::View wanted = chosen_.value_or(preferred_);
+  const std::vector<drawing::View> views = drawing::views_of(deck_);
   const bool there = std::find(views.begin(), views.end(), wanted) != views.end();
-  return there ? wanted : facade::View::CrossSection;
+  return there ? wanted : drawing::View::CrossSection;
 }
 
 void DrawingPanel::drawNow() {
@@ -78,8 +78,8 @@ void DrawingPanel::drawNow() {
   type_ = type;
   fillViews();
   label();
-  const facade::View now = view();
-  facade::Drawing drawing = facade::draw(now, deck_);
+  const drawing::View now = view();
+  drawing::Drawing drawing = drawing::draw(now, deck_);
   if (drawing.reason.empty()) {
     good_[now] = drawing;
     picture_->setDrawing(std::move(drawing));
@@ -94,13 +94,13 @@ void DrawingPanel::label() {
   const DrawingFocus& focus = picture_->focusOn();
   picture_->setFocusLabel(focus.variable.empty()
                               ? QString()
-                              : QString::fromStdString(facade::label_of(
+                              : QString::fromStdString(drawing::label_of(
                                     deck_, focus.variable, focus.instance, focus.index)));
 }
 
 void DrawingPanel::setFocusOn(DrawingFocus focus) {
   if (focus == picture_->focusOn()) return;
-  const facade::View wanted = facade::view_for(focus.record, focus.variable);
+  const drawing::View wanted = drawing::view_for(focus.record, focus.variable);
   picture_->setFocusOn(std::move(focus));
   label();
   if (wanted == preferred_) return;  // a view chosen by hand stays
@@ -109,7 +109,7 @@ void DrawingPanel::setFocusOn(DrawingFocus focus) {
   drawNow();
 }
 
-void DrawingPanel::chooseView(facade::View view) {
+void DrawingPanel::chooseView(drawing::View view) {
   chosen_ = view;
   drawNow();
 }

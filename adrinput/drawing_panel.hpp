@@ -23,9 +23,9 @@ class DrawingPanel : public QWidget {
   void setDeck(const deck::Deck& deck);
   /// Shows the view that the field belongs to, unless the user chose another one for it.
   void setFocusOn(DrawingFocus focus);
-  void chooseView(facade::View view);
+  void chooseView(drawing::View view);
   /// The view that is shown.
-  [[nodiscard]] facade::View view() const;
+  [[nodiscard]] drawing::View view() const;
   [[nodiscard]] DrawingView& picture() { return *picture_; }
   /// Draws what was last given, without the pause.
   void drawNow();
@@ -38,10 +38,10 @@ class DrawingPanel : public QWidget {
   void label();
 
   deck::Deck deck_;
-  facade::View preferred_ = facade::View::CrossSection;  ///< of the field in focus
-  std::optional<facade::View> chosen_;            ///< by hand, for as long as preferred_ stays
-  std::map<facade::View, facade::Drawing> good_;  ///< the last that could be drawn, by view
-  long long type_ = 0;                            ///< of bearing, of `good_`
+  drawing::View preferred_ = drawing::View::CrossSection;  ///< of the field in focus
+  std::optional<drawing::View> chosen_;             ///< by hand, for as long as preferred_ stays
+  std::map<drawing::View, drawing::Drawing> good_;  ///< the last that could be drawn, by view
+  long long type_ = 0;                              ///< of bearing, of `good_`
   QComboBox* views_ = nullptr;
   DrawingView* picture_ = nullptr;
   QTimer* pause_ = nullptr;

@@ -20,8 +20,8 @@ namespace adore::adrinput {
 namespace {
 
 using desktop::Theme;
-using facade::Part;
-using Style = facade::Shape::Style;
+using drawing::Part;
+using Style = drawing::Shape::Style;
 
 constexpr double kMargin = 10.0;                        // around everything, px
 constexpr double kTitle = 20.0;                         // height of a figure's title, px
@@ -46,16 +46,16 @@ QColor body_colour(const Theme& t, Part part) {
   }
 }
 
-QPainterPath path_of(const facade::Shape& shape, const QTransform& place, bool close) {
+QPainterPath path_of(const drawing::Shape& shape, const QTransform& place, bool close) {
   QPainterPath path;
-  for (const facade::Path& points : shape.paths) {
+  for (const drawing::Path& points : shape.paths) {
     if (points.empty()) continue;
     QPolygonF polygon;
-    for (const facade::Point& p : points) polygon << place.map(QPointF(p.x, p.y));
+    for (const drawing::Point& p : points) polygon << place.map(QPointF(p.x, p.y));
     path.addPolygon(polygon);
     if (close) path.closeSubpath();
   }
-  for (const facade::Circle& circle : shape.circles) {
+  for (const drawing::Circle& circle : shape.circles) {
     const QPointF centre = place.map(QPointF(circle.centre.x, circle.centre.y));
     const double rx = circle.radius * std::abs(place.m11()),
                  ry = circle.radius * std::abs(place.m22());
@@ -74,7 +74,7 @@ DrawingView::DrawingView(QWidget* parent) : QWidget(parent) {
 
 QSize DrawingView::sizeHint() const { return {364, 520}; }
 
-void DrawingView::setDrawing(facade::Drawing drawing, const QString& stale) {
+void DrawingView::setDrawing(drawing::Drawing drawing, const QString& stale) {
   const bool same_view =
       drawing.view == drawing_.view && drawing.panes.size() == drawing_.panes.size();
   drawing_ = std::move(drawing);
@@ -86,9 +86,9 @@ void DrawingView::setDrawing(facade::Drawing drawing, const QString& stale) {
 
 void DrawingView::setFocusOn(DrawingFocus focus) {
   focus_ = std::move(focus);
-  parts_ = facade::parts_of(focus_.record, focus_.variable);
+  parts_ = drawing::parts_of(focus_.record, focus_.variable);
   measured_ = false;
-  for (const facade::Pane& pane : drawing_.panes) {
+  for (const drawing::Pane& pane : drawing_.panes) {
     measured_ = measured_ ||
                 std::any_of(pane.dimensions.begin(), pane.dimensions.end(),
                             [&](const auto& dimension) { return inFocus(dimension); }) ||
@@ -103,19 +103,19 @@ void DrawingView::setFocusLabel(const QString& label) {
   update();
 }
 
-bool DrawingView::visible(const facade::Dimension& d) const {
+bool DrawingView::visible(const drawing::Dimension& d) const {
   return ofRecord(d.variable) && (inFocus(d) || !d.minor);
 }
 
-bool DrawingView::inFocus(const facade::Dimension& d) const {
+bool DrawingView::inFocus(const drawing::Dimension& d) const {
   return d.variable == focus_.variable && d.instance == focus_.instance;
 }
 
-bool DrawingView::inFocus(const facade::Arrow& arrow) const {
+bool DrawingView::inFocus(const drawing::Arrow& arrow) const {
   return arrow.variable == focus_.variable;
 }
 
-bool DrawingView::inFocus(const facade::Shape& shape) const {
+bool DrawingView::inFocus(const drawing::Shape& shape) const {
   if (focus_.variable.empty()) return false;
   if (std::find(shape.shows.begin(), shape.shows.end(), focus_.variable) != shape.shows.end())
     return true;
@@ -130,9 +130,9 @@ bool DrawingView::ofRecord(const std::string& variable) const {
                      [&](const deck::VariableSpec& v) { return v.name == variable; });
 }
 
-QTransform DrawingView::fitted(const facade::Pane& pane, const QRectF& area) const {
+QTransform DrawingView::fitted(const drawing::Pane& pane, const QRectF& area) const {
   double left = 1e300, right = -1e300, low = 1e300, high = -1e300;
-  const auto take = [&](const facade::Point& p) {
+  const auto take = [&](const drawing::Point& p) {
     left = std::min(left, p.x);
     right = std::max(right, p.x);
     low = std::min(low, p.y);
@@ -142,20 +142,20 @@ QTransform DrawingView::fitted(const facade::Pane& pane, const QRectF& area) con
     take({pane.axes[0].low, pane.axes[1].low});
     take({pane.axes[0].high, pane.axes[1].high});
   } else if (!pane.window.empty()) {
-    for (const facade::Point& p : pane.window) take(p);
+    for (const drawing::Point& p : pane.window) take(p);
   } else {
-    for (const facade::Shape& shape : pane.shapes) {
-      for (const facade::Path& path : shape.paths)
-        for (const facade::Point& p : path) take(p);
-      for (const facade::Circle& c : shape.circles) {
+    for (const drawing::Shape& shape : pane.shapes) {
+      for (const drawing::Path& path : shape.paths)
+        for (const drawing::Point& p : path) take(p);
+      for (const drawing::Circle& c : shape.circles) {
         take({c.centre.x - c.radius, c.centre.y - c.radius});
         take({c.centre.x + c.radius, c.centre.y + c.radius});
       }
     }
-    for (const facade::Caption& caption : pane.captions) take(caption.at);
-    for (const facade::Arrow& arrow : pane.arrows)
-      for (const facade::Point& p : arrow.path) take(p);
-    for (const facade::Dimension& d : pane.dimensions)
+    for (const drawing::Caption& caption : pane.captions) take(caption.at);
+    for (const drawing::Arrow& arrow : pane.arrows)
+      for (const drawing::Point& p : arrow.path) take(p);
+    for (const drawing::Dimension& d : pane.dimensions)
       if (ofRecord(d.variable)) {
         take(d.from);
         take(d.to);
@@ -176,7 +176,7 @@ QTransform DrawingView::fitted(const facade::Pane& pane, const QRectF& area) con
 void DrawingView::layOut() {
   frames_.clear();
   double total = 0.0, foot = 0.0;
-  for (const facade::Pane& pane : drawing_.panes) total += pane.share;
+  for (const drawing::Pane& pane : drawing_.panes) total += pane.share;
   const QFontMetricsF metrics(desktop::ui_font(kText));
   QString remarks;
   for (const std::string& remark : drawing_.remarks) remarks += text_of(remark) + "\n";
@@ -189,7 +189,7 @@ void DrawingView::layOut() {
   const double usable = height() - 2 * kMargin - foot;
   double y = kMargin;
   for (std::size_t i = 0; i < drawing_.panes.size(); ++i) {
-    const facade::Pane& pane = drawing_.panes[i];
+    const drawing::Pane& pane = drawing_.panes[i];
     const double share = usable * pane.share / total;
     QRectF area(kMargin, y + kTitle, width() - 2 * kMargin, share - kTitle);
     y += share;
@@ -247,7 +247,7 @@ void DrawingView::paintEvent(QPaintEvent*) {
   painter.drawText(room, Qt::AlignCenter | Qt::TextWordWrap, text);
 }
 
-void DrawingView::paintPane(QPainter& painter, const facade::Pane& pane, const Frame& frame) {
+void DrawingView::paintPane(QPainter& painter, const drawing::Pane& pane, const Frame& frame) {
   const Theme& t = desktop::current_theme();
   painter.setFont(desktop::ui_font(kText, true));
   painter.setPen(t.muted);
@@ -258,25 +258,25 @@ void DrawingView::paintPane(QPainter& painter, const facade::Pane& pane, const F
   painter.setClipRect(frame.area);
   if (!pane.axes.empty()) paintAxes(painter, pane, frame);
   // What is in focus lies on top of its kind, so that its outline is whole.
-  for (const facade::Shape& shape : pane.shapes) paintShape(painter, shape, frame.place);
-  for (const facade::Arrow& arrow : pane.arrows)
+  for (const drawing::Shape& shape : pane.shapes) paintShape(painter, shape, frame.place);
+  for (const drawing::Arrow& arrow : pane.arrows)
     if (arrow.value != 0.0 || inFocus(arrow)) paintArrow(painter, arrow, frame.place);
   for (const bool focused : {false, true})
-    for (const facade::Dimension& d : pane.dimensions)
+    for (const drawing::Dimension& d : pane.dimensions)
       if (visible(d) && inFocus(d) == focused && (focused || marks::worth_a_name(d, frame.place)) &&
-          (focused || d.kind != facade::Dimension::Kind::Leader))
+          (focused || d.kind != drawing::Dimension::Kind::Leader))
         paintDimension(painter, d, frame.place);
   writeLabels(painter, pane, frame);
 }
 
-void DrawingView::paintAxes(QPainter& painter, const facade::Pane& pane, const Frame& frame) {
+void DrawingView::paintAxes(QPainter& painter, const drawing::Pane& pane, const Frame& frame) {
   const Theme& t = desktop::current_theme();
   painter.setFont(desktop::ui_font(kText));
   const QFontMetricsF metrics(painter.font());
-  const facade::ChartAxis &x = pane.axes[0], &y = pane.axes[1];
+  const drawing::ChartAxis &x = pane.axes[0], &y = pane.axes[1];
   const QRectF box =
       QRectF(frame.place.map(QPointF(x.low, y.high)), frame.place.map(QPointF(x.high, y.low)));
-  const auto ticks = [](const facade::ChartAxis& axis, int parts) {
+  const auto ticks = [](const drawing::ChartAxis& axis, int parts) {
     const double step = desktop::nice_step((axis.high - axis.low) / axis.factor, parts);
     return std::pair(step, std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9))));
   };
@@ -304,7 +304,7 @@ void DrawingView::paintAxes(QPainter& painter, const facade::Pane& pane, const F
   painter.setBrush(Qt::NoBrush);
   painter.drawRect(box);
   painter.setPen(t.text);
-  const auto title = [](const facade::ChartAxis& axis) {
+  const auto title = [](const drawing::ChartAxis& axis) {
     return text_of(axis.title) + (axis.unit.empty() ? QString() : " [" + text_of(axis.unit) + "]");
   };
   painter.drawText(QRectF(box.left(), box.bottom() + 18, box.width(), 18), Qt::AlignCenter,
@@ -316,7 +316,7 @@ void DrawingView::paintAxes(QPainter& painter, const facade::Pane& pane, const F
   painter.restore();
 }
 
-void DrawingView::paintShape(QPainter& painter, const facade::Shape& shape,
+void DrawingView::paintShape(QPainter& painter, const drawing::Shape& shape,
                              const QTransform& place) {
   const Theme& t = desktop::current_theme();
   const bool focused = inFocus(shape);
@@ -364,17 +364,17 @@ void DrawingView::paintShape(QPainter& painter, const facade::Shape& shape,
   painter.drawPath(path);
 }
 
-void DrawingView::paintArrow(QPainter& painter, const facade::Arrow& arrow,
+void DrawingView::paintArrow(QPainter& painter, const drawing::Arrow& arrow,
                              const QTransform& place) {
   const Theme& t = desktop::current_theme();
   const bool focused = inFocus(arrow);
   QPolygonF line;
-  for (const facade::Point& p : arrow.path) line << place.map(QPointF(p.x, p.y));
+  for (const drawing::Point& p : arrow.path) line << place.map(QPointF(p.x, p.y));
   marks::arrow(painter, line, focused ? t.accent : marks::arrow_colour(t, arrow.kind),
                focused ? 3.4 : 2.4, arrow.value == 0.0);
 }
 
-void DrawingView::paintDimension(QPainter& painter, const facade::Dimension& d,
+void DrawingView::paintDimension(QPainter& painter, const drawing::Dimension& d,
                                  const QTransform& place) {
   const Theme& t = desktop::current_theme();
   const bool focused = inFocus(d);
@@ -382,24 +382,24 @@ void DrawingView::paintDimension(QPainter& painter, const facade::Dimension& d,
   marks::dimension(painter, d, place, colour, focused ? 2.0 : 0.9);
 }
 
-void DrawingView::writeLabels(QPainter& painter, const facade::Pane& pane, const Frame& frame) {
+void DrawingView::writeLabels(QPainter& painter, const drawing::Pane& pane, const Frame& frame) {
   const Theme& t = desktop::current_theme();
   const QRectF area =
       pane.axes.empty() ? frame.area : frame.area.adjusted(kAxisLeft, 0.0, 0.0, -kAxisBottom);
-  const auto middle = [&](const facade::Dimension& d) {
+  const auto middle = [&](const drawing::Dimension& d) {
     return marks::label_point(d, frame.place);
   };
-  for (const facade::Dimension& d : pane.dimensions)
+  for (const drawing::Dimension& d : pane.dimensions)
     if (ofRecord(d.variable) && inFocus(d))
       write(painter, area, middle(d), text_of(d.label), true, t.accent,
             marks::room_for(d, frame.place, text_of(d.label).size() * 8.0) ? 0.0 : 12.0);
-  for (const facade::Arrow& arrow : pane.arrows)
+  for (const drawing::Arrow& arrow : pane.arrows)
     if (inFocus(arrow) && !arrow.path.empty())
       write(painter, area, marks::beyond_tip(arrow, frame.place), text_of(arrow.label), true,
             t.accent);
   if (!measured_ && &pane == &drawing_.panes.front() && !focus_.variable.empty()) {
     // The body that the field speaks of, or the curve, carries its name.
-    for (const facade::Shape& shape : pane.shapes) {
+    for (const drawing::Shape& shape : pane.shapes) {
       if (!inFocus(shape) || focus_.variable == "recID" || focus_label_.isEmpty()) continue;
       const QRectF box = path_of(shape, frame.place, false).boundingRect().intersected(area);
       write(painter, area, QPointF(box.center().x(), box.top() + 0.25 * box.height()), focus_label_,
@@ -407,7 +407,7 @@ void DrawingView::writeLabels(QPainter& painter, const facade::Pane& pane, const
       break;
     }
   }
-  for (const facade::Caption& caption : pane.captions) {
+  for (const drawing::Caption& caption : pane.captions) {
     if (caption.room > 0.0 && caption.room * frame.place.m11() < 16.0) continue;
     const QPointF at = frame.place.map(QPointF(caption.at.x, caption.at.y));
     painter.setFont(desktop::ui_font(kText, true));
@@ -422,20 +422,20 @@ void DrawingView::writeLabels(QPainter& painter, const facade::Pane& pane, const
     painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, text);
     labels_.push_back({box, text, false});
   }
-  for (const facade::Arrow& arrow : pane.arrows)
+  for (const drawing::Arrow& arrow : pane.arrows)
     if (arrow.value != 0.0 && !inFocus(arrow) && !arrow.path.empty())
       write(painter, area, marks::beyond_tip(arrow, frame.place), text_of(arrow.label), false,
             marks::arrow_colour(t, arrow.kind));
-  for (const facade::Dimension& d : pane.dimensions)
+  for (const drawing::Dimension& d : pane.dimensions)
     if (visible(d) && !inFocus(d) && marks::worth_a_name(d, frame.place) &&
         write(painter, area, middle(d), text_of(d.variable), false, t.muted) &&
-        d.kind == facade::Dimension::Kind::Leader)
+        d.kind == drawing::Dimension::Kind::Leader)
       paintDimension(painter, d, frame.place);
   if (!pane.axes.empty())
-    for (const facade::Shape& shape : pane.shapes) {
+    for (const drawing::Shape& shape : pane.shapes) {
       if (shape.part != Part::Curve || shape.paths.empty() || pane.shapes.size() < 2) continue;
-      const facade::Path& path = shape.paths.front();
-      const facade::Point& p = path[path.size() * 3 / 4];
+      const drawing::Path& path = shape.paths.front();
+      const drawing::Point& p = path[path.size() * 3 / 4];
       write(painter, area, frame.place.map(QPointF(p.x, p.y)), text_of(shape.name), false,
             inFocus(shape) ? t.accent : t.muted);
     }
@@ -486,13 +486,13 @@ int DrawingView::paneAt(QPointF position) const {
   return -1;
 }
 
-const facade::Dimension* DrawingView::dimensionAt(QPointF position) const {
+const drawing::Dimension* DrawingView::dimensionAt(QPointF position) const {
   const int pane = paneAt(position);
   if (pane < 0) return nullptr;
   const auto i = static_cast<std::size_t>(pane);
-  const facade::Dimension* nearest = nullptr;
+  const drawing::Dimension* nearest = nullptr;
   double best = kNear;
-  for (const facade::Dimension& d : drawing_.panes[i].dimensions) {
+  for (const drawing::Dimension& d : drawing_.panes[i].dimensions) {
     if (!visible(d)) continue;
     const double distance = marks::distance(d, frames_[i].place, position);
     if (distance >= best) continue;
@@ -505,7 +505,7 @@ const facade::Dimension* DrawingView::dimensionAt(QPointF position) const {
 bool DrawingView::event(QEvent* event) {
   if (event->type() == QEvent::ToolTip) {
     const auto* help = static_cast<QHelpEvent*>(event);
-    const facade::Dimension* d = dimensionAt(help->pos());
+    const drawing::Dimension* d = dimensionAt(help->pos());
     if (d != nullptr)
       QToolTip::showText(help->globalPos(), text_of(d->label), this);
     else
@@ -550,7 +550,7 @@ void DrawingView::mouseMoveEvent(QMouseEvent* event) {
 
 void DrawingView::mouseReleaseEvent(QMouseEvent* event) {
   if (dragging_ || event->button() != Qt::LeftButton) return;
-  if (const facade::Dimension* d = dimensionAt(event->position()))
+  if (const drawing::Dimension* d = dimensionAt(event->position()))
     emit dimensionClicked(text_of(d->variable), d->instance, d->index);
 }
 

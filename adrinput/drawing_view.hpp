@@ -1,6 +1,6 @@
 #pragma once
 
-#include "facade/outline.hpp"
+#include "drawing/outline.hpp"
 
 #include <QRectF>
 #include <QTransform>
@@ -29,11 +29,11 @@ class DrawingView : public QWidget {
   explicit DrawingView(QWidget* parent = nullptr);
 
   /// `stale`: why the drawing is an older one than the deck; it is shown pale with the reason.
-  void setDrawing(facade::Drawing drawing, const QString& stale = {});
+  void setDrawing(drawing::Drawing drawing, const QString& stale = {});
   void setFocusOn(DrawingFocus focus);
   /// "raceTemp1 = 293.15 K": written on the body that the field speaks of when it has no measure.
   void setFocusLabel(const QString& label);
-  [[nodiscard]] const facade::Drawing& drawing() const { return drawing_; }
+  [[nodiscard]] const drawing::Drawing& drawing() const { return drawing_; }
   [[nodiscard]] const DrawingFocus& focusOn() const { return focus_; }
 
   /// What the last painting wrote, and where; labels do not overlap.
@@ -44,7 +44,7 @@ class DrawingView : public QWidget {
   };
   [[nodiscard]] const std::vector<Label>& labels() const { return labels_; }
   /// The measure at a position of the widget, or nullptr.
-  [[nodiscard]] const facade::Dimension* dimensionAt(QPointF position) const;
+  [[nodiscard]] const drawing::Dimension* dimensionAt(QPointF position) const;
 
   [[nodiscard]] QSize sizeHint() const override;
 
@@ -70,31 +70,31 @@ class DrawingView : public QWidget {
     QPointF shift;
   };
   void layOut();
-  [[nodiscard]] QTransform fitted(const facade::Pane& pane, const QRectF& area) const;
-  void paintPane(QPainter& painter, const facade::Pane& pane, const Frame& frame);
-  void paintAxes(QPainter& painter, const facade::Pane& pane, const Frame& frame);
-  void paintShape(QPainter& painter, const facade::Shape& shape, const QTransform& place);
-  void paintArrow(QPainter& painter, const facade::Arrow& arrow, const QTransform& place);
-  void paintDimension(QPainter& painter, const facade::Dimension& dimension,
+  [[nodiscard]] QTransform fitted(const drawing::Pane& pane, const QRectF& area) const;
+  void paintPane(QPainter& painter, const drawing::Pane& pane, const Frame& frame);
+  void paintAxes(QPainter& painter, const drawing::Pane& pane, const Frame& frame);
+  void paintShape(QPainter& painter, const drawing::Shape& shape, const QTransform& place);
+  void paintArrow(QPainter& painter, const drawing::Arrow& arrow, const QTransform& place);
+  void paintDimension(QPainter& painter, const drawing::Dimension& dimension,
                       const QTransform& place);
-  void writeLabels(QPainter& painter, const facade::Pane& pane, const Frame& frame);
-  [[nodiscard]] bool visible(const facade::Dimension& dimension) const;
+  void writeLabels(QPainter& painter, const drawing::Pane& pane, const Frame& frame);
+  [[nodiscard]] bool visible(const drawing::Dimension& dimension) const;
   /// Writes near a point where nothing is written yet; false when there is no room.
   /// `free`: how far from the point the label has to stay, [px].
   bool write(QPainter& painter, const QRectF& area, QPointF near, const QString& text, bool strong,
              const QColor& colour, double free = 0.0);
-  [[nodiscard]] bool inFocus(const facade::Shape& shape) const;
-  [[nodiscard]] bool inFocus(const facade::Dimension& dimension) const;
-  [[nodiscard]] bool inFocus(const facade::Arrow& arrow) const;
+  [[nodiscard]] bool inFocus(const drawing::Shape& shape) const;
+  [[nodiscard]] bool inFocus(const drawing::Dimension& dimension) const;
+  [[nodiscard]] bool inFocus(const drawing::Arrow& arrow) const;
   [[nodiscard]] bool ofRecord(const std::string& variable) const;
   [[nodiscard]] int paneAt(QPointF position) const;
 
-  facade::Drawing drawing_;
+  drawing::Drawing drawing_;
   QString stale_;
   DrawingFocus focus_;
   QString focus_label_;
-  std::vector<facade::Part> parts_;  ///< that the variable in focus speaks of
-  bool measured_ = false;            ///< the variable in focus has a measure or arrow here
+  std::vector<drawing::Part> parts_;  ///< that the variable in focus speaks of
+  bool measured_ = false;             ///< the variable in focus has a measure or arrow here
   std::vector<Frame> frames_;
   std::vector<Zoom> zooms_;
   std::vector<Label> labels_;

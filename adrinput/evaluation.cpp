@@ -3,8 +3,8 @@
 #include "desktop/axis_scale.hpp"
 #include "desktop/listing_view.hpp"
 #include "facade/prepare.hpp"
-#include "results/print_file.hpp"
-#include "results/print_life.hpp"
+#include "listing/print_file.hpp"
+#include "listing/print_life.hpp"
 
 #include <QLabel>
 #include <QPlainTextEdit>
@@ -58,12 +58,12 @@ Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& 
   still.set("mode", "-1");  // the equilibrium only, whatever the deck would run
   still.complete();
   const facade::Prepared ready = prepared(still, path, options);
-  results::Report report(ready.bearing.run_id, deck.units());
+  listing::Report report(ready.bearing.run_id, deck.units());
   if (ready.rollers)
-    results::print_quasi_static(report, *ready.rollers, ready.bearing);
+    listing::print_quasi_static(report, *ready.rollers, ready.bearing);
   else
-    results::print_quasi_static(report, ready.statics, ready.bearing);
-  results::print_life(report, ready.life);
+    listing::print_quasi_static(report, ready.statics, ready.bearing);
+  listing::print_life(report, ready.life);
   std::string text = report.take();
   std::replace(text.begin(), text.end(), '\f', '\n');
   return {key_results(ready, deck.units()), std::move(text)};

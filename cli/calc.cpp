@@ -1,12 +1,13 @@
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
+#include "calculators/calculator_inputs.hpp"
+#include "calculators/calculators.hpp"
 #include "cli/commands.hpp"
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
-#include "facade/calculator_inputs.hpp"
-#include "facade/calculators.hpp"
-#include "facade/validate.hpp"
+#include "reference/adapters.hpp"
+#include "reference/validate.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -30,8 +31,8 @@ std::string read_all(const std::string& name) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-const facade::CalculatorInfo& calculator(const std::string& name) {
-  for (const facade::CalculatorInfo& info : facade::calculators())
+const calculators::CalculatorInfo& calculator(const std::string& name) {
+  for (const calculators::CalculatorInfo& info : calculators::calculator_list())
     if (info.name == name) return info;
   throw InputError(
       fmt::format("there is no calculator named \"{}\"; `adore calc --list` shows them", name));
@@ -41,13 +42,13 @@ const facade::CalculatorInfo& calculator(const std::string& name) {
 void list_calculators(const std::string& name, bool json, bool describe) {
   if (json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const facade::CalculatorInfo& info : facade::calculators())
-      if (name.empty() || info.name == name) all.push_back(facade::describe_calculator(info));
+    for (const calculators::CalculatorInfo& info : calculators::calculator_list())
+      if (name.empty() || info.name == name) all.push_back(calculators::describe_calculator(info));
     fmt::print("{}\n", all.dump(2));
   } else if (describe && !name.empty()) {
-    fmt::print("{}", facade::describe_calculator_text(calculator(name)));
+    fmt::print("{}", calculators::describe_calculator_text(calculator(name)));
   } else {
-    for (const facade::CalculatorInfo& info : facade::calculators())
+    for (const calculators::CalculatorInfo& info : calculators::calculator_list())
       fmt::print("{:<20} {}\n", info.name, info.help);
     fmt::print(
         "`adore calc NAME --describe` lists inputs and results with units, and an example\n");
@@ -57,25 +58,25 @@ void list_calculators(const std::string& name, bool json, bool describe) {
 void calc(const std::string& name, const std::string& source) {
   const nlohmann::json input =
       parse_json(read_all(source), source == "-" ? "standard input" : source);
-  fmt::print("{}\n", facade::calculate(name, input).dump(2));
+  fmt::print("{}\n", calculators::calculate(name, input, reference::all_adapters()).dump(2));
 }
 
 int validate(const std::vector<std::string>& files, const std::string& report_file, bool quiet,
              bool json) {
   const std::vector<std::filesystem::path> paths(files.begin(), files.end());
-  const facade::ValidateReport report =
-      facade::validate_files(paths, [](const facade::FileResult& file) {
+  const reference::ValidateReport report =
+      reference::validate_files(paths, [](const reference::FileResult& file) {
         tell(fmt::format("{}: {} cases in {:.1f} s\n", file.file, file.cases.size(), file.seconds));
       });
   if (json)
-    fmt::print("{}\n", facade::report_json(report).dump(2));
+    fmt::print("{}\n", reference::report_json(report).dump(2));
   else if (!quiet)
-    fmt::print("{}", facade::report_text(report));
+    fmt::print("{}", reference::report_text(report));
   else
     fmt::print("{} passed, {} failed, {} not covered\n", report.pass, report.fail,
                report.not_covered);
   if (!report_file.empty())
-    write_text(report_file, "report.json", facade::report_json(report).dump(2) + "\n", paths);
+    write_text(report_file, "report.json", reference::report_json(report).dump(2) + "\n", paths);
   return report.fail > 0 ? 1 : 0;
 }
 
@@ -90,7 +91,8 @@ void add_calc(CLI::App& app, int& exit_code) {
     auto describe = std::make_shared<bool>(false);
     auto as_json = std::make_shared<bool>(false);
     std::vector<std::string> names;
-    for (const facade::CalculatorInfo& info : facade::calculators()) names.push_back(info.name);
+    for (const calculators::CalculatorInfo& info : calculators::calculator_list())
+      names.push_back(info.name);
     command_line::offer(
         command->add_option("name", *name, "calculator; see --list")->type_name("NAME"), names);
     command->add_option("input", *source, "file of inputs, or - for standard input")

@@ -65,7 +65,7 @@ void plan(const DeckOptions& options, bool json) {
   options.fill(request);
   const facade::Prepared prepared = facade::prepare(request);
   print_warnings(prepared.input.warnings);
-  const dynamics::ScenePlan scene = facade::plan_with_estimates(prepared);
+  const scene::ScenePlan scene = facade::plan_with_estimates(prepared);
   const facade::DiskUse disk = facade::disk_use(prepared, scene);
   if (json) {
     nlohmann::ordered_json out = facade::plan_json(scene, facade::stability_text(prepared));

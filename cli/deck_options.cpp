@@ -1,7 +1,7 @@
 #include "cli/deck_options.hpp"
 
 #include "base/errors.hpp"
-#include "build/run_control.hpp"
+#include "setup/run_control.hpp"
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
@@ -36,7 +36,7 @@ std::vector<std::string> variable_words() {
 
 std::vector<std::string> option_words() {
   std::vector<std::string> out;
-  for (const build::OptionInfo& info : build::run_option_list()) out.push_back(info.name + "=");
+  for (const setup::OptionInfo& info : setup::run_option_list()) out.push_back(info.name + "=");
   return out;
 }
 

@@ -1,6 +1,6 @@
 #include "facade/run.hpp"
 
-#include "build/run_control.hpp"
+#include "setup/run_control.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
 #include "cli/option_ranges.hpp"
@@ -49,12 +49,12 @@ struct RunOptions : DeckOptions {
 
 void list_options(bool json) {
   if (!json) {
-    for (const build::OptionInfo& info : build::run_option_list())
+    for (const setup::OptionInfo& info : setup::run_option_list())
       fmt::print("{:<20} {:<12} {}\n", info.name, info.default_value, info.meaning);
     return;
   }
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const build::OptionInfo& info : build::run_option_list())
+  for (const setup::OptionInfo& info : setup::run_option_list())
     list.push_back(
         {{"name", info.name}, {"default", info.default_value}, {"meaning", info.meaning}});
   write_text("", "", list.dump(2) + "\n");

@@ -1,9 +1,6 @@
 #pragma once
 
 #include "dynamics/evaluation.hpp"
-#include "dynamics/ledger.hpp"
-#include "dynamics/scene_plan.hpp"
-#include "dynamics/snapshot.hpp"
 #include "dynamics/system.hpp"
 
 #include <functional>

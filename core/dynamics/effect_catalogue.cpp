@@ -1,7 +1,7 @@
 #include "dynamics/effect_catalogue.hpp"
 
 #include "dynamics/effect_makers.hpp"
-#include "dynamics/ledger_terms.hpp"
+#include "scene/ledger_terms.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "dynamics/ledger.hpp"
-#include "dynamics/scene_plan.hpp"
+#include "dynamics/scene.hpp"
 
 #include <memory>
 #include <span>
@@ -18,7 +17,7 @@ struct CatalogueLine {
   std::string_view decided_by;  ///< deck variables that switch it, "-": always there
   std::string_view help;
   std::unique_ptr<SceneEffect> (*make)(const ScenePlan&);  ///< null where the plan leaves it out
-  std::span<const LedgerTerm* const> (*terms)();           ///< of the energy ledger; may be null
+  LedgerTerms (*terms)();                                  ///< of the energy ledger; may be null
 };
 
 /// In the order in which effects declare themselves: who needs another one comes after it.

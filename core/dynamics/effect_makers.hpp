@@ -7,7 +7,6 @@
 namespace adore::dynamics {
 
 using MadeEffect = std::unique_ptr<SceneEffect>;
-using LedgerTerms = std::span<const LedgerTerm* const>;
 
 MadeEffect make_balls(const ScenePlan& plan);
 MadeEffect make_ball_orientation(const ScenePlan& plan);

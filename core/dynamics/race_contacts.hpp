@@ -3,7 +3,7 @@
 #include "bearing/bearing.hpp"
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
-#include "dynamics/snapshot.hpp"
+#include "dynamics/scene.hpp"
 #include "tribology/ellipse_traction.hpp"
 
 #include <array>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
-#include "dynamics/scene_plan.hpp"
 #include "dynamics/system.hpp"
 #include "statics/ball_statics.hpp"
 

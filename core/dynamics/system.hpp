@@ -1,9 +1,7 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
-#include "dynamics/cost_ledger.hpp"
-#include "dynamics/scene_plan.hpp"
-#include "dynamics/snapshot.hpp"
+#include "dynamics/scene.hpp"
 #include "dynamics/state_layout.hpp"
 #include "statics/ball_statics.hpp"
 #include "tribology/ellipse_traction.hpp"
@@ -17,13 +15,6 @@
 /// The equations of motion of one ball bearing, assembled from the effects of its scene plan (mode
 /// 0).
 namespace adore::dynamics {
-
-/// Scales of the dimensionless time, length and force (N7, N11).
-struct Scales {
-  double length = 0.0;  ///< rolling-element radius [m]
-  double force = 0.0;   ///< largest applied load [N]
-  double time = 0.0;  ///< sqrt(m/k) of the stiffest element/race contact at the static solution [s]
-};
 
 struct SystemOptions {
   int ellipse_major = 15, ellipse_minor = 4;  ///< nodes of the run's split ellipse rule

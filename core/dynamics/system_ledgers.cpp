@@ -1,6 +1,6 @@
-#include "dynamics/ledger_terms.hpp"
 #include "dynamics/state_access.hpp"
 #include "dynamics/system_impl.hpp"
+#include "scene/ledger_terms.hpp"
 
 /// Conservation ledgers of a System: what bodies and effects store now, and the integrals that are
 /// items of a ledger.

@@ -22,7 +22,7 @@ struct EndState {
 };
 
 /// Smallest and longest step, and the order of methods that change theirs.
-integrators::StepControl limits_of(const build::RunControl& control, double time_scale) {
+integrators::StepControl limits_of(const setup::RunControl& control, double time_scale) {
   integrators::StepControl out;
   out.initial = control.step_initial * time_scale;
   out.minimum = control.step_minimum * time_scale;
@@ -65,10 +65,10 @@ EndState integrate(const Prepared& prepared, const std::string& method, double t
   out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   out.y.assign(stepper->state().begin(), stepper->state().end());
   out.counters = stepper->counters();
-  const dynamics::Snapshot snapshot = system.snapshot(stepper->time(), out.y);
+  const scene::Snapshot snapshot = system.snapshot(stepper->time(), out.y);
   out.energy_residual = std::abs(snapshot.energy.residual());
-  for (const dynamics::ElementSnapshot& element : snapshot.elements)
-    for (const dynamics::RaceContactSnapshot& contact : element.race)
+  for (const scene::ElementSnapshot& element : snapshot.elements)
+    for (const scene::RaceContactSnapshot& contact : element.race)
       out.loads.push_back(contact.load);
   return out;
 }

@@ -14,7 +14,7 @@ constexpr double kRounding = 1e-6;
 
 }  // namespace
 
-void check_cage_start(const Prepared& prepared, const dynamics::Snapshot& start) {
+void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
   if (start.cages.empty() || !prepared.bearing.cage) return;
   const bearing::Cage& cage = *prepared.bearing.cage;
   const deck::Deck& deck = prepared.input.deck;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "dynamics/snapshot.hpp"
 #include "facade/prepare.hpp"
+#include "scene/snapshot.hpp"
 
 /// Where record 9.6 puts the cage before the first step.
 namespace adore::facade {
@@ -11,6 +11,6 @@ namespace adore::facade {
 /// meant so and allowed.
 /// @param start snapshot of the first instant
 /// @throws InputError with the largest overlaps
-void check_cage_start(const Prepared& prepared, const dynamics::Snapshot& start);
+void check_cage_start(const Prepared& prepared, const scene::Snapshot& start);
 
 }  // namespace adore::facade

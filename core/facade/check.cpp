@@ -1,12 +1,12 @@
 #include "facade/check.hpp"
 
-#include "build/build_bearing.hpp"
-#include "build/build_life.hpp"
-#include "build/no_part.hpp"
-#include "build/run_control.hpp"
 #include "deck/unit_text.hpp"
 #include "facade/prepare.hpp"
 #include "life/parameters.hpp"
+#include "setup/build_bearing.hpp"
+#include "setup/build_life.hpp"
+#include "setup/no_part.hpp"
+#include "setup/run_control.hpp"
 #include "statics/ball_model.hpp"
 #include "statics/roller_model.hpp"
 #include "thermal/operating.hpp"
@@ -25,8 +25,8 @@ bool has_error(const std::vector<Issue>& issues) {
 
 /// What a run builds of a deck before it solves anything. @throws InputError
 void check_rest(const deck::Deck& deck, const bearing::Bearing& operating) {
-  (void)build::build_run_control(deck);
-  const bearing::LifeInputs life_inputs = build::build_life(deck);
+  (void)setup::build_run_control(deck);
+  const bearing::LifeInputs life_inputs = setup::build_life(deck);
   const bool line = operating.rollers.has_value();
   (void)life::life_parameters(life_inputs, line, operating.ball_material, operating.race_material);
   if (line)
@@ -38,7 +38,7 @@ void check_rest(const deck::Deck& deck, const bearing::Bearing& operating) {
 }  // namespace
 
 std::vector<Issue> check_model(const deck::Deck& deck) {
-  std::vector<Issue> issues = build::check_buildable(deck);
+  std::vector<Issue> issues = setup::check_buildable(deck);
   const bool runs = !has_error(issues);
   for (Issue& issue : issues)
     if (issue.severity == Severity::Error) {
@@ -50,17 +50,17 @@ std::vector<Issue> check_model(const deck::Deck& deck) {
     // A motion that cannot be run has a geometry all the same.
     model.set("mode", "-1");
     model.complete();
-    if (has_error(build::check_buildable(model))) return issues;
+    if (has_error(setup::check_buildable(model))) return issues;
   }
   model.reads = std::make_shared<deck::ReadLog>();
   try {
-    const bearing::Bearing operating = thermal::operating_bearing(build::build_bearing(model));
+    const bearing::Bearing operating = thermal::operating_bearing(setup::build_bearing(model));
     for (Issue& issue : operating_warnings(operating, deck.file))
       issues.push_back(std::move(issue));
     check_rest(model, operating);
     if (runs)
       if (std::optional<Issue> note =
-              build::note_of(build::values_without_part(model), model, issues))
+              setup::note_of(setup::values_without_part(model), model, issues))
         issues.push_back(std::move(*note));
   } catch (const InputError& error) {
     for (Issue issue : error.issues()) {

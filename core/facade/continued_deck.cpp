@@ -59,7 +59,7 @@ Issue note(const std::filesystem::path& file, std::string message) {
 }  // namespace
 
 std::vector<Issue> compare_with_stored(const std::string& stored, const deck::Deck& now,
-                                       const std::filesystem::path& file, build::StartState start) {
+                                       const std::filesystem::path& file, setup::StartState start) {
   if (stored.empty())
     return {note(file,
                  "the file does not hold the deck of its run: whether this deck fits it "
@@ -70,7 +70,7 @@ std::vector<Issue> compare_with_stored(const std::string& stored, const deck::De
         fmt::format("{}: the file is damaged: the deck in it does not read; take the "
                     "file of an earlier run, or start from statics (kIcOpt = 0)",
                     file.string()));
-  const bool continues = start == build::StartState::Continue;
+  const bool continues = start == setup::StartState::Continue;
   std::vector<Issue> refused;
   std::string accepted, idle;
   for (const deck::Difference& d : deck::differences(read.deck, now)) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/errors.hpp"
-#include "build/run_control.hpp"
+#include "setup/run_control.hpp"
 #include "deck/deck.hpp"
 
 #include <filesystem>
@@ -21,6 +21,6 @@ namespace adore::facade {
 [[nodiscard]] std::vector<Issue> compare_with_stored(const std::string& stored,
                                                      const deck::Deck& now,
                                                      const std::filesystem::path& file,
-                                                     build::StartState start);
+                                                     setup::StartState start);
 
 }  // namespace adore::facade

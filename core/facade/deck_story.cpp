@@ -1,8 +1,8 @@
 #include "facade/deck_story.hpp"
 
-#include "build/run_control.hpp"
 #include "deck/schema.hpp"
 #include "facade/check.hpp"
+#include "setup/run_control.hpp"
 
 #include <fmt/format.h>
 

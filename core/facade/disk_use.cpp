@@ -1,8 +1,9 @@
 #include "facade/disk_use.hpp"
 
+#include "dynamics/effect_catalogue.hpp"
+#include "listing/print_file.hpp"
 #include "results/averages.hpp"
 #include "results/channels.hpp"
-#include "results/print_file.hpp"
 #include "results/sol_writer.hpp"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@ double selected(double steps, int every) {
                    : 2.0;
 }
 
-double counted_steps(const Prepared& prepared, const dynamics::ScenePlan& plan, double time_scale) {
+double counted_steps(const Prepared& prepared, const scene::ScenePlan& plan, double time_scale) {
   const double most = static_cast<double>(prepared.control.max_steps);
   const double step = plan.expected_step * prepared.control.substeps;
   if (!(step > 0.0)) return most;
@@ -48,24 +49,25 @@ double DiskUse::total() const {
   return sum;
 }
 
-DiskUse disk_use(const Prepared& prepared, const dynamics::ScenePlan& plan) {
+DiskUse disk_use(const Prepared& prepared, const scene::ScenePlan& plan) {
   DiskUse out;
   if (!prepared.control.dynamic) return out;
-  const build::RunControl& control = prepared.control;
+  const setup::RunControl& control = prepared.control;
   const deck::UnitSystem units = prepared.input.deck.units();
   dynamics::System system = make_system(prepared);
   const std::vector<double> y = system.initial_state();
-  const dynamics::Snapshot snapshot = system.snapshot(0.0, y);
-  results::ChannelRecorder recorder(prepared.bearing, units);
+  const scene::Snapshot snapshot = system.snapshot(0.0, y);
+  results::ChannelRecorder recorder(prepared.bearing, units,
+                                    results::ChannelTable(dynamics::energy_terms()));
   const results::StepRecord& record = recorder.record(snapshot);
 
   out.steps = counted_steps(prepared, plan, system.scales().time);
   out.stored = selected(out.steps, control.plot_every);
 
-  results::Report report(prepared.bearing.run_id, units);
-  results::print_front(report, {prepared.input.deck, prepared.as_built, system.scales(), {}});
+  listing::Report report(prepared.bearing.run_id, units);
+  listing::print_front(report, {prepared.input.deck, prepared.as_built, system.scales(), {}});
   const double front = static_cast<double>(report.take().size());
-  results::print_step(report, snapshot, record, prepared.bearing, {}, control.print_option);
+  listing::print_step(report, snapshot, record, prepared.bearing, {}, control.print_option);
   const double page = static_cast<double>(report.take().size());
   out.files.emplace_back("PRINT.txt", front + page * selected(out.steps, control.print_every));
 

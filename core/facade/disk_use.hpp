@@ -22,7 +22,7 @@ struct DiskUse {
 /// number of steps that its interval selects. Only as good as the plan's estimate of the step.
 /// Empty for a quasi-static deck, whose two files stay below a megabyte.
 /// @param plan with its estimates
-[[nodiscard]] DiskUse disk_use(const Prepared& prepared, const dynamics::ScenePlan& plan);
+[[nodiscard]] DiskUse disk_use(const Prepared& prepared, const scene::ScenePlan& plan);
 
 /// Lines of `adore plan`; empty when there is nothing to say.
 [[nodiscard]] std::string disk_use_text(const DiskUse& use);

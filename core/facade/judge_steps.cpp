@@ -33,7 +33,7 @@ std::vector<VibrationBand> bands_of(const Prepared& prepared, double time_scale)
 }  // namespace
 
 JudgedSteps judge_steps(const Prepared& prepared, double time_scale) {
-  const build::RunControl& control = prepared.control;
+  const setup::RunControl& control = prepared.control;
   JudgedSteps out;
   out.request.method = control.integrator;
   out.request.minimum = control.step_minimum * time_scale;

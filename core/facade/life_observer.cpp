@@ -13,7 +13,7 @@ namespace adore::facade {
 LifeObserver::LifeObserver(const bearing::Bearing& bearing, const life::LifeParameters& parameters)
     : bearing_(bearing), calculator_(life::ball_life_geometry(bearing.balls), parameters) {}
 
-void LifeObserver::observe(const dynamics::Snapshot& snapshot) {
+void LifeObserver::observe(const scene::Snapshot& snapshot) {
   const bearing::LifeChoices& choices = calculator_.parameters().choices;
   const life::LifeState state =
       calculator_.evaluate(life::life_contacts(snapshot, bearing_), choices.stored_model);
@@ -33,9 +33,9 @@ void LifeObserver::observe(const dynamics::Snapshot& snapshot) {
   step_ = snapshot.step;
 }
 
-results::RunLife LifeObserver::run_life() const {
+listing::RunLife LifeObserver::run_life() const {
   const life::LifeParameters& p = calculator_.parameters();
-  results::RunLife out;
+  listing::RunLife out;
   out.damage = damage_;
   out.skipped_turns = p.choices.skip_turns;
   out.model = p.choices.stored_model;

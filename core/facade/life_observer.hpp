@@ -1,7 +1,7 @@
 #pragma once
 
 #include "life/bearing_life.hpp"
-#include "results/print_life.hpp"
+#include "listing/print_life.hpp"
 
 #include <map>
 #include <string>
@@ -16,13 +16,13 @@ class LifeObserver {
 
   /// The life at this instant's loads, and its damage since the instant before (linear between
   /// them).
-  void observe(const dynamics::Snapshot& snapshot);
+  void observe(const scene::Snapshot& snapshot);
   /// Of the last instant, as if its loads lasted for ever, by the model that SOL7 stores, at the
   /// deck's survival probability [hr]; infinity is a valid life, 0 before the first instant.
   [[nodiscard]] double hours() const noexcept { return hours_; }
   /// Number of that instant's step.
   [[nodiscard]] long step() const noexcept { return step_; }
-  [[nodiscard]] results::RunLife run_life() const;
+  [[nodiscard]] listing::RunLife run_life() const;
 
   /// For MASTER, and back.
   void save(std::map<std::string, double>& state) const;

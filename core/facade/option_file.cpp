@@ -2,7 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
-#include "build/run_control.hpp"
+#include "setup/run_control.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -52,7 +52,7 @@ Json json_of(const std::string& text) {
 const std::vector<RunOptionInfo>& run_options() {
   static const std::vector<RunOptionInfo> list = [] {
     std::vector<RunOptionInfo> out;
-    for (build::OptionInfo& option : build::run_option_list())
+    for (setup::OptionInfo& option : setup::run_option_list())
       out.push_back({option.name, option.default_value, option.meaning});
     return out;
   }();
@@ -63,7 +63,7 @@ std::string option_problem(std::string_view name, std::string_view value) {
   const RunOptionInfo* option = find_option(name);
   if (option == nullptr) return "is no run option";
   try {
-    (void)build::build_run_options({{std::string(name), std::string(value)}});
+    (void)setup::build_run_options({{std::string(name), std::string(value)}});
     return {};
   } catch (const InputError&) {
     return "is not valid: " + option->meaning;

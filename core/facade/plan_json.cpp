@@ -2,14 +2,14 @@
 
 namespace adore::facade {
 
-nlohmann::ordered_json plan_json(const dynamics::ScenePlan& plan, const std::string& stability) {
+nlohmann::ordered_json plan_json(const scene::ScenePlan& plan, const std::string& stability) {
   nlohmann::ordered_json out;
   out["bodies"] = nlohmann::ordered_json::array();
-  for (const dynamics::BodyEntry& body : plan.bodies)
+  for (const scene::BodyEntry& body : plan.bodies)
     out["bodies"].push_back(
         {{"name", body.name}, {"degrees", body.degrees}, {"unknowns", body.unknowns}});
   out["effects"] = nlohmann::ordered_json::array();
-  for (const dynamics::EffectEntry& effect : plan.effects)
+  for (const scene::EffectEntry& effect : plan.effects)
     out["effects"].push_back(
         {{"name", effect.name}, {"on", effect.on}, {"because", effect.because}});
   out["unknowns"] = plan.unknowns;

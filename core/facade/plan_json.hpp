@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/scene_plan.hpp"
+#include "scene/plan.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -10,7 +10,7 @@ namespace adore::facade {
 
 /// The scene plan as JSON: `adore plan --json` and RUN.json.
 /// @param stability what was decided on the integrator's steps; empty: nothing
-[[nodiscard]] nlohmann::ordered_json plan_json(const dynamics::ScenePlan& plan,
+[[nodiscard]] nlohmann::ordered_json plan_json(const scene::ScenePlan& plan,
                                                const std::string& stability);
 
 }  // namespace adore::facade

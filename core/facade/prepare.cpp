@@ -1,10 +1,6 @@
 #include "facade/prepare.hpp"
 
 #include "base/json_text.hpp"
-#include "build/build_bearing.hpp"
-#include "build/build_life.hpp"
-#include "build/no_part.hpp"
-#include "build/scene_plan.hpp"
 #include "deck/defaults.hpp"
 #include "deck/unit_text.hpp"
 #include "dynamics/race_contacts.hpp"
@@ -13,8 +9,12 @@
 #include "facade/static_plan.hpp"
 #include "facade/stiffness.hpp"
 #include "life/contact_strength.hpp"
-#include "results/ball_warnings.hpp"
+#include "listing/ball_warnings.hpp"
 #include "results/growing_file.hpp"
+#include "setup/build_bearing.hpp"
+#include "setup/build_life.hpp"
+#include "setup/no_part.hpp"
+#include "setup/scene_plan.hpp"
 #include "thermal/operating.hpp"
 #include "tribology/traction_curve.hpp"
 
@@ -110,7 +110,7 @@ void say_in_deck_units(Prepared& out) {
   for (statics::StiffnessRow& row : out.stiffness)
     if (row.operating) to_deck_units(row.operating->warnings, units);
   to_deck_units(out.life.notes, units);
-  for (dynamics::EffectEntry& effect : out.plan.effects)
+  for (scene::EffectEntry& effect : out.plan.effects)
     effect.because = deck::message_in_units(effect.because, units);
   if (out.life.iso) to_deck_units(out.life.iso->notes, units);
 }
@@ -119,21 +119,21 @@ Prepared prepare_model(LoadedDeck input) {
   Prepared out;
   out.input = std::move(input);
   const deck::Deck& deck = out.input.deck;
-  out.options = build::build_run_options(out.input.option_values);
+  out.options = setup::build_run_options(out.input.option_values);
   out.input.deck.reads = std::make_shared<deck::ReadLog>();
-  out.as_built = build::build_bearing(deck, out.options.seed);
+  out.as_built = setup::build_bearing(deck, out.options.seed);
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
-  for (Issue& issue : build::check_buildable(deck)) out.input.warnings.push_back(std::move(issue));
+  for (Issue& issue : setup::check_buildable(deck)) out.input.warnings.push_back(std::move(issue));
   out.bearing = thermal::operating_bearing(out.as_built);
   for (Issue& issue : operating_warnings(out.bearing, out.input.path.string()))
     out.input.warnings.push_back(std::move(issue));
-  out.control = build::build_run_control(deck);
-  const bearing::LifeInputs life_inputs = build::build_life(deck, out.options.life);
-  out.no_part = build::values_without_part(deck);
+  out.control = setup::build_run_control(deck);
+  const bearing::LifeInputs life_inputs = setup::build_life(deck, out.options.life);
+  out.no_part = setup::values_without_part(deck);
   out.input.deck.reads.reset();  // the rest reads the deck for texts
-  if (std::optional<Issue> note = build::note_of(out.no_part, deck, out.input.warnings))
+  if (std::optional<Issue> note = setup::note_of(out.no_part, deck, out.input.warnings))
     out.input.warnings.push_back(std::move(*note));
-  out.plan = out.control.dynamic ? build::make_scene_plan(deck, out.bearing, out.control)
+  out.plan = out.control.dynamic ? setup::make_scene_plan(deck, out.bearing, out.control)
                                  : static_plan(out);
   out.stiffness_seconds = timed([&] { out.stiffness = stiffness_over_speed(out); });
   // The first speed at which the table's geometry gives way.
@@ -160,7 +160,7 @@ Prepared prepare_model(LoadedDeck input) {
   }
   out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
   judge(life::contact_strength(out.bearing, out.statics));
-  for (const std::string& text : results::ball_warnings(
+  for (const std::string& text : listing::ball_warnings(
            out.bearing, out.statics, available_friction(deck, out.bearing), deck.units()))
     out.input.warnings.push_back(remark(Severity::Warning, out.input.path.string(), text));
   if (out.control.dynamic) {
@@ -268,7 +268,7 @@ Prepared prepare(const DeckRequest& request) {
 Prepared prepare(LoadedDeck input) {
   const std::string file = input.path.string();
   const deck::UnitSystem units = input.deck.units();
-  (void)build::build_run_options(input.option_values);  // what is wrong with them is not the deck's
+  (void)setup::build_run_options(input.option_values);  // what is wrong with them is not the deck's
   try {
     Prepared out = prepare_model(std::move(input));
     say_in_deck_units(out);
@@ -289,8 +289,8 @@ dynamics::System make_system(const Prepared& prepared) {
                           prepared.options.system);
 }
 
-dynamics::ScenePlan plan_with_estimates(const Prepared& prepared) {
-  dynamics::ScenePlan plan = prepared.plan;
+scene::ScenePlan plan_with_estimates(const Prepared& prepared) {
+  scene::ScenePlan plan = prepared.plan;
   if (!prepared.control.dynamic) return plan;
   dynamics::System system = make_system(prepared);
   dynamics::estimate(plan, prepared.bearing, prepared.start, system);
@@ -308,16 +308,16 @@ std::string stability_text(const Prepared& prepared) {
   return judge_steps(prepared, make_system(prepared).scales().time).text;
 }
 
-std::string plan_text(const Prepared& prepared, const dynamics::ScenePlan& plan) {
+std::string plan_text(const Prepared& prepared, const scene::ScenePlan& plan) {
   std::string out =
       fmt::format("{}\n{}\n\nbodies\n", prepared.input.path.string(), prepared.bearing.run_id);
-  for (const dynamics::BodyEntry& body : plan.bodies)
+  for (const scene::BodyEntry& body : plan.bodies)
     out += body.degrees.size() <= 52 ? fmt::format("  {:<24} {:<52} {:>5} unknowns\n", body.name,
                                                    body.degrees, body.unknowns)
                                      : fmt::format("  {:<24} {}\n  {:<24} {:<52} {:>5} unknowns\n",
                                                    body.name, body.degrees, "", "", body.unknowns);
   out += fmt::format("  {:<24} {:<52} {:>5}\n\neffects\n", "together", "", plan.unknowns);
-  for (const dynamics::EffectEntry& effect : plan.effects)
+  for (const scene::EffectEntry& effect : plan.effects)
     out +=
         fmt::format("  {:<3} {:<30} {}\n", effect.on ? "on" : "off", effect.name, effect.because);
   if (!prepared.control.dynamic) return out + static_cost_text(prepared);

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
-#include "build/run_control.hpp"
 #include "deck/deck.hpp"
 #include "deck/no_part.hpp"
-#include "dynamics/scene_plan.hpp"
 #include "dynamics/system.hpp"
 #include "life/bearing_life.hpp"
+#include "scene/plan.hpp"
+#include "setup/run_control.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_statics.hpp"
 #include "statics/stiffness_table.hpp"
@@ -63,9 +63,9 @@ struct Prepared {
   LoadedDeck input;
   bearing::Bearing as_built;  ///< of the deck: unmounted, at room temperature, at rest
   bearing::Bearing bearing;   ///< mounted and in operation; what statics and dynamics see
-  build::RunControl control;
-  build::RunOptions options;
-  dynamics::ScenePlan plan;
+  setup::RunControl control;
+  setup::RunOptions options;
+  scene::ScenePlan plan;
   statics::StaticSolution statics;  ///< balls: actual curvature, the quasi-static page
   std::optional<statics::RollerSolution> rollers;  ///< roller bearings, instead of it
   std::vector<statics::StiffnessRow> stiffness;    ///< kStif; empty when not asked for
@@ -108,10 +108,10 @@ struct Prepared {
 [[nodiscard]] dynamics::System make_system(const Prepared& prepared);
 
 /// Plan with its estimates (frequencies, step, cost) as text or JSON.
-[[nodiscard]] dynamics::ScenePlan plan_with_estimates(const Prepared& prepared);
+[[nodiscard]] scene::ScenePlan plan_with_estimates(const Prepared& prepared);
 /// What the integrator's steps do to contact vibrations, and what is done about it; empty for a
 /// quasi-static deck.
 [[nodiscard]] std::string stability_text(const Prepared& prepared);
-[[nodiscard]] std::string plan_text(const Prepared& prepared, const dynamics::ScenePlan& plan);
+[[nodiscard]] std::string plan_text(const Prepared& prepared, const scene::ScenePlan& plan);
 
 }  // namespace adore::facade

@@ -168,7 +168,7 @@ StepLimits settle_steps(Prepared& prepared, double time_scale) {
 }
 
 /// The deck's integrator. @throws InputError when it cannot do what the deck asks of it.
-std::unique_ptr<integrators::Stepper> make_checked_stepper(const build::RunControl& control,
+std::unique_ptr<integrators::Stepper> make_checked_stepper(const setup::RunControl& control,
                                                            const SystemOde& ode, bool held) {
   auto stepper = integrators::make_stepper(control.integrator);
   if (stepper->name() == "arkode-imex" && !ode.has_stiff_part())
@@ -209,8 +209,8 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
   // Everything is checked before a file of an earlier run is touched.
   (void)run_span(request, prepared, system.scales().time);
   const StepLimits limits = settle_steps(prepared, system.scales().time);
-  const build::StartState how =
-      request.go_on ? build::StartState::Continue : prepared.control.start;
+  const setup::StartState how =
+      request.go_on ? setup::StartState::Continue : prepared.control.start;
   const fs::path master = folder / prepared.control.master_file;
   if (request.go_on && !fs::exists(master))
     throw InputError(fmt::format(
@@ -295,7 +295,7 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
     again.initial = h;
     stepper->start(ode, stepper->time(), y, again);
   };
-  const bool may_hold = prepared.plan.has(dynamics::Effect::LightLoadBalance);
+  const bool may_hold = prepared.plan.has(scene::Effect::LightLoadBalance);
 
   const auto loop_begin = Clock::now();
   try {

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/version.hpp"
+#include "dynamics/effect_catalogue.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "facade/cage_start.hpp"
 #include "facade/continued_deck.hpp"
@@ -9,20 +10,20 @@
 #include "facade/output_folder.hpp"
 #include "facade/plan_json.hpp"
 #include "life/statistics.hpp"
+#include "listing/print_cage.hpp"
+#include "listing/print_file.hpp"
+#include "listing/print_fits.hpp"
+#include "listing/print_imperfections.hpp"
+#include "listing/solution_tables.hpp"
+#include "listing/static_cut.hpp"
+#include "listing/static_summary.hpp"
 #include "results/averages.hpp"
 #include "results/channels.hpp"
 #include "results/continuation.hpp"
-#include "results/print_cage.hpp"
-#include "results/print_file.hpp"
-#include "results/print_fits.hpp"
-#include "results/print_imperfections.hpp"
 #include "results/restart.hpp"
 #include "results/results_h5.hpp"
 #include "results/run_json.hpp"
 #include "results/sol_writer.hpp"
-#include "results/static_cut.hpp"
-#include "results/static_summary.hpp"
-#include "results/static_tables.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +39,7 @@ namespace fs = std::filesystem;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using dynamics::Snapshot;
+using scene::Snapshot;
 
 std::vector<std::string> component_names(const dynamics::System& system) {
   std::vector<std::string> out;
@@ -133,8 +134,8 @@ KeyResults static_results(const Prepared& prepared) {
 KeyResults dynamic_results(const Snapshot& last, const results::Averages& averages,
                            const results::MeanLoad& carried) {
   double load = 0.0, slip = 0.0;
-  for (const dynamics::ElementSnapshot& element : last.elements)
-    for (const dynamics::RaceContactSnapshot& contact : element.race) {
+  for (const scene::ElementSnapshot& element : last.elements)
+    for (const scene::RaceContactSnapshot& contact : element.race) {
       load = std::max(load, contact.load);
       slip = std::max(slip, contact.max_slip);
     }
@@ -161,9 +162,9 @@ struct RunOutputs::Impl {
   const Prepared& prepared;
   std::string request;
   bool overwrite;
-  const build::RunControl& control;
+  const setup::RunControl& control;
   fs::path folder;
-  dynamics::ScenePlan plan;
+  scene::ScenePlan plan;
   deck::UnitSystem units;
   results::ChannelRecorder recorder;
   results::RunAverages averages;
@@ -171,7 +172,7 @@ struct RunOutputs::Impl {
   std::vector<results::SolWriter> elements;  ///< SOL1..SOL6
   std::optional<results::SolWriter> power;   ///< SOL7
   std::optional<results::Sol8Writer> animation;
-  std::optional<results::PrintFile> print;
+  std::optional<listing::PrintFile> print;
   std::optional<results::H5Writer> all;  ///< RESULTS.h5
   std::uintmax_t print_bytes = 0;        ///< of a listing that is continued
   /// What the ledgers of a continued run began with, and their residual where it goes on.
@@ -201,7 +202,7 @@ struct RunOutputs::Impl {
         folder(std::move(f)),
         plan(p.plan),
         units(p.input.deck.units()),
-        recorder(p.bearing, units),
+        recorder(p.bearing, units, results::ChannelTable(dynamics::energy_terms())),
         life(p.bearing, p.life.parameters) {}
 
   [[nodiscard]] fs::path path(const std::string& name) const { return folder / name; }
@@ -225,10 +226,10 @@ struct RunOutputs::Impl {
   void check_files() const;
   void open_files(bool continued);
   void make_room();
-  void print_front(const std::optional<dynamics::Scales>& scales);
+  void print_front(const std::optional<scene::Scales>& scales);
   [[nodiscard]] results::FinalState final_state(const dynamics::System& system, const Snapshot& at,
                                                 std::span<const double> y) const;
-  [[nodiscard]] results::StaticSummary static_summary(bool dynamic) const;
+  [[nodiscard]] listing::StaticSummary static_summary(bool dynamic) const;
   void write_restart(const dynamics::System& system, const Snapshot& at, std::span<const double> y,
                      const Resume& resume);
   void save_progress(std::map<std::string, double>& state, const Snapshot& at,
@@ -241,7 +242,7 @@ struct RunOutputs::Impl {
     return results::mean_load(averages.averages(), prepared.bearing);
   }
   [[nodiscard]] results::RunSummary summary_of_deck() const;
-  void close(results::RunSummary& run, const std::optional<results::RunLife>& run_life = {});
+  void close(results::RunSummary& run, const std::optional<listing::RunLife>& run_life = {});
 };
 
 /// What this run will write, and what it reads.
@@ -263,7 +264,7 @@ Outputs RunOutputs::Impl::outputs() const {
 
 /// Refuses to continue files of another run or layout, before any of them is touched (N3).
 void RunOutputs::Impl::check_files() const {
-  results::PrintFile::check(path("PRINT.txt"), prepared.bearing.run_id);
+  listing::PrintFile::check(path("PRINT.txt"), prepared.bearing.run_id);
   const auto check = [&](std::size_t number, int index) {
     results::SolWriter::check(sol_path(number),
                               results::make_sol_header(prepared.bearing, index, units));
@@ -271,7 +272,8 @@ void RunOutputs::Impl::check_files() const {
   for (std::size_t k = 0; k < control.monitored.size() && k < 6; ++k)
     check(k + 1, control.monitored[k]);
   check(7, 0);
-  if (prepared.options.results_h5) results::H5Writer::check(path("RESULTS.h5"), prepared.bearing);
+  if (prepared.options.results_h5)
+    results::H5Writer::check(path("RESULTS.h5"), prepared.bearing, recorder.table());
   if (writes_animation()) results::Sol8Writer::check(sol_path(8), prepared.bearing, units);
 }
 
@@ -282,7 +284,7 @@ bool RunOutputs::Impl::writes_animation() const {
 void RunOutputs::Impl::make_room() {
   Outputs all_outputs = outputs();
   // Its state is the start; the first checkpoint takes its place.
-  if (control.start != build::StartState::Statics)
+  if (control.start != setup::StartState::Statics)
     std::erase(all_outputs.names, control.final_file);
   const fs::path away = facade::make_room(all_outputs);
   if (!away.empty())
@@ -292,9 +294,9 @@ void RunOutputs::Impl::make_room() {
 
 void RunOutputs::Impl::open_files(bool continued) {
   written.push_back(path("PRINT.txt"));
-  print = continued ? results::PrintFile::continue_after(path("PRINT.txt"), prepared.bearing.run_id,
+  print = continued ? listing::PrintFile::continue_after(path("PRINT.txt"), prepared.bearing.run_id,
                                                          units, print_bytes)
-                    : results::PrintFile::create(path("PRINT.txt"), prepared.bearing.run_id, units);
+                    : listing::PrintFile::create(path("PRINT.txt"), prepared.bearing.run_id, units);
   const auto open = [&](std::size_t number, int index) {
     const results::SolHeader header = results::make_sol_header(prepared.bearing, index, units);
     written.push_back(sol_path(number));
@@ -306,8 +308,10 @@ void RunOutputs::Impl::open_files(bool continued) {
   power = open(7, 0);
   if (prepared.options.results_h5) {
     written.push_back(path("RESULTS.h5"));
-    all = continued ? results::H5Writer::continue_after(path("RESULTS.h5"), prepared.bearing, saved)
-                    : results::H5Writer::create(path("RESULTS.h5"), prepared.bearing);
+    all = continued
+              ? results::H5Writer::continue_after(path("RESULTS.h5"), prepared.bearing,
+                                                  recorder.table(), saved)
+              : results::H5Writer::create(path("RESULTS.h5"), prepared.bearing, recorder.table());
   }
   if (!control.animate) return;
   if (const auto refusal = results::sol8_refusal(prepared.bearing.balls.count, cages())) {
@@ -364,11 +368,11 @@ constexpr const char* kResidual = "ledger residual";
 
 /// The same ledger with another start.
 template <class Value>
-void set_start(dynamics::Ledger<Value>& ledger, const Value& start) {
-  dynamics::Ledger<Value> out;
+void set_start(scene::Ledger<Value>& ledger, const Value& start) {
+  scene::Ledger<Value> out;
   for (const auto& item : ledger.items())
-    out.add(*item.term, item.term->kind == dynamics::LedgerKind::Start ? start : item.value,
-            item.race, item.rate);
+    out.add(*item.term, item.term->kind == scene::LedgerKind::Start ? start : item.value, item.race,
+            item.rate);
   ledger = std::move(out);
 }
 
@@ -382,11 +386,11 @@ std::string momentum_name(std::string_view kind, int axis) {
 /// which belongs to one method with its limits.
 void RunOutputs::Impl::save_progress(std::map<std::string, double>& state, const Snapshot& at,
                                      const Resume& resume) const {
-  state[kStored] = at.energy.sum(dynamics::LedgerKind::Start);
+  state[kStored] = at.energy.sum(scene::LedgerKind::Start);
   state[kResidual] = at.energy.residual();
   for (int k = 0; at.momentum && k < 3; ++k) {
-    state[momentum_name("linear", k)] = at.momentum->linear.sum(dynamics::LedgerKind::Start)[k];
-    state[momentum_name("angular", k)] = at.momentum->angular.sum(dynamics::LedgerKind::Start)[k];
+    state[momentum_name("linear", k)] = at.momentum->linear.sum(scene::LedgerKind::Start)[k];
+    state[momentum_name("angular", k)] = at.momentum->angular.sum(scene::LedgerKind::Start)[k];
   }
   const auto whole = [&](const char* name, long value) {
     state[name] = static_cast<double>(value);
@@ -507,7 +511,7 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
   out.plan = plan_json(plan, prepared.stability);
   out.stability = prepared.stability;
   out.request = request;
-  for (const build::OptionInfo& info : build::run_option_list()) {
+  for (const setup::OptionInfo& info : setup::run_option_list()) {
     const auto given = prepared.input.option_values.find(info.name);
     const bool set = given != prepared.input.option_values.end();
     out.options.emplace_back(info.name, set ? given->second : info.default_value);
@@ -521,23 +525,23 @@ results::RunSummary RunOutputs::Impl::summary_of_deck() const {
   const bearing::Imperfections& imperfections = prepared.bearing.imperfections;
   if (imperfections.elements == bearing::ElementErrors::Random)
     out.seeds.emplace_back("geometric imperfections", static_cast<long>(imperfections.seed));
-  out.imperfections = results::imperfections_json(prepared.bearing);
+  out.imperfections = listing::imperfections_json(prepared.bearing);
   if (prepared.bearing.operating) {
-    out.operating = results::fits_json(*prepared.bearing.operating);
-    if (prepared.bearing.cage) out.operating["cage"] = results::cage_json(prepared.bearing);
+    out.operating = listing::fits_json(*prepared.bearing.operating);
+    if (prepared.bearing.cage) out.operating["cage"] = listing::cage_json(prepared.bearing);
   }
-  out.life["quasi-static"] = results::life_json(prepared.life);
+  out.life["quasi-static"] = listing::life_json(prepared.life);
   return out;
 }
 
 /// Of the equilibrium that PRINT.txt shows: a dynamic run's starts from frozen Hertz constants.
-results::StaticSummary RunOutputs::Impl::static_summary(bool dynamic) const {
-  if (prepared.rollers) return results::summarise(*prepared.rollers, prepared.bearing);
-  return results::summarise(dynamic ? prepared.start : prepared.statics, prepared.bearing);
+listing::StaticSummary RunOutputs::Impl::static_summary(bool dynamic) const {
+  if (prepared.rollers) return listing::summarise(*prepared.rollers, prepared.bearing);
+  return listing::summarise(dynamic ? prepared.start : prepared.statics, prepared.bearing);
 }
 
 /// Everything of PRINT.txt that is known before the first step.
-void RunOutputs::Impl::print_front(const std::optional<dynamics::Scales>& scales) {
+void RunOutputs::Impl::print_front(const std::optional<scene::Scales>& scales) {
   print->front({prepared.input.deck, prepared.as_built, scales, summary_of_deck().options});
   std::vector<std::string> warnings;
   for (Issue issue : prepared.input.warnings) {
@@ -555,7 +559,7 @@ void RunOutputs::Impl::print_front(const std::optional<dynamics::Scales>& scales
 }
 
 void RunOutputs::Impl::close(results::RunSummary& run,
-                             const std::optional<results::RunLife>& run_life) {
+                             const std::optional<listing::RunLife>& run_life) {
   written.push_back(path("RUN.json"));
   for (const fs::path& file : written) run.files.push_back(file.filename().string());
   print->ledgers(run, plan, run_life);
@@ -569,28 +573,28 @@ RunOutputs::~RunOutputs() = default;
 
 void RunOutputs::remark(std::string text) { impl_->remark(std::move(text)); }
 
-StartPoint RunOutputs::find_start(dynamics::System& system, build::StartState start) {
+StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState start) {
   Impl& s = *impl_;
   StartPoint out;
   out.y = system.initial_state();
   std::error_code error;
   const bool master_exists = fs::exists(s.path(s.control.master_file), error);
-  if (start == build::StartState::Continue && !master_exists) {
+  if (start == setup::StartState::Continue && !master_exists) {
     s.remark(fmt::format("kIcOpt = 1, and there is no {}: a new run from {}", s.control.master_file,
                          s.control.final_file));
-    start = build::StartState::FromFinal;
+    start = setup::StartState::FromFinal;
   }
   const auto compare = [&](const results::FinalState& stored, const fs::path& file) {
     for (Issue& note : compare_with_stored(stored.deck, s.prepared.input.deck, file, start))
       s.remarks.push_back(std::move(note));
   };
-  if (start == build::StartState::FromFinal) {
+  if (start == setup::StartState::FromFinal) {
     const fs::path file = s.path(s.control.final_file);
     const results::FinalState from = results::read_final(file);
     results::check_bodies(from, component_names(system), file);
     compare(from, file);
     take_state(from, system, out.y);
-  } else if (start == build::StartState::Continue) {
+  } else if (start == setup::StartState::Continue) {
     const results::MasterState master = results::read_master(s.path(s.control.master_file));
     results::check_run_id(s.path(s.control.master_file), master.last.run_id,
                           s.prepared.bearing.run_id);
@@ -617,7 +621,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, build::StartState st
     if (listing != nullptr) s.print_bytes = listing->bytes;
     out.complete = results::read_run_mark(s.path("RUN.json")).status == "done";
   }
-  if (start == build::StartState::Statics) {
+  if (start == setup::StartState::Statics) {
     system.set_start(out.time, out.y);
     check_cage_start(s.prepared, system.snapshot(out.time, out.y));
   }
@@ -664,7 +668,7 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
 }
 
 bool RunOutputs::wants(long step) const {
-  const build::RunControl& c = impl_->control;
+  const setup::RunControl& c = impl_->control;
   return due(step, c.print_every) || due(step, c.plot_every) || due(step, c.animate_every) ||
          due(step, c.life_every);
 }
@@ -774,7 +778,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
                   {"restarts", c.restarts},
                   {"jacobians", c.jacobians},
                   {"nonlinear_iterations", c.nonlinear_iterations}};
-  if (s.plan.has(dynamics::Effect::LightLoadBalance))
+  if (s.plan.has(scene::Effect::LightLoadBalance))
     run.counters.emplace_back("changes of held elements", end.held_changes);
   run.energy = s.last.energy;
   run.load = s.mean_load();
@@ -786,11 +790,11 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   run.seconds = end.loop_seconds;
   s.key_results = dynamic_results(s.last, s.averages.averages(), s.mean_load());
   add_lives(s.key_results, s.prepared.life);
-  const results::RunLife run_life = s.life.run_life();
+  const listing::RunLife run_life = s.life.run_life();
   if (run_life.damage.seconds() > 0.0)
     s.key_results.emplace_back("run_life_hours", run_life.damage.life_hours(run_life.slopes));
   run.summary = s.key_results;
-  run.life["run"] = results::run_life_json(run_life);
+  run.life["run"] = listing::run_life_json(run_life);
   s.close(run, run_life);
 }
 
@@ -799,28 +803,28 @@ std::vector<std::string> RunOutputs::write_quasi_static() {
   check_room(s.outputs(), s.overwrite);
   s.make_room();
   s.written.push_back(s.path("PRINT.txt"));
-  s.print = results::PrintFile::create(s.path("PRINT.txt"), s.prepared.bearing.run_id, s.units);
+  s.print = listing::PrintFile::create(s.path("PRINT.txt"), s.prepared.bearing.run_id, s.units);
   s.print_front(std::nullopt);
   results::RunSummary run = s.summary_of_deck();
   run.status = "done";
   s.key_results = static_results(s.prepared);
   if (s.prepared.bearing.operating)
-    for (auto& item : results::fits_summary(*s.prepared.bearing.operating))
+    for (auto& item : listing::fits_summary(*s.prepared.bearing.operating))
       s.key_results.push_back(std::move(item));
   add_lives(s.key_results, s.prepared.life);
   run.summary = s.key_results;
   results::StaticTables tables =
-      s.prepared.rollers ? results::static_tables(*s.prepared.rollers, s.prepared.bearing, s.units)
-                         : results::static_tables(s.prepared.statics, s.prepared.bearing, s.units);
+      s.prepared.rollers ? listing::static_tables(*s.prepared.rollers, s.prepared.bearing, s.units)
+                         : listing::static_tables(s.prepared.statics, s.prepared.bearing, s.units);
   if (s.prepared.rollers)
-    results::add_cut(tables, *s.prepared.rollers, s.prepared.bearing);
+    listing::add_cut(tables, *s.prepared.rollers, s.prepared.bearing);
   else
-    results::add_cut(tables, s.prepared.statics, s.prepared.bearing);
+    listing::add_cut(tables, s.prepared.statics, s.prepared.bearing);
   if (!s.prepared.stiffness.empty())
-    tables.tables.push_back(results::stiffness_over_speed(s.prepared.stiffness));
+    tables.tables.push_back(listing::stiffness_over_speed(s.prepared.stiffness));
   run.quasi_static = results::to_json(tables);
   s.close(run);
-  return results::summary_lines(s.static_summary(false), s.prepared.bearing, s.prepared.life,
+  return listing::summary_lines(s.static_summary(false), s.prepared.bearing, s.prepared.life,
                                 s.units);
 }
 

@@ -64,7 +64,7 @@ class RunOutputs {
 
   /// Finds the start state (statics, FINAL, or MASTER's run) and checks every file that will be
   /// written; touches none.
-  [[nodiscard]] StartPoint find_start(dynamics::System& system, build::StartState start);
+  [[nodiscard]] StartPoint find_start(dynamics::System& system, setup::StartState start);
   /// Opens every file for a run from there, and writes the front part of PRINT.txt.
   void open(dynamics::System& system, const StartPoint& start);
   /// Says something in RUN.json and on the last page, and to whoever asks for remarks().

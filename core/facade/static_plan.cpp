@@ -1,6 +1,6 @@
 #include "facade/static_plan.hpp"
 
-#include "build/no_part.hpp"
+#include "setup/no_part.hpp"
 
 #include <fmt/format.h>
 
@@ -13,17 +13,17 @@ using bearing::Bearing;
 using deck::Deck;
 
 /// Effects are asked for by their number in dynamic plans only; here all belong to the contacts.
-constexpr auto kContacts = dynamics::Effect::RaceContact;
+constexpr auto kContacts = scene::Effect::RaceContact;
 
 class Entries {
  public:
-  explicit Entries(dynamics::ScenePlan& plan) : plan_(plan) {}
+  explicit Entries(scene::ScenePlan& plan) : plan_(plan) {}
   void add(std::string name, bool on, std::string because) {
     plan_.effects.push_back({kContacts, std::move(name), on, std::move(because)});
   }
 
  private:
-  dynamics::ScenePlan& plan_;
+  scene::ScenePlan& plan_;
 };
 
 std::string given(const Deck& deck, const char* name) {
@@ -122,14 +122,14 @@ void results(Entries& out, const Prepared& p) {
               std::to_string(deck.integer("nCseg")) + ")");
   out.add("friction, gravity, cage forces", false, "mode = -1: no part of the equilibrium");
   for (const deck::NoPart& value : p.no_part)
-    if (build::asks_for_an_effect(value))
+    if (setup::asks_for_an_effect(value))
       out.add(fmt::format("{} = {}", value.variable, value.value), false, value.because);
 }
 
 }  // namespace
 
-dynamics::ScenePlan static_plan(const Prepared& prepared) {
-  dynamics::ScenePlan plan;
+scene::ScenePlan static_plan(const Prepared& prepared) {
+  scene::ScenePlan plan;
   const Bearing& b = prepared.bearing;
   const int n = b.element_count();
   plan.bodies.push_back(
@@ -150,7 +150,7 @@ dynamics::ScenePlan static_plan(const Prepared& prepared) {
   plan.bodies.push_back(
       {"inner race", found.empty() ? inner : fmt::format("found: {}; {}", found, inner), unknowns});
   if (!held.empty()) plan.bodies.push_back({"inner race, held", held, 0});
-  for (const dynamics::BodyEntry& body : plan.bodies) plan.unknowns += body.unknowns;
+  for (const scene::BodyEntry& body : plan.bodies) plan.unknowns += body.unknowns;
   Entries entries(plan);
   contact_model(entries, prepared);
   surroundings(entries, prepared);

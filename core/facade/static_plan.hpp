@@ -8,7 +8,7 @@ namespace adore::facade {
 /// Bodies with the unknowns that the constraints leave them, and every part of the model with the
 /// deck variable or run option that turns it on or off. `prepared` needs its deck, bearing, control
 /// and options; nothing has been solved yet.
-[[nodiscard]] dynamics::ScenePlan static_plan(const Prepared& prepared);
+[[nodiscard]] scene::ScenePlan static_plan(const Prepared& prepared);
 
 /// Size of the problem and what its solution took just now.
 [[nodiscard]] std::string static_cost_text(const Prepared& prepared);

@@ -145,12 +145,12 @@ BearingContacts life_contacts(const statics::RollerSolution& solution,
   return out;
 }
 
-BearingContacts life_contacts(const dynamics::Snapshot& snapshot, const bearing::Bearing& bearing) {
+BearingContacts life_contacts(const scene::Snapshot& snapshot, const bearing::Bearing& bearing) {
   BearingContacts out;
   for (std::size_t i = 0; i < 2; ++i) {
     MeanAngle angle;
-    for (const dynamics::ElementSnapshot& element : snapshot.elements) {
-      const dynamics::RaceContactSnapshot& c = element.race[i];
+    for (const scene::ElementSnapshot& element : snapshot.elements) {
+      const scene::RaceContactSnapshot& c = element.race[i];
       out.race[i].patches.push_back({c.load, c.half_major, c.half_minor, c.max_pressure});
       angle.add(c.load, c.angle);
     }
@@ -158,8 +158,8 @@ BearingContacts life_contacts(const dynamics::Snapshot& snapshot, const bearing:
   }
   set_motion(out, snapshot.races[0].omega.x(), snapshot.races[1].omega.x());
   if (out.relative_speed > 0.0)
-    for (const dynamics::ElementSnapshot& element : snapshot.elements) {
-      const dynamics::Vec3 orbiting = element.omega - dynamics::Vec3(element.theta_dot, 0.0, 0.0);
+    for (const scene::ElementSnapshot& element : snapshot.elements) {
+      const scene::Vec3 orbiting = element.omega - scene::Vec3(element.theta_dot, 0.0, 0.0);
       out.element_turns.push_back(orbiting.norm() / out.relative_speed);
     }
   return out;

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
-#include "dynamics/snapshot.hpp"
 #include "life/stress_life.hpp"
+#include "scene/snapshot.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_statics.hpp"
 
@@ -61,7 +61,7 @@ struct BearingContacts {
 [[nodiscard]] BearingContacts life_contacts(const statics::RollerSolution& solution,
                                             const bearing::Bearing& bearing);
 /// From one instant of a dynamic run, with the elements' own spin.
-[[nodiscard]] BearingContacts life_contacts(const dynamics::Snapshot& snapshot,
+[[nodiscard]] BearingContacts life_contacts(const scene::Snapshot& snapshot,
                                             const bearing::Bearing& bearing);
 
 }  // namespace adore::life

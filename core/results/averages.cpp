@@ -4,22 +4,21 @@
 
 namespace adore::results {
 
-RunAverages::Totals RunAverages::totals(const dynamics::Snapshot& snapshot) {
+RunAverages::Totals RunAverages::totals(const scene::Snapshot& snapshot) {
   Totals totals;
   totals.time = snapshot.time;
   totals.shaft = snapshot.shaft_rotation;
-  for (const dynamics::ElementSnapshot& element : snapshot.elements)
-    totals.elements += element.theta;
+  for (const scene::ElementSnapshot& element : snapshot.elements) totals.elements += element.theta;
   if (!snapshot.elements.empty()) totals.elements /= static_cast<double>(snapshot.elements.size());
   if (!snapshot.cages.empty()) totals.cage = snapshot.cages.front().total_rotation;
-  totals.heat = snapshot.energy.sum(dynamics::LedgerKind::Heat);
+  totals.heat = snapshot.energy.sum(scene::LedgerKind::Heat);
   return totals;
 }
 
-void RunAverages::add(const dynamics::Snapshot& snapshot) {
+void RunAverages::add(const scene::Snapshot& snapshot) {
   const double before = now_.time;
   now_ = totals(snapshot);
-  const dynamics::Vec3& force = snapshot.races[1].applied_force;
+  const scene::Vec3& force = snapshot.races[1].applied_force;
   if (started_) impulse_ += 0.5 * (now_.time - before) * (force_ + force);
   force_ = force;
   loss_ = snapshot.power.total_loss;
@@ -28,7 +27,7 @@ void RunAverages::add(const dynamics::Snapshot& snapshot) {
   if (!snapshot.cages.empty()) add_cage_position(snapshot.cages.front().position);
 }
 
-void RunAverages::add_cage_position(const dynamics::Vec3& position) {
+void RunAverages::add_cage_position(const scene::Vec3& position) {
   const double angle = orbit_motion(position, Vec3::Zero(), Vec3::Zero()).theta;
   whirl_now_ = whirl_started_ ? nearest_branch(angle, whirl_now_) : angle;
   if (!whirl_started_) whirl_start_ = whirl_now_;
@@ -45,7 +44,7 @@ Averages RunAverages::averages() const {
     out.whirl_ratio = (whirl_now_ - whirl_start_) / turned;
   }
   out.power_loss = out.time > 0.0 ? (now_.heat - start_.heat) / out.time : loss_;
-  out.load = out.time > 0.0 ? dynamics::Vec3(impulse_ / out.time) : force_;
+  out.load = out.time > 0.0 ? scene::Vec3(impulse_ / out.time) : force_;
   return out;
 }
 

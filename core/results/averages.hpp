@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/snapshot.hpp"
+#include "scene/snapshot.hpp"
 
 #include <map>
 #include <string>
@@ -15,8 +15,8 @@ struct Averages {
   double cage_ratio = 0.0;     ///< cage speed about its own axis
   double whirl_ratio = 0.0;    ///< speed of the cage's mass centre about the bearing axis
   double power_loss = 0.0;     ///< [W]
-  dynamics::Vec3 load = dynamics::Vec3::Zero();  ///< what held the inner race against the elements
-                                                 ///< [N], base frame
+  scene::Vec3 load = scene::Vec3::Zero();  ///< what held the inner race against the elements
+                                           ///< [N], base frame
 };
 
 /// Accumulates them. All but the whirl come from angles and heats that the run itself integrates,
@@ -26,9 +26,9 @@ struct Averages {
 /// load is the trapezoidal mean over the snapshots: sampled, not integrated by the run.
 class RunAverages {
  public:
-  void add(const dynamics::Snapshot& snapshot);
+  void add(const scene::Snapshot& snapshot);
   /// Only the cage's mass centre, for steps that make no snapshot [m].
-  void add_cage_position(const dynamics::Vec3& position);
+  void add_cage_position(const scene::Vec3& position);
   [[nodiscard]] Averages averages() const;
 
   /// For MASTER, and back. restore() leaves the object as new when the map holds no averages.
@@ -40,17 +40,17 @@ class RunAverages {
     double time = 0.0, shaft = 0.0, elements = 0.0, cage = 0.0,
            heat = 0.0;  ///< [s, rad, rad, rad, J]
   };
-  static Totals totals(const dynamics::Snapshot& snapshot);
+  static Totals totals(const scene::Snapshot& snapshot);
   template <class Self, class Visit>
   static void visit(Self& self, Visit visit);
 
   bool started_ = false, whirl_started_ = false;
   Totals start_, now_;
   double whirl_start_ = 0.0,
-         whirl_now_ = 0.0;  ///< continuous azimuth of the cage's mass centre [rad]
-  double loss_ = 0.0;       ///< of the last snapshot [W]
-  dynamics::Vec3 force_ = dynamics::Vec3::Zero();    ///< on the inner race, last snapshot [N]
-  dynamics::Vec3 impulse_ = dynamics::Vec3::Zero();  ///< its time integral [N s]
+         whirl_now_ = 0.0;                   ///< continuous azimuth of the cage's mass centre [rad]
+  double loss_ = 0.0;                        ///< of the last snapshot [W]
+  scene::Vec3 force_ = scene::Vec3::Zero();  ///< on the inner race, last snapshot [N]
+  scene::Vec3 impulse_ = scene::Vec3::Zero();  ///< its time integral [N s]
 };
 
 }  // namespace adore::results

@@ -1,27 +1,25 @@
-#include "dynamics/effect_catalogue.hpp"
 #include "results/channels.hpp"
 #include "results/motion.hpp"
-#include "results/print_life.hpp"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <deque>
+#include <cmath>
 #include <string>
 
 /// The table itself. Adding a quantity is one entry here (and one column in sol_columns.cpp when a
-/// classic file has it).
+/// classic file has it); the items of the energy ledger come from the effects that make them.
 namespace adore::results {
 namespace {
 
 using Source = ChannelSource;
 
 OrbitMotion cage_orbit(const Source& s) {
-  const dynamics::CageSnapshot& cage = s.cage_body();
+  const scene::CageSnapshot& cage = s.cage_body();
   return orbit_motion(cage.position, cage.velocity, cage.acceleration);
 }
 OrbitMotion race_orbit(const Source& s) {
-  const dynamics::RaceSnapshot& race = s.race_body();
+  const scene::RaceSnapshot& race = s.race_body();
   return orbit_motion(race.position, race.velocity, race.acceleration);
 }
 /// A speed over that of the faster race (N54); 0 when both races stand still.
@@ -29,6 +27,8 @@ double over_race_speed(const Source& s, double speed) {
   const double base = faster_race_speed(*s.snapshot);
   return base == 0.0 ? 0.0 : speed / base;
 }
+/// A life as a plot file of fixed width stores it: 9.9999999E+30 stands for infinity (N77).
+double plotted_life(double life) { return std::isinf(life) ? 9.9999999e30 : life; }
 double cage_clearance(const Source& s) {
   return cage_clearance_scale(*s.bearing->cage, s.unit_length);
 }
@@ -261,38 +261,32 @@ constexpr auto kTable = std::to_array<Channel>({
      [](const Source& s) { return s.bearing->cage_temperature; }, "cage"},
 });
 
-/// Of the conservation ledger: a channel for each item that it may hold, and the heat now of those
-/// that no race owns.
-std::vector<Channel> with_ledger() {
-  using dynamics::LedgerKind;
-  static std::deque<std::string> ids;  // outlive the channels
-  std::vector<Channel> all(kTable.begin(), kTable.end());
-  const std::vector<const dynamics::LedgerTerm*> terms = dynamics::energy_terms();
-  for (const dynamics::LedgerTerm* term : terms)
-    if (term->kind == LedgerKind::Heat && !term->per_race())
-      all.push_back({ids.emplace_back(fmt::format("power.{}", term->id)), term->label,
-                     &unit::kPower, term->frame, Per::Run, 1, false,
-                     [](const Source& s) { return s.snapshot->energy.rate(s.term->id); },
-                     "dissipated now", term});
-  for (const dynamics::LedgerTerm* term : terms)
-    all.push_back({ids.emplace_back(fmt::format("energy.{}", term->id)), term->label,
-                   &unit::kEnergy, term->frame, term->per_race() ? Per::Race : Per::Run, 1, false,
-                   [](const Source& s) {
-                     return s.snapshot->energy.value(
-                         s.term->id, s.term->per_race() ? static_cast<int>(s.race) : 0);
-                   },
-                   term->help, term});
-  all.push_back({"energy.residual", "energy residual", &unit::kEnergy, "-", Per::Run, 1, false,
-                 [](const Source& s) { return s.snapshot->energy.residual(); },
-                 "work less heat less change of stored energy"});
-  return all;
-}
-
 }  // namespace
 
-std::span<const Channel> channels() {
-  static const std::vector<Channel> all = with_ledger();
-  return all;
+std::span<const Channel> channels() { return kTable; }
+
+ChannelTable::ChannelTable(scene::LedgerTerms energy) : channels_(kTable.begin(), kTable.end()) {
+  using scene::LedgerKind;
+  const auto ids = std::make_shared<std::deque<std::string>>();
+  for (const scene::LedgerTerm* term : energy)
+    if (term->kind == LedgerKind::Heat && !term->per_race())
+      channels_.push_back({ids->emplace_back(fmt::format("power.{}", term->id)), term->label,
+                           &unit::kPower, term->frame, Per::Run, 1, false,
+                           [](const Source& s) { return s.snapshot->energy.rate(s.term->id); },
+                           "dissipated now", term});
+  for (const scene::LedgerTerm* term : energy)
+    channels_.push_back({ids->emplace_back(fmt::format("energy.{}", term->id)), term->label,
+                         &unit::kEnergy, term->frame, term->per_race() ? Per::Race : Per::Run, 1,
+                         false,
+                         [](const Source& s) {
+                           return s.snapshot->energy.value(
+                               s.term->id, s.term->per_race() ? static_cast<int>(s.race) : 0);
+                         },
+                         term->help, term});
+  channels_.push_back({"energy.residual", "energy residual", &unit::kEnergy, "-", Per::Run, 1,
+                       false, [](const Source& s) { return s.snapshot->energy.residual(); },
+                       "work less heat less change of stored energy"});
+  ids_ = ids;
 }
 
 }  // namespace adore::results

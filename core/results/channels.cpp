@@ -114,10 +114,12 @@ std::size_t channel_size(const Channel& channel, const Shape& shape) {
   return static_cast<std::size_t>(count * channel.components);
 }
 
-ChannelRecorder::ChannelRecorder(bearing::Bearing bearing, UnitSystem units)
-    : bearing_(std::move(bearing)), unit_length_(to_si(1.0, unit::kLength, units)) {
+ChannelRecorder::ChannelRecorder(bearing::Bearing bearing, UnitSystem units, ChannelTable table)
+    : bearing_(std::move(bearing)),
+      table_(std::move(table)),
+      unit_length_(to_si(1.0, unit::kLength, units)) {
   record_.shape = shape_of(bearing_);
-  for (const Channel& channel : channels())
+  for (const Channel& channel : table_.all())
     record_.values.emplace_back(channel_size(channel, record_.shape), 0.0);
 }
 
@@ -127,12 +129,12 @@ void ChannelRecorder::set_bearing(bearing::Bearing bearing) {
   bearing_ = std::move(bearing);
 }
 
-const StepRecord& ChannelRecorder::record(const dynamics::Snapshot& snapshot) {
+const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot) {
   const Shape& shape = record_.shape;
   demand(snapshot.elements.size() == static_cast<std::size_t>(shape.elements) &&
              snapshot.cages.size() == static_cast<std::size_t>(shape.cages),
          "the snapshot is not one of this bearing");
-  for (const dynamics::ElementSnapshot& element : snapshot.elements)
+  for (const scene::ElementSnapshot& element : snapshot.elements)
     demand(shape.cages == 0 ||
                element.pocket.size() == static_cast<std::size_t>(shape.pocket_surfaces),
            "each element of a snapshot shows every guide surface of its pocket");
@@ -146,7 +148,7 @@ const StepRecord& ChannelRecorder::record(const dynamics::Snapshot& snapshot) {
   source.bearing = &bearing_;
   source.unit_length = unit_length_;
   for (std::size_t c = 0; c < record_.values.size(); ++c) {
-    const Channel& channel = channels()[c];
+    const Channel& channel = table_.all()[c];
     std::vector<double>& values = record_.values[c];
     source.term = channel.term;
     for (std::size_t k = 0; k < values.size(); ++k) {
@@ -162,7 +164,7 @@ const StepRecord& ChannelRecorder::record(const dynamics::Snapshot& snapshot) {
 void ChannelRecorder::save(std::map<std::string, double>& state) const {
   if (!has_previous_) return;
   for (std::size_t c = 0; c < record_.values.size(); ++c) {
-    const Channel& channel = channels()[c];
+    const Channel& channel = table_.all()[c];
     if (!channel.continuous) continue;
     for (std::size_t k = 0; k < record_.values[c].size(); ++k)
       state[state_key(channel, k)] = record_.values[c][k];
@@ -171,7 +173,7 @@ void ChannelRecorder::save(std::map<std::string, double>& state) const {
 
 void ChannelRecorder::restore(const std::map<std::string, double>& state) {
   for (std::size_t c = 0; c < record_.values.size(); ++c) {
-    const Channel& channel = channels()[c];
+    const Channel& channel = table_.all()[c];
     if (!channel.continuous) continue;
     for (std::size_t k = 0; k < record_.values[c].size(); ++k) {
       const auto found = state.find(state_key(channel, k));

@@ -1,11 +1,13 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
-#include "dynamics/snapshot.hpp"
 #include "results/quantities.hpp"
 #include "results/sol_file.hpp"
+#include "scene/snapshot.hpp"
 
+#include <deque>
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -21,21 +23,19 @@ enum class Per : unsigned char { Run, Element, Contact, Pocket, Cage, Land, Race
 
 /// Where a channel's getter looks: one instant and the indices that its `Per` needs (all from 0).
 struct ChannelSource {
-  const dynamics::Snapshot* snapshot = nullptr;
+  const scene::Snapshot* snapshot = nullptr;
   const bearing::Bearing* bearing = nullptr;
   double unit_length = 1.0;  ///< the deck's unit of length [m], see cage_clearance_scale()
   std::size_t element = 0, race = 0, surface = 0, cage = 0, land = 0, component = 0;
-  const dynamics::LedgerTerm* term = nullptr;  ///< that of the channel
+  const scene::LedgerTerm* term = nullptr;  ///< that of the channel
 
-  [[nodiscard]] const dynamics::ElementSnapshot& ball() const {
-    return snapshot->elements[element];
-  }
-  [[nodiscard]] const dynamics::RaceContactSnapshot& contact() const { return ball().race[race]; }
-  [[nodiscard]] const dynamics::PocketContactSnapshot& pocket() const {
+  [[nodiscard]] const scene::ElementSnapshot& ball() const { return snapshot->elements[element]; }
+  [[nodiscard]] const scene::RaceContactSnapshot& contact() const { return ball().race[race]; }
+  [[nodiscard]] const scene::PocketContactSnapshot& pocket() const {
     return ball().pocket[surface];
   }
-  [[nodiscard]] const dynamics::CageSnapshot& cage_body() const { return snapshot->cages[cage]; }
-  [[nodiscard]] const dynamics::RaceSnapshot& race_body() const { return snapshot->races[race]; }
+  [[nodiscard]] const scene::CageSnapshot& cage_body() const { return snapshot->cages[cage]; }
+  [[nodiscard]] const scene::RaceSnapshot& race_body() const { return snapshot->races[race]; }
 };
 
 struct Channel {
@@ -48,13 +48,26 @@ struct Channel {
   bool continuous = false;  ///< an angle kept continuous between records (N101)
   double (*value)(const ChannelSource&) = nullptr;  ///< SI and radians
   std::string_view help;
-  const dynamics::LedgerTerm* term = nullptr;  ///< of channels that show an item of the ledger
+  const scene::LedgerTerm* term = nullptr;  ///< of channels that show an item of the ledger
 };
 
-/// All channels, in a fixed order.
+/// The channels of every run, in a fixed order.
 [[nodiscard]] std::span<const Channel> channels();
 /// @throws InternalError for an unknown id.
 [[nodiscard]] std::size_t channel_index(std::string_view id);
+
+/// What one run stores: channels(), and behind them a channel for each item that its energy ledger
+/// may hold, the heat now of those that no race owns, and the residual.
+class ChannelTable {
+ public:
+  /// @param energy whatever a ledger may hold, as dynamics::energy_terms() lists it
+  explicit ChannelTable(scene::LedgerTerms energy);
+  [[nodiscard]] std::span<const Channel> all() const noexcept { return channels_; }
+
+ private:
+  std::vector<Channel> channels_;
+  std::shared_ptr<const std::deque<std::string>> ids_;  ///< of the channels
+};
 
 /// Sizes of one bearing that fix how many values each channel has.
 struct Shape {
@@ -69,8 +82,8 @@ struct Shape {
 /// kPocType of the cage, 0 without one.
 [[nodiscard]] int pocket_code(const bearing::Bearing& bearing);
 
-/// One instant, evaluated: values[c][k] of channel c, in SI; k runs element, then race (contacts)
-/// or surface (pockets), or cage then land, then component.
+/// One instant, evaluated: values[c][k] of channel c of the run's table, in SI; k runs element,
+/// then race (contacts) or surface (pockets), or cage then land, then component.
 struct StepRecord {
   long step = 0;
   double time = 0.0, step_size = 0.0;  ///< [s]
@@ -78,6 +91,7 @@ struct StepRecord {
   Shape shape;
   std::vector<std::vector<double>> values;
 
+  /// By id in channels().
   [[nodiscard]] const std::vector<double>& operator[](std::string_view id) const {
     return values[channel_index(id)];
   }
@@ -87,12 +101,13 @@ struct StepRecord {
 /// it every stored step, in order, whichever file wants it, so that all files show the same branch.
 class ChannelRecorder {
  public:
-  ChannelRecorder(bearing::Bearing bearing, UnitSystem units);
+  ChannelRecorder(bearing::Bearing bearing, UnitSystem units, ChannelTable table);
   /// New temperatures and fits after a thermal step; the shape must stay.
   void set_bearing(bearing::Bearing bearing);
-  [[nodiscard]] const StepRecord& record(const dynamics::Snapshot& snapshot);
+  [[nodiscard]] const StepRecord& record(const scene::Snapshot& snapshot);
   [[nodiscard]] const bearing::Bearing& bearing() const noexcept { return bearing_; }
   [[nodiscard]] const Shape& shape() const noexcept { return record_.shape; }
+  [[nodiscard]] const ChannelTable& table() const noexcept { return table_; }
 
   /// Branches of the angles, for MASTER, and back. Keys that are no such branch are left alone.
   void save(std::map<std::string, double>& state) const;
@@ -100,6 +115,7 @@ class ChannelRecorder {
 
  private:
   bearing::Bearing bearing_;
+  ChannelTable table_;
   double unit_length_;
   StepRecord record_;
   bool has_previous_ = false;

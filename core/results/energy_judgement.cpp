@@ -17,7 +17,7 @@ Trust judge(double ratio, double warning, double limit) {
 
 }  // namespace
 
-EnergyJudgement judge_energy(const dynamics::EnergyLedger& energy, double elastic) {
+EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic) {
   EnergyJudgement out;
   const double residual = std::abs(energy.residual()), moved = energy_scale(energy);
   if (!(moved <= 0.0)) out.over_moved = residual / moved;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/ledger.hpp"
+#include "scene/ledger.hpp"
 
 #include <string>
 
@@ -23,6 +23,6 @@ struct EnergyJudgement {
 
 /// A residual that is no number is never trusted.
 /// @param elastic elastic energy of the quasi-static solution [J]
-[[nodiscard]] EnergyJudgement judge_energy(const dynamics::EnergyLedger& energy, double elastic);
+[[nodiscard]] EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic);
 
 }  // namespace adore::results

@@ -8,7 +8,7 @@ namespace adore::results {
 namespace {
 
 /// "appLoadX 1500, appLoadZ 500" of the directions with a given load that is not 0.
-std::string named(const MeanLoad& load, const dynamics::Vec3& values, UnitSystem units) {
+std::string named(const MeanLoad& load, const scene::Vec3& values, UnitSystem units) {
   std::string out;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
@@ -48,7 +48,7 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
   if (departure <= kLoadWarning) return {};
   // What is carried follows what is asked nearly in proportion, if it is not another load
   // altogether.
-  dynamics::Vec3 instead = load.asked;
+  scene::Vec3 instead = load.asked;
   bool scalable = true;
   for (int k = 0; k < 3; ++k) {
     if (load.asked[k] == 0.0 || !load.given[static_cast<std::size_t>(k)]) continue;

@@ -19,7 +19,7 @@ inline constexpr double kLoadWarning = 0.05;
 struct MeanLoad {
   double time = 0.0;            ///< span of the mean [s]
   std::array<bool, 3> given{};  ///< directions whose load is given: the others are displaced
-  dynamics::Vec3 asked = dynamics::Vec3::Zero(), mean = dynamics::Vec3::Zero();  ///< x, y, z [N]
+  scene::Vec3 asked = scene::Vec3::Zero(), mean = scene::Vec3::Zero();  ///< x, y, z [N]
   /// |mean - asked| / |asked| over the directions with a given load; 0 when none is asked.
   [[nodiscard]] double departure() const;
 };

@@ -12,7 +12,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kOnAxis = 1e-12;  // [m], far below any clearance or deflection
 
-Eigen::Matrix3d rotation(const dynamics::Quat& q) {
+Eigen::Matrix3d rotation(const scene::Quat& q) {
   return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
 }
 
@@ -48,9 +48,9 @@ OrbitMotion orbit_motion(const Vec3& position, const Vec3& velocity, const Vec3&
   return orbit;
 }
 
-Vec3 body_x_axis(const dynamics::Quat& orientation) { return rotation(orientation).col(0); }
+Vec3 body_x_axis(const scene::Quat& orientation) { return rotation(orientation).col(0); }
 
-std::array<double, 3> transformation_angles(const dynamics::Quat& orientation) {
+std::array<double, 3> transformation_angles(const scene::Quat& orientation) {
   const Eigen::Matrix3d R = rotation(orientation);
   const double sine = std::clamp(R(0, 2), -1.0, 1.0);
   if (std::abs(sine) > 1.0 - 1e-14)
@@ -64,10 +64,10 @@ double nearest_branch(double angle, double previous) {
   return angle + 2.0 * kPi * std::round((previous - angle) / (2.0 * kPi));
 }
 
-double faster_race_speed(const dynamics::Snapshot& snapshot) {
+double faster_race_speed(const scene::Snapshot& snapshot) {
   std::array<double, 2> speed{};
   for (std::size_t race = 0; race < 2; ++race) {
-    const dynamics::RaceSnapshot& body = snapshot.races[race];
+    const scene::RaceSnapshot& body = snapshot.races[race];
     speed[race] = body.omega.dot(body_x_axis(body.orientation));
   }
   return std::abs(speed[0]) > std::abs(speed[1]) ? speed[0] : speed[1];

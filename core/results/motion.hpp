@@ -1,14 +1,14 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
-#include "dynamics/snapshot.hpp"
+#include "scene/snapshot.hpp"
 
 #include <array>
 
 /// Quantities that the outputs derive from a snapshot's motion.
 namespace adore::results {
 
-using dynamics::Vec3;
+using scene::Vec3;
 
 /// Direction of a vector as the outputs show it (N101): theta = atan2(v_z, v_x), phi = asin(v_y /
 /// |v|) [rad]. Both are 0 for a zero vector and near 0 for one along +x. Frame: that of the vector.
@@ -28,11 +28,11 @@ struct OrbitMotion {
                                        const Vec3& acceleration);
 
 /// The body's x axis in the base frame, from its unit quaternion (body -> base).
-[[nodiscard]] Vec3 body_x_axis(const dynamics::Quat& orientation);
+[[nodiscard]] Vec3 body_x_axis(const scene::Quat& orientation);
 
 /// The three transformation angles η, ξ, λ of R = Rx(η) Ry(ξ) Rz(λ) (design §6) [rad], each in
 /// -π..π. Where ξ = ±π/2 only η ± λ is defined: λ is then 0.
-[[nodiscard]] std::array<double, 3> transformation_angles(const dynamics::Quat& orientation);
+[[nodiscard]] std::array<double, 3> transformation_angles(const scene::Quat& orientation);
 
 /// Angle reduced to -π..π.
 [[nodiscard]] double wrapped(double angle);
@@ -41,7 +41,7 @@ struct OrbitMotion {
 [[nodiscard]] double nearest_branch(double angle, double previous);
 
 /// Speed of the faster race about its own axis, sign kept [rad/s] (N54); 0 when both stand still.
-[[nodiscard]] double faster_race_speed(const dynamics::Snapshot& snapshot);
+[[nodiscard]] double faster_race_speed(const scene::Snapshot& snapshot);
 
 /// Length that normalises the cage's mass centre (N71) [m]: mean radial clearance of the guided
 /// lands, so that 1 means touching; without lands the radial pocket clearance I; where that is not

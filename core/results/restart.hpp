@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/system.hpp"
+#include "scene/scales.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -20,7 +20,7 @@ struct FinalState {
   long step = 0;
   double time = 0.0, step_size = 0.0;    ///< [s]
   double shaft_rotation = 0.0;           ///< inner minus outer [rad]
-  dynamics::Scales scales;               ///< of the first run (N7)
+  scene::Scales scales;                  ///< of the first run (N7)
   std::map<std::string, double> extras;  ///< further numbers that a restart wants, by name (one
                                          ///< word or several, no line ends)
   std::vector<std::string> components;   ///< StateLayout::component_name of each value

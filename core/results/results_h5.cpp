@@ -109,7 +109,7 @@ struct Series {
   Handle dataset;
   std::vector<hsize_t> dims;  ///< behind the step
   std::size_t width = 1;      ///< values per row
-  int channel = -1;           ///< index into channels(); -1: one of kSeries
+  int channel = -1;           ///< index into the run's table; -1: one of kSeries
   std::vector<double> waiting;
 };
 
@@ -170,6 +170,9 @@ std::map<std::string, double> geometry_of(const bearing::Bearing& bearing) {
 }
 
 struct H5Writer::Impl {
+  explicit Impl(ChannelTable of_records) : table(std::move(of_records)) {}
+
+  ChannelTable table;
   std::filesystem::path path;
   Shape shape;
   std::size_t block = kBlock;
@@ -178,6 +181,7 @@ struct H5Writer::Impl {
   std::vector<Series> series;
   bool broken = false;
 
+  [[nodiscard]] std::span<const Channel> channels() const { return table.all(); }
   Series plan(int channel) const {
     Series made;
     made.channel = channel;
@@ -362,9 +366,9 @@ void H5Writer::Impl::open_empty(const std::filesystem::path& name,
 }
 
 H5Writer H5Writer::create(const std::filesystem::path& path, const bearing::Bearing& bearing,
-                          int block) {
+                          const ChannelTable& table, int block) {
   const Quiet quiet;
-  auto impl = std::make_unique<Impl>();
+  auto impl = std::make_unique<Impl>(table);
   impl->path = path;
   impl->shape = shape_of(bearing);
   impl->block = static_cast<std::size_t>(std::clamp(block, 1, kBlock));
@@ -378,10 +382,10 @@ namespace {
 
 /// Throws unless the file is of this run and has a dataset of the right sizes for every channel.
 void check_file(const H5Reader& file, const std::filesystem::path& path,
-                const bearing::Bearing& bearing) {
+                const bearing::Bearing& bearing, const ChannelTable& table) {
   check_run_id(path, file.run_id(), bearing.run_id);
   const Shape shape = shape_of(bearing);
-  for (const Channel& channel : channels()) {
+  for (const Channel& channel : table.all()) {
     const std::vector<hsize_t> wanted = dimensions(channel, shape);
     if (channel_size(channel, shape) == 0) continue;
     const H5Reader::ChannelInfo* found = file.find(channel.id);
@@ -397,8 +401,9 @@ void check_file(const H5Reader& file, const std::filesystem::path& path,
 
 }  // namespace
 
-void H5Writer::check(const std::filesystem::path& path, const bearing::Bearing& bearing) {
-  check_file(H5Reader(path), path, bearing);
+void H5Writer::check(const std::filesystem::path& path, const bearing::Bearing& bearing,
+                     const ChannelTable& table) {
+  check_file(H5Reader(path), path, bearing, table);
 }
 
 std::filesystem::path H5Writer::unfinished(const std::filesystem::path& path) {
@@ -406,14 +411,15 @@ std::filesystem::path H5Writer::unfinished(const std::filesystem::path& path) {
 }
 
 H5Writer H5Writer::continue_after(const std::filesystem::path& path,
-                                  const bearing::Bearing& bearing, long last_step, int block) {
+                                  const bearing::Bearing& bearing, const ChannelTable& table,
+                                  long last_step, int block) {
   const H5Reader old(path);
-  check_file(old, path, bearing);
+  check_file(old, path, bearing, table);
   const std::vector<long> steps = old.step_numbers();
   const auto rows = static_cast<std::size_t>(
       std::upper_bound(steps.begin(), steps.end(), last_step) - steps.begin());
   const Quiet quiet;
-  auto impl = std::make_unique<Impl>();
+  auto impl = std::make_unique<Impl>(table);
   impl->path = path;
   impl->shape = shape_of(bearing);
   impl->block = static_cast<std::size_t>(std::clamp(block, 1, kBlock));
@@ -428,7 +434,7 @@ H5Writer H5Writer::continue_after(const std::filesystem::path& path,
       for (Series& one : impl->series) {
         const std::string_view id = one.channel < 0
                                         ? kSeries[--name].name
-                                        : channels()[static_cast<std::size_t>(one.channel)].id;
+                                        : table.all()[static_cast<std::size_t>(one.channel)].id;
         one.waiting = old.read(id, impl->written, impl->waiting);
       }
       impl->write_waiting();
@@ -447,8 +453,8 @@ H5Writer H5Writer::continue_after(const std::filesystem::path& path,
 }
 
 void H5Writer::write(const StepRecord& record) {
-  demand(record.shape == impl_->shape,
-         "a record must be of the bearing that the file was made for");
+  demand(record.shape == impl_->shape && record.values.size() == impl_->channels().size(),
+         "a record must be of the bearing and the channels that the file was made for");
   const std::array<double, 4> own{static_cast<double>(record.step), record.time, record.step_size,
                                   record.shaft_rotation};
   std::size_t next = kSeries.size();

@@ -26,22 +26,23 @@ class H5Writer {
   /// Steps that are collected before they go to the file as one block.
   static constexpr int kBlock = 64;
 
-  /// A new file, replacing what was there. `block` as kBlock; smaller blocks lose less when the
-  /// process is killed.
+  /// A new file, replacing what was there; `table` is that of the records. `block` as kBlock;
+  /// smaller blocks lose less when the process is killed.
   /// @throws InputError when it cannot be written.
   static H5Writer create(const std::filesystem::path& path, const bearing::Bearing& bearing,
-                         int block = kBlock);
+                         const ChannelTable& table, int block = kBlock);
   /// Continues a file: checks run code and sizes, and goes on behind the steps <= `last_step` in a
   /// new file that takes the old one's place when all of them are in it.
   /// @throws InputError saying what does not fit or cannot be read; the old file is as it was.
   static H5Writer continue_after(const std::filesystem::path& path, const bearing::Bearing& bearing,
-                                 long last_step, int block = kBlock);
+                                 const ChannelTable& table, long last_step, int block = kBlock);
 
   /// Where continue_after() makes the new file: what a process killed there leaves behind.
   [[nodiscard]] static std::filesystem::path unfinished(const std::filesystem::path& path);
 
   /// The checks of continue_after() alone; nothing is touched. @throws InputError
-  static void check(const std::filesystem::path& path, const bearing::Bearing& bearing);
+  static void check(const std::filesystem::path& path, const bearing::Bearing& bearing,
+                    const ChannelTable& table);
 
   H5Writer(H5Writer&&) noexcept;
   H5Writer& operator=(H5Writer&&) noexcept;

@@ -37,20 +37,20 @@ std::string compiler() {
 
 }  // namespace
 
-std::vector<std::pair<std::string, double>> energy_items(const dynamics::EnergyLedger& energy) {
+std::vector<std::pair<std::string, double>> energy_items(const scene::EnergyLedger& energy) {
   std::vector<std::pair<std::string, double>> items;
   for (const auto& item : energy.items()) items.emplace_back(item.name(), item.value);
   items.emplace_back("residual", energy.residual());
   return items;
 }
 
-std::vector<std::pair<std::string, double>> momentum_items(const dynamics::MomentumLedger& m) {
-  using dynamics::LedgerKind;
+std::vector<std::pair<std::string, double>> momentum_items(const scene::MomentumLedger& m) {
+  using scene::LedgerKind;
   static constexpr const char* kAxes[] = {"x", "y", "z"};
   std::vector<std::pair<std::string, double>> items;
-  const auto walk = [&items](const dynamics::Ledger<dynamics::Vec3>& ledger,
-                             const std::string& quantity, const char* unit) {
-    const auto add = [&](const std::string& name, const dynamics::Vec3& v) {
+  const auto walk = [&items](const scene::Ledger<scene::Vec3>& ledger, const std::string& quantity,
+                             const char* unit) {
+    const auto add = [&](const std::string& name, const scene::Vec3& v) {
       for (int k = 0; k < 3; ++k)
         items.emplace_back(name + ", " + kAxes[k] + " [" + unit + "]", v[k]);
     };
@@ -88,8 +88,8 @@ std::vector<std::pair<std::string, std::string>> arithmetic_items(const RunSumma
   return items;
 }
 
-double energy_scale(const dynamics::EnergyLedger& energy) {
-  using dynamics::LedgerKind;
+double energy_scale(const scene::EnergyLedger& energy) {
+  using scene::LedgerKind;
   const double moved =
       std::max(std::abs(energy.sum(LedgerKind::Work)), energy.sum(LedgerKind::Heat));
   return moved > 0.0 ? moved
@@ -174,7 +174,7 @@ Json run_json(const RunSummary& run) {
 
   Json cost = Json::array();
   double accounted = 0.0;
-  for (const dynamics::CostLedger::Row& row : run.cost) {
+  for (const scene::CostLedger::Row& row : run.cost) {
     accounted += row.seconds;
     cost.push_back({{"name", row.name},
                     {"calls", row.calls},

@@ -2,10 +2,10 @@
 
 #include "deck/defaults.hpp"
 #include "deck/no_part.hpp"
-#include "dynamics/cost_ledger.hpp"
-#include "dynamics/snapshot.hpp"
-#include "dynamics/system.hpp"
 #include "results/mean_load.hpp"
+#include "scene/cost_ledger.hpp"
+#include "scene/scales.hpp"
+#include "scene/snapshot.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -31,7 +31,7 @@ struct RunSummary {
   nlohmann::ordered_json plan;       ///< the scene plan
   std::string stability;             ///< what was decided on the integrator's steps; also in plan
   nlohmann::ordered_json operating;  ///< operating fits and clearances; null: none
-  std::optional<dynamics::Scales> scales;
+  std::optional<scene::Scales> scales;
   std::string integrator;
   double tolerance = 0.0;
   std::vector<std::pair<std::string, std::string>>
@@ -44,7 +44,7 @@ struct RunSummary {
   long steps = 0;
   double time = 0.0, revolutions = 0.0;
   Counters counters;
-  std::optional<dynamics::EnergyLedger> energy;          ///< at the end
+  std::optional<scene::EnergyLedger> energy;             ///< at the end
   std::optional<MeanLoad> load;                          ///< of the elements, against the asked one
   std::optional<double> elastic;                         ///< of the quasi-static solution [J]
   std::vector<std::pair<std::string, double>> momentum;  ///< residuals, by name with unit
@@ -55,7 +55,7 @@ struct RunSummary {
   std::vector<std::string> files;                       ///< names without folders
   nlohmann::ordered_json quasi_static;  ///< results/static_tables.hpp; null when there is none
   // Measured.
-  std::vector<dynamics::CostLedger::Row> cost;
+  std::vector<scene::CostLedger::Row> cost;
   double seconds = 0.0;  ///< of the whole run
 
   std::string instruction_set;  ///< of the contact kernel, chosen at run time
@@ -78,15 +78,15 @@ struct RunMark {
 
 /// Name, value [J] of each item of the conservation ledger, residual last. Shared with PRINT.txt.
 [[nodiscard]] std::vector<std::pair<std::string, double>> energy_items(
-    const dynamics::EnergyLedger& energy);
+    const scene::EnergyLedger& energy);
 
 /// Name with unit and value of each item of the momentum ledger: what came from outside, what
 /// changed, and the residuals, also relative to the momentum that the bodies carry now.
 [[nodiscard]] std::vector<std::pair<std::string, double>> momentum_items(
-    const dynamics::MomentumLedger& momentum);
+    const scene::MomentumLedger& momentum);
 
 /// Size of the energies that moved, to judge the residual by: heat and work, or else the stored
 /// energy [J].
-[[nodiscard]] double energy_scale(const dynamics::EnergyLedger& energy);
+[[nodiscard]] double energy_scale(const scene::EnergyLedger& energy);
 
 }  // namespace adore::results

@@ -59,7 +59,7 @@ std::vector<double> in_order(const Sol8Frame& frame) {
 
 std::array<double, 3> to_array(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
-Sol8Body body_of(const dynamics::BodySnapshot& body) {
+Sol8Body body_of(const scene::BodySnapshot& body) {
   return {to_array(body.position), transformation_angles(body.orientation)};
 }
 
@@ -142,12 +142,12 @@ Sol8Geometry make_sol8_geometry(const bearing::Bearing& bearing) {
   return out;
 }
 
-Sol8Frame make_sol8_frame(const dynamics::Snapshot& snapshot) {
+Sol8Frame make_sol8_frame(const scene::Snapshot& snapshot) {
   Sol8Frame frame;
   frame.step = snapshot.step;
   frame.revolutions = snapshot.shaft_rotation / (2.0 * std::numbers::pi);
   frame.time = snapshot.time;
-  for (const dynamics::ElementSnapshot& ball : snapshot.elements) {
+  for (const scene::ElementSnapshot& ball : snapshot.elements) {
     Sol8Element element;
     element.x = ball.x;
     element.r = ball.r;
@@ -166,7 +166,7 @@ Sol8Frame make_sol8_frame(const dynamics::Snapshot& snapshot) {
     frame.elements.push_back(element);
   }
   if (!snapshot.cages.empty()) {
-    const dynamics::CageSnapshot& cage = snapshot.cages.front();
+    const scene::CageSnapshot& cage = snapshot.cages.front();
     frame.cage = body_of(cage);
     for (std::size_t land = 0; land < std::min<std::size_t>(cage.lands.size(), 2); ++land) {
       frame.land_force[land] = cage.lands[land].force;
@@ -229,7 +229,7 @@ void Sol8Writer::check(const std::filesystem::path& path, const bearing::Bearing
   check_sol_file(path, header_text(bearing, units));
 }
 
-void Sol8Writer::write(const dynamics::Snapshot& snapshot) {
+void Sol8Writer::write(const scene::Snapshot& snapshot) {
   Sol8Frame frame = make_sol8_frame(snapshot);
   scale(frame, to_si(1.0, unit::kLength, units_), to_si(1.0, unit::kForce, units_));
   text_.clear();

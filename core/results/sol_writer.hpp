@@ -1,10 +1,10 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
-#include "dynamics/snapshot.hpp"
 #include "results/channels.hpp"
 #include "results/growing_file.hpp"
 #include "results/sol_file.hpp"
+#include "scene/snapshot.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -64,7 +64,7 @@ class SolWriter {
 /// balls touch the circles.
 [[nodiscard]] Sol8Geometry make_sol8_geometry(const bearing::Bearing& bearing);
 /// One instant, SI; angles of positions and contacts reduced to -π..π (N61).
-[[nodiscard]] Sol8Frame make_sol8_frame(const dynamics::Snapshot& snapshot);
+[[nodiscard]] Sol8Frame make_sol8_frame(const scene::Snapshot& snapshot);
 
 /// Header of SOL8 from version, run_id, bearing_type, elements, units and geometry (in file units)
 /// of `file`.
@@ -84,7 +84,7 @@ class Sol8Writer {
   static void check(const std::filesystem::path& path, const bearing::Bearing& bearing,
                     UnitSystem units);
 
-  void write(const dynamics::Snapshot& snapshot);
+  void write(const scene::Snapshot& snapshot);
   [[nodiscard]] const GrowingFile& file() const noexcept { return file_; }
 
  private:

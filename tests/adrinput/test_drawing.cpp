@@ -77,7 +77,7 @@ TEST_CASE("the drawing follows the field in focus", "[gui][adrinput][drawing]") 
     picture_of(view);
   };
   focus("pitchDia");
-  CHECK(panel.view() == facade::View::CrossSection);
+  CHECK(panel.view() == drawing::View::CrossSection);
   CHECK(view.focusOn().variable == "pitchDia");
   CHECK(strong_label(view) == "pitchDia = 0.06 m");
   const QImage pitch = picture_of(view);
@@ -85,22 +85,22 @@ TEST_CASE("the drawing follows the field in focus", "[gui][adrinput][drawing]") 
   CHECK(strong_label(view) == "shoulderDia1 = 0.0663 m");
   CHECK(differing(pitch, picture_of(view)) > 200);
   focus("bPocCls1");
-  CHECK(panel.view() == facade::View::Pocket);
+  CHECK(panel.view() == drawing::View::Pocket);
   CHECK(strong_label(view) == "bPocCls1 = 0.00025 m");
   focus("appLoadX");
-  CHECK(panel.view() == facade::View::Loads);
+  CHECK(panel.view() == drawing::View::Loads);
   CHECK(strong_label(view) == "appLoadX = 1500.0 N");
   window.showRecord("10.1C");
   REQUIRE(window.page()->focusCell({"10.1C", 1, cell("reRaceTC2").variable, 0}));
   picture_of(view);
-  CHECK(panel.view() == facade::View::Traction);
+  CHECK(panel.view() == drawing::View::Traction);
   CHECK(strong_label(view) == "reRaceTC2 = 0.06");
 
   // A second land: the instance in focus is the one that is measured.
   window.showRecord("7.2.i");
   REQUIRE(window.page()->focusCell({"7.2.i", 2, cell("cageGsPos").variable, 0}));
   picture_of(view);
-  CHECK(panel.view() == facade::View::Lands);
+  CHECK(panel.view() == drawing::View::Lands);
   CHECK(view.focusOn().instance == 2);
   CHECK(strong_label(view) == "cageGsPos[2] = 0.0085 m");
 
@@ -111,11 +111,11 @@ TEST_CASE("the drawing follows the field in focus", "[gui][adrinput][drawing]") 
   CHECK(pixels_like(outer, desktop::current_theme().accent) > 300);
 
   // A view chosen by hand stays for fields that belong to the same view.
-  panel.chooseView(facade::View::SideView);
+  panel.chooseView(drawing::View::SideView);
   focus("raceTemp2");
-  CHECK(panel.view() == facade::View::SideView);
+  CHECK(panel.view() == drawing::View::SideView);
   focus("appLoadZ");
-  CHECK(panel.view() == facade::View::Loads);
+  CHECK(panel.view() == drawing::View::Loads);
 }
 
 TEST_CASE("typing changes the drawing, and a wrong value keeps the last one with the reason",
@@ -132,7 +132,7 @@ TEST_CASE("typing changes the drawing, and a wrong value keeps the last one with
   const QImage before = picture_of(panel.picture());
   replace_text(field, "0.0115");
   const auto radius = [&] {
-    for (const facade::Shape& shape : panel.picture().drawing().panes.at(0).shapes)
+    for (const drawing::Shape& shape : panel.picture().drawing().panes.at(0).shapes)
       if (shape.name == "ball") return shape.circles.at(0).radius;
     return 0.0;
   };
@@ -211,7 +211,7 @@ TEST_CASE("a click on a measure leads to its field", "[gui][adrinput][drawing]")
   QPoint place(-1, -1);
   for (int y = 0; y < view.height() && place.x() < 0; y += 3)
     for (int x = view.width() - 1; x >= 0; --x) {
-      const facade::Dimension* d = view.dimensionAt(QPointF(x, y));
+      const drawing::Dimension* d = view.dimensionAt(QPointF(x, y));
       if (d == nullptr || d->variable != "brgOD") continue;
       place = {x, y};
       break;
@@ -233,7 +233,7 @@ TEST_CASE("the drawing does not slow down typing or turning pages", "[gui][adrin
   for (const char* name : {"ball", "tapered", "spherical"}) {
     const deck::Deck deck = deck::new_deck(name);
     panel.setDeck(deck);
-    for (const facade::View view : facade::views_of(deck)) {
+    for (const drawing::View view : drawing::views_of(deck)) {
       double best = 1e9;
       for (int i = 0; i < 10; ++i) {
         const std::clock_t start = std::clock();
@@ -241,7 +241,7 @@ TEST_CASE("the drawing does not slow down typing or turning pages", "[gui][adrin
         picture_of(panel.picture());
         best = std::min(best, 1000.0 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
       }
-      INFO(name << ", " << facade::title_of(view));
+      INFO(name << ", " << drawing::title_of(view));
       CHECK(best < 25.0);  // ms
     }
   }

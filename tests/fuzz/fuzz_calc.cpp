@@ -1,14 +1,15 @@
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
-#include "facade/calculator_inputs.hpp"
-#include "facade/calculators.hpp"
+#include "calculators/calculator_inputs.hpp"
+#include "calculators/calculators.hpp"
 #include "json_mutator.hpp"
+#include "reference/adapters.hpp"
 
 #include <algorithm>
 #include <cstring>
 
 using namespace adore;
-using namespace adore::facade;
+using namespace adore::calculators;
 
 /// `adore calc`: a line with the calculator's name, then its JSON. Any input gives results, a
 /// sentence, or numerics that give up.
@@ -17,7 +18,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t end = std::min(text.find('\n'), text.size());
   try {
     const nlohmann::json input = parse_json(text.substr(end), "input");
-    (void)calculate(text.substr(0, end), input)
+    (void)calculate(text.substr(0, end), input, reference::all_adapters())
         .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   } catch (const InputError&) {
   } catch (const SolverError&) {
@@ -29,7 +30,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t, std::size_t most,
                                                unsigned seed) {
   testing::JsonMutator mutator(seed);
-  const CalculatorInfo& info = calculators()[mutator.below(calculators().size())];
+  const CalculatorInfo& info = calculator_list()[mutator.below(calculator_list().size())];
   const nlohmann::ordered_json all = describe_calculator(info).at("calculations");
   nlohmann::json input =
       nlohmann::json::parse(all.at(mutator.below(all.size())).at("example").dump());

@@ -39,8 +39,8 @@ const std::vector<Pristine>& pristine() {
       const bearing::Bearing bearing = make_bearing(2, cage);
       const auto path = folder() / "pristine.h5";
       {
-        H5Writer writer = H5Writer::create(path, bearing);
-        ChannelRecorder recorder(bearing, UnitSystem::SI);
+        H5Writer writer = H5Writer::create(path, bearing, channel_table());
+        ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
         for (long step = 0; step < (cage ? 70 : 2); ++step)
           writer.write(recorder.record(make_snapshot(bearing, step)));
         writer.flush();

@@ -1,7 +1,7 @@
 #include "base/errors.hpp"
-#include "facade/validate.hpp"
 #include "input_file.hpp"
 #include "json_mutator.hpp"
+#include "reference/validate.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include <vector>
 
 using namespace adore;
-using namespace adore::facade;
+using namespace adore::reference;
 
 /// `adore validate`: a file of reference cases. Every file is refused with a sentence or reported.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

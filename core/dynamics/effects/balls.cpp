@@ -2,8 +2,8 @@
 
 #include "base/errors.hpp"
 #include "dynamics/effect_makers.hpp"
-#include "dynamics/ledger_terms.hpp"
 #include "dynamics/state_access.hpp"
+#include "scene/ledger_terms.hpp"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 #include "base/errors.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/pockets.hpp"
-#include "dynamics/ledger_terms.hpp"
 #include "dynamics/rigid_body.hpp"
 #include "dynamics/state_access.hpp"
+#include "scene/ledger_terms.hpp"
 
 #include <cmath>
 

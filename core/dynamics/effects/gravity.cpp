@@ -1,5 +1,5 @@
 #include "dynamics/effect_makers.hpp"
-#include "dynamics/ledger_terms.hpp"
+#include "scene/ledger_terms.hpp"
 
 /// Weight of balls and cage, and their energy in the field: -m g · position.
 namespace adore::dynamics {

@@ -1,5 +1,5 @@
 #include "dynamics/effect_makers.hpp"
-#include "dynamics/ledger_terms.hpp"
+#include "scene/ledger_terms.hpp"
 
 /// What acts from outside on balls and cage together: the reactions of the prescribed races and
 /// gravity, as force and as moment about the base origin. The race sums are formed apart from the

@@ -73,14 +73,14 @@ inline bearing::Bearing angular_contact(int balls = 18, double pitch_diameter = 
   return b;
 }
 
-inline dynamics::ScenePlan plan_with(std::initializer_list<dynamics::Effect> effects) {
-  dynamics::ScenePlan plan;
-  for (const dynamics::Effect effect : effects) plan.effects.push_back({effect, "", true, "test"});
+inline scene::ScenePlan plan_with(std::initializer_list<scene::Effect> effects) {
+  scene::ScenePlan plan;
+  for (const scene::Effect effect : effects) plan.effects.push_back({effect, "", true, "test"});
   return plan;
 }
 
-inline dynamics::ScenePlan full_plan() {
-  using enum dynamics::Effect;
+inline scene::ScenePlan full_plan() {
+  using enum scene::Effect;
   return plan_with({RaceContact, RaceTraction, PocketContact, PocketTraction, LandContact,
                     LandTraction, Gravity, CageMotion, WearIntegrals});
 }
@@ -96,13 +96,13 @@ inline statics::StaticSolution statics_of(const bearing::Bearing& b, double fixe
   return statics::solve_ball_statics(b, options);
 }
 
-inline dynamics::System make_system(const bearing::Bearing& b, const dynamics::ScenePlan& plan,
+inline dynamics::System make_system(const bearing::Bearing& b, const scene::ScenePlan& plan,
                                     const statics::StaticSolution& solution,
                                     const dynamics::SystemOptions& options = {}) {
   const double angle = b.balls.contact_angle;
   return {b, plan, solution, {angle, angle}, options};
 }
-inline dynamics::System make_system(const bearing::Bearing& b, const dynamics::ScenePlan& plan,
+inline dynamics::System make_system(const bearing::Bearing& b, const scene::ScenePlan& plan,
                                     const dynamics::SystemOptions& options = {}) {
   return make_system(b, plan, statics_of(b, b.balls.contact_angle), options);
 }

@@ -18,7 +18,7 @@ using dynamics::InstructionSet;
 using dynamics::RaceContactModel;
 using dynamics::RaceMotion;
 using dynamics::RaceSums;
-using dynamics::Vec3;
+using scene::Vec3;
 using test::Outputs;
 using test::ThrustScene;
 

@@ -101,7 +101,7 @@ inline ThrustScene thrust_scene(const std::string& id, std::size_t n,
       model.rule = rule;
       const double x =
           in.at("static").at(outer ? "outer_groove_centre_x" : "inner_groove_centre_x");
-      scene.race[j] = {dynamics::Vec3(x, 0, 0), dynamics::Vec3::UnitX(),
+      scene.race[j] = {scene::Vec3(x, 0, 0), scene::Vec3::UnitX(),
                        in.at(outer ? "outer_speed_rad_s" : "inner_speed_rad_s").get<double>()};
     }
     scene.n = n;

@@ -1,8 +1,8 @@
-#include "build/build_bearing.hpp"
-#include "build/build_life.hpp"
-#include "build/no_part.hpp"
-#include "build/run_control.hpp"
-#include "deck/check.hpp"
+<#include "setup/build_bearing.hpp"
+#include "setup/build_life.hpp"
+#include "setup/no_part.hpp"
+#include "setup/run_control.hpp"
+=#include "deck/check.hpp"
 #include "deck/schema.hpp"
 #include "deck/templates.hpp"
 #include "facade/check.hpp"
@@ -32,7 +32,7 @@ deck::Deck at_rest(const char* type) {
 }
 
 std::array<double, 5> solution(const deck::Deck& deck) {
-  const bearing::Bearing b = thermal::operating_bearing(build::build_bearing(deck));
+  const bearing::Bearing b = thermal::operating_bearing(setup::build_bearing(deck));
   if (b.rollers) return statics::solve_roller_statics(b).displacement;
   return statics::solve_ball_statics(b).displacement;
 }
@@ -40,18 +40,18 @@ std::array<double, 5> solution(const deck::Deck& deck) {
 /// What the model does not read of a deck.
 std::vector<deck::NoPart> without_part(deck::Deck deck) {
   deck.reads = std::make_shared<deck::ReadLog>();
-  (void)thermal::operating_bearing(build::build_bearing(deck));
-  (void)build::build_run_control(deck);
-  (void)build::build_life(deck, {});
-  return build::values_without_part(deck);
+  (void)thermal::operating_bearing(setup::build_bearing(deck));
+  (void)setup::build_run_control(deck);
+  (void)setup::build_life(deck, {});
+  return setup::values_without_part(deck);
 }
 
 /// Everything that the checks say of a deck.
 std::string remarks(const deck::Deck& deck) {
   std::string out;
   for (const Issue& issue : deck::check_deck(deck)) out += issue.text() + "\n";
-  for (const Issue& issue : facade::check_model(deck)) out += issue.text() + "\n";
-  return out;
+<  for (const Issue& issue : facade::check_model(deck)) out += issue.text() + "\n";
+=  return out;
 }
 
 /// Options of motion, cage, lubrication and traction: none is a part of the static equilibrium.
@@ -106,10 +106,10 @@ TEST_CASE("any deck has its statics: whatever only moves is left out, and named"
           INFO(type << ": " << name << " = " << code << "\n" << remarks(deck));
           CHECK(solution(deck) == base);
           ++solved;
-          for (const deck::NoPart& idle : without_part(deck)) {
-            if (!build::asks_for_an_effect(idle)) continue;
-            named.insert(idle.variable);
-            CHECK(idle.because != build::kNoReason);
+<          for (const deck::NoPart& idle : without_part(deck)) {
+            if (!setup::asks_for_an_effect(idle)) continue;
+=            named.insert(idle.variable);
+            CHECK(idle.because != setup::kNoReason);
             CHECK_THAT(remarks(deck), Catch::Contains(idle.variable + " = " + idle.value) &&
                                           Catch::Contains("effect"));
           }
@@ -151,9 +151,9 @@ TEST_CASE("deviations of pocket clearances change the play of the cage", "[physi
     deck.complete();
     deck.set("bPocClsVar1", deviation);
     deck.set("bPocCenVar1", "1e-4");
-    CHECK_THAT(remarks(deck), Catch::Contains("bPocCenVar1 = 1.0e-04 ("));
-    const auto fits = *thermal::operating_bearing(build::build_bearing(deck)).operating;
-    said = remarks(deck);
+<    CHECK_THAT(remarks(deck), Catch::Contains("bPocCenVar1 = 1.0e-04 ("));
+    const auto fits = *thermal::operating_bearing(setup::build_bearing(deck)).operating;
+=    said = remarks(deck);
     for (const std::string& warning : fits.warnings) said += warning + "\n";
     return fits.plays;
   };

@@ -1,9 +1,9 @@
-#include "build/no_part.hpp"
 #include "core/results/synthetic.hpp"
 #include "deck/lookup.hpp"
 #include "deck/templates.hpp"
 #include "facade/prepare.hpp"
 #include "facade/run.hpp"
+#include "setup/no_part.hpp"
 #include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
@@ -256,7 +256,7 @@ class Walk {
     if (name == "mode" || name == "kUnit" || name == "kBrg") return;  // other walks
     const bool option = !variable.options.empty() || !variable.option_table.empty();
     const auto told = base_.idle.find(name);
-    if (told != base_.idle.end() && told->second == build::kNoReason)
+    if (told != base_.idle.end() && told->second == setup::kNoReason)
       fault(name, "plays no part without a reason");
     bool accepted = false, acted = false;
     std::string tried;
@@ -390,7 +390,7 @@ TEST_CASE("every value of an example that plays no part has a reason, in both ki
       ++decks;
       for (const deck::NoPart& value : prepared.no_part) {
         INFO(entry.path() << ", mode " << mode << ": " << value.variable << " = " << value.value);
-        CHECK(value.because != build::kNoReason);
+        CHECK(value.because != setup::kNoReason);
       }
     }
   CHECK(decks > 15);

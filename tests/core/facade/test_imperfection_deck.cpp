@@ -1,9 +1,9 @@
 #include "base/errors.hpp"
 #include "base/random_table.hpp"
-#include "build/build_bearing.hpp"
-#include "build/run_control.hpp"
 #include "deck/templates.hpp"
-#include "results/print_imperfections.hpp"
+#include "listing/print_imperfections.hpp"
+#include "setup/build_bearing.hpp"
+#include "setup/run_control.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_statics.hpp"
 
@@ -33,31 +33,31 @@ deck::Deck with(const char* name, std::initializer_list<std::pair<const char*, c
 TEST_CASE("random ball diameters follow the seed and the rms of the deck",
           "[unit][imperfections]") {
   const deck::Deck deck = with("ball", {{"kReGeoImp", "1"}}, {{"reDiaVar", "2e-6"}});
-  const auto b = build::build_bearing(deck);
+  const auto b = setup::build_bearing(deck);
   REQUIRE(b.imperfections.ball_diameter.size() == static_cast<std::size_t>(b.balls.count));
-  const RandomTable table(build::kDefaultSeed);
+  const RandomTable table(setup::kDefaultSeed);
   for (std::size_t k = 0; k < b.imperfections.ball_diameter.size(); ++k)
     CHECK(b.imperfections.ball_diameter[k] == 2e-6 * table.normal(k, 0));
-  CHECK(build::build_bearing(deck).imperfections.ball_diameter == b.imperfections.ball_diameter);
-  CHECK(build::build_bearing(deck, 2).imperfections.ball_diameter != b.imperfections.ball_diameter);
-  CHECK(build::build_run_options({{"seed", "77"}}).seed == 77);
-  CHECK_THROWS_AS(build::build_run_options({{"seed", "-1"}}), InputError);
-  CHECK_THROWS_AS(build::build_run_options({{"seed", "1.5"}}), InputError);
+  CHECK(setup::build_bearing(deck).imperfections.ball_diameter == b.imperfections.ball_diameter);
+  CHECK(setup::build_bearing(deck, 2).imperfections.ball_diameter != b.imperfections.ball_diameter);
+  CHECK(setup::build_run_options({{"seed", "77"}}).seed == 77);
+  CHECK_THROWS_AS(setup::build_run_options({{"seed", "-1"}}), InputError);
+  CHECK_THROWS_AS(setup::build_run_options({{"seed", "1.5"}}), InputError);
   // In inches the same bearing.
   const deck::Deck english =
       with("ball-english", {{"kReGeoImp", "1"}}, {{"reDiaVar", "7.874015748031496e-05"}});
-  const auto e = build::build_bearing(english);
+  const auto e = setup::build_bearing(english);
   for (std::size_t k = 0; k < b.imperfections.ball_diameter.size(); ++k)
     CHECK(e.imperfections.ball_diameter[k] ==
           Approx(b.imperfections.ball_diameter[k]).epsilon(1e-12));
   // Said in PRINT.txt and RUN.json.
-  results::Report report("test", deck::UnitSystem::SI);
-  results::print_imperfections(report, b);
+  listing::Report report("test", deck::UnitSystem::SI);
+  listing::print_imperfections(report, b);
   const std::string text = report.take();
   CHECK(text.find("GEOMETRIC IMPERFECTIONS") != std::string::npos);
   // Tables have five digits.
   CHECK(text.find(fmt::format("{:.4e}", b.imperfections.ball_diameter[5])) != std::string::npos);
-  const auto json = results::imperfections_json(b);
+  const auto json = listing::imperfections_json(b);
   CHECK(json.at("elements").at("diameter [m]").at(3).get<double>() ==
         b.imperfections.ball_diameter[3]);
 }
@@ -76,7 +76,7 @@ TEST_CASE("listed diameters and race errors reach the bearing", "[unit][imperfec
             {"cFacVar12", "0.001"},
             {"cFacVar22", "2"},
             {"cFacVar32", "45"}});
-  const auto b = build::build_bearing(deck);
+  const auto b = setup::build_bearing(deck);
   CHECK(b.imperfections.ball_diameter[1] == 3e-6);
   CHECK(b.imperfections.ball_diameter[10] == -1e-6);
   CHECK(b.imperfections.ball_diameter[0] == 0.0);
@@ -91,7 +91,7 @@ TEST_CASE("listed diameters and race errors reach the bearing", "[unit][imperfec
   CHECK(inner.curvature_factor.phase == Approx(45 * kDegree));
   const auto s = statics::solve_ball_statics(b);
   CHECK(s.residual < 1e-9);
-  const auto json = results::imperfections_json(b);
+  const auto json = listing::imperfections_json(b);
   // Ball 1 stands at z: 30 degrees from the major axis, R ~ 4e-6 cos 2t.
   CHECK(json.at("outer race at the elements").at("radius [m]").at(0).get<double>() ==
         Approx(4e-6 * std::cos(60 * kDegree)).epsilon(1e-3));
@@ -108,9 +108,9 @@ TEST_CASE("all deviations of random rollers, and their lands, are solved",
                                 {"rlTaper11", "1e-4"},
                                 {"rlTaper21", "2"},
                                 {"rlOffset11", "1e-4"}});
-  const auto b = build::build_bearing(deck);
+  const auto b = setup::build_bearing(deck);
   REQUIRE(b.rollers);
-  const RandomTable table(build::kDefaultSeed);
+  const RandomTable table(setup::kDefaultSeed);
   CHECK(b.rollers->deviation[5].diameter == 1e-6 * table.normal(5, 0));
   CHECK(b.rollers->deviation[5].crown_radius == 0.1 * table.normal(5, 1));
   CHECK(b.rollers->deviation[5].length == 1e-5 * table.normal(5, 2));
@@ -122,8 +122,8 @@ TEST_CASE("all deviations of random rollers, and their lands, are solved",
   held.constraints.displacement_given[0] = true;
   const auto s = statics::solve_roller_statics(held);
   CHECK(s.residual < 1e-9);
-  results::Report report("test", deck::UnitSystem::SI);
-  results::print_imperfections(report, b);
+  listing::Report report("test", deck::UnitSystem::SI);
+  listing::print_imperfections(report, b);
   CHECK(report.take().find("land offs") != std::string::npos);
 }
 
@@ -131,15 +131,15 @@ TEST_CASE("imperfections that cannot be simulated are refused by name", "[unit][
   deck::Deck moving = with("ball", {{"kReGeoImp", "1"}}, {{"reDiaVar", "1e-6"}});
   moving.set("mode", "0");
   moving.complete();
-  CHECK_THROWS_WITH(build::build_bearing(moving),
+  CHECK_THROWS_WITH(setup::build_bearing(moving),
                     Catch::Contains("kReGeoImp") && Catch::Contains("does not simulate yet"));
   const deck::Deck routine = with("ball", {{"kRaceGeoImp2", "3"}}, {});
-  CHECK_THROWS_WITH(build::build_bearing(routine), Catch::Contains("ADRX6"));
+  CHECK_THROWS_WITH(setup::build_bearing(routine), Catch::Contains("ADRX6"));
   const deck::Deck gone = with("ball", {{"kReGeoImp", "2"}}, {{"reDiaVar4", "-1"}});
-  CHECK_THROWS_WITH(build::build_bearing(gone), Catch::Contains("rolling element 4"));
+  CHECK_THROWS_WITH(setup::build_bearing(gone), Catch::Contains("rolling element 4"));
   const deck::Deck open =
       with("ball", {{"kRaceGeoImp1", "2"}}, {{"rndVar11", "1e-6"}, {"rndVar21", "2.5"}});
-  const auto issues = build::check_buildable(open);
+  const auto issues = setup::check_buildable(open);
   REQUIRE(issues.size() == 1);
   CHECK(issues[0].severity == Severity::Warning);
   CHECK(issues[0].text().find("rndVar21") != std::string::npos);

@@ -1,10 +1,10 @@
-#include "build/build_bearing.hpp"
-#include "build/build_life.hpp"
-#include "build/run_control.hpp"
 #include "deck/templates.hpp"
 #include "life/bearing_life.hpp"
 #include "life/capacity.hpp"
-#include "results/print_life.hpp"
+#include "listing/print_life.hpp"
+#include "setup/build_bearing.hpp"
+#include "setup/build_life.hpp"
+#include "setup/run_control.hpp"
 #include "statics/ball_statics.hpp"
 #include "thermal/operating.hpp"
 
@@ -21,8 +21,8 @@ using namespace adore;
 namespace {
 
 life::BearingLife life_of(const deck::Deck& deck, const bearing::LifeChoices& choices = {}) {
-  const bearing::Bearing bearing = build::build_bearing(deck);
-  return life::ball_bearing_life(bearing, build::build_life(deck, choices),
+  const bearing::Bearing bearing = setup::build_bearing(deck);
+  return life::ball_bearing_life(bearing, setup::build_life(deck, choices),
                                  statics::solve_ball_statics(bearing));
 }
 
@@ -142,10 +142,10 @@ TEST_CASE("life factors of materials given in the deck are all used", "[physics]
 TEST_CASE("a multiplier of zero is refused by record and variable", "[unit][life]") {
   deck::Deck deck = with_constants(deck::new_deck("ball"));
   deck.set("fcGZ2", "0");
-  CHECK_THROWS_WITH(build::build_life(deck), Catch::Contains("8.6.2") && Catch::Contains("fcGZ2"));
-  CHECK(build::build_run_options({{"sol7Life", "ih-tallian"}}).life.stored_modification ==
+  CHECK_THROWS_WITH(setup::build_life(deck), Catch::Contains("8.6.2") && Catch::Contains("fcGZ2"));
+  CHECK(setup::build_run_options({{"sol7Life", "ih-tallian"}}).life.stored_modification ==
         bearing::LifeModification::Tallian);
-  CHECK_THROWS_WITH(build::build_run_options({{"sol7Life", "best"}}),
+  CHECK_THROWS_WITH(setup::build_run_options({{"sol7Life", "best"}}),
                     Catch::Contains("lpu") && Catch::Contains("sol7Life"));
 }
 
@@ -158,14 +158,14 @@ TEST_CASE("the printed page carries origins, infinite lives and the film stateme
   const life::BearingLife life = life_of(light);
   REQUIRE(
       std::isinf(life.state.of(bearing::LifeModel::Harris, bearing::LifeModification::None).L10));
-  results::Report report("page", deck::UnitSystem::SI);
-  results::print_life(report, life);
+  listing::Report report("page", deck::UnitSystem::SI);
+  listing::print_life(report, life);
   const std::string text = report.take();
   for (const char* part :
        {"INFINITE", "CALIBRATED", "recalled", "derived", "no lubricant film is computed",
         "Original Lundberg-Palmgren", "Gupta-Zaretsky type", "Tallian-type", "ISO 16281", "Cu"})
     CHECK_THAT(text, Catch::Contains(part));
-  const auto json = results::life_json(life);
+  const auto json = listing::life_json(life);
   CHECK(json["lives"]["Ioannides-Harris type"]["basic"]["L10 [hr]"] == "infinite");
   CHECK(json["parameters"]["outer race"]["STLE"]["material"]["origin"] == "recalled");
   CHECK(results::plotted_life(std::numeric_limits<double>::infinity()) == 9.9999999e30);
@@ -219,7 +219,7 @@ TEST_CASE("every life in the print and in RUN.json names its origin", "[unit][li
   deck::Deck deck = deck::new_deck("ball");
   load(deck);
   const life::BearingLife life = life_of(deck);
-  const auto json = results::life_json(life)["lives"];
+  const auto json = listing::life_json(life)["lives"];
   for (const auto& [model, forms] : json.items())
     for (const auto& [form, entry] : forms.items()) {
       INFO(model << " " << form);
@@ -229,8 +229,8 @@ TEST_CASE("every life in the print and in RUN.json names its origin", "[unit][li
       if (form == "STLE") CHECK_THAT(origin, Catch::EndsWith("recalled"));
       if (form == "Tallian-type") CHECK_THAT(origin, Catch::EndsWith("derived"));
     }
-  results::Report report("page", deck::UnitSystem::SI);
-  results::print_life(report, life);
+  listing::Report report("page", deck::UnitSystem::SI);
+  listing::print_life(report, life);
   const std::string text = report.take();
   const auto line_of = [&](const std::string& start, std::size_t after) {
     const std::size_t at = text.find(start, after);
@@ -260,8 +260,8 @@ TEST_CASE("with material laws lives follow the modulus of the hot parts, and the
     deck.set(name, "450");
   const auto hot_life = [&](const char* laws) {
     deck.set("kMatPropMod", laws);
-    const bearing::Bearing bearing = thermal::operating_bearing(build::build_bearing(deck));
-    return life::ball_bearing_life(bearing, build::build_life(deck),
+    const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
+    return life::ball_bearing_life(bearing, setup::build_life(deck),
                                    statics::solve_ball_statics(bearing));
   };
   const life::BearingLife cold = hot_life("0"), hot = hot_life("1");
@@ -276,8 +276,8 @@ TEST_CASE("with material laws lives follow the modulus of the hot parts, and the
   // little with the contact angles.
   CHECK(updated(hot) / updated(cold) == Approx(std::pow(E / 207e9, -6.3)).epsilon(0.05));
   const auto page = [](const life::BearingLife& life) {
-    results::Report report("page", deck::UnitSystem::SI);
-    results::print_life(report, life);
+    listing::Report report("page", deck::UnitSystem::SI);
+    listing::print_life(report, life);
     return report.take();
   };
   // Beginnings of sentences: the rest may be on the next line.

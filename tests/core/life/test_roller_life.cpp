@@ -1,7 +1,7 @@
 #include "../statics/roller_bearings.hpp"
 #include "life/bearing_life.hpp"
 #include "life/iso281.hpp"
-#include "results/print_life.hpp"
+#include "listing/print_life.hpp"
 #include "statics/roller_statics.hpp"
 
 #include <catch2/catch.hpp>
@@ -153,11 +153,11 @@ TEST_CASE("a lightly loaded barrel lives by its capacity as a point contact", "[
   CHECK(life.state.of(bearing::LifeModel::Original, bearing::LifeModification::None).part[1] ==
         Approx(std::pow(Q_c, 3) / cubes).epsilon(1e-12));
   CHECK(life.parameters.part[1].slope.value == Approx(10.0 / 9.0));  // of points
-  results::Report report("page", deck::UnitSystem::SI);
-  results::print_life(report, life);
+  listing::Report report("page", deck::UnitSystem::SI);
+  listing::print_life(report, life);
   const std::string text = report.take();
   CHECK_THAT(text, Catch::Contains("point contact") && Catch::Contains("rule of Harris, recalled"));
-  CHECK(results::life_json(life)["races"]["inner race"]["counts as"] == "point");
+  CHECK(listing::life_json(life)["races"]["inner race"]["counts as"] == "point");
 }
 
 TEST_CASE("the solution with one ellipse per contact lives as its loads say", "[physics][life]") {

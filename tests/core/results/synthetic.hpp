@@ -2,9 +2,9 @@
 
 #include "base/errors.hpp"
 #include "bearing/bearing.hpp"
-#include "dynamics/effect_catalogue.hpp"
-#include "dynamics/ledger_terms.hpp"
-#include "dynamics/snapshot.hpp"
+#include "results/channels.hpp"
+#include "scene/ledger_terms.hpp"
+#include "scene/snapshot.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,6 +21,37 @@
 /// Invented but plausible input of the writers: every field has its own value, so that a mixed-up
 /// column is seen.
 namespace adore::testing {
+
+/// Items of an energy ledger, as effects would make them.
+namespace items {
+using scene::LedgerKind, scene::LedgerTerm;
+inline constexpr LedgerTerm kGravity{LedgerKind::Stored,        "gravity",    "energy in gravity",
+                                     {"energy in gravity now"}, "stored now", "N"};
+inline constexpr LedgerTerm kWork{LedgerKind::Work,
+                                  "work",
+                                  "work of the races",
+                                  {"work of the outer race", "work of the inner race"},
+                                  "since the start"};
+inline constexpr LedgerTerm kHeat{LedgerKind::Heat,
+                                  "heat",
+                                  "heat at the races",
+                                  {"outer race contacts", "inner race contacts"},
+                                  "since the start"};
+inline constexpr LedgerTerm kPocketHeat{
+    LedgerKind::Heat, "pocket_heat", "heat in the pockets", {"cage pockets"}, "since the start"};
+inline constexpr LedgerTerm kLandHeat{
+    LedgerKind::Heat, "land_heat", "heat at the guide lands", {"guide lands"}, "since the start"};
+inline constexpr const LedgerTerm* kAll[] = {&scene::terms::kStart,
+                                             &scene::terms::kKinetic,
+                                             &scene::terms::kElastic,
+                                             &kGravity,
+                                             &kWork,
+                                             &kHeat,
+                                             &kPocketHeat,
+                                             &kLandHeat};
+}  // namespace items
+/// Of runs with such a ledger.
+inline results::ChannelTable channel_table() { return results::ChannelTable(items::kAll); }
 
 inline bearing::Bearing make_bearing(int balls = 3, bool with_cage = true) {
   bearing::Bearing bearing;
@@ -59,19 +90,19 @@ inline bearing::Bearing make_bearing(int balls = 3, bool with_cage = true) {
   return bearing;
 }
 
-inline dynamics::Quat turn_about_x(double angle) {
+inline scene::Quat turn_about_x(double angle) {
   return {std::cos(angle / 2.0), std::sin(angle / 2.0), 0.0, 0.0};
 }
 
-inline dynamics::Snapshot make_snapshot(const bearing::Bearing& bearing, long step = 0) {
-  dynamics::Snapshot snapshot;
+inline scene::Snapshot make_snapshot(const bearing::Bearing& bearing, long step = 0) {
+  scene::Snapshot snapshot;
   const double t = 1e-5 * static_cast<double>(step);
   snapshot.step = step;
   snapshot.time = t;
   snapshot.step_size = 1e-6;
   snapshot.shaft_rotation = 1000.0 * t;
   for (int j = 0; j < bearing.balls.count; ++j) {
-    dynamics::ElementSnapshot ball;
+    scene::ElementSnapshot ball;
     const double k = j + 1;
     ball.x = 1e-5 * k;
     ball.r = 0.035 + 1e-5 * k;
@@ -85,7 +116,7 @@ inline dynamics::Snapshot make_snapshot(const bearing::Bearing& bearing, long st
     ball.omega = {-2000.0 * k, 30.0, -500.0};
     ball.oriented = j == 0;
     if (ball.oriented) {
-      ball.x_axis = dynamics::Vec3(0.6, 0.0, 0.8);
+      ball.x_axis = scene::Vec3(0.6, 0.0, 0.8);
       ball.orientation = turn_about_x(0.3);
       ball.total_rotation = -2000.0 * t;
     }
@@ -106,12 +137,11 @@ inline dynamics::Snapshot make_snapshot(const bearing::Bearing& bearing, long st
     snapshot.elements.push_back(ball);
   }
   if (bearing.cage) {
-    dynamics::CageSnapshot cage;
+    scene::CageSnapshot cage;
     const double a = 450.0 * t;
     cage.position = {1e-5, -1e-4 * std::sin(a), 1e-4 * std::cos(a)};
-    cage.velocity = 450.0 * dynamics::Vec3(0.0, -1e-4 * std::cos(a), -1e-4 * std::sin(a));
-    cage.acceleration =
-        450.0 * 450.0 * dynamics::Vec3(0.0, 1e-4 * std::sin(a), -1e-4 * std::cos(a));
+    cage.velocity = 450.0 * scene::Vec3(0.0, -1e-4 * std::cos(a), -1e-4 * std::sin(a));
+    cage.acceleration = 450.0 * 450.0 * scene::Vec3(0.0, 1e-4 * std::sin(a), -1e-4 * std::cos(a));
     cage.velocity.x() = 0.003;
     cage.orientation = turn_about_x(430.0 * t);
     cage.omega = {430.0, 1.0, 2.0};
@@ -134,24 +164,17 @@ inline dynamics::Snapshot make_snapshot(const bearing::Bearing& bearing, long st
     snapshot.power.qv_race[race] = (100.0 + race) * t;
   }
   snapshot.power.qv_cage = 5.0 * t;
-  using dynamics::terms::kElastic;
-  using dynamics::terms::kKinetic;
-  using dynamics::terms::kStart;
-  // Items of effects, as their files would add them.
-  static const std::vector<const dynamics::LedgerTerm*> all = dynamics::energy_terms();
-  const auto term = [](std::string_view id) -> const dynamics::LedgerTerm& {
-    return **std::find_if(all.begin(), all.end(), [id](const auto* one) { return one->id == id; });
-  };
+  using namespace scene::terms;
   snapshot.energy.add(kStart, 5.5);
   snapshot.energy.add(kKinetic, 1.0);
   snapshot.energy.add(kElastic, 2.0);
-  snapshot.energy.add(term("gravity"), 3.0);
-  snapshot.energy.add(term("work"), 0.25, 0);
-  snapshot.energy.add(term("work"), 0.5, 1);
-  snapshot.energy.add(term("heat"), 20.0 * t, 0, 20.0);
-  snapshot.energy.add(term("heat"), 30.0 * t, 1, 30.0);
-  snapshot.energy.add(term("pocket_heat"), 3.0 * t, 0, 3.0);
-  snapshot.energy.add(term("land_heat"), 2.0 * t, 0, 2.0);
+  snapshot.energy.add(items::kGravity, 3.0);
+  snapshot.energy.add(items::kWork, 0.25, 0);
+  snapshot.energy.add(items::kWork, 0.5, 1);
+  snapshot.energy.add(items::kHeat, 20.0 * t, 0, 20.0);
+  snapshot.energy.add(items::kHeat, 30.0 * t, 1, 30.0);
+  snapshot.energy.add(items::kPocketHeat, 3.0 * t, 0, 3.0);
+  snapshot.energy.add(items::kLandHeat, 2.0 * t, 0, 2.0);
   snapshot.max_quaternion_error = 1e-16;
   return snapshot;
 }

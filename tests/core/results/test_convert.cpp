@@ -38,11 +38,11 @@ std::vector<std::string> split(const std::string& text, char at) {
 }
 
 void write_all(const TemporaryFolder& folder, const bearing::Bearing& bearing) {
-  ChannelRecorder recorder(bearing, UnitSystem::SI);
+  ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
   SolWriter sol = SolWriter::create(folder / "SOL1", make_sol_header(bearing, 1, UnitSystem::SI),
                                     UnitSystem::SI);
   Sol8Writer animation = Sol8Writer::create(folder / "SOL8", bearing, UnitSystem::SI);
-  H5Writer h5 = H5Writer::create(folder / "RESULTS.h5", bearing);
+  H5Writer h5 = H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
   for (long step = 0; step < 5; ++step) {
     const StepRecord& record = recorder.record(make_snapshot(bearing, step));
     sol.write(record);
@@ -67,7 +67,7 @@ RunSummary make_summary() {
   run.deck_file = "DATA.txt";
   run.status = "done";
   run.plan = {{"unknowns", 42}};
-  run.scales = dynamics::Scales{0.00635, 1000.0, 2e-5};
+  run.scales = scene::Scales{0.00635, 1000.0, 2e-5};
   run.integrator = "rkf5";
   run.tolerance = 1e-6;
   run.options = {{"ellipse_major", "12"}};
@@ -171,7 +171,7 @@ TEST_CASE("RUN.json differs between equal runs only under 'measured'", "[unit][r
   ja.erase("measured");
   jb.erase("measured");
   CHECK(ja.dump() == jb.dump());
-  const dynamics::EnergyLedger e = *a.energy;
+  const scene::EnergyLedger e = *a.energy;
   CHECK(ja["conservation"]["energy"]["residual [J]"] == e.residual());
   // 0.75 J of work and 0.055 J of heat at 1 ms: the larger is the measure.
   CHECK(ja["conservation"]["energy"]["residual over energy moved"] == e.residual() / 0.75);

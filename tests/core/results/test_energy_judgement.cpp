@@ -9,11 +9,11 @@ using namespace adore::results;
 namespace {
 
 /// Heat of 1 J, work larger by the residual.
-adore::dynamics::EnergyLedger run_of(double residual) {
-  using adore::dynamics::LedgerKind;
-  static const adore::dynamics::LedgerTerm heat{LedgerKind::Heat, "heat", "", {"contacts", ""}, ""};
-  static const adore::dynamics::LedgerTerm work{LedgerKind::Work, "work", "", {"races", ""}, ""};
-  adore::dynamics::EnergyLedger energy;
+adore::scene::EnergyLedger run_of(double residual) {
+  using adore::scene::LedgerKind;
+  static const adore::scene::LedgerTerm heat{LedgerKind::Heat, "heat", "", {"contacts", ""}, ""};
+  static const adore::scene::LedgerTerm work{LedgerKind::Work, "work", "", {"races", ""}, ""};
+  adore::scene::EnergyLedger energy;
   energy.add(heat, 1.0);
   energy.add(work, 1.0 + residual);
   return energy;

@@ -17,7 +17,7 @@ namespace {
 void write_run(const TemporaryFolder& folder, UnitSystem units, const std::string& h5_run,
                long delay = 0, long h5_steps = 40) {
   bearing::Bearing bearing = make_bearing();
-  ChannelRecorder recorder(bearing, units);
+  ChannelRecorder recorder(bearing, units, channel_table());
   std::vector<std::pair<SolHeader, SolWriter>> files;
   for (const auto& [name, index] : {std::pair{"SOL1", 2}, {"SOL4", 4}, {"SOL7", 0}}) {
     const SolHeader header = make_sol_header(bearing, index, units);
@@ -30,10 +30,10 @@ void write_run(const TemporaryFolder& folder, UnitSystem units, const std::strin
     animation.write(make_snapshot(bearing, step));
   }
   bearing.run_id = h5_run;
-  H5Writer h5 = H5Writer::create(folder / "RESULTS.h5", bearing);
-  ChannelRecorder second(bearing, units);
+  H5Writer h5 = H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
+  ChannelRecorder second(bearing, units, channel_table());
   for (long step = 0; step <= h5_steps; ++step) {
-    dynamics::Snapshot snapshot = make_snapshot(bearing, step + delay);
+    scene::Snapshot snapshot = make_snapshot(bearing, step + delay);
     snapshot.step = step;
     h5.write(second.record(snapshot));
   }
@@ -43,7 +43,7 @@ void write_run(const TemporaryFolder& folder, UnitSystem units, const std::strin
 /// Largest relative distance between the values of a file and those that the writers were given.
 double worst(const SolFile& file, UnitSystem units) {
   const bearing::Bearing bearing = make_bearing();
-  ChannelRecorder recorder(bearing, units);
+  ChannelRecorder recorder(bearing, units, channel_table());
   const auto columns = sol_columns(file.header);
   double largest = 0.0;
   for (long step = 0; step <= 40; ++step) {

@@ -7,8 +7,8 @@ using namespace adore::results;
 
 namespace {
 
-dynamics::Snapshot at(double time, double force_x) {
-  dynamics::Snapshot out;
+scene::Snapshot at(double time, double force_x) {
+  scene::Snapshot out;
   out.time = time;
   out.races[1].applied_force = {force_x, 0.0, 100.0};
   return out;

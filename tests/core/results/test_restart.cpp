@@ -195,7 +195,7 @@ TEST_CASE("the whirl is followed by positions alone between snapshots", "[unit][
   const bearing::Bearing bearing = make_bearing(4);
   RunAverages averages;
   for (long step = 0; step <= 20000; step += 100) {
-    const dynamics::Snapshot snapshot = make_snapshot(bearing, step);
+    const scene::Snapshot snapshot = make_snapshot(bearing, step);
     if (step % 10000 == 0)
       averages.add(snapshot);  // 45 rad apart: many turns of the whirl
     else

@@ -23,8 +23,8 @@ namespace {
 
 std::string file_of_steps(const bearing::Bearing& bearing, const std::filesystem::path& path,
                           long steps) {
-  H5Writer writer = H5Writer::create(path, bearing);
-  ChannelRecorder recorder(bearing, UnitSystem::SI);
+  H5Writer writer = H5Writer::create(path, bearing, channel_table());
+  ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
   for (long step = 0; step < steps; ++step)
     writer.write(recorder.record(make_snapshot(bearing, step)));
   writer.flush();
@@ -125,7 +125,7 @@ TEST_CASE("SOL1 beside a damaged RESULTS.h5 keeps its own digits and says why", 
   const auto path = folder / "RESULTS.h5";
   const std::string good = file_of_steps(bearing, path, 4);
   {
-    ChannelRecorder recorder(bearing, UnitSystem::SI);
+    ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
     SolWriter sol = SolWriter::create(folder / "SOL1", make_sol_header(bearing, 1, UnitSystem::SI),
                                       UnitSystem::SI);
     for (long step = 0; step < 4; ++step) sol.write(recorder.record(make_snapshot(bearing, step)));

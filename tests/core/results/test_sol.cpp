@@ -223,7 +223,7 @@ TEST_CASE("the header of an element file stands in the columns of the format", "
 TEST_CASE("a step of an element file stands in the columns of the format", "[unit][sol]") {
   const bearing::Bearing bearing = make_bearing();
   TemporaryFolder folder;
-  ChannelRecorder recorder(bearing, UnitSystem::SI);
+  ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
   SolWriter writer = SolWriter::create(folder / "SOL1", make_sol_header(bearing, 1, UnitSystem::SI),
                                        UnitSystem::SI);
   writer.write(recorder.record(make_snapshot(bearing, 12)));
@@ -254,7 +254,7 @@ TEST_CASE("what is written to SOL1-SOL7 is read back, in both unit systems", "[u
       for (int index = 0; index <= 8; ++index) {
         TemporaryFolder folder;
         const SolHeader header = make_sol_header(bearing, index, units);
-        ChannelRecorder recorder(bearing, units);
+        ChannelRecorder recorder(bearing, units, channel_table());
         std::vector<SolStep> expected;
         const std::vector<SolColumn> columns = sol_columns(header);
         REQUIRE(static_cast<int>(columns.size()) == header.value_count);
@@ -298,7 +298,7 @@ TEST_CASE("values of the classic files have the numbers, meanings and units of t
           "[unit][sol]") {
   const bearing::Bearing bearing = make_bearing();
   const auto values = [&](int index, UnitSystem units, long step = 100) {
-    ChannelRecorder recorder(bearing, units);
+    ChannelRecorder recorder(bearing, units, channel_table());
     const SolHeader header = make_sol_header(bearing, index, units);
     return make_sol_step(header, sol_columns(header), recorder.record(make_snapshot(bearing, step)),
                          units)
@@ -370,7 +370,7 @@ TEST_CASE("the cage's mass centre is normalised by land, pocket or unit of lengt
 
 TEST_CASE("angles stay continuous between records, and across a continuation", "[unit][sol]") {
   const bearing::Bearing bearing = make_bearing();
-  ChannelRecorder recorder(bearing, UnitSystem::SI);
+  ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
   // The cage whirls 450 rad/s * 4 ms = 1.8 rad between records.
   std::map<std::string, double> state;
   for (long step = 0; step <= 8; ++step) {
@@ -379,10 +379,10 @@ TEST_CASE("angles stay continuous between records, and across a continuation", "
     CHECK(recorder.record(make_snapshot(bearing, 400 * step))["cage.orbital_position"][0] ==
           Approx(expected).margin(1e-12));
   }
-  ChannelRecorder continued(bearing, UnitSystem::SI);
+  ChannelRecorder continued(bearing, UnitSystem::SI, channel_table());
   continued.restore(state);
   CHECK(continued.record(make_snapshot(bearing, 2000))["cage.orbital_position"][0] == Approx(9.0));
-  ChannelRecorder fresh(bearing, UnitSystem::SI);
+  ChannelRecorder fresh(bearing, UnitSystem::SI, channel_table());
   CHECK(fresh.record(make_snapshot(bearing, 2000))["cage.orbital_position"][0] ==
         Approx(wrapped(9.0)));
 }
@@ -458,7 +458,7 @@ TEST_CASE("SOL8 is refused where its columns end, with a sentence", "[unit][sol]
   // 200 elements are fine elsewhere.
   const bearing::Bearing huge = make_bearing(200);
   const SolHeader header = make_sol_header(huge, 201, UnitSystem::SI);
-  ChannelRecorder recorder(huge, UnitSystem::SI);
+  ChannelRecorder recorder(huge, UnitSystem::SI, channel_table());
   SolWriter::create(folder / "SOL1", header, UnitSystem::SI)
       .write(recorder.record(make_snapshot(huge)));
   CHECK(read_sol(folder / "SOL1").steps.at(0).values.size() == 824);

@@ -35,7 +35,7 @@ TEST_CASE("a file cut off at any byte gives its whole steps or says that it is n
           "[unit][sol]") {
   const bearing::Bearing bearing = make_bearing(2);
   TemporaryFolder folder;
-  ChannelRecorder recorder(bearing, UnitSystem::SI);
+  ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
   std::vector<std::size_t> ends;
   {
     SolWriter writer = SolWriter::create(
@@ -160,7 +160,7 @@ TEST_CASE("files of other programs open", "[unit][sol]") {
   }
   SECTION("a step damaged in the middle ends what is read") {
     const bearing::Bearing bearing = make_bearing(2);
-    ChannelRecorder recorder(bearing, UnitSystem::SI);
+    ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
     SolWriter writer = SolWriter::create(
         folder / "SOL1", make_sol_header(bearing, 1, UnitSystem::SI), UnitSystem::SI);
     for (long step = 0; step < 3; ++step)
@@ -204,7 +204,7 @@ TEST_CASE("a continued SOL file equals one written in one go", "[unit][sol]") {
   TemporaryFolder folder;
   const SolHeader header = make_sol_header(bearing, 4, UnitSystem::SI);
   const auto write = [&](SolWriter writer, Sol8Writer animation, long from, long to) {
-    ChannelRecorder recorder(bearing, UnitSystem::SI);
+    ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
     for (long step = from; step <= to; ++step) {
       writer.write(recorder.record(make_snapshot(bearing, step)));
       animation.write(make_snapshot(bearing, step));
@@ -287,7 +287,7 @@ TEST_CASE("a locale with a decimal comma changes no byte and no reading", "[unit
   const bearing::Bearing bearing = make_bearing();
   TemporaryFolder folder;
   const auto write = [&](const std::string& name) {
-    ChannelRecorder recorder(bearing, UnitSystem::SI);
+    ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
     SolWriter writer = SolWriter::create(folder / name, make_sol_header(bearing, 1, UnitSystem::SI),
                                          UnitSystem::SI);
     for (long step = 0; step < 2; ++step)

@@ -1,7 +1,7 @@
 #include "base/errors.hpp"
 #include "core/statics/ball_bearings.hpp"
 #include "dynamics/race_contacts.hpp"
-#include "results/ball_warnings.hpp"
+#include "listing/ball_warnings.hpp"
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 using namespace adore;
 using namespace ball_bearings;
 using Catch::Contains;
-using results::ball_warnings;
+using listing::ball_warnings;
 using results::UnitSystem;
 using statics::solve_ball_statics;
 using statics::StaticBall;

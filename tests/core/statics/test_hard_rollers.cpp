@@ -3,7 +3,7 @@
 #include "core/statics/ball_bearings.hpp"
 #include "core/statics/roller_bearings.hpp"
 #include "core/statics/solution_checks.hpp"
-#include "results/print_file.hpp"
+#include "listing/print_file.hpp"
 #include "statics/roller_model.hpp"
 #include "statics/roller_statics.hpp"
 
@@ -236,8 +236,8 @@ TEST_CASE("the point of a barrel stays on its arc: the deepest of all its slices
 TEST_CASE("unloaded rollers at speed stand where the rule says, and PRINT says it",
           "[physics][statics][rollers][hard]") {
   const auto printed = [](const Bearing& b, const RollerSolution& s) {
-    results::Report report("test", deck::UnitSystem::SI);
-    results::print_quasi_static(report, s, b);
+    listing::Report report("test", deck::UnitSystem::SI);
+    listing::print_quasi_static(report, s, b);
     std::string text = report.take();  // lines are wrapped
     std::string flat;
     for (char c : text)

@@ -1,4 +1,4 @@
-#include "build/build_bearing.hpp"
+#include "setup/build_bearing.hpp"
 #include "deck/reader.hpp"
 #include "statics/roller_statics.hpp"
 #include "support/paths.hpp"
@@ -29,7 +29,7 @@ bearing::Bearing example(const std::string& name) {
   REQUIRE(read.ok());
   read.deck.set("mode", "-1");
   read.deck.complete();
-  return thermal::operating_bearing(build::build_bearing(read.deck, 1));
+  return thermal::operating_bearing(setup::build_bearing(read.deck, 1));
 }
 
 /// The deck's load scaled so that its largest component is `force`, the inner race at `rpm`.

@@ -1,9 +1,9 @@
 #include "bearing/material_laws.hpp"
-#include "build/build_bearing.hpp"
 #include "contact/groove.hpp"
 #include "deck/templates.hpp"
 #include "facade/prepare.hpp"
 #include "results/results_h5.hpp"
+#include "setup/build_bearing.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_model.hpp"
 #include "statics/roller_statics.hpp"
@@ -33,7 +33,7 @@ Bearing built(const char* type, const Sets& sets) {
   deck.complete();
   for (const auto& [name, value] : sets) deck.set(name, value);
   deck.complete();
-  return build::build_bearing(deck);
+  return setup::build_bearing(deck);
 }
 
 /// Nothing turns, nothing presses, everything is held at (x, 0, z).
@@ -228,7 +228,7 @@ TEST_CASE("a dynamic run starts from the same datum: held races carry the warm p
     const facade::Prepared p = facade::prepare(request);
     if (!p.control.dynamic) return p.statics.load[0];
     dynamics::System system = facade::make_system(p);
-    const dynamics::Snapshot now = system.snapshot(0.0, system.initial_state());
+    const scene::Snapshot now = system.snapshot(0.0, system.initial_state());
     // Traction, which the statics leave out, carries up to a few parts in a thousand.
     CHECK(now.races[1].applied_force.x() == Approx(p.start.load[0]).epsilon(5e-3));
     CHECK(now.races[1].position.x() == Approx(5.0307e-6));

@@ -1,7 +1,7 @@
 #include "../statics/roller_bearings.hpp"
 #include "base/errors.hpp"
 #include "bearing/material_laws.hpp"
-#include "build/build_bearing.hpp"
+#include "setup/build_bearing.hpp"
 #include "contact/groove.hpp"
 #include "deck/reader.hpp"
 #include "statics/ball_statics.hpp"
@@ -23,7 +23,7 @@ Bearing example() {
   const deck::ReadResult read =
       deck::read_deck(adore::test::source_dir().string() + "/resources/decks/ball.txt");
   REQUIRE(read.ok());
-  return build::build_bearing(read.deck);
+  return setup::build_bearing(read.deck);
 }
 
 Bearing example_at_rest() {

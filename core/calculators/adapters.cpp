@@ -1,0 +1,31 @@
+#include "calculators/adapters.hpp"
+
+#include "calculators/cage.hpp"
+#include "calculators/life.hpp"
+#include "calculators/rigid_body.hpp"
+#include "calculators/roller_static.hpp"
+#include "calculators/rollers.hpp"
+#include "calculators/static.hpp"
+#include "calculators/thermal.hpp"
+#include "calculators/traction.hpp"
+
+namespace adore::calculators {
+
+std::vector<Adapter> component_adapters() {
+  std::vector<Adapter> all;
+  const auto add = [&](std::vector<Adapter> some) {
+    for (Adapter& adapter : some) all.push_back(std::move(adapter));
+  };
+  add(cage_adapters());
+  add(rigid_body_adapters());
+  add(static_adapters());
+  add(roller_static_adapters());
+  add(roller_slice_adapters());
+  add(roller_part_adapters());
+  add(thermal_adapters());
+  add(traction_adapters());
+  add(life_adapters());
+  return all;
+}
+
+}  // namespace adore::calculators

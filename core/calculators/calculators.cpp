@@ -1,0 +1,167 @@
+#include "calculators/calculators.hpp"
+
+#include "base/errors.hpp"
+#include "calculators/adapters.hpp"
+#include "calculators/calculator_inputs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace adore::calculators {
+
+const std::vector<CalculatorInfo>& calculator_list() {
+  static const std::vector<CalculatorInfo> table = {
+      {"hertz", "A_hertz_point", "hertz_point",
+       "elliptical Hertz contact: sizes, pressure, approach, subsurface stresses"},
+      {"line-contact", "B_line_contact", "line_contact",
+       "line contact: half width, pressure, subsurface stresses, four printed approaches"},
+      {"sliced-line", "B_line_contact", "sliced_roller",
+       "load and moment of a sliced roller over approach and tilt"},
+      {"slice-penetration", "rollers_slices", "slice_penetration",
+       "roller profile and slices against a race in three dimensions"},
+      {"slice-load", "rollers_slices", "slice_load",
+       "loads of roller slices, power or half-space law, land limits"},
+      {"slice-traction", "rollers_slices", "slice_traction",
+       "slip, traction, force, moment and heat of a sliced roller on a race"},
+      {"race-errors", "rollers_slices", "race_errors",
+       "out-of-round, land offset, taper and curvature factor of a race over azimuth"},
+      {"roller-flange", "rollers_flange", "sphere_end",
+       "gap, place, mode and load of a roller end at a flange, domed or flat"},
+      {"roller-corner", "rollers_flange", "corner_geometry",
+       "corner torus between the side and the end of a roller"},
+      {"flange-placing", "rollers_flange", "end_play",
+       "flange roots of a cylindrical race for a total end play"},
+      {"flange-load", "rollers_flange", "flange_load",
+       "load, slip, friction and heat of a roller end on a flange"},
+      {"roller-inertia", "rollers_inertia", "",
+       "mass, mass centre and moments of a roller with crown, domes and corners"},
+      {"tapered-geometry", "rollers_tapered", "tapered_geometry",
+       "tapered bearing from roller diameter and the two cone angles"},
+      {"tapered-speeds", "rollers_tapered", "tapered_speeds",
+       "pure-rolling speeds and gyroscopic moment of a tapered roller"},
+      {"rib-loads", "rollers_tapered", "rib_static",
+       "tapered bearing under thrust: race and rib loads, rib contact"},
+      {"grooved-tapered", "rollers_tapered", "grooved_tapered",
+       "groove circles of a spherical tapered roller bearing"},
+      {"spherical-row", "rollers_tapered", "grooved_spherical",
+       "groove circles of a row of spherical rollers"},
+      {"ball-statics", "C_ball_bearing", "ball_equilibrium",
+       "ball bearing under load and speed: loads, angles, stiffness"},
+      {"kinematics", "E_kinematics", "kinematics", "cage and ball speeds, defect frequencies"},
+      {"traction-curve", "tribology_hypotheticalTraction", "",
+       "traction coefficient over slip, four prescriptions"},
+      {"ellipse-traction", "dynamics_contact_traction", "",
+       "traction, moment and heat of one contact ellipse"},
+      {"hertz-traction", "tribology_hertzTraction", "",
+       "traction over an ellipse with slip and spin"},
+      {"pocket-frame", "cage_pockets", "pocket_frame", "centre and axes of a cage pocket"},
+      {"ball-pocket", "cage_pockets", "ball_pocket",
+       "gap, contact point and angles of a ball in its pocket"},
+      {"pocket-law", "cage_pockets", "pocket_contact_law",
+       "load and energy of the capped Hertz law"},
+      {"land-law", "cage_lands", "land_law_circular",
+       "load of a cage guide land over its eccentricity"},
+      {"land-gap", "cage_lands", "land_gap", "gap of a guide land for a cage pose"},
+      {"cage-inertia", "cage_inertia", "cage_inertia",
+       "mass and moments of inertia of a cage with pockets"},
+      {"fits", "thermal_lame", "lame_fit", "pressure, growths and stresses of an interference fit"},
+      {"growth", "thermal_growth", "", "centrifugal or thermal growth of a ring"},
+      {"clearance", "thermal_clearance", "",
+       "operating fits, clearance and contact angle of a mounted bearing, or of a split race"},
+      {"material", "thermal_props", "material_property",
+       "one material of the table: every property with unit and provenance, at T [K] if given"},
+      {"fluid", "thermal_props", "fluid_property", "a coolant or churning medium at T [K]"},
+      {"units", "thermal_units", "", "conversion of values between the SI and English systems"},
+      {"load-capacity", "life_lp_capacity", "",
+       "Lundberg-Palmgren load capacity of ball and roller races"},
+      {"life", "life_stress_models", "",
+       "life of races, elements and bearing by one model from contact loads"},
+      {"life-factors", "life_factors", "", "STLE and Tallian-type life factors"},
+      {"life-statistics", "life_race_bearing", "", "race lives, product law, survival probability"},
+      {"life-sum", "life_accumulation", "", "Palmgren-Miner life of a load history"},
+      {"iso281", "life_iso281", "",
+       "ISO 281 and ISO 76 ratings, equivalent load, a_ISO, contamination, a_1, C_u"},
+      {"iso16281", "life_iso16281", "", "ISO 16281 reference life from contact or lamina loads"},
+      {"rigid-body", "motion_frames", "rigid_body", "accelerations of a rigid body"},
+  };
+  return table;
+}
+
+namespace {
+
+std::string see_description(std::string_view name) {
+  return fmt::format("`adore calc {} --describe` lists its inputs, with an example", name);
+}
+
+/// The name in single or double quotes within a text; empty when there is none.
+std::string quoted(std::string_view text) {
+  const std::size_t first = text.find('\'', text.find("key"));
+  const std::size_t last = first == std::string_view::npos ? first : text.find('\'', first + 1);
+  return last == std::string_view::npos ? std::string()
+                                        : std::string(text.substr(first + 1, last - first - 1));
+}
+
+/// A sentence for what the JSON library says: a key that is not there, or a value of another type.
+std::string misfit(std::string_view name, std::string_view family,
+                   const nlohmann::json::exception& error) {
+  constexpr int kNoSuchKey = 403;
+  const std::string key = quoted(error.what());
+  if (error.id == kNoSuchKey && !key.empty())
+    return fmt::format("calculator {}: the input {} is missing; {}", name,
+                       paths_of_key(family, key), see_description(name));
+  return fmt::format("calculator {}: an input is missing or of the wrong type; {}", name,
+                     see_description(name));
+}
+
+/// The condition of a demand() without its place in the source.
+std::string_view reason(std::string_view what) {
+  const std::size_t begin = what.rfind(": "), end = what.rfind(" (this is");
+  if (begin == std::string_view::npos) return what;
+  return what.substr(begin + 2, end == std::string_view::npos ? end : end - begin - 2);
+}
+
+}  // namespace
+
+nlohmann::json calculate(std::string_view name, const nlohmann::json& input,
+                         std::span<const Adapter> more) {
+  const auto& table = calculator_list();
+  const auto named = std::find_if(table.begin(), table.end(),
+                                  [&](const CalculatorInfo& info) { return info.name == name; });
+  const std::string family = named != table.end() ? named->family : std::string(name);
+  std::vector<Adapter> adapters = component_adapters();
+  adapters.insert(adapters.end(), more.begin(), more.end());
+  std::erase_if(adapters, [&](const Adapter& a) { return a.family != family; });
+  if (adapters.empty())
+    throw InputError(
+        fmt::format("there is no calculator named \"{}\"; `adore calc --list` shows them", name));
+
+  if (!input.is_object())
+    throw InputError(fmt::format("calculator {} takes one JSON object of inputs", name));
+  nlohmann::json the_case = input.contains("inputs") ? input : nlohmann::json{{"inputs", input}};
+  if (!the_case.at("inputs").is_object())
+    throw InputError(fmt::format("calculator {}: \"inputs\" must be one JSON object", name));
+  if (!the_case.contains("id")) the_case["id"] = name;
+  if (!the_case.contains("kind") && named != table.end() && !named->kind.empty())
+    the_case["kind"] = named->kind;
+  check_calculator_inputs(family, the_case.at("inputs"));
+  std::optional<nlohmann::json> result;
+  try {
+    for (const Adapter& adapter : adapters)
+      if (!result) result = adapter.run(the_case);
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(misfit(name, family, error));
+  } catch (const std::logic_error& error) {
+    // The numbers go straight to the library, so a precondition that fails there is theirs.
+    throw InputError(fmt::format("calculator {} does not take these inputs ({}); {}", name,
+                                 reason(error.what()), see_description(name)));
+  }
+  if (!result)
+    throw InputError(fmt::format("calculator {} does not know what to do with these inputs; {}",
+                                 name, see_description(name)));
+  nlohmann::json units = result_units(family, *result);
+  if (result->is_object() && !result->contains("units")) (*result)["units"] = std::move(units);
+  return *result;
+}
+
+}  // namespace adore::calculators

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "calculators/adapter.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Component calculators: JSON in, JSON out (`adore calc`). The names of the reference families
+/// work too, so that any case of tests/reference can be fed to its calculator.
+namespace adore::calculators {
+
+struct CalculatorInfo {
+  std::string name;    ///< "hertz"
+  std::string family;  ///< reference family whose README explains inputs and results
+  std::string kind;    ///< kind given to the family's calculator; may be empty
+  std::string help;
+};
+
+[[nodiscard]] const std::vector<CalculatorInfo>& calculator_list();
+
+/// @param input the object of inputs, or a whole reference case with "inputs" (and "kind").
+/// @param more families that a name may mean beside those of the calculators
+/// @return the results, and under "units" the unit of each.
+/// @throws InputError naming the calculators, what the input lacks, or which of its keys are
+/// unknown.
+[[nodiscard]] nlohmann::json calculate(std::string_view name, const nlohmann::json& input,
+                                       std::span<const Adapter> more = {});
+
+}  // namespace adore::calculators

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "calculators/adapter.hpp"
+
+#include <vector>
+
+namespace adore::calculators {
+
+/// Families thermal_lame, thermal_growth, thermal_clearance, thermal_units, thermal_props.
+std::vector<Adapter> thermal_adapters();
+
+}  // namespace adore::calculators

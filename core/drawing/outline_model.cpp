@@ -1,0 +1,205 @@
+#include "drawing/outline_model.hpp"
+
+#include "contact/roller_shape.hpp"
+#include "contact/tapered_geometry.hpp"
+#include "deck/lookup.hpp"
+#include "setup/build_bearing.hpp"
+#include "setup/build_rollers.hpp"
+#include "statics/roller_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::drawing {
+namespace {
+
+using bearing::Type;
+using deck::Deck;
+
+constexpr double kWall = 0.35;  // of the element diameter: ring behind a raceway without envelope
+constexpr double kEffectiveModulus =
+    1.1e11;  // of steel on steel [Pa]; the places of flanges do not depend on it
+
+bool is_number(const Deck& deck, std::string_view name) {
+  const deck::Value* value = deck::find_value(deck, name);
+  return value != nullptr &&
+         (std::holds_alternative<double>(*value) || std::holds_alternative<long long>(*value));
+}
+
+/// Names without which there is no rolling element to draw, by type.
+std::vector<std::string> needed(Type type) {
+  std::vector<std::string> names = {"nRe", "bReDia"};
+  const auto add = [&](std::initializer_list<const char*> more) {
+    names.insert(names.end(), more.begin(), more.end());
+  };
+  if (type == Type::Ball)
+    add({"pitchDia", "raceCurFac1", "raceCurFac2", "shimThickness1", "shimThickness2",
+         "shoulderDia1", "shoulderDia2", "freeConAng", "freeIntCls"});
+  else
+    add({"bReCrn", "bReLen"});
+  if (type == Type::Cylindrical || type == Type::Spherical) add({"pitchDia", "freeIntCls"});
+  if (type == Type::Cylindrical || type == Type::Tapered)
+    add({"bReCenLen", "raceLandLmt1", "raceLandLmt2"});
+  if (type == Type::Tapered || type == Type::SphericalTapered) add({"raceTaper1", "raceTaper2"});
+  if (type == Type::Spherical || type == Type::SphericalTapered)
+    add({"raceCurFac1", "raceCurFac2"});
+  if (type == Type::Spherical) add({"freeConAng"});
+  return names;
+}
+
+[[noreturn]] void refuse(const Deck& deck, std::string_view name, std::string message,
+                         std::string remedy) {
+  throw InputError({deck.issue(Severity::Error, name, std::move(message), std::move(remedy))});
+}
+
+void check_pitch(const Deck& deck, const OutlineModel& m) {
+  if (!(m.pitch > m.diameter) || m.pitch > 1000.0 * m.diameter)
+    refuse(deck, "pitchDia", "leaves the elements no circle to run on",
+           "give a value above bReDia");
+}
+
+void read_rollers(const Deck& deck, OutlineModel& m) {
+  m.rollers = setup::build_rollers(deck);
+  m.pitch = m.rollers->pitch_diameter;
+  m.length = m.rollers->length;
+  m.angle = m.rollers->axis_angle;
+  m.profile = contact::roller_profile(*m.rollers);
+  contact::check_roller_profile(m.profile);
+  bearing::Bearing b;
+  b.type = m.type;
+  b.rollers = m.rollers;
+  m.races = statics::race_surfaces(b);
+  if (!m.rollers->has_flange(0) && !m.rollers->has_flange(1)) return;
+  try {
+    m.flanges = statics::flange_pairs(m.type, *m.rollers, {kEffectiveModulus, kEffectiveModulus},
+                                      m.profile);
+  } catch (const std::exception& error) {
+    m.remarks.push_back(fmt::format("Flanges are left out: {}.", error.what()));
+  }
+}
+
+void read_envelope(const Deck& deck, OutlineModel& m) {
+  const double bore = 0.5 * value_or_zero(deck, "brgBore");
+  const double outside = 0.5 * value_or_zero(deck, "brgOD");
+  const double wall = kWall * m.diameter;
+  m.ring_radius = {outside, bore};
+  if (!(outside > m.raceway(0))) {
+    m.ring_radius[0] = m.raceway(0) + wall;
+    m.remarks.emplace_back(
+        "brgOD leaves no ring behind the outer raceway; a wall is assumed instead.");
+  }
+  if (!(bore < m.raceway(1)) || !(bore > 0.0)) {
+    m.ring_radius[1] = std::max(m.raceway(1) - wall, 0.2 * m.raceway(1));
+    m.remarks.emplace_back(
+        "brgBore leaves no ring inside the inner raceway; a wall is assumed instead.");
+  }
+  for (std::size_t j = 0; j < 2; ++j) {
+    m.ring_width[j] = value_or_zero(deck, j == 0 ? "raceWidth1" : "raceWidth2");
+    if (m.ring_width[j] > 0.0 && m.ring_width[j] < 50.0 * m.diameter) continue;
+    m.ring_width[j] = 1.2 * m.length;
+    m.remarks.push_back(
+        fmt::format("raceWidth{} is no width to draw; 1.2 element lengths stand "
+                    "in for it.",
+                    j + 1));
+  }
+  const double shaft = 0.5 * value_or_zero(deck, "shftID");
+  m.shaft_bore = shaft > 0.0 && shaft < m.ring_radius[1] ? shaft : 0.0;
+  const double housing = 0.5 * value_or_zero(deck, "hsngOD");
+  m.housing = housing > m.ring_radius[0] ? housing : 0.0;
+  // A housing that would dwarf the bearing is cut off.
+  const double most = m.ring_radius[0] + 4.0 * m.diameter;
+  if (m.housing > most) {
+    m.housing = most;
+    m.remarks.emplace_back("The housing is larger than the picture; it is cut off.");
+  }
+}
+
+}  // namespace
+
+double value_or_zero(const Deck& deck, std::string_view name, int instance, int index) {
+  const deck::Value* value = deck::find_value(deck, name, instance, index);
+  if (value == nullptr || std::holds_alternative<std::monostate>(*value) ||
+      std::holds_alternative<std::string>(*value))
+    return 0.0;
+  const double number = deck.si(name, instance, index);
+  return std::isfinite(number) ? number : 0.0;
+}
+
+double OutlineModel::raceway(int race) const {
+  const double sigma = race == 0 ? 1.0 : -1.0;
+  if (rollers) return rollers->race_radius(race);
+  const auto j = static_cast<std::size_t>(race);
+  return groove.centre_radius[j] + sigma * groove.groove_radius[j];
+}
+
+std::optional<OutlineCage> outline_cage(const Deck& deck) {
+  if (deck.integer("nCseg") < 1) return {};
+  OutlineCage cage;
+  cage.outer = value_or_zero(deck, "cageDia1");
+  cage.inner = value_or_zero(deck, "cageDia2");
+  cage.width = value_or_zero(deck, "cageWidth");
+  if (!(cage.inner > 0.0) || !(cage.outer > cage.inner) || !(cage.width > 0.0)) return {};
+  cage.clearance_1 = value_or_zero(deck, "bPocCls1");
+  cage.clearance_2 = value_or_zero(deck, "bPocCls2");
+  cage.cone_angle = value_or_zero(deck, "cageConeAng");
+  if (std::abs(cage.cone_angle) > 1.0) cage.cone_angle = 0.0;
+  cage.cut = value_or_zero(deck, "cageAngCut");
+  cage.pocket_code = static_cast<int>(deck.integer("kPocType"));
+  cage.segments = static_cast<int>(std::min(deck.integer("nCseg"), 1000LL));
+  const int lands = static_cast<int>(std::clamp(deck.integer("nGL"), 0LL, 4LL));
+  for (int i = 1; i <= lands; ++i) {
+    bearing::GuideLand land;
+    const long long guide = deck.integer("iCageGuide", i);
+    land.guide = guide == 1   ? bearing::GuideLand::Guide::Outer
+                 : guide == 2 ? bearing::GuideLand::Guide::Inner
+                              : bearing::GuideLand::Guide::None;
+    land.diameter = value_or_zero(deck, "cageGsDia", i);
+    land.width = value_or_zero(deck, "cageGsWidth", i);
+    land.edge = value_or_zero(deck, "cageGsPos", i);
+    land.clearance = value_or_zero(deck, "cageGsCls", i);
+    cage.lands.push_back(land);
+  }
+  return cage;
+}
+
+OutlineModel outline_model(const Deck& deck) {
+  OutlineModel m;
+  const long long code = deck.integer("kBrg");
+  if (code < 1 || code > 5)
+    refuse(deck, "kBrg", "is no bearing type", "choose 1 to 5 to see a drawing");
+  m.type = static_cast<Type>(code);
+  for (const std::string& name : needed(m.type))
+    if (!is_number(deck, name)) refuse(deck, name, "has no value yet", "give it to see a drawing");
+  m.count = static_cast<int>(std::clamp(deck.integer("nRe"), 0LL, 100000LL));
+  m.diameter = deck.si("bReDia");
+  if (!(m.diameter > 0.0) || !std::isfinite(m.diameter))
+    refuse(deck, "bReDia", "is no diameter", "give a value above 0");
+  if (m.type == Type::Ball) {
+    m.pitch = deck.si("pitchDia");
+    check_pitch(deck, m);
+    for (const char* factor : {"raceCurFac1", "raceCurFac2"})
+      if (!(deck.si(factor) > 0.5) || deck.si(factor) > 10.0)
+        refuse(deck, factor, "makes no groove that a ball fits into", "give a value above 0.5");
+    m.balls = setup::build_balls(deck);
+    m.balls->groove_plane
+        .reset();  // drawn where the balls touch, whatever displacements count from
+    m.groove = contact::groove_geometry(*m.balls);
+    m.length = m.diameter;
+    m.angle = m.balls->contact_angle;
+  } else {
+    read_rollers(deck, m);
+  }
+  check_pitch(deck, m);
+  if (std::abs(value_or_zero(deck, "freeIntCls")) > m.diameter)
+    refuse(deck, "freeIntCls", "is larger than an element", "check it and its unit");
+  read_envelope(deck, m);
+  m.cage = outline_cage(deck);
+  if (deck.integer("nCseg") > 0 && !m.cage)
+    m.remarks.emplace_back(
+        "The cage is left out: cageDia1 must exceed cageDia2, and cageWidth be above 0.");
+  return m;
+}
+
+}  // namespace adore::drawing

@@ -1,0 +1,109 @@
+#include "listing/ball_warnings.hpp"
+
+#include "statics/race_text.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <functional>
+
+namespace adore::listing {
+namespace {
+
+using statics::StaticBall;
+
+constexpr double kLubricated = 0.06;
+constexpr std::array<const char*, 2> kRace{"outer", "inner"};
+
+std::string quantity(double si, const UnitPair& unit, UnitSystem units) {
+  return fmt::format("{:.4g} {}", from_si(si, unit, units), unit_name(unit, units));
+}
+
+/// Balls of which something is too large, and the worst of them.
+struct Offenders {
+  std::vector<std::size_t> numbers;  ///< from 1
+  std::size_t worst = 0;             ///< index
+
+  /// "ball 3 (the worst of balls 1-4, 16)"
+  [[nodiscard]] std::string text() const {
+    const std::string one = fmt::format("ball {}", worst + 1);
+    if (numbers.size() == 1) return one;
+    return fmt::format("{} (the worst of {})", one, statics::number_list(numbers, "ball"));
+  }
+};
+Offenders offenders(const std::vector<StaticBall>& balls, double limit,
+                    const std::function<double(const StaticBall&)>& value) {
+  Offenders out;
+  for (std::size_t k = 0; k < balls.size(); ++k) {
+    const double v = value(balls[k]);
+    if (!(v > limit)) continue;
+    out.numbers.push_back(k + 1);
+    if (out.numbers.size() == 1 || v > value(balls[out.worst])) out.worst = k;
+  }
+  return out;
+}
+
+std::string rule_text(bearing::SpinRule rule) {
+  switch (rule) {
+    case bearing::SpinRule::RaceControl:
+      return "race control (kAngVel = 1)";
+    case bearing::SpinRule::MinimumHeat:
+      return "the spin axis of least heat (kAngVel = 0)";
+    case bearing::SpinRule::Prescribed:
+      break;
+  }
+  return "the prescribed spin axis (kAngVel = 2)";
+}
+
+}  // namespace
+
+std::vector<std::string> ball_warnings(const bearing::Bearing& bearing,
+                                       const statics::StaticSolution& solution,
+                                       std::optional<double> available, UnitSystem units) {
+  std::vector<std::string> out;
+  const std::vector<StaticBall>& balls = solution.balls;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const Offenders slip = offenders(balls, available.value_or(kLubricated),
+                                     [j](const StaticBall& b) { return b.friction[j]; });
+    if (!slip.numbers.empty())
+      out.push_back(fmt::format(
+          "{}: {} needs a coefficient of friction of {:.3g} at the {} race to stand against its "
+          "gyroscopic moment, and {}: such balls slip about the gyroscopic axis, and their spin, "
+          "heat and contact angles are not those shown. Raise the load, lower the speed, or let a "
+          "dynamic run (mode 0) find the motion",
+          rule_text(bearing.spin_rule), slip.text(), balls[slip.worst].friction[j], kRace[j],
+          available ? fmt::format("the traction law of the deck has at most {:.3g}", *available)
+                    : "lubricated contacts have some 0.06 at most (the deck has no traction law)"));
+    const Offenders over = offenders(balls, 0.0, [j](const StaticBall& b) { return b.beyond[j]; });
+    if (!over.numbers.empty()) {
+      const StaticBall& worst = balls[over.worst];
+      double lost = 0.0, carried = 0.0;
+      for (const std::size_t number : over.numbers) {
+        lost += balls[number - 1].beyond[j];
+        carried += balls[number - 1].Q[j];
+      }
+      out.push_back(fmt::format(
+          "{}: the contact ellipse reaches over the shoulder of the {} race by {}; the part beyond "
+          "carries {} of the contact's {} ({:.3g} %), which a real race does not have ({:.3g} % of "
+          "the load of all contacts that reach over it). The solution keeps the whole ellipse: "
+          "displacement, loads and life are better than real, and the pressure at the edge of the "
+          "shoulder is not in them",
+          over.text(), kRace[j], quantity(-worst.shoulder_depth[j], unit::kLength, units),
+          quantity(worst.beyond[j], unit::kForce, units), quantity(worst.Q[j], unit::kForce, units),
+          100.0 * worst.beyond[j] / worst.Q[j], 100.0 * lost / carried));
+    }
+    const double radius = 0.5 * bearing.balls.diameter;
+    const Offenders wide =
+        offenders(balls, 0.5 * radius, [j](const StaticBall& b) { return b.a[j]; });
+    if (!wide.numbers.empty())
+      out.push_back(fmt::format(
+          "{}: half the length of the contact ellipse at the {} race, {}, is more than half the "
+          "ball radius of {}; Hertz's theory takes both bodies for flat there, so that deflection "
+          "and pressure are approximate (groove factor {:.5g})",
+          wide.text(), kRace[j], quantity(balls[wide.worst].a[j], unit::kLength, units),
+          quantity(radius, unit::kLength, units), bearing.balls.groove_factor[j]));
+  }
+  return out;
+}
+
+}  // namespace adore::listing

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "bearing/bearing.hpp"
+#include "listing/report.hpp"
+#include "statics/ball_statics.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// What a quasi-static ball solution assumes and cannot hold, as sentences in the deck's units.
+namespace adore::listing {
+
+/// - The spin rule lets the races hold each ball against its gyroscopic moment by friction
+///   (ball_forces.hpp): StaticBall::friction above `available`, or above 0.06 where that is not
+///   known (lubricated contacts: 0.05 to 0.08 at most, recalled).
+/// - Contacts over the shoulder keep their whole Hertz ellipse: StaticBall::beyond.
+/// - Hertz's theory takes bodies for half-spaces: half major axis above half the ball radius.
+/// @param available largest coefficient of the deck's traction law; empty: it has none
+[[nodiscard]] std::vector<std::string> ball_warnings(const bearing::Bearing& bearing,
+                                                     const statics::StaticSolution& solution,
+                                                     std::optional<double> available,
+                                                     UnitSystem units);
+
+}  // namespace adore::listing

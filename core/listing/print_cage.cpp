@@ -1,0 +1,172 @@
+#include "listing/print_cage.hpp"
+
+#include "base/errors.hpp"
+#include "contact/cage_inertia.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string>
+
+namespace adore::listing {
+namespace {
+
+using bearing::Bearing;
+using bearing::Cage;
+using bearing::CagePlay;
+using bearing::GuideLand;
+using bearing::PocketShape;
+
+std::string pocket_name(const Cage& cage, bool rollers, long long pocket_type) {
+  if (rollers) {
+    if (cage.pocket == PocketShape::Cylindrical)
+      return "cylinder about the roller (roller-guided cage)";
+    if (pocket_type > 0)
+      return fmt::format("{} pair{} of guide faces", pocket_type, pocket_type > 1 ? "s" : "");
+    return "window of parallel faces";
+  }
+  switch (cage.pocket) {
+    case PocketShape::Cylindrical:
+      return "cylindrical";
+    case PocketShape::Spherical:
+      return "spherical";
+    case PocketShape::Elongated:
+      return "elongated";
+    case PocketShape::Rectangular:
+      return "rectangular";
+    case PocketShape::Conical:
+      return "conical";
+  }
+  return {};
+}
+
+void lands(Report& report, const Cage& cage) {
+  if (cage.lands.empty()) {
+    report.text("There are no guide lands.");
+    return;
+  }
+  report.heading("Guide lands");
+  std::vector<Report::Row> rows;
+  for (std::size_t i = 0; i < cage.lands.size(); ++i) {
+    const GuideLand& land = cage.lands[i];
+    const char* guide = land.guide == GuideLand::Guide::Outer   ? "outer race"
+                        : land.guide == GuideLand::Guide::Inner ? "inner race"
+                                                                : "none";
+    rows.push_back({fmt::format("{} {}", i + 1, guide),
+                    {land.diameter, land.width, land.edge, land.clearance}});
+  }
+  report.table("land",
+               {{"cage dia", &unit::kLength},
+                {"width", &unit::kLength},
+                {"outer edge", &unit::kLength},
+                {"dia clear", &unit::kLength}},
+               rows, 14);
+}
+
+/// Mass and, of a conical cage, where its mass centre lies; or why they are not known.
+void mass(Report& report, const Bearing& bearing, bool given) {
+  const Cage& cage = *bearing.cage;
+  if (given) {
+    report.item("Mass (record 7.7)", cage.inertia.mass, unit::kMass);
+    return;
+  }
+  try {
+    const contact::SolidInertia solid = contact::cage_solid_inertia(contact::cage_solid(bearing));
+    report.item("Mass, from the ideal shape", solid.mass, unit::kMass);
+    if (cage.cone_angle != 0.0)
+      report.item("Mass centre from the middle of the cage, along x", solid.mass_centre.x(),
+                  unit::kLength);
+    if (bearing.rollers)
+      report.text(
+          "Of a roller's pocket the length of the roller and its diameter at mid length plus the "
+          "pocket's play are cut out.");
+  } catch (const InputError& error) {
+    report.text(fmt::format("The mass of the cage is not known: {}.", error.what()));
+  }
+}
+
+/// The play that a radially moving cage uses up first: of its lands or its pockets.
+const CagePlay* least_play(const Bearing& bearing) {
+  const CagePlay* out = nullptr;
+  for (const CagePlay& play : bearing.operating->plays) {
+    // Axial, or the wider end of a cone.
+    const bool pocket_2 = play.name.starts_with("pocket clearance II");
+    if (!pocket_2 && (out == nullptr || play.operating < out->operating)) out = &play;
+  }
+  return out;
+}
+
+}  // namespace
+
+void print_cage_geometry(Report& report, const Bearing& bearing, const deck::Deck& deck) {
+  const long long segments = deck.integer("nCseg");
+  if (!bearing.cage) {
+    report.text(
+        segments > 1
+            ? fmt::format("The cage is cut into {} segments; this version reports one-piece "
+                          "cages only.",
+                          segments)
+            : std::string("There is no cage."));
+    return;
+  }
+  const Cage& cage = *bearing.cage;
+  const bool rollers = bearing.rollers.has_value();
+  const long long type = deck.integer("kPocType");
+  report.heading("Cage");
+  report.item("Outer diameter", cage.outer_diameter, unit::kLength);
+  report.item("Inner diameter", cage.inner_diameter, unit::kLength);
+  report.item("Width", cage.width, unit::kLength);
+  report.item("Half cone angle of a conical cage (diameters: at mid width)", cage.cone_angle,
+              unit::kAngle);
+  report.item("Pocket shape", pocket_name(cage, rollers, type));
+  report.item(rollers && type > 0 ? "Least pocket play between the guide faces, diametral"
+                                  : "Pocket clearance I, diametral",
+              cage.pocket_clearance_1, unit::kLength);
+  if (!rollers)
+    report.item("Pocket clearance II, diametral", cage.pocket_clearance_2, unit::kLength);
+  report.item("Clearance to the outer race, diametral", cage.clearance_outer, unit::kLength);
+  report.item("Clearance to the inner race, diametral", cage.clearance_inner, unit::kLength);
+  mass(report, bearing, deck.has("cageMass"));
+  lands(report, cage);
+}
+
+void print_cage_operation(Report& report, const Bearing& bearing) {
+  if (!bearing.cage || !bearing.operating) return;
+  report.heading("Cage in operation");
+  report.item("Cage speed (epicyclic)", bearing.operating->cage_speed, unit::kRotation);
+  for (const CagePlay& play : bearing.operating->plays)
+    report.item(fmt::format("Play, diametral: {}", play.name), play.operating, unit::kLength);
+  if (const CagePlay* least = least_play(bearing))
+    report.item(
+        "Effective cage play, the least of these that bound it radially",
+        fmt::format("{} {}, {}",
+                    Report::number(from_si(least->operating, unit::kLength, report.units())),
+                    unit_name(unit::kLength, report.units()), least->name));
+  if (bearing.cage->inertia.mass > 0.0) {
+    report.item("Cage mass", bearing.cage->inertia.mass, unit::kMass);
+    report.item("Cage moment of inertia about x", bearing.cage->inertia.moments.x(),
+                unit::kInertia);
+    report.item("Cage moment of inertia about y and z", bearing.cage->inertia.moments.y(),
+                unit::kInertia);
+  }
+}
+
+nlohmann::ordered_json cage_json(const Bearing& bearing) {
+  demand(bearing.cage && bearing.operating, "a cage in operation");
+  const Cage& cage = *bearing.cage;
+  nlohmann::ordered_json out{{"speed [rad/s]", bearing.operating->cage_speed}};
+  nlohmann::ordered_json plays = nlohmann::ordered_json::object();
+  for (const CagePlay& play : bearing.operating->plays) plays[play.name + " [m]"] = play.operating;
+  out["play, diametral"] = std::move(plays);
+  if (const CagePlay* least = least_play(bearing))
+    out["effective play"] = {{"of", least->name}, {"diametral [m]", least->operating}};
+  const bool known = cage.inertia.mass > 0.0;
+  using Json = nlohmann::ordered_json;
+  out["mass [kg]"] = known ? Json(cage.inertia.mass) : Json(nullptr);
+  out["moments of inertia x, y, z [kg m^2]"] =
+      known ? Json({cage.inertia.moments.x(), cage.inertia.moments.y(), cage.inertia.moments.z()})
+            : Json(nullptr);
+  return out;
+}
+
+}  // namespace adore::listing

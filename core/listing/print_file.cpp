@@ -1,0 +1,114 @@
+#include "listing/print_file.hpp"
+
+#include "base/errors.hpp"
+#include "listing/print_fits.hpp"
+#include "results/continuation.hpp"
+#include "results/fortran_format.hpp"
+#include "results/line_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <fstream>
+
+namespace adore::listing {
+
+PrintSections print_sections(int kPrtOpt) {
+  PrintSections out;
+  out.applied = kPrtOpt >= -1;
+  out.bodies = kPrtOpt >= 0;
+  out.element_interval = kPrtOpt >= 1 ? kPrtOpt : 0;
+  return out;
+}
+
+PrintFile PrintFile::create(const std::filesystem::path& path, std::string run_id,
+                            UnitSystem units) {
+  return {GrowingFile::create(path), std::move(run_id), units};
+}
+
+void PrintFile::check(const std::filesystem::path& path, const std::string& run_id) {
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream)
+    throw InputError(
+        fmt::format("{}: the file to be continued cannot be opened; restore it, or start new files "
+                    "with kIcOpt = -1",
+                    path.string()));
+  std::string_view line;
+  LineReader lines(stream);
+  // The heading of the first page: version in 20 columns, run code in the next 40
+  // (Report::new_page), after a form feed.
+  check_run_id(path, lines.next(line) ? std::string(fortran::columns(line, 22, 61)) : std::string(),
+               run_id);
+}
+
+PrintFile PrintFile::continue_after(const std::filesystem::path& path, std::string run_id,
+                                    UnitSystem units, std::uintmax_t bytes) {
+  check(path, run_id);
+  PrintFile out(GrowingFile::append_after(path, bytes), std::move(run_id), units);
+  // The last page lies in the last bytes.
+  constexpr std::uintmax_t kMost = 1 << 16;
+  const std::uintmax_t size = std::min(bytes, kMost);
+  std::ifstream stream(path, std::ios::binary);
+  stream.seekg(static_cast<std::streamoff>(bytes - size));
+  std::string tail(static_cast<std::size_t>(size), '\0');
+  stream.read(tail.data(), static_cast<std::streamsize>(size));
+  tail.resize(static_cast<std::size_t>(stream.gcount()));
+  out.report_.resume(tail);
+  return out;
+}
+
+void PrintFile::flush() { file_.append(report_.take()); }
+
+void PrintFile::front(const PrintFront& front) {
+  print_front(report_, front);
+  flush();
+}
+
+void PrintFile::fits(const bearing::Bearing& bearing) {
+  print_fits(report_, bearing);
+  flush();
+}
+
+void PrintFile::summary(const StaticSummary& summary, const bearing::Bearing& bearing,
+                        const life::BearingLife& life, const std::vector<std::string>& warnings) {
+  print_static_summary(report_, summary, bearing, life, warnings, summary.result.notes);
+  flush();
+}
+
+void PrintFile::quasi_static(const statics::StaticSolution& solution,
+                             const bearing::Bearing& bearing) {
+  print_quasi_static(report_, solution, bearing);
+  flush();
+}
+
+void PrintFile::quasi_static(const statics::RollerSolution& solution,
+                             const bearing::Bearing& bearing) {
+  print_quasi_static(report_, solution, bearing);
+  flush();
+}
+
+void PrintFile::stiffness_table(const std::vector<statics::StiffnessRow>& rows, double share) {
+  print_stiffness_table(report_, rows, share);
+  flush();
+}
+
+void PrintFile::step(const scene::Snapshot& snapshot, const StepRecord& record,
+                     const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt,
+                     std::optional<long> life_step) {
+  print_step(report_, snapshot, record, bearing, averages, kPrtOpt, life_step);
+  flush();
+}
+
+void PrintFile::life(const life::BearingLife& life) {
+  print_life(report_, life);
+  flush();
+}
+
+void PrintFile::ledgers(const RunSummary& run, const scene::ScenePlan& plan,
+                        const std::optional<RunLife>& life) {
+  print_ledgers(report_, run, plan, life);
+  flush();
+}
+
+}  // namespace adore::listing

@@ -1,0 +1,360 @@
+#include "listing/print_life.hpp"
+
+#include "life/statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+/// Page "FATIGUE LIFE" of PRINT.txt.
+namespace adore::listing {
+namespace {
+
+using bearing::LifeModel;
+using bearing::LifeModification;
+using life::BearingLife;
+using life::Marked;
+
+constexpr std::array<const char*, 4> kModelNames{"Original Lundberg-Palmgren",
+                                                 "Updated Lundberg-Palmgren", "Gupta-Zaretsky type",
+                                                 "Ioannides-Harris type"};
+constexpr std::array<const char*, 3> kModificationNames{"", "STLE factors", "Tallian-type factors"};
+
+std::string marked(const Marked& m) {
+  return fmt::format("{} ({})", Report::number(m.value), m.origin);
+}
+
+std::string with_unit(Report& report, double value, const UnitPair& unit) {
+  return Report::number(from_si(value, unit, report.units()));
+}
+
+std::string model_origin(LifeModel model) {
+  return model == LifeModel::Original ? life::constants().point_constant.origin : "calibrated";
+}
+
+std::string factor_origin(LifeModification modification) {
+  return modification == LifeModification::Stle ? life::constants().stle_origin : "derived";
+}
+
+const char* shape_text(life::ContactShape shape, bool line) {
+  if (shape == life::ContactShape::Between) return line ? "between (line)" : "between (point)";
+  return shape == life::ContactShape::Line ? "line contact" : "point contact";
+}
+
+void lives(Report& report, const BearingLife& life) {
+  const double S = life.parameters.survival.value;
+  report.text(
+      "As if the loads of the quasi-static solution lasted for ever. Lives of the parts and L10 "
+      "are "
+      "those that 90 % survive, in 1e6 revolutions of one race relative to the other; ( ) is not "
+      "counted in the bearing.");
+  report.blank();
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t m = 0; m < life::kModels; ++m)
+    for (std::size_t f = 0; f < life::kModifications; ++f) {
+      const life::PartLives& at = life.state.model[m].modified[f];
+      std::string elements = std::isnan(at.part[2]) ? "-" : life_text(at.part[2]);
+      if (!std::isnan(at.part[2]) && !at.elements_counted) elements = "(" + elements + ")";
+      const double n = life.state.relative_speed;
+      rows.push_back({f == 0 ? kModelNames[m] : std::string("  with ") + kModificationNames[f],
+                      life_text(at.part[0]), life_text(at.part[1]), elements, life_text(at.L10),
+                      life_text(life::life_hours(at.L10, n)),
+                      life_text(life::life_hours(at.L_S, n)),
+                      f == 0 ? model_origin(static_cast<LifeModel>(m))
+                             : "+ " + factor_origin(static_cast<LifeModification>(f))});
+    }
+  report.text_table({{"model", 27},
+                     {"outer race", 12},
+                     {"inner race", 12},
+                     {"elements", 14},
+                     {"bearing L10", 12},
+                     {"L10 [hr]", 12},
+                     {fmt::format("{:.6g} % [hr]", 100.0 * S), 12},
+                     {"origin", 12}},
+                    rows);
+  report.blank();
+  const bearing::LifeChoices& choices = life.parameters.choices;
+  report.item("SOL7, terminal and sweeps show (sol7Life)",
+              life_name(choices.stored_model, choices.stored_modification));
+  report.item("Survival probability asked for", marked(life.parameters.survival));
+  report.item("Weibull slope of the bearing", marked(life.parameters.bearing_slope));
+  report.text(
+      "Origin (of a life with factors: the model's, then the factors'): the constant of the "
+      "original theory is published (seen). The "
+      "constants "
+      "of the three stress models are CALIBRATED on it by this program, at one contact where all "
+      "agree; they are not those of the models' authors. The STLE tables are recalled from the "
+      "literature (film curve +-30 %); the asperity term of the Tallian-type factor is a form of "
+      "this program (derived).");
+}
+
+void races(Report& report, const BearingLife& life) {
+  report.heading("Races: capacities and stresses at the heaviest contact");
+  std::vector<std::vector<std::string>> rows;
+  const auto row = [&](const char* name, const UnitPair& unit, auto value) {
+    rows.push_back({name, with_unit(report, value(life.race[0]), unit),
+                    with_unit(report, value(life.race[1]), unit),
+                    &unit == &unit::kPure ? "" : std::string(unit_name(unit, report.units()))});
+  };
+  using Race = life::RaceReport;
+  rows.push_back({"turns relative to the load", life.race[0].rotating ? "yes" : "no",
+                  life.race[1].rotating ? "yes" : "no", ""});
+  const bool rollers = life.effective_length > 0.0;
+  if (rollers) {
+    rows.push_back({"counts as (rule of Harris, recalled)",
+                    shape_text(life.state.shape[0], life.race[0].line),
+                    shape_text(life.state.shape[1], life.race[1].line), ""});
+    row("ellipse of the heaviest roller, 2a", unit::kLength,
+        [](const Race& r) { return r.major_axis; });
+    row("effective length of a roller", unit::kLength,
+        [&](const Race&) { return life.effective_length; });
+  }
+  row("contact angle (mean of the loaded)", unit::kAngle, [](const Race& r) { return r.angle; });
+  row("D cos(angle) / pitch diameter", unit::kPure, [](const Race& r) { return r.gamma; });
+  row("load capacity Qc, original theory", unit::kForce, [](const Race& r) { return r.Q_c; });
+  row("equivalent contact load Qe", unit::kForce, [](const Race& r) { return r.Q_e; });
+  row("largest contact load", unit::kForce, [](const Race& r) { return r.Q_max; });
+  row("largest pressure", unit::kPressure, [](const Race& r) { return r.p_max; });
+  row("largest orthogonal shear stress", unit::kPressure,
+      [](const Race& r) { return r.peaks.shear_amplitude * r.p_max; });
+  row("largest shear stress", unit::kPressure,
+      [](const Race& r) { return r.peaks.max_shear * r.p_max; });
+  row("largest von Mises stress", unit::kPressure,
+      [](const Race& r) { return r.peaks.von_mises * r.p_max; });
+  row("stress capacity pc, updated LP", unit::kPressure,
+      [](const Race& r) { return r.stress_capacity[0]; });
+  row("stress capacity pc, Gupta-Zaretsky", unit::kPressure,
+      [](const Race& r) { return r.stress_capacity[1]; });
+  row("stress capacity pc, Ioannides-Harris", unit::kPressure,
+      [](const Race& r) { return r.stress_capacity[2]; });
+  report.text_table({{"", 40}, {"outer race", 16}, {"inner race", 16}, {"", 10}}, rows);
+}
+
+void parameters(Report& report, const BearingLife& life) {
+  report.heading("Constants of the models (life ~ pressure^-n where no limit acts)");
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t m = 0; m < 3; ++m)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const life::PartParameters& part = life.parameters.part[i];
+      const life::ModelParameters& p = part.model[m];
+      const bool zaretsky = m == 1;
+      const double hazard = p.stress_exponent.value * (zaretsky ? part.slope.value : 1.0);
+      rows.push_back({i == 0 ? kModelNames[m + 1] : "", part.name, marked(p.factor),
+                      marked(p.stress_exponent), Report::number(hazard),
+                      zaretsky ? "-" : marked(p.depth_exponent),
+                      fmt::format("{:.5g}", life.pressure_exponent[m][i])});
+    }
+  report.text_table({{"model", 26},
+                     {"part", 17},
+                     {"multiplier", 13},
+                     {"stress exponent", 21},
+                     {"of hazard", 10},
+                     {"depth exponent", 21},
+                     {"n", 8}},
+                    rows);
+  report.text(
+      "The stress exponent of the Gupta-Zaretsky type is one of life; of hazard it is that times "
+      "the "
+      "Weibull slope.");
+  report.blank();
+  rows.clear();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const life::PartParameters& part = life.parameters.part[i];
+    rows.push_back({part.name, marked(part.slope), i < 2 ? marked(part.original_factor) : "-",
+                    with_unit(report, part.fatigue_limit.value, unit::kPressure),
+                    part.fatigue_limit.origin,
+                    i < 2 ? with_unit(report, part.residual_stress, unit::kPressure) : "-"});
+  }
+  const std::string pressure(unit_name(unit::kPressure, report.units()));
+  report.text_table({{"part", 17},
+                     {"Weibull slope", 20},
+                     {"original multiplier", 20},
+                     {fmt::format("limit [{}]", pressure), 18},
+                     {"of it", 12},
+                     {fmt::format("residual stress [{}]", pressure), 26}},
+                    rows);
+  report.text(fmt::format(
+      "Fatigue limit: von Mises stress of the material times facStrLimit = {}; ISO 281 corresponds "
+      "to about {} {} (seen). Residual stress: tension is positive (reading of this program).",
+      Report::number(life.parameters.limit_factor),
+      with_unit(report, life::constants().iso_equivalent_limit.value, unit::kPressure), pressure));
+  report.item("Form of the Ioannides-Harris model",
+              life.parameters.choices.limit_form == bearing::LimitForm::Peak
+                  ? "largest von Mises stress minus the limit"
+                  : "depth integral of the orthogonal shear of a line contact above its limit");
+}
+
+/// At which temperature the lives know each property.
+void properties(Report& report, const BearingLife& life) {
+  if (!(life.parameters.part[0].temperature > 0.0)) return;
+  const bool follows = life.parameters.modulus_follows_temperature;
+  report.heading("Material properties behind the lives");
+  std::vector<Report::Row> rows;
+  for (const life::PartParameters& part : life.parameters.part)
+    rows.push_back({part.name, {part.temperature, part.elastic_modulus, part.poisson_ratio}});
+  report.table("",
+               {{"temperature", &unit::kTemperature},
+                {"modulus", &unit::kPressure},
+                {"Poisson", &unit::kPure}},
+               rows, 18);
+  report.text(
+      follows
+          ? "The moduli, and with them the pressures and ellipses, are those at the temperature of "
+            "each part (kMatPropMod = 1; held at the ends of each law's range)."
+          : "The moduli are those of room temperature (kMatPropMod is not 1), whatever the "
+            "temperature of the part.");
+  report.text(
+      "Poisson's ratio, fatigue limit and the life factors are those of room temperature at any "
+      "temperature: the material table has no law for them. The hardness factor is the record's, "
+      "meant at operating temperature; by default it is 1.");
+}
+
+void factors(Report& report, const BearingLife& life) {
+  const life::ModificationFactors& f = life.state.factors;
+  report.heading("STLE life factors");
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const life::PartParameters& part = life.parameters.part[i];
+    rows.push_back({part.name, marked(part.stle_material), marked(part.stle_process),
+                    marked(part.stle_hardness), Report::number(f.film[i]), Report::number(f.filter),
+                    Report::number(f.residual[i]), Report::number(f.stle[i])});
+  }
+  report.text_table({{"part", 17},
+                     {"material", 16},
+                     {"process", 16},
+                     {"hardness", 13},
+                     {"film", 9},
+                     {"filter", 9},
+                     {"residual", 10},
+                     {"life factor", 12}},
+                    rows);
+  report.heading(
+      "Tallian-type factors: hazard multipliers, and the life factor of the original theory");
+  rows.clear();
+  for (std::size_t i = 0; i < 3; ++i) {
+    const life::PartParameters& part = life.parameters.part[i];
+    rows.push_back({part.name, marked(part.tallian_material), marked(part.tallian_process),
+                    marked(part.tallian_contamination), Report::number(f.asperity[i]),
+                    Report::number(f.hazard[i]), Report::number(f.tallian[i])});
+  }
+  report.text_table({{"part", 17},
+                     {"material", 17},
+                     {"process", 17},
+                     {"contamination", 17},
+                     {"asperity", 12},
+                     {"hazard", 12},
+                     {"life factor", 12}},
+                    rows);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const life::PartParameters& part = life.parameters.part[i];
+    report.text(fmt::format("Asperities, {}: rms slope {} rad, traction coefficient {}.", part.name,
+                            marked(part.asperity_slope), marked(part.asperity_traction)));
+  }
+}
+
+void iso(Report& report, const life::IsoReport& r) {
+  report.heading(
+      "ISO 281 / ISO 16281 companions (after public implementations; not the lives above)");
+  const auto optional_life = [&](const char* name, const std::optional<double>& life) {
+    report.item(name, life ? life_text(*life) + " Mrev" : std::string("not available"));
+  };
+  const auto optional_force = [&](const char* name, const std::optional<double>& force) {
+    if (force)
+      report.item(name, *force, unit::kForce);
+    else
+      report.item(name, "not available");
+  };
+  report.item("Rating angle", r.geometry.contact_angle, unit::kAngle);
+  report.item("Rating factor bm (recalled)", r.geometry.rating_factor, unit::kPure);
+  report.item("Dynamic load rating C (formula seen)", r.C, unit::kForce);
+  const bool roller = r.geometry.type == life::IsoType::RadialRoller ||
+                      r.geometry.type == life::IsoType::ThrustRoller;
+  optional_force(roller ? "Static load rating C0 (formula seen)"
+                        : "Static load rating C0 (factor f0 recalled)",
+                 r.C0);
+  optional_force(
+      roller ? "Fatigue load limit Cu (C0/8.2, seen)" : "Fatigue load limit Cu (1500 MPa, seen)",
+      r.C_u);
+  report.item("Radial load", r.radial, unit::kForce);
+  report.item("Axial load", r.axial, unit::kForce);
+  if (r.equivalent) {
+    report.item("Equivalent load P (factors recalled or seen)", r.equivalent->P, unit::kForce);
+    report.item("    X", r.equivalent->X, unit::kPure);
+    report.item("    Y", r.equivalent->Y, unit::kPure);
+    report.item("    e", r.equivalent->e, unit::kPure);
+  }
+  optional_life("L10 (ISO 281; with C and P as marked)", r.L10);
+  report.item("a1 at the survival probability (formula recalled)", r.a1, unit::kPure);
+  if (r.kappa) report.item("Viscosity ratio kappa (option)", *r.kappa, unit::kPure);
+  if (r.contamination)
+    report.item("Contamination factor eC (option)", *r.contamination, unit::kPure);
+  if (r.a_iso) report.item("aISO (coefficients seen)", *r.a_iso, unit::kPure);
+  if (r.outside) report.text("The viscosity ratio is below 0.1, outside the standard.");
+  optional_life("Lnm = a1 aISO L10 (as marked)", r.L_nm);
+  if (r.reference) {
+    report.item("Reference load Pref (ISO 16281)", r.reference->P_ref, unit::kForce);
+    report.item("    race capacity Qci", r.reference->capacity_inner, unit::kForce);
+    report.item("    race capacity Qce", r.reference->capacity_outer, unit::kForce);
+  }
+  optional_life("L10r (ISO 16281, formula seen)",
+                r.reference ? std::optional(r.reference->L10r) : std::nullopt);
+  optional_life("Lnmr (as marked)", r.L_nmr);
+}
+
+}  // namespace
+
+std::string life_text(double life) {
+  return std::isinf(life) ? std::string("INFINITE") : Report::number(life);
+}
+
+std::string life_name(LifeModel model, LifeModification modification) {
+  std::string out = kModelNames[static_cast<std::size_t>(model)];
+  if (modification != LifeModification::None)
+    out += std::string(" with ") + kModificationNames[static_cast<std::size_t>(modification)];
+  return out;
+}
+
+std::string life_origin(LifeModel model, LifeModification modification) {
+  std::string out = model_origin(model);
+  if (modification != LifeModification::None) out += ", " + factor_origin(modification);
+  return out;
+}
+
+void print_life(Report& report, const BearingLife& life) {
+  report.new_page("FATIGUE LIFE");
+  lives(report, life);
+  races(report, life);
+  parameters(report, life);
+  properties(report, life);
+  factors(report, life);
+  if (life.iso) iso(report, *life.iso);
+  report.heading("Notes on life");
+  for (const std::string& note : life.notes) report.text(note);
+  if (life.iso)
+    for (const std::string& note : life.iso->notes) report.text(note);
+}
+
+void print_run_life(Report& report, const RunLife& run) {
+  report.heading("Fatigue life of the run (Palmgren-Miner sum over the window)");
+  report.item("Model", life_name(run.model, run.modification));
+  report.item("Origin of its constants", life_origin(run.model, run.modification));
+  report.item("Left out at the start", run.skipped_turns * 2.0 * unit::kPi, unit::kRevolution);
+  report.item("Window", run.damage.seconds(), unit::kTime);
+  report.item("Window, races relative to each other", run.damage.revolutions() * 2.0 * unit::kPi,
+              unit::kRevolution);
+  constexpr std::array<const char*, 3> kParts{"outer race", "inner race", "rolling elements"};
+  for (std::size_t i = 0; i < kParts.size(); ++i)
+    report.item(fmt::format("Damage in the window, {}", kParts[i]), run.damage.damage()[i],
+                unit::kPure);
+  if (!(run.damage.seconds() > 0.0)) {
+    report.text("The window is empty: no life of the run.");
+    return;
+  }
+  report.item("Life, the window repeated, 90 % survival",
+              life_text(run.damage.life_mega_revolutions(run.slopes)) + " Mrev");
+  report.item("Life, the window repeated, 90 % survival",
+              life_text(run.damage.life_hours(run.slopes)) + " hr");
+}
+
+}  // namespace adore::listing

@@ -1,0 +1,426 @@
+#include "listing/print_file.hpp"
+#include "results/motion.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <span>
+
+/// The four sections of a printed step (outputs.md 3.3).
+namespace adore::listing {
+namespace {
+
+/// Columns of a table as channels, one row per element.
+struct ChannelColumn {
+  std::string title;
+  std::string_view id;
+  int race = -1;  ///< of contact channels
+  /// Instead of a channel's values: SI, of one element.
+  std::function<double(std::size_t)> value = {};
+};
+
+void element_table(Report& report, const StepRecord& record, int interval,
+                   const std::vector<ChannelColumn>& wanted) {
+  std::vector<Report::Column> columns;
+  for (const ChannelColumn& column : wanted)
+    columns.push_back({column.title, channels()[channel_index(column.id)].unit});
+  std::vector<Report::Row> rows;
+  for (int j = 0; j < record.shape.elements; j += interval) {
+    Report::Row row{std::to_string(j + 1), {}};
+    for (const ChannelColumn& column : wanted)
+      row.values.push_back(column.value ? column.value(static_cast<std::size_t>(j))
+                                        : record[column.id][static_cast<std::size_t>(
+                                              column.race < 0 ? j : 2 * j + column.race)]);
+    rows.push_back(std::move(row));
+  }
+  report.table("element", columns, rows);
+}
+
+/// Is there a film, a temperature rise anywhere? 0 in all contacts: no model computes it.
+bool is_computed(const StepRecord& record, std::string_view id) {
+  const std::span<const double> values = record[id];
+  return std::any_of(values.begin(), values.end(), [](double v) { return v != 0.0; });
+}
+
+void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
+              int interval) {
+  const bool film = is_computed(record, "contact.film");
+  const bool rise = is_computed(record, "contact.temperature_rise");
+  report.heading(
+      "1. Rolling element parameters: position, velocity, angular velocity (theta, phi in the "
+      "azimuth frame)");
+  element_table(report, record, interval,
+                {{"axial", "element.axial_position"},
+                 {"radial", "element.radial_position"},
+                 {"orbital", "element.orbital_position"},
+                 {"axial vel", "element.axial_velocity"},
+                 {"radial vel", "element.radial_velocity"},
+                 {"orbital vel", "element.orbital_velocity"},
+                 {"ang vel", "element.angular_velocity"},
+                 {"theta", "element.angular_velocity_theta"},
+                 {"phi", "element.angular_velocity_phi"}});
+  report.heading("Angular position of the principal x axis, and thermal state of the contacts");
+  std::vector<ChannelColumn> thermal{{"theta", "element.theta"},
+                                     {"phi", "element.phi"},
+                                     {"rotation", "element.rotation"},
+                                     {"QV outer", "contact.load_slip", 0},
+                                     {"QV inner", "contact.load_slip", 1}};
+  if (rise)
+    thermal.insert(thermal.end(), {{"rise outer", "contact.temperature_rise", 0},
+                                   {"rise inner", "contact.temperature_rise", 1},
+                                   {"temp outer", "contact.temperature", 0},
+                                   {"temp inner", "contact.temperature", 1}});
+  element_table(report, record, interval, thermal);
+  if (!rise) report.item("Contact temperature and its rise above the race", "not computed");
+  if (!film) report.item("Film thickness (hypothetical traction)", "not computed");
+  for (int race = 0; race < 2; ++race) {
+    report.heading(fmt::format(
+        "Contacts with the {} race (a across, b along the rolling direction; edge: {})",
+        race == 0 ? "outer" : "inner", race == 0 ? "depth s below the shoulder" : "half chord t"));
+    std::vector<ChannelColumn> columns{{"load", "contact.load", race},
+                                       {"angle", "contact.angle", race},
+                                       {"a", "contact.half_major", race},
+                                       {"b", "contact.half_minor", race},
+                                       {"pressure", "contact.pressure", race}};
+    if (film) columns.push_back({"film", "contact.film", race});
+    columns.insert(columns.end(), {{"slip", "contact.slip", race},
+                                   {"spin/roll", "contact.spin_to_roll", race},
+                                   {"heat", "contact.heat", race},
+                                   {"edge", "contact.edge", race}});
+    if (race == 1)  // N94: the channel holds s of both races
+      columns.back().value = [&](std::size_t j) {
+        return snapshot.elements[j].race[1].centre_chord;
+      };
+    element_table(report, record, interval, columns);
+  }
+  if (record.shape.cages == 0) return;
+  report.heading(
+      "Cage pockets (gap: negative in contact; theta: 0 the cage drives, 180 deg the element "
+      "drives)");
+  std::vector<Report::Column> columns;
+  for (const char* id : {"pocket.force", "pocket.gap", "pocket.theta", "pocket.phi"})
+    columns.push_back({std::string(id).substr(7), channels()[channel_index(id)].unit});
+  std::vector<Report::Row> rows;
+  const int surfaces = record.shape.pocket_surfaces;
+  for (int j = 0; j < record.shape.elements; j += interval) {
+    for (int s = 0; s < surfaces; ++s) {
+      const auto at = static_cast<std::size_t>(j * surfaces + s);
+      rows.push_back({surfaces == 1 ? std::to_string(j + 1) : fmt::format("{}.{}", j + 1, s + 1),
+                      {record["pocket.force"][at], record["pocket.gap"][at],
+                       record["pocket.theta"][at], record["pocket.phi"][at]}});
+    }
+  }
+  report.table("element", columns, rows);
+}
+
+/// By the model that run option sol7Life names, as if the loads of `life_step` lasted for ever.
+void fatigue_life(Report& report, const scene::Snapshot& snapshot, long life_step) {
+  const double life = snapshot.power.life_hours;
+  const std::string label =
+      life_step == snapshot.step
+          ? std::string("Fatigue life at the present loads (sol7Life; page FATIGUE LIFE)")
+          : fmt::format("Fatigue life at the loads of step {} (kLifeFreq; sol7Life)", life_step);
+  if (std::isinf(life))
+    report.item(label, "INFINITE");
+  else if (life > 0.0)
+    report.item(label, life, unit::kLife);
+  else
+    report.item("Fatigue life", "no life model is active");
+}
+
+void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
+            long life_step) {
+  report.heading(
+      "2. Race and cage parameters: position and orientation (theta, phi of the body's axis in the "
+      "base frame)");
+  std::vector<Report::Row> places, speeds, orbits;
+  const auto add = [&](const char* name, const scene::BodySnapshot& body, double theta, double phi,
+                       double w_theta, double w_phi) {
+    const OrbitMotion orbit = orbit_motion(body.position, body.velocity, body.acceleration);
+    places.push_back({name,
+                      {body.position.x(), body.position.y(), body.position.z(), theta, phi,
+                       body.total_rotation}});
+    speeds.push_back({name,
+                      {body.velocity.x(), body.velocity.y(), body.velocity.z(), body.omega.norm(),
+                       w_theta, w_phi}});
+    orbits.push_back({name,
+                      {orbit.r, orbit.theta, orbit.theta_dot, orbit.r_dot, orbit.r_ddot,
+                       body.acceleration.x()}});
+  };
+  const auto angles = [&](const std::string& group, std::size_t at) {
+    return std::array{record[group + ".theta"][at], record[group + ".phi"][at],
+                      record[group + ".angular_velocity_theta"][at],
+                      record[group + ".angular_velocity_phi"][at]};
+  };
+  if (!snapshot.cages.empty()) {
+    const auto a = angles("cage", 0);
+    add("cage", snapshot.cages.front(), a[0], a[1], a[2], a[3]);
+  }
+  for (std::size_t race = 0; race < 2; ++race) {
+    const auto a = angles("race", race);
+    add(race == 0 ? "outer race" : "inner race", snapshot.races[race], a[0], a[1], a[2], a[3]);
+  }
+  report.table("",
+               {{"x", &unit::kLength},
+                {"y", &unit::kLength},
+                {"z", &unit::kLength},
+                {"theta", &unit::kAngle},
+                {"phi", &unit::kAngle},
+                {"rotation", &unit::kAngle}},
+               places, 12);
+  report.blank();
+  report.table("",
+               {{"x vel", &unit::kSpeed},
+                {"y vel", &unit::kSpeed},
+                {"z vel", &unit::kSpeed},
+                {"ang vel", &unit::kRotation},
+                {"theta", &unit::kAngle},
+                {"phi", &unit::kAngle}},
+               speeds, 12);
+  report.blank();
+  report.table("",
+               {{"orbit rad", &unit::kLength},
+                {"orbit pos", &unit::kAngle},
+                {"whirl vel", &unit::kRotation},
+                {"radial vel", &unit::kSpeed},
+                {"radial acc", &unit::kAcceleration},
+                {"axial acc", &unit::kAcceleration}},
+               orbits, 12);
+  if (!snapshot.cages.empty() && !snapshot.cages.front().lands.empty()) {
+    report.heading(
+        "Cage to race contact (contact angle in the cage frame; no attitude angle without "
+        "hydrodynamics)");
+    std::vector<Report::Row> lands;
+    for (const scene::LandSnapshot& land : snapshot.cages.front().lands)
+      lands.push_back(
+          {fmt::format("land {}", lands.size() + 1), {land.force, land.gap, wrapped(land.angle)}});
+    report.table("", {{"force", &unit::kForce}, {"gap", &unit::kLength}, {"angle", &unit::kAngle}},
+                 lands, 12);
+  }
+  report.heading("Wear rates, averaged since time zero, and life");
+  report.item("Rolling element 1", record["power.element1_wear_rate"][0], unit::kVolumeFlow);
+  report.item("Outer race", record["race.wear_rate"][0], unit::kVolumeFlow);
+  report.item("Inner race", record["race.wear_rate"][1], unit::kVolumeFlow);
+  if (!snapshot.cages.empty())
+    report.item("Cage", record["power.cage_wear_rate"][0], unit::kVolumeFlow);
+  fatigue_life(report, snapshot, life_step);
+}
+
+void applied(Report& report, const scene::Snapshot& snapshot, const bearing::Bearing& bearing) {
+  report.heading("3. Applied parameters: forces and moments on the races, about their centres");
+  std::vector<Report::Row> rows;
+  for (std::size_t race = 0; race < 2; ++race) {
+    const scene::RaceSnapshot& body = snapshot.races[race];
+    rows.push_back(
+        {race == 0 ? "outer race" : "inner race",
+         {body.applied_force.x(), body.applied_force.y(), body.applied_force.z(),
+          body.applied_moment.x(), body.applied_moment.y(), body.applied_moment.z(),
+          body.omega.dot(body_x_axis(body.orientation)), bearing.race_temperature[race]}});
+  }
+  report.table("",
+               {{"Fx", &unit::kForce},
+                {"Fy", &unit::kForce},
+                {"Fz", &unit::kForce},
+                {"Mx", &unit::kMoment},
+                {"My", &unit::kMoment},
+                {"Mz", &unit::kMoment},
+                {"speed", &unit::kRotation},
+                {"temperature", &unit::kTemperature}},
+               rows, 12);
+  const Vec3 shift = snapshot.races[1].position - snapshot.races[0].position;
+  report.blank();
+  for (int k = 0; k < 3; ++k)
+    report.item(
+        fmt::format("Displacement of the inner race relative to the outer along {}", "xyz"[k]),
+        shift[k], unit::kLength);
+  // Small tilts: the axis of a race turned about y points to -z, one turned about z to +y.
+  for (std::size_t race = 0; race < 2; ++race) {
+    const Vec3 axis = body_x_axis(snapshot.races[race].orientation);
+    const char* name = race == 0 ? "outer" : "inner";
+    report.item(fmt::format("Misalignment of the {} race about y", name),
+                std::atan2(-axis.z(), axis.x()), unit::kAngle);
+    report.item(fmt::format("Misalignment of the {} race about z", name),
+                std::atan2(axis.y(), axis.x()), unit::kAngle);
+  }
+  report.item("Rolling element temperature", bearing.ball_temperature, unit::kTemperature);
+  if (bearing.cage) report.item("Cage temperature", bearing.cage_temperature, unit::kTemperature);
+  report.item("Internal clearance, diametral", bearing.balls.clearance, unit::kLength);
+  if (bearing.operating) {
+    report.item("Operating fit of the outer race, diametral (above 0: interference)",
+                bearing.operating->fit[0].interference, unit::kLength);
+    report.item("Operating fit of the inner race, diametral (above 0: interference)",
+                bearing.operating->fit[1].interference, unit::kLength);
+  }
+  if (!bearing.cage) return;
+  report.item("Cage pocket clearance I, diametral", bearing.cage->pocket_clearance_1,
+              unit::kLength);
+  for (std::size_t i = 0; i < bearing.cage->lands.size(); ++i)
+    report.item(fmt::format("Cage play at guide land {}, diametral", i + 1),
+                bearing.cage->lands[i].clearance, unit::kLength);
+}
+
+void summary(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
+             const Averages& averages, long life_step) {
+  report.heading("4. Time step summary");
+  report.item("Step", snapshot.step);
+  report.item("Time", snapshot.time, unit::kTime);
+  report.item("Last step size", snapshot.step_size, unit::kTime);
+  report.item("Bearing rotation, inner minus outer race", snapshot.shaft_rotation,
+              unit::kRevolution);
+  report.item("Outer race rotation", snapshot.races[0].total_rotation, unit::kRevolution);
+  report.item("Inner race rotation", snapshot.races[1].total_rotation, unit::kRevolution);
+  if (!snapshot.cages.empty())
+    report.item("Cage rotation", snapshot.cages.front().total_rotation, unit::kRevolution);
+  report.item("Orbital velocity ratio, average over elements and time", averages.orbital_ratio,
+              unit::kPure);
+  if (!snapshot.cages.empty()) {
+    report.item("Cage angular velocity ratio, average over time", averages.cage_ratio, unit::kPure);
+    report.item("Cage whirl ratio, average over time", averages.whirl_ratio, unit::kPure);
+  }
+  report.item("Power loss", snapshot.power.total_loss, unit::kPower);
+  report.item("Power loss, average over time", averages.power_loss, unit::kPower);
+  for (const auto& item : snapshot.energy.items())
+    if (item.term->kind == scene::LedgerKind::Heat)
+      report.item(fmt::format("    of it now: {}", item.place()), item.rate, unit::kPower);
+  report.item("Churning and drag, fraction of the loss", snapshot.power.churning_fraction,
+              unit::kPure);
+  report.item("Average wear rate, rolling element 1", record["power.element1_wear_rate"][0],
+              unit::kVolumeFlow);
+  report.item("Average wear rate, outer race", record["race.wear_rate"][0], unit::kVolumeFlow);
+  report.item("Average wear rate, inner race", record["race.wear_rate"][1], unit::kVolumeFlow);
+  if (!snapshot.cages.empty())
+    report.item("Average wear rate, cage", record["power.cage_wear_rate"][0], unit::kVolumeFlow);
+  fatigue_life(report, snapshot, life_step);
+  if (snapshot.held_elements)
+    report.item("Elements held in force balance", static_cast<long>(*snapshot.held_elements));
+  report.item("Energy residual", snapshot.energy.residual(), unit::kEnergy);
+}
+
+}  // namespace
+
+void print_step(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
+                const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt,
+                std::optional<long> life_step) {
+  const PrintSections sections = print_sections(kPrtOpt);
+  const long step = life_step.value_or(snapshot.step);
+  report.new_page(fmt::format("STEP {}", snapshot.step));
+  if (sections.element_interval > 0) elements(report, snapshot, record, sections.element_interval);
+  if (sections.bodies) bodies(report, snapshot, record, step);
+  if (sections.applied) applied(report, snapshot, bearing);
+  summary(report, snapshot, record, averages, step);
+}
+
+void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan& plan,
+                   const std::optional<RunLife>& life) {
+  report.new_page("TIME STEP SUMMARY AND LEDGERS");
+  report.item("Run ended", run.status);
+  if (!run.message.empty()) report.text(run.message);
+  if (!run.integrator.empty()) {
+    report.item("Integrator", run.integrator);
+    report.item("Tolerance", run.tolerance, unit::kPure);
+    report.item("Steps", run.steps);
+    report.item("Simulated time", run.time, unit::kTime);
+    report.item("Bearing rotation", run.revolutions * 2.0 * std::numbers::pi, unit::kRevolution);
+  }
+  for (const auto& [name, value] : run.counters)
+    report.item(fmt::format("Counter: {}", name), value);
+
+  if (!run.stability.empty()) report.text("Stability: " + run.stability);
+  if (run.load) {
+    report.heading(
+        "Load carried by the elements, mean over the stored instants, against the deck's");
+    for (int k = 0; k < 3; ++k) {
+      const char axis = "xyz"[k];
+      if (run.load->given[static_cast<std::size_t>(k)])
+        report.item(fmt::format("{}: asked", axis), run.load->asked[k], unit::kForce);
+      report.item(fmt::format("{}: carried", axis), run.load->mean[k], unit::kForce);
+    }
+    report.item("departure from the asked load", run.load->departure(), unit::kPure);
+  }
+
+  report.heading("Arithmetic: what decides the last digits");
+  for (const auto& [name, value] : arithmetic_items(run)) {
+    if (name == "note")
+      report.text(value);
+    else
+      report.item(name, value);
+  }
+
+  if (life) print_run_life(report, *life);
+
+  report.heading("Plan: what was simulated and why");
+  std::vector<std::vector<std::string>> rows;
+  for (const scene::EffectEntry& effect : plan.effects)
+    rows.push_back({effect.name, effect.on ? "on" : "off", effect.because});
+  report.text_table({{"effect", 30}, {"", 4}, {"because", 88}}, rows);
+  report.blank();
+  rows.clear();
+  for (const scene::BodyEntry& body : plan.bodies)
+    rows.push_back({body.name, std::to_string(body.unknowns), body.degrees});
+  report.text_table({{"body", 30}, {"unknowns", 9}, {"degrees of freedom", 83}}, rows);
+
+  if (run.energy) {
+    report.heading("Conservation of energy since the start");
+    for (const auto& [name, value] : energy_items(*run.energy))
+      report.item(name, value, unit::kEnergy);
+    const double scale = energy_scale(*run.energy);
+    if (scale > 0.0)
+      report.item("residual over the energy that moved", run.energy->residual() / scale,
+                  unit::kPure);
+    if (run.elastic && *run.elastic > 0.0)
+      report.item("residual over the elastic energy of the quasi-static solution",
+                  run.energy->residual() / *run.elastic, unit::kPure);
+  }
+  if (!run.momentum.empty()) {
+    report.heading("Conservation of momentum of elements and cage since the start, base frame, SI");
+    for (const auto& [name, value] : run.momentum) report.item(name, value, unit::kPure);
+  }
+  if (run.max_quaternion_error)
+    report.item("largest departure of a quaternion's length from 1", *run.max_quaternion_error,
+                unit::kPure);
+  if (run.quadrature_error)
+    report.item("error of the contact integrals, of the traction force", *run.quadrature_error,
+                unit::kPure);
+
+  if (!run.cost.empty()) {
+    report.heading("Cost: where the computing time went (measured, differs from run to run)");
+    rows.clear();
+    double total = 0.0;
+    for (const scene::CostLedger::Row& row : run.cost) {
+      total += row.seconds;
+      rows.push_back({row.name, std::to_string(row.calls), fmt::format("{:.4f}", row.seconds),
+                      run.seconds > 0.0 ? fmt::format("{:.1f} %", 100.0 * row.seconds / run.seconds)
+                                        : std::string()});
+    }
+    rows.push_back(
+        {"accounted for", "", fmt::format("{:.4f}", total),
+         run.seconds > 0.0 ? fmt::format("{:.1f} %", 100.0 * total / run.seconds) : std::string()});
+    rows.push_back({"whole run", "", fmt::format("{:.4f}", run.seconds), ""});
+    report.text_table({{"part", 40}, {"calls", 14}, {"seconds", 12}, {"share", 8}}, rows);
+  }
+  if (!run.no_part.empty()) {
+    report.heading("Values of the deck that play no part in this run");
+    std::vector<std::string> reasons;
+    for (const deck::NoPart& value : run.no_part)
+      if (std::find(reasons.begin(), reasons.end(), value.because) == reasons.end())
+        reasons.push_back(value.because);
+    for (const std::string& because : reasons) {
+      std::string names;
+      for (const deck::NoPart& value : run.no_part) {
+        if (value.because != because) continue;
+        names += fmt::format("{}{} = {}", names.empty() ? "" : ", ", value.variable, value.value);
+      }
+      report.text(fmt::format("{}: {}", because, names));
+    }
+  }
+  if (!run.notes.empty()) {
+    report.heading("Notes");
+    for (const std::string& line : run.notes) report.text(line);
+  }
+}
+
+}  // namespace adore::listing

@@ -1,0 +1,191 @@
+#include "reference/cases_constrained.hpp"
+
+#include "dynamics/constrained.hpp"
+#include "reference/adapter.hpp"
+#include "reference/trajectory.hpp"
+
+namespace adore::reference {
+namespace {
+
+using dynamics::BallBalance;
+using dynamics::ConstrainedBall;
+using dynamics::Orbit;
+using dynamics::RacePose;
+using dynamics::Vec2;
+
+ConstrainedBall ball_of(const Json& in) {
+  contact::GrooveGeometry groove;
+  const double D = get(in, "ball_diameter");
+  groove.ball_radius = 0.5 * D;
+  std::array<double, 2> K{};
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double f = in.at("f").at(j);
+    groove.groove_radius[j] = f * D;
+    groove.offset[j] = (f - 0.5) * D;
+    groove.centre_radius[j] = in.at("groove_circle_radius").at(j);
+    K[j] = in.at("K").at(j);
+  }
+  return {groove, K, get(in, "mass")};
+}
+
+std::array<RacePose, 2> races_of(const Json& in) {
+  return {RacePose{vec3(in.at("race_centre").at(0))}, RacePose{vec3(in.at("race_centre").at(1))}};
+}
+
+Vec2 first_guess(const ConstrainedBall& ball, const std::array<RacePose, 2>& races) {
+  return {0.5 * (races[0].centre[0] + races[1].centre[0]), ball.mid_radius()};
+}
+
+Json angle_json(const dynamics::GrooveContact& contact) { return contact.angle / kDegree; }
+
+Json ball_case(const Json& in) {
+  const ConstrainedBall ball = ball_of(in);
+  const auto races = races_of(in);
+  const double theta = get(in, "theta");
+  const Orbit orbit{Orbit::Kept::Speed, get(in, "theta_rate")};
+  const Json& force = in.at("external_force_x_r");
+  const BallBalance b =
+      ball.solve(races, theta, orbit, Vec2(force.at(0).get<double>(), force.at(1).get<double>()),
+                 first_guess(ball, races));
+  const dynamics::BallSensitivity s = sensitivity(b, theta);
+  return {{"x", b.x},
+          {"r", b.r},
+          {"Q_outer", b.contact[0].load},
+          {"Q_inner", b.contact[1].load},
+          {"alpha_outer_deg", angle_json(b.contact[0])},
+          {"alpha_inner_deg", angle_json(b.contact[1])},
+          {"force_theta", b.force_theta},
+          {"x_per_inner_centre", json(Vec3(s.per_inner_centre.row(0)))},
+          {"r_per_inner_centre", json(Vec3(s.per_inner_centre.row(1)))},
+          {"x_per_theta", s.per_theta[0]},
+          {"r_per_theta", s.per_theta[1]},
+          {"x_per_theta_rate", s.per_orbit[0]},
+          {"r_per_theta_rate", s.per_orbit[1]}};
+}
+
+Json idle_case(const Json& in) {
+  const ConstrainedBall ball = ball_of(in);
+  const auto races = races_of(in);
+  const BallBalance b =
+      ball.solve(races, get(in, "theta"), {}, Vec2::Zero(), first_guess(ball, races));
+  return {{"x", b.x},
+          {"r", b.r},
+          {"Q_outer", b.contact[0].load},
+          {"Q_inner", b.contact[1].load},
+          {"inner_gap", -b.contact[1].approach}};
+}
+
+/// State: θ and L = m r² θ̇; x and r follow.
+Json orbit_case(const Json& in) {
+  const ConstrainedBall ball = ball_of(in);
+  const auto races = races_of(in);
+  const double theta0 = get(in, "theta0"), outside = get(in, "external_force_theta");
+  const BallBalance start = ball.solve(races, theta0, {Orbit::Kept::Speed, get(in, "theta_rate0")},
+                                       Vec2::Zero(), first_guess(ball, races));
+  const double L0 = ball.mass() * start.r * start.r * start.speed;
+  Vec2 last = start.place();
+  const auto balance = [&](double theta, double L) {
+    const BallBalance b = ball.solve(races, theta, {Orbit::Kept::Momentum, L}, Vec2::Zero(), last);
+    last = b.place();
+    return b;
+  };
+  const auto momentum_rate = [&](const BallBalance& b) { return b.r * (b.force_theta + outside); };
+
+  Problem problem;
+  problem.start = {theta0, L0};
+  problem.scales = {1.0, L0};
+  problem.rates = [&](double, const double* y, double* d) {
+    const BallBalance b = balance(y[0], y[1]);
+    d[0] = b.speed;
+    d[1] = momentum_rate(b);
+  };
+  const Solution solution = solve(problem, in.at("times").get<std::vector<double>>());
+  Json out = Json::object();
+  for (const State& y : solution.samples) {
+    const BallBalance b = balance(y[0], y[1]);
+    const Vec2 rates = implicit_rates(sensitivity(b, y[0]), b.speed, momentum_rate(b));
+    out["theta"].push_back(y[0]);
+    out["theta_rate"].push_back(b.speed);
+    out["x"].push_back(b.x);
+    out["r"].push_back(b.r);
+    out["x_rate"].push_back(rates[0]);
+    out["r_rate"].push_back(rates[1]);
+    out["Q_outer"].push_back(b.contact[0].load);
+    out["Q_inner"].push_back(b.contact[1].load);
+    out["energy"].push_back(b.potential);
+    out["eliminated_kinetic_energy"].push_back(0.5 * ball.mass() * rates.squaredNorm());
+  }
+  return out;
+}
+
+Json mode2_case(const Json& in) {
+  const ConstrainedBall ball = ball_of(in);
+  const int n = in.at("nRe");
+  std::vector<double> theta;
+  for (int k = 0; k < n; ++k) theta.push_back(get(in, "theta0") + 2.0 * kPi * k / n);
+  const std::vector<Orbit> orbit(theta.size(), {Orbit::Kept::Speed, get(in, "theta_rate")});
+  const dynamics::Mode2Solution solution = dynamics::solve_mode2(
+      ball, {RacePose{vec3(in.at("outer_centre"))}, RacePose{vec3(in.at("guess_inner_centre"))}},
+      theta, orbit, vec3(in.at("load_on_inner")));
+  Json out = {{"inner_centre", json(solution.inner_centre)},
+              {"inner_centre_velocity", json(solution.inner_velocity)}};
+  for (const BallBalance& b : solution.balls) {
+    out["x"].push_back(b.x);
+    out["r"].push_back(b.r);
+    out["Q_outer"].push_back(b.contact[0].load);
+    out["Q_inner"].push_back(b.contact[1].load);
+  }
+  return out;
+}
+
+Json switch_case(const Json& in) {
+  const ConstrainedBall ball = ball_of(in);
+  const auto races = races_of(in);
+  const double theta = get(in, "theta"), r = get(in, "r");
+  const Orbit orbit{Orbit::Kept::Momentum, ball.mass() * r * r * get(in, "theta_rate")};
+  const Vec2 place(get(in, "x"), r), rates(get(in, "x_rate"), get(in, "r_rate"));
+  const dynamics::HeldSwitch change =
+      dynamics::hold(ball, races, theta, orbit, Vec2::Zero(), place, rates);
+  return {{"x", change.after.x},
+          {"r", change.after.r},
+          {"theta_rate", change.after.speed},
+          {"energy_before", change.energy_before},
+          {"energy_after", change.after.potential},
+          {"booked_jump", change.jump}};
+}
+
+Json sequence_case(const Json& in) {
+  bool held = in.at("initially_held");
+  const double threshold = get(in, "qFac") * get(in, "force_scale");
+  Json states = Json::array();
+  for (std::size_t i = 0; i < in.at("Q_outer").size(); ++i) {
+    const double outer = in.at("Q_outer").at(i), inner = in.at("Q_inner").at(i);
+    held = dynamics::held_next(held, std::max(outer, inner), threshold, get(in, "release_ratio"));
+    states.push_back(held ? 1 : 0);
+  }
+  return {{"held", states}};
+}
+
+Json kdof_case(const Json& in) {
+  auto element = in.at("element_accelerations").get<std::array<double, 6>>();
+  auto cage = in.at("cage_accelerations").get<std::array<double, 6>>();
+  dynamics::suppress_accelerations(in.at("kDOF"), element, cage);
+  return {{"element_accelerations", element}, {"cage_accelerations", cage}};
+}
+
+}  // namespace
+
+std::optional<Json> constraint_case(const Json& the_case) {
+  const std::string kind = kind_of(the_case);
+  const Json& in = the_case.at("inputs");
+  if (kind == "mode1_ball") return ball_case(in);
+  if (kind == "mode1_idle") return idle_case(in);
+  if (kind == "mode1_orbit") return orbit_case(in);
+  if (kind == "mode2_ball_bearing") return mode2_case(in);
+  if (kind == "qfac_switch_energy") return switch_case(in);
+  if (kind == "qfac_sequence") return sequence_case(in);
+  if (kind == "kdof") return kdof_case(in);
+  return std::nullopt;
+}
+
+}  // namespace adore::reference

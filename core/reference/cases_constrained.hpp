@@ -1,0 +1,10 @@
+#pragma once
+
+#include "reference/adapter.hpp"
+
+namespace adore::reference {
+
+/// One case of the family motion_constraints: a ball or a ball bearing with eliminated inertia.
+[[nodiscard]] std::optional<Json> constraint_case(const Json& the_case);
+
+}  // namespace adore::reference

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "reference/adapter.hpp"
+
+#include <vector>
+
+namespace adore::reference {
+
+/// Families F_dynamics and dynamics_impact, _plates, _pocket, _rigid_whirl, _ball_vibration,
+/// _ball_thrust, _ball_radial.
+std::vector<Adapter> dynamics_adapters();
+
+}  // namespace adore::reference

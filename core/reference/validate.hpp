@@ -1,0 +1,66 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+/// Runs reference cases (JSON files of inputs and expected results) against the library and reports
+/// error against tolerance. The tolerance conventions of the families are those of
+/// tests/reference/*README.md.
+namespace adore::reference {
+
+/// One expected quantity. `error` and `tolerance` are relative when the relative tolerance governs,
+/// absolute otherwise.
+struct QuantityResult {
+  std::string key;  ///< "steady_state.Q_o"
+  double error = 0.0, tolerance = 0.0;
+  bool pass = true;
+  std::string message;  ///< why it fails when no number says it
+};
+
+struct CaseResult {
+  std::string id;
+  std::string status;     ///< "pass", "fail" or "not_covered"
+  std::string worst_key;  ///< quantity with the largest error/tolerance
+  double error = 0.0, tolerance = 0.0;
+  std::string message;
+  std::vector<QuantityResult> quantities;
+};
+
+struct FileResult {
+  std::string file, family;
+  std::vector<CaseResult> cases;
+  double seconds = 0.0;
+};
+
+struct ValidateReport {
+  std::vector<FileResult> files;
+  int pass = 0, fail = 0, not_covered = 0;
+  [[nodiscard]] bool failed() const { return fail > 0; }
+};
+
+/// Compares one result with one case: every key of `expected` must be there and within tolerance.
+/// A case of provenance "recalled" never fails: beyond its tolerance it is "not_covered" with a
+/// message.
+[[nodiscard]] CaseResult compare_case(const std::string& family, const nlohmann::json& the_case,
+                                      const nlohmann::json& result);
+
+/// @param progress called after each file
+/// @throws InputError when a file cannot be read or holds no reference cases
+[[nodiscard]] ValidateReport validate_files(
+    std::span<const std::filesystem::path> files,
+    const std::function<void(const FileResult&)>& progress = {});
+
+/// {"files": [{"file", "cases": [{"id", "status", "worst": {"key", "error", "tolerance"}}]}],
+/// "totals": {...}}
+[[nodiscard]] nlohmann::json report_json(const ValidateReport& report);
+
+/// One line per case with error/tolerance of its quantities, then the totals. With `verbose` one
+/// line per quantity.
+[[nodiscard]] std::string report_text(const ValidateReport& report, bool verbose = false);
+
+}  // namespace adore::reference

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Where the time of a run goes. Timers inside the right-hand side are sampled (every n-th call is
+/// measured in full) so that the ledger costs below 2 % and still adds up to the run's time.
+namespace adore::scene {
+
+class CostLedger {
+ public:
+  using Clock = std::chrono::steady_clock;
+  /// Registers an entry and returns its handle.
+  int add_entry(std::string name);
+  /// Handle of the entry of that name, registered at its first mention.
+  int entry(std::string_view name);
+  /// Called at the start of each right-hand side; true when this call is to be measured.
+  bool sample() noexcept { return (calls_++ % kSampleEvery) == 0; }
+  /// Adds measured time of one sampled call (scaled up by calls / sampled calls on report; an entry
+  /// may be added to several times per call). What one reading of the clock costs (measured once)
+  /// is taken off, so that short entries are not overestimated.
+  void add_sampled(int entry, Clock::duration duration) noexcept;
+  /// Adds time that was measured in full (output, stepper ...).
+  void add(int entry, Clock::duration duration) noexcept;
+  struct Row {
+    std::string name;
+    long calls = 0;
+    double seconds = 0.0;
+  };
+  /// One row per entry, in the order of add_entry. Sampled entries count every right-hand side as a
+  /// call.
+  [[nodiscard]] std::vector<Row> rows() const;
+  [[nodiscard]] long calls() const noexcept { return calls_; }
+  static constexpr int kSampleEvery = 64;
+
+ private:
+  struct Entry {
+    std::string name;
+    long calls = 0;
+    Clock::duration full{}, sampled{};
+    bool is_sampled = false;
+  };
+  std::vector<Entry> entries_;
+  long calls_ = 0;
+};
+
+}  // namespace adore::scene

@@ -1,0 +1,106 @@
+#pragma once
+
+#include "scene/ledger.hpp"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+/// Everything the outputs may show of one instant, in SI and radians. Observers and writers read
+/// this and nothing else.
+namespace adore::scene {
+
+using Vec3 = Eigen::Vector3d;
+
+/// Unit quaternion (w, x, y, z), body -> base frame.
+using Quat = std::array<double, 4>;
+
+struct RaceContactSnapshot {
+  double load = 0.0;                          ///< Q [N]
+  double angle = 0.0;                         ///< contact angle [rad]; 0 when open
+  double half_major = 0.0, half_minor = 0.0;  ///< a (transverse), b (rolling) [m]
+  double max_pressure = 0.0;                  ///< [Pa]
+  double spin_to_roll = 0.0;                  ///< signed W_n / W_c of dynamics_README
+  double max_slip = 0.0;                      ///< largest slip speed in the ellipse [m/s]
+  double heat = 0.0;                          ///< ∫ κ p u dA [W]
+  double load_slip = 0.0;                     ///< ∫ p u dA [W]
+  double film = 0.0;                          ///< 0 with the hypothetical law [m]
+  double temperature_rise = 0.0;              ///< 0 until a thermal model exists [K]
+  double contact_temperature = 0.0;           ///< race temperature + rise [K]
+  double edge = 0.0;          ///< depth s of the contact below the shoulder, either race (N94) [m]
+  double centre_chord = 0.0;  ///< t, inner end of the contact from the groove's centre plane [m]
+};
+
+struct PocketContactSnapshot {
+  double force = 0.0;             ///< [N]
+  double gap = 0.0;               ///< negative in contact [m]
+  double theta = 0.0, phi = 0.0;  ///< contact angles [rad], theta 0..2π
+};
+
+struct ElementSnapshot {
+  double x = 0.0, r = 0.0, theta = 0.0;  ///< mass centre; theta accumulates turns [m, m, rad]
+  double vx = 0.0, vr = 0.0, theta_dot = 0.0;
+  double ax = 0.0, ar = 0.0, theta_ddot = 0.0;  ///< ẍ, r̈ [m/s²], θ̈ [rad/s²]
+  Vec3 omega = Vec3::Zero();     ///< absolute, azimuth frame (x, y = -e_θ, z = e_r) [rad/s]
+  Vec3 x_axis = Vec3::UnitX();   ///< body x axis in the azimuth frame; valid when oriented
+  Quat orientation{1, 0, 0, 0};  ///< valid when oriented
+  double total_rotation = 0.0;   ///< ∫ ω·(body x axis) dt [rad]; valid when oriented
+  bool oriented = false;         ///< orientation is integrated for this element
+  bool held = false;  ///< x and r in force balance (qFac): vx, vr, ax, ar are zero by definition
+  std::array<RaceContactSnapshot, 2> race{};
+  std::vector<PocketContactSnapshot> pocket;  ///< one per surface; empty without cage
+  Vec3 pocket_to_centre =
+      Vec3::Zero();  ///< vector pocket centre -> element centre, pocket frame [m]
+};
+
+struct LandSnapshot {
+  double force = 0.0, gap = 0.0;
+  double angle = 0.0;  ///< azimuth of the least gap in the cage frame [rad]
+};
+
+/// Rigid body (cage or race) in the base frame. Orbit: r, θ of the mass centre about the bearing
+/// axis.
+struct BodySnapshot {
+  Vec3 position = Vec3::Zero();  ///< cage: from the locus of element centres; race: displacement
+                                 ///< from its free position [m]
+  Vec3 velocity = Vec3::Zero(), acceleration = Vec3::Zero();
+  Quat orientation{1, 0, 0, 0};
+  Vec3 omega = Vec3::Zero();    ///< base frame [rad/s]
+  double total_rotation = 0.0;  ///< about its own x axis, accumulated [rad]
+};
+
+struct CageSnapshot : BodySnapshot {
+  std::vector<LandSnapshot> lands;
+};
+
+struct RaceSnapshot : BodySnapshot {
+  Vec3 applied_force = Vec3::Zero();   ///< what holds or loads this race [N]
+  Vec3 applied_moment = Vec3::Zero();  ///< about its centre [N m]
+};
+
+struct PowerSnapshot {
+  double total_loss = 0.0;         ///< all dissipation now: energy.heat_rate() [W]
+  double churning_fraction = 0.0;  ///< 0 until churning exists
+  double life_hours = 0.0;         ///< at the loads now; infinity is a valid life; 0: no life model
+  // Time integrals since t = 0 of load x slip [J]: what Archard wear needs (element 1 per race, all
+  // of a race, cage).
+  double qv_element1[2] = {0.0, 0.0}, qv_race[2] = {0.0, 0.0}, qv_cage = 0.0;
+};
+
+struct Snapshot {
+  long step = 0;
+  double time = 0.0, step_size = 0.0;  ///< [s]
+  double shaft_rotation = 0.0;         ///< inner minus outer about x [rad], signed
+  std::vector<ElementSnapshot> elements;
+  std::vector<CageSnapshot> cages;  ///< 0 or 1 entries (segments later)
+  std::array<RaceSnapshot, 2> races;
+  PowerSnapshot power;
+  EnergyLedger energy;                     ///< since the start of the run
+  std::optional<MomentumLedger> momentum;  ///< the same, with the momentum ledger
+  std::optional<int> held_elements;        ///< in force balance, with light-load balance (qFac)
+  double max_quaternion_error = 0.0;       ///< largest | |q| - 1 |
+};
+
+}  // namespace adore::scene

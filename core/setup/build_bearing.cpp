@@ -1,0 +1,326 @@
+#include "setup/build_bearing.hpp"
+
+#include "contact/cage_inertia.hpp"
+#include "contact/groove.hpp"
+#include "contact/roller_pocket_play.hpp"
+#include "contact/roller_shape.hpp"
+#include "setup/build_rollers.hpp"
+#include "setup/deck_text.hpp"
+#include "tribology/traction_curve.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace adore::setup {
+namespace {
+
+using bearing::Bearing;
+using bearing::Material;
+using bearing::Part;
+using deck::Deck;
+
+constexpr double kPi = std::numbers::pi;
+
+/// A value in SI; one that does not act is read for the listing only.
+double si_where(bool acts, const Deck& deck, std::string_view name) {
+  const deck::ReportOnly quiet(deck, !acts);
+  return deck.si(name);
+}
+
+/// Material of one part: its code, and for code 1 the deck's own record, whose variables share a
+/// prefix and a suffix.
+Material material(const Deck& deck, const char* code_variable, Part part, const std::string& prefix,
+                  const std::string& suffix) {
+  const int code = static_cast<int>(deck.integer(code_variable));
+  if (code != 1) return bearing::material_from_table(code, part);
+  const bool contact =
+      part == Part::RollingElement || part == Part::OuterRace || part == Part::InnerRace;
+  const bool wears = deck.integer("mode") >= 0 && part != Part::Housing && part != Part::Shaft;
+  auto value = [&](const char* stem, bool acts = true) {
+    const std::string name = prefix + stem + suffix;
+    return deck.has(name) ? si_where(acts, deck, name) : 0.0;
+  };
+  Material out;
+  out.code = 1;
+  out.name = "given in the deck";
+  out.density = value("Den");
+  out.elastic_modulus = value("EM");
+  out.poisson_ratio = value("PR");
+  out.thermal_expansion = value("CTE");
+  out.conductivity = value("TC", false);  // until temperatures are computed
+  out.specific_heat = value("SH", false);
+  out.elastic_strain_limit = value("ESL", part != Part::Cage);
+  out.wear_coefficient = value("WC", wears);
+  out.fatigue_limit_stress = value("VM", contact);
+  if (const std::string hardness = prefix + "H" + suffix; deck.has(hardness)) {
+    const deck::ReportOnly quiet(deck, !wears);
+    out.hardness = bearing::hardness_from_hrc(deck.real(hardness));
+  }
+  out.provenance = "deck";
+  return out;
+}
+
+/// Solid ball: m = ρπD³/6, I = m D²/10.
+bearing::Inertia ball_inertia(double diameter, double density) {
+  bearing::Inertia out;
+  out.mass = density * kPi * diameter * diameter * diameter / 6.0;
+  out.moments.setConstant(out.mass * diameter * diameter / 10.0);
+  return out;
+}
+
+/// Hollow cylinder between two diameters: polar m(R²+r²)/2, transverse m(3(R²+r²)+w²)/12. The ideal
+/// ring of N6: its groove is a small part of it and enters nothing but reports while races are
+/// prescribed.
+bearing::Inertia ring_inertia(double outer, double inner, double width, double density) {
+  const double R2 = outer * outer / 4.0, r2 = inner * inner / 4.0;
+  bearing::Inertia out;
+  out.mass = density * kPi * (R2 - r2) * width;
+  out.moments.x() = out.mass * (R2 + r2) / 2.0;
+  out.moments.y() = out.moments.z() = out.mass * (3.0 * (R2 + r2) + width * width) / 12.0;
+  return out;
+}
+
+/// `acts`: some result of this run depends on it.
+bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const std::string& stem,
+                             bool acts) {
+  const deck::ReportOnly quiet(deck, !acts);
+  const int type = static_cast<int>(deck.integer(type_variable));
+  const bool asymptote = type == 2;  // has three coefficients
+  const std::array<double, 4> tc{deck.si(stem + "1"), deck.si(stem + "2"), deck.si(stem + "3"),
+                                 si_where(!asymptote, deck, stem + "4")};
+  return at_variable(deck, stem + "1", [&] { return tribology::traction_curve(type, tc); });
+}
+
+/// Least play of a roller between the guide faces of record 7.3.
+double face_play(const Deck& deck, const bearing::RollerGeometry& rollers) {
+  std::vector<contact::RollerPocketFace> faces;
+  for (int i = 1; i <= deck.integer("kPocType"); ++i) {
+    contact::RollerPocketFace face;
+    for (int k = 0; k < 3; ++k) {
+      face.angles[k] = deck.si(fmt::format("bPocGsAng{}", k + 1), i);
+      face.centre[k] = deck.si(fmt::format("bPocGsCen{}", k + 1), i);
+    }
+    face.width = deck.si("bPocGsLen1", i);
+    face.length = deck.si("bPocGsLen2", i);
+    faces.push_back(face);
+  }
+  return contact::roller_pocket_play(faces, contact::roller_profile(rollers));
+}
+
+/// kPocType. Rollers: -1 cylinders about the rollers, 0 windows, above 0 pairs of guide faces,
+/// which count as windows of their least play.
+void read_pocket(const Deck& deck, const Bearing& bearing, bearing::Cage& out) {
+  using bearing::PocketShape;
+  const long long type = deck.integer("kPocType");
+  out.pocket_clearance_1 = deck.si("bPocCls1");
+  if (!bearing.rollers) {
+    if (type >= 2) out.pocket_clearance_2 = deck.si("bPocCls2");  // the others have one clearance
+    constexpr std::array kShapes{PocketShape::Cylindrical, PocketShape::Spherical,
+                                 PocketShape::Elongated, PocketShape::Rectangular,
+                                 PocketShape::Conical};
+    out.pocket = kShapes.at(static_cast<std::size_t>(type));
+    return;
+  }
+  out.pocket = type < 0 ? PocketShape::Cylindrical : PocketShape::Rectangular;
+  if (type > 0) out.pocket_clearance_1 = face_play(deck, *bearing.rollers);
+}
+
+/// Record 7.7 where the deck gives it, else from the ideal shape. In a quasi-static solution, which
+/// only reports it, a shape that cannot be cut leaves it zero.
+bearing::Inertia cage_mass(const Deck& deck, const Bearing& bearing, bool dynamic) {
+  if (deck.has("cageMass")) {
+    bearing::Inertia given;
+    given.mass = deck.si("cageMass");
+    given.moments = {deck.si("cageMIx"), deck.si("cageMIy"), deck.si("cageMIz")};
+    return given;
+  }
+  try {
+    return at_variable(deck, "bPocCls1", [&] { return contact::cage_inertia(bearing); });
+  } catch (const InputError&) {
+    if (dynamic) throw;
+    return {};
+  }
+}
+
+bearing::Cage cage(const Deck& deck, const Bearing& bearing) {
+  bearing::Cage out;
+  out.outer_diameter = deck.si("cageDia1");
+  out.inner_diameter = deck.si("cageDia2");
+  out.width = deck.si("cageWidth");
+  out.clearance_outer = deck.si("cageCls1");
+  out.clearance_inner = deck.si("cageCls2");
+  out.cone_angle = deck.has("cageConeAng") ? deck.si("cageConeAng") : 0.0;
+  read_pocket(deck, bearing, out);
+  const int lands = static_cast<int>(deck.integer("nGL"));
+  for (int i = 1; i <= lands; ++i) {
+    bearing::GuideLand land;
+    const long long guide = deck.integer("iCageGuide", i);
+    land.guide = guide == 1   ? bearing::GuideLand::Guide::Outer
+                 : guide == 2 ? bearing::GuideLand::Guide::Inner
+                              : bearing::GuideLand::Guide::None;
+    land.diameter = deck.si("cageGsDia", i);
+    {
+      const deck::ReportOnly quiet(deck, deck.integer("mode") < 0);  // of plays no part
+      land.width = deck.si("cageGsWidth", i);
+      land.edge = deck.si("cageGsPos", i);
+    }
+    land.clearance = deck.si("cageGsCls", i);
+    out.lands.push_back(land);
+  }
+  out.material = material(deck, "kCageMat", Part::Cage, "cage", "");
+  if (deck.has("avRatio")) {
+    const deck::ReportOnly quiet(deck, deck.integer("mode") < 0);  // statics moves no cage
+    out.whirl_ratio = deck.si("wvRatio");
+    out.speed_ratio = deck.si("avRatio");
+    for (int k = 0; k < 3; ++k) {
+      out.start_offset[k] = deck.si("cageGcPos", 1, k + 1);
+      out.start_angles[k] = deck.si("cageAngPos", 1, k + 1);
+    }
+  }
+  return out;
+}
+
+bearing::StaticConstraints constraints(const Deck& deck) {
+  bearing::StaticConstraints out;
+  constexpr const char* kFlags[] = {"kFS1", "kFS2", "kFS3", "kFS4", "kFS5"};
+  constexpr const char* kLoads[] = {"appLoadX", "appLoadY", "appLoadZ", "appMomY", "appMomZ"};
+  constexpr const char* kDisplacements[] = {"appDispX", "appDispY", "appDispZ", "appMis12",
+                                            "appMis22"};
+  for (int i = 0; i < 5; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const bool given = deck.integer(kFlags[i]) == 1;
+    out.displacement_given[k] = given;
+    out.load[k] = si_where(!given, deck, kLoads[i]);
+    if (given) out.displacement[k] = deck.si(kDisplacements[i]);
+  }
+  out.outer_misalignment = {deck.si("appMis11"), deck.si("appMis21")};
+  return out;
+}
+
+bearing::Mounting mounting(const Deck& deck) {
+  bearing::Mounting out;
+  out.fit = {deck.si("raceFit1"), deck.si("raceFit2")};
+  out.housing = material(deck, "kHsngMat", Part::Housing, "hsng", "");
+  out.shaft = material(deck, "kShftMat", Part::Shaft, "shft", "");
+  out.housing_temperature = deck.si("hsngTemp");
+  out.shaft_temperature = deck.si("shftTemp");
+  out.material_laws = deck.has("kMatPropMod") && deck.integer("kMatPropMod") == 1;
+  return out;
+}
+
+/// Balls or rollers with their inertia.
+void build_elements(const Deck& deck, Bearing& out) {
+  if (out.type == bearing::Type::Ball) {
+    out.balls = build_balls(deck);
+    out.ball_inertia = ball_inertia(out.balls.diameter, out.ball_material.density);
+    return;
+  }
+  out.rollers = build_rollers(deck);
+  const RollerMass mass = roller_mass(*out.rollers, out.ball_material.density);
+  out.ball_inertia = mass.inertia;
+  out.roller_mass_offset = mass.mass_offset;
+}
+
+/// Of the groove bottoms, or of straight raceways under the middle of the rollers.
+std::array<double, 2> raceway_diameters(const Bearing& b) {
+  if (b.rollers)
+    return {2.0 * b.rollers->race_radius(bearing::kOuter),
+            2.0 * b.rollers->race_radius(bearing::kInner)};
+  return {b.balls.pitch_diameter + b.balls.diameter, b.balls.pitch_diameter - b.balls.diameter};
+}
+
+}  // namespace
+
+bearing::BallGeometry build_balls(const Deck& deck) {
+  bearing::BallGeometry out;
+  out.count = static_cast<int>(deck.integer("nRe"));
+  out.diameter = deck.si("bReDia");
+  out.pitch_diameter = deck.si("pitchDia");
+  out.groove_factor = {deck.si("raceCurFac1"), deck.si("raceCurFac2")};
+  out.shim = {deck.si("shimThickness1"), deck.si("shimThickness2")};
+  out.shoulder_diameter = {deck.si("shoulderDia1"), deck.si("shoulderDia2")};
+  // Until films are computed.
+  out.roughness = {si_where(false, deck, "rmsAspHt1"), si_where(false, deck, "rmsAspHt2")};
+  const contact::FreeState free = at_variable(deck, "freeIntCls", [&] {
+    return contact::free_state(out.diameter, out.groove_factor, out.shim, deck.si("freeConAng"),
+                               si_where(!(deck.si("freeConAng") > 0.0), deck, "freeIntCls"));
+  });
+  out.contact_angle = free.contact_angle;
+  out.clearance = free.clearance;
+  if (!(deck.si("freeConAng") > 0.0)) out.groove_plane = {0.0, 0.0};
+  return out;
+}
+
+Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
+  std::vector<Issue> issues = check_buildable(deck);
+  std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::Error; });
+  if (!issues.empty()) throw InputError(std::move(issues));
+
+  Bearing out;
+  out.run_id = deck.text("runID");
+  out.ball_material = material(deck, "kReMat", Part::RollingElement, "re", "");
+  out.race_material = {material(deck, "kRaceMat1", Part::OuterRace, "race", "1"),
+                       material(deck, "kRaceMat2", Part::InnerRace, "race", "2")};
+  out.type = static_cast<bearing::Type>(deck.integer("kBrg"));
+  out.envelope = {deck.si("brgBore"),
+                  deck.si("brgOD"),
+                  deck.si("shftID"),
+                  deck.si("hsngOD"),
+                  {deck.si("raceWidth1"), deck.si("raceWidth2")}};
+  build_elements(deck, out);
+  const auto [groove_bottom_outer, groove_bottom_inner] = raceway_diameters(out);
+  const char* const cones =
+      deck.has("raceTaper1") ? ", which follows from bReDia, raceTaper1 and raceTaper2" : "";
+  // Without material between groove and bore or outside, the ideal ring would have a negative mass.
+  if (out.envelope.outer_diameter <= groove_bottom_outer)
+    throw InputError(
+        {deck.issue(Severity::Error, "brgOD", "the outer raceway reaches through the ring",
+                    fmt::format("give more than the raceway's diameter, {}{}",
+                                length_text(deck, groove_bottom_outer), cones))});
+  if (out.envelope.bore >= groove_bottom_inner)
+    throw InputError(
+        {deck.issue(Severity::Error, "brgBore", "the inner raceway reaches through the ring",
+                    fmt::format("give less than the raceway's diameter, {}{}",
+                                length_text(deck, groove_bottom_inner), cones))});
+  out.race_inertia = {ring_inertia(out.envelope.outer_diameter, groove_bottom_outer,
+                                   out.envelope.race_width[0], out.race_material[0].density),
+                      ring_inertia(groove_bottom_inner, out.envelope.bore,
+                                   out.envelope.race_width[1], out.race_material[1].density)};
+  const bool dynamic = deck.integer("mode") >= 0;
+  if (dynamic || deck.has("reRaceTC1"))
+    out.race_traction = curve(deck, "kTracType", "reRaceTC", dynamic);
+  if (deck.integer("nCseg") == 1) out.cage = cage(deck, out);
+  if (dynamic && out.cage) {
+    out.pocket_traction = curve(deck, "kCPTracType", "reCageTC", true);
+    const bool guided = std::any_of(out.cage->lands.begin(), out.cage->lands.end(),
+                                    [](const bearing::GuideLand& land) {
+                                      return land.guide != bearing::GuideLand::Guide::None;
+                                    });
+    if (guided) out.land_traction = curve(deck, "kCRTracType", "cageRaceTC", true);
+  }
+  out.constraints = constraints(deck);
+  constexpr bearing::SpinRule kRules[] = {bearing::SpinRule::MinimumHeat,
+                                          bearing::SpinRule::RaceControl,
+                                          bearing::SpinRule::Prescribed};
+  {
+    const deck::ReportOnly quiet(deck, out.rollers.has_value());
+    out.spin_rule = kRules[deck.integer("kAngVel")];
+    out.spin_angle = si_where(out.spin_rule == bearing::SpinRule::Prescribed, deck, "angVelOrient");
+  }
+  out.speed = {deck.si("rpm1"), deck.si("rpm2")};
+  if (deck.has("gravityVecX"))
+    out.gravity = {deck.si("gravityVecX"), deck.si("gravityVecY"), deck.si("gravityVecZ")};
+  out.room_temperature = deck.si("roomTemp");
+  out.race_temperature = {deck.si("raceTemp1"), deck.si("raceTemp2")};
+  out.ball_temperature = deck.si("reTemp");
+  out.cage_temperature = deck.si("cageTemp");
+  out.mounting = mounting(deck);
+  build_imperfections(deck, seed, out);
+  if (out.cage) out.cage->inertia = cage_mass(deck, out, dynamic);
+  return out;
+}
+
+}  // namespace adore::setup

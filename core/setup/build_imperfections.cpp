@@ -1,0 +1,216 @@
+#include "setup/build_imperfections.hpp"
+
+#include "base/random_table.hpp"
+#include "setup/check_rollers.hpp"
+#include "setup/deck_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace adore::setup {
+namespace {
+
+using bearing::ElementErrors;
+using bearing::Harmonic;
+using bearing::RaceErrors;
+using deck::Deck;
+
+/// Amplitude, waves per turn and phase of the variables stem1j, stem2j, stem3j; nothing when the
+/// record in force has none.
+Harmonic wave(const Deck& deck, const std::string& stem, std::size_t race) {
+  const auto name = [&](int i) { return fmt::format("{}{}{}", stem, i, race + 1); };
+  if (!deck.has(name(1))) return {};
+  return {deck.si(name(1)), deck.si(name(2)), deck.si(name(3))};
+}
+
+RaceErrors race_errors(const Deck& deck, std::size_t race, bool elliptical) {
+  RaceErrors out;
+  out.roundness =
+      elliptical ? RaceErrors::Roundness::Elliptical : RaceErrors::Roundness::Sinusoidal;
+  for (std::size_t i = 0; i < 3; ++i)
+    out.variation[i] = deck.si(fmt::format("rndVar{}{}", i + 1, race + 1));
+  out.curvature_factor = wave(deck, "cFacVar", race);
+  out.land_offset = wave(deck, "rlOffset", race);
+  out.taper = wave(deck, "rlTaper", race);
+  return out;
+}
+
+/// One column of the random table times its rms value; zeros where the record has no such variable.
+class Deviations {
+ public:
+  Deviations(const Deck& deck, std::uint64_t seed) : deck_(deck), table_(seed) {}
+
+  [[nodiscard]] double at(const char* variable, std::size_t element, RandomColumn column) const {
+    const double rms = deck_.has(variable) ? deck_.si(variable) : 0.0;
+    return rms == 0.0 ? 0.0 : rms * table_.normal(element, static_cast<std::uint64_t>(column));
+  }
+
+ private:
+  const Deck& deck_;
+  RandomTable table_;
+};
+
+std::string diameter_variable(ElementErrors kind, std::size_t element) {
+  return kind == ElementErrors::Random ? "reDiaVar" : fmt::format("reDiaVar{}", element + 1);
+}
+
+void check_positive(const Deck& deck, double value, const char* what, std::size_t element,
+                    const std::string& variable) {
+  if (value > 0.0) return;
+  throw InputError({deck.issue(
+      Severity::Error, variable,
+      fmt::format("the deviation of rolling element {} leaves a {} of {}, which must stay above 0",
+                  element + 1, what, length_text(deck, value)),
+      "give smaller deviations")});
+}
+
+/// The largest and smallest that a wave adds over the turn.
+std::array<double, 2> extremes(const Harmonic& wave) {
+  if (wave.waves == 0.0) return {wave.at(0.0), wave.at(0.0)};
+  return {-std::abs(wave.amplitude), std::abs(wave.amplitude)};
+}
+
+/// Each ball must fit in its grooves wherever it stands: groove radius between half its diameter
+/// and its diameter.
+void check_grooves(const Deck& deck, const bearing::Bearing& b) {
+  const double D = b.balls.diameter;
+  for (std::size_t k = 0; k < b.imperfections.ball_diameter.size(); ++k)
+    for (std::size_t j = 0; j < 2; ++j) {
+      const double ratio = b.balls.groove_factor[j] * D / (D + b.imperfections.ball_diameter[k]);
+      if (ratio > 0.5 && ratio < 1.0) continue;
+      throw InputError({deck.issue(
+          Severity::Error, diameter_variable(b.imperfections.elements, k),
+          fmt::format("ball {} with its deviation of {} does not fit the {} groove: the groove "
+                      "radius would be {:.6g} of its diameter",
+                      k + 1, length_text(deck, b.imperfections.ball_diameter[k]),
+                      j == 0 ? "outer" : "inner", ratio),
+          "give smaller deviations; above 0.5 and below 1 is possible")});
+    }
+  double smallest = D, largest = D;
+  for (const double growth : b.imperfections.ball_diameter) {
+    smallest = std::min(smallest, D + growth);
+    largest = std::max(largest, D + growth);
+  }
+  for (std::size_t j = 0; j < 2; ++j) {
+    const auto [low, high] = extremes(b.imperfections.race[j].curvature_factor);
+    const double f = b.balls.groove_factor[j];
+    if ((f + low) * D > 0.5 * largest && (f + high) * D < smallest) continue;
+    throw InputError({deck.issue(
+        Severity::Error, fmt::format("cFacVar1{}", j + 1),
+        fmt::format("the groove factor raceCurFac{} = {:.6g} becomes {:.6g} to {:.6g} around the "
+                    "race, where the balls do not fit",
+                    j + 1, f, f + low, f + high),
+        "give an amplitude that keeps it above 0.5 and below 1")});
+  }
+}
+
+/// Barrels must fit in their grooves: groove radius above the crown radius.
+void check_barrel_grooves(const Deck& deck, const bearing::Bearing& b) {
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double f = b.rollers->groove_factor[j];
+    const auto [low, high] = extremes(b.imperfections.race[j].curvature_factor);
+    if (f + low > 0.5) continue;
+    throw InputError({deck.issue(
+        Severity::Error, fmt::format("cFacVar1{}", j + 1),
+        fmt::format("the groove factor raceCurFac{} = {:.6g} becomes {:.6g} to {:.6g} around the "
+                    "race, where the rollers do not fit",
+                    j + 1, f, f + low, f + high),
+        "give an amplitude that keeps it above 0.5")});
+  }
+}
+
+bearing::RollerDeviation random_roller(const Deviations& random, std::size_t k,
+                                       const bearing::RollerGeometry& nominal) {
+  bearing::RollerDeviation out;
+  out.diameter = random.at("reDiaVar", k, RandomColumn::Diameter);
+  out.crown_radius = random.at("reCrnVar", k, RandomColumn::CrownRadius);
+  out.length = random.at("reLenVar", k, RandomColumn::Length);
+  out.central_length =
+      std::clamp(random.at("reCLVar", k, RandomColumn::CentralLength), -nominal.central_length,
+                 std::max(0.0, nominal.length + out.length - nominal.central_length));
+  out.land_offset = random.at("reCLOffset", k, RandomColumn::LandOffset);
+  return out;
+}
+
+double diameter_deviation(const Deck& deck, const Deviations& random, ElementErrors kind,
+                          std::size_t k) {
+  const std::string name = diameter_variable(kind, k);
+  return kind == ElementErrors::Random ? random.at(name.c_str(), k, RandomColumn::Diameter)
+                                       : deck.si(name);
+}
+
+void element_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
+  bearing::Imperfections& out = b.imperfections;
+  const long long code = deck.integer("kReGeoImp");
+  if (code != 1 && code != 2) return;
+  out.elements = static_cast<ElementErrors>(code);
+  if (out.elements == ElementErrors::Random) out.seed = seed;
+  const Deviations random(deck, seed);
+  const auto count = static_cast<std::size_t>(b.element_count());
+  if (!b.rollers) {
+    for (std::size_t k = 0; k < count; ++k) {
+      out.ball_diameter.push_back(diameter_deviation(deck, random, out.elements, k));
+      check_positive(deck, b.balls.diameter + out.ball_diameter.back(), "diameter", k,
+                     diameter_variable(out.elements, k));
+    }
+    return;
+  }
+  bearing::RollerGeometry& rollers = *b.rollers;
+  rollers.deviation.clear();
+  for (std::size_t k = 0; k < count; ++k) {
+    bearing::RollerDeviation own;
+    if (out.elements == ElementErrors::Random)
+      own = random_roller(random, k, rollers);
+    else
+      own.diameter = diameter_deviation(deck, random, out.elements, k);
+    check_positive(deck, rollers.diameter + own.diameter, "diameter", k,
+                   diameter_variable(out.elements, k));
+    check_positive(deck, rollers.length + own.length, "length", k, "reLenVar");
+    check_positive(deck, rollers.crown_radius + own.crown_radius, "crown radius", k, "reCrnVar");
+    rollers.deviation.push_back(own);
+  }
+  check_roller_deviations(deck, rollers);
+}
+
+/// kCagePocImp: 1 the first pocket, 2 all alike, 3 each its own.
+void pocket_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
+  if (!b.cage || !deck.has("bPocClsVar1") || (b.rollers && deck.integer("kPocType") > 0)) return;
+  const bool two = !b.rollers && deck.integer("kPocType") >= 2;  // pockets with clearance II
+  const std::array<double, 2> given{deck.si("bPocClsVar1"), two ? deck.si("bPocClsVar2") : 0.0};
+  const long long code = deck.integer("kCagePocImp");
+  if (code == 2) {
+    b.cage->pocket_clearance_1 += given[0];
+    b.cage->pocket_clearance_2 += given[1];
+  } else if (code == 1) {
+    b.cage->pocket_deviation = {given};
+  } else if (code == 3) {
+    const Deviations random(deck, seed);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(b.element_count()); ++k)
+      b.cage->pocket_deviation.push_back(
+          {random.at("bPocClsVar1", k, RandomColumn::PocketClearance1),
+           two ? random.at("bPocClsVar2", k, RandomColumn::PocketClearance2) : 0.0});
+  }
+}
+
+}  // namespace
+
+void build_imperfections(const Deck& deck, std::uint64_t seed, bearing::Bearing& bearing) {
+  element_errors(deck, seed, bearing);
+  pocket_errors(deck, seed, bearing);
+  for (std::size_t race = 0; race < 2; ++race) {
+    const long long code = deck.integer(fmt::format("kRaceGeoImp{}", race + 1));
+    if (code != 1 && code != 2) continue;
+    bearing.imperfections.race_given[race] = true;
+    bearing.imperfections.race[race] = race_errors(deck, race, code == 1);
+  }
+  if (!bearing.rollers)
+    check_grooves(deck, bearing);
+  else if (bearing.rollers->shape == bearing::RollerShape::Arc)
+    check_barrel_grooves(deck, bearing);
+}
+
+}  // namespace adore::setup

@@ -1,0 +1,207 @@
+#include "bearing/material_laws.hpp"
+#include "setup/build_bearing.hpp"
+#include "setup/deck_text.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace adore::setup {
+namespace {
+
+using deck::Deck;
+
+/// One switch that only some codes are simulated of.
+struct Gate {
+  const char* variable;
+  long long supported;  ///< the code that is simulated
+  const char* asks_for;
+};
+
+// A deck with another code parses and checks clean, but cannot run.
+constexpr Gate kAlways[] = {
+    {"kRaceFlex", 0, "a flexible outer race (announced by the classic program, never available)"},
+};
+constexpr Gate kDynamic[] = {
+    {"kTrac", 0, "a lubricant's traction model (or user routine ADRX7)"},
+    {"kReGeoImp", 0, "the motion of rolling elements with geometric imperfections"},
+    {"kRaceGeoImp1", 0, "motion on an outer race with geometric imperfections"},
+    {"kRaceGeoImp2", 0, "motion on an inner race with geometric imperfections"},
+    {"kTherm", 0, "the thermal analysis"},
+    {"mode", 0, "a constrained mode"},
+    {"kDOF", 0, "suppressed degrees of freedom"},
+    {"kVarLoad", 0, "a time-varying load"},
+    {"kVarSpeed", 0, "a time-varying speed"},
+    {"kRotFrame", 0, "a moving base frame"},
+    {"kReIP", 0, "given rolling-element inertia"},
+    {"kRaceIP1", 0, "given outer-race inertia"},
+    {"kRaceIP2", 0, "given inner-race inertia"},
+    {"nCseg", 1, "a segmented cage or a bearing without cage (element to element contact)"},
+    {"kChrn", 0, "churning and drag"},
+};
+constexpr Gate kCage[] = {
+    {"kPocType", 0, "a pocket shape other than cylindrical"},
+    {"kCagePocImp", 0, "pocket imperfections"},
+    {"kCageGsImp", 0, "cage guide-land imperfections"},
+    {"kRaceGsImp", 0, "race guide-land imperfections"},
+    {"kPocHydro", 0, "pocket hydrodynamics"},
+    {"kGsHydro", 0, "guide-land hydrodynamics"},
+    {"kCageIP", 0, "given cage inertia"},
+    {"kCPTrac", 0, "a user routine for element to cage traction"},
+    {"kCRTrac", 0, "a user routine for cage to race traction"},
+};
+
+class Checker {
+ public:
+  explicit Checker(const Deck& deck) : deck_(deck) {}
+
+  void gates(std::span<const Gate> gates) {
+    for (const Gate& gate : gates)
+      if (deck_.has(gate.variable) && deck_.integer(gate.variable) != gate.supported)
+        error(gate.variable,
+              fmt::format("asks for {}, which this version does not simulate yet", gate.asks_for),
+              fmt::format("set {} to {}", gate.variable, gate.supported));
+  }
+
+  void error(const char* variable, std::string message, std::string remedy) {
+    issues_.push_back(
+        deck_.issue(Severity::Error, variable, std::move(message), std::move(remedy)));
+  }
+  void warning(const char* variable, std::string message, std::string remedy = {}) {
+    issues_.push_back(
+        deck_.issue(Severity::Warning, variable, std::move(message), std::move(remedy)));
+  }
+
+  void note(const char* variable, std::string message) {
+    issues_.push_back(deck_.issue(Severity::Note, variable, std::move(message), {}));
+  }
+
+  std::vector<Issue> take() { return std::move(issues_); }
+
+ private:
+  const Deck& deck_;
+  std::vector<Issue> issues_;
+};
+
+/// A wave that does not close: allowed, but hardly meant.
+void check_waves(const Deck& deck, Checker& check) {
+  for (const char* race : {"1", "2"}) {
+    const bool sinusoidal = deck.integer(std::string("kRaceGeoImp") + race) == 2;
+    for (const char* stem : {"rndVar", "cFacVar", "rlOffset", "rlTaper"}) {
+      const std::string amplitude = std::string(stem) + "1" + race;
+      const std::string waves = std::string(stem) + "2" + race;
+      const bool wave = sinusoidal || std::string_view(stem) != "rndVar";
+      if (!wave || !deck.has(amplitude) || deck.real(amplitude) == 0.0) continue;
+      const std::string phase = std::string(stem) + "3" + race;
+      if (deck.real(waves) == 0.0 && std::abs(std::sin(deck.si(phase))) < 1e-9)
+        check.warning(amplitude.c_str(),
+                      fmt::format("has no effect: with {} = 0 waves and a phase {} of {:.6g} "
+                                  "degrees, a sin(phase) is zero everywhere",
+                                  waves, phase, deck.real(phase)),
+                      fmt::format("give {}, or a phase of 90 degrees for a constant", waves));
+      if (deck.real(waves) != std::round(deck.real(waves)))
+        check.warning(waves.c_str(),
+                      "is not a whole number of waves per turn: the surface has a step where the "
+                      "turn closes, at the z axis of the race");
+    }
+  }
+}
+
+/// Temperatures outside the laws of a table material: the laws are clamped there.
+void check_law_ranges(const Deck& deck, Checker& check) {
+  if (!deck.has("kMatPropMod") || deck.integer("kMatPropMod") != 1) return;
+  using bearing::Part;
+  struct Place {
+    const char* temperature;
+    const char* code;
+    Part part;
+  };
+  constexpr Place kPlaces[] = {
+      {"hsngTemp", "kHsngMat", Part::Housing},     {"shftTemp", "kShftMat", Part::Shaft},
+      {"raceTemp1", "kRaceMat1", Part::OuterRace}, {"raceTemp2", "kRaceMat2", Part::InnerRace},
+      {"reTemp", "kReMat", Part::RollingElement},  {"cageTemp", "kCageMat", Part::Cage}};
+  for (const Place& place : kPlaces) {
+    const int code = static_cast<int>(deck.integer(place.code));
+    if (code == 1 || code == 2 || !deck.has(place.temperature) || !deck.has(place.code)) continue;
+    const bearing::Material material = bearing::material_from_table(code, place.part);
+    const double T = deck.si(place.temperature);
+    std::string laws;
+    for (const bearing::ClampedLaw& law : bearing::clamped_laws(material, T))
+      laws += fmt::format("{}{} ({} to {})", laws.empty() ? "" : ", ", law.property,
+                          temperature_text(deck, law.T_min), temperature_text(deck, law.T_max));
+    if (!laws.empty())
+      check.warning(place.temperature,
+                    fmt::format("lies outside of what is known of {}: {}; the value at the nearer "
+                                "end is used",
+                                material.name, laws));
+  }
+}
+
+/// The same deviation in all pockets; that of single ones is looked at in operation.
+void check_pocket_errors(const Deck& deck, Checker& check) {
+  if (!deck.has("bPocClsVar1") || deck.integer("kCagePocImp") != 2) return;
+  if (deck.integer("kBrg") != 1 && deck.integer("kPocType") > 0) return;  // guide faces
+  const double given = deck.si("bPocCls1"), left = given + deck.si("bPocClsVar1");
+  if (given >= 0.0 && left < 0.0)
+    check.warning("bPocClsVar1",
+                  fmt::format("makes every pocket smaller than its rolling element, which it "
+                              "clamps: bPocCls1 + bPocClsVar1 is {}",
+                              length_text(deck, left)));
+}
+
+}  // namespace
+
+std::vector<Issue> check_buildable(const Deck& deck) {
+  Checker check(deck);
+  const bool dynamic = deck.integer("mode") >= 0;
+  check.gates(kAlways);
+  if (dynamic) check.gates(kDynamic);
+  if (dynamic && deck.integer("kBrg") != 1)
+    check.error("kBrg", "asks for the motion of rollers, which this version does not simulate yet",
+                "set mode to -1 for the quasi-static solution");
+  if (dynamic && deck.integer("nCseg") > 0) {
+    check.gates(kCage);
+    if (deck.has("cageConeAng") && deck.real("cageConeAng") != 0.0)
+      check.error("cageConeAng",
+                  "asks for a conical cage, which this version does not simulate yet",
+                  "set it to 0");
+  }
+  if (dynamic && deck.integer("kDCR") == 1)
+    for (const char* flag : {"kFD11", "kFD21", "kFD31", "kFD12", "kFD22", "kFD32", "kMD11", "kMD21",
+                             "kMD31", "kMD12", "kMD22", "kMD32"})
+      if (deck.integer(flag) == 0)
+        check.error(
+            flag,
+            "asks for a race that moves under its loads, which this version does not simulate yet",
+            "set it to 1 (prescribed motion)");
+  for (const char* material :
+       {"kReMat", "kRaceMat1", "kRaceMat2", "kHsngMat", "kShftMat", "kCageMat"})
+    if (deck.integer(material) == 2)
+      check.error(material, "asks for user routine ADRX0, which this version does not call yet",
+                  "use 0, 1 or a code of the material table");
+  for (const auto& [code, routine] :
+       {std::pair{"kReGeoImp", "ADRX8"}, {"kRaceGeoImp1", "ADRX6"}, {"kRaceGeoImp2", "ADRX6"}})
+    if (!dynamic && deck.integer(code) == 3)
+      check.error(
+          code,
+          fmt::format("asks for user routine {}, which this version does not call yet", routine),
+          "use 0, 1 or 2");
+  check_waves(deck, check);
+  check_law_ranges(deck, check);
+  check_pocket_errors(deck, check);
+  if (!deck.user_lines.empty())
+    check.warning("runID",
+                  "the deck has lines after its last record, for user routines that this version "
+                  "does not call");
+
+  if (deck.integer("kBrg") == 1)
+    for (const char* flange : {"kFlngInd11", "kFlngInd21", "kFlngInd12", "kFlngInd22"})
+      if (deck.integer(flange) != 0)
+        check.warning(flange, "a ball bearing has no roller flanges: no effect");
+  return check.take();
+}
+
+}  // namespace adore::setup

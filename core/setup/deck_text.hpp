@@ -1,0 +1,33 @@
+#pragma once
+
+#include "base/errors.hpp"
+#include "deck/deck.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+/// How the builder speaks of a deck: in its units, and with record and variable.
+namespace adore::setup {
+
+/// "0.0127 m" or "0.5 in", as the deck has it.
+[[nodiscard]] std::string length_text(const deck::Deck& deck, double metres);
+
+/// "353.15 K" or "635.67 R".
+[[nodiscard]] std::string temperature_text(const deck::Deck& deck, double kelvin);
+
+/// The same error with file, line, record and value of `variable` where it names no place yet.
+[[nodiscard]] InputError located(const deck::Deck& deck, std::string_view variable,
+                                 const InputError& error);
+
+/// What `make` returns; what it refuses is said of `variable`.
+template <class Make>
+auto at_variable(const deck::Deck& deck, std::string_view variable, Make&& make) {
+  try {
+    return std::forward<Make>(make)();
+  } catch (const InputError& error) {
+    throw located(deck, variable, error);
+  }
+}
+
+}  // namespace adore::setup

@@ -1,0 +1,171 @@
+#include "setup/no_part.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <string_view>
+
+namespace adore::setup {
+namespace {
+
+using deck::Deck;
+
+/// What the reasons depend on.
+struct Scene {
+  bool motion = false;        ///< mode >= 0
+  bool race_control = false;  ///< balls, kAngVel = 1
+  bool balls = false, cage = false, guided = false, flanges = false, segments = false;
+};
+
+Scene scene_of(const Deck& deck) {
+  Scene out;
+  out.motion = deck.integer("mode") >= 0;
+  out.balls = deck.integer("kBrg") == 1;
+  out.race_control = out.balls && deck.integer("kAngVel") == 1;
+  out.cage = deck.integer("nCseg") > 0;
+  for (int i = 1; i <= deck.integer("nGL"); ++i)
+    out.guided = out.guided || deck.integer("iCageGuide", i) > 0;
+  for (const char* flange : {"kFlngInd11", "kFlngInd21", "kFlngInd12", "kFlngInd22"})
+    out.flanges = out.flanges || (!out.balls && deck.integer(flange) > 0);
+  out.segments = deck.integer("nCseg") > 1;
+  return out;
+}
+
+bool is_one_of(std::string_view name, std::initializer_list<std::string_view> names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+bool starts_with_one_of(std::string_view name, std::initializer_list<std::string_view> stems) {
+  return std::any_of(stems.begin(), stems.end(),
+                     [&](std::string_view stem) { return name.starts_with(stem); });
+}
+
+/// Materials (records 8.1 to 8.5).
+std::string of_material(std::string_view name, const Scene& scene) {
+  if (name.ends_with("TC") || name.ends_with("TC1") || name.ends_with("TC2") ||
+      name.ends_with("SH") || name.ends_with("SH1") || name.ends_with("SH2"))
+    return "no heat flow is computed, so that conductivity and specific heat are only printed";
+  if (name.starts_with("cage"))
+    return scene.motion ? "the cage's strength, hardness and wear are not judged"
+                        : "a quasi-static solution moves and wears no cage";
+  if (name.starts_with("hsng") || name.starts_with("shft"))
+    return "no contact stresses this part, only its fit is computed";
+  if (!scene.motion) return "a quasi-static solution has no sliding, thus no wear";
+  return {};
+}
+
+/// A clause without subject; empty where no rule knows.
+std::string reason(const deck::NoPart& value, const Scene& scene) {
+  const std::string_view record = value.record;
+  const std::string_view name =
+      std::string_view(value.variable).substr(0, value.variable.find('['));
+  // What is not there.
+  if (starts_with_one_of(name, {"kFlngInd"})) return "a ball bearing has no roller flanges";
+  if (is_one_of(name, {"kRFTrac", "kRFTracType"}) && !scene.flanges)
+    return "no roller meets a flange";
+  if (is_one_of(name, {"kRRTrac", "kRRTracType"}) && scene.cage)
+    return "the cage keeps rolling elements from touching each other";
+  if (is_one_of(name, {"kCPTrac", "kCPTracType", "kPocHydro"}) && !scene.cage)
+    return "there is no cage";
+  if (is_one_of(name, {"kCRTrac", "kCRTracType", "kGsHydro"}) && !scene.guided)
+    return "no land guides a cage";
+  if (record.starts_with("10") && record.ends_with("D") && name.ends_with("TC4"))
+    return "the asymptotic law has three coefficients";
+  if (record.starts_with("10.1") && !scene.motion && scene.race_control)
+    return "of friction a quasi-static solution only asks whether its largest value can carry race "
+           "control, for a warning";
+  if (record.starts_with("10") && !scene.motion)
+    return "friction and lubricant play no part in a quasi-static solution";
+  if (name == "iTherm") return "no lubricant's traction is computed";
+  if (record == "5F" && scene.balls) return "a ball bearing has no roller flanges";
+  if (name.starts_with("flngCls")) return "this race has no flanges at both ends of the rollers";
+  if (record == "5F") return "there is no such flange";
+  if (record.starts_with("10.2") && !scene.flanges) return "no roller meets a flange";
+  // What an option holds or replaces.
+  if (is_one_of(name, {"appLoadX", "appLoadY", "appLoadZ", "appMomY", "appMomZ", "appDispX",
+                       "appDispY", "appDispZ", "appMis12", "appMis22"}))
+    return "of load and displacement in one direction only that counts which kFS1 to kFS5 choose";
+  if (name == "freeIntCls") return "freeConAng above 0 sets the clearance";
+  if (name.starts_with("rpmRange")) return "a table of one speed has no last one";
+  if (name == "pltNames8") return "kAGraf = 0 stores no animation";
+  if (name.starts_with("pltNames") && scene.motion) return "fewer bodies have a plot file";
+  if (name == "angVelOrient") return "only kAngVel = 2 gives the angle of the spin axis";
+  if (name == "bPocCls2" && !scene.segments) return "a pocket of this shape has one clearance";
+  if (name == "bPocClsVar2" && !scene.segments) return "a pocket of this shape has no clearance II";
+  if (name == "cageAngCut" && !scene.segments) return "a cage of one piece has no cut";
+  if (name == "pocLubFilm") return "no hydrodynamics of the pockets is computed";
+  if (record.starts_with("5G.1D")) return "there are fewer rolling elements";
+  if (name == "kAngVel") return "rollers roll without slip, their axes are given by geometry";
+  if (starts_with_one_of(name, {"rmsAspHt", "rmsAspSlope", "aspTrac"}))
+    return "no lubricant film is computed";
+  if (record == "9.7" || record == "9.8" || record == "3.5" || name == "kTherm")
+    return "no thermal steps are computed: the temperatures of record 9.1.3 rule, and of record "
+           "3.5 only kMatPropMod acts";
+  if (record == "8.1" || record == "8.2.1" || record == "8.2.2" || record == "8.3" ||
+      record == "8.4" || record == "8.5")
+    return of_material(name, scene);
+  if (scene.motion) return {};
+  // Quasi-static.
+  if (name == "kFnOpt" || record == "2.3")
+    return "a quasi-static solution writes PRINT.txt and RUN.json only";
+  if (record == "1" || record == "2.2") return "a quasi-static solution has no steps in time";
+  if (name == "kChrn") return "a quasi-static solution has no churning";
+  if (scene.segments && (record.starts_with("7") || name == "kCageMat"))
+    return "the plays of a segmented cage are not computed";
+  if (record.starts_with("7") || name == "kCageMat")
+    return "a quasi-static solution knows the cage's size and play, but neither its motion nor its "
+           "forces";
+  if (record == "9.6" || record == "9.6.k") return "a quasi-static solution does not move the cage";
+  return {};
+}
+
+}  // namespace
+
+std::vector<deck::NoPart> values_without_part(const Deck& deck) {
+  std::vector<deck::NoPart> out = deck::values_not_read(deck);
+  const deck::ReportOnly quiet(deck);
+  // It brings record 3.5, of which kMatPropMod acts, but asks for more.
+  const bool named = std::any_of(
+      out.begin(), out.end(), [](const deck::NoPart& value) { return value.variable == "kTherm"; });
+  if (!named && deck.integer("kTherm") != 0)
+    out.insert(out.begin(), {"1", "kTherm", std::to_string(deck.integer("kTherm")), {}, true});
+  const Scene scene = scene_of(deck);
+  for (deck::NoPart& value : out) {
+    value.because = reason(value, scene);
+    if (value.because.empty()) value.because = kNoReason;
+  }
+  return out;
+}
+
+bool asks_for_an_effect(const deck::NoPart& value) {
+  if (value.record.starts_with("7") && value.variable.starts_with("bPoc") &&
+      value.variable.find("Var") != std::string::npos)
+    return value.value != "0.0";  // a deviation of the pockets
+  if (!value.switched_on || value.variable.ends_with("TracType") || value.variable == "kAngVel")
+    return false;
+  return value.record != "2.2" &&
+         (value.record != "1" || is_one_of(value.variable, {"kDCR", "kDOF", "kIcOpt", "kTherm"}));
+}
+
+std::optional<Issue> note_of(const std::vector<deck::NoPart>& values, const Deck& deck,
+                             const std::vector<Issue>& said) {
+  std::string names;
+  const auto is_said = [&](const deck::NoPart& value) {
+    return std::any_of(said.begin(), said.end(),
+                       [&](const Issue& issue) { return issue.variable == value.variable; });
+  };
+  for (const deck::NoPart& value : values)
+    if (asks_for_an_effect(value) && !is_said(value))
+      names += fmt::format("{}{} = {} ({})", names.empty() ? "" : ", ", value.variable, value.value,
+                           value.because);
+  if (names.empty()) return std::nullopt;
+  Issue out;
+  out.severity = Severity::Note;
+  out.file = deck.file;
+  out.message = fmt::format("without effect on this run: {}", names);
+  out.remedy = "PRINT.txt and RUN.json list every value that plays no part";
+  return out;
+}
+
+}  // namespace adore::setup

@@ -1,0 +1,297 @@
+#include "setup/run_control.hpp"
+
+#include "integrators/stepper.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <optional>
+
+namespace adore::setup {
+
+RunControl build_run_control(const deck::Deck& deck) {
+  RunControl out;
+  out.dynamic = deck.integer("mode") >= 0;
+  if (const long long points = deck.integer("kStif"); points > 0) {
+    out.stiffness = {static_cast<int>(points),
+                     deck.si("pctDisp"),
+                     {deck.si("rpmRange11"), deck.si("rpmRange12")},
+                     {}};
+    const deck::ReportOnly quiet(deck, points == 1);  // no last one
+    out.stiffness->last = {deck.si("rpmRange21"), deck.si("rpmRange22")};
+  }
+  if (!out.dynamic) return out;
+
+  out.print_option = static_cast<int>(deck.integer("kPrtOpt"));
+  out.print_every = static_cast<int>(deck.integer("kPrtFreq"));
+  out.plot_every = static_cast<int>(deck.integer("kPltFreq"));
+  out.animate_every = static_cast<int>(deck.integer("kAGraf"));
+  out.animate = out.animate_every > 0;
+  out.life_every = static_cast<int>(deck.integer("kLifeFreq"));
+  const long long start = deck.integer("kIcOpt");
+  out.start = start == 0  ? StartState::Statics
+              : start < 0 ? StartState::FromFinal
+                          : StartState::Continue;
+  out.max_steps = static_cast<long>(deck.integer("maxStps"));
+  out.substeps = static_cast<int>(std::max(deck.integer("nStps"), 1LL));  // N8
+  const int code = static_cast<int>(deck.integer("intMet"));
+  out.integrator = integrators::name_of_int_met(code);
+  if (out.integrator.empty())
+    throw InputError({deck.issue(Severity::Error, "intMet", "is no integrator",
+                                 "use 1-7 (Runge-Kutta-Fehlberg), 11-18 (predictor-corrector), 21, "
+                                 "22 (CVODE), 31-33 (ARKODE)")});
+  out.step_initial = deck.si("stpInit");
+  out.step_minimum = deck.si("stpMin");
+  out.step_maximum = deck.si("stpMax");
+  out.end_time = deck.si("fTime");
+  out.tolerance = deck.si("tol");
+  out.light_load_ratio = std::max(deck.real("qFac"), 0.0);
+  const int count = static_cast<int>(deck.integer("kNumPltElem"));
+  for (int i = 1; i <= count; ++i)
+    out.monitored.push_back(static_cast<int>(deck.integer("kPltElemInd", i)));
+  if (deck.has_record("2.3")) {
+    out.master_file = deck.text("masName");
+    out.final_file = deck.text("finName");
+    for (std::size_t i = 0; i < out.sol_files.size(); ++i) {
+      const bool written = i < 6 ? i < out.monitored.size() : i == 6 || out.animate;
+      const deck::ReportOnly quiet(deck, !written);
+      out.sol_files[i] = deck.text(fmt::format("pltNames{}", i + 1));
+    }
+  }
+  return out;
+}
+
+namespace {
+
+/// One option: how it is shown and how a text sets it.
+struct Option {
+  OptionInfo info;
+  std::function<bool(RunOptions&, std::string_view)> set;  ///< false: the text is no valid value
+};
+
+template <class T>
+bool parse(std::string_view text, T& out) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), out);
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+bool parse_count(std::string_view text, int& out, int low, int high) {
+  int value = 0;
+  if (!parse(text, value) || value < low || value > high) return false;
+  out = value;
+  return true;
+}
+
+constexpr std::pair<std::string_view, tribology::ContactSurface> kSurfaces[] = {
+    {"curved_edge", tribology::ContactSurface::CurvedEdge},
+    {"curved_half", tribology::ContactSurface::CurvedHalf},
+    {"curved_undeformed", tribology::ContactSurface::CurvedUndeformed},
+    {"flat_undeformed", tribology::ContactSurface::FlatUndeformed},
+    {"flat_half", tribology::ContactSurface::FlatHalf},
+    {"flat_edge", tribology::ContactSurface::FlatEdge}};
+
+constexpr std::pair<std::string_view, bearing::LifeModel> kLifeModels[] = {
+    {"lp", bearing::LifeModel::Original},
+    {"lpu", bearing::LifeModel::Updated},
+    {"gz", bearing::LifeModel::Zaretsky},
+    {"ih", bearing::LifeModel::Harris}};
+constexpr std::pair<std::string_view, bearing::LifeModification> kLifeModifications[] = {
+    {"", bearing::LifeModification::None},
+    {"-stle", bearing::LifeModification::Stle},
+    {"-tallian", bearing::LifeModification::Tallian}};
+
+bool parse_stored_life(bearing::LifeChoices& life, std::string_view text) {
+  for (const auto& [model, model_code] : kLifeModels)
+    for (const auto& [suffix, suffix_code] : kLifeModifications)
+      if (text == std::string(model) + std::string(suffix)) {
+        life.stored_model = model_code;
+        life.stored_modification = suffix_code;
+        return true;
+      }
+  return false;
+}
+
+/// A number above 0 (up to `most`), or "none".
+bool parse_optional(std::string_view text, std::optional<double>& out, double most) {
+  if (text == "none") {
+    out.reset();
+    return true;
+  }
+  double value = 0.0;
+  if (!parse(text, value) || !(value > 0.0 && value <= most)) return false;
+  out = value;
+  return true;
+}
+
+/// Fatigue life: what no record of the deck holds.
+void add_life_options(std::vector<Option>& table) {
+  const auto add = [&](const char* name, const char* value, const char* meaning,
+                       std::function<bool(bearing::LifeChoices&, std::string_view)> set) {
+    table.push_back({{name, value, meaning},
+                     [set](RunOptions& o, std::string_view v) { return set(o.life, v); }});
+  };
+  add("sol7Life", "lp",
+      "the life that SOL7 stores and that terminal and sweeps show: lp (original "
+      "Lundberg-Palmgren), or a model that this program calibrated on it, lpu, gz or ih (updated "
+      "Lundberg-Palmgren, Gupta-Zaretsky, Ioannides-Harris); alone or with the factors -stle or "
+      "-tallian",
+      parse_stored_life);
+  add("lifeElements", "gz",
+      "rolling elements in the life of the bearing: gz (in Gupta-Zaretsky only, not when "
+      "ceramic), all (updated, Gupta-Zaretsky and Ioannides-Harris) or none",
+      [](bearing::LifeChoices& o, std::string_view v) {
+        using bearing::ElementLife;
+        if (v != "gz" && v != "all" && v != "none") return false;
+        o.elements = v == "gz"    ? ElementLife::Zaretsky
+                     : v == "all" ? ElementLife::All
+                                  : ElementLife::None;
+        return true;
+      });
+  add("lifeElementTracks", "separate",
+      "the tracks of both races on a rolling element: separate (other volumes) or shared (one "
+      "volume that both stress, as rollers have)",
+      [](bearing::LifeChoices& o, std::string_view v) {
+        if (v != "separate" && v != "shared") return false;
+        o.shared_track = v == "shared";
+        return true;
+      });
+  add("lifeLimitForm", "peak",
+      "Ioannides-Harris: peak (largest von Mises stress minus the limit) or integral (orthogonal "
+      "shear above its limit, integrated over depth)",
+      [](bearing::LifeChoices& o, std::string_view v) {
+        if (v != "peak" && v != "integral") return false;
+        o.limit_form = v == "peak" ? bearing::LimitForm::Peak : bearing::LimitForm::Integral;
+        return true;
+      });
+  add("lifeLambda", "none",
+      "film parameter (film thickness over roughness) taken for the life factors while no film is "
+      "computed, above 0 to 1000, or none",
+      [](bearing::LifeChoices& o, std::string_view v) {
+        return parse_optional(v, o.film_parameter, 1e3);
+      });
+  add("lifeFilter", "none",
+      "filter rating in micrometres at beta 200 (STLE factor), above 0 to 1000, or none",
+      [](bearing::LifeChoices& o, std::string_view v) { return parse_optional(v, o.filter, 1e3); });
+  add("lifeSkip", "0",
+      "turns of the shaft at the start of the run that the run life leaves out, 0 or more",
+      [](bearing::LifeChoices& o, std::string_view v) {
+        return parse(v, o.skip_turns) && o.skip_turns >= 0.0;
+      });
+  add("isoKappa", "none", "viscosity ratio of ISO 281, above 0 to 1000, or none",
+      [](bearing::LifeChoices& o, std::string_view v) {
+        return parse_optional(v, o.viscosity_ratio, 1e3);
+      });
+  add("isoContamination", "none", "contamination factor e_C of ISO 281, above 0 to 1, or none",
+      [](bearing::LifeChoices& o, std::string_view v) {
+        return parse_optional(v, o.contamination, 1.0);
+      });
+}
+
+const std::vector<Option>& options() {
+  static const std::vector<Option> table = [] {
+    const RunOptions defaults;
+    std::vector<Option> all{
+        {{"ellipseMajor", fmt::format("{}", defaults.system.ellipse_major),
+          "quadrature nodes along the contact ellipse's major axis, 10 to 100, rounded up to "
+          "a multiple of 5"},
+         [](RunOptions& o, std::string_view v) {
+           return parse_count(v, o.system.ellipse_major, 10, 100);
+         }},
+        {{"ellipseMinor", fmt::format("{}", defaults.system.ellipse_minor),
+          "quadrature nodes along its minor axis, 1 to 64"},
+         [](RunOptions& o, std::string_view v) {
+           return parse_count(v, o.system.ellipse_minor, 1, 64);
+         }},
+        {{"contactSurface", "curved_edge",
+          "height of the contact surface: curved_edge, curved_half, curved_undeformed, "
+          "flat_undeformed, flat_half, flat_edge"},
+         [](RunOptions& o, std::string_view v) {
+           for (const auto& [name, surface] : kSurfaces)
+             if (name == v) return o.system.surface = surface, true;
+           return false;
+         }},
+        {{"landSlices", fmt::format("{}", defaults.system.land_slices),
+          "slices along each cage guide land, 1 to 99"},
+         [](RunOptions& o, std::string_view v) {
+           return parse_count(v, o.system.land_slices, 1, 99);
+         }},
+        {{"rollerSlices", fmt::format("{}", defaults.rollers.slices),
+          "slices along each roller, 1 to 999"},
+         [](RunOptions& o, std::string_view v) {
+           return parse_count(v, o.rollers.slices, 1, 999);
+         }},
+        {{"rollerContact", "sliced",
+          "roller to race contact: sliced, or point (one Hertz ellipse, barrel rollers only)"},
+         [](RunOptions& o, std::string_view v) {
+           if (v != "sliced" && v != "point") return false;
+           o.rollers.contact =
+               v == "point" ? statics::RollerContact::Point : statics::RollerContact::Sliced;
+           return true;
+         }},
+        {{"checkpointSeconds", fmt::format("{}", defaults.checkpoint_seconds),
+          "computing time between two writes of FINAL and MASTER [s], above 0"},
+         [](RunOptions& o, std::string_view v) {
+           return parse(v, o.checkpoint_seconds) && o.checkpoint_seconds > 0.0;
+         }},
+        {{"resultsH5", "1", "write RESULTS.h5: 1 or 0"},
+         [](RunOptions& o, std::string_view v) {
+           int value = 0;
+           if (!parse_count(v, value, 0, 1)) return false;
+           o.results_h5 = value == 1;
+           return true;
+         }},
+        {{"seed", fmt::format("{}", defaults.seed),
+          "seed of the random imperfections of rolling elements (kReGeoImp 1), a whole number from "
+          "0 to 9223372036854775807; the same seed makes the same bearing"},
+         [](RunOptions& o, std::string_view v) {
+           std::int64_t value = 0;
+           if (!parse(v, value) || value < 0) return false;
+           o.seed = static_cast<std::uint64_t>(value);
+           return true;
+         }},
+        {{"centrifugalGrowth", "1",
+          "operating fits and clearances include the centrifugal growth of rings, shaft, housing "
+          "and cage: 1 or 0"},
+         [](RunOptions& o, std::string_view v) {
+           int value = 0;
+           if (!parse_count(v, value, 0, 1)) return false;
+           o.centrifugal_growth = value == 1;
+           return true;
+         }},
+    };
+    add_life_options(all);
+    return all;
+  }();
+  return table;
+}
+
+}  // namespace
+
+std::vector<OptionInfo> run_option_list() {
+  std::vector<OptionInfo> out;
+  for (const Option& option : options()) out.push_back(option.info);
+  return out;
+}
+
+RunOptions build_run_options(const std::map<std::string, std::string>& values) {
+  RunOptions out;
+  for (const auto& [name, value] : values) {
+    const auto found = std::find_if(options().begin(), options().end(),
+                                    [&](const Option& o) { return o.info.name == name; });
+    if (found == options().end()) {
+      std::string names;
+      for (const Option& option : options())
+        names += (names.empty() ? "" : ", ") + option.info.name;
+      throw InputError(
+          fmt::format("there is no run option named \"{}\"; the options are {}", name, names));
+    }
+    if (!found->set(out, value))
+      throw InputError(
+          fmt::format("run option {} = {} is not valid: {}", name, value, found->info.meaning));
+  }
+  return out;
+}
+
+}  // namespace adore::setup

@@ -1,0 +1,75 @@
+#include "base/errors.hpp"
+#include "calculators/calculator_inputs.hpp"
+#include "calculators/calculators.hpp"
+#include "support/paths.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+using namespace adore;
+using namespace adore::calculators;
+
+namespace {
+
+using Json = nlohmann::json;
+
+void collect_numbers(Json& value, std::vector<Json*>& out) {
+  if (value.is_number()) out.push_back(&value);
+  if (value.is_structured())
+    for (Json& item : value) collect_numbers(item, out);
+}
+
+}  // namespace
+
+TEST_CASE("every number of every calculator takes any value: results, or a sentence",
+          "[unit][calc]") {
+  int refused = 0, computed = 0;
+  for (const CalculatorInfo& info : calculator_list()) {
+    const nlohmann::ordered_json described = describe_calculator(info);
+    for (const auto& one : described.at("calculations")) {
+      const Json example = Json::parse(one.at("example").dump());
+      CAPTURE(info.name, example.dump());
+      REQUIRE_NOTHROW(calculate(info.name, example));
+      Json changed = example;
+      std::vector<Json*> numbers;
+      collect_numbers(changed, numbers);
+      if (numbers.size() > 12) numbers.resize(12);  // the rest are more of the same lists
+      for (Json* number : numbers) {
+        const Json kept = *number;
+        for (const Json& value :
+             {Json(-1), Json(0), Json(3), Json(1000000), Json(1e18), Json(-1e308), Json(nullptr)}) {
+          *number = value;
+          CAPTURE(changed.dump());
+          try {
+            (void)calculate(info.name, changed);
+            ++computed;
+          } catch (const InputError& error) {
+            CHECK(std::string(error.what()).find("bug") == std::string::npos);
+            ++refused;
+          } catch (const SolverError&) {
+            ++refused;
+          }
+        }
+        *number = kept;
+      }
+    }
+  }
+  CHECK(refused > 200);
+  CHECK(computed > 200);
+}
+
+TEST_CASE("no adapter reads an integer without its range", "[unit][calc]") {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(adore::test::source_dir() / "core/facade/reference")) {
+    if (entry.path().extension() != ".cpp") continue;
+    std::ifstream stream(entry.path());
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    CAPTURE(entry.path().string());
+    for (const char* way :
+         {"get<int>", "get<long", "get<unsigned", "get<std::size_t>", "get<std::int"})
+      CHECK(text.find(way) == std::string::npos);
+  }
+}

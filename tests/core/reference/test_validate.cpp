@@ -1,0 +1,365 @@
+#include "base/errors.hpp"
+#include "calculators/calculator_inputs.hpp"
+#include "calculators/calculators.hpp"
+#include "reference/validate.hpp"
+#include "support/paths.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <fstream>
+#include <set>
+
+using namespace adore;
+using namespace adore::reference;
+using Json = nlohmann::json;
+
+namespace {
+
+const std::filesystem::path kReference = adore::test::source_dir() / "tests" / "reference";
+
+ValidateReport run(const std::vector<std::string>& names) {
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& name : names) paths.push_back(kReference / (name + ".json"));
+  return validate_files(paths);
+}
+
+/// The cases that do not pass, one line each.
+std::string complaints(const ValidateReport& report) {
+  std::string text;
+  for (const FileResult& file : report.files)
+    for (const CaseResult& result : file.cases)
+      if (result.status != "pass")
+        text += result.id + " " + result.status + ": " + result.worst_key + " " +
+                std::to_string(result.error / result.tolerance) + " of the tolerance; " +
+                result.message + "\n";
+  return text;
+}
+
+/// Every case passes.
+void expect_covered(const std::string& name) {
+  const ValidateReport report = run({name});
+  INFO(complaints(report));
+  CHECK(report.fail == 0);
+  CHECK(report.not_covered == 0);
+  CHECK(report.pass > 0);
+}
+
+/// Every case of the kinds passes; the others are reported as not covered, none fails.
+void expect_kinds(const std::string& name, const std::set<std::string>& kinds) {
+  const ValidateReport report = run({name});
+  INFO(complaints(report));
+  CHECK(report.fail == 0);
+  std::ifstream stream(kReference / (name + ".json"));
+  const Json cases = Json::parse(stream).at("cases");
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const CaseResult& result = report.files[0].cases[i];
+    INFO(result.id);
+    CHECK((result.status == "pass") == kinds.contains(cases[i].at("kind").get<std::string>()));
+  }
+}
+
+Json make_case(const Json& expected, const Json& tolerance) {
+  return {{"id", "fake"},
+          {"kind", "k"},
+          {"inputs", Json::object()},
+          {"expected", expected},
+          {"tolerance", tolerance},
+          {"provenance", "computed"}};
+}
+
+std::string status(const std::string& family, const Json& expected, const Json& tolerance,
+                   const Json& got) {
+  return compare_case(family, make_case(expected, tolerance), got).status;
+}
+
+}  // namespace
+
+TEST_CASE("A number passes within its relative tolerance and fails beyond it", "[validation]") {
+  CHECK(status("A_hertz_point", {{"a", 2.0}}, {{"rel", 1e-6}}, {{"a", 2.0 + 1.9e-6}}) == "pass");
+  CHECK(status("A_hertz_point", {{"a", 2.0}}, {{"rel", 1e-6}}, {{"a", 2.0 + 2.1e-6}}) == "fail");
+  CHECK(status("A_hertz_point", {{"a", 2.0}}, {{"rel", 1e-6}}, {{"a", std::nan("")}}) == "fail");
+  CHECK(status("A_hertz_point", {{"a", 2.0}}, {{"rel", 1e-6}}, {{"a", "two"}}) == "fail");
+  CHECK(status("life_iso281", {{"a", 2.0}}, 1e-3, {{"a", 2.001}}) == "pass");
+  CHECK(status("life_iso281", {{"a", 2.0}}, 1e-3, {{"a", 2.01}}) == "fail");
+}
+
+TEST_CASE("A missing quantity fails by name", "[validation]") {
+  const CaseResult result = compare_case(
+      "A_hertz_point", make_case({{"a", 2.0}, {"b", 1.0}}, {{"rel", 1e-6}}), {{"a", 2.0}});
+  CHECK(result.status == "fail");
+  CHECK(result.worst_key == "b");
+  CHECK_THAT(result.message, Catch::Contains("missing"));
+}
+
+TEST_CASE("Undefined quantities must be undefined", "[validation]") {
+  const Json expected = {{"alpha", {1.0, nullptr}}, {"Ki", nullptr}}, rel = {{"rel", 1e-6}};
+  CHECK(status("C_ball_bearing", expected, rel, {{"alpha", {1.0, nullptr}}, {"Ki", nullptr}}) ==
+        "pass");
+  CHECK(status("C_ball_bearing", expected, rel, {{"alpha", {1.0, nullptr}}}) == "pass");
+  CHECK(status("C_ball_bearing", expected, rel, {{"alpha", {1.0, 0.0}}}) == "fail");
+  CHECK(status("C_ball_bearing", expected, rel, {{"alpha", {1.0, nullptr}}, {"Ki", 3.0}}) ==
+        "fail");
+  CHECK(status("C_ball_bearing", expected, rel, {{"alpha", {1.0}}}) == "fail");
+}
+
+TEST_CASE("Ball bearing tolerances speak of groups of quantities", "[validation]") {
+  const Json tolerance = {{"rel", 1e-8},
+                          {"abs_force_N", 1e-6},
+                          {"abs_displacement_m", 1e-14},
+                          {"abs_angle_rad", 1e-9},
+                          {"stiffness_rel_to_sqrt_KiiKjj", 1e-6}};
+  CHECK(status("C_ball_bearing", {{"Fy", 0.0}}, tolerance, {{"Fy", 9e-7}}) == "pass");
+  CHECK(status("C_ball_bearing", {{"Fy", 0.0}}, tolerance, {{"Fy", 2e-6}}) == "fail");
+  CHECK(status("C_ball_bearing", {{"ux", 0.0}}, tolerance, {{"ux", 9e-7}}) == "fail");
+  CHECK(status("C_ball_bearing", {{"alpha_i", {0.0}}}, tolerance, {{"alpha_i", {5e-10}}}) ==
+        "pass");
+  const Json K = {{"stiffness_5x5", {{100.0, 0.0}, {0.0, 4.0}}}};
+  CHECK(status("C_ball_bearing", K, tolerance,
+               {{"stiffness_5x5", {{100.0, 1.9e-5}, {0.0, 4.0}}}}) == "pass");
+  CHECK(status("C_ball_bearing", K, tolerance,
+               {{"stiffness_5x5", {{100.0, 2.1e-5}, {0.0, 4.0}}}}) == "fail");
+}
+
+TEST_CASE("Rigid-body rotation is compared by the size of the vector and absolutely",
+          "[validation]") {
+  const Json tolerance = {{"rel_omega_of_magnitude", 1e-9}, {"abs_quaternion", 1e-9}};
+  const Json expected = {
+      {"states", {{{"omega_body", {3.0, 4.0, 0.0}}, {"quaternion_wxyz", {1.0, 0.0, 0.0, 0.0}}}}}};
+  const auto with = [&](double w, double q) {
+    return status(
+        "F_dynamics", expected, tolerance,
+        {{"states", {{{"omega_body", {3.0, 4.0, w}}, {"quaternion_wxyz", {1.0, q, 0.0, 0.0}}}}}});
+  };
+  CHECK(with(4.9e-9, 9e-10) == "pass");
+  CHECK(with(5.1e-9, 0.0) == "fail");
+  CHECK(with(0.0, 1.1e-9) == "fail");
+}
+
+TEST_CASE("Cage and motion tolerances refer to the whole array, azimuths to a turn",
+          "[validation]") {
+  const Json tolerance = {{"relative", 1e-6}, {"absolute", 1e-12}, {"absolute_gap", 1e-3}};
+  CHECK(status("cage_lands", {{"force", {10.0, 0.0}}}, tolerance, {{"force", {10.0, 9e-6}}}) ==
+        "pass");
+  CHECK(status("cage_lands", {{"force", {10.0, 0.0}}}, tolerance, {{"force", {10.0, 1.1e-5}}}) ==
+        "fail");
+  CHECK(status("cage_lands", {{"gap", 0.0}}, tolerance, {{"gap", 9e-4}}) == "pass");
+  CHECK(status("cage_lands", {{"slice_azimuth_deg", {359.9999}}}, tolerance,
+               {{"slice_azimuth_deg", {-0.0001}}}) == "pass");
+  CHECK(status("cage_lands", {{"slice_azimuth_deg", {359.0}}}, tolerance,
+               {{"slice_azimuth_deg", {0.0}}}) == "fail");
+}
+
+TEST_CASE("Trajectory tolerances name groups of channels", "[validation]") {
+  const Json tolerance = {{"relative_to_channel_max", 1e-6},
+                          {"times_relative_to_T", 1e-8},
+                          {"peak_force_relative", 1e-3},
+                          {"absolute_for_zero_channels", {{"heat", 1e-9}}}};
+  const Json expected = {{"t", {0.0, 1.0}},
+                         {"v", {0.0, 100.0}},
+                         {"heat", {0.0, 0.0}},
+                         {"contact_end_times", {0.5}},
+                         {"peak_pocket_force_on_fine_grid", 10.0},
+                         {"energy_residual", 1.0},
+                         {"note", "never compared"}};
+  const auto with = [&](const char* key, const Json& value) {
+    Json got = expected;
+    got.erase("energy_residual");
+    got.erase("note");
+    got[key] = value;
+    return status("dynamics_pocket", expected, tolerance, got);
+  };
+  CHECK(with("v", {9e-5, 100.0}) == "pass");
+  CHECK(with("v", {1.1e-4, 100.0}) == "fail");
+  CHECK(with("heat", {9e-10, 0.0}) == "pass");
+  CHECK(with("heat", {2e-9, 0.0}) == "fail");
+  CHECK(with("contact_end_times", {0.5 + 9e-9}) == "pass");
+  CHECK(with("contact_end_times", {0.5 + 2e-8}) == "fail");
+  CHECK(with("contact_end_times", {0.5, 0.6}) == "fail");
+  CHECK(with("peak_pocket_force_on_fine_grid", 10.009) == "pass");
+  CHECK(with("peak_pocket_force_on_fine_grid", 10.02) == "fail");
+  CHECK(with("energy_residual", 99.0) == "pass");
+}
+
+TEST_CASE("Impact scalars and trajectories have different tolerances", "[validation]") {
+  const Json tolerance = {{"scalars_relative", 1e-9}, {"trajectory_relative_to_peak", 1e-6}};
+  const Json expected = {{"peak_force", 10.0}, {"force", {0.0, 10.0}}};
+  CHECK(status("dynamics_impact", expected, tolerance,
+               {{"peak_force", 10.0}, {"force", {9e-6, 10.0}}}) == "pass");
+  CHECK(status("dynamics_impact", expected, tolerance,
+               {{"peak_force", 10.0 + 9e-8}, {"force", {0.0, 10.0}}}) == "fail");
+}
+
+TEST_CASE("Steady states, eigenvalues and angles follow their own rules", "[validation]") {
+  const Json tolerance = {{"relative_to_channel_max", 1e-3},
+                          {"steady_state_relative", 1e-6},
+                          {"eigenvalues_relative_to_largest", 1e-4}};
+  const Json expected = {{"steady_state",
+                          {{"Q_o", 100.0},
+                           {"newton_residual_N", 1.0},
+                           {"eigenvalues_real", {-1.0}},
+                           {"eigenvalues_imag", {1e4}}}}};
+  const auto with = [&](double Q, double real) {
+    return status("dynamics_ball_thrust", expected, tolerance,
+                  {{"steady_state",
+                    {{"Q_o", Q}, {"eigenvalues_real", {real}}, {"eigenvalues_imag", {1e4}}}}});
+  };
+  CHECK(with(100.00009, -1.9) == "pass");
+  CHECK(with(100.0002, -1.0) == "fail");
+  CHECK(with(100.0, -2.1) == "fail");
+  const Json modulo = {{"relative", 1e-8}, {"angles_modulo_2pi", true}};
+  CHECK(status("dynamics_rigid_whirl", {{"angles_eta_xi_lambda", {3.14159265}}}, modulo,
+               {{"angles_eta_xi_lambda", {3.14159265 - 2 * 3.14159265358979}}}) == "pass");
+}
+
+TEST_CASE("Tribology tolerances are numbers, entries per key, or absolute", "[validation]") {
+  CHECK(status("tribology_film", {{"h", {1.0, 1e-9}}}, 1e-6, {{"h", {1.0, 5e-7}}}) == "pass");
+  const Json per_key = {{"Fx", 1e-4}, {"Fy", {{"abs", 1e-5}}}};
+  CHECK(status("tribology_hertzTraction", {{"Fx", 1.0}, {"Fy", 0.0}}, per_key,
+               {{"Fx", 1.00009}, {"Fy", 9e-6}}) == "pass");
+  CHECK(status("tribology_hertzTraction", {{"Fx", 1.0}, {"Fy", 0.0}}, per_key,
+               {{"Fx", 1.0}, {"Fy", 2e-5}}) == "fail");
+  CHECK(status("tribology_hypotheticalTraction", {{"error", "no_solution"}}, 0,
+               {{"error", "no_solution"}}) == "pass");
+  CHECK(status("tribology_hypotheticalTraction", {{"error", "no_solution"}}, 0, {{"A", 1.0}}) ==
+        "fail");
+}
+
+TEST_CASE("Recalled values never gate", "[validation]") {
+  Json the_case = make_case({{"a", 2.0}}, {{"rel", 1e-6}});
+  the_case["provenance"] = "recalled";
+  CHECK(compare_case("P_published", the_case, {{"a", 3.0}}).status == "not_covered");
+  CHECK(compare_case("P_published", the_case, {{"a", 2.0}}).status == "pass");
+}
+
+TEST_CASE("Unknown families and inputs are not covered, and the report counts them",
+          "[validation]") {
+  const std::filesystem::path path = adore::test::binary_dir() / "validate_unknown.json";
+  std::ofstream(path)
+      << R"({"family": "no_such_family", "cases": [{"id": "x", "inputs": {}, "expected": {"a": 1}, "tolerance": 1}]})";
+  const ValidateReport report = validate_files(std::vector{path});
+  CHECK(report.not_covered == 1);
+  CHECK_FALSE(report.failed());
+  const Json json = report_json(report);
+  CHECK(json["totals"]["not_covered"] == 1);
+  CHECK(json["files"][0]["cases"][0]["status"] == "not_covered");
+}
+
+TEST_CASE("Files that hold no reference cases are refused, all at once", "[validation]") {
+  const std::filesystem::path folder = adore::test::binary_dir(),
+                              text = folder / "validate_text.json",
+                              empty = folder / "validate_empty.json";
+  std::ofstream(text) << "not json";
+  std::ofstream(empty) << "{}";
+  try {
+    (void)validate_files(std::vector{text, empty, folder / "validate_absent.json"});
+    FAIL("no error");
+  } catch (const InputError& error) {
+    CHECK(error.issues().size() == 3);
+  }
+}
+
+TEST_CASE("Cage reference cases", "[validation]") {
+  expect_kinds("cage_pockets",
+               {"pocket_frame", "ball_pocket", "half_ball_pocket", "pocket_contact_law"});
+  expect_covered("cage_lands");
+  expect_covered("cage_inertia");
+}
+
+TEST_CASE("Motion reference cases", "[validation]") {
+  expect_covered("motion_frames");
+  expect_covered("motion_excitations");
+  expect_kinds("motion_constraints",  // all but rollers
+               {"mode1_ball", "mode1_idle", "mode1_orbit", "mode2_ball_bearing",
+                "qfac_switch_energy", "qfac_sequence", "kdof"});
+}
+
+TEST_CASE("Line contact and roller reference cases", "[validation][rollers]") {
+  for (const char* name :
+       {"B_line_contact", "rollers_slices", "rollers_flange", "rollers_inertia", "rollers_tapered"})
+    expect_covered(name);
+  const ValidateReport bearings = run({"D_roller_bearing"});  // its tapered cases need no solver
+  INFO(complaints(bearings));
+  CHECK(bearings.fail == 0);
+  CHECK(bearings.pass >= 2);
+}
+
+TEST_CASE("Fits, growth, operating clearance, units and property tables", "[validation]") {
+  for (const char* name :
+       {"thermal_lame", "thermal_growth", "thermal_clearance", "thermal_units", "thermal_props"})
+    expect_covered(name);
+}
+
+TEST_CASE("Closed-form dynamics, impact and plates", "[validation]") {
+  for (const char* name : {"F_dynamics", "dynamics_impact", "dynamics_plates"})
+    expect_covered(name);
+}
+
+TEST_CASE("Pocket, rigid-body and whirl trajectories", "[validation][slow]") {
+  for (const char* name : {"dynamics_pocket", "dynamics_rigid_whirl"}) expect_covered(name);
+}
+
+TEST_CASE("Free vibration of a ball between its races", "[validation][slow]") {
+  expect_covered("dynamics_ball_vibration");
+}
+TEST_CASE("Thrust-loaded ball trajectories", "[validation][slow]") {
+  expect_covered("dynamics_ball_thrust");
+}
+TEST_CASE("Balls under a displaced inner race", "[validation][slow]") {
+  expect_covered("dynamics_ball_radial");
+}
+
+TEST_CASE("Contact, statics, kinematics and traction reference cases", "[validation][slow]") {
+  for (const char* name :
+       {"A_hertz_point", "C_ball_bearing", "E_kinematics", "dynamics_contact_traction",
+        "tribology_hypotheticalTraction", "tribology_hertzTraction"})
+    expect_covered(name);
+}
+
+TEST_CASE("No reference case of any family fails", "[validation][slow]") {
+  const std::set<std::string> long_ones = {"dynamics_ball_thrust.json", "dynamics_ball_radial.json",
+                                           "dynamics_ball_vibration.json", "dynamics_pocket.json",
+                                           "dynamics_rigid_whirl.json"};  // tests of their own
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(kReference))
+    if (entry.path().extension() == ".json" &&
+        !long_ones.contains(entry.path().filename().string()))
+      paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  const ValidateReport report = validate_files(paths);
+  INFO(complaints(report));
+  CHECK(report.fail == 0);
+}
+
+TEST_CASE("every calculator runs its own examples, and every number it returns has a unit",
+          "[unit][calc]") {
+  for (const CalculatorInfo& info : calculator_list()) {
+    const auto described = describe_calculator(info);
+    CHECK_FALSE(described.at("calculations").empty());
+    for (const auto& one : described.at("calculations")) {
+      INFO(info.name << " " << one.at("kind"));
+      const Json result = calculate(info.name, Json(one.at("example")));
+      REQUIRE(result.contains("units"));
+      for (const auto& [key, unit] : result.at("units").items())
+        CHECK_FALSE(unit.get<std::string>().empty());
+      for (const auto& [key, value] : result.items()) {
+        INFO(key);
+        const bool described_by_itself = key == "units" || info.name == "units" ||
+                                         info.name == "material" || info.name == "fluid";
+        if (value.is_number() && !described_by_itself) CHECK(result.at("units").contains(key));
+      }
+    }
+  }
+}
+
+TEST_CASE("every input of the reference cases is known to its calculator", "[unit][calc]") {
+  std::set<std::string> families;
+  for (const CalculatorInfo& info : calculator_list()) families.insert(info.family);
+  for (const std::string& family : families) {
+    std::ifstream stream(kReference / (family + ".json"));
+    REQUIRE(stream);
+    for (const Json& one : Json::parse(stream).at("cases")) {
+      INFO(family << " " << one.at("id"));
+      CHECK_NOTHROW(check_calculator_inputs(family, one.at("inputs")));
+    }
+  }
+}

@@ -1,0 +1,151 @@
+#include "deck/templates.hpp"
+#include "listing/print_cage.hpp"
+#include "setup/build_bearing.hpp"
+#include "thermal/operating.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+using namespace adore;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+/// A quasi-static deck from one of the examples that have a cage.
+deck::Deck at_rest(const char* name) {
+  deck::Deck deck = deck::new_deck(name);
+  deck.set("mode", "-1");
+  deck.complete();
+  return deck;
+}
+
+std::string page(const bearing::Bearing& bearing, const deck::Deck& deck) {
+  listing::Report report("page", deck::UnitSystem::SI);
+  report.new_page("CAGE");
+  listing::print_cage_geometry(report, bearing, deck);
+  listing::print_cage_operation(report, bearing);
+  return report.take();
+}
+
+}  // namespace
+
+TEST_CASE("cages of every roller type have mass, play and speed in a quasi-static solution",
+          "[physics][cage]") {
+  for (const char* name : {"cylindrical", "tapered", "spherical", "spherical-tapered"}) {
+    INFO(name);
+    const deck::Deck deck = at_rest(name);
+    const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
+    REQUIRE(bearing.cage);
+    const bearing::Cage& cage = *bearing.cage;
+    // Less than the whole shell, more than the bars and rims that windows over all of it would
+    // leave.
+    const double shell = cage.material.density * 0.25 * kPi * cage.width *
+                         (std::pow(cage.outer_diameter, 2) - std::pow(cage.inner_diameter, 2));
+    const auto& g = *bearing.rollers;
+    const double window = cage.material.density * 0.5 *
+                          (cage.outer_diameter - cage.inner_diameter) * g.count *
+                          (g.diameter + cage.pocket_clearance_1) * g.length;
+    CHECK(cage.inertia.mass < shell);
+    CHECK(cage.inertia.mass ==
+          Approx(shell - window).epsilon(0.12));                 // curved walls, leaning cones
+    CHECK(cage.inertia.moments.x() > cage.inertia.moments.y());  // a ring
+    CHECK(cage.inertia.moments.y() == Approx(cage.inertia.moments.z()).epsilon(1e-9));
+    // Epicyclic: the orbit of pure rolling.
+    const double gamma = g.diameter * std::cos(g.axis_angle) / g.pitch_diameter;
+    CHECK(bearing.operating->cage_speed ==
+          Approx(0.5 * bearing.speed[1] * (1.0 - gamma)).epsilon(1e-4));
+    const std::string text = page(bearing, deck);
+    for (const char* words : {"Cage mass", "Effective cage play", "pocket clearance I",
+                              "Cage speed (epicyclic)", "Mass, from the ideal shape"})
+      CHECK_THAT(text, Catch::Contains(words));
+    const auto json = listing::cage_json(bearing);
+    CHECK(json["mass [kg]"] == cage.inertia.mass);
+    CHECK(json["effective play"]["diametral [m]"].get<double>() > 0.0);
+  }
+}
+
+TEST_CASE("a conical cage's mass centre lies towards its large end", "[physics][cage]") {
+  const deck::Deck deck = at_rest("tapered");
+  const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
+  CHECK(bearing.cage->cone_angle == Approx(12.275 * kPi / 180.0));
+  CHECK_THAT(page(bearing, deck), Catch::Contains("Mass centre from the middle of the cage") &&
+                                      Catch::Contains("-0.0007"));  // the large end is at -x
+}
+
+TEST_CASE("shaped roller pockets: their least play, and the cylinder of a roller-guided cage",
+          "[physics][cage]") {
+  deck::Deck deck = at_rest("cylindrical");
+  const double D = deck.si("bReDia");
+  deck.set("kPocType", "2");
+  deck.complete();
+  for (int pair = 1; pair <= 2; ++pair) {
+    for (const char* zero : {"bPocGsAng1", "bPocGsAng2", "bPocGsAng3", "bPocGsCen1"})
+      deck.set(fmt::format("{}[{}]", zero, pair), "0");
+    deck.set(fmt::format("bPocGsCen2[{}]", pair),
+             fmt::format("{}", 0.5 * D + (pair == 1 ? 1.5e-4 : 0.9e-4)));
+    deck.set(fmt::format("bPocGsCen3[{}]", pair), pair == 1 ? "0.001" : "-0.001");
+    deck.set(fmt::format("bPocGsLen1[{}]", pair), "0.002");
+    deck.set(fmt::format("bPocGsLen2[{}]", pair), "0.008");
+  }
+  const bearing::Bearing faces = thermal::operating_bearing(setup::build_bearing(deck));
+  CHECK(faces.cage->pocket_clearance_1 == Approx(1.8e-4).epsilon(1e-6));
+  CHECK(faces.cage->inertia.mass > 0.0);
+  CHECK_THAT(page(faces, deck), Catch::Contains("2 pairs of guide faces") &&
+                                    Catch::Contains("Least pocket play between the guide faces"));
+
+  deck = at_rest("cylindrical");
+  const bearing::Bearing window = setup::build_bearing(deck);
+  deck.set("kPocType", "-1");
+  deck.complete();
+  const bearing::Bearing guided = setup::build_bearing(deck);
+  // Inside the wall a cylinder takes less than a window of parallel faces.
+  CHECK(guided.cage->inertia.mass > window.cage->inertia.mass);
+  CHECK_THAT(page(guided, deck), Catch::Contains("roller-guided cage"));
+}
+
+TEST_CASE("ball cages of every pocket shape are reported in a quasi-static solution",
+          "[physics][cage]") {
+  for (const auto& [code, name, clearance] : {std::tuple{"0", "cylindrical", "0"},
+                                              {"1", "spherical", "0"},
+                                              {"2", "elongated", "0.0002"},
+                                              {"3", "rectangular", "0.0003"},
+                                              {"4", "conical", "0.0004"}}) {
+    INFO(name);
+    deck::Deck deck = at_rest("ball");
+    deck.set("kPocType", code);
+    deck.set("bPocCls2", clearance);
+    const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
+    REQUIRE(bearing.cage);
+    CHECK(bearing.cage->inertia.mass > 0.0);
+    CHECK_THAT(page(bearing, deck), Catch::Contains(name));
+  }
+}
+
+TEST_CASE("a cage whose windows cannot be cut is reported without mass, and why", "[unit][cage]") {
+  deck::Deck deck = at_rest("cylindrical");
+  deck.set("cageWidth", "0.009");  // narrower than the rollers are long
+  deck.set("cageGsPos[1]", "-0.0045");
+  deck.set("cageGsPos[2]", "0.0045");
+  const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
+  REQUIRE(bearing.cage);
+  CHECK(bearing.cage->inertia.mass == 0.0);
+  CHECK_THAT(page(bearing, deck), Catch::Contains("The mass of the cage is not known") &&
+                                      Catch::Contains("Effective cage play"));
+  CHECK(listing::cage_json(bearing)["mass [kg]"].is_null());
+}
+
+TEST_CASE("a cage's given mass comes from its record", "[unit][cage]") {
+  deck::Deck deck = at_rest("tapered");
+  deck.set("kCageIP", "1");
+  deck.complete();
+  deck.set("cageMass", "0.0321");
+  for (const char* moment : {"cageMIx", "cageMIy", "cageMIz"}) deck.set(moment, "1.5e-5");
+  const bearing::Bearing bearing = setup::build_bearing(deck);
+  CHECK(bearing.cage->inertia.mass == 0.0321);
+  CHECK_THAT(page(bearing, deck), Catch::Contains("Mass (record 7.7)"));
+}
