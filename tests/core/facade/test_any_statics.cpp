@@ -1,11 +1,11 @@
-<#include "setup/build_bearing.hpp"
-#include "setup/build_life.hpp"
-#include "setup/no_part.hpp"
-#include "setup/run_control.hpp"
-=#include "deck/check.hpp"
+#include "deck/check.hpp"
 #include "deck/schema.hpp"
 #include "deck/templates.hpp"
 #include "facade/check.hpp"
+#include "setup/build_bearing.hpp"
+#include "setup/build_life.hpp"
+#include "setup/no_part.hpp"
+#include "setup/run_control.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_statics.hpp"
 #include "thermal/operating.hpp"
@@ -50,8 +50,8 @@ std::vector<deck::NoPart> without_part(deck::Deck deck) {
 std::string remarks(const deck::Deck& deck) {
   std::string out;
   for (const Issue& issue : deck::check_deck(deck)) out += issue.text() + "\n";
-<  for (const Issue& issue : facade::check_model(deck)) out += issue.text() + "\n";
-=  return out;
+  for (const Issue& issue : facade::check_model(deck)) out += issue.text() + "\n";
+  return out;
 }
 
 /// Options of motion, cage, lubrication and traction: none is a part of the static equilibrium.
@@ -106,9 +106,9 @@ TEST_CASE("any deck has its statics: whatever only moves is left out, and named"
           INFO(type << ": " << name << " = " << code << "\n" << remarks(deck));
           CHECK(solution(deck) == base);
           ++solved;
-<          for (const deck::NoPart& idle : without_part(deck)) {
+          for (const deck::NoPart& idle : without_part(deck)) {
             if (!setup::asks_for_an_effect(idle)) continue;
-=            named.insert(idle.variable);
+            named.insert(idle.variable);
             CHECK(idle.because != setup::kNoReason);
             CHECK_THAT(remarks(deck), Catch::Contains(idle.variable + " = " + idle.value) &&
                                           Catch::Contains("effect"));
@@ -151,9 +151,9 @@ TEST_CASE("deviations of pocket clearances change the play of the cage", "[physi
     deck.complete();
     deck.set("bPocClsVar1", deviation);
     deck.set("bPocCenVar1", "1e-4");
-<    CHECK_THAT(remarks(deck), Catch::Contains("bPocCenVar1 = 1.0e-04 ("));
+    CHECK_THAT(remarks(deck), Catch::Contains("bPocCenVar1 = 1.0e-04 ("));
     const auto fits = *thermal::operating_bearing(setup::build_bearing(deck)).operating;
-=    said = remarks(deck);
+    said = remarks(deck);
     for (const std::string& warning : fits.warnings) said += warning + "\n";
     return fits.plays;
   };
