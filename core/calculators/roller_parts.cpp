@@ -82,8 +82,8 @@ EndAtFlange end_at_flange(const Json& in) {
 Json contact_json(const FlangeContact& c) {
   return {{"gap", std::isfinite(c.gap) ? Json(c.gap) : Json(nullptr)},
           {"mode", mode_name(c.mode)},
-          {"contact_point", json(c.point)},
-          {"normal", json(c.normal)},
+          {"contact_point", calculators::json(c.point)},
+          {"normal", calculators::json(c.normal)},
           {"height_along_face", c.height},
           {"contact_radius_from_roller_axis", c.from_axis}};
 }
@@ -151,10 +151,10 @@ Json flange_load_case(const Json& in) {
   return {{"gap", e.contact.gap},
           {"K_hertz", load.hertz.K},
           {"load", load.load},
-          {"slip", json(slip)},
+          {"slip", calculators::json(slip)},
           {"slip_speed", slip.norm()},
-          {"force", json(sum.force)},
-          {"moment", json(sum.moment)},
+          {"force", calculators::json(sum.force)},
+          {"moment", calculators::json(sum.moment)},
           {"driving_moment", roller_moments(sum.moment, e.place.axis).driving},
           {"heat", sum.heat}};
 }
@@ -235,15 +235,15 @@ RollingCone rolling_cone(const Json& in) {
 
 Json speeds_case(const Json& in) {
   const RollingCone cone = rolling_cone(in);
-  return {
-      {"orbital_speed", cone.speeds.orbital},
-      {"spin_relative_to_orbit", cone.speeds.spin},
-      {"omega", json(cone.speeds.omega)},
-      {"gyroscopic_moment", json(gyroscopic_moment(cone.speeds, cone.geometry.axis_angle,
-                                                   cone.inertia.axial, cone.inertia.transverse))},
-      {"mass", cone.inertia.mass},
-      {"I_axial", cone.inertia.axial},
-      {"I_transverse", cone.inertia.transverse}};
+  return {{"orbital_speed", cone.speeds.orbital},
+          {"spin_relative_to_orbit", cone.speeds.spin},
+          {"omega", calculators::json(cone.speeds.omega)},
+          {"gyroscopic_moment",
+           calculators::json(gyroscopic_moment(cone.speeds, cone.geometry.axis_angle,
+                                               cone.inertia.axial, cone.inertia.transverse))},
+          {"mass", cone.inertia.mass},
+          {"I_axial", cone.inertia.axial},
+          {"I_transverse", cone.inertia.transverse}};
 }
 
 Json rib_case(const Json& in) {

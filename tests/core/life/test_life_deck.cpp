@@ -2,6 +2,7 @@
 #include "life/bearing_life.hpp"
 #include "life/capacity.hpp"
 #include "listing/print_life.hpp"
+#include "results/channels.hpp"
 #include "setup/build_bearing.hpp"
 #include "setup/build_life.hpp"
 #include "setup/run_control.hpp"
@@ -168,7 +169,11 @@ TEST_CASE("the printed page carries origins, infinite lives and the film stateme
   const auto json = listing::life_json(life);
   CHECK(json["lives"]["Ioannides-Harris type"]["basic"]["L10 [hr]"] == "infinite");
   CHECK(json["parameters"]["outer race"]["STLE"]["material"]["origin"] == "recalled");
-  CHECK(results::plotted_life(std::numeric_limits<double>::infinity()) == 9.9999999e30);
+  scene::Snapshot snapshot;
+  snapshot.power.life_hours = std::numeric_limits<double>::infinity();
+  results::ChannelSource source;
+  source.snapshot = &snapshot;
+  CHECK(results::channels()[results::channel_index("power.life")].value(source) == 9.9999999e30);
 }
 
 TEST_CASE("what record 9.0, survival and the factors say acts in its own direction",
