@@ -11,6 +11,7 @@
 
 using namespace adore;
 using namespace adore::reference;
+using namespace adore::calculators;
 using Json = nlohmann::json;
 
 namespace {
