@@ -11,18 +11,21 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <iterator>
 #include <memory>
 
 namespace adore::cli {
 namespace {
 
+/// Of a calculator's input, and of reference cases through a pipe.
+constexpr std::size_t kMostInput = std::size_t{64} << 20;
+
 std::string read_all(const std::string& name) {
-  if (name == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  if (name == kStream) return read_standard_input(kMostInput);
   std::ifstream file(name, std::ios::binary);
   if (!file)
     throw InputError(
@@ -63,10 +66,14 @@ void calc(const std::string& name, const std::string& source) {
 int validate(const std::vector<std::string>& files, const std::string& report_file, bool quiet,
              bool json) {
   const std::vector<std::filesystem::path> paths(files.begin(), files.end());
-  const facade::ValidateReport report =
-      facade::validate_files(paths, [](const facade::FileResult& file) {
+  const auto piped = std::count(files.begin(), files.end(), kStream);
+  if (piped > 1) throw InputError("standard input can be read once; give - once");
+  const facade::ValidateReport report = facade::validate_files(
+      paths,
+      [](const facade::FileResult& file) {
         tell(fmt::format("{}: {} cases in {:.1f} s\n", file.file, file.cases.size(), file.seconds));
-      });
+      },
+      piped > 0 ? read_standard_input(kMostInput) : std::string());
   if (json)
     fmt::print("{}\n", facade::report_json(report).dump(2));
   else if (!quiet)
@@ -130,7 +137,9 @@ void add_calc(CLI::App& app, int& exit_code) {
     auto report = std::make_shared<std::string>();
     auto quiet = std::make_shared<bool>(false);
     auto json = std::make_shared<bool>(false);
-    command->add_option("files", *files, "case files")->required()->type_name("FILE");
+    command->add_option("files", *files, "case files, or - for standard input")
+        ->required()
+        ->type_name("FILE");
     command->add_option("--report", *report, "write the results as JSON to this file")
         ->type_name("FILE");
     command->add_flag("--json", *json, "the results as JSON on standard output");
