@@ -6,24 +6,26 @@
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
-#include "reference/adapters.hpp"
 #include "reference/validate.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <iterator>
 #include <memory>
 
 namespace adore::cli {
 namespace {
 
+/// Of a calculator's input, and of reference cases through a pipe.
+constexpr std::size_t kMostInput = std::size_t{64} << 20;
+
 std::string read_all(const std::string& name) {
-  if (name == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
+  if (name == kStream) return read_standard_input(kMostInput);
   std::ifstream file(name, std::ios::binary);
   if (!file)
     throw InputError(
@@ -31,8 +33,8 @@ std::string read_all(const std::string& name) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-const calculators::CalculatorInfo& calculator(const std::string& name) {
-  for (const calculators::CalculatorInfo& info : calculators::calculator_list())
+const facade::CalculatorInfo& calculator(const std::string& name) {
+  for (const facade::CalculatorInfo& info : facade::calculators())
     if (info.name == name) return info;
   throw InputError(
       fmt::format("there is no calculator named \"{}\"; `adore calc --list` shows them", name));
@@ -42,13 +44,13 @@ const calculators::CalculatorInfo& calculator(const std::string& name) {
 void list_calculators(const std::string& name, bool json, bool describe) {
   if (json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const calculators::CalculatorInfo& info : calculators::calculator_list())
-      if (name.empty() || info.name == name) all.push_back(calculators::describe_calculator(info));
+    for (const facade::CalculatorInfo& info : facade::calculators())
+      if (name.empty() || info.name == name) all.push_back(facade::describe_calculator(info));
     fmt::print("{}\n", all.dump(2));
   } else if (describe && !name.empty()) {
-    fmt::print("{}", calculators::describe_calculator_text(calculator(name)));
+    fmt::print("{}", facade::describe_calculator_text(calculator(name)));
   } else {
-    for (const calculators::CalculatorInfo& info : calculators::calculator_list())
+    for (const facade::CalculatorInfo& info : facade::calculators())
       fmt::print("{:<20} {}\n", info.name, info.help);
     fmt::print(
         "`adore calc NAME --describe` lists inputs and results with units, and an example\n");
@@ -58,16 +60,20 @@ void list_calculators(const std::string& name, bool json, bool describe) {
 void calc(const std::string& name, const std::string& source) {
   const nlohmann::json input =
       parse_json(read_all(source), source == "-" ? "standard input" : source);
-  fmt::print("{}\n", calculators::calculate(name, input, reference::all_adapters()).dump(2));
+  fmt::print("{}\n", facade::calculate(name, input).dump(2));
 }
 
 int validate(const std::vector<std::string>& files, const std::string& report_file, bool quiet,
              bool json) {
   const std::vector<std::filesystem::path> paths(files.begin(), files.end());
-  const reference::ValidateReport report =
-      reference::validate_files(paths, [](const reference::FileResult& file) {
+  const auto piped = std::count(files.begin(), files.end(), kStream);
+  if (piped > 1) throw InputError("standard input can be read once; give - once");
+  const reference::ValidateReport report = reference::validate_files(
+      paths,
+      [](const reference::FileResult& file) {
         tell(fmt::format("{}: {} cases in {:.1f} s\n", file.file, file.cases.size(), file.seconds));
-      });
+      },
+      piped > 0 ? read_standard_input(kMostInput) : std::string());
   if (json)
     fmt::print("{}\n", reference::report_json(report).dump(2));
   else if (!quiet)
@@ -91,8 +97,7 @@ void add_calc(CLI::App& app, int& exit_code) {
     auto describe = std::make_shared<bool>(false);
     auto as_json = std::make_shared<bool>(false);
     std::vector<std::string> names;
-    for (const calculators::CalculatorInfo& info : calculators::calculator_list())
-      names.push_back(info.name);
+    for (const facade::CalculatorInfo& info : facade::calculators()) names.push_back(info.name);
     command_line::offer(
         command->add_option("name", *name, "calculator; see --list")->type_name("NAME"), names);
     command->add_option("input", *source, "file of inputs, or - for standard input")
@@ -132,7 +137,9 @@ void add_calc(CLI::App& app, int& exit_code) {
     auto report = std::make_shared<std::string>();
     auto quiet = std::make_shared<bool>(false);
     auto json = std::make_shared<bool>(false);
-    command->add_option("files", *files, "case files")->required()->type_name("FILE");
+    command->add_option("files", *files, "case files, or - for standard input")
+        ->required()
+        ->type_name("FILE");
     command->add_option("--report", *report, "write the results as JSON to this file")
         ->type_name("FILE");
     command->add_flag("--json", *json, "the results as JSON on standard output");

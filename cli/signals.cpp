@@ -33,12 +33,13 @@ void listen(int signal) {
 void ignore_file_size_signal() { std::signal(SIGXFSZ, SIG_IGN); }
 
 InterruptWatch::InterruptWatch() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) listen(signal);
-  std::signal(SIGPIPE, SIG_IGN);
-  // Signals go to the thread that computes and writes.
+  // None comes between two of these lines: it waits until all are listened to.
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, &before);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) listen(signal);
+  std::signal(SIGPIPE, SIG_IGN);
+  // The watcher keeps them blocked: signals go to the thread that computes and writes.
   watcher_ = std::jthread([this](std::stop_token done) {
     while (!done.stop_requested()) {
       if (asked) source_.request_stop();

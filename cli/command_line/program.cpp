@@ -38,7 +38,7 @@ std::string help(const CLI::App& program, int stream) {
 /// `--quiet=3` is a mistake, not a flag given three times.
 void refuse_values_of_flags(CLI::App& app) {
   for (CLI::Option* option : app.get_options())
-    if (option->get_type_size() == 0) option->disable_flag_override();
+    if (option->get_items_expected_max() == 0) option->disable_flag_override();
   for (CLI::App* command : app.get_subcommands({})) refuse_values_of_flags(*command);
 }
 

@@ -1,6 +1,6 @@
 #include "base/atomic_file.hpp"
 
-#include "base/errors.hpp"
+#include "base/write_error.hpp"
 
 #include <fmt/format.h>
 
@@ -37,6 +37,9 @@ namespace fs = std::filesystem;
     case EISDIR:
       remedy = "give the name of a file";
       break;
+    case EFBIG:
+      remedy = "raise the limit on file sizes (ulimit -f), or choose another disk";
+      break;
     default:
       remedy = "choose another place";
   }
@@ -45,7 +48,7 @@ namespace fs = std::filesystem;
   issue.message = fmt::format("the file cannot be written ({}: {})", step,
                               std::generic_category().message(error));
   issue.remedy = remedy;
-  throw InputError({issue});
+  throw WriteError({issue});
 }
 
 /// The temporary file: closed and removed on every way out unless it was renamed. It gets a name

@@ -18,6 +18,23 @@ bool only_integers(std::string_view line) {
   });
 }
 
+/// Does the text begin with a name and a digit behind it?
+bool has_version_after(std::string_view text, std::string_view name) {
+  return text.starts_with(name) && text.size() > name.size() && text[name.size()] >= '0' &&
+         text[name.size()] <= '9';
+}
+
+/// Empty when it is no plain file, or cannot be read.
+std::string first_bytes(const std::filesystem::path& path, std::size_t most) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return {};
+  std::ifstream stream(path, std::ios::binary);
+  std::string bytes(most, '\0');
+  stream.read(bytes.data(), static_cast<std::streamsize>(most));
+  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
+  return bytes;
+}
+
 /// A text in single quotes that begins like a record's label.
 bool starts_with_label(std::string_view text) {
   if (text.size() < 5 || text[0] != '\'') return false;
@@ -52,13 +69,34 @@ FileSort sort_of(std::string_view bytes) {
 }
 
 FileSort sort_of_file(const std::filesystem::path& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return FileSort::Unknown;
-  std::ifstream stream(path, std::ios::binary);
-  std::string bytes(kSortBytes, '\0');
-  stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
-  return sort_of(bytes);
+  return sort_of(first_bytes(path, kSortBytes));
+}
+
+bool is_own_file(const std::filesystem::path& path) {
+  // The attributes of RESULTS.h5 stand behind its first groups.
+  const std::string bytes = first_bytes(path, std::size_t{1} << 18);
+  const std::string_view all(bytes), line = all.substr(0, all.find('\n'));
+  switch (sort_of(all.substr(0, kSortBytes))) {
+    case FileSort::Listing:
+      return has_version_after(all, "\fAdore ");
+    case FileSort::Plot:
+    case FileSort::Animation:
+    case FileSort::Unknown:  // cut within its first lines
+      return has_version_after(all, "  Adore");
+    case FileSort::Final:
+    case FileSort::Master:
+      return has_version_after(all, "Adore ");
+    case FileSort::RunJson:
+      return all.starts_with("{") && has(all.substr(0, 64), "\"program\": \"Adore ");
+    case FileSort::ResultsH5:
+      return has(all, "Adore ");
+    case FileSort::SweepTable:
+      return line.ends_with(",message");
+    case FileSort::Deck:
+    case FileSort::Json:
+      break;
+  }
+  return false;
 }
 
 std::string_view sort_name(FileSort sort) {

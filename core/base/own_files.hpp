@@ -30,6 +30,11 @@ inline constexpr std::size_t kSortBytes = 1024;
 /// Unknown too when the file cannot be read.
 [[nodiscard]] FileSort sort_of_file(const std::filesystem::path& path);
 
+/// Did this program write the file? Its sort by its first bytes, and our name and version at the
+/// place where our writers put them: files of the same layout by other programs are not ours. Only
+/// own files are ever replaced. False when it cannot be read, and for an empty file.
+[[nodiscard]] bool is_own_file(const std::filesystem::path& path);
+
 /// "a listing (PRINT.txt of a run)"; empty for Unknown.
 [[nodiscard]] std::string_view sort_name(FileSort sort);
 

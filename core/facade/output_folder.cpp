@@ -2,7 +2,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/json_text.hpp"
-#include "results/own_file.hpp"
+#include "base/own_files.hpp"
 #include "results/restart.hpp"
 #include "results/results_h5.hpp"
 
@@ -53,7 +53,7 @@ std::set<std::string> candidates(const Outputs& outputs) {
   };
   try {
     std::ifstream stream(outputs.folder / "RUN.json", std::ios::binary);
-    if (results::is_own_file(outputs.folder / "RUN.json")) {
+    if (is_own_file(outputs.folder / "RUN.json")) {
       const auto json = parse_json(std::string(std::istreambuf_iterator<char>(stream), {}), "");
       for (const auto& name : json.at("files")) add(name.get<std::string>());
     }
@@ -61,7 +61,7 @@ std::set<std::string> candidates(const Outputs& outputs) {
     // The default names will do.
   }
   for (const std::string& name : std::set<std::string>(out)) {
-    if (!results::is_own_file(outputs.folder / name)) continue;
+    if (!is_own_file(outputs.folder / name)) continue;
     try {
       for (const results::MasterFile& file : results::read_master(outputs.folder / name).files)
         add(file.name);
@@ -77,8 +77,7 @@ std::vector<std::string> earlier_results(const Outputs& outputs) {
   std::vector<std::string> out;
   for (const std::string& name : candidates(outputs)) {
     std::error_code error;
-    if (!fs::is_symlink(outputs.folder / name, error) &&
-        results::is_own_file(outputs.folder / name))
+    if (!fs::is_symlink(outputs.folder / name, error) && is_own_file(outputs.folder / name))
       out.push_back(name);
   }
   return out;
@@ -179,7 +178,7 @@ void check_names(const Outputs& outputs) {
     } else if ((fs::file_size(path, error) > 0 ||
                 (status.permissions() & (fs::perms::owner_exec | fs::perms::group_exec |
                                          fs::perms::others_exec)) != fs::perms::none) &&
-               !results::is_own_file(path)) {
+               !is_own_file(path)) {
       issue.message = "this output of the run exists, and is not a file that this program wrote";
       issue.remedy =
           "move it away, choose another name on record 2.3, or another folder with --out";

@@ -1,6 +1,7 @@
 #include "facade/run.hpp"
 
 #include "base/version.hpp"
+#include "base/write_error.hpp"
 #include "deck/unit_text.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "facade/judge_steps.hpp"
@@ -199,8 +200,16 @@ void add_counters(integrators::Counters& sum, const integrators::Counters& c) {
   sum.nonlinear_iterations += c.nonlinear_iterations;
 }
 
-RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::path& folder,
-                       const ProgressSink& progress, std::stop_token stop) {
+/// How to go on after a file could not be written.
+std::string way_on(const fs::path& master) {
+  std::error_code error;
+  return fs::exists(master, error)
+             ? "the files are valid up to their last whole step: go on with --continue"
+             : "the run had no checkpoint yet: start it again, with --overwrite";
+}
+
+RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::path& folder,
+                    const ProgressSink& progress, std::stop_token stop) {
   const auto begin = Clock::now();
   dynamics::System system = make_system(prepared);
   SystemOde ode(system);
@@ -399,6 +408,16 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
   out.energy_residual = outputs.energy_residual();
   out.energy_scale = outputs.energy_scale();
   return out;
+}
+
+RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::path& folder,
+                       const ProgressSink& progress, std::stop_token stop) {
+  try {
+    return simulate(request, prepared, folder, progress, stop);
+  } catch (const WriteError& error) {
+    throw InputError(
+        fmt::format("{}; {}", error.what(), way_on(folder / prepared.control.master_file)));
+  }
 }
 
 /// Shows a table over speed as pieces of work, at most about 20 times a second.

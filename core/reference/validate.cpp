@@ -207,10 +207,15 @@ Json with_base(const Json& the_case, const Json& cases) {
   return the_case;
 }
 
+/// How messages call a file.
+std::string shown_name(const std::filesystem::path& path) {
+  return path == "-" ? "standard input" : path.string();
+}
+
 FileResult run_file(const std::filesystem::path& path, const Json& content) {
   const auto begin = std::chrono::steady_clock::now();
   FileResult result;
-  result.file = path.string();
+  result.file = shown_name(path);
   result.family = content.at("family").get<std::string>();
   for (const Json& the_case : content.at("cases"))
     result.cases.push_back(run_case(result.family, with_base(the_case, content.at("cases"))));
@@ -233,22 +238,27 @@ std::string wrong_case(const Json& cases) {
   return {};
 }
 
-Json read_cases(const std::filesystem::path& path, std::vector<Issue>& issues) {
+Json read_cases(const std::filesystem::path& path, const std::string& standard_input,
+                std::vector<Issue>& issues) {
   const auto complain = [&](std::string message) {
     Issue issue;
-    issue.file = path.string();
+    issue.file = shown_name(path);
     issue.message = std::move(message);
     issue.remedy = "give a JSON file with \"family\" and \"cases\"";
     issues.push_back(std::move(issue));
   };
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream || !std::filesystem::is_regular_file(path)) {
-    complain("the file cannot be read");
-    return {};
+  std::string text = standard_input;
+  if (path != "-") {
+    std::ifstream stream(path, std::ios::binary);
+    if (!stream || !std::filesystem::is_regular_file(path)) {
+      complain("the file cannot be read");
+      return {};
+    }
+    text.assign(std::istreambuf_iterator<char>(stream), {});
   }
   Json content;
   try {
-    content = parse_json(std::string(std::istreambuf_iterator<char>(stream), {}), "the file");
+    content = parse_json(text, "the file");
   } catch (const InputError& error) {
     complain(error.what());
     return {};
@@ -296,10 +306,12 @@ CaseResult compare_case(const std::string& family, const Json& the_case, const J
 }
 
 ValidateReport validate_files(std::span<const std::filesystem::path> files,
-                              const std::function<void(const FileResult&)>& progress) {
+                              const std::function<void(const FileResult&)>& progress,
+                              const std::string& standard_input) {
   std::vector<Issue> issues;
   std::vector<Json> contents;
-  for (const std::filesystem::path& file : files) contents.push_back(read_cases(file, issues));
+  for (const std::filesystem::path& file : files)
+    contents.push_back(read_cases(file, standard_input, issues));
   if (!issues.empty()) throw InputError(std::move(issues));
   ValidateReport report;
   for (std::size_t i = 0; i < files.size(); ++i) {

@@ -50,10 +50,12 @@ struct ValidateReport {
                                       const nlohmann::json& result);
 
 /// @param progress called after each file
+/// @param standard_input content of the file named "-"
 /// @throws InputError when a file cannot be read or holds no reference cases
 [[nodiscard]] ValidateReport validate_files(
     std::span<const std::filesystem::path> files,
-    const std::function<void(const FileResult&)>& progress = {});
+    const std::function<void(const FileResult&)>& progress = {},
+    const std::string& standard_input = {});
 
 /// {"files": [{"file", "cases": [{"id", "status", "worst": {"key", "error", "tolerance"}}]}],
 /// "totals": {...}}

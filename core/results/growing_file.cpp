@@ -1,6 +1,6 @@
 #include "results/growing_file.hpp"
 
-#include "base/errors.hpp"
+#include "base/write_error.hpp"
 
 #include <fmt/format.h>
 
@@ -29,13 +29,15 @@ std::string_view remedy(int error) {
       return "create the folder first or choose another one";
     case ENOSPC:
     case EDQUOT:
-      return "free some disk space or choose another disk, then continue the run";
+      return "free some disk space or choose another disk";
     case EISDIR:
       return "give the name of a file, not of a folder";
     case ELOOP:
       return "put the file itself in place of the symbolic link";
     case EFBIG:
-      return "the file system allows no larger files: choose another disk or store fewer steps";
+      return "no larger files are allowed here (ulimit -f, or the file system): raise the limit, "
+             "choose "
+             "another disk, or store fewer steps";
     default:
       return "choose another place";
   }
@@ -46,7 +48,7 @@ std::string_view remedy(int error) {
   issue.file = path.string();
   issue.message = fmt::format("{}: {}", what, std::generic_category().message(error));
   issue.remedy = remedy(error);
-  throw InputError({issue});
+  throw WriteError({issue});
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "results/h5_process.hpp"
 
 #include "base/errors.hpp"
+#include "results/hdf5_handle.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -11,6 +12,7 @@
 #include <cstring>
 #include <fcntl.h>
 #include <fstream>
+#include <memory>
 #include <poll.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
@@ -170,8 +172,12 @@ Process::Process(std::filesystem::path path, Limits limits)
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     fail(fmt::format("no process can be started to read it ({})", std::strerror(errno)));
-  child_ = ::fork();
+  {
+    const std::scoped_lock nobody_inside(library_mutex());
+    child_ = ::fork();
+  }
   if (child_ == 0) {
+    std::construct_at(&library_mutex());  // locked by a thread that is not here
     settle_in(ends[1], limits_);
     serve(ends[1], path_, limits_);
     ::_exit(0);

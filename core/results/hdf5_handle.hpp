@@ -2,16 +2,24 @@
 
 #include <hdf5.h>
 
+#include <mutex>
 #include <string>
 #include <utility>
 
 /// A little RAII over the HDF5 C interface; only the RESULTS.h5 sources include it.
 namespace adore::results::h5 {
 
-/// Keeps the library from printing its error stack to the terminal while it lives.
+/// Held by whoever is in the library: not every build of it knows threads, and a process that is
+/// forked while another thread is inside would never get in.
+inline std::recursive_mutex& library_mutex() {
+  static std::recursive_mutex mutex;
+  return mutex;
+}
+
+/// While it lives, this thread alone uses the library, which prints no error stack to the terminal.
 class Quiet {
  public:
-  Quiet() {
+  Quiet() : lock_(library_mutex()) {
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
   }
@@ -20,6 +28,7 @@ class Quiet {
   Quiet& operator=(const Quiet&) = delete;
 
  private:
+  std::scoped_lock<std::recursive_mutex> lock_;
   H5E_auto2_t function_ = nullptr;
   void* data_ = nullptr;
 };

@@ -3,6 +3,7 @@
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
 #include "base/version.hpp"
+#include "base/write_error.hpp"
 #include "contact/groove.hpp"
 #include "results/continuation.hpp"
 #include "results/h5_driver.hpp"
@@ -31,7 +32,7 @@ constexpr std::string_view kConventions =
     "base. Races: outer, inner.";
 
 [[noreturn]] void fail(const std::filesystem::path& path, std::string_view what) {
-  throw InputError(
+  throw WriteError(
       fmt::format("{}: {} ({}); check the folder, its permissions and the free disk space",
                   path.string(), what, h5::last_error()));
 }
@@ -293,9 +294,9 @@ struct H5Writer::Impl {
       const int error = write_error(file);
       if (!ok || error != 0) {
         broken = true;  // /step, written last, tells of the steps that all of them hold
-        throw InputError(fmt::format(
+        throw WriteError(fmt::format(
             "{}: the file cannot be written any further ({}); free some disk space or "
-            "choose another disk, then continue the run",
+            "choose another disk",
             path.string(), error != 0 ? std::generic_category().message(error) : h5::last_error()));
       }
       one.waiting.clear();
@@ -310,12 +311,12 @@ H5Writer::H5Writer(H5Writer&&) noexcept = default;
 H5Writer& H5Writer::operator=(H5Writer&&) noexcept = default;
 H5Writer::~H5Writer() {
   if (!impl_) return;
+  const Quiet quiet;
   try {
     if (!impl_->broken) flush();
   } catch (const std::exception&) {
     // Nobody can be told from here; flush() reports.
   }
-  const Quiet quiet;
   impl_->series.clear();
   impl_->file.reset();
 }
@@ -325,7 +326,9 @@ std::string H5Writer::Impl::empty_file(const bearing::Bearing& bearing) {
   const Handle creation(H5Pcreate(H5P_FILE_CREATE)), access = access_list();
   H5Pset_obj_track_times(creation, false);
   H5Pset_fapl_core(access, kGrowth, false);
-  file = Handle(H5Fcreate("RESULTS.h5 in memory", H5F_ACC_TRUNC, creation, access));
+  // Of its own name: the library takes files in memory of one name for one file.
+  const std::string alone = fmt::format("RESULTS.h5 in memory, {}", static_cast<const void*>(this));
+  file = Handle(H5Fcreate(alone.c_str(), H5F_ACC_TRUNC, creation, access));
   if (!file.valid()) fail(path, "the file cannot be created");
   create_groups();
   {

@@ -2,8 +2,8 @@
 
 #include "base/arithmetic.hpp"
 #include "base/atomic_file.hpp"
+#include "base/own_files.hpp"
 #include "base/version.hpp"
-#include "results/own_file.hpp"
 
 #include <algorithm>
 #include <cmath>

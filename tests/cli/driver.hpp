@@ -8,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <fcntl.h>
 #include <filesystem>
@@ -150,12 +151,12 @@ class EndlessRun {
 
   [[nodiscard]] bool alive() const { return ::kill(child_, 0) == 0; }
   void send(int signal) const { REQUIRE(::kill(child_, signal) == 0); }
-  /// Has the program taken over the handling of interrupts?
+  /// Has the program taken over the handling of all interrupts?
   [[nodiscard]] bool listens() const {
     std::ifstream status(fmt::format("/proc/{}/status", child_));
     for (std::string line; std::getline(status, line);)
       if (line.rfind("SigCgt:", 0) == 0)
-        return (std::stoull(line.substr(7), nullptr, 16) & (1ULL << (SIGINT - 1))) != 0;
+        return (std::stoull(line.substr(7), nullptr, 16) & kInterrupts) == kInterrupts;
     return false;
   }
   /// Waits for its end. @return the exit code, or 128 + the signal that ended it
@@ -173,6 +174,8 @@ class EndlessRun {
   }
 
  private:
+  static constexpr std::uint64_t kInterrupts =
+      1ULL << (SIGINT - 1) | 1ULL << (SIGTERM - 1) | 1ULL << (SIGHUP - 1);
   fs::path said_;
   pid_t child_ = -1;
 };

@@ -95,7 +95,7 @@ TEST_CASE("every option of every command refuses a wrong use with a remedy", "[c
       std::vector<std::string> wrong = {flag + "x"};
       const bool optional_value = name == "calc" && flag == "--json";
       if (value.empty() && flag != "--help")
-        wrong.push_back(flag + "=nonsense");
+        wrong.insert(wrong.end(), {flag + "=nonsense", flag + "=3", flag + "=false"});
       else if (!value.empty() && !optional_value)
         wrong.push_back(flag);
       if (value == "N" || value == "NUMBER") wrong.push_back(flag + " nonsense");
@@ -173,6 +173,21 @@ TEST_CASE("a dash stands for the standard streams", "[cli]") {
   INFO(calc.out);
   CHECK(calc.code == 0);
   CHECK(json::accept(calc.out));
+
+  const std::string cases =
+      (adore::test::source_dir() / "tests/reference/A_hertz_point.json").string();
+  const Result validated =
+      run_as_given("--version >/dev/null; " + command_line("validate - --quiet < " + cases));
+  INFO(validated.out);
+  CHECK(validated.code == 0);
+  CHECK(contains(validated.out, "standard input: "));
+  CHECK(contains(validated.out, "0 failed"));
+  const Result none = run_as_given("--version | " + command_line("validate -"));
+  CHECK(none.code == 2);
+  CHECK(contains(none.out, "standard input"));
+  const Result twice = run_as_given("validate - - < " + cases);
+  CHECK(twice.code == 2);
+  CHECK(contains(twice.out, "once"));
 }
 
 TEST_CASE("show, examples, run options and the run's summary speak JSON", "[cli]") {
@@ -386,10 +401,67 @@ TEST_CASE("bash completes commands, options, values and deck variables", "[cli]"
   CHECK(contains(completed("adore calc her"), "\nhertz\n"));
   CHECK(completed("adore convert SOL1 --to c") == "\ncsv\n");
   CHECK(contains(completed("adore --comp"), "\n--completion\n"));
-  for (const char* shell : {"zsh", "fish"}) {
-    const std::string script = run_as_given(std::string("--completion ") + shell).out;
-    const json whole = tree();
-    for (const json& command : whole.at("commands"))
-      CHECK(contains(script, command.at("name").get<std::string>()));
+}
+
+TEST_CASE("fish completes commands, options, values and deck variables", "[cli]") {
+  const std::string script = run_as_given("--completion fish").out;
+  const json whole = tree();
+  for (const json& command : whole.at("commands"))
+    CHECK(contains(script, command.at("name").get<std::string>()));
+  if (run_shell("fish --version >/dev/null 2>&1").code != 0) {
+    WARN("fish is not installed: its completion was not tried");
+    return;
   }
+  const Folder folder;
+  write(folder / "adore.fish", script);
+  const auto completed = [&](const std::string& words) {
+    return run_shell("HOME=" + folder.path().string() + " fish --no-config -c \"source " +
+                     (folder / "adore.fish").string() + "; complete -C '" + words +
+                     "'\" | cut -f 1")
+        .out;
+  };
+  CHECK(completed("adore exa") == "examples\n");
+  CHECK(completed("adore run --int") == "--integrator\n");
+  CHECK(contains(completed("adore run --integrator rkf"), "rkf5\n"));
+  CHECK(completed("adore run DATA.txt --set pitch") == "pitchDia=\n");
+  CHECK(contains(completed("adore run --opt ellipse"), "ellipseMajor=\n"));
+  CHECK(contains(completed("adore new bal"), "ball-thrust\n"));
+  CHECK(contains(completed("adore calc her"), "hertz\n"));
+  CHECK(completed("adore convert SOL1 --to c") == "csv\n");
+}
+
+TEST_CASE("zsh completes commands, options, values and deck variables", "[cli]") {
+  const std::string function = run_as_given("--completion zsh").out;
+  const json whole = tree();
+  for (const json& command : whole.at("commands"))
+    CHECK(contains(function, command.at("name").get<std::string>()));
+  if (run_shell("zsh -f -c 'zmodload zsh/zpty' >/dev/null 2>&1").code != 0) {
+    WARN("zsh is not installed: its completion was not tried");
+    return;
+  }
+  const Folder folder;
+  write(folder / "_adore", function);
+  // A terminal of its own, in which a key tells the line that stands there after the tabulator.
+  write(folder / "ask.zsh",
+        R"(zmodload zsh/zpty
+zpty z zsh -f -i
+zpty -w z "PS1=; fpath=($1 \$fpath); autoload -Uz compinit; compinit -u -D; setopt no_beep"
+zpty -w z 'told() { print -r -- "<<$BUFFER>>" }; zle -N told; bindkey "^X" told'
+zpty -w z 'zle-line-init() { print -r -- "RE""ADY" }; zle -N zle-line-init'
+zpty -r z out '*READY*'
+zpty -w -n z "$2"$'\t\x18'
+zpty -r z out '*<<*>>*'
+print -rn -- "${${out##*<<}%%>>*}")");
+  const auto completed = [&](const std::string& words) {
+    return run_shell("cd " + folder.path().string() + " && ZDOTDIR=" + folder.path().string() +
+                     " timeout 120 zsh -f ask.zsh " + folder.path().string() + " '" + words + "'")
+        .out;
+  };
+  CHECK(completed("adore exa") == "adore examples ");
+  CHECK(completed("adore run --int") == "adore run --integrator ");
+  CHECK(completed("adore run --integrator arkode-i") == "adore run --integrator arkode-imex ");
+  CHECK(completed("adore run DATA.txt --set pitch") == "adore run DATA.txt --set pitchDia=");
+  CHECK(completed("adore run --opt ellipseMa") == "adore run --opt ellipseMajor=");
+  CHECK(completed("adore new ball-t") == "adore new ball-thrust ");
+  CHECK(completed("adore convert SOL1 --to c") == "adore convert SOL1 --to csv ");
 }

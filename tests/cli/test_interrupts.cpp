@@ -85,8 +85,7 @@ TEST_CASE("the second interrupt ends the program at once", "[cli]") {
   CHECK_FALSE(contains(run.said(), "interrupted"));
 }
 
-TEST_CASE("an interrupt is seen inside a counted step and in a table of statics",
-          "[.][cli][slow]") {
+TEST_CASE("an interrupt is seen inside a counted step and in a table of statics", "[cli][slow]") {
   {
     const Folder folder;
     new_ball_deck(folder);
@@ -260,14 +259,16 @@ TEST_CASE("there must be a run to go on with", "[cli]") {
 }
 
 TEST_CASE("a file limit stops a run with a sentence, valid files, and a way to go on",
-          "[.][cli][slow]") {
+          "[cli][slow]") {
   const Folder folder;
   new_ball_deck(folder);
   const std::string deck = "run " + folder.path().string() + " --quiet --set kPltFreq=1";
-  const Result stopped = run_shell("ulimit -f 700; ADORE " + deck + " --until 1e9rev 2>&1");
+  // A block of 64 steps in RESULTS.h5 takes 0.35 MB: the second one has no room.
+  const Result stopped = run_shell("ulimit -f 1400; ADORE " + deck + " --until 1e9rev 2>&1");
   INFO(stopped.out);
   CHECK(stopped.code == 2);
   CHECK(contains(stopped.out, "File too large"));
+  CHECK(contains(stopped.out, "go on with --continue"));
   check_increasing(stored(folder / "SOL1"));
   const results::H5Reader before(folder / "RESULTS.h5");
   CHECK(before.steps() > 10);
@@ -275,6 +276,32 @@ TEST_CASE("a file limit stops a run with a sentence, valid files, and a way to g
   INFO(more.out);
   CHECK(more.code == 0);
   check_increasing(stored(folder / "SOL1"));
+}
+
+TEST_CASE("a run that ends before its first checkpoint says how to start again", "[cli]") {
+  // Room for no RESULTS.h5 at all, for an empty one, and for the listing's first pages alone.
+  for (const int limit : {60, 300, 700}) {
+    const Folder folder;
+    new_ball_deck(folder);
+    const std::string deck = "run " + folder.path().string() + " --quiet --set maxStps=2";
+    const Result stopped = run_shell(fmt::format("ulimit -f {}; ADORE {} 2>&1", limit, deck));
+    INFO(limit << "\n" << stopped.out);
+    CHECK(stopped.code == 2);
+    CHECK(contains(stopped.out, "File too large"));
+    CHECK(contains(stopped.out, "no checkpoint yet"));
+    CHECK(contains(stopped.out, "--overwrite"));
+    CHECK_FALSE(fs::exists(folder / "MASTER"));
+    const Result more = run_as_given(deck + " --continue");
+    INFO(more.out);
+    CHECK(more.code == 2);
+    CHECK(contains(more.out, "--overwrite"));
+    const Result classic = run_as_given(deck + " --set kIcOpt=1");
+    INFO(classic.out);
+    CHECK(classic.code == 2);
+    CHECK(contains(classic.out, "kIcOpt = 0"));
+    CHECK(run_as_given(deck + " --overwrite").code == 0);
+    CHECK(hidden_files(folder).empty());
+  }
 }
 
 TEST_CASE("a run on a disk of any small size ends with a sentence and no crash", "[cli][slow]") {

@@ -6,11 +6,13 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <csignal>
 #include <cstdint>
 #include <functional>
 #include <sys/resource.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 using namespace adore;
@@ -324,4 +326,32 @@ TEST_CASE("a full disk stops the writers with a sentence and keeps what was stor
   const H5Reader h5(folder / "RESULTS.h5");
   CHECK(h5.steps() >= 1);
   CHECK(h5.read("contact.load", h5.steps() - 1, 1)[0] == 100.0);
+}
+
+TEST_CASE("files of several runs are made, written, read and continued at the same time",
+          "[unit]") {
+  const TemporaryFolder folder;
+  const bearing::Bearing bearing = make_bearing(3, true);
+  write_steps(H5Writer::create(folder / "one", bearing), bearing, 0, 70);
+  const std::string wanted = read_bytes(folder / "one");
+  constexpr int kThreads = 4, kRounds = 8;
+  std::array<std::string, kThreads> wrong;
+  {
+    std::vector<std::jthread> threads;
+    for (int k = 0; k < kThreads; ++k)
+      threads.emplace_back([&, k] {
+        const auto path = folder / ("run-" + std::to_string(k));
+        try {
+          for (int round = 0; round < kRounds; ++round) {
+            write_steps(H5Writer::create(path, bearing), bearing, 0, 40);
+            write_steps(H5Writer::continue_after(path, bearing, 20), bearing, 21, 70);
+            if (H5Reader(path).step_numbers().size() != 71 || read_bytes(path) != wanted)
+              wrong[static_cast<std::size_t>(k)] = "other bytes";
+          }
+        } catch (const std::exception& error) {
+          wrong[static_cast<std::size_t>(k)] = error.what();
+        }
+      });
+  }
+  for (const std::string& what : wrong) CHECK(what == "");
 }

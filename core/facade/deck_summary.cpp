@@ -1,0 +1,43 @@
+#include "facade/deck_summary.hpp"
+
+#include "dynamics/race_contacts.hpp"
+#include "facade/plan_json.hpp"
+#include "listing/print_cage.hpp"
+#include "listing/print_fits.hpp"
+#include "listing/print_imperfections.hpp"
+#include "listing/print_life.hpp"
+
+namespace adore::facade {
+
+results::RunSummary summary_of_deck(const Prepared& prepared, const scene::ScenePlan& plan,
+                                    const std::string& request, const std::vector<Issue>& remarks) {
+  results::RunSummary out;
+  out.run_id = prepared.bearing.run_id;
+  out.deck_file = prepared.input.path.filename().string();
+  out.plan = plan_json(plan, prepared.stability);
+  out.stability = prepared.stability;
+  out.request = request;
+  for (const setup::OptionInfo& info : setup::run_option_list()) {
+    const auto given = prepared.input.option_values.find(info.name);
+    const bool set = given != prepared.input.option_values.end();
+    out.options.emplace_back(info.name, set ? given->second : info.default_value);
+  }
+  out.defaults_used = deck::defaults_used(prepared.input.deck);
+  out.no_part = prepared.no_part;
+  for (const Issue& issue : prepared.input.warnings) out.notes.push_back(issue.text());
+  for (const Issue& remark : remarks) out.notes.push_back(remark.text());
+  for (const std::string& note : prepared.race_result().notes) out.notes.push_back(note);
+  out.instruction_set = dynamics::race_contact_instruction_set();
+  const bearing::Imperfections& imperfections = prepared.bearing.imperfections;
+  if (imperfections.elements == bearing::ElementErrors::Random)
+    out.seeds.emplace_back("geometric imperfections", static_cast<long>(imperfections.seed));
+  out.imperfections = listing::imperfections_json(prepared.bearing);
+  if (prepared.bearing.operating) {
+    out.operating = listing::fits_json(*prepared.bearing.operating);
+    if (prepared.bearing.cage) out.operating["cage"] = listing::cage_json(prepared.bearing);
+  }
+  out.life["quasi-static"] = listing::life_json(prepared.life);
+  return out;
+}
+
+}  // namespace adore::facade

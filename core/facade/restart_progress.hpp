@@ -1,0 +1,49 @@
+#pragma once
+
+#include "facade/run_outputs.hpp"
+#include "results/restart.hpp"
+#include "scene/snapshot.hpp"
+#include "setup/run_control.hpp"
+
+#include <Eigen/Core>
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+/// What MASTER holds beside the state, so that a run goes on as if it had never stopped: places in
+/// the files, the stepper's memory, and what the ledgers began with.
+namespace adore::facade {
+
+/// Last step in each kind of file, and of the life models; -1 before the first.
+struct FileSteps {
+  long plotted = -1, animated = -1, printed = -1, saved = -1, lived = -1;
+};
+
+/// What the ledgers of a continued run began with, and their residual where it goes on. They go on
+/// from there, to the last bit, while the residual is that of MASTER; under other loads or speeds
+/// it jumps, and they begin anew.
+struct LedgerStart {
+  double stored = 0.0, residual = 0.0;                                 ///< [J]
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = linear;  ///< [N s, N m s]
+
+  /// Nothing when the file is older than such entries.
+  [[nodiscard]] static std::optional<LedgerStart> of(const results::MasterState& master);
+  /// Replaces the start in the ledgers of an instant.
+  void apply(scene::Snapshot& to) const;
+};
+
+/// @param segment step from which maxStps counts
+void save_progress(std::map<std::string, double>& state, const scene::Snapshot& at,
+                   const Resume& resume, const FileSteps& steps, long segment,
+                   const setup::RunControl& control);
+
+/// The stepper's memory belongs to one method with its limits: under others it stays empty.
+/// @param file MASTER, for messages
+/// @throws InputError when what it remembers is not finite
+[[nodiscard]] FileSteps restore_progress(const results::MasterState& master,
+                                         const setup::RunControl& control,
+                                         const std::filesystem::path& file, StartPoint& out);
+
+}  // namespace adore::facade

@@ -1,0 +1,138 @@
+#include "facade/run_files.hpp"
+
+#include "dynamics/effect_catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+namespace adore::facade {
+namespace fs = std::filesystem;
+namespace {
+
+int cages(const Prepared& prepared) { return prepared.bearing.cage ? 1 : 0; }
+
+}  // namespace
+
+RunFiles::RunFiles(const Prepared& prepared, fs::path folder)
+    : prepared_(prepared),
+      control_(prepared.control),
+      folder_(std::move(folder)),
+      units_(prepared.input.deck.units()),
+      channels_(dynamics::energy_terms()) {}
+
+fs::path RunFiles::sol_path(std::size_t number) const {
+  return folder_ / control_.sol_files[number - 1];
+}
+
+Outputs RunFiles::outputs() const {
+  Outputs out;
+  out.folder = folder_;
+  out.inputs = {prepared_.input.path, prepared_.input.path.parent_path() / "ADORE.json"};
+  out.names = {"PRINT.txt", "RUN.json"};
+  if (!control_.dynamic) return out;
+  for (std::size_t k = 0; k < control_.monitored.size() && k < 6; ++k)
+    out.names.push_back(control_.sol_files[k]);
+  out.names.push_back(control_.sol_files[6]);
+  if (writes_animation()) out.names.push_back(control_.sol_files[7]);
+  if (prepared_.options.results_h5) out.names.push_back("RESULTS.h5");
+  out.names.push_back(control_.final_file);
+  out.names.push_back(control_.master_file);
+  return out;
+}
+
+void RunFiles::check() const {
+  listing::PrintFile::check(path("PRINT.txt"), prepared_.bearing.run_id);
+  const auto check = [&](std::size_t number, int index) {
+    results::SolWriter::check(sol_path(number),
+                              results::make_sol_header(prepared_.bearing, index, units_));
+  };
+  for (std::size_t k = 0; k < control_.monitored.size() && k < 6; ++k)
+    check(k + 1, control_.monitored[k]);
+  check(7, 0);
+  if (prepared_.options.results_h5)
+    results::H5Writer::check(path("RESULTS.h5"), prepared_.bearing, channels_);
+  if (writes_animation()) results::Sol8Writer::check(sol_path(8), prepared_.bearing, units_);
+}
+
+bool RunFiles::writes_animation() const {
+  return control_.animate &&
+         !results::sol8_refusal(prepared_.bearing.balls.count, cages(prepared_));
+}
+
+void RunFiles::open_listing() {
+  written.push_back(path("PRINT.txt"));
+  print = listing::PrintFile::create(path("PRINT.txt"), prepared_.bearing.run_id, units_);
+}
+
+std::optional<std::string> RunFiles::open(bool continued, std::uintmax_t print_bytes) {
+  written.push_back(path("PRINT.txt"));
+  print = continued
+              ? listing::PrintFile::continue_after(path("PRINT.txt"), prepared_.bearing.run_id,
+                                                   units_, print_bytes)
+              : listing::PrintFile::create(path("PRINT.txt"), prepared_.bearing.run_id, units_);
+  const auto open = [&](std::size_t number, int index) {
+    const results::SolHeader header = results::make_sol_header(prepared_.bearing, index, units_);
+    written.push_back(sol_path(number));
+    return continued
+               ? results::SolWriter::continue_after(sol_path(number), header, units_, steps.plotted)
+               : results::SolWriter::create(sol_path(number), header, units_);
+  };
+  for (std::size_t k = 0; k < control_.monitored.size() && k < 6; ++k)
+    elements_.push_back(open(k + 1, control_.monitored[k]));
+  power_ = open(7, 0);
+  if (prepared_.options.results_h5) {
+    written.push_back(path("RESULTS.h5"));
+    all = continued ? results::H5Writer::continue_after(path("RESULTS.h5"), prepared_.bearing,
+                                                        channels_, steps.saved)
+                    : results::H5Writer::create(path("RESULTS.h5"), prepared_.bearing, channels_);
+  }
+  if (!control_.animate) return {};
+  if (auto refusal = results::sol8_refusal(prepared_.bearing.balls.count, cages(prepared_)))
+    return refusal;
+  written.push_back(sol_path(8));
+  animation_ = continued ? results::Sol8Writer::continue_after(sol_path(8), prepared_.bearing,
+                                                               units_, steps.animated)
+                         : results::Sol8Writer::create(sol_path(8), prepared_.bearing, units_);
+  return {};
+}
+
+RunFiles::Wanted RunFiles::book(long step, bool always) {
+  const auto meets = [&](int every, long& last) {
+    if (!(always || due(step, every)) || last == step) return false;
+    last = step;
+    return true;
+  };
+  return {meets(control_.plot_every, steps.plotted),
+          control_.animate && meets(control_.animate_every, steps.animated),
+          meets(control_.print_every, steps.printed), meets(control_.life_every, steps.lived)};
+}
+
+void RunFiles::store(const Wanted& where, const scene::Snapshot& at,
+                     const results::StepRecord& record) {
+  if (where.plot) {
+    for (results::SolWriter& file : elements_) file.write(record);
+    power_->write(record);
+  }
+  if (where.animate && animation_) animation_->write(at);
+  if (all && (where.plot || where.animate) && steps.saved != at.step) {
+    all->write(record);
+    steps.saved = at.step;
+  }
+}
+
+std::vector<results::MasterFile> RunFiles::ends() const {
+  std::vector<results::MasterFile> out;
+  const auto add = [&](const std::string& role, const results::GrowingFile& file) {
+    out.push_back({role, file.path().filename().string(), file.bytes()});
+  };
+  add("PRINT", print->file());
+  for (std::size_t k = 0; k < elements_.size(); ++k)
+    add(fmt::format("SOL{}", k + 1), elements_[k].file());
+  add("SOL7", power_->file());
+  if (animation_) add("SOL8", animation_->file());
+  if (all) out.push_back({"RESULTS", "RESULTS.h5", 0});
+  return out;
+}
+
+}  // namespace adore::facade

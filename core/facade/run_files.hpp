@@ -1,0 +1,72 @@
+#pragma once
+
+#include "facade/output_folder.hpp"
+#include "facade/prepare.hpp"
+#include "facade/restart_progress.hpp"
+#include "listing/print_file.hpp"
+#include "results/channels.hpp"
+#include "results/restart.hpp"
+#include "results/results_h5.hpp"
+#include "results/sol_writer.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The growing files of one run: their names, their opening, and which step goes where.
+namespace adore::facade {
+
+class RunFiles {
+ public:
+  /// @pre `prepared` lives as long
+  RunFiles(const Prepared& prepared, std::filesystem::path folder);
+
+  [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+  /// What this run will write, and what it reads.
+  [[nodiscard]] Outputs outputs() const;
+  /// Refuses to continue files of another run or layout, before any of them is touched (N3).
+  void check() const;
+  /// The listing alone: of a quasi-static deck.
+  void open_listing();
+  /// All of them; continued ones behind `steps` and the listing's `print_bytes`. @return why there
+  /// is no animation although the deck asks for one
+  std::optional<std::string> open(bool continued, std::uintmax_t print_bytes);
+
+  /// The files that store a step.
+  struct Wanted {
+    bool plot = false, animate = false, print = false, life = false;
+    [[nodiscard]] bool any() const { return plot || animate || print || life; }
+  };
+  /// Those whose interval the step meets, or all; the step counts as stored there. No file gets a
+  /// step twice: the last step may have met an interval already.
+  [[nodiscard]] Wanted book(long step, bool always);
+  /// Stores an instant in SOL1-SOL8 and RESULTS.h5.
+  void store(const Wanted& where, const scene::Snapshot& at, const results::StepRecord& record);
+  /// Where MASTER finds their ends.
+  [[nodiscard]] std::vector<results::MasterFile> ends() const;
+
+  FileSteps steps;
+  std::optional<listing::PrintFile> print;
+  std::optional<results::H5Writer> all;  ///< RESULTS.h5
+  std::vector<std::filesystem::path> written;
+
+ private:
+  [[nodiscard]] std::filesystem::path sol_path(std::size_t number) const;
+  [[nodiscard]] bool writes_animation() const;
+
+  const Prepared& prepared_;
+  const setup::RunControl& control_;
+  std::filesystem::path folder_;
+  deck::UnitSystem units_;
+  results::ChannelTable channels_;
+  std::vector<results::SolWriter> elements_;  ///< SOL1..SOL6
+  std::optional<results::SolWriter> power_;   ///< SOL7
+  std::optional<results::Sol8Writer> animation_;
+};
+
+/// Does an interval of steps meet this one? Never when it is 0.
+[[nodiscard]] inline bool due(long step, int every) { return every > 0 && step % every == 0; }
+
+}  // namespace adore::facade
