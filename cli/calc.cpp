@@ -33,8 +33,8 @@ std::string read_all(const std::string& name) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-const facade::CalculatorInfo& calculator(const std::string& name) {
-  for (const facade::CalculatorInfo& info : facade::calculators())
+const calculators::CalculatorInfo& calculator(const std::string& name) {
+  for (const calculators::CalculatorInfo& info : calculators::calculator_list())
     if (info.name == name) return info;
   throw InputError(
       fmt::format("there is no calculator named \"{}\"; `adore calc --list` shows them", name));
@@ -44,13 +44,13 @@ const facade::CalculatorInfo& calculator(const std::string& name) {
 void list_calculators(const std::string& name, bool json, bool describe) {
   if (json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const facade::CalculatorInfo& info : facade::calculators())
-      if (name.empty() || info.name == name) all.push_back(facade::describe_calculator(info));
+    for (const calculators::CalculatorInfo& info : calculators::calculator_list())
+      if (name.empty() || info.name == name) all.push_back(calculators::describe_calculator(info));
     fmt::print("{}\n", all.dump(2));
   } else if (describe && !name.empty()) {
-    fmt::print("{}", facade::describe_calculator_text(calculator(name)));
+    fmt::print("{}", calculators::describe_calculator_text(calculator(name)));
   } else {
-    for (const facade::CalculatorInfo& info : facade::calculators())
+    for (const calculators::CalculatorInfo& info : calculators::calculator_list())
       fmt::print("{:<20} {}\n", info.name, info.help);
     fmt::print(
         "`adore calc NAME --describe` lists inputs and results with units, and an example\n");
@@ -60,7 +60,7 @@ void list_calculators(const std::string& name, bool json, bool describe) {
 void calc(const std::string& name, const std::string& source) {
   const nlohmann::json input =
       parse_json(read_all(source), source == "-" ? "standard input" : source);
-  fmt::print("{}\n", facade::calculate(name, input).dump(2));
+  fmt::print("{}\n", calculators::calculate(name, input).dump(2));
 }
 
 int validate(const std::vector<std::string>& files, const std::string& report_file, bool quiet,
@@ -97,7 +97,8 @@ void add_calc(CLI::App& app, int& exit_code) {
     auto describe = std::make_shared<bool>(false);
     auto as_json = std::make_shared<bool>(false);
     std::vector<std::string> names;
-    for (const facade::CalculatorInfo& info : facade::calculators()) names.push_back(info.name);
+    for (const calculators::CalculatorInfo& info : calculators::calculator_list())
+      names.push_back(info.name);
     command_line::offer(
         command->add_option("name", *name, "calculator; see --list")->type_name("NAME"), names);
     command->add_option("input", *source, "file of inputs, or - for standard input")
