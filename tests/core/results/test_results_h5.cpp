@@ -332,7 +332,7 @@ TEST_CASE("files of several runs are made, written, read and continued at the sa
           "[unit]") {
   const TemporaryFolder folder;
   const bearing::Bearing bearing = make_bearing(3, true);
-  write_steps(H5Writer::create(folder / "one", bearing), bearing, 0, 70);
+  write_steps(H5Writer::create(folder / "one", bearing, channel_table()), bearing, 0, 70);
   const std::string wanted = read_bytes(folder / "one");
   constexpr int kThreads = 4, kRounds = 8;
   std::array<std::string, kThreads> wrong;
@@ -343,8 +343,9 @@ TEST_CASE("files of several runs are made, written, read and continued at the sa
         const auto path = folder / ("run-" + std::to_string(k));
         try {
           for (int round = 0; round < kRounds; ++round) {
-            write_steps(H5Writer::create(path, bearing), bearing, 0, 40);
-            write_steps(H5Writer::continue_after(path, bearing, 20), bearing, 21, 70);
+            write_steps(H5Writer::create(path, bearing, channel_table()), bearing, 0, 40);
+            write_steps(H5Writer::continue_after(path, bearing, channel_table(), 20), bearing, 21,
+                        70);
             if (H5Reader(path).step_numbers().size() != 71 || read_bytes(path) != wanted)
               wrong[static_cast<std::size_t>(k)] = "other bytes";
           }
