@@ -43,8 +43,6 @@ constexpr Gate kDynamic[] = {
     {"kChrn", 0, "churning and drag"},
 };
 constexpr Gate kCage[] = {
-    {"kPocType", 0, "a pocket shape other than cylindrical"},
-    {"kCagePocImp", 0, "pocket imperfections"},
     {"kCageGsImp", 0, "cage guide-land imperfections"},
     {"kRaceGsImp", 0, "race guide-land imperfections"},
     {"kPocHydro", 0, "pocket hydrodynamics"},
