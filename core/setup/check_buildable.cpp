@@ -187,6 +187,9 @@ std::vector<Issue> check_buildable(const Deck& deck) {
           code,
           fmt::format("asks for user routine {}, which this version does not call yet", routine),
           "use 0, 1 or 2");
+  if (dynamic && deck.has("kCagePocImp") && deck.integer("kCagePocImp") == 4)
+    check.error("kCagePocImp", "asks for user routine ADRX8, which this version does not call yet",
+                "use 0, 1, 2 or 3");
   check_waves(deck, check);
   check_law_ranges(deck, check);
   check_pocket_errors(deck, check);

@@ -105,7 +105,7 @@ TEST_CASE("pockets of every shape, with deviations and without, conserve energy 
     for (const bool deviating : {false, true}) {
       bearing::Bearing b = rattling(shape);
       if (deviating) deviate(*b.cage);
-      const Run coarse = run(b, 1e-6), fine = run(b, 1e-9);
+      const Run coarse = run(b, 1e-6), fine = run(b, 1e-10);
       INFO(name << (deviating ? ", deviating" : "") << ": residual " << coarse.residual << ", "
                 << fine.residual << ", pocket heat " << fine.heat << " J");
       CHECK(fine.heat > 1e-4);
