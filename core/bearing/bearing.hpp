@@ -79,14 +79,38 @@ struct Inertia {
   Vec3 moments = Vec3::Zero();  ///< about x, y, z [kg m^2]
 };
 
+/// What a pocket has more than the nominal one (record 7.4).
+struct PocketDeviation {
+  std::array<double, 2> clearance{};  ///< I, II, diametral [m]
+  double thickness = 0.0;             ///< of the wall [m]
+  double axial = 0.0;                 ///< of the centre, along the cage's axis [m]
+  double angular = 0.0;               ///< of the centre's azimuth [rad]
+  Vec3 tilt = Vec3::Zero();           ///< of the pocket's frame, angles about x, y, z in turn [rad]
+  [[nodiscard]] bool is_zero() const noexcept {
+    return clearance[0] == 0.0 && clearance[1] == 0.0 && thickness == 0.0 && axial == 0.0 &&
+           angular == 0.0 && tilt.isZero(0.0);
+  }
+};
+
 struct Cage {
   double outer_diameter = 0.0, inner_diameter = 0.0, width = 0.0;  ///< [m]
   double clearance_outer = 0.0,
          clearance_inner = 0.0;  ///< diametral, unguided surfaces and outputs only (N90) [m]
   PocketShape pocket = PocketShape::Cylindrical;
   double pocket_clearance_1 = 0.0, pocket_clearance_2 = 0.0;  ///< diametral [m]
-  /// What the clearances I and II of the first pockets have more [m]; empty: all pockets alike.
-  std::vector<std::array<double, 2>> pocket_deviation;
+  /// Of all pockets; its clearances are in pocket_clearance_1 and 2 already, and 0 here.
+  PocketDeviation every_pocket;
+  std::vector<PocketDeviation> pocket_deviation;  ///< of the first pockets; empty: all alike
+  /// Of pocket i from 0, the two above together.
+  [[nodiscard]] PocketDeviation deviation_of(std::size_t i) const {
+    if (i >= pocket_deviation.size()) return every_pocket;
+    PocketDeviation out = pocket_deviation[i];
+    out.thickness += every_pocket.thickness;
+    out.axial += every_pocket.axial;
+    out.angular += every_pocket.angular;
+    out.tilt += every_pocket.tilt;
+    return out;
+  }
   double cone_angle = 0.0;  ///< [rad]
   std::vector<GuideLand> lands;
   Material material;

@@ -80,6 +80,32 @@ WallPoints nearest_walls(const BallPocket& pocket, const Vec3& q, double rotatio
   return {{nearest_wall(wall, q, r_b)}, 1};
 }
 
+bool is_inside(const BallPocket& pocket, const Vec3& q) noexcept {
+  const double r_b = 0.5 * pocket.ball_diameter;
+  if (q[2] <= pocket.z_low - r_b || q[2] >= pocket.z_high + r_b) return false;
+  const double z = std::clamp(q[2], pocket.z_low, pocket.z_high);
+  const double r1 = r_b + 0.5 * pocket.clearance_1, r2 = r_b + 0.5 * pocket.clearance_2;
+  const double d2 = q[0] * q[0] + q[1] * q[1];
+  switch (pocket.shape) {
+    case PocketShape::Spherical:
+      return d2 < r1 * r1 - z * z;
+    case PocketShape::Elongated: {
+      const double half = 0.5 * std::max(pocket.clearance_2, 0.0);
+      const double y = q[1] - std::clamp(q[1], -half, half);
+      return q[0] * q[0] + y * y < r1 * r1;
+    }
+    case PocketShape::Conical: {
+      const double r = r1 + (r2 - r1) * (z - pocket.z_low) / (pocket.z_high - pocket.z_low);
+      return d2 < r * r;
+    }
+    case PocketShape::Rectangular:
+      return std::abs(q[0]) < r2 && std::abs(q[1]) < r1;
+    case PocketShape::Cylindrical:
+      break;
+  }
+  return d2 < r1 * r1;
+}
+
 std::array<double, 2> wall_curvatures(const BallPocket& pocket, const Vec3& q) {
   const double r_b = 0.5 * pocket.ball_diameter;
   const double rho = r_b + 0.5 * pocket.clearance_1;

@@ -92,6 +92,10 @@ struct WallPoints {
 [[nodiscard]] WallPoints nearest_walls(const BallPocket& pocket, const Vec3& q,
                                        double rotation_sign) noexcept;
 
+/// Is the ball's centre inside the hole, at most a radius above or below the wall? Only there is
+/// the direction of nearest_walls into the wall.
+[[nodiscard]] bool is_inside(const BallPocket& pocket, const Vec3& q) noexcept;
+
 /// Wall curvatures [around, along] [1/m], concave negative, of the part nearest to q. Elongated:
 /// flat between the arc centres.
 [[nodiscard]] std::array<double, 2> wall_curvatures(const BallPocket& pocket, const Vec3& q);

@@ -83,12 +83,17 @@ BallBalance HeldBalls::balanced(const Evaluation& e, std::size_t i, const Vec2& 
                      {b.x[i], b.r[i]});
 }
 
-std::optional<contact::WallPoint> HeldBalls::pocket_wall(std::size_t i) const noexcept {
-  if (scene_.pockets == nullptr || scene_.pockets->surely_open(i) || !scene_.pockets->inside(i))
-    return std::nullopt;
-  const contact::WallPoint wall = scene_.pockets->wall_point(i);
-  if (wall.gap >= 0.0) return std::nullopt;
-  return wall;
+contact::WallPoints HeldBalls::pocket_walls(std::size_t i) const noexcept {
+  const PocketSet* pockets = scene_.pockets;
+  if (pockets == nullptr || !pockets->is_inside(i)) return {};
+  if (!pockets->shaped() && pockets->surely_open(i)) return {};
+  contact::WallPoints out = pockets->walls(i);
+  int touching = 0;
+  for (int k = 0; k < out.count; ++k)
+    if (out.surface[static_cast<std::size_t>(k)].gap < 0.0)
+      out.surface[static_cast<std::size_t>(touching++)] = out.surface[static_cast<std::size_t>(k)];
+  out.count = touching;
+  return out;
 }
 
 void HeldBalls::gather(const Evaluation& e, std::size_t k) noexcept {
@@ -122,18 +127,21 @@ void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
     stiffness += c.stiffness;
     drift += c.stiffness * (e.to_cylindrical(i, race.velocity) - orbit);
   }
-  if (const auto wall = pocket_wall(i)) {
+  const contact::WallPoints walls = pocket_walls(i);
+  for (int w = 0; w < walls.count; ++w) {
+    const contact::WallPoint& wall = walls.surface[static_cast<std::size_t>(w)];
     const PocketSet& set = *scene_.pockets;
-    // N' m mᵀ, and N over the distance from the pocket axis across it.
-    const double N = contact::load(set.law(), -wall->gap);
+    // N' m mᵀ, and N over the distance from the pocket axis across it (an estimate where the wall
+    // does not go round that axis).
+    const double N = contact::load(set.law(i), -wall.gap);
     const Vec3 q = set.centre(i);
     const double d = std::max(std::hypot(q[0], q[1]), 1e-9);
     const auto in_frame = [&](const Vec3& v) {
       return e.to_cylindrical(i, set.to_base(i, v, e.cage.to_base));
     };
-    const Vec3 m = in_frame(wall->m), t = in_frame({-q[1] / d, q[0] / d, 0.0});
+    const Vec3 m = in_frame(wall.m), t = in_frame({-q[1] / d, q[0] / d, 0.0});
     stiffness +=
-        contact::slope(set.law(), -wall->gap) * m * m.transpose() + N / d * t * t.transpose();
+        contact::slope(set.law(i), -wall.gap) * m * m.transpose() + N / d * t * t.transpose();
   }
   Mat2 B = stiffness.topLeftCorner<2, 2>();
   B(1, 1) += 3.0 * centrifugal / r;  // of L²/(m r³)
@@ -165,11 +173,16 @@ void HeldBalls::pull(Evaluation& e, std::size_t k) noexcept {
   }
   const double friction_theta = force[2] - est.normal_theta;
   force += e.to_cylindrical(i, scene_.mass * scene_.gravity);
-  if (const auto wall = pocket_wall(i)) {
+  const contact::WallPoints walls = pocket_walls(i);
+  for (int w = 0; w < walls.count; ++w) {
+    const contact::WallPoint& wall = walls.surface[static_cast<std::size_t>(w)];
     const PocketSet& set = *scene_.pockets;
+    const Vec3 normal = set.to_base(i, wall.m, e.cage.to_base);
     const PocketAction a = scene_.pocket_traction
-                               ? pocket_action<true>(set, scene_.pocket_law, e, i, *wall)
-                               : pocket_action<false>(set, scene_.pocket_law, e, i, *wall);
+                               ? pocket_action<true>(set.law(i), scene_.pocket_law, e, i,
+                                                     set.ball_radius(), normal, -wall.gap)
+                               : pocket_action<false>(set.law(i), scene_.pocket_law, e, i,
+                                                      set.ball_radius(), normal, -wall.gap);
     force += e.to_cylindrical(i, a.on_ball);
     const Vec2 m = e.to_cylindrical(i, a.m).head<2>();
     damping += a.friction_per_slip * (Mat2::Identity() - m * m.transpose());

@@ -88,8 +88,8 @@ class HeldBalls {
   [[nodiscard]] std::array<RacePose, 2> poses(const Evaluation& e) const noexcept;
   void gather(const Evaluation& e, std::size_t k) noexcept;
   void first_rates(const Evaluation& e, std::size_t k) noexcept;
-  /// The wall that a located ball touches.
-  [[nodiscard]] std::optional<contact::WallPoint> pocket_wall(std::size_t i) const noexcept;
+  /// The walls that a located ball touches.
+  [[nodiscard]] contact::WallPoints pocket_walls(std::size_t i) const noexcept;
   void pull(Evaluation& e, std::size_t k) noexcept;
 
   Scene scene_;

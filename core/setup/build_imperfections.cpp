@@ -176,23 +176,43 @@ void element_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
   check_roller_deviations(deck, rollers);
 }
 
+/// Record 7.4 by `value`, which is asked for a variable and its column of the random table.
+template <class Value>
+bearing::PocketDeviation pocket_deviation(const Deck& deck, bool two, Value&& value) {
+  bearing::PocketDeviation out;
+  out.clearance = {value("bPocClsVar1", RandomColumn::PocketClearance1),
+                   two ? value("bPocClsVar2", RandomColumn::PocketClearance2) : 0.0};
+  const deck::ReportOnly quiet(deck, deck.integer("mode") < 0);  // a play has nothing of these
+  out.thickness = value("bPocThknsVar", RandomColumn::PocketThickness);
+  out.axial = value("bPocCenVar1", RandomColumn::PocketAxial);
+  out.angular = value("bPocCenVar2", RandomColumn::PocketAngular);
+  out.tilt = {value("bPocAngVar1", RandomColumn::PocketTilt1),
+              value("bPocAngVar2", RandomColumn::PocketTilt2),
+              value("bPocAngVar3", RandomColumn::PocketTilt3)};
+  return out;
+}
+
 /// kCagePocImp: 1 the first pocket, 2 all alike, 3 each its own.
 void pocket_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
   if (!b.cage || !deck.has("bPocClsVar1") || (b.rollers && deck.integer("kPocType") > 0)) return;
   const bool two = !b.rollers && deck.integer("kPocType") >= 2;  // pockets with clearance II
-  const std::array<double, 2> given{deck.si("bPocClsVar1"), two ? deck.si("bPocClsVar2") : 0.0};
+  const auto given = [&deck](const char* variable, RandomColumn) { return deck.si(variable); };
   const long long code = deck.integer("kCagePocImp");
   if (code == 2) {
-    b.cage->pocket_clearance_1 += given[0];
-    b.cage->pocket_clearance_2 += given[1];
+    bearing::PocketDeviation& all = b.cage->every_pocket;
+    all = pocket_deviation(deck, two, given);
+    b.cage->pocket_clearance_1 += all.clearance[0];
+    b.cage->pocket_clearance_2 += all.clearance[1];
+    all.clearance = {};
   } else if (code == 1) {
-    b.cage->pocket_deviation = {given};
+    b.cage->pocket_deviation = {pocket_deviation(deck, two, given)};
   } else if (code == 3) {
     const Deviations random(deck, seed);
     for (std::size_t k = 0; k < static_cast<std::size_t>(b.element_count()); ++k)
       b.cage->pocket_deviation.push_back(
-          {random.at("bPocClsVar1", k, RandomColumn::PocketClearance1),
-           two ? random.at("bPocClsVar2", k, RandomColumn::PocketClearance2) : 0.0});
+          pocket_deviation(deck, two, [&](const char* variable, RandomColumn column) {
+            return random.at(variable, k, column);
+          }));
   }
 }
 

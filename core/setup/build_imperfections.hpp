@@ -20,15 +20,20 @@ enum class RandomColumn : unsigned char {
   CentralLength = 3,
   LandOffset = 4,
   PocketClearance1 = 5,  ///< rows: pockets
-  PocketClearance2 = 6
+  PocketClearance2 = 6,
+  PocketThickness = 7,
+  PocketAxial = 8,
+  PocketAngular = 9,
+  PocketTilt1 = 10,
+  PocketTilt2 = 11,
+  PocketTilt3 = 12
 };
 
 /// Fills bearing.imperfections, and the deviations of rollers; rolling elements and their count are
 /// already built. kReGeoImp = 1: deviation = rms value of record 5G.1A, B or C times a standard
 /// normal deviate of its own; neither the mean nor the rms of the elements of one bearing is forced
 /// to the record's. The central land of a roller stays between nothing and the roller's length.
-/// Pockets: only their clearances, which the cage's play follows from (idle_options.hpp names the
-/// rest).
+/// Pockets: a quasi-static solution uses their clearances only, which the cage's play follows from.
 /// @throws InputError naming the element that the deviations leave without size.
 void build_imperfections(const deck::Deck& deck, std::uint64_t seed, bearing::Bearing& bearing);
 

@@ -43,8 +43,6 @@ constexpr Gate kDynamic[] = {
     {"kChrn", 0, "churning and drag"},
 };
 constexpr Gate kCage[] = {
-    {"kPocType", 0, "a pocket shape other than cylindrical"},
-    {"kCagePocImp", 0, "pocket imperfections"},
     {"kCageGsImp", 0, "cage guide-land imperfections"},
     {"kRaceGsImp", 0, "race guide-land imperfections"},
     {"kPocHydro", 0, "pocket hydrodynamics"},
@@ -189,6 +187,9 @@ std::vector<Issue> check_buildable(const Deck& deck) {
           code,
           fmt::format("asks for user routine {}, which this version does not call yet", routine),
           "use 0, 1 or 2");
+  if (dynamic && deck.has("kCagePocImp") && deck.integer("kCagePocImp") == 4)
+    check.error("kCagePocImp", "asks for user routine ADRX8, which this version does not call yet",
+                "use 0, 1, 2 or 3");
   check_waves(deck, check);
   check_law_ranges(deck, check);
   check_pocket_errors(deck, check);

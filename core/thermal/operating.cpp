@@ -187,9 +187,9 @@ void report_tightest_pocket(const bearing::Cage& cage, std::size_t which, double
   const auto& own = cage.pocket_deviation;
   const auto tightest =
       std::min_element(own.begin(), own.end(),
-                       [which](const auto& a, const auto& b) { return a[which] < b[which]; });
+                       [which](const auto& a, const auto& b) { return a.clearance[which] < b.clearance[which]; });
   if (tightest == own.end()) return;
-  double clearance = nominal + (*tightest)[which];
+  double clearance = nominal + tightest->clearance[which];
   if (nominal >= 0.0 && clearance < 0.0)
     report.warnings.push_back(fmt::format(
         "pocket {} of the cage clamps its rolling element: its clearance {} is {:.4g} m",

@@ -20,30 +20,56 @@ double nominal_cage_speed(const bearing::Bearing& bearing) noexcept {
 PocketSet::PocketSet(const bearing::Bearing& bearing, const std::vector<double>& azimuths) {
   const bearing::Cage& cage = *bearing.cage;
   const double D = bearing.balls.diameter;
-  demand(cage.pocket == bearing::PocketShape::Cylindrical && cage.cone_angle == 0.0,
-         "pocket contact is written for cylindrical pockets of a straight cage");
   ball_radius_ = 0.5 * D;
   pitch_radius_ = 0.5 * bearing.balls.pitch_diameter;
   rotation_sign_ = nominal_cage_speed(bearing) < 0.0 ? -1.0 : 1.0;
-  const auto [low, high] =
-      contact::wall_height(cage.outer_diameter, cage.inner_diameter, bearing.balls.pitch_diameter);
-  wall_ = {0.5 * (D + cage.pocket_clearance_1), low, high};
-  hole2_ = wall_.wall_radius * wall_.wall_radius;
-  const double play = std::max(wall_.wall_radius - ball_radius_, 0.0);
-  play2_ = play * play;
-  law_ = contact::ball_pocket_law(bearing.ball_material, cage.material, D,
-                                  {-1.0 / wall_.wall_radius, 0.0})
-             .law;
-  for (const double psi : azimuths) {
-    sin_.push_back(std::sin(psi));
-    cos_.push_back(std::cos(psi));
+  const std::size_t count = azimuths.size();
+  for (auto* values : {&qx_, &qy_, &qz_, &sin_, &cos_}) values->resize(count);
+  std::vector<bearing::PocketDeviation> deviation;
+  bool alike = cage.pocket == bearing::PocketShape::Cylindrical && cage.cone_angle == 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    deviation.push_back(cage.deviation_of(i));
+    alike = alike && deviation.back().is_zero();
   }
-  qx_.resize(azimuths.size());
-  qy_.resize(azimuths.size());
-  qz_.resize(azimuths.size());
+  const auto height = [&](double thickness) {
+    return contact::wall_height(cage.outer_diameter, cage.inner_diameter,
+                                bearing.balls.pitch_diameter, thickness);
+  };
+  if (alike) {
+    const auto [low, high] = height(0.0);
+    wall_ = {0.5 * (D + cage.pocket_clearance_1), low, high};
+    hole2_ = wall_.wall_radius * wall_.wall_radius;
+    const double play = std::max(wall_.wall_radius - ball_radius_, 0.0);
+    play2_ = play * play;
+    law_ = contact::ball_pocket_law(bearing.ball_material, cage.material, D,
+                                    {-1.0 / wall_.wall_radius, 0.0})
+               .law;
+    for (std::size_t i = 0; i < count; ++i) {
+      sin_[i] = std::sin(azimuths[i]);
+      cos_[i] = std::cos(azimuths[i]);
+    }
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const bearing::PocketDeviation& own = deviation[i];
+    const auto [low, high] = height(own.thickness);
+    Shaped pocket;
+    pocket.pocket = {cage.pocket,
+                     D,
+                     cage.pocket_clearance_1 + own.clearance[0],
+                     cage.pocket_clearance_2 + own.clearance[1],
+                     low,
+                     high};
+    pocket.frame = contact::pocket_frame(
+        {azimuths[i] + own.angular, pitch_radius_, own.axial, cage.cone_angle, own.tilt});
+    pocket.law = contact::ball_pocket_law(bearing.ball_material, cage.material, D,
+                                          contact::wall_curvatures(pocket.pocket))
+                     .law;
+    shaped_.push_back(std::move(pocket));
+  }
 }
 
-inline void PocketSet::locate_one(const Evaluation& e, std::size_t i) noexcept {
+inline void PocketSet::locate_round(const Evaluation& e, std::size_t i) noexcept {
   const Mat3& R = e.cage.to_base;
   const Vec3& p = e.cage.position;
   const BallArrays& b = e.balls;
@@ -57,16 +83,35 @@ inline void PocketSet::locate_one(const Evaluation& e, std::size_t i) noexcept {
   qz_[i] = cos_[i] * cz - sin_[i] * cy - pitch_radius_;
 }
 
-void PocketSet::locate(const Evaluation& e) noexcept {
-  for (std::size_t i = 0; i < sin_.size(); ++i) locate_one(e, i);
+void PocketSet::locate_shaped(const Evaluation& e, std::size_t i) noexcept {
+  const contact::PocketFrame& frame = shaped_[i].frame;
+  const Vec3 in_cage = e.cage.to_base.transpose() * (e.ball_centre(i) - e.cage.position);
+  const Vec3 q = frame.cage_to_pocket * (in_cage - frame.centre);
+  qx_[i] = q[0];
+  qy_[i] = q[1];
+  qz_[i] = q[2];
 }
 
-void PocketSet::locate(const Evaluation& e, std::size_t i) noexcept { locate_one(e, i); }
+void PocketSet::locate(const Evaluation& e) noexcept {
+  if (shaped())
+    for (std::size_t i = 0; i < size(); ++i) locate_shaped(e, i);
+  else
+    for (std::size_t i = 0; i < size(); ++i) locate_round(e, i);
+}
 
-PocketContactSnapshot PocketSet::report(std::size_t i) const {
-  const contact::WallPoint wall = wall_point(i);
-  return {contact::load(law_, -wall.gap), wall.gap, contact::pocket_theta(wall.m, rotation_sign_),
-          contact::pocket_phi(wall.m)};
+void PocketSet::locate(const Evaluation& e, std::size_t i) noexcept {
+  shaped() ? locate_shaped(e, i) : locate_round(e, i);
+}
+
+std::vector<PocketContactSnapshot> PocketSet::report(std::size_t i) const {
+  std::vector<PocketContactSnapshot> out;
+  const contact::WallPoints all = walls(i);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(all.count); ++k) {
+    const contact::WallPoint& wall = all.surface[k];
+    out.push_back({contact::load(law(i), -wall.gap), wall.gap,
+                   contact::pocket_theta(wall.m, rotation_sign_), contact::pocket_phi(wall.m)});
+  }
+  return out;
 }
 
 namespace {
@@ -78,7 +123,7 @@ constexpr LedgerTerm kHeat{LedgerKind::Heat,
                            "dissipated since the start"};
 constexpr const LedgerTerm* kTerms[] = {&kHeat};
 
-template <bool Traction>
+template <bool Traction, bool Shaped>
 class PocketBlock final : public EffectBlock {
  public:
   PocketBlock(PocketSet& set, const SlipFriction& friction, double& heat)
@@ -86,38 +131,62 @@ class PocketBlock final : public EffectBlock {
   void apply(Evaluation& e) noexcept override;
 
  private:
+  void touch(Evaluation& e, std::size_t i, const contact::CappedHertz& law, const Vec3& m,
+             double overlap) noexcept;
+
   PocketSet& set_;
   SlipFriction friction_;
   double& heat_;
 };
 
-template <bool Traction>
-void PocketBlock<Traction>::apply(Evaluation& e) noexcept {
+template <bool Traction, bool Shaped>
+inline void PocketBlock<Traction, Shaped>::touch(Evaluation& e, std::size_t i,
+                                                 const contact::CappedHertz& law, const Vec3& m,
+                                                 double overlap) noexcept {
+  const PocketAction action =
+      pocket_action<Traction>(law, friction_, e, i, set_.ball_radius(), m, overlap);
+  if constexpr (Traction) {
+    const Vec3 moment = e.to_cylindrical(i, action.arm.cross(action.friction));
+    e.M_x[i] += moment[0];
+    e.M_r[i] += moment[1];
+    e.M_theta[i] += moment[2];
+    heat_ += action.heat;
+    e.cage.load_slip += action.N * action.slip;
+  }
+  const Vec3 force = e.to_cylindrical(i, action.on_ball);
+  e.F_x[i] += force[0];
+  e.F_r[i] += force[1];
+  e.F_theta[i] += force[2];
+  e.cage.add_force(-action.on_ball, action.point);
+  e.elastic += contact::energy(law, overlap);
+}
+
+template <bool Traction, bool Shaped>
+void PocketBlock<Traction, Shaped>::apply(Evaluation& e) noexcept {
   set_.locate(e);
   if constexpr (Traction) heat_ = 0.0;
   for (std::size_t i = 0; i < set_.size(); ++i) {
-    if (set_.surely_open(i) && set_.inside(i)) continue;
-    if (!set_.inside(i)) {
-      e.valid = false;
-      return;
+    if constexpr (Shaped) {
+      if (!set_.is_inside(i)) {
+        e.valid = false;
+        return;
+      }
+      const contact::WallPoints walls = set_.walls(i);
+      for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k) {
+        const contact::WallPoint& wall = walls.surface[k];
+        if (wall.gap < 0.0)
+          touch(e, i, set_.law(i), set_.to_base(i, wall.m, e.cage.to_base), -wall.gap);
+      }
+    } else {
+      if (set_.surely_open(i) && set_.inside(i)) continue;
+      if (!set_.inside(i)) {
+        e.valid = false;
+        return;
+      }
+      const contact::WallPoint wall = set_.wall_point(i);
+      if (wall.gap < 0.0)
+        touch(e, i, set_.law(), set_.round_to_base(i, wall.m, e.cage.to_base), -wall.gap);
     }
-    const contact::WallPoint wall = set_.wall_point(i);
-    if (wall.gap >= 0.0) continue;
-    const PocketAction action = pocket_action<Traction>(set_, friction_, e, i, wall);
-    if constexpr (Traction) {
-      const Vec3 moment = e.to_cylindrical(i, action.arm.cross(action.friction));
-      e.M_x[i] += moment[0];
-      e.M_r[i] += moment[1];
-      e.M_theta[i] += moment[2];
-      heat_ += action.heat;
-      e.cage.load_slip += action.N * action.slip;
-    }
-    const Vec3 force = e.to_cylindrical(i, action.on_ball);
-    e.F_x[i] += force[0];
-    e.F_r[i] += force[1];
-    e.F_theta[i] += force[2];
-    e.cage.add_force(-action.on_ball, action.point);
-    e.elastic += contact::energy(set_.law(), -wall.gap);
   }
 }
 
@@ -130,19 +199,27 @@ void PocketContact::declare(SceneBuilder& scene) {
   set_.emplace(scene.bearing, azimuths);
   constexpr std::string_view kCost = "pocket contacts";
   if (!scene.plan.has(Effect::PocketTraction)) {
-    scene.block<PocketBlock<false>>(Phase::Force, kCost, true, *set_, SlipFriction(), heat_);
+    if (set_->shaped())
+      scene.block<PocketBlock<false, true>>(Phase::Force, kCost, true, *set_, SlipFriction(),
+                                            heat_);
+    else
+      scene.block<PocketBlock<false, false>>(Phase::Force, kCost, true, *set_, SlipFriction(),
+                                             heat_);
     return;
   }
   demand(scene.bearing.pocket_traction.has_value(),
          "pocket traction is on without a traction curve");
   friction_.emplace(*scene.bearing.pocket_traction);
-  scene.block<PocketBlock<true>>(Phase::Force, kCost, true, *set_, *friction_, heat_);
+  if (set_->shaped())
+    scene.block<PocketBlock<true, true>>(Phase::Force, kCost, true, *set_, *friction_, heat_);
+  else
+    scene.block<PocketBlock<true, false>>(Phase::Force, kCost, true, *set_, *friction_, heat_);
   scene.energy("pockets.heat", kHeat, &heat_);
 }
 
 std::string PocketContact::why_invalid(const Evaluation&) const {
   for (std::size_t i = 0; i < set_->size(); ++i)
-    if (!set_->inside(i)) {
+    if (!set_->is_inside(i)) {
       const Vec3 q = set_->centre(i);
       return fmt::format(
           "the centre of element {} is outside its cage pocket (axial {:.4g} m, against the "
@@ -155,7 +232,7 @@ std::string PocketContact::why_invalid(const Evaluation&) const {
 
 void PocketContact::report(const Evaluation& e, Snapshot& snapshot) const {
   for (std::size_t i = 0; i < e.balls.n; ++i) {
-    snapshot.elements[i].pocket = {set_->report(i)};
+    snapshot.elements[i].pocket = set_->report(i);
     snapshot.elements[i].pocket_to_centre = set_->centre(i);
   }
 }

@@ -6,7 +6,8 @@
 
 #include <optional>
 
-/// Balls in the cylindrical pockets of a one-piece cage.
+/// Balls in the pockets of a one-piece cage. Round pockets that are all alike have a short way of
+/// their own; other shapes and pockets with deviations (record 7.4) take the general one.
 ///
 /// Normal: N = law(-gap) on the ball along -m, gap and m of contact/ball_pocket.hpp. Friction acts
 /// at the ball surface point p = r_b m (not shortened by the penetration): slip u = cage velocity -
@@ -21,13 +22,42 @@ namespace adore::dynamics {
 
 class PocketSet {
  public:
-  /// @param azimuths of the pocket centres in the cage frame [rad]
+  /// @param azimuths of the pocket centres in the cage frame, without their deviations [rad]
   PocketSet(const bearing::Bearing& bearing, const std::vector<double>& azimuths);
 
-  /// Centres of all balls in their pocket frames, kept for the other calls.
+  /// Not all round and alike: only the general functions hold.
+  [[nodiscard]] bool shaped() const noexcept { return !shaped_.empty(); }
+  [[nodiscard]] std::size_t size() const noexcept { return qx_.size(); }
+  [[nodiscard]] double ball_radius() const noexcept { return ball_radius_; }
+  /// Centres of all balls, or of one, in their pocket frames, kept for the other calls.
   void locate(const Evaluation& e) noexcept;
+  void locate(const Evaluation& e, std::size_t i) noexcept;
   [[nodiscard]] Vec3 centre(std::size_t i) const noexcept { return {qx_[i], qy_[i], qz_[i]}; }
+
+  // In general.
   /// Is the ball centre inside the hole of the wall and within one radius of its height?
+  [[nodiscard]] bool is_inside(std::size_t i) const noexcept {
+    return shaped() ? contact::is_inside(shaped_[i].pocket, centre(i)) : inside(i);
+  }
+  [[nodiscard]] contact::WallPoints walls(std::size_t i) const noexcept {
+    if (shaped()) return contact::nearest_walls(shaped_[i].pocket, centre(i), rotation_sign_);
+    contact::WallPoints out;
+    out.count = 1;
+    out.surface[0] = wall_point(i);
+    return out;
+  }
+  [[nodiscard]] Vec3 to_base(std::size_t i, const Vec3& v,
+                             const Mat3& cage_to_base) const noexcept {
+    return shaped() ? Vec3(cage_to_base * (shaped_[i].frame.cage_to_pocket.transpose() * v))
+                    : round_to_base(i, v, cage_to_base);
+  }
+  [[nodiscard]] const contact::CappedHertz& law(std::size_t i) const noexcept {
+    return shaped() ? shaped_[i].law : law_;
+  }
+  /// Force, gap and angles of every surface of pocket i; call locate() first.
+  [[nodiscard]] std::vector<PocketContactSnapshot> report(std::size_t i) const;
+
+  // Of round pockets that are all alike.
   [[nodiscard]] bool inside(std::size_t i) const noexcept {
     const double d2 = qx_[i] * qx_[i] + qy_[i] * qy_[i];
     return d2 < hole2_ && qz_[i] > wall_.z_low - ball_radius_ &&
@@ -40,22 +70,23 @@ class PocketSet {
   [[nodiscard]] contact::WallPoint wall_point(std::size_t i) const noexcept {
     return contact::nearest_wall(wall_, centre(i), ball_radius_);
   }
-  [[nodiscard]] Vec3 to_base(std::size_t i, const Vec3& v,
-                             const Mat3& cage_to_base) const noexcept {
+  [[nodiscard]] Vec3 round_to_base(std::size_t i, const Vec3& v,
+                                   const Mat3& cage_to_base) const noexcept {
     return cage_to_base *
            Vec3(v[0], cos_[i] * v[1] - sin_[i] * v[2], sin_[i] * v[1] + cos_[i] * v[2]);
   }
-  [[nodiscard]] std::size_t size() const noexcept { return sin_.size(); }
   [[nodiscard]] const contact::CappedHertz& law() const noexcept { return law_; }
-  [[nodiscard]] double ball_radius() const noexcept { return ball_radius_; }
-  /// The same of one ball.
-  void locate(const Evaluation& e, std::size_t i) noexcept;
-  /// Force, gap and angles of pocket i; call locate() first.
-  [[nodiscard]] PocketContactSnapshot report(std::size_t i) const;
 
  private:
-  void locate_one(const Evaluation& e, std::size_t i) noexcept;
+  struct Shaped {
+    contact::BallPocket pocket;
+    contact::PocketFrame frame;
+    contact::CappedHertz law;
+  };
+  void locate_round(const Evaluation& e, std::size_t i) noexcept;
+  void locate_shaped(const Evaluation& e, std::size_t i) noexcept;
 
+  std::vector<Shaped> shaped_;
   contact::CylindricalPocket wall_;
   contact::CappedHertz law_;
   double ball_radius_ = 0.0, pitch_radius_ = 0.0, rotation_sign_ = 1.0;
@@ -73,22 +104,23 @@ struct PocketAction {
   Vec3 on_ball, friction;         ///< whole force on the ball; its friction part [N]
 };
 
-/// Contact i at the located state; `wall` from set.wall_point(i), gap < 0.
+/// Contact of ball i with a wall that it overlaps by `overlap` along m, a unit vector in base axes.
 template <bool Traction>
-[[nodiscard]] inline PocketAction pocket_action(const PocketSet& set, const SlipFriction& law,
-                                                const Evaluation& e, std::size_t i,
-                                                const contact::WallPoint& wall) noexcept {
+[[nodiscard]] inline PocketAction pocket_action(const contact::CappedHertz& law,
+                                                const SlipFriction& friction, const Evaluation& e,
+                                                std::size_t i, double ball_radius, const Vec3& m,
+                                                double overlap) noexcept {
   PocketAction a;
-  a.N = contact::load(set.law(), -wall.gap);
-  a.m = set.to_base(i, wall.m, e.cage.to_base);
-  a.arm = set.ball_radius() * a.m;
+  a.N = contact::load(law, overlap);
+  a.m = m;
+  a.arm = ball_radius * a.m;
   a.point = e.ball_centre(i) + a.arm;
   a.on_ball = -a.N * a.m;
   if constexpr (Traction) {
     Vec3 slip = e.cage.velocity_at(a.point) - e.ball_velocity(i) - e.ball_omega(i).cross(a.arm);
     slip -= slip.dot(a.m) * a.m;
     a.slip = slip.norm();
-    a.friction_per_slip = a.N * law.per_slip(a.slip);
+    a.friction_per_slip = a.N * friction.per_slip(a.slip);
     a.friction = a.friction_per_slip * slip;
     a.heat = a.friction.dot(slip);
     a.on_ball += a.friction;
