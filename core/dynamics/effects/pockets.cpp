@@ -46,7 +46,7 @@ PocketSet::PocketSet(const bearing::Bearing& bearing, const std::vector<double>&
 inline void PocketSet::locate_one(const Evaluation& e, std::size_t i) noexcept {
   const Mat3& R = e.cage.to_base;
   const Vec3& p = e.cage.position;
-  const BallArrays& b = e.balls;
+  const ElementViews& b = e.elements;
   const double dx = b.x[i] - p[0];
   const double dy = -b.r[i] * b.sin_theta[i] - p[1];
   const double dz = b.r[i] * b.cos_theta[i] - p[2];
@@ -105,17 +105,11 @@ void PocketBlock<Traction>::apply(Evaluation& e) noexcept {
     if (wall.gap >= 0.0) continue;
     const PocketAction action = pocket_action<Traction>(set_, friction_, e, i, wall);
     if constexpr (Traction) {
-      const Vec3 moment = e.to_cylindrical(i, action.arm.cross(action.friction));
-      e.M_x[i] += moment[0];
-      e.M_r[i] += moment[1];
-      e.M_theta[i] += moment[2];
+      e.add_moment(i, e.to_cylindrical(i, action.arm.cross(action.friction)));
       heat_ += action.heat;
       e.cage.load_slip += action.N * action.slip;
     }
-    const Vec3 force = e.to_cylindrical(i, action.on_ball);
-    e.F_x[i] += force[0];
-    e.F_r[i] += force[1];
-    e.F_theta[i] += force[2];
+    e.add_force(i, e.to_cylindrical(i, action.on_ball));
     e.cage.add_force(-action.on_ball, action.point);
     e.elastic += contact::energy(set_.law(), -wall.gap);
   }
@@ -154,7 +148,7 @@ std::string PocketContact::why_invalid(const Evaluation&) const {
 }
 
 void PocketContact::report(const Evaluation& e, Snapshot& snapshot) const {
-  for (std::size_t i = 0; i < e.balls.n; ++i) {
+  for (std::size_t i = 0; i < e.elements.n; ++i) {
     snapshot.elements[i].pocket = {set_->report(i)};
     snapshot.elements[i].pocket_to_centre = set_->centre(i);
   }
