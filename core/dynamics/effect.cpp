@@ -15,7 +15,7 @@ Slice SceneBuilder::state(std::string name, std::string_view unit, int count, Sc
 }
 
 Slice SceneBuilder::states_of_elements(std::string name, std::string_view unit, ScaleKind kind) {
-  const Slice slice = state(std::move(name), unit, bearing.balls.count, kind, 0);
+  const Slice slice = state(std::move(name), unit, bearing.element_count(), kind, 0);
   for (int i = 0; i < slice.count; ++i) out_.owner[static_cast<std::size_t>(slice.first + i)] = i;
   return slice;
 }

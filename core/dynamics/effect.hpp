@@ -33,9 +33,6 @@ enum class Phase : unsigned char {
   Account      ///< sums for integrals and ledgers
 };
 
-/// Kind of error scale of state components (N7, N11).
-enum class ScaleKind : unsigned char { Length, Velocity, Angle, Rate };
-
 /// Where the cost ledger books the bodies' own blocks.
 inline constexpr std::string_view kMotionCost = "kinematics and equations of motion";
 

@@ -16,8 +16,8 @@ double SlipFriction::per_slip(double u) const noexcept {
   return tribology::traction_coefficient(curve_, u) / std::sqrt(u * u + smoothing_);
 }
 
-Evaluation::Evaluation(std::size_t n)
-    : sin_theta(n), cos_theta(n), F_x(n), F_r(n), F_theta(n), M_x(n), M_r(n), M_theta(n) {
+Evaluation::Evaluation(std::size_t n) : sin_theta(n), cos_theta(n) {
+  for (auto& array : actions) array.assign(n, 0.0);
   for (auto* arrays : {&load, &heat, &load_slip})
     for (auto& array : *arrays) array.assign(n, 0.0);
 }
@@ -26,8 +26,7 @@ void Evaluation::begin(double time, const double* state, double* rates) noexcept
   t = time;
   y = state;
   dydt = rates;
-  for (auto* array : {&F_x, &F_r, &F_theta, &M_x, &M_r, &M_theta})
-    std::fill(array->begin(), array->end(), 0.0);
+  for (auto& array : actions) std::fill(array.begin(), array.end(), 0.0);
   cage.force.setZero();
   cage.moment.setZero();
   for (RaceState& r : race) {

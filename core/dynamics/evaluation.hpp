@@ -3,7 +3,6 @@
 #include "base/rotation.hpp"
 #include "bearing/bearing.hpp"
 #include "dynamics/race_contacts.hpp"
-#include "dynamics/state_layout.hpp"
 
 #include <array>
 #include <cstddef>
@@ -13,11 +12,6 @@
 /// What one evaluation of the right-hand side works on: bodies, and the forces and moments that
 /// effects (effect.hpp) add to them.
 namespace adore::dynamics {
-
-/// Where each quantity of the balls stands in the state: one slice per quantity, all balls in it.
-struct BallSlices {
-  Slice x, r, theta, x_dot, r_dot, theta_dot, omega_x, omega_r, omega_theta;
-};
 
 /// Pose and motion of the cage at this evaluation, and what acts on it (base axes, moment about the
 /// mass centre).
@@ -59,16 +53,16 @@ struct RaceState {
 
 /// Working memory of one evaluation. Sized at set-up, reused for ever.
 struct Evaluation {
-  explicit Evaluation(std::size_t balls);
+  explicit Evaluation(std::size_t count);
 
   double t = 0.0;
   const double* y = nullptr;
   double* dydt = nullptr;
 
-  BallArrays balls{};  ///< views into y, and into sin_theta, cos_theta
+  ElementViews elements{};  ///< views into y, and into sin_theta, cos_theta
   std::vector<double> sin_theta, cos_theta;
-  std::vector<double> F_x, F_r, F_theta, M_x, M_r, M_theta;
-  std::array<std::vector<double>, 2> load, heat, load_slip;  ///< per race and ball
+  ElementActions actions;  ///< forces and moments on the elements, about their centres [N, N m]
+  std::array<std::vector<double>, 2> load, heat, load_slip;  ///< per race and element
   CageState cage;
   std::array<RaceState, 2> race;
 
@@ -76,22 +70,32 @@ struct Evaluation {
   bool valid = true;     ///< false: outside the model's validity
 
   void begin(double time, const double* state, double* rates) noexcept;
-  [[nodiscard]] Vec3 ball_centre(std::size_t i) const noexcept {
-    return {balls.x[i], -balls.r[i] * sin_theta[i], balls.r[i] * cos_theta[i]};
+  [[nodiscard]] Vec3 element_centre(std::size_t i) const noexcept {
+    return {elements.x[i], -elements.r[i] * sin_theta[i], elements.r[i] * cos_theta[i]};
   }
-  /// (x, r, θ) components at ball i -> base axes, and back.
+  /// Adds to what acts on element i, (x, r, θ) components.
+  void add_force(std::size_t i, const Vec3& f) noexcept {
+    for (std::size_t k = 0; k < 3; ++k) actions[k][i] += f[static_cast<Eigen::Index>(k)];
+  }
+  void add_moment(std::size_t i, const Vec3& m) noexcept {
+    for (std::size_t k = 0; k < 3; ++k) actions[3 + k][i] += m[static_cast<Eigen::Index>(k)];
+  }
+  /// (x, r, θ) components at element i -> base axes, and back.
   [[nodiscard]] Vec3 to_base(std::size_t i, double x, double r, double theta) const noexcept {
     return {x, -sin_theta[i] * r - cos_theta[i] * theta, cos_theta[i] * r - sin_theta[i] * theta};
+  }
+  [[nodiscard]] Vec3 to_base(std::size_t i, const Vec3& v) const noexcept {
+    return to_base(i, v[0], v[1], v[2]);
   }
   [[nodiscard]] Vec3 to_cylindrical(std::size_t i, const Vec3& v) const noexcept {
     return {v[0], -sin_theta[i] * v[1] + cos_theta[i] * v[2],
             -cos_theta[i] * v[1] - sin_theta[i] * v[2]};
   }
-  [[nodiscard]] Vec3 ball_velocity(std::size_t i) const noexcept {
-    return to_base(i, balls.x_dot[i], balls.r_dot[i], balls.r[i] * balls.theta_dot[i]);
+  [[nodiscard]] Vec3 element_velocity(std::size_t i) const noexcept {
+    return to_base(i, elements.x_dot[i], elements.r_dot[i], elements.r[i] * elements.theta_dot[i]);
   }
-  [[nodiscard]] Vec3 ball_omega(std::size_t i) const noexcept {
-    return to_base(i, balls.omega_x[i], balls.omega_r[i], balls.omega_theta[i]);
+  [[nodiscard]] Vec3 element_omega(std::size_t i) const noexcept {
+    return to_base(i, elements.omega_x[i], elements.omega_r[i], elements.omega_theta[i]);
   }
 };
 

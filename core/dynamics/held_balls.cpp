@@ -35,7 +35,7 @@ Mat2 square_root(const Mat2& M) noexcept {
 
 }  // namespace
 
-HeldBalls::HeldBalls(const Scene& scene, const BallSlices& slices, std::size_t balls)
+HeldBalls::HeldBalls(const Scene& scene, const ElementSlices& slices, std::size_t balls)
     : scene_(scene),
       slices_(slices),
       ball_(scene.contacts[0].groove, {scene.contacts[0].hertz.K, scene.contacts[1].hertz.K},
@@ -70,17 +70,16 @@ Vec2 HeldBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept 
   Vec3 force = Vec3::Zero();
   for (int j = 0; j < 2; ++j) {
     const GrooveContact c =
-        ball_.contact_with(j, races[static_cast<std::size_t>(j)], e.ball_centre(i));
+        ball_.contact_with(j, races[static_cast<std::size_t>(j)], e.element_centre(i));
     force -= c.load * c.normal;
   }
   return frame_at(e, i).transpose() * force;
 }
 
 BallBalance HeldBalls::balanced(const Evaluation& e, std::size_t i, const Vec2& force) const {
-  const BallArrays& b = e.balls;
+  const ElementViews& b = e.elements;
   const Orbit orbit{Orbit::Kept::Momentum, scene_.mass * b.r[i] * b.r[i] * b.theta_dot[i]};
-  return ball_.solve(poses(e), e.y[slices_.theta.first + static_cast<int>(i)], orbit, force,
-                     {b.x[i], b.r[i]});
+  return ball_.solve(poses(e), b.theta[i], orbit, force, {b.x[i], b.r[i]});
 }
 
 contact::WallPoints HeldBalls::pocket_walls(std::size_t i) const noexcept {
@@ -96,20 +95,11 @@ contact::WallPoints HeldBalls::pocket_walls(std::size_t i) const noexcept {
   return out;
 }
 
-void HeldBalls::gather(const Evaluation& e, std::size_t k) noexcept {
-  const std::size_t i = list_[k];
-  const BallArrays& b = e.balls;
-  const double* const from[10] = {b.x,           b.r,           b.sin_theta, b.cos_theta,
-                                  x_dot_.data(), r_dot_.data(), b.theta_dot, b.omega_x,
-                                  b.omega_r,     b.omega_theta};
-  for (std::size_t q = 0; q < 10; ++q) state_[q][k] = from[q][i];
-}
-
 /// w: rates of the balance of race normals, L changing by those alone. Vectors in the
 /// right-handed basis (e_x, e_r, e_θ) of the ball.
 void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
   const std::size_t i = list_[k];
-  const BallArrays& b = e.balls;
+  const ElementViews& b = e.elements;
   const double td = b.theta_dot[i], r = b.r[i], centrifugal = scene_.mass * r * td * td;
   const Vec3 orbit(0.0, 0.0, r * td);
   Estimate& est = estimate_[k];
@@ -161,7 +151,7 @@ void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
 /// Adds (A + C)⁻¹ G(w) and what race friction adds to L̇. Blows of the cage are left to the former.
 void HeldBalls::pull(Evaluation& e, std::size_t k) noexcept {
   const std::size_t i = list_[k];
-  const BallArrays& b = e.balls;
+  const ElementViews& b = e.elements;
   const Estimate& est = estimate_[k];
   const double td = b.theta_dot[i];
   Vec3 force = {action_[0][k], action_[1][k], action_[2][k]};  // x, r, θ
@@ -198,35 +188,24 @@ void HeldBalls::pull(Evaluation& e, std::size_t k) noexcept {
 }
 
 void HeldBalls::form_rates(Evaluation& e) noexcept {
-  const std::size_t n = e.balls.n, held = list_.size();
-  std::copy(e.balls.x_dot, e.balls.x_dot + n, x_dot_.begin());
-  std::copy(e.balls.r_dot, e.balls.r_dot + n, r_dot_.begin());
-  e.balls.x_dot = x_dot_.data();
-  e.balls.r_dot = r_dot_.data();
+  const std::size_t n = e.elements.n, held = list_.size();
+  std::copy(e.elements.x_dot, e.elements.x_dot + n, x_dot_.begin());
+  std::copy(e.elements.r_dot, e.elements.r_dot + n, r_dot_.begin());
+  e.elements.x_dot = x_dot_.data();
+  e.elements.r_dot = r_dot_.data();
   if (held == 0) return;
 
   for (std::size_t k = 0; k < held; ++k) {
     if (scene_.pockets != nullptr) scene_.pockets->locate(e, list_[k]);
     first_rates(e, k);
-    gather(e, k);
+    gather(e.elements, list_[k], state_, k);
   }
   for (auto& values : action_) std::fill_n(values.begin(), held, 0.0);
-  const BallArrays balls{held,
-                         state_[0].data(),
-                         state_[1].data(),
-                         state_[2].data(),
-                         state_[3].data(),
-                         state_[4].data(),
-                         state_[5].data(),
-                         state_[6].data(),
-                         state_[7].data(),
-                         state_[8].data(),
-                         state_[9].data()};
+  const ElementViews balls = view_of(state_, held);
   for (std::size_t j = 0; j < 2; ++j)
-    evaluate_race_contacts(scene_.contacts[j], balls, e.race[j].motion,
-                           {action_[0].data(), action_[1].data(), action_[2].data(),
-                            action_[3].data(), action_[4].data(), action_[5].data(),
-                            load_[j].data(), heat_[j].data(), load_slip_[j].data()});
+    evaluate_race_contacts(
+        scene_.contacts[j], balls, e.race[j].motion,
+        forces_in(action_, load_[j].data(), heat_[j].data(), load_slip_[j].data()));
   for (std::size_t k = 0; k < held; ++k) pull(e, k);
 }
 
@@ -236,17 +215,16 @@ void HeldBalls::take_inertia_out(Evaluation& e) noexcept {
   account_ = {};
   const double m = scene_.mass;
   for (const std::size_t i : list_) {
-    const auto k = static_cast<int>(i);
-    double& ax = e.dydt[slices_.x_dot.first + k];
-    double& ar = e.dydt[slices_.r_dot.first + k];
-    const double td = e.balls.theta_dot[i], r = e.balls.r[i];
+    double& ax = e.dydt[slices_.at(Quantity::XDot, i)];
+    double& ar = e.dydt[slices_.at(Quantity::RDot, i)];
+    const double td = e.elements.theta_dot[i], r = e.elements.r[i];
     residual_[i] = Vec2(m * ax, m * ar);
     account_.power += residual_[i].dot(rate(i));
     const Vec3 force = e.to_base(i, m * ax, m * ar, m * r_dot_[i] * td);
     const Vec3 velocity = e.to_base(i, x_dot_[i], r_dot_[i], 0.0);
     account_.force += force;
     account_.moment +=
-        e.ball_centre(i).cross(force) - velocity.cross(m * r * td * e_theta_at(e, i));
+        e.element_centre(i).cross(force) - velocity.cross(m * r * td * e_theta_at(e, i));
     ax = ar = 0.0;
   }
 }

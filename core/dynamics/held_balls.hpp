@@ -48,7 +48,7 @@ class HeldBalls {
     SlipFriction pocket_law;  ///< with pocket_traction
     bool pocket_traction;
   };
-  HeldBalls(const Scene& scene, const BallSlices& slices, std::size_t balls);
+  HeldBalls(const Scene& scene, const ElementSlices& slices, std::size_t balls);
 
   void set(std::size_t i, bool held);
   [[nodiscard]] bool is_held(std::size_t i) const noexcept { return flags_[i] != 0; }
@@ -86,14 +86,13 @@ class HeldBalls {
     Mat2 race_along[2];         ///< I - n nᵀ of each race contact in (x, r)
   };
   [[nodiscard]] std::array<RacePose, 2> poses(const Evaluation& e) const noexcept;
-  void gather(const Evaluation& e, std::size_t k) noexcept;
   void first_rates(const Evaluation& e, std::size_t k) noexcept;
   /// The walls that a located ball touches.
   [[nodiscard]] contact::WallPoints pocket_walls(std::size_t i) const noexcept;
   void pull(Evaluation& e, std::size_t k) noexcept;
 
   Scene scene_;
-  BallSlices slices_;
+  ElementSlices slices_;
   ConstrainedBall ball_;
   double offset_ = 0.0;  ///< least groove radius - ball radius [m]
   std::vector<unsigned char> flags_;
@@ -103,8 +102,8 @@ class HeldBalls {
   Account account_;
   // One value per held ball.
   std::vector<Estimate> estimate_;
-  std::array<std::vector<double>, 10> state_;  ///< BallArrays of the held balls
-  std::array<std::vector<double>, 6> action_;  ///< forces and moments of the races
+  ElementStorage state_;   ///< of the held balls
+  ElementActions action_;  ///< forces and moments of the races
   std::array<std::vector<double>, 2> load_, heat_, load_slip_;
 };
 

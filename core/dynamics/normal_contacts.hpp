@@ -17,7 +17,7 @@ namespace adore::dynamics {
 /// Source of the contact: race_contacts.hpp. Units SI. Limit: as there.
 class NormalContacts {
  public:
-  NormalContacts(const std::array<RaceContactModel, 2>& contacts, const BallSlices& slices,
+  NormalContacts(const std::array<RaceContactModel, 2>& contacts, const ElementSlices& slices,
                  double mass);
   /// Writes all `size` rates; false where the whole right-hand side is not valid either: a ball on
   /// the axis, or pressed into a race by more than its radius. No allocation.
@@ -26,10 +26,11 @@ class NormalContacts {
 
  private:
   std::array<RaceContactModel, 2> contacts_;  ///< without traction
-  BallSlices s_;
+  ElementSlices s_;
   double per_mass_ = 0.0;
   std::array<double, 2> load_limit_{};
-  std::vector<double> sin_, cos_, F_x_, F_r_, F_theta_, M_, load_, heat_;
+  std::vector<double> sin_, cos_, load_, heat_;
+  ElementActions actions_;  ///< without traction no moments
 };
 
 }  // namespace adore::dynamics

@@ -8,7 +8,7 @@
 
 namespace adore::dynamics {
 
-RaceContactState race_contact_state(const RaceContactModel& model, const BallArrays& balls,
+RaceContactState race_contact_state(const RaceContactModel& model, const ElementViews& balls,
                                     std::size_t index, const RaceMotion& race) {
   const auto j = static_cast<std::size_t>(model.race);
   const double s = balls.sin_theta[index], c = balls.cos_theta[index], r = balls.r[index];
@@ -65,7 +65,7 @@ ContactEdges contact_edges(const RaceContactModel& model, double angle,
   return edges;
 }
 
-RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const BallArrays& balls,
+RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const ElementViews& balls,
                                         std::size_t index, const RaceMotion& race, bool converged) {
   const RaceContactState state = race_contact_state(model, balls, index, race);
   RaceContactSnapshot snapshot;
@@ -90,7 +90,7 @@ RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const Bal
   return snapshot;
 }
 
-RuleError measure_rule_error(const RaceContactModel& model, const BallArrays& balls,
+RuleError measure_rule_error(const RaceContactModel& model, const ElementViews& balls,
                              const RaceMotion& race) {
   RuleError error;
   double heat = 0.0, exact_heat = 0.0;

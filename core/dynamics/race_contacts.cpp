@@ -71,8 +71,8 @@ KernelHeight kernel_height(ContactSurface surface) noexcept {
   return KernelHeight::Undeformed;
 }
 
-RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const BallArrays& balls,
-                       const RaceMotion& race, const BallForces& out) noexcept {
+RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const ElementViews& balls,
+                       const RaceMotion& race, const ElementForces& out) noexcept {
   RaceKernelInput in;
   const auto j = static_cast<std::size_t>(model.race);
   const contact::GrooveGeometry& groove = model.groove;
@@ -133,15 +133,15 @@ double load_limit(const RaceContactModel& model) noexcept {
   return std::min(contact::hertz_load(model.hertz.K, radius), wide * wide * wide);
 }
 
-RaceSums evaluate_race_contacts(const RaceContactModel& model, const BallArrays& balls,
-                                const RaceMotion& race, const BallForces& out) noexcept {
+RaceSums evaluate_race_contacts(const RaceContactModel& model, const ElementViews& balls,
+                                const RaceMotion& race, const ElementForces& out) noexcept {
   static const RaceKernel kernel = kernel_of(chosen_instruction_set());
   return evaluate_with(kernel, model, balls, race, out);
 }
 
 RaceSums evaluate_race_contacts(InstructionSet set, const RaceContactModel& model,
-                                const BallArrays& balls, const RaceMotion& race,
-                                const BallForces& out) noexcept {
+                                const ElementViews& balls, const RaceMotion& race,
+                                const ElementForces& out) noexcept {
   return evaluate_with(kernel_of(set), model, balls, race, out);
 }
 

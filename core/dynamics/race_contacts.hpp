@@ -3,6 +3,7 @@
 #include "bearing/bearing.hpp"
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
+#include "dynamics/elements.hpp"
 #include "dynamics/scene.hpp"
 #include "tribology/ellipse_traction.hpp"
 
@@ -23,16 +24,6 @@
 /// Limits: r_ball > a (load_limit); ball centre off the race axis. At zero contact angle c is -e_x
 /// on the outer race and +e_x on the inner.
 namespace adore::dynamics {
-
-/// States of n balls; each pointer addresses n values. Azimuth unit vectors e_r = (0,-s,c), e_θ =
-/// (0,-c,-s).
-struct BallArrays {
-  std::size_t n = 0;
-  const double *x, *r, *sin_theta, *cos_theta;  ///< centre [m], azimuth
-  const double *x_dot, *r_dot, *theta_dot;      ///< [m/s, m/s, rad/s]
-  const double *omega_x, *omega_r,
-      *omega_theta;  ///< absolute angular velocity on e_x, e_r, e_θ [rad/s]
-};
 
 /// Pose and motion of one race as a rigid body of revolution, base frame: its angular velocity is
 /// Ω k + tilt.
@@ -64,15 +55,6 @@ struct RaceContactModel {
 /// half the major axis is as long as that.
 [[nodiscard]] double load_limit(const RaceContactModel& model) noexcept;
 
-/// Results, n values each; forces and moments are ADDED to what is there.
-struct BallForces {
-  double *F_x, *F_r, *F_theta;  ///< on the ball [N]
-  double *M_x, *M_r, *M_theta;  ///< about the ball centre [N m]
-  double* load;                 ///< Q of this race [N] (assigned)
-  double* heat;                 ///< ∫ κ p u dA [W] (assigned)
-  double* load_slip;            ///< ∫ p u dA [W] (assigned); not touched when null
-};
-
 struct RaceSums {
   Vec3 force = Vec3::Zero();    ///< on the race [N]
   Vec3 moment = Vec3::Zero();   ///< on the race about P_j [N m]
@@ -83,8 +65,8 @@ struct RaceSums {
 /// Evaluates one race. No allocation, no throw. Chooses the widest vector unit of the machine at
 /// first use; the environment variable ADORE_ISA = baseline, avx2 or avx512 asks for another one.
 /// With traction off, heat is 0.
-RaceSums evaluate_race_contacts(const RaceContactModel& model, const BallArrays& balls,
-                                const RaceMotion& race, const BallForces& out) noexcept;
+RaceSums evaluate_race_contacts(const RaceContactModel& model, const ElementViews& balls,
+                                const RaceMotion& race, const ElementForces& out) noexcept;
 
 /// Everything a report wants of one contact (angles, ellipse, spin-to-roll, largest slip ...); not
 /// for the hot path. Contact angle: outer atan2(n_x', n_r'), inner atan2(-n_x', -n_r') in the
@@ -94,7 +76,7 @@ RaceSums evaluate_race_contacts(const RaceContactModel& model, const BallArrays&
 /// temperature_rise and contact_temperature are left at 0.
 /// With `converged` the traction integrals are split at kinks and reversals instead of using
 /// model.rule.
-RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const BallArrays& balls,
+RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const ElementViews& balls,
                                         std::size_t index, const RaceMotion& race,
                                         bool converged = false);
 
@@ -107,7 +89,7 @@ struct RaceContactState {
   tribology::EllipseGeometry ellipse;  ///< Q = a = b = 0 when open
   tribology::EllipseKinematics motion;
 };
-RaceContactState race_contact_state(const RaceContactModel& model, const BallArrays& balls,
+RaceContactState race_contact_state(const RaceContactModel& model, const ElementViews& balls,
                                     std::size_t index, const RaceMotion& race);
 
 /// Where the contact ends on the groove (outputs §16, N94), f D = groove radius, a = half major
@@ -127,7 +109,7 @@ struct RuleError {
   int contacts = 0;  ///< loaded ones
   double force = 0.0, moment = 0.0, heat = 0.0;
 };
-RuleError measure_rule_error(const RaceContactModel& model, const BallArrays& balls,
+RuleError measure_rule_error(const RaceContactModel& model, const ElementViews& balls,
                              const RaceMotion& race);
 
 enum class InstructionSet : unsigned char { Baseline, Avx2, Avx512 };
@@ -137,8 +119,8 @@ enum class InstructionSet : unsigned char { Baseline, Avx2, Avx512 };
 /// The same with a given instruction set, for tests and benchmarks. An unavailable one falls back
 /// to Baseline.
 RaceSums evaluate_race_contacts(InstructionSet set, const RaceContactModel& model,
-                                const BallArrays& balls, const RaceMotion& race,
-                                const BallForces& out) noexcept;
+                                const ElementViews& balls, const RaceMotion& race,
+                                const ElementForces& out) noexcept;
 
 /// Name of the instruction set that evaluate_race_contacts uses here: "avx512", "avx2", "baseline".
 const char* race_contact_instruction_set() noexcept;

@@ -12,6 +12,9 @@ struct Slice {
   int first = 0, count = 0;
 };
 
+/// Kind of error scale of state components (N7, N11).
+enum class ScaleKind : unsigned char { Length, Velocity, Angle, Rate };
+
 /// Grown while a System is built, then constant. Controlled components come first, quadratures
 /// last.
 class StateLayout {

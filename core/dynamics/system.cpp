@@ -38,22 +38,20 @@ bool System::Impl::evaluate_measured(double t, const double* y, double* dydt) no
 bool System::Impl::evaluate_with_shares(double t, const double* y, double* dydt,
                                         double* shares) noexcept {
   const auto border = static_cast<std::size_t>(border_count);
-  const std::size_t elements = e.F_x.size();
+  const std::size_t elements = e.sin_theta.size();
   std::fill_n(shares, border * elements, 0.0);
   e.begin(t, y, dydt);
-  const std::array now{&e.F_x, &e.F_r, &e.F_theta, &e.M_x, &e.M_r, &e.M_theta};
   for (const Assembly::Block& b : parts.blocks) {
     if (b.meets_border)
-      for (std::size_t k = 0; k < 6; ++k)
-        std::copy(now[k]->begin(), now[k]->end(), before[k].begin());
+      for (std::size_t k = 0; k < before.size(); ++k)
+        std::copy(e.actions[k].begin(), e.actions[k].end(), before[k].begin());
     b.block->apply(e);
     if (!e.valid) return false;
     if (!b.meets_border) continue;
     for (std::size_t i = 0; i < elements; ++i) {
-      const Vec3 force = e.to_base(i, e.F_x[i] - before[0][i], e.F_r[i] - before[1][i],
-                                   e.F_theta[i] - before[2][i]);
-      const Vec3 moment = e.to_base(i, e.M_x[i] - before[3][i], e.M_r[i] - before[4][i],
-                                    e.M_theta[i] - before[5][i]);
+      const auto change = [&](std::size_t k) { return e.actions[k][i] - before[k][i]; };
+      const Vec3 force = e.to_base(i, change(0), change(1), change(2));
+      const Vec3 moment = e.to_base(i, change(3), change(4), change(5));
       parts.border->add_share(e, i, force, moment, border_first, shares + i * border);
     }
   }

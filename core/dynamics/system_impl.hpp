@@ -41,7 +41,7 @@ struct System::Impl final : BetweenSteps {
   SceneEffect* stiff = nullptr;            ///< the effect with the fast part; null: there is none
   int border_first = 0, border_count = 0;  ///< components of the border
   /// Forces and moments on the elements before a block that meets the border.
-  std::array<std::vector<double>, 6> before;
+  ElementActions before;
   Evaluation e;
   std::vector<double> rates;     ///< dydt of evaluations for reports
   double stored_at_start = 0.0;  ///< [J], less the flow until then

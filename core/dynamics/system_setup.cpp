@@ -27,7 +27,7 @@ double force_scale(const bearing::Bearing& bearing, const statics::StaticSolutio
 System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
                    const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
                    const SystemOptions& options, const std::vector<EffectMaker>& more_effects)
-    : bearing(bearing_), e(static_cast<std::size_t>(bearing_.balls.count)) {
+    : bearing(bearing_), e(static_cast<std::size_t>(bearing_.element_count())) {
   SceneBuilder scene(bearing, plan, statics, fixed_angle, options, e, parts);
   const auto take = [&](std::unique_ptr<SceneEffect> effect) {
     if (effect != nullptr) parts.effects.push_back(std::move(effect));
@@ -70,7 +70,7 @@ void System::Impl::set_up_border() {
   demand(std::all_of(first, first + border_count, [](int one) { return one == kBorder; }),
          "the state components of the border must stand together");
   demand(border_count == 0 || parts.border != nullptr, "the border has states but no body");
-  for (auto& array : before) array.assign(e.F_x.size(), 0.0);
+  before = e.actions;
 }
 
 void System::Impl::set_up_integrals() {

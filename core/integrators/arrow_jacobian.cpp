@@ -9,7 +9,8 @@ namespace adore::integrators {
 ArrowJacobian::ArrowJacobian(OdeSystem& system, RhsPart part)
     : system_(&system),
       part_(part),
-      shape_(std::make_shared<ArrowShape>(system.blocks(), system.controlled_size())),
+      shape_(std::make_shared<ArrowShape>(system.blocks(), system.controlled_size(),
+                                          system.blocks_form_ring())),
       f_(static_cast<std::size_t>(system.size())) {
   const auto shares = static_cast<std::size_t>(shape_->blocks()) * shape_->border();
   shares_.resize(shares);
@@ -64,24 +65,28 @@ Outcome ArrowJacobian::operator()(double t, double* y, const double* f0, ArrowMa
     if (const Outcome at_point = evaluate(t, y, true); at_point != Outcome::Ok) return at_point;
     shares_at_point_ = shares_;
   }
-  for (int rank = 0; rank < shape_->largest_block(); ++rank) {
-    columns_.clear();
-    for (int b = 0; b < shape_->blocks(); ++b) {
-      if (const auto rows = shape_->rows(b); rank < static_cast<int>(rows.size())) {
-        columns_.push_back(rows[static_cast<std::size_t>(rank)]);
+  for (int rank = 0; rank < shape_->largest_block(); ++rank)
+    for (const std::vector<int>& together : shape_->apart()) {
+      columns_.clear();
+      for (const int b : together) {
+        if (const auto rows = shape_->rows(b); rank < static_cast<int>(rows.size())) {
+          columns_.push_back(rows[static_cast<std::size_t>(rank)]);
+        }
+      }
+      if (columns_.empty()) continue;
+      if (const Outcome o = displaced(t, y, columns_, shared); o != Outcome::Ok) return o;
+      for (std::size_t k = 0; k < columns_.size(); ++k) {
+        const int column = columns_[k];
+        const int block = shape_->place(column).block;
+        for (const int met : shape_->met_by(block))
+          for (const int row : shape_->rows(met))
+            J.at(row, column) = (f_[row] - f0[row]) / moved_[k];
+        const std::size_t first = static_cast<std::size_t>(block) * m;
+        for (std::size_t i = 0; shared && i < m; ++i) {
+          J.at(border[i], column) = (shares_[first + i] - shares_at_point_[first + i]) / moved_[k];
+        }
       }
     }
-    if (const Outcome o = displaced(t, y, columns_, shared); o != Outcome::Ok) return o;
-    for (std::size_t k = 0; k < columns_.size(); ++k) {
-      const int column = columns_[k];
-      const int block = shape_->place(column).block;
-      for (const int row : shape_->rows(block)) J.at(row, column) = (f_[row] - f0[row]) / moved_[k];
-      const std::size_t first = static_cast<std::size_t>(block) * m;
-      for (std::size_t i = 0; shared && i < m; ++i) {
-        J.at(border[i], column) = (shares_[first + i] - shares_at_point_[first + i]) / moved_[k];
-      }
-    }
-  }
   for (const int column : border) {
     if (const Outcome o = displaced(t, y, {&column, 1}, false); o != Outcome::Ok) return o;
     for (int row = 0; row < shape_->size(); ++row) {

@@ -8,7 +8,8 @@ namespace adore::integrators {
 /// Jacobian of the controlled components by forward differences in the arrow of
 /// OdeSystem::blocks(). Components of different blocks do not meet, so the k-th components of all
 /// blocks are displaced together: largest block + border evaluations, and one more for the shares
-/// at the point itself where there are blocks and a border, however many blocks there are. What a
+/// at the point itself where there are blocks and a border, however many blocks there are. In a
+/// ring those of every third or fourth block are: three or four times the largest block. What a
 /// block does to the border would be mixed in this; it comes from the shares of
 /// OdeSystem::rhs_with_shares.
 class ArrowJacobian {

@@ -51,9 +51,13 @@ class OdeSystem {
   /// another block; blocks and border may depend on each other. Empty: everything couples. Constant
   /// after start().
   [[nodiscard]] virtual std::span<const int> blocks() const noexcept { return {}; }
+  /// Do blocks form a ring, in which the rates of each also depend on the components of the one
+  /// before and the one after it (the last and the first are neighbours)? Constant after start().
+  [[nodiscard]] virtual bool blocks_form_ring() const noexcept { return false; }
   /// The rates of `part`, and what each block contributes to each rate of the border:
   ///   shares[block * border size + k] for the k-th border component, such that
   ///   rate = (what does not depend on blocks) + Σ shares.
+  /// Also in a ring the share of a block depends on that block and the border alone.
   /// Asked for only where there are blocks and a border; as it stands here the border's rates do
   /// not depend on blocks at all.
   virtual EvalStatus rhs_with_shares(RhsPart part, double t, const double* y, double* dydt,

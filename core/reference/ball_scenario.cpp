@@ -16,10 +16,12 @@ namespace {
 constexpr std::size_t kX = 0, kR = 1, kTheta = 2, kXRate = 3, kRRate = 4, kThetaRate = 5,
                       kOmega = 6;
 
-dynamics::BallSlices ball_slices() {
-  const auto at = [](std::size_t k) { return dynamics::Slice{static_cast<int>(k), 1}; };
-  return {at(kX),         at(kR),     at(kTheta),     at(kXRate),    at(kRRate),
-          at(kThetaRate), at(kOmega), at(kOmega + 1), at(kOmega + 2)};
+/// One element, its quantities in their order.
+dynamics::ElementSlices ball_slices() {
+  dynamics::ElementSlices slices;
+  for (std::size_t q = 0; q < dynamics::kQuantities.size(); ++q)
+    slices[static_cast<dynamics::Quantity>(q)] = {static_cast<int>(q), 1};
+  return slices;
 }
 
 double density_mass(const Json& in) { return get(in.at("derived"), "ball_mass"); }
@@ -40,7 +42,7 @@ tribology::ContactSurface contact_surface(const std::string& name) {
                   name));
 }
 
-BallLoad ball_load(const dynamics::RaceContactModel& model, const dynamics::BallArrays& balls,
+BallLoad ball_load(const dynamics::RaceContactModel& model, const dynamics::ElementViews& balls,
                    std::size_t index, const dynamics::RaceMotion& race, const TractionRule& rule) {
   BallLoad load;
   load.contact = dynamics::race_contact_state(model, balls, index, race);
@@ -87,7 +89,7 @@ BallLoad load_on_free_ball(const dynamics::RaceContactModel& model, double race_
                r_dot = velocity.dot(e_r);
   const double theta_dot = velocity.dot(e_t) / r, wx = omega[0], wr = omega.dot(e_r),
                wt = omega.dot(e_t);
-  const dynamics::BallArrays ball{1, &x, &r, &s, &c, &x_dot, &r_dot, &theta_dot, &wx, &wr, &wt};
+  const dynamics::ElementViews ball{1, &x, &r, &s, &c, &x_dot, &r_dot, &theta_dot, &wx, &wr, &wt};
   const dynamics::RaceMotion race{Vec3::Zero(), Vec3::UnitX(), race_speed, Vec3::Zero()};
   return ball_load(model, ball, 0, race, split_rule(16));
 }
@@ -177,7 +179,7 @@ std::array<BallLoad, 2> BallBetweenRaces::loads(const double* y) {
   kinematics_.apply(evaluation_);
   std::array<BallLoad, 2> result;
   for (std::size_t j = 0; j < 2; ++j)
-    result[j] = ball_load(models_[j], evaluation_.balls, 0, races_[j], rule_);
+    result[j] = ball_load(models_[j], evaluation_.elements, 0, races_[j], rule_);
   return result;
 }
 
@@ -185,15 +187,9 @@ void BallBetweenRaces::rates(const double* y, double* d) {
   evaluation_.begin(0.0, y, d);
   kinematics_.apply(evaluation_);
   for (std::size_t j = 0; j < 2; ++j) {
-    const BallLoad load = ball_load(models_[j], evaluation_.balls, 0, races_[j], rule_);
-    const Vec3 f = evaluation_.to_cylindrical(0, load.force),
-               m = evaluation_.to_cylindrical(0, load.moment);
-    evaluation_.F_x[0] += f[0];
-    evaluation_.F_r[0] += f[1];
-    evaluation_.F_theta[0] += f[2];
-    evaluation_.M_x[0] += m[0];
-    evaluation_.M_r[0] += m[1];
-    evaluation_.M_theta[0] += m[2];
+    const BallLoad load = ball_load(models_[j], evaluation_.elements, 0, races_[j], rule_);
+    evaluation_.add_force(0, evaluation_.to_cylindrical(0, load.force));
+    evaluation_.add_moment(0, evaluation_.to_cylindrical(0, load.moment));
     d[kMechanical + j] = load.heat;
     if (j == 1)
       d[kMechanical + 2] =

@@ -44,7 +44,7 @@ using TractionRule = std::function<SurfaceTraction(const bearing::TractionCurve&
 [[nodiscard]] TractionRule tangent_plane();
 
 [[nodiscard]] BallLoad ball_load(const dynamics::RaceContactModel& model,
-                                 const dynamics::BallArrays& balls, std::size_t index,
+                                 const dynamics::ElementViews& balls, std::size_t index,
                                  const dynamics::RaceMotion& race, const TractionRule& rule);
 
 /// Outer race of the pocket family: {"groove_centre_radius", "groove_minus_ball_radius", "K", ...}.
@@ -92,9 +92,9 @@ class BallBetweenRaces {
  private:
   [[nodiscard]] Eigen::MatrixXd jacobian(const State& y, std::span<const std::size_t> columns,
                                          std::span<const std::size_t> rows);
-  dynamics::BallSlices slices_;
+  dynamics::ElementSlices slices_;
   dynamics::Evaluation evaluation_{1};
-  dynamics::BallKinematics kinematics_;
+  dynamics::ElementKinematics kinematics_;
   dynamics::BallMotion motion_;
   std::array<dynamics::RaceContactModel, 2> models_;
   std::array<dynamics::RaceMotion, 2> races_;

@@ -56,8 +56,8 @@ void race_contacts(benchmark::State& state, const char* id, InstructionSet set, 
   test::ThrustScene scene = test::thrust_scene(id, 18, rule.make(), 1.0);
   for (auto& model : scene.model) model.traction = traction;
   test::Outputs out(scene.n);
-  const dynamics::BallForces forces = out.forces();
-  const dynamics::BallArrays balls = scene.arrays();
+  const dynamics::ElementForces forces = out.forces();
+  const dynamics::ElementViews balls = scene.arrays();
   for (auto _ : state) {
     for (std::size_t j = 0; j < 2; ++j) {
       benchmark::DoNotOptimize(

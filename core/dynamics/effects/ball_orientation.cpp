@@ -28,7 +28,7 @@ class OrientationMotion final : public EffectBlock {
 void OrientationMotion::apply(Evaluation& e) noexcept {
   for (const OrientedElement& element : elements_) {
     const Quat q = quaternion_at(e.y, element.orientation);
-    const Vec3 omega = rotation_matrix(normalise(q)).transpose() * e.ball_omega(element.element);
+    const Vec3 omega = rotation_matrix(normalise(q)).transpose() * e.element_omega(element.element);
     store_at(e.dydt, element.orientation, quaternion_rate(q, omega));
     e.dydt[element.rotation.first] = omega[0];
   }

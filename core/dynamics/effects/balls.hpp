@@ -6,25 +6,25 @@
 /// (x, r, θ) and the azimuth components of ω: tests/reference/dynamics_README.md, "Ball equations".
 namespace adore::dynamics {
 
-/// Views of the ball states; sines and cosines of the azimuths. Not valid when a ball is on the
-/// axis.
-class BallKinematics final : public EffectBlock {
+/// Views of the element states; sines and cosines of the azimuths. Not valid when an element is on
+/// the axis.
+class ElementKinematics final : public EffectBlock {
  public:
-  explicit BallKinematics(const BallSlices& slices) : s_(slices) {}
+  explicit ElementKinematics(const ElementSlices& slices) : s_(slices) {}
   void apply(Evaluation& e) noexcept override;
 
  private:
-  BallSlices s_;
+  ElementSlices s_;
 };
 
 class BallMotion final : public EffectBlock {
  public:
-  BallMotion(const BallSlices& slices, double mass, double inertia)
+  BallMotion(const ElementSlices& slices, double mass, double inertia)
       : s_(slices), mass_(mass), inertia_(inertia) {}
   void apply(Evaluation& e) noexcept override;
 
  private:
-  BallSlices s_;
+  ElementSlices s_;
   double mass_, inertia_;
 };
 
@@ -37,11 +37,11 @@ class Balls final : public SceneEffect {
   void carry(const Evaluation& e, Momenta& momenta) const override;
   void report(const Evaluation& e, Snapshot& snapshot) const override;
 
-  [[nodiscard]] const BallSlices& slices() const noexcept { return s_; }
+  [[nodiscard]] const ElementSlices& slices() const noexcept { return s_; }
   [[nodiscard]] double mass() const noexcept { return mass_; }
 
  private:
-  BallSlices s_;
+  ElementSlices s_;
   double mass_ = 0.0, inertia_ = 0.0;  ///< [kg, kg m²]
   std::vector<statics::StaticBall> start_;
 };

@@ -124,7 +124,7 @@ class Cage final : public SceneEffect, public BorderBody {
   /// Action = reaction: velocity by F/m, ω by I⁻¹ Rᵀ M.
   void add_share(const Evaluation& e, std::size_t i, const Vec3& force, const Vec3& moment,
                  int first, double* row) const noexcept override {
-    const Vec3 on_cage = -((e.ball_centre(i) - e.cage.position).cross(force) + moment);
+    const Vec3 on_cage = -((e.element_centre(i) - e.cage.position).cross(force) + moment);
     const Vec3 rates = (e.cage.to_base.transpose() * on_cage).cwiseQuotient(cage_.inertia.moments);
     for (int k = 0; k < 3; ++k) {
       row[s_.velocity.first - first + k] -= force[k] / cage_.inertia.mass;

@@ -28,12 +28,7 @@ class CageGravity final : public EffectBlock {
 };
 
 void BallGravity::apply(Evaluation& e) noexcept {
-  for (std::size_t i = 0; i < e.balls.n; ++i) {
-    const Vec3 f = e.to_cylindrical(i, weight_);
-    e.F_x[i] += f[0];
-    e.F_r[i] += f[1];
-    e.F_theta[i] += f[2];
-  }
+  for (std::size_t i = 0; i < e.elements.n; ++i) e.add_force(i, e.to_cylindrical(i, weight_));
 }
 
 class Gravity final : public SceneEffect {
@@ -50,8 +45,8 @@ class Gravity final : public SceneEffect {
 
   void store(const Evaluation& e, EnergyLedger& energy) const override {
     double stored = 0.0;
-    for (std::size_t i = 0; i < e.balls.n; ++i)
-      stored -= ball_mass_ * gravity_.dot(e.ball_centre(i));
+    for (std::size_t i = 0; i < e.elements.n; ++i)
+      stored -= ball_mass_ * gravity_.dot(e.element_centre(i));
     if (cage_mass_ > 0.0) stored -= cage_mass_ * gravity_.dot(e.cage.position);
     energy.accumulate(kEnergy, stored);
   }

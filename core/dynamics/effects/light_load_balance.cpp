@@ -72,7 +72,7 @@ class LightLoadBalance final : public SceneEffect {
 
  private:
   std::optional<HeldBalls> held_;
-  BallSlices ball_;
+  ElementSlices ball_;
   double mass_ = 0.0, load_ratio_ = 0.0;
   // In the state.
   int balance_ = -1, switches_ = -1;
@@ -109,7 +109,7 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
 }
 
 void LightLoadBalance::resume(std::span<const double> y) {
-  for (int i = 0; i < ball_.x.count; ++i)
+  for (int i = 0; i < ball_[Quantity::X].count; ++i)
     held_->set(static_cast<std::size_t>(i), y[static_cast<std::size_t>(flags_ + i)] > 0.5);
 }
 
@@ -142,7 +142,7 @@ bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps
   std::vector<Release> released;
   std::vector<Candidate> taken;
   std::vector<BallBalance> places;
-  for (std::size_t i = 0; i < e.balls.n; ++i) {
+  for (std::size_t i = 0; i < e.elements.n; ++i) {
     const bool was = held.is_held(i);
     if (held_next(was, load_of(i), threshold) == was) continue;
     if (was) {
@@ -150,13 +150,15 @@ bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps
       continue;
     }
     // All forces but the normal ones of the races stay as they are while the place is sought.
-    const double centrifugal = mass * e.balls.r[i] * e.balls.theta_dot[i] * e.balls.theta_dot[i];
-    const Vec2 residual = mass * Vec2(rate_of(ball_.x_dot, i), rate_of(ball_.r_dot, i));
+    const double centrifugal =
+        mass * e.elements.r[i] * e.elements.theta_dot[i] * e.elements.theta_dot[i];
+    const Vec2 residual =
+        mass * Vec2(rate_of(ball_[Quantity::XDot], i), rate_of(ball_[Quantity::RDot], i));
     const Vec2 other = residual - Vec2(0.0, centrifugal) - held.normal_force(e, i);
     const BallBalance place = held.balanced(e, i, other);
     const double load = std::max(place.contact[0].load, place.contact[1].load);
     if (!place.solved || load > kReleaseRatio * threshold) continue;  // only passing through
-    taken.push_back({i, e.balls.x[i], e.balls.r[i], e.balls.theta_dot[i], residual});
+    taken.push_back({i, e.elements.x[i], e.elements.r[i], e.elements.theta_dot[i], residual});
     places.push_back(place);
   }
   if (released.empty() && taken.empty()) return false;
@@ -165,25 +167,25 @@ bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps
   const Momenta momenta = scene.momenta();
   for (const Release& release : released) {
     held.set(release.ball, false);
-    at(ball_.x_dot, release.ball) = release.rate[0];
-    at(ball_.r_dot, release.ball) = release.rate[1];
+    at(ball_[Quantity::XDot], release.ball) = release.rate[0];
+    at(ball_[Quantity::RDot], release.ball) = release.rate[1];
   }
   for (std::size_t k = 0; k < taken.size(); ++k) {
     const std::size_t i = taken[k].ball;
     held.set(i, true);
-    at(ball_.x_dot, i) = at(ball_.r_dot, i) = 0.0;
-    at(ball_.x, i) = places[k].x;
-    at(ball_.r, i) = places[k].r;
-    at(ball_.theta_dot, i) = places[k].speed;  // L is kept
+    at(ball_[Quantity::XDot], i) = at(ball_[Quantity::RDot], i) = 0.0;
+    at(ball_[Quantity::X], i) = places[k].x;
+    at(ball_[Quantity::R], i) = places[k].r;
+    at(ball_[Quantity::ThetaDot], i) = places[k].speed;  // L is kept
   }
   // A pocket wall in the way can make the new place worse than the old one: then the ball stays and
   // its motion as a held ball brings it to balance.
   const bool valid = scene.is_valid(t, y);
   for (const Candidate& c : taken) {
     if (valid && held.residual(c.ball).norm() <= c.residual.norm()) continue;
-    at(ball_.x, c.ball) = c.x;
-    at(ball_.r, c.ball) = c.r;
-    at(ball_.theta_dot, c.ball) = c.theta_dot;
+    at(ball_[Quantity::X], c.ball) = c.x;
+    at(ball_[Quantity::R], c.ball) = c.r;
+    at(ball_[Quantity::ThetaDot], c.ball) = c.theta_dot;
   }
   scene.evaluate(t, y);
 
@@ -194,7 +196,7 @@ bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps
     integral(impulse_ + k) -= after.linear[k] - momenta.linear[k];
     integral(angular_impulse_ + k) -= after.angular[k] - momenta.angular[k];
   }
-  for (std::size_t i = 0; i < e.balls.n; ++i)
+  for (std::size_t i = 0; i < e.elements.n; ++i)
     integral(flags_ + static_cast<int>(i)) = held.is_held(i) ? 1.0 : 0.0;
   return true;
 }

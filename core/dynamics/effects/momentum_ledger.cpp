@@ -38,7 +38,7 @@ void ExternalActions::apply(Evaluation& e) noexcept {
     moment_ -= race.moment + race.motion.centre.cross(race.force);
   }
   if (!has_gravity_) return;
-  const BallArrays& b = e.balls;
+  const ElementViews& b = e.elements;
   double x = 0.0, y = 0.0, z = 0.0;
   for (std::size_t i = 0; i < b.n; ++i) {
     x += b.x[i];

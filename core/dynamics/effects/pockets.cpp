@@ -72,7 +72,7 @@ PocketSet::PocketSet(const bearing::Bearing& bearing, const std::vector<double>&
 inline void PocketSet::locate_round(const Evaluation& e, std::size_t i) noexcept {
   const Mat3& R = e.cage.to_base;
   const Vec3& p = e.cage.position;
-  const BallArrays& b = e.balls;
+  const ElementViews& b = e.elements;
   const double dx = b.x[i] - p[0];
   const double dy = -b.r[i] * b.sin_theta[i] - p[1];
   const double dz = b.r[i] * b.cos_theta[i] - p[2];
@@ -85,7 +85,7 @@ inline void PocketSet::locate_round(const Evaluation& e, std::size_t i) noexcept
 
 void PocketSet::locate_shaped(const Evaluation& e, std::size_t i) noexcept {
   const contact::PocketFrame& frame = shaped_[i].frame;
-  const Vec3 in_cage = e.cage.to_base.transpose() * (e.ball_centre(i) - e.cage.position);
+  const Vec3 in_cage = e.cage.to_base.transpose() * (e.element_centre(i) - e.cage.position);
   const Vec3 q = frame.cage_to_pocket * (in_cage - frame.centre);
   qx_[i] = q[0];
   qy_[i] = q[1];
@@ -146,17 +146,11 @@ inline void PocketBlock<Traction, Shaped>::touch(Evaluation& e, std::size_t i,
   const PocketAction action =
       pocket_action<Traction>(law, friction_, e, i, set_.ball_radius(), m, overlap);
   if constexpr (Traction) {
-    const Vec3 moment = e.to_cylindrical(i, action.arm.cross(action.friction));
-    e.M_x[i] += moment[0];
-    e.M_r[i] += moment[1];
-    e.M_theta[i] += moment[2];
+    e.add_moment(i, e.to_cylindrical(i, action.arm.cross(action.friction)));
     heat_ += action.heat;
     e.cage.load_slip += action.N * action.slip;
   }
-  const Vec3 force = e.to_cylindrical(i, action.on_ball);
-  e.F_x[i] += force[0];
-  e.F_r[i] += force[1];
-  e.F_theta[i] += force[2];
+  e.add_force(i, e.to_cylindrical(i, action.on_ball));
   e.cage.add_force(-action.on_ball, action.point);
   e.elastic += contact::energy(law, overlap);
 }
@@ -231,7 +225,7 @@ std::string PocketContact::why_invalid(const Evaluation&) const {
 }
 
 void PocketContact::report(const Evaluation& e, Snapshot& snapshot) const {
-  for (std::size_t i = 0; i < e.balls.n; ++i) {
+  for (std::size_t i = 0; i < e.elements.n; ++i) {
     snapshot.elements[i].pocket = set_->report(i);
     snapshot.elements[i].pocket_to_centre = set_->centre(i);
   }

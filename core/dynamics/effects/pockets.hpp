@@ -114,10 +114,11 @@ template <bool Traction>
   a.N = contact::load(law, overlap);
   a.m = m;
   a.arm = ball_radius * a.m;
-  a.point = e.ball_centre(i) + a.arm;
+  a.point = e.element_centre(i) + a.arm;
   a.on_ball = -a.N * a.m;
   if constexpr (Traction) {
-    Vec3 slip = e.cage.velocity_at(a.point) - e.ball_velocity(i) - e.ball_omega(i).cross(a.arm);
+    Vec3 slip =
+        e.cage.velocity_at(a.point) - e.element_velocity(i) - e.element_omega(i).cross(a.arm);
     slip -= slip.dot(a.m) * a.m;
     a.slip = slip.norm();
     a.friction_per_slip = a.N * friction.per_slip(a.slip);

@@ -42,11 +42,9 @@ class RaceBlock final : public EffectBlock {
 void RaceBlock::apply(Evaluation& e) noexcept {
   const auto j = static_cast<std::size_t>(model_.race);
   RaceState& race = e.race[j];
-  const BallForces out{
-      e.F_x.data(),     e.F_r.data(),     e.F_theta.data(),
-      e.M_x.data(),     e.M_r.data(),     e.M_theta.data(),
-      e.load[j].data(), e.heat[j].data(), load_slip_ ? e.load_slip[j].data() : nullptr};
-  const RaceSums sums = evaluate_race_contacts(model_, e.balls, race.motion, out);
+  const ElementForces out = forces_in(e.actions, e.load[j].data(), e.heat[j].data(),
+                                      load_slip_ ? e.load_slip[j].data() : nullptr);
+  const RaceSums sums = evaluate_race_contacts(model_, e.elements, race.motion, out);
   race.force += sums.force;
   race.moment += sums.moment;
   e.elastic += sums.elastic_energy;
@@ -154,7 +152,7 @@ double Races::stiffness(double force) const {
 
 std::string Races::why_invalid(const Evaluation& e) const {
   for (std::size_t j = 0; j < 2; ++j)
-    for (std::size_t i = 0; i < e.balls.n; ++i) {
+    for (std::size_t i = 0; i < e.elements.n; ++i) {
       if (e.load[j][i] > contact::hertz_load(contacts_[j].hertz.K, contacts_[j].groove.ball_radius))
         return fmt::format(
             "element {} is pressed into the {} race by more than its own radius; use a "
@@ -189,9 +187,9 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
     snapshot.power.qv_race[j] = integral_at(e, load_slip_[j]);
     snapshot.power.qv_element1[j] = integral_at(e, load_slip_element1_[j]);
     if (!in_contact_) continue;
-    for (std::size_t i = 0; i < e.balls.n; ++i) {
+    for (std::size_t i = 0; i < e.elements.n; ++i) {
       RaceContactSnapshot& contact = snapshot.elements[i].race[j];
-      contact = race_contact_detail(contacts_[j], e.balls, i, motion);
+      contact = race_contact_detail(contacts_[j], e.elements, i, motion);
       contact.contact_temperature = temperature_[j] + contact.temperature_rise;
     }
   }
@@ -203,8 +201,8 @@ double Races::quadrature_error(const Evaluation& e) const {
   for (std::size_t j = 0; j < 2; ++j) {
     const RaceContactModel& model = contacts_[j];
     if (!model.traction) continue;
-    for (std::size_t i = 0; i < e.balls.n; ++i) {
-      const RaceContactState contact = race_contact_state(model, e.balls, i, e.race[j].motion);
+    for (std::size_t i = 0; i < e.elements.n; ++i) {
+      const RaceContactState contact = race_contact_state(model, e.elements, i, e.race[j].motion);
       if (!(contact.ellipse.Q > 0.0)) continue;
       const auto fixed =
           tribology::ellipse_traction(model.curve, contact.ellipse, contact.motion, model.rule);

@@ -36,13 +36,11 @@ class AirDrag final : public SceneEffect {
     Drag(double coefficient, double& heat) : c_(coefficient), heat_(heat) {}
     void apply(Evaluation& e) noexcept override {
       heat_ = 0.0;
-      for (std::size_t i = 0; i < e.balls.n; ++i) {
-        const double vx = e.balls.x_dot[i], vr = e.balls.r_dot[i];
-        const double vt = e.balls.r[i] * e.balls.theta_dot[i];
+      for (std::size_t i = 0; i < e.elements.n; ++i) {
+        const double vx = e.elements.x_dot[i], vr = e.elements.r_dot[i];
+        const double vt = e.elements.r[i] * e.elements.theta_dot[i];
         const double g = c_ * std::sqrt(vx * vx + vr * vr + vt * vt);
-        e.F_x[i] -= g * vx;
-        e.F_r[i] -= g * vr;
-        e.F_theta[i] -= g * vt;
+        e.add_force(i, -g * Vec3(vx, vr, vt));
         heat_ += g * (vx * vx + vr * vr + vt * vt);
       }
     }

@@ -13,7 +13,7 @@
 #include <numbers>
 
 using namespace adore;
-using dynamics::BallArrays;
+using dynamics::ElementViews;
 using dynamics::InstructionSet;
 using dynamics::RaceContactModel;
 using dynamics::RaceMotion;
@@ -51,7 +51,7 @@ struct Wrench {
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< on the ball about its centre, base frame
   double heat = 0.0, load_slip = 0.0, load = 0.0;
 };
-Wrench scalar_contact(const RaceContactModel& model, const BallArrays& balls, std::size_t i,
+Wrench scalar_contact(const RaceContactModel& model, const ElementViews& balls, std::size_t i,
                       const RaceMotion& race) {
   const auto state = dynamics::race_contact_state(model, balls, i, race);
   Wrench wrench;
@@ -349,7 +349,7 @@ TEST_CASE("race contacts: nothing is written beyond the arrays and a null load-s
     const ThrustScene scene = scene_of(kTwoSlopeCase, 13);
     Outputs out(20);
     for (auto& values : out.value) std::fill(values.begin() + 13, values.end(), 77.0);
-    dynamics::BallForces forces = out.forces();
+    dynamics::ElementForces forces = out.forces();
     forces.load_slip = nullptr;
     std::fill(out.value[8].begin(), out.value[8].end(), 77.0);
     const RaceSums sums = dynamics::evaluate_race_contacts(set, scene.model[1], scene.arrays(),
@@ -378,8 +378,8 @@ TEST_CASE("race contacts: the same input gives the same bytes", "[unit]") {
 TEST_CASE("race contacts: the hot path allocates nothing", "[unit][alloc]") {
   const ThrustScene scene = scene_of(kTwoSlopeCase, 18);
   Outputs out(18);
-  const dynamics::BallForces forces = out.forces();
-  const BallArrays balls = scene.arrays();
+  const dynamics::ElementForces forces = out.forces();
+  const ElementViews balls = scene.arrays();
   const long before = test::allocation_count();
   RaceSums sums;
   for (std::size_t j = 0; j < 2; ++j) {

@@ -27,7 +27,7 @@ struct ThrustScene {
   std::size_t n = 0;
   std::array<std::vector<double>, 10> ball;
 
-  [[nodiscard]] dynamics::BallArrays arrays() const {
+  [[nodiscard]] dynamics::ElementViews arrays() const {
     return {n,
             ball[0].data(),
             ball[1].data(),
@@ -48,7 +48,7 @@ struct Outputs {
   explicit Outputs(std::size_t n) {
     for (auto& v : value) v.assign(n, 0.0);
   }
-  dynamics::BallForces forces() {
+  dynamics::ElementForces forces() {
     return {value[0].data(), value[1].data(), value[2].data(), value[3].data(), value[4].data(),
             value[5].data(), value[6].data(), value[7].data(), value[8].data()};
   }

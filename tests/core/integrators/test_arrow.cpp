@@ -18,16 +18,18 @@ struct Pair {
   ArrowMatrix arrow;
   Eigen::MatrixXd dense;
 };
-Pair random_pair(std::span<const int> block_of, int size, unsigned seed) {
-  Pair pair{ArrowMatrix(std::make_shared<ArrowShape>(block_of, size)),
+Pair random_pair(std::span<const int> block_of, int size, unsigned seed, bool ring = false) {
+  Pair pair{ArrowMatrix(std::make_shared<ArrowShape>(block_of, size, ring)),
             Eigen::MatrixXd::Zero(size, size)};
+  const int blocks = pair.arrow.shape().blocks();
   std::mt19937 generator(seed);
   std::uniform_real_distribution<double> value(-1.0, 1.0);
   for (int i = 0; i < size; ++i) {
     for (int j = 0; j < size; ++j) {
       const int a = block_of.empty() ? kBorder : block_of[i];
       const int b = block_of.empty() ? kBorder : block_of[j];
-      if (a != b && a != kBorder && b != kBorder) continue;
+      const bool neighbours = ring && ((a + 1) % blocks == b || (b + 1) % blocks == a);
+      if (a != b && a != kBorder && b != kBorder && !neighbours) continue;
       pair.arrow.at(i, j) = pair.dense(i, j) = value(generator);
     }
   }
@@ -38,8 +40,12 @@ Pair random_pair(std::span<const int> block_of, int size, unsigned seed) {
 /// y = x_0..x_n-1, v_0..v_n-1, X, V, and the friction's heat as a quadrature.
 class Carrier final : public OdeSystem {
  public:
-  explicit Carrier(int n)
-      : n_(n), scales_(static_cast<std::size_t>(2 * n) + 2, 1.0), blocks_(scales_.size(), kBorder) {
+  /// @param ring springs between neighbouring masses, the last and the first are neighbours
+  explicit Carrier(int n, bool ring = false)
+      : n_(n),
+        ring_(ring),
+        scales_(static_cast<std::size_t>(2 * n) + 2, 1.0),
+        blocks_(scales_.size(), kBorder) {
     for (int i = 0; i < 2 * n; ++i) blocks_[i] = i % n;
   }
   [[nodiscard]] int size() const noexcept override { return 2 * n_ + 3; }
@@ -48,6 +54,7 @@ class Carrier final : public OdeSystem {
   [[nodiscard]] std::span<const int> blocks() const noexcept override {
     return told_ ? std::span<const int>(blocks_) : std::span<const int>();
   }
+  [[nodiscard]] bool blocks_form_ring() const noexcept override { return told_ && ring_; }
   EvalStatus rhs(double t, const double* y, double* f) noexcept override {
     return rhs_with_shares(RhsPart::Whole, t, y, f, nullptr);
   }
@@ -68,6 +75,13 @@ class Carrier final : public OdeSystem {
       f[2 * n_ + 1] += share;
       f[2 * n_ + 2] += friction * (v[i] - V);
       if (shares) shares[2 * i] = 0.0, shares[2 * i + 1] = share;
+    }
+    for (int i = 0; ring_ && i < n_; ++i) {
+      const int next = (i + 1) % n_;
+      const double d = y[next] - y[i], pull = 0.3 * kStiffness * (d + d * d * d) + v[next] - v[i];
+      f[n_ + i] += pull;
+      f[n_ + next] -= pull;
+      f[2 * n_ + 2] += (v[next] - v[i]) * (v[next] - v[i]);
     }
     return EvalStatus::Ok;
   }
@@ -93,7 +107,7 @@ class Carrier final : public OdeSystem {
  private:
   static constexpr double kStiffness = 400.0;
   int n_;
-  bool told_ = true;
+  bool ring_, told_ = true;
   std::vector<double> scales_;
   std::vector<int> blocks_;
 };
@@ -124,6 +138,54 @@ TEST_CASE("The arrow solves as a dense matrix does", "[unit][integrators]") {
   }
 }
 
+TEST_CASE("A ring of blocks with a border solves as a dense matrix does", "[unit][integrators]") {
+  for (const int blocks : {1, 2, 3, 4, 5, 6, 7, 8, 11, 18})
+    for (const int border : {0, 1, 5}) {
+      std::vector<int> block_of;
+      for (int part = 0; part < 4; ++part)
+        for (int b = 0; b < blocks; ++b)
+          if (part < 2 + b % 3) block_of.push_back(b);  // two to four rows each, scattered
+      for (int k = 0; k < border; ++k)
+        block_of.insert(block_of.begin() + k * 3 % static_cast<int>(block_of.size()), kBorder);
+      const int size = static_cast<int>(block_of.size());
+      for (unsigned seed = 0; seed < 10; ++seed) {
+        auto [arrow, dense] = random_pair(block_of, size, seed, true);
+        arrow.scale_and_add_identity(-0.15);
+        dense = Eigen::MatrixXd::Identity(size, size) - 0.15 * dense;
+        Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(size, -1.0, 2.0);
+        const Eigen::VectorXd expected = dense.fullPivLu().solve(b);
+        REQUIRE(arrow.factor());
+        arrow.solve(b.data());
+        INFO(blocks << " blocks, border " << border << ", seed " << seed);
+        CHECK((b - expected).norm() < 1e-11 * expected.norm());
+      }
+    }
+  // Blocks that are no neighbours have no element, and sets that are displaced together stand
+  // apart.
+  const std::vector<int> one_each{0, 1, 2, 3, 4, 5, 6};
+  ArrowMatrix ring(std::make_shared<ArrowShape>(one_each, 7, true));
+  CHECK_NOTHROW(ring.at(0, 6));
+  CHECK_NOTHROW(ring.at(6, 0));
+  CHECK_THROWS_AS(ring.at(6, 1), std::out_of_range);
+  CHECK_THROWS_AS(ring.at(2, 4), std::out_of_range);
+  for (int n = 1; n < 30; ++n) {
+    std::vector<int> block_of;
+    for (int b = 0; b < n; ++b) block_of.push_back(b);
+    const ArrowShape shape(block_of, n, true);
+    int members = 0;
+    for (const std::vector<int>& set : shape.apart()) {
+      members += static_cast<int>(set.size());
+      for (const int a : set)
+        for (const int b : set) {
+          const int way = std::abs(a - b);
+          if (a != b) CHECK(std::min(way, n - way) >= 3);
+        }
+    }
+    CHECK(members == n);
+    CHECK(shape.apart().size() <= (n == 5 ? 5 : 4));
+  }
+}
+
 TEST_CASE("A singular part and a wrong structure are reported", "[unit][integrators]") {
   auto [arrow, dense] = random_pair(kScattered, 13, 1);
   for (const int j : {1, 4, 8}) arrow.at(4, j) = 0.0;
@@ -136,8 +198,14 @@ TEST_CASE("A singular part and a wrong structure are reported", "[unit][integrat
 
 TEST_CASE("The Jacobian of an arrow equals the dense one at a price that does not grow",
           "[unit][integrators]") {
-  for (const int n : {3, 12, 40}) {
-    Carrier told(n), untold(n);
+  for (const auto& [n, ring] : {std::pair{3, false},
+                                {12, false},
+                                {40, false},
+                                {2, true},
+                                {5, true},
+                                {12, true},
+                                {40, true}}) {
+    Carrier told(n, ring), untold(n, ring);
     untold.hide_blocks();
     std::vector<double> y = told.start(), f(y.size());
     for (std::size_t i = 0; i < y.size(); ++i)
@@ -150,14 +218,17 @@ TEST_CASE("The Jacobian of an arrow equals the dense one at a price that does no
     REQUIRE(by_colour(0.0, y.data(), f.data(), arrow) == Outcome::Ok);
     CHECK(y == before);
     REQUIRE(one_by_one(0.0, y.data(), f.data(), dense) == Outcome::Ok);
-    CHECK(told.calls == 2 + 2 + 1);  // block, border, shares at the point
+    const int sets = !ring ? 1 : n < 6 ? n : n % 3 == 0 ? 3 : 4;
+    CHECK(told.calls == 2 * sets + 2 + 1);  // block, border, shares at the point
     CHECK(told.calls == by_colour.evaluations());
     CHECK(untold.calls == 2 * n + 2);
     double worst = 0.0;
     const auto blocks = told.blocks();
     for (int i = 0; i < told.controlled_size(); ++i) {
       for (int j = 0; j < told.controlled_size(); ++j) {
-        const bool apart = blocks[i] != blocks[j] && blocks[i] != kBorder && blocks[j] != kBorder;
+        const int way = std::abs(blocks[i] - blocks[j]);
+        const bool apart = blocks[i] != kBorder && blocks[j] != kBorder &&
+                           (ring ? std::min(way, n - way) > 1 : way > 0);
         const double value = apart ? 0.0 : arrow.at(i, j);
         worst = std::max(worst, std::abs(value - dense.at(i, j)));
       }
@@ -169,8 +240,12 @@ TEST_CASE("The Jacobian of an arrow equals the dense one at a price that does no
 
 TEST_CASE("Implicit methods follow the same path with and without the arrow",
           "[physics][integrators]") {
-  for (const auto name : {"cvode-bdf", "arkode-dirk", "arkode-imex"}) {
-    Carrier told(12), untold(12);
+  for (const auto& [name, ring] : {std::pair{"cvode-bdf", false},
+                                   {"arkode-dirk", false},
+                                   {"arkode-imex", false},
+                                   {"cvode-bdf", true},
+                                   {"arkode-dirk", true}}) {
+    Carrier told(12, ring), untold(12, ring);
     untold.hide_blocks();
     const auto a = make_stepper(name), b = make_stepper(name);
     for (auto [stepper, system] : {std::pair{a.get(), &told}, std::pair{b.get(), &untold}}) {
@@ -179,6 +254,7 @@ TEST_CASE("Implicit methods follow the same path with and without the arrow",
     }
     INFO(name << ": " << a->counters().steps << " steps, " << a->counters().evaluations << " and "
               << b->counters().evaluations << " evaluations");
+    INFO("ring " << ring);
     CHECK(std::abs(a->counters().steps - b->counters().steps) <= b->counters().steps / 20);
     CHECK(distance(a->state(), {b->state().begin(), b->state().end()}) < 1e-4);  // ten tolerances
     if (std::string_view(name) != "arkode-imex")
