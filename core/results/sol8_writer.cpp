@@ -28,10 +28,9 @@ void append_block(std::string& out, const std::vector<double>& values) {
 }
 
 std::vector<double> in_order(const Sol8Geometry& g) {
-  return {g.cage_outer_radius,       g.cage_inner_radius,       g.cage_outer_clearance,
-          g.cage_inner_clearance,    g.pocket_clearance_1,      g.pocket_clearance_2,
-          g.element_radius,          g.pitch_diameter,          g.outer_race_outer_radius,
-          g.outer_race_inner_radius, g.inner_race_outer_radius, g.inner_race_inner_radius};
+  std::vector<double> values;
+  for (const Sol8GeometryField& field : kSol8Geometry) values.push_back(g.*field.value);
+  return values;
 }
 
 std::vector<double> in_order(const Sol8Frame& frame) {
@@ -64,12 +63,7 @@ Sol8Body body_of(const scene::BodySnapshot& body) {
 }
 
 void scale(Sol8Geometry& g, double length) {
-  for (double* value :
-       {&g.cage_outer_radius, &g.cage_inner_radius, &g.cage_outer_clearance,
-        &g.cage_inner_clearance, &g.pocket_clearance_1, &g.pocket_clearance_2, &g.element_radius,
-        &g.pitch_diameter, &g.outer_race_outer_radius, &g.outer_race_inner_radius,
-        &g.inner_race_outer_radius, &g.inner_race_inner_radius})
-    *value /= length;
+  for (const Sol8GeometryField& field : kSol8Geometry) g.*field.value /= length;
 }
 
 void scale(Sol8Frame& frame, double length, double force) {
@@ -187,7 +181,7 @@ std::string format_sol8_header(const Sol8File& file) {
   ff::append_integer(out, file.elements, 3);
   for (const std::string& unit : file.units)
     ff::append_integer(out, static_cast<long long>(std::min<std::size_t>(unit.size(), 10)), 3);
-  ff::append_integer(out, 12, 3);
+  ff::append_integer(out, kSol8Geometry.size(), 3);
   ff::append_integer(out, 11LL * file.elements + 22, 3);
   out += "\n  ";
   for (const std::string& unit : file.units) {
