@@ -1,4 +1,5 @@
 #include "base/errors.hpp"
+#include "base/rotation.hpp"
 #include "base/version.hpp"
 #include "contact/groove.hpp"
 #include "results/continuation.hpp"
@@ -59,7 +60,7 @@ std::vector<double> in_order(const Sol8Frame& frame) {
 std::array<double, 3> to_array(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 Sol8Body body_of(const scene::BodySnapshot& body) {
-  return {to_array(body.position), transformation_angles(body.orientation)};
+  return {to_array(body.position), to_array(angles_from_quaternion(body.orientation))};
 }
 
 void scale(Sol8Geometry& g, double length) {
@@ -146,7 +147,7 @@ Sol8Frame make_sol8_frame(const scene::Snapshot& snapshot) {
     element.x = ball.x;
     element.r = ball.r;
     element.theta = wrapped(ball.theta);
-    element.angles = transformation_angles(ball.orientation);
+    element.angles = to_array(angles_from_quaternion(ball.orientation));
     element.pocket_vector = to_array(ball.pocket_to_centre);
     // A pocket with several guide surfaces shows the one that carries most, or else the nearest.
     const auto contact =
