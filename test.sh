@@ -1,7 +1,11 @@
 #!/usr/bin/env bash
-# Does what ./run.sh does, then runs every test, the reference cases, and, under sanitizers, the readers and their fuzzers.
+# Checks the formatting, does what ./run.sh does, then runs every test, the reference cases, and, under sanitizers, the
+# readers and their fuzzers.
 set -euo pipefail
 cd "$(dirname "$0")"
+
+git ls-files -z '*.cpp' '*.hpp' '*.c' '*.h' | xargs -0 -n 100 -P "$(nproc)" clang-format --dry-run -Werror
+echo "formatting: as .clang-format says"
 
 ./run.sh
 

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -318,76 +317,6 @@ std::vector<ChartPage> stiffness_pages(const StaticTables& all) {
   return out;
 }
 
-/// Units that names of key results end in, and how an axis writes them.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 15> kSuffixes{
-    {{"_Nm_per_rad", "N m/rad"},
-     {"_N_per_m", "N/m"},
-     {"_m_per_s", "m/s"},
-     {"_rad", "rad"},
-     {"_deg", "deg"},
-     {"_Nm", "N m"},
-     {"_Pa", "Pa"},
-     {"_m", "m"},
-     {"_N", "N"},
-     {"_W", "W"},
-     {"_J", "J"},
-     {"_hours", "hr"},
-     {"_hr", "hr"},
-     {"_K", "K"},
-     {"_s", "s"}}};
-
-/// Key results whose names are short.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 14> kNames{
-    {{"life_lp", "Life, original Lundberg-Palmgren"},
-     {"life_lp_stle", "Life, original Lundberg-Palmgren with STLE factors"},
-     {"life_lp_tallian", "Life, original Lundberg-Palmgren with Tallian-type factors"},
-     {"life_lpu", "Life, updated Lundberg-Palmgren"},
-     {"life_lpu_stle", "Life, updated Lundberg-Palmgren with STLE factors"},
-     {"life_lpu_tallian", "Life, updated Lundberg-Palmgren with Tallian-type factors"},
-     {"life_gz", "Life, Gupta-Zaretsky type"},
-     {"life_gz_stle", "Life, Gupta-Zaretsky type with STLE factors"},
-     {"life_gz_tallian", "Life, Gupta-Zaretsky type with Tallian-type factors"},
-     {"life_ih", "Life, Ioannides-Harris type"},
-     {"life_ih_stle", "Life, Ioannides-Harris type with STLE factors"},
-     {"life_ih_tallian", "Life, Ioannides-Harris type with Tallian-type factors"},
-     {"life_stored", "Life, model of the plot files"},
-     {"run_life", "Life by the loads of the run"}}};
-
-/// Parts of a name that tell curves of one quantity apart.
-constexpr std::array<std::string_view, 9> kParts{
-    "_about_y", "_about_z", "_x", "_y", "_z", "_outer", "_inner", "_bearing", "_elements"};
-
-struct NameParts {
-  std::string quantity, part, unit;
-};
-
-NameParts split(std::string name) {
-  NameParts out;
-  for (const auto& [suffix, unit] : kSuffixes)
-    if (name.ends_with(suffix)) {
-      out.unit = unit;
-      name.resize(name.size() - suffix.size());
-      break;
-    }
-  for (const auto& [key, full] : kNames)
-    if (name == key) {
-      out.quantity = full;
-      return out;
-    }
-  for (const std::string_view part : kParts)
-    if (name.ends_with(part)) {
-      out.part = part.substr(1);
-      name.resize(name.size() - part.size());
-      break;
-    }
-  std::replace(name.begin(), name.end(), '_', ' ');
-  std::replace(out.part.begin(), out.part.end(), '_', ' ');
-  if (!name.empty() && name.front() >= 'a' && name.front() <= 'z')
-    name.front() = static_cast<char>(name.front() - 'a' + 'A');
-  out.quantity = std::move(name);
-  return out;
-}
-
 }  // namespace
 
 std::vector<ChartPage> static_pages(const StaticTables& all) {
@@ -413,14 +342,13 @@ std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep) {
   constexpr std::size_t kPanelsPerPage = 3;
   std::vector<ChartPanel> panels;
   for (const results::SweepColumn& column : sweep.columns) {
-    const NameParts name = split(column.name);
     const auto same = std::find_if(panels.begin(), panels.end(), [&](const ChartPanel& p) {
-      return !name.part.empty() && p.title == name.quantity && p.unit == name.unit;
+      return !column.part.empty() && p.title == column.label && p.unit == column.unit;
     });
     if (same != panels.end())
-      same->curves.push_back({name.part, column.values, {}});
+      same->curves.push_back({column.part, column.values, {}});
     else
-      panels.push_back({name.quantity, name.unit, {{name.part, column.values, {}}}});
+      panels.push_back({column.label, column.unit, {{column.part, column.values, {}}}});
   }
   std::vector<ChartPage> pages;
   for (std::size_t i = 0; i < panels.size(); ++i) {

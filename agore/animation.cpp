@@ -205,12 +205,10 @@ std::vector<double> element_spin_ratio(const Animation& animation, std::size_t e
   const std::size_t n = animation.frames();
   std::vector<double> turned(n, 0.0);
   for (std::size_t i = 1; i < n; ++i) {
-    const auto a = rotation(animation.frame(i - 1).elements.at(element).angles);
-    const auto b = rotation(animation.frame(i).elements.at(element).angles);
+    const Mat3 a = rotation(animation.frame(i - 1).elements.at(element).angles);
+    const Mat3 b = rotation(animation.frame(i).elements.at(element).angles);
     // Angle of the rotation from one frame to the next: trace(A^T B) = 1 + 2 cos(angle).
-    double trace = 0.0;
-    for (std::size_t r = 0; r < 3; ++r)
-      for (std::size_t c = 0; c < 3; ++c) trace += a[r][c] * b[r][c];
+    const double trace = a.cwiseProduct(b).sum();
     turned[i] = turned[i - 1] + std::acos(std::clamp(0.5 * (trace - 1.0), -1.0, 1.0));
   }
   auto ratio = over_shaft(rate(turned, animation.time), animation);
@@ -218,13 +216,8 @@ std::vector<double> element_spin_ratio(const Animation& animation, std::size_t e
   return ratio;
 }
 
-std::array<std::array<double, 3>, 3> rotation(const std::array<double, 3>& angles) {
-  const double ce = std::cos(angles[0]), se = std::sin(angles[0]), cx = std::cos(angles[1]),
-               sx = std::sin(angles[1]);
-  const double cl = std::cos(angles[2]), sl = std::sin(angles[2]);
-  return {{{cx * cl, -cx * sl, sx},
-           {ce * sl + se * sx * cl, ce * cl - se * sx * sl, -se * cx},
-           {se * sl - ce * sx * cl, se * cl + ce * sx * sl, ce * cx}}};
+Mat3 rotation(const std::array<double, 3>& angles) {
+  return passive_matrix({angles[0], angles[1], angles[2]}).transpose();
 }
 
 }  // namespace adore::agore

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/rotation.hpp"
 #include "results/full_precision.hpp"
 #include "results/sol_file.hpp"
 
@@ -66,6 +67,6 @@ std::vector<double> element_spin_ratio(const Animation& animation, std::size_t e
 
 /// Rotation matrix of transformation angles: about X by eta, then the new Y by xi, then the newest
 /// Z by lambda. Columns are the body's axes in the fixed frame.
-std::array<std::array<double, 3>, 3> rotation(const std::array<double, 3>& angles);
+Mat3 rotation(const std::array<double, 3>& angles);
 
 }  // namespace adore::agore

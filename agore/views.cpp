@@ -68,15 +68,15 @@ QPointF ball_centre(const Scene& s, std::size_t k) {
 /// Direction of an element's orientation mark, its body's z axis: right, up, towards the viewer,
 /// seen from +X.
 std::array<double, 3> mark_from_axis(const results::Sol8Element& element) {
-  const auto axes = rotation(element.angles);
-  return {axes[1][2], axes[2][2], axes[0][2]};
+  const Vec3 z = rotation(element.angles).col(2);
+  return {z.y(), z.z(), z.x()};
 }
 
 /// The same seen from outside along the pocket axis at azimuth `angle`: right is increasing
 /// azimuth, up is X.
 std::array<double, 3> mark_from_outside(const results::Sol8Element& element, double angle) {
-  const auto axes = rotation(element.angles);
-  const double x = axes[0][2], y = axes[1][2], z = axes[2][2];
+  const Vec3 axis = rotation(element.angles).col(2);
+  const double x = axis.x(), y = axis.y(), z = axis.z();
   return {-y * std::cos(angle) - z * std::sin(angle), x,
           -y * std::sin(angle) + z * std::cos(angle)};
 }

@@ -1,11 +1,11 @@
 #include "cli/deck_options.hpp"
 
 #include "base/errors.hpp"
-#include "setup/run_control.hpp"
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
 #include "deck/schema.hpp"
+#include "setup/run_control.hpp"
 
 #include <fmt/format.h>
 

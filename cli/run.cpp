@@ -1,6 +1,5 @@
 #include "facade/run.hpp"
 
-#include "setup/run_control.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
 #include "cli/option_ranges.hpp"
@@ -13,6 +12,7 @@
 #include "facade/output_folder.hpp"
 #include "facade/reproducible.hpp"
 #include "facade/sweep.hpp"
+#include "setup/run_control.hpp"
 
 #include <fmt/format.h>
 

@@ -105,10 +105,11 @@ nlohmann::ordered_json summary_json(const facade::RunOutcome& outcome) {
   if (outcome.energy_scale > 0.0)
     out["energy"] = {{"residual_J", outcome.energy_residual}, {"moved_J", outcome.energy_scale}};
   nlohmann::ordered_json results = nlohmann::ordered_json::object();
-  for (const auto& [name, value] : outcome.summary)
-    results[name] = std::isfinite(value)
-                        ? nlohmann::ordered_json(value)
-                        : nlohmann::ordered_json(std::isinf(value) ? "infinite" : "not computed");
+  for (const auto& [of, value] : outcome.summary)
+    results[std::string(of.id)] =
+        std::isfinite(value)
+            ? nlohmann::ordered_json(value)
+            : nlohmann::ordered_json(std::isinf(value) ? "infinite" : "not computed");
   out["results"] = results;
   out["remarks"] = nlohmann::ordered_json::array();
   for (const Issue& issue : outcome.warnings) out["remarks"].push_back(issue.text());

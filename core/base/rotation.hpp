@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -13,8 +12,8 @@
 /// has +sin in (2,3), Ry has -sin in (1,3), Rz has +sin in (1,2). As motions: turn by η about X,
 /// then ξ about y', then λ about z''. A quaternion q = (w, x, y, z) is of unit length and turns
 /// body components into parent components: v_parent = R(q) v_body, R(q) = T^T; q and -q are the
-/// same attitude. Angles in rad. Only the angles are singular (at ξ = ±90°, where λ is set to the
-/// sum or difference and η to 0); quaternion and matrix never are.
+/// same attitude. Angles in rad. Only the angles are singular (at ξ = ±90°, where λ is set to 0
+/// and η to the sum or difference); quaternion and matrix never are.
 namespace adore {
 
 using Vec3 = Eigen::Vector3d;
@@ -40,12 +39,27 @@ using Quat = std::array<double, 4>;  ///< (w, x, y, z), body -> parent
   return passive_z(eta_xi_lambda[2]) * passive_y(eta_xi_lambda[1]) * passive_x(eta_xi_lambda[0]);
 }
 
-/// (η, ξ, λ) of a passive matrix T: η = atan2(-T32, T33), ξ = asin T31, λ = atan2(-T21, T11).
+/// (η, ξ, λ) of a passive matrix T, in -π..π, |ξ| <= π/2: η = atan2(-T32, T33), ξ = atan2(T31, c),
+/// c = cos ξ = |(T32, T33)|, and λ of the frame turned back by η, so that the three give T back to
+/// rounding however small c is. Below c = 1e-12 only η ± λ is defined: λ is 0, η the whole turn,
+/// and T comes back to 1e-12.
 [[nodiscard]] inline Vec3 angles_from_matrix(const Mat3& T) noexcept {
-  const double sin_xi = std::clamp(T(2, 0), -1.0, 1.0);
-  if (std::abs(T(2, 1)) + std::abs(T(2, 2)) < 1e-12)  // ξ = ±90°: only λ ± η is defined
-    return {0.0, std::asin(sin_xi), std::atan2(T(0, 1), T(1, 1))};
-  return {std::atan2(-T(2, 1), T(2, 2)), std::asin(sin_xi), std::atan2(-T(1, 0), T(0, 0))};
+  constexpr double kParallel = 1e-12;
+  const double cos_xi = std::hypot(T(2, 1), T(2, 2));
+  const double xi = std::atan2(T(2, 0), cos_xi);
+  if (cos_xi < kParallel) return {std::atan2(T(1, 2), T(1, 1)), xi, 0.0};
+  const double eta = std::atan2(0.0 - T(2, 1), T(2, 2));  // no -0, or -180° would be shown
+  const double c = std::cos(eta), s = std::sin(eta);
+  return {eta, xi, std::atan2(c * T(0, 1) + s * T(0, 2), c * T(1, 1) + s * T(1, 2))};
+}
+
+/// (ξ, λ) of an axis, a unit vector: of the frame that was turned by ξ about Y, then by λ about z',
+/// with no spin η, and has its x axis there: axis = (cos ξ cos λ, sin λ, -sin ξ cos λ). Decks and
+/// listings call them misalignment about y and about z. An axis along ±Y has ξ = 0.
+[[nodiscard]] inline std::array<double, 2> tilt_of_axis(const Vec3& axis) noexcept {
+  const double across = std::hypot(axis[0], axis[2]);
+  const double xi = across < 1e-12 ? 0.0 : std::atan2(0.0 - axis[2], axis[0]);
+  return {xi, std::atan2(axis[1], across)};
 }
 
 /// Hamilton product a ⊗ b.
@@ -94,9 +108,9 @@ using Quat = std::array<double, 4>;  ///< (w, x, y, z), body -> parent
                   quaternion_about(Vec3::UnitZ(), eta_xi_lambda[2]));
 }
 
-/// (η, ξ, λ), each modulo one turn, |ξ| <= 90°.
+/// (η, ξ, λ) as angles_from_matrix gives them, of a quaternion that need not be of unit length.
 [[nodiscard]] inline Vec3 angles_from_quaternion(const Quat& q) noexcept {
-  return angles_from_matrix(rotation_matrix(q).transpose());
+  return angles_from_matrix(rotation_matrix(normalise(q)).transpose());
 }
 
 /// q̇ = ½ q ⊗ (0, ω), ω in body components [rad/s].

@@ -172,7 +172,8 @@ Pane pocket_from_outside(const Deck& deck, const OutlineModel& m, Point push) {
   const OutlineCage& cage = *m.cage;
   Pane pane;
   pane.title = "Pocket seen from outside, bearing axis up, to scale";
-  const double top = 0.5 * (cage.outer - m.pitch), low = 0.5 * (cage.inner - m.pitch);
+  const double top = 0.5 * (cage.outer_diameter - m.pitch),
+               low = 0.5 * (cage.inner_diameter - m.pitch);
   const double around = std::max(pocket_half_around(m, 0.0), pocket_half_around(m, top));
   const double room = m.count > 1 ? std::numbers::pi * m.pitch / m.count : 2.0 * around;
   const double half = 0.5 * cage.width, wide = std::clamp(room, 1.15 * around, 1.6 * around);
@@ -204,7 +205,7 @@ Pane pocket_from_outside(const Deck& deck, const OutlineModel& m, Point push) {
   put.across("bReDia", push.x - r, push.x + r, 0.0, {push.x - r, 0.0}, {push.x + r, 0.0});
   if (cage.pocket_code == 2 && !m.rollers) {
     put.upright("bPocCls1", push.y + r, axial, 0.0, {0.0, push.y + r}, {0.0, axial});
-    const double c = 0.5 * cage.clearance_2;
+    const double c = 0.5 * cage.pocket_clearance_2;
     put.across("bPocCls2", -c, c, -half - step, {-c, 0.0}, {c, 0.0});
   } else if (cage.pocket_code == 4 && !m.rollers) {
     const double inner = pocket_half_axial(m, low), outer = pocket_half_axial(m, top);
@@ -228,7 +229,8 @@ Pane pocket_across(const Deck& deck, const OutlineModel& m, Point push) {
   Pane pane;
   pane.title = "The same across the bearing axis";
   pane.share = 0.7;
-  const double top = 0.5 * (cage.outer - m.pitch), low = 0.5 * (cage.inner - m.pitch);
+  const double top = 0.5 * (cage.outer_diameter - m.pitch),
+               low = 0.5 * (cage.inner_diameter - m.pitch);
   constexpr int kParts = 20;
   double widest = 0.0;
   for (const double side : {-1.0, 1.0}) {

@@ -40,7 +40,8 @@ void add_land(const Deck& deck, const OutlineCage& cage, std::size_t index, doub
               Pane& pane) {
   const GuideLand& land = cage.lands[index];
   const int i = static_cast<int>(index) + 1;
-  const double thick = 0.5 * (cage.outer - cage.inner), mid = 0.25 * (cage.outer + cage.inner);
+  const double thick = 0.5 * (cage.outer_diameter - cage.inner_diameter),
+               mid = 0.25 * (cage.outer_diameter + cage.inner_diameter);
   const bool inner = land.guide == GuideLand::Guide::Inner;
   const double sigma = inner ? -1.0 : 1.0;
   const double inside = land.edge - std::copysign(land.width, land.edge);
@@ -175,7 +176,8 @@ Drawing draw_lands(const Deck& deck) {
   if (cage->lands.empty()) throw InputError("No land guides the cage (nGL = 0).");
   Drawing out;
   Pane pane;
-  const double thick = 0.5 * (cage->outer - cage->inner), half = 0.5 * cage->width;
+  const double thick = 0.5 * (cage->outer_diameter - cage->inner_diameter),
+               half = 0.5 * cage->width;
   double largest = 0.0;
   for (const GuideLand& land : cage->lands) largest = std::max(largest, land.clearance);
   const double factor =

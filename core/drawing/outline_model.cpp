@@ -5,6 +5,7 @@
 #include "deck/lookup.hpp"
 #include "setup/build_bearing.hpp"
 #include "setup/build_rollers.hpp"
+#include "setup/read_cage.hpp"
 #include "statics/roller_model.hpp"
 
 #include <fmt/format.h>
@@ -136,31 +137,15 @@ double OutlineModel::raceway(int race) const {
 
 std::optional<OutlineCage> outline_cage(const Deck& deck) {
   if (deck.integer("nCseg") < 1) return {};
-  OutlineCage cage;
-  cage.outer = value_or_zero(deck, "cageDia1");
-  cage.inner = value_or_zero(deck, "cageDia2");
-  cage.width = value_or_zero(deck, "cageWidth");
-  if (!(cage.inner > 0.0) || !(cage.outer > cage.inner) || !(cage.width > 0.0)) return {};
-  cage.clearance_1 = value_or_zero(deck, "bPocCls1");
-  cage.clearance_2 = value_or_zero(deck, "bPocCls2");
-  cage.cone_angle = value_or_zero(deck, "cageConeAng");
+  OutlineCage cage{setup::read_cage(
+      deck, [&](std::string_view variable, int i) { return value_or_zero(deck, variable, i); })};
+  if (!(cage.inner_diameter > 0.0) || !(cage.outer_diameter > cage.inner_diameter) ||
+      !(cage.width > 0.0))
+    return {};
   if (std::abs(cage.cone_angle) > 1.0) cage.cone_angle = 0.0;
   cage.cut = value_or_zero(deck, "cageAngCut");
   cage.pocket_code = static_cast<int>(deck.integer("kPocType"));
   cage.segments = static_cast<int>(std::min(deck.integer("nCseg"), 1000LL));
-  const int lands = static_cast<int>(std::clamp(deck.integer("nGL"), 0LL, 4LL));
-  for (int i = 1; i <= lands; ++i) {
-    bearing::GuideLand land;
-    const long long guide = deck.integer("iCageGuide", i);
-    land.guide = guide == 1   ? bearing::GuideLand::Guide::Outer
-                 : guide == 2 ? bearing::GuideLand::Guide::Inner
-                              : bearing::GuideLand::Guide::None;
-    land.diameter = value_or_zero(deck, "cageGsDia", i);
-    land.width = value_or_zero(deck, "cageGsWidth", i);
-    land.edge = value_or_zero(deck, "cageGsPos", i);
-    land.clearance = value_or_zero(deck, "cageGsCls", i);
-    cage.lands.push_back(land);
-  }
   return cage;
 }
 

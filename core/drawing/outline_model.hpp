@@ -13,18 +13,15 @@
 /// What the views share: the geometry that a deck describes, read as far as it goes. SI.
 namespace adore::drawing {
 
-struct OutlineCage {
-  double outer = 0.0, inner = 0.0, width = 0.0;  ///< diameters and width; > 0
-  double clearance_1 = 0.0, clearance_2 = 0.0;   ///< of the pockets
-  double cone_angle = 0.0, cut = 0.0;
-  int pocket_code = 0, segments = 1;
-  std::vector<bearing::GuideLand> lands;
+struct OutlineCage : bearing::Cage {  ///< outer and inner diameter and width > 0
+  double cut = 0.0;                   ///< angle between segments [rad]
+  int pocket_code = 0, segments = 1;  ///< kPocType, nCseg
   /// Radius at x: cones narrow towards +x.
   [[nodiscard]] double outer_radius(double x) const {
-    return 0.5 * outer - x * std::tan(cone_angle);
+    return 0.5 * outer_diameter - x * std::tan(cone_angle);
   }
   [[nodiscard]] double inner_radius(double x) const {
-    return 0.5 * inner - x * std::tan(cone_angle);
+    return 0.5 * inner_diameter - x * std::tan(cone_angle);
   }
 };
 

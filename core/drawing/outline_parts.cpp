@@ -100,17 +100,19 @@ Raceway roller_raceway(const OutlineModel& m, int race) {
 /// Half sizes of a pocket as the deck has them; too small a clearance makes them nonsense.
 double axial_half(const OutlineModel& m, double z) {
   const OutlineCage& cage = *m.cage;
-  const double radius = 0.5 * (m.diameter + cage.clearance_1);
+  const double radius = 0.5 * (m.diameter + cage.pocket_clearance_1);
   if (m.rollers) return 0.5 * m.length;
   switch (cage.pocket_code) {
     case 1:
       return std::sqrt(std::max(radius * radius - z * z, 0.0));
     case 3:
-      return 0.5 * (m.diameter + cage.clearance_2);
+      return 0.5 * (m.diameter + cage.pocket_clearance_2);
     case 4: {
-      const double low = 0.5 * (cage.inner - m.pitch), high = 0.5 * (cage.outer - m.pitch);
+      const double low = 0.5 * (cage.inner_diameter - m.pitch),
+                   high = 0.5 * (cage.outer_diameter - m.pitch);
       const double t = (z - low) / (high - low);
-      return 0.5 * (m.diameter + cage.clearance_1 + t * (cage.clearance_2 - cage.clearance_1));
+      return 0.5 * (m.diameter + cage.pocket_clearance_1 +
+                    t * (cage.pocket_clearance_2 - cage.pocket_clearance_1));
     }
     default:
       return radius;
@@ -120,13 +122,14 @@ double axial_half(const OutlineModel& m, double z) {
 double around_half(const OutlineModel& m, double z) {
   const OutlineCage& cage = *m.cage;
   if (m.rollers) {
-    const double radius = 0.5 * (m.diameter + cage.clearance_1);
+    const double radius = 0.5 * (m.diameter + cage.pocket_clearance_1);
     if (cage.pocket_code == -1) return std::sqrt(std::max(radius * radius - z * z, 0.0));
     return radius;
   }
   if (cage.pocket_code == 2)
-    return 0.5 * (m.diameter + cage.clearance_1) + 0.5 * std::max(cage.clearance_2, 0.0);
-  if (cage.pocket_code == 3) return 0.5 * (m.diameter + cage.clearance_1);
+    return 0.5 * (m.diameter + cage.pocket_clearance_1) +
+           0.5 * std::max(cage.pocket_clearance_2, 0.0);
+  if (cage.pocket_code == 3) return 0.5 * (m.diameter + cage.pocket_clearance_1);
   return axial_half(m, z);
 }
 
@@ -258,7 +261,8 @@ std::vector<Shape> cage_section(const OutlineModel& m) {
     double largest = 0.0;
     for (int i = 0; i <= kWall; ++i) {
       const double t = 1.0 - static_cast<double>(i) / kWall;  // from outside to inside
-      const double z = 0.5 * (cage.inner - m.pitch) + 0.5 * t * (cage.outer - cage.inner);
+      const double z = 0.5 * (cage.inner_diameter - m.pitch) +
+                       0.5 * t * (cage.outer_diameter - cage.inner_diameter);
       const double x = side * std::min(pocket_half_axial(m, z), half);
       largest = std::max(largest, std::abs(x));
       path.push_back({x, m.pitch_radius() + z - x * std::tan(cage.cone_angle)});

@@ -181,10 +181,10 @@ void measure_cage(const Deck& deck, const OutlineModel& m, Measures& put, double
   if (!m.cage) return;
   const OutlineCage& cage = *m.cage;
   const double half = 0.5 * cage.width;
-  put.upright("cageDia1", 0.0, 0.5 * cage.outer, -reach - step, {-half, 0.0},
-              {-half, 0.5 * cage.outer});
-  put.upright("cageDia2", 0.0, 0.5 * cage.inner, -reach - 2.0 * step, {-half, 0.0},
-              {-half, 0.5 * cage.inner});
+  put.upright("cageDia1", 0.0, 0.5 * cage.outer_diameter, -reach - step, {-half, 0.0},
+              {-half, 0.5 * cage.outer_diameter});
+  put.upright("cageDia2", 0.0, 0.5 * cage.inner_diameter, -reach - 2.0 * step, {-half, 0.0},
+              {-half, 0.5 * cage.inner_diameter});
   const double y = m.ring_radius[0] + step;
   put.across("cageWidth", -half, half, y, {-half, cage.outer_radius(-half)},
              {half, cage.outer_radius(half)});

@@ -31,9 +31,11 @@ Path bar(const OutlineCage& cage, std::array<double, 2> outer, std::array<double
   constexpr int kParts = 8;
   Path path;
   for (int i = 0; i <= kParts; ++i)
-    path.push_back(at_azimuth(0.5 * cage.outer, outer[0] + (outer[1] - outer[0]) * i / kParts));
+    path.push_back(
+        at_azimuth(0.5 * cage.outer_diameter, outer[0] + (outer[1] - outer[0]) * i / kParts));
   for (int i = kParts; i >= 0; --i)
-    path.push_back(at_azimuth(0.5 * cage.inner, inner[0] + (inner[1] - inner[0]) * i / kParts));
+    path.push_back(
+        at_azimuth(0.5 * cage.inner_diameter, inner[0] + (inner[1] - inner[0]) * i / kParts));
   return path;
 }
 
@@ -54,12 +56,13 @@ void add_cage(const Deck& deck, const OutlineModel& m, Drawing& out, Pane& pane)
   shape.part = Part::Cage;
   shape.style = Shape::Style::Cut;
   shape.name = "cage";
-  const double top = 0.5 * (cage.outer - m.pitch), low = 0.5 * (cage.inner - m.pitch);
+  const double top = 0.5 * (cage.outer_diameter - m.pitch),
+               low = 0.5 * (cage.inner_diameter - m.pitch);
   const double half_top = pocket_half_around(m, top), half_low = pocket_half_around(m, low);
   const double spacing = kTurn / m.count;
   const std::vector<int> cuts = cut_bars(deck, cage.segments);
-  const double at_top = std::asin(std::min(half_top / (0.5 * cage.outer), 1.0));
-  const double at_low = std::asin(std::min(half_low / (0.5 * cage.inner), 1.0));
+  const double at_top = std::asin(std::min(half_top / (0.5 * cage.outer_diameter), 1.0));
+  const double at_low = std::asin(std::min(half_low / (0.5 * cage.inner_diameter), 1.0));
   if (2.0 * std::max(at_top, at_low) >= spacing) {
     out.remarks.emplace_back("The pockets overlap: no cage is left between them.");
     return;
@@ -247,13 +250,14 @@ Drawing draw_side_view(const Deck& deck) {
   diameter("brgBore", bore, 0.9);
   diameter("brgOD", outside, 0.9);
   if (m.cage) {
-    diameter("cageDia1", 0.5 * m.cage->outer, 2.2);
-    diameter("cageDia2", 0.5 * m.cage->inner, 2.2);
+    diameter("cageDia1", 0.5 * m.cage->outer_diameter, 2.2);
+    diameter("cageDia2", 0.5 * m.cage->inner_diameter, 2.2);
     if (m.cage->cut > 0.0 && m.cage->segments > 1) {
       const double at = kTurn * (std::abs(static_cast<double>(deck.integer("lSeg", 1))) - 1.5) /
                         std::max(m.count, 1);
-      put.angle("cageAngCut", {0.0, 0.0}, at_azimuth(0.5 * m.cage->outer, at - 0.5 * m.cage->cut),
-                at_azimuth(0.5 * m.cage->outer, at + 0.5 * m.cage->cut));
+      put.angle("cageAngCut", {0.0, 0.0},
+                at_azimuth(0.5 * m.cage->outer_diameter, at - 0.5 * m.cage->cut),
+                at_azimuth(0.5 * m.cage->outer_diameter, at + 0.5 * m.cage->cut));
     }
   }
   if (m.count > 1) {

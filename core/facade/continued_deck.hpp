@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/errors.hpp"
-#include "setup/run_control.hpp"
 #include "deck/deck.hpp"
+#include "setup/run_control.hpp"
 
 #include <filesystem>
 #include <string>

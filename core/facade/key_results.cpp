@@ -2,33 +2,34 @@
 
 #include "life/statistics.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <array>
 #include <numbers>
 
 namespace adore::facade {
 
+using results::key_result;
 using scene::Snapshot;
 
 void add_lives(KeyResults& out, const life::BearingLife& life) {
   using bearing::LifeModel;
   using bearing::LifeModification;
-  static constexpr std::array<const char*, life::kModels> kModels{"lp", "lpu", "gz", "ih"};
-  static constexpr std::array<const char*, life::kModifications> kModifications{"", "_stle",
-                                                                                "_tallian"};
   const auto add = [&](LifeModel model, LifeModification modification) {
-    out.emplace_back(
-        fmt::format("life_{}{}_hours", kModels[static_cast<std::size_t>(model)],
-                    kModifications[static_cast<std::size_t>(modification)]),
-        life::life_hours(life.state.of(model, modification).L_S, life.state.relative_speed));
+    out.push_back(results::life_result(
+        model, modification,
+        life::life_hours(life.state.of(model, modification).L_S, life.state.relative_speed)));
   };
   add(LifeModel::Original, LifeModification::None);
   const bearing::LifeChoices& choices = life.parameters.choices;
   if (choices.stored_model != LifeModel::Original ||
       choices.stored_modification != LifeModification::None)
     add(choices.stored_model, choices.stored_modification);
+}
+
+void add_fits(KeyResults& out, const bearing::OperatingFits& fits) {
+  out.push_back(key_result("operating_clearance_m", fits.operating.clearance));
+  out.push_back(key_result("operating_contact_angle_rad", fits.operating.contact_angle));
+  out.push_back(key_result("outer_fit_pressure_Pa", fits.fit[0].pressure));
+  out.push_back(key_result("inner_fit_pressure_Pa", fits.fit[1].pressure));
 }
 
 namespace {
@@ -47,23 +48,24 @@ double largest_pressure(const Prepared& prepared) {
 
 KeyResults static_results(const Prepared& prepared) {
   const statics::RaceResult& solution = prepared.race_result();
-  static constexpr const char* kDirections[] = {"x", "y", "z", "about_y", "about_z"};
-  KeyResults out;
-  for (std::size_t k = 0; k < 5; ++k)
-    out.emplace_back(fmt::format("displacement_{}_{}", kDirections[k], k < 3 ? "m" : "rad"),
-                     solution.displacement[k]);
-  for (std::size_t k = 0; k < 5; ++k)
-    out.emplace_back(fmt::format("load_{}_{}", kDirections[k], k < 3 ? "N" : "Nm"),
-                     solution.load[k]);
-  out.emplace_back("largest_contact_load_N", solution.max_load);
-  out.emplace_back("largest_pressure_Pa", largest_pressure(prepared));
-  for (std::size_t k = 0; k < 5; ++k) {
-    const auto i = static_cast<Eigen::Index>(k);
-    out.emplace_back(
-        fmt::format("stiffness_{}_{}", kDirections[k], k < 3 ? "N_per_m" : "Nm_per_rad"),
-        solution.stiffness(i, i));
-  }
-  return out;
+  const auto stiffness = [&](Eigen::Index k) { return solution.stiffness(k, k); };
+  return {key_result("displacement_x_m", solution.displacement[0]),
+          key_result("displacement_y_m", solution.displacement[1]),
+          key_result("displacement_z_m", solution.displacement[2]),
+          key_result("displacement_about_y_rad", solution.displacement[3]),
+          key_result("displacement_about_z_rad", solution.displacement[4]),
+          key_result("load_x_N", solution.load[0]),
+          key_result("load_y_N", solution.load[1]),
+          key_result("load_z_N", solution.load[2]),
+          key_result("load_about_y_Nm", solution.load[3]),
+          key_result("load_about_z_Nm", solution.load[4]),
+          key_result("largest_contact_load_N", solution.max_load),
+          key_result("largest_pressure_Pa", largest_pressure(prepared)),
+          key_result("stiffness_x_N_per_m", stiffness(0)),
+          key_result("stiffness_y_N_per_m", stiffness(1)),
+          key_result("stiffness_z_N_per_m", stiffness(2)),
+          key_result("stiffness_about_y_Nm_per_rad", stiffness(3)),
+          key_result("stiffness_about_z_Nm_per_rad", stiffness(4))};
 }
 
 KeyResults dynamic_results(const Snapshot& last, const results::Averages& averages,
@@ -74,20 +76,20 @@ KeyResults dynamic_results(const Snapshot& last, const results::Averages& averag
       load = std::max(load, contact.load);
       slip = std::max(slip, contact.max_slip);
     }
-  return {{"time_s", last.time},
-          {"revolutions", last.shaft_rotation / (2.0 * std::numbers::pi)},
-          {"largest_contact_load_N", load},
-          {"largest_slip_m_per_s", slip},
-          {"power_loss_W", last.power.total_loss},
-          {"mean_power_loss_W", averages.power_loss},
-          {"mean_orbital_ratio", averages.orbital_ratio},
-          {"mean_cage_ratio", averages.cage_ratio},
-          {"mean_whirl_ratio", averages.whirl_ratio},
-          {"mean_load_x_N", carried.mean[0]},
-          {"mean_load_y_N", carried.mean[1]},
-          {"mean_load_z_N", carried.mean[2]},
-          {"load_departure", carried.departure()},
-          {"energy_residual_J", last.energy.residual()}};
+  return {key_result("time_s", last.time),
+          key_result("revolutions", last.shaft_rotation / (2.0 * std::numbers::pi)),
+          key_result("largest_contact_load_N", load),
+          key_result("largest_slip_m_per_s", slip),
+          key_result("power_loss_W", last.power.total_loss),
+          key_result("mean_power_loss_W", averages.power_loss),
+          key_result("mean_orbital_ratio", averages.orbital_ratio),
+          key_result("mean_cage_ratio", averages.cage_ratio),
+          key_result("mean_whirl_ratio", averages.whirl_ratio),
+          key_result("mean_load_x_N", carried.mean[0]),
+          key_result("mean_load_y_N", carried.mean[1]),
+          key_result("mean_load_z_N", carried.mean[2]),
+          key_result("load_departure", carried.departure()),
+          key_result("energy_residual_J", last.energy.residual())};
 }
 
 double static_elastic(const Prepared& prepared) {

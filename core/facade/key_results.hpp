@@ -2,19 +2,14 @@
 
 #include "facade/prepare.hpp"
 #include "results/averages.hpp"
+#include "results/key_results.hpp"
 #include "results/mean_load.hpp"
 #include "scene/snapshot.hpp"
 
-#include <string>
-#include <utility>
-#include <vector>
-
-/// The figures by which a run is judged and compared: the summary of RUN.json and the columns of a
-/// sweep.
+/// Fills in the key results of a run.
 namespace adore::facade {
 
-/// Name with its unit, and value, in the order in which they are shown.
-using KeyResults = std::vector<std::pair<std::string, double>>;
+using results::KeyResults;
 
 /// Of a quasi-static solution: displacements, loads, largest contact, stiffness.
 [[nodiscard]] KeyResults static_results(const Prepared& prepared);
@@ -23,6 +18,9 @@ using KeyResults = std::vector<std::pair<std::string, double>>;
 [[nodiscard]] KeyResults dynamic_results(const scene::Snapshot& last,
                                          const results::Averages& averages,
                                          const results::MeanLoad& carried);
+
+/// Clearance, contact angle and pressures of the fits under way.
+void add_fits(KeyResults& out, const bearing::OperatingFits& fits);
 
 /// Life of the bearing by the original theory, and by the model that run option sol7Life asks for
 /// if that is another one [hr]: life_lp_hours, life_gz_stle_hours.

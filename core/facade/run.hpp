@@ -1,6 +1,7 @@
 #pragma once
 
 #include "facade/prepare.hpp"
+#include "results/key_results.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -59,9 +60,8 @@ struct RunOutcome {
   long steps = 0;
   double time = 0.0, revolutions = 0.0, seconds = 0.0;
   double energy_residual = 0.0;  ///< [J]
-  std::vector<std::pair<std::string, double>>
-      summary;                ///< key results by name and SI unit: a sweep's columns
-  double energy_scale = 0.0;  ///< heat dissipated, or kinetic energy when there is none [J]
+  results::KeyResults summary;   ///< a sweep's columns
+  double energy_scale = 0.0;     ///< heat dissipated, or kinetic energy when there is none [J]
 };
 
 /// Runs the deck to its end, to an interruption, or to a diagnosed failure.

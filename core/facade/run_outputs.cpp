@@ -441,7 +441,8 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   add_lives(s.key_results, s.prepared.life);
   const listing::RunLife run_life = s.life.run_life();
   if (run_life.damage.seconds() > 0.0)
-    s.key_results.emplace_back("run_life_hours", run_life.damage.life_hours(run_life.slopes));
+    s.key_results.push_back(
+        results::key_result("run_life_hours", run_life.damage.life_hours(run_life.slopes)));
   run.summary = s.key_results;
   run.life["run"] = listing::run_life_json(run_life);
   s.close(run, run_life);
@@ -456,9 +457,7 @@ std::vector<std::string> RunOutputs::write_quasi_static() {
   results::RunSummary run = s.summary();
   run.status = "done";
   s.key_results = static_results(s.prepared);
-  if (s.prepared.bearing.operating)
-    for (auto& item : listing::fits_summary(*s.prepared.bearing.operating))
-      s.key_results.push_back(std::move(item));
+  if (s.prepared.bearing.operating) add_fits(s.key_results, *s.prepared.bearing.operating);
   add_lives(s.key_results, s.prepared.life);
   run.summary = s.key_results;
   results::StaticTables tables =

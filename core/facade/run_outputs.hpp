@@ -87,7 +87,7 @@ class RunOutputs {
   void finish(dynamics::System& system, const RunEnd& end);
 
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
-  [[nodiscard]] std::vector<std::pair<std::string, double>> summary() const;
+  [[nodiscard]] results::KeyResults summary() const;
   /// Of the last stored instant, against the elastic energy of the quasi-static solution.
   [[nodiscard]] results::EnergyJudgement judge_energy() const;
   /// A sentence when the elements carried another load than the deck asks; empty when not.

@@ -75,23 +75,23 @@ std::string unit_of(const RunRequest& request, const std::string& variable) {
   return name == "-" ? std::string() : std::string(name);
 }
 
-/// The variable with its unit, then key results, whose names end in their SI units whatever the
-/// deck's.
+/// The variable with its unit, then key results by id, in SI whatever the deck's units.
 std::string sweep_csv(const std::string& variable, const std::string& unit,
                       const std::vector<Row>& rows) {
-  std::vector<std::string> columns;
+  std::vector<std::string_view> columns;
   for (const Row& row : rows)
-    for (const auto& [name, value] : row.outcome.summary)
-      if (std::find(columns.begin(), columns.end(), name) == columns.end()) columns.push_back(name);
+    for (const results::KeyResult& item : row.outcome.summary)
+      if (std::find(columns.begin(), columns.end(), item.of.id) == columns.end())
+        columns.push_back(item.of.id);
   std::string out = variable + (unit.empty() ? "" : " [" + unit + "]") + ",exit";
-  for (const std::string& column : columns) out += "," + column;
+  for (const std::string_view column : columns) out += fmt::format(",{}", column);
   out += ",message\n";
   for (const Row& row : rows) {
     out += fmt::format("{},{}", row.value, row.exit_code);
-    for (const std::string& column : columns) {
+    for (const std::string_view column : columns) {
       const auto found = std::find_if(row.outcome.summary.begin(), row.outcome.summary.end(),
-                                      [&](const auto& item) { return item.first == column; });
-      out += found == row.outcome.summary.end() ? "," : fmt::format(",{}", found->second);
+                                      [&](const auto& item) { return item.of.id == column; });
+      out += found == row.outcome.summary.end() ? "," : fmt::format(",{}", found->value);
     }
     std::string message = row.failure.empty() ? row.outcome.message : row.failure;
     std::replace(message.begin(), message.end(), '"', '\'');
@@ -135,10 +135,10 @@ std::optional<Row> completed(const RunRequest& request, const std::string& value
     const auto json = parse_json<nlohmann::ordered_json>(
         std::string(std::istreambuf_iterator<char>(stream), {}), file.string());
     for (const auto& [name, item] : json.at("summary").items())
-      row.outcome.summary.emplace_back(
-          name, item.is_number() ? item.get<double>() : std::numeric_limits<double>::infinity());
+      row.outcome.summary.push_back(results::key_result(
+          name, item.is_number() ? item.get<double>() : std::numeric_limits<double>::infinity()));
   } catch (const std::exception&) {
-    return {};  // damaged: it runs again
+    return {};  // damaged, or of another release: it runs again
   }
   return row;
 }

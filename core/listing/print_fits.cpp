@@ -215,11 +215,4 @@ Json fits_json(const OperatingFits& fits) {
   return out;
 }
 
-std::vector<std::pair<std::string, double>> fits_summary(const OperatingFits& fits) {
-  return {{"operating_clearance_m", fits.operating.clearance},
-          {"operating_contact_angle_rad", fits.operating.contact_angle},
-          {"outer_fit_pressure_Pa", fits.fit[0].pressure},
-          {"inner_fit_pressure_Pa", fits.fit[1].pressure}};
-}
-
 }  // namespace adore::listing

@@ -1,3 +1,4 @@
+#include "base/rotation.hpp"
 #include "listing/print_file.hpp"
 #include "results/motion.hpp"
 
@@ -237,14 +238,11 @@ void applied(Report& report, const scene::Snapshot& snapshot, const bearing::Bea
     report.item(
         fmt::format("Displacement of the inner race relative to the outer along {}", "xyz"[k]),
         shift[k], unit::kLength);
-  // Small tilts: the axis of a race turned about y points to -z, one turned about z to +y.
   for (std::size_t race = 0; race < 2; ++race) {
-    const Vec3 axis = body_x_axis(snapshot.races[race].orientation);
+    const auto tilt = tilt_of_axis(body_x_axis(snapshot.races[race].orientation));
     const char* name = race == 0 ? "outer" : "inner";
-    report.item(fmt::format("Misalignment of the {} race about y", name),
-                std::atan2(-axis.z(), axis.x()), unit::kAngle);
-    report.item(fmt::format("Misalignment of the {} race about z", name),
-                std::atan2(axis.y(), axis.x()), unit::kAngle);
+    report.item(fmt::format("Misalignment of the {} race about y", name), tilt[0], unit::kAngle);
+    report.item(fmt::format("Misalignment of the {} race about z", name), tilt[1], unit::kAngle);
   }
   report.item("Rolling element temperature", bearing.ball_temperature, unit::kTemperature);
   if (bearing.cage) report.item("Cage temperature", bearing.cage_temperature, unit::kTemperature);

@@ -1,11 +1,11 @@
 #include "listing/static_summary.hpp"
 
+#include "base/rotation.hpp"
 #include "contact/groove.hpp"
 #include "life/statistics.hpp"
 #include "listing/print_life.hpp"
 #include "listing/rounding.hpp"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -279,15 +279,10 @@ StaticSummary summarise(const statics::RollerSolution& solution, const Bearing& 
 
 std::array<double, 2> relative_tilt(const std::array<double, 2>& inner,
                                     const std::array<double, 2>& outer) {
-  const auto rotation = [](const std::array<double, 2>& tilt) {
-    return (Eigen::AngleAxisd(tilt[0], Eigen::Vector3d::UnitY()) *
-            Eigen::AngleAxisd(tilt[1], Eigen::Vector3d::UnitZ()))
-        .toRotationMatrix();
+  const auto to_frame = [](const std::array<double, 2>& tilt) {
+    return passive_matrix({0.0, tilt[0], tilt[1]});
   };
-  // First column of R_y(a) R_z(b): (cos a cos b, sin b, -sin a cos b).
-  const Eigen::Vector3d axis = rotation(outer).transpose() * rotation(inner).col(0);
-  std::array<double, 2> tilt{std::atan2(-axis.z(), axis.x()),
-                             std::asin(std::fmax(-1.0, std::fmin(1.0, axis.y())))};
+  std::array<double, 2> tilt = tilt_of_axis(to_frame(outer) * to_frame(inner).row(0).transpose());
   // Equal tilts leave rounding.
   double largest = 0.0;
   for (const double angle : {inner[0], inner[1], outer[0], outer[1]})

@@ -1,8 +1,7 @@
 #include "results/motion.hpp"
 
-#include <Eigen/Geometry>
+#include "base/rotation.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,16 +11,12 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kOnAxis = 1e-12;  // [m], far below any clearance or deflection
 
-Eigen::Matrix3d rotation(const scene::Quat& q) {
-  return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
-}
-
 }  // namespace
 
 Direction theta_phi(const Vec3& v) {
-  const double size = v.norm();
-  if (!(size > 0.0)) return {};
-  return {std::atan2(v.z(), v.x()), std::asin(std::clamp(v.y() / size, -1.0, 1.0))};
+  if (!(v.squaredNorm() > 0.0)) return {};
+  const auto [theta, phi] = tilt_of_axis(Vec3(v.x(), v.y(), -v.z()).normalized());
+  return {theta, phi};
 }
 
 OrbitMotion orbit_motion(const Vec3& position, const Vec3& velocity, const Vec3& acceleration) {
@@ -48,14 +43,8 @@ OrbitMotion orbit_motion(const Vec3& position, const Vec3& velocity, const Vec3&
   return orbit;
 }
 
-Vec3 body_x_axis(const scene::Quat& orientation) { return rotation(orientation).col(0); }
-
-std::array<double, 3> transformation_angles(const scene::Quat& orientation) {
-  const Eigen::Matrix3d R = rotation(orientation);
-  const double sine = std::clamp(R(0, 2), -1.0, 1.0);
-  if (std::abs(sine) > 1.0 - 1e-14)
-    return {std::atan2(R(2, 1), R(1, 1)), std::copysign(kPi / 2.0, sine), 0.0};
-  return {std::atan2(-R(1, 2), R(2, 2)), std::asin(sine), std::atan2(-R(0, 1), R(0, 0))};
+Vec3 body_x_axis(const scene::Quat& orientation) {
+  return rotation_matrix(normalise(orientation)).col(0);
 }
 
 double wrapped(double angle) { return std::remainder(angle, 2.0 * kPi); }

@@ -11,7 +11,9 @@ namespace adore::results {
 using scene::Vec3;
 
 /// Direction of a vector as the outputs show it (N101): theta = atan2(v_z, v_x), phi = asin(v_y /
-/// |v|) [rad]. Both are 0 for a zero vector and near 0 for one along +x. Frame: that of the vector.
+/// |v|) [rad]: tilt_of_axis of the mirror
+/// image, which counts theta the other way. Both are 0 for a zero vector and near 0 for one along
+/// +x. Frame: that of the vector.
 struct Direction {
   double theta = 0.0, phi = 0.0;
 };
@@ -29,10 +31,6 @@ struct OrbitMotion {
 
 /// The body's x axis in the base frame, from its unit quaternion (body -> base).
 [[nodiscard]] Vec3 body_x_axis(const scene::Quat& orientation);
-
-/// The three transformation angles η, ξ, λ of R = Rx(η) Ry(ξ) Rz(λ) (design §6) [rad], each in
-/// -π..π. Where ξ = ±π/2 only η ± λ is defined: λ is then 0.
-[[nodiscard]] std::array<double, 3> transformation_angles(const scene::Quat& orientation);
 
 /// Angle reduced to -π..π.
 [[nodiscard]] double wrapped(double angle);

@@ -125,23 +125,10 @@ std::string_view coherent_unit(const UnitPair& unit) {
 }
 
 std::map<std::string, double> geometry_of(const bearing::Bearing& bearing) {
-  const Sol8Geometry g = make_sol8_geometry(bearing);
   const std::array<double, 2> free_x = contact::groove_geometry(bearing.balls).centre_x;
   std::map<std::string, double> out{
       {"outer_race_free_x", free_x[0]},  // the race's centre less its stored displacement
       {"inner_race_free_x", free_x[1]},
-      {"cage_outer_radius", g.cage_outer_radius},
-      {"cage_inner_radius", g.cage_inner_radius},
-      {"cage_outer_clearance", g.cage_outer_clearance},
-      {"cage_inner_clearance", g.cage_inner_clearance},
-      {"pocket_clearance_1", g.pocket_clearance_1},
-      {"pocket_clearance_2", g.pocket_clearance_2},
-      {"element_radius", g.element_radius},
-      {"pitch_diameter", g.pitch_diameter},
-      {"outer_race_outer_radius", g.outer_race_outer_radius},
-      {"outer_race_inner_radius", g.outer_race_inner_radius},
-      {"inner_race_outer_radius", g.inner_race_outer_radius},
-      {"inner_race_inner_radius", g.inner_race_inner_radius},
       {"elements", bearing.balls.count},
       {"contact_angle", bearing.balls.contact_angle},
       {"outer_groove_radius", bearing.balls.groove_factor[0] * bearing.balls.diameter},
@@ -153,6 +140,8 @@ std::map<std::string, double> geometry_of(const bearing::Bearing& bearing) {
       {"outer_race_width", bearing.envelope.race_width[0]},
       {"inner_race_width", bearing.envelope.race_width[1]},
       {"cages", bearing.cage ? 1.0 : 0.0}};
+  const Sol8Geometry g = make_sol8_geometry(bearing);
+  for (const Sol8GeometryField& field : kSol8Geometry) out[field.name] = g.*field.value;
   if (!bearing.cage) return out;
   out["cage_width"] = bearing.cage->width;
   out["pocket_code"] = pocket_code(bearing);

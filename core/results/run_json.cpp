@@ -24,6 +24,12 @@ Json object_of(const std::vector<std::pair<std::string, T>>& items) {
   return out;
 }
 
+Json object_of(const KeyResults& items) {
+  std::vector<std::pair<std::string, double>> values;
+  for (const KeyResult& item : items) values.emplace_back(item.of.id, item.value);
+  return object_of(values);
+}
+
 /// Compiler of this build: the same source may round differently elsewhere.
 std::string compiler() {
 #if defined(__clang__)

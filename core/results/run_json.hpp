@@ -2,6 +2,7 @@
 
 #include "deck/defaults.hpp"
 #include "deck/no_part.hpp"
+#include "results/key_results.hpp"
 #include "results/mean_load.hpp"
 #include "scene/cost_ledger.hpp"
 #include "scene/scales.hpp"
@@ -49,10 +50,10 @@ struct RunSummary {
   std::optional<double> elastic;                         ///< of the quasi-static solution [J]
   std::vector<std::pair<std::string, double>> momentum;  ///< residuals, by name with unit
   std::optional<double> max_quaternion_error;
-  std::optional<double> quadrature_error;               ///< System::quadrature_error at the end
-  std::vector<std::pair<std::string, double>> summary;  ///< key results by name and unit
-  nlohmann::ordered_json life;                          ///< fatigue life; null: none computed
-  std::vector<std::string> files;                       ///< names without folders
+  std::optional<double> quadrature_error;  ///< System::quadrature_error at the end
+  KeyResults summary;
+  nlohmann::ordered_json life;          ///< fatigue life; null: none computed
+  std::vector<std::string> files;       ///< names without folders
   nlohmann::ordered_json quasi_static;  ///< results/static_tables.hpp; null when there is none
   // Measured.
   std::vector<scene::CostLedger::Row> cost;

@@ -1,4 +1,5 @@
 #include "base/errors.hpp"
+#include "base/rotation.hpp"
 #include "base/version.hpp"
 #include "contact/groove.hpp"
 #include "results/continuation.hpp"
@@ -28,10 +29,9 @@ void append_block(std::string& out, const std::vector<double>& values) {
 }
 
 std::vector<double> in_order(const Sol8Geometry& g) {
-  return {g.cage_outer_radius,       g.cage_inner_radius,       g.cage_outer_clearance,
-          g.cage_inner_clearance,    g.pocket_clearance_1,      g.pocket_clearance_2,
-          g.element_radius,          g.pitch_diameter,          g.outer_race_outer_radius,
-          g.outer_race_inner_radius, g.inner_race_outer_radius, g.inner_race_inner_radius};
+  std::vector<double> values;
+  for (const Sol8GeometryField& field : kSol8Geometry) values.push_back(g.*field.value);
+  return values;
 }
 
 std::vector<double> in_order(const Sol8Frame& frame) {
@@ -60,16 +60,11 @@ std::vector<double> in_order(const Sol8Frame& frame) {
 std::array<double, 3> to_array(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 Sol8Body body_of(const scene::BodySnapshot& body) {
-  return {to_array(body.position), transformation_angles(body.orientation)};
+  return {to_array(body.position), to_array(angles_from_quaternion(body.orientation))};
 }
 
 void scale(Sol8Geometry& g, double length) {
-  for (double* value :
-       {&g.cage_outer_radius, &g.cage_inner_radius, &g.cage_outer_clearance,
-        &g.cage_inner_clearance, &g.pocket_clearance_1, &g.pocket_clearance_2, &g.element_radius,
-        &g.pitch_diameter, &g.outer_race_outer_radius, &g.outer_race_inner_radius,
-        &g.inner_race_outer_radius, &g.inner_race_inner_radius})
-    *value /= length;
+  for (const Sol8GeometryField& field : kSol8Geometry) g.*field.value /= length;
 }
 
 void scale(Sol8Frame& frame, double length, double force) {
@@ -152,7 +147,7 @@ Sol8Frame make_sol8_frame(const scene::Snapshot& snapshot) {
     element.x = ball.x;
     element.r = ball.r;
     element.theta = wrapped(ball.theta);
-    element.angles = transformation_angles(ball.orientation);
+    element.angles = to_array(angles_from_quaternion(ball.orientation));
     element.pocket_vector = to_array(ball.pocket_to_centre);
     // A pocket with several guide surfaces shows the one that carries most, or else the nearest.
     const auto contact =
@@ -187,7 +182,7 @@ std::string format_sol8_header(const Sol8File& file) {
   ff::append_integer(out, file.elements, 3);
   for (const std::string& unit : file.units)
     ff::append_integer(out, static_cast<long long>(std::min<std::size_t>(unit.size(), 10)), 3);
-  ff::append_integer(out, 12, 3);
+  ff::append_integer(out, kSol8Geometry.size(), 3);
   ff::append_integer(out, 11LL * file.elements + 22, 3);
   out += "\n  ";
   for (const std::string& unit : file.units) {

@@ -100,12 +100,7 @@ Sol8Frame make_frame(const SolStep& step, int elements) {
 Sol8Geometry make_geometry(const std::vector<double>& geometry) {
   Values values(geometry);
   Sol8Geometry out;
-  for (double* value :
-       {&out.cage_outer_radius, &out.cage_inner_radius, &out.cage_outer_clearance,
-        &out.cage_inner_clearance, &out.pocket_clearance_1, &out.pocket_clearance_2,
-        &out.element_radius, &out.pitch_diameter, &out.outer_race_outer_radius,
-        &out.outer_race_inner_radius, &out.inner_race_outer_radius, &out.inner_race_inner_radius})
-    *value = values.next();
+  for (const Sol8GeometryField& field : kSol8Geometry) out.*field.value = values.next();
   return out;
 }
 

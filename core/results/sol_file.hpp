@@ -61,6 +61,27 @@ struct Sol8Geometry {
          inner_race_inner_radius = 0;
 };
 
+/// The line's fields, lengths all of them, in its order; by name in RESULTS.h5.
+struct Sol8GeometryField {
+  const char* name;
+  double Sol8Geometry::*value;
+};
+inline constexpr std::array<Sol8GeometryField, 12> kSol8Geometry{
+    {{"cage_outer_radius", &Sol8Geometry::cage_outer_radius},
+     {"cage_inner_radius", &Sol8Geometry::cage_inner_radius},
+     {"cage_outer_clearance", &Sol8Geometry::cage_outer_clearance},
+     {"cage_inner_clearance", &Sol8Geometry::cage_inner_clearance},
+     {"pocket_clearance_1", &Sol8Geometry::pocket_clearance_1},
+     {"pocket_clearance_2", &Sol8Geometry::pocket_clearance_2},
+     {"element_radius", &Sol8Geometry::element_radius},
+     {"pitch_diameter", &Sol8Geometry::pitch_diameter},
+     {"outer_race_outer_radius", &Sol8Geometry::outer_race_outer_radius},
+     {"outer_race_inner_radius", &Sol8Geometry::outer_race_inner_radius},
+     {"inner_race_outer_radius", &Sol8Geometry::inner_race_outer_radius},
+     {"inner_race_inner_radius", &Sol8Geometry::inner_race_inner_radius}}};
+static_assert(sizeof(Sol8Geometry) == kSol8Geometry.size() * sizeof(double),
+              "every field is named");
+
 struct Sol8Element {
   double x = 0, r = 0, theta = 0;             ///< mass centre, theta [rad]
   std::array<double, 3> angles{};             ///< η, ξ, λ [rad]

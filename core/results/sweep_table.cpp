@@ -1,6 +1,7 @@
 #include "results/sweep_table.hpp"
 
 #include "base/errors.hpp"
+#include "results/key_results.hpp"
 
 #include <fmt/format.h>
 
@@ -49,8 +50,14 @@ SweepTable read_sweep(const std::filesystem::path& path) {
     out.unit = out.variable.substr(bracket + 2, out.variable.size() - bracket - 3);
     out.variable.resize(bracket);
   }
-  for (std::size_t i = 2; i + 1 < names.size(); ++i)
-    out.columns.push_back({std::string(names[i]), {}});
+  for (std::size_t i = 2; i + 1 < names.size(); ++i) {
+    const KeyResultSpec spec = find_key_result(names[i]);
+    if (spec.id.empty())
+      out.columns.push_back({std::string(names[i]), {}, {}, {}});
+    else
+      out.columns.push_back(
+          {std::string(spec.label), std::string(spec.part), std::string(spec.unit->si), {}});
+  }
   std::string row;
   while (std::getline(file, row)) {
     // The message comes last and may hold commas, so it is cut off first.

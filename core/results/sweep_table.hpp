@@ -8,7 +8,8 @@
 namespace adore::results {
 
 struct SweepColumn {
-  std::string name;            ///< "stiffness_x_N_per_m"
+  std::string label, part;     ///< KeyResultSpec's; a column that it does not know: its heading, ""
+  std::string unit;            ///< SI; empty: a pure number, or not known
   std::vector<double> values;  ///< one per run; NaN where the run gave none, or an
                                ///< infinite one
 };

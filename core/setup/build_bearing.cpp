@@ -6,6 +6,7 @@
 #include "contact/roller_shape.hpp"
 #include "setup/build_rollers.hpp"
 #include "setup/deck_text.hpp"
+#include "setup/read_cage.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
@@ -110,24 +111,6 @@ double face_play(const Deck& deck, const bearing::RollerGeometry& rollers) {
   return contact::roller_pocket_play(faces, contact::roller_profile(rollers));
 }
 
-/// kPocType. Rollers: -1 cylinders about the rollers, 0 windows, above 0 pairs of guide faces,
-/// which count as windows of their least play.
-void read_pocket(const Deck& deck, const Bearing& bearing, bearing::Cage& out) {
-  using bearing::PocketShape;
-  const long long type = deck.integer("kPocType");
-  out.pocket_clearance_1 = deck.si("bPocCls1");
-  if (!bearing.rollers) {
-    if (type >= 2) out.pocket_clearance_2 = deck.si("bPocCls2");  // the others have one clearance
-    constexpr std::array kShapes{PocketShape::Cylindrical, PocketShape::Spherical,
-                                 PocketShape::Elongated, PocketShape::Rectangular,
-                                 PocketShape::Conical};
-    out.pocket = kShapes.at(static_cast<std::size_t>(type));
-    return;
-  }
-  out.pocket = type < 0 ? PocketShape::Cylindrical : PocketShape::Rectangular;
-  if (type > 0) out.pocket_clearance_1 = face_play(deck, *bearing.rollers);
-}
-
 /// Record 7.7 where the deck gives it, else from the ideal shape. In a quasi-static solution, which
 /// only reports it, a shape that cannot be cut leaves it zero.
 bearing::Inertia cage_mass(const Deck& deck, const Bearing& bearing, bool dynamic) {
@@ -146,30 +129,11 @@ bearing::Inertia cage_mass(const Deck& deck, const Bearing& bearing, bool dynami
 }
 
 bearing::Cage cage(const Deck& deck, const Bearing& bearing) {
-  bearing::Cage out;
-  out.outer_diameter = deck.si("cageDia1");
-  out.inner_diameter = deck.si("cageDia2");
-  out.width = deck.si("cageWidth");
-  out.clearance_outer = deck.si("cageCls1");
-  out.clearance_inner = deck.si("cageCls2");
-  out.cone_angle = deck.has("cageConeAng") ? deck.si("cageConeAng") : 0.0;
-  read_pocket(deck, bearing, out);
-  const int lands = static_cast<int>(deck.integer("nGL"));
-  for (int i = 1; i <= lands; ++i) {
-    bearing::GuideLand land;
-    const long long guide = deck.integer("iCageGuide", i);
-    land.guide = guide == 1   ? bearing::GuideLand::Guide::Outer
-                 : guide == 2 ? bearing::GuideLand::Guide::Inner
-                              : bearing::GuideLand::Guide::None;
-    land.diameter = deck.si("cageGsDia", i);
-    {
-      const deck::ReportOnly quiet(deck, deck.integer("mode") < 0);  // of plays no part
-      land.width = deck.si("cageGsWidth", i);
-      land.edge = deck.si("cageGsPos", i);
-    }
-    land.clearance = deck.si("cageGsCls", i);
-    out.lands.push_back(land);
-  }
+  bearing::Cage out =
+      read_cage(deck, [&](std::string_view variable, int i) { return deck.si(variable, i); });
+  // Guide faces count as windows of their least play.
+  if (bearing.rollers && deck.integer("kPocType") > 0)
+    out.pocket_clearance_1 = face_play(deck, *bearing.rollers);
   out.material = material(deck, "kCageMat", Part::Cage, "cage", "");
   if (deck.has("avRatio")) {
     const deck::ReportOnly quiet(deck, deck.integer("mode") < 0);  // statics moves no cage

@@ -2,8 +2,8 @@
 
 #include "base/errors.hpp"
 #include "bearing/bearing.hpp"
-#include "setup/build_imperfections.hpp"
 #include "deck/deck.hpp"
+#include "setup/build_imperfections.hpp"
 
 #include <vector>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "bearing/life_inputs.hpp"
-#include "setup/build_imperfections.hpp"
 #include "deck/deck.hpp"
 #include "dynamics/system.hpp"
+#include "setup/build_imperfections.hpp"
 #include "statics/roller_statics.hpp"
 #include "statics/stiffness_table.hpp"
 

@@ -1,6 +1,7 @@
 #include "cli/driver.hpp"
 #include "deck/deck.hpp"
 #include "deck/reader.hpp"
+#include "results/key_results.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -80,13 +81,15 @@ TEST_CASE("roller decks in SI and in English units give the same results", "[cli
     // A result that is small beside others of its unit (a load that only rounding leaves, a tilt)
     // is as exact as the largest of them.
     std::map<std::string, double> scale;
-    const auto unit_of = [](const std::string& key) { return key.substr(key.rfind('_') + 1); };
+    const auto unit_of = [](const std::string& key) {
+      return std::string(results::find_key_result(key).unit->si);
+    };
     for (const auto& [key, value] : result[0].items())
       if (value.is_number()) {
         double& largest = scale[unit_of(key)];
         largest = std::max(largest, std::abs(value.get<double>()));
       }
-    scale["Nm"] = std::max(scale["Nm"], 0.01 * scale["N"]);  // loads times a centimetre
+    scale["N.m"] = std::max(scale["N.m"], 0.01 * scale["N"]);  // loads times a centimetre
     int compared = 0;
     for (const auto& [key, value] : result[0].items()) {
       if (!value.is_number() || result[1].at(key).is_null()) continue;

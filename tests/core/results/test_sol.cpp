@@ -6,7 +6,6 @@
 #include "results/sol_writer.hpp"
 #include "synthetic.hpp"
 
-#include <Eigen/Geometry>
 #include <catch2/catch.hpp>
 
 #include <clocale>
@@ -159,28 +158,6 @@ TEST_CASE("orbit motion of a uniform circle has no radial motion and no angular 
   CHECK(centre.theta_dot == 0.0);
   CHECK(centre.r_ddot == Approx(-1.0));
   CHECK(orbit_motion(Vec3::Zero(), Vec3::Zero(), Vec3::Zero()).theta == 0.0);
-}
-
-TEST_CASE("transformation angles give the rotation back", "[unit]") {
-  using Eigen::AngleAxisd;
-  std::mt19937_64 random(11);
-  std::uniform_real_distribution<double> angle(-3.1, 3.1), tilt(-1.5, 1.5);
-  for (int i = 0; i < 200; ++i) {
-    const std::array<double, 3> wanted{angle(random), tilt(random), angle(random)};
-    const Eigen::Quaterniond q = AngleAxisd(wanted[0], Vec3::UnitX()) *
-                                 AngleAxisd(wanted[1], Vec3::UnitY()) *
-                                 AngleAxisd(wanted[2], Vec3::UnitZ());
-    const auto found = transformation_angles({q.w(), q.x(), q.y(), q.z()});
-    // Quaternion to matrix to angles: rounding grows by 1/cos ξ <= 15.
-    for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(wrapped(found[k] - wanted[k])) < 1e-12);
-  }
-  const Eigen::Quaterniond lock = AngleAxisd(0.3, Vec3::UnitX()) *
-                                  AngleAxisd(std::numbers::pi / 2, Vec3::UnitY()) *
-                                  AngleAxisd(0.5, Vec3::UnitZ());
-  const auto found = transformation_angles({lock.w(), lock.x(), lock.y(), lock.z()});
-  CHECK(found[0] == Approx(0.8));
-  CHECK(found[1] == Approx(std::numbers::pi / 2));
-  CHECK(found[2] == 0.0);
 }
 
 TEST_CASE("the header of an element file stands in the columns of the format", "[unit][sol]") {

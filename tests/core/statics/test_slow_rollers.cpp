@@ -1,5 +1,5 @@
-#include "setup/build_bearing.hpp"
 #include "deck/reader.hpp"
+#include "setup/build_bearing.hpp"
 #include "statics/roller_statics.hpp"
 #include "support/paths.hpp"
 #include "thermal/operating.hpp"

@@ -1,0 +1,95 @@
+#include "results/key_results.hpp"
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+#include <string>
+
+namespace adore::results {
+namespace {
+
+constexpr KeyResultSpec kSpecs[] = {
+    // Lives: by model as bearing::LifeModel counts, in each by bearing::LifeModification.
+    {"life_lp_hours", "Life, original Lundberg-Palmgren", "", &unit::kLife},
+    {"life_lp_stle_hours", "Life, original Lundberg-Palmgren with STLE factors", "", &unit::kLife},
+    {"life_lp_tallian_hours", "Life, original Lundberg-Palmgren with Tallian-type factors", "",
+     &unit::kLife},
+    {"life_lpu_hours", "Life, updated Lundberg-Palmgren", "", &unit::kLife},
+    {"life_lpu_stle_hours", "Life, updated Lundberg-Palmgren with STLE factors", "", &unit::kLife},
+    {"life_lpu_tallian_hours", "Life, updated Lundberg-Palmgren with Tallian-type factors", "",
+     &unit::kLife},
+    {"life_gz_hours", "Life, Gupta-Zaretsky type", "", &unit::kLife},
+    {"life_gz_stle_hours", "Life, Gupta-Zaretsky type with STLE factors", "", &unit::kLife},
+    {"life_gz_tallian_hours", "Life, Gupta-Zaretsky type with Tallian-type factors", "",
+     &unit::kLife},
+    {"life_ih_hours", "Life, Ioannides-Harris type", "", &unit::kLife},
+    {"life_ih_stle_hours", "Life, Ioannides-Harris type with STLE factors", "", &unit::kLife},
+    {"life_ih_tallian_hours", "Life, Ioannides-Harris type with Tallian-type factors", "",
+     &unit::kLife},
+    {"run_life_hours", "Life by the loads of the run", "", &unit::kLife},
+    {"life_stored_hours", "Life, model of the plot files", "", &unit::kLife},  // of older tables
+
+    // Of the equilibrium.
+    {"displacement_x_m", "Displacement", "x", &unit::kLength},
+    {"displacement_y_m", "Displacement", "y", &unit::kLength},
+    {"displacement_z_m", "Displacement", "z", &unit::kLength},
+    {"displacement_about_y_rad", "Displacement", "about y", &unit::kRadian},
+    {"displacement_about_z_rad", "Displacement", "about z", &unit::kRadian},
+    {"load_x_N", "Load", "x", &unit::kForce},
+    {"load_y_N", "Load", "y", &unit::kForce},
+    {"load_z_N", "Load", "z", &unit::kForce},
+    {"load_about_y_Nm", "Load", "about y", &unit::kMoment},
+    {"load_about_z_Nm", "Load", "about z", &unit::kMoment},
+    {"largest_contact_load_N", "Largest contact load", "", &unit::kForce},
+    {"largest_pressure_Pa", "Largest pressure", "", &unit::kPressure},
+    {"stiffness_x_N_per_m", "Stiffness", "x", &unit::kStiffness},
+    {"stiffness_y_N_per_m", "Stiffness", "y", &unit::kStiffness},
+    {"stiffness_z_N_per_m", "Stiffness", "z", &unit::kStiffness},
+    {"stiffness_about_y_Nm_per_rad", "Stiffness", "about y", &unit::kRotationalStiffness},
+    {"stiffness_about_z_Nm_per_rad", "Stiffness", "about z", &unit::kRotationalStiffness},
+    {"operating_clearance_m", "Operating clearance", "", &unit::kLength},
+    {"operating_contact_angle_rad", "Operating contact angle", "", &unit::kRadian},
+    {"outer_fit_pressure_Pa", "Fit pressure", "outer", &unit::kPressure},
+    {"inner_fit_pressure_Pa", "Fit pressure", "inner", &unit::kPressure},
+
+    // Of a motion.
+    {"time_s", "Time", "", &unit::kTime},
+    {"revolutions", "Revolutions", "", &unit::kNone},
+    {"largest_slip_m_per_s", "Largest slip", "", &unit::kSpeed},
+    {"power_loss_W", "Power loss", "", &unit::kPower},
+    {"mean_power_loss_W", "Mean power loss", "", &unit::kPower},
+    {"mean_orbital_ratio", "Mean orbital ratio", "", &unit::kNone},
+    {"mean_cage_ratio", "Mean cage ratio", "", &unit::kNone},
+    {"mean_whirl_ratio", "Mean whirl ratio", "", &unit::kNone},
+    {"mean_load_x_N", "Mean load", "x", &unit::kForce},
+    {"mean_load_y_N", "Mean load", "y", &unit::kForce},
+    {"mean_load_z_N", "Mean load", "z", &unit::kForce},
+    {"load_departure", "Load departure", "", &unit::kNone},
+    {"energy_residual_J", "Energy residual", "", &unit::kEnergy},
+};
+
+}  // namespace
+
+std::span<const KeyResultSpec> key_result_specs() { return kSpecs; }
+
+KeyResultSpec find_key_result(std::string_view id) {
+  const auto* const found = std::find_if(std::begin(kSpecs), std::end(kSpecs),
+                                         [id](const KeyResultSpec& spec) { return spec.id == id; });
+  return found == std::end(kSpecs) ? KeyResultSpec{} : *found;
+}
+
+KeyResult key_result(std::string_view id, double value) {
+  const KeyResultSpec spec = find_key_result(id);
+  if (spec.id.empty()) throw std::out_of_range("no key result " + std::string(id));
+  return {spec, value};
+}
+
+KeyResult life_result(bearing::LifeModel model, bearing::LifeModification modification,
+                      double hours) {
+  constexpr std::size_t kModifications = 3;
+  return {kSpecs[kModifications * static_cast<std::size_t>(model) +
+                 static_cast<std::size_t>(modification)],
+          hours};
+}
+
+}  // namespace adore::results

@@ -1,0 +1,58 @@
+#include "setup/read_cage.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace adore::setup {
+namespace {
+
+using bearing::PocketShape;
+
+/// Rollers: -1 cylinders about the rollers, else windows; pairs of guide faces (above 0) count as
+/// windows.
+PocketShape pocket_shape(long long code, bool rollers) {
+  if (rollers) return code < 0 ? PocketShape::Cylindrical : PocketShape::Rectangular;
+  constexpr std::array kShapes{PocketShape::Cylindrical, PocketShape::Spherical,
+                               PocketShape::Elongated, PocketShape::Rectangular,
+                               PocketShape::Conical};
+  const bool known = code >= 0 && code < static_cast<long long>(kShapes.size());
+  return known ? kShapes[static_cast<std::size_t>(code)] : PocketShape::Cylindrical;
+}
+
+bearing::GuideLand guide_land(const deck::Deck& deck, int index, const NumberReader& number) {
+  bearing::GuideLand land;
+  const long long guide = deck.integer("iCageGuide", index);
+  land.guide = guide == 1   ? bearing::GuideLand::Guide::Outer
+               : guide == 2 ? bearing::GuideLand::Guide::Inner
+                            : bearing::GuideLand::Guide::None;
+  land.diameter = number("cageGsDia", index);
+  {
+    const deck::ReportOnly quiet(deck, deck.integer("mode") < 0);  // of plays no part
+    land.width = number("cageGsWidth", index);
+    land.edge = number("cageGsPos", index);
+  }
+  land.clearance = number("cageGsCls", index);
+  return land;
+}
+
+}  // namespace
+
+bearing::Cage read_cage(const deck::Deck& deck, const NumberReader& number) {
+  bearing::Cage out;
+  out.outer_diameter = number("cageDia1", 1);
+  out.inner_diameter = number("cageDia2", 1);
+  out.width = number("cageWidth", 1);
+  out.clearance_outer = number("cageCls1", 1);
+  out.clearance_inner = number("cageCls2", 1);
+  out.cone_angle = deck.has("cageConeAng") ? number("cageConeAng", 1) : 0.0;
+  const bool rollers = deck.integer("kBrg") != 1;
+  const long long pocket = deck.integer("kPocType");
+  out.pocket = pocket_shape(pocket, rollers);
+  out.pocket_clearance_1 = number("bPocCls1", 1);
+  if (!rollers && pocket >= 2) out.pocket_clearance_2 = number("bPocCls2", 1);
+  const long long lands = std::clamp(deck.integer("nGL"), 0LL, 4LL);
+  for (int i = 1; i <= lands; ++i) out.lands.push_back(guide_land(deck, i, number));
+  return out;
+}
+
+}  // namespace adore::setup
