@@ -5,6 +5,7 @@
 #include "results/print_cage.hpp"
 #include "results/print_file.hpp"
 #include "results/print_imperfections.hpp"
+#include "tribology/rounded_law.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>

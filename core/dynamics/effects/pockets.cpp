@@ -81,18 +81,28 @@ constexpr const LedgerTerm* kTerms[] = {&kHeat};
 template <bool Traction>
 class PocketBlock final : public EffectBlock {
  public:
-  PocketBlock(PocketSet& set, const SlipFriction& friction, double& heat)
-      : set_(set), friction_(friction), heat_(heat) {}
-  void apply(Evaluation& e) noexcept override;
+  PocketBlock(PocketSet& set, const tribology::TractionLaw& law, double& heat)
+      : set_(set), law_(law), heat_(heat) {}
+  void apply(Evaluation& e) noexcept override {
+    if constexpr (Traction) {
+      law_.visit_rounded([&](const auto& friction) { apply_with(friction, e); });
+    } else {
+      apply_with(nullptr, e);
+    }
+  }
 
  private:
+  template <class Friction>
+  void apply_with(const Friction& friction, Evaluation& e) noexcept;
+
   PocketSet& set_;
-  SlipFriction friction_;
+  tribology::TractionLaw law_;
   double& heat_;
 };
 
 template <bool Traction>
-void PocketBlock<Traction>::apply(Evaluation& e) noexcept {
+template <class Friction>
+void PocketBlock<Traction>::apply_with(const Friction& friction, Evaluation& e) noexcept {
   set_.locate(e);
   if constexpr (Traction) heat_ = 0.0;
   for (std::size_t i = 0; i < set_.size(); ++i) {
@@ -103,7 +113,7 @@ void PocketBlock<Traction>::apply(Evaluation& e) noexcept {
     }
     const contact::WallPoint wall = set_.wall_point(i);
     if (wall.gap >= 0.0) continue;
-    const PocketAction action = pocket_action<Traction>(set_, friction_, e, i, wall);
+    const PocketAction action = pocket_action(set_, friction, e, i, wall);
     if constexpr (Traction) {
       const Vec3 moment = e.to_cylindrical(i, action.arm.cross(action.friction));
       e.M_x[i] += moment[0];
@@ -130,7 +140,8 @@ void PocketContact::declare(SceneBuilder& scene) {
   set_.emplace(scene.bearing, azimuths);
   constexpr std::string_view kCost = "pocket contacts";
   if (!scene.plan.has(Effect::PocketTraction)) {
-    scene.block<PocketBlock<false>>(Phase::Force, kCost, true, *set_, SlipFriction(), heat_);
+    scene.block<PocketBlock<false>>(Phase::Force, kCost, true, *set_, tribology::TractionLaw(),
+                                    heat_);
     return;
   }
   demand(scene.bearing.pocket_traction.has_value(),

@@ -3,17 +3,20 @@
 #include "contact/ball_pocket.hpp"
 #include "contact/conformal.hpp"
 #include "dynamics/effect.hpp"
+#include "tribology/traction_law.hpp"
 
+#include <cmath>
 #include <optional>
+#include <type_traits>
 
 /// Balls in the cylindrical pockets of a one-piece cage.
 ///
 /// Normal: N = law(-gap) on the ball along -m, gap and m of contact/ball_pocket.hpp. Friction acts
 /// at the ball surface point p = r_b m (not shortened by the penetration): slip u = cage velocity -
-/// ball velocity there, its part along m removed; friction on the ball N κ(|u|) u/|u|; opposite
-/// force on the cage at the same point of space. Heat = friction · u. The force is minus the
-/// gradient of law.energy with respect to ball and cage pose. Limit: the ball centre is inside the
-/// hole; otherwise the state is not valid.
+/// ball velocity there, its part along m removed; friction on the ball N κ(s)/s u, s the rounded
+/// slip (tribology/rounded_law.hpp); opposite force on the cage at the same point of space. Heat =
+/// friction · u. The force is minus the gradient of law.energy with respect to ball and cage pose.
+/// Limit: the ball centre is inside the hole; otherwise the state is not valid.
 namespace adore::dynamics {
 
 /// Epicyclic speed of the cage at the free contact angle, signed [rad/s].
@@ -74,8 +77,10 @@ struct PocketAction {
 };
 
 /// Contact i at the located state; `wall` from set.wall_point(i), gap < 0.
-template <bool Traction>
-[[nodiscard]] inline PocketAction pocket_action(const PocketSet& set, const SlipFriction& law,
+/// @param friction per newton and slip, of the square of the slip (tribology::RoundedLaw), or
+/// nullptr without traction
+template <class Friction>
+[[nodiscard]] inline PocketAction pocket_action(const PocketSet& set, const Friction& friction,
                                                 const Evaluation& e, std::size_t i,
                                                 const contact::WallPoint& wall) noexcept {
   PocketAction a;
@@ -84,11 +89,12 @@ template <bool Traction>
   a.arm = set.ball_radius() * a.m;
   a.point = e.ball_centre(i) + a.arm;
   a.on_ball = -a.N * a.m;
-  if constexpr (Traction) {
+  if constexpr (!std::is_null_pointer_v<Friction>) {
     Vec3 slip = e.cage.velocity_at(a.point) - e.ball_velocity(i) - e.ball_omega(i).cross(a.arm);
     slip -= slip.dot(a.m) * a.m;
-    a.slip = slip.norm();
-    a.friction_per_slip = a.N * law.per_slip(a.slip);
+    const double square = slip.squaredNorm();
+    a.slip = std::sqrt(square);
+    a.friction_per_slip = a.N * friction(square);
     a.friction = a.friction_per_slip * slip;
     a.heat = a.friction.dot(slip);
     a.on_ball += a.friction;
@@ -105,11 +111,13 @@ class PocketContact final : public SceneEffect {
 
   [[nodiscard]] PocketSet& set() noexcept { return *set_; }
   /// Has no friction without pocket traction.
-  [[nodiscard]] const std::optional<SlipFriction>& friction() const noexcept { return friction_; }
+  [[nodiscard]] const std::optional<tribology::TractionLaw>& friction() const noexcept {
+    return friction_;
+  }
 
  private:
   std::optional<PocketSet> set_;
-  std::optional<SlipFriction> friction_;
+  std::optional<tribology::TractionLaw> friction_;
   double heat_ = 0.0;  ///< now [W]
 };
 
