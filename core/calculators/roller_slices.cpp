@@ -5,7 +5,7 @@
 #include "contact/slice_contact.hpp"
 #include "contact/slice_traction.hpp"
 #include "contact/sliced_line.hpp"
-#include "tribology/traction_curve.hpp"
+#include "tribology/traction_law.hpp"
 
 #include <cmath>
 #include <limits>
@@ -212,19 +212,16 @@ Json traction_case(const Json& in) {
                               vec3(moving.at("roller_omega"))};
   Json curve_inputs = in.at("traction");
   curve_inputs["type"] = "two_slope";
-  const bearing::TractionCurve curve = traction_law(curve_inputs);
-  const double floor = tribology::slip_floor(curve);
-  const auto per_slip = [&](double u2) {
-    const double u = std::sqrt(u2 + floor);
-    return tribology::traction_coefficient(curve, u) / u;
-  };
+  const tribology::TractionLaw traction = traction_law(curve_inputs);
   const PowerLaw law = power_law(get(in, "K_line"), cut.effective_length);
   Json out;
   ContactWrench sum;
   for (const SliceContact& c : contacts_of(in, p, cut)) {
     const double Q = slice_load(law, cut.width, c.delta).load;
     const Vec3 slip = contact_slip(race, roller, c.point, c.normal);
-    add_contact(sum, Q, c.point, c.normal, slip, place.centre, per_slip);
+    traction.visit_rounded([&](const auto& per_slip) {
+      add_contact(sum, Q, c.point, c.normal, slip, place.centre, per_slip);
+    });
     out["delta"].push_back(c.delta);
     out["Q_slices"].push_back(Q);
     out["slip"].push_back(json(slip));

@@ -81,6 +81,20 @@ RelativeCurvature race_curvature(const bearing::BallGeometry& balls, int race,
   return {transverse, rolling};
 }
 
+ContactEdges contact_edges(const GrooveGeometry& groove, int race, double angle, double half_major,
+                           double shoulder_radius) noexcept {
+  const auto j = static_cast<std::size_t>(race);
+  const double radius = groove.groove_radius[j], span = half_major / radius;
+  ContactEdges edges;
+  if (shoulder_radius > 0.0) {
+    const double sign = race == bearing::kOuter ? 1.0 : -1.0;
+    edges.shoulder_depth = radius * std::cos(std::abs(angle) + span) +
+                           sign * (groove.centre_radius[j] - shoulder_radius);
+  }
+  edges.centre_chord = radius * std::sin(std::abs(angle) - span);
+  return edges;
+}
+
 FreeState free_state(double diameter, const std::array<double, 2>& groove_factor,
                      const std::array<double, 2>& shim, double contact_angle,
                      double measured_clearance) {

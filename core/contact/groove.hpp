@@ -36,6 +36,16 @@ struct GrooveGeometry {
 [[nodiscard]] RelativeCurvature race_curvature(const bearing::BallGeometry& balls, int race,
                                                double contact_angle);
 
+/// Where a contact ends on the groove (outputs §16, N94), f D = groove radius:
+struct ContactEdges {
+  double shoulder_depth = 0.0;  ///< s = fD cos(|α| + a/(fD)) ± (Rc - r_shoulder), + outer [m]
+  double centre_chord = 0.0;    ///< t = fD sin(|α| - a/(fD)), inner end of the contact from the
+                                ///< groove's centre plane [m]
+};
+/// @param half_major a [m]; shoulder_radius [m], 0: not given, and shoulder_depth stays 0
+[[nodiscard]] ContactEdges contact_edges(const GrooveGeometry& groove, int race, double angle,
+                                         double half_major, double shoulder_radius) noexcept;
+
 /// Free contact angle and clearance of a ball bearing from what the deck gives (N39): cos α0 = 1 -
 /// Pd/(2D(f1+f2-1)); a shim g on a race of factor f gives arch angle asin(g/((2f-1)D)) and Pd =
 /// freeIntCls + (2f-1)D(1 - cos αs). contact_angle > 0 rules.

@@ -9,14 +9,17 @@
 namespace adore::dynamics {
 namespace {
 
-using BallFrame = Eigen::Matrix<double, 3, 2>;
+/// Base axes to the azimuth frame at θ, as its rows.
+Mat3 azimuth_frame(double theta) noexcept {
+  Mat3 rows;
+  rows.row(0) = Vec3::UnitX().transpose();
+  rows.row(1) = radial_direction(theta).transpose();
+  rows.row(2) = circumferential_direction(theta).transpose();
+  return rows;
+}
 
-/// J = ∂(ball centre)/∂(x, r) = (e_x, e_r).
-BallFrame directions(double theta) noexcept {
-  BallFrame J;
-  J.col(0) = Vec3::UnitX();
-  J.col(1) = radial_direction(theta);
-  return J;
+RacePose in_frame(const Mat3& frame, const RacePose& pose) noexcept {
+  return {frame * pose.centre, frame * pose.axis};
 }
 
 /// Inverse of a symmetric matrix on the directions that have stiffness, 0 on the others.
@@ -44,28 +47,29 @@ constexpr int kMaxHalvings = 40;
 }  // namespace
 
 GrooveContact ConstrainedBall::contact_with(int race, const RacePose& pose,
-                                            const Vec3& ball_centre) const noexcept {
+                                            const Vec2& at) const noexcept {
+  using adore::contact::Triple;
   const auto j = static_cast<std::size_t>(race);
-  const Vec3 arm = ball_centre - pose.centre;
-  const double axial = arm.dot(pose.axis);
-  const Vec3 across = arm - axial * pose.axis;
-  const double rho = across.norm();
-  const Vec3 e = across / rho;
-  const double lift = rho - groove_.centre_radius[j];
-  const double l = std::hypot(axial, lift);
-  const double n_k = axial / l, n_e = lift / l;
+  const Triple<double> k{pose.axis[0], pose.axis[1], pose.axis[2]};
+  const Triple<double> d{at[0] - pose.centre[0], at[1] - pose.centre[1], -pose.centre[2]};
+  const auto place = adore::contact::groove_place(d, k, groove_.centre_radius[j]);
+  const auto touch = adore::contact::groove_touch(place.axial, place.lift, groove_.offset[j]);
+  const auto vector = [](const Triple<double>& v) { return Vec3(v.x, v.y, v.z); };
 
   GrooveContact c;
-  c.approach = l - groove_.offset[j];
-  c.normal = n_k * pose.axis + n_e * e;
-  const Vec3 t = pose.axis.cross(e), side = t.cross(c.normal);
-  c.bending = (side * side.transpose() + lift / rho * t * t.transpose()) / l;
+  c.approach = touch.approach;
+  c.normal = touch.n_k * pose.axis + touch.n_e * vector(place.e);
+  const Vec3 t = vector(cross(k, place.e)), side = t.cross(c.normal);
+  const double around = place.lift / place.distance;
+  c.bending = (side * side.transpose() + around * t * t.transpose()) / touch.length;
   if (!(c.approach > 0.0)) return c;
   c.load = adore::contact::hertz_load(K_[j], c.approach);
-  c.energy = 0.4 * c.load * c.approach;
-  c.angle = race == 0 ? std::atan2(n_k, n_e) : std::atan2(-n_k, -n_e);
-  c.stiffness =
-      1.5 * K_[j] * std::sqrt(c.approach) * c.normal * c.normal.transpose() + c.load * c.bending;
+  c.energy = adore::contact::point_energy(c.load, c.approach);
+  c.angle = adore::contact::contact_angle(race, touch.n_k, touch.n_e);
+  const adore::contact::PointStiffness s =
+      adore::contact::point_stiffness(K_[j], c.approach, c.load, touch.length, around);
+  c.stiffness = s.normal * c.normal * c.normal.transpose() + s.across * side * side.transpose() +
+                s.around * t * t.transpose();
   return c;
 }
 
@@ -79,23 +83,22 @@ BallBalance ConstrainedBall::evaluate(const std::array<RacePose, 2>& races, doub
   BallBalance b;
   b.x = x_r[0];
   b.r = x_r[1];
-  const BallFrame J = directions(theta);
-  const Vec3 e_theta = circumferential_direction(theta);
+  const Mat3 frame = azimuth_frame(theta);
   Vec3 contact_force = Vec3::Zero();
   Mat3 stiffness = Mat3::Zero();
   for (std::size_t j = 0; j < 2; ++j) {
-    b.contact[j] = contact_with(static_cast<int>(j), races[j], J * x_r);
+    b.contact[j] = contact_with(static_cast<int>(j), in_frame(frame, races[j]), x_r);
     contact_force -= b.contact[j].load * b.contact[j].normal;
     stiffness += b.contact[j].stiffness;
     b.potential += b.contact[j].energy;
   }
   b.speed = speed_of(orbit, b.r);
   const double centrifugal = mass_ * b.r * b.speed * b.speed;
-  b.residual = J.transpose() * contact_force + force + Vec2(0.0, centrifugal);
-  b.stiffness = J.transpose() * stiffness * J;
-  b.per_theta = -J.transpose() * stiffness * (b.r * e_theta);
-  b.per_theta[1] += contact_force.dot(e_theta);  // e_r turns with θ
-  b.force_theta = contact_force.dot(e_theta);
+  b.residual = contact_force.head<2>() + force + Vec2(0.0, centrifugal);
+  b.stiffness = stiffness.topLeftCorner<2, 2>();
+  b.per_theta = -b.r * stiffness.block<2, 1>(0, 2);
+  b.per_theta[1] += contact_force[2];  // e_r turns with θ
+  b.force_theta = contact_force[2];
   b.potential -= force.dot(x_r);
   if (orbit.kept == Orbit::Kept::Speed) {
     b.stiffness(1, 1) -= mass_ * b.speed * b.speed;
@@ -111,17 +114,17 @@ BallBalance ConstrainedBall::evaluate(const std::array<RacePose, 2>& races, doub
 
 /// Outer contact with approach 0 and no axial normal component: l(p) = s, n_x(p) = 0 by Newton. On
 /// an untilted race x is that of the groove's centre plane.
-Vec2 ConstrainedBall::idle_place(const RacePose& outer, double theta,
+Vec2 ConstrainedBall::idle_place(const RacePose& race, double theta,
                                  const Vec2& guess) const noexcept {
-  const BallFrame J = directions(theta);
-  Vec2 place(outer.centre[0],
-             outer.centre.dot(J.col(1)) + groove_.centre_radius[0] + groove_.offset[0]);
+  const Mat3 frame = azimuth_frame(theta);
+  const RacePose outer = in_frame(frame, race);
+  Vec2 place(outer.centre[0], outer.centre[1] + groove_.centre_radius[0] + groove_.offset[0]);
   for (int k = 0; k < 50; ++k) {
-    const GrooveContact c = contact_with(0, outer, J * place);
+    const GrooveContact c = contact_with(0, outer, place);
     const Vec2 miss(c.approach, c.normal[0]);
     Mat2 rows;
-    rows.row(0) = c.normal.transpose() * J;
-    rows.row(1) = c.bending.row(0) * J;
+    rows.row(0) = c.normal.head<2>().transpose();
+    rows.row(1) = c.bending.block<1, 2>(0, 0);
     const double size = rows.determinant();
     if (!std::isfinite(size) || size == 0.0) return guess;
     Mat2 adjugate;
@@ -184,7 +187,7 @@ BallBalance ConstrainedBall::solve(const std::array<RacePose, 2>& races, double 
 BallSensitivity sensitivity(const BallBalance& balance, double theta) noexcept {
   const Mat2 inverse = stiff_inverse<2>(balance.stiffness, kNoStiffness);
   return {inverse * balance.per_theta, inverse * balance.per_orbit,
-          inverse * directions(theta).transpose() * balance.contact[1].stiffness};
+          inverse * balance.contact[1].stiffness.topRows<2>() * azimuth_frame(theta)};
 }
 
 HeldSwitch hold(const ConstrainedBall& ball, const std::array<RacePose, 2>& races, double theta,
@@ -225,9 +228,11 @@ Mode2Solution solve_mode2(const ConstrainedBall& ball, std::array<RacePose, 2> r
       balls[i] = ball.solve(at, theta[i], orbit[i], Vec2::Zero(), from);
       balls_solved = balls_solved && balls[i].solved;
       const GrooveContact& inner = balls[i].contact[1];
-      residual += inner.load * inner.normal;
-      stiffness += inner.stiffness - inner.stiffness * directions(theta[i]) *
-                                         sensitivity(balls[i], theta[i]).per_inner_centre;
+      const Mat3 frame = azimuth_frame(theta[i]);
+      residual += frame.transpose() * (inner.load * inner.normal);
+      stiffness += frame.transpose() *
+                   (inner.stiffness * frame - inner.stiffness.leftCols<2>() *
+                                                  sensitivity(balls[i], theta[i]).per_inner_centre);
     }
     result.balls = std::move(balls);
     started = true;
@@ -272,9 +277,9 @@ Mode2Solution solve_mode2(const ConstrainedBall& ball, std::array<RacePose, 2> r
   Vec3 drift = Vec3::Zero();  // ∂(residual)/∂θ θ̇
   for (std::size_t i = 0; i < theta.size(); ++i) {
     const BallBalance& b = result.balls[i];
-    const Vec3 per_theta = b.r * circumferential_direction(theta[i]) +
-                           directions(theta[i]) * sensitivity(b, theta[i]).per_theta;
-    drift += b.contact[1].stiffness * per_theta * b.speed;
+    Vec3 per_theta(0.0, 0.0, b.r);
+    per_theta.head<2>() = sensitivity(b, theta[i]).per_theta;
+    drift += azimuth_frame(theta[i]).transpose() * (b.contact[1].stiffness * per_theta * b.speed);
   }
   result.inner_velocity = inverse * drift;
   return result;

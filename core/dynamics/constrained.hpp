@@ -11,9 +11,7 @@
 /// at every instant while its orbit stays dynamic (mode 1, light-load balance), races in balance
 /// (mode 2), suppressed accelerations (kDOF). SI, rad, base axes; G = force balance in x and r.
 ///
-/// Contact with race j: geometry and n, δ, Q = K δ^1.5 as in race_contacts.hpp, K fixed, so the
-/// contact has the potential V = 0.4 K δ^2.5 and with l = |v|, ρ = distance from the race axis
-///   ∂²V/∂p² = Q' n nᵀ + (Q/l)(c cᵀ + (ρ - Rc)/ρ t tᵀ),  Q' = 1.5 K √δ.
+/// Contact with race j: contact/ball_groove.hpp, K fixed, so the contact has a potential V.
 /// Balance at azimuth θ: G = (F_x - V_x, F_r - V_r + centrifugal(r)) = 0, and everything implicit
 /// follows from ∂G/∂(x, r).
 /// Limits: frictionless normal contacts plus given forces; ball centre off the race axis.
@@ -28,7 +26,8 @@ struct RacePose {
   Vec3 axis = Vec3::UnitX();
 };
 
-/// One ball/race contact at a ball position.
+/// One ball/race contact at a ball position; vectors in the azimuth frame (e_x, e_r, e_θ) of the
+/// ball.
 struct GrooveContact {
   double approach = 0.0;          ///< δ, negative when open [m]
   double load = 0.0;              ///< Q [N]
@@ -79,8 +78,9 @@ class ConstrainedBall {
   }
   /// Groove centre to ball centre at touch, outer race [m].
   [[nodiscard]] double groove_offset() const noexcept { return groove_.offset[0]; }
+  /// @param pose in the azimuth frame of the ball; place x and r of its centre
   [[nodiscard]] GrooveContact contact_with(int race, const RacePose& pose,
-                                           const Vec3& ball_centre) const noexcept;
+                                           const Vec2& place) const noexcept;
   /// The balance at a given place, not solved for. `force` acts on (x, r).
   [[nodiscard]] BallBalance evaluate(const std::array<RacePose, 2>& races, double theta,
                                      const Orbit& orbit, const Vec2& force,

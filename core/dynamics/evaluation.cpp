@@ -1,20 +1,9 @@
 #include "dynamics/evaluation.hpp"
 
-#include "tribology/traction_curve.hpp"
-
 #include <algorithm>
 #include <cmath>
 
 namespace adore::dynamics {
-
-SlipFriction::SlipFriction(const bearing::TractionCurve& curve) : curve_(curve) {
-  constexpr double kSlip = tribology::kRegularisationSlip;
-  if (tribology::traction_coefficient(curve, 0.0) != 0.0) smoothing_ = kSlip * kSlip;
-}
-
-double SlipFriction::per_slip(double u) const noexcept {
-  return tribology::traction_coefficient(curve_, u) / std::sqrt(u * u + smoothing_);
-}
 
 Evaluation::Evaluation(std::size_t n) : sin_theta(n), cos_theta(n) {
   for (auto& array : actions) array.assign(n, 0.0);

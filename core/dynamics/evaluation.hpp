@@ -99,19 +99,4 @@ struct Evaluation {
   }
 };
 
-/// Friction force per newton of normal load, along a slip of size u: κ(u) u_vec/|u|. Laws with κ(0)
-/// ≠ 0 are smoothed by u/√(u²+ε²), ε = tribology::kRegularisationSlip; laws with κ(0) = 0 are
-/// smooth as they are.
-class SlipFriction {
- public:
-  SlipFriction() = default;
-  explicit SlipFriction(const bearing::TractionCurve& curve);
-  /// Factor g such that friction = N g u_vec, u = |u_vec|.
-  [[nodiscard]] double per_slip(double u) const noexcept;
-
- private:
-  bearing::TractionCurve curve_;
-  double smoothing_ = std::numeric_limits<double>::min();  ///< ε² [m²/s²], never 0
-};
-
 }  // namespace adore::dynamics

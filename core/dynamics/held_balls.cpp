@@ -13,14 +13,9 @@ namespace {
 /// Floor of B, in N/m and as a share of its largest stiffness: keeps B² far from rounding.
 constexpr double kNoStiffness = 1e-6;
 
-using BallFrame = Eigen::Matrix<double, 3, 2>;
-
-/// J = (e_x, e_r).
-BallFrame frame_at(const Evaluation& e, std::size_t i) noexcept {
-  BallFrame J;
-  J.col(0) = Vec3::UnitX();
-  J.col(1) = Vec3(0.0, -e.sin_theta[i], e.cos_theta[i]);
-  return J;
+/// Pose of a race in the azimuth frame of ball i.
+RacePose seen_by(const Evaluation& e, std::size_t i, const RaceMotion& race) noexcept {
+  return {e.to_cylindrical(i, race.centre), e.to_cylindrical(i, race.axis)};
 }
 
 Vec3 e_theta_at(const Evaluation& e, std::size_t i) noexcept {
@@ -66,14 +61,13 @@ std::array<RacePose, 2> HeldBalls::poses(const Evaluation& e) const noexcept {
 }
 
 Vec2 HeldBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept {
-  const std::array<RacePose, 2> races = poses(e);
-  Vec3 force = Vec3::Zero();
-  for (int j = 0; j < 2; ++j) {
-    const GrooveContact c =
-        ball_.contact_with(j, races[static_cast<std::size_t>(j)], e.element_centre(i));
-    force -= c.load * c.normal;
+  Vec2 force = Vec2::Zero();
+  for (std::size_t j = 0; j < 2; ++j) {
+    const GrooveContact c = ball_.contact_with(static_cast<int>(j), seen_by(e, i, e.race[j].motion),
+                                               {e.elements.x[i], e.elements.r[i]});
+    force -= c.load * c.normal.head<2>();
   }
-  return frame_at(e, i).transpose() * force;
+  return force;
 }
 
 BallBalance HeldBalls::balanced(const Evaluation& e, std::size_t i, const Vec2& force) const {
@@ -108,9 +102,8 @@ void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
   Vec3 drift = Vec3::Zero();      // change of their force at fixed x, r
   for (std::size_t j = 0; j < 2; ++j) {
     const RaceMotion& race = e.race[j].motion;
-    const GrooveContact c = ball_.contact_with(
-        static_cast<int>(j), {e.to_cylindrical(i, race.centre), e.to_cylindrical(i, race.axis)},
-        {b.x[i], r, 0.0});
+    const GrooveContact c =
+        ball_.contact_with(static_cast<int>(j), seen_by(e, i, race), {b.x[i], r});
     const Vec2 n = c.normal.head<2>();
     est.race_along[j] = Mat2::Identity() - n * n.transpose();
     force -= c.load * c.normal;
@@ -149,7 +142,8 @@ void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
 }
 
 /// Adds (A + C)⁻¹ G(w) and what race friction adds to L̇. Blows of the cage are left to the former.
-void HeldBalls::pull(Evaluation& e, std::size_t k) noexcept {
+template <class Friction>
+void HeldBalls::pull(const Friction& friction, Evaluation& e, std::size_t k) noexcept {
   const std::size_t i = list_[k];
   const ElementViews& b = e.elements;
   const Estimate& est = estimate_[k];
@@ -167,12 +161,8 @@ void HeldBalls::pull(Evaluation& e, std::size_t k) noexcept {
   for (int w = 0; w < walls.count; ++w) {
     const contact::WallPoint& wall = walls.surface[static_cast<std::size_t>(w)];
     const PocketSet& set = *scene_.pockets;
-    const Vec3 normal = set.to_base(i, wall.m, e.cage.to_base);
-    const PocketAction a = scene_.pocket_traction
-                               ? pocket_action<true>(set.law(i), scene_.pocket_law, e, i,
-                                                     set.ball_radius(), normal, -wall.gap)
-                               : pocket_action<false>(set.law(i), scene_.pocket_law, e, i,
-                                                      set.ball_radius(), normal, -wall.gap);
+    const PocketAction a = pocket_action(set.law(i), friction, e, i, set.ball_radius(),
+                                         set.to_base(i, wall.m, e.cage.to_base), -wall.gap);
     force += e.to_cylindrical(i, a.on_ball);
     const Vec2 m = e.to_cylindrical(i, a.m).head<2>();
     damping += a.friction_per_slip * (Mat2::Identity() - m * m.transpose());
@@ -206,7 +196,14 @@ void HeldBalls::form_rates(Evaluation& e) noexcept {
     evaluate_race_contacts(
         scene_.contacts[j], balls, e.race[j].motion,
         forces_in(action_, load_[j].data(), heat_[j].data(), load_slip_[j].data()));
-  for (std::size_t k = 0; k < held; ++k) pull(e, k);
+  const auto pull_all = [&](const auto& friction) {
+    for (std::size_t k = 0; k < held; ++k) pull(friction, e, k);
+  };
+  if (scene_.pocket_traction) {
+    scene_.pocket_law.visit_rounded(pull_all);
+  } else {
+    pull_all(nullptr);
+  }
 }
 
 /// The inertia that is left out would take m(ẍ, r̈ - rθ̇²) = F: what the equations of motion found

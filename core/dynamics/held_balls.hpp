@@ -42,10 +42,10 @@ class HeldBalls {
  public:
   struct Scene {
     const std::array<RaceContactModel, 2>& contacts;
-    double mass;              ///< of a ball [kg]
-    Vec3 gravity;             ///< [m/s²]
-    PocketSet* pockets;       ///< null without pocket contact
-    SlipFriction pocket_law;  ///< with pocket_traction
+    double mass;                        ///< of a ball [kg]
+    Vec3 gravity;                       ///< [m/s²]
+    PocketSet* pockets;                 ///< null without pocket contact
+    tribology::TractionLaw pocket_law;  ///< with pocket_traction
     bool pocket_traction;
   };
   HeldBalls(const Scene& scene, const ElementSlices& slices, std::size_t balls);
@@ -89,7 +89,9 @@ class HeldBalls {
   void first_rates(const Evaluation& e, std::size_t k) noexcept;
   /// The walls that a located ball touches.
   [[nodiscard]] contact::WallPoints pocket_walls(std::size_t i) const noexcept;
-  void pull(Evaluation& e, std::size_t k) noexcept;
+  /// @param friction of the pockets (pocket_action)
+  template <class Friction>
+  void pull(const Friction& friction, Evaluation& e, std::size_t k) noexcept;
 
   Scene scene_;
   ElementSlices slices_;

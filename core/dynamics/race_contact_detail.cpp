@@ -1,7 +1,6 @@
+#include "contact/ball_groove.hpp"
+#include "dynamics/ball_race_motion.hpp"
 #include "dynamics/race_contacts.hpp"
-#include "tribology/traction_curve.hpp"
-
-#include <Eigen/Geometry>
 
 #include <cmath>
 #include <numbers>
@@ -10,33 +9,41 @@ namespace adore::dynamics {
 
 RaceContactState race_contact_state(const RaceContactModel& model, const ElementViews& balls,
                                     std::size_t index, const RaceMotion& race) {
+  using contact::Triple;
   const auto j = static_cast<std::size_t>(model.race);
   const double s = balls.sin_theta[index], c = balls.cos_theta[index], r = balls.r[index];
-  const Vec3 e_r(0.0, -s, c), e_theta(0.0, -c, -s);
-  const Vec3 position = balls.x[index] * Vec3::UnitX() + r * e_r;
-  const Vec3 velocity = balls.x_dot[index] * Vec3::UnitX() + balls.r_dot[index] * e_r +
-                        r * balls.theta_dot[index] * e_theta;
-  const Vec3 omega = balls.omega_x[index] * Vec3::UnitX() + balls.omega_r[index] * e_r +
-                     balls.omega_theta[index] * e_theta;
-  RaceContactState state;
-  state.arm = position - race.centre;
-  const double axial = state.arm.dot(race.axis);
-  const Vec3 radial = state.arm - axial * race.axis;
-  const Vec3 e = radial.normalized();
-  const double lift = radial.norm() - model.groove.centre_radius[j];
-  const double l = std::hypot(axial, lift);
-  state.approach = l - model.groove.offset[j];
-  const double n_k = axial / l, n_e = lift / l;
-  state.n = n_k * race.axis + n_e * e;
-  state.t = race.axis.cross(e);
-  state.c = state.t.cross(state.n);
-  state.angle = model.race == bearing::kOuter ? std::atan2(n_k, n_e) : std::atan2(-n_k, -n_e);
+  const auto to_azimuth = [&](const Vec3& v) {
+    return contact::to_azimuth(Triple<double>{v[0], v[1], v[2]}, s, c);
+  };
+  const auto to_base = [&](const Triple<double>& v) {
+    const Triple<double> base = contact::from_azimuth(v, s, c);
+    return Vec3(base.x, base.y, base.z);
+  };
+  const Triple<double> k = to_azimuth(race.axis), centre = to_azimuth(race.centre);
+  const Triple<double> d{balls.x[index] - centre.x, r - centre.y, -centre.z};
+  const auto place = contact::groove_place(d, k, model.groove.centre_radius[j]);
+  const auto touch = contact::groove_touch(place.axial, place.lift, model.groove.offset[j]);
+  const Triple<double> n = touch.n_k * k + touch.n_e * place.e;
+  const Triple<double> t = cross(k, place.e);
 
-  const Vec3 slip = race.velocity + race.speed * race.axis.cross(state.arm) +
-                    race.tilt.cross(state.arm) - velocity;
-  const Vec3 W = race.speed * race.axis + race.tilt - omega;
-  state.motion = {slip.dot(state.c), slip.dot(state.t), W.dot(state.c), W.dot(state.t),
-                  W.dot(state.n)};
+  RaceContactState state;
+  state.arm = Vec3(balls.x[index], -r * s, r * c) - race.centre;
+  state.approach = touch.approach;
+  state.n = to_base(n);
+  state.t = to_base(t);
+  state.c = to_base(cross(t, n));
+  state.angle = contact::contact_angle(model.race, touch.n_k, touch.n_e);
+  const double theta_dot = balls.theta_dot[index];
+  const RacePairMotion<double> pair{
+      to_azimuth(race.velocity),
+      to_azimuth(race.tilt),
+      race.speed,
+      true,
+      {balls.x_dot[index], balls.r_dot[index], r * theta_dot},
+      {balls.omega_x[index], balls.omega_r[index], balls.omega_theta[index]},
+      theta_dot,
+      model.groove.ball_radius};
+  state.motion = ellipse_motion(pair, d, k, t, place, touch);
   if (state.approach > 0.0) {
     state.ellipse.Q = contact::hertz_load(model.hertz.K, state.approach);
     const double size = std::cbrt(state.ellipse.Q);
@@ -46,23 +53,6 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
                                    model.groove.groove_radius[j], state.approach);
   }
   return state;
-}
-
-ContactEdges contact_edges(const RaceContactModel& model, double angle,
-                           double half_major) noexcept {
-  const auto j = static_cast<std::size_t>(model.race);
-  const double radius = model.groove.groove_radius[j];
-  const double span = half_major / radius;
-  ContactEdges edges;
-  if (model.shoulder_radius > 0.0) {
-    // Distance of the contact's far end from the groove's centre circle, towards the groove bottom.
-    const double drop = radius * std::cos(std::abs(angle) + span);
-    const double centre = model.groove.centre_radius[j];
-    edges.shoulder_depth = model.race == bearing::kOuter ? centre + drop - model.shoulder_radius
-                                                         : model.shoulder_radius - (centre - drop);
-  }
-  edges.centre_chord = radius * std::sin(std::abs(angle) - span);
-  return edges;
 }
 
 RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const ElementViews& balls,
@@ -77,13 +67,14 @@ RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const Ele
   snapshot.half_minor = ellipse.b;
   snapshot.max_pressure = 1.5 * ellipse.Q / (std::numbers::pi * ellipse.a * ellipse.b);
   snapshot.spin_to_roll = state.motion.W_c != 0.0 ? state.motion.W_n / state.motion.W_c : 0.0;
-  const ContactEdges edges = contact_edges(model, state.angle, ellipse.a);
+  const contact::ContactEdges edges = contact::contact_edges(model.groove, model.race, state.angle,
+                                                             ellipse.a, model.shoulder_radius);
   snapshot.edge = edges.shoulder_depth;
   snapshot.centre_chord = edges.centre_chord;
   // Slip is kinematics and is reported also when traction is off; heat is then zero.
   const tribology::EllipseTraction traction =
-      converged ? tribology::ellipse_traction_converged(model.curve, ellipse, state.motion)
-                : tribology::ellipse_traction(model.curve, ellipse, state.motion, model.rule);
+      converged ? tribology::ellipse_traction_converged(model.law, ellipse, state.motion)
+                : tribology::ellipse_traction(model.law, ellipse, state.motion, model.rule);
   snapshot.max_slip = traction.max_slip;
   snapshot.heat = model.traction ? traction.heat : 0.0;
   snapshot.load_slip = model.traction ? traction.load_slip : 0.0;
@@ -98,14 +89,13 @@ RuleError measure_rule_error(const RaceContactModel& model, const ElementViews& 
     const RaceContactState state = race_contact_state(model, balls, i, race);
     if (!(state.approach > 0.0)) continue;
     const auto exact =
-        tribology::ellipse_traction_converged(model.curve, state.ellipse, state.motion);
+        tribology::ellipse_traction_converged(model.law, state.ellipse, state.motion);
     const auto rule =
-        tribology::ellipse_traction(model.curve, state.ellipse, state.motion, model.rule);
+        tribology::ellipse_traction(model.law, state.ellipse, state.motion, model.rule);
     ++error.contacts;
     heat += rule.heat;
     exact_heat += exact.heat;
-    const double full =
-        tribology::traction_coefficient(model.curve, exact.max_slip) * state.ellipse.Q;
+    const double full = model.law.coefficient(exact.max_slip) * state.ellipse.Q;
     if (!(full > 0.0)) continue;  // a frictionless law has no error
     error.force += std::pow(std::hypot(rule.F_c - exact.F_c, rule.F_t - exact.F_t) / full, 2);
     error.moment += std::pow((rule.M_n - exact.M_n) / (full * state.ellipse.a), 2);

@@ -2,7 +2,6 @@
 
 #include "base/errors.hpp"
 #include "dynamics/race_kernel.hpp"
-#include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
 
@@ -15,8 +14,6 @@
 
 namespace adore::dynamics {
 namespace {
-
-using tribology::ContactSurface;
 
 constexpr const char* kRequestVariable = "ADORE_ISA";
 constexpr InstructionSet kAllSets[] = {InstructionSet::Avx512, InstructionSet::Avx2,
@@ -51,26 +48,6 @@ RaceKernel kernel_of(InstructionSet set) noexcept {
   return race_kernel_baseline;
 }
 
-bool is_curved(ContactSurface surface) noexcept {
-  return surface == ContactSurface::CurvedEdge || surface == ContactSurface::CurvedHalf ||
-         surface == ContactSurface::CurvedUndeformed;
-}
-
-KernelHeight kernel_height(ContactSurface surface) noexcept {
-  switch (surface) {
-    case ContactSurface::CurvedEdge:
-    case ContactSurface::FlatEdge:
-      return KernelHeight::ThroughEdge;
-    case ContactSurface::CurvedHalf:
-    case ContactSurface::FlatHalf:
-      return KernelHeight::HalfApproach;
-    case ContactSurface::CurvedUndeformed:
-    case ContactSurface::FlatUndeformed:
-      break;
-  }
-  return KernelHeight::Undeformed;
-}
-
 RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const ElementViews& balls,
                        const RaceMotion& race, const ElementForces& out) noexcept {
   RaceKernelInput in;
@@ -83,23 +60,16 @@ RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const E
   in.major = model.hertz.a_hat * root_of_K;
   in.minor = model.hertz.b_hat * root_of_K;
   in.ball_radius = groove.ball_radius;
-  in.rho = is_curved(model.surface) ? 2.0 * groove.ball_radius * groove.groove_radius[j] /
-                                          (groove.ball_radius + groove.groove_radius[j])
-                                    : 0.0;
-  in.height = kernel_height(model.surface);
+  in.rho = tribology::is_curved(model.surface)
+               ? tribology::surface_radius(groove.ball_radius, groove.groove_radius[j])
+               : 0.0;
+  in.place = tribology::place_of(model.surface);
   in.traction = model.traction;
-  in.two_slope = model.curve.form == bearing::TractionCurve::Form::TwoSlope;
-  in.A = model.curve.A, in.B = model.curve.B, in.C = model.curve.C, in.D = model.curve.D;
-  in.u0 = model.curve.u0;
-  in.slip_floor = tribology::slip_floor(model.curve);
-  const tribology::EllipseRule& rule = model.rule;
-  in.split = rule.split;
-  in.slip_scale = tribology::slip_scale(model.curve);
-  in.major_nodes = static_cast<int>(rule.s.size());
-  in.minor_nodes = static_cast<int>(rule.v.size());
-  in.s = rule.s.data(), in.chord = rule.chord.data(), in.weight_s = rule.weight_s.data();
-  in.v = rule.v.data(), in.weight_v = rule.weight_v.data();
-  in.weight_v1 = rule.weight_v1.data(), in.weight_v2 = rule.weight_v2.data();
+  in.law_index = model.law.index();
+  in.law = model.law.address();
+  in.slip_floor = model.law.slip_floor();
+  in.slip_scale = model.law.slip_scale();
+  in.nodes = model.rule.nodes();
   for (int i = 0; i < 3; ++i) {
     in.centre[i] = race.centre[i];
     in.axis[i] = race.axis[i];

@@ -6,6 +6,7 @@
 #include "dynamics/elements.hpp"
 #include "dynamics/scene.hpp"
 #include "tribology/ellipse_traction.hpp"
+#include "tribology/traction_law.hpp"
 
 #include <array>
 #include <cstddef>
@@ -13,12 +14,12 @@
 /// The hot path: all ball/race contacts of one race in one call, vectorised over the balls
 /// (structure of arrays).
 ///
-/// With d = ball centre - P_j, race axis k, radial unit vector e of d about k, G = Rc_j e, v = d -
-/// G, l = |v|:
-///   n = v/l,  δ = l - s_j,  Q = K δ^1.5 (δ > 0, else open),  t = k × e,  c = t × n
-///   slip at the ball centre u0 = V_P + ω × d - V_ball,  W = ω - ω_ball,  ω = Ω k + tilt,  traction
-///   as in ellipse_traction.hpp on the ball:  F = -Q n + F_c c + F_t t,  M = M_c c + M_t t + M_n n
-///   about its centre on the race:  -Σ F,  about P_j: -Σ (d × F + M)
+/// Contact axes c, t, n, approach δ and load Q of contact/ball_groove.hpp, with d = ball centre -
+/// P_j and the race axis k:
+///   slip at the ball centre u0 = V_P + ω × d - V_ball,  W = ω - ω_ball,  ω = Ω k + tilt
+///   (ball_race_motion.hpp), traction as in ellipse_traction.hpp
+///   on the ball:  F = -Q n + F_c c + F_t t,  M = M_c c + M_t t + M_n n about its centre
+///   on the race:  -Σ F,  about P_j: -Σ (d × F + M)
 /// Source: tests/reference/dynamics_README.md ("Ball/race contact geometry", "Traction"). The
 /// traction power on ball and race together is -heat identically (also for the quadrature rule).
 /// Limits: r_ball > a (load_limit); ball centre off the race axis. At zero contact angle c is -e_x
@@ -46,7 +47,7 @@ struct RaceContactModel {
   double effective_modulus = 0.0;  ///< E* [Pa], reports only
   double shoulder_radius = 0.0;    ///< of this race [m], reports only; 0 = not given
   bool traction = true;
-  bearing::TractionCurve curve;
+  tribology::TractionLaw law;
   tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;
   tribology::EllipseRule rule;  ///< fixed quadrature rule of the run (make_ellipse_rule)
 };
@@ -91,16 +92,6 @@ struct RaceContactState {
 };
 RaceContactState race_contact_state(const RaceContactModel& model, const ElementViews& balls,
                                     std::size_t index, const RaceMotion& race);
-
-/// Where the contact ends on the groove (outputs §16, N94), f D = groove radius, a = half major
-/// axis:
-struct ContactEdges {
-  double shoulder_depth = 0.0;  ///< s = fD cos(|α| + a/(fD)) + Rc - r_shoulder (outer; inner:
-                                ///< r_shoulder - Rc + fD cos) [m]
-  double centre_chord = 0.0;    ///< t = fD sin(|α| - a/(fD)), inner end of the contact from the
-                                ///< groove's centre plane [m]
-};
-ContactEdges contact_edges(const RaceContactModel& model, double angle, double half_major) noexcept;
 
 /// Error of model.rule against the converged integrals over the loaded contacts of one race, for
 /// reports (milliseconds per contact). Root mean squares in units of full traction κ(u_max) Q and

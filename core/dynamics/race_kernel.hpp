@@ -1,38 +1,30 @@
 #pragma once
 
+#include "tribology/ellipse_sum.hpp"
+
 #include <cstddef>
 
 /// Boundary between race_contacts.cpp and the translation units that are compiled once per
 /// instruction set. Plain numbers and pointers only: a header with inline library code (Eigen,
 /// std::vector) included there could leave AVX instructions in functions that the linker then uses
-/// everywhere.
+/// everywhere. What the kernels share with the rest (contact/ball_groove.hpp, ellipse_sum.hpp, the
+/// traction laws) are templates over the scalar type, and the vector types of the instruction sets
+/// differ.
 namespace adore::dynamics {
-
-/// Height conventions of tribology::ContactSurface as the kernel needs them: h(ξ) = [sqrt(ρ²-ξ²)] +
-/// offset.
-enum class KernelHeight : unsigned char {
-  ThroughEdge,   ///< the surface passes through the ends of the major axis on the undeformed ball
-  HalfApproach,  ///< half the approach below the undeformed ball at the centre
-  Undeformed     ///< touches the undeformed ball at the centre
-};
 
 struct RaceKernelInput {
   // Groove, load and ellipse: Q = K δ^1.5, a = major sqrt(δ), b = minor sqrt(δ).
   double centre_radius, offset, K, major, minor;
   double ball_radius;
   double rho;  ///< radius of the contact surface [m], 0 = flat
-  KernelHeight height;
+  tribology::SurfacePlace place;
   bool traction;
-  // Law of traction.
-  bool two_slope;
-  double A, B, C, D, u0;
+  // Law of traction: one of tribology::TractionLawList.
+  std::size_t law_index;
+  const void* law;
   double slip_floor;  ///< ε² of the rounded slip sqrt(u² + ε²) [m²/s²], > 0
-  // Quadrature rule (tribology::EllipseRule).
-  bool split;
-  double slip_scale;             ///< of the law, for the break points of a split rule [m/s]
-  int major_nodes, minor_nodes;  ///< split: major nodes of one piece
-  const double *s, *chord, *weight_s;
-  const double *v, *weight_v, *weight_v1, *weight_v2;
+  double slip_scale;  ///< of the law, for the break points of a split rule [m/s]
+  tribology::EllipseNodes nodes;
   // Race pose and motion, base frame.
   double centre[3], axis[3], velocity[3], speed;
   bool tilts;

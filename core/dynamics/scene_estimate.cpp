@@ -1,5 +1,6 @@
 #include "dynamics/scene_estimate.hpp"
 
+#include "contact/ball_groove.hpp"
 #include "contact/groove.hpp"
 
 #include <fmt/format.h>
@@ -23,11 +24,12 @@ BallVibration ball_vibration(const statics::StaticBall& ball, const contact::Gro
   for (std::size_t j = 0; j < 2; ++j) {
     if (!(ball.Q[j] > 0.0) || !(ball.delta[j] > 0.0)) continue;
     const double nx = std::sin(ball.alpha[j]), nr = std::cos(ball.alpha[j]);
-    normal[j] = 1.5 * ball.Q[j] / ball.delta[j];
-    const double across = ball.Q[j] / (groove.offset[j] + ball.delta[j]);
-    xx += normal[j] * nx * nx + across * nr * nr;
-    xr += (normal[j] - across) * nx * nr;
-    rr += normal[j] * nr * nr + across * nx * nx;
+    const contact::PointStiffness s = contact::point_stiffness(
+        ball.K[j], ball.delta[j], ball.Q[j], groove.offset[j] + ball.delta[j], 0.0);
+    normal[j] = s.normal;
+    xx += s.normal * nx * nx + s.across * nr * nr;
+    xr += (s.normal - s.across) * nx * nr;
+    rr += s.normal * nr * nr + s.across * nx * nx;
   }
   const double mean = 0.5 * (xx + rr), half = std::hypot(0.5 * (xx - rr), xr);
   result.along = std::sqrt((mean + half) / mass);

@@ -5,6 +5,7 @@
 #include "listing/print_cage.hpp"
 #include "listing/print_file.hpp"
 #include "listing/print_imperfections.hpp"
+#include "tribology/rounded_law.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>

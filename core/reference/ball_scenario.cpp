@@ -55,7 +55,7 @@ BallLoad ball_load(const dynamics::RaceContactModel& model, const dynamics::Elem
   const Vec3 velocity = balls.x_dot[index] * Vec3::UnitX() + balls.r_dot[index] * e_r +
                         balls.r[index] * balls.theta_dot[index] * Vec3::UnitX().cross(e_r);
   const Vec3 slip = race.velocity + race.speed * race.axis.cross(s.arm) - velocity;
-  const SurfaceTraction surface = rule(model.curve, s, slip.dot(s.n));
+  const SurfaceTraction surface = rule(model.law, s, slip.dot(s.n));
   load.traction = surface.in_plane;
   const tribology::EllipseTraction& f = load.traction;
   load.force += f.F_c * s.c + f.F_t * s.t + surface.F_n * s.n;
@@ -75,7 +75,7 @@ dynamics::RaceContactModel outer_race_model(const Json& race, const bearing::Tra
   model.hertz.K = get(race, "K");
   model.hertz.a_hat = get(race, "a_over_Q13");
   model.hertz.b_hat = get(race, "b_over_Q13");
-  model.curve = curve;
+  model.law = curve;
   model.surface = contact_surface(race.at("contact_surface").get<std::string>());
   return model;
 }
@@ -124,7 +124,7 @@ BallBetweenRaces::BallBetweenRaces(const Json& in, const Vec3& inner_centre, boo
         contact::race_curvature(balls, static_cast<int>(j), balls.contact_angle), E_star);
     model.effective_modulus = E_star;
     model.traction = traction;
-    if (traction) model.curve = traction_law(in.at("traction_law"));
+    if (traction) model.law = traction_law(in.at("traction_law"));
     if (in.contains("contact_surface"))
       model.surface = contact_surface(in["contact_surface"].get<std::string>());
     races_[j] = {Vec3::Zero(), Vec3::UnitX(), 0.0, Vec3::Zero()};

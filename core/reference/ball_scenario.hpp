@@ -32,7 +32,7 @@ struct SurfaceTraction {
 /// Traction of one contact; replaceable where a case asks for another surface model than the
 /// library's.
 /// @param u_n race minus ball velocity along n at the ball centre [m/s]
-using TractionRule = std::function<SurfaceTraction(const bearing::TractionCurve&,
+using TractionRule = std::function<SurfaceTraction(const tribology::TractionLaw&,
                                                    const dynamics::RaceContactState&, double u_n)>;
 
 /// The library's split rule with `points` per piece.

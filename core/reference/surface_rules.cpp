@@ -1,7 +1,6 @@
 #include "base/gauss.hpp"
 #include "reference/ball_scenario.hpp"
 #include "tribology/ellipse_split.hpp"
-#include "tribology/traction_curve.hpp"
 
 #include <array>
 #include <cmath>
@@ -20,24 +19,18 @@ void over_rows(int panels, const Row& row) {
     }
 }
 
-double surface_height(const tribology::EllipseGeometry& g, double xi) {
-  if (!(g.rho > 0.0)) return g.h0;
-  return g.h0 - xi * xi / (g.rho + std::sqrt(std::max(g.rho * g.rho - xi * xi, 0.0)));
-}
-
-SurfaceTraction strip_traction(const bearing::TractionCurve& curve,
+SurfaceTraction strip_traction(const tribology::TractionLaw& law,
                                const dynamics::RaceContactState& contact, double) {
   const tribology::EllipseGeometry& g = contact.ellipse;
   const tribology::EllipseKinematics& m = contact.motion;
   SurfaceTraction sum;
   tribology::EllipseTraction& t = sum.in_plane;
   over_rows(200, [&](double s, double weight) {
-    const double xi = g.a * s, h = surface_height(g, xi);
+    const double xi = g.a * s, h = g.height(xi);
     const double u_c = m.u_c + m.W_t * h, u_t = m.u_t + m.W_n * xi - m.W_c * h,
                  u = std::hypot(u_c, u_t);
     if (!(u > 0.0)) return;
-    const double kappa = tribology::traction_coefficient(curve, u),
-                 per_slip = g.Q * weight * kappa / u;
+    const double kappa = law.coefficient(u), per_slip = g.Q * weight * kappa / u;
     const double f_c = per_slip * u_c, f_t = per_slip * u_t;
     t.F_c += f_c;
     t.F_t += f_t;
@@ -50,15 +43,15 @@ SurfaceTraction strip_traction(const bearing::TractionCurve& curve,
 }
 
 /// At ξ the tangent c' = c cos φ - n sin φ, sin φ = ξ/ρ; slip and traction in the plane (c', t).
-SurfaceTraction tilted_traction(const bearing::TractionCurve& curve,
+SurfaceTraction tilted_traction(const tribology::TractionLaw& law,
                                 const dynamics::RaceContactState& contact, double u_n) {
   const tribology::EllipseGeometry& g = contact.ellipse;
   const tribology::EllipseKinematics& m = contact.motion;
-  const double kink = curve.form == bearing::TractionCurve::Form::TwoSlope ? curve.u0 : 0.0;
+  const double kink = law.kink();
   SurfaceTraction sum;
   tribology::EllipseTraction& t = sum.in_plane;
   over_rows(32, [&](double s, double weight) {
-    const double xi = g.a * s, h = surface_height(g, xi), half_width = g.b * std::sqrt(1 - s * s);
+    const double xi = g.a * s, h = g.height(xi), half_width = g.b * std::sqrt(1 - s * s);
     const double sine = g.rho > 0.0 ? xi / g.rho : 0.0, cosine = std::sqrt(1 - sine * sine);
     const double u_t = m.u_t + m.W_n * xi - m.W_c * h;
     const double mean = (m.u_c + m.W_t * h) * cosine - (u_n - m.W_t * xi) * sine;
@@ -80,8 +73,7 @@ SurfaceTraction tilted_traction(const bearing::TractionCurve& curve,
         const double share = weight * c * c * (to - from) * point.weight / kPi;  // (2/π) cos²ψ dψ
         const double slip_c = mean - swing * v, u = std::hypot(slip_c, u_t), eta = half_width * v;
         if (!(u > 0.0)) continue;
-        const double kappa = tribology::traction_coefficient(curve, u),
-                     per_slip = g.Q * share * kappa / u;
+        const double kappa = law.coefficient(u), per_slip = g.Q * share * kappa / u;
         const double f_c = per_slip * slip_c * cosine, f_n = -per_slip * slip_c * sine,
                      f_t = per_slip * u_t;
         t.F_c += f_c;
@@ -99,10 +91,10 @@ SurfaceTraction tilted_traction(const bearing::TractionCurve& curve,
 }  // namespace
 
 TractionRule split_rule(int points) {
-  return [points](const bearing::TractionCurve& curve, const dynamics::RaceContactState& contact,
+  return [points](const tribology::TractionLaw& law, const dynamics::RaceContactState& contact,
                   double) {
     return SurfaceTraction{
-        tribology::ellipse_traction_split(curve, contact.ellipse, contact.motion, points), 0.0};
+        tribology::ellipse_traction_split(law, contact.ellipse, contact.motion, points), 0.0};
   };
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/scalar_math.hpp"
+
 #include <array>
 #include <cmath>
 
@@ -87,3 +89,25 @@ S cosine(const S& x) {
 }
 
 }  // namespace adore::statics
+
+namespace adore {
+
+/// What templates over a scalar type ask of dual numbers: min, max and pick decide by the value.
+template <int N>
+struct ScalarMath<statics::Dual<N>> {
+  using Dual = statics::Dual<N>;
+  using Mask = bool;
+  static Dual sqrt(const Dual& x) { return statics::square_root(x); }
+  static Dual root(const Dual& x) { return x.v > 0.0 ? statics::square_root(x) : Dual(0.0); }
+  static Dual root_and_inverse(const Dual& x, Dual& inverse) {
+    const double value = std::sqrt(x.v), over = 1.0 / value;
+    inverse = x.chain(over, -0.5 * over / x.v);
+    return x.chain(value, 0.5 * over);
+  }
+  static Dual min(const Dual& a, const Dual& b) { return b.v < a.v ? b : a; }
+  static Dual max(const Dual& a, const Dual& b) { return a.v < b.v ? b : a; }
+  static Dual pick(bool condition, const Dual& a, const Dual& b) { return condition ? a : b; }
+  static bool any(bool condition) { return condition; }
+};
+
+}  // namespace adore

@@ -1,6 +1,5 @@
 #include "tribology/adaptive_integral.hpp"
 #include "tribology/ellipse_traction.hpp"
-#include "tribology/traction_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -35,11 +34,7 @@ class Kinematics {
     Row row;
     row.xi = g_.a * std::sin(phi);
     row.half_width = g_.b * std::cos(phi);
-    row.h = g_.h0;
-    if (g_.rho > 0.0) {
-      const double below = std::sqrt(std::max(g_.rho * g_.rho - row.xi * row.xi, 0.0));
-      row.h -= row.xi * row.xi / (g_.rho + below);
-    }
+    row.h = g_.height(row.xi);
     row.u_t = m_.u_t + m_.W_n * row.xi - m_.W_c * row.h;
     row.mean = m_.u_c + m_.W_t * row.h;
     row.swing = m_.W_n * row.half_width;
@@ -179,8 +174,9 @@ struct Sizes {
   double coefficient = 0.0, heat = 0.0, slip = 0.0;
 };
 
-template <class Law>
-Sizes typical_sizes(const Law& law, const Kinematics& kinematics, double p0) {
+/// @param law functor of the contact
+template <class Here>
+Sizes typical_sizes(const Here& law, const Kinematics& kinematics, double p0) {
   const EllipseRule rule = make_ellipse_rule(24, 16);
   Sizes sizes;
   for (std::size_t i = 0; i < rule.s.size(); ++i) {
@@ -199,13 +195,16 @@ Sizes typical_sizes(const Law& law, const Kinematics& kinematics, double p0) {
 }
 
 template <class Law>
-EllipseTraction integrate(const Law& law, double kink, const EllipseGeometry& geometry,
+EllipseTraction integrate(const Law& of_contacts, const EllipseGeometry& geometry,
                           const EllipseKinematics& motion) {
   EllipseTraction result;
   if (!(geometry.Q > 0.0)) return result;
+  const double kink = of_contacts.kink();
   const Kinematics kinematics(geometry, motion);
   result.max_slip = largest_slip(kinematics);
   const double p0 = 1.5 * geometry.Q / (std::numbers::pi * geometry.a * geometry.b);
+  const auto law = of_contacts.at(
+      ContactPoint<double>{geometry.Q, p0, geometry.a, geometry.b, motion.entrainment});
   const Sizes sizes = typical_sizes(law, kinematics, p0);
   if (!(sizes.slip > 0.0)) return result;  // κ(0) means no force at exactly zero slip
   // A law of zero traction still needs the load-slip integral.
@@ -269,17 +268,14 @@ EllipseTraction integrate(const Law& law, double kink, const EllipseGeometry& ge
 
 }  // namespace
 
-EllipseTraction ellipse_traction_converged(const bearing::TractionCurve& curve,
-                                           const EllipseGeometry& geometry,
+EllipseTraction ellipse_traction_converged(const TractionLaw& law, const EllipseGeometry& geometry,
                                            const EllipseKinematics& motion) {
-  const double kink = curve.form == bearing::TractionCurve::Form::TwoSlope ? curve.u0 : 0.0;
-  return integrate([&](double slip, double) { return traction_coefficient(curve, slip); }, kink,
-                   geometry, motion);
+  return law.visit([&](const auto& own) { return integrate(own, geometry, motion); });
 }
 
 EllipseTraction ellipse_traction_converged(const PressureLaw& law, const EllipseGeometry& geometry,
                                            const EllipseKinematics& motion) {
-  return integrate(law.coefficient, law.kink, geometry, motion);
+  return integrate(law, geometry, motion);
 }
 
 }  // namespace adore::tribology

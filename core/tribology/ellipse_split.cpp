@@ -1,7 +1,6 @@
 #include "tribology/ellipse_split.hpp"
 
 #include "base/errors.hpp"
-#include "tribology/traction_curve.hpp"
 
 #include <algorithm>
 #include <array>
@@ -54,15 +53,12 @@ struct Row {
   double xi, h, u_t, mean, swing;  ///< u_c = mean - swing v
 };
 
+template <class Here>
 class Integral {
  public:
-  Integral(const bearing::TractionCurve& curve, const EllipseGeometry& g,
+  Integral(const Here& law, double kink, double peak_pressure, const EllipseGeometry& g,
            const EllipseKinematics& m, int points)
-      : curve_(curve),
-        g_(g),
-        m_(m),
-        gauss_(gauss(points)),
-        kink_(curve.form == bearing::TractionCurve::Form::TwoSlope ? curve.u0 : 0.0) {}
+      : law_(law), peak_(peak_pressure), g_(g), m_(m), gauss_(gauss(points)), kink_(kink) {}
 
   EllipseTraction run() {
     const std::vector<double> cuts = outer_cuts();
@@ -71,7 +67,7 @@ class Integral {
       for (std::size_t i = 0; i < gauss_.node.size(); ++i) {
         const double tau = kHalfPi * gauss_.node[i];  // φ = middle + half sin τ
         const double phi = middle + half * std::sin(tau), c = std::cos(phi);
-        add_row(row(phi), 0.75 * c * c * c * gauss_.weight[i] * half * kHalfPi * std::cos(tau));
+        add_row(row(phi), c, 0.75 * c * c * c * gauss_.weight[i] * half * kHalfPi * std::cos(tau));
       }
     }
     return sum_;
@@ -81,9 +77,7 @@ class Integral {
   [[nodiscard]] Row row(double phi) const {
     Row r{};
     r.xi = g_.a * std::sin(phi);
-    r.h = g_.h0;
-    if (g_.rho > 0.0)
-      r.h -= r.xi * r.xi / (g_.rho + std::sqrt(std::max(g_.rho * g_.rho - r.xi * r.xi, 0.0)));
+    r.h = g_.height(r.xi);
     r.u_t = m_.u_t + m_.W_n * r.xi - m_.W_c * r.h;
     r.mean = m_.u_c + m_.W_t * r.h;
     r.swing = m_.W_n * g_.b * std::cos(phi);
@@ -137,7 +131,7 @@ class Integral {
 
   /// Points in ψ are ψ0 + ε sinh σ, Gauss in σ: ψ0 is the place of least slip, ε the width of the
   /// peak of 1/|u| there.
-  void add_row(const Row& r, double weight) {
+  void add_row(const Row& r, double chord_s, double weight) {
     const double swing = std::max(std::abs(r.swing), 1e-300);
     const double least = std::clamp(r.mean / std::copysign(swing, r.swing), -1.0, 1.0);
     const double beyond = std::max(std::abs(r.mean) - swing, 0.0);
@@ -172,7 +166,7 @@ class Integral {
         const double dpsi = 0.5 * epsilon * (grow + shrink) * half * gauss_.weight[i];
         const double w = c * c * dpsi / kHalfPi;  // (2/π) cos²ψ dψ
         const double u_c = r.mean - r.swing * v, u = std::sqrt(u_c * u_c + r.u_t * r.u_t);
-        const double kappa = u > 0.0 ? traction_coefficient(curve_, u) : 0.0;
+        const double kappa = u > 0.0 ? law_(u, peak_ * chord_s * c) : 0.0;
         const double per_slip = u > 0.0 ? w * kappa / u : 0.0;
         f_c += per_slip * u_c;
         f_t += per_slip * r.u_t;
@@ -193,7 +187,8 @@ class Integral {
     sum_.load_slip += Q * load_slip;
   }
 
-  const bearing::TractionCurve& curve_;
+  Here law_;
+  double peak_;
   EllipseGeometry g_;
   EllipseKinematics m_;
   const Gauss& gauss_;
@@ -203,12 +198,15 @@ class Integral {
 
 }  // namespace
 
-EllipseTraction ellipse_traction_split(const bearing::TractionCurve& curve,
-                                       const EllipseGeometry& geometry,
+EllipseTraction ellipse_traction_split(const TractionLaw& law, const EllipseGeometry& geometry,
                                        const EllipseKinematics& motion, int points) {
   demand(points >= 4 && points <= 40, "the split ellipse rule has 4 to 40 points per piece");
   if (!(geometry.Q > 0.0) || !(geometry.a > 0.0)) return {};
-  return Integral(curve, geometry, motion, points).run();
+  const double peak = 1.5 * geometry.Q / (std::numbers::pi * geometry.a * geometry.b);
+  const ContactPoint<double> contact{geometry.Q, peak, geometry.a, geometry.b, motion.entrainment};
+  return law.visit([&](const auto& own) {
+    return Integral(own.at(contact), own.kink(), peak, geometry, motion, points).run();
+  });
 }
 
 }  // namespace adore::tribology

@@ -14,7 +14,7 @@ namespace adore::tribology {
 /// ends and in ψ to the place of least slip.
 /// @param points Gauss points per piece and direction, 4 to 40; 16 gives 1e-7 of the traction or
 /// better.
-[[nodiscard]] EllipseTraction ellipse_traction_split(const bearing::TractionCurve& curve,
+[[nodiscard]] EllipseTraction ellipse_traction_split(const TractionLaw& law,
                                                      const EllipseGeometry& geometry,
                                                      const EllipseKinematics& motion,
                                                      int points = 12);

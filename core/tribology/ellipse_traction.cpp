@@ -1,8 +1,6 @@
 #include "tribology/ellipse_traction.hpp"
 
 #include "base/errors.hpp"
-#include "tribology/ellipse_breaks.hpp"
-#include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
 
@@ -47,103 +45,35 @@ void add_minor_nodes(EllipseRule& rule, int minor) {
     rule.weight_v.push_back(2.0 * std::sin(angle) * std::sin(angle) / (minor + 1.0));
     rule.weight_v1.push_back(rule.weight_v.back() * rule.v.back());
     rule.weight_v2.push_back(rule.weight_v1.back() * rule.v.back());
+    rule.chord_v.push_back(std::sin(angle));
   }
 }
 
-/// One major node with everything that the η integral needs.
-struct Row {
-  double s, chord, weight;
-};
-
-class FixedRule {
- public:
-  FixedRule(const bearing::TractionCurve& curve, const EllipseGeometry& geometry,
-            const EllipseKinematics& motion, const EllipseRule& rule)
-      : curve_(curve), g_(geometry), m_(motion), rule_(rule), floor_(slip_floor(curve)) {}
-
-  EllipseTraction run() {
-    note_edge_slip(-1.0, 0.0);
-    note_edge_slip(1.0, 0.0);
-    if (rule_.split) {
-      const EllipseBreaks<double> at = breaks();
-      const double ends[kEllipsePieces + 1] = {-1.0, at.s1, at.s2, at.s3, at.s4, 1.0};
-      for (int piece = 0; piece < kEllipsePieces; ++piece) {
-        const double length = ends[piece + 1] - ends[piece];
-        for (std::size_t i = 0; i < rule_.s.size(); ++i) {
-          const double s = ends[piece] + length * rule_.s[i];
-          const double outside = std::max(1.0 - s * s, 0.0);
-          add_row({s, std::sqrt(outside), 0.75 * outside * length * rule_.weight_s[i]});
-        }
+/// Largest slip at the edge points of the major nodes and at the two ends.
+template <class Sum>
+double largest_edge_slip(const Sum& sum, const EllipseRule& rule, const EllipseGeometry& g,
+                         const EllipseKinematics& m) {
+  double fastest = 0.0;
+  const auto note = [&](double s, double chord) {
+    const double mean = m.u_c + m.W_t * g.height(s * g.a);
+    const double fastest_c = std::abs(mean) + std::abs(m.W_n * g.b * chord);
+    fastest = std::max(fastest, std::hypot(fastest_c, sum.rolling_slip(s * g.a)));
+  };
+  note(-1.0, 0.0);
+  note(1.0, 0.0);
+  if (rule.split) {
+    const EllipseBreaks<double> at = sum.breaks();
+    const double ends[kEllipsePieces + 1] = {-1.0, at.s1, at.s2, at.s3, at.s4, 1.0};
+    for (int piece = 0; piece < kEllipsePieces; ++piece)
+      for (const double node : rule.s) {
+        const double s = ends[piece] + (ends[piece + 1] - ends[piece]) * node;
+        note(s, std::sqrt(std::max(1.0 - s * s, 0.0)));
       }
-    } else {
-      for (std::size_t i = 0; i < rule_.s.size(); ++i) {
-        add_row({rule_.s[i], rule_.chord[i], rule_.weight_s[i]});
-      }
-    }
-    result_.max_slip = fastest_;
-    return result_;
+  } else {
+    for (std::size_t i = 0; i < rule.s.size(); ++i) note(rule.s[i], rule.chord[i]);
   }
-
- private:
-  [[nodiscard]] double height(double xi) const {
-    if (g_.rho <= 0.0) return g_.h0;
-    const double below = std::sqrt(std::max(g_.rho * g_.rho - xi * xi, 0.0));
-    return g_.h0 - xi * xi / (g_.rho + below);
-  }
-  [[nodiscard]] double rolling_slip(double s) const {
-    return m_.u_t + m_.W_n * s * g_.a - m_.W_c * height(s * g_.a);
-  }
-  [[nodiscard]] EllipseBreaks<double> breaks() const {
-    const double law = slip_scale(curve_), sweep = 0.5 * m_.W_n * g_.b;
-    const double width = std::sqrt(std::sqrt(std::pow(law, 4) + std::pow(sweep, 4)));
-    return ellipse_breaks(rolling_slip(-1.0), rolling_slip(0.0), rolling_slip(1.0), width,
-                          [](bool condition, double a, double b) { return condition ? a : b; });
-  }
-  void note_edge_slip(double s, double chord) {
-    const double mean = m_.u_c + m_.W_t * height(s * g_.a);
-    const double fastest_c = std::abs(mean) + std::abs(m_.W_n * g_.b * chord);
-    fastest_ = std::max(fastest_, std::hypot(fastest_c, rolling_slip(s)));
-  }
-  void add_row(const Row& row) {
-    const double xi = row.s * g_.a;
-    const double h = height(xi);
-    const double half_width = g_.b * row.chord;
-    const double u_t = m_.u_t + m_.W_n * xi - m_.W_c * h;
-    const double mean = m_.u_c + m_.W_t * h;
-    const double swing = m_.W_n * half_width;          // u_c = mean - swing v
-    double g0 = 0.0, g1 = 0.0, g2 = 0.0, speed = 0.0;  // ∫ (κ/s) v^k, ∫ |u|
-    for (std::size_t j = 0; j < rule_.v.size(); ++j) {
-      const double v = rule_.v[j];
-      const double u_c = mean - swing * v;
-      const double slip = std::sqrt(u_c * u_c + u_t * u_t + floor_);
-      const double g = rule_.weight_v[j] * traction_coefficient(curve_, slip) / slip;
-      g0 += g;
-      g1 += g * v;
-      g2 += g * v * v;
-      speed += rule_.weight_v[j] * slip;
-    }
-    const double load = g_.Q * row.weight;
-    const double f_t = load * g0 * u_t;
-    const double f_c = load * (mean * g0 - swing * g1);
-    const double f_cv = load * (mean * g1 - swing * g2);  // ∫ v f_c
-    result_.F_c += f_c;
-    result_.F_t += f_t;
-    result_.M_c -= h * f_t;
-    result_.M_t += h * f_c;
-    result_.M_n += xi * f_t - half_width * f_cv;
-    result_.heat += u_t * f_t + mean * f_c - swing * f_cv;
-    result_.load_slip += load * speed;
-    note_edge_slip(row.s, row.chord);
-  }
-
-  const bearing::TractionCurve& curve_;
-  const EllipseGeometry& g_;
-  const EllipseKinematics& m_;
-  const EllipseRule& rule_;
-  double floor_;
-  double fastest_ = 0.0;
-  EllipseTraction result_;
-};
+  return fastest;
+}
 
 }  // namespace
 
@@ -198,44 +128,41 @@ EllipseRule make_split_ellipse_rule(int major, int minor) {
   return rule;
 }
 
-void set_contact_surface(EllipseGeometry& geometry, ContactSurface surface, double ball_radius,
-                         double groove_radius, double approach) noexcept {
-  const double rho = 2.0 * ball_radius * groove_radius / (ball_radius + groove_radius);
-  const auto chord = [&](double radius) {
-    return std::sqrt(std::max(radius * radius - geometry.a * geometry.a, 0.0));
-  };
-  switch (surface) {
-    case ContactSurface::CurvedEdge:
-      geometry.rho = rho;
-      geometry.h0 = rho - chord(rho) + chord(ball_radius);
-      return;
-    case ContactSurface::CurvedHalf:
-      geometry.rho = rho;
-      geometry.h0 = ball_radius - 0.5 * approach;
-      return;
-    case ContactSurface::CurvedUndeformed:
-      geometry.rho = rho;
-      geometry.h0 = ball_radius;
-      return;
-    case ContactSurface::FlatUndeformed:
-      geometry.rho = 0.0;
-      geometry.h0 = ball_radius;
-      return;
-    case ContactSurface::FlatHalf:
-      geometry.rho = 0.0;
-      geometry.h0 = ball_radius - 0.5 * approach;
-      return;
-    case ContactSurface::FlatEdge:
-      geometry.rho = 0.0;
-      geometry.h0 = chord(ball_radius);
-      return;
-  }
+EllipseNodes EllipseRule::nodes() const noexcept {
+  return {split,
+          static_cast<int>(s.size()),
+          static_cast<int>(v.size()),
+          s.data(),
+          chord.data(),
+          weight_s.data(),
+          v.data(),
+          weight_v.data(),
+          weight_v1.data(),
+          weight_v2.data(),
+          chord_v.data()};
 }
 
-EllipseTraction ellipse_traction(const bearing::TractionCurve& curve,
-                                 const EllipseGeometry& geometry, const EllipseKinematics& motion,
+void set_contact_surface(EllipseGeometry& geometry, ContactSurface surface, double ball_radius,
+                         double groove_radius, double approach) noexcept {
+  const double rho = is_curved(surface) ? surface_radius(ball_radius, groove_radius) : 0.0;
+  geometry.rho = rho;
+  geometry.h0 =
+      ellipse_surface(place_of(surface), rho, ball_radius, geometry.a, approach).offset + rho;
+}
+
+EllipseTraction ellipse_traction(const TractionLaw& law, const EllipseGeometry& geometry,
+                                 const EllipseKinematics& motion,
                                  const EllipseRule& rule) noexcept {
-  return FixedRule(curve, geometry, motion, rule).run();
+  const EllipseContact<double> contact{
+      geometry.Q, geometry.a, geometry.b, {geometry.h0 - geometry.rho, geometry.rho}, motion};
+  const EllipseNodes nodes = rule.nodes();
+  return law.visit([&](const auto& own) {
+    EllipseSum sum(nodes, contact, own, law.slip_floor(), law.slip_scale());
+    const EllipseSums<double> s = sum.run();
+    return EllipseTraction{
+        s.F_c, s.F_t,  s.M_c,       s.M_t,
+        s.M_n, s.heat, s.load_slip, largest_edge_slip(sum, rule, geometry, motion)};
+  });
 }
 
 }  // namespace adore::tribology

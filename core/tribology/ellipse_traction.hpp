@@ -1,6 +1,8 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
+#include "tribology/ellipse_sum.hpp"
+#include "tribology/traction_law.hpp"
 
 #include <functional>
 #include <vector>
@@ -30,16 +32,42 @@ enum class ContactSurface : unsigned char {
   FlatEdge           ///< plane through the two ends of the major axis
 };
 
-struct EllipseKinematics {
-  double u_c = 0.0, u_t = 0.0;  ///< slip u0 at the ball centre, without the W terms [m/s]
-  double W_c = 0.0, W_t = 0.0, W_n = 0.0;  ///< Ω_race - ω_ball on (c, t, n) [rad/s]
-};
+using EllipseKinematics = EllipseMotion<double>;
 
 struct EllipseGeometry {
   double Q = 0.0, a = 0.0, b = 0.0;  ///< load [N], semi axes along c and t [m]
   double rho = 0.0;                  ///< radius of the deformed surface [m]; 0 = flat
-  double h0 = 0.0;                   ///< h(0) [m]; h(ξ) = h0 - (ρ - sqrt(ρ²-ξ²)), flat: h0
+  double h0 = 0.0;                   ///< h(0) [m]
+
+  /// h(ξ) = h0 - (ρ - √(ρ²-ξ²)), flat: h0. The form without cancellation.
+  [[nodiscard]] double height(double xi) const noexcept {
+    if (!(rho > 0.0)) return h0;
+    return h0 - xi * xi / (rho + ScalarMath<double>::root(rho * rho - xi * xi));
+  }
 };
+
+/// Radius of the deformed surface of a ball in a groove, 2 r_b R/(r_b + R) [m].
+[[nodiscard]] constexpr double surface_radius(double ball_radius, double groove_radius) noexcept {
+  return 2.0 * ball_radius * groove_radius / (ball_radius + groove_radius);
+}
+[[nodiscard]] constexpr bool is_curved(ContactSurface surface) noexcept {
+  return surface == ContactSurface::CurvedEdge || surface == ContactSurface::CurvedHalf ||
+         surface == ContactSurface::CurvedUndeformed;
+}
+[[nodiscard]] constexpr SurfacePlace place_of(ContactSurface surface) noexcept {
+  switch (surface) {
+    case ContactSurface::CurvedEdge:
+    case ContactSurface::FlatEdge:
+      return SurfacePlace::ThroughEdge;
+    case ContactSurface::CurvedHalf:
+    case ContactSurface::FlatHalf:
+      return SurfacePlace::HalfApproach;
+    case ContactSurface::CurvedUndeformed:
+    case ContactSurface::FlatUndeformed:
+      break;
+  }
+  return SurfacePlace::Undeformed;
+}
 
 /// Sets ρ = 2 r_b R/(r_b + R) (or 0) and h(0) of a surface convention. Needs a < r_b < R.
 /// @param approach δ [m], read by the two "half" conventions.
@@ -77,6 +105,9 @@ struct EllipseRule {
   std::vector<double> chord;      ///< sqrt(1-s²), product only
   std::vector<double> weight_v1;  ///< weight_v v
   std::vector<double> weight_v2;  ///< weight_v v²
+  std::vector<double> chord_v;    ///< sqrt(1-v²)
+
+  [[nodiscard]] EllipseNodes nodes() const noexcept;
 };
 /// Product rule. @throws InputError unless 1 <= major, minor <= 200.
 [[nodiscard]] EllipseRule make_ellipse_rule(int major, int minor);
@@ -84,24 +115,30 @@ struct EllipseRule {
 /// Split rule with ceil(major/5) nodes in each piece, at least 2. @throws InputError as above.
 [[nodiscard]] EllipseRule make_split_ellipse_rule(int major, int minor);
 
-/// The fixed rule (scalar reference of the vectorised kernel). Laws with κ(0) ≠ 0 are regularised
-/// (kRegularisationSlip); max_slip is taken at the edge points of the major nodes and at the two
-/// ends.
-[[nodiscard]] EllipseTraction ellipse_traction(const bearing::TractionCurve& curve,
+/// The fixed rule of a run, as its kernels have it (ellipse_sum.hpp). max_slip is taken at the edge
+/// points of the major nodes and at the two ends.
+[[nodiscard]] EllipseTraction ellipse_traction(const TractionLaw& law,
                                                const EllipseGeometry& geometry,
                                                const EllipseKinematics& motion,
                                                const EllipseRule& rule) noexcept;
 
 /// The converged answer: integrals split at slip reversals and at the kink of the law; relative
-/// accuracy ~1e-10. No regularisation: κ(0) ≠ 0 means no force at exactly zero slip.
-[[nodiscard]] EllipseTraction ellipse_traction_converged(const bearing::TractionCurve& curve,
+/// accuracy ~1e-10. Slip is not rounded: κ(0) ≠ 0 means no force at exactly zero slip.
+[[nodiscard]] EllipseTraction ellipse_traction_converged(const TractionLaw& law,
                                                          const EllipseGeometry& geometry,
                                                          const EllipseKinematics& motion);
 
-/// A traction law that may depend on the local pressure.
+/// A law given as a function, for comparisons with models outside of the list.
 struct PressureLaw {
-  std::function<double(double slip, double pressure)> coefficient;  ///< κ, smooth except at `kink`
-  double kink = 0.0;  ///< slip where κ bends [m/s]; 0 = none
+  std::function<double(double slip, double pressure)> coefficient;  ///< κ, smooth except at `bend`
+  double bend = 0.0;  ///< slip where κ bends [m/s]; 0 = none
+
+  static constexpr bool kOfPressure = true;
+  template <class T>
+  [[nodiscard]] const std::function<double(double, double)>& at(const ContactPoint<T>&) const {
+    return coefficient;
+  }
+  [[nodiscard]] double kink() const { return bend; }
 };
 [[nodiscard]] EllipseTraction ellipse_traction_converged(const PressureLaw& law,
                                                          const EllipseGeometry& geometry,

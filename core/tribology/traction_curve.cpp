@@ -1,6 +1,7 @@
 #include "tribology/traction_curve.hpp"
 
 #include "base/errors.hpp"
+#include "tribology/traction_law.hpp"
 
 #include <fmt/format.h>
 
@@ -175,20 +176,12 @@ TractionCurve traction_curve(int type, const std::array<double, 4>& tc) {
 }
 
 double traction_coefficient(const TractionCurve& curve, double slip) noexcept {
-  if (curve.form == TractionCurve::Form::TwoSlope) {
-    return curve.A + curve.B * std::min(slip, curve.u0) + curve.C * std::max(slip - curve.u0, 0.0);
-  }
-  return (curve.A + curve.B * slip) * std::exp(-curve.C * slip) + curve.D;
+  return TractionLaw(curve).coefficient(slip);
 }
 
 double traction_slope(const TractionCurve& curve, double slip) noexcept {
   if (curve.form == TractionCurve::Form::TwoSlope) return slip <= curve.u0 ? curve.B : curve.C;
   return (curve.B - curve.C * (curve.A + curve.B * slip)) * std::exp(-curve.C * slip);
-}
-
-double regularisation_slip(const TractionCurve& curve) noexcept {
-  const double at_rest = traction_coefficient(curve, 0.0);
-  return std::abs(at_rest) > kZeroCoefficient ? kRegularisationSlip : 0.0;
 }
 
 double largest_traction(const TractionCurve& curve) noexcept {
@@ -200,17 +193,6 @@ double largest_traction(const TractionCurve& curve) noexcept {
   if (turn > 0.0 && turn < kLargestSlip)
     largest = std::max(largest, traction_coefficient(curve, turn));
   return largest;
-}
-
-double slip_floor(const TractionCurve& curve) noexcept {
-  const double epsilon = regularisation_slip(curve);
-  return epsilon > 0.0 ? epsilon * epsilon : 1e-24;
-}
-
-double slip_scale(const TractionCurve& curve) noexcept {
-  if (regularisation_slip(curve) > 0.0) return 0.0;
-  if (curve.form == TractionCurve::Form::TwoSlope) return curve.u0;
-  return curve.C > 0.0 ? 1.0 / curve.C : 0.0;
 }
 
 }  // namespace adore::tribology

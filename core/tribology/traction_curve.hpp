@@ -28,27 +28,12 @@ namespace adore::tribology {
 /// sign ...
 [[nodiscard]] bearing::TractionCurve traction_curve(int type, const std::array<double, 4>& tc);
 
-/// κ(|u|) for u >= 0, no regularisation.
+/// κ(|u|) for u >= 0, not rounded.
 [[nodiscard]] double traction_coefficient(const bearing::TractionCurve& curve,
                                           double slip) noexcept;
 
 /// dκ/du [s/m] for u >= 0; at the kink of the two-slope law the slope below it.
 [[nodiscard]] double traction_slope(const bearing::TractionCurve& curve, double slip) noexcept;
-
-/// Slip below which laws with κ(0) ≠ 0 are regularised [m/s]. Stated in PRINT.txt. With the rounded
-/// slip s = sqrt(u² + ε²), ε = regularisation_slip(curve), the traction is κ(s) (u/s) along the
-/// slip.
-inline constexpr double kRegularisationSlip = 1e-5;
-
-/// ε of a curve: kRegularisationSlip when κ(0) ≠ 0, otherwise 0.
-[[nodiscard]] double regularisation_slip(const bearing::TractionCurve& curve) noexcept;
-
-/// What is added to u² before the root [m²/s²]: ε², or (1e-12 m/s)² so that u/s is finite at rest.
-[[nodiscard]] double slip_floor(const bearing::TractionCurve& curve) noexcept;
-
-/// Slip over which the law starts [m/s]: u0 of two slopes, 1/C of the exponential; 0 when κ(0) ≠ 0
-/// or C = 0.
-[[nodiscard]] double slip_scale(const bearing::TractionCurve& curve) noexcept;
 
 /// Slip beyond which no rolling bearing goes [m/s]; a two-slope law may turn negative only above
 /// it.

@@ -2,6 +2,7 @@
 #include "contact/conformal.hpp"
 #include "contact/guide_land.hpp"
 #include "dynamics/effect_makers.hpp"
+#include "tribology/traction_law.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,8 +17,9 @@
 /// centre, across the race axis; contact where |e| > c. Normal: F/L of contact/conformal.hpp on the
 /// cage along -e through the slice centre, the opposite on the race; it is minus the gradient of
 /// the slice energy. Friction at the cage point P = slice centre ± R_c e/|e| (+ outer, - inner
-/// guidance): slip = race point - cage point velocity, its part along e removed; N κ(|u|) u/|u| on
-/// the cage, the opposite on the race at the same point. Heat = friction · u. Tilt enters through
+/// guidance): slip = race point - cage point velocity, its part along e removed; N κ(s)/s u on
+/// the cage, s the rounded slip (tribology/rounded_law.hpp), the opposite on the race at the same
+/// point. Heat = friction · u. Tilt enters through
 /// the slice centres; second order in tilt.
 namespace adore::dynamics {
 namespace {
@@ -98,18 +100,25 @@ LandSnapshot report_of(const LandModel& land, const Evaluation& e) {
 template <bool Traction>
 class LandBlock final : public EffectBlock {
  public:
-  LandBlock(const std::vector<LandModel>& lands, const SlipFriction& friction, double& heat)
-      : lands_(lands), friction_(friction), heat_(heat) {}
-  void apply(Evaluation& e) noexcept override;
+  LandBlock(const std::vector<LandModel>& lands, const tribology::TractionLaw& law, double& heat)
+      : lands_(lands), law_(law), heat_(heat) {}
+  void apply(Evaluation& e) noexcept override {
+    law_.visit_rounded([&](const auto& friction_per_slip) { apply_with(friction_per_slip, e); });
+  }
 
  private:
+  template <class Friction>
+  void apply_with(const Friction& friction_per_slip, Evaluation& e) noexcept;
+
   const std::vector<LandModel>& lands_;
-  SlipFriction friction_;
+  tribology::TractionLaw law_;
   double& heat_;
 };
 
 template <bool Traction>
-void LandBlock<Traction>::apply(Evaluation& e) noexcept {
+template <class Friction>
+void LandBlock<Traction>::apply_with([[maybe_unused]] const Friction& friction_per_slip,
+                                     Evaluation& e) noexcept {
   if constexpr (Traction) heat_ = 0.0;
   for (const LandModel& land : lands_) {
     RaceState& race = e.race[static_cast<std::size_t>(land.race)];
@@ -129,12 +138,12 @@ void LandBlock<Traction>::apply(Evaluation& e) noexcept {
         const Vec3 point = slice.centre + (land.side * land.cage_radius) * direction;
         Vec3 slip = race.velocity_at(point) - e.cage.velocity_at(point);
         slip -= slip.dot(direction) * direction;
-        const double u = slip.norm();
-        const Vec3 friction = (N * friction_.per_slip(u)) * slip;
+        const double square = slip.squaredNorm();
+        const Vec3 friction = (N * friction_per_slip(square)) * slip;
         e.cage.add_force(friction, point);
         race.add_force(-friction, point);
         heat_ += friction.dot(slip);
-        e.cage.load_slip += N * u;
+        e.cage.load_slip += N * std::sqrt(square);
       }
     }
   }
@@ -149,12 +158,13 @@ class LandContact final : public SceneEffect {
     if (lands_.empty()) return;
     constexpr std::string_view kCost = "land contacts";
     if (!scene.plan.has(Effect::LandTraction)) {
-      scene.block<LandBlock<false>>(Phase::Force, kCost, false, lands_, SlipFriction(), heat_);
+      scene.block<LandBlock<false>>(Phase::Force, kCost, false, lands_, tribology::TractionLaw(),
+                                    heat_);
       return;
     }
     demand(scene.bearing.land_traction.has_value(), "land traction is on without a traction curve");
-    scene.block<LandBlock<true>>(Phase::Force, kCost, false, lands_,
-                                 SlipFriction(*scene.bearing.land_traction), heat_);
+    scene.block<LandBlock<true>>(Phase::Force, kCost, false, lands_, *scene.bearing.land_traction,
+                                 heat_);
     scene.energy("lands.heat", kHeat, &heat_);
   }
 

@@ -92,7 +92,7 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
       HeldBalls::Scene{scene.find<Races>()->contacts(), mass_,
                        scene.plan.has(Effect::Gravity) ? scene.bearing.gravity : Vec3(Vec3::Zero()),
                        pockets != nullptr ? &pockets->set() : nullptr,
-                       friction ? *pockets->friction() : SlipFriction(), friction},
+                       friction ? *pockets->friction() : tribology::TractionLaw(), friction},
       ball_, static_cast<std::size_t>(scene.bearing.balls.count));
   constexpr std::string_view kCost = "light-load balance";
   scene.block<HeldRates>(Phase::Kinematics, kCost, false, *held_);

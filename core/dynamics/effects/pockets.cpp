@@ -126,25 +126,34 @@ constexpr const LedgerTerm* kTerms[] = {&kHeat};
 template <bool Traction, bool Shaped>
 class PocketBlock final : public EffectBlock {
  public:
-  PocketBlock(PocketSet& set, const SlipFriction& friction, double& heat)
-      : set_(set), friction_(friction), heat_(heat) {}
-  void apply(Evaluation& e) noexcept override;
+  PocketBlock(PocketSet& set, const tribology::TractionLaw& law, double& heat)
+      : set_(set), law_(law), heat_(heat) {}
+  void apply(Evaluation& e) noexcept override {
+    if constexpr (Traction) {
+      law_.visit_rounded([&](const auto& friction) { apply_with(friction, e); });
+    } else {
+      apply_with(nullptr, e);
+    }
+  }
 
  private:
-  void touch(Evaluation& e, std::size_t i, const contact::CappedHertz& law, const Vec3& m,
-             double overlap) noexcept;
+  template <class Friction>
+  void apply_with(const Friction& friction, Evaluation& e) noexcept;
+  template <class Friction>
+  void touch(const Friction& friction, Evaluation& e, std::size_t i,
+             const contact::CappedHertz& law, const Vec3& m, double overlap) noexcept;
 
   PocketSet& set_;
-  SlipFriction friction_;
+  tribology::TractionLaw law_;
   double& heat_;
 };
 
 template <bool Traction, bool Shaped>
-inline void PocketBlock<Traction, Shaped>::touch(Evaluation& e, std::size_t i,
-                                                 const contact::CappedHertz& law, const Vec3& m,
-                                                 double overlap) noexcept {
-  const PocketAction action =
-      pocket_action<Traction>(law, friction_, e, i, set_.ball_radius(), m, overlap);
+template <class Friction>
+inline void PocketBlock<Traction, Shaped>::touch(const Friction& friction, Evaluation& e,
+                                                 std::size_t i, const contact::CappedHertz& law,
+                                                 const Vec3& m, double overlap) noexcept {
+  const PocketAction action = pocket_action(law, friction, e, i, set_.ball_radius(), m, overlap);
   if constexpr (Traction) {
     e.add_moment(i, e.to_cylindrical(i, action.arm.cross(action.friction)));
     heat_ += action.heat;
@@ -156,7 +165,8 @@ inline void PocketBlock<Traction, Shaped>::touch(Evaluation& e, std::size_t i,
 }
 
 template <bool Traction, bool Shaped>
-void PocketBlock<Traction, Shaped>::apply(Evaluation& e) noexcept {
+template <class Friction>
+void PocketBlock<Traction, Shaped>::apply_with(const Friction& friction, Evaluation& e) noexcept {
   set_.locate(e);
   if constexpr (Traction) heat_ = 0.0;
   for (std::size_t i = 0; i < set_.size(); ++i) {
@@ -169,7 +179,7 @@ void PocketBlock<Traction, Shaped>::apply(Evaluation& e) noexcept {
       for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k) {
         const contact::WallPoint& wall = walls.surface[k];
         if (wall.gap < 0.0)
-          touch(e, i, set_.law(i), set_.to_base(i, wall.m, e.cage.to_base), -wall.gap);
+          touch(friction, e, i, set_.law(i), set_.to_base(i, wall.m, e.cage.to_base), -wall.gap);
       }
     } else {
       if (set_.surely_open(i) && set_.inside(i)) continue;
@@ -179,7 +189,7 @@ void PocketBlock<Traction, Shaped>::apply(Evaluation& e) noexcept {
       }
       const contact::WallPoint wall = set_.wall_point(i);
       if (wall.gap < 0.0)
-        touch(e, i, set_.law(), set_.round_to_base(i, wall.m, e.cage.to_base), -wall.gap);
+        touch(friction, e, i, set_.law(), set_.round_to_base(i, wall.m, e.cage.to_base), -wall.gap);
     }
   }
 }
@@ -194,11 +204,11 @@ void PocketContact::declare(SceneBuilder& scene) {
   constexpr std::string_view kCost = "pocket contacts";
   if (!scene.plan.has(Effect::PocketTraction)) {
     if (set_->shaped())
-      scene.block<PocketBlock<false, true>>(Phase::Force, kCost, true, *set_, SlipFriction(),
-                                            heat_);
+      scene.block<PocketBlock<false, true>>(Phase::Force, kCost, true, *set_,
+                                            tribology::TractionLaw(), heat_);
     else
-      scene.block<PocketBlock<false, false>>(Phase::Force, kCost, true, *set_, SlipFriction(),
-                                             heat_);
+      scene.block<PocketBlock<false, false>>(Phase::Force, kCost, true, *set_,
+                                             tribology::TractionLaw(), heat_);
     return;
   }
   demand(scene.bearing.pocket_traction.has_value(),

@@ -3,18 +3,21 @@
 #include "contact/ball_pocket.hpp"
 #include "contact/conformal.hpp"
 #include "dynamics/effect.hpp"
+#include "tribology/traction_law.hpp"
 
+#include <cmath>
 #include <optional>
+#include <type_traits>
 
 /// Balls in the pockets of a one-piece cage. Round pockets that are all alike have a short way of
 /// their own; other shapes and pockets with deviations (record 7.4) take the general one.
 ///
 /// Normal: N = law(-gap) on the ball along -m, gap and m of contact/ball_pocket.hpp. Friction acts
 /// at the ball surface point p = r_b m (not shortened by the penetration): slip u = cage velocity -
-/// ball velocity there, its part along m removed; friction on the ball N κ(|u|) u/|u|; opposite
-/// force on the cage at the same point of space. Heat = friction · u. The force is minus the
-/// gradient of law.energy with respect to ball and cage pose. Limit: the ball centre is inside the
-/// hole; otherwise the state is not valid.
+/// ball velocity there, its part along m removed; friction on the ball N κ(s)/s u, s the rounded
+/// slip (tribology/rounded_law.hpp); opposite force on the cage at the same point of space. Heat =
+/// friction · u. The force is minus the gradient of law.energy with respect to ball and cage pose.
+/// Limit: the ball centre is inside the hole; otherwise the state is not valid.
 namespace adore::dynamics {
 
 /// Epicyclic speed of the cage at the free contact angle, signed [rad/s].
@@ -105,9 +108,11 @@ struct PocketAction {
 };
 
 /// Contact of ball i with a wall that it overlaps by `overlap` along m, a unit vector in base axes.
-template <bool Traction>
+/// @param friction per newton and slip, of the square of the slip (tribology::RoundedLaw), or
+/// nullptr without traction
+template <class Friction>
 [[nodiscard]] inline PocketAction pocket_action(const contact::CappedHertz& law,
-                                                const SlipFriction& friction, const Evaluation& e,
+                                                const Friction& friction, const Evaluation& e,
                                                 std::size_t i, double ball_radius, const Vec3& m,
                                                 double overlap) noexcept {
   PocketAction a;
@@ -116,12 +121,13 @@ template <bool Traction>
   a.arm = ball_radius * a.m;
   a.point = e.element_centre(i) + a.arm;
   a.on_ball = -a.N * a.m;
-  if constexpr (Traction) {
+  if constexpr (!std::is_null_pointer_v<Friction>) {
     Vec3 slip =
         e.cage.velocity_at(a.point) - e.element_velocity(i) - e.element_omega(i).cross(a.arm);
     slip -= slip.dot(a.m) * a.m;
-    a.slip = slip.norm();
-    a.friction_per_slip = a.N * friction.per_slip(a.slip);
+    const double square = slip.squaredNorm();
+    a.slip = std::sqrt(square);
+    a.friction_per_slip = a.N * friction(square);
     a.friction = a.friction_per_slip * slip;
     a.heat = a.friction.dot(slip);
     a.on_ball += a.friction;
@@ -138,11 +144,13 @@ class PocketContact final : public SceneEffect {
 
   [[nodiscard]] PocketSet& set() noexcept { return *set_; }
   /// Has no friction without pocket traction.
-  [[nodiscard]] const std::optional<SlipFriction>& friction() const noexcept { return friction_; }
+  [[nodiscard]] const std::optional<tribology::TractionLaw>& friction() const noexcept {
+    return friction_;
+  }
 
  private:
   std::optional<PocketSet> set_;
-  std::optional<SlipFriction> friction_;
+  std::optional<tribology::TractionLaw> friction_;
   double heat_ = 0.0;  ///< now [W]
 };
 

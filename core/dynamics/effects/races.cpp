@@ -102,7 +102,7 @@ void Races::set_up(const SceneBuilder& scene) {
         model.effective_modulus);
     model.shoulder_radius = 0.5 * scene.bearing.balls.shoulder_diameter[j];
     model.traction = scene.plan.has(Effect::RaceTraction);
-    model.curve = scene.bearing.race_traction;
+    model.law = scene.bearing.race_traction;
     model.surface = scene.options.surface;
     model.rule = rule;
     free_centre_[j] = Vec3(groove.centre_x[j], 0.0, 0.0);
@@ -205,9 +205,9 @@ double Races::quadrature_error(const Evaluation& e) const {
       const RaceContactState contact = race_contact_state(model, e.elements, i, e.race[j].motion);
       if (!(contact.ellipse.Q > 0.0)) continue;
       const auto fixed =
-          tribology::ellipse_traction(model.curve, contact.ellipse, contact.motion, model.rule);
+          tribology::ellipse_traction(model.law, contact.ellipse, contact.motion, model.rule);
       const auto exact =
-          tribology::ellipse_traction_converged(model.curve, contact.ellipse, contact.motion);
+          tribology::ellipse_traction_converged(model.law, contact.ellipse, contact.motion);
       if (!(exact.heat > 0.0)) continue;
       const double friction = exact.heat * contact.ellipse.Q / exact.load_slip;
       largest =

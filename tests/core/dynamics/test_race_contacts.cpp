@@ -56,7 +56,7 @@ Wrench scalar_contact(const RaceContactModel& model, const ElementViews& balls, 
   const auto state = dynamics::race_contact_state(model, balls, i, race);
   Wrench wrench;
   if (!(state.approach > 0.0)) return wrench;
-  const auto t = tribology::ellipse_traction(model.curve, state.ellipse, state.motion, model.rule);
+  const auto t = tribology::ellipse_traction(model.law, state.ellipse, state.motion, model.rule);
   wrench.load = state.ellipse.Q;
   wrench.force = -state.ellipse.Q * state.n + t.F_c * state.c + t.F_t * state.t;
   wrench.moment = t.M_c * state.c + t.M_t * state.t + t.M_n * state.n;
@@ -425,7 +425,7 @@ TEST_CASE("race_contact_detail reproduces the steady states of the thrust cases"
       const auto state =
           dynamics::race_contact_state(scene.model[j], scene.arrays(), 0, scene.race[j]);
       const auto traction =
-          tribology::ellipse_traction_converged(scene.model[j].curve, state.ellipse, state.motion);
+          tribology::ellipse_traction_converged(scene.model[j].law, state.ellipse, state.motion);
       const auto expect = [&](const char* key, double value, double scale) {
         const double wanted = scene.expected.at(key + suffix);
         INFO(key << suffix << ": " << value << " instead of " << wanted);
@@ -477,16 +477,18 @@ TEST_CASE("contact_edges: depth below the shoulder, mirrored on the inner race",
   for (std::size_t j = 0; j < 2; ++j) {
     RaceContactModel& model = scene.model[j];
     const double R = model.groove.groove_radius[j], Rc = model.groove.centre_radius[j];
+    const auto edges = [&](double at) {
+      return contact::contact_edges(model.groove, model.race, at, a, model.shoulder_radius);
+    };
     // A shoulder exactly at the contact's end has depth 0; both signs of the angle are the same.
     const double end = j == 0 ? Rc + R * std::cos(angle + a / R) : Rc - R * std::cos(angle + a / R);
     model.shoulder_radius = end;
-    CHECK(std::abs(dynamics::contact_edges(model, angle, a).shoulder_depth) < 1e-15);
+    CHECK(std::abs(edges(angle).shoulder_depth) < 1e-15);
     model.shoulder_radius = j == 0 ? end - 1e-4 : end + 1e-4;  // a higher shoulder
-    CHECK(dynamics::contact_edges(model, -angle, a).shoulder_depth == Approx(1e-4).epsilon(1e-9));
-    CHECK(dynamics::contact_edges(model, angle, a).centre_chord ==
-          Approx(R * std::sin(angle - a / R)).epsilon(1e-14));
+    CHECK(edges(-angle).shoulder_depth == Approx(1e-4).epsilon(1e-9));
+    CHECK(edges(angle).centre_chord == Approx(R * std::sin(angle - a / R)).epsilon(1e-14));
     model.shoulder_radius = 0.0;
-    CHECK(dynamics::contact_edges(model, angle, a).shoulder_depth == 0.0);
+    CHECK(edges(angle).shoulder_depth == 0.0);
   }
 }
 

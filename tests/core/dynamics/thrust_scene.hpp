@@ -96,7 +96,7 @@ inline ThrustScene thrust_scene(const std::string& id, std::size_t n,
       model.hertz.a_hat = derived.at(outer ? "a_over_Q13_o" : "a_over_Q13_i");
       model.hertz.b_hat = derived.at(outer ? "b_over_Q13_o" : "b_over_Q13_i");
       model.hertz.kappa = model.hertz.a_hat / model.hertz.b_hat;
-      model.curve = law_of(in.at("traction_law"));
+      model.law = law_of(in.at("traction_law"));
       model.surface = surface_of(in.at("contact_surface"));
       model.rule = rule;
       const double x =

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+/// What formulas written once for a scalar type T ask of it beyond + - * /. T is double (here), a
+/// vector of doubles (base/simd_math.hpp) or a dual number (statics/dual.hpp).
+///
+///   Mask                     what a comparison of two T gives
+///   sqrt(x), root(x)         root: for lengths, x >= 0; of vectors the cheap one
+///   root_and_inverse(x, i)   root of 1e-30 <= x <= 1e30, and i = 1/root
+///   inverse_sqrt(x)          1e-30 <= x <= 1e30
+///   over(a, x, i)            a/x where i = 1/x is known: rounded once for numbers, a i for vectors
+///   exp(x), min(a, b), max(a, b), pick(condition, a, b): a where the condition holds
+///   any(condition)           does it hold anywhere?
+///
+/// Nothing else may be included here: the race kernels, which are compiled once per instruction
+/// set, see this header.
+namespace adore {
+
+template <class T>
+struct ScalarMath;
+
+template <>
+struct ScalarMath<double> {
+  using Mask = bool;
+  [[gnu::always_inline]] static double sqrt(double x) { return std::sqrt(x); }
+  [[gnu::always_inline]] static double root(double x) { return std::sqrt(std::max(x, 0.0)); }
+  [[gnu::always_inline]] static double root_and_inverse(double x, double& inverse) {
+    const double result = std::sqrt(x);
+    inverse = 1.0 / result;
+    return result;
+  }
+  [[gnu::always_inline]] static double inverse_sqrt(double x) { return 1.0 / std::sqrt(x); }
+  [[gnu::always_inline]] static double over(double a, double x, double) { return a / x; }
+  [[gnu::always_inline]] static double exp(double x) { return std::exp(x); }
+  [[gnu::always_inline]] static double min(double a, double b) { return std::min(a, b); }
+  [[gnu::always_inline]] static double max(double a, double b) { return std::max(a, b); }
+  [[gnu::always_inline]] static double pick(bool condition, double a, double b) {
+    return condition ? a : b;
+  }
+  [[gnu::always_inline]] static bool any(bool condition) { return condition; }
+};
+
+}  // namespace adore

@@ -1,0 +1,192 @@
+#pragma once
+
+#include "tribology/ellipse_breaks.hpp"
+#include "tribology/laws/contact_point.hpp"
+#include "tribology/rounded_law.hpp"
+
+#include <numbers>
+#include <utility>
+
+/// The traction integral of one contact by the fixed rule of a run (ellipse_traction.hpp), for
+/// numbers and for vectors of numbers, one contact a lane. At fixed ξ only the moments Σ (κ/s) v^k,
+/// k = 0, 1, 2, are needed over η because u_t is constant there and u_c = mean - swing v. Seen by
+/// the race kernels.
+namespace adore::tribology {
+
+/// Slip at the ball centre without the W terms, and Ω_race - ω_ball on (c, t, n), as in
+/// ellipse_traction.hpp.
+template <class T>
+struct EllipseMotion {
+  T u_c{}, u_t{};         ///< [m/s]
+  T W_c{}, W_t{}, W_n{};  ///< [rad/s]
+  T entrainment{};        ///< laws/contact_point.hpp [m/s]
+};
+
+/// Height of the contact surface over the ball centre: h(ξ) = offset, or offset + √(ρ² - ξ²) when
+/// ρ > 0.
+template <class T>
+struct EllipseSurface {
+  T offset{};
+  double rho = 0.0;
+  [[gnu::always_inline]] T height(const T& xi) const {
+    return rho > 0.0 ? offset + ScalarMath<T>::root(rho * rho - xi * xi) : offset;
+  }
+};
+
+/// Where a surface convention (tribology::ContactSurface) places the arc or plane.
+enum class SurfacePlace : unsigned char {
+  ThroughEdge,   ///< through the ends of the major axis on the undeformed ball
+  HalfApproach,  ///< half the approach below the undeformed ball at the centre
+  Undeformed     ///< touching the undeformed ball at the centre
+};
+template <class T>
+[[gnu::always_inline]] inline EllipseSurface<T> ellipse_surface(SurfacePlace place, double rho,
+                                                                double ball_radius, const T& a,
+                                                                const T& approach) {
+  using M = ScalarMath<T>;
+  T offset = ball_radius;
+  if (place == SurfacePlace::ThroughEdge) {
+    offset = M::root(ball_radius * ball_radius - a * a);
+    if (rho > 0.0) offset -= M::root(rho * rho - a * a);
+  } else {
+    if (place == SurfacePlace::HalfApproach) offset -= 0.5 * approach;
+    offset -= rho;
+  }
+  return {offset, rho};
+}
+
+/// Nodes and weights of an EllipseRule (ellipse_traction.hpp).
+struct EllipseNodes {
+  bool split = false;
+  int major = 0, minor = 0;  ///< major: of one piece when split
+  const double *s = nullptr, *chord = nullptr, *weight_s = nullptr;
+  const double *v = nullptr, *weight_v = nullptr, *weight_v1 = nullptr, *weight_v2 = nullptr;
+  const double* chord_v = nullptr;  ///< √(1 - v²)
+};
+
+/// One contact, or one a lane.
+template <class T>
+struct EllipseContact {
+  T load{}, a{}, b{};
+  EllipseSurface<T> surface;
+  EllipseMotion<T> motion;
+};
+
+template <class T>
+struct EllipseSums {
+  T F_c{}, F_t{}, M_c{}, M_t{}, M_n{}, heat{}, load_slip{};
+};
+
+template <class T, class Law>
+class EllipseSum {
+ public:
+  /// @param floor ε² of the rounded slip; slip_scale of the law, for the pieces of a split rule
+  [[gnu::always_inline]] EllipseSum(const EllipseNodes& nodes, const EllipseContact<T>& contact,
+                                    const Law& law, double floor, double slip_scale)
+      : nodes_(nodes),
+        e_(contact),
+        peak_pressure_(Law::kOfPressure ? peak_pressure(contact) : T(0.0)),
+        law_{law.at(ContactPoint<T>{contact.load, peak_pressure(contact), contact.a, contact.b,
+                                    contact.motion.entrainment}),
+             floor},
+        slip_scale_(slip_scale) {}
+
+  [[gnu::always_inline]] EllipseSums<T> run() {
+    if (nodes_.split) {
+      split_rule();
+    } else {
+      product_rule();
+    }
+    return sum_;
+  }
+
+  /// u_t at ξ.
+  [[gnu::always_inline]] T rolling_slip(const T& xi) const {
+    return e_.motion.u_t + e_.motion.W_n * xi - e_.motion.W_c * e_.surface.height(xi);
+  }
+  /// Ends of the pieces of the split rule, s = ξ/a.
+  [[gnu::always_inline]] EllipseBreaks<T> breaks() const {
+    using M = ScalarMath<T>;
+    const EllipseMotion<T>& m = e_.motion;
+    const T law2 = slip_scale_ * slip_scale_, sweep = 0.5 * m.W_n * e_.b;
+    const T sweep2 = sweep * sweep;
+    const T width = M::sqrt(M::sqrt(law2 * law2 + sweep2 * sweep2));
+    const T at_end = m.u_t - m.W_c * e_.surface.height(e_.a);
+    const T centre = m.u_t - m.W_c * e_.surface.height(T(0.0));
+    const T swing = m.W_n * e_.a;
+    return ellipse_breaks(at_end - swing, centre, at_end + swing, width);
+  }
+
+ private:
+  [[gnu::always_inline]] static T peak_pressure(const EllipseContact<T>& e) {
+    // Open contacts beside closed ones have no ellipse.
+    return 1.5 * e.load / (std::numbers::pi * ScalarMath<T>::max(e.a * e.b, T(1e-30)));
+  }
+
+  [[gnu::always_inline]] void product_rule() {
+    for (int i = 0; i < nodes_.major; ++i) {
+      add_row(nodes_.s[i] * e_.a, T(nodes_.chord[i]), nodes_.chord[i] * e_.b,
+              nodes_.weight_s[i] * e_.load);
+    }
+  }
+
+  [[gnu::always_inline]] void split_rule() {
+    using M = ScalarMath<T>;
+    const EllipseBreaks<T> at = breaks();
+    const T ends[kEllipsePieces + 1] = {T(-1.0), at.s1, at.s2, at.s3, at.s4, T(1.0)};
+    for (int piece = 0; piece < kEllipsePieces; ++piece) {
+      const T length = ends[piece + 1] - ends[piece];
+      if (!M::any(length > 0.0)) continue;
+      const T load = 0.75 * length * e_.load;
+      for (int i = 0; i < nodes_.major; ++i) {
+        const T s = ends[piece] + length * nodes_.s[i];
+        const T outside = M::max(1.0 - s * s, T(0.0));
+        const T chord = M::root(outside);
+        add_row(s * e_.a, chord, chord * e_.b, nodes_.weight_s[i] * outside * load);
+      }
+    }
+  }
+
+  [[gnu::always_inline]] void add_row(const T& xi, const T& chord, const T& half_width,
+                                      const T& load) {
+    const EllipseMotion<T>& m = e_.motion;
+    const T h = e_.surface.height(xi);
+    const T u_t = m.u_t + m.W_n * xi - m.W_c * h;
+    const T mean = m.u_c + m.W_t * h;
+    const T swing = m.W_n * half_width;
+    const T fixed = u_t * u_t + law_.floor;
+    T g0 = 0.0, g1 = 0.0, g2 = 0.0, speed = 0.0;
+    for (int j = 0; j < nodes_.minor; ++j) {
+      const T u_c = mean - swing * nodes_.v[j];
+      const T square = u_c * u_c + fixed;
+      T pressure = 0.0, slip;
+      if constexpr (Law::kOfPressure) pressure = peak_pressure_ * chord * nodes_.chord_v[j];
+      const T g = law_.of_rounded(square, pressure, slip);
+      g0 += g * nodes_.weight_v[j];
+      g1 += g * nodes_.weight_v1[j];
+      g2 += g * nodes_.weight_v2[j];
+      speed += slip * nodes_.weight_v[j];
+    }
+    const T f_t = load * (g0 * u_t);
+    const T f_c = load * (mean * g0 - swing * g1);
+    const T f_cv = load * (mean * g1 - swing * g2);
+    sum_.F_c += f_c;
+    sum_.F_t += f_t;
+    sum_.M_c -= h * f_t;
+    sum_.M_t += h * f_c;
+    sum_.M_n += xi * f_t - half_width * f_cv;
+    sum_.heat += u_t * f_t + mean * f_c - swing * f_cv;
+    sum_.load_slip += load * speed;
+  }
+
+  using Here = decltype(std::declval<const Law&>().at(std::declval<const ContactPoint<T>&>()));
+
+  const EllipseNodes& nodes_;
+  const EllipseContact<T>& e_;
+  T peak_pressure_;
+  RoundedLaw<Here> law_;
+  double slip_scale_;
+  EllipseSums<T> sum_;
+};
+
+}  // namespace adore::tribology

@@ -1,0 +1,28 @@
+#pragma once
+
+/// What a traction law may know of a contact when it is asked for its functor. SI. T is double or a
+/// vector of doubles, one contact a lane; values that nobody reads cost nothing.
+///
+/// A law is a value type with
+///   template <class T> auto at(const ContactPoint<T>&) const;   per contact, once
+///       -> functor: T operator()(const T& slip, const T& pressure) const   κ at slip > 0 [m/s] and
+///          pressure [Pa]
+///   static constexpr bool kOfPressure;   false: the pressure is not formed, and is passed as 0
+///   double kink() const;    slip where κ bends, for integrals that are split there; 0: nowhere
+///   double start() const;   slip over which κ rises from 0 (split ellipse rule); 0: none
+///   double at_rest() const; κ(0); not 0: rounded over kRegularisationSlip (decision 042)
+/// in a file of its own, which includes nothing but this and base/scalar_math.hpp (race kernels see
+/// it), and a place in TractionLawList (traction_laws.hpp). That is all: kernels, converged
+/// integrals, slices and reports take it from there.
+namespace adore::tribology {
+
+template <class T>
+struct ContactPoint {
+  T load{};                      ///< Q [N]
+  T peak_pressure{};             ///< of Hertz [Pa]
+  T half_major{}, half_minor{};  ///< a, b: across and along rolling [m]
+  T entrainment{};  ///< mean speed of both surfaces along the rolling direction, relative to the
+                    ///< contact [m/s]; signed
+};
+
+}  // namespace adore::tribology
