@@ -59,17 +59,26 @@ PlotDocument open_document(const std::filesystem::path& path, const results::Sol
     return document_of(path, "sweep of " + sweep.variable, sweep_pages(sweep));
   }
   results::SolFile file = results::read_sol(path, range);
+  const std::string more =
+      file.more
+          ? fmt::format("Stored steps {} to {}; more follow in the file.", range.from, range.to)
+          : std::string();
   const std::string why_not = results::use_full_precision(file);
   std::error_code ignored;
   const bool beside = std::filesystem::exists(path.parent_path() / "RESULTS.h5", ignored);
   PlotDocument out = make_document(std::move(file));
-  if (!why_not.empty() && !beside) return out;
-  out.build = [build = std::move(out.build), why_not](int number, const PageOptions& options) {
+  if (!why_not.empty() && !beside && more.empty()) return out;
+  out.build = [build = std::move(out.build), why_not, beside, more](int number,
+                                                                    const PageOptions& options) {
     desktop::ChartPage page = build(number, options);
+    const auto note = [&page](const std::string& text) {
+      page.note += (page.note.empty() ? "" : " ") + text;
+    };
+    if (!more.empty()) note(more);
     if (why_not.empty())
       page.subtitle += "   ·   all digits from RESULTS.h5";
-    else
-      page.note += (page.note.empty() ? "" : " ") + ("Eight digits: " + why_not + ".");
+    else if (beside)
+      note("Eight digits: " + why_not + ".");
     return page;
   };
   return out;

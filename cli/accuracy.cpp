@@ -53,15 +53,18 @@ void run(const Options& options) {
   if (!options.tolerances.empty()) request.tolerances = parse_tolerances(options.tolerances);
   check_range("--span", options.span);
   request.span = options.span;
+  const std::filesystem::path folder(options.out);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder, error))
+    throw InputError(
+        fmt::format("--out {}: this folder cannot be made; name another one", folder.string()));
   const facade::AccuracyStudy study =
       facade::study_accuracy(request, [](const facade::AccuracyRow& row) {
         tell(fmt::format("{} at {:.0e}: {}\n", row.method, row.tolerance,
                          row.failure.empty() ? fmt::format("error {:.2e}", row.error) : "gave up"));
       });
   fmt::print("{}", facade::accuracy_table(study));
-  const std::filesystem::path folder(options.out);
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
   write_export(folder / "ACCURACY.csv", facade::accuracy_csv(study), {options.deck});
   fmt::print("\n{}\n", (folder / "ACCURACY.csv").string());
   if (draw_accuracy_chart(study, folder / "ACCURACY.png"))

@@ -1,6 +1,8 @@
 #include "desktop/avi_writer.hpp"
 
 #include "base/errors.hpp"
+#include "base/version.hpp"
+#include "desktop/image_export.hpp"
 
 #include <QBuffer>
 #include <QImage>
@@ -41,6 +43,7 @@ AviWriter::AviWriter(const std::filesystem::path& path, QSize size, int frames_p
       rate_(frames_per_second) {
   demand(size.width() > 0 && size.height() > 0 && rate_ > 0,
          "a film needs a size and a frame rate");
+  check_replaceable(path_);
   if (!file_.open(QIODevice::WriteOnly))
     throw InputError("cannot write " + path_.string() + ": " + file_.errorString().toStdString() +
                      "; choose a folder that exists and is yours");
@@ -63,8 +66,12 @@ QByteArray AviWriter::header() const {
                             half(static_cast<quint16>(height));
   const QByteArray format = number(40) + number(width) + number(height) + half(1) + half(24) +
                             "MJPG" + number(width * height * 3) + QByteArray(16, '\0');
-  const QByteArray lists = list(
-      "hdrl", chunk("avih", main) + list("strl", chunk("strh", stream) + chunk("strf", format)));
+  QByteArray software(kProgramVersion.data(), static_cast<qsizetype>(kProgramVersion.size()));
+  software.append(software.size() % 2 == 0 ? 2 : 1, '\0');  // chunks start at even offsets
+  const QByteArray lists =
+      list("hdrl",
+           chunk("avih", main) + list("strl", chunk("strh", stream) + chunk("strf", format))) +
+      list("INFO", chunk("ISFT", software));
   const qint64 index_bytes = frame_count == 0 ? 0 : 8 + 16 * static_cast<qint64>(frame_count);
   const qint64 riff = 4 + lists.size() + 8 + movie_bytes_ + index_bytes;
   return "RIFF" + number(static_cast<quint32>(riff)) + "AVI " + lists + "LIST" +

@@ -69,7 +69,7 @@ void save_picture(QWidget* parent, const QString& app, const QString& fallback,
   QObject::connect(dialog, &QFileDialog::fileSelected, parent,
                    [parent, app, picture = std::move(picture)](const QString& name) {
                      try {
-                       save_image(picture(), name.toStdString());
+                       save_image(picture(), name.toStdString(), Replace::Anything);
                        remember_image_name(app, name);
                      } catch (const std::exception& error) {
                        show_message(parent, error.what(), true);

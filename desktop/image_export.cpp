@@ -1,6 +1,7 @@
 #include "desktop/image_export.hpp"
 
 #include "base/errors.hpp"
+#include "base/version.hpp"
 
 #include <QBuffer>
 #include <QFileInfo>
@@ -11,9 +12,33 @@
 #include <QSaveFile>
 #include <QSettings>
 
+#include <algorithm>
+#include <fstream>
+#include <string>
+
 namespace adore::desktop {
 
-void save_image(const QImage& image, const std::filesystem::path& path) {
+void check_replaceable(const std::filesystem::path& path) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
+  if (!std::filesystem::exists(status)) return;
+  if (std::filesystem::is_regular_file(status)) {
+    // The mark of save_image() and AviWriter stands before the pixels.
+    std::string bytes(4096, '\0');
+    std::ifstream stream(path, std::ios::binary);
+    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
+    const bool picture =
+        bytes.starts_with("\x89PNG") || bytes.starts_with("\xff\xd8") || bytes.starts_with("RIFF");
+    if (bytes.empty() || (picture && bytes.find("Adore ") != std::string::npos)) return;
+  }
+  throw InputError(path.string() +
+                   " exists and was not drawn by this program; name another folder or file, or "
+                   "remove it first");
+}
+
+void save_image(const QImage& image, const std::filesystem::path& path, Replace replace) {
+  if (replace == Replace::OwnPictures) check_replaceable(path);
   const QString name = QString::fromStdString(path.string());
   const QByteArray suffix = QFileInfo(name).suffix().toLower().toLatin1();
   if (suffix != "png" && suffix != "jpg" && suffix != "jpeg")
@@ -25,6 +50,8 @@ void save_image(const QImage& image, const std::filesystem::path& path) {
                      "; choose a folder that exists and is yours");
   QImageWriter writer(&file, suffix);
   if (suffix != "png") writer.setQuality(93);
+  writer.setText("Software", QString::fromLatin1(kProgramVersion.data(),
+                                                 static_cast<qsizetype>(kProgramVersion.size())));
   if (!writer.write(image) || !file.commit())
     throw InputError(
         "cannot write " + path.string() + ": " +

@@ -10,10 +10,19 @@ class QPrinter;
 /// Pictures on disk and on paper.
 namespace adore::desktop {
 
+/// What a picture may replace: what this program made before, or whatever the user was asked about.
+enum class Replace : unsigned char { OwnPictures, Anything };
+
 /// Writes PNG or JPEG by the name's suffix (.png, .jpg, .jpeg), replacing an old file only when the
-/// new one is complete.
-/// @throws InputError when the suffix is none of these or the file cannot be written.
-void save_image(const QImage& image, const std::filesystem::path& path);
+/// new one is complete. The picture says that this program made it.
+/// @throws InputError when the suffix is none of these, the file cannot be written, or another one
+/// is there that may not be replaced.
+void save_image(const QImage& image, const std::filesystem::path& path,
+                Replace replace = Replace::OwnPictures);
+
+/// Throws unless there is no such file, or one that save_image() or AviWriter made: neither another
+/// program's picture nor a symbolic link. @throws InputError naming it
+void check_replaceable(const std::filesystem::path& path);
 
 /// Makes a folder and its parents. @throws InputError when that fails.
 void make_folder(const std::filesystem::path& folder);

@@ -16,6 +16,7 @@
 #include <fstream>
 #include <iterator>
 #include <set>
+#include <string_view>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <system_error>
@@ -36,11 +37,23 @@ std::string joined(const std::vector<std::string>& names) {
   return out;
 }
 
+constexpr std::string_view kLockBegins = "process ";
+
+/// Is the open file empty, or what an earlier process left as its lock?
+bool is_lock(int descriptor) {
+  struct stat status {};
+  char start[kLockBegins.size()];
+  if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return false;
+  const ssize_t size = ::pread(descriptor, start, sizeof start, 0);
+  return size == 0 ||
+         (size > 0 && kLockBegins.starts_with({start, static_cast<std::size_t>(size)}));
+}
+
 std::string whoami() {
   char host[256] = "this machine";
   ::gethostname(host, sizeof host - 1);
   const std::time_t now = std::time(nullptr);
-  return fmt::format("process {} on {}, since {:%Y-%m-%d %H:%M:%S} UTC\n", ::getpid(), host,
+  return fmt::format("{}{} on {}, since {:%Y-%m-%d %H:%M:%S} UTC\n", kLockBegins, ::getpid(), host,
                      fmt::gmtime(now));
 }
 
@@ -130,6 +143,13 @@ FolderLock::FolderLock(const fs::path& folder) : path_(folder / kName) {
       break;
     }
     ::close(descriptor);  // its owner removed it at that moment
+  }
+  if (!is_lock(descriptor_)) {
+    ::close(descriptor_);
+    throw InputError(
+        fmt::format("{}: a run keeps this name for its lock, and the file is none; rename it, or "
+                    "choose another folder with --out",
+                    path_.string()));
   }
   const std::string who = whoami();
   if (::ftruncate(descriptor_, 0) != 0 ||

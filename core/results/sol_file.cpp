@@ -120,6 +120,8 @@ SolFile read_sol(std::istream& stream, const std::string& name, const SolRange& 
   file.header = parser.header();
   file.note = for_each_step(parser, name, range,
                             [&](SolStep& step) { file.steps.push_back(std::move(step)); });
+  SolStep behind;
+  file.more = file.note.empty() && parser.next(behind, false) == BlockStatus::Complete;
   return file;
 }
 

@@ -46,7 +46,8 @@ struct SolFile {
   SolKind kind = SolKind::Element;
   SolHeader header;
   std::vector<SolStep> steps;
-  std::string note;  ///< empty, or what was wrong with the file ("cut off in step 120")
+  std::string note;   ///< empty, or what was wrong with the file ("cut off in step 120")
+  bool more = false;  ///< there are stored steps behind the range
 };
 
 /// @throws InputError when the file cannot be read or is no SOL1-SOL7 file (the sentence says why).

@@ -260,6 +260,9 @@ TEST_CASE("render_plots: every page of files on disk becomes a picture with curv
   options.width = 640, options.height = 480;
   options.range = {1, 50, 5};
   CHECK(render_plots({files[0]}, options).size() == 1);
+  const auto note = [&](long to) { return open_document(files[0], {1, to, 1}).build(1, {}).note; };
+  CHECK_THAT(note(299), Catch::Contains("Stored steps 1 to 299; more follow in the file."));
+  CHECK_THAT(note(300), !Catch::Contains("more follow"));
   options.page = 9;
   CHECK_THROWS_WITH(render_plots({files[0]}, options), Catch::Contains("pages are 1 to 8"));
   CHECK_THROWS_AS(render_plots({base / "absent"}, options), InputError);

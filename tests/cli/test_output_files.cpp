@@ -70,6 +70,11 @@ TEST_CASE("no output replaces an input or what another program wrote", "[cli]") 
     const Folder folder;
     refused(deck_with_names(folder, names_with(name, "SOL1")), folder, "finName");
   }
+  {  // of the lock
+    const Folder folder;
+    REQUIRE(run_adore("new ball --out " + (folder / ".adore.lock").string()).code == 0);
+    refused(folder / ".adore.lock", folder, "keeps this name for its lock");
+  }
   {  // somebody's own file
     const Folder folder;
     const fs::path deck = deck_with_names(folder, names_with("notes", "SOL1"));

@@ -258,6 +258,38 @@ TEST_CASE("image_export: PNG and JPEG are written, other wishes are refused with
   CHECK_THROWS_AS(save_image(image, folder.filePath("missing/e.png").toStdString()), InputError);
 }
 
+TEST_CASE("image_export: only own pictures and films are replaced without a question", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  QImage image(64, 48, QImage::Format_RGB32);
+  image.fill(Qt::green);
+  const auto path = [&](const char* name) {
+    return std::filesystem::path(folder.filePath(name).toStdString());
+  };
+  for (const char* name : {"own.png", "own.jpg"}) {
+    save_image(image, path(name));
+    CHECK_NOTHROW(save_image(image, path(name)));
+    REQUIRE(image.save(folder.filePath(name)));  // as another program would
+    CHECK_THROWS_WITH(save_image(image, path(name)), Catch::Contains("not drawn by this program"));
+    CHECK_NOTHROW(save_image(image, path(name), Replace::Anything));  // somebody was asked
+    CHECK_NOTHROW(save_image(image, path(name)));
+  }
+  std::filesystem::create_symlink(path("own.png"), path("link.png"));
+  CHECK_THROWS_AS(save_image(image, path("link.png")), InputError);
+  CHECK_THROWS_AS(AviWriter(path("link.png"), {64, 48}, 25), InputError);
+  for (int time = 0; time < 2; ++time) {
+    AviWriter film(path("film.avi"), {64, 48}, 25);
+    film.add(image);
+    film.finish();
+  }
+  QFile file(folder.filePath("film.avi"));
+  REQUIRE(file.open(QIODevice::WriteOnly));
+  file.write("RIFF\1\2\3\4AVI of somebody else");
+  file.close();
+  CHECK_THROWS_WITH(AviWriter(path("film.avi"), {64, 48}, 25),
+                    Catch::Contains("not drawn by this program"));
+}
+
 TEST_CASE("avi_writer: the film is a valid RIFF file whose index finds every picture", "[gui]") {
   test::use_qt();
   QTemporaryDir folder;

@@ -3,7 +3,9 @@
 #include "results/h5_file.hpp"
 
 #include <atomic>
+#include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -26,6 +28,10 @@ using namespace adore::testing;
 extern "C" void __gcov_dump() __attribute__((weak));
 
 namespace {
+
+std::atomic<bool> stop{false};
+/// What has been read so far is told.
+extern "C" void on_interrupt(int) { stop = true; }
 
 constexpr unsigned kBatch = 1000;  ///< files of one worker
 
@@ -155,12 +161,17 @@ int main(int argc, char** argv) {
   const auto begin = std::chrono::steady_clock::now();
   long deaths = 0, unanswered = 0;
   std::map<int, long> signals;
-  while (shared.next < first + count) {
+  for (const int number : {SIGINT, SIGTERM}) std::signal(number, on_interrupt);
+  while (!stop && shared.next < first + count) {
     const unsigned last = std::min(shared.next + kBatch, first + count);
     const pid_t child = ::fork();
-    if (child == 0) work(shared, last, path);
+    if (child == 0) {
+      for (const int number : {SIGINT, SIGTERM}) std::signal(number, SIG_IGN);
+      work(shared, last, path);
+    }
     int status = 0;
-    ::waitpid(child, &status, 0);
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
     if (shared.next >= last) continue;
     ++deaths;
     if (WIFSIGNALED(status)) ++signals[WTERMSIG(status)];
@@ -185,7 +196,7 @@ int main(int argc, char** argv) {
   std::printf(
       "%u files from seed %u on, of %ld the checksums were put right; %.0f s; largest reader "
       "%ld MiB, largest caller %ld MiB\n",
-      count, first, shared.sums_right.load(),
+      shared.next.load() - first, first, shared.sums_right.load(),
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
       children.ru_maxrss / 1024, own.ru_maxrss / 1024);
   for (std::size_t k = 0; k < kKinds.size(); ++k)

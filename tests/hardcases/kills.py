@@ -90,10 +90,12 @@ class Deck:
         """What the method says when it is continued."""
         place = os.path.join(self.folder, "asked")
         shutil.copytree(self.whole, place)
-        said = subprocess.run(self.command(place, ["--set", "kIcOpt=1"]) + ["--set", "maxStps=1"], text=True,
-                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT).stdout
+        one_more = ["maxStps=1" if word.startswith("maxStps=") else word for word in self.command(place, ["--set", "kIcOpt=1"])]
+        said = subprocess.run(one_more, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         shutil.rmtree(place)
-        return said
+        if said.returncode != 0:
+            sys.exit(f"{self.name}: {said.stdout}")
+        return said.stdout
 
     def fail(self, what):
         self.failures.append(f"{self.name}, kill {self.count['kills']}: {what}")
@@ -205,9 +207,10 @@ def main():
                  for k in range(len(DECKS))]
         for number in range(given.kills):
             deck = decks[number % len(decks)]
+            known = len(deck.failures)
             deck.kill(chance, at_call=(number // len(decks)) % 2 == 1)
-            for failure in deck.failures[-1:]:
-                print(failure, file=sys.stderr)
+            for failure in deck.failures[known:]:
+                print(failure, file=sys.stderr, flush=True)
         lines = ["| deck | kills | files valid | h5py reads all | continued | started again | joined | nothing left behind |",
                  "|---|---|---|---|---|---|---|---|"]
         for deck in decks:

@@ -245,6 +245,8 @@ TEST_CASE("what is written to SOL1-SOL7 is read back, in both unit systems", "[u
         }
         const SolFile file = read_sol(folder / "SOL", {2, 5, 3});
         CHECK(file.note.empty());
+        CHECK(file.more);
+        CHECK_FALSE(read_sol(folder / "SOL", {1, 7, 1}).more);
         CHECK(file.kind == sol_kind_of(header));
         CHECK(file.header.version == kFileVersion);
         CHECK(file.header.run_id == "synthetic run 7");
