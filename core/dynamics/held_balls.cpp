@@ -61,8 +61,8 @@ void HeldBalls::set(std::size_t i, bool held) {
 }
 
 std::array<RacePose, 2> HeldBalls::poses(const Evaluation& e) const noexcept {
-  return {RacePose{e.race[0].motion.centre, e.race[0].motion.axis},
-          RacePose{e.race[1].motion.centre, e.race[1].motion.axis}};
+  return {RacePose{e.race[0].position, e.race[0].axis()},
+          RacePose{e.race[1].position, e.race[1].axis()}};
 }
 
 Vec2 HeldBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept {
@@ -102,9 +102,9 @@ void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
   Mat3 stiffness = Mat3::Zero();  // of the contacts
   Vec3 drift = Vec3::Zero();      // change of their force at fixed x, r
   for (std::size_t j = 0; j < 2; ++j) {
-    const RaceMotion& race = e.race[j].motion;
+    const RaceBody& race = e.race[j];
     const GrooveContact c = ball_.contact_with(
-        static_cast<int>(j), {e.to_cylindrical(i, race.centre), e.to_cylindrical(i, race.axis)},
+        static_cast<int>(j), {e.to_cylindrical(i, race.position), e.to_cylindrical(i, race.axis())},
         {b.x[i], r, 0.0});
     const Vec2 n = c.normal.head<2>();
     est.race_along[j] = Mat2::Identity() - n * n.transpose();
@@ -119,7 +119,7 @@ void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
     const Vec3 q = set.centre(i);
     const double d = std::max(std::hypot(q[0], q[1]), 1e-9);
     const auto in_frame = [&](const Vec3& v) {
-      return e.to_cylindrical(i, set.to_base(i, v, e.cage.to_base));
+      return e.to_cylindrical(i, set.to_base(i, v, set.body(e, i).to_base));
     };
     const Vec3 m = in_frame(wall->m), t = in_frame({-q[1] / d, q[0] / d, 0.0});
     stiffness +=
@@ -191,7 +191,7 @@ void HeldBalls::form_rates(Evaluation& e) noexcept {
   const ElementViews balls = view_of(state_, held);
   for (std::size_t j = 0; j < 2; ++j)
     evaluate_race_contacts(
-        scene_.contacts[j], balls, e.race[j].motion,
+        scene_.contacts[j], balls, e.race[j].motion(),
         forces_in(action_, load_[j].data(), heat_[j].data(), load_slip_[j].data()));
   for (std::size_t k = 0; k < held; ++k) pull(e, k);
 }

@@ -38,14 +38,16 @@ PocketSet::PocketSet(const bearing::Bearing& bearing, const std::vector<double>&
     sin_.push_back(std::sin(psi));
     cos_.push_back(std::cos(psi));
   }
+  segment_.assign(azimuths.size(), 0);  // a cage of one piece
   qx_.resize(azimuths.size());
   qy_.resize(azimuths.size());
   qz_.resize(azimuths.size());
 }
 
 inline void PocketSet::locate_one(const Evaluation& e, std::size_t i) noexcept {
-  const Mat3& R = e.cage.to_base;
-  const Vec3& p = e.cage.position;
+  const BodyState& cage = body(e, i);
+  const Mat3& R = cage.to_base;
+  const Vec3& p = cage.position;
   const ElementViews& b = e.elements;
   const double dx = b.x[i] - p[0];
   const double dy = -b.r[i] * b.sin_theta[i] - p[1];
@@ -103,14 +105,15 @@ void PocketBlock<Traction>::apply(Evaluation& e) noexcept {
     }
     const contact::WallPoint wall = set_.wall_point(i);
     if (wall.gap >= 0.0) continue;
+    BodyState& cage = set_.body(e, i);
     const PocketAction action = pocket_action<Traction>(set_, friction_, e, i, wall);
     if constexpr (Traction) {
       e.add_moment(i, e.to_cylindrical(i, action.arm.cross(action.friction)));
       heat_ += action.heat;
-      e.cage.load_slip += action.N * action.slip;
+      cage.load_slip += action.N * action.slip;
     }
     e.add_force(i, e.to_cylindrical(i, action.on_ball));
-    e.cage.add_force(-action.on_ball, action.point);
+    cage.add_force(-action.on_ball, action.point);
     e.elastic += contact::energy(set_.law(), -wall.gap);
   }
 }
@@ -122,15 +125,19 @@ void PocketContact::declare(SceneBuilder& scene) {
   std::vector<double> azimuths;
   for (const statics::StaticBall& b : scene.statics.balls) azimuths.push_back(b.azimuth);
   set_.emplace(scene.bearing, azimuths);
+  std::vector<BodyId> partners;
+  for (std::size_t i = 0; i < set_->size(); ++i)
+    partners.push_back({BodyId::Kind::Segment, set_->segment(i)});
   constexpr std::string_view kCost = "pocket contacts";
   if (!scene.plan.has(Effect::PocketTraction)) {
-    scene.block<PocketBlock<false>>(Phase::Force, kCost, true, *set_, SlipFriction(), heat_);
+    scene.block<PocketBlock<false>>(Phase::Force, kCost, Partners(partners), *set_, SlipFriction(),
+                                    heat_);
     return;
   }
   demand(scene.bearing.pocket_traction.has_value(),
          "pocket traction is on without a traction curve");
   friction_.emplace(*scene.bearing.pocket_traction);
-  scene.block<PocketBlock<true>>(Phase::Force, kCost, true, *set_, *friction_, heat_);
+  scene.block<PocketBlock<true>>(Phase::Force, kCost, Partners(partners), *set_, *friction_, heat_);
   scene.energy("pockets.heat", kHeat, &heat_);
 }
 

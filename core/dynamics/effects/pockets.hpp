@@ -46,6 +46,14 @@ class PocketSet {
            Vec3(v[0], cos_[i] * v[1] - sin_[i] * v[2], sin_[i] * v[1] + cos_[i] * v[2]);
   }
   [[nodiscard]] std::size_t size() const noexcept { return sin_.size(); }
+  /// The cage segment that pocket i is in.
+  [[nodiscard]] int segment(std::size_t i) const noexcept { return segment_[i]; }
+  [[nodiscard]] const BodyState& body(const Evaluation& e, std::size_t i) const noexcept {
+    return e.segments[static_cast<std::size_t>(segment_[i])];
+  }
+  [[nodiscard]] BodyState& body(Evaluation& e, std::size_t i) const noexcept {
+    return e.segments[static_cast<std::size_t>(segment_[i])];
+  }
   [[nodiscard]] const contact::CappedHertz& law() const noexcept { return law_; }
   [[nodiscard]] double ball_radius() const noexcept { return ball_radius_; }
   /// The same of one ball.
@@ -62,6 +70,7 @@ class PocketSet {
   double hole2_ = 0.0, play2_ = 0.0;  ///< ρ², (ρ - r_b)² [m²]; play2_ 0 for a pocket without play
   std::vector<double> sin_, cos_;     ///< of the pocket azimuths
   std::vector<double> qx_, qy_, qz_;
+  std::vector<int> segment_;  ///< of each pocket
 };
 
 /// One contact of a ball with its pocket wall, base axes.
@@ -80,13 +89,13 @@ template <bool Traction>
                                                 const contact::WallPoint& wall) noexcept {
   PocketAction a;
   a.N = contact::load(set.law(), -wall.gap);
-  a.m = set.to_base(i, wall.m, e.cage.to_base);
+  const BodyState& cage = set.body(e, i);
+  a.m = set.to_base(i, wall.m, cage.to_base);
   a.arm = set.ball_radius() * a.m;
   a.point = e.element_centre(i) + a.arm;
   a.on_ball = -a.N * a.m;
   if constexpr (Traction) {
-    Vec3 slip =
-        e.cage.velocity_at(a.point) - e.element_velocity(i) - e.element_omega(i).cross(a.arm);
+    Vec3 slip = cage.velocity_at(a.point) - e.element_velocity(i) - e.element_omega(i).cross(a.arm);
     slip -= slip.dot(a.m) * a.m;
     a.slip = slip.norm();
     a.friction_per_slip = a.N * law.per_slip(a.slip);

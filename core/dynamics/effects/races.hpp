@@ -37,8 +37,8 @@ class Races final : public SceneEffect {
   void set_up(const SceneBuilder& scene);
 
   std::array<RaceContactModel, 2> contacts_;
-  std::array<Vec3, 2> free_centre_;   ///< free positions of the race centres [m]
-  std::array<RaceMotion, 2> motion_;  ///< at t = 0: they stand still but for their spin
+  std::array<Vec3, 2> free_centre_;  ///< free positions of the race centres [m]
+  std::array<RaceBody, 2> at_rest_;  ///< at t = 0: they stand still but for their spin
   std::array<double, 2> temperature_{};
   bool in_contact_ = false;
   std::optional<NormalContacts> normal_;  ///< with race contact
