@@ -7,6 +7,7 @@
 #include "dynamics/system.hpp"
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -127,6 +128,11 @@ class SceneEffect {
 
   /// A block of it gives races a motion beside their spin (then they do work without friction).
   [[nodiscard]] virtual bool moves_races() const noexcept { return false; }
+
+  /// Longest step from time t that resolves what it prescribes [s] (System::longest_step).
+  [[nodiscard]] virtual double longest_step(double t) const {
+    return (void)t, std::numeric_limits<double>::infinity();
+  }
 
   /// Changes of the model that may happen between steps only; true when y changed.
   virtual bool between_steps(double t, std::span<double> y, BetweenSteps& scene) {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace adore::dynamics {
 
@@ -99,6 +100,13 @@ const Scales& System::scales() const noexcept { return impl_->scales; }
 CostLedger& System::cost() noexcept { return impl_->parts.cost; }
 const bearing::Bearing& System::bearing() const noexcept { return impl_->bearing; }
 std::span<const int> System::coupling() const noexcept { return impl_->parts.owner; }
+
+double System::longest_step(double t) const noexcept {
+  double longest = std::numeric_limits<double>::infinity();
+  for (const auto& effect : impl_->parts.effects)
+    longest = std::min(longest, effect->longest_step(t));
+  return longest;
+}
 
 bool System::neighbours_meet() const noexcept { return impl_->parts.neighbours_meet; }
 

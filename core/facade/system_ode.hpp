@@ -35,6 +35,9 @@ class SystemOde final : public integrators::OdeSystem {
     }
     return status(system_.rhs_with_shares(t, y, dydt, shares));
   }
+  [[nodiscard]] double step_guard(double t) const noexcept override {
+    return system_.longest_step(t);
+  }
   bool project(double t, double* y) noexcept override { return system_.project(t, y); }
   [[nodiscard]] std::string component_name(int index) const override {
     return system_.layout().component_name(index);

@@ -138,7 +138,8 @@ void Races::declare(SceneBuilder& scene) {
       scene.block<RaceBlock>(Phase::Force, name + " contacts",
                              BodyId{BodyId::Kind::Race, static_cast<int>(j)}, contacts_[j], wear,
                              account);
-    if (work) scene.energy(name + ".work", kWork, &account.power, static_cast<int>(j));
+    if (work && !plan.race_motions.free[j])
+      scene.energy(name + ".work", kWork, &account.power, static_cast<int>(j));
     if (!traction) continue;
     scene.energy(name + ".heat", kHeat, &account.heat, static_cast<int>(j));
     if (!wear) continue;

@@ -5,8 +5,9 @@
 
 #include <optional>
 
-/// Both races: prescribed bodies, and the contacts of the balls with them (effects "race contact"
-/// and "race traction"). Not valid when a ball is pressed into a race by more than its radius.
+/// Both races: bodies that are prescribed unless an effect integrates them, and the contacts of the
+/// balls with them (effects "race contact" and "race traction"). Not valid when a ball is pressed
+/// into a race by more than its radius.
 namespace adore::dynamics {
 
 /// Sums over all balls of one race at this evaluation.
@@ -32,6 +33,8 @@ class Races final : public SceneEffect {
   [[nodiscard]] const std::array<RaceContactModel, 2>& contacts() const noexcept {
     return contacts_;
   }
+  /// Both at t = 0: static place, misalignment and spin.
+  [[nodiscard]] const std::array<RaceBody, 2>& at_rest() const noexcept { return at_rest_; }
 
  private:
   void set_up(const SceneBuilder& scene);

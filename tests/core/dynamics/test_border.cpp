@@ -231,6 +231,26 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("free races stand in the border beside the cage", "[physics][dynamics][implicit]") {
+  bearing::Bearing b = angular_contact(9, 0.07);
+  b.gravity = {0.0, 0.0, -9.81};
+  b.cage->pocket_clearance_1 = b.cage->pocket_clearance_2 = 2e-5;
+  b.cage->start_offset = {0.0, 1.2e-4, -8e-5};
+  b.race_inertia = {bearing::Inertia{0.9, {9e-4, 6e-4, 6e-4}},
+                    bearing::Inertia{0.5, {3e-4, 2e-4, 2e-4}}};
+  ScenePlan plan = full_plan();
+  plan.race_motions.free[1].emplace().force = {1500.0, 0.0, 500.0};
+  plan.race_motions.free[1]->mass_centre = {1e-3, 2e-4, 0.0};
+  plan.race_motions.free[1]->rotation_held = {true, false, false};
+  System one = with(b, plan, {});
+  compare_jacobians(one, disturbed(one, 1e-5));
+  plan.race_motions.free[0].emplace().translation_held = {true, true, true};
+  System both = with(b, plan, {});
+  const auto owner = both.coupling();
+  CHECK(std::count(owner.begin(), owner.end(), -1) == 3 * 14);
+  compare_jacobians(both, disturbed(both, 1e-5));
+}
+
 TEST_CASE("implicit steps of a ring of touching elements end where explicit ones do",
           "[physics][dynamics][implicit]") {
   bearing::Bearing b = angular_contact(8, 0.07);
