@@ -49,9 +49,16 @@ void SceneBuilder::momentum(int& index, std::string name, Momentum which, const 
   integral(index, std::move(name), angular ? "N m s" : "N s", rate, 3);
 }
 
-void SceneBuilder::border_body(const BorderBody& body) {
-  demand(out_.border == nullptr, "a scene has one body in the border of the arrow");
-  out_.border = &body;
+void SceneBuilder::border_body(BodyId id, const BorderBody& body, Slice rows) {
+  demand(rows.first >= 0 && rows.count > 0 &&
+             rows.first + rows.count <= static_cast<int>(out_.owner.size()),
+         "a body of the border has no states");
+  for (int k = rows.first; k < rows.first + rows.count; ++k)
+    demand(out_.owner[static_cast<std::size_t>(k)] == kBorder,
+           "a state of a body of the border belongs to an element");
+  for (const Assembly::Border& other : out_.border)
+    demand(!(other.id == id), "a body is in the border twice");
+  out_.border.push_back({id, &body, rows});
 }
 
 bool SceneBuilder::races_move() const {
@@ -60,8 +67,8 @@ bool SceneBuilder::races_move() const {
 }
 
 void SceneBuilder::add_block(Phase phase, std::unique_ptr<EffectBlock> block, std::string_view cost,
-                             bool meets_border) {
-  out_.blocks.push_back({phase, std::move(block), out_.cost.entry(cost), meets_border});
+                             Partners partners) {
+  out_.blocks.push_back({phase, std::move(block), out_.cost.entry(cost), std::move(partners)});
 }
 
 }  // namespace adore::dynamics

@@ -4,6 +4,7 @@
 #include "dynamics/system.hpp"
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -26,8 +27,9 @@ class EffectBlock {
 
 /// When a block acts; within a phase in the order of declaration.
 enum class Phase : unsigned char {
-  Prescribed,  ///< motion of prescribed bodies from Evaluation::t alone: sees no state, cannot fail
-  Kinematics,  ///< poses and velocities of bodies from the state
+  Races,       ///< motion of the races: prescribed ones from Evaluation::t alone, integrated ones
+               ///< from the state; knows nothing of elements, cannot fail
+  Kinematics,  ///< poses and velocities of elements and other bodies from the state
   Force,       ///< forces and moments on bodies
   Motion,      ///< rates of the bodies' states
   Account      ///< sums for integrals and ledgers
@@ -55,11 +57,31 @@ struct Momenta {
 class BorderBody {
  public:
   virtual ~BorderBody() = default;
-  /// Adds to `row`, which starts at state component `first`, what a contact of element i adds to
-  /// the rates of this body; force and moment (about the element's centre) are those on the
+  /// Adds to `row`, one value for each state component of this body, what a contact of element i
+  /// adds to the rates of this body; force and moment (about the element's centre) are those on the
   /// element [N, N m], base frame.
   virtual void add_share(const Evaluation& e, std::size_t i, const Vec3& force, const Vec3& moment,
-                         int first, double* row) const noexcept = 0;
+                         double* row) const noexcept = 0;
+};
+
+/// Which bodies a block couples the elements with: whatever it adds to an element's force and
+/// moment acts on that element's partner with the opposite sign. A block that couples an element
+/// with two bodies is declared as two. Partners that are prescribed, or none of the scene's, count
+/// as none.
+class Partners {
+ public:
+  Partners() = default;  ///< with none
+  /// All elements with one body.
+  Partners(BodyId body) : of_(1, body) {}  // NOLINT(google-explicit-constructor)
+  /// Each element with its own.
+  explicit Partners(std::vector<BodyId> of_element) : of_(std::move(of_element)) {}
+  [[nodiscard]] const BodyId* of(std::size_t element) const {
+    if (of_.empty()) return nullptr;
+    return of_.size() == 1 ? of_.data() : &of_.at(element);
+  }
+
+ private:
+  std::vector<BodyId> of_;
 };
 
 /// What an effect may ask of the whole between two steps.
@@ -104,6 +126,11 @@ class SceneEffect {
   /// A block of it gives races a motion beside their spin (then they do work without friction).
   [[nodiscard]] virtual bool moves_races() const noexcept { return false; }
 
+  /// Longest step from time t that resolves what it prescribes [s] (System::longest_step).
+  [[nodiscard]] virtual double longest_step(double t) const {
+    return (void)t, std::numeric_limits<double>::infinity();
+  }
+
   /// Changes of the model that may happen between steps only; true when y changed.
   virtual bool between_steps(double t, std::span<double> y, BetweenSteps& scene) {
     return (void)t, (void)y, (void)scene, false;
@@ -137,8 +164,14 @@ struct Assembly {
   struct Block {
     Phase phase;
     std::unique_ptr<EffectBlock> block;
-    int entry;          ///< of the cost ledger
-    bool meets_border;  ///< it couples elements with the border
+    int entry;  ///< of the cost ledger
+    Partners partners;
+  };
+  /// A body in the border of the arrow.
+  struct Border {
+    BodyId id;
+    const BorderBody* body;
+    Slice rows;  ///< its state components
   };
 
   std::vector<std::unique_ptr<SceneEffect>> effects;
@@ -150,8 +183,9 @@ struct Assembly {
   std::vector<EnergyItem> energy;
   std::vector<MomentumItem> momentum;
   bool wants_momentum = false;
+  bool neighbours_meet = false;
   std::vector<Block> blocks;
-  const BorderBody* border = nullptr;
+  std::vector<Border> border;
   CostLedger cost;
 };
 
@@ -188,15 +222,17 @@ class SceneBuilder {
   void want_momentum_ledger() { out_.wants_momentum = true; }
 
   /// @param cost where the cost ledger books it
-  /// @param meets_border it couples elements with the border: whatever it adds to an element's
-  /// force and moment acts on the border body with the opposite sign
+  /// @param partners bodies that it couples elements with; {}: none
   template <class Block, class... Arguments>
-  void block(Phase phase, std::string_view cost, bool meets_border, Arguments&&... arguments) {
+  void block(Phase phase, std::string_view cost, Partners partners, Arguments&&... arguments) {
     add_block(phase, std::make_unique<Block>(std::forward<Arguments>(arguments)...), cost,
-              meets_border);
+              std::move(partners));
   }
-  /// There is one at most.
-  void border_body(const BorderBody& body);
+  /// A body whose states `rows` (owner kBorder, together) meet elements.
+  void border_body(BodyId id, const BorderBody& body, Slice rows);
+
+  /// Each element acts on the one before and after it in the ring (a bearing without cage).
+  void neighbours_meet() { out_.neighbours_meet = true; }
 
   /// Does an effect of the scene move the races?
   [[nodiscard]] bool races_move() const;
@@ -222,7 +258,7 @@ class SceneBuilder {
 
  private:
   void add_block(Phase phase, std::unique_ptr<EffectBlock> block, std::string_view cost,
-                 bool meets_border);
+                 Partners partners);
   Assembly& out_;
 };
 

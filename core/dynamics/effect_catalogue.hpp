@@ -14,7 +14,7 @@ class SceneEffect;
 
 struct CatalogueLine {
   std::string_view name;
-  std::string_view decided_by;  ///< deck variables that switch it, "-": always there
+  std::string_view decided_by;  ///< deck variables that switch it, "-": none does
   std::string_view help;
   std::unique_ptr<SceneEffect> (*make)(const ScenePlan&);  ///< null where the plan leaves it out
   LedgerTerms (*terms)();                                  ///< of the energy ledger; may be null

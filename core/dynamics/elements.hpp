@@ -105,6 +105,14 @@ using ElementActions = std::array<std::vector<double>, kElementActions.size()>;
 /// `cos` (n values each). False: an element is on the bearing axis.
 bool view_elements(const double* y, const ElementSlices& slices, double* sin, double* cos,
                    ElementViews& out) noexcept;
+/// Where the rates of each quantity are written, in their order.
+[[nodiscard]] inline std::array<double*, kQuantities.size()> rates_in(
+    double* dydt, const ElementSlices& slices) noexcept {
+  std::array<double*, kQuantities.size()> out{};
+  for (std::size_t q = 0; q < out.size(); ++q)
+    out[q] = dydt + slices[static_cast<Quantity>(q)].first;
+  return out;
+}
 /// Views of the first n values of a storage.
 [[nodiscard]] ElementViews view_of(const ElementStorage& storage, std::size_t n) noexcept;
 /// Copies element i of `from` to place k.

@@ -16,13 +16,9 @@ void Evaluation::begin(double time, const double* state, double* rates) noexcept
   y = state;
   dydt = rates;
   for (auto& array : actions) std::fill(array.begin(), array.end(), 0.0);
-  cage.force.setZero();
-  cage.moment.setZero();
-  for (RaceState& r : race) {
-    r.force.setZero();
-    r.moment.setZero();
-  }
-  cage.load_slip = 0.0;
+  for (BodyState& body : segments) body.clear_actions();
+  for (BodyState& body : race) body.clear_actions();
+  for (BodyState& body : others) body.clear_actions();
   elastic = 0.0;
   valid = true;
 }

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "base/rotation.hpp"
 #include "bearing/bearing.hpp"
-#include "dynamics/race_contacts.hpp"
+#include "dynamics/bodies.hpp"
 
 #include <array>
 #include <cstddef>
@@ -12,44 +11,6 @@
 /// What one evaluation of the right-hand side works on: bodies, and the forces and moments that
 /// effects (effect.hpp) add to them.
 namespace adore::dynamics {
-
-/// Pose and motion of the cage at this evaluation, and what acts on it (base axes, moment about the
-/// mass centre).
-struct CageState {
-  Vec3 position = Vec3::Zero(), velocity = Vec3::Zero();  ///< [m, m/s]
-  Mat3 to_base = Mat3::Identity();                        ///< R, body -> base
-  Vec3 omega = Vec3::Zero(), omega_body = Vec3::Zero();   ///< [rad/s]
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();       ///< [N, N m]
-  double load_slip = 0.0;                                 ///< Σ N u of all its contacts [W]
-  /// Velocity of the body point that is at `point` of the base frame now.
-  [[nodiscard]] Vec3 velocity_at(const Vec3& point) const noexcept {
-    return velocity + omega.cross(point - position);
-  }
-  void add_force(const Vec3& f, const Vec3& point) noexcept {
-    force += f;
-    moment += (point - position).cross(f);
-  }
-};
-
-/// Prescribed race and the sum of all contacts with it: forces on the race, moment about its
-/// centre.
-struct RaceState {
-  RaceMotion motion;
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< [N, N m]
-  [[nodiscard]] Vec3 velocity_at(const Vec3& point) const noexcept {
-    const Vec3 arm = point - motion.centre;
-    return motion.velocity + motion.speed * motion.axis.cross(arm) + motion.tilt.cross(arm);
-  }
-  void add_force(const Vec3& f, const Vec3& point) noexcept {
-    force += f;
-    moment += (point - motion.centre).cross(f);
-  }
-  /// Power that the race exerts on what it touches [W].
-  [[nodiscard]] double power() const noexcept {
-    return -force.dot(motion.velocity) - motion.speed * moment.dot(motion.axis) -
-           moment.dot(motion.tilt);
-  }
-};
 
 /// Working memory of one evaluation. Sized at set-up, reused for ever.
 struct Evaluation {
@@ -63,22 +24,55 @@ struct Evaluation {
   std::vector<double> sin_theta, cos_theta;
   ElementActions actions;  ///< forces and moments on the elements, about their centres [N, N m]
   std::array<std::vector<double>, 2> load, heat, load_slip;  ///< per race and element
-  CageState cage;
-  std::array<RaceState, 2> race;
+  std::vector<BodyState> segments;  ///< of the cage; a cage of one piece is one, none: no cage
+  std::array<RaceBody, 2> race;
+  std::vector<BodyState> others;  ///< of effects that bring bodies of their own
 
   double elastic = 0.0;  ///< of all contacts [J]
   bool valid = true;     ///< false: outside the model's validity
 
   void begin(double time, const double* state, double* rates) noexcept;
+  [[nodiscard]] BodyState& body(const BodyId& id) noexcept {
+    const auto k = static_cast<std::size_t>(id.index);
+    switch (id.kind) {
+      case BodyId::Kind::Segment:
+        return segments[k];
+      case BodyId::Kind::Race:
+        return race[k];
+      case BodyId::Kind::Other:
+        break;
+    }
+    return others[k];
+  }
+  [[nodiscard]] const BodyState& body(const BodyId& id) const noexcept {
+    return const_cast<Evaluation*>(this)->body(id);
+  }
+  /// Calls visit(body) for every body that is integrated.
+  template <class Visit>
+  void for_integrated(const Visit& visit) {
+    for (BodyState& body : segments) visit(body);
+    for (BodyState& body : race)
+      if (body.moves == Moves::Integrated) visit(body);
+    for (BodyState& body : others)
+      if (body.moves == Moves::Integrated) visit(body);
+  }
+  template <class Visit>
+  void for_integrated(const Visit& visit) const {
+    const_cast<Evaluation*>(this)->for_integrated([&visit](const BodyState& body) { visit(body); });
+  }
   [[nodiscard]] Vec3 element_centre(std::size_t i) const noexcept {
     return {elements.x[i], -elements.r[i] * sin_theta[i], elements.r[i] * cos_theta[i]};
   }
   /// Adds to what acts on element i, (x, r, θ) components.
   void add_force(std::size_t i, const Vec3& f) noexcept {
-    for (std::size_t k = 0; k < 3; ++k) actions[k][i] += f[static_cast<Eigen::Index>(k)];
+    actions[0][i] += f[0];
+    actions[1][i] += f[1];
+    actions[2][i] += f[2];
   }
   void add_moment(std::size_t i, const Vec3& m) noexcept {
-    for (std::size_t k = 0; k < 3; ++k) actions[3 + k][i] += m[static_cast<Eigen::Index>(k)];
+    actions[3][i] += m[0];
+    actions[4][i] += m[1];
+    actions[5][i] += m[2];
   }
   /// (x, r, θ) components at element i -> base axes, and back.
   [[nodiscard]] Vec3 to_base(std::size_t i, double x, double r, double theta) const noexcept {

@@ -14,8 +14,8 @@ namespace {
 constexpr double kNoStiffness = 1e-6;
 
 /// Pose of a race in the azimuth frame of ball i.
-RacePose seen_by(const Evaluation& e, std::size_t i, const RaceMotion& race) noexcept {
-  return {e.to_cylindrical(i, race.centre), e.to_cylindrical(i, race.axis)};
+RacePose seen_by(const Evaluation& e, std::size_t i, const RaceBody& race) noexcept {
+  return {e.to_cylindrical(i, race.position), e.to_cylindrical(i, race.axis())};
 }
 
 Vec3 e_theta_at(const Evaluation& e, std::size_t i) noexcept {
@@ -56,14 +56,14 @@ void HeldBalls::set(std::size_t i, bool held) {
 }
 
 std::array<RacePose, 2> HeldBalls::poses(const Evaluation& e) const noexcept {
-  return {RacePose{e.race[0].motion.centre, e.race[0].motion.axis},
-          RacePose{e.race[1].motion.centre, e.race[1].motion.axis}};
+  return {RacePose{e.race[0].position, e.race[0].axis()},
+          RacePose{e.race[1].position, e.race[1].axis()}};
 }
 
 Vec2 HeldBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept {
   Vec2 force = Vec2::Zero();
   for (std::size_t j = 0; j < 2; ++j) {
-    const GrooveContact c = ball_.contact_with(static_cast<int>(j), seen_by(e, i, e.race[j].motion),
+    const GrooveContact c = ball_.contact_with(static_cast<int>(j), seen_by(e, i, e.race[j]),
                                                {e.elements.x[i], e.elements.r[i]});
     force -= c.load * c.normal.head<2>();
   }
@@ -101,7 +101,7 @@ void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
   Mat3 stiffness = Mat3::Zero();  // of the contacts
   Vec3 drift = Vec3::Zero();      // change of their force at fixed x, r
   for (std::size_t j = 0; j < 2; ++j) {
-    const RaceMotion& race = e.race[j].motion;
+    const RaceBody& race = e.race[j];
     const GrooveContact c =
         ball_.contact_with(static_cast<int>(j), seen_by(e, i, race), {b.x[i], r});
     const Vec2 n = c.normal.head<2>();
@@ -120,7 +120,7 @@ void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
     const Vec3 q = set.centre(i);
     const double d = std::max(std::hypot(q[0], q[1]), 1e-9);
     const auto in_frame = [&](const Vec3& v) {
-      return e.to_cylindrical(i, set.to_base(i, v, e.cage.to_base));
+      return e.to_cylindrical(i, set.to_base(i, v, set.body(e, i).to_base));
     };
     const Vec3 m = in_frame(wall.m), t = in_frame({-q[1] / d, q[0] / d, 0.0});
     stiffness +=
@@ -161,8 +161,9 @@ void HeldBalls::pull(const Friction& friction, Evaluation& e, std::size_t k) noe
   for (int w = 0; w < walls.count; ++w) {
     const contact::WallPoint& wall = walls.surface[static_cast<std::size_t>(w)];
     const PocketSet& set = *scene_.pockets;
-    const PocketAction a = pocket_action(set.law(i), friction, e, i, set.ball_radius(),
-                                         set.to_base(i, wall.m, e.cage.to_base), -wall.gap);
+    const PocketAction a =
+        pocket_action(set.law(i), friction, e, i, set.body(e, i), set.ball_radius(),
+                      set.to_base(i, wall.m, set.body(e, i).to_base), -wall.gap);
     force += e.to_cylindrical(i, a.on_ball);
     const Vec2 m = e.to_cylindrical(i, a.m).head<2>();
     damping += a.friction_per_slip * (Mat2::Identity() - m * m.transpose());
@@ -194,7 +195,7 @@ void HeldBalls::form_rates(Evaluation& e) noexcept {
   const ElementViews balls = view_of(state_, held);
   for (std::size_t j = 0; j < 2; ++j)
     evaluate_race_contacts(
-        scene_.contacts[j], balls, e.race[j].motion,
+        scene_.contacts[j], balls, e.race[j].motion(),
         forces_in(action_, load_[j].data(), heat_[j].data(), load_slip_[j].data()));
   const auto pull_all = [&](const auto& friction) {
     for (std::size_t k = 0; k < held; ++k) pull(friction, e, k);

@@ -15,7 +15,7 @@ NormalContacts::NormalContacts(const std::array<RaceContactModel, 2>& contacts,
   for (auto& array : actions_) array.assign(slices.elements(), 0.0);
 }
 
-bool NormalContacts::evaluate(const std::array<RaceState, 2>& races, const double* y, double* dydt,
+bool NormalContacts::evaluate(const std::array<RaceBody, 2>& races, const double* y, double* dydt,
                               int size) noexcept {
   const std::size_t n = sin_.size();
   ElementViews balls{};
@@ -24,7 +24,7 @@ bool NormalContacts::evaluate(const std::array<RaceState, 2>& races, const doubl
   for (auto& array : actions_) std::fill(array.begin(), array.end(), 0.0);
   const ElementForces out = forces_in(actions_, load_.data(), heat_.data(), nullptr);
   for (std::size_t j = 0; j < 2; ++j) {
-    evaluate_race_contacts(contacts_[j], balls, races[j].motion, out);
+    evaluate_race_contacts(contacts_[j], balls, races[j].motion(), out);
     for (const double Q : load_) valid = valid && !(Q > load_limit_[j]);
   }
   std::fill(dydt, dydt + size, 0.0);

@@ -21,7 +21,7 @@ class NormalContacts {
                  double mass);
   /// Writes all `size` rates; false where the whole right-hand side is not valid either: a ball on
   /// the axis, or pressed into a race by more than its radius. No allocation.
-  bool evaluate(const std::array<RaceState, 2>& races, const double* y, double* dydt,
+  bool evaluate(const std::array<RaceBody, 2>& races, const double* y, double* dydt,
                 int size) noexcept;
 
  private:

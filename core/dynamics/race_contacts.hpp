@@ -29,14 +29,11 @@ namespace adore::dynamics {
 /// Pose and motion of one race as a rigid body of revolution, base frame: its angular velocity is
 /// Ω k + tilt.
 struct RaceMotion {
-  Vec3 centre;                       ///< P_j [m] (see groove.hpp)
-  Vec3 axis;                         ///< k, unit vector of the race's x axis
-  double speed = 0.0;                ///< Ω about its axis [rad/s]
-  Vec3 velocity = Vec3::Zero();      ///< of P_j [m/s]
-  Vec3 tilt = Vec3::Zero();          ///< part of the angular velocity across k: dk/dt = tilt × k
-  Vec3 acceleration = Vec3::Zero();  ///< of P_j, reports only [m/s²]
-  double angle = 0.0;                ///< turned about its axis since the start [rad]
-  Quat attitude{1, 0, 0, 0};         ///< race frame without that turn -> base, reports only
+  Vec3 centre;                   ///< P_j [m] (see groove.hpp)
+  Vec3 axis;                     ///< k, unit vector of the race's x axis
+  double speed = 0.0;            ///< Ω about its axis [rad/s]
+  Vec3 velocity = Vec3::Zero();  ///< of P_j [m/s]
+  Vec3 tilt = Vec3::Zero();      ///< part of the angular velocity across k: dk/dt = tilt × k
 };
 
 /// Constants of the contacts with one race.

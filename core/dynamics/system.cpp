@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace adore::dynamics {
 
@@ -41,18 +42,21 @@ bool System::Impl::evaluate_with_shares(double t, const double* y, double* dydt,
   const std::size_t elements = e.sin_theta.size();
   std::fill_n(shares, border * elements, 0.0);
   e.begin(t, y, dydt);
-  for (const Assembly::Block& b : parts.blocks) {
-    if (b.meets_border)
+  for (std::size_t b = 0; b < parts.blocks.size(); ++b) {
+    const std::vector<int>& partner = partner_of[b];
+    if (!partner.empty())
       for (std::size_t k = 0; k < before.size(); ++k)
         std::copy(e.actions[k].begin(), e.actions[k].end(), before[k].begin());
-    b.block->apply(e);
+    parts.blocks[b].block->apply(e);
     if (!e.valid) return false;
-    if (!b.meets_border) continue;
+    if (partner.empty()) continue;
     for (std::size_t i = 0; i < elements; ++i) {
+      if (partner[i] < 0) continue;
       const auto change = [&](std::size_t k) { return e.actions[k][i] - before[k][i]; };
       const Vec3 force = e.to_base(i, change(0), change(1), change(2));
       const Vec3 moment = e.to_base(i, change(3), change(4), change(5));
-      parts.border->add_share(e, i, force, moment, border_first, shares + i * border);
+      const auto k = static_cast<std::size_t>(partner[i]);
+      parts.border[k].body->add_share(e, i, force, moment, shares + i * border + border_rank[k]);
     }
   }
   for (const Integral& integral : integrals) dydt[integral.index] = *integral.rate;
@@ -97,6 +101,15 @@ CostLedger& System::cost() noexcept { return impl_->parts.cost; }
 const bearing::Bearing& System::bearing() const noexcept { return impl_->bearing; }
 std::span<const int> System::coupling() const noexcept { return impl_->parts.owner; }
 
+double System::longest_step(double t) const noexcept {
+  double longest = std::numeric_limits<double>::infinity();
+  for (const auto& effect : impl_->parts.effects)
+    longest = std::min(longest, effect->longest_step(t));
+  return longest;
+}
+
+bool System::neighbours_meet() const noexcept { return impl_->parts.neighbours_meet; }
+
 void System::set_scales(const Scales& scales) {
   demand(scales.length > 0.0 && scales.force > 0.0 && scales.time > 0.0, "scales must be positive");
   impl_->scales = scales;
@@ -127,7 +140,8 @@ RhsStatus System::rhs_stiff(double t, const double* y, double* dydt) noexcept {
   Impl& s = *impl_;
   if (s.stiff == nullptr) return RhsStatus::Fail;
   s.e.t = t;
-  for (std::size_t k = 0; k < s.prescribed_blocks; ++k) s.parts.blocks[k].block->apply(s.e);
+  s.e.y = y;
+  for (std::size_t k = 0; k < s.race_blocks; ++k) s.parts.blocks[k].block->apply(s.e);
   return s.stiff->stiff_part(s.e, y, dydt, s.parts.layout.size()) ? RhsStatus::Ok
                                                                   : RhsStatus::Retry;
 }

@@ -55,9 +55,14 @@ class System {
   [[nodiscard]] bool has_stiff_part() const noexcept;
   /// Writes its rates, all of dydt. No allocation, no throw.
   RhsStatus rhs_stiff(double t, const double* y, double* dydt) noexcept;
+  /// Longest step from time t that resolves prescribed motion, and ends at its next kink [s];
+  /// infinity when nothing is prescribed.
+  [[nodiscard]] double longest_step(double t) const noexcept;
   /// Who couples with whom: number of the element (0, 1, ...) that each controlled component
-  /// belongs to, -1 for what meets every element (the cage). Elements meet only through that.
+  /// belongs to, -1 for what meets every element (cage, free races). Elements meet only through
+  /// that, and their neighbours in the ring where neighbours_meet().
   [[nodiscard]] std::span<const int> coupling() const noexcept;
+  [[nodiscard]] bool neighbours_meet() const noexcept;
   /// rhs, and what each element adds to each rate of the border (coupling -1): shares[element *
   /// border components + component], in the order of the components.
   RhsStatus rhs_with_shares(double t, const double* y, double* dydt, double* shares) noexcept;

@@ -37,9 +37,12 @@ struct System::Impl final : BetweenSteps {
   std::vector<Integral> integrals;
   std::vector<EnergyItem> energy_items;
   std::vector<MomentumItem> momentum_items;
-  std::size_t prescribed_blocks = 0;       ///< the first of parts.blocks
-  SceneEffect* stiff = nullptr;            ///< the effect with the fast part; null: there is none
-  int border_first = 0, border_count = 0;  ///< components of the border
+  std::size_t race_blocks = 0;               ///< the first of parts.blocks, Phase::Races
+  SceneEffect* stiff = nullptr;              ///< the effect with the fast part; null: there is none
+  int border_count = 0;                      ///< components of the border
+  std::vector<std::size_t> border_rank;      ///< of the first component of each border body
+  std::vector<std::vector<int>> partner_of;  ///< of each block and element: which border body, -1
+                                             ///< none; empty: none at all
   /// Forces and moments on the elements before a block that meets the border.
   ElementActions before;
   Evaluation e;

@@ -39,7 +39,7 @@ System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
       parts.blocks.begin(), parts.blocks.end(),
       [](const Assembly::Block& a, const Assembly::Block& b) { return a.phase < b.phase; });
   for (const Assembly::Block& block : parts.blocks)
-    if (block.phase == Phase::Prescribed) ++prescribed_blocks;
+    if (block.phase == Phase::Races) ++race_blocks;
   for (const auto& effect : parts.effects)
     if (effect->has_stiff_part()) {
       demand(stiff == nullptr, "one effect of a scene may have a stiff part");
@@ -61,15 +61,29 @@ System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
   apply_scales();
 }
 
-/// The components of the border stand together, so that shares have rows without gaps.
+/// Shares have one value for each border component, in the order of the components; bodies are
+/// found by what blocks call them.
 void System::Impl::set_up_border() {
   const std::vector<int>& owner = parts.owner;
-  const auto first = std::find(owner.begin(), owner.end(), kBorder);
-  border_first = static_cast<int>(first - owner.begin());
   border_count = static_cast<int>(std::count(owner.begin(), owner.end(), kBorder));
-  demand(std::all_of(first, first + border_count, [](int one) { return one == kBorder; }),
-         "the state components of the border must stand together");
-  demand(border_count == 0 || parts.border != nullptr, "the border has states but no body");
+  int of_bodies = 0;
+  for (const Assembly::Border& one : parts.border) {
+    of_bodies += one.rows.count;
+    border_rank.push_back(static_cast<std::size_t>(
+        std::count(owner.begin(), owner.begin() + one.rows.first, kBorder)));
+  }
+  demand(of_bodies == border_count, "the border has states that belong to no body");
+  const std::size_t elements = e.sin_theta.size();
+  for (const Assembly::Block& block : parts.blocks) {
+    std::vector<int> partner(elements, -1);
+    for (std::size_t i = 0; i < elements; ++i)
+      for (std::size_t k = 0; k < parts.border.size(); ++k)
+        if (const BodyId* id = block.partners.of(i); id != nullptr && *id == parts.border[k].id)
+          partner[i] = static_cast<int>(k);
+    if (std::all_of(partner.begin(), partner.end(), [](int one) { return one < 0; }))
+      partner.clear();
+    partner_of.push_back(std::move(partner));
+  }
   before = e.actions;
 }
 

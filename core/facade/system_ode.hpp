@@ -24,13 +24,19 @@ class SystemOde final : public integrators::OdeSystem {
     return status(system_.rhs_stiff(t, y, dydt));
   }
   [[nodiscard]] std::span<const int> blocks() const noexcept override { return system_.coupling(); }
+  [[nodiscard]] bool blocks_form_ring() const noexcept override {
+    return system_.neighbours_meet();
+  }
   integrators::EvalStatus rhs_with_shares(integrators::RhsPart part, double t, const double* y,
                                           double* dydt, double* shares) noexcept override {
-    // The stiff part holds no contact with the cage, which is what the default says.
+    // The stiff part holds no rate of the border, which is what the default says.
     if (part == integrators::RhsPart::Stiff) {
       return OdeSystem::rhs_with_shares(part, t, y, dydt, shares);
     }
     return status(system_.rhs_with_shares(t, y, dydt, shares));
+  }
+  [[nodiscard]] double step_guard(double t) const noexcept override {
+    return system_.longest_step(t);
   }
   bool project(double t, double* y) noexcept override { return system_.project(t, y); }
   [[nodiscard]] std::string component_name(int index) const override {

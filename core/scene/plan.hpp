@@ -1,5 +1,7 @@
 #pragma once
 
+#include "bearing/race_motion.hpp"
+
 #include <string>
 #include <vector>
 
@@ -41,7 +43,9 @@ struct ScenePlan {
   std::vector<int> oriented_elements;  ///< 0-based elements whose orientation is integrated
   double light_load_ratio = 0.0;  ///< qFac: with LightLoadBalance, load over the force scale at or
                                   ///< below which an element is held
-  int unknowns = 0;               ///< controlled state components
+  bearing::RaceMotions race_motions;  ///< how races move beside their constant spin; each entry
+                                      ///< switches on its effect
+  int unknowns = 0;                   ///< controlled state components
   int quadratures = 0;
   // Estimates, filled once the static solution is known.
   double fastest_frequency = 0.0;  ///< [Hz]

@@ -47,7 +47,7 @@ class BallOrientation final : public SceneEffect {
                            scene.state(name + ".rotation", "rad", 1, ScaleKind::Angle, index)});
     }
     if (!elements_.empty())
-      scene.block<OrientationMotion>(Phase::Motion, "orientation of elements", false, elements_);
+      scene.block<OrientationMotion>(Phase::Motion, "orientation of elements", {}, elements_);
   }
 
   void start(std::span<double> y) const override {

@@ -17,10 +17,11 @@ void ElementKinematics::apply(Evaluation& e) noexcept {
 
 void BallMotion::apply(Evaluation& e) noexcept {
   const ElementViews& b = e.elements;
-  double* d = e.dydt;
   const double per_mass = 1.0 / mass_, per_inertia = 1.0 / inertia_;
   double check = 0.0;
   const auto& [F_x, F_r, F_theta, M_x, M_r, M_theta] = e.actions;
+  const auto [x, r, theta, x_dot, r_dot, theta_dot, omega_x, omega_r, omega_theta] =
+      rates_in(e.dydt, s_);
   for (std::size_t i = 0; i < b.n; ++i) {
     const double td = b.theta_dot[i];
     const double ax = F_x[i] * per_mass;
@@ -29,9 +30,15 @@ void BallMotion::apply(Evaluation& e) noexcept {
     const double wx = M_x[i] * per_inertia;
     const double wr = M_r[i] * per_inertia + td * b.omega_theta[i];
     const double wt = M_theta[i] * per_inertia - td * b.omega_r[i];
-    const std::array rates{b.x_dot[i], b.r_dot[i], td, ax, ar, at, wx, wr, wt};
-    static_assert(rates.size() == kQuantities.size());
-    for (std::size_t q = 0; q < rates.size(); ++q) d[s_.at(static_cast<Quantity>(q), i)] = rates[q];
+    x[i] = b.x_dot[i];
+    r[i] = b.r_dot[i];
+    theta[i] = td;
+    x_dot[i] = ax;
+    r_dot[i] = ar;
+    theta_dot[i] = at;
+    omega_x[i] = wx;
+    omega_r[i] = wr;
+    omega_theta[i] = wt;
     check += ax + ar + at + wx + wr + wt + b.x_dot[i] + b.r_dot[i];
   }
   e.valid = e.valid && std::isfinite(check);
@@ -54,8 +61,8 @@ void Balls::declare(SceneBuilder& scene) {
     s_[static_cast<Quantity>(q)] =
         scene.states_of_elements("element." + std::string(line.name), line.unit, line.scale);
   }
-  scene.block<ElementKinematics>(Phase::Kinematics, kMotionCost, false, s_);
-  scene.block<BallMotion>(Phase::Motion, kMotionCost, false, s_, mass_, inertia_);
+  scene.block<ElementKinematics>(Phase::Kinematics, kMotionCost, {}, s_);
+  scene.block<BallMotion>(Phase::Motion, kMotionCost, {}, s_, mass_, inertia_);
 }
 
 void Balls::start(std::span<double> y) const {

@@ -1,7 +1,7 @@
 #include "dynamics/effect_makers.hpp"
 #include "scene/ledger_terms.hpp"
 
-/// Weight of balls and cage, and their energy in the field: -m g · position.
+/// Weight of balls, cage and free races, and their energy in the field: -m g · position.
 namespace adore::dynamics {
 namespace {
 
@@ -18,13 +18,21 @@ class BallGravity final : public EffectBlock {
   Vec3 weight_;  ///< of one ball [N]
 };
 
-class CageGravity final : public EffectBlock {
+/// On cage and free races.
+class BodyGravity final : public EffectBlock {
  public:
-  explicit CageGravity(const Vec3& weight) : weight_(weight) {}
-  void apply(Evaluation& e) noexcept override { e.cage.force += weight_; }
+  explicit BodyGravity(const Vec3& gravity) : gravity_(gravity) {}
+  void apply(Evaluation& e) noexcept override {
+    e.for_integrated([this](BodyState& body) {
+      const Vec3 weight = body.inertia.mass * gravity_;
+      body.force += weight;
+      if (!body.mass_centre.isZero(0.0))
+        body.moment += (body.to_base * body.mass_centre).cross(weight);
+    });
+  }
 
  private:
-  Vec3 weight_;
+  Vec3 gravity_;  ///< [m/s²]
 };
 
 void BallGravity::apply(Evaluation& e) noexcept {
@@ -37,23 +45,23 @@ class Gravity final : public SceneEffect {
     gravity_ = scene.bearing.gravity;
     ball_mass_ = scene.bearing.ball_inertia.mass;
     constexpr std::string_view kCost = "gravity";
-    scene.block<BallGravity>(Phase::Force, kCost, false, Vec3(ball_mass_ * gravity_));
-    if (!scene.plan.has(Effect::CageMotion)) return;
-    cage_mass_ = scene.bearing.cage->inertia.mass;
-    scene.block<CageGravity>(Phase::Force, kCost, false, Vec3(cage_mass_ * gravity_));
+    scene.block<BallGravity>(Phase::Force, kCost, {}, Vec3(ball_mass_ * gravity_));
+    scene.block<BodyGravity>(Phase::Force, kCost, {}, gravity_);
   }
 
   void store(const Evaluation& e, EnergyLedger& energy) const override {
     double stored = 0.0;
     for (std::size_t i = 0; i < e.elements.n; ++i)
       stored -= ball_mass_ * gravity_.dot(e.element_centre(i));
-    if (cage_mass_ > 0.0) stored -= cage_mass_ * gravity_.dot(e.cage.position);
+    e.for_integrated([&](const BodyState& body) {
+      stored -= body.inertia.mass * gravity_.dot(body.centre_of_mass());
+    });
     energy.accumulate(kEnergy, stored);
   }
 
  private:
-  Vec3 gravity_ = Vec3::Zero();               ///< [m/s²]
-  double ball_mass_ = 0.0, cage_mass_ = 0.0;  ///< [kg]; 0: no cage
+  Vec3 gravity_ = Vec3::Zero();  ///< [m/s²]
+  double ball_mass_ = 0.0;       ///< [kg]
 };
 
 }  // namespace

@@ -45,10 +45,10 @@ struct SliceAt {
   Vec3 eccentricity;  ///< across the race axis [m]
 };
 
-SliceAt locate(double x, const CageState& cage, const RaceMotion& race) noexcept {
+SliceAt locate(double x, const BodyState& cage, const RaceBody& race) noexcept {
   const Vec3 centre = cage.position + x * cage.to_base.col(0);
-  const Vec3 from_race = centre - race.centre;
-  return {centre, from_race - from_race.dot(race.axis) * race.axis};
+  const Vec3 from_race = centre - race.position, axis = race.axis();
+  return {centre, from_race - from_race.dot(axis) * axis};
 }
 
 /// One per land of the cage; lands without a guiding race have no slices.
@@ -78,11 +78,12 @@ std::vector<LandModel> make_lands(const bearing::Bearing& bearing, int slices) {
 /// Force, least gap over the slices and its azimuth in the cage frame.
 LandSnapshot report_of(const LandModel& land, const Evaluation& e) {
   LandSnapshot result;
-  const RaceMotion& race = e.race[static_cast<std::size_t>(land.race)].motion;
+  const RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
+  const BodyState& cage = e.segments.front();
   Vec3 force = Vec3::Zero();
   double largest = -1.0;
   for (const double x : land.slice_x) {
-    const Vec3 eccentricity = locate(x, e.cage, race).eccentricity;
+    const Vec3 eccentricity = locate(x, cage, race).eccentricity;
     const double size = eccentricity.norm();
     if (size > 0.0)
       force -=
@@ -90,7 +91,7 @@ LandSnapshot report_of(const LandModel& land, const Evaluation& e) {
     if (size <= largest) continue;
     largest = size;
     result.gap = land.law.clearance - size;
-    const double angle = azimuth(e.cage.to_base.transpose() * (land.side * eccentricity));
+    const double angle = azimuth(cage.to_base.transpose() * (land.side * eccentricity));
     result.angle = angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
   }
   result.force = force.norm();
@@ -120,30 +121,31 @@ template <class Friction>
 void LandBlock<Traction>::apply_with([[maybe_unused]] const Friction& friction_per_slip,
                                      Evaluation& e) noexcept {
   if constexpr (Traction) heat_ = 0.0;
+  BodyState& cage = e.segments.front();
   for (const LandModel& land : lands_) {
-    RaceState& race = e.race[static_cast<std::size_t>(land.race)];
+    RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
     const double c = land.law.clearance;
     for (const double x : land.slice_x) {
-      const SliceAt slice = locate(x, e.cage, race.motion);
+      const SliceAt slice = locate(x, cage, race);
       const double e2 = slice.eccentricity.squaredNorm();
       if (c > 0.0 && e2 <= c * c) continue;
       const double size = std::sqrt(e2);
       const Vec3 direction =
           slice.eccentricity / std::max(size, std::numeric_limits<double>::min());
       const double N = contact::land_load_per_length(land.law, size) * land.slice_length;
-      e.cage.add_force(-N * direction, slice.centre);
+      cage.add_force(-N * direction, slice.centre);
       race.add_force(N * direction, slice.centre);
       e.elastic += contact::land_energy_per_length(land.law, size) * land.slice_length;
       if constexpr (Traction) {
         const Vec3 point = slice.centre + (land.side * land.cage_radius) * direction;
-        Vec3 slip = race.velocity_at(point) - e.cage.velocity_at(point);
+        Vec3 slip = race.velocity_at(point) - cage.velocity_at(point);
         slip -= slip.dot(direction) * direction;
         const double square = slip.squaredNorm();
         const Vec3 friction = (N * friction_per_slip(square)) * slip;
-        e.cage.add_force(friction, point);
+        cage.add_force(friction, point);
         race.add_force(-friction, point);
         heat_ += friction.dot(slip);
-        e.cage.load_slip += N * std::sqrt(square);
+        cage.load_slip += N * std::sqrt(square);
       }
     }
   }
@@ -158,13 +160,13 @@ class LandContact final : public SceneEffect {
     if (lands_.empty()) return;
     constexpr std::string_view kCost = "land contacts";
     if (!scene.plan.has(Effect::LandTraction)) {
-      scene.block<LandBlock<false>>(Phase::Force, kCost, false, lands_, tribology::TractionLaw(),
+      scene.block<LandBlock<false>>(Phase::Force, kCost, {}, lands_, tribology::TractionLaw(),
                                     heat_);
       return;
     }
     demand(scene.bearing.land_traction.has_value(), "land traction is on without a traction curve");
-    scene.block<LandBlock<true>>(Phase::Force, kCost, false, lands_, *scene.bearing.land_traction,
-                                 heat_);
+    scene.block<LandBlock<true>>(Phase::Force, kCost, {}, lands_,
+                                 tribology::TractionLaw(*scene.bearing.land_traction), heat_);
     scene.energy("lands.heat", kHeat, &heat_);
   }
 

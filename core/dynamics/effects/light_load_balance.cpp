@@ -95,8 +95,8 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
                        friction ? *pockets->friction() : tribology::TractionLaw(), friction},
       ball_, static_cast<std::size_t>(scene.bearing.balls.count));
   constexpr std::string_view kCost = "light-load balance";
-  scene.block<HeldRates>(Phase::Kinematics, kCost, false, *held_);
-  scene.block<HeldMotion>(Phase::Motion, kCost, false, *held_);
+  scene.block<HeldRates>(Phase::Kinematics, kCost, {}, *held_);
+  scene.block<HeldMotion>(Phase::Motion, kCost, {}, *held_);
 
   using Momentum = SceneBuilder::Momentum;
   const HeldBalls::Account& account = held_->account();

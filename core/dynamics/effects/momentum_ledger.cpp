@@ -1,9 +1,9 @@
 #include "dynamics/effect_makers.hpp"
 #include "scene/ledger_terms.hpp"
 
-/// What acts from outside on balls and cage together: the reactions of the prescribed races and
-/// gravity, as force and as moment about the base origin. The race sums are formed apart from the
-/// forces on the balls, so the momentum residual sees a force without its reaction.
+/// What acts from outside on balls, cage and free races together: the reactions of the prescribed
+/// races and gravity, as force and as moment about the base origin. The race sums are formed apart
+/// from the forces on the balls, so the momentum residual sees a force without its reaction.
 namespace adore::dynamics {
 namespace {
 
@@ -13,11 +13,9 @@ constexpr LedgerTerm kAngularImpulse{
 
 class ExternalActions final : public EffectBlock {
  public:
-  ExternalActions(const Vec3& gravity, double ball_mass, double cage_mass, Vec3& force,
-                  Vec3& moment)
+  ExternalActions(const Vec3& gravity, double ball_mass, Vec3& force, Vec3& moment)
       : gravity_(gravity),
         ball_mass_(ball_mass),
-        cage_mass_(cage_mass),
         has_gravity_(!gravity.isZero(0.0)),
         force_(force),
         moment_(moment) {}
@@ -25,7 +23,7 @@ class ExternalActions final : public EffectBlock {
 
  private:
   Vec3 gravity_;
-  double ball_mass_, cage_mass_;
+  double ball_mass_;
   bool has_gravity_;
   Vec3 &force_, &moment_;
 };
@@ -33,9 +31,10 @@ class ExternalActions final : public EffectBlock {
 void ExternalActions::apply(Evaluation& e) noexcept {
   force_.setZero();
   moment_.setZero();
-  for (const RaceState& race : e.race) {
+  for (const RaceBody& race : e.race) {
+    if (race.moves == Moves::Integrated) continue;  // its reaction is within
     force_ -= race.force;
-    moment_ -= race.moment + race.motion.centre.cross(race.force);
+    moment_ -= race.moment + race.position.cross(race.force);
   }
   if (!has_gravity_) return;
   const ElementViews& b = e.elements;
@@ -45,8 +44,13 @@ void ExternalActions::apply(Evaluation& e) noexcept {
     y -= b.r[i] * b.sin_theta[i];
     z += b.r[i] * b.cos_theta[i];
   }
-  const Vec3 first_moment = ball_mass_ * Vec3(x, y, z) + cage_mass_ * e.cage.position;
-  force_ += (ball_mass_ * static_cast<double>(b.n) + cage_mass_) * gravity_;
+  Vec3 first_moment = ball_mass_ * Vec3(x, y, z);
+  double mass = ball_mass_ * static_cast<double>(b.n);
+  e.for_integrated([&](const BodyState& body) {
+    first_moment += body.inertia.mass * body.centre_of_mass();
+    mass += body.inertia.mass;
+  });
+  force_ += mass * gravity_;
   moment_ += first_moment.cross(gravity_);
 }
 
@@ -55,9 +59,8 @@ class MomentumAccount final : public SceneEffect {
   void declare(SceneBuilder& scene) override {
     const ScenePlan& plan = scene.plan;
     const Vec3 gravity = plan.has(Effect::Gravity) ? scene.bearing.gravity : Vec3(Vec3::Zero());
-    const double cage_mass = plan.has(Effect::CageMotion) ? scene.bearing.cage->inertia.mass : 0.0;
-    scene.block<ExternalActions>(Phase::Account, "momentum ledger", false, gravity,
-                                 scene.bearing.ball_inertia.mass, cage_mass, force_, moment_);
+    scene.block<ExternalActions>(Phase::Account, "momentum ledger", {}, gravity,
+                                 scene.bearing.ball_inertia.mass, force_, moment_);
     using Momentum = SceneBuilder::Momentum;
     scene.momentum(impulse_, "external.impulse", Momentum::Linear, kImpulse, force_.data());
     scene.momentum(angular_impulse_, "external.angular_impulse", Momentum::Angular, kAngularImpulse,

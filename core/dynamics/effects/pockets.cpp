@@ -24,6 +24,7 @@ PocketSet::PocketSet(const bearing::Bearing& bearing, const std::vector<double>&
   pitch_radius_ = 0.5 * bearing.balls.pitch_diameter;
   rotation_sign_ = nominal_cage_speed(bearing) < 0.0 ? -1.0 : 1.0;
   const std::size_t count = azimuths.size();
+  segment_.assign(count, 0);  // a cage of one piece
   for (auto* values : {&qx_, &qy_, &qz_, &sin_, &cos_}) values->resize(count);
   std::vector<bearing::PocketDeviation> deviation;
   bool alike = cage.pocket == bearing::PocketShape::Cylindrical && cage.cone_angle == 0.0;
@@ -70,8 +71,9 @@ PocketSet::PocketSet(const bearing::Bearing& bearing, const std::vector<double>&
 }
 
 inline void PocketSet::locate_round(const Evaluation& e, std::size_t i) noexcept {
-  const Mat3& R = e.cage.to_base;
-  const Vec3& p = e.cage.position;
+  const BodyState& cage = body(e, i);
+  const Mat3& R = cage.to_base;
+  const Vec3& p = cage.position;
   const ElementViews& b = e.elements;
   const double dx = b.x[i] - p[0];
   const double dy = -b.r[i] * b.sin_theta[i] - p[1];
@@ -85,7 +87,8 @@ inline void PocketSet::locate_round(const Evaluation& e, std::size_t i) noexcept
 
 void PocketSet::locate_shaped(const Evaluation& e, std::size_t i) noexcept {
   const contact::PocketFrame& frame = shaped_[i].frame;
-  const Vec3 in_cage = e.cage.to_base.transpose() * (e.element_centre(i) - e.cage.position);
+  const BodyState& cage = body(e, i);
+  const Vec3 in_cage = cage.to_base.transpose() * (e.element_centre(i) - cage.position);
   const Vec3 q = frame.cage_to_pocket * (in_cage - frame.centre);
   qx_[i] = q[0];
   qy_[i] = q[1];
@@ -153,14 +156,16 @@ template <class Friction>
 inline void PocketBlock<Traction, Shaped>::touch(const Friction& friction, Evaluation& e,
                                                  std::size_t i, const contact::CappedHertz& law,
                                                  const Vec3& m, double overlap) noexcept {
-  const PocketAction action = pocket_action(law, friction, e, i, set_.ball_radius(), m, overlap);
+  BodyState& cage = set_.body(e, i);
+  const PocketAction action =
+      pocket_action(law, friction, e, i, cage, set_.ball_radius(), m, overlap);
   if constexpr (Traction) {
     e.add_moment(i, e.to_cylindrical(i, action.arm.cross(action.friction)));
     heat_ += action.heat;
-    e.cage.load_slip += action.N * action.slip;
+    cage.load_slip += action.N * action.slip;
   }
   e.add_force(i, e.to_cylindrical(i, action.on_ball));
-  e.cage.add_force(-action.on_ball, action.point);
+  cage.add_force(-action.on_ball, action.point);
   e.elastic += contact::energy(law, overlap);
 }
 
@@ -179,7 +184,8 @@ void PocketBlock<Traction, Shaped>::apply_with(const Friction& friction, Evaluat
       for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k) {
         const contact::WallPoint& wall = walls.surface[k];
         if (wall.gap < 0.0)
-          touch(friction, e, i, set_.law(i), set_.to_base(i, wall.m, e.cage.to_base), -wall.gap);
+          touch(friction, e, i, set_.law(i), set_.to_base(i, wall.m, set_.body(e, i).to_base),
+                -wall.gap);
       }
     } else {
       if (set_.surely_open(i) && set_.inside(i)) continue;
@@ -189,7 +195,8 @@ void PocketBlock<Traction, Shaped>::apply_with(const Friction& friction, Evaluat
       }
       const contact::WallPoint wall = set_.wall_point(i);
       if (wall.gap < 0.0)
-        touch(friction, e, i, set_.law(), set_.round_to_base(i, wall.m, e.cage.to_base), -wall.gap);
+        touch(friction, e, i, set_.law(), set_.round_to_base(i, wall.m, set_.body(e, i).to_base),
+              -wall.gap);
     }
   }
 }
@@ -201,13 +208,16 @@ void PocketContact::declare(SceneBuilder& scene) {
   std::vector<double> azimuths;
   for (const statics::StaticBall& b : scene.statics.balls) azimuths.push_back(b.azimuth);
   set_.emplace(scene.bearing, azimuths);
+  std::vector<BodyId> partners;
+  for (std::size_t i = 0; i < set_->size(); ++i)
+    partners.push_back({BodyId::Kind::Segment, set_->segment(i)});
   constexpr std::string_view kCost = "pocket contacts";
   if (!scene.plan.has(Effect::PocketTraction)) {
     if (set_->shaped())
-      scene.block<PocketBlock<false, true>>(Phase::Force, kCost, true, *set_,
+      scene.block<PocketBlock<false, true>>(Phase::Force, kCost, Partners(partners), *set_,
                                             tribology::TractionLaw(), heat_);
     else
-      scene.block<PocketBlock<false, false>>(Phase::Force, kCost, true, *set_,
+      scene.block<PocketBlock<false, false>>(Phase::Force, kCost, Partners(partners), *set_,
                                              tribology::TractionLaw(), heat_);
     return;
   }
@@ -215,9 +225,11 @@ void PocketContact::declare(SceneBuilder& scene) {
          "pocket traction is on without a traction curve");
   friction_.emplace(*scene.bearing.pocket_traction);
   if (set_->shaped())
-    scene.block<PocketBlock<true, true>>(Phase::Force, kCost, true, *set_, *friction_, heat_);
+    scene.block<PocketBlock<true, true>>(Phase::Force, kCost, Partners(partners), *set_, *friction_,
+                                         heat_);
   else
-    scene.block<PocketBlock<true, false>>(Phase::Force, kCost, true, *set_, *friction_, heat_);
+    scene.block<PocketBlock<true, false>>(Phase::Force, kCost, Partners(partners), *set_,
+                                          *friction_, heat_);
   scene.energy("pockets.heat", kHeat, &heat_);
 }
 

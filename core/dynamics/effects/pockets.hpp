@@ -78,6 +78,14 @@ class PocketSet {
     return cage_to_base *
            Vec3(v[0], cos_[i] * v[1] - sin_[i] * v[2], sin_[i] * v[1] + cos_[i] * v[2]);
   }
+  /// The cage segment that pocket i is in.
+  [[nodiscard]] int segment(std::size_t i) const noexcept { return segment_[i]; }
+  [[nodiscard]] const BodyState& body(const Evaluation& e, std::size_t i) const noexcept {
+    return e.segments[static_cast<std::size_t>(segment_[i])];
+  }
+  [[nodiscard]] BodyState& body(Evaluation& e, std::size_t i) const noexcept {
+    return e.segments[static_cast<std::size_t>(segment_[i])];
+  }
   [[nodiscard]] const contact::CappedHertz& law() const noexcept { return law_; }
 
  private:
@@ -96,6 +104,7 @@ class PocketSet {
   double hole2_ = 0.0, play2_ = 0.0;  ///< ρ², (ρ - r_b)² [m²]; play2_ 0 for a pocket without play
   std::vector<double> sin_, cos_;     ///< of the pocket azimuths
   std::vector<double> qx_, qy_, qz_;
+  std::vector<int> segment_;  ///< of each pocket
 };
 
 /// One contact of a ball with its pocket wall, base axes.
@@ -113,7 +122,8 @@ struct PocketAction {
 template <class Friction>
 [[nodiscard]] inline PocketAction pocket_action(const contact::CappedHertz& law,
                                                 const Friction& friction, const Evaluation& e,
-                                                std::size_t i, double ball_radius, const Vec3& m,
+                                                std::size_t i, const BodyState& cage,
+                                                double ball_radius, const Vec3& m,
                                                 double overlap) noexcept {
   PocketAction a;
   a.N = contact::load(law, overlap);
@@ -122,8 +132,7 @@ template <class Friction>
   a.point = e.element_centre(i) + a.arm;
   a.on_ball = -a.N * a.m;
   if constexpr (!std::is_null_pointer_v<Friction>) {
-    Vec3 slip =
-        e.cage.velocity_at(a.point) - e.element_velocity(i) - e.element_omega(i).cross(a.arm);
+    Vec3 slip = cage.velocity_at(a.point) - e.element_velocity(i) - e.element_omega(i).cross(a.arm);
     slip -= slip.dot(a.m) * a.m;
     const double square = slip.squaredNorm();
     a.slip = std::sqrt(square);

@@ -41,10 +41,10 @@ class RaceBlock final : public EffectBlock {
 
 void RaceBlock::apply(Evaluation& e) noexcept {
   const auto j = static_cast<std::size_t>(model_.race);
-  RaceState& race = e.race[j];
+  RaceBody& race = e.race[j];
   const ElementForces out = forces_in(e.actions, e.load[j].data(), e.heat[j].data(),
                                       load_slip_ ? e.load_slip[j].data() : nullptr);
-  const RaceSums sums = evaluate_race_contacts(model_, e.elements, race.motion, out);
+  const RaceSums sums = evaluate_race_contacts(model_, e.elements, race.motion(), out);
   race.force += sums.force;
   race.moment += sums.moment;
   e.elastic += sums.elastic_energy;
@@ -54,27 +54,33 @@ void RaceBlock::apply(Evaluation& e) noexcept {
   for (const double Q : e.load[j]) e.valid = e.valid && !(Q > load_limit_);
 }
 
-/// The motion that other prescribed motions add to.
+/// Prescribed races at their static place with their spin: what other prescribed motions add to.
 class RaceSpin final : public EffectBlock {
  public:
-  explicit RaceSpin(const std::array<RaceMotion, 2>& motion) : motion_(motion) {}
+  explicit RaceSpin(const std::array<RaceBody, 2>& at_rest) : at_rest_(at_rest) {}
   void apply(Evaluation& e) noexcept override {
     for (std::size_t j = 0; j < 2; ++j) {
-      RaceMotion& race = e.race[j].motion;
-      race = motion_[j];
-      race.angle = race.speed * e.t;
+      RaceBody& race = e.race[j];
+      if (race.moves == Moves::Integrated) continue;
+      race = at_rest_[j];
+      race.angle = race.turn_beyond = race.speed * e.t;
     }
   }
 
  private:
-  const std::array<RaceMotion, 2>& motion_;
+  const std::array<RaceBody, 2>& at_rest_;
 };
 
 class RacePower final : public EffectBlock {
  public:
   explicit RacePower(std::array<RaceAccount, 2>& account) : account_(account) {}
   void apply(Evaluation& e) noexcept override {
-    for (std::size_t j = 0; j < 2; ++j) account_[j].power = e.race[j].power();
+    // -F·v - M·ω, with ω as the kernel has it.
+    for (std::size_t j = 0; j < 2; ++j) {
+      const RaceBody& race = e.race[j];
+      account_[j].power = -race.force.dot(race.velocity) -
+                          race.speed * race.moment.dot(race.axis()) - race.moment.dot(race.tilt);
+    }
   }
 
  private:
@@ -89,8 +95,8 @@ void Races::set_up(const SceneBuilder& scene) {
       tribology::make_split_ellipse_rule(scene.options.ellipse_major, scene.options.ellipse_minor);
   const auto& misalignment = scene.bearing.constraints.outer_misalignment;
   const auto& displacement = scene.statics.displacement;
-  motion_[0].attitude = quaternion_from_angles({0.0, misalignment[0], misalignment[1]});
-  motion_[1].attitude = quaternion_from_angles({0.0, displacement[3], displacement[4]});
+  at_rest_[0].set_attitude(quaternion_from_angles({0.0, misalignment[0], misalignment[1]}));
+  at_rest_[1].set_attitude(quaternion_from_angles({0.0, displacement[3], displacement[4]}));
   for (std::size_t j = 0; j < 2; ++j) {
     RaceContactModel& model = contacts_[j];
     model.race = static_cast<bearing::Race>(j);
@@ -106,18 +112,18 @@ void Races::set_up(const SceneBuilder& scene) {
     model.surface = scene.options.surface;
     model.rule = rule;
     free_centre_[j] = Vec3(groove.centre_x[j], 0.0, 0.0);
-    RaceMotion& motion = motion_[j];
-    motion.centre = free_centre_[j];
-    motion.axis = rotation_matrix(motion.attitude).col(0);
-    motion.speed = scene.bearing.speed[j];
+    RaceBody& race = at_rest_[j];
+    race.position = free_centre_[j];
+    race.speed = scene.bearing.speed[j];
+    race.settle();
   }
-  motion_[1].centre += Vec3(displacement[0], displacement[1], displacement[2]);
+  at_rest_[1].position += Vec3(displacement[0], displacement[1], displacement[2]);
 }
 
 void Races::declare(SceneBuilder& scene) {
   set_up(scene);
-  for (std::size_t j = 0; j < 2; ++j) scene.e.race[j].motion = motion_[j];
-  scene.block<RaceSpin>(Phase::Prescribed, kMotionCost, false, motion_);
+  scene.e.race = at_rest_;
+  scene.block<RaceSpin>(Phase::Races, kMotionCost, {}, at_rest_);
   temperature_ = scene.bearing.race_temperature;
   const ScenePlan& plan = scene.plan;
   in_contact_ = plan.has(Effect::RaceContact);
@@ -129,8 +135,11 @@ void Races::declare(SceneBuilder& scene) {
     const std::string& name = names[j];
     RaceAccount& account = account_[j];
     if (in_contact_)
-      scene.block<RaceBlock>(Phase::Force, name + " contacts", false, contacts_[j], wear, account);
-    if (work) scene.energy(name + ".work", kWork, &account.power, static_cast<int>(j));
+      scene.block<RaceBlock>(Phase::Force, name + " contacts",
+                             BodyId{BodyId::Kind::Race, static_cast<int>(j)}, contacts_[j], wear,
+                             account);
+    if (work && !plan.race_motions.free[j])
+      scene.energy(name + ".work", kWork, &account.power, static_cast<int>(j));
     if (!traction) continue;
     scene.energy(name + ".heat", kHeat, &account.heat, static_cast<int>(j));
     if (!wear) continue;
@@ -138,7 +147,7 @@ void Races::declare(SceneBuilder& scene) {
     scene.integral(load_slip_element1_[j], name + ".load_slip_element1", "J",
                    &account.load_slip_element1);
   }
-  if (work) scene.block<RacePower>(Phase::Account, kMotionCost, false, account_);
+  if (work) scene.block<RacePower>(Phase::Account, kMotionCost, {}, account_);
   if (in_contact_) {
     const Balls& balls = *scene.find<Balls>();
     normal_.emplace(contacts_, balls.slices(), balls.mass());
@@ -170,26 +179,24 @@ std::string Races::why_invalid(const Evaluation& e) const {
 }
 
 void Races::report(const Evaluation& e, Snapshot& snapshot) const {
-  snapshot.shaft_rotation = e.race[1].motion.angle - e.race[0].motion.angle;
+  snapshot.shaft_rotation = e.race[1].angle - e.race[0].angle;
   for (std::size_t j = 0; j < 2; ++j) {
-    const RaceState& state = e.race[j];
-    const RaceMotion& motion = state.motion;
+    const RaceBody& body = e.race[j];
     RaceSnapshot& race = snapshot.races[j];
-    race.position = motion.centre - free_centre_[j];
-    race.velocity = motion.velocity;
-    race.acceleration = motion.acceleration;
-    race.total_rotation = motion.angle;
-    race.orientation = multiply(motion.attitude, quaternion_about(Vec3::UnitX(), motion.angle));
-    race.omega = motion.speed * motion.axis;
-    if (!motion.tilt.isZero(0.0)) race.omega += motion.tilt;  // else zeros keep their signs
-    race.applied_force = -state.force;
-    race.applied_moment = -state.moment;
+    race.position = body.position - free_centre_[j];
+    race.velocity = body.velocity;
+    race.acceleration = body.acceleration;
+    race.total_rotation = body.angle;
+    race.orientation = body.orientation();
+    race.omega = body.omega;
+    race.applied_force = -body.force;
+    race.applied_moment = -body.moment;
     snapshot.power.qv_race[j] = integral_at(e, load_slip_[j]);
     snapshot.power.qv_element1[j] = integral_at(e, load_slip_element1_[j]);
     if (!in_contact_) continue;
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       RaceContactSnapshot& contact = snapshot.elements[i].race[j];
-      contact = race_contact_detail(contacts_[j], e.elements, i, motion);
+      contact = race_contact_detail(contacts_[j], e.elements, i, body.motion());
       contact.contact_temperature = temperature_[j] + contact.temperature_rise;
     }
   }
@@ -202,7 +209,7 @@ double Races::quadrature_error(const Evaluation& e) const {
     const RaceContactModel& model = contacts_[j];
     if (!model.traction) continue;
     for (std::size_t i = 0; i < e.elements.n; ++i) {
-      const RaceContactState contact = race_contact_state(model, e.elements, i, e.race[j].motion);
+      const RaceContactState contact = race_contact_state(model, e.elements, i, e.race[j].motion());
       if (!(contact.ellipse.Q > 0.0)) continue;
       const auto fixed =
           tribology::ellipse_traction(model.law, contact.ellipse, contact.motion, model.rule);

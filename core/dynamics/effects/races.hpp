@@ -5,8 +5,9 @@
 
 #include <optional>
 
-/// Both races: prescribed bodies, and the contacts of the balls with them (effects "race contact"
-/// and "race traction"). Not valid when a ball is pressed into a race by more than its radius.
+/// Both races: bodies that are prescribed unless an effect integrates them, and the contacts of the
+/// balls with them (effects "race contact" and "race traction"). Not valid when a ball is pressed
+/// into a race by more than its radius.
 namespace adore::dynamics {
 
 /// Sums over all balls of one race at this evaluation.
@@ -32,13 +33,15 @@ class Races final : public SceneEffect {
   [[nodiscard]] const std::array<RaceContactModel, 2>& contacts() const noexcept {
     return contacts_;
   }
+  /// Both at t = 0: static place, misalignment and spin.
+  [[nodiscard]] const std::array<RaceBody, 2>& at_rest() const noexcept { return at_rest_; }
 
  private:
   void set_up(const SceneBuilder& scene);
 
   std::array<RaceContactModel, 2> contacts_;
-  std::array<Vec3, 2> free_centre_;   ///< free positions of the race centres [m]
-  std::array<RaceMotion, 2> motion_;  ///< at t = 0: they stand still but for their spin
+  std::array<Vec3, 2> free_centre_;  ///< free positions of the race centres [m]
+  std::array<RaceBody, 2> at_rest_;  ///< at t = 0: they stand still but for their spin
   std::array<double, 2> temperature_{};
   bool in_contact_ = false;
   std::optional<NormalContacts> normal_;  ///< with race contact

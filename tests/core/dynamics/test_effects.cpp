@@ -26,7 +26,7 @@ class AirDrag final : public SceneEffect {
                                       "heat in the air",
                                       {"air drag"},
                                       "dissipated since the start"};
-    scene.block<Drag>(Phase::Force, "air drag", false, c_, heat_);
+    scene.block<Drag>(Phase::Force, "air drag", {}, c_, heat_);
     scene.energy("air.heat", kHeat, &heat_);
   }
 

@@ -18,9 +18,7 @@ namespace {
 /// a full rigid motion, written at every evaluation.
 class Shaking final : public SceneEffect {
  public:
-  void declare(SceneBuilder& scene) override {
-    scene.block<Motion>(Phase::Prescribed, "shaking", false);
-  }
+  void declare(SceneBuilder& scene) override { scene.block<Motion>(Phase::Races, "shaking", {}); }
   [[nodiscard]] bool moves_races() const noexcept override { return true; }
 
  private:
@@ -28,16 +26,16 @@ class Shaking final : public SceneEffect {
    public:
     void apply(Evaluation& e) noexcept override {
       for (std::size_t j = 0; j < 2; ++j) {
-        RaceMotion& race = e.race[j].motion;
+        RaceBody& race = e.race[j];
         const double w = j == 0 ? 2.0e3 : 3.0e3, swing = 2e-4, shake = 3e-6;
         const double s = std::sin(w * e.t), c = std::cos(w * e.t);
-        race.centre.z() += shake * s;
+        race.position.z() += shake * s;
         race.velocity.z() += shake * w * c;
         race.acceleration.z() -= shake * w * w * s;
-        race.attitude = multiply(quaternion_about(Vec3::UnitY(), swing * s), race.attitude);
-        race.axis = rotation_matrix(race.attitude).col(0);
+        race.set_attitude(multiply(quaternion_about(Vec3::UnitY(), swing * s), race.attitude));
         const Vec3 turning = swing * w * c * Vec3::UnitY();
-        race.tilt += turning - turning.dot(race.axis) * race.axis;
+        race.tilt += turning - turning.dot(race.axis()) * race.axis();
+        race.settle();
       }
     }
   };

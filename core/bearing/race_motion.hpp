@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <optional>
+
+/// How races move beside their constant spin: freely under loads, or by laws of the time (records
+/// 2.2, 9.3, 9.4), and how the base frame itself moves (9.5). Plain values, SI and rad, base axes.
+namespace adore::bearing {
+
+/// A race that moves under what acts on it; its inertia is Bearing::race_inertia.
+struct FreeRace {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< applied at the mass centre, constant [N]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< applied, constant [N m]
+  /// Directions whose velocity or angular velocity keeps its start value (false: free).
+  std::array<bool, 3> translation_held{}, rotation_held{};
+  /// Mass centre from the centre of the groove circle, axes of the race [m].
+  Eigen::Vector3d mass_centre = Eigen::Vector3d::Zero();
+};
+
+/// Load that turns (9.3A), see dynamics/excitations.hpp. Outer, inner race.
+struct TurningLoad {
+  std::array<double, 2> fraction{};  ///< of the static deflection that turns [-]
+  std::array<double, 2> speed{};     ///< [rad/s]
+};
+
+/// Vibration of one race (9.3B).
+struct Vibration {
+  Eigen::Vector3d amplitude = Eigen::Vector3d::Zero();  ///< [m]
+  double frequency = 0.0;                               ///< [Hz]
+};
+
+/// Speed ramp of one race (9.4A).
+struct Ramp {
+  double acceleration = 0.0;      ///< [rad/s²]
+  double begin = 0.0, end = 0.0;  ///< [s]
+};
+
+/// Sinusoidal variation of one race's speed (9.4B).
+struct SpeedVariation {
+  double amplitude = 0.0;  ///< [rad/s]
+  double frequency = 0.0;  ///< [Hz]
+};
+
+/// Base frame that turns about a fixed axis parallel to X (9.5).
+struct FrameMotion {
+  double speed = 0.0;         ///< about the fixed axis, along +X [rad/s]
+  double orbit_radius = 0.0;  ///< fixed axis -> base origin [m]
+  double orbit_angle = 0.0;   ///< azimuth of the base origin seen from the fixed axis [rad]
+};
+
+struct RaceMotions {
+  std::array<std::optional<FreeRace>, 2> free;
+  std::optional<TurningLoad> turning_load;
+  std::array<std::optional<Vibration>, 2> vibration;
+  std::array<std::optional<Ramp>, 2> ramp;
+  std::array<std::optional<SpeedVariation>, 2> variation;
+  std::optional<FrameMotion> frame;
+
+  /// Does race j (0 outer, 1 inner) move by a law of the time beside its constant spin?
+  [[nodiscard]] bool excited(int j) const noexcept {
+    const auto k = static_cast<std::size_t>(j);
+    return turning_load || vibration[k] || ramp[k] || variation[k];
+  }
+  [[nodiscard]] bool excited() const noexcept { return excited(0) || excited(1); }
+};
+
+}  // namespace adore::bearing

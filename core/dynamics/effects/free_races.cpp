@@ -1,0 +1,163 @@
+#include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/free_body.hpp"
+#include "dynamics/effects/races.hpp"
+#include "scene/ledger_terms.hpp"
+
+/// Races that move under what acts on them and under constant loads: Newton and Euler about the
+/// mass centre (free_body.hpp). Directions may be held: their velocity keeps its start value
+/// (rigid_body.hpp, race_accelerations), and what holds them does work like a load. The contact
+/// kernel sees ω as spin about the race's axis and the rest across it. Limit: the groove stays one
+/// of revolution about the race's axis.
+namespace adore::dynamics {
+namespace {
+
+constexpr LedgerTerm kWork{
+    LedgerKind::Work,
+    "load_work",
+    "work of the loads on free races",
+    {"work of the loads on the outer race", "work of the loads on the inner race"},
+    "of applied and holding forces since the start"};
+constexpr const LedgerTerm* kTerms[] = {&kWork};
+constexpr LedgerTerm kImpulse{LedgerKind::Work, "", "", {"impulse of the loads on free races"}, ""};
+constexpr LedgerTerm kAngularImpulse{
+    LedgerKind::Work, "", "", {"angular impulse of the loads on free races"}, ""};
+
+/// One free race with its load.
+struct Loaded {
+  FreeBody body;
+  int race = 0;
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< applied at the mass centre [N, N m]
+  // Now, with what holds the held directions: power [W], about the base origin [N, N m].
+  double power = 0.0;
+  Vec3 outer_force = Vec3::Zero(), outer_moment = Vec3::Zero();
+  int impulse = -1, angular_impulse = -1;  ///< in the state
+};
+
+class RaceKinematics final : public EffectBlock {
+ public:
+  explicit RaceKinematics(const Loaded& loaded) : loaded_(loaded) {}
+  void apply(Evaluation& e) noexcept override {
+    RaceBody& race = e.race[static_cast<std::size_t>(loaded_.race)];
+    loaded_.body.read(e.y, race);
+    race.speed = race.omega.dot(race.axis());
+    race.tilt = race.omega - race.speed * race.axis();
+    race.angle = loaded_.body.total_turn(e.y);
+    race.turn_beyond = 0.0;
+  }
+
+ private:
+  const Loaded& loaded_;
+};
+
+class RaceLoad final : public EffectBlock {
+ public:
+  explicit RaceLoad(const Loaded& loaded) : loaded_(loaded) {}
+  void apply(Evaluation& e) noexcept override {
+    RaceBody& race = e.race[static_cast<std::size_t>(loaded_.race)];
+    race.add_force(loaded_.force, race.centre_of_mass());
+    race.moment += loaded_.moment;
+  }
+
+ private:
+  const Loaded& loaded_;
+};
+
+class LoadAccount final : public EffectBlock {
+ public:
+  explicit LoadAccount(Loaded& loaded) : loaded_(loaded) {}
+  void apply(Evaluation& e) noexcept override {
+    const RaceBody& race = e.race[static_cast<std::size_t>(loaded_.race)];
+    const Vec3 centre = race.centre_of_mass();
+    const Vec3 force = loaded_.force + loaded_.body.holding_force();
+    const Vec3 moment = loaded_.moment + loaded_.body.holding_moment();
+    loaded_.power = force.dot(race.velocity_at(centre)) + moment.dot(race.omega);
+    loaded_.outer_force = force;
+    loaded_.outer_moment = moment + centre.cross(force);
+  }
+
+ private:
+  Loaded& loaded_;
+};
+
+class FreeRaces final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override {
+    const Races& races = *scene.find<Races>();
+    const auto& free = scene.plan.race_motions.free;
+    loaded_.reserve(free.size());  // blocks and border know them by address
+    for (std::size_t j = 0; j < free.size(); ++j) {
+      if (!free[j]) continue;
+      Loaded& one = loaded_.emplace_back();
+      const std::string name = j == 0 ? "outer race" : "inner race";
+      one.race = static_cast<int>(j);
+      one.force = free[j]->force;
+      one.moment = free[j]->moment;
+      one.body.declare(scene, {BodyId::Kind::Race, one.race}, name, scene.bearing.race_inertia[j],
+                       free[j]->mass_centre);
+      const auto held = [](const std::array<bool, 3>& flags) {
+        return flags[0] || flags[1] || flags[2];
+      };
+      if (held(free[j]->translation_held) || held(free[j]->rotation_held))
+        one.body.constrain({free[j]->translation_held, free[j]->rotation_held});
+      start_.push_back(races.at_rest()[j]);
+      start_.back().mass_centre = free[j]->mass_centre;
+      scene.block<RaceKinematics>(Phase::Races, kMotionCost, {}, one);
+      scene.block<RaceLoad>(Phase::Force, kMotionCost, {}, one);
+      scene.block<BodyMotion>(Phase::Motion, kMotionCost, {}, one.body);
+      scene.block<LoadAccount>(Phase::Account, kMotionCost, {}, one);
+      scene.energy(name + ".load_work", kWork, &one.power, one.race);
+      if (!scene.plan.has(Effect::MomentumLedger)) continue;
+      using Momentum = SceneBuilder::Momentum;
+      scene.momentum(one.impulse, name + ".impulse", Momentum::Linear, kImpulse,
+                     one.outer_force.data());
+      scene.momentum(one.angular_impulse, name + ".angular_impulse", Momentum::Angular,
+                     kAngularImpulse, one.outer_moment.data());
+    }
+  }
+
+  void start(std::span<double> y) const override {
+    for (std::size_t k = 0; k < loaded_.size(); ++k) {
+      const RaceBody& race = start_[k];
+      const Vec3 centre = race.centre_of_mass();
+      loaded_[k].body.start(y, centre, race.velocity_at(centre), race.attitude,
+                            race.to_base.transpose() * race.omega);
+    }
+  }
+
+  void store(const Evaluation& e, EnergyLedger& energy) const override {
+    for (const Loaded& one : loaded_)
+      energy.accumulate(terms::kKinetic, one.body.kinetic_energy(one.body.state(e)));
+  }
+
+  void carry(const Evaluation& e, Momenta& momenta) const override {
+    for (const Loaded& one : loaded_) one.body.carry(one.body.state(e), momenta);
+  }
+
+  void report(const Evaluation& e, Snapshot& snapshot) const override {
+    for (const Loaded& one : loaded_) {
+      RaceSnapshot& race = snapshot.races[static_cast<std::size_t>(one.race)];
+      const Vec3 displacement = race.position;  // from its free position, not from the base origin
+      one.body.report(e, race);
+      race.position = displacement;
+      const BodyState& body = one.body.state(e);
+      race.applied_force = one.force + one.body.holding_force();
+      race.applied_moment = one.moment + one.body.holding_moment() +
+                            (body.centre_of_mass() - body.position).cross(race.applied_force);
+    }
+  }
+
+ private:
+  std::vector<Loaded> loaded_;
+  std::vector<RaceBody> start_;
+};
+
+}  // namespace
+
+std::unique_ptr<SceneEffect> make_free_races(const ScenePlan& plan) {
+  const auto& free = plan.race_motions.free;
+  if (!free[0] && !free[1]) return nullptr;
+  return std::make_unique<FreeRaces>();
+}
+std::span<const LedgerTerm* const> free_race_terms() { return kTerms; }
+
+}  // namespace adore::dynamics

@@ -1,0 +1,118 @@
+#include "dynamics/effect_makers.hpp"
+#include "dynamics/moving_frame.hpp"
+#include "scene/ledger_terms.hpp"
+
+#include <cmath>
+
+/// Base frame that turns about a fixed axis parallel to X (record 9.5): every position, velocity
+/// and ω of the scene is relative to it. Each body feels the transport force, which has the
+/// potential -½ m Ω² (distance of its mass centre from the fixed axis)², and the Coriolis force,
+/// which does no work (moving_frame.hpp). About its mass centre a body of inertia I feels what
+/// turns Euler's equations for ω + Ω into equations for ω, with Ω_b = Rᵀ Ω in body axes:
+///   M = I(ω × Ω_b) - (ω + Ω_b) × I(ω + Ω_b) + ω × Iω,   power -ω·(Ω_b × I Ω_b), hence of the
+/// potential -½ Ω_b·I Ω_b; of a ball, I equal: M = -I Ω × ω.
+/// Races that are prescribed move as prescribed, relative to the frame.
+namespace adore::dynamics {
+namespace {
+
+constexpr LedgerTerm kEnergy{LedgerKind::Stored,
+                             "frame",
+                             "energy in the field of the turning base frame",
+                             {"energy in the turning base frame now"},
+                             "stored now",
+                             "N"};
+constexpr const LedgerTerm* kTerms[] = {&kEnergy};
+constexpr LedgerTerm kImpulse{LedgerKind::Work, "", "", {"impulse of the turning base frame"}, ""};
+constexpr LedgerTerm kAngularImpulse{
+    LedgerKind::Work, "", "", {"angular impulse of the turning base frame"}, ""};
+
+class TurningFrame final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override {
+    const bearing::FrameMotion& motion = *scene.plan.race_motions.frame;
+    frame_ = {motion.speed, motion.orbit_radius, motion.orbit_angle};
+    mass_ = scene.bearing.ball_inertia.mass;
+    inertia_ = scene.bearing.ball_inertia.moments[0];
+    scene.block<Fields>(Phase::Force, "turning base frame", {}, *this);
+    if (!scene.plan.has(Effect::MomentumLedger)) return;
+    using Momentum = SceneBuilder::Momentum;
+    scene.momentum(impulse_, "frame.impulse", Momentum::Linear, kImpulse, force_.data());
+    scene.momentum(angular_impulse_, "frame.angular_impulse", Momentum::Angular, kAngularImpulse,
+                   moment_.data());
+  }
+
+  void store(const Evaluation& e, EnergyLedger& energy) const override {
+    double stored = 0.0;
+    for (std::size_t i = 0; i < e.elements.n; ++i) stored += potential(mass_, e.element_centre(i));
+    e.for_integrated([&](const BodyState& body) {
+      const Vec3 turn = body.to_base.transpose() * (frame_.speed * Vec3::UnitX());
+      stored += potential(body.inertia.mass, body.centre_of_mass()) -
+                0.5 * turn.dot(body.inertia.moments.cwiseProduct(turn));
+    });
+    energy.accumulate(kEnergy, stored);
+  }
+
+ private:
+  class Fields final : public EffectBlock {
+   public:
+    explicit Fields(TurningFrame& of) : of_(of) {}
+    void apply(Evaluation& e) noexcept override { of_.act(e); }
+
+   private:
+    TurningFrame& of_;
+  };
+
+  [[nodiscard]] double potential(double mass, const Vec3& centre) const noexcept {
+    const Vec3 from_axis = frame_.orbit_radius * radial_direction(frame_.orbit_angle) + centre;
+    return -0.5 * mass * frame_.speed * frame_.speed *
+           (from_axis[1] * from_axis[1] + from_axis[2] * from_axis[2]);
+  }
+
+  void book(const Vec3& force, const Vec3& moment, const Vec3& centre) noexcept {
+    force_ += force;
+    moment_ += moment + centre.cross(force);
+  }
+
+  void act(Evaluation& e) noexcept {
+    force_.setZero();
+    moment_.setZero();
+    const Vec3 frame = frame_.speed * Vec3::UnitX();
+    for (std::size_t i = 0; i < e.elements.n; ++i) {
+      const Vec3 centre = e.element_centre(i);
+      const Vec3 force = frame_.inertial_force(mass_, centre, e.element_velocity(i));
+      const Vec3 moment = -inertia_ * frame.cross(e.element_omega(i));
+      e.add_force(i, e.to_cylindrical(i, force));
+      e.add_moment(i, e.to_cylindrical(i, moment));
+      book(force, moment, centre);
+    }
+    e.for_integrated([&](BodyState& body) {
+      const Vec3 centre = body.centre_of_mass();
+      const Vec3 force = frame_.inertial_force(body.inertia.mass, centre, body.velocity_at(centre));
+      const Vec3& I = body.inertia.moments;
+      const Vec3& w = body.omega_body;
+      const Vec3 turn = body.to_base.transpose() * frame, whole = w + turn;
+      const Vec3 in_body = I.cwiseProduct(w.cross(turn)) -
+                           whole.cross(Vec3(I.cwiseProduct(whole))) +
+                           w.cross(Vec3(I.cwiseProduct(w)));
+      const Vec3 moment = body.to_base * in_body;
+      body.add_force(force, centre);
+      body.moment += moment;
+      book(force, moment, centre);
+    });
+  }
+
+  MovingFrame frame_;
+  double mass_ = 0.0, inertia_ = 0.0;                  ///< of an element [kg, kg m²]
+  Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();  ///< now, about the base origin [N, N m]
+  int impulse_ = -1, angular_impulse_ = -1;            ///< in the state
+};
+
+}  // namespace
+
+std::unique_ptr<SceneEffect> make_turning_frame(const ScenePlan& plan) {
+  if (!plan.race_motions.frame) return nullptr;
+  return std::make_unique<TurningFrame>();
+}
+std::span<const LedgerTerm* const> turning_frame_terms() { return kTerms; }
+
+}  // namespace adore::dynamics
