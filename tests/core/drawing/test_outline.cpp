@@ -1,6 +1,6 @@
 #include "bearing/bearing.hpp"
 #include "deck/templates.hpp"
-#include "drawing/outline.hpp"
+#include "drawing/outline_model.hpp"
 #include "setup/build_bearing.hpp"
 #include "setup/build_rollers.hpp"
 #include "tribology/traction_curve.hpp"
@@ -233,6 +233,34 @@ TEST_CASE("pocket and lands show their clearances", "[unit][outline]") {
     CHECK(lands.panes[0].title.find("× " + std::to_string(std::lround(ratio))) !=
           std::string::npos);
   }
+}
+
+TEST_CASE("the cage that is drawn is the cage that is computed, in every example deck",
+          "[unit][outline]") {
+  int cages = 0;
+  for (const deck::TemplateInfo& example : deck::templates()) {
+    CAPTURE(example.name);
+    const deck::Deck deck = deck::new_deck(example.name);
+    const auto drawn = outline_cage(deck);
+    const auto computed = setup::build_bearing(deck).cage;
+    REQUIRE(drawn.has_value() == computed.has_value());
+    if (!drawn) continue;
+    ++cages;
+    for (const auto member :
+         {&bearing::Cage::outer_diameter, &bearing::Cage::inner_diameter, &bearing::Cage::width,
+          &bearing::Cage::clearance_outer, &bearing::Cage::clearance_inner,
+          &bearing::Cage::pocket_clearance_2, &bearing::Cage::cone_angle})
+      CHECK((*drawn).*member == (*computed).*member);
+    CHECK(drawn->pocket == computed->pocket);
+    REQUIRE(drawn->lands.size() == computed->lands.size());
+    for (std::size_t i = 0; i < drawn->lands.size(); ++i) {
+      CHECK(drawn->lands[i].guide == computed->lands[i].guide);
+      for (const auto member : {&bearing::GuideLand::diameter, &bearing::GuideLand::width,
+                                &bearing::GuideLand::edge, &bearing::GuideLand::clearance})
+        CHECK(drawn->lands[i].*member == computed->lands[i].*member);
+    }
+  }
+  CHECK(cages > 3);
 }
 
 TEST_CASE("every ball pocket shape is drawn with its own clearances", "[unit][outline]") {
