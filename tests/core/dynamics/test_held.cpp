@@ -99,7 +99,7 @@ TEST_CASE("held balls: without friction they stand where the balance says, and e
   b.cage.reset();
   const auto solution = statics_of(b, b.balls.contact_angle);
   System system = make_system(b, held_plan(0.05, plan_with({Effect::RaceContact})), solution);
-  const HeldRun run = run_held(system, system.initial_state(), 2e-3, 1e-9);
+  const HeldRun run = run_held(system, system.initial_state(), 2e-3, 1e-10);
   REQUIRE(run.most_held >= 3);
   REQUIRE(run.most_held < 12);
   CHECK(run.changes >= 2);  // balls pass in and out of the load zone
@@ -124,7 +124,7 @@ TEST_CASE("held balls: without friction they stand where the balance says, and e
     const Orbit orbit{Orbit::Kept::Momentum, mass * e.r * e.r * e.theta_dot};
     const BallBalance exact = ball.solve(races, e.theta, orbit, Vec2::Zero(), {e.x, e.r});
     REQUIRE(exact.solved);
-    // The motion follows the balance to the integration's error: 1e-9 of the ball radius per step.
+    // The motion follows the balance to the integration's error: 1e-10 of the ball radius per step.
     CHECK(std::abs(e.x - exact.x) < 2e-8 * b.balls.diameter);
     CHECK(std::abs(e.r - exact.r) < 2e-8 * b.balls.diameter);
     CHECK(e.vx == 0.0);
