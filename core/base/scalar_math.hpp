@@ -12,7 +12,8 @@
 ///   inverse_sqrt(x)          1e-30 <= x <= 1e30
 ///   over(a, x, i)            a/x where i = 1/x is known: rounded once for numbers, a i for vectors
 ///   exp(x), min(a, b), max(a, b), pick(condition, a, b): a where the condition holds
-///   any(condition)           does it hold anywhere?
+///   abs(x), copysign(size, sign), any(condition): does it hold anywhere?
+///   ninth_root(x)            x >= 0, vectors: 1e-300 <= x or 0
 ///
 /// Nothing else may be included here: the race kernels, which are compiled once per instruction
 /// set, see this header.
@@ -40,6 +41,11 @@ struct ScalarMath<double> {
     return condition ? a : b;
   }
   [[gnu::always_inline]] static bool any(bool condition) { return condition; }
+  [[gnu::always_inline]] static double abs(double x) { return std::abs(x); }
+  [[gnu::always_inline]] static double copysign(double size, double sign) {
+    return std::copysign(size, sign);
+  }
+  [[gnu::always_inline]] static double ninth_root(double x) { return std::pow(x, 1.0 / 9.0); }
 };
 
 }  // namespace adore

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/scalar_math.hpp"
 #include "bearing/material.hpp"
 #include "contact/subsurface.hpp"
 
@@ -76,11 +77,17 @@ struct PowerLaw {
 [[nodiscard]] inline PowerLaw power_law(double line_constant, double effective_length) noexcept {
   return {line_constant * std::pow(effective_length, -1.0 / 9.0)};
 }
+/// Secant stiffness Q/δ for δ >= 0 [N/m]; of numbers or vectors.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T slice_secant(const PowerLaw& law, const T& width,
+                                                        const T& delta) {
+  return law.constant * width * ScalarMath<T>::ninth_root(delta);
+}
 [[nodiscard]] inline SliceLoad slice_load(const PowerLaw& law, double width,
                                           double delta) noexcept {
   if (delta <= 0.0 || width <= 0.0) return {};
-  const double tangent = law.constant * width * std::pow(delta, 1.0 / 9.0);
-  return {tangent * delta, (10.0 / 9.0) * tangent};
+  const double secant = slice_secant(law, width, delta);
+  return {secant * delta, (10.0 / 9.0) * secant};
 }
 
 /// L_e replaced by the length in contact, min(L_e, 2√(2 R_t δ_max)) [choice, off by default]: for

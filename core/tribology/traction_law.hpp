@@ -21,9 +21,10 @@ class TractionLaw {
   decltype(auto) visit(F&& f) const {
     return std::visit(std::forward<F>(f), law_);
   }
-  /// f(RoundedLaw) of contacts of which the law needs to know nothing but `contact`.
-  template <class F>
-  decltype(auto) visit_rounded(F&& f, const ContactPoint<double>& contact = {}) const {
+  /// f(RoundedLaw) of contacts of which the law needs to know nothing but `contact`; T double, or a
+  /// vector: one contact a lane.
+  template <class T = double, class F>
+  decltype(auto) visit_rounded(F&& f, const ContactPoint<T>& contact = {}) const {
     return std::visit(
         [&](const auto& law) {
           return std::forward<F>(f)(RoundedLaw<decltype(law.at(contact))>{law.at(contact), floor_});
