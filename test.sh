@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Checks the formatting, does what ./run.sh does, then runs every test, the reference cases, and, under sanitizers, the
+# Does what ./run.sh does, checks the formatting, then runs every test, the reference cases, and, under sanitizers, the
 # readers and their fuzzers.
 set -euo pipefail
 cd "$(dirname "$0")"
 
+./run.sh
+
 git ls-files -z '*.cpp' '*.hpp' '*.c' '*.h' | xargs -0 -n 100 -P "$(nproc)" clang-format --dry-run -Werror
 echo "formatting: as .clang-format says"
-
-./run.sh
 
 export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1 QT_QPA_PLATFORM=offscreen
 preset=release sanitizer=asan-ubsan
