@@ -185,9 +185,9 @@ ElementSizes element_sizes(const Bearing& b) {
 void report_tightest_pocket(const bearing::Cage& cage, std::size_t which, double nominal,
                             double diameter, double g_cage, double g_ball, OperatingFits& report) {
   const auto& own = cage.pocket_deviation;
-  const auto tightest =
-      std::min_element(own.begin(), own.end(),
-                       [which](const auto& a, const auto& b) { return a.clearance[which] < b.clearance[which]; });
+  const auto tightest = std::min_element(
+      own.begin(), own.end(),
+      [which](const auto& a, const auto& b) { return a.clearance[which] < b.clearance[which]; });
   if (tightest == own.end()) return;
   double clearance = nominal + tightest->clearance[which];
   if (nominal >= 0.0 && clearance < 0.0)
