@@ -12,6 +12,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 export ADORE_ISA=baseline
 for program in "$@"; do
+  rm -rf "${work:?}"/*
   for deck in "ball-18|" "ball-thrust|" "ball|--set appLoadX=200 --set appLoadZ=2000 --set qFac=0.1"; do
     name=${deck%%|*} arguments=${deck#*|}
     # shellcheck disable=SC2086
