@@ -334,7 +334,14 @@ TEST_CASE("files of several runs are made, written, read and continued at the sa
   const bearing::Bearing bearing = make_bearing(3, true);
   write_steps(H5Writer::create(folder / "one", bearing, channel_table()), bearing, 0, 70);
   const std::string wanted = read_bytes(folder / "one");
-  constexpr int kThreads = 4, kRounds = 8;
+  // A file is read by a child process. GCC 12's address sanitizer does not keep its allocator
+  // usable in the child of a program with several threads, as the C library does.
+#ifdef __SANITIZE_ADDRESS__
+  constexpr int kThreads = 1;
+#else
+  constexpr int kThreads = 4;
+#endif
+  constexpr int kRounds = 8;
   std::array<std::string, kThreads> wrong;
   {
     std::vector<std::jthread> threads;
