@@ -283,14 +283,18 @@ void pocket_view(const Scene& s) {
   }
   const std::string force =
       desktop::pretty_quantity(element.pocket_force, s.animation.file.units[2], 3);
-  draw_key(s.sketch,
-           {{t.red, element.pocket_force > 0.0
-                        ? QString::fromStdString(fmt::format("contact: {} at {:.0f}°", force,
-                                                             element.pocket_angle * 180.0 / kPi))
-                        : QString("no contact")}},
-           QString::fromStdString(
-               fmt::format("pocket {} of {}  ·  clearance × {}  ·  seen from outside, axis up",
-                           k + 1, s.frame.elements.size(), desktop::pretty_number(factor, 3))));
+  draw_key(
+      s.sketch,
+      {{t.red, element.pocket_force > 0.0
+                   ? QString::fromStdString(fmt::format("contact: {} at {:.0f}°", force,
+                                                        element.pocket_angle * 180.0 / kPi))
+                   : QString("no contact")}},
+      QString::fromStdString(fmt::format(
+          "pocket {} of {}  ·  clearance × {}  ·  seen from outside, axis up{}", k + 1,
+          s.frame.elements.size(), desktop::pretty_number(factor, 3),
+          // Only other shapes have a second clearance.
+          g.pocket_clearance_2 > 0.0 ? "  ·  drawn round: SOL8 does not hold the pocket's shape"
+                                     : "")));
 }
 
 /// Forces of the two races on element k as arrows on its surface, as long as its diameter for the
