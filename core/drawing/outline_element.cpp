@@ -12,17 +12,6 @@ namespace {
 
 using deck::Deck;
 
-Shape shape_of(Part part, Shape::Style style, std::string name, Path path,
-               std::vector<std::string> shows = {}) {
-  Shape shape;
-  shape.part = part;
-  shape.style = style;
-  shape.name = std::move(name);
-  shape.paths.push_back(std::move(path));
-  shape.shows = std::move(shows);
-  return shape;
-}
-
 void draw_ball(const Deck& deck, const OutlineModel& m, Pane& pane) {
   pane.title = "Ball between its grooves, to scale";
   const double r = 0.5 * m.diameter;

@@ -17,17 +17,6 @@ using deck::Deck;
 
 constexpr double kShownGap = 0.35;  // of the cage's thickness, for the largest clearance
 
-Shape block(Part part, Shape::Style style, std::string name, Path path,
-            std::vector<std::string> shows) {
-  Shape shape;
-  shape.part = part;
-  shape.style = style;
-  shape.name = std::move(name);
-  shape.paths.push_back(std::move(path));
-  shape.shows = std::move(shows);
-  return shape;
-}
-
 /// 1, 2 or 5 times a power of ten, not above.
 double round_down(double value) {
   const double power = std::pow(10.0, std::floor(std::log10(value)));
@@ -49,22 +38,22 @@ void add_land(const Deck& deck, const OutlineCage& cage, std::size_t index, doub
   const double y = std::clamp(0.5 * land.diameter - mid, -2.0 * thick, 2.0 * thick);
   const double surface = sigma * 0.5 * thick;
   if (sigma * (y - surface) > 1e-6 * thick)
-    pane.shapes.push_back(block(Part::Cage, Shape::Style::Cut, "raised land",
-                                rectangle(left, surface, right, y), {"cageGsDia"}));
-  pane.shapes.push_back(block(Part::Cage, Shape::Style::Strong,
-                              fmt::format("land {} of the cage", i), {{left, y}, {right, y}},
-                              {"cageGsDia", "cageGsWidth", "cageGsPos", "cageGsRadVar1",
-                               "cageGsRadVar2", "cageGsRadVar3"}));
+    pane.shapes.push_back(shape_of(Part::Cage, Shape::Style::Cut, "raised land",
+                                   rectangle(left, surface, right, y), {"cageGsDia"}));
+  pane.shapes.push_back(shape_of(Part::Cage, Shape::Style::Strong,
+                                 fmt::format("land {} of the cage", i), {{left, y}, {right, y}},
+                                 {"cageGsDia", "cageGsWidth", "cageGsPos", "cageGsRadVar1",
+                                  "cageGsRadVar2", "cageGsRadVar3"}));
   Measures put(deck, pane);
   const double step = 0.3 * thick;
   if (land.guide != GuideLand::Guide::None) {
     const double race = y + sigma * 0.5 * factor * land.clearance;
     const double back = race + sigma * 0.7 * thick;
     const double margin = 0.04 * cage.width;
-    pane.shapes.push_back(block(inner ? Part::InnerRing : Part::OuterRing, Shape::Style::Cut,
-                                inner ? "inner race" : "outer race",
-                                rectangle(left - margin, race, right + margin, back),
-                                {"iCageGuide", "raceGsRadVar1", "raceGsRadVar2", "raceGsRadVar3"}));
+    pane.shapes.push_back(shape_of(
+        inner ? Part::InnerRing : Part::OuterRing, Shape::Style::Cut,
+        inner ? "inner race" : "outer race", rectangle(left - margin, race, right + margin, back),
+        {"iCageGuide", "raceGsRadVar1", "raceGsRadVar2", "raceGsRadVar3"}));
     put.upright("cageGsCls", y, race, 0.5 * (left + right), {left, y}, {left, race}, i);
     put.across("cageGsWidth", left, right, back + sigma * step, {left, y}, {right, y}, i);
   } else {
@@ -184,8 +173,8 @@ Drawing draw_lands(const Deck& deck) {
       largest > 0.0 ? std::max(round_down(2.0 * kShownGap * thick / largest), 1.0) : 1.0;
   pane.title = factor > 1.0 ? fmt::format("Section of the cage, clearances × {:g}", factor)
                             : "Section of the cage, to scale";
-  pane.shapes.push_back(block(Part::Cage, Shape::Style::Cut, "cage",
-                              rectangle(-half, -0.5 * thick, half, 0.5 * thick), {"nGL"}));
+  pane.shapes.push_back(shape_of(Part::Cage, Shape::Style::Cut, "cage",
+                                 rectangle(-half, -0.5 * thick, half, 0.5 * thick), {"nGL"}));
   for (std::size_t i = 0; i < cage->lands.size(); ++i) {
     if (!(cage->lands[i].width > 0.0) || !(cage->lands[i].diameter > 0.0)) {
       out.remarks.push_back(
@@ -198,8 +187,8 @@ Drawing draw_lands(const Deck& deck) {
     if (cage->lands[i].clearance < 0.0)
       out.remarks.push_back(fmt::format("Land {} overlaps its race.", i + 1));
   }
-  pane.shapes.push_back(block(Part::Construction, Shape::Style::Dashed, "middle of the cage",
-                              {{0.0, -1.1 * thick}, {0.0, 1.1 * thick}}, {}));
+  pane.shapes.push_back(shape_of(Part::Construction, Shape::Style::Dashed, "middle of the cage",
+                                 {{0.0, -1.1 * thick}, {0.0, 1.1 * thick}}, {}));
   out.panes.push_back(std::move(pane));
   add_round_lands(deck, *cage, out);
   return out;

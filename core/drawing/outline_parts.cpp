@@ -135,6 +135,17 @@ double around_half(const OutlineModel& m, double z) {
 
 }  // namespace
 
+Shape shape_of(Part part, Shape::Style style, std::string name, Path path,
+               std::vector<std::string> shows) {
+  Shape shape;
+  shape.part = part;
+  shape.style = style;
+  shape.name = std::move(name);
+  shape.paths.push_back(std::move(path));
+  shape.shows = std::move(shows);
+  return shape;
+}
+
 Path arc(Point centre, double radius, double from, double to, int parts) {
   Path out;
   out.reserve(static_cast<std::size_t>(parts) + 1);

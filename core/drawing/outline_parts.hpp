@@ -16,6 +16,10 @@ void append(Path& path, const Path& more);
 /// Position at azimuth θ in the side view: y = -r sin θ, z = r cos θ.
 [[nodiscard]] Point at_azimuth(double radius, double azimuth);
 
+/// One closed outline of a part; `shows` are the variables that it stands for.
+[[nodiscard]] Shape shape_of(Part part, Shape::Style style, std::string name, Path path,
+                             std::vector<std::string> shows = {});
+
 /// Ring of one race in the meridian plane with groove or raceway and flanges.
 [[nodiscard]] Shape ring_section(const OutlineModel& model, int race);
 /// Ball or roller, in its place in the meridian plane.

@@ -11,17 +11,6 @@ namespace {
 
 using deck::Deck;
 
-Shape area(Part part, Shape::Style style, std::string name, Path path,
-           std::vector<std::string> shows = {}) {
-  Shape shape;
-  shape.part = part;
-  shape.style = style;
-  shape.name = std::move(name);
-  shape.paths.push_back(std::move(path));
-  shape.shows = std::move(shows);
-  return shape;
-}
-
 Point offset(Point p, double x, double y) { return {p.x + x, p.y + y}; }
 
 /// Reach of the drawing to both sides of the ball plane.
@@ -57,32 +46,33 @@ void add_land_lines(const OutlineModel& m, Pane& pane) {
     const double inside = land.edge - std::copysign(land.width, land.edge);
     const double r = 0.5 * land.diameter;
     const double race_r = r + (outer ? 0.5 : -0.5) * land.clearance;
-    pane.shapes.push_back(area(Part::Cage, Shape::Style::Strong, "guide land of the cage",
-                               {{land.edge, r}, {inside, r}},
-                               {"cageGsDia", "cageGsWidth", "cageGsPos", "iCageGuide", "nGL"}));
-    pane.shapes.push_back(area(outer ? Part::OuterRing : Part::InnerRing, Shape::Style::Strong,
-                               "guide land of the race", {{land.edge, race_r}, {inside, race_r}},
-                               {"cageGsCls", "iCageGuide"}));
+    pane.shapes.push_back(shape_of(Part::Cage, Shape::Style::Strong, "guide land of the cage",
+                                   {{land.edge, r}, {inside, r}},
+                                   {"cageGsDia", "cageGsWidth", "cageGsPos", "iCageGuide", "nGL"}));
+    pane.shapes.push_back(shape_of(
+        outer ? Part::OuterRing : Part::InnerRing, Shape::Style::Strong, "guide land of the race",
+        {{land.edge, race_r}, {inside, race_r}}, {"cageGsCls", "iCageGuide"}));
   }
 }
 
 void add_bodies(const OutlineModel& m, Pane& pane) {
   const double reach = reach_of(m);
   if (m.ring_radius[1] > 0.0)
-    pane.shapes.push_back(area(Part::Shaft, Shape::Style::Cut, "shaft",
-                               rectangle(-reach, m.shaft_bore, reach, m.ring_radius[1]),
-                               {"shftID"}));
+    pane.shapes.push_back(shape_of(Part::Shaft, Shape::Style::Cut, "shaft",
+                                   rectangle(-reach, m.shaft_bore, reach, m.ring_radius[1]),
+                                   {"shftID"}));
   if (m.housing > 0.0)
-    pane.shapes.push_back(area(Part::Housing, Shape::Style::Cut, "housing",
-                               rectangle(-reach, m.ring_radius[0], reach, m.housing), {"hsngOD"}));
+    pane.shapes.push_back(shape_of(Part::Housing, Shape::Style::Cut, "housing",
+                                   rectangle(-reach, m.ring_radius[0], reach, m.housing),
+                                   {"hsngOD"}));
   for (const int race : {0, 1}) pane.shapes.push_back(ring_section(m, race));
   std::vector<Shape> cage = cage_section(m);
   if (!cage.empty()) pane.shapes.push_back(cage.front());  // behind the element
   pane.shapes.push_back(element_section(m));
   if (cage.size() > 1) pane.shapes.push_back(cage.back());
   add_land_lines(m, pane);
-  pane.shapes.push_back(area(Part::Construction, Shape::Style::Dashed, "bearing axis",
-                             {{-reach, 0.0}, {reach, 0.0}}));
+  pane.shapes.push_back(shape_of(Part::Construction, Shape::Style::Dashed, "bearing axis",
+                                 {{-reach, 0.0}, {reach, 0.0}}));
 }
 
 /// Line through both contacts, or across the roller; and the axis of a roller.
@@ -90,14 +80,15 @@ void add_contact_line(const OutlineModel& m, Pane& pane) {
   const Point centre{0.0, m.pitch_radius()};
   const Point d = contact_direction(m, 0);
   const double l = 0.68 * m.diameter;
-  pane.shapes.push_back(area(Part::Construction, Shape::Style::Dashed, "contact line",
-                             {offset(centre, -l * d.x, -l * d.y), offset(centre, l * d.x, l * d.y)},
-                             {"freeConAng", "freeIntCls"}));
+  pane.shapes.push_back(
+      shape_of(Part::Construction, Shape::Style::Dashed, "contact line",
+               {offset(centre, -l * d.x, -l * d.y), offset(centre, l * d.x, l * d.y)},
+               {"freeConAng", "freeIntCls"}));
   if (!m.rollers) return;
   const double a = 0.62 * m.length;
   pane.shapes.push_back(
-      area(Part::Construction, Shape::Style::Dashed, "roller axis",
-           {offset(centre, -a * d.y, a * d.x), offset(centre, a * d.y, -a * d.x)}));
+      shape_of(Part::Construction, Shape::Style::Dashed, "roller axis",
+               {offset(centre, -a * d.y, a * d.x), offset(centre, a * d.y, -a * d.x)}));
 }
 
 void measure_envelope(const OutlineModel& m, Measures& put, double reach, double step) {
