@@ -5,6 +5,8 @@
 #include "reference/adapter.hpp"
 #include "reference/trajectory.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace adore::reference {
 namespace {
 
