@@ -203,18 +203,19 @@ Heat least_heat(HeatAt heat, BracketOf bracket_of, double& beta) {
       continue;
     }
     double next = beta + step;
-    bool newton = now.curvature > 0.0;
     if (bracket) {
       (now.slope > 0.0 ? bracket->high : bracket->low) = beta;
-      newton = newton && next > bracket->low && next < bracket->high;
-      if (!newton) {
+      if (!(now.curvature > 0.0 && next > bracket->low && next < bracket->high)) {
         next = 0.5 * (bracket->low + bracket->high);
       }
     }
     last = std::abs(next - beta);
     beta = next;
-    if (last < (newton ? kSmallStep : 1e-13)) {
+    if (!bracket && last < kSmallStep) {
       return now;
+    }
+    if (bracket && last < 1e-13) {
+      break;
     }
   }
   return heat(beta);
