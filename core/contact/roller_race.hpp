@@ -67,14 +67,9 @@ struct RollerRaceAction {
 };
 
 [[nodiscard]] inline RaceSlices view_of(const RollerRaceSlices& slices) noexcept {
-  return {slices.race,
-          slices.law,
-          slices.E_star,
-          !std::isinf(slices.race.land_width),
-          slices.s.size(),
-          slices.s.data(),
-          slices.radius.data(),
-          slices.width.data()};
+  return {
+      slices.race,     slices.law,      slices.E_star,        !std::isinf(slices.race.land_width),
+      slices.s.size(), slices.s.data(), slices.radius.data(), slices.width.data()};
 }
 
 /// A roller as the sums read it, and the way back to the frame of its pose.

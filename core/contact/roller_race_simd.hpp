@@ -3,8 +3,8 @@
 #include "base/simd_math.hpp"
 #include "contact/roller_race_sum.hpp"
 
-/// roller_race_sum.hpp with a slice in every lane of the widest vector that the including translation
-/// unit is compiled for.
+/// roller_race_sum.hpp with a slice in every lane of the widest vector that the including
+/// translation unit is compiled for.
 namespace adore::contact {
 
 template <class Abi>

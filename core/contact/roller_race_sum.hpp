@@ -66,8 +66,7 @@ template <class T, class Traction>
     const T s = Lanes::read(slices.s + k);
     const T radius = Lanes::read(slices.radius + k);
     T width = Lanes::read(slices.width + k);
-    const SliceDeepest<T> d =
-        deepest_on_slice(surface, at.axes, at.x, at.r, s, radius, tan_chi);
+    const SliceDeepest<T> d = deepest_on_slice(surface, at.axes, at.x, at.r, s, radius, tan_chi);
     // χ changes evenly along the roller: the next slices start from its extrapolation.
     const T found = tan_chi;
     tan_chi = k == 0 ? found : 2.0 * found - last;

@@ -16,10 +16,13 @@
 /// 0).
 namespace adore::dynamics {
 
+struct RollerScene;  // roller_start.hpp
+
 struct SystemOptions {
   int ellipse_major = 15, ellipse_minor = 4;  ///< nodes of the run's split ellipse rule
   tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;
   int land_slices = 3;
+  std::shared_ptr<const RollerScene> rollers;  ///< of roller bearings: where they start
 };
 
 class SceneEffect;  // effect.hpp
