@@ -1,22 +1,24 @@
 #include "contact/roller_pocket.hpp"
 
-
 namespace adore::contact {
 
 std::vector<PocketFace> window_faces(double width, double z_low, double z_high,
-                                     double rotation_sign) {
+                                     double rotation_sign, double half_angle) {
   std::vector<PocketFace> out;
+  const double sine = std::sin(half_angle), cosine = std::cos(half_angle);
   for (const double side : {rotation_sign, -rotation_sign}) {
     PocketFace face;
     face.centre = {0.0, side * 0.5 * width, 0.5 * (z_low + z_high)};
-    face.normal = side * Vec3::UnitY();
+    face.normal = {sine, side * cosine, 0.0};
+    face.along = {cosine, -side * sine, 0.0};
     face.half_width = 0.5 * (z_high - z_low);
     out.push_back(face);
   }
   return out;
 }
 
-std::vector<PocketFace> paired_faces(std::span<const bearing::RollerPocketFace> given) {
+std::vector<PocketFace> paired_faces(std::span<const bearing::RollerPocketFace> given,
+                                     double rotation_sign) {
   std::vector<PocketFace> out;
   const auto mirrored = [](const Vec3& v) { return Vec3(v[0], -v[1], v[2]); };
   for (const bearing::RollerPocketFace& one : given) {
@@ -28,9 +30,10 @@ std::vector<PocketFace> paired_faces(std::span<const bearing::RollerPocketFace> 
     face.across = to_face.row(2);
     face.half_width = 0.5 * one.width;
     face.half_length = 0.5 * one.length;
-    out.push_back(face);
-    for (Vec3* v : {&face.centre, &face.along, &face.normal, &face.across}) *v = mirrored(*v);
-    out.push_back(face);
+    PocketFace mate = face;
+    for (Vec3* v : {&mate.centre, &mate.along, &mate.normal, &mate.across}) *v = mirrored(*v);
+    out.push_back(rotation_sign < 0.0 ? mate : face);
+    out.push_back(rotation_sign < 0.0 ? face : mate);
   }
   return out;
 }

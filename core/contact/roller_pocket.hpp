@@ -32,13 +32,16 @@ struct PocketFace {
   double half_length = std::numeric_limits<double>::infinity();  ///< along [m]
 };
 
-/// Fore and aft faces of a window of width D + clearance between the wall's ends; first the one
-/// that drives: at +y where the cage turns forward (rotation_sign +1).
+/// Fore and aft faces of a window of width D + clearance at its middle, between the wall's ends;
+/// they follow the taper of the roller, y = ±(width/2 - x tan ν) [choice: a window with parallel
+/// faces would clamp its large end]. First the one that drives: at +y where the cage turns forward
+/// (rotation_sign +1).
 [[nodiscard]] std::vector<PocketFace> window_faces(double width, double z_low, double z_high,
+                                                   double rotation_sign, double half_angle = 0.0);
+/// Record 7.3: each given face and its mirror image in the x-z plane (N36), first the one that
+/// drives: the given one where the cage turns forward.
+[[nodiscard]] std::vector<PocketFace> paired_faces(std::span<const bearing::RollerPocketFace> given,
                                                    double rotation_sign);
-/// Record 7.3: each given face, and then its mirror image in the x-z plane (N36).
-[[nodiscard]] std::vector<PocketFace> paired_faces(
-    std::span<const bearing::RollerPocketFace> given);
 
 /// A round pocket about the pocket's x axis, fore and aft walls between z_low and z_high.
 struct RoundPocket {
@@ -95,19 +98,33 @@ inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u,
   return out;
 }
 
+/// Angle of a contact in a round pocket, atan2(m_z, σ m_y) in [0, 2π), σ the sign of the cage's
+/// nominal speed: 0 where the cage drives the roller, π where the roller drives the cage.
+[[nodiscard]] inline double round_pocket_angle(const Vec3& m, double rotation_sign) noexcept {
+  constexpr double kTurn = 6.283185307179586476925;
+  const double angle = std::atan2(m[2], rotation_sign * m[1]);
+  return angle < 0.0 ? angle + kTurn : angle;
+}
+
 /// Slices of the whole length for pockets.
 [[nodiscard]] std::vector<RollerSlice> pocket_slices(const RollerProfile& profile, int count);
 
-/// Least gap that any slice can have at a face, from the pose alone: never more than the true one.
+/// Least gap that any slice can have, from the pose alone: never more than the true one. The roller
+/// lies within the cone through the radii at its ends, low at -half_length (roller_profile.hpp:
+/// drops only widen the gap), so a plane is nearest at one of them.
+struct RollerBounds {
+  double half_length = 0.0, low = 0.0, high = 0.0;  ///< [m]
+};
 [[nodiscard]] inline double gap_bound(const PocketFace& face, const Vec3& q, const Vec3& u,
-                                      double half_length, double largest_radius) noexcept {
-  return face.normal.dot(face.centre - q) - half_length * std::abs(face.normal.dot(u)) -
-         largest_radius;
+                                      const RollerBounds& roller) noexcept {
+  const double middle = face.normal.dot(face.centre - q);
+  const double lean = roller.half_length * face.normal.dot(u);
+  return std::min(middle + lean - roller.low, middle - lean - roller.high);
 }
 [[nodiscard]] inline double gap_bound(const RoundPocket& pocket, const Vec3& q, const Vec3& u,
-                                      double half_length, double largest_radius) noexcept {
-  return pocket.radius - std::hypot(q[1], q[2]) - half_length * std::hypot(u[1], u[2]) -
-         largest_radius;
+                                      const RollerBounds& roller) noexcept {
+  return pocket.radius - std::hypot(q[1], q[2]) - roller.half_length * std::hypot(u[1], u[2]) -
+         std::max(roller.low, roller.high);
 }
 
 }  // namespace adore::contact

@@ -40,7 +40,8 @@ struct RollerPocket {
 /// Slices of one roller.
 struct PocketRoller {
   std::vector<contact::RollerSlice> slices;
-  double half_length = 0.0, largest_radius = 0.0, slice_width = 0.0;
+  contact::RollerBounds bounds;
+  double slice_width = 0.0;
 };
 
 class RollerPocketSet {
@@ -76,10 +77,8 @@ class RollerPocketSet {
   [[nodiscard]] bool surely_open(std::size_t i, std::size_t k, const Place& at) const noexcept {
     const RollerPocket& pocket = pockets_[i];
     const PocketRoller& roller = roller_of(i);
-    return (pocket.round ? contact::gap_bound(*pocket.round, at.q, at.u, roller.half_length,
-                                              roller.largest_radius)
-                         : contact::gap_bound(pocket.faces[k], at.q, at.u, roller.half_length,
-                                              roller.largest_radius)) > 0.0;
+    return (pocket.round ? contact::gap_bound(*pocket.round, at.q, at.u, roller.bounds)
+                         : contact::gap_bound(pocket.faces[k], at.q, at.u, roller.bounds)) > 0.0;
   }
   /// visit(slice, load [N], energy [J]) of every slice of a surface.
   template <class Visit>
@@ -135,10 +134,9 @@ RollerPocketSet::RollerPocketSet(const SceneBuilder& scene) {
         contact::roller_profile(rollers, rollers.deviation_of(i));
     PocketRoller roller;
     roller.slices = contact::pocket_slices(profile, count);
-    roller.half_length = 0.5 * profile.length;
     roller.slice_width = profile.length / count;
-    for (const contact::RollerSlice& slice : roller.slices)
-      roller.largest_radius = std::max(roller.largest_radius, slice.radius);
+    const double half = 0.5 * profile.length, taper = half * std::tan(profile.half_angle);
+    roller.bounds = {half, 0.5 * profile.diameter + taper, 0.5 * profile.diameter - taper};
     rollers_.push_back(std::move(roller));
   }
   for (std::size_t i = 0; i < scene.statics.balls.size(); ++i) {
@@ -154,11 +152,11 @@ RollerPocketSet::RollerPocketSet(const SceneBuilder& scene) {
     pocket.z_high = high;
     pocket.half_window = 0.5 * width;
     if (!cage.pocket_faces.empty())
-      pocket.faces = contact::paired_faces(cage.pocket_faces);
+      pocket.faces = contact::paired_faces(cage.pocket_faces, rotation_sign_);
     else if (cage.pocket == bearing::PocketShape::Cylindrical)
       pocket.round = contact::RoundPocket{0.5 * width, low, high};
     else
-      pocket.faces = contact::window_faces(width, low, high, rotation_sign_);
+      pocket.faces = contact::window_faces(width, low, high, rotation_sign_, rollers.half_angle);
     pockets_.push_back(std::move(pocket));
   }
 }
@@ -179,8 +177,7 @@ std::vector<PocketContactSnapshot> RollerPocketSet::report(std::size_t i, const 
       m = slice.m;
     });
     one.position = one.force > 0.0 ? moment / one.force : nearest;
-    const double turn = std::atan2(m[2], rotation_sign_ * m[1]);
-    one.theta = turn < 0.0 ? turn + 2.0 * 3.14159265358979323846 : turn;
+    one.theta = contact::round_pocket_angle(m, rotation_sign_);
     out.push_back(one);
   }
   return out;

@@ -228,3 +228,117 @@ TEST_CASE("rollers: what each does to the cage is its share of the rates", "[uni
   }
   CHECK(largest > 1.0);
 }
+
+TEST_CASE("rollers: pockets of every shape conserve energy and momentum", "[physics][rollers]") {
+  for (const int shape : {-1, 1, 2}) {
+    bearing::Bearing b = roller_bearings::cylindrical(3000.0);
+    roller_scene::add_cage(b);
+    const double reach = 0.5 * (b.element_diameter() + b.cage->pocket_clearance_1);
+    if (shape < 0) {
+      b.cage->pocket = bearing::PocketShape::Cylindrical;
+    } else {
+      for (int i = 0; i < shape; ++i) {
+        const double at = shape == 1 ? 0.0 : (i == 0 ? 0.003 : -0.003);
+        b.cage->pocket_faces.push_back({Vec3::Zero(), {at, reach, 0.0}, 0.004, 0.003});
+      }
+    }
+    INFO("pockets " << shape);
+    Scene s = scene_of(b, roller_scene::frictionless(), 9);
+    std::vector<double> y = s.system.initial_state();
+    const auto first = static_cast<std::size_t>(first_of(s.system, "cage.velocity"));
+    y[first + 1] += 0.3;  // the cage strikes its rollers
+    const auto run = fixture::run(s.system, y, 1e-3, 1e-9);
+    const Snapshot at = s.system.snapshot(1e-3, run.y);
+    const double struck = 0.5 * b.cage->inertia.mass * 0.3 * 0.3;
+    CHECK(std::abs(at.energy.residual()) < 1e-4 * struck);
+    CHECK(at.momentum->linear.residual().norm() < 1e-7 * at.momentum->linear_size);
+    double largest = 0.0;
+    for (const scene::ElementSnapshot& e : at.elements) {
+      CHECK(e.pocket.size() == (shape < 0 ? 1U : 2U * static_cast<std::size_t>(shape)));
+      for (const scene::PocketContactSnapshot& wall : e.pocket)
+        largest = std::max(largest, -wall.gap);
+    }
+    CAPTURE(largest);
+    // It struck: its speed across has changed by much.
+    CHECK(std::abs(run.y[first + 1] - y[first + 1]) > 0.01);
+  }
+}
+
+namespace {
+
+/// A constant moment on element 1, base axes.
+class Moment final : public dynamics::SceneEffect {
+ public:
+  explicit Moment(const Vec3& moment) : moment_(moment) {}
+  void declare(dynamics::SceneBuilder& scene) override {
+    scene.block<Block>(dynamics::Phase::Force, "moment of a test", {}, moment_);
+  }
+
+ private:
+  class Block final : public dynamics::EffectBlock {
+   public:
+    explicit Block(const Vec3& moment) : moment_(moment) {}
+    void apply(dynamics::Evaluation& e) noexcept override {
+      e.add_moment(0, e.to_cylindrical(0, moment_));
+    }
+
+   private:
+    Vec3 moment_;
+  };
+  Vec3 moment_;
+};
+
+}  // namespace
+
+TEST_CASE("rigid elements: a ball under a small moment turns its axis at M/(I omega), right-handed",
+          "[physics][rollers]") {
+  bearing::Bearing b = roller_bearings::cylindrical(3000.0);
+  const double I = b.element_inertia.moments[0];
+  b.element_inertia.moments.setConstant(I);  // of a ball
+  dynamics::RollerScene rollers;
+  rollers.options.slices = 3;
+  rollers.solution = statics::solve_roller_statics(b, rollers.options);
+  dynamics::SystemOptions options;
+  options.rollers = std::make_shared<const dynamics::RollerScene>(rollers);
+  const double omega = rollers.solution.orbital_speed + rollers.solution.spin_speed;
+  const double end = 2e-3, M = 1e-3 * I * std::abs(omega) / end;  // turns by a milliradian
+  dynamics::System system(
+      b, roller_scene::plan_of({}), dynamics::static_start(rollers, b), {}, options,
+      {[&](const scene::ScenePlan&) { return std::make_unique<Moment>(Vec3(0.0, M, 0.0)); }});
+  const auto run = fixture::run(system, system.initial_state(), end, 1e-12, "rkf7");
+  const scene::ElementSnapshot e = system.snapshot(end, run.y).elements[0];
+  // Azimuth frame -> base: x, y turned about x by the azimuth.
+  const double c = std::cos(e.theta), s = std::sin(e.theta);
+  const Vec3 w(e.omega[0], c * e.omega[1] - s * e.omega[2], s * e.omega[1] + c * e.omega[2]);
+  CHECK(w[0] == Approx(omega).epsilon(1e-9));
+  CHECK(w[1] / w[0] == Approx(M * end / (I * omega)).epsilon(1e-6));
+  CHECK(std::abs(w[2] / w[0]) < 1e-9);
+}
+
+TEST_CASE("rigid elements: a roller free of forces precesses as Euler says", "[physics][rollers]") {
+  bearing::Bearing b = roller_bearings::cylindrical(0.0);
+  dynamics::RollerScene rollers;
+  rollers.options.slices = 3;
+  rollers.solution = statics::solve_roller_statics(b, rollers.options);
+  dynamics::SystemOptions options;
+  options.rollers = std::make_shared<const dynamics::RollerScene>(rollers);
+  dynamics::System system(b, roller_scene::plan_of({}), dynamics::static_start(rollers, b), {},
+                          options);
+  std::vector<double> y = system.initial_state();
+  const auto at = [&](const char* name) {
+    return static_cast<std::size_t>(first_of(system, name));
+  };
+  const double spin = 900.0, across = 40.0, end = 3e-3;
+  y[at("element.omega_x")] = spin;
+  y[at("element.omega_r")] = across;
+  const auto run = fixture::run(system, y, end, 1e-12, "rkf7");
+  // Its axis turns about L at |L|/I_t.
+  const Vec3& I = b.element_inertia.moments;
+  const Vec3 L(I[0] * spin, 0.0, I[1] * across);  // azimuth frame of the start: x, y, z = r
+  const Vec3 l = L.normalized(), axis = Vec3::UnitX();
+  const double angle = L.norm() / I[1] * end;
+  const Vec3 expected = l * l.dot(axis) + std::cos(angle) * (axis - l * l.dot(axis)) +
+                        std::sin(angle) * l.cross(axis);
+  const Vec3 found = system.snapshot(end, run.y).elements[0].x_axis;
+  CHECK((found - expected).norm() < 1e-9);
+}
