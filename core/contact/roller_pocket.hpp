@@ -109,6 +109,39 @@ inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u,
 /// Slices of the whole length for pockets.
 [[nodiscard]] std::vector<RollerSlice> pocket_slices(const RollerProfile& profile, int count);
 
+/// Where the end of a roller comes nearest to the end of its pocket, the plane across x at
+/// sign·wall: a dome with its sphere, else the corner torus. h(u) = furthest reach along sign·x;
+/// the force along it at `point` is minus the gradient of ∫Q dδ over every displacement and turn.
+/// Flat ends meet the plane all at once when aligned: there their rim is rounded over
+/// kAlignedEnd (sin -> √(sin² + ε²) - ε) [choice].
+inline constexpr double kAlignedEnd = 1e-3;  ///< ε [rad]
+struct EndTouch {
+  double gap = 0.0;  ///< negative in contact [m]
+  Vec3 out = Vec3::UnitX(), point = Vec3::Zero();
+};
+[[nodiscard]] inline EndTouch end_at_wall(const RollerEnd& end, double wall, const Vec3& q,
+                                          const Vec3& u) noexcept {
+  EndTouch touch;
+  touch.out = end.sign * Vec3::UnitX();
+  const Vec3 outward = end.sign * u;
+  const double cosine = u[0];
+  const Vec3 across = touch.out - cosine * outward;
+  const double sine = across.norm();
+  double reach = 0.0;
+  if (!end.flat() && end.end_radius * sine <= end.cap_radius) {
+    reach = end.dome_centre * cosine + end.end_radius;
+    touch.point = q + end.dome_centre * outward + end.end_radius * touch.out;
+  } else {
+    const double soft = end.flat() ? std::hypot(sine, kAlignedEnd) : sine;
+    reach = end.ring * cosine + end.ring_radius * (soft - (end.flat() ? kAlignedEnd : 0.0)) +
+            end.corner_radius;
+    touch.point =
+        q + end.ring * outward + (end.ring_radius / soft) * across + end.corner_radius * touch.out;
+  }
+  touch.gap = wall - touch.out.dot(q) - reach;
+  return touch;
+}
+
 /// Least gap that any slice can have, from the pose alone: never more than the true one. The roller
 /// lies within the cone through the radii at its ends, low at -half_length (roller_profile.hpp:
 /// drops only widen the gap), so a plane is nearest at one of them.

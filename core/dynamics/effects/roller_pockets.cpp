@@ -2,6 +2,7 @@
 #include "contact/ball_pocket.hpp"
 #include "contact/conformal.hpp"
 #include "contact/line_contact.hpp"
+#include "contact/roller_flange.hpp"
 #include "contact/roller_pocket.hpp"
 #include "contact/roller_shape.hpp"
 #include "dynamics/effect_makers.hpp"
@@ -12,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -24,8 +26,11 @@
 /// (contact/line_contact.hpp), in round pockets the elastic foundation of contact/conformal.hpp.
 /// Friction at the same point: slip u = cage velocity - roller velocity there without its part
 /// along m, N κ(s)/s u on the roller, s the rounded slip; the cage gets the opposite. Heat =
-/// friction · u. Rollers touch fore and aft only: no axial contact (N105). Limits: the middle of
-/// the roller stays between the faces and within half a diameter of the wall.
+/// friction · u.
+/// Ends of the pockets (decision 213): planes across the pocket's x, half of clearance I away from
+/// the ends of the nominal roller in its middle; Hertz load of the corner as a sphere. They keep
+/// the cage on its rollers, and are no guide surfaces of the outputs (N105). Limits: the middle of
+/// the roller stays between faces and ends and within half a diameter of the wall.
 namespace adore::dynamics {
 namespace {
 
@@ -35,6 +40,7 @@ struct RollerPocket {
   std::optional<contact::RoundPocket> round;
   double half_window = 0.0;          ///< least distance of a wall from the middle along y [m]
   double z_low = 0.0, z_high = 0.0;  ///< ends of the wall [m]
+  std::array<double, 2> end_wall{};  ///< of the ends at -x and +x, from the middle [m]
 };
 
 /// Slices of one roller.
@@ -42,6 +48,8 @@ struct PocketRoller {
   std::vector<contact::RollerSlice> slices;
   contact::RollerBounds bounds;
   double slice_width = 0.0;
+  std::array<contact::RollerEnd, 2> end;
+  std::array<double, 2> end_constant{};  ///< Q = K δ^1.5 at the ends of the pocket [N m^-1.5]
 };
 
 class RollerPocketSet {
@@ -67,7 +75,8 @@ class RollerPocketSet {
   }
   [[nodiscard]] bool is_inside(std::size_t i, const Vec3& q) const noexcept {
     const RollerPocket& pocket = pockets_[i];
-    return std::abs(q[1]) < pocket.half_window && q[2] > pocket.z_low - radius_ &&
+    return std::abs(q[0]) < std::min(pocket.end_wall[0], pocket.end_wall[1]) &&
+           std::abs(q[1]) < pocket.half_window && q[2] > pocket.z_low - radius_ &&
            q[2] < pocket.z_high + radius_;
   }
   [[nodiscard]] std::size_t surfaces(std::size_t i) const noexcept {
@@ -104,6 +113,18 @@ class RollerPocketSet {
       visit(c, load, -(9.0 / 19.0) * load * c.gap);
     }
   }
+  /// visit(touch, load [N], energy [J]) of both ends of a pocket that are touched.
+  template <class Visit>
+  void for_ends(std::size_t i, const Place& at, const Visit& visit) const {
+    const PocketRoller& roller = roller_of(i);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const contact::EndTouch touch =
+          contact::end_at_wall(roller.end[k], pockets_[i].end_wall[k], at.q, at.u);
+      if (!(touch.gap < 0.0)) continue;
+      const double load = contact::hertz_load(roller.end_constant[k], -touch.gap);
+      visit(touch, load, -0.4 * load * touch.gap);
+    }
+  }
   [[nodiscard]] std::vector<PocketContactSnapshot> report(std::size_t i, const Place& at) const;
 
  private:
@@ -137,8 +158,16 @@ RollerPocketSet::RollerPocketSet(const SceneBuilder& scene) {
     roller.slice_width = profile.length / count;
     const double half = 0.5 * profile.length, taper = half * std::tan(profile.half_angle);
     roller.bounds = {half, 0.5 * profile.diameter + taper, 0.5 * profile.diameter - taper};
+    for (std::size_t k = 0; k < 2; ++k) {
+      roller.end[k] = contact::roller_end(profile, static_cast<int>(k));
+      roller.end_constant[k] = 4.0 / 3.0 * E_star_ *
+                               std::sqrt(std::max(roller.end[k].corner_radius, contact::kEdgeTube));
+    }
     rollers_.push_back(std::move(roller));
   }
+  const contact::RollerProfile ideal = contact::roller_profile(rollers);
+  const std::array<contact::RollerEnd, 2> nominal{contact::roller_end(ideal, 0),
+                                                  contact::roller_end(ideal, 1)};
   for (std::size_t i = 0; i < scene.statics.balls.size(); ++i) {
     const bearing::PocketDeviation own = cage.deviation_of(i);
     const auto [low, high] = contact::wall_height(cage.outer_diameter, cage.inner_diameter,
@@ -151,6 +180,12 @@ RollerPocketSet::RollerPocketSet(const SceneBuilder& scene) {
     pocket.z_low = low;
     pocket.z_high = high;
     pocket.half_window = 0.5 * width;
+    // The nominal roller has half of the clearance at each end, however it lies in its pocket.
+    const Vec3 axis = passive_y(cage.cone_angle) *
+                      Vec3(std::cos(rollers.axis_angle), 0.0, -std::sin(rollers.axis_angle));
+    for (std::size_t k = 0; k < 2; ++k)
+      pocket.end_wall[k] =
+          0.5 * (width - D) - contact::end_at_wall(nominal[k], 0.0, Vec3::Zero(), axis).gap;
     if (!cage.pocket_faces.empty())
       pocket.faces = contact::paired_faces(cage.pocket_faces, rotation_sign_);
     else if (cage.pocket == bearing::PocketShape::Cylindrical)
@@ -205,13 +240,24 @@ class RollerPocketBlock final : public EffectBlock {
         e.valid = false;
         return;
       }
-      for (std::size_t k = 0; k < set_.surfaces(i); ++k)
-        if (!set_.surely_open(i, k, at)) touch(friction, e, i, k, at);
+      for (std::size_t k = 0; k < set_.surfaces(i); ++k) {
+        if (set_.surely_open(i, k, at)) continue;
+        set_.for_slices(i, k, at,
+                        [&](const contact::PocketSlice& slice, double load, double energy) {
+                          if (load > 0.0)
+                            push(friction, e, i, at, slice.m, slice.point, load, energy);
+                        });
+      }
+      set_.for_ends(i, at, [&](const contact::EndTouch& touch, double load, double energy) {
+        push(friction, e, i, at, touch.out, touch.point, load, energy);
+      });
     }
   }
+  /// A contact of load on roller i at a point, both in the pocket frame.
   template <class Friction>
-  void touch(const Friction& friction, Evaluation& e, std::size_t i, std::size_t k,
-             const RollerPocketSet::Place& at) noexcept;
+  void push(const Friction& friction, Evaluation& e, std::size_t i,
+            const RollerPocketSet::Place& at, const Vec3& into, const Vec3& point, double load,
+            double energy) noexcept;
 
   const RollerPocketSet& set_;
   tribology::TractionLaw law_;
@@ -220,32 +266,26 @@ class RollerPocketBlock final : public EffectBlock {
 
 template <bool Traction>
 template <class Friction>
-void RollerPocketBlock<Traction>::touch(const Friction& friction, Evaluation& e, std::size_t i,
-                                        std::size_t k, const RollerPocketSet::Place& at) noexcept {
+void RollerPocketBlock<Traction>::push(const Friction& friction, Evaluation& e, std::size_t i,
+                                       const RollerPocketSet::Place& at, const Vec3& into,
+                                       const Vec3& point, double load, double energy) noexcept {
   BodyState& cage = e.segments.front();
-  const Vec3 G = e.element_centre(i), velocity = e.element_velocity(i), omega = e.element_omega(i);
-  const Vec3 middle = G - set_.mass_offset() * e.attitude[i].col(0);
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-  set_.for_slices(i, k, at, [&](const contact::PocketSlice& slice, double load, double energy) {
-    if (!(load > 0.0)) return;
-    const Vec3 m = at.to_base * slice.m;
-    const Vec3 X = middle + at.to_base * (slice.point - at.q);
-    Vec3 f = -load * m;
-    if constexpr (Traction) {
-      Vec3 slip = cage.velocity_at(X) - velocity - omega.cross(X - G);
-      slip -= slip.dot(m) * m;
-      const double square = slip.squaredNorm(), per_slip = load * friction(square);
-      f += per_slip * slip;
-      heat_ += per_slip * square;
-      cage.load_slip += load * std::sqrt(square);
-    }
-    force += f;
-    moment += (X - G).cross(f);
-    cage.add_force(-f, X);
-    e.elastic += energy;
-  });
-  e.add_force(i, e.to_cylindrical(i, force));
-  e.add_moment(i, e.to_cylindrical(i, moment));
+  const Vec3 m = at.to_base * into;
+  const Vec3 arm = at.to_base * (point - at.q) - set_.mass_offset() * e.attitude[i].col(0);
+  const Vec3 X = e.element_centre(i) + arm;
+  Vec3 f = -load * m;
+  if constexpr (Traction) {
+    Vec3 slip = cage.velocity_at(X) - e.element_velocity(i) - e.element_omega(i).cross(arm);
+    slip -= slip.dot(m) * m;
+    const double square = slip.squaredNorm(), per_slip = load * friction(square);
+    f += per_slip * slip;
+    heat_ += per_slip * square;
+    cage.load_slip += load * std::sqrt(square);
+  }
+  e.add_force(i, e.to_cylindrical(i, f));
+  e.add_moment(i, e.to_cylindrical(i, arm.cross(f)));
+  cage.add_force(-f, X);
+  e.elastic += energy;
 }
 
 class RollerPockets final : public SceneEffect {

@@ -23,6 +23,7 @@ inline void add_cage(Bearing& b) {
   cage.width = b.rollers()->length + 0.004;
   cage.pocket = bearing::PocketShape::Rectangular;
   cage.pocket_clearance_1 = 2.5e-4;
+  cage.cone_angle = b.rollers()->axis_angle;
   using Guide = bearing::GuideLand::Guide;
   cage.lands = {{Guide::Outer, cage.outer_diameter, 0.002, -0.5 * cage.width, 3e-4},
                 {Guide::Outer, cage.outer_diameter, 0.002, 0.5 * cage.width, 3e-4}};

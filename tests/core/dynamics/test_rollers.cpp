@@ -201,7 +201,7 @@ TEST_CASE("rollers: what each does to the cage is its share of the rates", "[uni
   std::vector<double> y = s.system.initial_state();
   for (int i = 0; i < s.system.layout().size(); ++i)  // against the pocket walls
     if (s.system.layout().component_name(i).rfind("element.theta[", 0) == 0)
-      y[static_cast<std::size_t>(i)] += 4e-3;
+      y[static_cast<std::size_t>(i)] += 5e-3;
   const auto owner = s.system.coupling();
   const auto border = std::count(owner.begin(), owner.end(), -1);
   std::vector<double> rates(y.size()), same(y.size()),
