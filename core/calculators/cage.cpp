@@ -8,6 +8,7 @@
 #include "contact/roller_pocket.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

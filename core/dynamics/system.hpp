@@ -4,7 +4,6 @@
 #include "dynamics/scene.hpp"
 #include "dynamics/state_layout.hpp"
 #include "statics/ball_statics.hpp"
-#include "tribology/ellipse_traction.hpp"
 
 #include <functional>
 #include <memory>
@@ -16,16 +15,8 @@
 /// 0).
 namespace adore::dynamics {
 
+class SceneEffect;   // effect.hpp
 struct RollerScene;  // roller_start.hpp
-
-struct SystemOptions {
-  int ellipse_major = 15, ellipse_minor = 4;  ///< nodes of the run's split ellipse rule
-  tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;
-  int land_slices = 3;
-  std::shared_ptr<const RollerScene> rollers;  ///< of roller bearings: where they start
-};
-
-class SceneEffect;  // effect.hpp
 /// Makes an effect that the catalogue does not have; null: not in this scene.
 using EffectMaker = std::function<std::unique_ptr<SceneEffect>(const ScenePlan&)>;
 
@@ -37,7 +28,8 @@ class System {
   /// that forces agree).
   System(const bearing::Bearing& bearing, const ScenePlan& plan,
          const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
-         const SystemOptions& options, const std::vector<EffectMaker>& more_effects = {});
+         const SystemOptions& options, const std::vector<EffectMaker>& more_effects = {},
+         std::shared_ptr<const RollerScene> rollers = nullptr);
   ~System();
   System(System&&) noexcept;
 

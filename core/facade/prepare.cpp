@@ -162,7 +162,7 @@ Prepared prepare_model(LoadedDeck input) {
       scene->options = out.options.rollers;
       scene->solution = *out.rollers;
       out.start = dynamics::static_start(*scene, out.bearing);
-      out.options.system.rollers = std::move(scene);
+      out.roller_scene = std::move(scene);
       if (out.rollers->guide_force > 0.0)
         out.input.warnings.push_back(remark(
             Severity::Note, out.input.path.string(),
@@ -300,7 +300,7 @@ Prepared prepare(LoadedDeck input) {
 
 dynamics::System make_system(const Prepared& prepared) {
   return dynamics::System(prepared.bearing, prepared.plan, prepared.start, prepared.fixed_angle,
-                          prepared.options.system);
+                          prepared.options.system, {}, prepared.roller_scene);
 }
 
 scene::ScenePlan plan_with_estimates(const Prepared& prepared) {

@@ -16,6 +16,8 @@ enum class Effect : unsigned char {
   FlangeTraction,
   PocketContact,  ///< element / cage pocket
   PocketTraction,
+  ElementContact,  ///< element / element, without cage
+  ElementTraction,
   LandContact,  ///< cage / race guide lands
   LandTraction,
   Gravity,

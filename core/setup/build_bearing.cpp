@@ -264,6 +264,8 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
       (out.rollers()->has_flange(0) || out.rollers()->has_flange(1)))
     out.flange_traction = curve(deck, "kRFTracType", "reFlngTC", true);
   if (deck.integer("nCseg") == 1) out.cage = cage(deck, out);
+  if (dynamic && deck.integer("nCseg") == 0)
+    out.element_traction = curve(deck, "kRRTracType", "reReTC", true);
   if (dynamic && out.cage) {
     out.pocket_traction = curve(deck, "kCPTracType", "reCageTC", true);
     const bool guided = std::any_of(out.cage->lands.begin(), out.cage->lands.end(),

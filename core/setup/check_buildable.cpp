@@ -38,7 +38,6 @@ constexpr Gate kDynamic[] = {
     {"kReIP", 0, "given rolling-element inertia"},
     {"kRaceIP1", 0, "given outer-race inertia"},
     {"kRaceIP2", 0, "given inner-race inertia"},
-    {"nCseg", 1, "a segmented cage or a bearing without cage (element to element contact)"},
     {"kChrn", 0, "churning and drag"},
 };
 constexpr Gate kCage[] = {
@@ -49,6 +48,10 @@ constexpr Gate kCage[] = {
     {"kCageIP", 0, "given cage inertia"},
     {"kCPTrac", 0, "a user routine for element to cage traction"},
     {"kCRTrac", 0, "a user routine for cage to race traction"},
+};
+
+constexpr Gate kNoCage[] = {
+    {"kRRTrac", 0, "a user routine for element to element traction"},
 };
 
 class Checker {
@@ -189,7 +192,24 @@ std::vector<Issue> check_buildable(const Deck& deck) {
                 "asks for the motion of rolling elements with geometric imperfections, which this "
                 "version does not simulate yet",
                 "set kReGeoImp to 0");
-  if (dynamic && deck.integer("nCseg") > 0) {
+  const long long segments = deck.integer("nCseg");
+  if (dynamic && segments > 1)
+    check.error("nCseg", "asks for a segmented cage, which this version does not simulate yet",
+                "set nCseg to 1 for a cage of one piece, or to 0 for a bearing without cage");
+  if (dynamic && segments == 0) {
+    check.gates(kNoCage);
+    if (rollers)
+      check.error(
+          "nCseg",
+          "asks for rollers that touch each other, which this version does not simulate yet",
+          "set nCseg to 1");
+    if (deck.real("qFac") > 0.0)
+      check.error("qFac",
+                  "asks for lightly loaded balls in force balance, which knows races and pockets "
+                  "but no contact between balls (nCseg = 0)",
+                  "set qFac to 0");
+  }
+  if (dynamic && segments > 0) {
     check.gates(kCage);
     if (!rollers && deck.has("cageConeAng") && deck.real("cageConeAng") != 0.0)
       check.error("cageConeAng",

@@ -139,7 +139,7 @@ void Races::declare_contact(SceneBuilder& scene, std::size_t j) {
 }
 
 void Races::declare(SceneBuilder& scene) {
-  if (scene.options.rollers != nullptr) {
+  if (scene.rollers != nullptr) {
     rollers_ = roller_race_models(scene);
     place(scene, {});  // their reference point is the middle of the bearing
   } else {

@@ -87,9 +87,9 @@ void RigidElements::Motion::apply(Evaluation& e) noexcept {
 void RigidElements::declare(SceneBuilder& scene) {
   const bearing::Bearing& bearing = scene.bearing;
   const int count = bearing.element_count();
-  rollers_ = scene.options.rollers != nullptr;
+  rollers_ = scene.rollers != nullptr;
   demand(rollers_, "rigid elements need the start of the rollers");
-  start_ = start_poses(*scene.options.rollers, bearing);
+  start_ = start_poses(*scene.rollers, bearing);
   demand(static_cast<int>(start_.size()) == count,
          "the start has another number of elements than the bearing");
   mass_ = bearing.element_inertia.mass;

@@ -142,9 +142,9 @@ class FlangeBlock final : public EffectBlock {
 class RollerFlanges final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
-    demand(scene.options.rollers != nullptr, "flanges need rollers");
+    demand(scene.rollers != nullptr, "flanges need rollers");
     const statics::RollerModel model =
-        statics::make_roller_model(scene.bearing, scene.options.rollers->options);
+        statics::make_roller_model(scene.bearing, scene.rollers->options);
     for (const statics::RollerBody& body : model.bodies) pairs_.push_back(body.flanges);
     mass_offset_ = scene.bearing.roller_mass_offset;
     const bool traction = scene.plan.has(Effect::FlangeTraction);

@@ -147,7 +147,7 @@ RollerPocketSet::RollerPocketSet(const SceneBuilder& scene) {
   rotation_sign_ = nominal_cage_speed(bearing) < 0.0 ? -1.0 : 1.0;
   E_star_ = bearing::contact_modulus(bearing.element_material, cage.material);
   law_ = contact::power_law(contact::line_constant(E_star_), rollers.length);
-  const int count = scene.options.rollers->options.slices;
+  const int count = scene.rollers->options.slices;
   const std::size_t shapes =
       rollers.deviation.empty() ? 1 : static_cast<std::size_t>(rollers.count);
   for (std::size_t i = 0; i < shapes; ++i) {
@@ -292,7 +292,7 @@ class RollerPockets final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
     demand(scene.plan.has(Effect::CageMotion), "the plan has cage contacts but no cage motion");
-    demand(scene.options.rollers != nullptr, "roller pockets need rollers");
+    demand(scene.rollers != nullptr, "roller pockets need rollers");
     set_.emplace(scene);
     constexpr std::string_view kCost = "pocket contacts";
     const BodyId cage{BodyId::Kind::Segment, 0};

@@ -39,7 +39,7 @@ RollerPlace place_of(const Evaluation& e, std::size_t i, double mass_offset) {
 }  // namespace
 
 std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
-  const statics::RollerOptions& options = scene.options.rollers->options;
+  const statics::RollerOptions& options = scene.rollers->options;
   if (options.contact != statics::RollerContact::Sliced ||
       options.kinematics != statics::RollerKinematics::Exact)
     throw InputError(

@@ -78,9 +78,7 @@ inline Scene scene_of(Bearing b, scene::ScenePlan plan, int slices = 15,
   rollers->options.slices = slices;
   rollers->options.first_azimuth = first_azimuth;
   rollers->solution = statics::solve_roller_statics(b, rollers->options);
-  dynamics::SystemOptions options;
-  options.rollers = rollers;
-  dynamics::System system(b, plan, dynamics::static_start(*rollers, b), {}, options);
+  dynamics::System system(b, plan, dynamics::static_start(*rollers, b), {}, {}, {}, rollers);
   return {std::move(b), std::move(rollers), std::move(system)};
 }
 

@@ -298,8 +298,7 @@ TEST_CASE("rigid elements: a ball under a small moment turns its axis at M/(I om
   dynamics::RollerScene rollers;
   rollers.options.slices = 3;
   rollers.solution = statics::solve_roller_statics(b, rollers.options);
-  dynamics::SystemOptions options;
-  options.rollers = std::make_shared<const dynamics::RollerScene>(rollers);
+  const auto start = std::make_shared<const dynamics::RollerScene>(rollers);
   const double omega = rollers.solution.orbital_speed + rollers.solution.spin_speed;
   const double end = 2e-3, M = 1e-3 * I * std::abs(omega) / end;  // turns by a milliradian
   dynamics::System system(
@@ -320,10 +319,9 @@ TEST_CASE("rigid elements: a roller free of forces precesses as Euler says", "[p
   dynamics::RollerScene rollers;
   rollers.options.slices = 3;
   rollers.solution = statics::solve_roller_statics(b, rollers.options);
-  dynamics::SystemOptions options;
-  options.rollers = std::make_shared<const dynamics::RollerScene>(rollers);
-  dynamics::System system(b, roller_scene::plan_of({}), dynamics::static_start(rollers, b), {},
-                          options);
+  const auto start = std::make_shared<const dynamics::RollerScene>(rollers);
+  dynamics::System system(b, roller_scene::plan_of({}), dynamics::static_start(rollers, b), {}, {},
+                          {}, start);
   std::vector<double> y = system.initial_state();
   const auto at = [&](const char* name) {
     return static_cast<std::size_t>(first_of(system, name));
