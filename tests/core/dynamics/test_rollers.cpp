@@ -115,7 +115,8 @@ TEST_CASE("rollers: without friction energy and momentum are conserved, the bett
     }
     CAPTURE(residuals[0], residuals[1], residuals[2]);
     CHECK(residuals[1] < 0.1 * residuals[0]);
-    CHECK(residuals[2] < 0.1 * residuals[1]);
+    // Of some 1 J that moves: below is rounding.
+    CHECK(residuals[2] < std::max(0.1 * residuals[1], 1e-9));
   }
 }
 
