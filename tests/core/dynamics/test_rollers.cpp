@@ -302,9 +302,11 @@ TEST_CASE("rigid elements: a ball under a small moment turns its axis at M/(I om
   const auto start = std::make_shared<const dynamics::RollerScene>(rollers);
   const double omega = rollers.solution.orbital_speed + rollers.solution.spin_speed;
   const double end = 2e-3, M = 1e-3 * I * std::abs(omega) / end;  // turns by a milliradian
-  dynamics::System system(
-      b, roller_scene::plan_of({}), dynamics::static_start(rollers, b), {}, options,
-      {[&](const scene::ScenePlan&) { return std::make_unique<Moment>(Vec3(0.0, M, 0.0)); }});
+  const dynamics::EffectMaker moment = [&](const scene::ScenePlan&) {
+    return std::make_unique<Moment>(Vec3(0.0, M, 0.0));
+  };
+  dynamics::System system(b, roller_scene::plan_of({}), dynamics::static_start(rollers, b), {}, {},
+                          {moment}, start);
   const auto run = fixture::run(system, system.initial_state(), end, 1e-12, "rkf7");
   const scene::ElementSnapshot e = system.snapshot(end, run.y).elements[0];
   // Azimuth frame -> base: x, y turned about x by the azimuth.
