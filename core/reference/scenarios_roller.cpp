@@ -133,17 +133,21 @@ Json planar_case(const Json& the_case) {
   }
   const std::vector<double> times = sample_times(the_case);
   const Solution solution = solve(problem, times);
-  Json out = {{"t", times},
-              {"y", solution.channel(0)},
-              {"z", solution.channel(1)},
-              {"vy", solution.channel(2)},
-              {"vz", solution.channel(3)},
-              {"omega", solution.channel(4)},
-              {"work_by_races", solution.channel(5)},
-              {"heat_outer", solution.channel(6)},
-              {"heat_inner", solution.channel(7)},
-              {"angular_frequency_linear",
-               std::sqrt((stiffness + roller.race(1).stiffness) / roller.mass())}};
+  // At constant angular momentum the orbit adds 3 θ̇².
+  const State& y0 = problem.start;
+  const double orbit = (y0[0] * y0[3] - y0[1] * y0[2]) / (y0[0] * y0[0] + y0[1] * y0[1]);
+  Json out = {
+      {"t", times},
+      {"y", solution.channel(0)},
+      {"z", solution.channel(1)},
+      {"vy", solution.channel(2)},
+      {"vz", solution.channel(3)},
+      {"omega", solution.channel(4)},
+      {"work_by_races", solution.channel(5)},
+      {"heat_outer", solution.channel(6)},
+      {"heat_inner", solution.channel(7)},
+      {"angular_frequency_linear",
+       std::sqrt((stiffness + roller.race(1).stiffness) / roller.mass() + 3.0 * orbit * orbit)}};
   double theta = 0.0;
   for (const State& y : solution.samples) {
     const double r = std::hypot(y[0], y[1]), now = std::atan2(-y[0], y[1]);
