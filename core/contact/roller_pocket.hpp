@@ -78,11 +78,12 @@ inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u,
   const double across = std::clamp(d.dot(face.across), -face.half_width, face.half_width);
   PocketSlice out;
   detail::touch(out, face.centre + along * face.along + across * face.across, p, u, radius);
-  out.position = along;
+  out.position = (out.point - face.centre).dot(face.along);
   if (std::isfinite(face.half_length)) {
-    const double high = std::min(along + half_slice, face.half_length);
-    const double low = std::max(along - half_slice, -face.half_length);
-    out.fraction = std::clamp((high - low) / (2.0 * half_slice), 0.0, 1.0);
+    const double half = half_slice * std::abs(u.dot(face.along));
+    const double high = std::min(along + half, face.half_length);
+    const double low = std::max(along - half, -face.half_length);
+    out.fraction = std::clamp((high - low) / (2.0 * half), 0.0, 1.0);
   }
   return out;
 }
@@ -94,7 +95,7 @@ inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u,
   const double y = std::sqrt(std::max(pocket.radius * pocket.radius - z * z, 0.0));
   PocketSlice out;
   detail::touch(out, {p[0], std::copysign(y, p[1]), z}, p, u, radius);
-  out.position = p[0];
+  out.position = out.point[0];
   return out;
 }
 
