@@ -73,11 +73,14 @@ struct GuideLand {  ///< record 7.2.i
 
 enum class PocketShape : unsigned char { Cylindrical, Spherical, Elongated, Rectangular, Conical };
 
-/// Inertia of one rigid body about its mass centre, in geometric axes (diagonal for all ideal
-/// shapes here).
+/// Inertia of one rigid body about its mass centre. Ideal shapes have their principal axes along
+/// the geometric ones and their mass centre in the geometric centre; records 6 and 7.7 may say
+/// otherwise.
 struct Inertia {
-  double mass = 0.0;            ///< [kg]
-  Vec3 moments = Vec3::Zero();  ///< about x, y, z [kg m^2]
+  double mass = 0.0;                     ///< [kg]
+  Vec3 moments = Vec3::Zero();           ///< principal, about x, y, z [kg m^2]
+  Vec3 geometric_centre = Vec3::Zero();  ///< from the mass centre, geometric axes [m]
+  Vec3 frame = Vec3::Zero();             ///< angles from the principal to the geometric axes [rad]
 };
 
 /// What a pocket has more than the nominal one (record 7.4).
@@ -146,6 +149,7 @@ struct Bearing {
   std::array<Material, 2> race_material;
   Inertia element_inertia;  ///< of one ball, or of a nominal roller: x along its own axis, about
                             ///< its mass centre
+  std::optional<Inertia> first_element_inertia;  ///< of element 1, where it has one of its own
   double roller_mass_offset = 0.0;  ///< s_G: roller mass centre along its axis from mid length [m]
   std::array<Inertia, 2> race_inertia;
   std::optional<Cage> cage;
@@ -177,6 +181,10 @@ struct Bearing {
   }
 
   // What both have.
+  /// @param i from 0
+  [[nodiscard]] const Inertia& inertia_of(std::size_t i) const noexcept {
+    return i == 0 && first_element_inertia ? *first_element_inertia : element_inertia;
+  }
   [[nodiscard]] int element_count() const noexcept {
     return std::visit([](const auto& one) { return one.count; }, elements);
   }

@@ -148,7 +148,7 @@ void Races::declare(SceneBuilder& scene) {
                    &account.load_slip_element1);
   }
   if (work) scene.block<RacePower>(Phase::Account, kMotionCost, {}, account_);
-  if (in_contact_) {
+  if (in_contact_ && !plan.has(Effect::ElementBalance)) {  // whose balls do not vibrate
     const Balls& balls = *scene.find<Balls>();
     normal_.emplace(contacts_, balls.slices(), balls.mass());
   }

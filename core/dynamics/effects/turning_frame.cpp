@@ -11,7 +11,8 @@
 /// turns Euler's equations for ω + Ω into equations for ω, with Ω_b = Rᵀ Ω in body axes:
 ///   M = I(ω × Ω_b) - (ω + Ω_b) × I(ω + Ω_b) + ω × Iω,   power -ω·(Ω_b × I Ω_b), hence of the
 /// potential -½ Ω_b·I Ω_b; of a ball, I equal: M = -I Ω × ω.
-/// Races that are prescribed move as prescribed, relative to the frame.
+/// Races that are prescribed move as prescribed, relative to the frame; of free races the given
+/// share of the force acts (record 9.5), the moment acts whole.
 namespace adore::dynamics {
 namespace {
 
@@ -31,6 +32,7 @@ class TurningFrame final : public SceneEffect {
   void declare(SceneBuilder& scene) override {
     const bearing::FrameMotion& motion = *scene.plan.race_motions.frame;
     frame_ = {motion.speed, motion.orbit_radius, motion.orbit_angle};
+    load_share_ = motion.load_share;
     mass_ = scene.bearing.element_inertia.mass;
     inertia_ = scene.bearing.element_inertia.moments[0];
     scene.block<Fields>(Phase::Force, "turning base frame", {}, *this);
@@ -46,8 +48,8 @@ class TurningFrame final : public SceneEffect {
     for (std::size_t i = 0; i < e.elements.n; ++i) stored += potential(mass_, e.element_centre(i));
     e.for_integrated([&](const BodyState& body) {
       const Vec3 turn = body.to_base.transpose() * (frame_.speed * Vec3::UnitX());
-      stored += potential(body.inertia.mass, body.centre_of_mass()) -
-                0.5 * turn.dot(body.inertia.moments.cwiseProduct(turn));
+      stored += potential(share_of(e, body) * body.mass, body.centre_of_mass()) -
+                0.5 * turn.dot(body.inertia * turn);
     });
     energy.accumulate(kEnergy, stored);
   }
@@ -66,6 +68,13 @@ class TurningFrame final : public SceneEffect {
     const Vec3 from_axis = frame_.orbit_radius * radial_direction(frame_.orbit_angle) + centre;
     return -0.5 * mass * frame_.speed * frame_.speed *
            (from_axis[1] * from_axis[1] + from_axis[2] * from_axis[2]);
+  }
+
+  /// Of the force on its mass; what is not its share is carried outside of the bearing.
+  [[nodiscard]] double share_of(const Evaluation& e, const BodyState& body) const noexcept {
+    for (std::size_t j = 0; j < 2; ++j)
+      if (&body == &e.race[j]) return load_share_[j];
+    return 1.0;
   }
 
   void book(const Vec3& force, const Vec3& moment, const Vec3& centre) noexcept {
@@ -87,13 +96,12 @@ class TurningFrame final : public SceneEffect {
     }
     e.for_integrated([&](BodyState& body) {
       const Vec3 centre = body.centre_of_mass();
-      const Vec3 force = frame_.inertial_force(body.inertia.mass, centre, body.velocity_at(centre));
-      const Vec3& I = body.inertia.moments;
+      const Vec3 force =
+          frame_.inertial_force(share_of(e, body) * body.mass, centre, body.velocity_at(centre));
+      const Mat3& I = body.inertia;
       const Vec3& w = body.omega_body;
       const Vec3 turn = body.to_base.transpose() * frame, whole = w + turn;
-      const Vec3 in_body = I.cwiseProduct(w.cross(turn)) -
-                           whole.cross(Vec3(I.cwiseProduct(whole))) +
-                           w.cross(Vec3(I.cwiseProduct(w)));
+      const Vec3 in_body = I * w.cross(turn) - whole.cross(Vec3(I * whole)) + w.cross(Vec3(I * w));
       const Vec3 moment = body.to_base * in_body;
       body.add_force(force, centre);
       body.moment += moment;
@@ -102,6 +110,7 @@ class TurningFrame final : public SceneEffect {
   }
 
   MovingFrame frame_;
+  std::array<double, 2> load_share_{1.0, 1.0};
   double mass_ = 0.0, inertia_ = 0.0;                  ///< of an element [kg, kg m²]
   Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();  ///< now, about the base origin [N, N m]
   int impulse_ = -1, angular_impulse_ = -1;            ///< in the state

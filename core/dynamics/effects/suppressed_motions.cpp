@@ -1,0 +1,104 @@
+#include "base/errors.hpp"
+#include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/balls.hpp"
+
+/// Suppressed accelerations of elements (kDOF, reading N9): after the equations of motion they are
+/// set to zero, so that the velocity keeps the value of the start; components of ω are those of the
+/// azimuth frame. What holds an element follows from what its acceleration would have been,
+///   H = -m (ẍ, r̈, r θ̈) and -I (ω̇_x, ω̇_r, ω̇_θ),
+/// acts from outside, and does the work H · velocity, which the ledgers book. Of the cage:
+/// cage.cpp. Limit: elements with three equal moments of inertia.
+namespace adore::dynamics {
+namespace {
+
+constexpr LedgerTerm kWork{LedgerKind::Work,
+                           "element_holding",
+                           "work of what suppresses motions of elements",
+                           {"work of suppressed motions of elements"},
+                           "done since the start"};
+constexpr const LedgerTerm* kTerms[] = {&kWork};
+constexpr LedgerTerm kImpulse{LedgerKind::Work, "", "", {"impulse on held elements"}, ""};
+constexpr LedgerTerm kAngularImpulse{
+    LedgerKind::Work, "", "", {"angular impulse on held elements"}, ""};
+
+class SuppressedElements final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override {
+    const scene::SuppressedMotions& given = scene.plan.suppressed;
+    const bool all = given.element_all;
+    axial_ = given.element_axial || all;
+    tilt_ = given.element_tilt || all;
+    rest_ = all;
+    slices_ = scene.find<Balls>()->slices();
+    for (std::size_t i = 0; i < slices_.elements(); ++i) {
+      const bearing::Inertia& inertia = scene.bearing.inertia_of(i);
+      mass_.push_back(inertia.mass);
+      inertia_.push_back(inertia.moments[0]);
+    }
+    scene.block<Hold>(Phase::Motion, "suppressed motions", {}, *this);
+    scene.energy("held elements.work", kWork, &power_);
+    if (!scene.plan.has(Effect::MomentumLedger)) return;
+    using Momentum = SceneBuilder::Momentum;
+    scene.momentum(impulse_, "held elements.impulse", Momentum::Linear, kImpulse, force_.data());
+    scene.momentum(angular_impulse_, "held elements.angular_impulse", Momentum::Angular,
+                   kAngularImpulse, moment_.data());
+  }
+
+ private:
+  class Hold final : public EffectBlock {
+   public:
+    explicit Hold(SuppressedElements& of) : of_(of) {}
+    void apply(Evaluation& e) noexcept override { of_.hold(e); }
+
+   private:
+    SuppressedElements& of_;
+  };
+
+  void hold(Evaluation& e) noexcept {
+    power_ = 0.0;
+    force_.setZero();
+    moment_.setZero();
+    for (std::size_t i = 0; i < slices_.elements(); ++i) {
+      const auto taken = [&](Quantity q) {
+        double& rate = e.dydt[slices_.at(q, i)];
+        const double value = rate;
+        rate = 0.0;
+        return value;
+      };
+      const ElementViews& b = e.elements;
+      Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // (x, r, θ)
+      if (axial_) force[0] = -mass_[i] * taken(Quantity::XDot);
+      if (rest_) {
+        force[1] = -mass_[i] * taken(Quantity::RDot);
+        force[2] = -mass_[i] * b.r[i] * taken(Quantity::ThetaDot);
+        moment[0] = -inertia_[i] * taken(Quantity::OmegaX);
+      }
+      if (tilt_) {
+        moment[1] = -inertia_[i] * taken(Quantity::OmegaR);
+        moment[2] = -inertia_[i] * taken(Quantity::OmegaTheta);
+      }
+      power_ += force.dot(Vec3(b.x_dot[i], b.r_dot[i], b.r[i] * b.theta_dot[i])) +
+                moment.dot(Vec3(b.omega_x[i], b.omega_r[i], b.omega_theta[i]));
+      const Vec3 in_base = e.to_base(i, force);
+      force_ += in_base;
+      moment_ += e.to_base(i, moment) + e.element_centre(i).cross(in_base);
+    }
+  }
+
+  ElementSlices slices_;
+  bool axial_ = false, tilt_ = false, rest_ = false;
+  std::vector<double> mass_, inertia_;                 ///< of each element [kg, kg m²]
+  double power_ = 0.0;                                 ///< now [W]
+  Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();  ///< now, about the base origin [N, N m]
+  int impulse_ = -1, angular_impulse_ = -1;            ///< in the state
+};
+
+}  // namespace
+
+std::unique_ptr<SceneEffect> make_suppressed_elements(const ScenePlan& plan) {
+  if (!plan.suppressed.of_elements()) return nullptr;
+  return std::make_unique<SuppressedElements>();
+}
+std::span<const LedgerTerm* const> suppressed_element_terms() { return kTerms; }
+
+}  // namespace adore::dynamics
