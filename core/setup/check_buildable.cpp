@@ -1,6 +1,7 @@
 #include "bearing/material_laws.hpp"
 #include "setup/build_bearing.hpp"
 #include "setup/deck_text.hpp"
+#include "setup/race_motions.hpp"
 
 #include <fmt/format.h>
 
@@ -31,14 +32,6 @@ constexpr Gate kDynamic[] = {
     {"kRaceGeoImp1", 0, "motion on an outer race with geometric imperfections"},
     {"kRaceGeoImp2", 0, "motion on an inner race with geometric imperfections"},
     {"kTherm", 0, "the thermal analysis"},
-    {"mode", 0, "a constrained mode"},
-    {"kDOF", 0, "suppressed degrees of freedom"},
-    {"kVarLoad", 0, "a time-varying load"},
-    {"kVarSpeed", 0, "a time-varying speed"},
-    {"kRotFrame", 0, "a moving base frame"},
-    {"kReIP", 0, "given rolling-element inertia"},
-    {"kRaceIP1", 0, "given outer-race inertia"},
-    {"kRaceIP2", 0, "given inner-race inertia"},
     {"nCseg", 1, "a segmented cage or a bearing without cage (element to element contact)"},
     {"kChrn", 0, "churning and drag"},
 };
@@ -47,7 +40,6 @@ constexpr Gate kCage[] = {
     {"kRaceGsImp", 0, "race guide-land imperfections"},
     {"kPocHydro", 0, "pocket hydrodynamics"},
     {"kGsHydro", 0, "guide-land hydrodynamics"},
-    {"kCageIP", 0, "given cage inertia"},
     {"kCPTrac", 0, "a user routine for element to cage traction"},
     {"kCRTrac", 0, "a user routine for cage to race traction"},
 };
@@ -76,6 +68,8 @@ class Checker {
   void note(const char* variable, std::string message) {
     issues_.push_back(deck_.issue(Severity::Note, variable, std::move(message), {}));
   }
+
+  void add(Issue issue) { issues_.push_back(std::move(issue)); }
 
   std::vector<Issue> take() { return std::move(issues_); }
 
@@ -160,21 +154,9 @@ std::vector<Issue> check_buildable(const Deck& deck) {
   if (dynamic && deck.integer("kBrg") != 1)
     check.error("kBrg", "asks for the motion of rollers, which this version does not simulate yet",
                 "set mode to -1 for the quasi-static solution");
-  if (dynamic && deck.integer("nCseg") > 0) {
-    check.gates(kCage);
-    if (deck.has("cageConeAng") && deck.real("cageConeAng") != 0.0)
-      check.error("cageConeAng",
-                  "asks for a conical cage, which this version does not simulate yet",
-                  "set it to 0");
-  }
-  if (dynamic && deck.integer("kDCR") == 1)
-    for (const char* flag : {"kFD11", "kFD21", "kFD31", "kFD12", "kFD22", "kFD32", "kMD11", "kMD21",
-                             "kMD31", "kMD12", "kMD22", "kMD32"})
-      if (deck.integer(flag) == 0)
-        check.error(
-            flag,
-            "asks for a race that moves under its loads, which this version does not simulate yet",
-            "set it to 1 (prescribed motion)");
+  if (dynamic && deck.integer("nCseg") > 0) check.gates(kCage);
+  for (Issue& issue : check_race_motions(deck)) check.add(std::move(issue));
+  for (Issue& issue : check_element_inertia(deck)) check.add(std::move(issue));
   for (const char* material :
        {"kReMat", "kRaceMat1", "kRaceMat2", "kHsngMat", "kShftMat", "kCageMat"})
     if (deck.integer(material) == 2)
@@ -190,6 +172,9 @@ std::vector<Issue> check_buildable(const Deck& deck) {
   if (dynamic && deck.has("kCagePocImp") && deck.integer("kCagePocImp") == 4)
     check.error("kCagePocImp", "asks for user routine ADRX8, which this version does not call yet",
                 "use 0, 1, 2 or 3");
+  if (dynamic && deck.integer("kDOF") == 6)
+    check.error("kDOF", "asks for user routine ADRX1, which this version does not call yet",
+                "use 0 to 5");
   check_waves(deck, check);
   check_law_ranges(deck, check);
   check_pocket_errors(deck, check);

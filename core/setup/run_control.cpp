@@ -47,7 +47,11 @@ RunControl build_run_control(const deck::Deck& deck) {
   out.step_maximum = deck.si("stpMax");
   out.end_time = deck.si("fTime");
   out.tolerance = deck.si("tol");
-  out.light_load_ratio = std::max(deck.real("qFac"), 0.0);
+  const bool all_balanced = deck.integer("mode") > 0;
+  {
+    const deck::ReportOnly quiet(deck, all_balanced);
+    out.light_load_ratio = all_balanced ? 0.0 : std::max(deck.real("qFac"), 0.0);
+  }
   const int count = static_cast<int>(deck.integer("kNumPltElem"));
   for (int i = 1; i <= count; ++i)
     out.monitored.push_back(static_cast<int>(deck.integer("kPltElemInd", i)));
