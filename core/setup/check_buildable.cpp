@@ -32,7 +32,6 @@ constexpr Gate kDynamic[] = {
     {"kRaceGeoImp1", 0, "motion on an outer race with geometric imperfections"},
     {"kRaceGeoImp2", 0, "motion on an inner race with geometric imperfections"},
     {"kTherm", 0, "the thermal analysis"},
-    {"nCseg", 1, "a segmented cage or a bearing without cage (element to element contact)"},
     {"kChrn", 0, "churning and drag"},
 };
 constexpr Gate kCage[] = {
@@ -42,6 +41,10 @@ constexpr Gate kCage[] = {
     {"kGsHydro", 0, "guide-land hydrodynamics"},
     {"kCPTrac", 0, "a user routine for element to cage traction"},
     {"kCRTrac", 0, "a user routine for cage to race traction"},
+};
+
+constexpr Gate kNoCage[] = {
+    {"kRRTrac", 0, "a user routine for element to element traction"},
 };
 
 class Checker {
@@ -154,7 +157,29 @@ std::vector<Issue> check_buildable(const Deck& deck) {
   if (dynamic && deck.integer("kBrg") != 1)
     check.error("kBrg", "asks for the motion of rollers, which this version does not simulate yet",
                 "set mode to -1 for the quasi-static solution");
-  if (dynamic && deck.integer("nCseg") > 0) check.gates(kCage);
+  const long long segments = deck.integer("nCseg");
+  if (dynamic && segments > 1)
+    check.error("nCseg", "asks for a segmented cage, which this version does not simulate yet",
+                "set nCseg to 1 for a cage of one piece, or to 0 for a bearing without cage");
+  if (dynamic && segments == 0) {
+    check.gates(kNoCage);
+    if (deck.integer("kBrg") != 1)
+      check.error(
+          "nCseg",
+          "asks for rollers that touch each other, which this version does not simulate yet",
+          "set nCseg to 1");
+    if (deck.real("qFac") > 0.0)
+      check.error("qFac",
+                  "asks for lightly loaded balls in force balance, which knows races and pockets "
+                  "but no contact between balls (nCseg = 0)",
+                  "set qFac to 0");
+    if (deck.integer("mode") > 0)
+      check.error("mode",
+                  "asks for balls in force balance, which knows races and pockets but no contact "
+                  "between balls (nCseg = 0)",
+                  "set mode to 0");
+  }
+  if (dynamic && segments > 0) check.gates(kCage);
   for (Issue& issue : check_race_motions(deck)) check.add(std::move(issue));
   for (Issue& issue : check_element_inertia(deck)) check.add(std::move(issue));
   for (const char* material :
