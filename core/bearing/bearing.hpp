@@ -149,7 +149,6 @@ struct Bearing {
   std::array<Material, 2> race_material;
   Inertia element_inertia;  ///< of one ball, or of a nominal roller: x along its own axis, about
                             ///< its mass centre
-  std::optional<Inertia> first_element_inertia;  ///< of element 1, where it has one of its own
   double roller_mass_offset = 0.0;  ///< s_G: roller mass centre along its axis from mid length [m]
   std::array<Inertia, 2> race_inertia;
   std::optional<Cage> cage;
@@ -182,10 +181,6 @@ struct Bearing {
   }
 
   // What both have.
-  /// @param i from 0
-  [[nodiscard]] const Inertia& inertia_of(std::size_t i) const noexcept {
-    return i == 0 && first_element_inertia ? *first_element_inertia : element_inertia;
-  }
   [[nodiscard]] int element_count() const noexcept {
     return std::visit([](const auto& one) { return one.count; }, elements);
   }

@@ -30,11 +30,8 @@ class SuppressedElements final : public SceneEffect {
     tilt_ = given.element_tilt || all;
     rest_ = all;
     slices_ = scene.find<Balls>()->slices();
-    for (std::size_t i = 0; i < slices_.elements(); ++i) {
-      const bearing::Inertia& inertia = scene.bearing.inertia_of(i);
-      mass_.push_back(inertia.mass);
-      inertia_.push_back(inertia.moments[0]);
-    }
+    mass_ = scene.bearing.element_inertia.mass;
+    inertia_ = scene.bearing.element_inertia.moments[0];
     scene.block<Hold>(Phase::Motion, "suppressed motions", {}, *this);
     scene.energy("held elements.work", kWork, &power_);
     if (!scene.plan.has(Effect::MomentumLedger)) return;
@@ -67,15 +64,15 @@ class SuppressedElements final : public SceneEffect {
       };
       const ElementViews& b = e.elements;
       Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // (x, r, θ)
-      if (axial_) force[0] = -mass_[i] * taken(Quantity::XDot);
+      if (axial_) force[0] = -mass_ * taken(Quantity::XDot);
       if (rest_) {
-        force[1] = -mass_[i] * taken(Quantity::RDot);
-        force[2] = -mass_[i] * b.r[i] * taken(Quantity::ThetaDot);
-        moment[0] = -inertia_[i] * taken(Quantity::OmegaX);
+        force[1] = -mass_ * taken(Quantity::RDot);
+        force[2] = -mass_ * b.r[i] * taken(Quantity::ThetaDot);
+        moment[0] = -inertia_ * taken(Quantity::OmegaX);
       }
       if (tilt_) {
-        moment[1] = -inertia_[i] * taken(Quantity::OmegaR);
-        moment[2] = -inertia_[i] * taken(Quantity::OmegaTheta);
+        moment[1] = -inertia_ * taken(Quantity::OmegaR);
+        moment[2] = -inertia_ * taken(Quantity::OmegaTheta);
       }
       power_ += force.dot(Vec3(b.x_dot[i], b.r_dot[i], b.r[i] * b.theta_dot[i])) +
                 moment.dot(Vec3(b.omega_x[i], b.omega_r[i], b.omega_theta[i]));
@@ -87,7 +84,7 @@ class SuppressedElements final : public SceneEffect {
 
   ElementSlices slices_;
   bool axial_ = false, tilt_ = false, rest_ = false;
-  std::vector<double> mass_, inertia_;                 ///< of each element [kg, kg m²]
+  double mass_ = 0.0, inertia_ = 0.0;                  ///< of an element [kg, kg m²]
   double power_ = 0.0;                                 ///< now [W]
   Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();  ///< now, about the base origin [N, N m]
   int impulse_ = -1, angular_impulse_ = -1;            ///< in the state
