@@ -1,5 +1,5 @@
 #include "core/dynamics/system_fixture.hpp"
-#include "dynamics/constrained.hpp"
+#include "dynamics/mode2.hpp"
 
 #include <catch2/catch.hpp>
 
