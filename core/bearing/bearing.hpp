@@ -73,11 +73,14 @@ struct GuideLand {  ///< record 7.2.i
 
 enum class PocketShape : unsigned char { Cylindrical, Spherical, Elongated, Rectangular, Conical };
 
-/// Inertia of one rigid body about its mass centre, in geometric axes (diagonal for all ideal
-/// shapes here).
+/// Inertia of one rigid body about its mass centre. Ideal shapes have their principal axes along
+/// the geometric ones and their mass centre in the geometric centre; records 6 and 7.7 may say
+/// otherwise.
 struct Inertia {
-  double mass = 0.0;            ///< [kg]
-  Vec3 moments = Vec3::Zero();  ///< about x, y, z [kg m^2]
+  double mass = 0.0;                     ///< [kg]
+  Vec3 moments = Vec3::Zero();           ///< principal, about x, y, z [kg m^2]
+  Vec3 geometric_centre = Vec3::Zero();  ///< from the mass centre, geometric axes [m]
+  Vec3 frame = Vec3::Zero();             ///< angles from the principal to the geometric axes [rad]
 };
 
 /// What a pocket has more than the nominal one (record 7.4).

@@ -11,12 +11,11 @@ namespace adore::bearing {
 
 /// A race that moves under what acts on it; its inertia is Bearing::race_inertia.
 struct FreeRace {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< applied at the mass centre, constant [N]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< applied at the race's centre, constant [N]
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< applied, constant [N m]
-  /// Directions whose velocity or angular velocity keeps its start value (false: free).
+  /// Directions that keep the velocity of their start, or follow the laws below (false: free).
+  /// Translations along base axes, rotations about the axes of the race at the start.
   std::array<bool, 3> translation_held{}, rotation_held{};
-  /// Mass centre from the centre of the groove circle, axes of the race [m].
-  Eigen::Vector3d mass_centre = Eigen::Vector3d::Zero();
 };
 
 /// Load that turns (9.3A), see dynamics/excitations.hpp. Outer, inner race.
@@ -48,6 +47,9 @@ struct FrameMotion {
   double speed = 0.0;         ///< about the fixed axis, along +X [rad/s]
   double orbit_radius = 0.0;  ///< fixed axis -> base origin [m]
   double orbit_angle = 0.0;   ///< azimuth of the base origin seen from the fixed axis [rad]
+  /// Share of the inertial force of outer and inner race that loads the bearing; free races feel
+  /// that share of it.
+  std::array<double, 2> load_share{1.0, 1.0};
 };
 
 struct RaceMotions {
@@ -64,6 +66,7 @@ struct RaceMotions {
     return turning_load || vibration[k] || ramp[k] || variation[k];
   }
   [[nodiscard]] bool excited() const noexcept { return excited(0) || excited(1); }
+  [[nodiscard]] bool any_free() const noexcept { return free[0] || free[1]; }
 };
 
 }  // namespace adore::bearing

@@ -322,6 +322,8 @@ bearing::Inertia cage_inertia(const bearing::Bearing& bearing) {
   bearing::Inertia inertia;
   inertia.mass = result.mass;
   inertia.moments = result.inertia.diagonal();
+  if (bearing.cage->cone_angle != 0.0)
+    inertia.geometric_centre = {-result.mass_centre.x(), 0.0, 0.0};
   return inertia;
 }
 

@@ -43,8 +43,9 @@ struct SolidInertia {
 /// diameter at mid length and the pocket's play. @pre the bearing has a cage
 [[nodiscard]] CageSolid cage_solid(const bearing::Bearing& bearing);
 
-/// Mass and moments of that cage about its mass centre. Without material density or with a shape
-/// that cannot be cut it throws as cage_solid_inertia does.
+/// Mass and moments of that cage about its mass centre, which in a conical cage lies off the
+/// middle. Without material density or with a shape that cannot be cut it throws as
+/// cage_solid_inertia does.
 [[nodiscard]] bearing::Inertia cage_inertia(const bearing::Bearing& bearing);
 
 /// One-piece ball cage with straight walls: the tensor is diagonal with equal transverse moments.

@@ -17,7 +17,8 @@ enum class Moves : unsigned char {
 /// Pose and motion of a body at this evaluation, and what acts on it.
 struct BodyState {
   Moves moves = Moves::Prescribed;
-  bearing::Inertia inertia;          ///< of integrated bodies, principal moments in body axes
+  double mass = 0.0;                 ///< of integrated bodies [kg]
+  Mat3 inertia = Mat3::Zero();       ///< the same, about the mass centre, body axes [kg m²]
   Vec3 mass_centre = Vec3::Zero();   ///< from `position`, body axes [m]
   Vec3 position = Vec3::Zero();      ///< of its reference point: of a cage segment the mass centre,
                                      ///< of a race the centre of the groove circle P_j [m]

@@ -24,6 +24,7 @@ LedgerTerms element_contact_terms();
 MadeEffect make_land_contact(const ScenePlan& plan);
 LedgerTerms land_terms();
 MadeEffect make_cage(const ScenePlan& plan);
+LedgerTerms cage_terms();
 MadeEffect make_free_races(const ScenePlan& plan);
 LedgerTerms free_race_terms();
 MadeEffect make_gravity(const ScenePlan& plan);
@@ -31,6 +32,9 @@ LedgerTerms gravity_terms();
 MadeEffect make_turning_frame(const ScenePlan& plan);
 LedgerTerms turning_frame_terms();
 MadeEffect make_momentum_ledger(const ScenePlan& plan);
+MadeEffect make_race_balance(const ScenePlan& plan);
+MadeEffect make_suppressed_elements(const ScenePlan& plan);
+LedgerTerms suppressed_element_terms();
 MadeEffect make_light_load_balance(const ScenePlan& plan);
 LedgerTerms light_load_terms();
 

@@ -47,4 +47,39 @@ PrescribedTurn varying_turn(double start_speed, double amplitude, double frequen
           start_speed + amplitude * std::sin(w * t), amplitude * w * std::cos(w * t)};
 }
 
+RaceLaws::RaceLaws(const std::array<Vec3, 2>& static_centre, const bearing::RaceMotions& motions)
+    : centre_(static_centre), motions_(motions) {
+  if (motions.turning_load)
+    load_.emplace(static_centre, motions.turning_load->fraction, motions.turning_load->speed);
+}
+
+PrescribedMotion RaceLaws::place(int race, double t) const noexcept {
+  const auto j = static_cast<std::size_t>(race);
+  PrescribedMotion out{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  const auto add = [&out](const PrescribedMotion& motion, const Vec3& at_rest) {
+    out.position += motion.position - at_rest;
+    out.velocity += motion.velocity;
+    out.acceleration += motion.acceleration;
+  };
+  if (load_) add(load_->at(race, t), centre_[j]);
+  if (const auto& v = motions_.vibration[j])
+    add(vibration(Vec3::Zero(), v->amplitude, v->frequency, t), Vec3::Zero());
+  return out;
+}
+
+PrescribedTurn RaceLaws::turn(int race, double t) const noexcept {
+  const auto j = static_cast<std::size_t>(race);
+  PrescribedTurn out;
+  const auto add = [&out](const PrescribedTurn& turn) {
+    out.angle += turn.angle;
+    out.speed += turn.speed;
+    out.acceleration += turn.acceleration;
+  };
+  if (const auto& ramp = motions_.ramp[j])
+    add(ramped_turn(0.0, {ramp->acceleration, ramp->begin, ramp->end}, t));
+  if (const auto& variation = motions_.variation[j])
+    add(varying_turn(0.0, variation->amplitude, variation->frequency, t));
+  return out;
+}
+
 }  // namespace adore::dynamics

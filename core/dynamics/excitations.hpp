@@ -1,6 +1,10 @@
 #pragma once
 
 #include "base/rotation.hpp"
+#include "bearing/race_motion.hpp"
+
+#include <array>
+#include <optional>
 
 /// Prescribed motions of races and the base frame's own motion (records 9.3, 9.4), SI and rad, base
 /// axes. One function gives position, velocity and acceleration together, so that they cannot
@@ -54,5 +58,27 @@ struct SpeedRamp {
 /// frequency 0 is no variation. amplitude A in rad/s, frequency in Hz.
 [[nodiscard]] PrescribedTurn varying_turn(double start_speed, double amplitude, double frequency,
                                           double t) noexcept;
+
+/// All laws of both races together, beside static place and constant spin.
+class RaceLaws {
+ public:
+  RaceLaws(const std::array<Vec3, 2>& static_centre, const bearing::RaceMotions& motions);
+  [[nodiscard]] bool moves_places() const noexcept {
+    return load_ || motions_.vibration[0] || motions_.vibration[1];
+  }
+  [[nodiscard]] bool turns() const noexcept {
+    return motions_.ramp[0] || motions_.ramp[1] || motions_.variation[0] || motions_.variation[1];
+  }
+  /// Displacement from the static place, its velocity and acceleration. @param race 0 outer, 1
+  /// inner
+  [[nodiscard]] PrescribedMotion place(int race, double t) const noexcept;
+  /// Turn beyond the constant spin.
+  [[nodiscard]] PrescribedTurn turn(int race, double t) const noexcept;
+
+ private:
+  std::array<Vec3, 2> centre_;
+  bearing::RaceMotions motions_;
+  std::optional<RotatingLoad> load_;
+};
 
 }  // namespace adore::dynamics

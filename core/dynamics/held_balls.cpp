@@ -89,26 +89,23 @@ contact::WallPoints HeldBalls::pocket_walls(std::size_t i) const noexcept {
   return out;
 }
 
-/// w: rates of the balance of race normals, L changing by those alone. Vectors in the
-/// right-handed basis (e_x, e_r, e_θ) of the ball.
-void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
+/// Stiffness of what ball i touches and what follows from it. Vectors in the right-handed basis
+/// (e_x, e_r, e_θ) of the ball.
+void HeldBalls::estimate(const Evaluation& e, std::size_t k) noexcept {
   const std::size_t i = list_[k];
   const ElementViews& b = e.elements;
   const double td = b.theta_dot[i], r = b.r[i], centrifugal = scene_.mass * r * td * td;
-  const Vec3 orbit(0.0, 0.0, r * td);
   Estimate& est = estimate_[k];
-  Vec3 force = Vec3::Zero();      // normal forces of the races
+  est.normal_theta = 0.0;
   Mat3 stiffness = Mat3::Zero();  // of the contacts
-  Vec3 drift = Vec3::Zero();      // change of their force at fixed x, r
   for (std::size_t j = 0; j < 2; ++j) {
-    const RaceBody& race = e.race[j];
     const GrooveContact c =
-        ball_.contact_with(static_cast<int>(j), seen_by(e, i, race), {b.x[i], r});
+        ball_.contact_with(static_cast<int>(j), seen_by(e, i, e.race[j]), {b.x[i], r});
     const Vec2 n = c.normal.head<2>();
     est.race_along[j] = Mat2::Identity() - n * n.transpose();
-    force -= c.load * c.normal;
+    est.race_stiffness[j] = c.stiffness;
+    est.normal_theta -= c.load * c.normal[2];
     stiffness += c.stiffness;
-    drift += c.stiffness * (e.to_cylindrical(i, race.velocity) - orbit);
   }
   const contact::WallPoints walls = pocket_walls(i);
   for (int w = 0; w < walls.count; ++w) {
@@ -127,18 +124,61 @@ void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
         contact::slope(set.law(i), -wall.gap) * m * m.transpose() + N / d * t * t.transpose();
   }
   Mat2 B = stiffness.topLeftCorner<2, 2>();
+  if (scene_.axial_suppressed) B(0, 1) = B(1, 0) = 0.0;
   B(1, 1) += 3.0 * centrifugal / r;  // of L²/(m r³)
   const double floor = kSoft * scene_.mass * td * td + kNoStiffness * (1.0 + std::abs(B.trace()));
   const Mat2 square = B * B + floor * floor * Mat2::Identity();
   est.damping = 2.0 * std::sqrt(scene_.mass) * square_root(square_root(square));
   est.inverse = B * square.inverse();
+  if (scene_.axial_suppressed) est.inverse.row(0).setZero();
   est.per_orbit = Vec2(0.0, 2.0 * td / r);
-  est.normal_theta = force[2];
+}
+
+/// w: rates of the balance of race normals, L changing by those alone.
+void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
+  const std::size_t i = list_[k];
+  const Estimate& est = estimate_[k];
+  const double td = e.elements.theta_dot[i], r = e.elements.r[i];
+  const Vec3 orbit(0.0, 0.0, r * td);
+  Vec3 drift = Vec3::Zero();  // change of the races' force at fixed x, r
+  for (std::size_t j = 0; j < 2; ++j)
+    drift += est.race_stiffness[j] * (e.to_cylindrical(i, e.race[j].velocity) - orbit);
   // e_r turns with the ball: a fixed force changes its r component by F_θ θ̇.
-  const Vec2 w = est.inverse * (drift.head<2>() + Vec2(0.0, force[2] * td) +
+  const Vec2 w = est.inverse * (drift.head<2>() + Vec2(0.0, est.normal_theta * td) +
                                 est.per_orbit * (r * est.normal_theta));
   x_dot_[i] = w[0];
   r_dot_[i] = w[1];
+}
+
+/// The force of ball i on the inner race is Q n: it changes by S v of the ball less S v of the
+/// race, S the contact's stiffness, and the ball follows the race by B⁻¹ S.
+void HeldBalls::move_race(Evaluation& e) noexcept {
+  Mat3 stiffness = Mat3::Zero();
+  Vec3 drift = Vec3::Zero();
+  for (std::size_t k = 0; k < list_.size(); ++k) {
+    const std::size_t i = list_[k];
+    const Mat3& S = estimate_[k].race_stiffness[1];
+    Mat3 frame;  // base axes -> (x, r, θ)
+    for (int axis = 0; axis < 3; ++axis) frame.col(axis) = e.to_cylindrical(i, Vec3::Unit(axis));
+    Mat3 held = S;
+    held -= S.leftCols<2>() * estimate_[k].inverse * S.topRows<2>();
+    stiffness += frame.transpose() * held * frame;
+    const Vec3 velocity(x_dot_[i], r_dot_[i], e.elements.r[i] * e.elements.theta_dot[i]);
+    drift += frame.transpose() * (S * velocity);
+  }
+  scene_.race->estimate(stiffness, drift, scene_.mass * static_cast<double>(list_.size()));
+  follow_race(e, scene_.race->velocity());
+  e.race[1].velocity = scene_.race->velocity();
+}
+
+void HeldBalls::follow_race(const Evaluation& e, const Vec3& velocity) noexcept {
+  for (std::size_t k = 0; k < list_.size(); ++k) {
+    const std::size_t i = list_[k];
+    const Vec2 more = estimate_[k].inverse *
+                      (estimate_[k].race_stiffness[1] * e.to_cylindrical(i, velocity)).head<2>();
+    x_dot_[i] += more[0];
+    r_dot_[i] += more[1];
+  }
 }
 
 /// Adds (A + C)⁻¹ G(w) and what race friction adds to L̇. Blows of the cage are left to the former.
@@ -157,6 +197,9 @@ void HeldBalls::pull(const Friction& friction, Evaluation& e, std::size_t k) noe
   }
   const double friction_theta = force[2] - est.normal_theta;
   force += e.to_cylindrical(i, scene_.mass * scene_.gravity);
+  if (scene_.frame)
+    force += e.to_cylindrical(
+        i, scene_.frame->inertial_force(scene_.mass, e.element_centre(i), e.element_velocity(i)));
   const contact::WallPoints walls = pocket_walls(i);
   for (int w = 0; w < walls.count; ++w) {
     const contact::WallPoint& wall = walls.surface[static_cast<std::size_t>(w)];
@@ -168,7 +211,11 @@ void HeldBalls::pull(const Friction& friction, Evaluation& e, std::size_t k) noe
     const Vec2 m = e.to_cylindrical(i, a.m).head<2>();
     damping += a.friction_per_slip * (Mat2::Identity() - m * m.transpose());
   }
-  const Vec2 G(force[0], force[1] + scene_.mass * b.r[i] * td * td);
+  Vec2 G(force[0], force[1] + scene_.mass * b.r[i] * td * td);
+  if (scene_.axial_suppressed) {
+    G[0] = 0.0;
+    damping(0, 1) = damping(1, 0) = 0.0;
+  }
   Vec2 p = (est.damping + damping).inverse() * G;
   const double size = G.norm();
   if (size > 0.0)
@@ -188,15 +235,19 @@ void HeldBalls::form_rates(Evaluation& e) noexcept {
 
   for (std::size_t k = 0; k < held; ++k) {
     if (scene_.pockets != nullptr) scene_.pockets->locate(e, list_[k]);
+    estimate(e, k);
     first_rates(e, k);
-    gather(e.elements, list_[k], state_, k);
   }
+  if (scene_.race != nullptr) move_race(e);
+  for (std::size_t k = 0; k < held; ++k) gather(e.elements, list_[k], state_, k);
   for (auto& values : action_) std::fill_n(values.begin(), held, 0.0);
   const ElementViews balls = view_of(state_, held);
+  Vec3 on_race = Vec3::Zero();
   for (std::size_t j = 0; j < 2; ++j)
-    evaluate_race_contacts(
-        scene_.contacts[j], balls, e.race[j].motion(),
-        forces_in(action_, load_[j].data(), heat_[j].data(), load_slip_[j].data()));
+    on_race = evaluate_race_contacts(
+                  scene_.contacts[j], balls, e.race[j].motion(),
+                  forces_in(action_, load_[j].data(), heat_[j].data(), load_slip_[j].data()))
+                  .force;  // of the inner race last
   const auto pull_all = [&](const auto& friction) {
     for (std::size_t k = 0; k < held; ++k) pull(friction, e, k);
   };
@@ -205,6 +256,10 @@ void HeldBalls::form_rates(Evaluation& e) noexcept {
   } else {
     pull_all(nullptr);
   }
+  if (scene_.race == nullptr) return;
+  const Vec3 pull = scene_.race->pull(on_race);
+  follow_race(e, pull);
+  e.race[1].velocity += pull;
 }
 
 /// The inertia that is left out would take m(ẍ, r̈ - rθ̇²) = F: what the equations of motion found

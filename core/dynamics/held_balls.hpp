@@ -1,7 +1,9 @@
 #pragma once
 
+#include "dynamics/balanced_race.hpp"
 #include "dynamics/constrained.hpp"
 #include "dynamics/effects/pockets.hpp"
+#include "dynamics/moving_frame.hpp"
 
 #include <array>
 #include <cstddef>
@@ -30,6 +32,9 @@
 /// an item of the ledger. The kinetic energy ½m(ẋ² + ṙ²) is left out of the stored energy; ẋ and ṙ
 /// of held balls stand in the state as zero.
 ///
+/// Modes 1 and 2 hold all balls. In mode 2 the inner race follows its own balance by the same kind
+/// of motion (balanced_race.hpp), and w holds what its velocity does to the balls.
+///
 /// Limits: w leaves out the cage, gravity and races that tilt in time; a held ball follows those,
 /// and changes of friction, within its natural time √(m/B): microseconds along the contact normal,
 /// up to milliseconds across an outer groove at low speed.
@@ -47,6 +52,9 @@ class HeldBalls {
     PocketSet* pockets;                 ///< null without pocket contact
     tribology::TractionLaw pocket_law;  ///< with pocket_traction
     bool pocket_traction;
+    std::optional<MovingFrame> frame;  ///< a turning base frame
+    bool axial_suppressed = false;     ///< x keeps its place (kDOF)
+    BalancedRace* race = nullptr;      ///< an inner race in balance (mode 2)
   };
   HeldBalls(const Scene& scene, const ElementSlices& slices, std::size_t balls);
 
@@ -84,9 +92,15 @@ class HeldBalls {
     Vec2 per_orbit;             ///< ∂G/∂L
     double normal_theta = 0.0;  ///< F_θ of the races' normal forces [N]
     Mat2 race_along[2];         ///< I - n nᵀ of each race contact in (x, r)
+    Mat3 race_stiffness[2];     ///< of each race contact on (x, r, θ) directions [N/m]
   };
   [[nodiscard]] std::array<RacePose, 2> poses(const Evaluation& e) const noexcept;
+  void estimate(const Evaluation& e, std::size_t k) noexcept;
   void first_rates(const Evaluation& e, std::size_t k) noexcept;
+  /// Velocity of an inner race in balance with what the balls do at their first rates, and what the
+  /// balls' rates get from it.
+  void move_race(Evaluation& e) noexcept;
+  void follow_race(const Evaluation& e, const Vec3& velocity) noexcept;
   /// The walls that a located ball touches.
   [[nodiscard]] contact::WallPoints pocket_walls(std::size_t i) const noexcept;
   /// @param friction of the pockets (pocket_action)

@@ -11,28 +11,45 @@ Vec3 euler_rate(const Mat3& inertia, const Vec3& omega, const Vec3& moment) noex
 RaceAccelerations race_accelerations(double mass, const Mat3& inertia, const Vec3& omega,
                                      const Vec3& force, const Vec3& moment,
                                      const RaceConstraints& constraints) noexcept {
-  RaceAccelerations result;
-  const Vec3 gyroscopic = omega.cross(Vec3(inertia * omega));
-  // Rows of prescribed components become α = given; the others stay Euler's.
-  Mat3 rows = inertia;
-  Vec3 right = moment - gyroscopic;
-  for (int k = 0; k < 3; ++k) {
-    const auto axis = static_cast<std::size_t>(k);
-    result.acceleration[k] =
-        constraints.translation[axis] ? constraints.acceleration[k] : force[k] / mass;
-    if (!constraints.rotation[axis]) continue;
-    rows.row(k) = Vec3::Unit(k).transpose();
-    right[k] = constraints.angular_acceleration[k];
+  return held_accelerations({mass, inertia}, omega, force, moment, constraints);
+}
+
+RaceAccelerations held_accelerations(const HeldAt& body, const Vec3& omega, const Vec3& force,
+                                     const Vec3& moment,
+                                     const RaceConstraints& constraints) noexcept {
+  using Mat6 = Eigen::Matrix<double, 6, 6>;
+  using Vec6 = Eigen::Matrix<double, 6, 1>;
+  const Vec3& c = body.arm;
+  const Mat3& A = body.axes;
+  Mat3 cross;  // cross v = c × v
+  cross << 0.0, -c[2], c[1], c[2], 0.0, -c[0], -c[1], c[0], 0.0;
+  const Mat3 about_p = body.inertia - body.mass * cross * cross;
+  // Unknowns: acceleration of P in base axes, angular acceleration along the axes.
+  Mat6 whole;
+  whole.topLeftCorner<3, 3>() = body.mass * Mat3::Identity();
+  whole.topRightCorner<3, 3>() = -body.mass * cross * A;
+  whole.bottomLeftCorner<3, 3>() = body.mass * A.transpose() * cross;
+  whole.bottomRightCorner<3, 3>() = A.transpose() * about_p * A;
+  Vec6 load;
+  load.head<3>() = force - body.mass * omega.cross(Vec3(omega.cross(c)));
+  load.tail<3>() = A.transpose() * (moment - omega.cross(Vec3(about_p * omega)));
+  Mat6 rows = whole;
+  Vec6 right = load;
+  std::array<bool, 6> held{};
+  for (int k = 0; k < 6; ++k) {
+    const auto axis = static_cast<std::size_t>(k % 3);
+    const bool turn = k >= 3;
+    held[static_cast<std::size_t>(k)] =
+        turn ? constraints.rotation[axis] : constraints.translation[axis];
+    if (!held[static_cast<std::size_t>(k)]) continue;
+    rows.row(k) = Vec6::Unit(k).transpose();
+    right[k] = turn ? constraints.angular_acceleration[k - 3] : constraints.acceleration[k];
   }
-  result.angular_acceleration = rows.inverse() * right;
-  result.holding_force = mass * result.acceleration - force;
-  result.holding_moment = inertia * result.angular_acceleration + gyroscopic - moment;
-  for (int k = 0; k < 3; ++k) {
-    const auto axis = static_cast<std::size_t>(k);
-    if (!constraints.translation[axis]) result.holding_force[k] = 0.0;
-    if (!constraints.rotation[axis]) result.holding_moment[k] = 0.0;
-  }
-  return result;
+  const Vec6 rates = rows.partialPivLu().solve(right);
+  Vec6 holding = whole * rates - load;
+  for (int k = 0; k < 6; ++k)
+    if (!held[static_cast<std::size_t>(k)]) holding[k] = 0.0;
+  return {rates.head<3>(), A * rates.tail<3>(), holding.head<3>(), A * holding.tail<3>()};
 }
 
 CageStart cage_start(double epicyclic, double speed_ratio, double whirl_ratio, const Vec3& locus,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/rotation.hpp"
+#include "bearing/bearing.hpp"
 
 /// Equations of motion of single bodies, SI and rad, frames of the design: X bearing axis, azimuth
 /// θ about +X from Z.
@@ -58,6 +59,15 @@ struct RigidBody {
   return A * principal.asDiagonal() * A.transpose();
 }
 
+/// As records 6 and 7.7 give it.
+[[nodiscard]] inline RigidBody rigid_body(const bearing::Inertia& given) {
+  const bool straight = given.frame.isZero(0.0);
+  return {given.mass,
+          straight ? Mat3(given.moments.asDiagonal())
+                   : inertia_in_geometric_axes(given.moments, given.frame),
+          given.geometric_centre};
+}
+
 /// ω̇ = I⁻¹ (M - ω × Iω), body axes, M about the mass centre.
 [[nodiscard]] Vec3 euler_rate(const Mat3& inertia, const Vec3& omega, const Vec3& moment) noexcept;
 [[nodiscard]] inline Vec3 euler_rate(const Vec3& principal, const Vec3& omega,
@@ -101,6 +111,21 @@ struct RaceAccelerations {
 [[nodiscard]] RaceAccelerations race_accelerations(double mass, const Mat3& inertia,
                                                    const Vec3& omega, const Vec3& force,
                                                    const Vec3& moment,
+                                                   const RaceConstraints& constraints) noexcept;
+
+/// A body that is held at a point P, base axes.
+struct HeldAt {
+  double mass = 0.0;
+  Mat3 inertia = Mat3::Zero();   ///< about the mass centre [kg m²]
+  Vec3 arm = Vec3::Zero();       ///< c, P -> mass centre [m]
+  Mat3 axes = Mat3::Identity();  ///< columns: what rotations are constrained about
+};
+/// The same with forces and constraints at P, moments about it, and translations of P:
+///   m (a + α × c + ω × (ω × c)) = F,
+///   m c × a + I_P α + ω × I_P ω = M,   I_P = I + m (c² 1 - c cᵀ);
+/// rows of prescribed components are replaced by those. `acceleration` is that of P.
+[[nodiscard]] RaceAccelerations held_accelerations(const HeldAt& body, const Vec3& omega,
+                                                   const Vec3& force, const Vec3& moment,
                                                    const RaceConstraints& constraints) noexcept;
 
 /// How the cage starts (record 9.6).

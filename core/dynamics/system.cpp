@@ -148,6 +148,14 @@ RhsStatus System::rhs_stiff(double t, const double* y, double* dydt) noexcept {
                                                                   : RhsStatus::Retry;
 }
 
+double System::shaft_rotation(double t, std::span<const double> y) noexcept {
+  Impl& s = *impl_;
+  s.e.t = t;
+  s.e.y = y.data();
+  for (std::size_t k = 0; k < s.race_blocks; ++k) s.parts.blocks[k].block->apply(s.e);
+  return s.e.race[1].angle - s.e.race[0].angle;
+}
+
 bool System::project(double, double* y) const noexcept {
   bool changed = false;
   for (const Slice& slice : impl_->parts.quaternions) {

@@ -18,6 +18,8 @@ void widen(VibrationBand& band, double frequency) {
 }
 
 std::vector<VibrationBand> bands_of(const Prepared& prepared, double time_scale) {
+  // Elements in force balance do not vibrate on their contacts.
+  if (prepared.plan.has(scene::Effect::ElementBalance)) return {};
   VibrationBand along{"elements along their race contacts"},
       across{"elements across their race contacts"};
   for (const auto& ball : dynamics::ball_vibrations(prepared.bearing, prepared.start)) {

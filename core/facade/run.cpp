@@ -16,6 +16,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -48,6 +49,16 @@ void apply_overrides(const RunRequest& request, Prepared& prepared) {
   }
 }
 
+/// Does a race turn at another speed than the deck's constant one?
+bool speeds_vary(const Prepared& prepared) {
+  const bearing::RaceMotions& motions = prepared.plan.race_motions;
+  for (std::size_t j = 0; j < 2; ++j)
+    if (motions.ramp[j] || motions.variation[j] ||
+        (motions.free[j] && !motions.free[j]->rotation_held[0]))
+      return true;
+  return false;
+}
+
 /// Steps and end time of a run in seconds.
 struct Span {
   double end = 0.0;    ///< [s]
@@ -56,6 +67,12 @@ struct Span {
 
 Span run_span(const RunRequest& request, const Prepared& prepared, double time_scale) {
   const double shaft_speed = prepared.bearing.speed[1] - prepared.bearing.speed[0];
+  const bool turns = request.until.ends_with("rev");
+  if (turns && speeds_vary(prepared))
+    throw InputError(fmt::format(
+        "--until {}: the speed of a race varies in time (kVarSpeed, or kMD11 or kMD12 = "
+        "0), so that turns of the shaft give no end time; give seconds, e.g. 0.01s",
+        request.until));
   if (!request.until.empty())
     return {parse_until(request.until, shaft_speed, time_scale), std::numeric_limits<long>::max()};
   return {prepared.control.end_time * time_scale, prepared.control.max_steps};
@@ -93,11 +110,10 @@ bool at_its_end(const Span& span, long last_step, const StartPoint& start,
 /// Reports progress at most about 20 times a second.
 class ProgressMeter {
  public:
-  ProgressMeter(const ProgressSink& sink, double start, const Span& span, double shaft_speed)
-      : sink_(sink),
-        start_(start),
-        span_(span),
-        turns_per_second_(shaft_speed / (2.0 * std::numbers::pi)) {}
+  /// @param turns of the shaft, now
+  ProgressMeter(const ProgressSink& sink, double start, const Span& span,
+                std::function<double()> turns)
+      : sink_(sink), start_(start), span_(span), turns_(std::move(turns)) {}
 
   void update(double time, long step, long first_step) {
     if (sink_ && seconds_since(begin_) - sent_ >= 0.05) send(time, step, first_step, false);
@@ -116,7 +132,7 @@ class ProgressMeter {
     const double by_steps =
         static_cast<double>(step - first_step) / static_cast<double>(std::max(1L, span_.max_steps));
     p.fraction = done ? 1.0 : std::clamp(std::max(by_time, by_steps), 0.0, 0.9999);
-    p.revolutions = turns_per_second_ * time;
+    p.revolutions = turns_();
     p.time = time;
     p.end_time = span_.end;
     p.step = step;
@@ -129,7 +145,7 @@ class ProgressMeter {
   const ProgressSink& sink_;
   double start_;
   Span span_;
-  double turns_per_second_;
+  std::function<double()> turns_;
   Clock::time_point begin_ = Clock::now();
   double sent_ = -1.0;
 };
@@ -177,16 +193,17 @@ std::unique_ptr<integrators::Stepper> make_checked_stepper(const setup::RunContr
     throw InputError(
         "arkode-imex takes the normal contacts of balls and races implicitly; those of rollers are "
         "not split off; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
+
+  if (stepper->name() == "arkode-imex" && held)
+    throw InputError(
+        "arkode-imex splits the motion of freely moving elements, and qFac on record 2.1, or mode "
+        "1 "
+        "or 2, holds elements in force balance; set qFac and mode to 0, or use arkode-dirk (intMet "
+        "32) or arkode-erk (intMet 31)");
   if (stepper->name() == "arkode-imex" && !ode.has_stiff_part())
     throw InputError(
         "arkode-imex takes the normal contacts of elements and races implicitly, and this deck has "
         "none; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
-  if (stepper->name() == "arkode-imex" && held)
-    throw InputError(
-        "arkode-imex splits the motion of freely moving elements, and qFac on record 2.1 holds "
-        "some "
-        "in force balance; set qFac to 0, or use arkode-dirk (intMet 32) or arkode-erk (intMet "
-        "31)");
   if (control.step_minimum == control.step_maximum && !stepper->holds_constant_step())
     throw InputError(
         fmt::format("record 2.1 asks for a constant step (stpMin = stpMax), which {} cannot hold; "
@@ -219,7 +236,9 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   dynamics::System system = make_system(prepared);
   SystemOde ode(system);
   const auto stepper = make_checked_stepper(
-      prepared.control, ode, prepared.plan.light_load_ratio > 0.0, prepared.plan.rollers);
+      prepared.control, ode,
+      prepared.plan.light_load_ratio > 0.0 || prepared.plan.has(scene::Effect::ElementBalance),
+      prepared.plan.rollers);
   // Everything is checked before a file of an earlier run is touched.
   (void)run_span(request, prepared, system.scales().time);
   const StepLimits limits = settle_steps(prepared, system.scales().time);
@@ -282,8 +301,11 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
 
   const int stepper_cost = system.cost().add_entry("stepper");
   const int output_cost = system.cost().add_entry("output");
-  ProgressMeter meter(progress, start.time, span,
-                      prepared.bearing.speed[1] - prepared.bearing.speed[0]);
+  const auto turns = [&] {
+    return (system.shaft_rotation(stepper->time(), stepper->state()) + start.turned_before) /
+           (2.0 * std::numbers::pi);
+  };
+  ProgressMeter meter(progress, start.time, span, turns);
   long step = start.step;
   long substeps = start.resume.substeps;  // done of the counted step under way
   double h = start.step_size;
@@ -405,9 +427,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   out.summary = outputs.summary();
   out.steps = step;
   out.time = end.time;
-  out.revolutions =
-      ((prepared.bearing.speed[1] - prepared.bearing.speed[0]) * end.time + start.turned_before) /
-      (2.0 * std::numbers::pi);
+  out.revolutions = turns();
   out.warnings = outputs.remarks();
   out.seconds = seconds_since(begin);
   out.energy_residual = outputs.energy_residual();

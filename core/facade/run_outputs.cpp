@@ -109,9 +109,6 @@ struct RunOutputs::Impl {
         files(p, std::move(f)) {}
 
   [[nodiscard]] fs::path path(const std::string& name) const { return files.path(name); }
-  [[nodiscard]] double shaft_speed() const {
-    return prepared.bearing.speed[1] - prepared.bearing.speed[0];
-  }
   void remark(std::string text, Severity severity = Severity::Note) {
     Issue issue;
     issue.severity = severity;
@@ -272,8 +269,9 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     out.step_size = master.last.step_size;
     out.continued = true;
     // Speeds may have changed: the shaft goes on from where it was.
+    system.set_start(out.time, out.y);
     const double turned = master.last.shaft_rotation;
-    const double beyond = turned - s.shaft_speed() * master.last.time;
+    const double beyond = turned - system.shaft_rotation(out.time, out.y);
     // Not what rounding leaves: runs under one speed join to the same bytes.
     out.turned_before = std::abs(beyond) > 1e-12 * std::abs(turned) ? beyond : 0.0;
     s.turned_before = out.turned_before;

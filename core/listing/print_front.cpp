@@ -194,9 +194,12 @@ void materials(Report& report, const bearing::Bearing& bearing) {
   table(all.last(2));
 
   report.heading("Inertia about the mass centre, geometric axes");
-  std::vector<Report::Row> inertia;
+  std::vector<Report::Row> inertia, places;
   const auto add = [&](const char* name, const bearing::Inertia& body) {
     inertia.push_back({name, {body.mass, body.moments.x(), body.moments.y(), body.moments.z()}});
+    if (body.geometric_centre.isZero(0.0) && body.frame.isZero(0.0)) return;
+    const bearing::Vec3 &c = body.geometric_centre, &a = body.frame;
+    places.push_back({name, {c.x(), c.y(), c.z(), a.x(), a.y(), a.z()}});
   };
   add(bearing.rollers() ? "roller" : "ball", bearing.element_inertia);
   if (bearing.cage && bearing.cage->inertia.mass > 0.0) add("cage", bearing.cage->inertia);
@@ -208,6 +211,18 @@ void materials(Report& report, const bearing::Bearing& bearing) {
                 {"about y", &unit::kInertia},
                 {"about z", &unit::kInertia}},
                inertia, 12);
+  if (places.empty()) return;
+  report.text(
+      "Unbalance: geometric centre from the mass centre; angles from the principal axes, which the "
+      "moments above belong to, to the geometric ones");
+  report.table("",
+               {{"x", &unit::kLength},
+                {"y", &unit::kLength},
+                {"z", &unit::kLength},
+                {"about x", &unit::kAngle},
+                {"about y", &unit::kAngle},
+                {"about z", &unit::kAngle}},
+               places, 12);
 }
 
 void traction(Report& report, const bearing::Bearing& bearing) {

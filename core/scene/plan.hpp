@@ -25,7 +25,25 @@ enum class Effect : unsigned char {
   ElementOrientation,  ///< quaternions of the elements listed in oriented_elements
   WearIntegrals,       ///< quadratures of load x slip
   MomentumLedger,      ///< quadratures of external force and moment
-  LightLoadBalance     ///< lightly loaded elements stand in force balance (qFac)
+  LightLoadBalance,    ///< lightly loaded elements stand in force balance (qFac)
+  RaceExcitation,      ///< races move by laws of the time: ScenePlan::race_motions
+  FreeRaces,           ///< races move under loads: ScenePlan::race_motions
+  TurningFrame,        ///< the base frame turns: ScenePlan::race_motions
+  SuppressedMotions,   ///< accelerations that are zero: ScenePlan::suppressed
+  ElementBalance,      ///< all elements stand in force balance (modes 1 and 2)
+  RaceBalance          ///< the inner race stands in force balance (mode 2)
+};
+
+/// Accelerations that are zero (kDOF, reading N9): their velocities keep the values of the start.
+struct SuppressedMotions {
+  bool element_axial = false, element_tilt = false;  ///< along x; rotation about y and z
+  bool element_all = false;                          ///< all six
+  bool cage_axial = false, cage_tilt = false;
+  [[nodiscard]] bool of_elements() const noexcept {
+    return element_axial || element_tilt || element_all;
+  }
+  [[nodiscard]] bool of_cage() const noexcept { return cage_axial || cage_tilt; }
+  [[nodiscard]] bool any() const noexcept { return of_elements() || of_cage(); }
 };
 
 struct EffectEntry {
@@ -50,7 +68,8 @@ struct ScenePlan {
                                   ///< below which an element is held
   bearing::RaceMotions race_motions;  ///< how races move beside their constant spin; each entry
                                       ///< switches on its effect
-  int unknowns = 0;                   ///< controlled state components
+  SuppressedMotions suppressed;
+  int unknowns = 0;  ///< controlled state components
   int quadratures = 0;
   // Estimates, filled once the static solution is known.
   double fastest_frequency = 0.0;  ///< [Hz]

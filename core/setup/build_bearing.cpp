@@ -6,6 +6,7 @@
 #include "contact/roller_shape.hpp"
 #include "setup/build_rollers.hpp"
 #include "setup/deck_text.hpp"
+#include "setup/race_motions.hpp"
 #include "setup/read_cage.hpp"
 #include "tribology/traction_curve.hpp"
 
@@ -114,12 +115,7 @@ std::vector<bearing::RollerPocketFace> pocket_faces(const Deck& deck) {
 /// Record 7.7 where the deck gives it, else from the ideal shape. In a quasi-static solution, which
 /// only reports it, a shape that cannot be cut leaves it zero.
 bearing::Inertia cage_mass(const Deck& deck, const Bearing& bearing, bool dynamic) {
-  if (deck.has("cageMass")) {
-    bearing::Inertia given;
-    given.mass = deck.si("cageMass");
-    given.moments = {deck.si("cageMIx"), deck.si("cageMIy"), deck.si("cageMIz")};
-    return given;
-  }
+  if (deck.has("cageMass")) return given_inertia(deck, "cage", "");
   try {
     return at_variable(deck, "bPocCls1", [&] { return contact::cage_inertia(bearing); });
   } catch (const InputError&) {
@@ -182,13 +178,18 @@ bearing::Mounting mounting(const Deck& deck) {
 void build_elements(const Deck& deck, Bearing& out) {
   if (out.type == bearing::Type::Ball) {
     out.elements = build_balls(deck);
-    out.element_inertia = ball_inertia(out.balls().diameter, out.element_material.density);
+    out.element_inertia = deck.has("bReMass")
+                              ? given_inertia(deck, "bRe", "")
+                              : ball_inertia(out.balls().diameter, out.element_material.density);
     return;
   }
   out.elements = build_rollers(deck);
   const RollerMass mass = roller_mass(*out.rollers(), out.element_material.density);
   out.element_inertia = mass.inertia;
   out.roller_mass_offset = mass.mass_offset;
+  if (!deck.has("bReMass")) return;
+  out.element_inertia = given_inertia(deck, "bRe", "");
+  out.roller_mass_offset = -out.element_inertia.geometric_centre.x();
 }
 
 /// Of the groove bottoms, or of straight raceways under the middle of the rollers.
@@ -257,6 +258,9 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
                                    out.envelope.race_width[0], out.race_material[0].density),
                       ring_inertia(groove_bottom_inner, out.envelope.bore,
                                    out.envelope.race_width[1], out.race_material[1].density)};
+  for (const std::size_t j : {0UL, 1UL})
+    if (deck.has(j == 0 ? "raceMass1" : "raceMass2"))
+      out.race_inertia[j] = given_inertia(deck, "race", j == 0 ? "1" : "2");
   const bool dynamic = deck.integer("mode") >= 0;
   if (dynamic || deck.has("reRaceTC1"))
     out.race_traction = curve(deck, "kTracType", "reRaceTC", dynamic);
@@ -275,6 +279,10 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
     if (guided) out.land_traction = curve(deck, "kCRTracType", "cageRaceTC", true);
   }
   out.constraints = constraints(deck);
+  const bearing::Vec3 in_frame = frame_load(deck, out.race_inertia);
+  for (std::size_t k = 1; k < 3; ++k)
+    if (!out.constraints.displacement_given[k])
+      out.constraints.load[k] += in_frame[static_cast<int>(k)];
   constexpr bearing::SpinRule kRules[] = {bearing::SpinRule::MinimumHeat,
                                           bearing::SpinRule::RaceControl,
                                           bearing::SpinRule::Prescribed};

@@ -1,6 +1,7 @@
 #include "bearing/material_laws.hpp"
 #include "setup/build_bearing.hpp"
 #include "setup/deck_text.hpp"
+#include "setup/race_motions.hpp"
 
 #include <fmt/format.h>
 
@@ -30,14 +31,6 @@ constexpr Gate kDynamic[] = {
     {"kRaceGeoImp1", 0, "motion on an outer race with geometric imperfections"},
     {"kRaceGeoImp2", 0, "motion on an inner race with geometric imperfections"},
     {"kTherm", 0, "the thermal analysis"},
-    {"mode", 0, "a constrained mode"},
-    {"kDOF", 0, "suppressed degrees of freedom"},
-    {"kVarLoad", 0, "a time-varying load"},
-    {"kVarSpeed", 0, "a time-varying speed"},
-    {"kRotFrame", 0, "a moving base frame"},
-    {"kReIP", 0, "given rolling-element inertia"},
-    {"kRaceIP1", 0, "given outer-race inertia"},
-    {"kRaceIP2", 0, "given inner-race inertia"},
     {"kChrn", 0, "churning and drag"},
 };
 constexpr Gate kCage[] = {
@@ -45,7 +38,6 @@ constexpr Gate kCage[] = {
     {"kRaceGsImp", 0, "race guide-land imperfections"},
     {"kPocHydro", 0, "pocket hydrodynamics"},
     {"kGsHydro", 0, "guide-land hydrodynamics"},
-    {"kCageIP", 0, "given cage inertia"},
     {"kCPTrac", 0, "a user routine for element to cage traction"},
     {"kCRTrac", 0, "a user routine for cage to race traction"},
 };
@@ -78,6 +70,8 @@ class Checker {
   void note(const char* variable, std::string message) {
     issues_.push_back(deck_.issue(Severity::Note, variable, std::move(message), {}));
   }
+
+  void add(Issue issue) { issues_.push_back(std::move(issue)); }
 
   std::vector<Issue> take() { return std::move(issues_); }
 
@@ -154,6 +148,10 @@ void check_pocket_errors(const Deck& deck, Checker& check) {
 
 /// What the motion of rollers leaves out.
 void check_moving_rollers(const Deck& deck, Checker& check) {
+  if (deck.integer("mode") > 0)
+    check.error("mode",
+                "asks for rollers in force balance, which this version does not simulate yet",
+                "set mode to 0");
   if (deck.has("qFac") && deck.real("qFac") > 0.0)
     check.error("qFac",
                 "asks for the force balance of lightly loaded elements, which rollers do "
@@ -208,22 +206,15 @@ std::vector<Issue> check_buildable(const Deck& deck) {
                   "asks for lightly loaded balls in force balance, which knows races and pockets "
                   "but no contact between balls (nCseg = 0)",
                   "set qFac to 0");
+    if (deck.integer("mode") > 0)
+      check.error("mode",
+                  "asks for balls in force balance, which knows races and pockets but no contact "
+                  "between balls (nCseg = 0)",
+                  "set mode to 0");
   }
-  if (dynamic && segments > 0) {
-    check.gates(kCage);
-    if (!rollers && deck.has("cageConeAng") && deck.real("cageConeAng") != 0.0)
-      check.error("cageConeAng",
-                  "asks for a conical cage, which this version does not simulate yet",
-                  "set it to 0");
-  }
-  if (dynamic && deck.integer("kDCR") == 1)
-    for (const char* flag : {"kFD11", "kFD21", "kFD31", "kFD12", "kFD22", "kFD32", "kMD11", "kMD21",
-                             "kMD31", "kMD12", "kMD22", "kMD32"})
-      if (deck.integer(flag) == 0)
-        check.error(
-            flag,
-            "asks for a race that moves under its loads, which this version does not simulate yet",
-            "set it to 1 (prescribed motion)");
+  if (dynamic && segments > 0) check.gates(kCage);
+  for (Issue& issue : check_race_motions(deck)) check.add(std::move(issue));
+  for (Issue& issue : check_element_inertia(deck)) check.add(std::move(issue));
   for (const char* material :
        {"kReMat", "kRaceMat1", "kRaceMat2", "kHsngMat", "kShftMat", "kCageMat"})
     if (deck.integer(material) == 2)
@@ -239,6 +230,9 @@ std::vector<Issue> check_buildable(const Deck& deck) {
   if (dynamic && deck.has("kCagePocImp") && deck.integer("kCagePocImp") == 4)
     check.error("kCagePocImp", "asks for user routine ADRX8, which this version does not call yet",
                 "use 0, 1, 2 or 3");
+  if (dynamic && deck.integer("kDOF") == 6)
+    check.error("kDOF", "asks for user routine ADRX1, which this version does not call yet",
+                "use 0 to 5");
   check_waves(deck, check);
   check_law_ranges(deck, check);
   check_pocket_errors(deck, check);

@@ -105,6 +105,7 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (record == "8.1" || record == "8.2.1" || record == "8.2.2" || record == "8.3" ||
       record == "8.4" || record == "8.5")
     return of_material(name, scene);
+  if (name == "qFac" && scene.motion) return "modes 1 and 2 hold every element in force balance";
   if (scene.motion) return {};
   // Quasi-static.
   if (name == "kFnOpt" || record == "2.3")

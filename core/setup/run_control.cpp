@@ -1,6 +1,7 @@
 #include "setup/run_control.hpp"
 
 #include "integrators/stepper.hpp"
+#include "setup/race_motions.hpp"
 
 #include <fmt/format.h>
 
@@ -23,6 +24,10 @@ RunControl build_run_control(const deck::Deck& deck) {
     out.stiffness->last = {deck.si("rpmRange21"), deck.si("rpmRange22")};
   }
   if (!out.dynamic) return out;
+
+  // The plan takes them over after the list of values that play no part is made.
+  (void)build_race_motions(deck);
+  (void)deck.integer("kDOF");
 
   out.print_option = static_cast<int>(deck.integer("kPrtOpt"));
   out.print_every = static_cast<int>(deck.integer("kPrtFreq"));
@@ -47,7 +52,11 @@ RunControl build_run_control(const deck::Deck& deck) {
   out.step_maximum = deck.si("stpMax");
   out.end_time = deck.si("fTime");
   out.tolerance = deck.si("tol");
-  out.light_load_ratio = std::max(deck.real("qFac"), 0.0);
+  const bool all_balanced = deck.integer("mode") > 0;
+  {
+    const deck::ReportOnly quiet(deck, all_balanced);
+    out.light_load_ratio = all_balanced ? 0.0 : std::max(deck.real("qFac"), 0.0);
+  }
   const int count = static_cast<int>(deck.integer("kNumPltElem"));
   for (int i = 1; i <= count; ++i)
     out.monitored.push_back(static_cast<int>(deck.integer("kPltElemInd", i)));

@@ -1,9 +1,10 @@
 #include "setup/scene_plan.hpp"
 
+#include "setup/race_motions.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 
 namespace adore::setup {
 namespace {
@@ -40,6 +41,10 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   const std::string cage_switch = fmt::format("nCseg = {}", deck.integer("nCseg"));
   const bool cage = bearing.cage.has_value();
   const bool guided = cage && bearing.land_traction.has_value();
+
+  const long long dof = deck.integer("kDOF");
+  plan.suppressed = {dof >= 1 && dof <= 4, dof == 2 || dof == 4, dof == 5,
+                     cage && dof <= 2 && dof >= 1, cage && dof == 2};
 
   auto effect = [&](Effect id, const std::string& name, bool on, std::string because) {
     plan.effects.push_back({id, name, on, std::move(because)});
@@ -97,11 +102,15 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
              : fmt::format("{} of {} {}s in kPltElemInd or kPrtOpt", oriented, n, element));
   effect(Effect::WearIntegrals, "wear and power integrals", true, "SOL7 and PRINT show them");
   effect(Effect::MomentumLedger, "momentum ledger", true, "RUN.json and PRINT show it");
+  effect(Effect::SuppressedMotions, "suppressed motions", plan.suppressed.any(),
+         fmt::format("kDOF = {}", dof));
+  const long long code = deck.integer("mode");
   plan.light_load_ratio = control.light_load_ratio;
   effect(Effect::LightLoadBalance, "light-load balance", control.light_load_ratio > 0.0,
-         fmt::format("qFac = {:g}", control.light_load_ratio));
+         code > 0 ? mode : fmt::format("qFac = {:g}", control.light_load_ratio));
+  effect(Effect::ElementBalance, fmt::format("force balance of all {}s", element), code > 0, mode);
+  effect(Effect::RaceBalance, "force balance of the inner race", code == 2, mode);
 
-  auto rpm = [](double speed) { return speed * 30.0 / std::numbers::pi; };
   if (plan.rollers)
     plan.bodies.push_back({fmt::format("rollers ({})", n),
                            "x, r, theta, quaternion, angular velocity: 6 degrees of freedom each",
@@ -116,11 +125,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
     plan.bodies.push_back({fmt::format("orientation of balls ({})", oriented),
                            "quaternion and total rotation", 5 * oriented});
   if (cage) plan.bodies.push_back({"cage", "6 degrees of freedom and total rotation", 14});
-  plan.bodies.push_back(
-      {"outer race", fmt::format("fixed, speed {:g} rpm", rpm(bearing.speed[0])), 0});
-  plan.bodies.push_back(
-      {"inner race", fmt::format("at the static position, speed {:g} rpm", rpm(bearing.speed[1])),
-       0});
+  plan_race_motions(deck, bearing, plan);
   for (const scene::BodyEntry& body : plan.bodies) plan.unknowns += body.unknowns;
   return plan;
 }

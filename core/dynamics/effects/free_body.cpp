@@ -10,13 +10,18 @@
 namespace adore::dynamics {
 
 void FreeBody::declare(SceneBuilder& scene, BodyId id, const std::string& name,
-                       const bearing::Inertia& inertia, const Vec3& mass_centre) {
+                       const bearing::Inertia& inertia) {
   demand(inertia.mass > 0.0 && inertia.moments.minCoeff() > 0.0,
          "a body that moves freely needs a positive mass and positive moments of inertia");
   id_ = id;
-  inertia_ = inertia;
-  mass_centre_ = mass_centre;
-  off_centre_ = !mass_centre.isZero(0.0);
+  const RigidBody rigid = rigid_body(inertia);
+  mass_ = rigid.mass;
+  moments_ = inertia.moments;
+  inertia_ = rigid.inertia;
+  inverse_ = inertia_.inverse();
+  straight_ = inertia.frame.isZero(0.0);
+  off_centre_ = !inertia.geometric_centre.isZero(0.0);
+  mass_centre_ = off_centre_ ? Vec3(-inertia.geometric_centre) : Vec3(Vec3::Zero());
   s_.position = scene.state(name + ".position", "m", 3, ScaleKind::Length, kBorder);
   s_.velocity = scene.state(name + ".velocity", "m/s", 3, ScaleKind::Velocity, kBorder);
   s_.orientation = scene.quaternion(name + ".quaternion", kBorder);
@@ -25,8 +30,9 @@ void FreeBody::declare(SceneBuilder& scene, BodyId id, const std::string& name,
   scene.border_body(id, *this, {s_.position.first, s_.rotation.first + 1 - s_.position.first});
   BodyState& body = scene.e.body(id);
   body.moves = Moves::Integrated;
-  body.inertia = inertia;
-  body.mass_centre = mass_centre;
+  body.mass = mass_;
+  body.inertia = inertia_;
+  body.mass_centre = mass_centre_;
 }
 
 void FreeBody::start(std::span<double> y, const Vec3& mass_centre, const Vec3& velocity,
@@ -52,20 +58,28 @@ void FreeBody::read(const double* y, BodyState& body) const noexcept {
   body.velocity -= body.omega.cross(to_centre);
 }
 
+Vec3 FreeBody::free_rate(const BodyState& body, const Vec3& omega,
+                         const Vec3& moment) const noexcept {
+  const Vec3 in_body = body.to_base.transpose() * moment;
+  if (straight_) return euler_rate(moments_, omega, in_body);
+  return inverse_ * (in_body - omega.cross(Vec3(inertia_ * omega)));
+}
+
 bool FreeBody::write_rates(const BodyState& body, const double* y, double* dydt) noexcept {
-  Vec3 moment = body.moment;
-  if (off_centre_) moment -= arm(body).cross(body.force);
   Vec3 acceleration, omega_dot;
   if (!constraints_) {
-    acceleration = body.force / inertia_.mass;
-    omega_dot = euler_rate(inertia_.moments, body.omega_body, body.to_base.transpose() * moment);
+    Vec3 moment = body.moment;
+    if (off_centre_) moment -= arm(body).cross(body.force);
+    acceleration = body.force / mass_;
+    omega_dot = free_rate(body, body.omega_body, moment);
   } else {
-    const Mat3& R = body.to_base;
+    const HeldAt self = held(body);
     const RaceAccelerations rates =
-        race_accelerations(inertia_.mass, R * inertia_.moments.asDiagonal() * R.transpose(),
-                           body.omega, body.force, moment, *constraints_);
-    acceleration = rates.acceleration;
-    omega_dot = R.transpose() * rates.angular_acceleration;  // ω × ω = 0: no more to it
+        held_accelerations(self, body.omega, body.force, body.moment, *constraints_);
+    const Vec3& alpha = rates.angular_acceleration;
+    acceleration =
+        rates.acceleration + alpha.cross(self.arm) + body.omega.cross(body.omega.cross(self.arm));
+    omega_dot = body.to_base.transpose() * alpha;  // ω × ω = 0: no more to it
     holding_force_ = rates.holding_force;
     holding_moment_ = rates.holding_moment;
   }
@@ -83,8 +97,7 @@ double FreeBody::kinetic_energy(const BodyState& body) const noexcept {
   const Vec3& w = body.omega_body;
   Vec3 velocity = body.velocity;
   if (off_centre_) velocity += body.omega.cross(arm(body));
-  return 0.5 * inertia_.mass * velocity.squaredNorm() +
-         0.5 * w.dot(inertia_.moments.cwiseProduct(w));
+  return 0.5 * mass_ * velocity.squaredNorm() + 0.5 * w.dot(angular_momentum(w));
 }
 
 void FreeBody::carry(const BodyState& body, Momenta& momenta) const {
@@ -93,8 +106,8 @@ void FreeBody::carry(const BodyState& body, Momenta& momenta) const {
     velocity += body.omega.cross(arm(body));
     position += arm(body);
   }
-  const Vec3 p = inertia_.mass * velocity;
-  momenta.add(p, position.cross(p) + body.to_base * inertia_.moments.cwiseProduct(body.omega_body));
+  const Vec3 p = mass_ * velocity;
+  momenta.add(p, position.cross(p) + body.to_base * angular_momentum(body.omega_body));
 }
 
 void FreeBody::report(const Evaluation& e, BodySnapshot& snapshot) const {
@@ -115,25 +128,23 @@ void FreeBody::add_share(const Evaluation& e, std::size_t i, const Vec3& force, 
                          double* row) const noexcept {
   const BodyState& body = state(e);
   Vec3 from = e.element_centre(i) - body.position;
-  if (off_centre_) from -= arm(body);
-  const Vec3 on_body = -(from.cross(force) + moment);
-  Vec3 rates;
-  std::array<bool, 3> held{};
+  Vec3 acceleration, rates;
   if (!constraints_) {
-    rates = (body.to_base.transpose() * on_body).cwiseQuotient(inertia_.moments);
+    if (off_centre_) from -= arm(body);
+    acceleration = -force / mass_;
+    rates = free_rate(body, Vec3::Zero(), -(from.cross(force) + moment));
   } else {
-    const Mat3& R = body.to_base;
     RaceConstraints still = *constraints_;
+    still.acceleration.setZero();
     still.angular_acceleration.setZero();
-    held = still.translation;
-    rates = R.transpose() * race_accelerations(inertia_.mass,
-                                               R * inertia_.moments.asDiagonal() * R.transpose(),
-                                               Vec3::Zero(), Vec3::Zero(), on_body, still)
-                                .angular_acceleration;
+    const HeldAt self = held(body);
+    const RaceAccelerations all =
+        held_accelerations(self, Vec3::Zero(), -force, -(from.cross(force) + moment), still);
+    acceleration = all.acceleration + all.angular_acceleration.cross(self.arm);
+    rates = body.to_base.transpose() * all.angular_acceleration;
   }
   for (int k = 0; k < 3; ++k) {
-    if (!held[static_cast<std::size_t>(k)])
-      row[s_.velocity.first - s_.position.first + k] -= force[k] / inertia_.mass;
+    row[s_.velocity.first - s_.position.first + k] += acceleration[k];
     row[s_.omega.first - s_.position.first + k] += rates[k];
   }
 }

@@ -9,17 +9,27 @@
 
 /// A rigid body whose motion is integrated, a cage segment or a race: six degrees of freedom and
 /// its total turn about its x axis. Mass centre from the base origin and its velocity in base axes,
-/// quaternion body -> base, ω in body axes, ∫ω_x dt. Newton for the mass centre, Euler in principal
-/// body axes: m v̇ = F, I ω̇ + ω × Iω = M about the mass centre.
+/// quaternion body -> base, ω in body axes, ∫ω_x dt. Newton for the mass centre, Euler in body
+/// axes: m v̇ = F, I ω̇ + ω × Iω = M about the mass centre. Body axes are the geometric ones; the
+/// mass centre may lie off the geometric centre and the principal axes may be turned.
 namespace adore::dynamics {
 
 class FreeBody final : public BorderBody {
  public:
   /// Names the states "<name>.position" ... and puts the body in the border of the arrow.
   void declare(SceneBuilder& scene, BodyId id, const std::string& name,
-               const bearing::Inertia& inertia, const Vec3& mass_centre = Vec3::Zero());
-  /// Accelerations of some directions are given instead (base axes); `holding` is what that takes.
-  void constrain(const RaceConstraints& constraints) { constraints_ = constraints; }
+               const bearing::Inertia& inertia);
+  /// Accelerations of some directions are given instead: translations of its geometric centre in
+  /// base axes, rotations about the columns of `axes`; `holding` is what that takes.
+  void constrain(const RaceConstraints& constraints, const Mat3& axes) {
+    constraints_ = constraints;
+    axes_ = axes;
+  }
+  /// The given accelerations at this evaluation.
+  void prescribe(const Vec3& acceleration, const Vec3& angular_acceleration) noexcept {
+    constraints_->acceleration = acceleration;
+    constraints_->angular_acceleration = angular_acceleration;
+  }
   void start(std::span<double> y, const Vec3& mass_centre, const Vec3& velocity,
              const Quat& orientation, const Vec3& omega_body) const;
 
@@ -35,7 +45,7 @@ class FreeBody final : public BorderBody {
   /// Motion, orientation and turn as they stand in y.
   void report(const Evaluation& e, BodySnapshot& snapshot) const;
   [[nodiscard]] double total_turn(const double* y) const noexcept { return y[s_.rotation.first]; }
-  /// Force, and moment about the mass centre, that hold the constrained directions [N, N m].
+  /// Force, and moment about `position`, that hold the constrained directions [N, N m].
   [[nodiscard]] const Vec3& holding_force() const noexcept { return holding_force_; }
   [[nodiscard]] const Vec3& holding_moment() const noexcept { return holding_moment_; }
 
@@ -50,13 +60,26 @@ class FreeBody final : public BorderBody {
   [[nodiscard]] Vec3 arm(const BodyState& body) const noexcept {
     return body.to_base * mass_centre_;
   }
+  [[nodiscard]] Vec3 angular_momentum(const Vec3& omega_body) const noexcept {
+    return straight_ ? Vec3(moments_.cwiseProduct(omega_body)) : Vec3(inertia_ * omega_body);
+  }
+  /// ω̇ in body axes from a moment in base axes, `omega` in body axes.
+  [[nodiscard]] Vec3 free_rate(const BodyState& body, const Vec3& omega,
+                               const Vec3& moment) const noexcept;
+  /// The body with its constraints, whatever they prescribe.
+  [[nodiscard]] HeldAt held(const BodyState& body) const noexcept {
+    return {mass_, body.to_base * inertia_ * body.to_base.transpose(), arm(body), axes_};
+  }
 
   BodyId id_;
   Slices s_;
-  bearing::Inertia inertia_;
+  double mass_ = 0.0;
+  Vec3 moments_ = Vec3::Zero();  ///< principal
+  Mat3 inertia_ = Mat3::Zero(), inverse_ = Mat3::Zero();
   Vec3 mass_centre_ = Vec3::Zero();
-  bool off_centre_ = false;
+  bool off_centre_ = false, straight_ = true;  ///< straight: principal axes along the body's
   std::optional<RaceConstraints> constraints_;
+  Mat3 axes_ = Mat3::Identity();
   Vec3 holding_force_ = Vec3::Zero(), holding_moment_ = Vec3::Zero();
 };
 

@@ -1,11 +1,16 @@
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/free_body.hpp"
 #include "dynamics/effects/races.hpp"
+#include "dynamics/excitations.hpp"
 #include "scene/ledger_terms.hpp"
 
+#include <optional>
+
 /// Races that move under what acts on them and under constant loads: Newton and Euler about the
-/// mass centre (free_body.hpp). Directions may be held: their velocity keeps its start value
-/// (rigid_body.hpp, race_accelerations), and what holds them does work like a load. The contact
+/// mass centre (free_body.hpp). Directions may be held: they keep the velocity of their start or
+/// follow the laws of records 9.3 and 9.4 (excitations.hpp), whose accelerations are prescribed
+/// there (rigid_body.hpp, race_accelerations); what holds them does work like a load. A race whose
+/// rotations across its axis are held turns about the axis that it has at the start. The contact
 /// kernel sees ω as spin about the race's axis and the rest across it. Limit: the groove stays one
 /// of revolution about the race's axis.
 namespace adore::dynamics {
@@ -26,7 +31,8 @@ constexpr LedgerTerm kAngularImpulse{
 struct Loaded {
   FreeBody body;
   int race = 0;
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< applied at the mass centre [N, N m]
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< applied at the race's centre [N, N m]
+  std::optional<RaceLaws> laws;                      ///< of the held directions
   // Now, with what holds the held directions: power [W], about the base origin [N, N m].
   double power = 0.0;
   Vec3 outer_force = Vec3::Zero(), outer_moment = Vec3::Zero();
@@ -54,7 +60,7 @@ class RaceLoad final : public EffectBlock {
   explicit RaceLoad(const Loaded& loaded) : loaded_(loaded) {}
   void apply(Evaluation& e) noexcept override {
     RaceBody& race = e.race[static_cast<std::size_t>(loaded_.race)];
-    race.add_force(loaded_.force, race.centre_of_mass());
+    race.add_force(loaded_.force, race.position);
     race.moment += loaded_.moment;
   }
 
@@ -62,17 +68,28 @@ class RaceLoad final : public EffectBlock {
   const Loaded& loaded_;
 };
 
+class HeldDirections final : public EffectBlock {
+ public:
+  explicit HeldDirections(Loaded& loaded) : loaded_(loaded) {}
+  void apply(Evaluation& e) noexcept override {
+    loaded_.body.prescribe(loaded_.laws->place(loaded_.race, e.t).acceleration,
+                           loaded_.laws->turn(loaded_.race, e.t).acceleration * Vec3::UnitX());
+  }
+
+ private:
+  Loaded& loaded_;
+};
+
 class LoadAccount final : public EffectBlock {
  public:
   explicit LoadAccount(Loaded& loaded) : loaded_(loaded) {}
   void apply(Evaluation& e) noexcept override {
     const RaceBody& race = e.race[static_cast<std::size_t>(loaded_.race)];
-    const Vec3 centre = race.centre_of_mass();
     const Vec3 force = loaded_.force + loaded_.body.holding_force();
     const Vec3 moment = loaded_.moment + loaded_.body.holding_moment();
-    loaded_.power = force.dot(race.velocity_at(centre)) + moment.dot(race.omega);
+    loaded_.power = force.dot(race.velocity) + moment.dot(race.omega);
     loaded_.outer_force = force;
-    loaded_.outer_moment = moment + centre.cross(force);
+    loaded_.outer_moment = moment + race.position.cross(force);
   }
 
  private:
@@ -92,15 +109,26 @@ class FreeRaces final : public SceneEffect {
       one.race = static_cast<int>(j);
       one.force = free[j]->force;
       one.moment = free[j]->moment;
-      one.body.declare(scene, {BodyId::Kind::Race, one.race}, name, scene.bearing.race_inertia[j],
-                       free[j]->mass_centre);
+      one.body.declare(scene, {BodyId::Kind::Race, one.race}, name, scene.bearing.race_inertia[j]);
+      RaceBody& start = start_.emplace_back(races.at_rest()[j]);
+      start.mass_centre = -scene.bearing.race_inertia[j].geometric_centre;
+      const auto& [translation, rotation] =
+          std::tie(free[j]->translation_held, free[j]->rotation_held);
       const auto held = [](const std::array<bool, 3>& flags) {
         return flags[0] || flags[1] || flags[2];
       };
-      if (held(free[j]->translation_held) || held(free[j]->rotation_held))
-        one.body.constrain({free[j]->translation_held, free[j]->rotation_held});
-      start_.push_back(races.at_rest()[j]);
-      start_.back().mass_centre = free[j]->mass_centre;
+      if (held(translation) || held(rotation)) {
+        one.body.constrain({translation, rotation}, start.to_base);
+        if (scene.plan.race_motions.excited(one.race)) {
+          one.laws.emplace(
+              std::array<Vec3, 2>{races.at_rest()[0].position, races.at_rest()[1].position},
+              scene.plan.race_motions);
+          const Vec3 velocity = one.laws->place(one.race, 0.0).velocity;
+          for (std::size_t k = 0; k < 3; ++k)
+            if (translation[k]) start.velocity[static_cast<int>(k)] = velocity[static_cast<int>(k)];
+          scene.block<HeldDirections>(Phase::Motion, kMotionCost, {}, one);
+        }
+      }
       scene.block<RaceKinematics>(Phase::Races, kMotionCost, {}, one);
       scene.block<RaceLoad>(Phase::Force, kMotionCost, {}, one);
       scene.block<BodyMotion>(Phase::Motion, kMotionCost, {}, one.body);
@@ -139,10 +167,8 @@ class FreeRaces final : public SceneEffect {
       const Vec3 displacement = race.position;  // from its free position, not from the base origin
       one.body.report(e, race);
       race.position = displacement;
-      const BodyState& body = one.body.state(e);
       race.applied_force = one.force + one.body.holding_force();
-      race.applied_moment = one.moment + one.body.holding_moment() +
-                            (body.centre_of_mass() - body.position).cross(race.applied_force);
+      race.applied_moment = one.moment + one.body.holding_moment();
     }
   }
 

@@ -24,7 +24,7 @@ class BodyGravity final : public EffectBlock {
   explicit BodyGravity(const Vec3& gravity) : gravity_(gravity) {}
   void apply(Evaluation& e) noexcept override {
     e.for_integrated([this](BodyState& body) {
-      const Vec3 weight = body.inertia.mass * gravity_;
+      const Vec3 weight = body.mass * gravity_;
       body.force += weight;
       if (!body.mass_centre.isZero(0.0))
         body.moment += (body.to_base * body.mass_centre).cross(weight);
@@ -53,9 +53,8 @@ class Gravity final : public SceneEffect {
     double stored = 0.0;
     for (std::size_t i = 0; i < e.elements.n; ++i)
       stored -= ball_mass_ * gravity_.dot(e.element_centre(i));
-    e.for_integrated([&](const BodyState& body) {
-      stored -= body.inertia.mass * gravity_.dot(body.centre_of_mass());
-    });
+    e.for_integrated(
+        [&](const BodyState& body) { stored -= body.mass * gravity_.dot(body.centre_of_mass()); });
     energy.accumulate(kEnergy, stored);
   }
 

@@ -1,14 +1,16 @@
 #include "base/errors.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/balls.hpp"
+#include "dynamics/effects/race_balance.hpp"
 #include "dynamics/effects/races.hpp"
 #include "dynamics/held_balls.hpp"
 
 #include <algorithm>
 #include <vector>
 
-/// Effect "light-load balance" (qFac): which balls are held, changed between steps only, and the
-/// books of what held balls leave out. The motion of a held ball: held_balls.hpp.
+/// Effects "light-load balance" (qFac) and "element balance" (modes 1 and 2, all balls): which
+/// balls are held, changed between steps only, and the books of what held balls leave out. The
+/// motion of a held ball: held_balls.hpp.
 namespace adore::dynamics {
 namespace {
 
@@ -74,6 +76,8 @@ class LightLoadBalance final : public SceneEffect {
   std::optional<HeldBalls> held_;
   ElementSlices ball_;
   double mass_ = 0.0, load_ratio_ = 0.0;
+  bool all_ = false;   ///< every ball, from the start on
+  bool moves_ = true;  ///< to its balance when it becomes held
   // In the state.
   int balance_ = -1, switches_ = -1;
   int impulse_ = -1, angular_impulse_ = -1;  ///< first of three
@@ -82,17 +86,25 @@ class LightLoadBalance final : public SceneEffect {
 
 void LightLoadBalance::declare(SceneBuilder& scene) {
   load_ratio_ = scene.plan.light_load_ratio;
-  demand(load_ratio_ > 0.0, "light-load balance needs a load ratio above 0");
+  all_ = scene.plan.has(Effect::ElementBalance);
+  demand(all_ || load_ratio_ > 0.0, "light-load balance needs a load ratio above 0");
+  const bool axial = scene.plan.suppressed.element_axial;
+  moves_ = !axial;
   const Balls& balls = *scene.find<Balls>();
   ball_ = balls.slices();
   mass_ = balls.mass();
   PocketContact* pockets = scene.find<PocketContact>();
   const bool friction = pockets != nullptr && pockets->friction().has_value();
+  std::optional<MovingFrame> frame;
+  if (const auto& turning = scene.plan.race_motions.frame)
+    frame = MovingFrame{turning->speed, turning->orbit_radius, turning->orbit_angle};
+  RaceBalance* race = scene.find<RaceBalance>();
   held_.emplace(
       HeldBalls::Scene{scene.find<Races>()->contacts(), mass_,
                        scene.plan.has(Effect::Gravity) ? scene.bearing.gravity : Vec3(Vec3::Zero()),
                        pockets != nullptr ? &pockets->set() : nullptr,
-                       friction ? *pockets->friction() : tribology::TractionLaw(), friction},
+                       friction ? *pockets->friction() : tribology::TractionLaw(), friction, frame,
+                       axial, race != nullptr ? &race->race() : nullptr},
       ball_, static_cast<std::size_t>(scene.bearing.element_count()));
   constexpr std::string_view kCost = "light-load balance";
   scene.block<HeldRates>(Phase::Kinematics, kCost, {}, *held_);
@@ -144,7 +156,7 @@ bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps
   std::vector<BallBalance> places;
   for (std::size_t i = 0; i < e.elements.n; ++i) {
     const bool was = held.is_held(i);
-    if (held_next(was, load_of(i), threshold) == was) continue;
+    if ((all_ || held_next(was, load_of(i), threshold)) == was) continue;
     if (was) {
       released.push_back({i, held.rate(i)});
       continue;
@@ -155,9 +167,14 @@ bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps
     const Vec2 residual =
         mass * Vec2(rate_of(ball_[Quantity::XDot], i), rate_of(ball_[Quantity::RDot], i));
     const Vec2 other = residual - Vec2(0.0, centrifugal) - held.normal_force(e, i);
-    const BallBalance place = held.balanced(e, i, other);
+    BallBalance place = held.balanced(e, i, other);
     const double load = std::max(place.contact[0].load, place.contact[1].load);
-    if (!place.solved || load > kReleaseRatio * threshold) continue;  // only passing through
+    if (!all_ && (!place.solved || load > kReleaseRatio * threshold)) continue;  // passing through
+    if (!place.solved || !moves_) {
+      place.x = e.elements.x[i];
+      place.r = e.elements.r[i];
+      place.speed = e.elements.theta_dot[i];
+    }
     taken.push_back({i, e.elements.x[i], e.elements.r[i], e.elements.theta_dot[i], residual});
     places.push_back(place);
   }
@@ -204,7 +221,7 @@ bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps
 }  // namespace
 
 std::unique_ptr<SceneEffect> make_light_load_balance(const ScenePlan& plan) {
-  if (!plan.has(Effect::LightLoadBalance)) return nullptr;
+  if (!plan.has(Effect::LightLoadBalance) && !plan.has(Effect::ElementBalance)) return nullptr;
   return std::make_unique<LightLoadBalance>();
 }
 std::span<const LedgerTerm* const> light_load_terms() { return kTerms; }

@@ -47,8 +47,8 @@ void ExternalActions::apply(Evaluation& e) noexcept {
   Vec3 first_moment = ball_mass_ * Vec3(x, y, z);
   double mass = ball_mass_ * static_cast<double>(b.n);
   e.for_integrated([&](const BodyState& body) {
-    first_moment += body.inertia.mass * body.centre_of_mass();
-    mass += body.inertia.mass;
+    first_moment += body.mass * body.centre_of_mass();
+    mass += body.mass;
   });
   force_ += mass * gravity_;
   moment_ += first_moment.cross(gravity_);

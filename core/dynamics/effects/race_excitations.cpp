@@ -1,4 +1,3 @@
-#include "base/errors.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/races.hpp"
 #include "dynamics/excitations.hpp"
@@ -10,7 +9,7 @@
 
 /// Races that move by laws of the time beside their spin (records 9.3 and 9.4, excitations.hpp):
 /// each adds to the motion that the race has already, so that laws of several records act together.
-/// Limit: of prescribed races.
+/// Held directions of a free race follow the same laws by their accelerations (free_races.cpp).
 namespace adore::dynamics {
 namespace {
 
@@ -25,71 +24,52 @@ double longest_step_of(double frequency) {
 /// Rotating load and vibration (9.3A, 9.3B).
 class RacePlaces final : public EffectBlock {
  public:
-  RacePlaces(const std::array<Vec3, 2>& centre, const bearing::RaceMotions& motions)
-      : centre_(centre), vibration_(motions.vibration) {
-    if (motions.turning_load)
-      load_.emplace(centre, motions.turning_load->fraction, motions.turning_load->speed);
-  }
+  explicit RacePlaces(const RaceLaws& laws) : laws_(laws) {}
   void apply(Evaluation& e) noexcept override {
     for (std::size_t j = 0; j < 2; ++j) {
       RaceBody& race = e.race[j];
-      if (load_) add(race, load_->at(static_cast<int>(j), e.t), centre_[j]);
-      if (vibration_[j])
-        add(race, vibration(Vec3::Zero(), vibration_[j]->amplitude, vibration_[j]->frequency, e.t),
-            Vec3::Zero());
+      if (race.moves == Moves::Integrated) continue;
+      const PrescribedMotion motion = laws_.place(static_cast<int>(j), e.t);
+      race.position += motion.position;
+      race.velocity += motion.velocity;
+      race.acceleration += motion.acceleration;
     }
   }
 
  private:
-  static void add(RaceBody& race, const PrescribedMotion& motion, const Vec3& at_rest) noexcept {
-    race.position += motion.position - at_rest;
-    race.velocity += motion.velocity;
-    race.acceleration += motion.acceleration;
-  }
-  std::array<Vec3, 2> centre_;  ///< static [m]
-  std::optional<RotatingLoad> load_;
-  std::array<std::optional<bearing::Vibration>, 2> vibration_;
+  const RaceLaws& laws_;
 };
 
 /// Speed ramp and variation (9.4A, 9.4B).
 class RaceTurns final : public EffectBlock {
  public:
-  explicit RaceTurns(const bearing::RaceMotions& motions) : motions_(motions) {}
+  explicit RaceTurns(const RaceLaws& laws) : laws_(laws) {}
   void apply(Evaluation& e) noexcept override {
     for (std::size_t j = 0; j < 2; ++j) {
       RaceBody& race = e.race[j];
-      if (const auto& ramp = motions_.ramp[j])
-        add(race, ramped_turn(0.0, {ramp->acceleration, ramp->begin, ramp->end}, e.t));
-      if (const auto& variation = motions_.variation[j])
-        add(race, varying_turn(0.0, variation->amplitude, variation->frequency, e.t));
+      if (race.moves == Moves::Integrated) continue;
+      const PrescribedTurn turn = laws_.turn(static_cast<int>(j), e.t);
+      race.speed += turn.speed;
+      race.angle += turn.angle;
+      race.turn_beyond += turn.angle;
       race.settle();
     }
   }
 
  private:
-  static void add(RaceBody& race, const PrescribedTurn& turn) noexcept {
-    race.speed += turn.speed;
-    race.angle += turn.angle;
-    race.turn_beyond += turn.angle;
-  }
-  bearing::RaceMotions motions_;
+  const RaceLaws& laws_;
 };
 
 class RaceExcitations final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
     motions_ = scene.plan.race_motions;
-    for (std::size_t j = 0; j < 2; ++j)
-      demand(!motions_.free[j] || !motions_.excited(static_cast<int>(j)),
-             "a race moves freely or by a law of the time, not both");
     const Races& races = *scene.find<Races>();
+    laws_.emplace(std::array<Vec3, 2>{races.at_rest()[0].position, races.at_rest()[1].position},
+                  motions_);
     constexpr std::string_view kCost = "prescribed motion of races";
-    if (motions_.turning_load || motions_.vibration[0] || motions_.vibration[1])
-      scene.block<RacePlaces>(
-          Phase::Races, kCost, {},
-          std::array<Vec3, 2>{races.at_rest()[0].position, races.at_rest()[1].position}, motions_);
-    if (motions_.ramp[0] || motions_.ramp[1] || motions_.variation[0] || motions_.variation[1])
-      scene.block<RaceTurns>(Phase::Races, kCost, {}, motions_);
+    if (laws_->moves_places()) scene.block<RacePlaces>(Phase::Races, kCost, {}, *laws_);
+    if (laws_->turns()) scene.block<RaceTurns>(Phase::Races, kCost, {}, *laws_);
   }
   [[nodiscard]] bool moves_races() const noexcept override { return true; }
 
@@ -112,6 +92,7 @@ class RaceExcitations final : public SceneEffect {
 
  private:
   bearing::RaceMotions motions_;
+  std::optional<RaceLaws> laws_;
 };
 
 }  // namespace

@@ -169,7 +169,8 @@ void Races::declare(SceneBuilder& scene) {
                    &account.load_slip_element1);
   }
   if (work) scene.block<RacePower>(Phase::Account, kMotionCost, {}, account_);
-  if (in_contact_ && !rollers_) {
+  if (in_contact_ && !rollers_ &&
+      !plan.has(Effect::ElementBalance)) {  // whose balls do not vibrate
     const Balls& balls = *scene.find<Balls>();
     normal_.emplace(contacts_, balls.slices(), balls.mass());
   }

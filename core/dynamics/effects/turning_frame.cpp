@@ -11,7 +11,8 @@
 /// turns Euler's equations for ω + Ω into equations for ω, with Ω_b = Rᵀ Ω in body axes:
 ///   M = I(ω × Ω_b) - (ω + Ω_b) × I(ω + Ω_b) + ω × Iω,   power -ω·(Ω_b × I Ω_b), hence of the
 /// potential -½ Ω_b·I Ω_b; of a ball, I equal: M = -I Ω × ω.
-/// Races that are prescribed move as prescribed, relative to the frame.
+/// Races that are prescribed move as prescribed, relative to the frame; of free races the given
+/// share of the force acts (record 9.5), the moment acts whole.
 namespace adore::dynamics {
 namespace {
 
@@ -31,9 +32,11 @@ class TurningFrame final : public SceneEffect {
   void declare(SceneBuilder& scene) override {
     const bearing::FrameMotion& motion = *scene.plan.race_motions.frame;
     frame_ = {motion.speed, motion.orbit_radius, motion.orbit_angle};
+    load_share_ = motion.load_share;
     mass_ = scene.bearing.element_inertia.mass;
-    moments_ = scene.bearing.element_inertia.moments;
-    inertia_ = moments_[0];
+    const Vec3& moments = scene.bearing.element_inertia.moments;
+    tensor_ = moments.asDiagonal();
+    inertia_ = moments[0];
     scene.block<Fields>(Phase::Force, "turning base frame", {}, *this);
     if (!scene.plan.has(Effect::MomentumLedger)) return;
     using Momentum = SceneBuilder::Momentum;
@@ -45,10 +48,10 @@ class TurningFrame final : public SceneEffect {
   void store(const Evaluation& e, EnergyLedger& energy) const override {
     double stored = 0.0;
     for (std::size_t i = 0; i < e.elements.n; ++i) stored += potential(mass_, e.element_centre(i));
-    for (const Mat3& attitude : e.attitude) stored += of_turn(attitude, moments_);
+    for (const Mat3& attitude : e.attitude) stored += of_turn(attitude, tensor_);
     e.for_integrated([&](const BodyState& body) {
-      stored += potential(body.inertia.mass, body.centre_of_mass()) +
-                of_turn(body.to_base, body.inertia.moments);
+      stored += potential(share_of(e, body) * body.mass, body.centre_of_mass()) +
+                of_turn(body.to_base, body.inertia);
     });
     energy.accumulate(kEnergy, stored);
   }
@@ -69,18 +72,24 @@ class TurningFrame final : public SceneEffect {
            (from_axis[1] * from_axis[1] + from_axis[2] * from_axis[2]);
   }
 
-  /// M above, base axes, of principal moments I along the axes of `to_base`.
-  [[nodiscard]] static Vec3 of_tensor(const Mat3& to_base, const Vec3& I, const Vec3& omega,
+  /// M above, base axes, of a tensor I in the axes of `to_base`.
+  [[nodiscard]] static Vec3 of_tensor(const Mat3& to_base, const Mat3& I, const Vec3& omega,
                                       const Vec3& frame) noexcept {
     const Vec3 w = to_base.transpose() * omega, turn = to_base.transpose() * frame;
     const Vec3 whole = w + turn;
-    return to_base * (I.cwiseProduct(w.cross(turn)) - whole.cross(Vec3(I.cwiseProduct(whole))) +
-                      w.cross(Vec3(I.cwiseProduct(w))));
+    const Vec3 in_body = I * w.cross(turn) - whole.cross(Vec3(I * whole)) + w.cross(Vec3(I * w));
+    return to_base * in_body;
   }
   /// -½ Ω_b·I Ω_b [J].
-  [[nodiscard]] double of_turn(const Mat3& to_base, const Vec3& I) const noexcept {
+  [[nodiscard]] double of_turn(const Mat3& to_base, const Mat3& I) const noexcept {
     const Vec3 turn = to_base.transpose() * (frame_.speed * Vec3::UnitX());
-    return -0.5 * turn.dot(I.cwiseProduct(turn));
+    return -0.5 * turn.dot(I * turn);
+  }
+  /// Of the force on its mass; what is not its share is carried outside of the bearing.
+  [[nodiscard]] double share_of(const Evaluation& e, const BodyState& body) const noexcept {
+    for (std::size_t j = 0; j < 2; ++j)
+      if (&body == &e.race[j]) return load_share_[j];
+    return 1.0;
   }
 
   void book(const Vec3& force, const Vec3& moment, const Vec3& centre) noexcept {
@@ -97,15 +106,16 @@ class TurningFrame final : public SceneEffect {
       const Vec3 force = frame_.inertial_force(mass_, centre, e.element_velocity(i));
       const Vec3 moment = e.attitude.empty()
                               ? Vec3(-inertia_ * frame.cross(e.element_omega(i)))
-                              : of_tensor(e.attitude[i], moments_, e.element_omega(i), frame);
+                              : of_tensor(e.attitude[i], tensor_, e.element_omega(i), frame);
       e.add_force(i, e.to_cylindrical(i, force));
       e.add_moment(i, e.to_cylindrical(i, moment));
       book(force, moment, centre);
     }
     e.for_integrated([&](BodyState& body) {
       const Vec3 centre = body.centre_of_mass();
-      const Vec3 force = frame_.inertial_force(body.inertia.mass, centre, body.velocity_at(centre));
-      const Vec3 moment = of_tensor(body.to_base, body.inertia.moments, body.omega, frame);
+      const Vec3 force =
+          frame_.inertial_force(share_of(e, body) * body.mass, centre, body.velocity_at(centre));
+      const Vec3 moment = of_tensor(body.to_base, body.inertia, body.omega, frame);
       body.add_force(force, centre);
       body.moment += moment;
       book(force, moment, centre);
@@ -113,8 +123,9 @@ class TurningFrame final : public SceneEffect {
   }
 
   MovingFrame frame_;
+  std::array<double, 2> load_share_{1.0, 1.0};
   double mass_ = 0.0, inertia_ = 0.0;                  ///< of an element; of a ball [kg, kg m²]
-  Vec3 moments_ = Vec3::Zero();                        ///< of an element [kg m²]
+  Mat3 tensor_ = Mat3::Zero();                         ///< of an element, its own axes [kg m²]
   Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();  ///< now, about the base origin [N, N m]
   int impulse_ = -1, angular_impulse_ = -1;            ///< in the state
 };

@@ -50,8 +50,8 @@ class TwoBodies final : public SceneEffect {
       second.push_back({BodyId::Kind::Other, 1});
     }
     bodies_[0].declare(scene, {BodyId::Kind::Other, 0}, "first", {0.3, {2e-4, 3e-4, 4e-4}});
-    bodies_[1].declare(scene, {BodyId::Kind::Other, 1}, "second", {0.5, {5e-4, 4e-4, 3e-4}},
-                       {1e-3, 2e-3, -3e-3});
+    bodies_[1].declare(scene, {BodyId::Kind::Other, 1}, "second",
+                       {0.5, {5e-4, 4e-4, 3e-4}, {-1e-3, -2e-3, 3e-3}, {0.2, -0.1, 0.3}});
     for (FreeBody& body : bodies_)
       scene.block<BodyKinematics>(Phase::Kinematics, "bodies", {}, body);
     scene.block<Tethers>(Phase::Force, "ties", Partners(each), each, 2e4);
@@ -240,7 +240,8 @@ TEST_CASE("free races stand in the border beside the cage", "[physics][dynamics]
                     bearing::Inertia{0.5, {3e-4, 2e-4, 2e-4}}};
   ScenePlan plan = full_plan();
   plan.race_motions.free[1].emplace().force = {1500.0, 0.0, 500.0};
-  plan.race_motions.free[1]->mass_centre = {1e-3, 2e-4, 0.0};
+  b.race_inertia[1].geometric_centre = {-1e-3, -2e-4, 0.0};
+  b.race_inertia[1].frame = {0.1, 0.05, -0.2};
   plan.race_motions.free[1]->rotation_held = {true, false, false};
   System one = with(b, plan, {});
   compare_jacobians(one, disturbed(one, 1e-5));

@@ -154,7 +154,12 @@ void fill(Deck& deck, const Deck& before) {
       {"rndVar3", 20.0},      {"cFacVar1", 1e-3},     {"cFacVar2", 2.0},
       {"cFacVar3", 20.0},     {"rlOffset1", 1e-4},    {"rlOffset2", 2.0},
       {"rlOffset3", 20.0},    {"rlTaper1", 1e-2},     {"rlTaper2", 2.0},
-      {"rlTaper3", 20.0},     {"cageMass", 0.02},     {"cageMI", 1e-5}};
+      {"rlTaper3", 20.0},     {"cageMass", 0.02},     {"cageMI", 1e-5},
+      {"raceMass", 0.3},      {"raceMI", 2e-4},       {"bReMass", 0.009},
+      {"bReMI", 1.5e-7},      {"rotLoadFrac", 0.2},   {"rotLoadRpm", 5000.0},
+      {"raceVibAmp", 1e-7},   {"raceVibFreq", 900.0}, {"raceAngAcc", 1e6},
+      {"endTime", 1.0},       {"raceSpeedAmp", 500},  {"raceSpeedFreq", 900},
+      {"brgOrbitRad", 0.05},  {"brgAngVel", 1000.0},  {"brgLoadFrac", 0.3}};
   for (RecordData& record : deck.records) {
     if (before.has_record(record.id, record.instance)) continue;
     const deck::RecordSpec& spec = *deck::find_record(record.id);

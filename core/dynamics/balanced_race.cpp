@@ -1,0 +1,41 @@
+#include "dynamics/balanced_race.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::dynamics {
+
+void BalancedRace::estimate(const Mat3& stiffness, const Vec3& drift,
+                            double element_mass) noexcept {
+  Mat3 K = 0.5 * (stiffness + stiffness.transpose());
+  for (int k = 0; k < 3; ++k)
+    if (!free_[static_cast<std::size_t>(k)]) {
+      K.row(k).setZero();
+      K.col(k).setZero();
+    }
+  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(K);
+  const double largest = eigen.eigenvalues()[2];
+  inverse_.setZero();
+  for (int k = 0; k < 3; ++k) {
+    const double value = eigen.eigenvalues()[k];
+    if (!(value > 1e-9 * largest)) continue;
+    inverse_ += eigen.eigenvectors().col(k) * eigen.eigenvectors().col(k).transpose() / value;
+  }
+  velocity_ = inverse_ * drift;
+  rate_ = 0.5 * std::sqrt(std::max(K.trace(), 0.0) / (3.0 * element_mass));
+}
+
+Vec3 BalancedRace::residual(const Vec3& of_elements) const noexcept {
+  Vec3 out = load_ + of_elements;
+  for (int k = 0; k < 3; ++k)
+    if (!free_[static_cast<std::size_t>(k)]) out[k] = 0.0;
+  return out;
+}
+
+Vec3 BalancedRace::pull(const Vec3& of_elements) const noexcept {
+  return rate_ * (inverse_ * residual(of_elements));
+}
+
+}  // namespace adore::dynamics

@@ -1,0 +1,56 @@
+#include "dynamics/effects/race_balance.hpp"
+
+#include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/races.hpp"
+#include "dynamics/state_access.hpp"
+
+namespace adore::dynamics {
+
+class RaceBalance::Place final : public EffectBlock {
+ public:
+  explicit Place(const Slice& centre) : centre_(centre) {}
+  void apply(Evaluation& e) noexcept override { e.race[1].position = vector_at(e.y, centre_); }
+
+ private:
+  const Slice& centre_;
+};
+
+class RaceBalance::Motion final : public EffectBlock {
+ public:
+  explicit Motion(const Slice& centre) : centre_(centre) {}
+  void apply(Evaluation& e) noexcept override { store_at(e.dydt, centre_, e.race[1].velocity); }
+
+ private:
+  const Slice& centre_;
+};
+
+void RaceBalance::declare(SceneBuilder& scene) {
+  const bearing::StaticConstraints& given = scene.bearing.constraints;
+  Vec3 load = Vec3::Zero();
+  std::array<bool, 3> free{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    free[k] = !given.displacement_given[k];
+    if (free[k]) load[static_cast<int>(k)] = given.load[k];
+  }
+  race_.emplace(load, free);
+  start_ = scene.find<Races>()->at_rest()[1].position;
+  centre_ = scene.state("inner race.centre", "m", 3, ScaleKind::Length, kBorder);
+  scene.border_body({BodyId::Kind::Race, 1}, *this, centre_);
+  scene.block<Place>(Phase::Races, kMotionCost, {}, centre_);
+  scene.block<Motion>(Phase::Motion, kMotionCost, {}, centre_);
+}
+
+void RaceBalance::start(std::span<double> y) const { store_at(y.data(), centre_, start_); }
+
+void RaceBalance::add_share(const Evaluation&, std::size_t, const Vec3& force, const Vec3&,
+                            double* row) const noexcept {
+  const Vec3 rate = race_->pull(-force - race_->load());
+  for (int k = 0; k < 3; ++k) row[k] += rate[k];
+}
+
+std::unique_ptr<SceneEffect> make_race_balance(const ScenePlan& plan) {
+  if (!plan.has(Effect::RaceBalance)) return nullptr;
+  return std::make_unique<RaceBalance>();
+}
+
+}  // namespace adore::dynamics

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "dynamics/balanced_race.hpp"
+#include "dynamics/effect.hpp"
+
+#include <optional>
+
+/// Mode 2: the inner race stands in force balance along the directions whose load is given
+/// (balanced_race.hpp). Its centre is state, in the border of the arrow; its speed and tilt stay
+/// prescribed. What it does to the elements is the work of the inner race in the ledger: the load's
+/// work, less what goes with its way to balance. Who forms its velocity: held_balls.hpp.
+namespace adore::dynamics {
+
+class RaceBalance final : public SceneEffect, public BorderBody {
+ public:
+  void declare(SceneBuilder& scene) override;
+  void start(std::span<double> y) const override;
+  [[nodiscard]] bool moves_races() const noexcept override { return true; }
+  void add_share(const Evaluation& e, std::size_t i, const Vec3& force, const Vec3& moment,
+                 double* row) const noexcept override;
+
+  [[nodiscard]] BalancedRace& race() noexcept { return *race_; }
+
+ private:
+  class Place;
+  class Motion;
+
+  std::optional<BalancedRace> race_;
+  Vec3 start_ = Vec3::Zero();  ///< static centre [m]
+  Slice centre_;
+};
+
+}  // namespace adore::dynamics

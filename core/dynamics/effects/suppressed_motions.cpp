@@ -1,0 +1,117 @@
+#include "base/errors.hpp"
+#include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/balls.hpp"
+#include "dynamics/effects/rigid_elements.hpp"
+
+/// Suppressed accelerations of elements (kDOF, reading N9): after the equations of motion they are
+/// set to zero, so that the velocity keeps the value of the start; components of ω are those of the
+/// azimuth frame. What holds an element follows from what its acceleration would have been,
+///   H = -m (ẍ, r̈, r θ̈) and -I (ω̇_x, ω̇_r, ω̇_θ) of the suppressed components, I the tensor in the
+///   axes now,
+/// acts from outside, and does the work H · velocity, which the ledgers book. Of the cage:
+/// cage.cpp.
+namespace adore::dynamics {
+namespace {
+
+constexpr LedgerTerm kWork{LedgerKind::Work,
+                           "element_holding",
+                           "work of what suppresses motions of elements",
+                           {"work of suppressed motions of elements"},
+                           "done since the start"};
+constexpr const LedgerTerm* kTerms[] = {&kWork};
+constexpr LedgerTerm kImpulse{LedgerKind::Work, "", "", {"impulse on held elements"}, ""};
+constexpr LedgerTerm kAngularImpulse{
+    LedgerKind::Work, "", "", {"angular impulse on held elements"}, ""};
+
+class SuppressedElements final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override {
+    const scene::SuppressedMotions& given = scene.plan.suppressed;
+    const bool all = given.element_all;
+    axial_ = given.element_axial || all;
+    tilt_ = given.element_tilt || all;
+    rest_ = all;
+    if (const Balls* balls = scene.find<Balls>())
+      slices_ = balls->slices();
+    else
+      slices_ = scene.find<RigidElements>()->slices();
+    mass_ = scene.bearing.element_inertia.mass;
+    moments_ = scene.bearing.element_inertia.moments;
+    scene.block<Hold>(Phase::Motion, "suppressed motions", {}, *this);
+    scene.energy("held elements.work", kWork, &power_);
+    if (!scene.plan.has(Effect::MomentumLedger)) return;
+    using Momentum = SceneBuilder::Momentum;
+    scene.momentum(impulse_, "held elements.impulse", Momentum::Linear, kImpulse, force_.data());
+    scene.momentum(angular_impulse_, "held elements.angular_impulse", Momentum::Angular,
+                   kAngularImpulse, moment_.data());
+  }
+
+ private:
+  class Hold final : public EffectBlock {
+   public:
+    explicit Hold(SuppressedElements& of) : of_(of) {}
+    void apply(Evaluation& e) noexcept override { of_.hold(e); }
+
+   private:
+    SuppressedElements& of_;
+  };
+
+  void hold(Evaluation& e) noexcept {
+    power_ = 0.0;
+    force_.setZero();
+    moment_.setZero();
+    for (std::size_t i = 0; i < slices_.elements(); ++i) {
+      const auto taken = [&](Quantity q) {
+        double& rate = e.dydt[slices_.at(q, i)];
+        const double value = rate;
+        rate = 0.0;
+        return value;
+      };
+      const ElementViews& b = e.elements;
+      Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // (x, r, θ)
+      if (axial_) force[0] = -mass_ * taken(Quantity::XDot);
+      if (rest_) {
+        force[1] = -mass_ * taken(Quantity::RDot);
+        force[2] = -mass_ * b.r[i] * taken(Quantity::ThetaDot);
+        moment[0] = -taken(Quantity::OmegaX);
+      }
+      if (tilt_) {
+        moment[1] = -taken(Quantity::OmegaR);
+        moment[2] = -taken(Quantity::OmegaTheta);
+      }
+      moment = inertia_times(e, i, moment);
+      power_ += force.dot(Vec3(b.x_dot[i], b.r_dot[i], b.r[i] * b.theta_dot[i])) +
+                moment.dot(Vec3(b.omega_x[i], b.omega_r[i], b.omega_theta[i]));
+      const Vec3 in_base = e.to_base(i, force);
+      force_ += in_base;
+      moment_ += e.to_base(i, moment) + e.element_centre(i).cross(in_base);
+    }
+  }
+
+  /// I ω̇, both (x, r, θ) components.
+  [[nodiscard]] Vec3 inertia_times(const Evaluation& e, std::size_t i,
+                                   const Vec3& rate) const noexcept {
+    if (e.attitude.empty()) return moments_[0] * rate;  // a ball
+    const Mat3& to_base = e.attitude[i];
+    const Vec3 in_body = moments_.cwiseProduct(Vec3(to_base.transpose() * e.to_base(i, rate)));
+    return e.to_cylindrical(i, to_base * in_body);
+  }
+
+  ElementSlices slices_;
+  bool axial_ = false, tilt_ = false, rest_ = false;
+  double mass_ = 0.0;                                  ///< of an element [kg]
+  Vec3 moments_ = Vec3::Zero();                        ///< of an element, principal [kg m²]
+  double power_ = 0.0;                                 ///< now [W]
+  Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();  ///< now, about the base origin [N, N m]
+  int impulse_ = -1, angular_impulse_ = -1;            ///< in the state
+};
+
+}  // namespace
+
+std::unique_ptr<SceneEffect> make_suppressed_elements(const ScenePlan& plan) {
+  if (!plan.suppressed.of_elements()) return nullptr;
+  return std::make_unique<SuppressedElements>();
+}
+std::span<const LedgerTerm* const> suppressed_element_terms() { return kTerms; }
+
+}  // namespace adore::dynamics

@@ -1,0 +1,302 @@
+#include "setup/race_motions.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace adore::setup {
+namespace {
+
+using bearing::Vec3;
+using deck::Deck;
+using scene::Effect;
+
+constexpr std::array kAxes{"x", "y", "z"};
+constexpr std::array kRaces{"outer race", "inner race"};
+
+bool moves(const Deck& deck) { return deck.integer("mode") >= 0; }
+
+bool flag_is_free(const Deck& deck, const std::string& name) {
+  return moves(deck) && deck.integer("kDCR") == 1 && deck.integer(name) == 0;
+}
+
+bool any_free(const Deck& deck, int race) {
+  for (int axis = 1; axis <= 3; ++axis)
+    if (translation_free(deck, axis, race) || rotation_free(deck, axis, race)) return true;
+  return false;
+}
+
+/// "x, y and z", empty when none is named.
+std::string listed(const std::array<bool, 3>& which) {
+  std::string out;
+  int left = static_cast<int>(which[0]) + static_cast<int>(which[1]) + static_cast<int>(which[2]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!which[k]) continue;
+    --left;
+    out += kAxes[k];
+    if (left > 0) out += left > 1 ? ", " : " and ";
+  }
+  return out;
+}
+
+std::array<bool, 3> opposite(const std::array<bool, 3>& which) {
+  return {!which[0], !which[1], !which[2]};
+}
+
+bool given_and_not_zero(const Deck& deck, const std::string& name) {
+  return deck.has(name) && deck.real(name) != 0.0;
+}
+
+double rpm(double speed) { return speed * 30.0 / std::numbers::pi; }
+
+/// What a free race starts from and does, in words.
+std::string free_text(const bearing::FreeRace& free) {
+  std::string out;
+  const auto add = [&out](std::string_view before, const std::string& which) {
+    if (which.empty()) return;
+    if (!out.empty()) out += ", ";
+    out += fmt::format("{} {}", before, which);
+  };
+  add("free along", listed(opposite(free.translation_held)));
+  add("free about", listed(opposite(free.rotation_held)));
+  add("held along", listed(free.translation_held));
+  add("held about", listed(free.rotation_held));
+  return out;
+}
+
+void add_body(const bearing::Bearing& bearing, const bearing::RaceMotions& motions, std::size_t j,
+              scene::ScenePlan& plan) {
+  if (motions.free[j]) {
+    plan.bodies.push_back({kRaces[j], free_text(*motions.free[j]), 14});
+    return;
+  }
+  if (j == 1 && plan.has(Effect::RaceBalance)) {
+    std::array<bool, 3> free{};
+    for (std::size_t k = 0; k < 3; ++k) free[k] = !bearing.constraints.displacement_given[k];
+    plan.bodies.push_back({kRaces[j],
+                           fmt::format("in force balance along {}, speed {:g} rpm", listed(free),
+                                       rpm(bearing.speed[j])),
+                           3});
+    return;
+  }
+  const char* place = j == 0 ? "fixed" : "at the static position";
+  std::string text = fmt::format("{}, speed {:g} rpm", place, rpm(bearing.speed[j]));
+  if (motions.excited(static_cast<int>(j))) text += ", moved by laws of the time";
+  plan.bodies.push_back({kRaces[j], text, 0});
+}
+
+}  // namespace
+
+bool translation_free(const Deck& deck, int axis, int race) {
+  return flag_is_free(deck, fmt::format("kFD{}{}", axis, race));
+}
+bool rotation_free(const Deck& deck, int axis, int race) {
+  return flag_is_free(deck, fmt::format("kMD{}{}", axis, race));
+}
+
+bearing::Inertia given_inertia(const Deck& deck, std::string_view prefix, std::string_view suffix) {
+  const auto name = [&](const char* stem) { return fmt::format("{}{}{}", prefix, stem, suffix); };
+  bearing::Inertia out;
+  out.mass = deck.si(name("Mass"));
+  out.moments = {deck.si(name("MIx")), deck.si(name("MIy")), deck.si(name("MIz"))};
+  out.geometric_centre = {deck.si(name("GeoCenX")), deck.si(name("GeoCenY")),
+                          deck.si(name("GeoCenZ"))};
+  out.frame = {deck.si(name("FrameX")), deck.si(name("FrameY")), deck.si(name("FrameZ"))};
+  return out;
+}
+
+/// Record 6.1 acts for all elements alike: of a ball as a sphere moves, whose orientation counts
+/// nowhere; of a roller with its principal axes along its own.
+std::vector<Issue> check_element_inertia(const Deck& deck) {
+  std::vector<Issue> out;
+  const long long code = moves(deck) ? deck.integer("kReIP") : 0;
+  const auto refuse = [&](const char* name, std::string message, std::string remedy) {
+    out.push_back(deck.issue(Severity::Error, name, std::move(message), std::move(remedy)));
+  };
+  if (code == 3)
+    refuse("kReIP", "asks for user routine ADRX8, which this version does not call yet",
+           "use 0 or 2");
+  if (code == 1)
+    refuse("kReIP",
+           "gives element 1 an inertia of its own, which this version does not simulate yet",
+           "use 2, the same inertia for all elements, or 0");
+  if (code != 2) return out;
+  if (deck.integer("kBrg") != 1) {
+    for (const char* name : {"bReGeoCenY", "bReGeoCenZ"})
+      if (deck.real(name) != 0.0)
+        refuse(name,
+               "puts the mass centre of the rollers beside their axis, which is not simulated yet",
+               "set it to 0");
+    for (const char* name : {"bReFrameX", "bReFrameY", "bReFrameZ"})
+      if (deck.real(name) != 0.0)
+        refuse(name, "turns the principal axes of the rollers, which is not simulated yet",
+               "set it to 0");
+    return out;
+  }
+  const bearing::Inertia given = given_inertia(deck, "bRe", "");
+  if (given.moments.maxCoeff() - given.moments.minCoeff() > 1e-9 * given.moments.maxCoeff())
+    refuse("bReMIx",
+           "differs from the other principal moments; balls of unequal moments are not simulated "
+           "yet",
+           "give bReMIx, bReMIy and bReMIz the same value");
+  for (const char* name : {"bReGeoCenX", "bReGeoCenY", "bReGeoCenZ"})
+    if (deck.real(name) != 0.0)
+      refuse(name, "makes the balls unbalanced, which is not simulated yet", "set it to 0");
+  return out;
+}
+
+std::vector<Issue> check_race_motions(const Deck& deck) {
+  std::vector<Issue> out;
+  if (!moves(deck)) return out;
+  const auto add = [&](Severity severity, const std::string& name, std::string message,
+                       std::string remedy) {
+    out.push_back(deck.issue(severity, name, std::move(message), std::move(remedy)));
+  };
+  for (int race = 1; race <= 2; ++race) {
+    const char* const body = kRaces[static_cast<std::size_t>(race - 1)];
+    const auto clash = [&](const std::string& name, const std::string& flag, const char* what) {
+      if (given_and_not_zero(deck, name))
+        add(Severity::Error, name,
+            fmt::format("moves the {} by a law of the time, but {} = 0 lets it {} freely there",
+                        body, flag, what),
+            fmt::format("set {} to 0, or {} to 1", name, flag));
+    };
+    for (int axis = 1; axis <= 3; ++axis) {
+      if (!translation_free(deck, axis, race)) continue;
+      const std::string flag = fmt::format("kFD{}{}", axis, race);
+      clash(fmt::format("raceVibAmp{}{}", axis, race), flag, "move");
+      if (axis > 1) clash(fmt::format("rotLoadFrac{}", race), flag, "move");
+    }
+    if (rotation_free(deck, 1, race)) {
+      const std::string flag = fmt::format("kMD1{}", race);
+      clash(fmt::format("raceAngAcc{}", race), flag, "turn");
+      clash(fmt::format("raceSpeedAmp{}", race), flag, "turn");
+      add(Severity::Warning, flag,
+          fmt::format("lets the {} turn under moments, but none about x is given without user "
+                      "routine ADRX1: it coasts, and friction takes its speed",
+                      body),
+          fmt::format("set {} to 1 for a constant speed", flag));
+    }
+  }
+  if (deck.integer("kRotFrame") == 1 && deck.has("brgAngVel") && deck.real("brgAngVel") == 0.0)
+    add(Severity::Warning, "brgAngVel", "the base frame of record 9.5 does not turn: no effect",
+        "give its speed, or set kRotFrame to 0");
+  if (deck.integer("kRotFrame") == 1 && deck.integer("kFS2") == 1 && deck.integer("kFS3") == 1)
+    for (int race = 1; race <= 2; ++race)
+      if (const std::string share = fmt::format("brgLoadFrac{}", race);
+          given_and_not_zero(deck, share) && !translation_free(deck, 2, race) &&
+          !translation_free(deck, 3, race))
+        add(Severity::Warning, share,
+            "has no effect, because kFS2 and kFS3 give the place of the inner race, not its load",
+            "set it to 0, or kFS2 or kFS3 to 0");
+  if (deck.integer("mode") > 0 && deck.integer("kDOF") == 5)
+    add(Severity::Error, "kDOF",
+        fmt::format("suppresses all motions of the elements, and mode = {} asks for their balance",
+                    deck.integer("mode")),
+        "set mode to 0, or kDOF to 0 to 4");
+  if (deck.integer("mode") == 2) {
+    const char* const why =
+        "mode = 2 places the inner race by its balance of forces, but this {} it";
+    for (int axis = 1; axis <= 3; ++axis) {
+      if (rotation_free(deck, axis, 2))
+        add(Severity::Error, fmt::format("kMD{}2", axis), fmt::format(fmt::runtime(why), "frees"),
+            "set it to 1, or mode to 0 or 1");
+      const std::string amplitude = fmt::format("raceVibAmp{}2", axis);
+      if (given_and_not_zero(deck, amplitude))
+        add(Severity::Error, amplitude, fmt::format(fmt::runtime(why), "moves"),
+            "set it to 0, or mode to 0 or 1");
+    }
+    if (given_and_not_zero(deck, "rotLoadFrac2"))
+      add(Severity::Error, "rotLoadFrac2", fmt::format(fmt::runtime(why), "moves"),
+          "set it to 0, or mode to 0 or 1");
+    if (deck.integer("kFS1") + deck.integer("kFS2") + deck.integer("kFS3") == 3)
+      add(Severity::Error, "kFS1",
+          "gives the place of the inner race along x, y and z, so that mode = 2 has no load to "
+          "balance",
+          "set kFS1, kFS2 or kFS3 to 0, or mode to 1");
+  }
+  if (deck.integer("mode") > 0)
+    for (const char* code : {"kRaceIP1", "kRaceIP2"})
+      if (deck.integer(code) == 1)
+        add(Severity::Warning, code,
+            "has no effect: the record of a race's inertia belongs to mode 0 only",
+            fmt::format("set {} to 0", code));
+  return out;
+}
+
+bearing::RaceMotions build_race_motions(const Deck& deck) {
+  bearing::RaceMotions out;
+  constexpr std::array kLoads{"appLoadX", "appLoadY", "appLoadZ"};
+  for (int race = 1; race <= 2; ++race) {
+    if (!any_free(deck, race)) continue;
+    const auto j = static_cast<std::size_t>(race - 1);
+    bearing::FreeRace& free = out.free[j].emplace();
+    const double sign = race == 2 ? 1.0 : -1.0;
+    for (int axis = 1; axis <= 3; ++axis) {
+      const auto k = static_cast<std::size_t>(axis - 1);
+      free.translation_held[k] = !translation_free(deck, axis, race);
+      free.rotation_held[k] = !rotation_free(deck, axis, race);
+      if (!free.translation_held[k]) free.force[axis - 1] = sign * deck.si(kLoads[k]);
+    }
+    if (!free.rotation_held[1]) free.moment[1] = sign * deck.si("appMomY");
+    if (!free.rotation_held[2]) free.moment[2] = sign * deck.si("appMomZ");
+  }
+  if (deck.integer("kVarLoad") == 1)
+    out.turning_load = bearing::TurningLoad{{deck.si("rotLoadFrac1"), deck.si("rotLoadFrac2")},
+                                            {deck.si("rotLoadRpm1"), deck.si("rotLoadRpm2")}};
+  for (int race = 1; race <= 2; ++race) {
+    const auto j = static_cast<std::size_t>(race - 1);
+    const auto of_race = [&](const char* stem) { return deck.si(fmt::format("{}{}", stem, race)); };
+    if (deck.integer("kVarLoad") == 2)
+      out.vibration[j] = bearing::Vibration{
+          {of_race("raceVibAmp1"), of_race("raceVibAmp2"), of_race("raceVibAmp3")},
+          of_race("raceVibFreq")};
+    if (deck.integer("kVarSpeed") == 1)
+      out.ramp[j] = bearing::Ramp{of_race("raceAngAcc"), of_race("startTime"), of_race("endTime")};
+    if (deck.integer("kVarSpeed") == 2)
+      out.variation[j] = bearing::SpeedVariation{of_race("raceSpeedAmp"), of_race("raceSpeedFreq")};
+  }
+  if (deck.integer("kRotFrame") == 1)
+    out.frame = bearing::FrameMotion{deck.si("brgAngVel"),
+                                     deck.si("brgOrbitRad"),
+                                     deck.si("brgAngPos"),
+                                     {deck.si("brgLoadFrac1"), deck.si("brgLoadFrac2")}};
+  return out;
+}
+
+Vec3 frame_load(const Deck& deck, const std::array<bearing::Inertia, 2>& races) {
+  if (!moves(deck) || deck.integer("kRotFrame") != 1) return Vec3::Zero();
+  const double speed = deck.si("brgAngVel"), radius = deck.si("brgOrbitRad"),
+               angle = deck.si("brgAngPos");
+  const double mass =
+      deck.si("brgLoadFrac2") * races[1].mass - deck.si("brgLoadFrac1") * races[0].mass;
+  return mass * speed * speed * radius * Vec3(0.0, -std::sin(angle), std::cos(angle));
+}
+
+void plan_race_motions(const Deck& deck, const bearing::Bearing& bearing, scene::ScenePlan& plan) {
+  plan.race_motions = build_race_motions(deck);
+  const bearing::RaceMotions& motions = plan.race_motions;
+  const auto effect = [&](Effect id, const char* name, bool on, std::string because) {
+    plan.effects.push_back({id, name, on, std::move(because)});
+  };
+  const long long load = deck.integer("kVarLoad"), speed = deck.integer("kVarSpeed");
+  effect(Effect::RaceExcitation, load == 1 ? "rotating load" : "race vibration", load != 0,
+         fmt::format("kVarLoad = {}", load));
+  effect(Effect::RaceExcitation, "varying race speed", speed != 0,
+         fmt::format("kVarSpeed = {}", speed));
+  std::string because = fmt::format("kDCR = {}", deck.integer("kDCR"));
+  for (std::size_t j = 0; j < 2; ++j)
+    if (motions.free[j]) {
+      const auto& held = motions.free[j]->rotation_held;
+      because += fmt::format(", {} {}", kRaces[j], free_text(*motions.free[j]));
+      if (!held[0]) because += ", no moment about x";
+    }
+  effect(Effect::FreeRaces, "races that move under loads", motions.any_free(), because);
+  effect(Effect::TurningFrame, "turning base frame", motions.frame.has_value(),
+         fmt::format("kRotFrame = {}", deck.integer("kRotFrame")));
+  for (std::size_t j = 0; j < 2; ++j) add_body(bearing, motions, j, plan);
+}
+
+}  // namespace adore::setup

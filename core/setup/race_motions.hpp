@@ -1,0 +1,44 @@
+#pragma once
+
+#include "base/errors.hpp"
+#include "bearing/bearing.hpp"
+#include "deck/deck.hpp"
+#include "scene/plan.hpp"
+
+#include <string_view>
+#include <vector>
+
+/// How races and base frame move (records 2.2, 9.3, 9.4, 9.5), and inertia that a deck gives (6.1,
+/// 6.2, 7.7).
+namespace adore::setup {
+
+/// What cannot act together, and what a deck leaves open.
+[[nodiscard]] std::vector<Issue> check_race_motions(const deck::Deck& deck);
+
+/// What of record 6.1 cannot be simulated.
+[[nodiscard]] std::vector<Issue> check_element_inertia(const deck::Deck& deck);
+
+/// Loads of free races come from record 9.1.1: they act on the inner race, the opposite ones on the
+/// outer race (reading N40).
+[[nodiscard]] bearing::RaceMotions build_race_motions(const deck::Deck& deck);
+
+/// What the turning base frame (record 9.5) adds to the load that record 9.1.1 gives: the shares of
+/// the races' centrifugal force, that of the outer race reversed, because it reaches the inner race
+/// through the bearing [N]. Zero without such a frame.
+[[nodiscard]] bearing::Vec3 frame_load(const deck::Deck& deck,
+                                       const std::array<bearing::Inertia, 2>& races);
+
+/// Lists the bodies and effects in the plan and takes over the motions.
+void plan_race_motions(const deck::Deck& deck, const bearing::Bearing& bearing,
+                       scene::ScenePlan& plan);
+
+/// Ten variables of an inertia record, e.g. raceMass1, raceMIx1 ... raceFrameZ1 with the prefix
+/// "race" and the suffix "1".
+[[nodiscard]] bearing::Inertia given_inertia(const deck::Deck& deck, std::string_view prefix,
+                                             std::string_view suffix);
+
+/// kFDkj, kMDkj of record 2.2 (axis 1 to 3, race 1 outer, 2 inner): is the direction free?
+[[nodiscard]] bool translation_free(const deck::Deck& deck, int axis, int race);
+[[nodiscard]] bool rotation_free(const deck::Deck& deck, int axis, int race);
+
+}  // namespace adore::setup
