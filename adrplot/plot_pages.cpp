@@ -164,7 +164,7 @@ PanelSpec pocket_contact(const SolHeader& header, const std::string& where,
                          const std::string& surface) {
   constexpr int kSpherical = 1, kCylindricalRollerPocket = -1;
   if (header.bearing_type != kBall && header.pocket_type != kCylindricalRollerPocket)
-    return {"Contact position", {{surface, "pocket.theta" + where}}, false};
+    return {"Contact position", {{surface, "pocket.position" + where}}, false};
   PanelSpec panel{"Contact angle", {{surface, "pocket.theta" + where}}, true};
   const std::string blank = surface.empty() ? "" : " ";
   if (header.bearing_type == kBall && header.pocket_type == kSpherical)

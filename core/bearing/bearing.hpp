@@ -93,6 +93,16 @@ struct PocketDeviation {
   }
 };
 
+/// Guide face of a roller's cage pocket (record 7.3); its mate is the mirror image in the pocket's
+/// x-z plane (N36). Pocket frame: x along the roller, z outward, y = z × x.
+struct RollerPocketFace {
+  Vec3 angles = Vec3::Zero();  ///< η, ξ, λ from pocket to face frame; y of that frame is the normal
+                               ///< away from the roller [rad]
+  Vec3 centre = Vec3::Zero();  ///< of the face [m]
+  double width = 0.0;          ///< along its z [m]
+  double length = 0.0;         ///< along its x [m]
+};
+
 struct Cage {
   double outer_diameter = 0.0, inner_diameter = 0.0, width = 0.0;  ///< [m]
   double clearance_outer = 0.0,
@@ -112,7 +122,8 @@ struct Cage {
     out.tilt += every_pocket.tilt;
     return out;
   }
-  double cone_angle = 0.0;  ///< [rad]
+  std::vector<RollerPocketFace> pocket_faces;  ///< of rollers, in place of a window; may be empty
+  double cone_angle = 0.0;                     ///< [rad]
   std::vector<GuideLand> lands;
   Material material;
   Inertia inertia;  ///< from ideal geometry (contact/cage_inertia) or given
@@ -153,6 +164,7 @@ struct Bearing {
   std::optional<TractionCurve> pocket_traction;   ///< element to cage
   std::optional<TractionCurve> land_traction;     ///< cage to race
   std::optional<TractionCurve> element_traction;  ///< element to element, without cage
+  std::optional<TractionCurve> flange_traction;   ///< roller end to race flange
   Imperfections imperfections;  ///< of balls and races; rollers keep their own in RollerGeometry
   StaticConstraints constraints;
   SpinRule spin_rule = SpinRule::RaceControl;

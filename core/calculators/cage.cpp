@@ -5,9 +5,15 @@
 #include "contact/cage_inertia.hpp"
 #include "contact/conformal.hpp"
 #include "contact/guide_land.hpp"
+#include "contact/roller_pocket.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
 
 namespace adore::calculators {
 namespace {
@@ -107,11 +113,102 @@ Json pocket_law_case(const Json& in) {
           {"stiffness", slope}};
 }
 
+/// A roller of the reference cases: slices of its whole length, outside the flat the arc that cuts
+/// it.
+struct PocketRoller {
+  Vec3 q, u;
+  std::vector<contact::RollerSlice> slices;
+  double half_slice = 0.0;
+};
+PocketRoller pocket_roller(const Json& in) {
+  PocketRoller out;
+  out.q = vec3(in.at("element_centre_pocket"));
+  out.u = passive_matrix(vec3(in.at("roller_angles_deg")) * kDegree).row(0);
+  const int count = whole(in, "slices", 1, 1000);
+  const double length = get(in, "roller_length"), radius = 0.5 * get(in, "roller_diameter");
+  const double crown = in.value("crown_radius", 0.0), flat = in.value("flat_length", 0.0);
+  out.half_slice = 0.5 * length / count;
+  for (int k = 0; k < count; ++k) {
+    const double s = ((k + 0.5) / count - 0.5) * length;
+    const bool beyond = crown > 0.0 && std::abs(s) > 0.5 * flat;
+    const double drop =
+        beyond ? std::sqrt(crown * crown - 0.25 * flat * flat) - std::sqrt(crown * crown - s * s)
+               : 0.0;
+    out.slices.push_back({s, radius - drop});
+  }
+  return out;
+}
+
+std::vector<contact::PocketFace> pocket_faces(const Json& in) {
+  if (in.at("pocket").get<std::string>() == "rectangular")
+    return contact::window_faces(get(in, "roller_diameter") + get(in, "bPocCls1"),
+                                 get(in, "wall_z_low"), get(in, "wall_z_high"),
+                                 get(in, "rotation_sign"));
+  std::vector<bearing::RollerPocketFace> given;
+  for (const Json& pair : in.at("surface_pairs"))
+    given.push_back({vec3(pair.at("bPocGsAng_deg")) * kDegree, vec3(pair.at("bPocGsCen")),
+                     get(pair, "bPocGsLen1"), get(pair, "bPocGsLen2")});
+  return contact::paired_faces(given, get(in, "rotation_sign"));
+}
+
+Json roller_pocket_case(const Json& in) {
+  const PocketRoller roller = pocket_roller(in);
+  const double stiffness = get(in, "slice_stiffness"), exponent = get(in, "exponent");
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+  Json result;
+  for (const contact::PocketFace& face : pocket_faces(in)) {
+    Json gaps = Json::array(), fractions = Json::array();
+    double load = 0.0, at = 0.0, least = std::numeric_limits<double>::infinity(), nearest = 0.0;
+    for (const contact::RollerSlice& slice : roller.slices) {
+      const contact::PocketSlice c = contact::slice_at_face(
+          face, roller.q + slice.s * roller.u, roller.u, slice.radius, roller.half_slice);
+      gaps.push_back(c.gap);
+      fractions.push_back(c.fraction);
+      if (c.fraction > 0.0 && c.gap < least) {
+        least = c.gap;
+        nearest = c.position;
+      }
+      const double Q = c.fraction * stiffness * std::pow(std::max(-c.gap, 0.0), exponent);
+      load += Q;
+      at += Q * c.position;
+      force -= Q * c.m;
+      moment -= (c.point - roller.q).cross(Vec3(Q * c.m));
+    }
+    result["slice_gap"].push_back(gaps);
+    result["slice_fraction"].push_back(fractions);
+    result["surface_min_gap"].push_back(least);
+    result["surface_force"].push_back(load);
+    result["axial_position"].push_back(load > 0.0 ? at / load : nearest);
+  }
+  result["force_on_roller_pocket_frame"] = json(force);
+  result["moment_on_roller_pocket_frame"] = json(moment);
+  return result;
+}
+
+Json round_roller_pocket_case(const Json& in) {
+  const PocketRoller roller = pocket_roller(in);
+  const contact::RoundPocket pocket{0.5 * (get(in, "roller_diameter") + get(in, "bPocCls1")),
+                                    get(in, "wall_z_low"), get(in, "wall_z_high")};
+  Json gaps = Json::array();
+  double least = std::numeric_limits<double>::infinity(), angle = 0.0;
+  for (const contact::RollerSlice& slice : roller.slices) {
+    const contact::PocketSlice c =
+        contact::slice_in_round(pocket, roller.q + slice.s * roller.u, roller.u, slice.radius);
+    gaps.push_back(c.gap);
+    if (c.gap >= least) continue;
+    least = c.gap;
+    angle = contact::round_pocket_angle(c.m, get(in, "rotation_sign"));
+  }
+  return {{"slice_gap", gaps}, {"min_gap", least}, {"contact_angle_deg", angle / kDegree}};
+}
+
 std::optional<Json> pocket_case(const Json& the_case) {
   const std::string kind = kind_of(the_case);
   const Json& in = the_case.at("inputs");
   if (kind == "pocket_frame") return pocket_frame_case(in);
   if (kind == "ball_pocket") return ball_pocket_case(in);
+  if (kind == "roller_pocket") return roller_pocket_case(in);
+  if (kind == "cylindrical_roller_pocket") return round_roller_pocket_case(in);
   if (kind == "half_ball_pocket") return half_pocket_case(in);
   if (kind == "pocket_contact_law") return pocket_law_case(in);
   return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include "base/scalar_math.hpp"
 #include "bearing/material.hpp"
+#include "contact/slice_law.hpp"
 #include "contact/subsurface.hpp"
 
 #include <algorithm>
@@ -68,20 +69,8 @@ struct SliceLoad {
   double slope = 0.0;  ///< dQ/dδ [N/m]
 };
 
-/// Power law Q = K_l L_e^(-1/9) w δ^(10/9) [derived from Palmgren's]. L_e is the WHOLE effective
-/// length: the roller law applied to each slice by itself would give n^(1/9) times the load (1.46
-/// for 30 slices). C1 at δ = 0, zero below.
-struct PowerLaw {
-  double constant = 0.0;  ///< K_l L_e^(-1/9) [N m^(-19/9)]
-};
 [[nodiscard]] inline PowerLaw power_law(double line_constant, double effective_length) noexcept {
   return {line_constant * std::pow(effective_length, -1.0 / 9.0)};
-}
-/// Secant stiffness Q/δ for δ >= 0 [N/m]; of numbers or vectors.
-template <class T>
-[[nodiscard, gnu::always_inline]] inline T slice_secant(const PowerLaw& law, const T& width,
-                                                        const T& delta) {
-  return law.constant * width * ScalarMath<T>::ninth_root(delta);
 }
 [[nodiscard]] inline SliceLoad slice_load(const PowerLaw& law, double width,
                                           double delta) noexcept {

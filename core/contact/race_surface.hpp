@@ -3,6 +3,7 @@
 #include "base/rotation.hpp"
 #include "base/scalar_math.hpp"
 #include "bearing/bearing.hpp"
+#include "contact/race_shape.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,22 +23,6 @@
 /// Undefined on the race axis (r = 0) and on the circle of groove centres: no roller gets there.
 /// φ and n are computed in contact/slice_circle.hpp.
 namespace adore::contact {
-
-struct RaceSurface {
-  enum class Shape : unsigned char { Cone, Groove } shape = Shape::Cone;
-  int side = bearing::kOuter;
-  double radius = 0.0;                      ///< R0 at x = 0, cone and cylinder [m]
-  double cos_angle = 1.0, sin_angle = 0.0;  ///< of α, radius falls towards +x; cone and cylinder
-  double groove_radius = 0.0, groove_x = 0.0,
-         groove_centre_radius = 0.0;  ///< r_g, x_g, R_g, groove only [m]
-  // Land: limits where a roller can touch.
-  double land_width = std::numeric_limits<double>::infinity();  ///< B along the generator [m]
-  double land_offset = 0.0;             ///< o_r from mid contact towards +x [m]
-  double mid_x = 0.0, mid_r = 0.0;      ///< mid contact, where land coordinates begin [m]
-  double along_x = 1.0, along_r = 0.0;  ///< unit vector of the nominal generator, (cos α, -sin α)
-
-  [[nodiscard]] double sigma() const noexcept { return side == bearing::kOuter ? 1.0 : -1.0; }
-};
 
 /// @throws InputError when a radius is not positive, an angle not in (-π/2, π/2) (all factories).
 [[nodiscard]] RaceSurface cylinder_race(int side, double radius);

@@ -1,14 +1,13 @@
 #pragma once
 
 #include "contact/line_contact.hpp"
-#include "contact/slice_circle.hpp"
+#include "contact/race_surface.hpp"
+#include "contact/roller_race_sum.hpp"
 #include "contact/slice_traction.hpp"
 
 #include <algorithm>
 #include <cstddef>
-#include <numbers>
 #include <span>
-#include <type_traits>
 #include <vector>
 
 /// All that one race does to one roller that moves: penetration, load, slip and traction of every
@@ -67,16 +66,40 @@ struct RollerRaceAction {
   double heat = 0.0, load_slip = 0.0;  ///< [W]
 };
 
-/// How vectors are read from memory and summed over lanes: for double, and in roller_race_simd.hpp
-/// for vectors.
-template <class T>
-struct SliceLanes;
-template <>
-struct SliceLanes<double> {
-  static constexpr std::size_t kSize = 1;
-  static double read(const double* from) { return *from; }
-  static double sum(double x) { return x; }
+[[nodiscard]] inline RaceSlices view_of(const RollerRaceSlices& slices) noexcept {
+  return {
+      slices.race,     slices.law,      slices.E_star,        !std::isinf(slices.race.land_width),
+      slices.s.size(), slices.s.data(), slices.radius.data(), slices.width.data()};
+}
+
+/// A roller as the sums read it, and the way back to the frame of its pose.
+struct RollerInMeridian {
+  RollerPose roller;
+  MeridianTurn turn;
+  [[nodiscard]] Vec3 back(const RacePose& pose, const Triple<double>& v) const noexcept {
+    const Triple<double> of_race = turn.back(v);
+    return pose.direction_back({of_race.x, of_race.y, of_race.z});
+  }
 };
+[[nodiscard]] inline RollerInMeridian roller_in_meridian(const RacePose& pose,
+                                                         const RigidMotion& race,
+                                                         const Vec3& centre, const Vec3& axis,
+                                                         const RigidMotion& roller) noexcept {
+  RollerInMeridian out;
+  const Vec3 C = pose.point(centre);
+  out.turn = meridian_turn(C[1], C[2], out.roller.r);
+  const auto into = [&](const Vec3& v) {
+    const Vec3 of_race = pose.direction(v);
+    return out.turn.into({of_race[0], of_race[1], of_race[2]});
+  };
+  const Triple<double> a = into(axis);
+  out.roller.x = C[0];
+  out.roller.axes = slice_axes(a.z, a.y);
+  // Race minus roller, as a rigid motion about C.
+  out.roller.velocity = into(race.at(centre) - roller.at(centre));
+  out.roller.omega = into(race.omega - roller.omega);
+  return out;
+}
 
 /// @param centre C, axis a and the motion of the roller, pose and motion of the race: one frame
 /// @param traction callable (u², pressure) -> κ(s)/s on T, or nullptr: none. No throw, no
@@ -87,82 +110,20 @@ template <class T, class Traction>
                                                   const Vec3& centre, const Vec3& axis,
                                                   const RigidMotion& roller,
                                                   const Traction& traction) noexcept {
-  using M = ScalarMath<T>;
   using Lanes = SliceLanes<T>;
-  constexpr bool kTraction = !std::is_null_pointer_v<Traction>;
-  const Vec3 C = pose.point(centre);
-  double r = 0.0;
-  const MeridianTurn turn = meridian_turn(C[1], C[2], r);
-  const auto into = [&](const Vec3& v) {
-    const Vec3 of_race = pose.direction(v);
-    return turn.into({of_race[0], of_race[1], of_race[2]});
-  };
-  const Triple<double> a = into(axis);
-  const SliceAxes axes = slice_axes(a.z, a.y);
-  // Race minus roller, as a rigid motion about C.
-  Triple<double> velocity{}, omega{};
-  if constexpr (kTraction) {
-    velocity = into(race.at(centre) - roller.at(centre));
-    omega = into(race.omega - roller.omega);
-  }
-  const RaceSurface& surface = slices.race;
-  const bool limited = !std::isinf(surface.land_width);
-  const double high = surface.land_offset + 0.5 * surface.land_width;
-  const double low = surface.land_offset - 0.5 * surface.land_width;
-
-  Triple<T> force{T(0.0), T(0.0), T(0.0)}, moment{T(0.0), T(0.0), T(0.0)};
-  T load = 0.0, energy = 0.0, heat = 0.0, load_slip = 0.0;
-  T tan_chi = 0.0, last = 0.0;
-  for (std::size_t k = 0; k < slices.s.size(); k += Lanes::kSize) {
-    const T s = Lanes::read(slices.s.data() + k);
-    const T radius = Lanes::read(slices.radius.data() + k);
-    T width = Lanes::read(slices.width.data() + k);
-    const SliceDeepest<T> d = deepest_on_slice(surface, axes, C[0], r, s, radius, tan_chi);
-    // χ changes evenly along the roller: the next slices start from its extrapolation.
-    const T found = tan_chi;
-    tan_chi = k == 0 ? found : 2.0 * found - last;
-    last = found;
-    if (!M::any(d.at.depth > 0.0)) continue;
-    if (limited) {
-      const T x = (d.X.x - surface.mid_x) / surface.cos_angle;
-      const T half = 0.5 * width;
-      width = M::max(M::min(half, high - x) - M::max(-half, low - x), T(0.0));
-    }
-    const T delta = M::max(d.at.depth, T(0.0));
-    const T Q = slice_secant(slices.law, width, delta) * delta;
-    const Triple<T>& n = d.at.n;
-    const Triple<T> arm = s * axes.a + radius * d.u;
-    Triple<T> f{-Q * n.x, -Q * n.y, -Q * n.z};
-    if constexpr (kTraction) {
-      const Triple<T> u = velocity + cross(omega, arm);
-      const Triple<T> slip = u - dot(u, n) * n;
-      const T square = dot(slip, slip);
-      // Pressures of slices without width are not read: Q is 0 there.
-      const T per_length = Q / M::max(width, T(1e-30));
-      const T pressure =
-          M::root(per_length * ((1.0 / radius - d.at.A_hoop) * (slices.E_star / std::numbers::pi)));
-      const T per_slip = Q * traction(square, pressure);
-      f = f + per_slip * slip;
-      heat += per_slip * square;
-      load_slip += Q * M::root(square);
-    }
-    force = force + f;
-    moment = moment + cross(arm, f);
-    load += Q;
-    energy += (9.0 / 19.0) * Q * delta;
-  }
-  const auto back = [&](const Triple<T>& v) {
-    const Triple<double> b = turn.back({Lanes::sum(v.x), Lanes::sum(v.y), Lanes::sum(v.z)});
-    return pose.direction_back({b.x, b.y, b.z});
-  };
+  const RollerInMeridian in = roller_in_meridian(pose, race, centre, axis, roller);
+  const RollerRaceSums<T> sums = roller_race_sums<T>(view_of(slices), in.roller, traction);
   RollerRaceAction out;
-  out.force = back(force);
-  out.moment = back(moment);
+  const auto back = [&](const Triple<T>& v) {
+    return in.back(pose, {Lanes::sum(v.x), Lanes::sum(v.y), Lanes::sum(v.z)});
+  };
+  out.force = back(sums.force);
+  out.moment = back(sums.moment);
   out.race_moment = -(centre - pose.centre).cross(out.force) - out.moment;
-  out.load = Lanes::sum(load);
-  out.energy = Lanes::sum(energy);
-  out.heat = Lanes::sum(heat);
-  out.load_slip = Lanes::sum(load_slip);
+  out.load = Lanes::sum(sums.load);
+  out.energy = Lanes::sum(sums.energy);
+  out.heat = Lanes::sum(sums.heat);
+  out.load_slip = Lanes::sum(sums.load_slip);
   return out;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/scalar_math.hpp"
-#include "contact/race_surface.hpp"
+#include "contact/race_shape.hpp"
 #include "contact/triple.hpp"
 
 /// Where the circle of a roller slice is deepest in a race: the one statement, for one slice (T =
@@ -65,7 +65,7 @@ struct SliceAxes {
 };
 /// From t = a_z and f = a_y: a = (c, f, t), b1 = (-t, 0, c)/m, b2 = (-f c, m², -f t)/m with m² =
 /// 1 - f², c² = m² - t². Needs a_x > 0.
-[[nodiscard]] inline SliceAxes slice_axes(double t, double f) noexcept {
+[[nodiscard, gnu::always_inline]] inline SliceAxes slice_axes(double t, double f) noexcept {
   const double m2 = 1.0 - f * f;
   const double m = std::sqrt(m2);
   const double c = std::sqrt(m2 - t * t);

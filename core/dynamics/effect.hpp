@@ -197,7 +197,8 @@ class SceneBuilder {
   const statics::StaticSolution& statics;
   const std::array<double, 2>& fixed_angle;
   const SystemOptions& options;
-  Evaluation& e;  ///< the blocks' working memory, there as long as the System
+  const RollerScene* rollers;  ///< where rollers start; null: balls
+  Evaluation& e;               ///< the blocks' working memory, there as long as the System
 
   /// Controlled components "<name>[k] [unit]" of one element, or of kBorder.
   Slice state(std::string name, std::string_view unit, int count, ScaleKind kind, int element);
@@ -247,12 +248,14 @@ class SceneBuilder {
 
   SceneBuilder(const bearing::Bearing& bearing_, const ScenePlan& plan_,
                const statics::StaticSolution& statics_, const std::array<double, 2>& fixed_angle_,
-               const SystemOptions& options_, Evaluation& e_, Assembly& out)
+               const SystemOptions& options_, const RollerScene* rollers_, Evaluation& e_,
+               Assembly& out)
       : bearing(bearing_),
         plan(plan_),
         statics(statics_),
         fixed_angle(fixed_angle_),
         options(options_),
+        rollers(rollers_),
         e(e_),
         out_(out) {}
 

@@ -9,12 +9,16 @@ namespace adore::dynamics {
 using MadeEffect = std::unique_ptr<SceneEffect>;
 
 MadeEffect make_balls(const ScenePlan& plan);
+MadeEffect make_rigid_elements(const ScenePlan& plan);
 MadeEffect make_ball_orientation(const ScenePlan& plan);
 MadeEffect make_races(const ScenePlan& plan);
 LedgerTerms race_terms();
 MadeEffect make_race_excitations(const ScenePlan& plan);
 MadeEffect make_pocket_contact(const ScenePlan& plan);
 LedgerTerms pocket_terms();
+MadeEffect make_roller_pockets(const ScenePlan& plan);
+MadeEffect make_roller_flanges(const ScenePlan& plan);
+LedgerTerms roller_flange_terms();
 MadeEffect make_element_contact(const ScenePlan& plan);
 LedgerTerms element_contact_terms();
 MadeEffect make_land_contact(const ScenePlan& plan);

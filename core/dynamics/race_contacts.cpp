@@ -34,11 +34,6 @@ InstructionSet choose_instruction_set() noexcept {
   return *std::find_if(std::begin(kAllSets), std::end(kAllSets), instruction_set_available);
 }
 
-InstructionSet chosen_instruction_set() noexcept {
-  static const InstructionSet set = choose_instruction_set();
-  return set;
-}
-
 RaceKernel kernel_of(InstructionSet set) noexcept {
 #if defined(__x86_64__)
   if (set == InstructionSet::Avx512 && instruction_set_available(set)) return race_kernel_avx512;
@@ -97,6 +92,11 @@ RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const E
 }
 
 }  // namespace
+
+InstructionSet chosen_instruction_set() noexcept {
+  static const InstructionSet set = choose_instruction_set();
+  return set;
+}
 
 double load_limit(const RaceContactModel& model) noexcept {
   const double radius = model.groove.ball_radius, wide = radius / model.hertz.a_hat;

@@ -104,6 +104,9 @@ enum class InstructionSet : unsigned char { Baseline, Avx2, Avx512 };
 [[nodiscard]] bool instruction_set_available(InstructionSet set) noexcept;
 [[nodiscard]] const char* instruction_set_name(InstructionSet set) noexcept;
 
+/// What evaluate_race_contacts and the kernel of rollers use here.
+[[nodiscard]] InstructionSet chosen_instruction_set() noexcept;
+
 /// The same with a given instruction set, for tests and benchmarks. An unavailable one falls back
 /// to Baseline.
 RaceSums evaluate_race_contacts(InstructionSet set, const RaceContactModel& model,

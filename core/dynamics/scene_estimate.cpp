@@ -38,6 +38,23 @@ BallVibration ball_vibration(const statics::StaticBall& ball, const contact::Gro
   return result;
 }
 
+/// A roller between straight contacts: (10/9) Q/δ each, along their common normal; across, its tilt
+/// on springs spread over the length.
+BallVibration roller_vibration(const statics::StaticBall& roller, const bearing::Bearing& bearing) {
+  BallVibration result;
+  std::array<double, 2> normal{};
+  for (std::size_t j = 0; j < 2; ++j)
+    if (roller.Q[j] > 0.0 && roller.delta[j] > 0.0)
+      normal[j] = (10.0 / 9.0) * roller.Q[j] / roller.delta[j];
+  const double stiffness = normal[0] + normal[1];
+  const double length = bearing.rollers()->contact_length();
+  result.along = std::sqrt(stiffness / bearing.element_inertia.mass);
+  result.across =
+      std::sqrt(stiffness * length * length / 12.0 / bearing.element_inertia.moments[1]);
+  result.stiffer_race = normal[1] > normal[0] ? 1 : 0;
+  return result;
+}
+
 double seconds_per_evaluation(System& system) {
   using Clock = std::chrono::steady_clock;
   const CostLedger ledger = system.cost();
@@ -60,8 +77,13 @@ double seconds_per_evaluation(System& system) {
 
 std::vector<BallVibration> ball_vibrations(const bearing::Bearing& bearing,
                                            const statics::StaticSolution& statics) {
-  const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls());
   std::vector<BallVibration> out;
+  if (bearing.rollers() != nullptr) {
+    for (const statics::StaticBall& roller : statics.balls)
+      out.push_back(roller_vibration(roller, bearing));
+    return out;
+  }
+  const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls());
   for (const statics::StaticBall& ball : statics.balls)
     out.push_back(ball_vibration(ball, groove, bearing.element_inertia.mass));
   return out;

@@ -90,8 +90,10 @@ void System::Impl::throw_invalid(double t, const double* y) const {
 
 System::System(const bearing::Bearing& bearing, const ScenePlan& plan,
                const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
-               const SystemOptions& options, const std::vector<EffectMaker>& more_effects)
-    : impl_(std::make_unique<Impl>(bearing, plan, statics, fixed_angle, options, more_effects)) {}
+               const SystemOptions& options, const std::vector<EffectMaker>& more_effects,
+               std::shared_ptr<const RollerScene> rollers)
+    : impl_(std::make_unique<Impl>(bearing, plan, statics, fixed_angle, options, more_effects,
+                                   std::move(rollers))) {}
 System::~System() = default;
 System::System(System&&) noexcept = default;
 

@@ -15,7 +15,8 @@
 /// 0).
 namespace adore::dynamics {
 
-class SceneEffect;  // effect.hpp
+class SceneEffect;   // effect.hpp
+struct RollerScene;  // roller_start.hpp
 /// Makes an effect that the catalogue does not have; null: not in this scene.
 using EffectMaker = std::function<std::unique_ptr<SceneEffect>(const ScenePlan&)>;
 
@@ -27,7 +28,8 @@ class System {
   /// that forces agree).
   System(const bearing::Bearing& bearing, const ScenePlan& plan,
          const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
-         const SystemOptions& options, const std::vector<EffectMaker>& more_effects = {});
+         const SystemOptions& options, const std::vector<EffectMaker>& more_effects = {},
+         std::shared_ptr<const RollerScene> rollers = nullptr);
   ~System();
   System(System&&) noexcept;
 

@@ -12,7 +12,8 @@ namespace adore::dynamics {
 struct System::Impl final : BetweenSteps {
   Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
        const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
-       const SystemOptions& options, const std::vector<EffectMaker>& more_effects);
+       const SystemOptions& options, const std::vector<EffectMaker>& more_effects,
+       std::shared_ptr<const RollerScene> rollers);
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
@@ -32,6 +33,7 @@ struct System::Impl final : BetweenSteps {
   };
 
   const bearing::Bearing bearing;
+  std::shared_ptr<const RollerScene> roller_scene;  ///< of roller bearings
   Assembly parts;
   Scales scales;
   std::vector<Integral> integrals;

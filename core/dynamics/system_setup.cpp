@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace adore::dynamics {
 namespace {
@@ -26,9 +27,12 @@ double force_scale(const bearing::Bearing& bearing, const statics::StaticSolutio
 
 System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
                    const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
-                   const SystemOptions& options, const std::vector<EffectMaker>& more_effects)
-    : bearing(bearing_), e(static_cast<std::size_t>(bearing_.element_count())) {
-  SceneBuilder scene(bearing, plan, statics, fixed_angle, options, e, parts);
+                   const SystemOptions& options, const std::vector<EffectMaker>& more_effects,
+                   std::shared_ptr<const RollerScene> rollers)
+    : bearing(bearing_),
+      roller_scene(std::move(rollers)),
+      e(static_cast<std::size_t>(bearing_.element_count())) {
+  SceneBuilder scene(bearing, plan, statics, fixed_angle, options, roller_scene.get(), e, parts);
   const auto take = [&](std::unique_ptr<SceneEffect> effect) {
     if (effect != nullptr) parts.effects.push_back(std::move(effect));
   };

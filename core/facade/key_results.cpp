@@ -93,10 +93,11 @@ KeyResults dynamic_results(const Snapshot& last, const results::Averages& averag
 }
 
 double static_elastic(const Prepared& prepared) {
+  const double share = prepared.rollers ? 9.0 / 19.0 : 0.4;  // of load times approach
   double elastic = 0.0;
   for (const statics::StaticBall& ball : prepared.start.balls)
     for (std::size_t j = 0; j < 2; ++j)
-      if (ball.Q[j] > 0.0) elastic += 0.4 * ball.Q[j] * ball.delta[j];
+      if (ball.Q[j] > 0.0) elastic += share * ball.Q[j] * ball.delta[j];
   return elastic;
 }
 

@@ -4,6 +4,7 @@
 #include "deck/defaults.hpp"
 #include "deck/unit_text.hpp"
 #include "dynamics/race_contacts.hpp"
+#include "dynamics/roller_start.hpp"
 #include "dynamics/scene_estimate.hpp"
 #include "facade/judge_steps.hpp"
 #include "facade/static_plan.hpp"
@@ -156,6 +157,19 @@ Prepared prepare_model(LoadedDeck input) {
         [&] { out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers); });
     judge(life::contact_strength(out.bearing, *out.rollers));
     out.life = life::roller_bearing_life(out.bearing, life_inputs, *out.rollers);
+    if (out.control.dynamic) {
+      auto scene = std::make_shared<dynamics::RollerScene>();
+      scene->options = out.options.rollers;
+      scene->solution = *out.rollers;
+      out.start = dynamics::static_start(*scene, out.bearing);
+      out.roller_scene = std::move(scene);
+      if (out.rollers->guide_force > 0.0)
+        out.input.warnings.push_back(remark(
+            Severity::Note, out.input.path.string(),
+            fmt::format("the equilibrium holds each roller along its axis with {:.4g} N, as a "
+                        "guide ring does; in motion only its groove and friction hold it",
+                        out.rollers->guide_force)));
+    }
     return out;
   }
   out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
@@ -286,7 +300,7 @@ Prepared prepare(LoadedDeck input) {
 
 dynamics::System make_system(const Prepared& prepared) {
   return dynamics::System(prepared.bearing, prepared.plan, prepared.start, prepared.fixed_angle,
-                          prepared.options.system);
+                          prepared.options.system, {}, prepared.roller_scene);
 }
 
 scene::ScenePlan plan_with_estimates(const Prepared& prepared) {

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -67,8 +68,9 @@ struct Prepared {
   setup::RunOptions options;
   scene::ScenePlan plan;
   statics::StaticSolution statics;  ///< balls: actual curvature, the quasi-static page
-  std::optional<statics::RollerSolution> rollers;  ///< roller bearings, instead of it
-  std::vector<statics::StiffnessRow> stiffness;    ///< kStif; empty when not asked for
+  std::optional<statics::RollerSolution> rollers;             ///< roller bearings, instead of it
+  std::shared_ptr<const dynamics::RollerScene> roller_scene;  ///< where a run of them starts
+  std::vector<statics::StiffnessRow> stiffness;               ///< kStif; empty when not asked for
   std::array<double, 2>
       fixed_angle{};  ///< contact angles that the run's Hertz constants are frozen at [rad]
   statics::StaticSolution

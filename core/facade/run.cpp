@@ -170,8 +170,13 @@ StepLimits settle_steps(Prepared& prepared, double time_scale) {
 
 /// The deck's integrator. @throws InputError when it cannot do what the deck asks of it.
 std::unique_ptr<integrators::Stepper> make_checked_stepper(const setup::RunControl& control,
-                                                           const SystemOde& ode, bool held) {
+                                                           const SystemOde& ode, bool held,
+                                                           bool rollers) {
   auto stepper = integrators::make_stepper(control.integrator);
+  if (stepper->name() == "arkode-imex" && rollers)
+    throw InputError(
+        "arkode-imex takes the normal contacts of balls and races implicitly; those of rollers are "
+        "not split off; use arkode-dirk (intMet 32) or arkode-erk (intMet 31)");
   if (stepper->name() == "arkode-imex" && !ode.has_stiff_part())
     throw InputError(
         "arkode-imex takes the normal contacts of elements and races implicitly, and this deck has "
@@ -213,8 +218,8 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   const auto begin = Clock::now();
   dynamics::System system = make_system(prepared);
   SystemOde ode(system);
-  const auto stepper =
-      make_checked_stepper(prepared.control, ode, prepared.plan.light_load_ratio > 0.0);
+  const auto stepper = make_checked_stepper(
+      prepared.control, ode, prepared.plan.light_load_ratio > 0.0, prepared.plan.rollers);
   // Everything is checked before a file of an earlier run is touched.
   (void)run_span(request, prepared, system.scales().time);
   const StepLimits limits = settle_steps(prepared, system.scales().time);

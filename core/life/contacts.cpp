@@ -72,6 +72,25 @@ void set_motion(BearingContacts& out, double outer_speed, double inner_speed) {
   out.race[1].rotating = inner_speed != 0.0 || outer_speed == 0.0;
 }
 
+/// Slices of an instant as a quasi-static solution has them.
+statics::RollerSolution solution_of(const scene::Snapshot& snapshot,
+                                    const bearing::Bearing& bearing) {
+  statics::RollerSolution out;
+  for (const scene::ElementSnapshot& element : snapshot.elements) {
+    statics::StaticRoller& roller = out.rollers.emplace_back();
+    for (std::size_t j = 0; j < 2; ++j) {
+      const scene::RaceContactSnapshot& c = element.race[j];
+      roller.race[j].load = c.load;
+      roller.race[j].contact_angle = c.load > 0.0 ? c.angle : std::nan("");
+      roller.race[j].slice_load = c.slice_load;
+      roller.race[j].slice_pressure = c.slice_pressure;
+      out.slice_width =
+          bearing.rollers()->contact_length() / static_cast<double>(c.slice_load.size());
+    }
+  }
+  return out;
+}
+
 }  // namespace
 
 LifeGeometry ball_life_geometry(const bearing::BallGeometry& balls) {
@@ -147,7 +166,8 @@ BearingContacts life_contacts(const statics::RollerSolution& solution,
 
 BearingContacts life_contacts(const scene::Snapshot& snapshot, const bearing::Bearing& bearing) {
   BearingContacts out;
-  for (std::size_t i = 0; i < 2; ++i) {
+  if (bearing.rollers() != nullptr) out = life_contacts(solution_of(snapshot, bearing), bearing);
+  for (std::size_t i = 0; i < 2 && bearing.rollers() == nullptr; ++i) {
     MeanAngle angle;
     for (const scene::ElementSnapshot& element : snapshot.elements) {
       const scene::RaceContactSnapshot& c = element.race[i];

@@ -47,10 +47,55 @@ bool is_computed(const StepRecord& record, std::string_view id) {
   return std::any_of(values.begin(), values.end(), [](double v) { return v != 0.0; });
 }
 
+/// Load distribution along roller 1 (page 1a).
+void slices_of_first(Report& report, const scene::Snapshot& snapshot) {
+  const auto& races = snapshot.elements.front().race;
+  report.heading("Load and pressure along roller 1, slice by slice from -x to +x");
+  std::vector<Report::Row> rows;
+  for (std::size_t k = 0; k < races[0].slice_load.size(); ++k)
+    rows.push_back({std::to_string(k + 1),
+                    {races[0].slice_load[k], races[0].slice_pressure[k], races[1].slice_load[k],
+                     races[1].slice_pressure[k]}});
+  report.table("slice",
+               {{"load outer", &unit::kForce},
+                {"pres outer", &unit::kPressure},
+                {"load inner", &unit::kForce},
+                {"pres inner", &unit::kPressure}},
+               rows);
+}
+
+/// Roller ends at the flanges (page 1b); nothing without a flange.
+void flanges(Report& report, const scene::Snapshot& snapshot, int interval) {
+  for (std::size_t race = 0; race < 2; ++race)
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (!snapshot.elements.front().flange[race][side].present) continue;
+      report.heading(
+          fmt::format("Roller ends at the {} race flange at {}x (gap: negative in contact)",
+                      race == 0 ? "outer" : "inner", side == 0 ? "-" : "+"));
+      std::vector<Report::Row> rows;
+      for (std::size_t j = 0; j < snapshot.elements.size();
+           j += static_cast<std::size_t>(interval)) {
+        const scene::FlangeContactSnapshot& c = snapshot.elements[j].flange[race][side];
+        rows.push_back(
+            {std::to_string(j + 1),
+             {c.force, std::isfinite(c.gap) ? c.gap : 0.0, c.height, c.slip, c.heat, c.load_slip}});
+      }
+      report.table("element",
+                   {{"force", &unit::kForce},
+                    {"gap", &unit::kLength},
+                    {"height", &unit::kLength},
+                    {"slip", &unit::kSpeed},
+                    {"heat", &unit::kPower},
+                    {"QV", &unit::kPower}},
+                   rows);
+    }
+}
+
 void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
               int interval) {
   const bool film = is_computed(record, "contact.film");
   const bool rise = is_computed(record, "contact.temperature_rise");
+  const bool rollers = record.shape.rollers;
   report.heading(
       "1. Rolling element parameters: position, velocity, angular velocity (theta, phi in the "
       "azimuth frame)");
@@ -79,9 +124,15 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
   if (!rise) report.item("Contact temperature and its rise above the race", "not computed");
   if (!film) report.item("Film thickness (hypothetical traction)", "not computed");
   for (int race = 0; race < 2; ++race) {
-    report.heading(fmt::format(
-        "Contacts with the {} race (a across, b along the rolling direction; edge: {})",
-        race == 0 ? "outer" : "inner", race == 0 ? "depth s below the shoulder" : "half chord t"));
+    const char* name = race == 0 ? "outer" : "inner";
+    report.heading(
+        rollers
+            ? fmt::format("Contacts with the {} race (a half the length in contact, b, "
+                          "pressure and place of the slice that is pressed most)",
+                          name)
+            : fmt::format(
+                  "Contacts with the {} race (a across, b along the rolling direction; edge: {})",
+                  name, race == 0 ? "depth s below the shoulder" : "half chord t"));
     std::vector<ChannelColumn> columns{{"load", "contact.load", race},
                                        {"angle", "contact.angle", race},
                                        {"a", "contact.half_major", race},
@@ -91,12 +142,17 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
     columns.insert(columns.end(), {{"slip", "contact.slip", race},
                                    {"spin/roll", "contact.spin_to_roll", race},
                                    {"heat", "contact.heat", race},
-                                   {"edge", "contact.edge", race}});
-    if (race == 1)  // N94: the channel holds s of both races
+                                   {rollers ? "place" : "edge",
+                                    rollers ? "contact.peak_position" : "contact.edge", race}});
+    if (race == 1 && !rollers)  // N94: the channel holds s of both races
       columns.back().value = [&](std::size_t j) {
         return snapshot.elements[j].race[1].centre_chord;
       };
     element_table(report, record, interval, columns);
+  }
+  if (rollers) {
+    slices_of_first(report, snapshot);
+    flanges(report, snapshot, interval);
   }
   if (record.shape.pairs > 0) {
     report.heading("Elements and the next ones in the ring (gap: negative in contact)");
@@ -110,10 +166,13 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
   }
   if (record.shape.cages == 0) return;
   report.heading(
-      "Cage pockets (gap: negative in contact; theta: 0 the cage drives, 180 deg the element "
-      "drives)");
+      rollers
+          ? "Cage pockets (gap: negative in contact; position: of the contact along the surface)"
+          : "Cage pockets (gap: negative in contact; theta: 0 the cage drives, 180 deg the "
+            "element drives)");
   std::vector<Report::Column> columns;
-  for (const char* id : {"pocket.force", "pocket.gap", "pocket.theta", "pocket.phi"})
+  const char* last = rollers ? "pocket.position" : "pocket.phi";
+  for (const char* id : {"pocket.force", "pocket.gap", "pocket.theta", last})
     columns.push_back({std::string(id).substr(7), channels()[channel_index(id)].unit});
   std::vector<Report::Row> rows;
   const int surfaces = record.shape.pocket_surfaces;
@@ -122,7 +181,7 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
       const auto at = static_cast<std::size_t>(j * surfaces + s);
       rows.push_back({surfaces == 1 ? std::to_string(j + 1) : fmt::format("{}.{}", j + 1, s + 1),
                       {record["pocket.force"][at], record["pocket.gap"][at],
-                       record["pocket.theta"][at], record["pocket.phi"][at]}});
+                       record["pocket.theta"][at], record[last][at]}});
     }
   }
   report.table("element", columns, rows);
@@ -256,7 +315,10 @@ void applied(Report& report, const scene::Snapshot& snapshot, const bearing::Bea
   }
   report.item("Rolling element temperature", bearing.element_temperature, unit::kTemperature);
   if (bearing.cage) report.item("Cage temperature", bearing.cage_temperature, unit::kTemperature);
-  report.item("Internal clearance, diametral", bearing.balls().clearance, unit::kLength);
+  report.item(
+      "Internal clearance, diametral",
+      bearing.rollers() != nullptr ? bearing.rollers()->clearance : bearing.balls().clearance,
+      unit::kLength);
   if (bearing.operating) {
     report.item("Operating fit of the outer race, diametral (above 0: interference)",
                 bearing.operating->fit[0].interference, unit::kLength);

@@ -7,7 +7,7 @@
 namespace adore::reference {
 
 /// Families F_dynamics and dynamics_impact, _plates, _pocket, _rigid_whirl, _ball_vibration,
-/// _ball_thrust, _ball_radial.
+/// _ball_thrust, _ball_radial, _roller.
 std::vector<Adapter> dynamics_adapters();
 
 }  // namespace adore::reference

@@ -14,5 +14,6 @@ std::optional<Json> rigid_whirl_case(const Json& the_case);    ///< dynamics_rig
 std::optional<Json> vibration_case(const Json& the_case);      ///< dynamics_ball_vibration
 std::optional<Json> thrust_case(const Json& the_case);         ///< dynamics_ball_thrust
 std::optional<Json> radial_case(const Json& the_case);         ///< dynamics_ball_radial
+std::optional<Json> roller_case(const Json& the_case);         ///< dynamics_roller
 
 }  // namespace adore::reference

@@ -32,6 +32,11 @@ void point_at(ChannelSource& source, const Channel& channel, const Shape& shape,
     case Per::Contact:
       std::tie(source.element, source.race) = split(2);
       break;
+    case Per::Flange:
+      std::tie(source.element, source.side) = split(4);
+      source.race = source.side / 2;
+      source.side %= 2;
+      break;
     case Per::Pocket:
       std::tie(source.element, source.surface) = split(shape.pocket_surfaces);
       break;
@@ -61,11 +66,21 @@ std::size_t channel_index(std::string_view id) {
 }
 
 int pocket_surfaces(const bearing::Bearing& bearing) {
+  if (bearing.cage && bearing.rollers() != nullptr) {
+    if (!bearing.cage->pocket_faces.empty())
+      return 2 * static_cast<int>(bearing.cage->pocket_faces.size());
+    return bearing.cage->pocket == bearing::PocketShape::Cylindrical ? 1 : 2;
+  }
   return bearing.cage && bearing.cage->pocket == bearing::PocketShape::Rectangular ? 4 : 1;
 }
 
 int pocket_code(const bearing::Bearing& bearing) {
   if (!bearing.cage) return 0;
+  if (bearing.rollers() != nullptr) {
+    if (!bearing.cage->pocket_faces.empty())
+      return static_cast<int>(bearing.cage->pocket_faces.size());
+    return bearing.cage->pocket == bearing::PocketShape::Cylindrical ? -1 : 0;
+  }
   switch (bearing.cage->pocket) {
     case bearing::PocketShape::Cylindrical:
       return 0;
@@ -84,6 +99,7 @@ int pocket_code(const bearing::Bearing& bearing) {
 Shape shape_of(const bearing::Bearing& bearing) {
   Shape shape;
   shape.elements = bearing.element_count();
+  shape.rollers = bearing.rollers() != nullptr;
   if (bearing.cage) {
     shape.cages = 1;
     shape.pocket_surfaces = pocket_surfaces(bearing);
@@ -103,6 +119,8 @@ std::size_t channel_size(const Channel& channel, const Shape& shape) {
         return shape.elements;
       case Per::Contact:
         return 2 * shape.elements;
+      case Per::Flange:
+        return shape.rollers ? 4 * shape.elements : 0;
       case Per::Pocket:
         return shape.elements * shape.pocket_surfaces;
       case Per::Pair:

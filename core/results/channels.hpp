@@ -19,18 +19,21 @@
 namespace adore::results {
 
 /// How often a channel occurs in one step.
-enum class Per : unsigned char { Run, Element, Contact, Pocket, Pair, Cage, Land, Race };
+enum class Per : unsigned char { Run, Element, Contact, Flange, Pocket, Pair, Cage, Land, Race };
 
 /// Where a channel's getter looks: one instant and the indices that its `Per` needs (all from 0).
 struct ChannelSource {
   const scene::Snapshot* snapshot = nullptr;
   const bearing::Bearing* bearing = nullptr;
   double unit_length = 1.0;  ///< the deck's unit of length [m], see cage_clearance_scale()
-  std::size_t element = 0, race = 0, surface = 0, cage = 0, land = 0, component = 0;
+  std::size_t element = 0, race = 0, side = 0, surface = 0, cage = 0, land = 0, component = 0;
   const scene::LedgerTerm* term = nullptr;  ///< that of the channel
 
   [[nodiscard]] const scene::ElementSnapshot& ball() const { return snapshot->elements[element]; }
   [[nodiscard]] const scene::RaceContactSnapshot& contact() const { return ball().race[race]; }
+  [[nodiscard]] const scene::FlangeContactSnapshot& flange() const {
+    return ball().flange[race][side];
+  }
   [[nodiscard]] const scene::PocketContactSnapshot& pocket() const {
     return ball().pocket[surface];
   }
@@ -74,19 +77,22 @@ class ChannelTable {
 /// Sizes of one bearing that fix how many values each channel has.
 struct Shape {
   int elements = 0, pocket_surfaces = 0, cages = 0, lands = 0;
-  int pairs = 0;  ///< of elements that may touch
+  int pairs = 0;         ///< of elements that may touch
+  bool rollers = false;  ///< each with two ends at two races' flanges
   bool operator==(const Shape&) const = default;
 };
 [[nodiscard]] Shape shape_of(const bearing::Bearing& bearing);
 /// Values of one channel in one step, components included.
 [[nodiscard]] std::size_t channel_size(const Channel& channel, const Shape& shape);
-/// Active surfaces of one pocket, header integer 20: 4 for rectangular, else 1.
+/// Active surfaces of one pocket, header integer 20. Balls: 4 for rectangular, else 1. Rollers: 2
+/// for a window, 1 for a round pocket, two for each pair of guide faces.
 [[nodiscard]] int pocket_surfaces(const bearing::Bearing& bearing);
 /// kPocType of the cage, 0 without one.
 [[nodiscard]] int pocket_code(const bearing::Bearing& bearing);
 
 /// One instant, evaluated: values[c][k] of channel c of the run's table, in SI; k runs element,
-/// then race (contacts) or surface (pockets), or cage then land, then component.
+/// then race (contacts), race and side (flanges) or surface (pockets), or cage then land, then
+/// component.
 struct StepRecord {
   long step = 0;
   double time = 0.0, step_size = 0.0;  ///< [s]

@@ -49,6 +49,9 @@ std::vector<hsize_t> dimensions(const Channel& channel, const Shape& shape) {
     case Per::Contact:
       out = {n(shape.elements), 2};
       break;
+    case Per::Flange:
+      out = {n(shape.rollers ? shape.elements : 0), 2, 2};
+      break;
     case Per::Pocket:
       out = {n(shape.elements), n(shape.pocket_surfaces)};
       break;
@@ -78,6 +81,8 @@ std::string_view dimension_names(const Channel& channel) {
       return vector ? "step, element, component" : "step, element";
     case Per::Contact:
       return "step, element, race";
+    case Per::Flange:
+      return "step, element, race, side";
     case Per::Pocket:
       return "step, element, surface";
     case Per::Pair:
@@ -129,22 +134,54 @@ std::string_view coherent_unit(const UnitPair& unit) {
   return unit.si;
 }
 
+namespace {
+
+/// @return x of the races' reference points at zero displacement
+std::array<double, 2> add_balls(const bearing::BallGeometry& balls,
+                                std::map<std::string, double>& out) {
+  const std::array<double, 2> centre_x = contact::groove_geometry(balls).centre_x;
+  out["contact_angle"] = balls.contact_angle;
+  out["outer_groove_radius"] = balls.groove_factor[0] * balls.diameter;
+  out["inner_groove_radius"] = balls.groove_factor[1] * balls.diameter;
+  out["outer_shoulder_radius"] = balls.shoulder_diameter[0] / 2.0;
+  out["inner_shoulder_radius"] = balls.shoulder_diameter[1] / 2.0;
+  out["outer_race_centre_x"] = centre_x[0];
+  out["inner_race_centre_x"] = centre_x[1];
+  return centre_x;
+}
+
+std::array<double, 2> add_rollers(const bearing::Bearing& bearing,
+                                  std::map<std::string, double>& out) {
+  const bearing::RollerGeometry& rollers = *bearing.rollers();
+  out["bearing_type"] = static_cast<double>(bearing.type);
+  out["contact_angle"] = rollers.axis_angle;
+  out["roller_length"] = rollers.length;
+  out["roller_half_angle"] = rollers.half_angle;
+  out["roller_mass_offset"] = bearing.roller_mass_offset;
+  out["roller_crown_radius"] = rollers.crown_radius;
+  out["outer_race_angle"] = rollers.race_angle[0];
+  out["inner_race_angle"] = rollers.race_angle[1];
+  for (const auto& [race, name] : {std::pair{0U, "outer"}, {1U, "inner"}})
+    for (const auto& [side, end] : {std::pair{0U, "minus_x"}, {1U, "plus_x"}}) {
+      const auto& flange = rollers.flange[race][side];
+      if (!flange) continue;
+      out[fmt::format("{}_flange_{}_height", name, end)] = flange->height;
+      out[fmt::format("{}_flange_{}_layback", name, end)] = flange->layback;
+    }
+  return {};
+}
+
+}  // namespace
+
 std::map<std::string, double> geometry_of(const bearing::Bearing& bearing) {
-  const std::array<double, 2> free_x = contact::groove_geometry(bearing.balls()).centre_x;
-  std::map<std::string, double> out{
-      {"outer_race_free_x", free_x[0]},  // the race's centre less its stored displacement
-      {"inner_race_free_x", free_x[1]},
-      {"elements", bearing.element_count()},
-      {"contact_angle", bearing.balls().contact_angle},
-      {"outer_groove_radius", bearing.balls().groove_factor[0] * bearing.balls().diameter},
-      {"inner_groove_radius", bearing.balls().groove_factor[1] * bearing.balls().diameter},
-      {"outer_shoulder_radius", bearing.balls().shoulder_diameter[0] / 2.0},
-      {"inner_shoulder_radius", bearing.balls().shoulder_diameter[1] / 2.0},
-      {"outer_race_centre_x", contact::groove_geometry(bearing.balls()).centre_x[0]},
-      {"inner_race_centre_x", contact::groove_geometry(bearing.balls()).centre_x[1]},
-      {"outer_race_width", bearing.envelope.race_width[0]},
-      {"inner_race_width", bearing.envelope.race_width[1]},
-      {"cages", bearing.cage ? 1.0 : 0.0}};
+  std::map<std::string, double> out{{"elements", bearing.element_count()},
+                                    {"outer_race_width", bearing.envelope.race_width[0]},
+                                    {"inner_race_width", bearing.envelope.race_width[1]},
+                                    {"cages", bearing.cage ? 1.0 : 0.0}};
+  const std::array<double, 2> free_x =
+      bearing.rollers() != nullptr ? add_rollers(bearing, out) : add_balls(bearing.balls(), out);
+  out["outer_race_free_x"] = free_x[0];  // the race's centre less its stored displacement
+  out["inner_race_free_x"] = free_x[1];
   const Sol8Geometry g = make_sol8_geometry(bearing);
   for (const Sol8GeometryField& field : kSol8Geometry) out[field.name] = g.*field.value;
   if (!bearing.cage) return out;

@@ -86,6 +86,7 @@ std::string header_text(const bearing::Bearing& bearing, UnitSystem units) {
   Sol8File file;
   file.version = kFileVersion;
   file.run_id = bearing.run_id;
+  file.bearing_type = static_cast<int>(bearing.type);
   file.elements = bearing.element_count();
   const auto slots = unit_slots(SolKind::Animation);
   for (std::size_t k = 0; k < slots.size(); ++k)
@@ -118,7 +119,6 @@ std::optional<std::string> sol8_refusal(int elements, int cage_segments) {
 }
 
 Sol8Geometry make_sol8_geometry(const bearing::Bearing& bearing) {
-  const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls());
   Sol8Geometry out;
   if (bearing.cage) {
     out.cage_outer_radius = bearing.cage->outer_diameter / 2.0;
@@ -131,8 +131,15 @@ Sol8Geometry make_sol8_geometry(const bearing::Bearing& bearing) {
   out.element_radius = bearing.element_diameter() / 2.0;
   out.pitch_diameter = bearing.pitch_diameter();
   out.outer_race_outer_radius = bearing.envelope.outer_diameter / 2.0;
-  out.outer_race_inner_radius = groove.centre_radius[0] + groove.groove_radius[0];
-  out.inner_race_outer_radius = groove.centre_radius[1] - groove.groove_radius[1];
+  if (bearing.rollers() != nullptr) {
+    // Raceways under the middle of the rollers.
+    out.outer_race_inner_radius = bearing.rollers()->race_radius(bearing::kOuter);
+    out.inner_race_outer_radius = bearing.rollers()->race_radius(bearing::kInner);
+  } else {
+    const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls());
+    out.outer_race_inner_radius = groove.centre_radius[0] + groove.groove_radius[0];
+    out.inner_race_outer_radius = groove.centre_radius[1] - groove.groove_radius[1];
+  }
   out.inner_race_inner_radius = bearing.envelope.bore / 2.0;
   return out;
 }

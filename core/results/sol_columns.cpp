@@ -36,6 +36,8 @@ constexpr std::string_view kElementFile[] = {"element.orbital_acceleration",
 constexpr std::string_view kElementExtension[] = {"contact.load_slip", "contact.temperature_rise",
                                                   "contact.temperature"};
 constexpr std::string_view kPocket[] = {"pocket.force", "pocket.gap", "pocket.theta", "pocket.phi"};
+constexpr std::string_view kPocketPlace[] = {"pocket.force", "pocket.gap", "pocket.position",
+                                             "pocket.phi"};
 constexpr std::string_view kCageFile[] = {"cage.whirl_ratio",
                                           "cage.radial_velocity",
                                           "cage.axial_velocity",
@@ -103,9 +105,7 @@ struct ForeignColumn {
   std::string_view id, label;
   const UnitPair* unit;
 };
-constexpr ForeignColumn kFlanges[] = {{"flange.force", "flange force", &unit::kForce},
-                                      {"flange.gap", "flange gap", &unit::kLength},
-                                      {"flange.heat", "flange heat", &unit::kPower}};
+constexpr std::string_view kFlanges[] = {"flange.force", "flange.gap", "flange.heat"};
 /// SOL7 values 18-26 (N51): of the thermal model.
 constexpr ForeignColumn kThermal[] = {
     {"thermal.coolant_inlet", "coolant inlet temperature", &unit::kTemperature},
@@ -119,6 +119,7 @@ constexpr ForeignColumn kThermal[] = {
     {"thermal.inner_heat", "average heat to the inner race", &unit::kPower}};
 
 constexpr int kBall = 1;
+constexpr int kRoundRollerPocket = -1;
 constexpr std::string_view kRaceName[] = {"outer", "inner"};
 
 class Columns {
@@ -166,19 +167,20 @@ void add_element_columns(Columns& columns, const SolHeader& header) {
       columns.add(id, element);
   }
   if (header.bearing_type != kBall)
-    for (std::string_view race : kRaceName)
-      for (const ForeignColumn& flange : kFlanges)
-        for (int side = 1; side <= 2; ++side)
-          columns.add_foreign(
-              fmt::format("{}.{}.{}", flange.id, race, side),
-              fmt::format("{}, {} race, {} side", flange.label, race, side == 1 ? "-x" : "+x"),
-              flange.unit);
+    for (std::size_t race = 0; race < 2; ++race)
+      for (std::string_view id : kFlanges)
+        for (std::size_t side = 0; side < 2; ++side)
+          columns.add(id, 4 * element + 2 * race + side,
+                      fmt::format(".{}.{}", kRaceName[race], side + 1),
+                      fmt::format(", {} race, {} side", kRaceName[race], side == 0 ? "-x" : "+x"));
   for (std::string_view id : kElementExtension) columns.add_pair(id, 2 * element);
 }
 
 void add_cage_columns(Columns& columns, const SolHeader& header) {
   for (std::string_view id : kCageFile) columns.add(id, 0);
   const int surfaces = std::max(header.pocket_surfaces, 1);
+  // Faces of roller pockets say where along them the contact is, round pockets its angle.
+  const bool place = header.bearing_type != kBall && header.pocket_type != kRoundRollerPocket;
   // The count decides: a segment whose cut goes through a pocket carries half a pocket more than
   // the header says.
   for (int pocket = 1; !columns.full(); ++pocket) {
@@ -187,7 +189,7 @@ void add_cage_columns(Columns& columns, const SolHeader& header) {
       const std::string where = surfaces == 1
                                     ? fmt::format(", pocket {}", pocket)
                                     : fmt::format(", pocket {} surface {}", pocket, surface);
-      for (std::string_view id : kPocket)
+      for (std::string_view id : place ? kPocketPlace : kPocket)
         columns.add(id, at, fmt::format(".{}.{}", pocket, surface), where);
     }
   }
@@ -239,7 +241,7 @@ std::vector<SolColumn> sol_columns(const SolHeader& header) {
 int sol_value_count(SolKind kind, const Shape& shape) {
   switch (kind) {
     case SolKind::Element:
-      return 33;
+      return shape.rollers ? 45 : 33;
     case SolKind::Cage:
       return 24 + 4 * shape.pocket_surfaces * shape.elements;
     case SolKind::Race:

@@ -85,7 +85,11 @@ SolHeader make_sol_header(const bearing::Bearing& bearing, int index, UnitSystem
   header.segments = shape.cages;
   header.per_segment = shape.cages > 0 ? shape.elements / shape.cages : 0;
   header.index = index;
-  header.bearing_type = 1;
+  header.bearing_type = static_cast<int>(bearing.type);
+  if (const bearing::RollerGeometry* rollers = bearing.rollers()) {
+    header.outer_flange = rollers->has_flange(bearing::kOuter);
+    header.inner_flange = rollers->has_flange(bearing::kInner);
+  }
   header.pocket_type = pocket_code(bearing);
   header.pocket_surfaces = pocket_surfaces(bearing);
   const SolKind kind = sol_kind_of(header);

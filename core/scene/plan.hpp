@@ -12,6 +12,8 @@ namespace adore::scene {
 enum class Effect : unsigned char {
   RaceContact,    ///< element / race normal force
   RaceTraction,   ///< traction over the contact ellipse
+  FlangeContact,  ///< roller end / race flange
+  FlangeTraction,
   PocketContact,  ///< element / cage pocket
   PocketTraction,
   ElementContact,  ///< element / element, without cage
@@ -42,6 +44,7 @@ struct BodyEntry {
 struct ScenePlan {
   std::vector<BodyEntry> bodies;
   std::vector<EffectEntry> effects;
+  bool rollers = false;                ///< the elements are rollers
   std::vector<int> oriented_elements;  ///< 0-based elements whose orientation is integrated
   double light_load_ratio = 0.0;  ///< qFac: with LightLoadBalance, load over the force scale at or
                                   ///< below which an element is held

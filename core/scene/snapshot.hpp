@@ -31,12 +31,29 @@ struct RaceContactSnapshot {
   double contact_temperature = 0.0;           ///< race temperature + rise [K]
   double edge = 0.0;          ///< depth s of the contact below the shoulder, either race (N94) [m]
   double centre_chord = 0.0;  ///< t, inner end of the contact from the groove's centre plane [m]
+  // Rollers: half_major is half the length in contact, half_minor and max_pressure are those of the
+  // slice with the largest pressure.
+  double peak_position = 0.0;          ///< of that slice, from mid length towards +x [m]
+  std::vector<double> slice_load;      ///< by slice [N]; empty for balls
+  std::vector<double> slice_pressure;  ///< [Pa]
+};
+
+/// A roller end at a flange of a race.
+struct FlangeContactSnapshot {
+  bool present = false;
+  double force = 0.0;      ///< [N]
+  double gap = 0.0;        ///< negative in contact [m]; infinite: the end is nowhere near
+  double height = 0.0;     ///< of the contact up the face [m]
+  double slip = 0.0;       ///< [m/s]
+  double heat = 0.0;       ///< [W]
+  double load_slip = 0.0;  ///< [W]
 };
 
 struct PocketContactSnapshot {
   double force = 0.0;             ///< [N]
   double gap = 0.0;               ///< negative in contact [m]
   double theta = 0.0, phi = 0.0;  ///< contact angles [rad], theta 0..2π
+  double position = 0.0;          ///< of a roller: axial place of the contact on the surface [m]
 };
 
 /// A ball and the next one in the ring, without cage.
@@ -56,6 +73,7 @@ struct ElementSnapshot {
   bool oriented = false;         ///< orientation is integrated for this element
   bool held = false;  ///< x and r in force balance (qFac): vx, vr, ax, ar are zero by definition
   std::array<RaceContactSnapshot, 2> race{};
+  std::array<std::array<FlangeContactSnapshot, 2>, 2> flange{};  ///< [race][side: -x, +x]
   std::vector<PocketContactSnapshot> pocket;  ///< one per surface; empty without cage
   Vec3 pocket_to_centre =
       Vec3::Zero();  ///< vector pocket centre -> element centre, pocket frame [m]
@@ -94,6 +112,7 @@ struct PowerSnapshot {
   // Time integrals since t = 0 of load x slip [J]: what Archard wear needs (element 1 per race, all
   // of a race, cage).
   double qv_element1[2] = {0.0, 0.0}, qv_race[2] = {0.0, 0.0}, qv_cage = 0.0;
+  double qv_flange[2] = {0.0, 0.0};  ///< of all flanges of a race, roller ends alike
 };
 
 struct Snapshot {

@@ -95,11 +95,11 @@ bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const 
   return at_variable(deck, stem + "1", [&] { return tribology::traction_curve(type, tc); });
 }
 
-/// Least play of a roller between the guide faces of record 7.3.
-double face_play(const Deck& deck, const bearing::RollerGeometry& rollers) {
-  std::vector<contact::RollerPocketFace> faces;
+/// Guide faces of roller pockets (record 7.3).
+std::vector<bearing::RollerPocketFace> pocket_faces(const Deck& deck) {
+  std::vector<bearing::RollerPocketFace> faces;
   for (int i = 1; i <= deck.integer("kPocType"); ++i) {
-    contact::RollerPocketFace face;
+    bearing::RollerPocketFace face;
     for (int k = 0; k < 3; ++k) {
       face.angles[k] = deck.si(fmt::format("bPocGsAng{}", k + 1), i);
       face.centre[k] = deck.si(fmt::format("bPocGsCen{}", k + 1), i);
@@ -108,7 +108,7 @@ double face_play(const Deck& deck, const bearing::RollerGeometry& rollers) {
     face.length = deck.si("bPocGsLen2", i);
     faces.push_back(face);
   }
-  return contact::roller_pocket_play(faces, contact::roller_profile(rollers));
+  return faces;
 }
 
 /// Record 7.7 where the deck gives it, else from the ideal shape. In a quasi-static solution, which
@@ -132,8 +132,11 @@ bearing::Cage cage(const Deck& deck, const Bearing& bearing) {
   bearing::Cage out =
       read_cage(deck, [&](std::string_view variable, int i) { return deck.si(variable, i); });
   // Guide faces count as windows of their least play.
-  if (bearing.rollers() && deck.integer("kPocType") > 0)
-    out.pocket_clearance_1 = face_play(deck, *bearing.rollers());
+  if (bearing.rollers() && deck.integer("kPocType") > 0) {
+    out.pocket_faces = pocket_faces(deck);
+    out.pocket_clearance_1 =
+        contact::roller_pocket_play(out.pocket_faces, contact::roller_profile(*bearing.rollers()));
+  }
   out.material = material(deck, "kCageMat", Part::Cage, "cage", "");
   if (deck.has("avRatio")) {
     const deck::ReportOnly quiet(deck, deck.integer("mode") < 0);  // statics moves no cage
@@ -257,6 +260,9 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   const bool dynamic = deck.integer("mode") >= 0;
   if (dynamic || deck.has("reRaceTC1"))
     out.race_traction = curve(deck, "kTracType", "reRaceTC", dynamic);
+  if (dynamic && out.rollers() != nullptr &&
+      (out.rollers()->has_flange(0) || out.rollers()->has_flange(1)))
+    out.flange_traction = curve(deck, "kRFTracType", "reFlngTC", true);
   if (deck.integer("nCseg") == 1) out.cage = cage(deck, out);
   if (dynamic && deck.integer("nCseg") == 0)
     out.element_traction = curve(deck, "kRRTracType", "reReTC", true);

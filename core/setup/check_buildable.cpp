@@ -27,7 +27,6 @@ constexpr Gate kAlways[] = {
 };
 constexpr Gate kDynamic[] = {
     {"kTrac", 0, "a lubricant's traction model (or user routine ADRX7)"},
-    {"kReGeoImp", 0, "the motion of rolling elements with geometric imperfections"},
     {"kRaceGeoImp1", 0, "motion on an outer race with geometric imperfections"},
     {"kRaceGeoImp2", 0, "motion on an inner race with geometric imperfections"},
     {"kTherm", 0, "the thermal analysis"},
@@ -153,6 +152,32 @@ void check_pocket_errors(const Deck& deck, Checker& check) {
                               length_text(deck, left)));
 }
 
+/// What the motion of rollers leaves out.
+void check_moving_rollers(const Deck& deck, Checker& check) {
+  if (deck.has("qFac") && deck.real("qFac") > 0.0)
+    check.error("qFac",
+                "asks for the force balance of lightly loaded elements, which rollers do "
+                "not have yet",
+                "set it to 0: all rollers move freely");
+  if (deck.integer("kReGeoImp") == 3)
+    check.error("kReGeoImp", "asks for user routine ADRX8, which this version does not call yet",
+                "use 0, 1 or 2");
+  else if (deck.integer("kReGeoImp") != 0)
+    check.note(
+        "kReGeoImp",
+        "the contacts of each roller are those of its own shape; mass and moments of inertia "
+        "stay those of the nominal roller");
+  if (deck.has("kCagePocImp") && deck.integer("kCagePocImp") != 0 && deck.integer("kPocType") > 0)
+    check.error(
+        "kCagePocImp",
+        "asks for imperfections of pockets with guide faces (record 7.3), which this version "
+        "does not simulate",
+        "set it to 0, or kPocType to 0 or -1");
+  if (deck.has("reFlngTC1") && deck.integer("kRFTrac") != 0)
+    check.error("kRFTrac", "asks for a user routine for roller to flange traction",
+                "set kRFTrac to 0");
+}
+
 }  // namespace
 
 std::vector<Issue> check_buildable(const Deck& deck) {
@@ -160,16 +185,20 @@ std::vector<Issue> check_buildable(const Deck& deck) {
   const bool dynamic = deck.integer("mode") >= 0;
   check.gates(kAlways);
   if (dynamic) check.gates(kDynamic);
-  if (dynamic && deck.integer("kBrg") != 1)
-    check.error("kBrg", "asks for the motion of rollers, which this version does not simulate yet",
-                "set mode to -1 for the quasi-static solution");
+  const bool rollers = deck.integer("kBrg") != 1;
+  if (dynamic && rollers) check_moving_rollers(deck, check);
+  if (dynamic && !rollers && deck.integer("kReGeoImp") != 0)
+    check.error("kReGeoImp",
+                "asks for the motion of rolling elements with geometric imperfections, which this "
+                "version does not simulate yet",
+                "set kReGeoImp to 0");
   const long long segments = deck.integer("nCseg");
   if (dynamic && segments > 1)
     check.error("nCseg", "asks for a segmented cage, which this version does not simulate yet",
                 "set nCseg to 1 for a cage of one piece, or to 0 for a bearing without cage");
   if (dynamic && segments == 0) {
     check.gates(kNoCage);
-    if (deck.integer("kBrg") != 1)
+    if (rollers)
       check.error(
           "nCseg",
           "asks for rollers that touch each other, which this version does not simulate yet",
@@ -182,7 +211,7 @@ std::vector<Issue> check_buildable(const Deck& deck) {
   }
   if (dynamic && segments > 0) {
     check.gates(kCage);
-    if (deck.has("cageConeAng") && deck.real("cageConeAng") != 0.0)
+    if (!rollers && deck.has("cageConeAng") && deck.real("cageConeAng") != 0.0)
       check.error("cageConeAng",
                   "asks for a conical cage, which this version does not simulate yet",
                   "set it to 0");

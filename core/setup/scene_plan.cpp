@@ -21,6 +21,14 @@ std::string curve_reason(const deck::Deck& deck, const char* type,
                      can_push(curve) ? "" : ", all coefficients 0");
 }
 
+/// "kFlngInd12 = 1, kFlngInd22 = 1"
+std::string flange_reason(const deck::Deck& deck) {
+  std::string out;
+  for (const char* name : {"kFlngInd11", "kFlngInd21", "kFlngInd12", "kFlngInd22"})
+    if (deck.integer(name) == 1) out += fmt::format("{}{} = 1", out.empty() ? "" : ", ", name);
+  return out;
+}
+
 }  // namespace
 
 scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing& bearing,
@@ -39,6 +47,12 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   effect(Effect::RaceContact, element + " / race contact", true, mode);
   effect(Effect::RaceTraction, element + " / race traction", can_push(bearing.race_traction),
          curve_reason(deck, "kTracType", bearing.race_traction));
+  plan.rollers = bearing.rollers() != nullptr;
+  if (bearing.flange_traction) {
+    effect(Effect::FlangeContact, "roller / flange contact", true, flange_reason(deck));
+    effect(Effect::FlangeTraction, "roller / flange traction", can_push(*bearing.flange_traction),
+           curve_reason(deck, "kRFTracType", *bearing.flange_traction));
+  }
   effect(Effect::CageMotion, "cage motion", cage, cage_switch);
   effect(Effect::PocketContact, element + " / pocket contact", cage, cage_switch);
   effect(Effect::PocketTraction, element + " / pocket traction",
@@ -74,8 +88,11 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
       plan.oriented_elements.push_back(i);
   }
   const int oriented = static_cast<int>(plan.oriented_elements.size());
-  effect(Effect::ElementOrientation, element + " orientation", oriented > 0,
-         control.animate
+  effect(Effect::ElementOrientation, element + " orientation", oriented > 0 || plan.rollers,
+         plan.rollers
+             ? std::string("contacts read the axes of all rollers; total rotation of those "
+                           "in kPltElemInd, kPrtOpt or kAGraf")
+         : control.animate
              ? fmt::format("kAGraf = {}: all balls", control.animate_every)
              : fmt::format("{} of {} {}s in kPltElemInd or kPrtOpt", oriented, n, element));
   effect(Effect::WearIntegrals, "wear and power integrals", true, "SOL7 and PRINT show them");
@@ -85,9 +102,17 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
          fmt::format("qFac = {:g}", control.light_load_ratio));
 
   auto rpm = [](double speed) { return speed * 30.0 / std::numbers::pi; };
-  plan.bodies.push_back({fmt::format("balls ({})", n),
-                         "x, r, theta, angular velocity: 6 degrees of freedom each", 9 * n});
-  if (oriented > 0)
+  if (plan.rollers)
+    plan.bodies.push_back({fmt::format("rollers ({})", n),
+                           "x, r, theta, quaternion, angular velocity: 6 degrees of freedom each",
+                           13 * n});
+  else
+    plan.bodies.push_back({fmt::format("balls ({})", n),
+                           "x, r, theta, angular velocity: 6 degrees of freedom each", 9 * n});
+  if (oriented > 0 && plan.rollers)
+    plan.bodies.push_back(
+        {fmt::format("rotation of rollers ({})", oriented), "total rotation", oriented});
+  else if (oriented > 0)
     plan.bodies.push_back({fmt::format("orientation of balls ({})", oriented),
                            "quaternion and total rotation", 5 * oriented});
   if (cage) plan.bodies.push_back({"cage", "6 degrees of freedom and total rotation", 14});

@@ -161,12 +161,13 @@ TEST_CASE("a quasi-static run leads to its tables; a deck that cannot run says w
   CHECK(launches[0] == std::pair(QString("adrplot"), QStringList{folder.filePath("RUN.json")}));
   CHECK_FALSE(window.findChild<QPushButton*>("open-animation")->isEnabled());
 
-  window.document().edit(cell("mode"), "0");  // the motion of rollers
+  window.document().edit(cell("mode"), "0");
+  window.document().edit(cell("qFac"), "0.01");  // for balls only
   window.checkNow();
   launches.clear();
   run_to_end(window);
   CHECK(note(window).contains("not run"));
-  CHECK(window.runPanel().text().contains("motion of rollers"));
+  CHECK(window.runPanel().text().contains("which rollers do not have yet"));
   CHECK(launches.empty());
   CHECK_FALSE(window.findChild<QPushButton*>("open-plots")->isEnabled());
 }

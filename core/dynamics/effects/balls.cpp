@@ -130,6 +130,8 @@ void Balls::report(const Evaluation& e, Snapshot& snapshot) const {
   }
 }
 
-std::unique_ptr<SceneEffect> make_balls(const ScenePlan&) { return std::make_unique<Balls>(); }
+std::unique_ptr<SceneEffect> make_balls(const ScenePlan& plan) {
+  return plan.rollers ? nullptr : std::make_unique<Balls>();
+}
 
 }  // namespace adore::dynamics

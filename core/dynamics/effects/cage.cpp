@@ -4,6 +4,8 @@
 #include "dynamics/effects/pockets.hpp"
 #include "scene/ledger_terms.hpp"
 
+#include <cmath>
+
 /// The cage as free rigid bodies, one for each segment: six degrees of freedom and its total
 /// rotation each. Pockets know which segment they are in (PocketSet::segment). Limit: one piece.
 namespace adore::dynamics {
@@ -30,6 +32,10 @@ class Cage final : public SceneEffect {
     double mean_x = 0.0;
     for (const statics::StaticBall& ball : scene.statics.balls)
       mean_x += ball.x / static_cast<double>(scene.statics.balls.size());
+    // Pockets sit at the middle of a roller, not at its mass centre.
+    if (const bearing::RollerGeometry* rollers = scene.bearing.rollers())
+      off_middle_ = scene.bearing.roller_mass_offset * std::cos(rollers->axis_angle);
+    mean_x -= off_middle_;
     start_ = cage_start(nominal_cage_speed(scene.bearing), cage.speed_ratio, cage.whirl_ratio,
                         {mean_x, 0.0, 0.0}, cage.start_offset, cage.start_angles);
   }
@@ -51,7 +57,7 @@ class Cage final : public SceneEffect {
 
   void report(const Evaluation& e, Snapshot& snapshot) const override {
     snapshot.cages.resize(segments_.size());
-    double mean_x = 0.0;
+    double mean_x = -off_middle_;
     for (const ElementSnapshot& element : snapshot.elements)
       mean_x += element.x / static_cast<double>(snapshot.elements.size());
     for (std::size_t k = 0; k < segments_.size(); ++k) {
@@ -65,7 +71,8 @@ class Cage final : public SceneEffect {
  private:
   std::vector<FreeBody> segments_;  ///< never moved once declared: blocks and border know them
   CageStart start_;
-  int load_slip_ = -1;  ///< in the state
+  double off_middle_ = 0.0;  ///< axial place of mass centres from the middles of the elements [m]
+  int load_slip_ = -1;       ///< in the state
 };
 
 }  // namespace

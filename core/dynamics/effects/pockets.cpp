@@ -12,8 +12,9 @@
 namespace adore::dynamics {
 
 double nominal_cage_speed(const bearing::Bearing& bearing) noexcept {
-  const double gamma = bearing.balls().diameter * std::cos(bearing.balls().contact_angle) /
-                       bearing.balls().pitch_diameter;
+  const double angle =
+      bearing.rollers() ? bearing.rollers()->axis_angle : bearing.balls().contact_angle;
+  const double gamma = bearing.element_diameter() * std::cos(angle) / bearing.pitch_diameter();
   return statics::epicyclic_speed(bearing.speed[0], bearing.speed[1], gamma);
 }
 
@@ -119,12 +120,7 @@ std::vector<PocketContactSnapshot> PocketSet::report(std::size_t i) const {
 
 namespace {
 
-constexpr LedgerTerm kHeat{LedgerKind::Heat,
-                           "pocket_heat",
-                           "heat in the pockets",
-                           {"cage pockets"},
-                           "dissipated since the start"};
-constexpr const LedgerTerm* kTerms[] = {&kHeat};
+constexpr const LedgerTerm* kTerms[] = {&kPocketHeat};
 
 template <bool Traction, bool Shaped>
 class PocketBlock final : public EffectBlock {
@@ -230,7 +226,7 @@ void PocketContact::declare(SceneBuilder& scene) {
   else
     scene.block<PocketBlock<true, false>>(Phase::Force, kCost, Partners(partners), *set_,
                                           *friction_, heat_);
-  scene.energy("pockets.heat", kHeat, &heat_);
+  scene.energy("pockets.heat", kPocketHeat, &heat_);
 }
 
 std::string PocketContact::why_invalid(const Evaluation&) const {
@@ -254,7 +250,7 @@ void PocketContact::report(const Evaluation& e, Snapshot& snapshot) const {
 }
 
 std::unique_ptr<SceneEffect> make_pocket_contact(const ScenePlan& plan) {
-  if (!plan.has(Effect::PocketContact)) return nullptr;
+  if (!plan.has(Effect::PocketContact) || plan.rollers) return nullptr;
   return std::make_unique<PocketContact>();
 }
 std::span<const LedgerTerm* const> pocket_terms() { return kTerms; }

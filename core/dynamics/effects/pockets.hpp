@@ -20,7 +20,14 @@
 /// Limit: the ball centre is inside the hole; otherwise the state is not valid.
 namespace adore::dynamics {
 
-/// Epicyclic speed of the cage at the free contact angle, signed [rad/s].
+/// In the pockets of balls or rollers.
+inline constexpr LedgerTerm kPocketHeat{LedgerKind::Heat,
+                                        "pocket_heat",
+                                        "heat in the pockets",
+                                        {"cage pockets"},
+                                        "dissipated since the start"};
+
+/// Epicyclic speed of the cage at the free contact angle, or of the rollers' axes, signed [rad/s].
 [[nodiscard]] double nominal_cage_speed(const bearing::Bearing& bearing) noexcept;
 
 class PocketSet {

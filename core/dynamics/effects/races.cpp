@@ -89,14 +89,25 @@ class RacePower final : public EffectBlock {
 
 }  // namespace
 
-void Races::set_up(const SceneBuilder& scene) {
-  const contact::GrooveGeometry groove = contact::groove_geometry(scene.bearing.balls());
-  const tribology::EllipseRule rule =
-      tribology::make_split_ellipse_rule(scene.options.ellipse_major, scene.options.ellipse_minor);
+void Races::place(const SceneBuilder& scene, const std::array<double, 2>& centre_x) {
   const auto& misalignment = scene.bearing.constraints.outer_misalignment;
   const auto& displacement = scene.statics.displacement;
   at_rest_[0].set_attitude(quaternion_from_angles({0.0, misalignment[0], misalignment[1]}));
   at_rest_[1].set_attitude(quaternion_from_angles({0.0, displacement[3], displacement[4]}));
+  for (std::size_t j = 0; j < 2; ++j) {
+    free_centre_[j] = Vec3(centre_x[j], 0.0, 0.0);
+    RaceBody& race = at_rest_[j];
+    race.position = free_centre_[j];
+    race.speed = scene.bearing.speed[j];
+    race.settle();
+  }
+  at_rest_[1].position += Vec3(displacement[0], displacement[1], displacement[2]);
+}
+
+void Races::set_up_balls(const SceneBuilder& scene) {
+  const contact::GrooveGeometry groove = contact::groove_geometry(scene.bearing.balls());
+  const tribology::EllipseRule rule =
+      tribology::make_split_ellipse_rule(scene.options.ellipse_major, scene.options.ellipse_minor);
   for (std::size_t j = 0; j < 2; ++j) {
     RaceContactModel& model = contacts_[j];
     model.race = static_cast<bearing::Race>(j);
@@ -111,17 +122,29 @@ void Races::set_up(const SceneBuilder& scene) {
     model.law = scene.bearing.race_traction;
     model.surface = scene.options.surface;
     model.rule = rule;
-    free_centre_[j] = Vec3(groove.centre_x[j], 0.0, 0.0);
-    RaceBody& race = at_rest_[j];
-    race.position = free_centre_[j];
-    race.speed = scene.bearing.speed[j];
-    race.settle();
   }
-  at_rest_[1].position += Vec3(displacement[0], displacement[1], displacement[2]);
+  place(scene, groove.centre_x);
+}
+
+void Races::declare_contact(SceneBuilder& scene, std::size_t j) {
+  const std::string cost = j == 0 ? "outer race contacts" : "inner race contacts";
+  const BodyId race{BodyId::Kind::Race, static_cast<int>(j)};
+  const bool wear = scene.plan.has(Effect::WearIntegrals);
+  if (rollers_)
+    scene.block<RollerRaceBlock>(Phase::Force, cost, race, (*rollers_)[j],
+                                 static_cast<std::size_t>(scene.bearing.element_count()), wear,
+                                 account_[j]);
+  else
+    scene.block<RaceBlock>(Phase::Force, cost, race, contacts_[j], wear, account_[j]);
 }
 
 void Races::declare(SceneBuilder& scene) {
-  set_up(scene);
+  if (scene.rollers != nullptr) {
+    rollers_ = roller_race_models(scene);
+    place(scene, {});  // their reference point is the middle of the bearing
+  } else {
+    set_up_balls(scene);
+  }
   scene.e.race = at_rest_;
   scene.block<RaceSpin>(Phase::Races, kMotionCost, {}, at_rest_);
   temperature_ = scene.bearing.race_temperature;
@@ -129,15 +152,13 @@ void Races::declare(SceneBuilder& scene) {
   in_contact_ = plan.has(Effect::RaceContact);
   const bool traction = plan.has(Effect::RaceTraction), wear = plan.has(Effect::WearIntegrals);
   // Without friction a body of revolution that only spins about its axis exerts no power.
-  const bool work = traction || plan.has(Effect::LandTraction) || scene.races_move();
+  const bool work = traction || plan.has(Effect::LandTraction) ||
+                    plan.has(Effect::FlangeTraction) || scene.races_move();
   const std::array<std::string, 2> names{"outer race", "inner race"};
   for (std::size_t j = 0; j < 2; ++j) {
     const std::string& name = names[j];
     RaceAccount& account = account_[j];
-    if (in_contact_)
-      scene.block<RaceBlock>(Phase::Force, name + " contacts",
-                             BodyId{BodyId::Kind::Race, static_cast<int>(j)}, contacts_[j], wear,
-                             account);
+    if (in_contact_) declare_contact(scene, j);
     if (work && !plan.race_motions.free[j])
       scene.energy(name + ".work", kWork, &account.power, static_cast<int>(j));
     if (!traction) continue;
@@ -148,13 +169,16 @@ void Races::declare(SceneBuilder& scene) {
                    &account.load_slip_element1);
   }
   if (work) scene.block<RacePower>(Phase::Account, kMotionCost, {}, account_);
-  if (in_contact_) {
+  if (in_contact_ && !rollers_) {
     const Balls& balls = *scene.find<Balls>();
     normal_.emplace(contacts_, balls.slices(), balls.mass());
   }
 }
 
 double Races::stiffness(double force) const {
+  if (rollers_)
+    return std::max(line_stiffness((*rollers_)[0], 1e-3 * force),
+                    line_stiffness((*rollers_)[1], 1e-3 * force));
   const double K = std::max(contacts_[0].hertz.K, contacts_[1].hertz.K);
   return 1.5 * std::cbrt(K * K * 1e-3 * force);
 }
@@ -162,12 +186,15 @@ double Races::stiffness(double force) const {
 std::string Races::why_invalid(const Evaluation& e) const {
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t i = 0; i < e.elements.n; ++i) {
-      if (e.load[j][i] > contact::hertz_load(contacts_[j].hertz.K, contacts_[j].groove.ball_radius))
+      const double of_radius =
+          rollers_ ? (*rollers_)[j].load_limit
+                   : contact::hertz_load(contacts_[j].hertz.K, contacts_[j].groove.ball_radius);
+      if (e.load[j][i] > of_radius)
         return fmt::format(
             "element {} is pressed into the {} race by more than its own radius; use a "
             "smaller largest step",
             i + 1, j == 0 ? "outer" : "inner");
-      if (e.load[j][i] > load_limit(contacts_[j]))
+      if (!rollers_ && e.load[j][i] > load_limit(contacts_[j]))
         return fmt::format(
             "a contact of {:.6g} N between element {} and the {} race makes an ellipse whose half "
             "length reaches the radius of the element ({:.4g} m), because the groove fits it so "
@@ -196,7 +223,8 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
     if (!in_contact_) continue;
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       RaceContactSnapshot& contact = snapshot.elements[i].race[j];
-      contact = race_contact_detail(contacts_[j], e.elements, i, body.motion());
+      contact = rollers_ ? roller_race_detail((*rollers_)[j], e, i)
+                         : race_contact_detail(contacts_[j], e.elements, i, body.motion());
       contact.contact_temperature = temperature_[j] + contact.temperature_rise;
     }
   }
@@ -204,7 +232,7 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
 
 double Races::quadrature_error(const Evaluation& e) const {
   double largest = 0.0;
-  if (!in_contact_) return largest;
+  if (!in_contact_ || rollers_) return largest;  // slices have no rule
   for (std::size_t j = 0; j < 2; ++j) {
     const RaceContactModel& model = contacts_[j];
     if (!model.traction) continue;

@@ -1,22 +1,16 @@
 #pragma once
 
 #include "dynamics/effect.hpp"
+#include "dynamics/effects/race_account.hpp"
+#include "dynamics/effects/roller_races.hpp"
 #include "dynamics/normal_contacts.hpp"
 
 #include <optional>
 
 /// Both races: bodies that are prescribed unless an effect integrates them, and the contacts of the
-/// balls with them (effects "race contact" and "race traction"). Not valid when a ball is pressed
-/// into a race by more than its radius.
+/// elements with them (effects "race contact" and "race traction"). Not valid when an element is
+/// pressed into a race by more than its radius.
 namespace adore::dynamics {
-
-/// Sums over all balls of one race at this evaluation.
-struct RaceAccount {
-  double power = 0.0;      ///< that the race exerts on balls and cage [W]
-  double heat = 0.0;       ///< [W]
-  double load_slip = 0.0;  ///< ∫ p u dA [W]
-  double load_slip_element1 = 0.0;
-};
 
 class Races final : public SceneEffect {
  public:
@@ -30,6 +24,7 @@ class Races final : public SceneEffect {
     return normal_->evaluate(e.race, y, dydt, size);
   }
 
+  /// Of balls.
   [[nodiscard]] const std::array<RaceContactModel, 2>& contacts() const noexcept {
     return contacts_;
   }
@@ -37,14 +32,17 @@ class Races final : public SceneEffect {
   [[nodiscard]] const std::array<RaceBody, 2>& at_rest() const noexcept { return at_rest_; }
 
  private:
-  void set_up(const SceneBuilder& scene);
+  void place(const SceneBuilder& scene, const std::array<double, 2>& centre_x);
+  void set_up_balls(const SceneBuilder& scene);
+  void declare_contact(SceneBuilder& scene, std::size_t j);
 
-  std::array<RaceContactModel, 2> contacts_;
+  std::array<RaceContactModel, 2> contacts_;               ///< of balls
+  std::optional<std::array<RollerRaceModel, 2>> rollers_;  ///< else
   std::array<Vec3, 2> free_centre_;  ///< free positions of the race centres [m]
   std::array<RaceBody, 2> at_rest_;  ///< at t = 0: they stand still but for their spin
   std::array<double, 2> temperature_{};
   bool in_contact_ = false;
-  std::optional<NormalContacts> normal_;  ///< with race contact
+  std::optional<NormalContacts> normal_;  ///< with race contact of balls
   std::array<RaceAccount, 2> account_;
   std::array<int, 2> load_slip_{-1, -1}, load_slip_element1_{-1, -1};  ///< in the state
 };

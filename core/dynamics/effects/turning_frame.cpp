@@ -32,7 +32,8 @@ class TurningFrame final : public SceneEffect {
     const bearing::FrameMotion& motion = *scene.plan.race_motions.frame;
     frame_ = {motion.speed, motion.orbit_radius, motion.orbit_angle};
     mass_ = scene.bearing.element_inertia.mass;
-    inertia_ = scene.bearing.element_inertia.moments[0];
+    moments_ = scene.bearing.element_inertia.moments;
+    inertia_ = moments_[0];
     scene.block<Fields>(Phase::Force, "turning base frame", {}, *this);
     if (!scene.plan.has(Effect::MomentumLedger)) return;
     using Momentum = SceneBuilder::Momentum;
@@ -44,10 +45,10 @@ class TurningFrame final : public SceneEffect {
   void store(const Evaluation& e, EnergyLedger& energy) const override {
     double stored = 0.0;
     for (std::size_t i = 0; i < e.elements.n; ++i) stored += potential(mass_, e.element_centre(i));
+    for (const Mat3& attitude : e.attitude) stored += of_turn(attitude, moments_);
     e.for_integrated([&](const BodyState& body) {
-      const Vec3 turn = body.to_base.transpose() * (frame_.speed * Vec3::UnitX());
-      stored += potential(body.inertia.mass, body.centre_of_mass()) -
-                0.5 * turn.dot(body.inertia.moments.cwiseProduct(turn));
+      stored += potential(body.inertia.mass, body.centre_of_mass()) +
+                of_turn(body.to_base, body.inertia.moments);
     });
     energy.accumulate(kEnergy, stored);
   }
@@ -68,6 +69,20 @@ class TurningFrame final : public SceneEffect {
            (from_axis[1] * from_axis[1] + from_axis[2] * from_axis[2]);
   }
 
+  /// M above, base axes, of principal moments I along the axes of `to_base`.
+  [[nodiscard]] static Vec3 of_tensor(const Mat3& to_base, const Vec3& I, const Vec3& omega,
+                                      const Vec3& frame) noexcept {
+    const Vec3 w = to_base.transpose() * omega, turn = to_base.transpose() * frame;
+    const Vec3 whole = w + turn;
+    return to_base * (I.cwiseProduct(w.cross(turn)) - whole.cross(Vec3(I.cwiseProduct(whole))) +
+                      w.cross(Vec3(I.cwiseProduct(w))));
+  }
+  /// -½ Ω_b·I Ω_b [J].
+  [[nodiscard]] double of_turn(const Mat3& to_base, const Vec3& I) const noexcept {
+    const Vec3 turn = to_base.transpose() * (frame_.speed * Vec3::UnitX());
+    return -0.5 * turn.dot(I.cwiseProduct(turn));
+  }
+
   void book(const Vec3& force, const Vec3& moment, const Vec3& centre) noexcept {
     force_ += force;
     moment_ += moment + centre.cross(force);
@@ -80,7 +95,9 @@ class TurningFrame final : public SceneEffect {
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       const Vec3 centre = e.element_centre(i);
       const Vec3 force = frame_.inertial_force(mass_, centre, e.element_velocity(i));
-      const Vec3 moment = -inertia_ * frame.cross(e.element_omega(i));
+      const Vec3 moment = e.attitude.empty()
+                              ? Vec3(-inertia_ * frame.cross(e.element_omega(i)))
+                              : of_tensor(e.attitude[i], moments_, e.element_omega(i), frame);
       e.add_force(i, e.to_cylindrical(i, force));
       e.add_moment(i, e.to_cylindrical(i, moment));
       book(force, moment, centre);
@@ -88,13 +105,7 @@ class TurningFrame final : public SceneEffect {
     e.for_integrated([&](BodyState& body) {
       const Vec3 centre = body.centre_of_mass();
       const Vec3 force = frame_.inertial_force(body.inertia.mass, centre, body.velocity_at(centre));
-      const Vec3& I = body.inertia.moments;
-      const Vec3& w = body.omega_body;
-      const Vec3 turn = body.to_base.transpose() * frame, whole = w + turn;
-      const Vec3 in_body = I.cwiseProduct(w.cross(turn)) -
-                           whole.cross(Vec3(I.cwiseProduct(whole))) +
-                           w.cross(Vec3(I.cwiseProduct(w)));
-      const Vec3 moment = body.to_base * in_body;
+      const Vec3 moment = of_tensor(body.to_base, body.inertia.moments, body.omega, frame);
       body.add_force(force, centre);
       body.moment += moment;
       book(force, moment, centre);
@@ -102,7 +113,8 @@ class TurningFrame final : public SceneEffect {
   }
 
   MovingFrame frame_;
-  double mass_ = 0.0, inertia_ = 0.0;                  ///< of an element [kg, kg m²]
+  double mass_ = 0.0, inertia_ = 0.0;                  ///< of an element; of a ball [kg, kg m²]
+  Vec3 moments_ = Vec3::Zero();                        ///< of an element [kg m²]
   Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();  ///< now, about the base origin [N, N m]
   int impulse_ = -1, angular_impulse_ = -1;            ///< in the state
 };

@@ -241,7 +241,7 @@ TEST_CASE("the cage that is drawn is the cage that is computed, in every example
   for (const deck::TemplateInfo& example : deck::templates()) {
     CAPTURE(example.name);
     deck::Deck deck = deck::new_deck(example.name);
-    deck.set("mode", "-1");  // the motion of rollers is refused
+    deck.set("mode", "-1");
     deck.complete();
     const auto drawn = outline_cage(deck);
     const auto computed = setup::build_bearing(deck).cage;

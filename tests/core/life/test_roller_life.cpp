@@ -5,6 +5,7 @@
 #include "statics/roller_statics.hpp"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 

@@ -1,3 +1,4 @@
+#include "contact/roller_race.hpp"
 #include "contact/roller_race_simd.hpp"
 #include "roller_bearings.hpp"
 #include "statics/roller_equilibrium.hpp"

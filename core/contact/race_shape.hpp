@@ -1,0 +1,25 @@
+#pragma once
+
+#include <limits>
+
+/// Shape of a raceway for rollers as plain numbers: what race_surface.hpp states, for kernels too,
+/// which see no header with inline library code.
+namespace adore::contact {
+
+struct RaceSurface {
+  enum class Shape : unsigned char { Cone, Groove } shape = Shape::Cone;
+  int side = 0;                             ///< bearing::Race
+  double radius = 0.0;                      ///< R0 at x = 0, cone and cylinder [m]
+  double cos_angle = 1.0, sin_angle = 0.0;  ///< of α, radius falls towards +x; cone and cylinder
+  double groove_radius = 0.0, groove_x = 0.0,
+         groove_centre_radius = 0.0;  ///< r_g, x_g, R_g, groove only [m]
+  // Land: limits where a roller can touch.
+  double land_width = std::numeric_limits<double>::infinity();  ///< B along the generator [m]
+  double land_offset = 0.0;             ///< o_r from mid contact towards +x [m]
+  double mid_x = 0.0, mid_r = 0.0;      ///< mid contact, where land coordinates begin [m]
+  double along_x = 1.0, along_r = 0.0;  ///< unit vector of the nominal generator, (cos α, -sin α)
+
+  [[nodiscard, gnu::always_inline]] double sigma() const noexcept { return side == 0 ? 1.0 : -1.0; }
+};
+
+}  // namespace adore::contact

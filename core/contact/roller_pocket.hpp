@@ -1,0 +1,164 @@
+#pragma once
+
+#include "base/rotation.hpp"
+#include "bearing/bearing.hpp"
+#include "contact/roller_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <vector>
+
+/// Geometry of a roller in a cage pocket, slice by slice. Pocket frame: x along the roller, z
+/// outward, y = z × x (against +θ), origin at the pocket centre. SI.
+///
+/// Slice k: a thin disc of radius r_k across the unit axis u, its middle p_k = q + s_k u, s_k =
+/// ((k - ½)/n - ½) L over the whole length, r_k without corners [choice]. w_k = nearest point of
+/// the surface to p_k; m_k = (w_k - p_k)/|w_k - p_k|,
+///   gap_k = |w_k - p_k| - r_k √(1 - (m_k·u)²),  contact X_k = p_k + r_k (m_k - (m_k·u) u)/√(1 -
+///   (m_k·u)²)
+/// exact on a plane face, second order in the tilt at its edges and in a round pocket [derived].
+/// On a plane the force -Q m at X_k is minus the gradient of ∫Q dδ.
+/// Limit: the middle of the roller stays within the pocket.
+namespace adore::contact {
+
+/// A plane guide face: unlimited or limited along the roller.
+struct PocketFace {
+  Vec3 centre = Vec3::Zero();
+  Vec3 normal = Vec3::UnitY();  ///< away from the roller
+  Vec3 along = Vec3::UnitX(), across = Vec3::UnitZ();
+  double half_width = 0.0;                                       ///< across [m]
+  double half_length = std::numeric_limits<double>::infinity();  ///< along [m]
+};
+
+/// Fore and aft faces of a window of width D + clearance at its middle, between the wall's ends;
+/// they follow the taper of the roller, y = ±(width/2 - x tan ν) [choice: a window with parallel
+/// faces would clamp its large end]. First the one that drives: at +y where the cage turns forward
+/// (rotation_sign +1).
+[[nodiscard]] std::vector<PocketFace> window_faces(double width, double z_low, double z_high,
+                                                   double rotation_sign, double half_angle = 0.0);
+/// Record 7.3: each given face and its mirror image in the x-z plane (N36), first the one that
+/// drives: the given one where the cage turns forward.
+[[nodiscard]] std::vector<PocketFace> paired_faces(std::span<const bearing::RollerPocketFace> given,
+                                                   double rotation_sign);
+
+/// A round pocket about the pocket's x axis, fore and aft walls between z_low and z_high.
+struct RoundPocket {
+  double radius = 0.0;  ///< ρ = (D + C1)/2 [m]
+  double z_low = 0.0, z_high = 0.0;
+};
+
+struct PocketSlice {
+  double gap = 0.0;           ///< negative in contact [m]
+  double fraction = 1.0;      ///< of the slice that lies beside the face
+  double position = 0.0;      ///< of the slice along the surface, from its centre [m]
+  Vec3 m = Vec3::Zero();      ///< unit, from the roller into the surface
+  Vec3 point = Vec3::Zero();  ///< X
+};
+
+namespace detail {
+inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u,
+                  double radius) noexcept {
+  const Vec3 away = w - p;
+  const double distance = away.norm();
+  out.m = distance > 0.0 ? Vec3(away / distance) : Vec3::Zero();
+  const double lean = out.m.dot(u);
+  const double across = std::sqrt(std::max(1.0 - lean * lean, 1e-12));
+  out.gap = distance - radius * across;
+  out.point = p + (radius / across) * (out.m - lean * u);
+}
+}  // namespace detail
+
+/// @param half_slice half its length [m]
+[[nodiscard]] inline PocketSlice slice_at_face(const PocketFace& face, const Vec3& p, const Vec3& u,
+                                               double radius, double half_slice) noexcept {
+  const Vec3 d = p - face.centre;
+  const double along = d.dot(face.along);
+  const double across = std::clamp(d.dot(face.across), -face.half_width, face.half_width);
+  PocketSlice out;
+  detail::touch(out, face.centre + along * face.along + across * face.across, p, u, radius);
+  out.position = (out.point - face.centre).dot(face.along);
+  if (std::isfinite(face.half_length)) {
+    const double half = half_slice * std::abs(u.dot(face.along));
+    const double high = std::min(along + half, face.half_length);
+    const double low = std::max(along - half, -face.half_length);
+    out.fraction = std::clamp((high - low) / (2.0 * half), 0.0, 1.0);
+  }
+  return out;
+}
+
+[[nodiscard]] inline PocketSlice slice_in_round(const RoundPocket& pocket, const Vec3& p,
+                                                const Vec3& u, double radius) noexcept {
+  const double from_axis = std::max(std::hypot(p[1], p[2]), 1e-12 * pocket.radius);
+  const double z = std::clamp(pocket.radius * p[2] / from_axis, pocket.z_low, pocket.z_high);
+  const double y = std::sqrt(std::max(pocket.radius * pocket.radius - z * z, 0.0));
+  PocketSlice out;
+  detail::touch(out, {p[0], std::copysign(y, p[1]), z}, p, u, radius);
+  out.position = out.point[0];
+  return out;
+}
+
+/// Angle of a contact in a round pocket, atan2(m_z, σ m_y) in [0, 2π), σ the sign of the cage's
+/// nominal speed: 0 where the cage drives the roller, π where the roller drives the cage.
+[[nodiscard]] inline double round_pocket_angle(const Vec3& m, double rotation_sign) noexcept {
+  constexpr double kTurn = 6.283185307179586476925;
+  const double angle = std::atan2(m[2], rotation_sign * m[1]);
+  return angle < 0.0 ? angle + kTurn : angle;
+}
+
+/// Slices of the whole length for pockets.
+[[nodiscard]] std::vector<RollerSlice> pocket_slices(const RollerProfile& profile, int count);
+
+/// Where the end of a roller comes nearest to the end of its pocket, the plane across x at
+/// sign·wall: a dome with its sphere, else the corner torus. h(u) = furthest reach along sign·x;
+/// the force along it at `point` is minus the gradient of ∫Q dδ over every displacement and turn.
+/// Flat ends meet the plane all at once when aligned: there their rim is rounded over
+/// kAlignedEnd (sin -> √(sin² + ε²) - ε) [choice].
+inline constexpr double kAlignedEnd = 1e-3;  ///< ε [rad]
+struct EndTouch {
+  double gap = 0.0;  ///< negative in contact [m]
+  Vec3 out = Vec3::UnitX(), point = Vec3::Zero();
+};
+[[nodiscard]] inline EndTouch end_at_wall(const RollerEnd& end, double wall, const Vec3& q,
+                                          const Vec3& u) noexcept {
+  EndTouch touch;
+  touch.out = end.sign * Vec3::UnitX();
+  const Vec3 outward = end.sign * u;
+  const double cosine = u[0];
+  const Vec3 across = touch.out - cosine * outward;
+  const double sine = across.norm();
+  double reach = 0.0;
+  if (!end.flat() && end.end_radius * sine <= end.cap_radius) {
+    reach = end.dome_centre * cosine + end.end_radius;
+    touch.point = q + end.dome_centre * outward + end.end_radius * touch.out;
+  } else {
+    const double soft = end.flat() ? std::hypot(sine, kAlignedEnd) : sine;
+    reach = end.ring * cosine + end.ring_radius * (soft - (end.flat() ? kAlignedEnd : 0.0)) +
+            end.corner_radius;
+    touch.point =
+        q + end.ring * outward + (end.ring_radius / soft) * across + end.corner_radius * touch.out;
+  }
+  touch.gap = wall - touch.out.dot(q) - reach;
+  return touch;
+}
+
+/// Least gap that any slice can have, from the pose alone: never more than the true one. The roller
+/// lies within the cone through the radii at its ends, low at -half_length (roller_profile.hpp:
+/// drops only widen the gap), so a plane is nearest at one of them.
+struct RollerBounds {
+  double half_length = 0.0, low = 0.0, high = 0.0;  ///< [m]
+};
+[[nodiscard]] inline double gap_bound(const PocketFace& face, const Vec3& q, const Vec3& u,
+                                      const RollerBounds& roller) noexcept {
+  const double middle = face.normal.dot(face.centre - q);
+  const double lean = roller.half_length * face.normal.dot(u);
+  return std::min(middle + lean - roller.low, middle - lean - roller.high);
+}
+[[nodiscard]] inline double gap_bound(const RoundPocket& pocket, const Vec3& q, const Vec3& u,
+                                      const RollerBounds& roller) noexcept {
+  return pocket.radius - std::hypot(q[1], q[2]) - roller.half_length * std::hypot(u[1], u[2]) -
+         std::max(roller.low, roller.high);
+}
+
+}  // namespace adore::contact

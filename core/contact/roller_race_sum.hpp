@@ -1,0 +1,106 @@
+#pragma once
+
+#include "base/scalar_math.hpp"
+#include "contact/race_shape.hpp"
+#include "contact/slice_circle.hpp"
+#include "contact/slice_law.hpp"
+#include "contact/triple.hpp"
+
+#include <cstddef>
+#include <type_traits>
+
+/// The slices of one roller against one race, summed: what roller_race.hpp states, as plain numbers
+/// in the meridian frame of the roller (slice_circle.hpp), for kernels too. SI.
+namespace adore::contact {
+
+/// One race against rollers of one shape; arrays padded to whole vectors with slices of width 0.
+struct RaceSlices {
+  RaceSurface race;
+  PowerLaw law;
+  double E_star = 0.0;   ///< for the pressure, which only some laws of traction ask for [Pa]
+  bool limited = false;  ///< the land has an end
+  std::size_t count = 0;
+  const double *s = nullptr, *radius = nullptr, *width = nullptr;  ///< [m]
+};
+
+/// Middle C of the roller along and from the race axis, its axis, and the motion of the race
+/// relative to it about C.
+struct RollerPose {
+  double x = 0.0, r = 0.0;
+  SliceAxes axes;
+  Triple<double> velocity{}, omega{};
+};
+
+template <class T>
+struct RollerRaceSums {
+  Triple<T> force{T(0.0), T(0.0), T(0.0)};   ///< on the roller
+  Triple<T> moment{T(0.0), T(0.0), T(0.0)};  ///< about C
+  T load = 0.0, energy = 0.0, heat = 0.0, load_slip = 0.0;
+};
+
+/// How vectors are read from memory and summed over lanes: for double, and in roller_race_simd.hpp
+/// for vectors.
+template <class T>
+struct SliceLanes;
+template <>
+struct SliceLanes<double> {
+  static constexpr std::size_t kSize = 1;
+  static double read(const double* from) { return *from; }
+  static double sum(double x) { return x; }
+};
+
+/// @param traction callable (u², pressure) -> κ(s)/s on T, or nullptr: none
+template <class T, class Traction>
+[[nodiscard, gnu::always_inline]] inline RollerRaceSums<T> roller_race_sums(
+    const RaceSlices& slices, const RollerPose& at, const Traction& traction) noexcept {
+  using M = ScalarMath<T>;
+  using Lanes = SliceLanes<T>;
+  constexpr bool kTraction = !std::is_null_pointer_v<Traction>;
+  constexpr double kOverPi = 0.31830988618379067154;
+  const RaceSurface& surface = slices.race;
+  const double high = surface.land_offset + 0.5 * surface.land_width;
+  const double low = surface.land_offset - 0.5 * surface.land_width;
+  RollerRaceSums<T> sum;
+  T tan_chi = 0.0, last = 0.0;
+  for (std::size_t k = 0; k < slices.count; k += Lanes::kSize) {
+    const T s = Lanes::read(slices.s + k);
+    const T radius = Lanes::read(slices.radius + k);
+    T width = Lanes::read(slices.width + k);
+    const SliceDeepest<T> d = deepest_on_slice(surface, at.axes, at.x, at.r, s, radius, tan_chi);
+    // χ changes evenly along the roller: the next slices start from its extrapolation.
+    const T found = tan_chi;
+    tan_chi = k == 0 ? found : 2.0 * found - last;
+    last = found;
+    if (!M::any(d.at.depth > 0.0)) continue;
+    if (slices.limited) {
+      const T x = (d.X.x - surface.mid_x) / surface.cos_angle;
+      const T half = 0.5 * width;
+      width = M::max(M::min(half, high - x) - M::max(-half, low - x), T(0.0));
+    }
+    const T delta = M::max(d.at.depth, T(0.0));
+    const T Q = slice_secant(slices.law, width, delta) * delta;
+    const Triple<T>& n = d.at.n;
+    const Triple<T> arm = s * at.axes.a + radius * d.u;
+    Triple<T> f{-Q * n.x, -Q * n.y, -Q * n.z};
+    if constexpr (kTraction) {
+      const Triple<T> u = at.velocity + cross(at.omega, arm);
+      const Triple<T> slip = u - dot(u, n) * n;
+      const T square = dot(slip, slip);
+      // Pressures of slices without width are not read: Q is 0 there.
+      const T per_length = Q / M::max(width, T(1e-30));
+      const T pressure =
+          M::root(per_length * ((1.0 / radius - d.at.A_hoop) * (slices.E_star * kOverPi)));
+      const T per_slip = Q * traction(square, pressure);
+      f = f + per_slip * slip;
+      sum.heat += per_slip * square;
+      sum.load_slip += Q * M::root(square);
+    }
+    sum.force = sum.force + f;
+    sum.moment = sum.moment + cross(arm, f);
+    sum.load += Q;
+    sum.energy += (9.0 / 19.0) * Q * delta;
+  }
+  return sum;
+}
+
+}  // namespace adore::contact

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "dynamics/effect.hpp"
+
+/// Rolling elements as rigid bodies with any inertia: rollers, and balls with given moments. Mass
+/// centre G in (x, r, θ) as for balls (balls.hpp), attitude as a quaternion body -> base, ω
+/// absolute on the azimuth axes. Euler about G with the tensor I of the body, B = body -> azimuth
+/// axes:
+///   ω̇ = B I⁻¹ (Bᵀ M - ω_b × I ω_b),  ω_b = Bᵀ ω;   rates of the components on e_x, e_r, e_θ:
+///   ω̇ - θ̇ e_x × ω
+/// Blocks and effects read the attitudes from Evaluation::attitude. Not valid when an element is on
+/// the axis, or a roller lies across the bearing.
+namespace adore::dynamics {
+
+/// Where an element stands at the start.
+struct ElementPose {
+  double azimuth = 0.0, x = 0.0, r = 0.0;  ///< of the mass centre [rad, m, m]
+  double theta_dot = 0.0;                  ///< [rad/s]
+  Vec3 omega = Vec3::Zero();               ///< on e_x, e_r, e_θ [rad/s]
+  Quat attitude{1, 0, 0, 0};               ///< body -> base
+};
+
+class RigidElements final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override;
+  void start(std::span<double> y) const override;
+  [[nodiscard]] std::string why_invalid(const Evaluation& e) const override;
+  void store(const Evaluation& e, EnergyLedger& energy) const override;
+  void carry(const Evaluation& e, Momenta& momenta) const override;
+  void report(const Evaluation& e, Snapshot& snapshot) const override;
+
+  [[nodiscard]] const ElementSlices& slices() const noexcept { return s_; }
+  [[nodiscard]] double mass() const noexcept { return mass_; }
+
+ private:
+  class Kinematics;
+  class Motion;
+  struct Rotation {
+    std::size_t element = 0;
+    Slice turn;  ///< ∫ ω·(body x axis) dt
+  };
+  [[nodiscard]] Vec3 angular_momentum(const Evaluation& e, std::size_t i) const noexcept;
+
+  ElementSlices s_;
+  std::vector<Slice> attitude_;                           ///< by element
+  std::vector<Rotation> rotation_;                        ///< of the elements that files show
+  double mass_ = 0.0;                                     ///< [kg]
+  Mat3 inertia_ = Mat3::Zero(), inverse_ = Mat3::Zero();  ///< body axes [kg m², 1/(kg m²)]
+  bool rollers_ = false;
+  std::vector<ElementPose> start_;
+};
+
+}  // namespace adore::dynamics

@@ -1,0 +1,203 @@
+#include "statics/roller_flanges.hpp"
+
+#include "base/errors.hpp"
+#include "contact/roller_race.hpp"
+#include "dynamics/effect_makers.hpp"
+#include "dynamics/roller_start.hpp"
+#include "statics/roller_model.hpp"
+#include "tribology/traction_law.hpp"
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+/// Roller ends at the flanges of the races (contact/roller_flange.hpp), up to four: faces, ends and
+/// constants of the equilibrium (statics/roller_flanges.hpp).
+///
+/// Normal: Q = K δ^1.5 on the roller along n at the contact point X, δ = -gap, K of the ideal
+/// roller's first contact, so that the force has the potential 0.4 K δ^2.5. Friction of
+/// record 10.2: slip u = v_race(X) - v_roller(X) without its part along n, Q κ(s)/s u on the
+/// roller, s the rounded slip (tribology/rounded_law.hpp); the opposite of both on the race at the
+/// same point of space. Heat = friction · u. Limits: one contact of an end and a flange; spin in
+/// the contact is left out.
+namespace adore::dynamics {
+namespace {
+
+constexpr LedgerTerm kHeat{LedgerKind::Heat,
+                           "flange_heat",
+                           "heat at the flanges",
+                           {"outer race flanges", "inner race flanges"},
+                           "dissipated since the start"};
+constexpr const LedgerTerm* kTerms[] = {&kHeat};
+
+/// Contact of one roller end, base axes.
+struct FlangeAction {
+  contact::FlangeContact contact;  ///< in the roller's meridian frame
+  Vec3 point = Vec3::Zero();
+  Vec3 force = Vec3::Zero();  ///< on the roller [N]
+  double load = 0.0, slip = 0.0, heat = 0.0;
+};
+
+/// A roller as its race sees it.
+struct SeenRoller {
+  contact::RacePose pose;
+  contact::MeridianTurn turn;
+  statics::Vec4 p = statics::Vec4::Zero();  ///< statics/slice_potential.hpp
+  Vec3 axis = Vec3::UnitX();                ///< meridian frame
+
+  [[nodiscard]] Vec3 to_base(const Vec3& v) const {
+    const contact::Triple<double> of_race = turn.back({v[0], v[1], v[2]});
+    return pose.direction_back({of_race.x, of_race.y, of_race.z});
+  }
+};
+
+SeenRoller seen(const Evaluation& e, std::size_t i, const RaceBody& race, double mass_offset) {
+  SeenRoller out;
+  out.pose = {race.position, race.to_base};
+  const Vec3 a = e.attitude[i].col(0);
+  const Vec3 C = out.pose.point(e.element_centre(i) - mass_offset * a);
+  double r = 0.0;
+  out.turn = contact::meridian_turn(C[1], C[2], r);
+  const Vec3 of_race = out.pose.direction(a);
+  const contact::Triple<double> axis = out.turn.into({of_race[0], of_race[1], of_race[2]});
+  out.axis = {axis.x, axis.y, axis.z};
+  out.p = {C[0], r, axis.z, axis.y};
+  return out;
+}
+
+template <class Friction>
+FlangeAction act(const statics::FlangePair& pair, const SeenRoller& roller, const Evaluation& e,
+                 std::size_t i, const RaceBody& race, const Friction& friction) {
+  FlangeAction out;
+  const Vec3 C(roller.p(0), 0.0, roller.p(1));
+  out.contact = contact::flange_contact(pair.face, pair.end, C, roller.axis);
+  if (!(out.contact.gap < 0.0)) return out;
+  out.load = contact::hertz_load(pair.K, -out.contact.gap);
+  const Vec3 n = roller.to_base(out.contact.normal);
+  out.point = race.position + roller.to_base(out.contact.point);
+  out.force = out.load * n;
+  Vec3 u = race.velocity_at(out.point) - e.element_velocity(i) -
+           e.element_omega(i).cross(out.point - e.element_centre(i));
+  u -= u.dot(n) * n;
+  const double square = u.squaredNorm();
+  out.slip = std::sqrt(square);
+  if constexpr (!std::is_null_pointer_v<Friction>) {
+    const double per_slip = out.load * friction(square);
+    out.force += per_slip * u;
+    out.heat = per_slip * square;
+  }
+  return out;
+}
+
+struct FlangeAccount {
+  double heat = 0.0, load_slip = 0.0;  ///< now [W]
+};
+
+class FlangeBlock final : public EffectBlock {
+ public:
+  FlangeBlock(const std::vector<std::vector<statics::FlangePair>>& pairs, std::size_t race,
+              double mass_offset, const tribology::TractionLaw* friction, FlangeAccount& account)
+      : pairs_(pairs),
+        race_(race),
+        mass_offset_(mass_offset),
+        friction_(friction),
+        account_(account) {}
+  void apply(Evaluation& e) noexcept override {
+    if (friction_ != nullptr)
+      friction_->visit_rounded([&](const auto& friction) { apply_with(friction, e); });
+    else
+      apply_with(nullptr, e);
+  }
+
+ private:
+  template <class Friction>
+  void apply_with(const Friction& friction, Evaluation& e) noexcept {
+    RaceBody& race = e.race[race_];
+    account_ = {};
+    for (std::size_t i = 0; i < e.elements.n; ++i) {
+      const std::vector<statics::FlangePair>& pairs = pairs_[pairs_.size() == 1 ? 0 : i];
+      const SeenRoller roller = seen(e, i, race, mass_offset_);
+      for (const statics::FlangePair& pair : pairs) {
+        if (static_cast<std::size_t>(pair.race) != race_ || pair.surely_open(roller.p)) continue;
+        const FlangeAction a = act(pair, roller, e, i, race, friction);
+        if (!(a.load > 0.0)) continue;
+        e.add_force(i, e.to_cylindrical(i, a.force));
+        e.add_moment(i, e.to_cylindrical(i, (a.point - e.element_centre(i)).cross(a.force)));
+        race.add_force(-a.force, a.point);
+        e.elastic += -0.4 * a.load * a.contact.gap;
+        account_.heat += a.heat;
+        account_.load_slip += a.load * a.slip;
+      }
+    }
+  }
+
+  const std::vector<std::vector<statics::FlangePair>>& pairs_;
+  std::size_t race_;
+  double mass_offset_;
+  const tribology::TractionLaw* friction_;
+  FlangeAccount& account_;
+};
+
+class RollerFlanges final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override {
+    demand(scene.rollers != nullptr, "flanges need rollers");
+    const statics::RollerModel model =
+        statics::make_roller_model(scene.bearing, scene.rollers->options);
+    for (const statics::RollerBody& body : model.bodies) pairs_.push_back(body.flanges);
+    mass_offset_ = scene.bearing.roller_mass_offset;
+    const bool traction = scene.plan.has(Effect::FlangeTraction);
+    if (traction) {
+      demand(scene.bearing.flange_traction.has_value(),
+             "flange traction is on without a traction curve");
+      friction_ = tribology::TractionLaw(*scene.bearing.flange_traction);
+    }
+    has_friction_ = traction;
+    for (std::size_t j = 0; j < 2; ++j) {
+      if (!scene.bearing.rollers()->has_flange(static_cast<int>(j))) continue;
+      const std::string name = j == 0 ? "outer race flanges" : "inner race flanges";
+      scene.block<FlangeBlock>(Phase::Force, name, BodyId{BodyId::Kind::Race, static_cast<int>(j)},
+                               pairs_, j, mass_offset_, traction ? &friction_ : nullptr,
+                               account_[j]);
+      if (!traction) continue;
+      scene.energy(name + ".heat", kHeat, &account_[j].heat, static_cast<int>(j));
+      if (scene.plan.has(Effect::WearIntegrals))
+        scene.integral(load_slip_[j], name + ".load_slip", "J", &account_[j].load_slip);
+    }
+  }
+
+  void report(const Evaluation& e, Snapshot& snapshot) const override {
+    for (std::size_t j = 0; j < 2; ++j) snapshot.power.qv_flange[j] = integral_at(e, load_slip_[j]);
+    for (std::size_t i = 0; i < e.elements.n; ++i)
+      for (const statics::FlangePair& pair : pairs_[pairs_.size() == 1 ? 0 : i]) {
+        const auto j = static_cast<std::size_t>(pair.race);
+        const RaceBody& race = e.race[j];
+        const SeenRoller roller = seen(e, i, race, mass_offset_);
+        const FlangeAction a = has_friction_ ? friction_.visit_rounded([&](const auto& friction) {
+          return act(pair, roller, e, i, race, friction);
+        })
+                                             : act(pair, roller, e, i, race, nullptr);
+        snapshot.elements[i].flange[j][static_cast<std::size_t>(pair.side)] = {
+            true, a.load, a.contact.gap, a.contact.height, a.slip, a.heat, a.load * a.slip};
+      }
+  }
+
+ private:
+  std::vector<std::vector<statics::FlangePair>> pairs_;  ///< of all rollers, or by roller
+  double mass_offset_ = 0.0;                             ///< s_G [m]
+  tribology::TractionLaw friction_;
+  bool has_friction_ = false;
+  std::array<FlangeAccount, 2> account_;
+  std::array<int, 2> load_slip_{-1, -1};  ///< in the state
+};
+
+}  // namespace
+
+std::unique_ptr<SceneEffect> make_roller_flanges(const ScenePlan& plan) {
+  if (!plan.rollers || !plan.has(Effect::FlangeContact)) return nullptr;
+  return std::make_unique<RollerFlanges>();
+}
+std::span<const LedgerTerm* const> roller_flange_terms() { return kTerms; }
+
+}  // namespace adore::dynamics

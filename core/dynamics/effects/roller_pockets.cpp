@@ -1,0 +1,345 @@
+#include "base/errors.hpp"
+#include "contact/ball_pocket.hpp"
+#include "contact/conformal.hpp"
+#include "contact/line_contact.hpp"
+#include "contact/roller_flange.hpp"
+#include "contact/roller_pocket.hpp"
+#include "contact/roller_shape.hpp"
+#include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/pockets.hpp"
+#include "dynamics/roller_start.hpp"
+#include "tribology/traction_law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
+/// Rollers in the pockets of a one-piece cage: windows with a fore and an aft face, pairs of guide
+/// faces (record 7.3), or round pockets. Geometry of contact/roller_pocket.hpp.
+///
+/// Normal load of a slice, δ = -gap: on faces K_l L^(-1/9) w δ^(10/9), K_l of both materials
+/// (contact/line_contact.hpp), in round pockets the elastic foundation of contact/conformal.hpp.
+/// Friction at the same point: slip u = cage velocity - roller velocity there without its part
+/// along m, N κ(s)/s u on the roller, s the rounded slip; the cage gets the opposite. Heat =
+/// friction · u.
+/// Ends of the pockets (decision 213): planes across the pocket's x, half of clearance I away from
+/// the ends of the nominal roller in its middle; Hertz load of the corner as a sphere. They keep
+/// the cage on its rollers, and are no guide surfaces of the outputs (N105). Limits: the middle of
+/// the roller stays between faces and ends and within half a diameter of the wall.
+namespace adore::dynamics {
+namespace {
+
+struct RollerPocket {
+  contact::PocketFrame frame;
+  std::vector<contact::PocketFace> faces;  ///< none: round
+  std::optional<contact::RoundPocket> round;
+  double half_window = 0.0;          ///< least distance of a wall from the middle along y [m]
+  double z_low = 0.0, z_high = 0.0;  ///< ends of the wall [m]
+  std::array<double, 2> end_wall{};  ///< of the ends at -x and +x, from the middle [m]
+};
+
+/// Slices of one roller.
+struct PocketRoller {
+  std::vector<contact::RollerSlice> slices;
+  contact::RollerBounds bounds;
+  double slice_width = 0.0;
+  std::array<contact::RollerEnd, 2> end;
+  std::array<double, 2> end_constant{};  ///< Q = K δ^1.5 at the ends of the pocket [N m^-1.5]
+};
+
+class RollerPocketSet {
+ public:
+  explicit RollerPocketSet(const SceneBuilder& scene);
+
+  [[nodiscard]] std::size_t size() const noexcept { return pockets_.size(); }
+  [[nodiscard]] double mass_offset() const noexcept { return mass_offset_; }
+  /// Mid length of roller i and its axis in its pocket frame.
+  struct Place {
+    Vec3 q, u;
+    Mat3 to_base;  ///< pocket -> base
+  };
+  [[nodiscard]] Place locate(const Evaluation& e, std::size_t i) const noexcept {
+    const RollerPocket& pocket = pockets_[i];
+    const BodyState& cage = e.segments.front();
+    const Vec3 a = e.attitude[i].col(0);
+    const Vec3 C = e.element_centre(i) - mass_offset_ * a;
+    const Mat3 to_base = cage.to_base * pocket.frame.cage_to_pocket.transpose();
+    const Vec3 in_cage = cage.to_base.transpose() * (C - cage.position);
+    return {pocket.frame.cage_to_pocket * (in_cage - pocket.frame.centre), to_base.transpose() * a,
+            to_base};
+  }
+  [[nodiscard]] bool is_inside(std::size_t i, const Vec3& q) const noexcept {
+    const RollerPocket& pocket = pockets_[i];
+    return std::abs(q[0]) < std::min(pocket.end_wall[0], pocket.end_wall[1]) &&
+           std::abs(q[1]) < pocket.half_window && q[2] > pocket.z_low - radius_ &&
+           q[2] < pocket.z_high + radius_;
+  }
+  [[nodiscard]] std::size_t surfaces(std::size_t i) const noexcept {
+    return pockets_[i].round ? 1 : pockets_[i].faces.size();
+  }
+  /// Can surface k touch?
+  [[nodiscard]] bool surely_open(std::size_t i, std::size_t k, const Place& at) const noexcept {
+    const RollerPocket& pocket = pockets_[i];
+    const PocketRoller& roller = roller_of(i);
+    return (pocket.round ? contact::gap_bound(*pocket.round, at.q, at.u, roller.bounds)
+                         : contact::gap_bound(pocket.faces[k], at.q, at.u, roller.bounds)) > 0.0;
+  }
+  /// visit(slice, load [N], energy [J]) of every slice of a surface.
+  template <class Visit>
+  void for_slices(std::size_t i, std::size_t k, const Place& at, const Visit& visit) const {
+    const RollerPocket& pocket = pockets_[i];
+    const PocketRoller& roller = roller_of(i);
+    for (const contact::RollerSlice& slice : roller.slices) {
+      const Vec3 p = at.q + slice.s * at.u;
+      if (pocket.round) {
+        const contact::PocketSlice c =
+            contact::slice_in_round(*pocket.round, p, at.u, slice.radius);
+        const contact::LandLaw law{E_star_, pocket.round->radius - slice.radius};
+        const double e = law.clearance - c.gap;
+        const bool open = !(c.gap < 0.0);
+        visit(c, open ? 0.0 : roller.slice_width * contact::land_load_per_length(law, e),
+              open ? 0.0 : roller.slice_width * contact::land_energy_per_length(law, e));
+        continue;
+      }
+      const contact::PocketSlice c =
+          contact::slice_at_face(pocket.faces[k], p, at.u, slice.radius, 0.5 * roller.slice_width);
+      const double width = c.fraction * roller.slice_width;
+      const double load = contact::slice_load(law_, width, -c.gap).load;
+      visit(c, load, -(9.0 / 19.0) * load * c.gap);
+    }
+  }
+  /// visit(touch, load [N], energy [J]) of both ends of a pocket that are touched.
+  template <class Visit>
+  void for_ends(std::size_t i, const Place& at, const Visit& visit) const {
+    const PocketRoller& roller = roller_of(i);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const contact::EndTouch touch =
+          contact::end_at_wall(roller.end[k], pockets_[i].end_wall[k], at.q, at.u);
+      if (!(touch.gap < 0.0)) continue;
+      const double load = contact::hertz_load(roller.end_constant[k], -touch.gap);
+      visit(touch, load, -0.4 * load * touch.gap);
+    }
+  }
+  [[nodiscard]] std::vector<PocketContactSnapshot> report(std::size_t i, const Place& at) const;
+
+ private:
+  [[nodiscard]] const PocketRoller& roller_of(std::size_t i) const noexcept {
+    return rollers_[rollers_.size() == 1 ? 0 : i];
+  }
+  std::vector<RollerPocket> pockets_;
+  std::vector<PocketRoller> rollers_;  ///< one for all, or one by roller
+  contact::PowerLaw law_;
+  double E_star_ = 0.0, mass_offset_ = 0.0, radius_ = 0.0, rotation_sign_ = 1.0;
+};
+
+RollerPocketSet::RollerPocketSet(const SceneBuilder& scene) {
+  const bearing::Bearing& bearing = scene.bearing;
+  const bearing::RollerGeometry& rollers = *bearing.rollers();
+  const bearing::Cage& cage = *bearing.cage;
+  const double D = rollers.diameter;
+  mass_offset_ = bearing.roller_mass_offset;
+  radius_ = 0.5 * D;
+  rotation_sign_ = nominal_cage_speed(bearing) < 0.0 ? -1.0 : 1.0;
+  E_star_ = bearing::contact_modulus(bearing.element_material, cage.material);
+  law_ = contact::power_law(contact::line_constant(E_star_), rollers.length);
+  const int count = scene.rollers->options.slices;
+  const std::size_t shapes =
+      rollers.deviation.empty() ? 1 : static_cast<std::size_t>(rollers.count);
+  for (std::size_t i = 0; i < shapes; ++i) {
+    const contact::RollerProfile profile =
+        contact::roller_profile(rollers, rollers.deviation_of(i));
+    PocketRoller roller;
+    roller.slices = contact::pocket_slices(profile, count);
+    roller.slice_width = profile.length / count;
+    const double half = 0.5 * profile.length, taper = half * std::tan(profile.half_angle);
+    roller.bounds = {half, 0.5 * profile.diameter + taper, 0.5 * profile.diameter - taper};
+    for (std::size_t k = 0; k < 2; ++k) {
+      roller.end[k] = contact::roller_end(profile, static_cast<int>(k));
+      roller.end_constant[k] = 4.0 / 3.0 * E_star_ *
+                               std::sqrt(std::max(roller.end[k].corner_radius, contact::kEdgeTube));
+    }
+    rollers_.push_back(std::move(roller));
+  }
+  const contact::RollerProfile ideal = contact::roller_profile(rollers);
+  const std::array<contact::RollerEnd, 2> nominal{contact::roller_end(ideal, 0),
+                                                  contact::roller_end(ideal, 1)};
+  for (std::size_t i = 0; i < scene.statics.balls.size(); ++i) {
+    const bearing::PocketDeviation own = cage.deviation_of(i);
+    const auto [low, high] = contact::wall_height(cage.outer_diameter, cage.inner_diameter,
+                                                  rollers.pitch_diameter, own.thickness);
+    const double width = D + cage.pocket_clearance_1 + own.clearance[0];
+    RollerPocket pocket;
+    pocket.frame =
+        contact::pocket_frame({scene.statics.balls[i].azimuth + own.angular,
+                               0.5 * rollers.pitch_diameter, own.axial, cage.cone_angle, own.tilt});
+    pocket.z_low = low;
+    pocket.z_high = high;
+    pocket.half_window = 0.5 * width;
+    // The nominal roller has half of the clearance at each end, however it lies in its pocket.
+    const Vec3 axis = passive_y(cage.cone_angle) *
+                      Vec3(std::cos(rollers.axis_angle), 0.0, -std::sin(rollers.axis_angle));
+    for (std::size_t k = 0; k < 2; ++k)
+      pocket.end_wall[k] =
+          0.5 * (width - D) - contact::end_at_wall(nominal[k], 0.0, Vec3::Zero(), axis).gap;
+    if (!cage.pocket_faces.empty())
+      pocket.faces = contact::paired_faces(cage.pocket_faces, rotation_sign_);
+    else if (cage.pocket == bearing::PocketShape::Cylindrical)
+      pocket.round = contact::RoundPocket{0.5 * width, low, high};
+    else
+      pocket.faces = contact::window_faces(width, low, high, rotation_sign_, rollers.half_angle);
+    pockets_.push_back(std::move(pocket));
+  }
+}
+
+std::vector<PocketContactSnapshot> RollerPocketSet::report(std::size_t i, const Place& at) const {
+  std::vector<PocketContactSnapshot> out;
+  for (std::size_t k = 0; k < surfaces(i); ++k) {
+    PocketContactSnapshot one;
+    one.gap = std::numeric_limits<double>::infinity();
+    Vec3 m = Vec3::Zero();
+    double moment = 0.0, nearest = 0.0;
+    for_slices(i, k, at, [&](const contact::PocketSlice& slice, double load, double) {
+      one.force += load;
+      moment += load * slice.position;
+      if (!(slice.fraction > 0.0) || slice.gap >= one.gap) return;
+      one.gap = slice.gap;
+      nearest = slice.position;
+      m = slice.m;
+    });
+    one.position = one.force > 0.0 ? moment / one.force : nearest;
+    one.theta = contact::round_pocket_angle(m, rotation_sign_);
+    out.push_back(one);
+  }
+  return out;
+}
+
+template <bool Traction>
+class RollerPocketBlock final : public EffectBlock {
+ public:
+  RollerPocketBlock(const RollerPocketSet& set, const tribology::TractionLaw& law, double& heat)
+      : set_(set), law_(law), heat_(heat) {}
+  void apply(Evaluation& e) noexcept override {
+    if constexpr (Traction)
+      law_.visit_rounded([&](const auto& friction) { apply_with(friction, e); });
+    else
+      apply_with(nullptr, e);
+  }
+
+ private:
+  template <class Friction>
+  void apply_with(const Friction& friction, Evaluation& e) noexcept {
+    heat_ = 0.0;
+    for (std::size_t i = 0; i < set_.size(); ++i) {
+      const RollerPocketSet::Place at = set_.locate(e, i);
+      if (!set_.is_inside(i, at.q)) {
+        e.valid = false;
+        return;
+      }
+      for (std::size_t k = 0; k < set_.surfaces(i); ++k) {
+        if (set_.surely_open(i, k, at)) continue;
+        set_.for_slices(i, k, at,
+                        [&](const contact::PocketSlice& slice, double load, double energy) {
+                          if (load > 0.0)
+                            push(friction, e, i, at, slice.m, slice.point, load, energy);
+                        });
+      }
+      set_.for_ends(i, at, [&](const contact::EndTouch& touch, double load, double energy) {
+        push(friction, e, i, at, touch.out, touch.point, load, energy);
+      });
+    }
+  }
+  /// A contact of load on roller i at a point, both in the pocket frame.
+  template <class Friction>
+  void push(const Friction& friction, Evaluation& e, std::size_t i,
+            const RollerPocketSet::Place& at, const Vec3& into, const Vec3& point, double load,
+            double energy) noexcept;
+
+  const RollerPocketSet& set_;
+  tribology::TractionLaw law_;
+  double& heat_;
+};
+
+template <bool Traction>
+template <class Friction>
+void RollerPocketBlock<Traction>::push(const Friction& friction, Evaluation& e, std::size_t i,
+                                       const RollerPocketSet::Place& at, const Vec3& into,
+                                       const Vec3& point, double load, double energy) noexcept {
+  BodyState& cage = e.segments.front();
+  const Vec3 m = at.to_base * into;
+  const Vec3 arm = at.to_base * (point - at.q) - set_.mass_offset() * e.attitude[i].col(0);
+  const Vec3 X = e.element_centre(i) + arm;
+  Vec3 f = -load * m;
+  if constexpr (Traction) {
+    Vec3 slip = cage.velocity_at(X) - e.element_velocity(i) - e.element_omega(i).cross(arm);
+    slip -= slip.dot(m) * m;
+    const double square = slip.squaredNorm(), per_slip = load * friction(square);
+    f += per_slip * slip;
+    heat_ += per_slip * square;
+    cage.load_slip += load * std::sqrt(square);
+  }
+  e.add_force(i, e.to_cylindrical(i, f));
+  e.add_moment(i, e.to_cylindrical(i, arm.cross(f)));
+  cage.add_force(-f, X);
+  e.elastic += energy;
+}
+
+class RollerPockets final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override {
+    demand(scene.plan.has(Effect::CageMotion), "the plan has cage contacts but no cage motion");
+    demand(scene.rollers != nullptr, "roller pockets need rollers");
+    set_.emplace(scene);
+    constexpr std::string_view kCost = "pocket contacts";
+    const BodyId cage{BodyId::Kind::Segment, 0};
+    if (!scene.plan.has(Effect::PocketTraction)) {
+      scene.block<RollerPocketBlock<false>>(Phase::Force, kCost, cage, *set_,
+                                            tribology::TractionLaw(), heat_);
+      return;
+    }
+    demand(scene.bearing.pocket_traction.has_value(),
+           "pocket traction is on without a traction curve");
+    scene.block<RollerPocketBlock<true>>(Phase::Force, kCost, cage, *set_,
+                                         tribology::TractionLaw(*scene.bearing.pocket_traction),
+                                         heat_);
+    scene.energy("pockets.heat", kPocketHeat, &heat_);
+  }
+
+  [[nodiscard]] std::string why_invalid(const Evaluation& e) const override {
+    for (std::size_t i = 0; i < set_->size(); ++i) {
+      const RollerPocketSet::Place at = set_->locate(e, i);
+      if (set_->is_inside(i, at.q)) continue;
+      return fmt::format(
+          "the middle of roller {} is outside its cage pocket (axial {:.4g} m, against the "
+          "rotation {:.4g} m, radial {:.4g} m from the pocket centre); check the cage's start "
+          "position, its pocket clearance and the largest step",
+          i + 1, at.q[0], at.q[1], at.q[2]);
+    }
+    return {};
+  }
+
+  void report(const Evaluation& e, Snapshot& snapshot) const override {
+    for (std::size_t i = 0; i < e.elements.n; ++i) {
+      const RollerPocketSet::Place at = set_->locate(e, i);
+      snapshot.elements[i].pocket = set_->report(i, at);
+      snapshot.elements[i].pocket_to_centre = at.q;
+    }
+  }
+
+ private:
+  std::optional<RollerPocketSet> set_;
+  double heat_ = 0.0;  ///< now [W]
+};
+
+}  // namespace
+
+std::unique_ptr<SceneEffect> make_roller_pockets(const ScenePlan& plan) {
+  if (!plan.rollers || !plan.has(Effect::PocketContact)) return nullptr;
+  return std::make_unique<RollerPockets>();
+}
+
+}  // namespace adore::dynamics

@@ -1,0 +1,185 @@
+#include "dynamics/effects/roller_races.hpp"
+
+#include "base/errors.hpp"
+#include "contact/line_contact.hpp"
+#include "dynamics/race_contacts.hpp"
+#include "dynamics/roller_start.hpp"
+#include "statics/roller_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::dynamics {
+namespace {
+
+RollerKernel kernel_of(InstructionSet set) noexcept {
+#if defined(__x86_64__)
+  if (set == InstructionSet::Avx512) return roller_kernel_avx512;
+  if (set == InstructionSet::Avx2) return roller_kernel_avx2;
+#endif
+  (void)set;
+  return roller_kernel_baseline;
+}
+
+contact::RacePose pose_of(const RaceBody& race) { return {race.position, race.to_base}; }
+contact::RigidMotion motion_of(const RaceBody& race) {
+  return {race.position, race.velocity, race.omega};
+}
+
+/// Middle, axis and motion of a roller.
+struct RollerPlace {
+  Vec3 centre, axis;  ///< C [m], a
+  contact::RigidMotion motion;
+};
+RollerPlace place_of(const Evaluation& e, std::size_t i, double mass_offset) {
+  const Vec3 G = e.element_centre(i), axis = e.attitude[i].col(0);
+  return {G - mass_offset * axis, axis, {G, e.element_velocity(i), e.element_omega(i)}};
+}
+
+}  // namespace
+
+std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
+  const statics::RollerOptions& options = scene.rollers->options;
+  if (options.contact != statics::RollerContact::Sliced ||
+      options.kinematics != statics::RollerKinematics::Exact)
+    throw InputError(
+        "rollers move on sliced contacts with exact kinematics only; point contact and linear "
+        "kinematics are for quasi-static solutions (mode -1)");
+  const statics::RollerModel model = statics::make_roller_model(scene.bearing, options);
+  std::array<RollerRaceModel, 2> out;
+  for (std::size_t j = 0; j < 2; ++j) {
+    RollerRaceModel& of = out[j];
+    of.race = static_cast<bearing::Race>(j);
+    for (const statics::RollerBody& body : model.bodies)
+      of.slices.push_back(contact::roller_race_slices(
+          body.race[j], body.slices, model.slicing.width, model.law[j], model.E_star[j]));
+    of.mass_offset = scene.bearing.roller_mass_offset;
+    const double radius = 0.5 * scene.bearing.element_diameter();
+    of.load_limit = contact::slice_load(model.law[j], model.slicing.effective_length, radius).load;
+    of.traction = scene.plan.has(Effect::RaceTraction);
+    of.law = scene.bearing.race_traction;
+  }
+  return out;
+}
+
+double line_stiffness(const RollerRaceModel& model, double load) noexcept {
+  const contact::RollerRaceSlices& slices = model.slices.front();
+  double length = 0.0;
+  for (const double width : slices.width) length += width;
+  const double constant = slices.law.constant * length;  // Q = constant δ^(10/9)
+  return (10.0 / 9.0) * load / std::pow(load / constant, 0.9);
+}
+
+RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, std::size_t rollers, bool load_slip,
+                                 RaceAccount& sums)
+    : model_(model),
+      load_slip_(load_slip),
+      sums_(sums),
+      kernel_(kernel_of(chosen_instruction_set())),
+      poses_(rollers),
+      turns_(rollers),
+      actions_(rollers) {
+  for (const contact::RollerRaceSlices& slices : model.slices)
+    views_.push_back(contact::view_of(slices));
+}
+
+void RollerRaceBlock::apply(Evaluation& e) noexcept {
+  const auto j = static_cast<std::size_t>(model_.race);
+  RaceBody& race = e.race[j];
+  const contact::RacePose pose = pose_of(race);
+  const contact::RigidMotion motion = motion_of(race);
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    const RollerPlace roller = place_of(e, i, model_.mass_offset);
+    const contact::RollerInMeridian in =
+        contact::roller_in_meridian(pose, motion, roller.centre, roller.axis, roller.motion);
+    poses_[i] = in.roller;
+    turns_[i] = in.turn;
+  }
+  kernel_({views_.data(), views_.size() == 1, poses_.size(), poses_.data(), actions_.data(),
+           model_.traction, model_.law.index(), model_.law.address(), model_.law.slip_floor()});
+  sums_.heat = sums_.load_slip = 0.0;
+  for (std::size_t i = 0; i < actions_.size(); ++i) {
+    const RollerKernelAction& a = actions_[i];
+    e.load[j][i] = a.load;
+    e.heat[j][i] = a.heat;
+    if (load_slip_) e.load_slip[j][i] = a.load_slip;
+    e.valid = e.valid && a.load <= model_.load_limit;  // false for a NaN
+    if (!(a.load > 0.0)) continue;
+    const contact::RollerInMeridian in{{}, turns_[i]};
+    const Vec3 force = in.back(pose, {a.force[0], a.force[1], a.force[2]});
+    const Vec3 moment = in.back(pose, {a.moment[0], a.moment[1], a.moment[2]});
+    const Vec3 from_mass_centre = -model_.mass_offset * e.attitude[i].col(0);
+    const Vec3 C = e.element_centre(i) + from_mass_centre;
+    e.add_force(i, e.to_cylindrical(i, force));
+    e.add_moment(i, e.to_cylindrical(i, moment + from_mass_centre.cross(force)));
+    race.force -= force;
+    race.moment -= moment + (C - race.position).cross(force);
+    e.elastic += a.energy;
+    sums_.heat += a.heat;
+    sums_.load_slip += a.load_slip;
+  }
+  sums_.load_slip_element1 = actions_.front().load_slip;
+}
+
+RaceContactSnapshot roller_race_detail(const RollerRaceModel& model, const Evaluation& e,
+                                       std::size_t i) {
+  const auto j = static_cast<std::size_t>(model.race);
+  const RaceBody& race = e.race[j];
+  const RollerPlace roller = place_of(e, i, model.mass_offset);
+  const contact::RollerInMeridian in = contact::roller_in_meridian(
+      pose_of(race), motion_of(race), roller.centre, roller.axis, roller.motion);
+  const contact::RollerRaceSlices& slices = model.of(i);
+  const contact::RollerPose& at = in.roller;
+  RaceContactSnapshot out;
+  double normal_x = 0.0, normal_r = 0.0;
+  for (std::size_t k = 0; k < slices.count; ++k) {
+    contact::RaceSlices one = contact::view_of(slices);
+    one.count = 1;
+    one.s += k;
+    one.radius += k;
+    one.width += k;
+    const auto sums = [&] {
+      if (!model.traction) return contact::roller_race_sums<double>(one, at, nullptr);
+      return model.law.visit_rounded(
+          [&](const auto& law) { return contact::roller_race_sums<double>(one, at, law); });
+    }();
+    out.slice_load.push_back(sums.load);
+    out.slice_pressure.push_back(0.0);
+    if (!(sums.load > 0.0)) continue;
+    double tan_chi = 0.0;
+    const auto d = contact::deepest_on_slice<double>(slices.race, at.axes, at.x, at.r, slices.s[k],
+                                                     slices.radius[k], tan_chi);
+    const double curvature = 1.0 / slices.radius[k] - d.at.A_hoop;
+    // U = 9/19 Q δ; Q goes with the width that is on the land.
+    const double delta = (19.0 / 9.0) * sums.energy / sums.load;
+    const double on_land =
+        sums.load * slices.width[k] / contact::slice_load(slices.law, slices.width[k], delta).load;
+    const contact::LinePressure line =
+        contact::line_pressure(sums.load / on_land, curvature, slices.E_star);
+    out.slice_pressure.back() = line.peak;
+    const contact::Triple<double> n = d.at.n;
+    const contact::Triple<double> arm = slices.s[k] * at.axes.a + slices.radius[k] * d.u;
+    const contact::Triple<double> u = at.velocity + contact::cross(at.omega, arm);
+    const contact::Triple<double> slip = u - contact::dot(u, n) * n;
+    out.max_slip = std::max(out.max_slip, std::sqrt(contact::dot(slip, slip)));
+    out.load += sums.load;
+    out.heat += sums.heat;
+    out.load_slip += sums.load_slip;
+    out.half_major += 0.5 * on_land;
+    normal_x += sums.load * n.x;
+    normal_r += sums.load * n.z;
+    if (line.peak < out.max_pressure) continue;
+    out.max_pressure = line.peak;
+    out.half_minor = line.half_width;
+    out.peak_position = slices.s[k];
+    // Rolling about c = (-n_z, 0, n_x), as for balls.
+    const double rolling = -at.omega.x * n.z + at.omega.z * n.x;
+    out.spin_to_roll = rolling != 0.0 ? contact::dot(at.omega, n) / rolling : 0.0;
+  }
+  if (out.load > 0.0)
+    out.angle = model.race == bearing::kOuter ? std::atan2(normal_x, normal_r)
+                                              : std::atan2(-normal_x, -normal_r);
+  return out;
+}
+
+}  // namespace adore::dynamics

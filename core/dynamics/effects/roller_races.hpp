@@ -1,0 +1,62 @@
+#pragma once
+
+#include "contact/roller_race.hpp"
+#include "dynamics/effect.hpp"
+#include "dynamics/effects/race_account.hpp"
+#include "dynamics/roller_kernel.hpp"
+#include "tribology/traction_law.hpp"
+
+#include <array>
+#include <vector>
+
+/// Rollers on their races, slice by slice (contact/roller_race.hpp): surfaces, slices and constants
+/// are those of the equilibrium (statics/roller_model.hpp), so that its loads are those of the
+/// start. The force on a roller acts at its middle C = G - s_G a with the moment about it; about
+/// the mass centre M_G = M_C + (C - G) × F. The race gets the opposite wrench. Limit: a roller
+/// presses by less than its radius; a race is a surface of revolution.
+namespace adore::dynamics {
+
+/// Constants of the contacts of all rollers with one race.
+struct RollerRaceModel {
+  bearing::Race race = bearing::kOuter;
+  std::vector<contact::RollerRaceSlices> slices;  ///< one for all, or one by roller
+  double mass_offset = 0.0;                       ///< s_G [m]
+  double load_limit = 0.0;                        ///< [N]
+  bool traction = true;
+  tribology::TractionLaw law;
+
+  [[nodiscard]] const contact::RollerRaceSlices& of(std::size_t roller) const {
+    return slices[slices.size() == 1 ? 0 : roller];
+  }
+};
+
+/// Both races. @throws InputError when the bearing makes no model
+[[nodiscard]] std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene);
+
+/// Largest dQ/dδ under a load [N/m].
+[[nodiscard]] double line_stiffness(const RollerRaceModel& model, double load) noexcept;
+
+/// Everything a report wants of one contact; not for the hot path. Contact angle of the resultant
+/// as for balls (race_contacts.hpp); spin_to_roll of the slice with the largest pressure.
+[[nodiscard]] RaceContactSnapshot roller_race_detail(const RollerRaceModel& model,
+                                                     const Evaluation& e, std::size_t i);
+
+class RollerRaceBlock final : public EffectBlock {
+ public:
+  /// @param load_slip the wear integrals are wanted
+  RollerRaceBlock(const RollerRaceModel& model, std::size_t rollers, bool load_slip,
+                  RaceAccount& sums);
+  void apply(Evaluation& e) noexcept override;
+
+ private:
+  const RollerRaceModel& model_;
+  bool load_slip_;
+  RaceAccount& sums_;
+  RollerKernel kernel_;
+  std::vector<contact::RaceSlices> views_;
+  std::vector<contact::RollerPose> poses_;
+  std::vector<contact::MeridianTurn> turns_;
+  std::vector<RollerKernelAction> actions_;
+};
+
+}  // namespace adore::dynamics

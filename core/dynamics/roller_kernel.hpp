@@ -1,0 +1,38 @@
+#pragma once
+
+#include "contact/roller_race_sum.hpp"
+
+#include <cstddef>
+
+/// Boundary between roller_races.cpp and the translation units that are compiled once per
+/// instruction set: plain numbers and pointers only (race_kernel.hpp says why).
+namespace adore::dynamics {
+
+/// On one roller, in its meridian frame; moment about its middle.
+struct RollerKernelAction {
+  double force[3], moment[3];
+  double load, energy, heat, load_slip;
+};
+
+struct RollerKernelInput {
+  const contact::RaceSlices* slices;  ///< of each roller, or of all
+  bool alike;                         ///< one for all
+  std::size_t n;
+  const contact::RollerPose* rollers;
+  RollerKernelAction* out;
+  bool traction;
+  // Law of traction: one of tribology::TractionLawList.
+  std::size_t law_index;
+  const void* law;
+  double slip_floor;  ///< ε² of the rounded slip sqrt(u² + ε²) [m²/s²], > 0
+};
+
+using RollerKernel = void (*)(const RollerKernelInput&) noexcept;
+
+void roller_kernel_baseline(const RollerKernelInput& in) noexcept;
+#if defined(__x86_64__)
+void roller_kernel_avx2(const RollerKernelInput& in) noexcept;
+void roller_kernel_avx512(const RollerKernelInput& in) noexcept;
+#endif
+
+}  // namespace adore::dynamics

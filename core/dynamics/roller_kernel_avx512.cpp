@@ -1,0 +1,10 @@
+// Compiled with the flags that core/CMakeLists.txt sets for this file on x86-64; empty elsewhere.
+#if defined(__x86_64__)
+#include "dynamics/roller_kernel_impl.hpp"
+
+namespace adore::dynamics {
+
+void roller_kernel_avx512(const RollerKernelInput& in) noexcept { evaluate_rollers(in); }
+
+}  // namespace adore::dynamics
+#endif

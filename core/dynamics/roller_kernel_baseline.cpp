@@ -1,0 +1,7 @@
+#include "dynamics/roller_kernel_impl.hpp"
+
+namespace adore::dynamics {
+
+void roller_kernel_baseline(const RollerKernelInput& in) noexcept { evaluate_rollers(in); }
+
+}  // namespace adore::dynamics

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "base/simd_math.hpp"
+#include "contact/roller_race_simd.hpp"
+#include "dynamics/roller_kernel.hpp"
+#include "tribology/rounded_law.hpp"
+#include "tribology/traction_laws.hpp"
+
+#include <cstddef>
+
+/// All slices of all rollers against one race, a slice a lane. Included by one translation unit per
+/// instruction set; contact/roller_race.hpp states the contact.
+namespace adore::dynamics {
+namespace {
+
+using V = SimdReal;
+using Lanes = contact::SliceLanes<V>;
+
+inline void put(const contact::RollerRaceSums<V>& sums, RollerKernelAction& out) {
+  out.force[0] = Lanes::sum(sums.force.x);
+  out.force[1] = Lanes::sum(sums.force.y);
+  out.force[2] = Lanes::sum(sums.force.z);
+  out.moment[0] = Lanes::sum(sums.moment.x);
+  out.moment[1] = Lanes::sum(sums.moment.y);
+  out.moment[2] = Lanes::sum(sums.moment.z);
+  out.load = Lanes::sum(sums.load);
+  out.energy = Lanes::sum(sums.energy);
+  out.heat = Lanes::sum(sums.heat);
+  out.load_slip = Lanes::sum(sums.load_slip);
+}
+
+template <class Traction>
+void evaluate_rollers(const RollerKernelInput& in, const Traction& traction) {
+  for (std::size_t i = 0; i < in.n; ++i)
+    put(contact::roller_race_sums<V>(in.slices[in.alike ? 0 : i], in.rollers[i], traction),
+        in.out[i]);
+}
+
+template <class Law>
+void evaluate_with_law(const RollerKernelInput& in) {
+  const auto here = static_cast<const Law*>(in.law)->at(tribology::ContactPoint<V>{});
+  evaluate_rollers(in, tribology::RoundedLaw<decltype(here)>{here, in.slip_floor});
+}
+
+template <class... Laws>
+void evaluate_with_laws(const RollerKernelInput& in, tribology::TypeList<Laws...>) {
+  std::size_t index = 0;
+  (void)((index++ == in.law_index && (evaluate_with_law<Laws>(in), true)) || ...);
+}
+
+/// Once per race: the law is chosen here, and nowhere below.
+inline void evaluate_rollers(const RollerKernelInput& in) {
+  if (in.traction)
+    evaluate_with_laws(in, tribology::TractionLawList());
+  else
+    evaluate_rollers(in, nullptr);
+}
+
+}  // namespace
+}  // namespace adore::dynamics

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "base/rotation.hpp"
+#include "dynamics/effects/rigid_elements.hpp"
+#include "statics/ball_statics.hpp"
+#include "statics/roller_statics.hpp"
+
+#include <vector>
+
+/// How rollers start: where the equilibrium without friction puts them
+/// (statics/roller_statics.hpp), with the speeds of pure rolling at nominal geometry and without
+/// skew. Skew is what friction makes of misalignment and tilt; it settles within the first turns of
+/// a run.
+namespace adore::dynamics {
+
+/// A roller bearing's equilibrium, and the options that it was found with.
+struct RollerScene {
+  statics::RollerOptions options;
+  statics::RollerSolution solution;
+};
+
+/// Mass centre, speeds and attitude of every roller: C from StaticRoller, G = C + s_G a; ω = ω_m
+/// e_x
+/// + ω_s a; body x along a, body z outwards.
+[[nodiscard]] std::vector<ElementPose> start_poses(const RollerScene& scene,
+                                                   const bearing::Bearing& bearing);
+
+/// The same as a scene's static solution, which knows places, speeds and loads of elements only.
+[[nodiscard]] statics::StaticSolution static_start(const RollerScene& scene,
+                                                   const bearing::Bearing& bearing);
+
+}  // namespace adore::dynamics
