@@ -274,9 +274,9 @@ Json race_errors_case(const Json& in) {
     const Vec3 centre(get(in, "x"), 0.0, get(in, "r")), axis = Vec3::UnitX();
     Json delta, widths;
     for (const RollerSlice& slice : roller_slices(p, cut)) {
-      const SliceContact c = slice_contact(race, centre, axis, slice);
-      delta.push_back(c.delta);
-      widths.push_back(land_width(race, land_coordinate(race, c.point[0]), cut.width).width);
+      delta.push_back(slice_contact(race, centre, axis, slice).delta);
+      const double middle = centre[0] + slice.s * axis[0] - race.mid_x;  // as the cases place it
+      widths.push_back(overlap_width(middle, cut.width, race.land_offset, race.land_width));
     }
     out["delta"].push_back(delta);
     out["widths"].push_back(widths);
