@@ -10,6 +10,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 /// The SI model of one bearing: what the physics reads. Plain values; knows no deck and no unit but
@@ -139,13 +140,12 @@ enum class SpinRule : unsigned char { MinimumHeat, RaceControl, Prescribed };  /
 struct Bearing {
   std::string run_id;
   Type type = Type::Ball;
-  BallGeometry balls;                     ///< Type::Ball only
-  std::optional<RollerGeometry> rollers;  ///< all other types
+  std::variant<BallGeometry, RollerGeometry> elements;  ///< balls of Type::Ball, else rollers
   Envelope envelope;
-  Material ball_material;  ///< of the rolling elements
+  Material element_material;  ///< of the rolling elements
   std::array<Material, 2> race_material;
-  Inertia ball_inertia;  ///< of one ball, or of a nominal roller: x along its own axis, about its
-                         ///< mass centre
+  Inertia element_inertia;  ///< of one ball, or of a nominal roller: x along its own axis, about
+                            ///< its mass centre
   double roller_mass_offset = 0.0;  ///< s_G: roller mass centre along its axis from mid length [m]
   std::array<Inertia, 2> race_inertia;
   std::optional<Cage> cage;
@@ -158,14 +158,33 @@ struct Bearing {
   double spin_angle = 0.0;  ///< angVelOrient [rad], Prescribed only: angle of the spin axis from x
   std::array<double, 2> speed{};  ///< Ω of each race about its own axis [rad/s]
   Vec3 gravity = Vec3::Zero();    ///< [m/s^2], base frame
-  std::array<double, 2> race_temperature{293.15, 293.15};                                  ///< [K]
-  double ball_temperature = 293.15, cage_temperature = 293.15, room_temperature = 293.15;  ///< [K]
-  Mounting mounting;  ///< fits, housing and shaft
+  std::array<double, 2> race_temperature{293.15, 293.15};  ///< [K]
+  double element_temperature = 293.15, cage_temperature = 293.15,
+         room_temperature = 293.15;  ///< [K]
+  Mounting mounting;                 ///< fits, housing and shaft
   std::optional<OperatingFits>
       operating;  ///< set once the geometry is the operating one (thermal/operating.hpp)
 
+  /// For what is said of balls only. @throws std::bad_variant_access for rollers
+  [[nodiscard]] const BallGeometry& balls() const { return std::get<BallGeometry>(elements); }
+  [[nodiscard]] BallGeometry& balls() { return std::get<BallGeometry>(elements); }
+  /// Null: a ball bearing.
+  [[nodiscard]] const RollerGeometry* rollers() const noexcept {
+    return std::get_if<RollerGeometry>(&elements);
+  }
+  [[nodiscard]] RollerGeometry* rollers() noexcept {
+    return std::get_if<RollerGeometry>(&elements);
+  }
+
+  // What both have.
   [[nodiscard]] int element_count() const noexcept {
-    return rollers ? rollers->count : balls.count;
+    return std::visit([](const auto& one) { return one.count; }, elements);
+  }
+  [[nodiscard]] double element_diameter() const noexcept {
+    return std::visit([](const auto& one) { return one.diameter; }, elements);
+  }
+  [[nodiscard]] double pitch_diameter() const noexcept {
+    return std::visit([](const auto& one) { return one.pitch_diameter; }, elements);
   }
 };
 

@@ -32,16 +32,16 @@ bearing::Bearing cylindrical(const Json& in) {
   } else if (profile == "logarithmic") {
     g.shape = bearing::RollerShape::Logarithmic;
   }
-  b.rollers = g;
-  for (bearing::Material* m : {&b.ball_material, &b.race_material[0], &b.race_material[1]}) {
+  b.elements = g;
+  for (bearing::Material* m : {&b.element_material, &b.race_material[0], &b.race_material[1]}) {
     m->elastic_modulus = 206e9;
     m->poisson_ratio = 0.3;
   }
   const double D = g.diameter;
   const double mass = get(in, "roller_density") * kPi * D * D * g.length / 4.0;
-  b.ball_inertia.mass = mass;
+  b.element_inertia.mass = mass;
   const double across = mass * (D * D / 16.0 + g.length * g.length / 12.0);
-  b.ball_inertia.moments = {mass * D * D / 8.0, across, across};
+  b.element_inertia.moments = {mass * D * D / 8.0, across, across};
   b.speed = {0.0, in.value("speed_rpm", 0.0) * kRpm};
   b.constraints.displacement_given[0] = true;
   const Json& prescribed = in.at("prescribed");

@@ -102,13 +102,13 @@ bearing::BallGeometry geometry(const Json& g) {
 
 bearing::Bearing ball_bearing(const Json& in) {
   bearing::Bearing b;
-  b.balls = geometry(in.at("geometry"));
-  b.ball_material = material(in.at("material").at("ball"));
+  b.elements = geometry(in.at("geometry"));
+  b.element_material = material(in.at("material").at("ball"));
   b.race_material = {material(in["material"].at("race")), material(in["material"]["race"])};
-  const double D = b.balls.diameter;
+  const double D = b.balls().diameter;
   const double volume = kPi * D * D * D / 6.0;
-  b.ball_inertia.mass = in.value("ball_mass", b.ball_material.density * volume);
-  b.ball_inertia.moments = bearing::Vec3::Constant(0.1 * b.ball_inertia.mass * D * D);
+  b.element_inertia.mass = in.value("ball_mass", b.element_material.density * volume);
+  b.element_inertia.moments = bearing::Vec3::Constant(0.1 * b.element_inertia.mass * D * D);
   b.speed = {0.0, in.value("speed_rpm", 0.0) * kRpm};
   const Json prescribed = in.value("prescribed_displacement", Json::object());
   for (std::size_t k = 0; k < 5; ++k) {
@@ -240,10 +240,10 @@ std::optional<Json> kinematics_case(const Json& the_case) {
 /// P01-P07 use dm/2 as the lever of tilt and moment: M/lever and tilt times lever are what counts.
 Json published_ball_bearing(const Json& in) {
   bearing::Bearing bearing = ball_bearing(in);
-  const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls);
+  const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls());
   const double lever_ratio =
       in.at("tilt_lever") == "dm/2"
-          ? groove.centre_radius[bearing::kInner] / (0.5 * bearing.balls.pitch_diameter)
+          ? groove.centre_radius[bearing::kInner] / (0.5 * bearing.balls().pitch_diameter)
           : 1.0;
   bearing.constraints.load[3] *= lever_ratio;
   bearing.constraints.load[4] *= lever_ratio;

@@ -306,13 +306,13 @@ CageSolid cage_solid(const bearing::Bearing& bearing) {
   solid.clearance_2 = cage.pocket_clearance_2;
   solid.density = cage.material.density;
   solid.cone_angle = cage.cone_angle;
-  if (bearing.rollers) {
-    solid.element_diameter = bearing.rollers->diameter;
-    solid.pitch_diameter = bearing.rollers->pitch_diameter;
-    solid.roller_length = bearing.rollers->length;
+  if (bearing.rollers()) {
+    solid.element_diameter = bearing.rollers()->diameter;
+    solid.pitch_diameter = bearing.rollers()->pitch_diameter;
+    solid.roller_length = bearing.rollers()->length;
   } else {
-    solid.element_diameter = bearing.balls.diameter;
-    solid.pitch_diameter = bearing.balls.pitch_diameter;
+    solid.element_diameter = bearing.balls().diameter;
+    solid.pitch_diameter = bearing.balls().pitch_diameter;
   }
   return solid;
 }

@@ -70,7 +70,7 @@ void read_rollers(const Deck& deck, OutlineModel& m) {
   contact::check_roller_profile(m.profile);
   bearing::Bearing b;
   b.type = m.type;
-  b.rollers = m.rollers;
+  b.elements = *m.rollers;
   m.races = statics::race_surfaces(b);
   if (!m.rollers->has_flange(0) && !m.rollers->has_flange(1)) return;
   try {

@@ -60,10 +60,10 @@ double seconds_per_evaluation(System& system) {
 
 std::vector<BallVibration> ball_vibrations(const bearing::Bearing& bearing,
                                            const statics::StaticSolution& statics) {
-  const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls);
+  const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls());
   std::vector<BallVibration> out;
   for (const statics::StaticBall& ball : statics.balls)
-    out.push_back(ball_vibration(ball, groove, bearing.ball_inertia.mass));
+    out.push_back(ball_vibration(ball, groove, bearing.element_inertia.mass));
   return out;
 }
 

@@ -18,7 +18,7 @@ double force_scale(const bearing::Bearing& bearing, const statics::StaticSolutio
     reaction = std::max(reaction, std::abs(statics.load[k]));
   }
   if (applied > 0.0) return applied;
-  const double weight = bearing.ball_inertia.mass * 9.81;
+  const double weight = bearing.element_inertia.mass * 9.81;
   return reaction > 1e-9 * weight ? reaction : weight;
 }
 
@@ -49,7 +49,7 @@ System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
   set_up_integrals();
   rates.assign(static_cast<std::size_t>(parts.layout.size()), 0.0);
 
-  scales.length = 0.5 * bearing.balls.diameter;
+  scales.length = 0.5 * bearing.element_diameter();
   scales.force = force_scale(bearing, statics);
   // Largest dQ/dδ at the static solution; without a loaded contact that of the stiffest contact at
   // 1e-3 of the force scale (N7).
@@ -57,7 +57,7 @@ System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
   if (!(stiffness > 0.0))
     for (const auto& effect : parts.effects)
       stiffness = std::max(stiffness, effect->stiffness(scales.force));
-  scales.time = std::sqrt(bearing.ball_inertia.mass / stiffness);
+  scales.time = std::sqrt(bearing.element_inertia.mass / stiffness);
   apply_scales();
 }
 

@@ -18,7 +18,7 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
   if (start.cages.empty() || !prepared.bearing.cage) return;
   const bearing::Cage& cage = *prepared.bearing.cage;
   const deck::Deck& deck = prepared.input.deck;
-  const double rounding = kRounding * 0.5 * prepared.bearing.balls.diameter;
+  const double rounding = kRounding * 0.5 * prepared.bearing.element_diameter();
   const auto length = [&](double metres) {
     return fmt::format("{:.4g} {}", results::from_si(metres, results::unit::kLength, deck.units()),
                        results::unit_name(results::unit::kLength, deck.units()));

@@ -27,8 +27,9 @@ bool has_error(const std::vector<Issue>& issues) {
 void check_rest(const deck::Deck& deck, const bearing::Bearing& operating) {
   (void)setup::build_run_control(deck);
   const bearing::LifeInputs life_inputs = setup::build_life(deck);
-  const bool line = operating.rollers.has_value();
-  (void)life::life_parameters(life_inputs, line, operating.ball_material, operating.race_material);
+  const bool line = operating.rollers() != nullptr;
+  (void)life::life_parameters(life_inputs, line, operating.element_material,
+                              operating.race_material);
   if (line)
     (void)statics::make_roller_model(operating, {});
   else

@@ -85,7 +85,7 @@ DiskUse disk_use(const Prepared& prepared, const scene::ScenePlan& plan) {
 
   const double animated = control.animate ? selected(out.steps, control.animate_every) : 0.0;
   if (control.animate &&
-      !results::sol8_refusal(prepared.bearing.balls.count, prepared.bearing.cage ? 1 : 0)) {
+      !results::sol8_refusal(prepared.bearing.element_count(), prepared.bearing.cage ? 1 : 0)) {
     std::string text;
     results::append_sol8_frame(text, results::make_sol8_frame(snapshot));
     out.files.emplace_back(control.sol_files[7], animated * static_cast<double>(text.size()));

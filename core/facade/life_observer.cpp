@@ -11,7 +11,7 @@
 namespace adore::facade {
 
 LifeObserver::LifeObserver(const bearing::Bearing& bearing, const life::LifeParameters& parameters)
-    : bearing_(bearing), calculator_(life::ball_life_geometry(bearing.balls), parameters) {}
+    : bearing_(bearing), calculator_(life::ball_life_geometry(bearing.balls()), parameters) {}
 
 void LifeObserver::observe(const scene::Snapshot& snapshot) {
   const bearing::LifeChoices& choices = calculator_.parameters().choices;

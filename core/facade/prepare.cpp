@@ -151,7 +151,7 @@ Prepared prepare_model(LoadedDeck input) {
     for (const std::string& text : life::strength_warnings(out.bearing, strength))
       out.input.warnings.push_back(remark(Severity::Warning, out.input.path.string(), text));
   };
-  if (out.bearing.rollers) {
+  if (out.bearing.rollers()) {
     out.solve_seconds = timed(
         [&] { out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers); });
     judge(life::contact_strength(out.bearing, *out.rollers));
@@ -164,7 +164,7 @@ Prepared prepare_model(LoadedDeck input) {
            out.bearing, out.statics, available_friction(deck, out.bearing), deck.units()))
     out.input.warnings.push_back(remark(Severity::Warning, out.input.path.string(), text));
   if (out.control.dynamic) {
-    out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls.contact_angle);
+    out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls().contact_angle);
     statics::StaticsOptions frozen;
     frozen.curvature = statics::Curvature::Fixed;
     frozen.fixed_angle = out.fixed_angle;

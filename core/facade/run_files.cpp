@@ -57,7 +57,7 @@ void RunFiles::check() const {
 
 bool RunFiles::writes_animation() const {
   return control_.animate &&
-         !results::sol8_refusal(prepared_.bearing.balls.count, cages(prepared_));
+         !results::sol8_refusal(prepared_.bearing.element_count(), cages(prepared_));
 }
 
 void RunFiles::open_listing() {
@@ -88,7 +88,7 @@ std::optional<std::string> RunFiles::open(bool continued, std::uintmax_t print_b
                     : results::H5Writer::create(path("RESULTS.h5"), prepared_.bearing, channels_);
   }
   if (!control_.animate) return {};
-  if (auto refusal = results::sol8_refusal(prepared_.bearing.balls.count, cages(prepared_)))
+  if (auto refusal = results::sol8_refusal(prepared_.bearing.element_count(), cages(prepared_)))
     return refusal;
   written.push_back(sol_path(8));
   animation_ = continued ? results::Sol8Writer::continue_after(sol_path(8), prepared_.bearing,

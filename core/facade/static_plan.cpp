@@ -39,7 +39,7 @@ std::string join(const std::string& list, const std::string& more) {
 void contact_model(Entries& out, const Prepared& p) {
   const Deck& deck = p.input.deck;
   const Bearing& b = p.bearing;
-  if (!b.rollers) {
+  if (!b.rollers()) {
     out.add("ball / race contact", true,
             "kBrg = 1: elliptical Hertz contact, curvatures at each contact's own angle");
     const char* rule = b.spin_rule == bearing::SpinRule::MinimumHeat   ? "least frictional heat"
@@ -49,7 +49,7 @@ void contact_model(Entries& out, const Prepared& p) {
             fmt::format("{}: no slip at both contact centres, spin axis by {}",
                         given(deck, "kAngVel"), rule));
     for (std::size_t j = 0; j < 2; ++j)
-      if (b.balls.shim[j] > 0.0)
+      if (b.balls().shim[j] > 0.0)
         out.add(j == 0 ? "split outer race" : "split inner race", true,
                 fmt::format("shimThickness{} = {:g}: dual contact is watched, one contact modelled",
                             j + 1, deck.real(j == 0 ? "shimThickness1" : "shimThickness2")));
@@ -66,7 +66,7 @@ void contact_model(Entries& out, const Prepared& p) {
     for (std::size_t side = 0; side < 2; ++side) {
       const std::string name = fmt::format("kFlngInd{}{}", side + 1, j + 1);
       out.add(fmt::format("{} flange, {} end", j == 0 ? "outer" : "inner", side == 0 ? "-x" : "+x"),
-              b.rollers->flange[j][side].has_value(), given(deck, name.c_str()));
+              b.rollers()->flange[j][side].has_value(), given(deck, name.c_str()));
     }
 }
 
@@ -83,7 +83,7 @@ void surroundings(Entries& out, const Prepared& p) {
           fmt::format("raceFit1 = {:g}, raceFit2 = {:g}", deck.real("raceFit1"),
                       deck.real("raceFit2")));
   bool warm = false;
-  for (const double T : {b.race_temperature[0], b.race_temperature[1], b.ball_temperature,
+  for (const double T : {b.race_temperature[0], b.race_temperature[1], b.element_temperature,
                          b.cage_temperature, m.housing_temperature, m.shaft_temperature})
     warm = warm || T != b.room_temperature;
   out.add("thermal growth", warm,
@@ -133,9 +133,9 @@ scene::ScenePlan static_plan(const Prepared& prepared) {
   const Bearing& b = prepared.bearing;
   const int n = b.element_count();
   plan.bodies.push_back(
-      {fmt::format("{} ({})", b.rollers ? "rollers" : "balls", n),
-       b.rollers ? "x, r, tilt in equilibrium: 3 each" : "x, r in equilibrium: 2 each",
-       (b.rollers ? 3 : 2) * n});
+      {fmt::format("{} ({})", b.rollers() ? "rollers" : "balls", n),
+       b.rollers() ? "x, r, tilt in equilibrium: 3 each" : "x, r in equilibrium: 2 each",
+       (b.rollers() ? 3 : 2) * n});
   plan.bodies.push_back({"outer race", fmt::format("fixed, speed {:g} rpm", rpm(b.speed[0])), 0});
   static constexpr std::array<const char*, 5> kNames{"x", "y", "z", "about y", "about z"};
   std::string found, held;

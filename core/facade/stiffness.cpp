@@ -25,7 +25,7 @@ std::vector<statics::StiffnessRow> stiffness_over_speed(const Prepared& prepared
     as_built.speed = speed;
     bearing::Bearing bearing = thermal::operating_bearing(as_built);
     operating[speed] = bearing.operating;
-    if (bearing.rollers) {
+    if (bearing.rollers()) {
       statics::RollerOptions options = prepared.options.rollers;
       options.difference_share = request.share;
       if (previous != nullptr && last_rollers) options.start = &*last_rollers;

@@ -47,7 +47,7 @@ std::vector<Issue> unused_request(const RunRequest& request, const Prepared& pre
   }
   for (const auto& [name, value] : prepared.input.option_values) {
     if (!prepared.control.dynamic && is_in(kOfMotion, name)) motion.push_back("option " + name);
-    if (!prepared.bearing.rollers && is_in(kOfRollers, name)) rollers.push_back("option " + name);
+    if (!prepared.bearing.rollers() && is_in(kOfRollers, name)) rollers.push_back("option " + name);
   }
   std::vector<Issue> out;
   if (!motion.empty())

@@ -100,7 +100,7 @@ void note_shapes(BearingLife& out, std::size_t slices) {
 }
 
 void set_temperatures(LifeParameters& out, const bearing::Bearing& bearing) {
-  out.part[bearing::kElementPart].temperature = bearing.ball_temperature;
+  out.part[bearing::kElementPart].temperature = bearing.element_temperature;
   for (std::size_t i = 0; i < 2; ++i) out.part[i].temperature = bearing.race_temperature[i];
   out.modulus_follows_temperature = bearing.mounting.material_laws;
 }
@@ -433,8 +433,8 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
 BearingLife roller_bearing_life(const bearing::Bearing& bearing, const bearing::LifeInputs& inputs,
                                 const statics::RollerSolution& solution) {
   LifeCalculator calculator(
-      roller_life_geometry(*bearing.rollers),
-      life_parameters(inputs, true, bearing.ball_material, bearing.race_material));
+      roller_life_geometry(*bearing.rollers()),
+      life_parameters(inputs, true, bearing.element_material, bearing.race_material));
   const BearingContacts contacts = life_contacts(solution, bearing);
   BearingLife out = calculator.report(contacts);
   out.iso = iso_report(bearing, contacts, {solution.load[0], solution.load[1], solution.load[2]},
@@ -447,8 +447,8 @@ BearingLife roller_bearing_life(const bearing::Bearing& bearing, const bearing::
 BearingLife ball_bearing_life(const bearing::Bearing& bearing, const bearing::LifeInputs& inputs,
                               const statics::StaticSolution& solution) {
   LifeCalculator calculator(
-      ball_life_geometry(bearing.balls),
-      life_parameters(inputs, false, bearing.ball_material, bearing.race_material));
+      ball_life_geometry(bearing.balls()),
+      life_parameters(inputs, false, bearing.element_material, bearing.race_material));
   const BearingContacts contacts = life_contacts(solution, bearing);
   BearingLife out = calculator.report(contacts);
   out.iso = iso_report(bearing, contacts, {solution.load[0], solution.load[1], solution.load[2]},

@@ -34,7 +34,7 @@ RaceStrength strength_of(const Bearing& bearing, const std::array<Heaviest, 2>& 
   RaceStrength out;
   for (std::size_t race = 0; race < 2; ++race)
     out[race] = {strength_of(heaviest[race], bearing.race_material[race]),
-                 strength_of(heaviest[race], bearing.ball_material)};
+                 strength_of(heaviest[race], bearing.element_material)};
   return out;
 }
 
@@ -64,7 +64,7 @@ RaceStrength contact_strength(const Bearing& bearing, const statics::RollerSolut
 }
 
 std::vector<std::string> strength_warnings(const Bearing& bearing, const RaceStrength& strength) {
-  const std::string element = bearing.rollers ? "roller" : "ball";
+  const std::string element = bearing.rollers() ? "roller" : "ball";
   std::vector<std::string> out;
   for (std::size_t race = 0; race < 2; ++race)
     for (std::size_t body = 0; body < 2; ++body) {
@@ -72,7 +72,7 @@ std::vector<std::string> strength_warnings(const Bearing& bearing, const RaceStr
       if (!s.yields()) continue;
       const std::string where = body == 0 ? fmt::format("the {} race", kRaceName[race])
                                           : fmt::format("{} {}", element, s.element);
-      const Material& material = body == 0 ? bearing.race_material[race] : bearing.ball_material;
+      const Material& material = body == 0 ? bearing.race_material[race] : bearing.element_material;
       out.push_back(fmt::format(
           "{} ({}) yields under the contact of {} {} with the {} race: a von Mises stress of "
           "{:.4g} "

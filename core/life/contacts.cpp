@@ -37,9 +37,9 @@ double groove_radius(const bearing::RollerGeometry& rollers, std::size_t race) {
 class RollerPatches {
  public:
   RollerPatches(const bearing::Bearing& bearing, std::size_t race, std::size_t roller)
-      : E_star_(bearing::contact_modulus(bearing.ball_material, bearing.race_material[race])),
-        length_(bearing.rollers->contact_length()) {
-    const bearing::RollerGeometry& g = *bearing.rollers;
+      : E_star_(bearing::contact_modulus(bearing.element_material, bearing.race_material[race])),
+        length_(bearing.rollers()->contact_length()) {
+    const bearing::RollerGeometry& g = *bearing.rollers();
     curvature_ =
         contact::roller_race_curvature(g, contact::roller_profile(g, g.deviation_of(roller)),
                                        static_cast<int>(race), groove_radius(g, race));
@@ -95,7 +95,7 @@ BearingContacts life_contacts(const statics::StaticSolution& solution,
       out.race[i].patches.push_back({ball.Q[i], ball.a[i], ball.b[i], ball.p_max[i]});
       angle.add(ball.Q[i], ball.alpha[i]);
     }
-    out.race[i].angle = angle.value(bearing.balls.contact_angle);
+    out.race[i].angle = angle.value(bearing.balls().contact_angle);
   }
   set_motion(out, bearing.speed[0], bearing.speed[1]);
   return out;
@@ -139,7 +139,7 @@ BearingContacts life_contacts(const statics::RollerSolution& solution,
     }
     // One crown that is no crown: no ellipses at all.
     if (out.race[i].ellipses.size() != solution.rollers.size()) out.race[i].ellipses.clear();
-    out.race[i].angle = angle.value(bearing.rollers->race_angle[i]);
+    out.race[i].angle = angle.value(bearing.rollers()->race_angle[i]);
   }
   set_motion(out, bearing.speed[0], bearing.speed[1]);
   return out;
@@ -154,7 +154,7 @@ BearingContacts life_contacts(const scene::Snapshot& snapshot, const bearing::Be
       out.race[i].patches.push_back({c.load, c.half_major, c.half_minor, c.max_pressure});
       angle.add(c.load, c.angle);
     }
-    out.race[i].angle = angle.value(bearing.balls.contact_angle);
+    out.race[i].angle = angle.value(bearing.balls().contact_angle);
   }
   set_motion(out, snapshot.races[0].omega.x(), snapshot.races[1].omega.x());
   if (out.relative_speed > 0.0)

@@ -53,7 +53,7 @@ IsoGeometry iso_geometry(const bearing::BallGeometry& balls, std::vector<std::st
 
 /// Rollers: length without corners, angle of the row.
 IsoGeometry iso_geometry(const bearing::Bearing& bearing) {
-  const bearing::RollerGeometry& rollers = *bearing.rollers;
+  const bearing::RollerGeometry& rollers = *bearing.rollers();
   IsoGeometry out;
   out.element_diameter = 1e3 * rollers.diameter;
   out.length = 1e3 * rollers.contact_length();
@@ -79,7 +79,7 @@ ReferenceLife reference_life(const IsoReport& report, const bearing::Bearing& be
   for (const ContactPatch& patch : contacts.race[0].patches) outer.push_back(patch.Q);
   for (const ContactPatch& patch : contacts.race[1].patches) inner.push_back(patch.Q);
   const bool inner_rotates = contacts.race[1].rotating, outer_rotates = contacts.race[0].rotating;
-  if (!bearing.rollers)
+  if (!bearing.rollers())
     return iso_reference_life_ball(report.geometry, report.C, inner, outer, inner_rotates,
                                    outer_rotates, condition);
   return iso_reference_life_roller(report.geometry, report.C, {contacts.slices, inner, outer},
@@ -91,7 +91,8 @@ ReferenceLife reference_life(const IsoReport& report, const bearing::Bearing& be
 IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& contacts,
                      const std::array<double, 3>& load, const LifeParameters& parameters) {
   IsoReport out;
-  out.geometry = bearing.rollers ? iso_geometry(bearing) : iso_geometry(bearing.balls, out.notes);
+  out.geometry =
+      bearing.rollers() ? iso_geometry(bearing) : iso_geometry(bearing.balls(), out.notes);
   out.C = iso_dynamic_rating(out.geometry);
   out.C0 = iso_static_rating(out.geometry);
   out.axial = std::abs(load[0]);
@@ -152,7 +153,7 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
         "an axial load alone");
     return out;
   }
-  if (bearing.rollers && contacts.slices < 2) {
+  if (bearing.rollers() && contacts.slices < 2) {
     out.notes.push_back(
         "ISO 16281: needs the roller's slices, and the contact is one ellipse here");
     return out;

@@ -92,7 +92,7 @@ std::vector<std::string> ball_warnings(const bearing::Bearing& bearing,
           quantity(worst.beyond[j], unit::kForce, units), quantity(worst.Q[j], unit::kForce, units),
           100.0 * worst.beyond[j] / worst.Q[j], 100.0 * lost / carried));
     }
-    const double radius = 0.5 * bearing.balls.diameter;
+    const double radius = 0.5 * bearing.balls().diameter;
     const Offenders wide =
         offenders(balls, 0.5 * radius, [j](const StaticBall& b) { return b.a[j]; });
     if (!wide.numbers.empty())
@@ -101,7 +101,7 @@ std::vector<std::string> ball_warnings(const bearing::Bearing& bearing,
           "ball radius of {}; Hertz's theory takes both bodies for flat there, so that deflection "
           "and pressure are approximate (groove factor {:.5g})",
           wide.text(), kRace[j], quantity(balls[wide.worst].a[j], unit::kLength, units),
-          quantity(radius, unit::kLength, units), bearing.balls.groove_factor[j]));
+          quantity(radius, unit::kLength, units), bearing.balls().groove_factor[j]));
   }
   return out;
 }

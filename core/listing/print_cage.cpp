@@ -76,7 +76,7 @@ void mass(Report& report, const Bearing& bearing, bool given) {
     if (cage.cone_angle != 0.0)
       report.item("Mass centre from the middle of the cage, along x", solid.mass_centre.x(),
                   unit::kLength);
-    if (bearing.rollers)
+    if (bearing.rollers())
       report.text(
           "Of a roller's pocket the length of the roller and its diameter at mid length plus the "
           "pocket's play are cut out.");
@@ -110,7 +110,7 @@ void print_cage_geometry(Report& report, const Bearing& bearing, const deck::Dec
     return;
   }
   const Cage& cage = *bearing.cage;
-  const bool rollers = bearing.rollers.has_value();
+  const bool rollers = bearing.rollers() != nullptr;
   const long long type = deck.integer("kPocType");
   report.heading("Cage");
   report.item("Outer diameter", cage.outer_diameter, unit::kLength);

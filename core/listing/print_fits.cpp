@@ -118,7 +118,7 @@ void warm_materials(Report& report, const bearing::Bearing& b) {
     rows.push_back(
         {name, {T, m.elastic_modulus, m.thermal_expansion, m.conductivity, m.specific_heat}});
   };
-  row("balls", b.ball_material, b.ball_temperature);
+  row("balls", b.element_material, b.element_temperature);
   row("outer race", b.race_material[0], b.race_temperature[0]);
   row("inner race", b.race_material[1], b.race_temperature[1]);
   if (b.cage) row("cage", b.cage->material, b.cage_temperature);

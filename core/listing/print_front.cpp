@@ -86,7 +86,7 @@ void echo(Report& report, const deck::Deck& deck) {
 }
 
 void ball_geometry(Report& report, const bearing::Bearing& bearing) {
-  const bearing::BallGeometry& balls = bearing.balls;
+  const bearing::BallGeometry& balls = bearing.balls();
   report.item("Number of balls", static_cast<long>(balls.count));
   report.item("Ball diameter", balls.diameter, unit::kLength);
   report.item("Pitch diameter", balls.pitch_diameter, unit::kLength);
@@ -118,8 +118,8 @@ void ball_geometry(Report& report, const bearing::Bearing& bearing) {
 
 void geometry(Report& report, const bearing::Bearing& bearing, const deck::Deck& deck) {
   report.new_page("BEARING GEOMETRY");
-  if (bearing.rollers)
-    print_roller_geometry(report, *bearing.rollers, bearing.envelope);
+  if (bearing.rollers())
+    print_roller_geometry(report, *bearing.rollers(), bearing.envelope);
   else
     ball_geometry(report, bearing);
   print_cage_geometry(report, bearing, deck);
@@ -130,7 +130,7 @@ void materials(Report& report, const bearing::Bearing& bearing) {
     const char* name;
     const bearing::Material* material;
   };
-  std::vector<Part> parts{{bearing.rollers ? "rollers" : "balls", &bearing.ball_material},
+  std::vector<Part> parts{{bearing.rollers() ? "rollers" : "balls", &bearing.element_material},
                           {"outer race", &bearing.race_material[0]},
                           {"inner race", &bearing.race_material[1]}};
   if (bearing.cage) parts.push_back({"cage", &bearing.cage->material});
@@ -198,7 +198,7 @@ void materials(Report& report, const bearing::Bearing& bearing) {
   const auto add = [&](const char* name, const bearing::Inertia& body) {
     inertia.push_back({name, {body.mass, body.moments.x(), body.moments.y(), body.moments.z()}});
   };
-  add(bearing.rollers ? "roller" : "ball", bearing.ball_inertia);
+  add(bearing.rollers() ? "roller" : "ball", bearing.element_inertia);
   if (bearing.cage && bearing.cage->inertia.mass > 0.0) add("cage", bearing.cage->inertia);
   add("outer race", bearing.race_inertia[0]);
   add("inner race", bearing.race_inertia[1]);
@@ -257,14 +257,14 @@ void operation(Report& report, const PrintFront& front) {
                                                                            : "given orientation";
   // kAngVel is a rule for balls.
   report.item("Hypothesis of the internal speeds",
-              bearing.rollers ? "pure rolling at nominal geometry" : spin);
-  if (!bearing.rollers && bearing.spin_rule == bearing::SpinRule::Prescribed)
+              bearing.rollers() ? "pure rolling at nominal geometry" : spin);
+  if (!bearing.rollers() && bearing.spin_rule == bearing::SpinRule::Prescribed)
     report.item("Angle of the spin axis from x", bearing.spin_angle, unit::kAngle);
   for (int k = 0; k < 3; ++k)
     report.item(fmt::format("Gravity along {}", "xyz"[k]), bearing.gravity[k], unit::kAcceleration);
   report.item("Outer race temperature", bearing.race_temperature[0], unit::kTemperature);
   report.item("Inner race temperature", bearing.race_temperature[1], unit::kTemperature);
-  report.item("Rolling element temperature", bearing.ball_temperature, unit::kTemperature);
+  report.item("Rolling element temperature", bearing.element_temperature, unit::kTemperature);
   if (bearing.cage) report.item("Cage temperature", bearing.cage_temperature, unit::kTemperature);
   report.item("Housing temperature", bearing.mounting.housing_temperature, unit::kTemperature);
   report.item("Shaft temperature", bearing.mounting.shaft_temperature, unit::kTemperature);

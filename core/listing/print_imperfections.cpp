@@ -24,7 +24,7 @@ struct Deviation {
 };
 
 bool rollers_deviate(const bearing::Bearing& b) {
-  return b.rollers && !b.rollers->deviation.empty();
+  return b.rollers() && !b.rollers()->deviation.empty();
 }
 
 std::vector<Deviation> element_deviations(const bearing::Bearing& b) {
@@ -35,12 +35,12 @@ std::vector<Deviation> element_deviations(const bearing::Bearing& b) {
   const auto add = [&](const char* title, const char* key,
                        double bearing::RollerDeviation::*member) {
     Deviation column{title, key, &unit::kLength, {}};
-    for (const bearing::RollerDeviation& own : b.rollers->deviation)
+    for (const bearing::RollerDeviation& own : b.rollers()->deviation)
       column.values.push_back(own.*member);
     out.push_back(std::move(column));
   };
   add("diameter", "diameter [m]", &bearing::RollerDeviation::diameter);
-  if (b.rollers->shape != bearing::RollerShape::Crowned ||
+  if (b.rollers()->shape != bearing::RollerShape::Crowned ||
       b.imperfections.elements != bearing::ElementErrors::Random)
     return out;
   add("crown rad", "crown radius [m]", &bearing::RollerDeviation::crown_radius);
@@ -52,14 +52,14 @@ std::vector<Deviation> element_deviations(const bearing::Bearing& b) {
 
 /// R of contact/race_errors.hpp: groove bottom, or raceway under the middle of a roller.
 double raceway_radius(const bearing::Bearing& b, std::size_t race) {
-  if (b.rollers) return b.rollers->race_radius(static_cast<int>(race));
-  const contact::GrooveGeometry g = contact::groove_geometry(b.balls);
+  if (b.rollers()) return b.rollers()->race_radius(static_cast<int>(race));
+  const contact::GrooveGeometry g = contact::groove_geometry(b.balls());
   return g.centre_radius[race] + (race == bearing::kOuter ? 1.0 : -1.0) * g.groove_radius[race];
 }
 
 std::vector<Deviation> race_deviations(const bearing::Bearing& b, std::size_t race) {
   const double radius = raceway_radius(b, race);
-  const bool groove = !b.rollers || b.rollers->groove_factor[race] > 0.0;
+  const bool groove = !b.rollers() || b.rollers()->groove_factor[race] > 0.0;
   std::vector<Deviation> out{{"radius", "radius [m]", &unit::kLength, {}}};
   if (groove) {
     out.push_back({"factor f", "curvature factor", &unit::kPure, {}});
@@ -96,7 +96,7 @@ void print_race(Report& report, const bearing::Bearing& b, std::size_t race) {
     print_wave(report, fmt::format("Wave of the {} race's radius", kRaceName[race]),
                {e.variation[0], e.variation[1], e.variation[2]}, unit::kLength);
   }
-  if (!b.rollers || b.rollers->groove_factor[race] > 0.0) {
+  if (!b.rollers() || b.rollers()->groove_factor[race] > 0.0) {
     print_wave(report, fmt::format("Wave of the {} race's curvature factor", kRaceName[race]),
                e.curvature_factor, unit::kPure);
     return;
@@ -124,7 +124,7 @@ void print_columns(Report& report, const std::string& heading, const bearing::Be
     for (const Deviation& column : columns) row.values.push_back(column.values[k]);
     rows.push_back(std::move(row));
   }
-  report.table(b.rollers ? "roller" : "ball", titles, rows);
+  report.table(b.rollers() ? "roller" : "ball", titles, rows);
 }
 
 }  // namespace

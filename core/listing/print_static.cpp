@@ -32,8 +32,8 @@ std::string edge_limits(const bearing::Bearing& bearing, std::size_t race, UnitS
     return Report::number(from_si(si, unit::kLength, units)) + " " +
            std::string(unit_name(unit::kLength, units));
   };
-  const double shoulder = bearing.balls.shoulder_diameter[race];
-  const double shim = bearing.balls.shim[race];
+  const double shoulder = bearing.balls().shoulder_diameter[race];
+  const double shim = bearing.balls().shim[race];
   return fmt::format("Allowed at the {} race: s {}; t {}.", race == 0 ? "outer" : "inner",
                      shoulder > 0.0 ? fmt::format("above 0, shoulder diameter {}", length(shoulder))
                                     : std::string("without a limit, no shoulder given"),
@@ -115,13 +115,13 @@ void balls(Report& report, const statics::StaticSolution& solution,
 void split_races(Report& report, const statics::StaticSolution& solution,
                  const bearing::Bearing& bearing) {
   for (std::size_t race = 0; race < 2; ++race) {
-    if (!(bearing.balls.shim[race] > 0.0)) continue;
+    if (!(bearing.balls().shim[race] > 0.0)) continue;
     const char* name = race == 0 ? "outer" : "inner";
     std::vector<Report::Row> rows;
     for (std::size_t k = 0; k < solution.balls.size(); ++k) {
       const statics::StaticBall& b = solution.balls[k];
       rows.push_back({std::to_string(k + 1),
-                      {b.azimuth, b.inner_chord[race] - 0.5 * bearing.balls.shim[race],
+                      {b.azimuth, b.inner_chord[race] - 0.5 * bearing.balls().shim[race],
                        b.other_half[race], b.shoulder_depth[race]}});
     }
     report.heading(
@@ -144,8 +144,7 @@ void print_race_equilibrium(Report& report, const statics::RaceResult& solution,
   report.text(
       "Inner race relative to the outer race, base frame; loads are what the shaft applies to it.");
   report.text(datum_text(bearing, report.units()));
-  const double radius =
-      0.5 * (bearing.rollers ? bearing.rollers->pitch_diameter : bearing.balls.pitch_diameter);
+  const double radius = 0.5 * bearing.pitch_diameter();
   const auto displacement = without_rounding(solution.displacement, radius);
   const auto found_load = without_rounding(solution.load, 1.0 / radius);
   std::vector<std::vector<std::string>> rows;

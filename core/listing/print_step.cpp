@@ -244,9 +244,9 @@ void applied(Report& report, const scene::Snapshot& snapshot, const bearing::Bea
     report.item(fmt::format("Misalignment of the {} race about y", name), tilt[0], unit::kAngle);
     report.item(fmt::format("Misalignment of the {} race about z", name), tilt[1], unit::kAngle);
   }
-  report.item("Rolling element temperature", bearing.ball_temperature, unit::kTemperature);
+  report.item("Rolling element temperature", bearing.element_temperature, unit::kTemperature);
   if (bearing.cage) report.item("Cage temperature", bearing.cage_temperature, unit::kTemperature);
-  report.item("Internal clearance, diametral", bearing.balls.clearance, unit::kLength);
+  report.item("Internal clearance, diametral", bearing.balls().clearance, unit::kLength);
   if (bearing.operating) {
     report.item("Operating fit of the outer race, diametral (above 0: interference)",
                 bearing.operating->fit[0].interference, unit::kLength);

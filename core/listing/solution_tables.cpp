@@ -19,7 +19,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 /// when the deck gives no shoulder or the groove does not reach it.
 double shoulder_angle(const Bearing& bearing, const contact::GrooveGeometry& groove,
                       std::size_t race) {
-  const double shoulder = 0.5 * bearing.balls.shoulder_diameter[race];
+  const double shoulder = 0.5 * bearing.balls().shoulder_diameter[race];
   if (!(shoulder > 0.0)) return kNone;
   const double height = (race == 0 ? 1.0 : -1.0) * (shoulder - groove.centre_radius[race]);
   const double cosine = height / groove.groove_radius[race];
@@ -38,7 +38,7 @@ StaticTables static_tables(const statics::StaticSolution& solution, const Bearin
     return values;
   };
   elements.add("azimuth", unit::kAngle, column([](const auto& b) { return b.azimuth; }));
-  const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls);
+  const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls());
   for (std::size_t j = 0; j < 2; ++j) {
     const std::string race = j == 0 ? "outer " : "inner ";
     // Half the angle that the contact ellipse takes up on the groove.
@@ -107,7 +107,7 @@ StaticTables static_tables(const statics::RollerSolution& solution, const Bearin
     elements.add(std::move(name), unit, std::move(values));
   };
   add("azimuth", unit::kAngle, [](const auto& r) { return r.azimuth; });
-  add("tilt", unit::kAngle, [&](const auto& r) { return r.tilt + bearing.rollers->axis_angle; });
+  add("tilt", unit::kAngle, [&](const auto& r) { return r.tilt + bearing.rollers()->axis_angle; });
   for (std::size_t j = 0; j < 2; ++j) {
     const std::string race = j == 0 ? "outer " : "inner ";
     add(race + "load", unit::kForce, [&](const auto& r) { return r.race[j].load; });
@@ -116,7 +116,7 @@ StaticTables static_tables(const statics::RollerSolution& solution, const Bearin
         [&](const auto& r) { return r.race[j].contact_angle; });
     add(race + "pressure", unit::kPressure, [&](const auto& r) { return r.race[j].peak_pressure; });
     for (std::size_t side = 0; side < 2; ++side)
-      if (bearing.rollers->flange[j][side])
+      if (bearing.rollers()->flange[j][side])
         add(race + (side == 0 ? "flange -x load" : "flange +x load"), unit::kForce,
             [&](const auto& r) { return r.flange[j][side].load; });
   }

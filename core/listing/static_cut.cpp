@@ -94,16 +94,16 @@ Groove groove_of(const statics::StaticBall& ball, const Bearing& bearing,
   out.sigma = j == 0 ? 1.0 : -1.0;
   out.radius = geometry.groove_radius[j];
   const double angle =
-      std::isfinite(ball.alpha[j]) ? ball.alpha[j] : bearing.balls.contact_angle;  // unloaded
+      std::isfinite(ball.alpha[j]) ? ball.alpha[j] : bearing.balls().contact_angle;  // unloaded
   const double behind = out.radius - geometry.ball_radius + ball.delta[j];
   const double x = ball.x - out.sigma * std::sin(angle) * behind;
   out.centre_r = ball.r - out.sigma * std::cos(angle) * behind;
   // The half in use is that of the contact; the other one's centre lies a shim further that way.
   const bool contact_high = out.sigma * angle >= 0.0;
-  const double shim = bearing.balls.shim[j];
+  const double shim = bearing.balls().shim[j];
   out.centre_high = contact_high ? x : x - shim;
   out.centre_low = contact_high ? x + shim : x;
-  const double shoulder = 0.5 * bearing.balls.shoulder_diameter[j];
+  const double shoulder = 0.5 * bearing.balls().shoulder_diameter[j];
   const double cosine = out.sigma * (shoulder - geometry.centre_radius[j]) / out.radius;
   out.has_end = shoulder > 0.0 && std::abs(cosine) < 1.0;
   constexpr double kDrawn = 70.0 * kPi / 180.0;  // without a shoulder
@@ -143,7 +143,7 @@ void add_cut(StaticTables& out, const statics::StaticSolution& solution, const B
   const statics::StaticBall* ball =
       heaviest(solution.balls, [](const auto& b, std::size_t j) { return b.Q[j]; });
   if (ball == nullptr) return;
-  const contact::GrooveGeometry geometry = contact::groove_geometry(bearing.balls);
+  const contact::GrooveGeometry geometry = contact::groove_geometry(bearing.balls());
   Margins margins = kNoMargins;
   std::array<Outline, 2> races, contacts;
   for (std::size_t j = 0; j < 2; ++j) {
@@ -264,7 +264,7 @@ struct Raceway {
 };
 
 Raceway raceway_of(const RollerCut& roller, const Bearing& bearing, std::size_t j) {
-  const bearing::RollerGeometry& g = *bearing.rollers;
+  const bearing::RollerGeometry& g = *bearing.rollers();
   Raceway out;
   out.sigma = j == 0 ? 1.0 : -1.0;
   const double half_race = 0.5 * bearing.envelope.race_width[j];
@@ -343,7 +343,7 @@ void add_cut(StaticTables& out, const statics::RollerSolution& solution, const B
       heaviest(solution.rollers, [](const auto& r, std::size_t j) { return r.race[j].load; });
   if (roller == nullptr) return;
   const auto number = static_cast<std::size_t>(roller - solution.rollers.data());
-  const bearing::RollerGeometry& g = *bearing.rollers;
+  const bearing::RollerGeometry& g = *bearing.rollers();
   const RollerCut cut(g, number);
   const auto reach = cut.reach();
   const Outline outline = cut.outline();

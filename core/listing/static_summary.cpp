@@ -31,9 +31,7 @@ void lower(AtElement& least, double value, std::size_t index) {
     least = {value, static_cast<int>(index) + 1};
 }
 
-double pitch_radius(const Bearing& bearing) {
-  return 0.5 * (bearing.rollers ? bearing.rollers->pitch_diameter : bearing.balls.pitch_diameter);
-}
+double pitch_radius(const Bearing& bearing) { return 0.5 * bearing.pitch_diameter(); }
 
 std::string short_number(double value) {
   return std::isnan(value) ? std::string("-") : fmt::format("{:.6g}", value + 0.0);
@@ -295,21 +293,21 @@ std::array<double, 2> relative_tilt(const std::array<double, 2>& inner,
 std::string datum_text(const Bearing& bearing, UnitSystem units) {
   const bool cones =
       bearing.type == bearing::Type::Tapered || bearing.type == bearing::Type::SphericalTapered;
-  std::string place = cones             ? "both races just touch the rollers"
-                      : bearing.rollers ? "the mid planes of both races coincide"
-                                        : "the planes of the groove centres coincide";
-  if (!bearing.rollers) {
-    const contact::GrooveGeometry g = contact::groove_geometry(bearing.balls);
+  std::string place = cones               ? "both races just touch the rollers"
+                      : bearing.rollers() ? "the mid planes of both races coincide"
+                                          : "the planes of the groove centres coincide";
+  if (!bearing.rollers()) {
+    const contact::GrooveGeometry g = contact::groove_geometry(bearing.balls());
     const double apart = g.centre_x[1] - g.centre_x[0];
     const double angle =
-        bearing.operating ? bearing.operating->free.contact_angle : bearing.balls.contact_angle;
+        bearing.operating ? bearing.operating->free.contact_angle : bearing.balls().contact_angle;
     if (apart != 0.0)
       place = fmt::format(
           "all balls just touch both grooves at {}, by +x (the planes of the groove centres "
           "coincide at x = {})",
           quantity(angle, unit::kAngle, units), quantity(-apart, unit::kLength, units));
   }
-  const char* const kept = !bearing.rollers ? "the plane of its groove centres"
+  const char* const kept = !bearing.rollers() ? "the plane of its groove centres"
                            : bearing.type == bearing::Type::Spherical
                                ? "the plane of the outer groove's centres"
                                : "the middle plane of the row";

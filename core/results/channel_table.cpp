@@ -247,7 +247,7 @@ constexpr auto kTable = std::to_array<Channel>({
      [](const Source& s) { return plotted_life(s.snapshot->power.life_hours); }, "at the loads of the last life prediction (kLifeFreq); infinite as 9.9999999E+30; 0 where no life model is active"},
     {"power.element1_wear_rate", "average wear rate, rolling element 1", &unit::kVolumeFlow, "-", Per::Run, 1, false,
      [](const Source& s) {
-       return average_wear_rate(s.bearing->ball_material, s.snapshot->power.qv_element1[0] + s.snapshot->power.qv_element1[1],
+       return average_wear_rate(s.bearing->element_material, s.snapshot->power.qv_element1[0] + s.snapshot->power.qv_element1[1],
                                 s.snapshot->time);
      },
      "from both race contacts, averaged since time zero"},
@@ -257,7 +257,7 @@ constexpr auto kTable = std::to_array<Channel>({
      },
      "from pockets and guide lands, averaged since time zero"},
     {"power.element_temperature", "rolling element bulk temperature", &unit::kTemperature, "-", Per::Run, 1, false,
-     [](const Source& s) { return s.bearing->ball_temperature; }, "rolling elements"},
+     [](const Source& s) { return s.bearing->element_temperature; }, "rolling elements"},
     {"power.cage_temperature", "cage bulk temperature", &unit::kTemperature, "-", Per::Run, 1, false,
      [](const Source& s) { return s.bearing->cage_temperature; }, "cage"},
 });

@@ -82,7 +82,7 @@ int pocket_code(const bearing::Bearing& bearing) {
 
 Shape shape_of(const bearing::Bearing& bearing) {
   Shape shape;
-  shape.elements = bearing.balls.count;
+  shape.elements = bearing.element_count();
   if (bearing.cage) {
     shape.cages = 1;
     shape.pocket_surfaces = pocket_surfaces(bearing);

@@ -125,18 +125,18 @@ std::string_view coherent_unit(const UnitPair& unit) {
 }
 
 std::map<std::string, double> geometry_of(const bearing::Bearing& bearing) {
-  const std::array<double, 2> free_x = contact::groove_geometry(bearing.balls).centre_x;
+  const std::array<double, 2> free_x = contact::groove_geometry(bearing.balls()).centre_x;
   std::map<std::string, double> out{
       {"outer_race_free_x", free_x[0]},  // the race's centre less its stored displacement
       {"inner_race_free_x", free_x[1]},
-      {"elements", bearing.balls.count},
-      {"contact_angle", bearing.balls.contact_angle},
-      {"outer_groove_radius", bearing.balls.groove_factor[0] * bearing.balls.diameter},
-      {"inner_groove_radius", bearing.balls.groove_factor[1] * bearing.balls.diameter},
-      {"outer_shoulder_radius", bearing.balls.shoulder_diameter[0] / 2.0},
-      {"inner_shoulder_radius", bearing.balls.shoulder_diameter[1] / 2.0},
-      {"outer_race_centre_x", contact::groove_geometry(bearing.balls).centre_x[0]},
-      {"inner_race_centre_x", contact::groove_geometry(bearing.balls).centre_x[1]},
+      {"elements", bearing.element_count()},
+      {"contact_angle", bearing.balls().contact_angle},
+      {"outer_groove_radius", bearing.balls().groove_factor[0] * bearing.balls().diameter},
+      {"inner_groove_radius", bearing.balls().groove_factor[1] * bearing.balls().diameter},
+      {"outer_shoulder_radius", bearing.balls().shoulder_diameter[0] / 2.0},
+      {"inner_shoulder_radius", bearing.balls().shoulder_diameter[1] / 2.0},
+      {"outer_race_centre_x", contact::groove_geometry(bearing.balls()).centre_x[0]},
+      {"inner_race_centre_x", contact::groove_geometry(bearing.balls()).centre_x[1]},
       {"outer_race_width", bearing.envelope.race_width[0]},
       {"inner_race_width", bearing.envelope.race_width[1]},
       {"cages", bearing.cage ? 1.0 : 0.0}};

@@ -86,7 +86,7 @@ std::string header_text(const bearing::Bearing& bearing, UnitSystem units) {
   Sol8File file;
   file.version = kFileVersion;
   file.run_id = bearing.run_id;
-  file.elements = bearing.balls.count;
+  file.elements = bearing.element_count();
   const auto slots = unit_slots(SolKind::Animation);
   for (std::size_t k = 0; k < slots.size(); ++k)
     if (slots[k] != nullptr) file.units[k] = unit_name(*slots[k], units);
@@ -96,7 +96,7 @@ std::string header_text(const bearing::Bearing& bearing, UnitSystem units) {
 }
 
 void check_allowed(const bearing::Bearing& bearing) {
-  if (const auto refusal = sol8_refusal(bearing.balls.count, bearing.cage ? 1 : 0))
+  if (const auto refusal = sol8_refusal(bearing.element_count(), bearing.cage ? 1 : 0))
     throw InputError(*refusal);
 }
 
@@ -118,7 +118,7 @@ std::optional<std::string> sol8_refusal(int elements, int cage_segments) {
 }
 
 Sol8Geometry make_sol8_geometry(const bearing::Bearing& bearing) {
-  const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls);
+  const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls());
   Sol8Geometry out;
   if (bearing.cage) {
     out.cage_outer_radius = bearing.cage->outer_diameter / 2.0;
@@ -128,8 +128,8 @@ Sol8Geometry make_sol8_geometry(const bearing::Bearing& bearing) {
     out.pocket_clearance_1 = bearing.cage->pocket_clearance_1;
     out.pocket_clearance_2 = bearing.cage->pocket_clearance_2;
   }
-  out.element_radius = bearing.balls.diameter / 2.0;
-  out.pitch_diameter = bearing.balls.pitch_diameter;
+  out.element_radius = bearing.element_diameter() / 2.0;
+  out.pitch_diameter = bearing.pitch_diameter();
   out.outer_race_outer_radius = bearing.envelope.outer_diameter / 2.0;
   out.outer_race_inner_radius = groove.centre_radius[0] + groove.groove_radius[0];
   out.inner_race_outer_radius = groove.centre_radius[1] - groove.groove_radius[1];

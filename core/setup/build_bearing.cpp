@@ -132,8 +132,8 @@ bearing::Cage cage(const Deck& deck, const Bearing& bearing) {
   bearing::Cage out =
       read_cage(deck, [&](std::string_view variable, int i) { return deck.si(variable, i); });
   // Guide faces count as windows of their least play.
-  if (bearing.rollers && deck.integer("kPocType") > 0)
-    out.pocket_clearance_1 = face_play(deck, *bearing.rollers);
+  if (bearing.rollers() && deck.integer("kPocType") > 0)
+    out.pocket_clearance_1 = face_play(deck, *bearing.rollers());
   out.material = material(deck, "kCageMat", Part::Cage, "cage", "");
   if (deck.has("avRatio")) {
     const deck::ReportOnly quiet(deck, deck.integer("mode") < 0);  // statics moves no cage
@@ -178,22 +178,23 @@ bearing::Mounting mounting(const Deck& deck) {
 /// Balls or rollers with their inertia.
 void build_elements(const Deck& deck, Bearing& out) {
   if (out.type == bearing::Type::Ball) {
-    out.balls = build_balls(deck);
-    out.ball_inertia = ball_inertia(out.balls.diameter, out.ball_material.density);
+    out.elements = build_balls(deck);
+    out.element_inertia = ball_inertia(out.balls().diameter, out.element_material.density);
     return;
   }
-  out.rollers = build_rollers(deck);
-  const RollerMass mass = roller_mass(*out.rollers, out.ball_material.density);
-  out.ball_inertia = mass.inertia;
+  out.elements = build_rollers(deck);
+  const RollerMass mass = roller_mass(*out.rollers(), out.element_material.density);
+  out.element_inertia = mass.inertia;
   out.roller_mass_offset = mass.mass_offset;
 }
 
 /// Of the groove bottoms, or of straight raceways under the middle of the rollers.
 std::array<double, 2> raceway_diameters(const Bearing& b) {
-  if (b.rollers)
-    return {2.0 * b.rollers->race_radius(bearing::kOuter),
-            2.0 * b.rollers->race_radius(bearing::kInner)};
-  return {b.balls.pitch_diameter + b.balls.diameter, b.balls.pitch_diameter - b.balls.diameter};
+  if (b.rollers())
+    return {2.0 * b.rollers()->race_radius(bearing::kOuter),
+            2.0 * b.rollers()->race_radius(bearing::kInner)};
+  return {b.balls().pitch_diameter + b.balls().diameter,
+          b.balls().pitch_diameter - b.balls().diameter};
 }
 
 }  // namespace
@@ -225,7 +226,7 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
 
   Bearing out;
   out.run_id = deck.text("runID");
-  out.ball_material = material(deck, "kReMat", Part::RollingElement, "re", "");
+  out.element_material = material(deck, "kReMat", Part::RollingElement, "re", "");
   out.race_material = {material(deck, "kRaceMat1", Part::OuterRace, "race", "1"),
                        material(deck, "kRaceMat2", Part::InnerRace, "race", "2")};
   out.type = static_cast<bearing::Type>(deck.integer("kBrg"));
@@ -270,7 +271,7 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
                                           bearing::SpinRule::RaceControl,
                                           bearing::SpinRule::Prescribed};
   {
-    const deck::ReportOnly quiet(deck, out.rollers.has_value());
+    const deck::ReportOnly quiet(deck, out.rollers() != nullptr);
     out.spin_rule = kRules[deck.integer("kAngVel")];
     out.spin_angle = si_where(out.spin_rule == bearing::SpinRule::Prescribed, deck, "angVelOrient");
   }
@@ -279,7 +280,7 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
     out.gravity = {deck.si("gravityVecX"), deck.si("gravityVecY"), deck.si("gravityVecZ")};
   out.room_temperature = deck.si("roomTemp");
   out.race_temperature = {deck.si("raceTemp1"), deck.si("raceTemp2")};
-  out.ball_temperature = deck.si("reTemp");
+  out.element_temperature = deck.si("reTemp");
   out.cage_temperature = deck.si("cageTemp");
   out.mounting = mounting(deck);
   build_imperfections(deck, seed, out);

@@ -77,10 +77,10 @@ std::array<double, 2> extremes(const Harmonic& wave) {
 /// Each ball must fit in its grooves wherever it stands: groove radius between half its diameter
 /// and its diameter.
 void check_grooves(const Deck& deck, const bearing::Bearing& b) {
-  const double D = b.balls.diameter;
+  const double D = b.balls().diameter;
   for (std::size_t k = 0; k < b.imperfections.ball_diameter.size(); ++k)
     for (std::size_t j = 0; j < 2; ++j) {
-      const double ratio = b.balls.groove_factor[j] * D / (D + b.imperfections.ball_diameter[k]);
+      const double ratio = b.balls().groove_factor[j] * D / (D + b.imperfections.ball_diameter[k]);
       if (ratio > 0.5 && ratio < 1.0) continue;
       throw InputError({deck.issue(
           Severity::Error, diameter_variable(b.imperfections.elements, k),
@@ -97,7 +97,7 @@ void check_grooves(const Deck& deck, const bearing::Bearing& b) {
   }
   for (std::size_t j = 0; j < 2; ++j) {
     const auto [low, high] = extremes(b.imperfections.race[j].curvature_factor);
-    const double f = b.balls.groove_factor[j];
+    const double f = b.balls().groove_factor[j];
     if ((f + low) * D > 0.5 * largest && (f + high) * D < smallest) continue;
     throw InputError({deck.issue(
         Severity::Error, fmt::format("cFacVar1{}", j + 1),
@@ -111,7 +111,7 @@ void check_grooves(const Deck& deck, const bearing::Bearing& b) {
 /// Barrels must fit in their grooves: groove radius above the crown radius.
 void check_barrel_grooves(const Deck& deck, const bearing::Bearing& b) {
   for (std::size_t j = 0; j < 2; ++j) {
-    const double f = b.rollers->groove_factor[j];
+    const double f = b.rollers()->groove_factor[j];
     const auto [low, high] = extremes(b.imperfections.race[j].curvature_factor);
     if (f + low > 0.5) continue;
     throw InputError({deck.issue(
@@ -151,15 +151,15 @@ void element_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
   if (out.elements == ElementErrors::Random) out.seed = seed;
   const Deviations random(deck, seed);
   const auto count = static_cast<std::size_t>(b.element_count());
-  if (!b.rollers) {
+  if (!b.rollers()) {
     for (std::size_t k = 0; k < count; ++k) {
       out.ball_diameter.push_back(diameter_deviation(deck, random, out.elements, k));
-      check_positive(deck, b.balls.diameter + out.ball_diameter.back(), "diameter", k,
+      check_positive(deck, b.balls().diameter + out.ball_diameter.back(), "diameter", k,
                      diameter_variable(out.elements, k));
     }
     return;
   }
-  bearing::RollerGeometry& rollers = *b.rollers;
+  bearing::RollerGeometry& rollers = *b.rollers();
   rollers.deviation.clear();
   for (std::size_t k = 0; k < count; ++k) {
     bearing::RollerDeviation own;
@@ -194,8 +194,8 @@ bearing::PocketDeviation pocket_deviation(const Deck& deck, bool two, Value&& va
 
 /// kCagePocImp: 1 the first pocket, 2 all alike, 3 each its own.
 void pocket_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
-  if (!b.cage || !deck.has("bPocClsVar1") || (b.rollers && deck.integer("kPocType") > 0)) return;
-  const bool two = !b.rollers && deck.integer("kPocType") >= 2;  // pockets with clearance II
+  if (!b.cage || !deck.has("bPocClsVar1") || (b.rollers() && deck.integer("kPocType") > 0)) return;
+  const bool two = !b.rollers() && deck.integer("kPocType") >= 2;  // pockets with clearance II
   const auto given = [&deck](const char* variable, RandomColumn) { return deck.si(variable); };
   const long long code = deck.integer("kCagePocImp");
   if (code == 2) {
@@ -227,9 +227,9 @@ void build_imperfections(const Deck& deck, std::uint64_t seed, bearing::Bearing&
     bearing.imperfections.race_given[race] = true;
     bearing.imperfections.race[race] = race_errors(deck, race, code == 1);
   }
-  if (!bearing.rollers)
+  if (!bearing.rollers())
     check_grooves(deck, bearing);
-  else if (bearing.rollers->shape == bearing::RollerShape::Arc)
+  else if (bearing.rollers()->shape == bearing::RollerShape::Arc)
     check_barrel_grooves(deck, bearing);
 }
 

@@ -27,7 +27,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
                                  const RunControl& control) {
   scene::ScenePlan plan;
   const int n = bearing.element_count();
-  const std::string element = bearing.rollers ? "roller" : "ball";
+  const std::string element = bearing.rollers() ? "roller" : "ball";
   const std::string mode = fmt::format("mode = {}", deck.integer("mode"));
   const std::string cage_switch = fmt::format("nCseg = {}", deck.integer("nCseg"));
   const bool cage = bearing.cage.has_value();
@@ -54,7 +54,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
          fmt::format("gravityVec = {:g} m/s^2, {:g} m/s^2, {:g} m/s^2", bearing.gravity.x(),
                      bearing.gravity.y(), bearing.gravity.z()));
   for (std::size_t j = 0; j < 2; ++j)
-    if (!bearing.rollers && bearing.balls.shim[j] > 0.0)
+    if (!bearing.rollers() && bearing.balls().shim[j] > 0.0)
       effect(Effect::RaceContact, j == 0 ? "split outer race" : "split inner race", true,
              fmt::format("shimThickness{} > 0: contact with one half; the other half is watched in "
                          "the static solution only",

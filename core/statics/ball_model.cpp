@@ -137,21 +137,21 @@ SpinLaw first_spin_law(const bearing::Bearing& bearing, const StaticsOptions& op
 }
 
 BallModel make_ball_model(const bearing::Bearing& bearing, const StaticsOptions& options) {
-  if (bearing.balls.count < 1) {
+  if (bearing.element_count() < 1) {
     throw InputError(
-        fmt::format("ball bearing: {} balls; there must be at least one", bearing.balls.count));
+        fmt::format("ball bearing: {} balls; there must be at least one", bearing.element_count()));
   }
-  check_material(bearing.ball_material, "ball");
+  check_material(bearing.element_material, "ball");
   check_material(bearing.race_material[0], "outer race");
   check_material(bearing.race_material[1], "inner race");
 
   BallModel m;
-  m.balls = bearing.balls;
-  m.groove = contact::groove_geometry(bearing.balls);
-  m.diameter = bearing.balls.diameter;
-  m.gamma = bearing.balls.diameter / bearing.balls.pitch_diameter;
-  m.mass = bearing.ball_inertia.mass;
-  m.inertia = bearing.ball_inertia.moments.x();
+  m.balls = bearing.balls();
+  m.groove = contact::groove_geometry(bearing.balls());
+  m.diameter = bearing.balls().diameter;
+  m.gamma = bearing.balls().diameter / bearing.balls().pitch_diameter;
+  m.mass = bearing.element_inertia.mass;
+  m.inertia = bearing.element_inertia.moments.x();
   m.race_speed = bearing.speed;
   if (!(std::isfinite(m.mass) && m.mass >= 0.0 && std::isfinite(m.race_speed[0]) &&
         std::isfinite(m.race_speed[1]))) {
@@ -167,30 +167,31 @@ BallModel make_ball_model(const bearing::Bearing& bearing, const StaticsOptions&
   m.outer_tilted = m.outer_tilt[0] != 0.0 || m.outer_tilt[1] != 0.0;
   m.spin_angle = prescribed_pitch_angle(bearing.spin_angle);
 
-  const double free_angle = bearing.balls.contact_angle;
+  const double free_angle = bearing.balls().contact_angle;
   for (std::size_t j = 0; j < 2; ++j) {
-    const double E_star = bearing::contact_modulus(bearing.ball_material, bearing.race_material[j]);
+    const double E_star =
+        bearing::contact_modulus(bearing.element_material, bearing.race_material[j]);
     const double angle =
         options.curvature == Curvature::Fixed ? options.fixed_angle[j] : free_angle;
-    m.hertz[j] = HertzSeries(bearing.balls, static_cast<int>(j), E_star, angle,
+    m.hertz[j] = HertzSeries(bearing.balls(), static_cast<int>(j), E_star, angle,
                              options.curvature == Curvature::Actual);
-    const double f = bearing.balls.groove_factor[j];
-    m.surface_radius[j] = 2.0 * f * bearing.balls.diameter / (2.0 * f + 1.0);
+    const double f = bearing.balls().groove_factor[j];
+    m.surface_radius[j] = 2.0 * f * bearing.balls().diameter / (2.0 * f + 1.0);
   }
   if (m.moving) {
     const double angle = options.orbit == Orbit::Nominal ? free_angle : 0.0;
     m.base_orbital =
-        epicyclic_speeds(bearing.balls.count, bearing.balls.diameter, bearing.balls.pitch_diameter,
-                         angle, m.race_speed[0], m.race_speed[1])
+        epicyclic_speeds(bearing.element_count(), bearing.balls().diameter,
+                         bearing.balls().pitch_diameter, angle, m.race_speed[0], m.race_speed[1])
             .cage_speed;
     m.base_centrifugal =
-        m.mass * 0.5 * bearing.balls.pitch_diameter * m.base_orbital * m.base_orbital;
+        m.mass * 0.5 * bearing.balls().pitch_diameter * m.base_orbital * m.base_orbital;
     m.window = 1e-3 * m.base_centrifugal;
   }
-  m.azimuth.resize(static_cast<std::size_t>(bearing.balls.count));
-  for (int k = 0; k < bearing.balls.count; ++k) {
+  m.azimuth.resize(static_cast<std::size_t>(bearing.element_count()));
+  for (int k = 0; k < bearing.element_count(); ++k) {
     m.azimuth[static_cast<std::size_t>(k)] =
-        options.first_azimuth + 2.0 * std::numbers::pi * k / bearing.balls.count;
+        options.first_azimuth + 2.0 * std::numbers::pi * k / bearing.element_count();
   }
   add_imperfect_seats(m, bearing, options);
   return m;

@@ -80,7 +80,7 @@ bool make_seat(const BallModel& m, const bearing::Bearing& b, const StaticsOptio
     if (!curved_otherwise[j]) {
       continue;
     }
-    const double E_star = bearing::contact_modulus(b.ball_material, b.race_material[j]);
+    const double E_star = bearing::contact_modulus(b.element_material, b.race_material[j]);
     const double angle =
         options.curvature == Curvature::Fixed ? options.fixed_angle[j] : m.balls.contact_angle;
     seat.hertz[j] = HertzSeries(own, static_cast<int>(j), E_star, angle, m.hertz[j].varying());

@@ -24,10 +24,10 @@ constexpr std::size_t kNominal =
 }
 
 void check(const bearing::Bearing& b, const RollerOptions& options) {
-  if (!b.rollers) {
+  if (!b.rollers()) {
     refuse("the bearing has no rollers");
   }
-  const auto& g = *b.rollers;
+  const auto& g = *b.rollers();
   if (g.count < 1) {
     refuse(fmt::format("{} rollers; there must be at least one", g.count));
   }
@@ -46,8 +46,9 @@ void check(const bearing::Bearing& b, const RollerOptions& options) {
     refuse(fmt::format("the race speeds are {} and {} rad/s; they must be numbers", b.speed[0],
                        b.speed[1]));
   }
-  if (!(b.ball_inertia.mass > 0.0)) {
-    refuse(fmt::format("the mass of a roller is {} kg; it must be positive", b.ball_inertia.mass));
+  if (!(b.element_inertia.mass > 0.0)) {
+    refuse(
+        fmt::format("the mass of a roller is {} kg; it must be positive", b.element_inertia.mass));
   }
   if (b.type == bearing::Type::Tapered && !g.flange[0][0] && !g.flange[1][0]) {
     refuse(
@@ -139,12 +140,12 @@ void add_inertia(RollerModel& m, const bearing::Bearing& b) {
   m.speeds = contact::rolling_speeds({0.5 * g.pitch_diameter + half, 0.5 * g.pitch_diameter - half},
                                      g.diameter, g.axis_angle, b.speed);
   m.moving = m.speeds.orbital != 0.0;
-  m.mass = b.ball_inertia.mass;
+  m.mass = b.element_inertia.mass;
   m.mass_offset = b.roller_mass_offset;
   const double radius = 0.5 * g.pitch_diameter - m.mass_offset * std::sin(g.axis_angle);
   m.centrifugal = m.mass * radius * m.speeds.orbital * m.speeds.orbital;
-  m.gyroscopic = contact::gyroscopic_moment(m.speeds, g.axis_angle, b.ball_inertia.moments.x(),
-                                            b.ball_inertia.moments.y())
+  m.gyroscopic = contact::gyroscopic_moment(m.speeds, g.axis_angle, b.element_inertia.moments.x(),
+                                            b.element_inertia.moments.y())
                      .y();
   const bool stopped = g.flange[0][0].has_value() || g.flange[1][0].has_value();
   if (g.shape == bearing::RollerShape::Arc && g.race_angle[0] > 0.0 && !stopped) {
@@ -158,7 +159,7 @@ void add_inertia(RollerModel& m, const bearing::Bearing& b) {
 RollerModel make_roller_model(const bearing::Bearing& b, const RollerOptions& options) {
   check(b, options);
   RollerModel m;
-  m.rollers = *b.rollers;
+  m.rollers = *b.rollers();
   const auto& g = m.rollers;
   m.contact = options.contact;
   m.linear = options.kinematics == RollerKinematics::Linear;
@@ -166,7 +167,7 @@ RollerModel make_roller_model(const bearing::Bearing& b, const RollerOptions& op
   m.race = race_surfaces(b);
   m.slicing = contact::slicing(profile_of(g, kNominal), options.slices);
   for (std::size_t j = 0; j < 2; ++j) {
-    m.E_star[j] = bearing::contact_modulus(b.ball_material, b.race_material[j]);
+    m.E_star[j] = bearing::contact_modulus(b.element_material, b.race_material[j]);
     m.line_constant[j] =
         options.line_constant > 0.0 ? options.line_constant : contact::line_constant(m.E_star[j]);
     m.law[j] = contact::power_law(m.line_constant[j], m.slicing.effective_length);

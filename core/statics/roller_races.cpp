@@ -46,9 +46,9 @@ std::array<contact::RaceGrowth, 2> race_growths(bearing::Type type,
 }
 
 RollerRaces race_surfaces(const bearing::Bearing& b) {
-  RollerRaces race = bench_races(b.type, b.rollers->on_bench());
-  if (b.rollers->bench) {
-    const auto growth = race_growths(b.type, *b.rollers);
+  RollerRaces race = bench_races(b.type, b.rollers()->on_bench());
+  if (b.rollers()->bench) {
+    const auto growth = race_growths(b.type, *b.rollers());
     for (std::size_t j = 0; j < 2; ++j) {
       race[j] = contact::grown(race[j], growth[j]);
     }

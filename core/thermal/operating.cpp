@@ -99,15 +99,15 @@ void add_ball_states(OperatingFits& out, const Bearing& b, const contact::Groove
   out.locus_free = groove.centre_radius;
   out.locus = {groove.centre_radius[0] + u[0] - groove.groove_radius[0] * g_outer,
                groove.centre_radius[1] + u[1] + groove.groove_radius[1] * g_inner};
-  const double D = b.balls.diameter, r0 = groove.groove_radius[0], r1 = groove.groove_radius[1];
+  const double D = b.balls().diameter, r0 = groove.groove_radius[0], r1 = groove.groove_radius[1];
   out.element_growth = D * element_growth;
   const double free = r0 + r1 - D;
   const double operating = r0 * (1.0 + g_outer) + r1 * (1.0 + g_inner) - (D + out.element_growth);
-  const double Pd = b.balls.clearance;
-  out.free = {Pd, b.balls.contact_angle, end_play(free, b.balls.contact_angle), free};
+  const double Pd = b.balls().clearance;
+  out.free = {Pd, b.balls().contact_angle, end_play(free, b.balls().contact_angle), free};
   out.mounted = ball_state(operating_clearance(Pd, raceway_displacement(mounted), 0.0), free);
   out.operating = ball_state(operating_clearance(Pd, u, out.element_growth), operating);
-  out.pitch_free = out.pitch = b.balls.pitch_diameter;
+  out.pitch_free = out.pitch = b.balls().pitch_diameter;
 }
 
 /// Balls and grooves in operation; the report's pitch diameter.
@@ -176,9 +176,11 @@ struct ElementSizes {
 };
 
 ElementSizes element_sizes(const Bearing& b) {
-  if (!b.rollers)
-    return {b.balls.count, b.balls.diameter, b.balls.pitch_diameter, b.balls.contact_angle};
-  return {b.rollers->count, b.rollers->diameter, b.rollers->pitch_diameter, b.rollers->axis_angle};
+  if (!b.rollers())
+    return {b.element_count(), b.balls().diameter, b.balls().pitch_diameter,
+            b.balls().contact_angle};
+  return {b.rollers()->count, b.rollers()->diameter, b.rollers()->pitch_diameter,
+          b.rollers()->axis_angle};
 }
 
 /// The tightest of the pockets that differ from the others.
@@ -237,8 +239,8 @@ void move_cage(bearing::Cage& cage, const Bearing& free, const MountedState& sta
   tightest(0);
   if (cage.pocket == bearing::PocketShape::Elongated)
     cage.pocket_clearance_2 *= 1.0 + ring.growth;  // length of the straight part
-  else if (!free.rollers && (cage.pocket == bearing::PocketShape::Rectangular ||
-                             cage.pocket == bearing::PocketShape::Conical)) {
+  else if (!free.rollers() && (cage.pocket == bearing::PocketShape::Rectangular ||
+                               cage.pocket == bearing::PocketShape::Conical)) {
     move_pocket("pocket clearance II", cage.pocket_clearance_2, elements.diameter, ring.growth,
                 ball_growth, report);
     tightest(1);
@@ -290,7 +292,7 @@ bool moves(const OperatingFits& report, const MountedState& state, const Bearing
 }
 
 void apply_material_laws(Bearing& b) {
-  b.ball_material = bearing::material_at(b.ball_material, b.ball_temperature);
+  b.element_material = bearing::material_at(b.element_material, b.element_temperature);
   for (std::size_t j = 0; j < 2; ++j)
     b.race_material[j] = bearing::material_at(b.race_material[j], b.race_temperature[j]);
   b.mounting.housing = bearing::material_at(b.mounting.housing, b.mounting.housing_temperature);
@@ -301,7 +303,7 @@ void apply_material_laws(Bearing& b) {
 /// operating_bearing of a roller bearing.
 Bearing operating_roller_bearing_of(const Bearing& free) {
   Bearing out = free;
-  bearing::RollerGeometry& rollers = *out.rollers;
+  bearing::RollerGeometry& rollers = *out.rollers();
   const bool cone =
       free.type == bearing::Type::Tapered || free.type == bearing::Type::SphericalTapered;
   OperatingRollers operating = operating_roller_bearing(
@@ -311,7 +313,7 @@ Bearing operating_roller_bearing_of(const Bearing& free) {
       {rollers.race_radius(bearing::kOuter), rollers.race_radius(bearing::kInner)},
       cone ? rollers.race_angle[bearing::kOuter] : 0.0);
   OperatingFits& report = operating.report;
-  const double growth = growth_of(free, free.ball_material, free.ball_temperature);
+  const double growth = growth_of(free, free.element_material, free.element_temperature);
   if (free.cage) {
     move_cage(*out.cage, free, operating.state, growth, report);
     report.changed = moves(report, operating.state, free);
@@ -338,7 +340,7 @@ Bearing operating_roller_bearing_of(const Bearing& free) {
     rollers.crown_radius = sizes.crown_radius;
     rollers.pitch_diameter = sizes.pitch_diameter;
     rollers.clearance = sizes.clearance;
-    scale_inertia(out.ball_inertia, growth);
+    scale_inertia(out.element_inertia, growth);
     scale_inertia(out.race_inertia[0], operating.state.rings.outer.growth);
     scale_inertia(out.race_inertia[1], operating.state.rings.inner.growth);
   } else {
@@ -378,13 +380,13 @@ MountedRings mounted_rings(const Bearing& b, const std::array<double, 2>& racewa
 
 Bearing operating_bearing(const Bearing& free) {
   demand(!free.operating.has_value(), "the bearing is in operation already");
-  if (free.rollers) return operating_roller_bearing_of(free);
-  const contact::GrooveGeometry groove = contact::groove_geometry(free.balls);
+  if (free.rollers()) return operating_roller_bearing_of(free);
+  const contact::GrooveGeometry groove = contact::groove_geometry(free.balls());
   const MountedRings rings =
       mounted_rings(free, {groove.centre_radius[0] + groove.groove_radius[0],
                            groove.centre_radius[1] - groove.groove_radius[1]});
   const MountedState state = mount(rings), mounted = mount(at_rest(rings));
-  const double ball_growth = growth_of(free, free.ball_material, free.ball_temperature);
+  const double ball_growth = growth_of(free, free.element_material, free.element_temperature);
   OperatingFits report = ring_report(free, state, mounted);
   add_ball_states(report, free, groove, state, mounted, ball_growth);
   if (!(report.operating.clearance < 2.0 * report.operating.centre_distance))
@@ -397,8 +399,8 @@ Bearing operating_bearing(const Bearing& free) {
   if (free.cage) move_cage(*out.cage, free, state, ball_growth, report);
   report.changed = moves(report, state, free);
   if (report.changed) {
-    move_grooves(out.balls, report, state, groove.centre_x);
-    scale_inertia(out.ball_inertia, ball_growth);
+    move_grooves(out.balls(), report, state, groove.centre_x);
+    scale_inertia(out.element_inertia, ball_growth);
     scale_inertia(out.race_inertia[0], rings.outer.growth);
     scale_inertia(out.race_inertia[1], rings.inner.growth);
   } else {
@@ -419,7 +421,7 @@ OperatingRollers operating_roller_bearing(const Bearing& free, const RollerSizes
   OperatingRollers out;
   out.state = mount(mounted_rings(free, raceway_radius));
   const MountedState mounted = mount(at_rest(out.state.rings));
-  const double growth = growth_of(free, free.ball_material, free.ball_temperature);
+  const double growth = growth_of(free, free.element_material, free.element_temperature);
   out.rollers = operating_rollers(out.state, rollers, growth, outer_half_angle);
   out.report = ring_report(free, out.state, mounted);
   OperatingFits& report = out.report;

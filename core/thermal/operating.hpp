@@ -42,8 +42,8 @@ struct OperatingRollers {
 };
 
 /// The same step for a roller bearing of any type, on plain numbers. Uses the envelope, materials,
-/// mounting, temperatures and speeds of the bearing (ball_material and ball_temperature are those
-/// of the rollers).
+/// mounting, temperatures and speeds of the bearing (element_material and element_temperature are
+/// those of the rollers).
 /// @param rollers free geometry, measured radially; raceway_radius at room temperature (cones: mean
 /// radii) [m]
 /// @param outer_half_angle of a tapered outer raceway [rad]; 0: cylindrical or spherical

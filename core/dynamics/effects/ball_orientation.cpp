@@ -38,7 +38,7 @@ class BallOrientation final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
     for (const int index : scene.plan.oriented_elements) {
-      demand(index >= 0 && index < scene.bearing.balls.count,
+      demand(index >= 0 && index < scene.bearing.element_count(),
              "the plan orients an element that does not exist");
       const std::string name = fmt::format("element{}", index + 1);
       const auto i = static_cast<std::size_t>(index);

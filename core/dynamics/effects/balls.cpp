@@ -46,11 +46,11 @@ void BallMotion::apply(Evaluation& e) noexcept {
 
 void Balls::declare(SceneBuilder& scene) {
   const bearing::Bearing& bearing = scene.bearing;
-  demand(bearing.balls.count >= 1, "a bearing needs at least one ball");
-  demand(static_cast<int>(scene.statics.balls.size()) == bearing.balls.count,
+  demand(bearing.element_count() >= 1, "a bearing needs at least one ball");
+  demand(static_cast<int>(scene.statics.balls.size()) == bearing.element_count(),
          "the static solution has another number of balls than the bearing");
-  const Vec3& moments = bearing.ball_inertia.moments;
-  mass_ = bearing.ball_inertia.mass;
+  const Vec3& moments = bearing.element_inertia.moments;
+  mass_ = bearing.element_inertia.mass;
   inertia_ = moments[0];
   demand(mass_ > 0.0 && moments.minCoeff() > 0.0 &&
              moments.maxCoeff() - moments.minCoeff() <= 1e-9 * moments.maxCoeff(),

@@ -43,7 +43,7 @@ class Gravity final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
     gravity_ = scene.bearing.gravity;
-    ball_mass_ = scene.bearing.ball_inertia.mass;
+    ball_mass_ = scene.bearing.element_inertia.mass;
     constexpr std::string_view kCost = "gravity";
     scene.block<BallGravity>(Phase::Force, kCost, {}, Vec3(ball_mass_ * gravity_));
     scene.block<BodyGravity>(Phase::Force, kCost, {}, gravity_);

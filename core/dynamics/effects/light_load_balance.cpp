@@ -93,7 +93,7 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
                        scene.plan.has(Effect::Gravity) ? scene.bearing.gravity : Vec3(Vec3::Zero()),
                        pockets != nullptr ? &pockets->set() : nullptr,
                        friction ? *pockets->friction() : tribology::TractionLaw(), friction},
-      ball_, static_cast<std::size_t>(scene.bearing.balls.count));
+      ball_, static_cast<std::size_t>(scene.bearing.element_count()));
   constexpr std::string_view kCost = "light-load balance";
   scene.block<HeldRates>(Phase::Kinematics, kCost, {}, *held_);
   scene.block<HeldMotion>(Phase::Motion, kCost, {}, *held_);
@@ -105,7 +105,7 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
   scene.momentum(impulse_, "held.impulse", Momentum::Linear, kMomentum, account.force.data());
   scene.momentum(angular_impulse_, "held.angular_impulse", Momentum::Angular, kAngularMomentum,
                  account.moment.data());
-  scene.integral(flags_, "held.element", "-", nullptr, scene.bearing.balls.count);
+  scene.integral(flags_, "held.element", "-", nullptr, scene.bearing.element_count());
 }
 
 void LightLoadBalance::resume(std::span<const double> y) {

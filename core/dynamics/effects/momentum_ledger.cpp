@@ -60,7 +60,7 @@ class MomentumAccount final : public SceneEffect {
     const ScenePlan& plan = scene.plan;
     const Vec3 gravity = plan.has(Effect::Gravity) ? scene.bearing.gravity : Vec3(Vec3::Zero());
     scene.block<ExternalActions>(Phase::Account, "momentum ledger", {}, gravity,
-                                 scene.bearing.ball_inertia.mass, force_, moment_);
+                                 scene.bearing.element_inertia.mass, force_, moment_);
     using Momentum = SceneBuilder::Momentum;
     scene.momentum(impulse_, "external.impulse", Momentum::Linear, kImpulse, force_.data());
     scene.momentum(angular_impulse_, "external.angular_impulse", Momentum::Angular, kAngularImpulse,

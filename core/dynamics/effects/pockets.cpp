@@ -12,16 +12,16 @@
 namespace adore::dynamics {
 
 double nominal_cage_speed(const bearing::Bearing& bearing) noexcept {
-  const double gamma =
-      bearing.balls.diameter * std::cos(bearing.balls.contact_angle) / bearing.balls.pitch_diameter;
+  const double gamma = bearing.balls().diameter * std::cos(bearing.balls().contact_angle) /
+                       bearing.balls().pitch_diameter;
   return statics::epicyclic_speed(bearing.speed[0], bearing.speed[1], gamma);
 }
 
 PocketSet::PocketSet(const bearing::Bearing& bearing, const std::vector<double>& azimuths) {
   const bearing::Cage& cage = *bearing.cage;
-  const double D = bearing.balls.diameter;
+  const double D = bearing.balls().diameter;
   ball_radius_ = 0.5 * D;
-  pitch_radius_ = 0.5 * bearing.balls.pitch_diameter;
+  pitch_radius_ = 0.5 * bearing.balls().pitch_diameter;
   rotation_sign_ = nominal_cage_speed(bearing) < 0.0 ? -1.0 : 1.0;
   const std::size_t count = azimuths.size();
   segment_.assign(count, 0);  // a cage of one piece
@@ -34,7 +34,7 @@ PocketSet::PocketSet(const bearing::Bearing& bearing, const std::vector<double>&
   }
   const auto height = [&](double thickness) {
     return contact::wall_height(cage.outer_diameter, cage.inner_diameter,
-                                bearing.balls.pitch_diameter, thickness);
+                                bearing.balls().pitch_diameter, thickness);
   };
   if (alike) {
     const auto [low, high] = height(0.0);
@@ -42,7 +42,7 @@ PocketSet::PocketSet(const bearing::Bearing& bearing, const std::vector<double>&
     hole2_ = wall_.wall_radius * wall_.wall_radius;
     const double play = std::max(wall_.wall_radius - ball_radius_, 0.0);
     play2_ = play * play;
-    law_ = contact::ball_pocket_law(bearing.ball_material, cage.material, D,
+    law_ = contact::ball_pocket_law(bearing.element_material, cage.material, D,
                                     {-1.0 / wall_.wall_radius, 0.0})
                .law;
     for (std::size_t i = 0; i < count; ++i) {
@@ -63,7 +63,7 @@ PocketSet::PocketSet(const bearing::Bearing& bearing, const std::vector<double>&
                      high};
     pocket.frame = contact::pocket_frame(
         {azimuths[i] + own.angular, pitch_radius_, own.axial, cage.cone_angle, own.tilt});
-    pocket.law = contact::ball_pocket_law(bearing.ball_material, cage.material, D,
+    pocket.law = contact::ball_pocket_law(bearing.element_material, cage.material, D,
                                           contact::wall_curvatures(pocket.pocket))
                      .law;
     shaped_.push_back(std::move(pocket));

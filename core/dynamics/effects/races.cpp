@@ -90,7 +90,7 @@ class RacePower final : public EffectBlock {
 }  // namespace
 
 void Races::set_up(const SceneBuilder& scene) {
-  const contact::GrooveGeometry groove = contact::groove_geometry(scene.bearing.balls);
+  const contact::GrooveGeometry groove = contact::groove_geometry(scene.bearing.balls());
   const tribology::EllipseRule rule =
       tribology::make_split_ellipse_rule(scene.options.ellipse_major, scene.options.ellipse_minor);
   const auto& misalignment = scene.bearing.constraints.outer_misalignment;
@@ -102,11 +102,11 @@ void Races::set_up(const SceneBuilder& scene) {
     model.race = static_cast<bearing::Race>(j);
     model.groove = groove;
     model.effective_modulus =
-        bearing::contact_modulus(scene.bearing.ball_material, scene.bearing.race_material[j]);
+        bearing::contact_modulus(scene.bearing.element_material, scene.bearing.race_material[j]);
     model.hertz = contact::hertz_constants(
-        contact::race_curvature(scene.bearing.balls, static_cast<int>(j), scene.fixed_angle[j]),
+        contact::race_curvature(scene.bearing.balls(), static_cast<int>(j), scene.fixed_angle[j]),
         model.effective_modulus);
-    model.shoulder_radius = 0.5 * scene.bearing.balls.shoulder_diameter[j];
+    model.shoulder_radius = 0.5 * scene.bearing.balls().shoulder_diameter[j];
     model.traction = scene.plan.has(Effect::RaceTraction);
     model.law = scene.bearing.race_traction;
     model.surface = scene.options.surface;

@@ -31,8 +31,8 @@ class TurningFrame final : public SceneEffect {
   void declare(SceneBuilder& scene) override {
     const bearing::FrameMotion& motion = *scene.plan.race_motions.frame;
     frame_ = {motion.speed, motion.orbit_radius, motion.orbit_angle};
-    mass_ = scene.bearing.ball_inertia.mass;
-    inertia_ = scene.bearing.ball_inertia.moments[0];
+    mass_ = scene.bearing.element_inertia.mass;
+    inertia_ = scene.bearing.element_inertia.moments[0];
     scene.block<Fields>(Phase::Force, "turning base frame", {}, *this);
     if (!scene.plan.has(Effect::MomentumLedger)) return;
     using Momentum = SceneBuilder::Momentum;

@@ -39,16 +39,16 @@ inline bearing::Inertia ball_inertia(double diameter, double density) {
 inline bearing::Bearing angular_contact(int balls = 18, double pitch_diameter = 0.095) {
   bearing::Bearing b;
   b.run_id = "test";
-  b.balls.count = balls;
-  b.balls.diameter = 0.0127;
-  b.balls.pitch_diameter = pitch_diameter;
-  b.balls.contact_angle = 25.0 * std::numbers::pi / 180.0;
-  b.balls.groove_factor = {0.523, 0.52};
-  b.balls.clearance = 2.0 * 0.0127 * 0.043 * (1.0 - std::cos(b.balls.contact_angle));
-  b.balls.shoulder_diameter = {0.1, 0.09};
-  b.ball_material = steel();
+  b.balls().count = balls;
+  b.balls().diameter = 0.0127;
+  b.balls().pitch_diameter = pitch_diameter;
+  b.balls().contact_angle = 25.0 * std::numbers::pi / 180.0;
+  b.balls().groove_factor = {0.523, 0.52};
+  b.balls().clearance = 2.0 * 0.0127 * 0.043 * (1.0 - std::cos(b.balls().contact_angle));
+  b.balls().shoulder_diameter = {0.1, 0.09};
+  b.element_material = steel();
   b.race_material = {steel(), steel()};
-  b.ball_inertia = ball_inertia(b.balls.diameter, 7800.0);
+  b.element_inertia = ball_inertia(b.balls().diameter, 7800.0);
   b.constraints.load = {1500.0, 0.0, 500.0, 0.0, 0.0};
   b.constraints.displacement_given = {false, false, false, true, true};
   b.speed = {0.0, 10000.0 * std::numbers::pi / 30.0};
@@ -68,7 +68,7 @@ inline bearing::Bearing angular_contact(int balls = 18, double pitch_diameter = 
                 {Guide::Outer, cage.outer_diameter, 0.003, -0.01, 4e-4}};
   cage.material = steel();
   cage.inertia =
-      contact::cage_inertia(cage, balls, b.balls.diameter, b.balls.pitch_diameter, 7800.0);
+      contact::cage_inertia(cage, balls, b.balls().diameter, b.balls().pitch_diameter, 7800.0);
   b.cage = cage;
   return b;
 }
@@ -99,12 +99,12 @@ inline statics::StaticSolution statics_of(const bearing::Bearing& b, double fixe
 inline dynamics::System make_system(const bearing::Bearing& b, const scene::ScenePlan& plan,
                                     const statics::StaticSolution& solution,
                                     const dynamics::SystemOptions& options = {}) {
-  const double angle = b.balls.contact_angle;
+  const double angle = b.balls().contact_angle;
   return {b, plan, solution, {angle, angle}, options};
 }
 inline dynamics::System make_system(const bearing::Bearing& b, const scene::ScenePlan& plan,
                                     const dynamics::SystemOptions& options = {}) {
-  return make_system(b, plan, statics_of(b, b.balls.contact_angle), options);
+  return make_system(b, plan, statics_of(b, b.balls().contact_angle), options);
 }
 
 /// The system as a stepper sees it.

@@ -74,7 +74,7 @@ class TwoBodies final : public SceneEffect {
 class Neighbours final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
-    const double spacing = scene.bearing.balls.pitch_diameter *
+    const double spacing = scene.bearing.balls().pitch_diameter *
                            std::sin(std::numbers::pi / scene.bearing.element_count());
     scene.block<Contact>(Phase::Force, "element to element", {}, 1.01 * spacing);
     scene.neighbours_meet();
@@ -170,7 +170,7 @@ void compare_jacobians(System& system, std::vector<double> y) {
 
 System with(const bearing::Bearing& b, const ScenePlan& plan,
             const std::vector<EffectMaker>& more) {
-  const double angle = b.balls.contact_angle;
+  const double angle = b.balls().contact_angle;
   return {b, plan, statics_of(b, angle), {angle, angle}, {}, more};
 }
 template <class E>

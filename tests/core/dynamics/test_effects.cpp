@@ -53,7 +53,7 @@ class AirDrag final : public SceneEffect {
 };
 
 System with_drag(const bearing::Bearing& b, const ScenePlan& plan, double coefficient) {
-  const double angle = b.balls.contact_angle;
+  const double angle = b.balls().contact_angle;
   return {b, plan, statics_of(b, angle), {angle, angle}, {}, {[coefficient](const ScenePlan&) {
             return std::make_unique<AirDrag>(coefficient);
           }}};

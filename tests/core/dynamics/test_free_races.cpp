@@ -70,7 +70,7 @@ TEST_CASE(
   const double thrust = 1500.0, step = 15.0, mass = 20.0;  // 200 times the balls
   const auto place = [](double load) {
     const bearing::Bearing b = standing(load);
-    return statics_of(b, b.balls.contact_angle).displacement[0];
+    return statics_of(b, b.balls().contact_angle).displacement[0];
   };
   const double stiffness = 2.0 * step / (place(thrust + 2.0 * step) - place(thrust));
   const double w = std::sqrt(stiffness / mass), half = std::numbers::pi / w;

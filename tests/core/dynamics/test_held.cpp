@@ -97,26 +97,27 @@ TEST_CASE("held balls: without friction they stand where the balance says, and e
   bearing::Bearing b = half_loaded();
   b.gravity.setZero();
   b.cage.reset();
-  const auto solution = statics_of(b, b.balls.contact_angle);
+  const auto solution = statics_of(b, b.balls().contact_angle);
   System system = make_system(b, held_plan(0.05, plan_with({Effect::RaceContact})), solution);
   const HeldRun run = run_held(system, system.initial_state(), 2e-3, 1e-10);
   REQUIRE(run.most_held >= 3);
   REQUIRE(run.most_held < 12);
   CHECK(run.changes >= 2);  // balls pass in and out of the load zone
 
-  const contact::GrooveGeometry groove = contact::groove_geometry(b.balls);
-  const double angle = b.balls.contact_angle;
+  const contact::GrooveGeometry groove = contact::groove_geometry(b.balls());
+  const double angle = b.balls().contact_angle;
   std::array<double, 2> K{};
   std::array<RacePose, 2> races;
   for (std::size_t j = 0; j < 2; ++j) {
-    K[j] = contact::hertz_constants(contact::race_curvature(b.balls, static_cast<int>(j), angle),
-                                    bearing::contact_modulus(b.ball_material, b.race_material[j]))
-               .K;
+    K[j] =
+        contact::hertz_constants(contact::race_curvature(b.balls(), static_cast<int>(j), angle),
+                                 bearing::contact_modulus(b.element_material, b.race_material[j]))
+            .K;
     races[j].centre = Vec3(groove.centre_x[j], 0.0, 0.0);
   }
   races[1].centre +=
       Vec3(solution.displacement[0], solution.displacement[1], solution.displacement[2]);
-  const double mass = b.ball_inertia.mass;
+  const double mass = b.element_inertia.mass;
   const ConstrainedBall ball(groove, K, mass);
   int compared = 0;
   for (const ElementSnapshot& e : run.last.elements) {
@@ -125,8 +126,8 @@ TEST_CASE("held balls: without friction they stand where the balance says, and e
     const BallBalance exact = ball.solve(races, e.theta, orbit, Vec2::Zero(), {e.x, e.r});
     REQUIRE(exact.solved);
     // The motion follows the balance to the integration's error: 1e-10 of the ball radius per step.
-    CHECK(std::abs(e.x - exact.x) < 2e-8 * b.balls.diameter);
-    CHECK(std::abs(e.r - exact.r) < 2e-8 * b.balls.diameter);
+    CHECK(std::abs(e.x - exact.x) < 2e-8 * b.balls().diameter);
+    CHECK(std::abs(e.r - exact.r) < 2e-8 * b.balls().diameter);
     CHECK(e.vx == 0.0);
     CHECK(e.ar == 0.0);
     ++compared;
@@ -196,7 +197,7 @@ TEST_CASE("held balls: a switch books its jump, whatever the ball was doing",
   const Snapshot after = system.snapshot(0.0, y);
   CHECK(after.elements[light].held);
   CHECK_FALSE(after.elements[heavy].held);
-  const double kinetic = 0.5 * b.ball_inertia.mass * (0.02 * 0.02 + 0.03 * 0.03);
+  const double kinetic = 0.5 * b.element_inertia.mass * (0.02 * 0.02 + 0.03 * 0.03);
   CHECK(after.energy.value("switches") <
         -kinetic);  // and the elastic energy above that of the balance
   CHECK(after.energy.value("switches") > -3.0 * kinetic);
@@ -352,7 +353,7 @@ TEST_CASE("momentum ledger: a force without its reaction shows as its impulse",
     OneSided(System& system, double force)
         : inner_(system),
           first_(index_of(system, "element.x_dot")),
-          push_(force / system.bearing().ball_inertia.mass) {}
+          push_(force / system.bearing().element_inertia.mass) {}
     int size() const noexcept override { return inner_.size(); }
     int controlled_size() const noexcept override { return inner_.controlled_size(); }
     std::span<const double> scales() const noexcept override { return inner_.scales(); }

@@ -42,7 +42,7 @@ class Shaking final : public SceneEffect {
 };
 
 System shaken(const bearing::Bearing& b, const ScenePlan& plan) {
-  const double angle = b.balls.contact_angle;
+  const double angle = b.balls().contact_angle;
   return {b, plan, statics_of(b, angle), {angle, angle}, {}, {[](const ScenePlan&) {
             return std::make_unique<Shaking>();
           }}};
@@ -95,9 +95,9 @@ TEST_CASE("the fast part of the motion sees the races where they are at its own 
   REQUIRE(system.rhs_stiff(0.0, y.data(), early.data()) == RhsStatus::Ok);
   REQUIRE(system.rhs_stiff(t, y.data(), late.data()) == RhsStatus::Ok);
   // Without traction, cage and gravity ẍ is all of the normal forces.
-  const int x_dot = 3 * b.balls.count;
+  const int x_dot = 3 * b.balls().count;
   double largest = 0.0, moved = 0.0;
-  for (int i = x_dot; i < x_dot + b.balls.count; ++i) {
+  for (int i = x_dot; i < x_dot + b.balls().count; ++i) {
     const auto k = static_cast<std::size_t>(i);
     largest = std::max(largest, std::abs(whole[k]));
     moved = std::max(moved, std::abs(late[k] - early[k]));

@@ -29,10 +29,10 @@ bool has_group(const System& system, const std::string& part) {
 /// A solution with balls where the test wants them, all at rest, nothing loaded.
 statics::StaticSolution placed_balls(const bearing::Bearing& b) {
   statics::StaticSolution s;
-  for (int i = 0; i < b.balls.count; ++i) {
+  for (int i = 0; i < b.balls().count; ++i) {
     statics::StaticBall ball;
-    ball.azimuth = 2.0 * std::numbers::pi * i / b.balls.count;
-    ball.r = 0.5 * b.balls.pitch_diameter;
+    ball.azimuth = 2.0 * std::numbers::pi * i / b.balls().count;
+    ball.r = 0.5 * b.balls().pitch_diameter;
     s.balls.push_back(ball);
   }
   return s;
@@ -51,7 +51,7 @@ MomentumRates momentum_rates(System& system, const std::vector<double>& y) {
     return v[first_of(system, std::string("element.") + name) + i];
   };
   MomentumRates rates;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(b.balls.count); ++i) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(b.balls().count); ++i) {
     const double theta = at(y, "theta", i), td = at(y, "theta_dot", i), r = at(y, "r", i);
     const Vec3 e_r = radial_direction(theta), e_t = circumferential_direction(theta),
                e_x = Vec3::UnitX();
@@ -62,9 +62,9 @@ MomentumRates momentum_rates(System& system, const std::vector<double>& y) {
     // The unit vectors turn with the orbit: d(e_r) = td e_theta, d(e_theta) = -td e_r.
     const Vec3 alpha = at(d, "omega_x", i) * e_x + (at(d, "omega_r", i) - td * wt) * e_r +
                        (at(d, "omega_theta", i) + td * wr) * e_t;
-    const Vec3 force = b.ball_inertia.mass * a;
+    const Vec3 force = b.element_inertia.mass * a;
     rates.linear += force;
-    rates.angular += centre.cross(force) + b.ball_inertia.moments[0] * alpha;
+    rates.angular += centre.cross(force) + b.element_inertia.moments[0] * alpha;
     rates.size += force.norm();
   }
   if (has_group(system, "cage.position")) {
@@ -88,7 +88,7 @@ MomentumRates momentum_rates(System& system, const std::vector<double>& y) {
 MomentumRates with_reactions(System& system, const std::vector<double>& y) {
   MomentumRates rates = momentum_rates(system, y);
   const Snapshot snapshot = system.snapshot(0.0, y);
-  const contact::GrooveGeometry groove = contact::groove_geometry(system.bearing().balls);
+  const contact::GrooveGeometry groove = contact::groove_geometry(system.bearing().balls());
   for (std::size_t j = 0; j < 2; ++j) {
     const RaceSnapshot& race = snapshot.races[j];
     const Vec3 centre = race.position + Vec3(groove.centre_x[j], 0.0, 0.0);
@@ -104,7 +104,7 @@ std::vector<double> rough_state(System& system) {
   std::vector<double> y = system.initial_state();
   std::mt19937 random(7);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  const std::size_t n = static_cast<std::size_t>(system.bearing().balls.count);
+  const std::size_t n = static_cast<std::size_t>(system.bearing().balls().count);
   for (std::size_t i = 0; i < n; ++i) {
     const double sign = i % 2 == 0 ? 1.0 : -1.0;
     y[first_of(system, "element.theta") + i] += sign * 1.54e-4 / 0.0475;  // play is 1.5e-4 m
@@ -207,12 +207,12 @@ TEST_CASE("zero cost: with traction off no ball gets a moment", "[physics][dynam
 
 TEST_CASE("scales follow radius, largest load and the stiffest contact", "[unit][dynamics]") {
   bearing::Bearing b = angular_contact();
-  const auto solution = statics_of(b, b.balls.contact_angle);
+  const auto solution = statics_of(b, b.balls().contact_angle);
   System system = make_system(b, full_plan(), solution);
   CHECK(system.scales().length == 0.00635);
   CHECK(system.scales().force == 1500.0);
   CHECK(system.scales().time ==
-        Approx(std::sqrt(b.ball_inertia.mass / solution.max_stiffness)).epsilon(1e-14));
+        Approx(std::sqrt(b.element_inertia.mass / solution.max_stiffness)).epsilon(1e-14));
   const auto scale = [&](const char* name) {
     return system.layout().scales()[first_of(system, name)];
   };
@@ -226,7 +226,7 @@ TEST_CASE("scales follow radius, largest load and the stiffest contact", "[unit]
   b.constraints.load.fill(
       0.0);  // nothing applied, nothing carried: weight of an element, a contact at 1e-3 of it
   System idle = make_system(b, full_plan(), placed_balls(b));
-  CHECK(idle.scales().force == Approx(b.ball_inertia.mass * 9.81).epsilon(1e-14));
+  CHECK(idle.scales().force == Approx(b.element_inertia.mass * 9.81).epsilon(1e-14));
   CHECK(idle.scales().time > 0.0);
 }
 
@@ -262,7 +262,7 @@ TEST_CASE("a free ball under gravity flies a parabola in cylindrical coordinates
 TEST_CASE("a single ball orbits on the outer race and keeps its energy", "[physics][dynamics]") {
   bearing::Bearing b = angular_contact(1);
   b.cage.reset();
-  const contact::GrooveGeometry groove = contact::groove_geometry(b.balls);
+  const contact::GrooveGeometry groove = contact::groove_geometry(b.balls());
   statics::StaticSolution solution = placed_balls(b);
   solution.displacement[0] =
       groove.centre_x[0] - groove.centre_x[1];  // grooves face each other with play
@@ -273,12 +273,12 @@ TEST_CASE("a single ball orbits on the outer race and keeps its energy", "[physi
   y[0] = groove.centre_x[0];
   y[1] = groove.centre_radius[0] + groove.offset[0];
   y[5] = speed;
-  const double m = b.ball_inertia.mass;
+  const double m = b.element_inertia.mass;
   for (int k = 0; k < 20; ++k) {  // Q(δ) = m r ω², by substitution
-    const double E_star = bearing::contact_modulus(b.ball_material, b.race_material[0]);
-    const double K =
-        contact::hertz_constants(contact::race_curvature(b.balls, 0, b.balls.contact_angle), E_star)
-            .K;
+    const double E_star = bearing::contact_modulus(b.element_material, b.race_material[0]);
+    const double K = contact::hertz_constants(
+                         contact::race_curvature(b.balls(), 0, b.balls().contact_angle), E_star)
+                         .K;
     const double Q = m * y[1] * speed * speed;
     y[1] = groove.centre_radius[0] + groove.offset[0] + std::pow(Q / K, 2.0 / 3.0);
   }
@@ -343,19 +343,19 @@ TEST_CASE("a resting cage hangs in gravity with the weight of everything on the 
                                 Effect::CageMotion, Effect::Gravity}));
   const std::vector<double> y = rough_state(system);
   const MomentumRates sum = with_reactions(system, y);
-  const Vec3 weight = (18 * b.ball_inertia.mass + b.cage->inertia.mass) * b.gravity;
+  const Vec3 weight = (18 * b.element_inertia.mass + b.cage->inertia.mass) * b.gravity;
   CHECK((sum.linear - weight).norm() < 1e-12 * sum.size);
 }
 
 TEST_CASE("the start state from statics is close to equilibrium", "[physics][dynamics]") {
   const bearing::Bearing b = angular_contact();
   // Without friction in dynamics the static solution must not share a gyroscopic moment either.
-  const auto solution = statics_of(b, b.balls.contact_angle, statics::Control::None);
+  const auto solution = statics_of(b, b.balls().contact_angle, statics::Control::None);
   System system = make_system(b, plan_with({Effect::RaceContact}), solution);
   const std::vector<double> y = system.initial_state();
   const Snapshot s = system.snapshot(0.0, y);
   for (std::size_t i = 0; i < 18; ++i) {
-    const double per_mass = s.elements[i].race[0].load / b.ball_inertia.mass;
+    const double per_mass = s.elements[i].race[0].load / b.element_inertia.mass;
     CHECK(s.elements[i].race[0].load == Approx(solution.balls[i].Q[0]).epsilon(1e-9));
     CHECK(s.elements[i].race[1].load == Approx(solution.balls[i].Q[1]).epsilon(1e-9));
     // Statics solves to 1e-9 of its load scale, but takes the centrifugal force at the pitch radius
@@ -371,7 +371,7 @@ TEST_CASE("the start state holds with misaligned races", "[physics][dynamics]") 
   bearing::Bearing b = angular_contact();
   b.constraints.outer_misalignment = {1e-3, -5e-4};
   b.constraints.displacement = {0.0, 0.0, 0.0, 4e-4, 7e-4};
-  const auto solution = statics_of(b, b.balls.contact_angle, statics::Control::None);
+  const auto solution = statics_of(b, b.balls().contact_angle, statics::Control::None);
   System system = make_system(b, plan_with({Effect::RaceContact}), solution);
   const Snapshot s = system.snapshot(0.0, system.initial_state());
   for (std::size_t i = 0; i < 18; ++i) {
@@ -394,7 +394,7 @@ TEST_CASE("the cage starts on the locus of element centres with its ratios of sp
   const std::vector<double> y = system.initial_state();
   const Snapshot s = system.snapshot(0.0, y);
   CHECK((s.cages[0].position - b.cage->start_offset).norm() < 1e-16);
-  const double gamma = 0.0127 * std::cos(b.balls.contact_angle) / 0.095;
+  const double gamma = 0.0127 * std::cos(b.balls().contact_angle) / 0.095;
   const double speed = 0.98 * 0.5 * b.speed[1] * (1.0 - gamma);
   CHECK((s.cages[0].omega - Vec3(speed, 0, 0)).norm() < 1e-10 * speed);
   const Vec3 whirl = 0.9 * speed * Vec3(0.0, 8e-5, 3e-5);
@@ -470,14 +470,14 @@ TEST_CASE("unusual bearings: one ball, two hundred balls, no cage, standing stil
 
 TEST_CASE("plan estimates: the fastest contact and the expected step", "[unit][dynamics]") {
   const bearing::Bearing b = angular_contact();
-  const auto solution = statics_of(b, b.balls.contact_angle);
+  const auto solution = statics_of(b, b.balls().contact_angle);
   System system = make_system(b, full_plan(), solution);
   ScenePlan plan = full_plan();
   estimate(plan, b, solution, system);
   // Between two contacts of nearly opposite normals λ lies between one and two times the stiffest
   // contact.
   const double one =
-      std::sqrt(solution.max_stiffness / b.ball_inertia.mass) / (2.0 * std::numbers::pi);
+      std::sqrt(solution.max_stiffness / b.element_inertia.mass) / (2.0 * std::numbers::pi);
   CHECK(plan.fastest_frequency > one);
   CHECK(plan.fastest_frequency < 1.5 * one);
   CHECK(plan.fastest_contact.find("race") != std::string::npos);

@@ -33,7 +33,7 @@ deck::Deck at_rest(const char* type) {
 
 std::array<double, 5> solution(const deck::Deck& deck) {
   const bearing::Bearing b = thermal::operating_bearing(setup::build_bearing(deck));
-  if (b.rollers) return statics::solve_roller_statics(b).displacement;
+  if (b.rollers()) return statics::solve_roller_statics(b).displacement;
   return statics::solve_ball_statics(b).displacement;
 }
 

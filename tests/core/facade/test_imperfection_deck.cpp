@@ -34,7 +34,7 @@ TEST_CASE("random ball diameters follow the seed and the rms of the deck",
           "[unit][imperfections]") {
   const deck::Deck deck = with("ball", {{"kReGeoImp", "1"}}, {{"reDiaVar", "2e-6"}});
   const auto b = setup::build_bearing(deck);
-  REQUIRE(b.imperfections.ball_diameter.size() == static_cast<std::size_t>(b.balls.count));
+  REQUIRE(b.imperfections.ball_diameter.size() == static_cast<std::size_t>(b.balls().count));
   const RandomTable table(setup::kDefaultSeed);
   for (std::size_t k = 0; k < b.imperfections.ball_diameter.size(); ++k)
     CHECK(b.imperfections.ball_diameter[k] == 2e-6 * table.normal(k, 0));
@@ -109,13 +109,13 @@ TEST_CASE("all deviations of random rollers, and their lands, are solved",
                                 {"rlTaper21", "2"},
                                 {"rlOffset11", "1e-4"}});
   const auto b = setup::build_bearing(deck);
-  REQUIRE(b.rollers);
+  REQUIRE(b.rollers());
   const RandomTable table(setup::kDefaultSeed);
-  CHECK(b.rollers->deviation[5].diameter == 1e-6 * table.normal(5, 0));
-  CHECK(b.rollers->deviation[5].crown_radius == 0.1 * table.normal(5, 1));
-  CHECK(b.rollers->deviation[5].length == 1e-5 * table.normal(5, 2));
-  CHECK(b.rollers->deviation[5].central_length == 2e-4 * table.normal(5, 3));
-  CHECK(b.rollers->deviation[5].land_offset == 1e-4 * table.normal(5, 4));
+  CHECK(b.rollers()->deviation[5].diameter == 1e-6 * table.normal(5, 0));
+  CHECK(b.rollers()->deviation[5].crown_radius == 0.1 * table.normal(5, 1));
+  CHECK(b.rollers()->deviation[5].length == 1e-5 * table.normal(5, 2));
+  CHECK(b.rollers()->deviation[5].central_length == 2e-4 * table.normal(5, 3));
+  CHECK(b.rollers()->deviation[5].land_offset == 1e-4 * table.normal(5, 4));
   CHECK(b.imperfections.race[0].taper.amplitude == 1e-4);
   CHECK(b.imperfections.race[0].land_offset.amplitude == 1e-4);
   auto held = b;

@@ -15,10 +15,10 @@ namespace {
 /// Life of the cylindrical bearing without play: the load zone keeps its shape under any load.
 life::BearingLife radial_life(double load, int slices) {
   bearing::Bearing b = roller_bearings::cylindrical(3000.0);
-  b.rollers->clearance = 0.0;
-  b.rollers->central_length = b.rollers->length;
-  b.rollers->crown_radius = 1e10;
-  for (bearing::Material* m : {&b.ball_material, &b.race_material[0], &b.race_material[1]})
+  b.rollers()->clearance = 0.0;
+  b.rollers()->central_length = b.rollers()->length;
+  b.rollers()->crown_radius = 1e10;
+  for (bearing::Material* m : {&b.element_material, &b.race_material[0], &b.race_material[1]})
     m->fatigue_limit_stress = 684e6;
   b.speed = {0.0, 1.0};  // no centrifugal force to speak of
   b.constraints.load = {0.0, 0.0, load, 0.0, 0.0};
@@ -93,13 +93,14 @@ TEST_CASE("a barrel counts as point, the shorter of both, or line as its load ri
   bool point = false, between = false, line = false;
   for (const double load : {300.0, 1000.0, 3000.0, 6000.0, 9000.0, 14000.0, 20000.0, 60000.0}) {
     bearing::Bearing b = roller_bearings::spherical(1000.0);
-    for (bearing::Material* m : {&b.ball_material, &b.race_material[0], &b.race_material[1]})
+    for (bearing::Material* m : {&b.element_material, &b.race_material[0], &b.race_material[1]})
       m->code = 100;
     b.constraints.load = {0.0, 0.0, load, 0.0, 0.0};
     const statics::RollerSolution solution = statics::solve_roller_statics(b);
     const life::BearingContacts contacts = life::life_contacts(solution, b);
-    const auto parameters = life::life_parameters(inputs, true, b.ball_material, b.race_material);
-    life::LifeGeometry geometry = life::roller_life_geometry(*b.rollers);
+    const auto parameters =
+        life::life_parameters(inputs, true, b.element_material, b.race_material);
+    life::LifeGeometry geometry = life::roller_life_geometry(*b.rollers());
     const life::LifeState state = life::LifeCalculator(geometry, parameters).evaluate(contacts);
     life::BearingContacts lines = contacts;
     for (life::RaceContacts& race : lines.race) race.ellipses.clear();
@@ -110,7 +111,7 @@ TEST_CASE("a barrel counts as point, the shorter of both, or line as its load ri
       double heaviest = 0.0;
       for (const life::ContactPatch& e : contacts.race[i].ellipses)
         heaviest = std::max(heaviest, 2.0 * e.a);
-      const double share = heaviest / b.rollers->contact_length();
+      const double share = heaviest / b.rollers()->contact_length();
       INFO("load " << load << " N, race " << i << ", 2a/l " << share);
       CHECK(state.shape[i] == (share < 1.0    ? ContactShape::Point
                                : share <= 1.5 ? ContactShape::Between
@@ -140,7 +141,7 @@ TEST_CASE("a lightly loaded barrel lives by its capacity as a point contact", "[
   const statics::RollerSolution solution = statics::solve_roller_statics(b);
   const life::BearingLife life = life::roller_bearing_life(b, {}, solution);
   // (2R/D r/(r-R))^0.41 stands for (2f/(2f-1))^0.41 of a ball, all else is the ball's formula.
-  const auto& g = *b.rollers;
+  const auto& g = *b.rollers();
   const double gamma = g.diameter * std::cos(life.race[1].angle) / g.pitch_diameter;
   const double R = g.crown_radius, r = 2.0 * 0.51 * R;
   const double Q_c = 98.0665 * std::pow(2.0 * R / g.diameter * r / (r - R), 0.41) *
@@ -184,12 +185,12 @@ TEST_CASE("tracks of both races on a roller: separate or one volume", "[physics]
   const statics::RollerSolution solution = statics::solve_roller_statics(b);
   life::BearingContacts contacts = life::life_contacts(solution, b);
   contacts.race[0] = contacts.race[1];
-  const life::LifeGeometry geometry = life::roller_life_geometry(*b.rollers);
+  const life::LifeGeometry geometry = life::roller_life_geometry(*b.rollers());
   const auto elements = [&](bool shared, const life::BearingContacts& at) {
     bearing::LifeInputs inputs;
     inputs.choices.shared_track = shared;
     life::LifeCalculator calculator(
-        geometry, life::life_parameters(inputs, true, b.ball_material, b.race_material));
+        geometry, life::life_parameters(inputs, true, b.element_material, b.race_material));
     return calculator.evaluate(at)
         .of(bearing::LifeModel::Zaretsky, bearing::LifeModification::None)
         .part[2];
@@ -205,7 +206,7 @@ TEST_CASE("thrust roller bearings: C and L10 of ISO 281, and what is not held is
           "[physics][life][iso]") {
   bearing::Bearing b = roller_bearings::tapered(0.0);
   b.speed = {0.0, 1.0};
-  auto& g = *b.rollers;
+  auto& g = *b.rollers();
   g.race_angle = {60.0 * roller_bearings::kDegree, 50.0 * roller_bearings::kDegree};
   const auto t = contact::tapered_geometry(g.diameter, g.race_angle);
   g.pitch_diameter = t.pitch_diameter;

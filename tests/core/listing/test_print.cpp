@@ -135,7 +135,7 @@ TEST_CASE("the quasi-static page shows every number with its unit", "[unit][prin
 
 TEST_CASE("edges of the contacts are printed for both races with their limits", "[unit][print]") {
   bearing::Bearing bearing = make_bearing();
-  bearing.balls.shim = {0.0, 4e-4};
+  bearing.balls().shim = {0.0, 4e-4};
   statics::StaticSolution solution = make_solution();
   solution.balls[0].shoulder_depth = {1.1e-3, 1.2e-3};
   solution.balls[0].inner_chord = {2.1e-3, 2.2e-3};

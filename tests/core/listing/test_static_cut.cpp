@@ -17,7 +17,7 @@ namespace {
 
 results::StaticTables tables_of(const deck::Deck& deck) {
   const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
-  if (bearing.rollers) {
+  if (bearing.rollers()) {
     const auto solution = statics::solve_roller_statics(bearing);
     auto out = listing::static_tables(solution, bearing, deck::UnitSystem::SI);
     listing::add_cut(out, solution, bearing);

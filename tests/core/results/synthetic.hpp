@@ -56,20 +56,20 @@ inline results::ChannelTable channel_table() { return results::ChannelTable(item
 inline bearing::Bearing make_bearing(int balls = 3, bool with_cage = true) {
   bearing::Bearing bearing;
   bearing.run_id = "synthetic run 7";
-  bearing.balls.count = balls;
-  bearing.balls.diameter = 0.0127;
-  bearing.balls.pitch_diameter = 0.07;
-  bearing.balls.contact_angle = 0.4;
-  bearing.balls.groove_factor = {0.52, 0.53};
-  bearing.balls.shoulder_diameter = {0.077, 0.063};
+  bearing.balls().count = balls;
+  bearing.balls().diameter = 0.0127;
+  bearing.balls().pitch_diameter = 0.07;
+  bearing.balls().contact_angle = 0.4;
+  bearing.balls().groove_factor = {0.52, 0.53};
+  bearing.balls().shoulder_diameter = {0.077, 0.063};
   bearing.envelope = {0.05, 0.09, 0.0, 0.1, {0.02, 0.02}};
-  bearing.ball_material.name = "AISI 52100";
-  bearing.ball_material.hardness = 7e9;
-  bearing.ball_material.wear_coefficient = 1e-6;
-  bearing.race_material[0] = bearing.race_material[1] = bearing.ball_material;
+  bearing.element_material.name = "AISI 52100";
+  bearing.element_material.hardness = 7e9;
+  bearing.element_material.wear_coefficient = 1e-6;
+  bearing.race_material[0] = bearing.race_material[1] = bearing.element_material;
   bearing.race_material[1].wear_coefficient = 3e-6;
   bearing.race_temperature = {300.0, 310.0};
-  bearing.ball_temperature = 320.0;
+  bearing.element_temperature = 320.0;
   bearing.cage_temperature = 330.0;
   bearing.speed = {0.0, 1000.0};
   if (with_cage) {
@@ -101,12 +101,12 @@ inline scene::Snapshot make_snapshot(const bearing::Bearing& bearing, long step 
   snapshot.time = t;
   snapshot.step_size = 1e-6;
   snapshot.shaft_rotation = 1000.0 * t;
-  for (int j = 0; j < bearing.balls.count; ++j) {
+  for (int j = 0; j < bearing.balls().count; ++j) {
     scene::ElementSnapshot ball;
     const double k = j + 1;
     ball.x = 1e-5 * k;
     ball.r = 0.035 + 1e-5 * k;
-    ball.theta = 2.0 * std::numbers::pi * j / bearing.balls.count + 400.0 * t;
+    ball.theta = 2.0 * std::numbers::pi * j / bearing.balls().count + 400.0 * t;
     ball.vx = 0.01 * k;
     ball.vr = -0.02 * k;
     ball.theta_dot = 400.0 + k;

@@ -46,7 +46,7 @@ TEST_CASE("cages of every roller type have mass, play and speed in a quasi-stati
     // leave.
     const double shell = cage.material.density * 0.25 * kPi * cage.width *
                          (std::pow(cage.outer_diameter, 2) - std::pow(cage.inner_diameter, 2));
-    const auto& g = *bearing.rollers;
+    const auto& g = *bearing.rollers();
     const double window = cage.material.density * 0.5 *
                           (cage.outer_diameter - cage.inner_diameter) * g.count *
                           (g.diameter + cage.pocket_clearance_1) * g.length;

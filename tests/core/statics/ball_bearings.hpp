@@ -22,16 +22,16 @@ inline Bearing make(int count, double D, double dm, double fo, double fi, double
                     double clearance = 0.0, double inner_rpm = 0.0, double outer_rpm = 0.0) {
   constexpr double kPi = std::numbers::pi;
   Bearing b;
-  b.balls.count = count;
-  b.balls.diameter = D;
-  b.balls.pitch_diameter = dm;
-  b.balls.groove_factor = {fo, fi};
-  b.balls.contact_angle = angle_deg * kPi / 180.0;
-  b.balls.clearance = clearance;
-  b.ball_material = steel();
+  b.balls().count = count;
+  b.balls().diameter = D;
+  b.balls().pitch_diameter = dm;
+  b.balls().groove_factor = {fo, fi};
+  b.balls().contact_angle = angle_deg * kPi / 180.0;
+  b.balls().clearance = clearance;
+  b.element_material = steel();
   b.race_material = {steel(), steel()};
-  b.ball_inertia.mass = 7800.0 * kPi * D * D * D / 6.0;
-  b.ball_inertia.moments.setConstant(0.1 * b.ball_inertia.mass * D * D);
+  b.element_inertia.mass = 7800.0 * kPi * D * D * D / 6.0;
+  b.element_inertia.moments.setConstant(0.1 * b.element_inertia.mass * D * D);
   b.speed = {outer_rpm * kPi / 30.0, inner_rpm * kPi / 30.0};
   return b;
 }

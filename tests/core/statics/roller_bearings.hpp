@@ -17,14 +17,15 @@ using adore::bearing::Type;
 inline constexpr double kDegree = std::numbers::pi / 180.0;
 
 inline void finish(Bearing& b, double rpm) {
-  for (auto* m : {&b.ball_material, &b.race_material[0], &b.race_material[1]}) {
+  for (auto* m : {&b.element_material, &b.race_material[0], &b.race_material[1]}) {
     m->elastic_modulus = 206e9;
     m->poisson_ratio = 0.3;
     m->density = 7800.0;
   }
-  const auto i = adore::contact::roller_inertia(adore::contact::roller_profile(*b.rollers), 7800.0);
-  b.ball_inertia.mass = i.mass;
-  b.ball_inertia.moments = {i.axial, i.transverse, i.transverse};
+  const auto i =
+      adore::contact::roller_inertia(adore::contact::roller_profile(*b.rollers()), 7800.0);
+  b.element_inertia.mass = i.mass;
+  b.element_inertia.moments = {i.axial, i.transverse, i.transverse};
   b.roller_mass_offset = i.mass_centre;
   b.speed = {0.0, rpm * std::numbers::pi / 30.0};
 }
@@ -45,7 +46,7 @@ inline Bearing cylindrical(double rpm, double clearance = 2e-5) {
   for (int side = 0; side < 2; ++side)
     g.flange[0][static_cast<std::size_t>(side)] = adore::bearing::Flange{0.5 * kDegree, 0.0015};
   g.flange_play = {5e-5, 0.0};
-  b.rollers = g;
+  b.elements = g;
   finish(b, rpm);
   b.constraints.displacement_given = {true, false, false, true, true};
   b.constraints.load = {0.0, 0.0, 5000.0, 0.0, 0.0};
@@ -71,7 +72,7 @@ inline Bearing tapered(double rpm, double layback = 0.2 * kDegree) {
   g.axis_angle = t.axis_angle;
   g.land_width = {0.014, 0.014};
   g.flange[1][0] = adore::bearing::Flange{layback, 0.002};
-  b.rollers = g;
+  b.elements = g;
   finish(b, rpm);
   b.constraints.displacement_given = {false, false, false, true, true};
   b.constraints.load = {2000.0, 0.0, 5000.0, 0.0, 0.0};
@@ -94,7 +95,7 @@ inline Bearing spherical(double rpm, double clearance = 3e-5) {
   g.groove_factor = {0.51, 0.51};
   g.axis_angle = 8.0 * kDegree;
   g.race_angle = {g.axis_angle, g.axis_angle};
-  b.rollers = g;
+  b.elements = g;
   finish(b, rpm);
   b.constraints.displacement_given = {true, false, false, true, true};
   b.constraints.load = {0.0, 0.0, 5000.0, 0.0, 0.0};
@@ -105,7 +106,7 @@ inline Bearing spherical(double rpm, double clearance = 3e-5) {
 inline Bearing spherical_tapered(double rpm) {
   Bearing b = tapered(rpm);
   b.type = Type::SphericalTapered;
-  auto& g = *b.rollers;
+  auto& g = *b.rollers();
   g.shape = adore::bearing::RollerShape::Arc;
   g.crown_radius = 0.040;
   g.length = 0.012;

@@ -39,7 +39,7 @@ double beyond_by_sum(double xi) {
 
 /// Diameter of a shoulder that cuts the ellipse of `ball` at ξ of its major axis.
 double shoulder(const Bearing& bearing, const StaticBall& ball, std::size_t j, double xi) {
-  const auto groove = contact::groove_geometry(bearing.balls);
+  const auto groove = contact::groove_geometry(bearing.balls());
   const double radius = groove.groove_radius[j];
   const double edge = ball.alpha[j] + xi * ball.a[j] / radius;
   return 2.0 * (groove.centre_radius[j] + (j == 0 ? 1.0 : -1.0) * radius * std::cos(edge));
@@ -53,8 +53,8 @@ TEST_CASE("the load beyond the shoulder is that part of the pressure", "[physics
   const StaticBall inside = solve_ball_statics(bearing).balls[0];
   for (const double xi : {-0.7, 0.0, 0.4, 0.9}) {
     for (std::size_t j = 0; j < 2; ++j) {
-      bearing.balls.shoulder_diameter = {};
-      bearing.balls.shoulder_diameter[j] = shoulder(bearing, inside, j, xi);
+      bearing.balls().shoulder_diameter = {};
+      bearing.balls().shoulder_diameter[j] = shoulder(bearing, inside, j, xi);
       const StaticBall b = solve_ball_statics(bearing).balls[0];
       CHECK(b.beyond[j] / b.Q[j] == Approx(beyond_by_sum(xi)).epsilon(5e-3));
       CHECK(b.beyond[1 - j] == 0.0);
@@ -73,7 +73,7 @@ TEST_CASE("contacts over the shoulder are warned of in the deck's units", "[unit
     return all;
   };
   CHECK(said(UnitSystem::SI).empty());
-  bearing.balls.shoulder_diameter[0] =
+  bearing.balls().shoulder_diameter[0] =
       shoulder(bearing, solve_ball_statics(bearing).balls[0], 0, 0.4);
   const StaticBall b = solve_ball_statics(bearing).balls[0];
   REQUIRE(b.shoulder_depth[0] < 0.0);
@@ -98,7 +98,7 @@ TEST_CASE("race control says which friction it needs, and warns when the law has
     const StaticSolution s = solve_ball_statics(bearing);
     const StaticBall& b = s.balls[0];
     // A couple of 2 M/D: all at the outer race, or half of it at each.
-    const double couple = 2.0 * std::abs(b.gyroscopic_moment) / bearing.balls.diameter;
+    const double couple = 2.0 * std::abs(b.gyroscopic_moment) / bearing.balls().diameter;
     const double share = b.inner_race_control ? 0.5 : 1.0;
     CHECK(b.friction[0] * b.Q[0] == Approx(share * couple).epsilon(1e-9));
     CHECK(b.friction[1] * b.Q[1] == Approx((1.0 - share) * couple).epsilon(1e-9).margin(1e-12));
@@ -136,9 +136,9 @@ TEST_CASE("a contact as long as the ball is refused by its cause, and nothing is
         CHECK(std::isfinite(b.orbital_speed));
         CHECK(std::isfinite(b.spin_speed));
         for (std::size_t j = 0; j < 2; ++j)
-          if (b.Q[j] > 0.0) CHECK(b.a[j] < 0.5 * bearing.balls.diameter);
+          if (b.Q[j] > 0.0) CHECK(b.a[j] < 0.5 * bearing.balls().diameter);
       }
-      const bool wide = s.balls[0].a[0] > 0.25 * bearing.balls.diameter;
+      const bool wide = s.balls[0].a[0] > 0.25 * bearing.balls().diameter;
       const auto texts = ball_warnings(bearing, s, 1e9, UnitSystem::SI);
       CHECK(wide == std::any_of(texts.begin(), texts.end(), [](const std::string& t) {
               return t.find("Hertz") != std::string::npos && t.find("outer") != std::string::npos;
@@ -157,10 +157,10 @@ TEST_CASE("a run stops a contact where its ellipse is as long as the ball", "[un
   for (int j = 0; j < 2; ++j) {
     dynamics::RaceContactModel model;
     model.race = j == 0 ? bearing::kOuter : bearing::kInner;
-    model.groove = contact::groove_geometry(bearing.balls);
+    model.groove = contact::groove_geometry(bearing.balls());
     model.hertz = contact::hertz_constants(
-        contact::race_curvature(bearing.balls, j, 25.0 * std::numbers::pi / 180.0),
-        bearing::contact_modulus(bearing.ball_material, bearing.race_material[0]));
+        contact::race_curvature(bearing.balls(), j, 25.0 * std::numbers::pi / 180.0),
+        bearing::contact_modulus(bearing.element_material, bearing.race_material[0]));
     const double limit = dynamics::load_limit(model);
     CHECK(model.hertz.a_hat * std::cbrt(limit) <= (1.0 + 1e-12) * model.groove.ball_radius);
     CHECK(limit <= contact::hertz_load(model.hertz.K, model.groove.ball_radius));

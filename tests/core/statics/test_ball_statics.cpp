@@ -111,7 +111,7 @@ TEST_CASE("balls and inner race are in equilibrium for every option", "[physics]
       REQUIRE(b.inner_contact);
       // The exact kinematics measure angles in each race's own meridional plane: tilts of 1e-3 and
       // offsets u/d_m enter.
-      CHECK(ball_imbalance(b, bearing.balls.diameter, share_o, share_i) <
+      CHECK(ball_imbalance(b, bearing.balls().diameter, share_o, share_i) <
             (options.kinematics == RingKinematics::Linear ? 1e-12 : 5e-3));
     }
     CHECK(s.residual < 1e-11);
@@ -190,7 +190,7 @@ TEST_CASE("thrust load follows the closed form of one ball", "[physics][statics]
 
 TEST_CASE("rigid bodies keep the free contact angle", "[physics][statics]") {
   Bearing bearing = angular_contact_218();
-  bearing.ball_material.elastic_modulus = 206e18;
+  bearing.element_material.elastic_modulus = 206e18;
   for (auto& race : bearing.race_material) race.elastic_modulus = 206e18;
   load(bearing, 17800, 0, 0);
   const auto s = solve_ball_statics(bearing);
@@ -292,7 +292,7 @@ TEST_CASE("tilting both races together is a rotation of the bearing", "[physics]
   hold(hold(hold(hold(hold(straight, 0, 2e-5), 1, 0), 2, 0), 3, 0), 4, 0);
   Bearing tilted = straight;
   const double tilt = 2e-3;
-  const auto groove = contact::groove_geometry(straight.balls);
+  const auto groove = contact::groove_geometry(straight.balls());
   // P_inner stays on the outer axis, at its distance from P_outer: axis = (cos, 0, -sin) for a tilt
   // about y.
   const double distance = groove.centre_x[1] - groove.centre_x[0] + 2e-5;
@@ -304,7 +304,7 @@ TEST_CASE("tilting both races together is a rotation of the bearing", "[physics]
   const auto b = solve_ball_statics(tilted);
   CHECK(b.load[0] == Approx(a.load[0] * std::cos(tilt)).epsilon(1e-5));
   CHECK(b.load[2] == Approx(-a.load[0] * std::sin(tilt)).epsilon(1e-2));
-  CHECK(std::abs(b.load[3]) < 1e-4 * a.load[0] * straight.balls.pitch_diameter);
+  CHECK(std::abs(b.load[3]) < 1e-4 * a.load[0] * straight.balls().pitch_diameter);
 }
 
 TEST_CASE("the start speeds of the balls have no slip at either contact centre",
@@ -319,7 +319,7 @@ TEST_CASE("the start speeds of the balls have no slip at either contact centre",
       load(bearing, 800, 30, 250);
       bearing.constraints.outer_misalignment = {2e-4, 1e-4};
       const auto s = solve_ball_statics(bearing);
-      const auto groove = contact::groove_geometry(bearing.balls);
+      const auto groove = contact::groove_geometry(bearing.balls());
       for (const StaticBall& b : s.balls) {
         REQUIRE(b.inner_contact);
         const bearing::Vec3 radial(0, -std::sin(b.azimuth), std::cos(b.azimuth));
@@ -341,8 +341,8 @@ TEST_CASE("the start speeds of the balls have no slip at either contact centre",
           const bearing::Vec3 v = d - e * groove.centre_radius[j];
           CHECK(v.norm() - groove.offset[j] == Approx(b.delta[j]).epsilon(1e-9));
           const bearing::Vec3 n = v.normalized();
-          const double f = bearing.balls.groove_factor[j];
-          const double D = bearing.balls.diameter;
+          const double f = bearing.balls().groove_factor[j];
+          const double D = bearing.balls().diameter;
           const double rho = 2 * f * D / (2 * f + 1);
           const double h =
               rho - std::sqrt(rho * rho - b.a[j] * b.a[j]) + std::sqrt(D * D / 4 - b.a[j] * b.a[j]);
@@ -436,7 +436,7 @@ TEST_CASE("pure radial load has one spin axis under every rule", "[physics][stat
 TEST_CASE("turning both races by the same speed only adds a rotation", "[physics][statics][spin]") {
   Bearing bearing = spindle(10000.0);
   load(bearing, 800, 0, 0);
-  bearing.ball_inertia = {};  // no inertia: the speeds are pure kinematics
+  bearing.element_inertia = {};  // no inertia: the speeds are pure kinematics
   StaticsOptions options;
   options.control = Control::Outer;
   const auto a = solve_ball_statics(bearing, options);
@@ -483,12 +483,12 @@ TEST_CASE("Newton's iteration ends in few steps from a cold and at once from a w
 
 TEST_CASE("contact edges follow groove, shoulder and split", "[unit][statics]") {
   Bearing bearing = angular_contact_218();
-  bearing.balls.shoulder_diameter = {0.1385, 0.1125};
-  bearing.balls.shim = {0.0, 3e-4};
+  bearing.balls().shoulder_diameter = {0.1385, 0.1125};
+  bearing.balls().shim = {0.0, 3e-4};
   load(bearing, 17800, 0, 0);
   const auto s = solve_ball_statics(bearing);
   const auto& b = s.balls[0];
-  const auto groove = contact::groove_geometry(bearing.balls);
+  const auto groove = contact::groove_geometry(bearing.balls());
   const double fD = 0.5232 * 0.022225;
   CHECK(b.edge[0] ==
         Approx(fD * std::cos(b.alpha[0] + b.a[0] / fD) + groove.centre_radius[0] - 0.06925)
@@ -497,8 +497,8 @@ TEST_CASE("contact edges follow groove, shoulder and split", "[unit][statics]") 
         Approx(0.05625 - (groove.centre_radius[1] - fD * std::cos(b.alpha[1] + b.a[1] / fD)))
             .epsilon(1e-10));
   CHECK(b.edge[1] == Approx(fD * std::sin(b.alpha[1] - b.a[1] / fD)).epsilon(1e-12));
-  bearing.balls.shim[1] = 8e-4;  // half of it is more than the groove centre's distance aside
-  bearing.balls.shoulder_diameter[0] = 2.0 * (b.edge[0] + 0.06925) + 1e-6;
+  bearing.balls().shim[1] = 8e-4;  // half of it is more than the groove centre's distance aside
+  bearing.balls().shoulder_diameter[0] = 2.0 * (b.edge[0] + 0.06925) + 1e-6;
   const auto over = solve_ball_statics(bearing);
   for (const auto& ball : over.balls) CHECK(ball.beyond[0] > 0.0);
   REQUIRE(over.notes.size() == 1);

@@ -164,7 +164,7 @@ TEST_CASE("barrels in grooves of factor 0.5005", "[physics][statics][rollers][ha
   for (const auto contact : {RollerContact::Sliced, RollerContact::Point})
     for (const double rpm : {0.0, 3000.0}) {
       Bearing bearing = unloaded(roller_bearings::spherical(rpm, 1e-5));
-      bearing.rollers->groove_factor = {0.5005, 0.5005};
+      bearing.rollers()->groove_factor = {0.5005, 0.5005};
       hold(hold(bearing, 3, 0.0), 4, 0.0);
       RollerOptions options;
       options.contact = contact;
@@ -185,7 +185,7 @@ TEST_CASE("barrels in grooves of factor 0.5005", "[physics][statics][rollers][ha
 TEST_CASE("the point of a barrel stays on its arc: the deepest of all its slices, ends included",
           "[physics][statics][rollers][hard]") {
   Bearing bearing = unloaded(roller_bearings::spherical(0.0, 1e-5));
-  bearing.rollers->groove_factor = {0.5005, 0.5005};
+  bearing.rollers()->groove_factor = {0.5005, 0.5005};
   RollerOptions options;
   options.contact = RollerContact::Point;
   options.slices = 1000;
@@ -222,7 +222,7 @@ TEST_CASE("the point of a barrel stays on its arc: the deepest of all its slices
       };
       const double slope = (energy(1e-7) - energy(-1e-7)) / 2e-7;
       CHECK(point.gradient(2) ==
-            Approx(slope).margin(2e-5 * point.total * bearing.rollers->length));
+            Approx(slope).margin(2e-5 * point.total * bearing.rollers()->length));
     }
     CHECK(at_end);
     // Far apart nothing touches on the far side of the arc's circle.
@@ -249,10 +249,10 @@ TEST_CASE("unloaded rollers at speed stand where the rule says, and PRINT says i
   };
   for (const double factor : {0.5005, 0.51}) {
     Bearing barrels = unloaded(roller_bearings::spherical(3000.0, 2e-4));
-    barrels.rollers->groove_factor = {factor, factor};
+    barrels.rollers()->groove_factor = {factor, factor};
     hold(hold(hold(load(barrels, 0, 0, 5000), 0, 0.0), 3, 0.0), 4, 0.0);
     const auto s = solved(barrels);
-    const double angle = barrels.rollers->axis_angle;
+    const double angle = barrels.rollers()->axis_angle;
     CHECK(s.guide_force == Approx(s.centrifugal_force * std::sin(angle)));
     int unloaded_ones = 0;
     for (const StaticRoller& r : s.rollers) {
@@ -263,7 +263,7 @@ TEST_CASE("unloaded rollers at speed stand where the rule says, and PRINT says i
       // gyroscopic moment asks: M = Q s (1 - D/(2 Rc)).
       CHECK(r.race[0].contact_angle == Approx(angle).epsilon(2e-3));
       CHECK(r.race[0].load == Approx(s.centrifugal_force * std::cos(angle)).epsilon(1e-3));
-      const double arm = 1.0 - 0.5 * barrels.rollers->diameter / barrels.rollers->crown_radius;
+      const double arm = 1.0 - 0.5 * barrels.rollers()->diameter / barrels.rollers()->crown_radius;
       CHECK(std::abs(r.race[0].moment) * arm ==
             Approx(std::abs(s.gyroscopic_moment)).epsilon(1e-2));
     }
@@ -296,8 +296,8 @@ TEST_CASE("a barrel row that swivels says so", "[physics][statics][rollers][hard
 TEST_CASE("a round crown leaves the outer slices without contact",
           "[physics][statics][rollers][hard]") {
   Bearing bearing = unloaded(roller_bearings::cylindrical(0.0, 0.0));
-  bearing.rollers->crown_radius = 0.3;
-  bearing.rollers->central_length = 0.0;
+  bearing.rollers()->crown_radius = 0.3;
+  bearing.rollers()->central_length = 0.0;
   double length = 0.0;
   for (double force : {1.0, 100.0, 5000.0, 50000.0}) {
     const auto s = solved(load(bearing, 0, 0, force));
@@ -321,11 +321,11 @@ TEST_CASE("a crown so flat that slices lose contact: lamina integral and closed 
   for (const double crown : {1e10, 300.0, 20.0})
     for (const double lean : {4e-4, 1.5e-3, 4e-3}) {
       Bearing bearing = roller_bearings::cylindrical(0.0, 0.0);
-      bearing.rollers->crown_radius = crown;
-      bearing.rollers->central_length = crown > 1e9 ? bearing.rollers->length : 0.0;
+      bearing.rollers()->crown_radius = crown;
+      bearing.rollers()->central_length = crown > 1e9 ? bearing.rollers()->length : 0.0;
       for (std::size_t k = 0; k < 5; ++k) hold(bearing, k, 0.0);
       hold(hold(bearing, 2, 2.0 * depth), 3, lean);
-      const double L = bearing.rollers->contact_length();
+      const double L = bearing.rollers()->contact_length();
       const double constant = options.line_constant * std::pow(L, -1.0 / 9.0);
       // Midpoint rule of 2e5 strips, independent of slices and solver.
       double load = 0.0;
@@ -376,13 +376,13 @@ TEST_CASE("a crown so flat that slices lose contact: lamina integral and closed 
 
 TEST_CASE("a nearly straight roller under almost no load", "[physics][statics][rollers][hard]") {
   Bearing bearing = unloaded(roller_bearings::cylindrical(0.0, 0.0));
-  bearing.rollers->crown_radius = 1e4;
-  bearing.rollers->central_length = 0.0;
+  bearing.rollers()->crown_radius = 1e4;
+  bearing.rollers()->central_length = 0.0;
   hold(bearing, 3, 3e-3);
   solved(load(bearing, 0, 0, 1000));
   hold(bearing, 3, 0.0);
   // A drop of 1.6 nm at the ends is more than the approach: the ends stay free.
   const auto light = solved(load(bearing, 0, 0, 1e-3));
   CHECK(light.rollers[0].race[1].slice_load.front() == 0.0);
-  CHECK(light.rollers[0].race[1].length < 0.8 * bearing.rollers->contact_length());
+  CHECK(light.rollers[0].race[1].length < 0.8 * bearing.rollers()->contact_length());
 }

@@ -233,12 +233,12 @@ TEST_CASE("loads too small to compute, and nonsense, are refused in a sentence",
   CHECK_THROWS_WITH(solve_ball_statics(load(bearing, 0, std::nan(""), 0)),
                     Catch::Contains("not a finite number"));
   load(bearing, 0, 0, 100);
-  bearing.ball_material.elastic_modulus = 0.0;
+  bearing.element_material.elastic_modulus = 0.0;
   CHECK_THROWS_WITH(solve_ball_statics(bearing), Catch::Contains("elastic modulus is 0"));
-  bearing.ball_material = steel();
-  bearing.balls.count = 0;
+  bearing.element_material = steel();
+  bearing.balls().count = 0;
   CHECK_THROWS_AS(solve_ball_statics(bearing), InputError);
-  bearing.balls.count = 9;
+  bearing.balls().count = 9;
   bearing.speed = {0.0, 500.0};
   bearing.spin_rule = bearing::SpinRule::Prescribed;
   bearing.spin_angle = 1.57;

@@ -37,7 +37,7 @@ bearing::RaceErrors ellipse(double major, double minor, double angle) {
 /// Sixteen cylindrical rollers, so that waves and ellipses meet them at even fractions of a turn.
 Bearing tight_rollers(double clearance) {
   Bearing b = roller_bearings::unloaded(roller_bearings::cylindrical(0.0, clearance));
-  b.rollers->count = 16;
+  b.rollers()->count = 16;
   return b;
 }
 
@@ -97,7 +97,7 @@ TEST_CASE("the mass of a ball follows its diameter", "[physics][statics][imperfe
   Bearing bearing = spindle(20000.0);
   load(bearing, 400, 0, 0);
   bearing.imperfections.ball_diameter.assign(18, 0.0);
-  bearing.imperfections.ball_diameter[0] = 1e-3 * bearing.balls.diameter;
+  bearing.imperfections.ball_diameter[0] = 1e-3 * bearing.balls().diameter;
   const auto s = solve_ball_statics(bearing);
   const auto mass = [](const StaticBall& b) {
     return b.centrifugal_force / (b.orbital_speed * b.orbital_speed);
@@ -251,7 +251,7 @@ TEST_CASE("the random table is SplitMix64 and normal", "[unit][imperfections]") 
 TEST_CASE("dual contact of a split race is seen and said", "[physics][statics][split]") {
   Bearing bearing = make(16, 0.0127, 0.07, 0.52, 0.52, 30.0);
   const double shim = 1.2e-4;
-  bearing.balls.shim = {0.0, shim};
+  bearing.balls().shim = {0.0, shim};
   const double s = 0.02 * 0.0127;
   const auto has_note = [](const StaticSolution& solution, const char* text) {
     return std::any_of(solution.notes.begin(), solution.notes.end(),
@@ -289,7 +289,7 @@ TEST_CASE("dual contact of a split race is seen and said", "[physics][statics][s
     }
   }
   // Without a shim there is nothing to say.
-  bearing.balls.shim = {0.0, 0.0};
+  bearing.balls().shim = {0.0, 0.0};
   CHECK_FALSE(has_note(solve_ball_statics(bearing), "split"));
 }
 
@@ -300,7 +300,7 @@ TEST_CASE("roller imperfections of zero amplitude change no bit",
     hold(hold(bearing, 3, 0.0), 4, 0.0);
     load(bearing, bearing.constraints.displacement_given[0] ? 0.0 : 4000.0, 300, 5000);
     const auto ideal = solve_roller_statics(bearing);
-    bearing.rollers->deviation.assign(static_cast<std::size_t>(bearing.rollers->count), {});
+    bearing.rollers()->deviation.assign(static_cast<std::size_t>(bearing.rollers()->count), {});
     bearing.imperfections.race = {ellipse(0, 0, 0.3), wave(0, 5, 0.1)};
     const auto zero = solve_roller_statics(bearing);
     CHECK(zero.displacement == ideal.displacement);
@@ -314,8 +314,8 @@ TEST_CASE("an oversize roller carries more load by the stiffness of its contacts
   const auto ideal = solve_roller_statics(load(bearing, 0, 0, 3000));
   hold_all(bearing, ideal.displacement);
   const double growth = 1e-8;
-  bearing.rollers->deviation.assign(16, {});
-  bearing.rollers->deviation[2].diameter = growth;
+  bearing.rollers()->deviation.assign(16, {});
+  bearing.rollers()->deviation[2].diameter = growth;
   const auto s = solve_roller_statics(bearing);
   const auto closure = [](const StaticRoller& r) { return r.race[0].delta + r.race[1].delta; };
   // The middle of the roller stays in the middle of the play but for its own compliance.
@@ -327,14 +327,14 @@ TEST_CASE("an oversize roller carries more load by the stiffness of its contacts
         Approx(k * growth).epsilon(5e-3));
   CHECK(s.rollers[3].race[1].load == Approx(ideal.rollers[3].race[1].load).epsilon(1e-9));
   // A longer central land: more slices carry the same penetration.
-  bearing.rollers->deviation[2] = {};
-  bearing.rollers->deviation[2].central_length = 2e-3;
+  bearing.rollers()->deviation[2] = {};
+  bearing.rollers()->deviation[2].central_length = 2e-3;
   const auto longer = solve_roller_statics(bearing);
   CHECK(longer.rollers[2].race[1].load > ideal.rollers[2].race[1].load);
   // A land off the middle: the moment follows it.
-  bearing.rollers->deviation[2] = {};
-  bearing.rollers->deviation[2].crown_radius = -1.5;
-  bearing.rollers->deviation[2].land_offset = 1e-3;
+  bearing.rollers()->deviation[2] = {};
+  bearing.rollers()->deviation[2].crown_radius = -1.5;
+  bearing.rollers()->deviation[2].land_offset = 1e-3;
   const auto off = solve_roller_statics(bearing);
   CHECK(off.rollers[2].race[1].peak_position > 0.0);
 }
@@ -357,7 +357,7 @@ TEST_CASE("race errors under rollers: waves, ellipse, taper and land",
   bearing.imperfections.race[0] = wave(2e-6, 16, 0.5 * kPi);
   const auto wavy = solve_roller_statics(load(bearing, 0, 0, 2000));
   Bearing larger = tight_rollers(-2e-5 + 4e-6);
-  larger.rollers->pitch_diameter += 2e-6;
+  larger.rollers()->pitch_diameter += 2e-6;
   const auto even = solve_roller_statics(load(larger, 0, 0, 2000));
   for (std::size_t k = 0; k < 16; ++k) {
     CHECK(wavy.rollers[k].race[0].load == Approx(even.rollers[k].race[0].load).epsilon(1e-3));
@@ -373,9 +373,9 @@ TEST_CASE("race errors under rollers: waves, ellipse, taper and land",
   // A uniform taper of both races that opens towards +x loads the -x ends; the wedge of 2e-4 is far
   // below what friction holds, so rollers stay in the middle, with flanges or without (decision
   // 109).
-  const auto flanges = bearing.rollers->flange;
+  const auto flanges = bearing.rollers()->flange;
   for (const bool flanged : {false, true}) {
-    bearing.rollers->flange = flanged ? flanges : decltype(flanges){};
+    bearing.rollers()->flange = flanged ? flanges : decltype(flanges){};
     const auto open = solve_roller_statics(squeezing(bearing));
     CHECK(open.rollers[0].race[0].moment < 0.0);
     CHECK(open.rollers[0].race[1].moment < 0.0);
@@ -384,7 +384,7 @@ TEST_CASE("race errors under rollers: waves, ellipse, taper and land",
   }
   // A narrow land moved towards +x: contact ends there.
   bearing.imperfections.race = {};
-  bearing.rollers->land_width = {0.006, 0.012};
+  bearing.rollers()->land_width = {0.006, 0.012};
   bearing.imperfections.race[0].land_offset = {1e-3, 0.0, 0.5 * kPi};
   const auto moved = solve_roller_statics(bearing);
   CHECK(moved.rollers[0].race[0].moment > 0.0);

@@ -126,8 +126,8 @@ RollerSolution random_start(const Bearing& bearing, const RollerSolution& cold, 
     StaticRoller guess;
     guess.azimuth = roller.azimuth;
     guess.x = size * random.uniform();
-    guess.r = 0.5 * bearing.rollers->pitch_diameter + size * random.uniform();
-    guess.tilt = -bearing.rollers->axis_angle + size / kLever * random.uniform();
+    guess.r = 0.5 * bearing.rollers()->pitch_diameter + size * random.uniform();
+    guess.tilt = -bearing.rollers()->axis_angle + size / kLever * random.uniform();
     start.rollers.push_back(guess);
   }
   return start;
@@ -155,7 +155,7 @@ void thousand_roller_guesses(const Bearing& bearing, unsigned seed,
       const StaticRoller& a = s.rollers[k];
       const StaticRoller& b = cold.rollers[k];
       misplaced = std::max({misplaced, std::abs(a.x - b.x), std::abs(a.r - b.r),
-                            std::abs(a.tilt - b.tilt) * 0.25 * bearing.rollers->length});
+                            std::abs(a.tilt - b.tilt) * 0.25 * bearing.rollers()->length});
       for (std::size_t j = 0; j < 2; ++j)
         other_load = std::max(other_load, std::abs(a.race[j].load - b.race[j].load));
     }
@@ -203,7 +203,7 @@ TEST_CASE("a thousand first guesses: all five loads, balls of least heat",
 TEST_CASE("a thousand first guesses: a ball bearing with split races",
           "[physics][statics][hard][guesses][slow]") {
   Bearing bearing = ball_bearings::make(16, 0.0127, 0.07, 0.52, 0.52, 25.0, 0.0, 6000.0);
-  bearing.balls.shim = {0.0, 1e-4};
+  bearing.balls().shim = {0.0, 1e-4};
   thousand_ball_guesses(load(bearing, 2000, 500, 1000), 6);
 }
 
@@ -227,10 +227,10 @@ TEST_CASE("a ball comes back to its place from a thousand others",
     // Within the grooves; a millimetre beyond, the model's orbital speed runs away.
     const double size = random.size();
     ball.x = cold.balls[k].x + size * random.uniform();
-    ball.rho = cold.balls[k].r - 0.5 * bearing.balls.pitch_diameter + size * random.uniform();
+    ball.rho = cold.balls[k].r - 0.5 * bearing.balls().pitch_diameter + size * random.uniform();
     failed += solve_ball(model, pose, ball) ? 0 : 1;
     worst = std::max({worst, std::abs(ball.x - cold.balls[k].x),
-                      std::abs(ball.rho + 0.5 * bearing.balls.pitch_diameter - cold.balls[k].r)});
+                      std::abs(ball.rho + 0.5 * bearing.balls().pitch_diameter - cold.balls[k].r)});
   }
   CHECK(failed == 0);
   CHECK(worst < kSame);
@@ -265,7 +265,7 @@ TEST_CASE("a thousand first guesses: barrels in slices",
 TEST_CASE("a thousand first guesses: barrels as points in grooves of factor 0.5005",
           "[physics][statics][rollers][hard][guesses][slow]") {
   Bearing bearing = roller_bearings::unloaded(roller_bearings::spherical(0.0));
-  bearing.rollers->groove_factor = {0.5005, 0.5005};
+  bearing.rollers()->groove_factor = {0.5005, 0.5005};
   hold(hold(load(bearing, 2000, 0, 6000), 3, 0.0), 4, 0.0);
   thousand_roller_guesses(bearing, 15, RollerContact::Point);
 }

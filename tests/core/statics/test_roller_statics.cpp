@@ -23,7 +23,7 @@ double stiffness_error(const bearing::Bearing& b, const RollerSolution& s) {
   held.constraints.displacement_given.fill(true);
   RollerOptions options;
   options.start = &s;
-  const double lever = 0.5 * b.rollers->pitch_diameter;
+  const double lever = 0.5 * b.rollers()->pitch_diameter;
   double worst = 0.0;
   double scale = 0.0;
   for (std::size_t k = 0; k < 5; ++k) {
@@ -93,21 +93,21 @@ TEST_CASE("slice forces: penetration as in slice_contact, gradient and Hessian a
 
 TEST_CASE("one roller carries the load alone: both contacts in series", "[physics][rollers]") {
   auto b = cylindrical(0.0);
-  b.rollers->count = 1;
-  b.rollers->crown_radius = std::numeric_limits<double>::infinity();
-  b.rollers->central_length = b.rollers->length;
+  b.rollers()->count = 1;
+  b.rollers()->crown_radius = std::numeric_limits<double>::infinity();
+  b.rollers()->central_length = b.rollers()->length;
   b.constraints.displacement_given[1] = true;  // one roller holds nothing sideways
   RollerOptions options;
   options.line_constant = contact::kLineConstantSteel;
   const auto s = solve_roller_statics(b, options);
-  const double L = b.rollers->contact_length();
+  const double L = b.rollers()->contact_length();
   const double delta = std::pow(5000.0 / (options.line_constant * std::pow(L, 8.0 / 9.0)), 0.9);
   // Play/2 and twice the approach; closed form.
   CHECK(s.displacement[2] == Approx(1e-5 + 2.0 * delta).epsilon(1e-10));
   CHECK(s.rollers[0].race[0].load == Approx(5000.0).epsilon(1e-10));
   CHECK(s.rollers[0].race[0].slice_load[3] == Approx(5000.0 / 31.0).epsilon(1e-9));
   // The curvature is taken at the contact point, some 1e-5 m below the surface of 2.4e-2 m.
-  const double R = 1.0 / (1.0 / 0.0055 + 1.0 / b.rollers->race_radius(1));
+  const double R = 1.0 / (1.0 / 0.0055 + 1.0 / b.rollers()->race_radius(1));
   const double E_star = 206e9 / (2.0 * 0.91);
   CHECK(s.rollers[0].race[1].peak_pressure ==
         Approx(std::sqrt(5000.0 / L * E_star / (kDegree * 180.0 * R))).epsilon(2e-4));
@@ -115,7 +115,7 @@ TEST_CASE("one roller carries the load alone: both contacts in series", "[physic
 
 TEST_CASE("pure radial load without play: heaviest roller near 4.08 F/Z", "[physics][rollers]") {
   auto b = cylindrical(0.0);
-  b.rollers->clearance = 0.0;
+  b.rollers()->clearance = 0.0;
   const auto s = solve_roller_statics(b);
   // Sjövall's integral for lines without play is 4.08 for many rollers; 14 deviate by under 2 %.
   CHECK(s.rollers[0].race[1].load == Approx(4.08 * 5000.0 / 14.0).epsilon(0.02));
@@ -130,9 +130,9 @@ TEST_CASE("thrust on a tapered bearing: rib loads of the closed form", "[physics
     b.constraints.load = {20000.0, 0.0, 0.0, 0.0, 0.0};
     const auto s = solve_roller_statics(b);
     const auto& r = s.rollers[5];
-    const double rib_angle = b.rollers->race_angle[1] - b.rollers->flange[1][0]->layback;
+    const double rib_angle = b.rollers()->race_angle[1] - b.rollers()->flange[1][0]->layback;
     const auto q =
-        contact::rib_loads(20000.0 / 17.0, b.rollers->race_angle, rib_angle, s.centrifugal_force);
+        contact::rib_loads(20000.0 / 17.0, b.rollers()->race_angle, rib_angle, s.centrifugal_force);
     REQUIRE(r.flange[1][0].on_face);
     // The closed form takes the roller's nominal tilt; it tilts by tenths of a milliradian.
     CHECK(r.race[0].load == Approx(q.outer).epsilon(1e-3));
@@ -168,7 +168,7 @@ TEST_CASE("combined loads: residual, rollers in balance, exact stiffness", "[phy
         for (const auto& flange : race) flange_load += flange.load;
       if (flange_load > 0.0) continue;
       double radial =
-          solution.centrifugal_force - solution.guide_force * std::sin(b->rollers->axis_angle);
+          solution.centrifugal_force - solution.guide_force * std::sin(b->rollers()->axis_angle);
       if (r.race[0].load > 0.0) radial -= r.race[0].load * std::cos(r.race[0].contact_angle);
       if (r.race[1].load > 0.0) radial += r.race[1].load * std::cos(r.race[1].contact_angle);
       CHECK(std::abs(radial) <
@@ -188,26 +188,26 @@ TEST_CASE("5 mrad misalignment, flat crowns and clearance with one loaded roller
     const auto& contact = s.rollers[0].race[1];
     CHECK(s.load[2] == Approx(5000.0).epsilon(1e-9));
     CHECK(contact.slice_load.front() * contact.slice_load.back() == 0.0);
-    CHECK(contact.length < 0.7 * b.rollers->contact_length());
+    CHECK(contact.length < 0.7 * b.rollers()->contact_length());
     CHECK(std::abs(contact.moment) > 5.0);
     CHECK(contact.at_edge);
   }
   SECTION("a strong crown keeps the ends free, a straight roller loads them") {
     auto b = cylindrical(0.0);
-    b.rollers->crown_radius = 0.3;
-    b.rollers->central_length = 0.004;
+    b.rollers()->crown_radius = 0.3;
+    b.rollers()->central_length = 0.004;
     const auto crowned = solve_roller_statics(b);
     CHECK(crowned.rollers[0].race[1].slice_load.front() == 0.0);
     CHECK_FALSE(crowned.rollers[0].race[1].at_edge);
-    b.rollers->crown_radius = 1e10;
-    b.rollers->central_length = b.rollers->length;
+    b.rollers()->crown_radius = 1e10;
+    b.rollers()->central_length = b.rollers()->length;
     const auto straight = solve_roller_statics(b);
     CHECK(straight.rollers[0].race[1].at_edge);
     CHECK(straight.rollers[0].race[1].peak_pressure < crowned.rollers[0].race[1].peak_pressure);
   }
   SECTION("large play and a small load: one roller carries it, the rest has no load at rest") {
     auto b = cylindrical(0.0);
-    b.rollers->clearance = 2e-4;
+    b.rollers()->clearance = 2e-4;
     b.constraints.load[2] = 100.0;
     const auto s = solve_roller_statics(b);
     CHECK(s.rollers[0].race[0].load == Approx(100.0).epsilon(1e-9));
@@ -241,7 +241,7 @@ TEST_CASE("barrels: the point contact and the slices agree within the laws' diff
 
 TEST_CASE("what cannot be in equilibrium is refused in a sentence", "[unit][rollers]") {
   auto rib = tapered(0.0);
-  rib.rollers->flange[1][0].reset();
+  rib.rollers()->flange[1][0].reset();
   CHECK_THROWS_WITH(solve_roller_statics(rib), Catch::Contains("kFlngInd12"));
   auto thrust = cylindrical(0.0);
   thrust.constraints.displacement_given[0] = false;
@@ -254,7 +254,7 @@ TEST_CASE("what cannot be in equilibrium is refused in a sentence", "[unit][roll
 
 TEST_CASE("a flanged cylindrical bearing carries thrust over its flanges", "[physics][rollers]") {
   auto b = cylindrical(0.0);
-  b.rollers->flange[1][0] = bearing::Flange{0.5 * kDegree, 0.0015};
+  b.rollers()->flange[1][0] = bearing::Flange{0.5 * kDegree, 0.0015};
   b.constraints.displacement_given[0] = false;
   b.constraints.load[0] = 300.0;
   const auto s = solve_roller_statics(b);
@@ -276,7 +276,7 @@ TEST_CASE("a tilted cylindrical bearing is stiff: no roller slides out of the we
   // Positive and of the size of the slices' own: K L^2/12 of the loaded rollers.
   const double stiffness = level.stiffness(3, 3);
   CHECK(stiffness > 0.0);
-  CHECK(stiffness < level.stiffness(2, 2) * b.rollers->length * b.rollers->length);
+  CHECK(stiffness < level.stiffness(2, 2) * b.rollers()->length * b.rollers()->length);
   // The linearisation predicts the moment of a small tilt.
   b.constraints.displacement[3] = 1e-6;
   const auto tilted = statics::solve_roller_statics(b);
@@ -301,7 +301,7 @@ TEST_CASE("reference cases rib_static: a tapered bearing of their geometry, solv
     };
     for (const double hardness : {1.0, 1e5}) {
       auto b = tapered(0.0);
-      auto& g = *b.rollers;
+      auto& g = *b.rollers();
       g.count = in.at("n_rollers").get<int>();
       g.diameter = value(in, "dia");
       g.length = value(in, "length");
@@ -318,7 +318,7 @@ TEST_CASE("reference cases rib_static: a tapered bearing of their geometry, solv
       g.flange[1][0] = bearing::Flange{value(in, "layback"), value(in, "flange_height")};
       finish(b, value(in, "inner_speed") * 30.0 / std::numbers::pi);
       g.end_radius[0] = value(in, "end_radius");
-      for (auto* m : {&b.ball_material, &b.race_material[0], &b.race_material[1]})
+      for (auto* m : {&b.element_material, &b.race_material[0], &b.race_material[1]})
         m->elastic_modulus *= hardness;
       b.constraints.load = {value(in, "thrust"), 0.0, 0.0, 0.0, 0.0};
       const auto s = solve_roller_statics(b);

@@ -53,7 +53,7 @@ struct Found {
 
 Found solve(const Bearing& as_built) {
   const Bearing b = thermal::operating_bearing(as_built);
-  if (b.rollers) {
+  if (b.rollers()) {
     const auto s = statics::solve_roller_statics(b);
     return {s, {s.rollers[0].race[0].load, s.rollers[0].race[1].load}};
   }
@@ -138,7 +138,7 @@ TEST_CASE("a warm inner ring loads held races, a warm outer ring relieves them, 
     Bearing inner = cold, outer = cold, balls = cold;
     warm(inner, bearing::kInner, 20.0);
     warm(outer, bearing::kOuter, 20.0);
-    balls.ball_temperature += 20.0;
+    balls.element_temperature += 20.0;
     const double before = solve(cold).first[0];
     CHECK(before > 0.0);
     CHECK(solve(inner).first[0] > 1.05 * before);
@@ -150,19 +150,19 @@ TEST_CASE("a warm inner ring loads held races, a warm outer ring relieves them, 
 TEST_CASE("one temperature of all parts changes no roller bearing", "[physics][datum]") {
   for (const Case& c : kHeld) {
     const Bearing cold = held(c.type, c.x, c.z);
-    if (!cold.rollers) continue;
+    if (!cold.rollers()) continue;
     INFO(c.type);
     Bearing b = cold;
     const double kelvin = 60.0;
     warm(b, bearing::kOuter, kelvin);
     warm(b, bearing::kInner, kelvin);
-    b.ball_temperature += kelvin;
+    b.element_temperature += kelvin;
     b.cage_temperature += kelvin;
-    b.ball_material = b.mounting.shaft = b.mounting.housing = b.race_material[1] =
+    b.element_material = b.mounting.shaft = b.mounting.housing = b.race_material[1] =
         b.race_material[0];
     // Everything grows by g, the given displacement does not: loads fall by a few g.
-    const double g =
-        bearing::thermal_growth(b.ball_material, b.ball_temperature, b.room_temperature, false);
+    const double g = bearing::thermal_growth(b.element_material, b.element_temperature,
+                                             b.room_temperature, false);
     REQUIRE(g > 5e-4);
     CHECK(solve(b).first[0] == Approx(solve(cold).first[0]).epsilon(10.0 * g));
   }
@@ -191,13 +191,13 @@ TEST_CASE("the datum follows the deck's geometry alone", "[physics][datum]") {
     b.mounting.fit = {1e-5, 2e-5};
     b.speed = {0.0, 800.0};
     const Bearing operating = thermal::operating_bearing(b);
-    if (!b.rollers) {
-      CHECK(contact::groove_geometry(operating.balls).centre_x ==
-            contact::groove_geometry(cold.balls).centre_x);
+    if (!b.rollers()) {
+      CHECK(contact::groove_geometry(operating.balls()).centre_x ==
+            contact::groove_geometry(cold.balls()).centre_x);
       continue;
     }
     const auto bench = statics::race_surfaces(cold);
-    const auto free_again = statics::bench_races(b.type, operating.rollers->on_bench());
+    const auto free_again = statics::bench_races(b.type, operating.rollers()->on_bench());
     const auto grown = statics::race_surfaces(operating);
     for (std::size_t j = 0; j < 2; ++j) {
       CHECK(free_again[j].radius == bench[j].radius);

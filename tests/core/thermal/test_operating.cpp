@@ -34,26 +34,26 @@ Bearing example_at_rest() {
 
 void set_temperature(Bearing& b, double T) {
   b.race_temperature = {T, T};
-  b.ball_temperature = b.cage_temperature = T;
+  b.element_temperature = b.cage_temperature = T;
   b.mounting.housing_temperature = b.mounting.shaft_temperature = T;
 }
 
 void one_material(Bearing& b) {
   const bearing::Material steel = bearing::material_from_table(100, bearing::Part::Cage);
-  b.ball_material = steel;
+  b.element_material = steel;
   b.race_material = {steel, steel};
   b.mounting.housing = b.mounting.shaft = steel;
   b.cage->material = steel;
 }
 
 void check_same_geometry(const Bearing& a, const Bearing& b) {
-  CHECK(a.balls.diameter == b.balls.diameter);
-  CHECK(a.balls.pitch_diameter == b.balls.pitch_diameter);
-  CHECK(a.balls.contact_angle == b.balls.contact_angle);
-  CHECK(a.balls.clearance == b.balls.clearance);
-  CHECK(a.balls.groove_factor == b.balls.groove_factor);
-  CHECK(a.balls.shoulder_diameter == b.balls.shoulder_diameter);
-  CHECK(a.ball_inertia.moments == b.ball_inertia.moments);
+  CHECK(a.balls().diameter == b.balls().diameter);
+  CHECK(a.balls().pitch_diameter == b.balls().pitch_diameter);
+  CHECK(a.balls().contact_angle == b.balls().contact_angle);
+  CHECK(a.balls().clearance == b.balls().clearance);
+  CHECK(a.balls().groove_factor == b.balls().groove_factor);
+  CHECK(a.balls().shoulder_diameter == b.balls().shoulder_diameter);
+  CHECK(a.element_inertia.moments == b.element_inertia.moments);
   CHECK(a.race_inertia[1].moments == b.race_inertia[1].moments);
   REQUIRE((a.cage && b.cage));
   CHECK(a.cage->outer_diameter == b.cage->outer_diameter);
@@ -103,33 +103,33 @@ TEST_CASE("one material, one temperature: every length scales and the contact an
   const Bearing warm = thermal::operating_bearing(b);
   const auto scaled = [&](double value) { return Approx(value * (1.0 + g)).epsilon(1e-12); };
   CHECK(warm.operating->changed);
-  CHECK(warm.balls.diameter == scaled(b.balls.diameter));
-  CHECK(warm.balls.pitch_diameter == scaled(b.balls.pitch_diameter));
-  CHECK(warm.balls.clearance == scaled(b.balls.clearance));
-  CHECK(warm.balls.contact_angle == Approx(b.balls.contact_angle).epsilon(1e-12));
-  CHECK(warm.balls.groove_factor[0] == Approx(b.balls.groove_factor[0]).epsilon(1e-14));
-  CHECK(warm.balls.shoulder_diameter[0] == scaled(b.balls.shoulder_diameter[0]));
+  CHECK(warm.balls().diameter == scaled(b.balls().diameter));
+  CHECK(warm.balls().pitch_diameter == scaled(b.balls().pitch_diameter));
+  CHECK(warm.balls().clearance == scaled(b.balls().clearance));
+  CHECK(warm.balls().contact_angle == Approx(b.balls().contact_angle).epsilon(1e-12));
+  CHECK(warm.balls().groove_factor[0] == Approx(b.balls().groove_factor[0]).epsilon(1e-14));
+  CHECK(warm.balls().shoulder_diameter[0] == scaled(b.balls().shoulder_diameter[0]));
   CHECK(warm.cage->outer_diameter == scaled(b.cage->outer_diameter));
   CHECK(warm.cage->pocket_clearance_1 == scaled(b.cage->pocket_clearance_1));
   for (std::size_t i = 0; i < 2; ++i)
     CHECK(warm.cage->lands[i].clearance == scaled(b.cage->lands[i].clearance));
-  CHECK(warm.ball_inertia.mass == b.ball_inertia.mass);  // mass stays, inertia follows D^2
-  CHECK(warm.ball_inertia.moments[0] ==
-        Approx(b.ball_inertia.moments[0] * (1.0 + g) * (1.0 + g)).epsilon(1e-14));
+  CHECK(warm.element_inertia.mass == b.element_inertia.mass);  // mass stays, inertia follows D^2
+  CHECK(warm.element_inertia.moments[0] ==
+        Approx(b.element_inertia.moments[0] * (1.0 + g) * (1.0 + g)).epsilon(1e-14));
 }
 
 TEST_CASE("the groove centres that statics sees lie on the moved loci", "[physics][operating]") {
   Bearing b = example();
   b.mounting.fit = {8e-6, 18e-6};
   b.race_temperature = {340.0, 352.0};
-  b.ball_temperature = 355.0;
+  b.element_temperature = 355.0;
   b.mounting.shaft_temperature = 345.0;
   b.mounting.housing_temperature = 325.0;
   for (const double inner : {352.0, 500.0}) {  // with play, and so hot inside that it is preloaded
     b.race_temperature[1] = inner;
     const Bearing warm = thermal::operating_bearing(b);
-    CHECK((warm.balls.contact_angle > 0.0) == (inner < 400.0));
-    const contact::GrooveGeometry groove = contact::groove_geometry(warm.balls);
+    CHECK((warm.balls().contact_angle > 0.0) == (inner < 400.0));
+    const contact::GrooveGeometry groove = contact::groove_geometry(warm.balls());
     const bearing::OperatingFits& fits = *warm.operating;
     for (std::size_t j = 0; j < 2; ++j) {
       CHECK(groove.centre_radius[j] == Approx(fits.locus[j]).epsilon(1e-14));
@@ -141,8 +141,9 @@ TEST_CASE("the groove centres that statics sees lie on the moved loci", "[physic
     // Clearance measured between the raceways.
     const double gap = 2.0 * (fits.raceway_radius[0] + fits.raceway[0].total() -
                               fits.raceway_radius[1] - fits.raceway[1].total()) -
-                       2.0 * warm.balls.diameter;
-    CHECK(gap == Approx(warm.balls.clearance).margin(1e-15));  // differences of 0.03 m: 1e-17 each
+                       2.0 * warm.balls().diameter;
+    CHECK(gap ==
+          Approx(warm.balls().clearance).margin(1e-15));  // differences of 0.03 m: 1e-17 each
   }
 }
 
@@ -151,23 +152,24 @@ TEST_CASE("ceramic balls open the clearance of a warm steel bearing", "[physics]
   one_material(b);
   set_temperature(b, 400.0);
   const Bearing steel = thermal::operating_bearing(b);
-  b.ball_material = bearing::material_from_table(150, bearing::Part::RollingElement);
+  b.element_material = bearing::material_from_table(150, bearing::Part::RollingElement);
   const Bearing hybrid = thermal::operating_bearing(b);
-  const double saved = 2.0 * b.balls.diameter *
-                       (b.race_material[0].thermal_expansion - b.ball_material.thermal_expansion) *
-                       (400.0 - 293.15);
+  const double saved =
+      2.0 * b.balls().diameter *
+      (b.race_material[0].thermal_expansion - b.element_material.thermal_expansion) *
+      (400.0 - 293.15);
   CHECK(saved > 1e-6);
-  CHECK(hybrid.balls.clearance - steel.balls.clearance == Approx(saved).epsilon(1e-9));
-  CHECK(hybrid.balls.contact_angle > steel.balls.contact_angle);
+  CHECK(hybrid.balls().clearance - steel.balls().clearance == Approx(saved).epsilon(1e-9));
+  CHECK(hybrid.balls().contact_angle > steel.balls().contact_angle);
   CHECK(hybrid.cage->pocket_clearance_1 > steel.cage->pocket_clearance_1);
 }
 
 TEST_CASE("speed takes clearance with its square", "[physics][operating]") {
   Bearing b = example();
-  const double cold = b.balls.clearance;
-  const double at_10000 = cold - thermal::operating_bearing(b).balls.clearance;
+  const double cold = b.balls().clearance;
+  const double at_10000 = cold - thermal::operating_bearing(b).balls().clearance;
   b.speed[1] *= -2.0;  // either direction
-  const double at_20000 = cold - thermal::operating_bearing(b).balls.clearance;
+  const double at_20000 = cold - thermal::operating_bearing(b).balls().clearance;
   CHECK(at_10000 > 1e-7);
   CHECK(at_20000 ==
         Approx(4.0 * at_10000).epsilon(1e-9));  // difference of numbers 100 times larger
@@ -180,9 +182,9 @@ TEST_CASE("fits take clearance, and what comes loose or breaks is said", "[physi
   const bearing::OperatingFits& fits = *fitted.operating;
   CHECK(fits.warnings.empty());
   CHECK(fits.mounted.clearance == fits.operating.clearance);  // cold and at rest
-  CHECK(fits.mounted.clearance < b.balls.clearance);
+  CHECK(fits.mounted.clearance < b.balls().clearance);
   CHECK(fits.fit[1].pressure == fits.fit[1].mounted_pressure);
-  CHECK(fits.operating.contact_angle == fitted.balls.contact_angle);
+  CHECK(fits.operating.contact_angle == fitted.balls().contact_angle);
 
   Bearing fast = b;
   fast.mounting.fit = {0.0, 2e-6};
@@ -191,8 +193,8 @@ TEST_CASE("fits take clearance, and what comes loose or breaks is said", "[physi
   Bearing tight = b;
   tight.mounting.fit = {60e-6, 110e-6};
   const Bearing preloaded = thermal::operating_bearing(tight);
-  CHECK(preloaded.balls.clearance < 0.0);
-  CHECK(preloaded.balls.contact_angle == 0.0);
+  CHECK(preloaded.balls().clearance < 0.0);
+  CHECK(preloaded.balls().contact_angle == 0.0);
   CHECK(warns(preloaded, "clearance turns negative"));
   Bearing soft = b;
   soft.race_material[1].elastic_strain_limit = 1e-5;
@@ -215,7 +217,7 @@ TEST_CASE("statics carries the same load on the operating bearing at another ang
   const statics::StaticSolution cold_solution = statics::solve_ball_statics(b);
   const statics::StaticSolution warm_solution = statics::solve_ball_statics(warm);
   CHECK(warm_solution.load[0] == Approx(cold_solution.load[0]).epsilon(1e-9));
-  CHECK(warm.balls.contact_angle < b.balls.contact_angle);
+  CHECK(warm.balls().contact_angle < b.balls().contact_angle);
   CHECK(warm_solution.balls[0].alpha[0] < cold_solution.balls[0].alpha[0]);
 }
 
@@ -223,13 +225,13 @@ TEST_CASE("rollers between the same raceways see the same rings", "[physics][ope
   Bearing b = example();
   b.mounting.fit = {8e-6, 18e-6};
   b.race_temperature = {340.0, 352.0};
-  b.ball_temperature = 355.0;
+  b.element_temperature = 355.0;
   const bearing::OperatingFits balls = *thermal::operating_bearing(b).operating;
   thermal::RollerSizes rollers;
-  rollers.diameter = b.balls.diameter;
-  rollers.length = b.balls.diameter;
-  rollers.pitch_diameter = b.balls.pitch_diameter;
-  rollers.clearance = b.balls.clearance;
+  rollers.diameter = b.balls().diameter;
+  rollers.length = b.balls().diameter;
+  rollers.pitch_diameter = b.balls().pitch_diameter;
+  rollers.clearance = b.balls().clearance;
   const thermal::OperatingRollers out =
       thermal::operating_roller_bearing(b, rollers, balls.raceway_radius, 0.0);
   CHECK(out.report.changed);
@@ -247,7 +249,7 @@ TEST_CASE("impossible temperatures and rings are refused with their values", "[u
   b.race_temperature[0] = 0.0;
   CHECK_THROWS_WITH(thermal::operating_bearing(b), Catch::Contains("0 K"));
   b = example_at_rest();
-  b.envelope.outer_diameter = b.balls.pitch_diameter;
+  b.envelope.outer_diameter = b.balls().pitch_diameter;
   CHECK_THROWS_WITH(thermal::operating_bearing(b), Catch::Contains("outer raceway radius"));
   b = example_at_rest();
   b.race_temperature[0] = b.mounting.housing_temperature = 1600.0;
@@ -290,9 +292,10 @@ TEST_CASE("material laws change moduli and growth with temperature", "[physics][
   const Bearing constant = thermal::operating_bearing(b);
   b.mounting.material_laws = true;
   const Bearing lawful = thermal::operating_bearing(b);
-  CHECK(lawful.ball_material.elastic_modulus < constant.ball_material.elastic_modulus);
+  CHECK(lawful.element_material.elastic_modulus < constant.element_material.elastic_modulus);
   CHECK(lawful.operating->fit[1].pressure < constant.operating->fit[1].pressure);
-  CHECK(lawful.balls.diameter > constant.balls.diameter);  // α_m of 52100 rises with temperature
+  CHECK(lawful.balls().diameter >
+        constant.balls().diameter);  // α_m of 52100 rises with temperature
 }
 
 TEST_CASE("a roller bearing in operation: rings, rollers and play move, nothing without a cause",
@@ -301,7 +304,7 @@ TEST_CASE("a roller bearing in operation: rings, rollers and play move, nothing 
   b.envelope.bore = 0.040;
   b.envelope.outer_diameter = 0.080;
   b.envelope.housing_diameter = 0.110;
-  for (bearing::Material* m : {&b.ball_material, &b.race_material[0], &b.race_material[1],
+  for (bearing::Material* m : {&b.element_material, &b.race_material[0], &b.race_material[1],
                                &b.mounting.housing, &b.mounting.shaft}) {
     m->elastic_modulus = 206e9;
     m->poisson_ratio = 0.3;
@@ -309,8 +312,8 @@ TEST_CASE("a roller bearing in operation: rings, rollers and play move, nothing 
     m->thermal_expansion = 1.2e-5;
   }
   const bearing::Bearing same = thermal::operating_bearing(b);
-  CHECK(same.rollers->clearance == b.rollers->clearance);
-  CHECK(same.rollers->pitch_diameter == b.rollers->pitch_diameter);
+  CHECK(same.rollers()->clearance == b.rollers()->clearance);
+  CHECK(same.rollers()->pitch_diameter == b.rollers()->pitch_diameter);
   CHECK_FALSE(same.operating->changed);
 
   bearing::Bearing pressed = b;
@@ -318,19 +321,21 @@ TEST_CASE("a roller bearing in operation: rings, rollers and play move, nothing 
   const bearing::Bearing mounted = thermal::operating_bearing(pressed);
   CHECK(mounted.operating->fit[1].pressure > 1e6);
   // The inner raceway grows by less than the interference, and the play falls by as much.
-  const double lost = b.rollers->clearance - mounted.rollers->clearance;
+  const double lost = b.rollers()->clearance - mounted.rollers()->clearance;
   CHECK(lost > 0.5 * 20e-6);
   CHECK(lost < 20e-6);
-  CHECK(mounted.rollers->race_radius(bearing::kInner) - b.rollers->race_radius(bearing::kInner) ==
+  CHECK(mounted.rollers()->race_radius(bearing::kInner) -
+            b.rollers()->race_radius(bearing::kInner) ==
         Approx(0.5 * lost).epsilon(1e-9));
 
   bearing::Bearing warm = b;
   warm.race_temperature = {333.15, 333.15};
-  warm.ball_temperature = warm.cage_temperature = 333.15;
+  warm.element_temperature = warm.cage_temperature = 333.15;
   warm.mounting.housing_temperature = warm.mounting.shaft_temperature = 333.15;
   const bearing::Bearing grown = thermal::operating_bearing(warm);
   const double growth = 1.0 + 40.0 * 1.2e-5;
-  CHECK(grown.rollers->diameter == Approx(b.rollers->diameter * growth).epsilon(1e-12));
-  CHECK(grown.rollers->pitch_diameter == Approx(b.rollers->pitch_diameter * growth).epsilon(1e-12));
-  CHECK(grown.rollers->clearance == Approx(b.rollers->clearance * growth).epsilon(1e-9));
+  CHECK(grown.rollers()->diameter == Approx(b.rollers()->diameter * growth).epsilon(1e-12));
+  CHECK(grown.rollers()->pitch_diameter ==
+        Approx(b.rollers()->pitch_diameter * growth).epsilon(1e-12));
+  CHECK(grown.rollers()->clearance == Approx(b.rollers()->clearance * growth).epsilon(1e-9));
 }
