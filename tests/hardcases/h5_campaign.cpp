@@ -101,7 +101,7 @@ void limit() {
 /// takes; the timer ends the process.
 void start_clock() {
   const struct itimerval busy {
-    {0, 0}, { 0, 400'000 }
+    {0, 0}, { 0, 250'000 }
   }, waiting{{0, 0}, {300, 0}};
   ::setitimer(ITIMER_PROF, &busy, nullptr);
   ::setitimer(ITIMER_REAL, &waiting, nullptr);
