@@ -4,7 +4,7 @@ set -euo pipefail
 
 packages=(
   # compiler and build
-  g++ cmake ninja-build ccache git ca-certificates
+  g++ cmake ninja-build git ca-certificates
   # solver
   libeigen3-dev libsundials-dev libhdf5-dev libfmt-dev nlohmann-json3-dev libcli11-dev
   musl-dev  # its sin, exp, pow ... give the same digits on every x86-64

@@ -15,6 +15,7 @@
 #include "setup/run_control.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <memory>

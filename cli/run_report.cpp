@@ -5,6 +5,7 @@
 #include "cli/pictures.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cctype>

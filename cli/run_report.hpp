@@ -3,7 +3,7 @@
 #include "facade/run.hpp"
 #include "facade/sweep.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 

@@ -1,5 +1,7 @@
 #include "base/own_files.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <fstream>

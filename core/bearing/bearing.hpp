@@ -149,9 +149,10 @@ struct Bearing {
   double roller_mass_offset = 0.0;  ///< s_G: roller mass centre along its axis from mid length [m]
   std::array<Inertia, 2> race_inertia;
   std::optional<Cage> cage;
-  TractionCurve race_traction;                   ///< element to race
-  std::optional<TractionCurve> pocket_traction;  ///< element to cage
-  std::optional<TractionCurve> land_traction;    ///< cage to race
+  TractionCurve race_traction;                    ///< element to race
+  std::optional<TractionCurve> pocket_traction;   ///< element to cage
+  std::optional<TractionCurve> land_traction;     ///< cage to race
+  std::optional<TractionCurve> element_traction;  ///< element to element, without cage
   Imperfections imperfections;  ///< of balls and races; rollers keep their own in RollerGeometry
   StaticConstraints constraints;
   SpinRule spin_rule = SpinRule::RaceControl;

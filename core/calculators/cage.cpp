@@ -7,6 +7,7 @@
 #include "contact/guide_land.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <nlohmann/json.hpp>
 
 namespace adore::calculators {
 namespace {

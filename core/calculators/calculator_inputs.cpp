@@ -5,6 +5,7 @@
 #include "base/spelling.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "calculators/calculators.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <string_view>

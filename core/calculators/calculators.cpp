@@ -5,6 +5,7 @@
 #include "calculators/calculator_inputs.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 

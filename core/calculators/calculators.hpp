@@ -2,7 +2,7 @@
 
 #include "calculators/adapter.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <span>
 #include <string>

@@ -10,6 +10,8 @@
 #include "life/depth_integral.hpp"
 #include "life/statistics.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <limits>
 

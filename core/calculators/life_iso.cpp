@@ -3,6 +3,8 @@
 #include "life/constants.hpp"
 #include "life/iso16281.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace adore::calculators {

@@ -2,6 +2,8 @@
 
 #include "calculators/json_access.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace adore::calculators {
 
 dynamics::RigidBody rigid_body(const Json& in) {

@@ -6,6 +6,8 @@
 #include "contact/slice_traction.hpp"
 #include "contact/tapered_geometry.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 
 namespace adore::calculators {

@@ -7,6 +7,8 @@
 #include "contact/sliced_line.hpp"
 #include "tribology/traction_law.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <limits>
 

@@ -4,6 +4,8 @@
 #include "contact/tapered_geometry.hpp"
 #include "statics/roller_statics.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <limits>
 

@@ -7,6 +7,8 @@
 #include "statics/ball_statics.hpp"
 #include "statics/kinematics.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>

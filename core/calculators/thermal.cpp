@@ -9,6 +9,7 @@
 #include "tribology/fluid.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <map>

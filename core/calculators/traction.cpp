@@ -6,6 +6,8 @@
 #include "tribology/newton_film.hpp"
 #include "tribology/traction_curve.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "deck/schema.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <iterator>
 #include <string>

@@ -15,6 +15,8 @@ LedgerTerms race_terms();
 MadeEffect make_race_excitations(const ScenePlan& plan);
 MadeEffect make_pocket_contact(const ScenePlan& plan);
 LedgerTerms pocket_terms();
+MadeEffect make_element_contact(const ScenePlan& plan);
+LedgerTerms element_contact_terms();
 MadeEffect make_land_contact(const ScenePlan& plan);
 LedgerTerms land_terms();
 MadeEffect make_cage(const ScenePlan& plan);

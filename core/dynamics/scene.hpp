@@ -5,6 +5,7 @@
 #include "scene/plan.hpp"
 #include "scene/scales.hpp"
 #include "scene/snapshot.hpp"
+#include "scene/system_options.hpp"
 
 /// Plans, snapshots, ledgers and scales are what the equations of motion talk in.
 namespace adore::dynamics {

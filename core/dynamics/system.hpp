@@ -4,7 +4,6 @@
 #include "dynamics/scene.hpp"
 #include "dynamics/state_layout.hpp"
 #include "statics/ball_statics.hpp"
-#include "tribology/ellipse_traction.hpp"
 
 #include <functional>
 #include <memory>
@@ -15,12 +14,6 @@
 /// The equations of motion of one ball bearing, assembled from the effects of its scene plan (mode
 /// 0).
 namespace adore::dynamics {
-
-struct SystemOptions {
-  int ellipse_major = 15, ellipse_minor = 4;  ///< nodes of the run's split ellipse rule
-  tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;
-  int land_slices = 3;
-};
 
 class SceneEffect;  // effect.hpp
 /// Makes an effect that the catalogue does not have; null: not in this scene.

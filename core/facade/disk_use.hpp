@@ -2,7 +2,7 @@
 
 #include "facade/prepare.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 #include <utility>

@@ -1,5 +1,7 @@
 #include "facade/plan_json.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace adore::facade {
 
 nlohmann::ordered_json plan_json(const scene::ScenePlan& plan, const std::string& stability) {

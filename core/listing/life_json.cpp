@@ -1,6 +1,8 @@
 #include "life/statistics.hpp"
 #include "listing/print_life.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <array>
 #include <cmath>
 

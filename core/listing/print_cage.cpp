@@ -4,6 +4,7 @@
 #include "contact/cage_inertia.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <string>

@@ -4,7 +4,7 @@
 #include "deck/deck.hpp"
 #include "listing/report.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 /// The cage in PRINT.txt and RUN.json, of balls and rollers alike.
 namespace adore::listing {

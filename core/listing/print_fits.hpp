@@ -3,7 +3,7 @@
 #include "bearing/bearing.hpp"
 #include "listing/report.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 /// Operating fits, clearances and growths of a bearing: page of PRINT.txt, object of RUN.json.
 namespace adore::listing {

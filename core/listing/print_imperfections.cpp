@@ -4,6 +4,7 @@
 #include "contact/race_errors.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <array>
 #include <numbers>

@@ -3,7 +3,7 @@
 #include "bearing/bearing.hpp"
 #include "listing/report.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 /// Geometric imperfections in PRINT.txt and RUN.json: what each rolling element and its place on
 /// the races differ by from the ideal bearing. Races are shown at the azimuth of each element in

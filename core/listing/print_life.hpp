@@ -4,7 +4,7 @@
 #include "life/bearing_life.hpp"
 #include "listing/report.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <string>
 

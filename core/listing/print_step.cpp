@@ -98,6 +98,16 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
       };
     element_table(report, record, interval, columns);
   }
+  if (record.shape.pairs > 0) {
+    report.heading("Elements and the next ones in the ring (gap: negative in contact)");
+    std::vector<Report::Row> rows;
+    for (int j = 0; j < record.shape.pairs; j += interval) {
+      const auto at = static_cast<std::size_t>(j);
+      rows.push_back({fmt::format("{} and {}", j + 1, (j + 1) % record.shape.elements + 1),
+                      {record["neighbour.force"][at], record["neighbour.gap"][at]}});
+    }
+    report.table("elements", {{"force", &unit::kForce}, {"gap", &unit::kLength}}, rows);
+  }
   if (record.shape.cages == 0) return;
   report.heading(
       "Cage pockets (gap: negative in contact; theta: 0 the cage drives, 180 deg the element "

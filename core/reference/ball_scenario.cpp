@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <complex>
 

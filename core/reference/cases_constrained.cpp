@@ -4,6 +4,8 @@
 #include "reference/adapter.hpp"
 #include "reference/trajectory.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace adore::reference {
 namespace {
 

@@ -9,6 +9,8 @@
 #include "reference/trajectory.hpp"
 #include "statics/kinematics.hpp"
 
+#include <nlohmann/json.hpp>
+
 namespace adore::reference {
 namespace {
 

@@ -2,6 +2,7 @@
 #include "reference/scenarios.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 

@@ -6,6 +6,8 @@
 #include "reference/trajectory.hpp"
 #include "tribology/traction_curve.hpp"
 
+#include <nlohmann/json.hpp>
+
 /// dynamics_pocket and dynamics_rigid_whirl. The pocket's walls and the land are linear springs
 /// here, as the cases say.
 namespace adore::reference {

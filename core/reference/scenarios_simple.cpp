@@ -5,6 +5,8 @@
 #include "reference/trajectory.hpp"
 #include "tribology/traction_curve.hpp"
 
+#include <nlohmann/json.hpp>
+
 /// F_dynamics, dynamics_impact and dynamics_plates: one or two degrees of freedom, integrated with
 /// located events.
 namespace adore::reference {

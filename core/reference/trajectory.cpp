@@ -3,6 +3,8 @@
 #include "base/errors.hpp"
 #include "integrators/stepper.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <memory>
 

@@ -118,6 +118,11 @@ constexpr auto kTable = std::to_array<Channel>({
      [](const Source& s) { return s.pocket().theta; }, "0 the cage drives the element, 180 deg the element drives the cage"},
     {"pocket.phi", "pocket contact angle phi", &unit::kAngle, "P", Per::Pocket, 1, false,
      [](const Source& s) { return s.pocket().phi; }, "cone angle or latitude; 0 for cylindrical pockets"},
+    // Elements and the ones behind them in the ring, without cage.
+    {"neighbour.force", "force between elements", &unit::kForce, "-", Per::Pair, 1, false,
+     [](const Source& s) { return s.pair().force; }, "normal force on the next element in the ring"},
+    {"neighbour.gap", "gap between elements", &unit::kLength, "-", Per::Pair, 1, false,
+     [](const Source& s) { return s.pair().gap; }, "to the next element in the ring, negative in contact"},
     // Cage.
     {"cage.whirl_ratio", "whirl ratio", &unit::kPure, "N", Per::Cage, 1, false,
      [](const Source& s) { return over_race_speed(s, cage_orbit(s).theta_dot); },

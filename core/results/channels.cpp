@@ -26,6 +26,7 @@ void point_at(ChannelSource& source, const Channel& channel, const Shape& shape,
     case Per::Run:
       break;
     case Per::Element:
+    case Per::Pair:
       source.element = at;
       break;
     case Per::Contact:
@@ -87,6 +88,8 @@ Shape shape_of(const bearing::Bearing& bearing) {
     shape.cages = 1;
     shape.pocket_surfaces = pocket_surfaces(bearing);
     shape.lands = static_cast<int>(bearing.cage->lands.size());
+  } else {
+    shape.pairs = shape.elements == 2 ? 1 : shape.elements > 2 ? shape.elements : 0;
   }
   return shape;
 }
@@ -102,6 +105,8 @@ std::size_t channel_size(const Channel& channel, const Shape& shape) {
         return 2 * shape.elements;
       case Per::Pocket:
         return shape.elements * shape.pocket_surfaces;
+      case Per::Pair:
+        return shape.pairs;
       case Per::Cage:
         return shape.cages;
       case Per::Land:
@@ -138,6 +143,10 @@ const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot) {
     demand(shape.cages == 0 ||
                element.pocket.size() == static_cast<std::size_t>(shape.pocket_surfaces),
            "each element of a snapshot shows every guide surface of its pocket");
+
+  for (std::size_t i = 0; i < static_cast<std::size_t>(shape.pairs); ++i)
+    demand(snapshot.elements[i].to_next.has_value(),
+           "each element of a snapshot without cage shows the next one");
 
   record_.step = snapshot.step;
   record_.time = snapshot.time;

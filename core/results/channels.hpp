@@ -19,7 +19,7 @@
 namespace adore::results {
 
 /// How often a channel occurs in one step.
-enum class Per : unsigned char { Run, Element, Contact, Pocket, Cage, Land, Race };
+enum class Per : unsigned char { Run, Element, Contact, Pocket, Pair, Cage, Land, Race };
 
 /// Where a channel's getter looks: one instant and the indices that its `Per` needs (all from 0).
 struct ChannelSource {
@@ -34,6 +34,8 @@ struct ChannelSource {
   [[nodiscard]] const scene::PocketContactSnapshot& pocket() const {
     return ball().pocket[surface];
   }
+  /// An element and the next one, in a bearing without cage.
+  [[nodiscard]] const scene::NeighbourSnapshot& pair() const { return *ball().to_next; }
   [[nodiscard]] const scene::CageSnapshot& cage_body() const { return snapshot->cages[cage]; }
   [[nodiscard]] const scene::RaceSnapshot& race_body() const { return snapshot->races[race]; }
 };
@@ -74,6 +76,7 @@ class ChannelTable {
 /// Sizes of one bearing that fix how many values each channel has.
 struct Shape {
   int elements = 0, pocket_surfaces = 0, cages = 0, lands = 0;
+  int pairs = 0;  ///< of elements that may touch
   bool operator==(const Shape&) const = default;
 };
 [[nodiscard]] Shape shape_of(const bearing::Bearing& bearing);

@@ -52,6 +52,9 @@ std::vector<hsize_t> dimensions(const Channel& channel, const Shape& shape) {
     case Per::Pocket:
       out = {n(shape.elements), n(shape.pocket_surfaces)};
       break;
+    case Per::Pair:
+      out = {n(shape.pairs)};
+      break;
     case Per::Cage:
       out = {n(shape.cages)};
       break;
@@ -77,6 +80,8 @@ std::string_view dimension_names(const Channel& channel) {
       return "step, element, race";
     case Per::Pocket:
       return "step, element, surface";
+    case Per::Pair:
+      return "step, element and the next";
     case Per::Cage:
       return vector ? "step, cage, component" : "step, cage";
     case Per::Land:

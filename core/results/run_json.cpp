@@ -5,6 +5,8 @@
 #include "base/own_files.hpp"
 #include "base/version.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>

@@ -2,7 +2,7 @@
 
 #include "results/quantities.hpp"
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 
 #include <filesystem>
 #include <string>

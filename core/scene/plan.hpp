@@ -14,6 +14,8 @@ enum class Effect : unsigned char {
   RaceTraction,   ///< traction over the contact ellipse
   PocketContact,  ///< element / cage pocket
   PocketTraction,
+  ElementContact,  ///< element / element, without cage
+  ElementTraction,
   LandContact,  ///< cage / race guide lands
   LandTraction,
   Gravity,

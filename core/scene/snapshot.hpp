@@ -39,6 +39,12 @@ struct PocketContactSnapshot {
   double theta = 0.0, phi = 0.0;  ///< contact angles [rad], theta 0..2π
 };
 
+/// A ball and the next one in the ring, without cage.
+struct NeighbourSnapshot {
+  double force = 0.0;  ///< [N]
+  double gap = 0.0;    ///< negative in contact [m]
+};
+
 struct ElementSnapshot {
   double x = 0.0, r = 0.0, theta = 0.0;  ///< mass centre; theta accumulates turns [m, m, rad]
   double vx = 0.0, vr = 0.0, theta_dot = 0.0;
@@ -53,6 +59,7 @@ struct ElementSnapshot {
   std::vector<PocketContactSnapshot> pocket;  ///< one per surface; empty without cage
   Vec3 pocket_to_centre =
       Vec3::Zero();  ///< vector pocket centre -> element centre, pocket frame [m]
+  std::optional<NeighbourSnapshot> to_next;  ///< without cage; the last of two balls has none
 };
 
 struct LandSnapshot {

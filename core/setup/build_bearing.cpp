@@ -258,6 +258,8 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   if (dynamic || deck.has("reRaceTC1"))
     out.race_traction = curve(deck, "kTracType", "reRaceTC", dynamic);
   if (deck.integer("nCseg") == 1) out.cage = cage(deck, out);
+  if (dynamic && deck.integer("nCseg") == 0)
+    out.element_traction = curve(deck, "kRRTracType", "reReTC", true);
   if (dynamic && out.cage) {
     out.pocket_traction = curve(deck, "kCPTracType", "reCageTC", true);
     const bool guided = std::any_of(out.cage->lands.begin(), out.cage->lands.end(),

@@ -39,7 +39,6 @@ constexpr Gate kDynamic[] = {
     {"kReIP", 0, "given rolling-element inertia"},
     {"kRaceIP1", 0, "given outer-race inertia"},
     {"kRaceIP2", 0, "given inner-race inertia"},
-    {"nCseg", 1, "a segmented cage or a bearing without cage (element to element contact)"},
     {"kChrn", 0, "churning and drag"},
 };
 constexpr Gate kCage[] = {
@@ -50,6 +49,10 @@ constexpr Gate kCage[] = {
     {"kCageIP", 0, "given cage inertia"},
     {"kCPTrac", 0, "a user routine for element to cage traction"},
     {"kCRTrac", 0, "a user routine for cage to race traction"},
+};
+
+constexpr Gate kNoCage[] = {
+    {"kRRTrac", 0, "a user routine for element to element traction"},
 };
 
 class Checker {
@@ -160,7 +163,24 @@ std::vector<Issue> check_buildable(const Deck& deck) {
   if (dynamic && deck.integer("kBrg") != 1)
     check.error("kBrg", "asks for the motion of rollers, which this version does not simulate yet",
                 "set mode to -1 for the quasi-static solution");
-  if (dynamic && deck.integer("nCseg") > 0) {
+  const long long segments = deck.integer("nCseg");
+  if (dynamic && segments > 1)
+    check.error("nCseg", "asks for a segmented cage, which this version does not simulate yet",
+                "set nCseg to 1 for a cage of one piece, or to 0 for a bearing without cage");
+  if (dynamic && segments == 0) {
+    check.gates(kNoCage);
+    if (deck.integer("kBrg") != 1)
+      check.error(
+          "nCseg",
+          "asks for rollers that touch each other, which this version does not simulate yet",
+          "set nCseg to 1");
+    if (deck.real("qFac") > 0.0)
+      check.error("qFac",
+                  "asks for lightly loaded balls in force balance, which knows races and pockets "
+                  "but no contact between balls (nCseg = 0)",
+                  "set qFac to 0");
+  }
+  if (dynamic && segments > 0) {
     check.gates(kCage);
     if (deck.has("cageConeAng") && deck.real("cageConeAng") != 0.0)
       check.error("cageConeAng",

@@ -2,7 +2,7 @@
 
 #include "bearing/life_inputs.hpp"
 #include "deck/deck.hpp"
-#include "dynamics/system.hpp"
+#include "scene/system_options.hpp"
 #include "setup/build_imperfections.hpp"
 #include "statics/roller_statics.hpp"
 #include "statics/stiffness_table.hpp"
@@ -52,7 +52,7 @@ struct RunControl {
 /// What the deck cannot say: named options with defaults (`--opt name=value`, or ADORE.json beside
 /// the deck).
 struct RunOptions {
-  dynamics::SystemOptions system;
+  scene::SystemOptions system;
   statics::RollerOptions rollers;
   double checkpoint_seconds = 10.0;   ///< wall time between checkpoints of FINAL and MASTER
   bool results_h5 = true;             ///< write RESULTS.h5

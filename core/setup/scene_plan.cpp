@@ -44,6 +44,11 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   effect(Effect::PocketTraction, element + " / pocket traction",
          cage && can_push(*bearing.pocket_traction),
          cage ? curve_reason(deck, "kCPTracType", *bearing.pocket_traction) : cage_switch);
+  const bool ring = !cage && n >= 2;
+  effect(Effect::ElementContact, element + " / " + element + " contact", ring, cage_switch);
+  effect(Effect::ElementTraction, element + " / " + element + " traction",
+         ring && can_push(*bearing.element_traction),
+         ring ? curve_reason(deck, "kRRTracType", *bearing.element_traction) : cage_switch);
   effect(Effect::LandContact, "cage / race guide lands", guided,
          cage ? fmt::format("nGL = {}{}", deck.integer("nGL"), guided ? "" : ", no guided land")
               : cage_switch);

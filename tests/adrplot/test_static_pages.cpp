@@ -11,6 +11,7 @@
 #include <QImage>
 #include <QTemporaryDir>
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,6 +3,8 @@
 #include "json_mutator.hpp"
 #include "reference/validate.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstring>

@@ -5,6 +5,7 @@
 #include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <fstream>
 #include <set>

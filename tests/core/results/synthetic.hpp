@@ -133,6 +133,8 @@ inline scene::Snapshot make_snapshot(const bearing::Bearing& bearing, long step 
         ball.pocket.push_back({f, -1e-6 * f, 3.3 + 0.01 * f, 0.02 * f});
       }
       ball.pocket_to_centre = {1e-5 * k, -1e-5 * k, 2e-5 * k};
+    } else {
+      ball.to_next = {50.0 + k, -1e-6 * k};
     }
     snapshot.elements.push_back(ball);
   }

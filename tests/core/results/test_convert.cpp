@@ -7,6 +7,7 @@
 #include "synthetic.hpp"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include <functional>
 #include <locale>

@@ -1,0 +1,158 @@
+#include "base/errors.hpp"
+#include "contact/conformal.hpp"
+#include "dynamics/effect_makers.hpp"
+#include "tribology/traction_law.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <vector>
+
+/// Balls that touch the ones before and after them in a bearing without cage (nCseg = 0, record
+/// 10.5.3). Centres q_i, q_j of neighbours, d = |q_j - q_i|, n = (q_j - q_i)/d, overlap δ = D - d:
+///   N = law(δ), Hertz of two equal spheres (Q = 4/3 E* √(D/4) δ^1.5, E* = E/(2(1 - ν²)), continued
+///   by contact/conformal.hpp where the patch grows beyond half a radius) along n, apart;
+///   friction at the middle of q_i q_j, where both have the lever d/2: u = velocity of j less that
+///   of i, its part along n removed; N κ(s)/s u on i, the opposite on j, s the rounded slip
+///   (tribology/rounded_law.hpp). One point for both, so that angular momentum is conserved.
+/// Heat = friction · u >= 0. N is minus the gradient of law.energy over both centres: without
+/// friction energy is conserved. Zero load and zero heat without overlap.
+/// Limits: equal balls; an overlap of a radius is no valid state. With two balls there is one
+/// contact. The spacing of the static solution decides who touches whom first.
+namespace adore::dynamics {
+namespace {
+
+constexpr LedgerTerm kHeat{LedgerKind::Heat,
+                           "element_heat",
+                           "heat between elements",
+                           {"contacts between elements"},
+                           "dissipated since the start"};
+constexpr const LedgerTerm* kTerms[] = {&kHeat};
+
+/// Element i touches `other`.
+struct Pair {
+  std::size_t i, other;
+};
+
+struct PairContact {
+  Vec3 n = Vec3::Zero();  ///< from i to the other
+  double distance = 0.0;  ///< of the centres [m]
+};
+PairContact pair_contact(const Evaluation& e, const Pair& pair) noexcept {
+  const Vec3 between = e.element_centre(pair.other) - e.element_centre(pair.i);
+  const double distance = between.norm();
+  return {between / distance, distance};
+}
+
+struct PairModel {
+  double diameter = 0.0;  ///< D [m]
+  contact::CappedHertz law;
+  std::vector<Pair> pairs;
+};
+
+template <bool Traction>
+class PairBlock final : public EffectBlock {
+ public:
+  PairBlock(const PairModel& model, const tribology::TractionLaw& law, double& heat)
+      : model_(model), law_(law), heat_(heat) {}
+  void apply(Evaluation& e) noexcept override {
+    law_.visit_rounded([&](const auto& friction) { apply_with(friction, e); });
+  }
+
+ private:
+  template <class Friction>
+  void apply_with(const Friction& friction_per_slip, Evaluation& e) noexcept;
+
+  const PairModel& model_;
+  tribology::TractionLaw law_;
+  double& heat_;
+};
+
+template <bool Traction>
+template <class Friction>
+void PairBlock<Traction>::apply_with([[maybe_unused]] const Friction& friction_per_slip,
+                                     Evaluation& e) noexcept {
+  if constexpr (Traction) heat_ = 0.0;
+  for (const Pair& pair : model_.pairs) {
+    const PairContact c = pair_contact(e, pair);
+    const double overlap = model_.diameter - c.distance;
+    if (!(overlap > 0.0)) continue;
+    e.valid = e.valid && overlap < 0.5 * model_.diameter;
+    const double N = contact::load(model_.law, overlap);
+    Vec3 on_first = -N * c.n;
+    e.elastic += contact::energy(model_.law, overlap);
+    if constexpr (Traction) {
+      const Vec3 arm = (0.5 * c.distance) * c.n;
+      Vec3 slip = e.element_velocity(pair.other) - e.element_velocity(pair.i) -
+                  (e.element_omega(pair.other) + e.element_omega(pair.i)).cross(arm);
+      slip -= slip.dot(c.n) * c.n;
+      const Vec3 friction = (N * friction_per_slip(slip.squaredNorm())) * slip;
+      on_first += friction;
+      heat_ += friction.dot(slip);
+      // The other one's lever and force are both opposite: the same moment.
+      const Vec3 moment = arm.cross(friction);
+      e.add_moment(pair.i, e.to_cylindrical(pair.i, moment));
+      e.add_moment(pair.other, e.to_cylindrical(pair.other, moment));
+    }
+    e.add_force(pair.i, e.to_cylindrical(pair.i, on_first));
+    e.add_force(pair.other, e.to_cylindrical(pair.other, -on_first));
+  }
+}
+
+class Neighbours final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override {
+    const bearing::Bearing& bearing = scene.bearing;
+    const std::size_t n = static_cast<std::size_t>(bearing.element_count());
+    model_.diameter = bearing.balls().diameter;
+    model_.law =
+        contact::ball_pocket_law(bearing.element_material, bearing.element_material,
+                                 model_.diameter, {2.0 / model_.diameter, 2.0 / model_.diameter})
+            .law;
+    for (std::size_t i = 0; i + 1 < n; ++i) model_.pairs.push_back({i, i + 1});
+    if (n > 2) model_.pairs.push_back({n - 1, 0});
+    constexpr std::string_view kCost = "contacts between elements";
+    if (scene.plan.has(Effect::ElementTraction)) {
+      demand(bearing.element_traction.has_value(),
+             "traction between elements is on without a traction curve");
+      scene.block<PairBlock<true>>(Phase::Force, kCost, {}, model_, *bearing.element_traction,
+                                   heat_);
+      scene.energy("elements.heat", kHeat, &heat_);
+    } else {
+      scene.block<PairBlock<false>>(Phase::Force, kCost, {}, model_, tribology::TractionLaw(),
+                                    heat_);
+    }
+    scene.neighbours_meet();
+  }
+
+  [[nodiscard]] std::string why_invalid(const Evaluation& e) const override {
+    for (const Pair& pair : model_.pairs)
+      if (!(pair_contact(e, pair).distance > 0.5 * model_.diameter))
+        return fmt::format(
+            "elements {} and {} overlap by more than their radius; check the number of elements, "
+            "speeds and the largest step",
+            pair.i + 1, pair.other + 1);
+    return {};
+  }
+
+  void report(const Evaluation& e, Snapshot& snapshot) const override {
+    for (const Pair& pair : model_.pairs) {
+      const double gap = pair_contact(e, pair).distance - model_.diameter;
+      snapshot.elements[pair.i].to_next = {contact::load(model_.law, -gap), gap};
+    }
+  }
+
+ private:
+  PairModel model_;
+  double heat_ = 0.0;  ///< now [W]
+};
+
+}  // namespace
+
+std::unique_ptr<SceneEffect> make_element_contact(const ScenePlan& plan) {
+  if (!plan.has(Effect::ElementContact)) return nullptr;
+  return std::make_unique<Neighbours>();
+}
+std::span<const LedgerTerm* const> element_contact_terms() { return kTerms; }
+
+}  // namespace adore::dynamics

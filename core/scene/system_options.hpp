@@ -1,0 +1,14 @@
+#pragma once
+
+#include "tribology/ellipse_traction.hpp"
+
+namespace adore::scene {
+
+/// How finely contacts are integrated over their area.
+struct SystemOptions {
+  int ellipse_major = 15, ellipse_minor = 4;  ///< nodes of the run's split ellipse rule
+  tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;
+  int land_slices = 3;
+};
+
+}  // namespace adore::scene

@@ -1,0 +1,137 @@
+#include "core/dynamics/system_fixture.hpp"
+#include "scene/ledger.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace adore;
+using namespace adore::dynamics;
+using namespace adore::fixture;
+
+namespace {
+
+using enum scene::Effect;
+
+/// A full ring: 0.1 mm of play from ball to ball on the pitch circle.
+bearing::Bearing crowded(int balls = 12) {
+  const double pitch = (0.0127 + 1e-4) / std::sin(std::numbers::pi / balls);
+  bearing::Bearing b = angular_contact(3, pitch);  // a cage has no room here
+  b.cage.reset();
+  b.balls().count = balls;
+  b.constraints.load = {1500.0, 0.0, 0.0, 0.0, 0.0};  // all alike
+  b.element_traction =
+      bearing::TractionCurve{bearing::TractionCurve::Form::Exponential, -0.05, 0.0, 2.0, 0.05, 0.0};
+  return b;
+}
+
+scene::ScenePlan ring_plan(bool friction) {
+  return friction ? plan_with({RaceContact, RaceTraction, ElementContact, ElementTraction,
+                               Effect::MomentumLedger})
+                  : plan_with({RaceContact, ElementContact, Effect::MomentumLedger});
+}
+
+std::size_t place(const System& system, const std::string& group, std::size_t i) {
+  for (const auto& one : system.layout().groups())
+    if (one.name == group) return static_cast<std::size_t>(one.slice.first) + i;
+  FAIL("no " << group);
+  return 0;
+}
+
+/// Every ball at its own orbital speed: collisions all around.
+std::vector<double> colliding(const System& system) {
+  std::vector<double> y = system.initial_state();
+  const std::size_t n = static_cast<std::size_t>(system.bearing().element_count());
+  for (std::size_t i = 0; i < n; ++i)
+    y[place(system, "element.theta_dot", i)] += 20.0 * std::sin(1.0 + 2.3 * static_cast<double>(i));
+  return y;
+}
+
+}  // namespace
+
+TEST_CASE("two balls press on each other as Hertz says", "[physics][dynamics]") {
+  const bearing::Bearing b = crowded(2 + 8);
+  System system = make_system(b, ring_plan(false));
+  const std::vector<double> start = system.initial_state();
+  const double pitch = 2.0 * start[place(system, "element.r", 0)];
+  for (const double overlap : {1e-7, 1e-6, 1e-5}) {
+    std::vector<double> y = start;
+    // Ball 2 towards ball 1 until they overlap.
+    const double half = std::asin((b.balls().diameter - overlap) / pitch);
+    y[place(system, "element.theta", 1)] = y[place(system, "element.theta", 0)] + 2.0 * half;
+    const auto ball = system.snapshot(0.0, y).elements[0];
+    REQUIRE(ball.to_next.has_value());
+    const double E_star = 2.06e11 / (2.0 * (1.0 - 0.09));
+    const double hertz =
+        4.0 / 3.0 * E_star * std::sqrt(b.balls().diameter / 4.0) * std::pow(overlap, 1.5);
+    CHECK(ball.to_next->gap == Approx(-overlap).epsilon(1e-5));
+    CHECK(ball.to_next->force == Approx(hertz).epsilon(2e-5));
+    // Equal and opposite along the line of centres.
+    std::vector<double> with(y.size()), without(y.size());
+    REQUIRE(system.rhs(0.0, y.data(), with.data()) == RhsStatus::Ok);
+    System apart = make_system(b, plan_with({RaceContact, Effect::MomentumLedger}));
+    REQUIRE(apart.rhs(0.0, y.data(), without.data()) == RhsStatus::Ok);
+    const double m = b.element_inertia.mass, r = 0.5 * pitch;
+    const auto pushed = [&](std::size_t i) {
+      const std::size_t at = place(system, "element.theta_dot", i);
+      return m * r * (with[at] - without[at]);
+    };
+    CHECK(pushed(0) == Approx(-hertz * std::cos(half)).epsilon(1e-4));
+    CHECK(pushed(1) == Approx(hertz * std::cos(half)).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("a bearing without cage conserves energy and momentum through its collisions",
+          "[physics][dynamics][energy]") {
+  for (const bool friction : {false, true}) {
+    double previous = 1e300;
+    for (const double tolerance : {1e-6, 1e-9}) {
+      System system = make_system(crowded(), ring_plan(friction));
+      const std::vector<double> y0 = colliding(system);
+      const double end = 1.5e-3;
+      const RunResult result = fixture::run(system, y0, end, tolerance);
+      const auto snapshot = system.snapshot(end, result.y);
+      const double residual =
+          std::abs(snapshot.energy.residual()) / snapshot.energy.sum(scene::LedgerKind::Start);
+      const double heat = snapshot.energy.value("element_heat");
+      INFO("friction " << friction << ", tolerance " << tolerance << ": residual " << residual
+                       << ", heat between balls " << heat << " J");
+      CHECK((heat > 1e-6) == friction);
+      CHECK(residual < 0.5 * previous);
+      REQUIRE(snapshot.momentum.has_value());
+      if (tolerance == 1e-9) {
+        CHECK(residual < 1e-6);
+        CHECK(snapshot.momentum->linear.residual().norm() < 1e-6 * snapshot.momentum->linear_size);
+        CHECK(snapshot.momentum->angular.residual().norm() <
+              1e-6 * snapshot.momentum->angular_size);
+      }
+      previous = residual;
+    }
+  }
+}
+
+TEST_CASE("balls that do not reach each other do not know that there is no cage",
+          "[physics][dynamics]") {
+  bearing::Bearing b = angular_contact(10);
+  b.cage.reset();
+  System alone = make_system(b, plan_with({RaceContact, RaceTraction}));
+  b.element_traction = b.pocket_traction;
+  System ring =
+      make_system(b, plan_with({RaceContact, RaceTraction, ElementContact, ElementTraction}));
+  const std::vector<double> y = ring.initial_state();
+  std::vector<double> one(y.size()), other(y.size());
+  REQUIRE(ring.rhs(0.0, y.data(), one.data()) == RhsStatus::Ok);
+  REQUIRE(alone.rhs(0.0, y.data(), other.data()) == RhsStatus::Ok);
+  for (int k = 0; k < alone.layout().controlled_size(); ++k)
+    CHECK(one[static_cast<std::size_t>(k)] == other[static_cast<std::size_t>(k)]);
+}
+
+TEST_CASE("balls pressed into each other by a radius are no state of a bearing",
+          "[physics][dynamics]") {
+  System system = make_system(crowded(), ring_plan(false));
+  std::vector<double> y = system.initial_state();
+  y[place(system, "element.theta", 1)] = y[place(system, "element.theta", 0)] + 0.1;
+  CHECK_THROWS_WITH(system.snapshot(0.0, y),
+                    Catch::Contains("elements 1 and 2 overlap by more than their radius"));
+}
