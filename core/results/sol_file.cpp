@@ -120,7 +120,7 @@ SolFile read_sol(std::istream& stream, const std::string& name, const SolRange& 
   SolParser parser(stream, name);
   if (parser.kind() == SolKind::Animation)
     throw InputError(
-        fmt::format("{}: this is an animation file (SOL8); open it with the animation viewer, or "
+        fmt::format("{}: this is an animation file (SOL8); `adore animate` draws it; "
                     "give one of SOL1-SOL7",
                     name));
   SolFile file;
