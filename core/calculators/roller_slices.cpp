@@ -152,8 +152,7 @@ std::vector<SliceContact> contacts_of(const Json& in, const RollerProfile& p, co
   const RollerPlace place = roller_place(in.at("pose"));
   const auto slices = roller_slices(p, cut);
   std::vector<SliceContact> contacts(slices.size());
-  roller_race_contacts(race.surface, race.pose, place.centre, place.axis, slices, contacts,
-                       whole_or(in, "passes", kSlicePasses, 1, 100));
+  roller_race_contacts(race.surface, race.pose, place.centre, place.axis, slices, contacts);
   return contacts;
 }
 
@@ -185,20 +184,19 @@ Json load_case(const Json& in) {
     half_space = half_space_law(elastic(get(law, "E1"), get(law, "nu1")),
                                 elastic(get(law, "E2"), get(law, "nu2")), get(law, "race_depth"));
   Json out = {{"effective_length", effective_length(p)}};
-  double Q = 0.0, M = 0.0;
+  LineResultant sum;
   for (std::size_t k = 0; k < line.x.size(); ++k) {
     const double x = line.x[k], delta = get(in, "delta0") + get(in, "slope") * x - line.drop[k];
     const SliceLoad load = power ? slice_load(line.law, line.width[k], delta)
                                  : slice_load(half_space, line.width[k], delta, roller_radius(p, x),
                                               get(law, "race_curvature"));
-    Q += load.load;
-    M += load.load * x;
+    sum.add(x, delta, load);
     out["delta"].push_back(delta);
     out["widths"].push_back(line.width[k]);
     out["Q_slices"].push_back(load.load);
   }
-  out["Q"] = Q;
-  out["M"] = M;
+  out["Q"] = sum.load;
+  out["M"] = sum.moment;
   return out;
 }
 
@@ -276,8 +274,9 @@ Json race_errors_case(const Json& in) {
     const Vec3 centre(get(in, "x"), 0.0, get(in, "r")), axis = Vec3::UnitX();
     Json delta, widths;
     for (const RollerSlice& slice : roller_slices(p, cut)) {
-      delta.push_back(slice_contact(race, centre, axis, slice).delta);
-      widths.push_back(loaded_width(race, centre + slice.s * axis, cut.width));
+      const SliceContact c = slice_contact(race, centre, axis, slice);
+      delta.push_back(c.delta);
+      widths.push_back(land_width(race, land_coordinate(race, c.point[0]), cut.width).width);
     }
     out["delta"].push_back(delta);
     out["widths"].push_back(widths);

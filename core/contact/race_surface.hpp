@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/rotation.hpp"
+#include "base/scalar_math.hpp"
 #include "bearing/bearing.hpp"
 
 #include <algorithm>
@@ -19,6 +20,7 @@
 ///     n = (x - x_g, r - R_g)/l
 /// The groove form holds for both races and for R_g <= 0 (a self-aligning outer race has R_g = 0).
 /// Undefined on the race axis (r = 0) and on the circle of groove centres: no roller gets there.
+/// φ and n are computed in contact/slice_circle.hpp.
 namespace adore::contact {
 
 struct RaceSurface {
@@ -50,51 +52,6 @@ struct RaceSurface {
   return 0.5 * pitch_diameter + sigma * (0.5 * roller_diameter + 0.25 * clearance);
 }
 
-struct DepthAndNormal {
-  double depth = 0.0;  ///< φ [m]
-  Vec3 normal;         ///< n, race frame
-};
-/// φ and n at a point in the race frame. Hot path: no throw, no allocation.
-[[nodiscard]] inline DepthAndNormal race_depth(const RaceSurface& race, const Vec3& X) noexcept {
-  const double r = std::sqrt(X[1] * X[1] + X[2] * X[2]);
-  double phi = 0.0, nx = 0.0, nr = 0.0;
-  if (race.shape == RaceSurface::Shape::Cone) {
-    const double sigma = race.sigma();
-    phi = sigma * ((r - race.radius) * race.cos_angle + X[0] * race.sin_angle);
-    nx = sigma * race.sin_angle;
-    nr = sigma * race.cos_angle;
-  } else {
-    const double x = X[0] - race.groove_x, y = r - race.groove_centre_radius;
-    const double l = std::sqrt(x * x + y * y);
-    phi = l - race.groove_radius;
-    nx = x / l;
-    nr = y / l;
-  }
-  const double over_r = nr / r;
-  return {phi, Vec3(nx, X[1] * over_r, X[2] * over_r)};
-}
-
-/// Direction of n without its length, for iterations that need no more: one root and no division.
-[[nodiscard]] inline Vec3 race_direction(const RaceSurface& race, const Vec3& X) noexcept {
-  const double r = std::sqrt(X[1] * X[1] + X[2] * X[2]);
-  double x = race.sin_angle, y = race.cos_angle;
-  if (race.shape == RaceSurface::Shape::Cone) {
-    const double sigma = race.sigma();
-    x *= sigma;
-    y *= sigma;
-  } else {
-    x = X[0] - race.groove_x;
-    y = r - race.groove_centre_radius;
-  }
-  return {x * r, y * X[1], y * X[2]};
-}
-
-/// Curvature of the race around its axis where its normal is n, to be added to 1/ρ of the roller
-/// [1/m]: -n_r/r, that is +cos α/r inner, -cos α/r outer.
-[[nodiscard]] inline double race_rolling_curvature(const Vec3& normal, const Vec3& X) noexcept {
-  return -(normal[1] * X[1] + normal[2] * X[2]) / (X[1] * X[1] + X[2] * X[2]);
-}
-
 /// Where a race is: X_race = Aᵀ(X - c). Exact for any displacement; replaces all small-angle
 /// formulas.
 struct RacePose {
@@ -106,23 +63,37 @@ struct RacePose {
   [[nodiscard]] Vec3 direction_back(const Vec3& v_race) const { return axes * v_race; }
 };
 
-/// Coordinate of a point along the nominal generator of the race from mid contact, positive towards
-/// +x [m]; for cylinders x - x_mid. Errors of the race do not turn it.
-[[nodiscard]] inline double land_coordinate(const RaceSurface& race, const Vec3& X_race) noexcept {
-  const double x = (X_race[0] - race.mid_x) * race.along_x;
-  if (race.along_r == 0.0) return x;
-  const double r = std::sqrt(X_race[1] * X_race[1] + X_race[2] * X_race[2]);
-  return x + (r - race.mid_r) * race.along_r;
+/// Width of a slice of width w at x that lies on a land of width B about o: overlap of [x ± w/2]
+/// with [o ± B/2] [m]; of numbers or vectors. Continuous in x, so that the load stays continuous
+/// when a roller slides over the edge of the land [choice].
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T overlap_width(const T& x, const T& width,
+                                                         double land_offset, double land_width) {
+  using M = ScalarMath<T>;
+  const double high = land_offset + 0.5 * land_width, low = land_offset - 0.5 * land_width;
+  const T half = 0.5 * width;
+  return M::max(M::min(half, high - x) - M::max(-half, low - x), T(0.0));
 }
 
-/// Width of a slice of width w at x that lies on a land of width B about o: overlap of [x ± w/2]
-/// with [o ± B/2] [m]. Continuous in x, so that the load stays continuous when a roller slides over
-/// the edge of the land [choice].
-[[nodiscard]] inline double overlap_width(double x, double width, double land_offset,
-                                          double land_width) noexcept {
-  const double upper = std::min(0.5 * width, land_offset + 0.5 * land_width - x);
-  const double lower = std::max(-0.5 * width, land_offset - 0.5 * land_width - x);
-  return std::max(upper - lower, 0.0);
+/// Coordinate along the generator of a cone from mid contact, positive towards +x [m], of a contact
+/// point at x on its axis. Land limits are for cones and cylinders: grooves have none.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T land_coordinate(const RaceSurface& race, const T& x) {
+  return (x - race.mid_x) / race.cos_angle;
+}
+
+/// Width of a slice on the land of the race, and its derivative over the land coordinate.
+struct LandWidth {
+  double width = 0.0, slope = 0.0;
+};
+/// @param x of the slice along the land (land_coordinate)
+[[nodiscard]] inline LandWidth land_width(const RaceSurface& race, double x,
+                                          double width) noexcept {
+  const double on_land = overlap_width(x, width, race.land_offset, race.land_width);
+  if (on_land <= 0.0) return {};
+  const double high = race.land_offset + 0.5 * race.land_width - x;
+  const double low = race.land_offset - 0.5 * race.land_width - x;
+  return {on_land, (high < 0.5 * width ? -1.0 : 0.0) + (low > -0.5 * width ? 1.0 : 0.0)};
 }
 
 }  // namespace adore::contact

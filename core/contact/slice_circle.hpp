@@ -127,10 +127,12 @@ template <class T>
 /// The meridian frame of a point off the race axis: base = race axes.
 struct MeridianTurn {
   double ey = 0.0, ez = 1.0;  ///< z of the frame in the race's axes
-  [[nodiscard]] Triple<double> into(const Triple<double>& v) const noexcept {
+  template <class T = double>
+  [[nodiscard]] Triple<T> into(const Triple<T>& v) const noexcept {
     return {v.x, v.y * ez - v.z * ey, v.y * ey + v.z * ez};
   }
-  [[nodiscard]] Triple<double> back(const Triple<double>& v) const noexcept {
+  template <class T = double>
+  [[nodiscard]] Triple<T> back(const Triple<T>& v) const noexcept {
     return {v.x, v.y * ez + v.z * ey, v.z * ez - v.y * ey};
   }
 };

@@ -25,16 +25,7 @@ LineResultant line_resultant(const SlicedLine& line, double delta0, double slope
   LineResultant sum;
   for (std::size_t k = 0; k < line.x.size(); ++k) {
     const double x = line.x[k], delta = delta0 + slope * x - line.drop[k];
-    const SliceLoad q = slice_load(line.law, line.width[k], delta);
-    if (q.load <= 0.0) continue;
-    ++sum.loaded;
-    sum.load += q.load;
-    sum.moment += q.load * x;
-    sum.load_by_approach += q.slope;
-    sum.load_by_slope += q.slope * x;
-    sum.moment_by_slope += q.slope * x * x;
-    sum.largest_load = std::max(sum.largest_load, q.load);
-    sum.largest_delta = std::max(sum.largest_delta, delta);
+    sum.add(x, delta, slice_load(line.law, line.width[k], delta));
   }
   return sum;
 }

@@ -24,6 +24,7 @@ struct SlicedLine {
                                      double land_width = std::numeric_limits<double>::infinity(),
                                      double land_offset = 0.0);
 
+/// Sums of slices, and of all that gives loads by x.
 struct LineResultant {
   double load = 0.0;    ///< Q = Σ Q_k [N]
   double moment = 0.0;  ///< M = Σ Q_k x_k [N m]
@@ -32,6 +33,18 @@ struct LineResultant {
   int loaded = 0;                ///< slices that carry load
   double largest_load = 0.0;     ///< of a slice [N]
   double largest_delta = 0.0;    ///< [m]
+
+  void add(double x, double delta, const SliceLoad& q) noexcept {
+    if (q.load <= 0.0) return;
+    ++loaded;
+    load += q.load;
+    moment += q.load * x;
+    load_by_approach += q.slope;
+    load_by_slope += q.slope * x;
+    moment_by_slope += q.slope * x * x;
+    largest_load = std::max(largest_load, q.load);
+    largest_delta = std::max(largest_delta, delta);
+  }
 };
 /// Hot path: no allocation.
 [[nodiscard]] LineResultant line_resultant(const SlicedLine& line, double delta0,

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "contact/hertz.hpp"
+#include "dynamics/stiff_inverse.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
@@ -9,7 +10,15 @@
 namespace adore::dynamics {
 namespace {
 
-/// Base axes to the azimuth frame at θ, as its rows.
+RacePose in_frame(const Mat3& frame, const RacePose& pose) noexcept {
+  return {frame * pose.centre, frame * pose.axis};
+}
+
+constexpr int kMaxIterations = 200;
+constexpr int kMaxHalvings = 40;
+
+}  // namespace
+
 Mat3 azimuth_frame(double theta) noexcept {
   Mat3 rows;
   rows.row(0) = Vec3::UnitX().transpose();
@@ -17,34 +26,6 @@ Mat3 azimuth_frame(double theta) noexcept {
   rows.row(2) = circumferential_direction(theta).transpose();
   return rows;
 }
-
-RacePose in_frame(const Mat3& frame, const RacePose& pose) noexcept {
-  return {frame * pose.centre, frame * pose.axis};
-}
-
-/// Inverse of a symmetric matrix on the directions that have stiffness, 0 on the others.
-template <int N>
-Eigen::Matrix<double, N, N> stiff_inverse(
-    const Eigen::Matrix<double, N, N>& stiffness, double smallest,
-    std::vector<Eigen::Matrix<double, N, 1>>* free = nullptr) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> eigen(stiffness);
-  Eigen::Matrix<double, N, N> inverse = Eigen::Matrix<double, N, N>::Zero();
-  for (int k = 0; k < N; ++k) {
-    const double value = eigen.eigenvalues()[k];
-    const Eigen::Matrix<double, N, 1> direction = eigen.eigenvectors().col(k);
-    if (value > smallest)
-      inverse += direction * direction.transpose() / value;
-    else if (free != nullptr)
-      free->push_back(direction);
-  }
-  return inverse;
-}
-
-constexpr double kNoStiffness = 1e-6;  ///< [N/m], far below that of any contact that carries load
-constexpr int kMaxIterations = 200;
-constexpr int kMaxHalvings = 40;
-
-}  // namespace
 
 GrooveContact ConstrainedBall::contact_with(int race, const RacePose& pose,
                                             const Vec2& at) const noexcept {
@@ -198,90 +179,6 @@ HeldSwitch hold(const ConstrainedBall& ball, const std::array<RacePose, 2>& race
                          ball.evaluate(races, theta, orbit, force, place).potential;
   result.after = ball.solve(races, theta, orbit, force, place);
   result.jump = result.after.potential - result.energy_before;
-  return result;
-}
-
-Mode2Solution solve_mode2(const ConstrainedBall& ball, std::array<RacePose, 2> races,
-                          std::span<const double> theta, std::span<const Orbit> orbit,
-                          const Vec3& load) {
-  demand(theta.size() == orbit.size() && !theta.empty(), "mode 2 needs one orbit per ball");
-  Mode2Solution result;
-  result.balls.resize(theta.size());
-  const Vec3 guess = races[1].centre;
-  Mat3 stiffness = Mat3::Zero(), inverse = Mat3::Zero();
-  bool started = false, balls_solved = true;
-
-  const auto solve_balls = [&](const Vec3& centre) {
-    std::vector<BallBalance> balls(theta.size());
-    std::array<RacePose, 2> at = races;
-    at[1].centre = centre;
-    Vec3 residual = load;
-    stiffness.setZero();
-    balls_solved = true;
-    for (std::size_t i = 0; i < theta.size(); ++i) {
-      // First guess: half way between the two groove-centre circles' unloaded places.
-      const Vec2 from =
-          started ? Vec2(result.balls[i].x, result.balls[i].r)
-                  : ball.solve(at, theta[i], {Orbit::Kept::Speed, 0.0}, Vec2::Zero(),
-                               Vec2(0.5 * (at[0].centre[0] + at[1].centre[0]), ball.mid_radius()))
-                        .place();
-      balls[i] = ball.solve(at, theta[i], orbit[i], Vec2::Zero(), from);
-      balls_solved = balls_solved && balls[i].solved;
-      const GrooveContact& inner = balls[i].contact[1];
-      const Mat3 frame = azimuth_frame(theta[i]);
-      residual += frame.transpose() * (inner.load * inner.normal);
-      stiffness += frame.transpose() *
-                   (inner.stiffness * frame - inner.stiffness.leftCols<2>() *
-                                                  sensitivity(balls[i], theta[i]).per_inner_centre);
-    }
-    result.balls = std::move(balls);
-    started = true;
-    return residual;
-  };
-
-  result.residual = solve_balls(guess);
-  Vec3 centre = guess;
-  for (; result.iterations < kMaxIterations; ++result.iterations) {
-    const double size = result.residual.norm();
-    result.free_directions.clear();
-    const double smallest = std::max(kNoStiffness, 1e-12 * stiffness.trace());
-    inverse = stiff_inverse<3>(stiffness, smallest, &result.free_directions);
-    Vec3 step = inverse * result.residual;
-    double largest = 0.02 * ball.groove_offset();
-    for (const BallBalance& b : result.balls)
-      largest = std::max({largest, 3.0 * b.contact[0].approach, 3.0 * b.contact[1].approach});
-    if (step.norm() > largest) step *= largest / step.norm();
-    if (step.norm() < 1e-15 * ball.mid_radius()) break;
-    const Mode2Solution before = result;
-    const Mat3 stiffness_before = stiffness;
-    bool better = false;
-    for (int halving = 0; halving < kMaxHalvings; ++halving, step *= 0.5) {
-      const Vec3 residual = solve_balls(centre + step);
-      if (residual.norm() < 0.9999 * size) {
-        result.residual = residual;
-        centre += step;
-        better = true;
-        break;
-      }
-      result.balls = before.balls;
-    }
-    if (better) continue;
-    stiffness = stiffness_before;
-    break;
-  }
-  result.inner_centre = centre;
-  Vec3 taken = result.residual;  // what the held directions do not carry must vanish
-  for (const Vec3& free : result.free_directions) taken -= free * free.dot(taken);
-  result.solved =
-      balls_solved && taken.norm() <= 1e-9 * std::max(load.norm(), result.balls[0].contact[0].load);
-  Vec3 drift = Vec3::Zero();  // ∂(residual)/∂θ θ̇
-  for (std::size_t i = 0; i < theta.size(); ++i) {
-    const BallBalance& b = result.balls[i];
-    Vec3 per_theta(0.0, 0.0, b.r);
-    per_theta.head<2>() = sensitivity(b, theta[i]).per_theta;
-    drift += azimuth_frame(theta[i]).transpose() * (b.contact[1].stiffness * per_theta * b.speed);
-  }
-  result.inner_velocity = inverse * drift;
   return result;
 }
 

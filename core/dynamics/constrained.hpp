@@ -4,8 +4,6 @@
 #include "contact/groove.hpp"
 
 #include <array>
-#include <span>
-#include <vector>
 
 /// Motion with inertia left out where it hardly acts: a ball whose x and r stand in force balance
 /// at every instant while its orbit stays dynamic (mode 1, light-load balance), races in balance
@@ -76,8 +74,8 @@ class ConstrainedBall {
     return 0.5 * (groove_.centre_radius[0] + groove_.offset[0] + groove_.centre_radius[1] -
                   groove_.offset[1]);
   }
-  /// Groove centre to ball centre at touch, outer race [m].
-  [[nodiscard]] double groove_offset() const noexcept { return groove_.offset[0]; }
+  [[nodiscard]] const contact::GrooveGeometry& groove() const noexcept { return groove_; }
+  [[nodiscard]] const std::array<double, 2>& hertz_constants() const noexcept { return K_; }
   /// @param pose in the azimuth frame of the ball; place x and r of its centre
   [[nodiscard]] GrooveContact contact_with(int race, const RacePose& pose,
                                            const Vec2& place) const noexcept;
@@ -113,6 +111,8 @@ struct BallSensitivity {
   Eigen::Matrix<double, 2, 3> per_inner_centre;
 };
 [[nodiscard]] BallSensitivity sensitivity(const BallBalance& balance, double theta) noexcept;
+/// Axes of the azimuth frame as rows: base to azimuth.
+[[nodiscard]] Mat3 azimuth_frame(double theta) noexcept;
 
 /// (ẋ, ṙ) of a ball in balance whose races stand still: used in slip velocities and at release,
 /// never in the balance itself. orbit_rate = L̇ = r F_θ when L is kept, θ̈ otherwise.
@@ -131,25 +131,6 @@ struct HeldSwitch {
 [[nodiscard]] HeldSwitch hold(const ConstrainedBall& ball, const std::array<RacePose, 2>& races,
                               double theta, const Orbit& orbit, const Vec2& force,
                               const Vec2& place, const Vec2& rates) noexcept;
-
-/// Balls and the inner race in balance (mode 2): load + Σ (force of the balls on the inner race) =
-/// 0.
-struct Mode2Solution {
-  std::vector<BallBalance> balls;
-  Vec3 inner_centre = Vec3::Zero();
-  Vec3 residual = Vec3::Zero();        ///< [N]
-  Vec3 inner_velocity = Vec3::Zero();  ///< when all balls orbit at their θ̇, θ̈ = 0 [m/s]
-  std::vector<Vec3> free_directions;   ///< unit vectors without stiffness: held at the guess
-  int iterations = 0;
-  bool solved = false;
-};
-/// Newton on the centre, balls solved inside; the race stiffness by the Schur complement
-/// K_c = Σ [S_i - S_i J B⁻¹ Jᵀ S_i], S_i inner contact stiffness, B of the ball, J = (e_x, e_r).
-/// @param races the inner centre is the first guess
-/// @param theta, orbit one per ball
-[[nodiscard]] Mode2Solution solve_mode2(const ConstrainedBall& ball, std::array<RacePose, 2> races,
-                                        std::span<const double> theta, std::span<const Orbit> orbit,
-                                        const Vec3& load);
 
 /// Light-load balance with hysteresis (record 2.1): held from `threshold` down, released above
 /// kReleaseRatio × threshold; between the two nothing changes. threshold <= 0: never held.

@@ -1,6 +1,7 @@
 #include "reference/cases_constrained.hpp"
 
 #include "dynamics/constrained.hpp"
+#include "dynamics/mode2.hpp"
 #include "reference/adapter.hpp"
 #include "reference/trajectory.hpp"
 

@@ -22,21 +22,9 @@ struct Residual {
 
 using D2 = Dual<2>;
 
-RacePose<D2> constant_pose(const RacePose<double>& pose) {
-  RacePose<D2> p;
-  for (std::size_t k = 0; k < 3; ++k) {
-    p.centre[k] = pose.centre[k];
-    p.axis[k] = pose.axis[k];
-  }
-  for (std::size_t k = 0; k < 5; ++k) {
-    p.q[k] = pose.q[k];
-  }
-  return p;
-}
-
 Residual residual_at(const BallModel& m, const BallSite& site, const Point& at,
-                     const RacePose<D2>& pose) {
-  const auto f = ball_forces<D2>(m, site, D2::variable(at.x, 0), D2::variable(at.rho, 1), pose);
+                     const SeenRaces<double>& races) {
+  const auto f = ball_forces(m, site, D2::variable(at.x, 0), D2::variable(at.rho, 1), races);
   Residual r;
   r.axial = f.axial.v;
   r.radial = f.radial.v;
@@ -52,14 +40,14 @@ Residual residual_at(const BallModel& m, const BallSite& site, const Point& at,
 }
 
 /// Newton with backtracking; true when the residual force vanishes to rounding.
-bool newton(const BallModel& m, const BallSite& site, const RacePose<D2>& pose, Point& at) {
+bool newton(const BallModel& m, const BallSite& site, const SeenRaces<double>& races, Point& at) {
   constexpr int kIterations = 40;
   // Rounding of a position of the size of the pitch radius, through the stiffness, is what can be
   // asked for.
   const double position_noise =
       (m.exact ? 4e-16 * m.balls.pitch_diameter : 1e-16 * m.balls.diameter);
   const double longest = 0.25 * m.offset_sum();
-  Residual now = residual_at(m, site, at, pose);
+  Residual now = residual_at(m, site, at, races);
   for (int n = 0; n < kIterations; ++n) {
     if (!std::isfinite(now.size())) {
       return false;
@@ -92,7 +80,7 @@ bool newton(const BallModel& m, const BallSite& site, const RacePose<D2>& pose, 
     bool better = false;
     for (int halving = 0; halving < 16; ++halving, step *= 0.5) {
       const Point trial{at.x + step * dx, at.rho + step * dr};
-      const Residual then = residual_at(m, site, trial, pose);
+      const Residual then = residual_at(m, site, trial, races);
       if (then.size() <= (1.0 - 1e-4 * step) * now.size()) {
         at = trial;
         now = then;
@@ -115,7 +103,7 @@ struct LineOfCentres {
 /// Ball on the line of groove centres, squeezed by both races in the ratio of their compliances, at
 /// least as deep in the outer race as its centrifugal force asks for.
 LineOfCentres line_of_centres(const BallModel& m, const BallSite& site,
-                              const RacePose<double>& pose, Point at) {
+                              const SeenRaces<double>& races, Point at) {
   const BallSeat& own = m.seat(site.own);
   const double K_o = own.hertz[0].reference().K;
   const double K_i = own.hertz[1].reference().K;
@@ -123,14 +111,12 @@ LineOfCentres line_of_centres(const BallModel& m, const BallSite& site,
   const double soft_i = std::pow(K_i, -2.0 / 3.0);
   LineOfCentres result{at, 0.0};
   for (int pass = 0; pass < 3; ++pass) {
-    const auto p = groove_positions<double>(m, site, result.start.x, result.start.rho, pose);
+    const auto p = groove_positions(m, site, result.start.x, result.start.rho, races);
     std::array<Point, 2> v;  // ball centre minus groove centre, in the plane of this azimuth
     for (std::size_t j = 0; j < 2; ++j) {
       const auto& a = p[j].a;
       const auto& e = p[j].e;
-      v[j].x = p[j].xi * a[0] + p[j].eta * e[0];
-      v[j].rho = p[j].xi * (a[2] * site.cos - a[1] * site.sin) +
-                 p[j].eta * (e[2] * site.cos - e[1] * site.sin);
+      v[j] = {p[j].xi * a.x + p[j].eta * e.x, p[j].xi * a.y + p[j].eta * e.y};
     }
     const Point outer{result.start.x - v[0].x, result.start.rho - v[0].rho};
     const Point inner{result.start.x - v[1].x, result.start.rho - v[1].rho};
@@ -155,11 +141,11 @@ LineOfCentres line_of_centres(const BallModel& m, const BallSite& site,
 }  // namespace
 
 bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& ball) {
-  const RacePose<D2> dual_pose = constant_pose(pose);
+  const SeenRaces<double> races = see_races(m, ball.site, pose);
   const Point nominal{};
   ball.idle = false;
   if (m.base_centrifugal == 0.0) {
-    const LineOfCentres line = line_of_centres(m, ball.site, pose, nominal);
+    const LineOfCentres line = line_of_centres(m, ball.site, races, nominal);
     if (line.closure <= 4e-16 * m.balls.pitch_diameter) {
       ball.x = line.start.x;
       ball.rho = line.start.rho;
@@ -171,13 +157,13 @@ bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& bal
   }
   if (ball.known) {
     Point at{ball.x, ball.rho};
-    if (newton(m, ball.site, dual_pose, at)) {
+    if (newton(m, ball.site, races, at)) {
       ball.x = at.x;
       ball.rho = at.rho;
       return true;
     }
   }
-  const LineOfCentres line = line_of_centres(m, ball.site, pose, nominal);
+  const LineOfCentres line = line_of_centres(m, ball.site, races, nominal);
   const BallSeat& own = m.seat(ball.site.own);
   const double seat = std::cbrt(own.base_centrifugal * own.base_centrifugal) *
                       std::pow(own.hertz[0].reference().K, -2.0 / 3.0);
@@ -186,7 +172,7 @@ bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& bal
       Point{own.groove.centre_x[0], own.groove.centre_radius[0] - 0.5 * m.balls.pitch_diameter +
                                         own.groove.offset[0] + seat}};
   for (Point at : starts) {
-    if (newton(m, ball.site, dual_pose, at)) {
+    if (newton(m, ball.site, races, at)) {
       ball.x = at.x;
       ball.rho = at.rho;
       ball.known = true;
@@ -202,8 +188,8 @@ BallShare ball_share(const BallModel& m, const RacePose<RaceDual>& race, BallSta
   if (ball.idle) {
     return share;
   }
-  const auto f = ball_forces<RaceDual>(m, ball.site, RaceDual::variable(ball.x, 0),
-                                       RaceDual::variable(ball.rho, 1), race);
+  const auto f = ball_forces(m, ball.site, RaceDual::variable(ball.x, 0),
+                             RaceDual::variable(ball.rho, 1), race);
   Eigen::Matrix2d on_ball;
   Eigen::Matrix<double, 2, 5> on_ball_race;
   Eigen::Matrix<double, 5, 2> on_race_ball;

@@ -17,41 +17,21 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<const char*, 2> kRaceName{"outer", "inner"};
 
-/// Vector (x, y, z) in the azimuth directions (e_x, e_r, e_θ).
-struct Azimuthal {
-  double x, r, theta;
-};
-
-Azimuthal to_azimuthal(const BallSite& site, const std::array<double, 3>& v) {
-  return {v[0], v[2] * site.cos - v[1] * site.sin, -v[1] * site.cos - v[2] * site.sin};
-}
-
 /// Row of the no-slip condition at race j for the unknowns (ω_m, ω_x, ω_r), all absolute:
 ///   Ω η' - r ω_m (e_θ·t) - (Ω a - ω)·c h = 0,  η' distance from the race axis, c = t × n the major
 ///   axis of the ellipse.
 struct SlipRow {
   Eigen::RowVector3d coefficients;
   double right = 0.0;
-  Azimuthal normal{};
+  Triple<double> normal{};
   double axis_normal = 0.0;  ///< a·n
 };
 
 SlipRow slip_row(const BallModel& m, const BallSite& site, std::size_t j,
                  const BallForces<double>& f, double r, double a_half) {
   const auto& p = f.position[j];
-  const double length = std::hypot(p.xi, p.eta);
-  const double nx = p.xi / length;
-  const double nr = p.eta / length;
-  std::array<double, 3> normal{};
-  std::array<double, 3> major{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    normal[k] = nx * p.a[k] + nr * p.e[k];
-    major[k] = nx * p.e[k] - nr * p.a[k];
-  }
-  const std::array<double, 3> t{p.a[1] * p.e[2] - p.a[2] * p.e[1],
-                                p.a[2] * p.e[0] - p.a[0] * p.e[2],
-                                p.a[0] * p.e[1] - p.a[1] * p.e[0]};
-  const Azimuthal major_axis = to_azimuthal(site, major);
+  const auto& c = f.contact[j];
+  const Triple<double> major = c.n_k * p.e - c.n_e * p.a;
   const BallSeat& seat = m.seat(site.own);
   const double rho = seat.surface_radius[j];
   const double ball = seat.groove.ball_radius;
@@ -59,11 +39,10 @@ SlipRow slip_row(const BallModel& m, const BallSite& site, std::size_t j,
   const double height = a2 / (rho + std::sqrt(rho * rho - a2)) + std::sqrt(ball * ball - a2);
   const double arm = p.eta + seat.groove.centre_radius[j];
   SlipRow row;
-  row.coefficients << -r * to_azimuthal(site, t).theta, height * major_axis.x,
-      height * major_axis.r;
-  row.right = -m.race_speed[j] * (arm + nr * height);
-  row.normal = to_azimuthal(site, normal);
-  row.axis_normal = nx;
+  row.coefficients << -r * cross(p.a, p.e).z, height * major.x, height * major.y;
+  row.right = -m.race_speed[j] * (arm + c.n_e * height);
+  row.normal = c.n_k * p.a + c.n_e * p.e;
+  row.axis_normal = c.n_k;
   return row;
 }
 
@@ -123,7 +102,7 @@ void report_speeds(const BallModel& m, const BallSite& site, const BallForces<do
   if (site.law.axis == SpinLaw::Axis::OuterControl ||
       site.law.axis == SpinLaw::Axis::InnerControl) {
     const std::size_t j = site.law.axis == SpinLaw::Axis::OuterControl ? 0 : 1;
-    A.row(2) << 0.0, rows[j].normal.x, rows[j].normal.r;
+    A.row(2) << 0.0, rows[j].normal.x, rows[j].normal.y;
     b(2) = m.race_speed[j] * rows[j].axis_normal;
   } else {
     A.row(2) << -f.beta.sin, f.beta.sin, f.beta.cos;  // (ω_x - ω_m) sin β + ω_r cos β = 0
@@ -145,20 +124,17 @@ double load_beyond(double xi) {
 
 /// N94: far edge against the shoulder, near edge against the groove-centre plane.
 void report_edges(const BallModel& m, const BallSeat& seat, std::size_t j, StaticBall& s) {
-  const double radius = seat.groove.groove_radius[j];
-  const double alpha = std::abs(s.alpha[j]);
-  const double half_angle = s.a[j] / radius;
   const double shoulder = 0.5 * m.balls.shoulder_diameter[j];
-  s.inner_chord[j] = radius * std::sin(alpha - half_angle);
-  s.shoulder_depth[j] = kNone;
-  if (shoulder > 0.0) {
+  const contact::ContactEdges edges =
+      contact::contact_edges(seat.groove, static_cast<int>(j), s.alpha[j], s.a[j], shoulder);
+  s.inner_chord[j] = edges.centre_chord;
+  s.shoulder_depth[j] = shoulder > 0.0 ? edges.shoulder_depth : kNone;
+  if (edges.shoulder_depth < 0.0) {
+    const double radius = seat.groove.groove_radius[j];
     const double sign = j == 0 ? 1.0 : -1.0;
     const double below = sign * (seat.groove.centre_radius[j] - shoulder);
-    s.shoulder_depth[j] = radius * std::cos(alpha + half_angle) + below;
-    if (s.shoulder_depth[j] < 0.0) {
-      const double edge = std::acos(std::clamp(-below / radius, -1.0, 1.0));
-      s.beyond[j] = s.Q[j] * load_beyond((edge - alpha) / half_angle);
-    }
+    const double edge = std::acos(std::clamp(-below / radius, -1.0, 1.0));
+    s.beyond[j] = s.Q[j] * load_beyond((edge - std::abs(s.alpha[j])) / (s.a[j] / radius));
   }
 }
 
@@ -263,7 +239,7 @@ StaticBall report_ball(const BallModel& m, const std::array<double, 5>& q, const
   for (std::size_t j = 0; j < 2; ++j) {
     const auto& c = f.contact[j];
     const bool loaded = !ball.idle && c.load > 0.0;
-    const double alpha = std::atan2(c.alpha.sin, c.alpha.cos);
+    const double alpha = contact::contact_angle(static_cast<int>(j), c.n_k, c.n_e);
     s.alpha[j] = loaded ? alpha : kNone;
     s.delta[j] = c.approach;
     s.spin_roll[j] = kNone;

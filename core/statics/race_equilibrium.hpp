@@ -1,5 +1,7 @@
 #pragma once
 
+#include "statics/slope_search.hpp"
+
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -120,39 +122,25 @@ struct UnstableMode {
 
 enum class RaceSearch : unsigned char { Accepted, NoProgress, ElementFailed, RanAway };
 
-/// Line search for a convex potential: the load along the step must fall to between 90 % and -50 %
-/// of its first value. Overshoot brackets the minimum from above, undershoot after an overshoot
-/// from below.
+/// Line search for a convex potential.
 template <class Set, class State>
 RaceSearch descend(const Set& set, const RaceScales& scales, const RaceTask& task,
                    const State& state, const Vec5& r, const Vec5& direction, double accuracy,
                    State& trial) {
-  const double first = direction.dot(r);
-  double low = 0.0;
-  double high = 0.0;  // 0: no overshoot yet
-  double t = 1.0;
+  SlopeSearch search(direction.dot(r), 1e-15);
   RaceSearch outcome = RaceSearch::NoProgress;
   for (int attempt = 0; attempt < 60; ++attempt) {
-    const Vec5 q = moved(scales, state.q, direction, t);
+    const Vec5 q = moved(scales, state.q, direction, search.length());
     if (out_of_reach(scales, q)) {
       return RaceSearch::RanAway;
     }
     trial = state;
     if (!update_race(set, q, trial, accuracy)) {
       outcome = RaceSearch::ElementFailed;
-      high = t;
-      t = 0.5 * (low + high);
+      search.fall_back();
       continue;
     }
-    const double slope = direction.dot(scaled_residual(scales, task, trial.load));
-    const bool bracket_closed = high > 0.0 && high - low <= 1e-15 * high;
-    if (slope < -0.5 * first && first > 0.0 && !bracket_closed) {
-      high = t;
-      t = low + (high - low) * std::clamp(first / (first - slope), 0.05, 0.5);
-    } else if (slope > 0.9 * first && high > 0.0 && !bracket_closed) {
-      low = t;
-      t = 0.5 * (low + high);
-    } else {
+    if (search.accepts(direction.dot(scaled_residual(scales, task, trial.load)))) {
       return RaceSearch::Accepted;
     }
   }

@@ -191,6 +191,17 @@ RollerModel make_roller_model(const bearing::Bearing& b, const RollerOptions& op
   return m;
 }
 
+void add_race(const RollerModel& m, const RollerBody& body, std::size_t j, const Vec4& p,
+              PairPotential& sum, std::span<SliceResult> each) {
+  if (m.contact == RollerContact::Point) {
+    add_point(body.point[j], p, sum, each.empty() ? nullptr : each.data());
+  } else if (m.linear) {
+    add_slices_linear(m.slices(j, body), p, sum, each);
+  } else {
+    add_slices(m.slices(j, body), p, sum, each);
+  }
+}
+
 void set_load_floors(RollerModel& m, double bearing_load) {
   const double position = 4e-16 * m.rollers.pitch_diameter;
   const double rounding = m.line_stiffness * std::pow(position, 10.0 / 9.0);

@@ -57,6 +57,10 @@ struct RollerModel {
   [[nodiscard]] const RollerBody& body(std::size_t k) const {
     return bodies[bodies.size() == 1 ? 0 : k];
   }
+  /// Contacts of a roller with one race: its slices, or one.
+  [[nodiscard]] std::size_t results(const RollerBody& body) const {
+    return contact == RollerContact::Point ? 1 : body.slices.size();
+  }
   [[nodiscard]] SliceSet slices(std::size_t j, const RollerBody& body) const {
     return {body.race[j], body.slices, slicing.width, law[j]};
   }
@@ -68,6 +72,11 @@ struct RollerModel {
 /// @throws InputError naming the value that makes no bearing.
 [[nodiscard]] RollerModel make_roller_model(const bearing::Bearing& bearing,
                                             const RollerOptions& options);
+
+/// Adds what race j does to a roller of this body at p, by the contact and the kinematics of the
+/// model. `each`: empty, or as many as RollerModel::results.
+void add_race(const RollerModel& model, const RollerBody& body, std::size_t j, const Vec4& p,
+              PairPotential& sum, std::span<SliceResult> each = {});
 
 /// Fills load_floor and weak_floor: a roller need not be balanced better than to 1e-13 of the load
 /// on the bearing, and cannot be where a step of its position in floating point changes the force

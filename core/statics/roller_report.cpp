@@ -39,11 +39,7 @@ RollerRaceContact sliced_contact(const RollerModel& m, const RollerBody& body, s
   RollerRaceContact out;
   std::vector<SliceResult> slices(body.slices.size());
   PairPotential sum;
-  if (m.linear) {
-    add_slices_linear(m.slices(j, body), p, sum, slices);
-  } else {
-    add_slices(m.slices(j, body), p, sum, slices);
-  }
+  add_race(m, body, j, p, sum, slices);
   out.delta = -std::numeric_limits<double>::infinity();
   double x = 0.0;
   double r = 0.0;
@@ -92,7 +88,7 @@ RollerRaceContact point_contact(const RollerModel& m, const RollerBody& body, st
   RollerRaceContact out;
   PairPotential sum;
   SliceResult at;
-  add_point(body.point[j], p, sum, &at);
+  add_race(m, body, j, p, sum, {&at, 1});
   out.delta = at.delta;
   if (at.load <= 10.0 * m.load_floor) {
     return out;

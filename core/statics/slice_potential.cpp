@@ -1,167 +1,47 @@
 #include "statics/slice_potential.hpp"
 
+#include "base/simd_math.hpp"
+#include "contact/hertz.hpp"
+#include "contact/slice_circle.hpp"
+#include "contact/sliced_line.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <experimental/simd>
 
 namespace adore::statics {
 namespace {
 
-namespace stdx = std::experimental;
+using contact::SliceDeepest;
+using contact::Triple;
 /// One slice per lane.
-using Lanes = stdx::native_simd<double>;
+using Lanes = SimdReal;
 
-bool all(bool condition) { return condition; }
-bool all(const Lanes::mask_type& condition) { return stdx::all_of(condition); }
 double total(double x) { return x; }
 double total(const Lanes& x) { return stdx::reduce(x); }
 
-template <class T>
-struct V3 {
-  T x, y, z;
-};
-template <class T, class U>
-auto operator+(const V3<T>& a, const V3<U>& b) {
-  return V3<decltype(a.x + b.x)>{a.x + b.x, a.y + b.y, a.z + b.z};
-}
-template <class S, class T>
-auto operator*(const S& s, const V3<T>& a) {
-  return V3<decltype(s * a.x)>{s * a.x, s * a.y, s * a.z};
-}
-template <class T, class U>
-auto dot(const V3<T>& a, const V3<U>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-template <class T, class U>
-auto cross(const V3<T>& a, const V3<U>& b) {
-  return V3<decltype(a.x * b.x)>{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z,
-                                 a.x * b.y - a.y * b.x};
-}
-
-/// The roller axis a = (c, f, t), the two directions across it (b1 in the meridian plane, b2
-/// towards y), and how t and f turn it: a changes by θ × a, θ = θ_t dt + θ_f df + ½ (0, t, -f)
-/// (k_tt dt² + 2 k_tf dt df + k_ff df²), θ_t = a × a_t and so on. A turn about a itself moves no
-/// slice circle, so that θ is free of it.
-struct Axes {
-  V3<double> a, b1, b2;
-  V3<double> turn_t, turn_f;
+/// How t and f turn the roller axis a = (c, f, t): a changes by θ × a, θ = θ_t dt + θ_f df + ½ (0,
+/// t, -f) (k_tt dt² + 2 k_tf dt df + k_ff df²), θ_t = a × a_t and so on. A turn about a itself
+/// moves no slice circle, so that θ is free of it.
+struct Axes : contact::SliceAxes {
+  Triple<double> turn_t, turn_f;
   double k_tt = 0.0, k_tf = 0.0, k_ff = 0.0;  ///< x of a_tt, a_tf, a_ff, which have no y and z
   double tt = 0.0, tf = 0.0, ff = 0.0;        ///< θ_t·θ_t and so on
 };
 
-/// b1 = (-t, 0, c)/m, b2 = (-f c, m², -f t)/m with m² = 1 - f², c² = m² - t².
 Axes axes_at(double t, double f) {
-  const double m2 = 1.0 - f * f;
-  const double m = std::sqrt(m2);
-  const double c = std::sqrt(m2 - t * t);
+  Axes out{contact::slice_axes(t, f), {}, {}};
+  const double c = out.a.x;
   const double c3 = c * c * c;
-  Axes out;
-  out.a = {c, f, t};
-  out.b1 = {-t / m, 0.0, c / m};
-  out.b2 = {-f * c / m, m, -f * t / m};
-  out.turn_t = cross(out.a, V3<double>{-t / c, 0.0, 1.0});
-  out.turn_f = cross(out.a, V3<double>{-f / c, 1.0, 0.0});
-  out.k_tt = -m2 / c3;
+  out.turn_t = cross(out.a, Triple<double>{-t / c, 0.0, 1.0});
+  out.turn_f = cross(out.a, Triple<double>{-f / c, 1.0, 0.0});
+  out.k_tt = -(1.0 - f * f) / c3;
   out.k_tf = -t * f / c3;
   out.k_ff = -(c * c + f * f) / c3;
   out.tt = dot(out.turn_t, out.turn_t);
   out.tf = dot(out.turn_t, out.turn_f);
   out.ff = dot(out.turn_f, out.turn_f);
   return out;
-}
-
-/// Depth at a point of the race frame, with the local axes of the curvature tensor.
-template <class T>
-struct Surface {
-  T depth = 0.0;
-  V3<T> n;                           ///< normal
-  V3<T> hoop, meridian;              ///< principal directions
-  T A_hoop = 0.0, A_meridian = 0.0;  ///< ∇∇φ on them [1/m]
-};
-
-template <class T>
-Surface<T> surface_at(const contact::RaceSurface& race, const V3<T>& X) {
-  using std::copysign;
-  using std::sqrt;
-  Surface<T> s;
-  // Arc centres of barrels (add_point) can lie beyond the axis: there r is negative.
-  const T r = copysign(sqrt(X.y * X.y + X.z * X.z), X.z);
-  const T over_r = 1.0 / r;
-  const T ey = X.y * over_r;
-  const T ez = X.z * over_r;
-  T nx, nr;
-  if (race.shape == contact::RaceSurface::Shape::Cone) {
-    const double sigma = race.sigma();
-    s.depth = sigma * ((r - race.radius) * race.cos_angle + X.x * race.sin_angle);
-    nx = sigma * race.sin_angle;
-    nr = sigma * race.cos_angle;
-  } else {
-    const T x = X.x - race.groove_x;
-    const T y = r - race.groove_centre_radius;
-    const T l = sqrt(x * x + y * y);
-    s.depth = l - race.groove_radius;
-    s.A_meridian = 1.0 / l;
-    nx = x * s.A_meridian;
-    nr = y * s.A_meridian;
-  }
-  s.n = {nx, nr * ey, nr * ez};
-  s.hoop = {0.0, ez, -ey};
-  s.meridian = {nr, -nx * ey, -nx * ez};
-  s.A_hoop = nr * over_r;
-  return s;
-}
-
-/// Slices and the places where their circles are deepest in the race.
-template <class T>
-struct Deepest {
-  T s, radius;
-  V3<T> u, w;  ///< from the roller axis to the point, and across: u_χ
-  V3<T> X;
-  Surface<T> at;
-  T hoop = 0.0, meridian = 0.0;  ///< w in the race's principal directions
-};
-
-/// Newton on δ_χ = ρ n·w = 0 from tan χ, which becomes that of the deepest point. Nothing leaves
-/// the meridian plane when f = 0.
-template <class T>
-Deepest<T> find_deepest(const contact::RaceSurface& race, const Axes& axes, const Vec4& p,
-                        const T& s, const T& radius, T& tan_chi) {
-  using std::abs;
-  using std::sqrt;
-  const double sigma = race.sigma();
-  constexpr double kSmallTurn = 1e-8;
-  Deepest<T> d;
-  d.s = s;
-  d.radius = radius;
-  const V3<T> middle{p(0) + s * axes.a.x, s * axes.a.y, p(1) + s * axes.a.z};
-  for (int pass = 0; pass < 6; ++pass) {
-    const T cosine = sigma / sqrt(1.0 + tan_chi * tan_chi);
-    const T sine = tan_chi * cosine;
-    d.u = cosine * axes.b1 + sine * axes.b2;
-    d.w = cosine * axes.b2 + -sine * axes.b1;
-    d.X = middle + radius * d.u;
-    d.at = surface_at(race, d.X);
-    d.hoop = dot(d.at.hoop, d.w);
-    d.meridian = dot(d.at.meridian, d.w);
-    if (axes.a.y == 0.0) {
-      return d;
-    }
-    const T h = radius * d.at.A_hoop * d.hoop;
-    const T m = radius * d.at.A_meridian * d.meridian;
-    const T turn = dot(d.at.n, d.w) / (dot(d.at.n, d.u) - h * d.hoop - m * d.meridian);
-    tan_chi += (1.0 + tan_chi * tan_chi) * turn;
-    if (all(abs(turn) < kSmallTurn)) {
-      // What this leaves is of the order of the turn's square.
-      const V3<T> u = d.u;
-      d.u = u + turn * d.w;
-      d.X = d.X + radius * turn * d.w;
-      d.w = d.w + -turn * u;
-      d.at.n = d.at.n + turn * h * d.at.hoop + turn * m * d.at.meridian;
-      return d;
-    }
-  }
-  return d;
 }
 
 /// Lower triangle of a symmetric matrix of 4, row by row.
@@ -173,7 +53,7 @@ struct Sums {
   std::array<T, 4> gradient;
   std::array<T, 10> hessian;
   T load = 0.0, slope = 0.0;
-  V3<T> X_t, X_f;         ///< of the last: how t and f move the point
+  Triple<T> X_t, X_f;     ///< of the last: how t and f move the point
   std::array<T, 4> over;  ///< of the last: ∂δ/∂p
 
   Sums() {
@@ -182,9 +62,9 @@ struct Sums {
   }
 
   /// Load and stiffness of slices with the derivatives of their penetration.
-  void add(const Axes& axes, const Deepest<T>& d, const T& q, const T& q_slope) {
-    const V3<T>& n = d.at.n;
-    const V3<T> arm = d.s * axes.a + d.radius * d.u;
+  void add(const Axes& axes, const SliceDeepest<T>& d, const T& q, const T& q_slope) {
+    const Triple<T>& n = d.at.n;
+    const Triple<T> arm = d.s * axes.a + d.radius * d.u;
     X_t = cross(axes.turn_t, arm);
     X_f = cross(axes.turn_f, arm);
     over = {n.x, n.z, dot(n, X_t), dot(n, X_f)};
@@ -196,7 +76,7 @@ struct Sums {
                              dot(d.at.meridian, X_f)};
     const T A_h = d.at.A_hoop * hoop;
     const T A_m = d.at.A_meridian * meridian;
-    const V3<T> across = cross(d.radius * d.w, n);
+    const Triple<T> across = cross(d.radius * d.w, n);
     std::array<T, 4> chi{T(0.0), T(0.0), dot(axes.turn_t, across), dot(axes.turn_f, across)};
     const T n_u = d.radius * dot(n, d.u);
     const T over_bend = q / (n_u - A_h * hoop - A_m * meridian);  // -Q/δ_χχ
@@ -248,25 +128,6 @@ struct Sums {
   }
 };
 
-/// Width on the land and its derivative over the land coordinate.
-struct LandWidth {
-  double width = 0.0, slope = 0.0;
-};
-LandWidth land_width(const contact::RaceSurface& race, double x, double width) {
-  if (std::isinf(race.land_width)) {
-    return {width, 0.0};
-  }
-  const double above = race.land_offset + 0.5 * race.land_width - x;
-  const double below = race.land_offset - 0.5 * race.land_width - x;
-  LandWidth out;
-  out.width = std::min(0.5 * width, above) - std::max(-0.5 * width, below);
-  if (out.width <= 0.0) {
-    return {};
-  }
-  out.slope = (above < 0.5 * width ? -1.0 : 0.0) + (below > -0.5 * width ? 1.0 : 0.0);
-  return out;
-}
-
 /// What depends on the place of a contact at the edge of the land, through its width.
 void add_edge(const contact::RaceSurface& race, const Sums<Lanes>& slices, std::size_t lane,
               double load_slope, PairPotential& sum) {
@@ -293,19 +154,21 @@ void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
     };
     const Lanes s([&](auto lane) { return slice(lane).s; });
     const Lanes radius([&](auto lane) { return slice(lane).radius; });
-    const Deepest<Lanes> d = find_deepest(set.race, axes, p, s, radius, tan_chi);
+    const SliceDeepest<Lanes> d =
+        contact::deepest_on_slice(set.race, axes, p(0), p(1), s, radius, tan_chi);
     // χ changes evenly along the roller: the next slices start from its extrapolation.
     const Lanes found = tan_chi;
     tan_chi = first == 0 ? found : 2.0 * found - last;
     last = found;
-    std::array<LandWidth, kLanes> land;
+    std::array<contact::LandWidth, kLanes> land;
     std::array<contact::SliceLoad, kLanes> q;
     bool loaded = false;
     for (std::size_t lane = 0; lane < count; ++lane) {
       const double depth = d.at.depth[lane];
       if (depth > 0.0 || !each.empty()) {
+        const double x = d.X.x[lane];
         land[lane] =
-            land_width(set.race, (d.X.x[lane] - set.race.mid_x) / set.race.cos_angle, set.width);
+            contact::land_width(set.race, contact::land_coordinate(set.race, x), set.width);
         q[lane] = contact::slice_load(set.law, land[lane].width, depth);
         loaded = loaded || q[lane].load > 0.0;
       }
@@ -334,53 +197,53 @@ void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
 void add_slices_linear(const SliceSet& set, const Vec4& p, PairPotential& sum,
                        std::span<SliceResult> each) {
   const double sigma = set.race.sigma();
+  contact::LineResultant line;
   for (std::size_t k = 0; k < set.slices.size(); ++k) {
     const auto& slice = set.slices[k];
     const double delta = sigma * (p(1) + slice.s * p(2) - set.race.radius) + slice.radius;
-    const LandWidth land = land_width(set.race, slice.s + p(0) - set.race.mid_x, set.width);
+    const contact::LandWidth land = contact::land_width(
+        set.race, contact::land_coordinate(set.race, slice.s + p(0)), set.width);
     const contact::SliceLoad q = contact::slice_load(set.law, land.width, delta);
-    if (q.load > 0.0) {
-      const double g = sigma * slice.s;
-      sum.gradient(1) += q.load * sigma;
-      sum.gradient(2) += q.load * g;
-      sum.hessian(1, 1) += q.slope;
-      sum.hessian(1, 2) += q.slope * slice.s;
-      sum.hessian(2, 1) += q.slope * slice.s;
-      sum.hessian(2, 2) += q.slope * slice.s * slice.s;
-      if (land.slope != 0.0) {
-        const double over_x = q.load / land.width * land.slope;
-        sum.hessian(1, 0) += over_x * sigma;
-        sum.hessian(2, 0) += over_x * g;
-      }
-      sum.total += q.load;
-      sum.stiffness += q.slope;
+    line.add(slice.s, delta, q);
+    if (q.load > 0.0 && land.slope != 0.0) {
+      const double over_x = q.load / land.width * land.slope;
+      sum.hessian(1, 0) += over_x * sigma;
+      sum.hessian(2, 0) += over_x * (sigma * slice.s);
     }
     if (!each.empty()) {
       each[k] = {delta, land.width, q.load, q.slope, -sigma / set.race.radius, 0.0, sigma};
     }
   }
+  sum.gradient(1) += sigma * line.load;
+  sum.gradient(2) += sigma * line.moment;
+  sum.hessian(1, 1) += line.load_by_approach;
+  sum.hessian(1, 2) += line.load_by_slope;
+  sum.hessian(2, 1) += line.load_by_slope;
+  sum.hessian(2, 2) += line.moment_by_slope;
+  sum.total += line.load;
+  sum.stiffness += line.load_by_approach;
 }
 
 void add_point(const PointSet& set, const Vec4& p, PairPotential& sum, SliceResult* each) {
   const Axes axes = axes_at(p(2), p(3));
   const auto deepest = [&](const contact::RaceSurface& race, const contact::RollerSlice& slice) {
     double tan_chi = 0.0;
-    return find_deepest(race, axes, p, slice.s, slice.radius, tan_chi);
+    return contact::deepest_on_slice(race, axes, p(0), p(1), slice.s, slice.radius, tan_chi);
   };
-  Deepest<double> d = deepest(set.race, set.centre);
+  SliceDeepest<double> d = deepest(set.race, set.centre);
   if (d.at.depth > 0.0 || each != nullptr) {
     const double s = set.centre.s + set.crown_radius * dot(d.at.n, axes.a);
     const bool facing = dot(d.at.n, d.u) > 0.0;
     if (!(facing && s >= set.ends[0].s && s <= set.ends[1].s)) {
-      const Deepest<double> first = deepest(set.groove, set.ends[0]);
-      const Deepest<double> second = deepest(set.groove, set.ends[1]);
+      const SliceDeepest<double> first = deepest(set.groove, set.ends[0]);
+      const SliceDeepest<double> second = deepest(set.groove, set.ends[1]);
       d = first.at.depth > second.at.depth ? first : second;
     }
   }
   contact::SliceLoad q;
   if (d.at.depth > 0.0) {
-    const double tangent = set.K * std::sqrt(d.at.depth);
-    q = {tangent * d.at.depth, 1.5 * tangent};
+    const double root = std::sqrt(d.at.depth);
+    q = {contact::point_load(set.K, d.at.depth, root), 1.5 * set.K * root};
     Sums<double> sums;
     sums.add(axes, d, q.load, q.slope);
     sums.add_to(sum);

@@ -188,40 +188,33 @@ Bracket bracket_minimum(double first, double second, HeatAt heat) {
 /// minimum.
 constexpr double kSmallStep = 1e-8;
 
-/// Plain Newton from a good guess: the heat next to the minimum when the steps shrink quickly to
-/// nothing on a convex stretch.
-template <class HeatAt>
-std::optional<Heat> newton_minimum(HeatAt heat, double& beta) {
+/// The heat next to its minimum over β: Newton from a guess while steps shrink quickly on a convex
+/// stretch; from the first that does not, inside a shrinking bracket of the minimum.
+template <class HeatAt, class BracketOf>
+Heat least_heat(HeatAt heat, BracketOf bracket_of, double& beta) {
+  std::optional<Bracket> bracket;
   double last = 0.3;
-  for (int n = 0; n < 8; ++n) {
-    const Heat now = heat(beta);
-    const double step = now.curvature > 0.0 ? -now.slope / now.curvature : 1.0;
-    if (!(std::abs(step) < 0.7 * last)) {
-      break;
-    }
-    beta += step;
-    last = std::abs(step);
-    if (last < kSmallStep) {
-      return now;
-    }
-  }
-  return std::nullopt;
-}
-
-/// Newton inside a shrinking bracket.
-template <class HeatAt>
-Heat safeguarded_minimum(HeatAt heat, Bracket bracket, double& beta) {
-  beta = 0.5 * (bracket.low + bracket.high);
   for (int n = 0; n < 60; ++n) {
     const Heat now = heat(beta);
-    (now.slope > 0.0 ? bracket.high : bracket.low) = beta;
-    double next = now.curvature > 0.0 ? beta - now.slope / now.curvature : bracket.low - 1.0;
-    if (!(next > bracket.low && next < bracket.high)) {
-      next = 0.5 * (bracket.low + bracket.high);
+    const double step = now.curvature > 0.0 ? -now.slope / now.curvature : 1.0;
+    if (!bracket && !(n < 8 && std::abs(step) < 0.7 * last)) {
+      bracket = bracket_of();
+      beta = 0.5 * (bracket->low + bracket->high);
+      continue;
     }
-    const double change = std::abs(next - beta);
+    double next = beta + step;
+    if (bracket) {
+      (now.slope > 0.0 ? bracket->high : bracket->low) = beta;
+      if (!(now.curvature > 0.0 && next > bracket->low && next < bracket->high)) {
+        next = 0.5 * (bracket->low + bracket->high);
+      }
+    }
+    last = std::abs(next - beta);
     beta = next;
-    if (change < 1e-13) {
+    if (!bracket && last < kSmallStep) {
+      return now;
+    }
+    if (bracket && last < 1e-13) {
       break;
     }
   }
@@ -257,16 +250,16 @@ LeastHeatAxis least_heat_axis(const std::array<HeatContact, 2>& contacts, double
     const double inner = contacts[1].load * contacts[1].half_major;
     beta = (outer * control[0] + inner * control[1]) / (outer + inner);
   }
-  std::optional<Heat> least = newton_minimum(heat, beta);
-  if (!least) {
+  const auto bracket_of = [&] {
     const std::array<double, 2> control = control_angles(contacts, gamma);
-    least = safeguarded_minimum(heat, bracket_minimum(control[0], control[1], heat), beta);
-  }
-  if (least->curvature > 0.0) {
+    return bracket_minimum(control[0], control[1], heat);
+  };
+  const Heat least = least_heat(heat, bracket_of, beta);
+  if (least.curvature > 0.0) {
     // dβ = -(∂g/∂p) dp / (∂g/∂β) with the slope g = 0 at the minimum; p = α_o, α_i, Q_o, Q_i.
     for (std::size_t j = 0; j < 2; ++j) {
-      result.over_angle[j] = -least->slope_over_angle(j) / least->curvature;
-      result.over_load[j] = -least->slope_over_load(j) / least->curvature;
+      result.over_angle[j] = -least.slope_over_angle(j) / least.curvature;
+      result.over_load[j] = -least.slope_over_load(j) / least.curvature;
     }
   }
   return result;

@@ -1,7 +1,11 @@
+#include "../statics/ball_bearings.hpp"
 #include "base/errors.hpp"
 #include "dynamics/constrained.hpp"
 #include "dynamics/excitations.hpp"
+#include "dynamics/mode2.hpp"
 #include "dynamics/moving_frame.hpp"
+#include "statics/ball_statics.hpp"
+#include "statics/race_pose.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <catch2/catch.hpp>
@@ -153,6 +157,43 @@ TEST_CASE("Mode 2 keeps a direction without stiffness where it was", "[physics][
   REQUIRE(closed.solved);
   CHECK(closed.free_directions.empty());
   CHECK(closed.residual.norm() < 1e-6);
+}
+
+TEST_CASE("Mode 2 walks a race that nothing holds until balls carry its load",
+          "[physics][constrained]") {
+  const std::vector<double> theta{0.1, 2.2, 4.3};
+  const std::vector<Orbit> orbit(3, Orbit{Orbit::Kept::Speed, 300.0});
+  auto loose = groove();
+  loose.centre_radius[1] -= 2e-4;
+  const Vec3 load(20.0, 5.0, -10.0);
+  const Mode2Solution s =
+      solve_mode2(ConstrainedBall(loose, {9.6e9, 9.1e9}, kMass), {}, theta, orbit, load);
+  REQUIRE(s.solved);
+  CHECK(s.residual.norm() < 1e-9);
+  CHECK(s.inner_centre[0] > 1e-4);
+}
+
+TEST_CASE("Motion finds the loads of statics where statics put the balls",
+          "[physics][constrained]") {
+  auto bearing = ball_bearings::spindle(20000.0);
+  ball_bearings::load(bearing, 300.0, 40.0, 100.0, 1.5, -0.5);
+  const auto s = statics::solve_ball_statics(bearing);
+  const auto groove = contact::groove_geometry(bearing.balls());
+  const auto& q = s.displacement;
+  const auto axis = statics::tilted_axis(q[3], q[4]);
+  const std::array<RacePose, 2> races{
+      RacePose{{groove.centre_x[0], 0.0, 0.0}, Vec3::UnitX()},
+      RacePose{{q[0] + groove.centre_x[1], q[1], q[2]}, {axis.x, axis.y, axis.z}}};
+  for (const statics::StaticBall& b : s.balls) {
+    const ConstrainedBall ball(groove, {b.K[0], b.K[1]}, bearing.element_inertia.mass);
+    const BallBalance at = ball.evaluate(races, b.azimuth, {}, Vec2::Zero(), Vec2(b.x, b.r));
+    for (std::size_t j = 0; j < 2; ++j) {
+      REQUIRE(b.Q[j] > 0.0);
+      // Rounding of 27 mm, 4e-18 m, over approaches of some 1e-6 m.
+      CHECK(at.contact[j].load == Approx(b.Q[j]).epsilon(1e-11));
+      CHECK(at.contact[j].angle == Approx(b.alpha[j]).epsilon(1e-11));
+    }
+  }
 }
 
 TEST_CASE("Light-load balance switches with hysteresis and kDOF by code", "[unit][constrained]") {
