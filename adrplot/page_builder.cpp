@@ -26,7 +26,7 @@ class FileColumns {
       : file_(file), columns_(results::sol_columns(file.header)) {}
 
   [[nodiscard]] std::vector<double> numbers(const std::string& id) const {
-    const std::size_t index = find(id);
+    const std::size_t index = file_.place(find(id));
     std::vector<double> out;
     out.reserve(file_.steps.size());
     for (const auto& step : file_.steps)

@@ -2,11 +2,14 @@
 
 #include "adrplot/static_pages.hpp"
 #include "base/errors.hpp"
+#include "results/channels.hpp"
 #include "results/full_precision.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <set>
 
 namespace adore::adrplot {
 namespace {
@@ -30,6 +33,82 @@ PlotDocument document_of(const std::filesystem::path& path, std::string subject,
   return out;
 }
 
+/// The pages of a step file. Where all of its numbers would take too much room, those of the pages
+/// from the asked one on are read, as many as there is room for.
+class StepPages {
+ public:
+  StepPages(std::filesystem::path path, const results::SolRange& range, std::size_t most_values)
+      : path_(std::move(path)), range_(range), most_(most_values) {
+    results::SolRange one = range;
+    one.to = one.from;
+    file_ = results::read_sol(path_, one);
+    pages_ = plot_pages(file_.kind, file_.header);
+    std::error_code ignored;
+    // A value takes 16 characters and more.
+    const std::uintmax_t stored =
+        std::filesystem::file_size(path_, ignored) / (16U * std::max(file_.header.value_count, 1));
+    const auto asked = static_cast<std::uintmax_t>((range.to - range.from) / range.every + 1);
+    steps_ = static_cast<std::size_t>(std::min(stored, asked)) + 1;
+    read(1);
+  }
+  [[nodiscard]] const results::SolFile& file() const { return file_; }
+  [[nodiscard]] const std::vector<PageSpec>& pages() const { return pages_; }
+
+  desktop::ChartPage build(int number, const PageOptions& options) {
+    check_page_number(path_, number, pages_.size());
+    const std::set<std::size_t> wanted = columns_of(number);
+    if (!file_.columns.empty() &&
+        !std::includes(file_.columns.begin(), file_.columns.end(), wanted.begin(), wanted.end()))
+      read(number);
+    desktop::ChartPage page = build_page(file_, pages_, number, options);
+    const auto note = [&page](const std::string& text) {
+      page.note += (page.note.empty() ? "" : " ") + text;
+    };
+    if (file_.more)
+      note(fmt::format("Stored steps {} to {}; more follow in the file.", range_.from, range_.to));
+    std::error_code ignored;
+    if (why_not_.empty())
+      page.subtitle += "   ·   all digits from RESULTS.h5";
+    else if (std::filesystem::exists(path_.parent_path() / "RESULTS.h5", ignored))
+      note("Eight digits: " + why_not_ + ".");
+    return page;
+  }
+
+ private:
+  [[nodiscard]] std::set<std::size_t> columns_of(int number) const {
+    const std::vector<results::SolColumn> columns = results::sol_columns(file_.header);
+    std::set<std::size_t> out;
+    for (const PanelSpec& panel : pages_[static_cast<std::size_t>(number - 1)].panels)
+      for (const CurveSpec& curve : panel.curves)
+        for (std::size_t c = 0; c < columns.size(); ++c)
+          if (columns[c].id == curve.column) out.insert(c);
+    return out;
+  }
+  void read(int first_page) {
+    results::SolRange range = range_;
+    if (steps_ * static_cast<std::size_t>(std::max(file_.header.value_count, 1)) > most_) {
+      std::set<std::size_t> columns = columns_of(first_page);
+      for (int number = first_page + 1; number <= static_cast<int>(pages_.size()); ++number) {
+        std::set<std::size_t> more = columns_of(number);
+        more.insert(columns.begin(), columns.end());
+        if (steps_ * more.size() > most_) break;
+        columns = std::move(more);
+      }
+      range.columns.assign(columns.begin(), columns.end());
+    }
+    file_ = {};  // its room is needed
+    file_ = results::read_sol(path_, range);
+    why_not_ = results::use_full_precision(file_);
+  }
+
+  std::filesystem::path path_;
+  results::SolRange range_;
+  std::size_t most_, steps_ = 0;
+  std::vector<PageSpec> pages_;
+  results::SolFile file_;
+  std::string why_not_;
+};
+
 }  // namespace
 
 bool has_steps(const std::filesystem::path& path) {
@@ -50,7 +129,8 @@ PlotDocument make_document(results::SolFile file) {
   return out;
 }
 
-PlotDocument open_document(const std::filesystem::path& path, const results::SolRange& range) {
+PlotDocument open_document(const std::filesystem::path& path, const results::SolRange& range,
+                           std::size_t most_values) {
   if (path.extension() == ".json")
     return document_of(path, "quasi-static solution",
                        static_pages(results::read_static_tables(path)));
@@ -58,28 +138,14 @@ PlotDocument open_document(const std::filesystem::path& path, const results::Sol
     const results::SweepTable sweep = results::read_sweep(path);
     return document_of(path, "sweep of " + sweep.variable, sweep_pages(sweep));
   }
-  results::SolFile file = results::read_sol(path, range);
-  const std::string more =
-      file.more
-          ? fmt::format("Stored steps {} to {}; more follow in the file.", range.from, range.to)
-          : std::string();
-  const std::string why_not = results::use_full_precision(file);
-  std::error_code ignored;
-  const bool beside = std::filesystem::exists(path.parent_path() / "RESULTS.h5", ignored);
-  PlotDocument out = make_document(std::move(file));
-  if (!why_not.empty() && !beside && more.empty()) return out;
-  out.build = [build = std::move(out.build), why_not, beside, more](int number,
-                                                                    const PageOptions& options) {
-    desktop::ChartPage page = build(number, options);
-    const auto note = [&page](const std::string& text) {
-      page.note += (page.note.empty() ? "" : " ") + text;
-    };
-    if (!more.empty()) note(more);
-    if (why_not.empty())
-      page.subtitle += "   ·   all digits from RESULTS.h5";
-    else if (beside)
-      note("Eight digits: " + why_not + ".");
-    return page;
+  const auto steps = std::make_shared<StepPages>(path, range, most_values);
+  PlotDocument out;
+  out.path = path;
+  out.subject = subject(steps->file().kind, steps->file().header);
+  out.note = steps->file().note;
+  for (const PageSpec& page : steps->pages()) out.pages.push_back({page.title, page.kind});
+  out.build = [steps](int number, const PageOptions& options) {
+    return steps->build(number, options);
   };
   return out;
 }

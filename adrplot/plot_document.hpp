@@ -23,11 +23,16 @@ struct PlotDocument {
   std::function<desktop::ChartPage(int number, const PageOptions& options)> build;
 };
 
+/// Numbers of a file that are held at a time [values]; of longer ones those of a few pages, and the
+/// file is read again for others.
+inline constexpr std::size_t kMostValues = 12'000'000;
+
 /// SOL1-SOL7 (with all digits where RESULTS.h5 of the same run lies beside the file), the RUN.json
 /// of a quasi-static run, or a SWEEP.csv, told apart by their names' endings (.json, .csv) and else
 /// by content. @throws InputError for a file that is none of these.
 [[nodiscard]] PlotDocument open_document(const std::filesystem::path& path,
-                                         const results::SolRange& range = {});
+                                         const results::SolRange& range = {},
+                                         std::size_t most_values = kMostValues);
 [[nodiscard]] PlotDocument make_document(results::SolFile file);
 
 /// Is the file read step by step, so that a range of steps can be asked for?

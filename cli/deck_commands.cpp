@@ -9,6 +9,7 @@
 #include "facade/disk_use.hpp"
 #include "facade/plan_json.hpp"
 #include "facade/prepare.hpp"
+#include "setup/run_control.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -28,10 +29,16 @@ const char* word(Severity severity) {
 /// All errors and warnings of a deck; what it asks for that cannot run yet is a note here and an
 /// error of `run`.
 int check(const std::string& path, bool json) {
-  const deck::ReadResult read = facade::read_deck(deck_request(path));
+  const facade::DeckRequest request = deck_request(path);
+  const deck::ReadResult read = facade::read_deck(request);
   std::vector<Issue> issues = read.issues;
   if (read.ok())
     for (Issue& issue : facade::check_model(read.deck)) issues.push_back(std::move(issue));
+  try {
+    (void)setup::build_run_options(facade::options_beside(facade::deck_path(request)));
+  } catch (const InputError& error) {  // the run would end with it
+    issues.insert(issues.end(), error.issues().begin(), error.issues().end());
+  }
   const bool ok = std::none_of(issues.begin(), issues.end(), [](const Issue& issue) {
     return issue.severity == Severity::Error;
   });

@@ -5,8 +5,13 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <fstream>
+#include <locale>
+#include <ostream>
+#include <streambuf>
 #include <string>
+#include <utility>
 
 namespace adore::cli {
 namespace {
@@ -19,10 +24,34 @@ std::string_view beginning(std::string_view text) {
   return text.substr(0, text.find(':'));
 }
 
-}  // namespace
+/// Hands what is written on in pieces.
+class PieceBuffer : public std::streambuf {
+ public:
+  explicit PieceBuffer(TextSink sink) : sink_(std::move(sink)) {
+    setp(buffer_.data(), buffer_.data() + buffer_.size());
+  }
 
-void write_export(const fs::path& path, std::string_view text,
-                  const std::vector<fs::path>& inputs) {
+ protected:
+  int_type overflow(int_type c) override {
+    sync();
+    if (!traits_type::eq_int_type(c, traits_type::eof())) sputc(traits_type::to_char_type(c));
+    return traits_type::not_eof(c);
+  }
+  int sync() override {
+    const std::string_view piece(pbase(), static_cast<std::size_t>(pptr() - pbase()));
+    setp(buffer_.data(), buffer_.data() + buffer_.size());
+    if (!piece.empty()) sink_(piece);
+    return 0;
+  }
+
+ private:
+  TextSink sink_;
+  std::array<char, 1 << 16> buffer_{};
+};
+
+/// May an export that begins like this go there? @throws InputError
+void check_place(const fs::path& path, std::string_view start,
+                 const std::vector<fs::path>& inputs) {
   std::error_code error;
   for (const fs::path& input : inputs)
     if (fs::equivalent(input, path, error))
@@ -30,7 +59,6 @@ void write_export(const fs::path& path, std::string_view text,
           fmt::format("--out {}: this is the file that is read; name another one", path.string()));
   const fs::file_status status = fs::symlink_status(path, error);
   if (fs::is_regular_file(status) && fs::file_size(path, error) > 0) {
-    const std::string_view start = beginning(text);
     std::string old(start.size() + 1, '\0');
     std::ifstream stream(path, std::ios::binary);
     stream.read(old.data(), static_cast<std::streamsize>(old.size()));
@@ -44,7 +72,39 @@ void write_export(const fs::path& path, std::string_view text,
     throw InputError(fmt::format("--out {}: this is a symbolic link to {}; name the file itself",
                                  path.string(), fs::read_symlink(path, error).string()));
   }
+}
+
+}  // namespace
+
+void write_export(const fs::path& path, std::string_view text,
+                  const std::vector<fs::path>& inputs) {
+  check_place(path, beginning(text), inputs);
   write_file_atomically(path, text);
+}
+
+void write_export(const fs::path& path, const std::function<void(std::ostream&)>& produce,
+                  const std::vector<fs::path>& inputs) {
+  write_file_atomically(path, [&](const TextSink& write) {
+    // Its beginning tells whether it may go there: before it is there in full, nothing is written.
+    std::string start;
+    bool checked = false;
+    const auto check = [&] {
+      check_place(path, beginning(start), inputs);
+      write(start);
+      checked = true;
+    };
+    PieceBuffer buffer([&](std::string_view piece) {
+      if (checked) return write(piece);
+      start += piece;
+      if (beginning(start).size() < start.size()) check();
+    });
+    std::ostream out(&buffer);
+    out.imbue(std::locale::classic());
+    out.exceptions(std::ios::badbit);  // what a sink throws goes on to the caller
+    produce(out);
+    out.flush();
+    if (!checked) check();
+  });
 }
 
 }  // namespace adore::cli

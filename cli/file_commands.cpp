@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/export.hpp"
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
 #include "results/convert.hpp"
@@ -8,20 +9,19 @@
 
 #include <filesystem>
 #include <iostream>
-#include <locale>
 #include <memory>
-#include <sstream>
 
 namespace adore::cli {
 namespace {
 
 void convert(const std::string& file, const std::string& format, const std::string& out) {
   if (out.empty() || out == kStream) return results::convert_file(file, format, std::cout);
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  results::convert_file(file, format, text);
-  write_text(out, std::filesystem::path(file).filename().string() + "." + format, text.str(),
-             {file});
+  std::filesystem::path path(out);
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    path /= std::filesystem::path(file).filename().string() + "." + format;
+  write_export(path, [&](std::ostream& text) { results::convert_file(file, format, text); },
+               {file});
 }
 
 }  // namespace

@@ -151,6 +151,11 @@ std::string temporary_pattern(const fs::path& target) {
 }
 
 void write_file_atomically(const fs::path& path, std::string_view content) {
+  write_file_atomically(path, [&](const TextSink& write) { write(content); });
+}
+
+void write_file_atomically(const fs::path& path,
+                           const std::function<void(const TextSink&)>& produce) {
   std::error_code error;
   fs::path target = fs::weakly_canonical(path, error);  // follows a link, so that it survives
   if (error || target.empty()) target = fs::absolute(path, error);
@@ -159,7 +164,7 @@ void write_file_atomically(const fs::path& path, std::string_view content) {
   if (fs::is_directory(target, error)) fail(path, EISDIR, "opening");
 
   TemporaryFile file(target, path);
-  file.write(content);
+  produce([&](std::string_view piece) { file.write(piece); });
   file.set_permissions_like(target);
   file.rename_to(target);
   flush_folder(target.parent_path());

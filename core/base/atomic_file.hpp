@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,12 @@ namespace adore {
 /// @throws InputError naming the path and the reason: folder missing or not writable, disk full,
 /// path is a folder.
 void write_file_atomically(const std::filesystem::path& path, std::string_view content);
+
+/// The same for content that nobody holds as a whole: `produce` hands it to its argument piece by
+/// piece. Nothing is replaced when it throws.
+using TextSink = std::function<void(std::string_view piece)>;
+void write_file_atomically(const std::filesystem::path& path,
+                           const std::function<void(const TextSink&)>& produce);
 
 /// Name of the new file until it is renamed, X standing for any letter or digit: what a killed
 /// process may leave on file systems that know no files without a name.

@@ -1,10 +1,16 @@
 #include "base/json_text.hpp"
 
+#include "base/own_files.hpp"
+
 #include <algorithm>
 
 namespace adore::detail {
 
-std::string json_problem(std::string_view what) {
+std::string json_problem(std::string_view text, std::string_view what) {
+  const FileSort sort = sort_of(text.substr(0, kSortBytes));
+  if (const std::string_view name = sort_name(sort);
+      !name.empty() && sort != FileSort::Json && sort != FileSort::RunJson)
+    return "is " + std::string(name) + ", not JSON; " + std::string(sort_use(sort));
   constexpr std::size_t kLongest = 200;
   // "[json.exception.parse_error.101] parse error at line 1, column 2: ..."
   if (const std::size_t bracket = what.find("] "); what.substr(0, 1) == "[")

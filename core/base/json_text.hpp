@@ -14,8 +14,8 @@ namespace adore {
 inline constexpr int kDeepestJson = 64;  ///< RUN.json and reference cases need about ten
 
 namespace detail {
-/// "is not valid JSON: ..." in a clause of bounded length.
-std::string json_problem(std::string_view what);
+/// "is a deck, not JSON; ...", or "is not valid JSON: ..." in a clause of bounded length.
+std::string json_problem(std::string_view text, std::string_view what);
 }  // namespace detail
 
 /// @throws InputError "`name` is not valid JSON: ..."; without the name when that is empty.
@@ -32,7 +32,7 @@ Json parse_json(std::string_view text, std::string_view name) {
   try {
     return Json::parse(text, shallow);
   } catch (const nlohmann::json::exception& error) {
-    throw InputError(start + detail::json_problem(error.what()));
+    throw InputError(start + detail::json_problem(text, error.what()));
   }
 }
 

@@ -21,6 +21,15 @@ constexpr const char* kAnimated = "last step in SOL8";
 constexpr const char* kPrinted = "last step in PRINT";
 constexpr const char* kSaved = "last step in RESULTS";
 constexpr const char* kLived = "last step of the life models";
+constexpr const char* kHeld = "counter of changes of held elements";
+constexpr std::pair<const char*, long integrators::Counters::*> kCounters[] = {
+    {"counter of steps", &integrators::Counters::steps},
+    {"counter of rejected", &integrators::Counters::rejected},
+    {"counter of evaluations", &integrators::Counters::evaluations},
+    {"counter of at_minimum", &integrators::Counters::at_minimum},
+    {"counter of restarts", &integrators::Counters::restarts},
+    {"counter of jacobians", &integrators::Counters::jacobians},
+    {"counter of nonlinear_iterations", &integrators::Counters::nonlinear_iterations}};
 constexpr const char* kStored = "ledger stored at start";
 constexpr const char* kResidual = "ledger residual";
 
@@ -59,6 +68,8 @@ void save_progress(std::map<std::string, double>& state, const scene::Snapshot& 
   whole(kPrinted, steps.printed);
   whole(kSaved, steps.saved);
   whole(kLived, steps.lived);
+  for (const auto& [name, counter] : kCounters) whole(name, resume.counters.*counter);
+  whole(kHeld, resume.held_changes);
   if (resume.memory.empty()) return;
   const std::string stem(kStepper);
   state[stem + "is " + control.integrator] = 1.0;
@@ -112,6 +123,9 @@ FileSteps restore_progress(const results::MasterState& master, const setup::RunC
   steps.printed = whole(kPrinted, out.step);
   steps.saved = whole(kSaved, out.step);
   steps.lived = whole(kLived, out.step);
+  for (const auto& [name, counter] : kCounters)
+    out.resume.counters.*counter = std::max(whole(name, 0), 0L);
+  out.resume.held_changes = std::max(whole(kHeld, 0), 0L);
   const std::string stem(kStepper), memory = stem + "memory ";
   if (number(stem + "is " + control.integrator, 0.0) != 1.0 ||
       number(stem + "tolerance", 0.0) != control.tolerance ||

@@ -317,8 +317,17 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
     output_seconds += seconds_since(at);
   };
 
-  integrators::Counters counters;  // of the stepper before its last start
-  long held_changes = 0;
+  // Of the run before this process, and of the stepper before its last start.
+  integrators::Counters counters = start.resume.counters;
+  long held_changes = start.resume.held_changes;
+  const auto resume = [&](bool failed) {
+    Resume so_far{0, {}, counters, held_changes};
+    add_counters(so_far.counters, stepper->counters());
+    if (failed) return so_far;  // what the stepper remembers may be meaningless
+    so_far.substeps = substeps;
+    so_far.memory = stepper->memory();
+    return so_far;
+  };
   /// Light-load balance: after a finished step elements may be held or released; the stepper then
   /// starts anew from the changed state with its last step size.
   auto update_held = [&] {
@@ -350,8 +359,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
     }
     const auto checkpoint = [&] {
       output([&] {
-        outputs.checkpoint(system, {step, stepper->time(), h, stepper->state()},
-                           {substeps, stepper->memory()});
+        outputs.checkpoint(system, {step, stepper->time(), h, stepper->state()}, resume(false));
       });
     };
     if (!start.continued) {
@@ -396,7 +404,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   RunEnd summary;
   summary.status = out.status;
   summary.point = end;
-  if (out.status != RunStatus::Failed) summary.resume = {substeps, stepper->memory()};
+  summary.resume = resume(out.status == RunStatus::Failed);
   output([&] { outputs.store_end(system, summary); });
   const results::EnergyJudgement judgement = outputs.judge_energy();
   if (judgement.trust == results::Trust::None && out.status != RunStatus::Failed) {
@@ -417,9 +425,6 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
 
   summary.status = out.status;
   summary.message = out.message;
-  add_counters(counters, stepper->counters());
-  summary.counters = counters;
-  summary.held_changes = held_changes;
   summary.loop_seconds = loop_seconds;
   outputs.finish(system, summary);
 

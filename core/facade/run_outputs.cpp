@@ -94,6 +94,7 @@ struct RunOutputs::Impl {
   Clock::time_point checkpoint = Clock::now();
   long segment = 0;            ///< step from which maxStps counts
   long restart_step = -1;      ///< of the last checkpoint
+  long continued_at = 0;       ///< step at which this process took the run over
   int cage_position = -1;      ///< first component of the cage's mass centre
   double turned_before = 0.0;  ///< rotation of the shaft beyond speed times time [rad]
 
@@ -302,6 +303,7 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
   system.set_start(start.time, start.y);
   s.plan.quadratures = system.layout().size() - system.layout().controlled_size();
   s.segment = start.segment;
+  s.continued_at = start.step;
   if (start.continued)
     remove_leftovers(s.files.outputs());
   else
@@ -389,7 +391,7 @@ void RunOutputs::store_end(dynamics::System& system, const RunEnd& end) {
     case RunStatus::Failed:
       // The failed state may be meaningless.
       if (s.last.step > s.restart_step && !s.last_y.empty())
-        s.write_restart(system, s.last, s.last_y, {});
+        s.write_restart(system, s.last, s.last_y, end.resume);
       break;
   }
 }
@@ -398,14 +400,14 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   Impl& s = *impl_;
   s.files.written.push_back(s.path(s.control.final_file));
   s.files.written.push_back(s.path(s.control.master_file));
-  if (const long missed = end.counters.at_minimum; missed > 0) {
-    const double share =
-        100.0 * static_cast<double>(missed) / static_cast<double>(std::max(1L, end.counters.steps));
+  if (const long missed = end.resume.counters.at_minimum; missed > 0) {
+    const double share = 100.0 * static_cast<double>(missed) /
+                         static_cast<double>(std::max(1L, end.resume.counters.steps));
     s.remark(
         fmt::format("{} of {} steps ({:.2g} %) missed the tolerance of {:g}: the smallest step "
                     "that record 2.1 allows is too long for it; make stpMin smaller, or tol "
                     "larger",
-                    missed, end.counters.steps, share, s.control.tolerance),
+                    missed, end.resume.counters.steps, share, s.control.tolerance),
         Severity::Warning);
   }
   results::RunSummary run = s.summary();
@@ -417,7 +419,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   run.steps = s.last.step;
   run.time = s.last.time;
   run.revolutions = s.last.shaft_rotation / (2.0 * std::numbers::pi);
-  const integrators::Counters& c = end.counters;
+  const integrators::Counters& c = end.resume.counters;
   run.counters = {{"steps", c.steps},
                   {"rejected", c.rejected},
                   {"evaluations", c.evaluations},
@@ -426,7 +428,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
                   {"jacobians", c.jacobians},
                   {"nonlinear_iterations", c.nonlinear_iterations}};
   if (s.plan.has(scene::Effect::LightLoadBalance))
-    run.counters.emplace_back("changes of held elements", end.held_changes);
+    run.counters.emplace_back("changes of held elements", end.resume.held_changes);
   run.energy = s.last.energy;
   run.load = s.mean_load();
   run.elastic = static_elastic(s.prepared);
@@ -435,6 +437,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   run.quadrature_error = system.quadrature_error(s.last.time, s.last_y);
   run.cost = system.cost().rows();
   run.seconds = end.loop_seconds;
+  run.measured_from = s.continued_at;
   s.key_results = dynamic_results(s.last, s.averages.averages(), s.mean_load());
   add_lives(s.key_results, s.prepared.life);
   const listing::RunLife run_life = s.life.run_life();

@@ -20,6 +20,8 @@ namespace adore::facade {
 struct Resume {
   long substeps = 0;  ///< done of the counted step under way (nStps)
   integrators::Memory memory;
+  integrators::Counters counters;  ///< of the whole run so far, however often it was continued
+  long held_changes = 0;           ///< steps after which elements were held or released (qFac)
 };
 
 /// One instant of the run.
@@ -46,8 +48,6 @@ struct RunEnd {
   std::string message;
   RunPoint point;
   Resume resume;
-  integrators::Counters counters;
-  long held_changes = 0;  ///< steps after which elements were held or released (qFac)
   double loop_seconds = 0.0;
 };
 

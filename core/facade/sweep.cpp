@@ -134,11 +134,24 @@ std::optional<Row> completed(const RunRequest& request, const std::string& value
     std::ifstream stream(file, std::ios::binary);
     const auto json = parse_json<nlohmann::ordered_json>(
         std::string(std::istreambuf_iterator<char>(stream), {}), file.string());
-    for (const auto& [name, item] : json.at("summary").items())
+    for (const auto& [name, item] : json.at("summary").items()) {
+      if (results::find_key_result(name).id.empty()) {
+        Issue issue;
+        issue.severity = Severity::Warning;
+        issue.file = file.string();
+        issue.message = fmt::format(
+            "the summary holds \"{}\", which this release does not know; the finished run is kept, "
+            "and the table of the sweep leaves it out; to compute it again, remove the run's "
+            "folder",
+            name);
+        row.outcome.warnings.push_back(std::move(issue));
+        continue;
+      }
       row.outcome.summary.push_back(results::key_result(
           name, item.is_number() ? item.get<double>() : std::numeric_limits<double>::infinity()));
+    }
   } catch (const std::exception&) {
-    return {};  // damaged, or of another release: it runs again
+    return {};  // damaged: it runs again
   }
   return row;
 }

@@ -457,7 +457,12 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
                 unit::kPure);
 
   if (!run.cost.empty()) {
-    report.heading("Cost: where the computing time went (measured, differs from run to run)");
+    report.heading(
+        run.measured_from > 0
+            ? fmt::format("Cost: where the computing time went since the run was continued at step "
+                          "{} (measured, differs from run to run)",
+                          run.measured_from)
+            : "Cost: where the computing time went (measured, differs from run to run)");
     rows.clear();
     double total = 0.0;
     for (const scene::CostLedger::Row& row : run.cost) {
@@ -469,7 +474,8 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
     rows.push_back(
         {"accounted for", "", fmt::format("{:.4f}", total),
          run.seconds > 0.0 ? fmt::format("{:.1f} %", 100.0 * total / run.seconds) : std::string()});
-    rows.push_back({"whole run", "", fmt::format("{:.4f}", run.seconds), ""});
+    rows.push_back({run.measured_from > 0 ? "since then" : "whole run", "",
+                    fmt::format("{:.4f}", run.seconds), ""});
     report.text_table({{"part", 40}, {"calls", 14}, {"seconds", 12}, {"share", 8}}, rows);
   }
   if (!run.no_part.empty()) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -310,6 +311,14 @@ ChannelTable::ChannelTable(scene::LedgerTerms energy) : channels_(kTable.begin()
                        false, [](const Source& s) { return s.snapshot->energy.residual(); },
                        "work less heat less change of stored energy"});
   ids_ = ids;
+}
+
+ChannelTable ChannelTable::only(std::span<const std::string_view> ids) const {
+  ChannelTable out = *this;
+  std::erase_if(out.channels_, [&](const Channel& channel) {
+    return std::find(ids.begin(), ids.end(), channel.id) == ids.end();
+  });
+  return out;
 }
 
 }  // namespace adore::results

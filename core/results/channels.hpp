@@ -67,6 +67,8 @@ class ChannelTable {
  public:
   /// @param energy whatever a ledger may hold, as dynamics::energy_terms() lists it
   explicit ChannelTable(scene::LedgerTerms energy);
+  /// Those with these ids alone, in the table's order.
+  [[nodiscard]] ChannelTable only(std::span<const std::string_view> ids) const;
   [[nodiscard]] std::span<const Channel> all() const noexcept { return channels_; }
 
  private:

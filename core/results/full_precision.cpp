@@ -95,7 +95,8 @@ bool use_block(SolFile& file, const H5Reader& reader, const StepBlock& block, bo
   std::map<int, std::vector<double>> read;  // by channel: neighbouring columns share one
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const SolColumn& column = columns[c];
-    if (column.channel < 0) continue;
+    const std::size_t place = file.place(c);
+    if (column.channel < 0 || place == std::string::npos) continue;
     const std::string id(channels()[static_cast<std::size_t>(column.channel)].id);
     const H5Reader::ChannelInfo* info = reader.find(id);
     if (info == nullptr || column.at >= info->size()) continue;
@@ -103,12 +104,12 @@ bool use_block(SolFile& file, const H5Reader& reader, const StepBlock& block, bo
     if (values.empty()) values = reader.read(id, block.first, block.count, block.every);
     for (std::size_t i = 0; i < block.count; ++i) {
       std::vector<double>& shown = file.steps[block.step + i].values;
-      if (c >= shown.size()) continue;
+      if (place >= shown.size()) continue;
       const double exact = values[i * info->size() + column.at];
       const double value = column.unit == nullptr ? exact : from_si(exact, *column.unit, units);
       if (replace)
-        shown[c] = value;
-      else if (!fits(shown[c], value, kSolDigits, 1e-30))
+        shown[place] = value;
+      else if (!fits(shown[place], value, kSolDigits, 1e-30))
         return false;
     }
   }

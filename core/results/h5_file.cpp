@@ -85,6 +85,29 @@ std::vector<hsize_t> extent(const Handle& dataset, const std::string& path) {
   return dims;
 }
 
+/// Names of datasets in the root and in its groups. No deeper: in a damaged file groups hold each
+/// other in circles.
+struct Walk {
+  std::string group;  ///< "contact/"; empty in the root
+  std::vector<std::string> names;
+  std::size_t links = 0;
+};
+
+herr_t add_link(hid_t group, const char* name, const H5L_info_t* link, void* data) {
+  Walk& walk = *static_cast<Walk*>(data);
+  if (++walk.links > kMostDatasets) return -1;
+  H5O_info_t info;
+  if (link->type != H5L_TYPE_HARD) return 0;
+  if (H5Oget_info_by_name2(group, name, &info, H5O_INFO_BASIC, H5P_DEFAULT) < 0) return -1;
+  if (info.type == H5O_TYPE_DATASET) walk.names.push_back(walk.group + name);
+  if (info.type != H5O_TYPE_GROUP || !walk.group.empty()) return 0;
+  walk.group = std::string(name) + "/";
+  const herr_t done = H5Literate_by_name(group, name, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr,
+                                         add_link, data, H5P_DEFAULT);
+  walk.group.clear();
+  return done;
+}
+
 }  // namespace
 
 File::File(const std::filesystem::path& path) {
@@ -103,18 +126,11 @@ File::File(const std::filesystem::path& path) {
   if (H5Lexists(file_, "step", H5P_DEFAULT) <= 0 || content_.version.empty())
     throw InputError("this HDF5 file holds no bearing results; give the RESULTS.h5 of a run");
 
-  std::vector<std::string> names;
-  const herr_t visited = H5Ovisit2(
-      file_, H5_INDEX_NAME, H5_ITER_NATIVE,
-      [](hid_t, const char* name, const H5O_info_t* info, void* data) -> herr_t {
-        auto& list = *static_cast<std::vector<std::string>*>(data);
-        if (info->type == H5O_TYPE_DATASET) list.emplace_back(name);
-        return list.size() > kMostDatasets ? -1 : 0;
-      },
-      &names, H5O_INFO_BASIC);
-  if (visited < 0) damaged(last_error());
+  Walk walk;
+  if (H5Literate(file_, H5_INDEX_NAME, H5_ITER_NATIVE, nullptr, add_link, &walk) < 0)
+    damaged(last_error());
   content_.steps = std::numeric_limits<std::size_t>::max();
-  for (const std::string& name : names) add_dataset(name);
+  for (const std::string& name : walk.names) add_dataset(name);
   for (const StepSeries& series : kSeries)
     if (datasets_.count(std::string(series.name)) == 0)
       damaged(fmt::format("/{} is missing", series.name));

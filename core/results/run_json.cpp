@@ -190,6 +190,7 @@ Json run_json(const RunSummary& run) {
                     {"share", run.seconds > 0.0 ? row.seconds / run.seconds : 0.0}});
   }
   out["measured"] = {{"seconds", run.seconds}, {"accounted seconds", accounted}, {"cost", cost}};
+  if (run.measured_from > 0) out["measured"]["from step"] = run.measured_from;
   return out;
 }
 

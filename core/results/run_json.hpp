@@ -57,7 +57,8 @@ struct RunSummary {
   nlohmann::ordered_json quasi_static;  ///< results/static_tables.hpp; null when there is none
   // Measured.
   std::vector<scene::CostLedger::Row> cost;
-  double seconds = 0.0;  ///< of the whole run
+  double seconds = 0.0;    ///< of this process
+  long measured_from = 0;  ///< step at which it took the run over; 0: the start
 
   std::string instruction_set;  ///< of the contact kernel, chosen at run time
 };

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <utility>
 
 namespace adore::results {
 namespace {
@@ -106,20 +107,38 @@ Sol8Geometry make_geometry(const std::vector<double>& geometry) {
 
 }  // namespace
 
+std::size_t SolFile::place(std::size_t column) const {
+  if (columns.empty()) return column;
+  const auto found = std::lower_bound(columns.begin(), columns.end(), column);
+  return found != columns.end() && *found == column
+             ? static_cast<std::size_t>(found - columns.begin())
+             : std::string::npos;
+}
+
 SolFile read_sol(std::istream& stream, const std::string& name, const SolRange& range) {
   check(range);
   SolParser parser(stream, name);
   if (parser.kind() == SolKind::Animation)
     throw InputError(
-        fmt::format("{}: this is an animation file (SOL8); open it with the animation viewer, or "
+        fmt::format("{}: this is an animation file (SOL8); `adore animate` draws it; "
                     "give one of SOL1-SOL7",
                     name));
   SolFile file;
   file.path = name;
   file.kind = parser.kind();
   file.header = parser.header();
-  file.note = for_each_step(parser, name, range,
-                            [&](SolStep& step) { file.steps.push_back(std::move(step)); });
+  file.columns = range.columns;
+  file.note = for_each_step(parser, name, range, [&](SolStep& step) {
+    if (file.columns.empty()) {
+      file.steps.push_back(std::move(step));
+      return;
+    }
+    const std::vector<double> all = std::exchange(step.values, {});
+    step.values.reserve(file.columns.size());
+    for (const std::size_t column : file.columns)
+      if (column < all.size()) step.values.push_back(all[column]);
+    file.steps.push_back(std::move(step));
+  });
   SolStep behind;
   file.more = file.note.empty() && parser.next(behind, false) == BlockStatus::Complete;
   return file;

@@ -39,6 +39,8 @@ struct SolRange {
   long from = 1;
   long to = 5000;  ///< N81
   long every = 1;
+  std::vector<std::size_t> columns = {};  ///< values to keep, by their places in a step, rising;
+                                          ///< empty: all of them
 };
 
 struct SolFile {
@@ -46,8 +48,12 @@ struct SolFile {
   SolKind kind = SolKind::Element;
   SolHeader header;
   std::vector<SolStep> steps;
+  std::vector<std::size_t> columns;  ///< of each step's values; empty: all of the file's
   std::string note;   ///< empty, or what was wrong with the file ("cut off in step 120")
   bool more = false;  ///< there are stored steps behind the range
+
+  /// Where in a step's values the column of the file stands; beyond their end when it was not kept.
+  [[nodiscard]] std::size_t place(std::size_t column) const;
 };
 
 /// @throws InputError when the file cannot be read or is no SOL1-SOL7 file (the sentence says why).

@@ -268,6 +268,29 @@ TEST_CASE("render_plots: every page of files on disk becomes a picture with curv
   CHECK_THROWS_AS(render_plots({base / "absent"}, options), InputError);
 }
 
+TEST_CASE("plot_document: a file too long to be held is read for a few pages at a time", "[gui]") {
+  QTemporaryDir folder;
+  const std::filesystem::path path = folder.path().toStdString() + "/SOL1";
+  test::write_text(path, test::sol_text(test::synthetic_sol(SolKind::Element)));
+  const PlotDocument whole = open_document(path), pieces = open_document(path, {}, 1000);
+  REQUIRE(pieces.pages.size() == whole.pages.size());
+  const auto same = [&](int number) {
+    const desktop::ChartPage a = whole.build(number, {}), b = pieces.build(number, {});
+    INFO("page " << number);
+    CHECK(a.x == b.x);
+    CHECK(a.note == b.note);
+    REQUIRE(a.panels.size() == b.panels.size());
+    for (std::size_t p = 0; p < a.panels.size(); ++p) {
+      REQUIRE(a.panels[p].curves.size() == b.panels[p].curves.size());
+      CHECK(a.panels[p].unit == b.panels[p].unit);
+      for (std::size_t c = 0; c < a.panels[p].curves.size(); ++c)
+        CHECK(a.panels[p].curves[c].y == b.panels[p].curves[c].y);
+    }
+  };
+  for (int number = 1; number <= static_cast<int>(whole.pages.size()); ++number) same(number);
+  same(1);
+}
+
 TEST_CASE("plot_window: pages turn to both ends with a message there", "[gui]") {
   test::use_qt();
   PlotWindow window;

@@ -349,6 +349,8 @@ TEST_CASE("a file given to the wrong command is named for what it is", "[cli]") 
         Case{"check RUN.json", "this is the summary of a run"}, Case{"check RESULTS.h5", "HDF5"},
         Case{"show DATA.txt", "this is a deck"},
         Case{"show PRINT.txt", "read it with a text viewer"},
+        Case{"calc hertz DATA.txt", "is a deck, not JSON"},
+        Case{"validate PRINT.txt", "is a listing (PRINT.txt of a run), not JSON"},
         Case{"convert DATA.txt --to csv", "`adore check` and `adore run` read it"}}) {
     const Result result = run_as_given(one.arguments, "cd " + out + " &&");
     INFO(one.arguments << '\n' << result.out);

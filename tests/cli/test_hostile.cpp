@@ -69,6 +69,7 @@ TEST_CASE("an ADORE.json that cannot be read is refused, not passed over", "[cli
   new_ball_deck(folder);
   std::filesystem::create_directory(folder / "ADORE.json");
   refused(run_adore("plan " + folder.path().string()), "ADORE.json");
+  CHECK(run_adore("check " + folder.path().string()).code == 2);
   std::filesystem::remove(folder / "ADORE.json");
   std::filesystem::create_symlink("nowhere", folder / "ADORE.json");
   refused(run_adore("plan " + folder.path().string()), "ADORE.json");

@@ -177,6 +177,7 @@ TEST_CASE("exports replace neither what they read nor anything but an earlier ex
   CHECK(read(sol) == before);
   CHECK(convert("SOL1.csv").code == 0);
   CHECK(convert("SOL1.csv").code == 0);
+  CHECK(read(folder / "SOL1.csv") == run_adore("convert " + sol + " --to csv").out);
   CHECK(convert("SOL1.csv").out.empty());
 }
 

@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <fstream>
+
 using namespace adore;
 using namespace adore::test;
 using nlohmann::json;
@@ -78,6 +80,20 @@ TEST_CASE("a sweep that is killed keeps its table, and only what is missing runs
   REQUIRE(more.code == 0);
   CHECK(read(folder / "broken" / "SWEEP.csv") == whole);
   CHECK(fs::last_write_time(folder / "broken" / "appLoadX-1" / "RUN.json") == first);
+
+  // A result of another release is no reason to compute a finished run again.
+  const fs::path one = folder / "broken" / "appLoadX-2" / "RUN.json";
+  std::string text = read(one);
+  const std::string summary = "\"summary\": {";
+  REQUIRE(contains(text, summary));
+  text.insert(text.find(summary) + summary.size(), "\n    \"of_another_release\": 1.0,");
+  std::ofstream(one) << text;
+  const Result kept = run_as_given(run + broken + " --continue");
+  INFO(kept.out);
+  REQUIRE(kept.code == 0);
+  CHECK(contains(kept.out, "of_another_release"));
+  CHECK(read(one) == text);
+  CHECK(read(folder / "broken" / "SWEEP.csv") == whole);
 
   // Another deck: nothing of the old runs is taken over.
   const Result other = run_as_given(run + broken + " --continue --set appLoadZ=100.0");

@@ -68,7 +68,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 /// Ignores what it is given: every input is a file of our own, damaged as the seed says.
 extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t, std::size_t most,
                                                unsigned seed) {
-  const auto [bytes, sums_right] = Mutator(seed).file();
+  const auto [bytes, kind, sums_right] = Mutator(seed).file();
   if (sums_right) ++outcomes.sums_right;
   const std::size_t size = std::min(bytes.size(), most);
   std::copy_n(bytes.data(), size, reinterpret_cast<char*>(data));

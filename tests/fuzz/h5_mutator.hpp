@@ -6,9 +6,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <csignal>
 #include <cstdint>
 #include <random>
 #include <string>
+#include <string_view>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <utility>
 #include <vector>
 
@@ -16,6 +22,8 @@
 namespace adore::testing {
 
 struct Pristine {
+  std::string_view name;
+  unsigned share;  ///< of all damaged files
   std::string bytes;
   std::vector<H5Block> blocks;
 };
@@ -25,23 +33,92 @@ inline const TemporaryFolder& folder() {
   return kFolder;
 }
 
-/// Two files: with a cage and without, of few and of many steps.
+/// Writes files of a run.
+class Pen {
+ public:
+  /// @param few a channel of each number of dimensions instead of all, which cost ten times as much
+  /// and teach nothing new about the library
+  Pen(bool cage, bool few) : bearing_(make_bearing(2, cage)) {
+    if (few) written_ = all_.only(kFew);
+  }
+  [[nodiscard]] const bearing::Bearing& bearing() const { return bearing_; }
+  [[nodiscard]] const results::ChannelTable& table() const { return written_; }
+  /// Steps first, first + 1 ... up to `last`.
+  void write(results::H5Writer& writer, long first, long last) {
+    for (long step = first; step <= last; ++step) {
+      results::StepRecord record = recorder_.record(make_snapshot(bearing_, step));
+      const std::vector<std::vector<double>> values = std::move(record.values);
+      record.values.clear();
+      for (std::size_t c = 0, next = 0; c < values.size() && next < written_.all().size(); ++c)
+        if (all_.all()[c].id == written_.all()[next].id) {
+          record.values.push_back(values[c]);
+          ++next;
+        }
+      writer.write(record);
+    }
+  }
+
+ private:
+  static constexpr std::array<std::string_view, 7> kFew{
+      "element.orientation", "contact.load", "pocket.force", "cage.position",
+      "land.force",          "race.x",       "power.loss"};
+  bearing::Bearing bearing_;
+  results::ChannelTable all_ = channel_table(), written_ = all_;
+  results::ChannelRecorder recorder_{bearing_, results::UnitSystem::SI, all_};
+};
+
+/// What a run leaves that is killed by the system in the middle of a block.
+inline void write_killed(const std::filesystem::path& path) {
+  constexpr rlim_t kRoom = 14000;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const struct rlimit room { kRoom, kRoom }, none{0, 0};
+    ::setrlimit(RLIMIT_FSIZE, &room);
+    ::setrlimit(RLIMIT_CORE, &none);
+    std::signal(SIGXFSZ, SIG_DFL);
+    Pen pen(true, true);
+    auto writer = results::H5Writer::create(path, pen.bearing(), pen.table(), 16);
+    pen.write(writer, 0, 1000);
+    ::_exit(0);
+  }
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  demand(WIFSIGNALED(status) && WTERMSIG(status) == SIGXFSZ, "a run is killed while it writes");
+}
+
+/// Files of the ways in which runs end and of the blocks that the library makes. The first is one
+/// without a cage.
 inline const std::vector<Pristine>& pristine() {
   static const std::vector<Pristine> kAll = [] {
+    const auto path = folder() / "pristine.h5";
     std::vector<Pristine> out;
-    for (const bool cage : {false, true}) {
-      const bearing::Bearing bearing = make_bearing(2, cage);
-      const auto path = folder() / "pristine.h5";
-      {
-        results::H5Writer writer = results::H5Writer::create(path, bearing, channel_table());
-        results::ChannelRecorder recorder(bearing, results::UnitSystem::SI, channel_table());
-        for (long step = 0; step < (cage ? 70 : 2); ++step)
-          writer.write(recorder.record(make_snapshot(bearing, step)));
-        writer.flush();
-      }
-      out.push_back({read_bytes(path), {}});
+    const auto add = [&](std::string_view name, unsigned share) {
+      out.push_back({name, share, read_bytes(path), {}});
       out.back().blocks = h5_blocks(out.back().bytes);
+    };
+    const auto write = [&](Pen pen, long last) {
+      auto writer = results::H5Writer::create(path, pen.bearing(), pen.table());
+      pen.write(writer, 0, last);
+      writer.flush();
+    };
+    write({false, true}, 1);
+    add("no cage, 2 steps", 240);
+    write({true, true}, 69);
+    add("70 steps", 240);
+    {
+      Pen pen(true, true);
+      auto writer = results::H5Writer::continue_after(path, pen.bearing(), pen.table(), 40);
+      pen.write(writer, 41, 299);
+      writer.flush();
     }
+    add("continued behind step 40, 300 steps", 240);
+    write_killed(path);
+    add("killed in the middle of a block", 240);
+    write({true, false}, 69);
+    add("all channels, 70 steps", 36);
+    write({true, true}, 64 * 320);
+    add("a long run", 4);
     return out;
   }();
   return kAll;
@@ -59,6 +136,7 @@ inline std::string kind_of(const std::string& sentence) {
 
 struct Mutant {
   std::string bytes;
+  std::size_t kind = 0;     ///< of pristine()
   bool sums_right = false;  ///< the checksums of the damaged blocks were put right
 };
 
@@ -67,7 +145,8 @@ class Mutator {
   explicit Mutator(unsigned seed) : random_(seed) {}
 
   Mutant file() {
-    const Pristine& base = pristine()[below(pristine().size())];
+    const std::size_t kind = pick();
+    const Pristine& base = pristine()[kind];
     std::string bytes = base.bytes;
     const bool mend = below(4) > 0;
     for (std::size_t left = 1 + below(3); left > 0; --left) {
@@ -79,11 +158,20 @@ class Mutator {
       if (mend) set_checksum(bytes, block);
     }
     if (below(64) == 0) bytes.resize(below(bytes.size()));
-    return {std::move(bytes), mend};
+    return {std::move(bytes), kind, mend};
   }
 
  private:
   std::size_t below(std::size_t limit) { return limit == 0 ? 0 : random_() % limit; }
+
+  /// By their shares.
+  std::size_t pick() {
+    std::size_t total = 0;
+    for (const Pristine& one : pristine()) total += one.share;
+    std::size_t at = below(total), kind = 0;
+    while (at >= pristine()[kind].share) at -= pristine()[kind++].share;
+    return kind;
+  }
 
   void damage(std::string& bytes, const H5Block& block, const Pristine& base) {
     static constexpr std::array<std::uint64_t, 14> kNumbers{0,

@@ -6,7 +6,7 @@
 PROGRAM is `adore`, SHIM the library of kill_at_file_call.c. Ten decks take turns. Every other kill comes after a random
 time, the rest at (before or behind) a random call that changes a file, where the windows for damage are. After each kill
 - every SOL file consists of whole lines without NUL bytes, and RUN.json and MASTER are whole,
-- RESULTS.h5 opens with plain h5py and every dataset of it can be read,
+- RESULTS.h5 opens with plain h5py and every dataset of it can be read, and h5dump (hdf5-tools) prints all of it,
 - `adore run --continue` completes the run (or says that there is nothing to go on with),
 - the completed files equal those of a run that was never killed: to the byte where the method keeps its past, else within
   the stated bound on the cage's centre,
@@ -74,7 +74,7 @@ class Deck:
         self.seconds = time.monotonic() - begin
         self.calls = int(content(counted))
         self.exact = "loses" not in self.continuation_note()
-        self.count = dict(kills=0, valid=0, h5py=0, continued=0, anew=0, joined=0, clean=0)
+        self.count = dict(kills=0, valid=0, h5py=0, h5dump=0, continued=0, anew=0, joined=0, clean=0)
         self.worst = 0.0
         self.failures = []
         self.keep = keep
@@ -119,7 +119,13 @@ class Deck:
         path = os.path.join(out, "RESULTS.h5")
         if not os.path.exists(path):
             self.count["h5py"] += 1
+            self.count["h5dump"] += 1
             return
+        dumped = subprocess.run(["h5dump", path], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        if dumped.returncode == 0:
+            self.count["h5dump"] += 1
+        else:
+            self.fail(f"h5dump: {dumped.stderr}")
         try:
             with h5py.File(path, "r") as file:
                 steps = file["step"].shape[0]
@@ -211,12 +217,12 @@ def main():
             deck.kill(chance, at_call=(number // len(decks)) % 2 == 1)
             for failure in deck.failures[known:]:
                 print(failure, file=sys.stderr, flush=True)
-        lines = ["| deck | kills | files valid | h5py reads all | continued | started again | joined | nothing left behind |",
-                 "|---|---|---|---|---|---|---|---|"]
+        lines = ["| deck | kills | files valid | h5py reads all | h5dump prints all | continued | started again | joined | nothing left behind |",
+                 "|---|---|---|---|---|---|---|---|---|"]
         for deck in decks:
             c = deck.count
             how = "to the byte" if deck.exact else f"cage centre within {deck.worst:.1e} m"
-            lines.append(f"| {deck.name} | {c['kills']} | {c['valid']} | {c['h5py']} | {c['continued']} | {c['anew']} | "
+            lines.append(f"| {deck.name} | {c['kills']} | {c['valid']} | {c['h5py']} | {c['h5dump']} | {c['continued']} | {c['anew']} | "
                          f"{c['joined']} {how} | {c['clean']} |")
     table = "\n".join(lines) + "\n"
     print(table)

@@ -51,6 +51,23 @@ TEST_CASE("an atomic write creates and replaces a file and leaves nothing else b
   CHECK(count_files(folder.path) == 1);
 }
 
+TEST_CASE("an atomic write takes pieces, and replaces nothing when their source fails",
+          "[unit][base]") {
+  const Folder folder;
+  const fs::path file = folder.path / "table.csv";
+  adore::write_file_atomically(file, [](const adore::TextSink& write) {
+    for (const char* piece : {"a", "", "b\n"}) write(piece);
+  });
+  CHECK(content_of(file) == "ab\n");
+  const auto broken = [](const adore::TextSink& write) {
+    write("half of a");
+    throw adore::InputError("the source is damaged");
+  };
+  CHECK_THROWS_AS(adore::write_file_atomically(file, broken), adore::InputError);
+  CHECK(content_of(file) == "ab\n");
+  CHECK(count_files(folder.path) == 1);
+}
+
 TEST_CASE("an atomic write keeps permissions and follows a symbolic link", "[unit][base]") {
   const Folder folder;
   const fs::path file = folder.path / "real.txt";
