@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/rotation.hpp"
+#include "contact/race_surface.hpp"
 #include "contact/roller_profile.hpp"
 #include "contact/slice_circle.hpp"
 

@@ -122,8 +122,20 @@ inline scene::Snapshot make_snapshot(const bearing::Bearing& bearing, long step 
     }
     for (std::size_t race = 0; race < 2; ++race) {
       const double f = k + 10.0 * static_cast<double>(race);
-      ball.race[race] = {100.0 * f, 0.1 * f,  1e-4 * f, 1e-5 * f, 1e9 * f,   0.01 * f, 0.2 * f,
-                         1.5 * f,   30.0 * f, 1e-7 * f, 2.0 * f,  300.0 + f, 1e-3 * f};
+      scene::RaceContactSnapshot& contact = ball.race[race];
+      contact.load = 100.0 * f;
+      contact.angle = 0.1 * f;
+      contact.half_major = 1e-4 * f;
+      contact.half_minor = 1e-5 * f;
+      contact.max_pressure = 1e9 * f;
+      contact.spin_to_roll = 0.01 * f;
+      contact.max_slip = 0.2 * f;
+      contact.heat = 1.5 * f;
+      contact.load_slip = 30.0 * f;
+      contact.film = 1e-7 * f;
+      contact.temperature_rise = 2.0 * f;
+      contact.contact_temperature = 300.0 + f;
+      contact.edge = 1e-3 * f;
     }
     if (bearing.cage) {
       const std::size_t surfaces =
