@@ -48,7 +48,24 @@ void Sketch::ball(QPointF centre, double radius, const std::array<double, 3>& ma
   painter_.setBrush(desktop::ball_brush(middle, r, QColor("#ffffff"), theme_.steel_light,
                                         theme_.steel_dark.darker(115)));
   painter_.drawEllipse(middle, r, r);
-  // A mark on the surface, paler on the far side.
+  orientation_mark(middle, r, mark);
+}
+
+void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 3>& mark) const {
+  const QPointF middle = at(centre.x(), centre.y());
+  const double r = radius * scale_;
+  ring(centre, 0.88 * radius, radius, theme_.steel_dark, theme_.steel_dark.darker(130));  // corner
+  QLinearGradient shade(middle - QPointF(r, r) * 0.7, middle + QPointF(r, r) * 0.7);
+  shade.setColorAt(0, theme_.steel_light);
+  shade.setColorAt(1, theme_.steel_dark);
+  painter_.setPen(Qt::NoPen);
+  painter_.setBrush(shade);
+  painter_.drawEllipse(middle, 0.88 * r, 0.88 * r);
+  orientation_mark(middle, r, mark);
+}
+
+/// On the surface, paler on the far side.
+void Sketch::orientation_mark(QPointF middle, double r, const std::array<double, 3>& mark) const {
   const QPointF tip = middle + QPointF(mark[0], -mark[1]) * r * 0.8;
   QColor colour = theme_.kind == desktop::ThemeKind::Dark ? QColor("#10151b") : theme_.text;
   colour.setAlpha(mark[2] >= 0.0 ? 255 : 130);

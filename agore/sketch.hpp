@@ -29,6 +29,8 @@ class Sketch {
   void circle(QPointF centre_yz, double radius, const QPen& pen) const;
   /// `mark` is the direction of the orientation mark: right, up, towards the viewer.
   void ball(QPointF centre_yz, double radius, const std::array<double, 3>& mark) const;
+  /// The flat end of a roller, seen along the bearing axis.
+  void roller_end(QPointF centre_yz, double radius, const std::array<double, 3>& mark) const;
   /// The cage's side ring, pale, to lie behind the elements; and the ring between the pockets, to
   /// lie before them.
   void cage_rail(QPointF centre_yz, const Animation& animation) const;
@@ -44,6 +46,7 @@ class Sketch {
              bool bold = false) const;  ///< centred
 
  private:
+  void orientation_mark(QPointF middle, double r, const std::array<double, 3>& mark) const;
   QPainter& painter_;
   QRectF area_;
   const desktop::Theme& theme_;

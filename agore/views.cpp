@@ -72,6 +72,16 @@ std::array<double, 3> mark_from_axis(const results::Sol8Element& element) {
   return {z.y(), z.z(), z.x()};
 }
 
+/// Seen along the bearing axis.
+void draw_element(const Scene& s, std::size_t k) {
+  const auto mark = mark_from_axis(s.frame.elements.at(k));
+  const double radius = s.animation.file.geometry.element_radius;
+  if (s.animation.file.bearing_type == 1)
+    s.sketch.ball(ball_centre(s, k), radius, mark);
+  else
+    s.sketch.roller_end(ball_centre(s, k), radius, mark);
+}
+
 /// The same seen from outside along the pocket axis at azimuth `angle`: right is increasing
 /// azimuth, up is X.
 std::array<double, 3> mark_from_outside(const results::Sol8Element& element, double angle) {
@@ -164,8 +174,7 @@ void bearing_view(const Scene& s) {
   if (s.animation.guide == Guide::Outer && guide_radius < g.outer_race_inner_radius)
     s.sketch.ring(outer, guide_radius, g.outer_race_inner_radius, pale_light, pale_dark);
   if (s.animation.has_cage) s.sketch.cage_rail(cage, s.animation);
-  for (std::size_t k = 0; k < s.frame.elements.size(); ++k)
-    s.sketch.ball(ball_centre(s, k), g.element_radius, mark_from_axis(s.frame.elements[k]));
+  for (std::size_t k = 0; k < s.frame.elements.size(); ++k) draw_element(s, k);
   if (s.animation.has_cage) {
     s.sketch.cage(cage, s.cage_angle(), s.animation, s.pocket_radius());
     if (guide_radius > 0.0)
@@ -349,7 +358,7 @@ void element_view(const Scene& s) {
   s.sketch.painter().setBrush(Qt::NoBrush);
   s.sketch.painter().drawPolyline(trail);
   const QPointF centre = ball_centre(s, k);
-  s.sketch.ball(centre, g.element_radius, mark_from_axis(s.frame.elements.at(k)));
+  draw_element(s, k);
   s.sketch.frame({0, 0}, s.animation.race_angle[1][s.index], 0.62 * g.inner_race_inner_radius,
                  t.blue);
   // Beside the arrow of the outer race, where there is one.

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "bearing/material.hpp"
 #include "contact/groove.hpp"
+#include "dynamics/ball_motion.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -97,9 +98,6 @@ BallLoad load_on_free_ball(const dynamics::RaceContactModel& model, double race_
 
 BallBetweenRaces::BallBetweenRaces(const Json& in, const Vec3& inner_centre, bool traction)
     : slices_(ball_slices()),
-      kinematics_(slices_),
-      motion_(slices_, density_mass(in),
-              0.4 * density_mass(in) * 0.25 * std::pow(get(in.at("bearing"), "D"), 2)),
       mass_(density_mass(in)),
       ball_radius_(0.5 * get(in.at("bearing"), "D")),
       orbit_radius_(0.5 * get(in.at("bearing"), "dm")) {
@@ -174,29 +172,39 @@ void BallBetweenRaces::set_surface(tribology::ContactSurface surface) {
   for (dynamics::RaceContactModel& model : models_) model.surface = surface;
 }
 
+dynamics::ElementViews BallBetweenRaces::view(const double* y) {
+  dynamics::ElementViews ball;
+  (void)dynamics::view_elements(y, slices_, &sin_theta_, &cos_theta_, ball);
+  return ball;
+}
+
 std::array<BallLoad, 2> BallBetweenRaces::loads(const double* y) {
-  State scratch(kSize);
-  evaluation_.begin(0.0, y, scratch.data());
-  kinematics_.apply(evaluation_);
+  const dynamics::ElementViews ball = view(y);
   std::array<BallLoad, 2> result;
-  for (std::size_t j = 0; j < 2; ++j)
-    result[j] = ball_load(models_[j], evaluation_.elements, 0, races_[j], rule_);
+  for (std::size_t j = 0; j < 2; ++j) result[j] = ball_load(models_[j], ball, 0, races_[j], rule_);
   return result;
 }
 
 void BallBetweenRaces::rates(const double* y, double* d) {
-  evaluation_.begin(0.0, y, d);
-  kinematics_.apply(evaluation_);
+  const dynamics::ElementViews ball = view(y);
+  const double theta = y[kTheta];
+  const Vec3 e_r = radial_direction(theta), e_t = circumferential_direction(theta);
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
   for (std::size_t j = 0; j < 2; ++j) {
-    const BallLoad load = ball_load(models_[j], evaluation_.elements, 0, races_[j], rule_);
-    evaluation_.add_force(0, evaluation_.to_cylindrical(0, load.force));
-    evaluation_.add_moment(0, evaluation_.to_cylindrical(0, load.moment));
+    const BallLoad load = ball_load(models_[j], ball, 0, races_[j], rule_);
+    force += load.force;
+    moment += load.moment;
     d[kMechanical + j] = load.heat;
     if (j == 1)
       d[kMechanical + 2] =
           races_[1].speed * (load.contact.arm.cross(load.force) + load.moment).dot(races_[1].axis);
   }
-  motion_.apply(evaluation_);
+  const std::array acting{force[0],  force.dot(e_r),  force.dot(e_t),
+                          moment[0], moment.dot(e_r), moment.dot(e_t)};
+  for (std::size_t k = 0; k < acting.size(); ++k) actions_[k].assign(1, acting[k]);
+  // Inertia of a solid sphere.
+  (void)dynamics::ball_motion(ball, actions_, mass_, 0.4 * mass_ * ball_radius_ * ball_radius_,
+                              dynamics::rates_in(d, slices_));
 }
 
 Problem BallBetweenRaces::problem(const State& mechanical) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "dynamics/effects/balls.hpp"
+#include "dynamics/elements.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "reference/adapter.hpp"
 #include "reference/trajectory.hpp"
@@ -92,10 +92,12 @@ class BallBetweenRaces {
  private:
   [[nodiscard]] Eigen::MatrixXd jacobian(const State& y, std::span<const std::size_t> columns,
                                          std::span<const std::size_t> rows);
+  /// The ball in the state y.
+  [[nodiscard]] dynamics::ElementViews view(const double* y);
+
   dynamics::ElementSlices slices_;
-  dynamics::Evaluation evaluation_{1};
-  dynamics::ElementKinematics kinematics_;
-  dynamics::BallMotion motion_;
+  dynamics::ElementActions actions_;          ///< on the ball
+  double sin_theta_ = 0.0, cos_theta_ = 1.0;  ///< of the state viewed last
   std::array<dynamics::RaceContactModel, 2> models_;
   std::array<dynamics::RaceMotion, 2> races_;
   double mass_, ball_radius_, orbit_radius_;

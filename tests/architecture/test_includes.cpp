@@ -111,6 +111,18 @@ TEST_CASE("apps reach the core through its rooms for values, files, drawings and
       }
 }
 
+TEST_CASE("effects are seen by the dynamics alone", "[unit][architecture]") {
+  for (const auto& entry : fs::directory_iterator(adore::test::source_dir() / "core")) {
+    if (!entry.is_directory() || entry.path().filename() == "dynamics") continue;
+    for (const fs::path& file : sources(entry.path()))
+      for (const Include& include : includes(file)) {
+        INFO(file.string() << " includes " << include.target);
+        CHECK(include.target.rfind("dynamics/effects/", 0) == std::string::npos);
+        CHECK(include.target != "dynamics/evaluation.hpp");
+      }
+  }
+}
+
 TEST_CASE("the command line uses Qt in its picture commands only", "[unit][architecture]") {
   for (const fs::path& file : sources(adore::test::source_dir() / "cli"))
     for (const Include& include : includes(file)) {

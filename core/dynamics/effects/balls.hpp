@@ -2,8 +2,7 @@
 
 #include "dynamics/effect.hpp"
 
-/// The balls as bodies: states, equations of motion, energy and momentum. Ball equations in
-/// (x, r, θ) and the azimuth components of ω: tests/reference/dynamics_README.md, "Ball equations".
+/// The balls as bodies: states, equations of motion (ball_motion.hpp), energy and momentum.
 namespace adore::dynamics {
 
 /// Views of the element states; sines and cosines of the azimuths. Not valid when an element is on

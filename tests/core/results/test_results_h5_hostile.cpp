@@ -157,16 +157,19 @@ TEST_CASE("steps that a file cannot hold, and step numbers that are none, are re
   TemporaryFolder folder;
   const auto path = folder / "RESULTS.h5";
   const std::string good = file_of_steps(bearing, path, 4);
-  // The number of steps stands in every dataset's header as its first dimension: 4 of 64 bits.
+  // The number of steps, 4 of 64 bits, is the first dimension of every dataset: behind the version
+  // 2, the rank, and the flags of a simple dataspace with largest dimensions.
   const std::vector<H5Block> blocks = h5_blocks(good);
   std::string longer = good;
-  const std::string four("\4\0\0\0\0\0\0\0", 8);
   for (const H5Block& block : blocks) {
     if (block.kind != "OHDR" && block.kind != "OCHK") continue;
-    const std::size_t at = good.find(four, block.at);
-    if (at == std::string::npos || at + 8 > block.at + block.size) continue;
-    longer[at + 4] = 1;  // 2^32 + 4
-    set_checksum(longer, block);
+    for (char rank = 1; rank <= 4; ++rank) {
+      const std::string space{2, rank, 1, 1, 4, 0, 0, 0, 0, 0, 0, 0};
+      const std::size_t at = good.find(space, block.at);
+      if (at == std::string::npos || at + space.size() > block.at + block.size) continue;
+      longer[at + 8] = 1;  // 2^32 + 4
+      set_checksum(longer, block);
+    }
   }
   write_bytes(path, longer);
   CHECK_THAT(message_of([&] { read_everything(path); }), Contains("too short"));
