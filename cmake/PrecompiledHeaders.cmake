@@ -1,7 +1,7 @@
 # adore_precompiled(<target> FROM <set>): the headers of other people's libraries that a set of targets reads again and
-# again, parsed once. A set is made by the first target that names it and lent to those that follow: they need the same
-# options. Sources with options of their own are left out (SKIP_PRECOMPILE_HEADERS). No source relies on it: every file
-# includes what it uses, and ADORE_PRECOMPILED_HEADERS=OFF builds the same.
+# again, parsed once. A set is made by the first target that names it and lent to those that follow, which are built after
+# it and need the same options. Sources with options of their own are left out (SKIP_PRECOMPILE_HEADERS). No source relies
+# on it: every file includes what it uses, and ADORE_PRECOMPILED_HEADERS=OFF builds the same.
 set(ADORE_PRECOMPILED_core <algorithm> <array> <cmath> <functional> <memory> <optional> <span> <string> <string_view>
                            <variant> <vector> <Eigen/Core> <Eigen/Geometry> <fmt/format.h>)
 set(ADORE_PRECOMPILED_command_line <CLI/CLI.hpp>)
