@@ -19,6 +19,7 @@
 /// friction energy is conserved. Zero load and zero heat without overlap.
 /// Limits: equal balls; an overlap of a radius is no valid state. With two balls there is one
 /// contact. The spacing of the static solution decides who touches whom first.
+/// Source: resources/docs/theory/cage_and_motion.md, section 7; decision 230.
 namespace adore::dynamics {
 namespace {
 

@@ -152,6 +152,43 @@ TEST_CASE("every excitation and constraint of a ball deck runs and closes the en
   }
 }
 
+TEST_CASE("constraints, turning frame and given inertia of rollers close the energy ledger",
+          "[validation][motions][rollers]") {
+  const testing::TemporaryFolder folder;
+  const auto cylindrical = [](const Sets& sets) {
+    Deck deck = deck::new_deck("cylindrical");
+    deck.set_all(with(
+        {{"maxStps", "40"}, {"nStps", "2"}, {"kNumPltElem", "1"}, {"kPltElemInd", "1"}}, sets));
+    return deck;
+  };
+  const double plain = run(cylindrical({}), folder / "plain").outcome.energy_scale;
+  const std::pair<const char*, Sets> cases[] = {
+      {"kDOF 2", {{"kDOF", "2"}}},
+      {"kDOF 4", {{"kDOF", "4"}}},
+      {"kDOF 5", {{"kDOF", "5"}}},
+      {"turning frame",
+       {{"kRotFrame", "1"},
+        {"brgOrbitRad", "0.05"},
+        {"brgAngVel", "2000"},
+        {"brgLoadFrac2", "0.5"}}},
+      {"shaft-like", kShaft},
+      {"twice the inertia",
+       {{"kReIP", "2"},
+        {"bReMass", "0.018"},
+        {"bReMIx", "2.7e-7"},
+        {"bReMIy", "3.5e-7"},
+        {"bReMIz", "3.5e-7"}}},
+  };
+  for (const auto& [name, sets] : cases) {
+    const Ran ran = run(cylindrical(sets), folder / name);
+    INFO(name << ": residual " << ran.outcome.energy_residual << " of " << ran.outcome.energy_scale
+              << " J, plain " << plain << " J");
+    CHECK(ran.outcome.status == facade::RunStatus::Done);
+    CHECK(std::abs(ran.outcome.energy_residual) < 1e-4 * ran.outcome.energy_scale);
+    CHECK(ran.outcome.energy_scale != plain);  // it acts
+  }
+}
+
 TEST_CASE("what cannot act together is refused by variable, and what stays open is said",
           "[unit][motions]") {
   CHECK_THAT(refusal({{"kDOF", "6"}}), Catch::Contains("kDOF") && Catch::Contains("ADRX1"));
