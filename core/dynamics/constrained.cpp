@@ -1,10 +1,10 @@
 #include "dynamics/constrained.hpp"
 
 #include "base/errors.hpp"
+#include "base/symmetric_eigen.hpp"
 #include "contact/hertz.hpp"
 #include "dynamics/stiff_inverse.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 namespace adore::dynamics {
@@ -138,12 +138,12 @@ BallBalance ConstrainedBall::solve(const std::array<RacePose, 2>& races, double 
 
     const double largest = std::max({b.contact[0].approach, b.contact[1].approach, 0.0});
     const double limit = std::max(3.0 * largest, 0.02 * groove_.offset[0]);
-    const Eigen::SelfAdjointEigenSolver<Mat2> eigen(b.stiffness);
+    const SymmetricEigen<2> eigen = symmetric_eigen<2>(b.stiffness);
     Vec2 step = Vec2::Zero();
     for (int k = 0; k < 2; ++k) {
-      const Vec2 direction = eigen.eigenvectors().col(k);
-      step += direction * direction.dot(b.residual) /
-              std::max(std::abs(eigen.eigenvalues()[k]), kNoStiffness);
+      const Vec2 direction = eigen.vectors.col(k);
+      step +=
+          direction * direction.dot(b.residual) / std::max(std::abs(eigen.values[k]), kNoStiffness);
     }
     if (step.norm() > limit) step *= limit / step.norm();
 
