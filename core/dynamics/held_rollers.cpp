@@ -1,8 +1,7 @@
 #include "dynamics/held_rollers.hpp"
 
+#include "base/symmetric_eigen.hpp"
 #include "contact/slice_circle.hpp"
-
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -151,13 +150,13 @@ HeldPlace HeldRollers::balanced(const Evaluation& e, std::size_t i, const Vec2& 
   Balance now = at(place);
   HeldPlace out;
   for (int n = 0; n < kIterations; ++n) {
-    const Eigen::SelfAdjointEigenSolver<Mat2> eigen(
-        Mat2(0.5 * (now.stiffness + now.stiffness.transpose())));
-    const double largest = eigen.eigenvalues().cwiseAbs().maxCoeff();
+    const SymmetricEigen<2> eigen =
+        symmetric_eigen<2>(Mat2(0.5 * (now.stiffness + now.stiffness.transpose())));
+    const double largest = eigen.values.cwiseAbs().maxCoeff();
     Vec2 step = Vec2::Zero(), held = Vec2::Zero();
     for (int k = 0; k < 2; ++k) {
-      const Vec2 mode = eigen.eigenvectors().col(k);
-      const double stiffness = std::abs(eigen.eigenvalues()[k]), load = mode.dot(now.residual);
+      const Vec2 mode = eigen.vectors.col(k);
+      const double stiffness = std::abs(eigen.values[k]), load = mode.dot(now.residual);
       if (!(stiffness > 1e-9 * largest)) continue;
       step += mode * (load / stiffness);
       held += mode * load;
