@@ -77,7 +77,10 @@ TEST_CASE("a run of any method that keeps its past joins to the same bytes from 
   for (const std::string_view name : integrators::stepper_names()) {
     if (!integrators::make_stepper(name)->loses().empty()) continue;
     ++methods;
-    check_every_stop(folder, often + "--integrator " + std::string(name));
+    // Euler's method is refused at longer steps.
+    const std::string short_steps =
+        name == "rkf1" ? " --set stpMin=0.001 --set stpMax=0.003 --set stpInit=0.003" : "";
+    check_every_stop(folder, often + "--integrator " + std::string(name) + short_steps);
   }
   CHECK(methods >= 15);
 }
