@@ -58,8 +58,6 @@ template <class T, class Traction>
   constexpr bool kTraction = !std::is_null_pointer_v<Traction>;
   constexpr double kOverPi = 0.31830988618379067154;
   const RaceSurface& surface = slices.race;
-  const double high = surface.land_offset + 0.5 * surface.land_width;
-  const double low = surface.land_offset - 0.5 * surface.land_width;
   RollerRaceSums<T> sum;
   T tan_chi = 0.0, last = 0.0;
   for (std::size_t k = 0; k < slices.count; k += Lanes::kSize) {
@@ -72,11 +70,9 @@ template <class T, class Traction>
     tan_chi = k == 0 ? found : 2.0 * found - last;
     last = found;
     if (!M::any(d.at.depth > 0.0)) continue;
-    if (slices.limited) {
-      const T x = (d.X.x - surface.mid_x) / surface.cos_angle;
-      const T half = 0.5 * width;
-      width = M::max(M::min(half, high - x) - M::max(-half, low - x), T(0.0));
-    }
+    if (slices.limited)
+      width = overlap_width(land_coordinate(surface, d.X.x), width, surface.land_offset,
+                            surface.land_width);
     const T delta = M::max(d.at.depth, T(0.0));
     const T Q = slice_secant(slices.law, width, delta) * delta;
     const Triple<T>& n = d.at.n;
