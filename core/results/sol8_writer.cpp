@@ -97,7 +97,8 @@ std::string header_text(const bearing::Bearing& bearing, UnitSystem units) {
 }
 
 void check_allowed(const bearing::Bearing& bearing) {
-  if (const auto refusal = sol8_refusal(bearing.element_count(), bearing.cage ? bearing.cage->segments.count : 0))
+  if (const auto refusal =
+          sol8_refusal(bearing.element_count(), bearing.cage ? bearing.cage->segments.count : 0))
     throw InputError(*refusal);
 }
 
@@ -111,7 +112,8 @@ std::optional<std::string> sol8_refusal(int elements, int cage_segments) {
         kMostElements, elements);
   if (cage_segments > 1)
     return fmt::format(
-        "SOL8 is not written, and AGORE has nothing to draw: it has room for one cage, this bearing "
+        "SOL8 is not written, and AGORE has nothing to draw: it has room for one cage, this "
+        "bearing "
         "has {} segments; RESULTS.h5 holds their motion",
         cage_segments);
   return std::nullopt;

@@ -54,8 +54,7 @@ Material material(const Deck& deck, const char* code_variable, Part part, const 
   out.thermal_expansion = value("CTE");
   out.conductivity = value("TC", false);  // until temperatures are computed
   out.specific_heat = value("SH", false);
-  out.elastic_strain_limit =
-      value("ESL", part != Part::Cage || deck.integer("mode") >= 0);
+  out.elastic_strain_limit = value("ESL", part != Part::Cage || deck.integer("mode") >= 0);
   out.wear_coefficient = value("WC", wears);
   out.fatigue_limit_stress = value("VM", contact);
   if (const std::string hardness = prefix + "H" + suffix; deck.has(hardness)) {

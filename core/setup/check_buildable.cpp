@@ -160,11 +160,10 @@ void check_pocket_errors(const Deck& deck, Checker& check) {
 bool cut_fits(const Deck& deck, const bearing::Cage& cage, double angle) {
   constexpr double kPi = std::numbers::pi;
   const double D = deck.si("bReDia");
-  const double d_m = deck.has("pitchDia")
-                         ? deck.si("pitchDia")
-                         : contact::tapered_geometry(
-                               D, {deck.si("raceTaper1"), deck.si("raceTaper2")})
-                               .pitch_diameter;
+  const double d_m = deck.has("pitchDia") ? deck.si("pitchDia")
+                                          : contact::tapered_geometry(
+                                                D, {deck.si("raceTaper1"), deck.si("raceTaper2")})
+                                                .pitch_diameter;
   const bool rollers = deck.integer("kBrg") != 1;
   const double width = D + cage.pocket_clearance_1;
   const bool elongated = !rollers && cage.pocket == bearing::PocketShape::Elongated;
@@ -237,15 +236,6 @@ void check_segments(const Deck& deck, Checker& check) {
 
 /// What the motion of rollers leaves out.
 void check_moving_rollers(const Deck& deck, Checker& check) {
-  if (deck.integer("mode") > 0)
-    check.error("mode",
-                "asks for rollers in force balance, which this version does not simulate yet",
-                "set mode to 0");
-  if (deck.has("qFac") && deck.real("qFac") > 0.0)
-    check.error("qFac",
-                "asks for the force balance of lightly loaded elements, which rollers do "
-                "not have yet",
-                "set it to 0: all rollers move freely");
   if (deck.integer("kReGeoImp") == 3)
     check.error("kReGeoImp", "asks for user routine ADRX8, which this version does not call yet",
                 "use 0, 1 or 2");
@@ -284,15 +274,17 @@ std::vector<Issue> check_buildable(const Deck& deck) {
   if (dynamic && segments == 0) {
     check.gates(kNoCage);
     if (deck.real("qFac") > 0.0)
-      check.error("qFac",
-                  "asks for lightly loaded elements in force balance, which knows races and pockets "
-                  "but no contact between elements (nCseg = 0)",
-                  "set qFac to 0");
+      check.error(
+          "qFac",
+          "asks for lightly loaded elements in force balance, which knows races and pockets "
+          "but no contact between elements (nCseg = 0)",
+          "set qFac to 0");
     if (deck.integer("mode") > 0)
-      check.error("mode",
-                  "asks for elements in force balance, which knows races and pockets but no contact "
-                  "between elements (nCseg = 0)",
-                  "set mode to 0");
+      check.error(
+          "mode",
+          "asks for elements in force balance, which knows races and pockets but no contact "
+          "between elements (nCseg = 0)",
+          "set mode to 0");
   }
   if (dynamic && segments > 0) check.gates(kCage);
   if (dynamic && segments == 1) check.gates(kCageFilms);

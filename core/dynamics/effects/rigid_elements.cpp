@@ -157,11 +157,17 @@ Vec3 RigidElements::angular_momentum(const Evaluation& e, std::size_t i) const n
   return B * (masses_[i].inertia * (B.transpose() * e.element_omega(i)));
 }
 
+/// From the state: ẋ and ṙ of held elements stand there as zero.
+Vec3 RigidElements::carried_velocity(const Evaluation& e, std::size_t i) const noexcept {
+  return e.to_base(i, e.y[s_.at(Quantity::XDot, i)], e.y[s_.at(Quantity::RDot, i)],
+                   e.elements.r[i] * e.elements.theta_dot[i]);
+}
+
 void RigidElements::store(const Evaluation& e, EnergyLedger& energy) const {
   double kinetic = 0.0;
   for (std::size_t i = 0; i < e.elements.n; ++i) {
     const Vec3 omega = e.element_omega(i);
-    const Vec3 velocity = e.element_velocity(i) + omega.cross(arm(e, i));
+    const Vec3 velocity = carried_velocity(e, i) + omega.cross(arm(e, i));
     kinetic +=
         0.5 * masses_[i].mass * velocity.squaredNorm() + 0.5 * omega.dot(angular_momentum(e, i));
   }
@@ -171,7 +177,7 @@ void RigidElements::store(const Evaluation& e, EnergyLedger& energy) const {
 void RigidElements::carry(const Evaluation& e, Momenta& momenta) const {
   for (std::size_t i = 0; i < e.elements.n; ++i) {
     const Vec3 to_mass = arm(e, i);
-    const Vec3 p = masses_[i].mass * (e.element_velocity(i) + e.element_omega(i).cross(to_mass));
+    const Vec3 p = masses_[i].mass * (carried_velocity(e, i) + e.element_omega(i).cross(to_mass));
     momenta.add(p, (e.element_centre(i) + to_mass).cross(p) + angular_momentum(e, i));
   }
 }
@@ -184,8 +190,8 @@ void RigidElements::report(const Evaluation& e, Snapshot& snapshot) const {
     element.x = e.elements.x[i];
     element.r = e.elements.r[i];
     element.theta = e.elements.theta[i];
-    element.vx = e.elements.x_dot[i];
-    element.vr = e.elements.r_dot[i];
+    element.vx = e.y[s_.at(Quantity::XDot, i)];
+    element.vr = e.y[s_.at(Quantity::RDot, i)];
     element.theta_dot = e.elements.theta_dot[i];
     element.ax = e.dydt[s_.at(Quantity::XDot, i)];
     element.ar = e.dydt[s_.at(Quantity::RDot, i)];

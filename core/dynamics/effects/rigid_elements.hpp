@@ -42,6 +42,7 @@ class RigidElements final : public SceneEffect {
     std::size_t element = 0;
     Slice turn;  ///< ∫ ω·(body x axis) dt
   };
+  [[nodiscard]] Vec3 carried_velocity(const Evaluation& e, std::size_t i) const noexcept;
   /// About the mass centre.
   [[nodiscard]] Vec3 angular_momentum(const Evaluation& e, std::size_t i) const noexcept;
   /// From the reference point to the mass centre, base axes.
