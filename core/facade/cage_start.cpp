@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace adore::facade {
@@ -29,19 +30,26 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
 
   double worst = rounding;
   std::string where;
-  const auto look = [&](double overlap, auto&& name) {
+  const scene::PocketContactSnapshot* wall_of_worst = nullptr;
+  const auto look = [&](double overlap, auto&& name,
+                        const scene::PocketContactSnapshot* wall = nullptr) {
     if (overlap <= worst) return;
     worst = overlap;
     where = name();
+    wall_of_worst = wall;
   };
   const double pocket = clamp(std::min(cage.pocket_clearance_1, cage.pocket_clearance_2));
   for (std::size_t i = 0; i < start.elements.size(); ++i)
     for (const auto& wall : start.elements[i].pocket)
-      look(-wall.gap - pocket, [&] { return fmt::format("element {} in its pocket", i + 1); });
+      look(
+          -wall.gap - pocket, [&] { return fmt::format("element {} in its pocket", i + 1); },
+          &wall);
   for (std::size_t k = 0; k < start.cages.size(); ++k) {
     const std::string of = segments ? fmt::format(" of segment {}", k + 1) : std::string();
     for (const auto& wall : start.cages[k].last_half)
-      look(-wall.gap - pocket, [&] { return "an element in the half pocket at the end" + of; });
+      look(
+          -wall.gap - pocket, [&] { return "an element in the half pocket at the end" + of; },
+          &wall);
     const auto& lands = start.cages[k].lands;
     for (std::size_t i = 0; i < lands.size() && i < cage.lands.size(); ++i)
       look(-lands[i].gap - clamp(cage.lands[i].clearance),
@@ -68,23 +76,34 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
   issue.variable = turned ? "cageAngPos" : "cageGcPos";
   const std::string found =
       fmt::format("the cage starts {} inside other bodies (the worst: {})", length(worst), where);
-  if (moved || turned) {
+  // Is it the record that puts the cage there, or are the elements where pockets do not reach?
+  const bool axial = wall_of_worst != nullptr && prepared.bearing.rollers() == nullptr &&
+                     std::abs(std::sin(wall_of_worst->theta)) > 0.7;
+  const bool faces = wall_of_worst != nullptr && !cage.pocket_faces.empty();
+  bool by_record = moved || turned;
+  if (axial && !turned) {
+    by_record = false;
+    for (std::size_t k = 0; k < start.cages.size(); ++k)
+      by_record = by_record || cage.start_of(k).start_offset.x() != 0.0;
+  }
+  if (by_record) {
     issue.message = segments ? found + ", where cageGcPos and cageAngPos of its segments put it"
                              : fmt::format("{}, where {} and {} put it", found, triple("cageGcPos"),
                                            triple("cageAngPos"));
     issue.remedy =
         "start it within its clearances: smaller offsets and angles, or 0 for the centred cage";
   } else {
-    // Elements stand elsewhere than their pockets: the equilibrium has shifted them.
-    issue.record = "7.1";
-    issue.variable = "bPocCls1";
-    issue.message = found +
-                    ", although record 9.6 puts it in the middle: the static solution has " +
-                    "shifted or tilted the elements further than their pockets allow";
-    issue.remedy = fmt::format(
-        "give pockets and lands {} more clearance, or start the cage beside the middle, where the "
-        "elements are (cageGcPos, cageAngPos)",
-        length(2.0 * worst));
+    const bool second = axial && (cage.pocket == bearing::PocketShape::Rectangular);
+    const bool land = wall_of_worst == nullptr;
+    issue.record = faces ? "7.3.i" : land ? "7.2.i" : "7.1";
+    issue.variable = faces ? "bPocGsCen2" : land ? "cageGsCls" : second ? "bPocCls2" : "bPocCls1";
+    issue.message = fmt::format(
+        "{}{}: the static solution has shifted or tilted the elements further than there is room",
+        found,
+        moved || turned ? ", which is not the doing of record 9.6" : " although it is centred");
+    issue.remedy = faces ? fmt::format("put the guide faces at least {} further from the rollers",
+                                       length(worst))
+                         : fmt::format("give at least {} more clearance", length(2.0 * worst));
   }
   throw InputError(std::vector<Issue>{issue});
 }

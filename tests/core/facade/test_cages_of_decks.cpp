@@ -181,3 +181,21 @@ TEST_CASE("a cage whose strain limit is passed is said to yield", "[validation][
   CHECK_THAT(warnings("1e-5"), Catch::Contains("the cage (given in the deck) yields"));
   CHECK_THAT(warnings("0.5"), !Catch::Contains("yields, the worst"));
 }
+
+TEST_CASE("a cage in the middle that elements overlap is refused for the clearance",
+          "[validation][cage]") {
+  const auto refused = [](const Deck& deck) -> std::string {
+    const testing::TemporaryFolder folder;
+    try {
+      (void)run(deck, folder / "run");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "ran";
+  };
+  // No axial play in rectangular ball pockets, whatever record 9.6 does across the axis.
+  CHECK_THAT(refused(deck_of("ball", {{"kPocType", "3"}, {"bPocCls2", "0"}})),
+             Catch::Contains("bPocCls2") && Catch::Contains("more clearance"));
+  CHECK_THAT(refused(deck_of("ball", {{"cageGcPos", "0,0,-3e-4"}})),
+             Catch::Contains("smaller offsets and angles"));
+}
