@@ -18,7 +18,7 @@ RacePose seen_by(const Evaluation& e, std::size_t i, const RaceBody& race) noexc
 HeldBalls::HeldBalls(const Scene& scene, std::size_t balls)
     : scene_(scene),
       ball_(scene.contacts[0].groove, {scene.contacts[0].hertz.K, scene.contacts[1].hertz.K},
-            scene.mass),
+            scene.mass, {scene.contacts[0].angle, scene.contacts[1].angle}),
       offset_(std::min(scene.contacts[0].groove.offset[0], scene.contacts[0].groove.offset[1])) {
   for (auto& values : state_) values.assign(balls, 0.0);
   for (auto& values : action_) values.assign(balls, 0.0);
@@ -31,7 +31,7 @@ Vec2 HeldBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept 
   for (std::size_t j = 0; j < 2; ++j) {
     const GrooveContact c = ball_.contact_with(static_cast<int>(j), seen_by(e, i, e.race[j]),
                                                {e.elements.x[i], e.elements.r[i]});
-    force -= c.load * c.normal.head<2>();
+    force += c.force.head<2>();
   }
   return force;
 }
@@ -92,7 +92,7 @@ void HeldBalls::springs(const Evaluation& e, std::span<const std::size_t> held,
       of.along[j] = Mat2::Identity() - n * n.transpose();
       of.race[j] = c.stiffness;
       of.turning[j].setZero();
-      of.normal -= c.load * c.normal;
+      of.normal += c.force;
       of.stiffness += c.stiffness;
     }
     add_walls(e, i, of.stiffness);

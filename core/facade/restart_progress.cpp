@@ -1,6 +1,7 @@
 #include "facade/restart_progress.hpp"
 
 #include "base/errors.hpp"
+#include "results/run_json.hpp"
 
 #include <fmt/format.h>
 
@@ -94,6 +95,15 @@ std::optional<LedgerStart> LedgerStart::of(const results::MasterState& master) {
     start.angular[k] = number(momentum_name("angular", k));
   }
   return start;
+}
+
+bool LedgerStart::goes_on(const scene::EnergyLedger& now) const {
+  double largest = 0.0;
+  for (const auto& item : now.items())
+    if (item.term->kind != scene::LedgerKind::Note)
+      largest = std::max(largest, std::abs(item.value));
+  const double rounding = 1e-12 * largest;
+  return std::abs(now.residual() - residual) <= rounding + 1e-9 * results::energy_scale(now);
 }
 
 void LedgerStart::apply(scene::Snapshot& to) const {

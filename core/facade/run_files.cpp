@@ -121,6 +121,10 @@ void RunFiles::store(const Wanted& where, const scene::Snapshot& at,
   }
 }
 
+void RunFiles::close() {
+  if (all) all->close();
+}
+
 std::vector<results::MasterFile> RunFiles::ends() const {
   std::vector<results::MasterFile> out;
   const auto add = [&](const std::string& role, const results::GrowingFile& file) {

@@ -189,7 +189,7 @@ void RunOutputs::Impl::write_restart(const dynamics::System& system, const Snaps
   restart_step = at.step;
 }
 
-/// Of the equilibrium that PRINT.txt shows: a dynamic run's starts from frozen Hertz constants.
+/// Of the equilibrium that PRINT.txt shows: a dynamic run's has the law of its motion.
 listing::StaticSummary RunOutputs::Impl::static_summary(bool dynamic) const {
   if (prepared.rollers) return listing::summarise(*prepared.rollers, prepared.bearing);
   return listing::summarise(dynamic ? prepared.start : prepared.statics, prepared.bearing);
@@ -219,6 +219,7 @@ void RunOutputs::Impl::close(results::RunSummary& run,
   files.written.push_back(path("RUN.json"));
   for (const fs::path& file : files.written) run.files.push_back(file.filename().string());
   files.print->ledgers(run, plan, run_life);
+  files.close();
   results::write_run_json(run, path("RUN.json"));
 }
 
@@ -325,8 +326,7 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
   // Until something is stored, the last page is of this point.
   const RunPoint here{start.step, start.time, start.step_size, start.y};
   s.last = s.snapshot(system, here);
-  if (s.ledger_start && std::abs(s.last.energy.residual() - s.ledger_start->residual) >
-                            1e-9 * results::energy_scale(s.last.energy)) {
+  if (s.ledger_start && !s.ledger_start->goes_on(s.last.energy)) {
     s.ledger_start.reset();
     s.last = s.snapshot(system, here);
   }

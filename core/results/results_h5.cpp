@@ -509,4 +509,19 @@ void H5Writer::flush() {
   impl_->write_waiting();
 }
 
+void H5Writer::close() {
+  const Quiet quiet;
+  impl_->write_waiting();
+  impl_->series.clear();
+  H5Fflush(impl_->file, H5F_SCOPE_GLOBAL);
+  if (const int error = write_error(impl_->file); error != 0) {
+    impl_->broken = true;
+    throw WriteError(
+        fmt::format("{}: the file cannot be written to its end ({}); free some disk space or "
+                    "choose another disk",
+                    impl_->path.string(), std::generic_category().message(error)));
+  }
+  impl_->file.reset();
+}
+
 }  // namespace adore::results

@@ -1,5 +1,6 @@
 #include "dynamics/effects/races.hpp"
 
+#include "contact/make_angle_law.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/balls.hpp"
 #include "dynamics/rigid_body.hpp"
@@ -117,6 +118,9 @@ void Races::set_up_balls(const SceneBuilder& scene) {
     model.hertz = contact::hertz_constants(
         contact::race_curvature(scene.bearing.balls(), static_cast<int>(j), scene.fixed_angle[j]),
         model.effective_modulus);
+    if (scene.options.moving_angle)
+      model.angle = contact::make_angle_law(scene.bearing.balls(), static_cast<int>(j),
+                                            model.effective_modulus);
     model.shoulder_radius = 0.5 * scene.bearing.balls().shoulder_diameter[j];
     model.traction = scene.plan.has(Effect::RaceTraction);
     model.law = scene.bearing.race_traction;
