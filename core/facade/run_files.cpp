@@ -10,7 +10,9 @@ namespace adore::facade {
 namespace fs = std::filesystem;
 namespace {
 
-int cages(const Prepared& prepared) { return prepared.bearing.cage ? 1 : 0; }
+int cages(const Prepared& prepared) {
+  return prepared.bearing.cage ? prepared.bearing.cage->segments.count : 0;
+}
 
 }  // namespace
 

@@ -53,7 +53,7 @@ std::vector<hsize_t> dimensions(const Channel& channel, const Shape& shape) {
       out = {n(shape.rollers ? shape.elements : 0), 2, 2};
       break;
     case Per::Pocket:
-      out = {n(shape.elements), n(shape.pocket_surfaces)};
+      out = {n(shape.elements + shape.last_halves), n(shape.pocket_surfaces)};
       break;
     case Per::Pair:
       out = {n(shape.pairs)};
@@ -177,7 +177,7 @@ std::map<std::string, double> geometry_of(const bearing::Bearing& bearing) {
   std::map<std::string, double> out{{"elements", bearing.element_count()},
                                     {"outer_race_width", bearing.envelope.race_width[0]},
                                     {"inner_race_width", bearing.envelope.race_width[1]},
-                                    {"cages", bearing.cage ? 1.0 : 0.0}};
+                                    {"cages", bearing.cage ? bearing.cage->segments.count : 0.0}};
   const std::array<double, 2> free_x =
       bearing.rollers() != nullptr ? add_rollers(bearing, out) : add_balls(bearing.balls(), out);
   out["outer_race_free_x"] = free_x[0];  // the race's centre less its stored displacement
