@@ -46,7 +46,7 @@ void save_progress(std::map<std::string, double>& state, const scene::Snapshot& 
 
 /// The stepper's memory belongs to one method with its limits: under others it stays empty.
 /// @param file MASTER, for messages
-/// @throws InputError when what it remembers is not finite
+/// @throws InputError when what it remembers is not finite, or a step or counter impossible
 [[nodiscard]] FileSteps restore_progress(const results::MasterState& master,
                                          const setup::RunControl& control,
                                          const std::filesystem::path& file, StartPoint& out);

@@ -2,6 +2,9 @@
 #include "integrators/stepper.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <set>
+#include <sstream>
 #include <vector>
 
 /// Runs that stop anywhere and go on: everything that RESULTS.h5 holds comes from what MASTER
@@ -132,4 +135,60 @@ TEST_CASE("a run killed at any of its last calls that change a file is completed
   }
   CHECK(nothing_left > 0);   // the window behind "done" is among them,
   CHECK(nothing_left < 10);  // and calls before it
+}
+
+TEST_CASE(
+    "whatever number of MASTER is damaged, the run goes on, is refused or fails with a "
+    "sentence",
+    "[cli][slow]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string run = "run " + (folder / "DATA.txt").string() +
+                          " --quiet --integrator pece4 --set nStps=2 --set kPltFreq=1 --out ";
+  const fs::path whole = folder / "whole", parts = folder / "parts";
+  REQUIRE(run_as_given(run + whole.string() + " --set maxStps=4").code == 0);
+  // One line of each kind: names that differ by their digits only are of a kind.
+  std::istringstream lines(read(whole / "MASTER"));
+  std::vector<std::string> master;
+  std::set<std::string> known;
+  std::vector<std::size_t> chosen;
+  for (std::string line; std::getline(lines, line);) master.push_back(line);
+  for (std::size_t i = 4; i < master.size(); ++i) {
+    const std::string& line = master[i];
+    const std::size_t blank = line.find(' ');
+    if (line.starts_with("deck ")) i += std::stoul(line.substr(blank));
+    if (blank == std::string::npos || line.starts_with("deck ")) continue;
+    const bool first = line[0] == '-' || std::isdigit(static_cast<unsigned char>(line[0])) != 0;
+    std::string kind = first ? line.substr(blank) : line.substr(0, blank);
+    std::erase_if(kind, [](unsigned char c) { return std::isdigit(c) != 0; });
+    if (known.insert(kind).second) chosen.push_back(i);
+  }
+  CHECK(chosen.size() > 100);
+  int refused = 0, runs = 0;
+  for (const std::size_t i : chosen) {
+    for (const std::string value : {"nan", "-1", "1e300"}) {
+      const std::size_t blank = master[i].find(' ');
+      const bool first =
+          master[i][0] == '-' || std::isdigit(static_cast<unsigned char>(master[i][0])) != 0;
+      std::string text;
+      for (std::size_t k = 0; k < master.size(); ++k)
+        text += (k != i  ? master[k]
+                 : first ? value + master[k].substr(blank)
+                         : master[k].substr(0, blank) + " " + value) +
+                "\n";
+      std::error_code error;
+      fs::remove_all(parts, error);
+      fs::copy(whole, parts);
+      write(parts / "MASTER", text);
+      const Result more = run_shell("timeout 60 ADORE " + run + parts.string() +
+                                    " --set maxStps=6 --continue 2>&1");
+      INFO(master[i] << " became " << value << "\n" << more.out);
+      // 0 it counts for nothing, or is a state; 2 refused; 3 a state in which the bearing cannot be
+      CHECK((more.code == 0 || more.code == 2 || more.code == 3));
+      if (value == "nan" && !master[i].starts_with("version ")) CHECK(more.code == 2);
+      ++runs;
+      refused += more.code == 2;
+    }
+  }
+  CHECK(refused > runs / 4);
 }

@@ -45,3 +45,31 @@ TEST_CASE("the ledger of a continued run goes on through rounding, and not throu
   CHECK(start.goes_on(instant(50.0, 1000.0 + 5e-7)));
   CHECK_FALSE(start.goes_on(instant(50.0, 1000.0 + 5e-6)));
 }
+
+TEST_CASE("steps and counters of MASTER that cannot be are refused by name", "[unit][restart]") {
+  setup::RunControl control;
+  control.substeps = 3;
+  const auto restored = [&](const std::string& name, double value) {
+    results::MasterState master;
+    master.averages[name] = value;
+    facade::StartPoint out;
+    out.step = 7;
+    return facade::restore_progress(master, control, "MASTER", out);
+  };
+  for (const std::string name :
+       {"step from which maxStps counts", "last step in SOL1-SOL7", "last step in SOL8",
+        "last step in PRINT", "last step in RESULTS", "last step of the life models"}) {
+    CAPTURE(name);
+    CHECK_NOTHROW(restored(name, 7.0));
+    for (const double value : {-2.0, 8.0, 6.5, 1e300, -1e300})
+      CHECK_THROWS_WITH(restored(name, value),
+                        Catch::Matchers::Contains(name) && Catch::Matchers::Contains("to 7"));
+  }
+  for (const std::string name : {"counter of steps", "counter of changes of held elements",
+                                 "substeps of the step under way"}) {
+    CAPTURE(name);
+    CHECK_NOTHROW(restored(name, 2.0));
+    for (const double value : {-1.0, 0.5, 1e300})
+      CHECK_THROWS_WITH(restored(name, value), Catch::Matchers::Contains(name));
+  }
+}
