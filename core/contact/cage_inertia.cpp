@@ -182,8 +182,15 @@ Moments cone(const CageSolid& s, double beta) {
 struct Reach {
   double low, high;
 };
+constexpr double kFar = 1e3;  // m
+
+/// Where a line along the pocket's z through p lies in the void, and which surfaces bound it.
+struct Span {
+  Vec3 p;
+  double low, high;
+  int bounds;
+};
 Reach reach_of_void(const PocketSection& section, double x, double y) {
-  constexpr double kFar = 1e3;  // m
   const CageSolid& s = section.solid;
   if (section.along_axis() || s.pocket == PocketShape::Spherical) {
     const double from = section.along_axis() ? std::abs(y) : std::hypot(x, y);
@@ -205,7 +212,7 @@ Moments cone_void(const PocketSection& section, int sign = 0, double cut = 0.0) 
   const CageSolid& s = section.solid;
   const double t = std::tan(s.cone_angle);
   const Mat3 to_cage = passive_y(s.cone_angle).transpose();
-  const Vec3 normal = to_cage.col(2);
+  const Vec3 normal = to_cage.col(2), middle(0.0, 0.0, 0.5 * s.pitch_diameter);
   const auto end = [&](const Vec3& p,
                        double radius) {  // where p + z·normal meets the cone of that mid radius
     const double R = radius - p[0] * t, slope = normal[0] * t;
@@ -226,11 +233,18 @@ Moments cone_void(const PocketSection& section, int sign = 0, double cut = 0.0) 
     for (double& edge : edges) edge = std::min(edge, 0.0);
   if (sign > 0)
     for (double& edge : edges) edge = std::max(edge, 0.0);
+  if (sign != 0 && cut > 0.0) {  // where the cut enters and leaves the wall
+    for (const double diameter : {s.inner_diameter, s.outer_diameter}) {
+      const double y = 0.5 * diameter * std::tan(0.5 * cut);
+      if (y < total) edges.push_back(std::copysign(y, sign));
+    }
+    std::sort(edges.begin(), edges.end());
+  }
   const bool round = s.pocket != PocketShape::Rectangular && !section.along_axis();
   const bool plain =
       round && s.pocket != PocketShape::Spherical && s.pocket != PocketShape::Conical;
   // Sections that change along the wall have kinks: more and shorter pieces.
-  const int parts = plain && sign == 0 ? 1 : 6;
+  const int parts = plain && sign == 0 ? 1 : s.pocket == PocketShape::Conical ? 16 : 6;
   for (std::size_t piece = 0; piece + 1 < edges.size(); ++piece) {
     const double y0 = edges[piece], length = edges[piece + 1] - y0;
     if (!(length > 0.0)) continue;
@@ -244,18 +258,33 @@ Moments cone_void(const PocketSection& section, int sign = 0, double cut = 0.0) 
         double half = section.half_chord(y, 0.0);
         if (s.pocket == PocketShape::Conical)
           half = std::sqrt(std::max(widest * widest - y * y, 0.0));
-        for (int part_x = 0; part_x < parts; ++part_x)
+        const auto span_at = [&](double x) {
+          const Vec3 p = middle + to_cage * Vec3(x, y, 0.0);
+          const Reach reach = reach_of_void(section, x, y);
+          const double inner = end(p, 0.5 * s.inner_diameter);
+          const double outer = end(p, 0.5 * s.outer_diameter);
+          // |y| >= z tan(cut/2) of the cage frame
+          const double plane = sign != 0 && cut > 0.0
+                                   ? (std::abs(p[1]) / std::tan(0.5 * cut) - p[2]) / normal[2]
+                                   : kFar;
+          const double low = std::max(inner, reach.low);
+          const double high = std::min({outer, reach.high, plane});
+          const int bounds = (low == inner ? 0 : 1) +
+                             (high == outer   ? 0
+                              : high == plane ? 2
+                                              : 4) +
+                             (high > low ? 0 : 8);
+          return Span{p, low, high, bounds};
+        };
+        const auto add_strip = [&](double x0, double x1) {
           for (const GaussPoint& gx : kGauss20) {
-            const double across = (2.0 * part_x + 1.0 + gx.node) / parts - 1.0;
-            const double area = 0.5 * gy.weight * length * slope * gx.weight / parts * half;
-            const double x = half * across;
-            const Vec3 p = Vec3(0, 0, 0.5 * s.pitch_diameter) + to_cage * Vec3(x, y, 0.0);
-            const Reach reach = reach_of_void(section, x, y);
-            const double low = std::max(end(p, 0.5 * s.inner_diameter), reach.low);
-            double high = std::min(end(p, 0.5 * s.outer_diameter), reach.high);
-            if (sign != 0 && cut > 0.0)  // |y| >= z tan(cut/2) of the cage frame
-              high = std::min(high, (std::abs(p[1]) / std::tan(0.5 * cut) - p[2]) / normal[2]);
+            // Smooth at roots at both ends, as where a sphere ends.
+            const double turned = 0.5 * kPi * gx.node;
+            const double x = 0.5 * (x0 + x1) + 0.5 * (x1 - x0) * std::sin(turned);
+            const auto [p, low, high, bounds] = span_at(x);
             if (!(high > low)) continue;
+            const double dx = 0.25 * kPi * std::cos(turned) * gx.weight * (x1 - x0);
+            const double area = 0.5 * gy.weight * length * slope * dx;
             const double n1 = high - low, n2 = (high * high - low * low) / 2;
             const double n3 = (high * high * high - low * low * low) / 3;
             sum.volume += area * n1;
@@ -263,6 +292,32 @@ Moments cone_void(const PocketSection& section, int sign = 0, double cut = 0.0) 
             sum.second += area * (n1 * p * p.transpose() + n3 * normal * normal.transpose() +
                                   n2 * (p * normal.transpose() + normal * p.transpose()));
           }
+        };
+        if (plain && sign == 0) {
+          add_strip(-half, half);
+          continue;
+        }
+        // Strips of one kind: a surface that takes over from another makes a kink.
+        constexpr int kSamples = 24;
+        const double inside = half * (1.0 - 1e-9);
+        double from = -half, last = -inside;
+        int kind = span_at(last).bounds;
+        for (int k = 1; k <= kSamples; ++k) {
+          const double next = inside * (2.0 * k / kSamples - 1.0);
+          const int kind_there = span_at(next).bounds;
+          for (int change = 0; kind != kind_there && change < 4; ++change) {
+            double lo = last, hi = next;
+            for (int halving = 0; halving < 50; ++halving) {
+              const double mid = 0.5 * (lo + hi);
+              (span_at(mid).bounds == kind ? lo : hi) = mid;
+            }
+            add_strip(from, hi);
+            from = last = hi;
+            kind = span_at(hi).bounds;
+          }
+          last = next;
+        }
+        add_strip(from, half);
       }
   }
   return sum;
