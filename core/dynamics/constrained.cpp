@@ -44,13 +44,28 @@ GrooveContact ConstrainedBall::contact_with(int race, const RacePose& pose,
   const double around = place.lift / place.distance;
   c.bending = (side * side.transpose() + around * t * t.transpose()) / touch.length;
   if (!(c.approach > 0.0)) return c;
-  c.load = adore::contact::hertz_load(K_[j], c.approach);
+  const adore::contact::AngleStiffness hertz =
+      law_[j].follows ? adore::contact::angle_stiffness(law_[j], touch.n_e)
+                      : adore::contact::AngleStiffness{K_[j]};
+  const double root = std::sqrt(c.approach), l = touch.length;
+  c.load = adore::contact::point_load(hertz.K, c.approach, root);
   c.energy = adore::contact::point_energy(c.load, c.approach);
   c.angle = adore::contact::contact_angle(race, touch.n_k, touch.n_e);
   const adore::contact::PointStiffness s =
-      adore::contact::point_stiffness(K_[j], c.approach, c.load, touch.length, around);
+      adore::contact::point_stiffness(hertz.K, c.approach, c.load, l, around);
   c.stiffness = s.normal * c.normal * c.normal.transpose() + s.across * side * side.transpose() +
                 s.around * t * t.transpose();
+  c.force = -c.load * c.normal;
+  if (!law_[j].follows) return c;
+  const double lean = adore::contact::leaning_force(hertz.slope, c.approach, root, touch.n_k, l);
+  const double rest = c.approach * root;  // δ^1.5
+  const double coupling = hertz.slope * touch.n_k * rest / l * (1.0 - 0.4 * c.approach / l);
+  const double across = 0.4 * (hertz.bend * touch.n_k * touch.n_k - hertz.slope * touch.n_e) *
+                        rest * c.approach / (l * l);
+  c.force += lean * side;
+  c.stiffness += coupling * (c.normal * side.transpose() + side * c.normal.transpose()) +
+                 across * side * side.transpose() -
+                 lean * touch.n_k / place.distance * t * t.transpose();
   return c;
 }
 
@@ -69,7 +84,7 @@ BallBalance ConstrainedBall::evaluate(const std::array<RacePose, 2>& races, doub
   Mat3 stiffness = Mat3::Zero();
   for (std::size_t j = 0; j < 2; ++j) {
     b.contact[j] = contact_with(static_cast<int>(j), in_frame(frame, races[j]), x_r);
-    contact_force -= b.contact[j].load * b.contact[j].normal;
+    contact_force += b.contact[j].force;
     stiffness += b.contact[j].stiffness;
     b.potential += b.contact[j].energy;
   }

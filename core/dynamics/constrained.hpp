@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/rotation.hpp"
+#include "contact/angle_law.hpp"
 #include "contact/groove.hpp"
 
 #include <array>
@@ -9,7 +10,8 @@
 /// at every instant while its orbit stays dynamic (mode 1, light-load balance), races in balance
 /// (mode 2), suppressed accelerations (kDOF). SI, rad, base axes; G = force balance in x and r.
 ///
-/// Contact with race j: contact/ball_groove.hpp, K fixed, so the contact has a potential V.
+/// Contact with race j: contact/ball_groove.hpp, K fixed or following the contact angle
+/// (contact/angle_law.hpp): it has a potential V.
 /// Balance at azimuth θ: G = (F_x - V_x, F_r - V_r + centrifugal(r)) = 0, and everything implicit
 /// follows from ∂G/∂(x, r).
 /// Limits: frictionless normal contacts plus given forces; ball centre off the race axis.
@@ -31,6 +33,7 @@ struct GrooveContact {
   double load = 0.0;              ///< Q [N]
   double angle = 0.0;             ///< contact angle, 0 when open [rad]
   double energy = 0.0;            ///< V [J]
+  Vec3 force = Vec3::Zero();      ///< -∂V/∂p on the ball [N]
   Vec3 normal = Vec3::Zero();     ///< n, from the ball towards the race
   Mat3 bending = Mat3::Zero();    ///< ∂n/∂p = ∂²l/∂p² [1/m]
   Mat3 stiffness = Mat3::Zero();  ///< ∂²V/∂p², symmetric, 0 when open [N/m]
@@ -63,10 +66,11 @@ struct BallBalance {
 /// A ball between its two races.
 class ConstrainedBall {
  public:
-  /// @param K Hertz constants [N m^-1.5], outer and inner
+  /// @param K Hertz constants [N m^-1.5], outer and inner; where `law` follows the contact angle,
+  /// of a scale only
   ConstrainedBall(const contact::GrooveGeometry& groove, const std::array<double, 2>& K,
-                  double mass) noexcept
-      : groove_(groove), K_(K), mass_(mass) {}
+                  double mass, const std::array<contact::AngleLaw, 2>& law = {}) noexcept
+      : groove_(groove), K_(K), law_(law), mass_(mass) {}
 
   [[nodiscard]] double mass() const noexcept { return mass_; }
   /// Radius of the ball circle between the unloaded grooves, for a first guess [m].
@@ -101,6 +105,7 @@ class ConstrainedBall {
 
   contact::GrooveGeometry groove_;
   std::array<double, 2> K_;
+  std::array<contact::AngleLaw, 2> law_;
   double mass_;
 };
 

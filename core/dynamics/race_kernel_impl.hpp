@@ -62,7 +62,18 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
   }
   approach = stdx::max(approach, V(0.0));
   const V root_approach = stdx::sqrt(approach);
-  const V load = contact::point_load(in.K, approach, root_approach);
+  V K = in.K, major = in.major, minor = in.minor, leaning = 0.0;
+  if (in.follow != nullptr) {
+    const auto at_angle = contact::polynomial_with_slope(in.follow->K, touch.n_e);
+    K = at_angle.value;
+    leaning =
+        contact::leaning_force(at_angle.slope, approach, root_approach, touch.n_k, touch.length);
+    if (in.traction) {
+      major = contact::polynomial(in.follow->major, touch.n_e);
+      minor = contact::polynomial(in.follow->minor, touch.n_e);
+    }
+  }
+  const V load = contact::point_load(K, approach, root_approach);
   const V R = place.distance;
   const Vec& e = place.e;
   const Vec t = cross(k, e);
@@ -82,8 +93,8 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
                                  in.ball_radius};
     tribology::EllipseContact<V> ellipse;
     ellipse.load = load;
-    ellipse.a = in.major * root_approach;
-    ellipse.b = in.minor * root_approach;
+    ellipse.a = major * root_approach;
+    ellipse.b = minor * root_approach;
     ellipse.surface =
         tribology::ellipse_surface(in.place, in.rho, in.ball_radius, ellipse.a, approach);
     ellipse.motion = ellipse_motion(pair, d, k, t, place, touch);
@@ -104,6 +115,10 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
     add(at.M_x, moment.x);
     add(at.M_r, moment.y);
     add(at.M_theta, moment.z);
+  }
+  if (in.follow != nullptr) {
+    meridian.along -= leaning * touch.n_e;
+    meridian.outward += leaning * touch.n_k;
   }
   const V force_k = meridian.along, force_e = meridian.outward;
   const Vec force{force_k * k.x + force_e * e.x + force_t * t.x,

@@ -1,5 +1,6 @@
 #include "dynamics/effects/races.hpp"
 
+#include "contact/make_angle_law.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/balls.hpp"
 #include "dynamics/rigid_body.hpp"
@@ -117,6 +118,9 @@ void Races::set_up_balls(const SceneBuilder& scene) {
     model.hertz = contact::hertz_constants(
         contact::race_curvature(scene.bearing.balls(), static_cast<int>(j), scene.fixed_angle[j]),
         model.effective_modulus);
+    if (scene.options.moving_angle)
+      model.angle = contact::make_angle_law(scene.bearing.balls(), static_cast<int>(j),
+                                            model.effective_modulus);
     model.shoulder_radius = 0.5 * scene.bearing.balls().shoulder_diameter[j];
     model.traction = scene.plan.has(Effect::RaceTraction);
     model.law = scene.bearing.race_traction;
@@ -130,10 +134,12 @@ void Races::declare_contact(SceneBuilder& scene, std::size_t j) {
   const std::string cost = j == 0 ? "outer race contacts" : "inner race contacts";
   const BodyId race{BodyId::Kind::Race, static_cast<int>(j)};
   const bool wear = scene.plan.has(Effect::WearIntegrals);
+  const bool held =
+      scene.plan.has(Effect::LightLoadBalance) || scene.plan.has(Effect::ElementBalance);
   if (rollers_)
     scene.block<RollerRaceBlock>(Phase::Force, cost, race, (*rollers_)[j],
-                                 static_cast<std::size_t>(scene.bearing.element_count()), wear,
-                                 account_[j]);
+                                 static_cast<std::size_t>(scene.bearing.element_count()),
+                                 wear || held, account_[j]);
   else
     scene.block<RaceBlock>(Phase::Force, cost, race, contacts_[j], wear, account_[j]);
 }
