@@ -56,12 +56,12 @@ void print_films(Report& report, const statics::LubricantFilms& films, const std
                 {"least outer", &unit::kLength},
                 {"heat", &unit::kPure},
                 {"starve", &unit::kPure},
-                {"lambda outer", &unit::kPure},
+                {"lambda", &unit::kPure},
                 {"film inner", &unit::kLength},
                 {"least inner", &unit::kLength},
                 {"heat", &unit::kPure},
                 {"starve", &unit::kPure},
-                {"lambda inner", &unit::kPure}},
+                {"lambda", &unit::kPure}},
                rows);
   for (std::size_t j = 0; j < 2; ++j)
     if (films.metal[j] > 0)

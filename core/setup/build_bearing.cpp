@@ -101,12 +101,13 @@ bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const 
 bearing::Lubrication lubrication(const Deck& deck) {
   bearing::Lubrication out;
   out.code = static_cast<int>(deck.integer("kTrac"));
-  out.critical_film = deck.si("reRaceFilm");
+  // At rest it only counts metal contacts for PRINT.
+  const bool motion = deck.integer("mode") >= 0;
+  out.critical_film = si_where(motion, deck, "reRaceFilm");
   out.meniscus = deck.si("strParam");
   constexpr int kUserLubricant = 9;
   if (out.code != kUserLubricant) return out;
   // What acts on traction alone does nothing at rest.
-  const bool motion = deck.integer("mode") >= 0;
   bearing::UserLubricant user;
   user.name = deck.text("lubName");
   user.T0 = deck.si("refTemp");

@@ -94,11 +94,8 @@ bearing::RollerGeometry build_rollers(const Deck& deck) {
   read_races(deck, type, out);
   read_flanges(deck, out);
   check_roller_shape(deck, out);
-  const deck::ReportOnly quiet(deck);  // until films are computed
-  {
-    const deck::ReportOnly quiet(deck, !lubricated(deck));
-    out.roughness = {deck.si("rmsAspHt1"), deck.si("rmsAspHt2")};
-  }
+  const deck::ReportOnly quiet(deck, !lubricated(deck));
+  out.roughness = {deck.si("rmsAspHt1"), deck.si("rmsAspHt2")};
   return out;
 }
 

@@ -77,7 +77,9 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
            "control, for a warning";
   if (record.starts_with("10") && !scene.motion)
     return "a quasi-static solution has no friction; of a lubricant it takes the film";
-  if (name == "iTherm") return "no lubricant's traction is computed";
+  if (name == "iTherm")
+    return "only visco-elastic traction (kTrac 12) has this correction, and no motion computes it "
+           "yet";
   if (record == "5F" && scene.balls) return "a ball bearing has no roller flanges";
   if (name.starts_with("flngCls")) return "this race has no flanges at both ends of the rollers";
   if (record == "5F") return "there is no such flange";
