@@ -3,6 +3,7 @@
 #include "contact/make_angle_law.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/balls.hpp"
+#include "dynamics/effects/rigid_elements.hpp"
 #include "dynamics/rigid_body.hpp"
 #include "tribology/film_law.hpp"
 
@@ -198,8 +199,10 @@ void Races::declare(SceneBuilder& scene) {
   if (work) scene.block<RacePower>(Phase::Account, kMotionCost, {}, account_);
   if (in_contact_ && !rollers_ &&
       !plan.has(Effect::ElementBalance)) {  // whose balls do not vibrate
-    const Balls& balls = *scene.find<Balls>();
-    normal_.emplace(contacts_, balls.slices(), balls.mass());
+    const Balls* balls = scene.find<Balls>();
+    normal_.emplace(contacts_,
+                    balls != nullptr ? balls->slices() : scene.find<RigidElements>()->slices(),
+                    scene.bearing.element_inertia.mass);
   }
 }
 
