@@ -2,6 +2,7 @@
 
 #include "bearing/fits.hpp"
 #include "bearing/imperfections.hpp"
+#include "bearing/lubrication.hpp"
 #include "bearing/material.hpp"
 #include "bearing/pocket_shape.hpp"
 #include "bearing/rollers.hpp"
@@ -186,6 +187,7 @@ struct Bearing {
   std::optional<TractionCurve> land_traction;     ///< cage to race
   std::optional<TractionCurve> element_traction;  ///< element to element, without cage
   std::optional<TractionCurve> flange_traction;   ///< roller end to race flange
+  std::optional<Lubrication> lubrication;         ///< between elements and races; kTrac > 0
   Imperfections imperfections;  ///< of balls and races; rollers keep their own in RollerGeometry
   StaticConstraints constraints;
   SpinRule spin_rule = SpinRule::RaceControl;

@@ -24,6 +24,7 @@ std::vector<Adapter> component_adapters() {
   add(roller_slice_adapters());
   add(roller_part_adapters());
   add(thermal_adapters());
+  add(network_adapters());
   add(traction_adapters());
   add(film_adapters());
   add(hydrodynamic_adapters());

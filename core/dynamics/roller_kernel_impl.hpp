@@ -51,7 +51,7 @@ void evaluate_with_laws(const RollerKernelInput& in, tribology::TypeList<Laws...
 /// Once per race: the law is chosen here, and nowhere below.
 inline void evaluate_rollers(const RollerKernelInput& in) {
   if (in.traction)
-    evaluate_with_laws(in, tribology::TractionLawList());
+    evaluate_with_laws(in, tribology::DryLawList());
   else
     evaluate_rollers(in, nullptr);
 }

@@ -10,16 +10,19 @@
 
 namespace adore::facade {
 
-LifeObserver::LifeObserver(const bearing::Bearing& bearing, const life::LifeParameters& parameters)
+LifeObserver::LifeObserver(const bearing::Bearing& bearing, const life::LifeParameters& parameters,
+                           const std::array<std::optional<double>, 2>& film_parameter)
     : bearing_(bearing),
       calculator_(bearing.rollers() != nullptr ? life::roller_life_geometry(*bearing.rollers())
                                                : life::ball_life_geometry(bearing.balls()),
-                  parameters) {}
+                  parameters),
+      film_parameter_(film_parameter) {}
 
 void LifeObserver::observe(const scene::Snapshot& snapshot) {
   const bearing::LifeChoices& choices = calculator_.parameters().choices;
-  const life::LifeState state =
-      calculator_.evaluate(life::life_contacts(snapshot, bearing_), choices.stored_model);
+  life::BearingContacts contacts = life::life_contacts(snapshot, bearing_);
+  contacts.film_parameter = film_parameter_;
+  const life::LifeState state = calculator_.evaluate(contacts, choices.stored_model);
   const life::PartLives& lives = state.of(choices.stored_model, choices.stored_modification);
   hours_ = life::life_hours(lives.L_S, state.relative_speed);
 

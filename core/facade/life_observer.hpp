@@ -3,7 +3,9 @@
 #include "life/bearing_life.hpp"
 #include "listing/print_life.hpp"
 
+#include <array>
 #include <map>
+#include <optional>
 #include <string>
 
 /// Fatigue life along a dynamic run: looks at snapshots at output times, never at the right-hand
@@ -12,7 +14,9 @@ namespace adore::facade {
 
 class LifeObserver {
  public:
-  LifeObserver(const bearing::Bearing& bearing, const life::LifeParameters& parameters);
+  /// @param film_parameter Λ by race, that of the start
+  LifeObserver(const bearing::Bearing& bearing, const life::LifeParameters& parameters,
+               const std::array<std::optional<double>, 2>& film_parameter = {});
 
   /// The life at this instant's loads, and its damage since the instant before (linear between
   /// them).
@@ -31,6 +35,7 @@ class LifeObserver {
  private:
   const bearing::Bearing& bearing_;
   life::LifeCalculator calculator_;
+  std::array<std::optional<double>, 2> film_parameter_;
   life::DamageSum damage_;
   life::DamageRate rate_;  ///< at the last instant
   double time_ = 0.0;      ///< of it [s]

@@ -155,6 +155,8 @@ Prepared prepare_model(LoadedDeck input) {
   if (out.bearing.rollers()) {
     out.solve_seconds = timed(
         [&] { out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers); });
+    if (out.bearing.lubrication)
+      out.rollers->films = statics::contact_films(out.bearing, *out.rollers);
     judge(life::contact_strength(out.bearing, *out.rollers));
     out.life = life::roller_bearing_life(out.bearing, life_inputs, *out.rollers);
     if (out.control.dynamic) {
@@ -173,6 +175,7 @@ Prepared prepare_model(LoadedDeck input) {
     return out;
   }
   out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
+  if (out.bearing.lubrication) out.statics.films = statics::contact_films(out.bearing, out.statics);
   judge(life::contact_strength(out.bearing, out.statics));
   for (const std::string& text : listing::ball_warnings(
            out.bearing, out.statics, available_friction(deck, out.bearing), deck.units()))
@@ -184,6 +187,7 @@ Prepared prepare_model(LoadedDeck input) {
         out.options.system.moving_angle ? statics::Curvature::Potential : statics::Curvature::Fixed;
     as_in_motion.fixed_angle = out.fixed_angle;
     out.start = statics::solve_ball_statics(out.bearing, as_in_motion);
+    if (out.bearing.lubrication) out.start.films = statics::contact_films(out.bearing, out.start);
   }
   out.life = life::ball_bearing_life(out.bearing, life_inputs,
                                      out.control.dynamic ? out.start : out.statics);

@@ -108,7 +108,8 @@ struct RunOutputs::Impl {
         plan(p.plan),
         units(p.input.deck.units()),
         recorder(p.bearing, units, results::ChannelTable(dynamics::energy_terms())),
-        life(p.bearing, p.life.parameters),
+        life(p.bearing, p.life.parameters,
+             {p.life.state.factors.film_parameter[0], p.life.state.factors.film_parameter[1]}),
         watch(p.bearing),
         files(p, std::move(f)) {}
 

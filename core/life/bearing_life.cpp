@@ -40,6 +40,13 @@ std::vector<double> element_loads(const std::vector<ContactPatch>& patches, std:
   return out;
 }
 
+/// Λ of a race; of the elements the smaller of both. Empty: no film is computed.
+std::optional<double> film_parameter(const BearingContacts& contacts, std::size_t part) {
+  const auto& [outer, inner] = contacts.film_parameter;
+  if (part != bearing::kElementPart) return contacts.film_parameter[part];
+  return outer && inner ? std::min(outer, inner) : std::nullopt;
+}
+
 /// What counts as a point or a line contact, and why.
 void note_shapes(BearingLife& out, std::size_t slices) {
   const LifeState& state = out.state;
@@ -270,15 +277,17 @@ ModificationFactors LifeCalculator::factors(const BearingContacts& contacts,
   if (choices.filter) out.filter = filter_factor(*choices.filter);
   for (std::size_t i = 0; i < 3; ++i) {
     const PartParameters& part = parameters_.part[i];
+    out.film_parameter[i] =
+        choices.film_parameter ? choices.film_parameter : film_parameter(contacts, i);
     StleFactors stle{part.stle_material.value,
                      part.stle_process.value,
                      part.stle_hardness.value,
-                     choices.film_parameter,
+                     out.film_parameter[i],
                      out.filter,
                      1.0};
     if (i != bearing::kElementPart) {
-      if (choices.film_parameter)
-        out.asperity[i] = asperity_hazard(*choices.film_parameter, part.asperity_slope.value,
+      if (out.film_parameter[i])
+        out.asperity[i] = asperity_hazard(*out.film_parameter[i], part.asperity_slope.value,
                                           part.asperity_traction.value);
       const ContactPatch* patch = heaviest(taken(contacts, i, line[i]).patches);
       if (part.residual_stress != 0.0 && patch != nullptr) {
@@ -413,20 +422,28 @@ BearingLife LifeCalculator::report(const BearingContacts& contacts) {
                       "stress or more; its factor has no meaning there and is not applied",
                       name));
   }
+  const auto& films = out.state.factors.film_parameter;
   if (parameters_.choices.film_parameter) {
     out.notes.push_back(fmt::format(
         "film parameter {} (run option lifeLambda) is taken at every contact; it is not computed",
         *parameters_.choices.film_parameter));
-    if (out.state.factors.thin_film)
-      out.notes.push_back(
-          "thin film (below 1): no credit is given for material, process and hardness in the STLE "
-          "factors");
+  } else if (films[0] || films[1]) {
+    for (std::size_t i = 0; i < 2; ++i)
+      if (films[i])
+        out.notes.push_back(fmt::format(
+            "{}: film parameter {:.3g}, computed for the most loaded contact with the deck's "
+            "lubricant",
+            parameters_.part[i].name, *films[i]));
   } else {
     out.notes.push_back(
         "no lubricant film is computed: the film factor is 1 and the asperity term of the "
         "Tallian-type factor is left out, as for a full film; run option lifeLambda gives a film "
         "parameter");
   }
+  if (out.state.factors.thin_film)
+    out.notes.push_back(
+        "thin film (below 1): no credit is given for material, process and hardness in the STLE "
+        "factors");
   return out;
 }
 

@@ -38,6 +38,7 @@ struct ModificationFactors {
   std::array<double, 3> asperity{1.0, 1.0, 1.0};
   std::array<double, 3> tallian{1.0, 1.0, 1.0};  ///< φ^(-1/e)
   double filter = 1.0;
+  std::array<std::optional<double>, 3> film_parameter;  ///< Λ of races and elements; empty: unknown
   bool thin_film = false;
   std::array<bool, 2> residual_refused{};  ///< the residual stress lies outside its formula
 };

@@ -72,6 +72,12 @@ void set_motion(BearingContacts& out, double outer_speed, double inner_speed) {
   out.race[1].rotating = inner_speed != 0.0 || outer_speed == 0.0;
 }
 
+void set_films(BearingContacts& out, const statics::RaceResult& solution) {
+  if (!solution.films) return;
+  for (std::size_t i = 0; i < 2; ++i)
+    if (solution.films->lambda[i] > 0.0) out.film_parameter[i] = solution.films->lambda[i];
+}
+
 /// Slices of an instant as a quasi-static solution has them.
 statics::RollerSolution solution_of(const scene::Snapshot& snapshot,
                                     const bearing::Bearing& bearing) {
@@ -117,6 +123,7 @@ BearingContacts life_contacts(const statics::StaticSolution& solution,
     out.race[i].angle = angle.value(bearing.balls().contact_angle);
   }
   set_motion(out, bearing.speed[0], bearing.speed[1]);
+  set_films(out, solution);
   return out;
 }
 
@@ -161,6 +168,7 @@ BearingContacts life_contacts(const statics::RollerSolution& solution,
     out.race[i].angle = angle.value(bearing.rollers()->race_angle[i]);
   }
   set_motion(out, bearing.speed[0], bearing.speed[1]);
+  set_films(out, solution);
   return out;
 }
 

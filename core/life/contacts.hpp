@@ -7,6 +7,7 @@
 #include "statics/roller_statics.hpp"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 /// What the life models read of a bearing, whatever its type: one geometry, one list of contacts
@@ -42,6 +43,8 @@ struct BearingContacts {
   std::size_t slices = 1;
   std::array<RaceContacts, 2> race;
   double relative_speed = 0.0;  ///< |Ω_inner - Ω_outer| [rad/s]
+  /// Λ by race, of the most loaded contact; empty: no film is computed.
+  std::array<std::optional<double>, 2> film_parameter;
   /// Turns of each element about its own axis per relative ring turn; empty: pure rolling,
   /// d_m(1-γ²)/(2D).
   std::vector<double> element_turns;

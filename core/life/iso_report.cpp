@@ -127,8 +127,10 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
     out.C_u = iso_fatigue_limit_simple(out.geometry.type, *out.C0, out.geometry.pitch_diameter);
   out.kappa = parameters.choices.viscosity_ratio;
   out.contamination = parameters.choices.contamination;
-  if (!out.kappa && parameters.choices.film_parameter)
-    out.kappa = std::pow(*parameters.choices.film_parameter, 1.3);
+  std::optional<double> film = parameters.choices.film_parameter;
+  if (!film && contacts.film_parameter[0] && contacts.film_parameter[1])
+    film = std::min(*contacts.film_parameter[0], *contacts.film_parameter[1]);
+  if (!out.kappa && film) out.kappa = std::pow(*film, 1.3);
   std::optional<IsoCondition> condition;
   if (out.kappa && out.contamination && out.C_u)
     condition = IsoCondition{*out.contamination, *out.C_u, *out.kappa};

@@ -1,5 +1,6 @@
 #include "listing/print_cage.hpp"
 #include "listing/print_file.hpp"
+#include "listing/print_films.hpp"
 #include "listing/rounding.hpp"
 #include "listing/static_summary.hpp"
 #include "results/motion.hpp"
@@ -211,6 +212,7 @@ void print_quasi_static(Report& report, const statics::StaticSolution& solution,
   print_race_stiffness(report, solution);
   balls(report, solution, bearing);
   split_races(report, solution, bearing);
+  if (solution.films) print_films(report, *solution.films, "ball");
   print_cage_operation(report, bearing);
   if (solution.notes.empty()) return;
   report.heading("Notes");

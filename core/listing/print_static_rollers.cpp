@@ -1,5 +1,6 @@
 #include "listing/print_cage.hpp"
 #include "listing/print_file.hpp"
+#include "listing/print_films.hpp"
 #include "listing/rounding.hpp"
 
 #include <fmt/format.h>
@@ -244,6 +245,7 @@ void print_quasi_static(Report& report, const statics::RollerSolution& solution,
   contacts(report, solution, bearing::kInner);
   flange_contacts(report, solution);
   profile(report, solution);
+  if (solution.films) print_films(report, *solution.films, "roller");
   print_cage_operation(report, bearing);
   if (solution.notes.empty()) return;
   report.heading("Notes");

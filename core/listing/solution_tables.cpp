@@ -1,6 +1,7 @@
 #include "listing/solution_tables.hpp"
 
 #include "contact/groove.hpp"
+#include "listing/print_films.hpp"
 
 #include <fmt/format.h>
 
@@ -61,6 +62,7 @@ StaticTables static_tables(const statics::StaticSolution& solution, const Bearin
       elements.add(race + "groove end", unit::kAngle,
                    column([&](const auto& b) { return b.alpha[j] < 0.0 ? -end : end; }));
   }
+  if (solution.films) add_film_columns(elements, *solution.films);
   return out;
 }
 
@@ -120,6 +122,7 @@ StaticTables static_tables(const statics::RollerSolution& solution, const Bearin
         add(race + (side == 0 ? "flange -x load" : "flange +x load"), unit::kForce,
             [&](const auto& r) { return r.flange[j][side].load; });
   }
+  if (solution.films) add_film_columns(elements, *solution.films);
   out.tables.push_back(std::move(elements));
   const statics::StaticRoller* roller = heaviest(solution);
   if (roller == nullptr || roller->race[0].slice_load.empty()) return out;

@@ -6,6 +6,7 @@
 #include "contact/roller_shape.hpp"
 #include "setup/build_rollers.hpp"
 #include "setup/deck_text.hpp"
+#include "setup/lubricated.hpp"
 #include "setup/race_motions.hpp"
 #include "setup/read_cage.hpp"
 #include "tribology/traction_curve.hpp"
@@ -94,6 +95,33 @@ bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const 
   const std::array<double, 4> tc{deck.si(stem + "1"), deck.si(stem + "2"), deck.si(stem + "3"),
                                  si_where(!asymptote, deck, stem + "4")};
   return at_variable(deck, stem + "1", [&] { return tribology::traction_curve(type, tc); });
+}
+
+/// Records 10.3 and 10.4.
+bearing::Lubrication lubrication(const Deck& deck) {
+  bearing::Lubrication out;
+  out.code = static_cast<int>(deck.integer("kTrac"));
+  // At rest it only counts metal contacts for PRINT.
+  const bool motion = deck.integer("mode") >= 0;
+  out.critical_film = si_where(motion, deck, "reRaceFilm");
+  out.meniscus = deck.si("strParam");
+  constexpr int kUserLubricant = 9;
+  if (out.code != kUserLubricant) return out;
+  // What acts on traction alone does nothing at rest.
+  bearing::UserLubricant user;
+  user.name = deck.text("lubName");
+  user.T0 = deck.si("refTemp");
+  user.viscosity = deck.si("refVis");
+  user.alpha = deck.si("prVisCoeff");
+  user.beta = deck.si("tempVisCoeff");
+  user.conductivity = deck.si("lubTherCond");
+  user.density = si_where(false, deck, "lubDen");
+  user.specific_heat = si_where(false, deck, "lubSpHeat");
+  user.traction_viscosity = si_where(motion, deck, "refTracVis");
+  user.traction_alpha = si_where(motion, deck, "tracVisCoeff1");
+  user.traction_beta = si_where(motion, deck, "tracVisCoeff2");
+  out.user = user;
+  return out;
 }
 
 /// Guide faces of roller pockets (record 7.3).
@@ -225,7 +253,8 @@ bearing::BallGeometry build_balls(const Deck& deck) {
   out.shim = {deck.si("shimThickness1"), deck.si("shimThickness2")};
   out.shoulder_diameter = {deck.si("shoulderDia1"), deck.si("shoulderDia2")};
   // Until films are computed.
-  out.roughness = {si_where(false, deck, "rmsAspHt1"), si_where(false, deck, "rmsAspHt2")};
+  const bool film = lubricated(deck);
+  out.roughness = {si_where(film, deck, "rmsAspHt1"), si_where(film, deck, "rmsAspHt2")};
   const contact::FreeState free = at_variable(deck, "freeIntCls", [&] {
     return contact::free_state(out.diameter, out.groove_factor, out.shim, deck.si("freeConAng"),
                                si_where(!(deck.si("freeConAng") > 0.0), deck, "freeIntCls"));
@@ -280,6 +309,7 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   if (dynamic && out.rollers() != nullptr &&
       (out.rollers()->has_flange(0) || out.rollers()->has_flange(1)))
     out.flange_traction = curve(deck, "kRFTracType", "reFlngTC", true);
+  if (lubricated(deck)) out.lubrication = lubrication(deck);
   if (deck.integer("nCseg") > 0) out.cage = cage(deck, out);
   if (dynamic && deck.integer("nCseg") == 0)
     out.element_traction = curve(deck, "kRRTracType", "reReTC", true);

@@ -5,6 +5,7 @@
 #include "contact/tapered_geometry.hpp"
 #include "setup/check_rollers.hpp"
 #include "setup/deck_text.hpp"
+#include "setup/lubricated.hpp"
 
 #include <fmt/format.h>
 
@@ -93,7 +94,7 @@ bearing::RollerGeometry build_rollers(const Deck& deck) {
   read_races(deck, type, out);
   read_flanges(deck, out);
   check_roller_shape(deck, out);
-  const deck::ReportOnly quiet(deck);  // until films are computed
+  const deck::ReportOnly quiet(deck, !lubricated(deck));
   out.roughness = {deck.si("rmsAspHt1"), deck.si("rmsAspHt2")};
   return out;
 }

@@ -78,8 +78,10 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
     return "of friction a quasi-static solution only asks whether its largest value can carry race "
            "control, for a warning";
   if (record.starts_with("10") && !scene.motion)
-    return "friction and lubricant play no part in a quasi-static solution";
-  if (name == "iTherm") return "no lubricant's traction is computed";
+    return "a quasi-static solution has no friction; of a lubricant it takes the film";
+  if (name == "iTherm")
+    return "only visco-elastic traction (kTrac 12) has this correction, and no motion computes it "
+           "yet";
   if (record == "5F" && scene.balls) return "a ball bearing has no roller flanges";
   if (name.starts_with("flngCls")) return "this race has no flanges at both ends of the rollers";
   if (record == "5F") return "there is no such flange";
@@ -100,7 +102,7 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (record.starts_with("5G.1D")) return "there are fewer rolling elements";
   if (name == "kAngVel") return "rollers roll without slip, their axes are given by geometry";
   if (starts_with_one_of(name, {"rmsAspHt", "rmsAspSlope", "aspTrac"}))
-    return "no lubricant film is computed";
+    return "without a lubricant (kTrac) no film is computed";
   if (record == "9.7" || record == "9.8" || record == "3.5" || name == "kTherm")
     return "no thermal steps are computed: the temperatures of record 9.1.3 rule, and of record "
            "3.5 only kMatPropMod acts";

@@ -1,6 +1,7 @@
 #include "setup/scene_plan.hpp"
 
 #include "setup/race_motions.hpp"
+#include "tribology/lubricant.hpp"
 
 #include <fmt/format.h>
 
@@ -58,8 +59,11 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
     plan.effects.push_back({id, name, on, std::move(because)});
   };
   effect(Effect::RaceContact, element + " / race contact", true, mode);
-  effect(Effect::RaceTraction, element + " / race traction", can_push(bearing.race_traction),
-         curve_reason(deck, "kTracType", bearing.race_traction));
+  effect(Effect::RaceTraction, element + " / race traction",
+         can_push(bearing.race_traction) || bearing.lubrication,
+         bearing.lubrication ? fmt::format("kTrac = {}, {}", bearing.lubrication->code,
+                                           tribology::lubricant_of(*bearing.lubrication).name)
+                             : curve_reason(deck, "kTracType", bearing.race_traction));
   plan.rollers = bearing.rollers() != nullptr;
   plan.rigid_balls = !plan.rollers && !moves_as_sphere(bearing);
   if (bearing.flange_traction) {

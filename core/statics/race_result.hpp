@@ -1,5 +1,7 @@
 #pragma once
 
+#include "statics/contact_films.hpp"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -31,6 +33,7 @@ struct RaceResult {
   /// Stable equilibria found beside an unstable one (displacement as above); empty when the
   /// equilibrium is stable, or when nothing was found.
   std::vector<std::array<double, 5>> other_equilibria;
+  std::optional<LubricantFilms> films;  ///< with a lubricant, once computed (contact_films)
   int iterations = 0;
   double residual = 0.0;  ///< largest force residual over the load scale
   std::vector<std::string>

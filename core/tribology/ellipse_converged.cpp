@@ -203,8 +203,8 @@ EllipseTraction integrate(const Law& of_contacts, const EllipseGeometry& geometr
   const Kinematics kinematics(geometry, motion);
   result.max_slip = largest_slip(kinematics);
   const double p0 = 1.5 * geometry.Q / (std::numbers::pi * geometry.a * geometry.b);
-  const auto law = of_contacts.at(
-      ContactPoint<double>{geometry.Q, p0, geometry.a, geometry.b, motion.entrainment});
+  const auto law = of_contacts.at(ContactPoint<double>{
+      geometry.Q, p0, geometry.a, geometry.b, motion.entrainment, middle_slip(geometry, motion)});
   const Sizes sizes = typical_sizes(law, kinematics, p0);
   if (!(sizes.slip > 0.0)) return result;  // κ(0) means no force at exactly zero slip
   // A law of zero traction still needs the load-slip integral.

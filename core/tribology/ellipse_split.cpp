@@ -203,7 +203,8 @@ EllipseTraction ellipse_traction_split(const TractionLaw& law, const EllipseGeom
   demand(points >= 4 && points <= 40, "the split ellipse rule has 4 to 40 points per piece");
   if (!(geometry.Q > 0.0) || !(geometry.a > 0.0)) return {};
   const double peak = 1.5 * geometry.Q / (std::numbers::pi * geometry.a * geometry.b);
-  const ContactPoint<double> contact{geometry.Q, peak, geometry.a, geometry.b, motion.entrainment};
+  const ContactPoint<double> contact{
+      geometry.Q, peak, geometry.a, geometry.b, motion.entrainment, middle_slip(geometry, motion)};
   return law.visit([&](const auto& own) {
     return Integral(own.at(contact), own.kink(), peak, geometry, motion, points).run();
   });

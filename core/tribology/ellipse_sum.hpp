@@ -87,7 +87,7 @@ class EllipseSum {
         e_(contact),
         peak_pressure_(Law::kOfPressure ? peak_pressure(contact) : T(0.0)),
         law_{law.at(ContactPoint<T>{contact.load, peak_pressure(contact), contact.a, contact.b,
-                                    contact.motion.entrainment}),
+                                    contact.motion.entrainment, middle_slip(contact)}),
              floor},
         slip_scale_(slip_scale) {}
 
@@ -118,6 +118,11 @@ class EllipseSum {
   }
 
  private:
+  [[gnu::always_inline]] static T middle_slip(const EllipseContact<T>& e) {
+    const T h = e.surface.height(T(0.0));
+    const T along = e.motion.u_t - e.motion.W_c * h, across = e.motion.u_c + e.motion.W_t * h;
+    return ScalarMath<T>::root(along * along + across * across);
+  }
   [[gnu::always_inline]] static T peak_pressure(const EllipseContact<T>& e) {
     // Open contacts beside closed ones have no ellipse.
     return 1.5 * e.load / (std::numbers::pi * ScalarMath<T>::max(e.a * e.b, T(1e-30)));

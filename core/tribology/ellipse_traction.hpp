@@ -4,6 +4,7 @@
 #include "tribology/ellipse_sum.hpp"
 #include "tribology/traction_law.hpp"
 
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -45,6 +46,12 @@ struct EllipseGeometry {
     return h0 - xi * xi / (rho + ScalarMath<double>::root(rho * rho - xi * xi));
   }
 };
+
+/// Slip in the middle of the ellipse [m/s].
+[[nodiscard]] inline double middle_slip(const EllipseGeometry& g,
+                                        const EllipseKinematics& m) noexcept {
+  return std::hypot(m.u_c + m.W_t * g.h0, m.u_t - m.W_c * g.h0);
+}
 
 /// Radius of the deformed surface of a ball in a groove, 2 r_b R/(r_b + R) [m].
 [[nodiscard]] constexpr double surface_radius(double ball_radius, double groove_radius) noexcept {

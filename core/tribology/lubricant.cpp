@@ -192,7 +192,7 @@ const Lubricant& lubricant(int code) {
   return found->second;
 }
 
-Lubricant user_lubricant(const UserLubricant& given) {
+Lubricant user_lubricant(const bearing::UserLubricant& given) {
   Lubricant out;
   constexpr int kUserCode = 9;
   out.code = kUserCode;
@@ -208,6 +208,10 @@ Lubricant user_lubricant(const UserLubricant& given) {
   out.traction_decay = out.film_beta = given.traction_beta;
   out.provenance = "given";
   return out;
+}
+
+Lubricant lubricant_of(const bearing::Lubrication& lubrication) {
+  return lubrication.user ? user_lubricant(*lubrication.user) : lubricant(lubrication.code);
 }
 
 std::vector<int> lubricant_codes() {

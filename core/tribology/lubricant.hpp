@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bearing/lubrication.hpp"
 #include "tribology/viscosity.hpp"
 
 #include <string>
@@ -66,17 +67,11 @@ struct Lubricant {
   [[nodiscard]] double pressed_beta(double pressure, double T) const;
 };
 
-/// Records 10.4.1 and 10.4.4: type II for the inlet, type I for the traction, both at T0.
-struct UserLubricant {
-  std::string name;
-  double T0 = 0.0, viscosity = 0.0, alpha = 0.0, beta = 0.0;  ///< K, Pa s, 1/Pa, K
-  double conductivity = 0.0, density = 0.0, specific_heat = 0.0;
-  double traction_viscosity = 0.0, traction_alpha = 0.0, traction_beta = 0.0;  ///< Pa s, 1/Pa, 1/K
-};
-
 /// @throws InputError naming the codes of the table
 [[nodiscard]] const Lubricant& lubricant(int code);
-[[nodiscard]] Lubricant user_lubricant(const UserLubricant& given);
+[[nodiscard]] Lubricant user_lubricant(const bearing::UserLubricant& given);
+/// The lubricant of a deck: of the table, or the user's.
+[[nodiscard]] Lubricant lubricant_of(const bearing::Lubrication& lubrication);
 
 /// All codes of the table, ascending (9, the user's, is not among them).
 [[nodiscard]] std::vector<int> lubricant_codes();

@@ -19,6 +19,29 @@ TractionLaw::TractionLaw(const bearing::TractionCurve& c) noexcept {
   if (std::abs(at_rest) > kZeroCoefficient) floor_ = kRegularisationSlip * kRegularisationSlip;
 }
 
+TractionLaw::TractionLaw(const bearing::TractionCurve& metal, const HeatedFilm& film) noexcept
+    : TractionLaw(metal) {
+  if (const auto* slopes = std::get_if<TwoSlopeLaw>(&law_))
+    law_ = HeatedFilmLaw<TwoSlopeLaw>{*slopes, film};
+  else
+    law_ = HeatedFilmLaw<ExponentialLaw>{std::get<ExponentialLaw>(law_), film};
+}
+
+bool TractionLaw::has_film() const noexcept {
+  return visit([](const auto& law) {
+    return requires { law.film; };
+  });
+}
+
+double TractionLaw::film(const ContactPoint<double>& contact) const {
+  return visit([&](const auto& law) {
+    if constexpr (requires { law.film; })
+      return law.at(contact).thickness;
+    else
+      return 0.0;
+  });
+}
+
 const void* TractionLaw::address() const noexcept {
   return visit([](const auto& law) { return static_cast<const void*>(&law); });
 }

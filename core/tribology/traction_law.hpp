@@ -15,19 +15,23 @@ class TractionLaw {
  public:
   TractionLaw() = default;                                    ///< frictionless
   TractionLaw(const bearing::TractionCurve& curve) noexcept;  // NOLINT: a curve is a law
+  /// A lubricant's film, with the curve where it breaks down.
+  TractionLaw(const bearing::TractionCurve& metal, const HeatedFilm& film) noexcept;
 
   /// f(law) with the law's own type: once per block of contacts, not per contact.
   template <class F>
   decltype(auto) visit(F&& f) const {
     return std::visit(std::forward<F>(f), law_);
   }
-  /// f(RoundedLaw) of contacts of which the law needs to know nothing but `contact`; T double, or a
-  /// vector: one contact a lane.
+  /// f(RoundedLaw) of contacts without a film, of which the law needs to know nothing but
+  /// `contact`; T double, or a vector: one contact a lane. A law with a film gives that of its
+  /// metal contact.
   template <class T = double, class F>
   decltype(auto) visit_rounded(F&& f, const ContactPoint<T>& contact = {}) const {
     return std::visit(
         [&](const auto& law) {
-          return std::forward<F>(f)(RoundedLaw<decltype(law.at(contact))>{law.at(contact), floor_});
+          return std::forward<F>(f)(
+              RoundedLaw<decltype(dry(law).at(contact))>{dry(law).at(contact), floor_});
         },
         law_);
   }
@@ -46,6 +50,9 @@ class TractionLaw {
   /// 0 or C = 0.
   [[nodiscard]] double slip_scale() const noexcept;
   [[nodiscard]] double kink() const noexcept;
+  /// Has it a film? How thick is it in the middle of this contact [m]; 0 without.
+  [[nodiscard]] bool has_film() const noexcept;
+  [[nodiscard]] double film(const ContactPoint<double>& contact) const;
 
  private:
   TractionLawsIn<std::variant> law_;

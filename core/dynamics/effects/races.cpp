@@ -5,6 +5,7 @@
 #include "dynamics/effects/balls.hpp"
 #include "dynamics/effects/rigid_elements.hpp"
 #include "dynamics/rigid_body.hpp"
+#include "tribology/film_law.hpp"
 
 #include <fmt/format.h>
 
@@ -26,6 +27,26 @@ constexpr LedgerTerm kHeat{LedgerKind::Heat,
                            {"outer race contacts", "inner race contacts"},
                            "dissipated since the start"};
 constexpr const LedgerTerm* kTerms[] = {&kWork, &kHeat};
+
+/// The deck's curve, or its lubricant's film with the curve where it breaks down. Walls have the
+/// mean bulk temperature of race and ball for the run.
+tribology::TractionLaw race_law(const bearing::Bearing& bearing, const RaceContactModel& model,
+                                double contact_angle) {
+  if (!bearing.lubrication) return bearing.race_traction;
+  const auto j = static_cast<std::size_t>(model.race);
+  tribology::FilmSurface surface;
+  surface.radius =
+      1.0 /
+      contact::race_curvature(bearing.balls(), static_cast<int>(j), contact_angle).along_minor;
+  surface.k = model.hertz.a_hat / model.hertz.b_hat;
+  surface.modulus = 2.0 * model.effective_modulus;
+  surface.wall_temperature = 0.5 * (bearing.race_temperature[j] + bearing.element_temperature);
+  surface.race_speed = 0.5 * bearing.pitch_diameter() *
+                       std::max(std::abs(bearing.speed[0]), std::abs(bearing.speed[1]));
+  return {bearing.race_traction,
+          tribology::heated_film(tribology::lubricant_of(*bearing.lubrication),
+                                 *bearing.lubrication, surface)};
+}
 
 class RaceBlock final : public EffectBlock {
  public:
@@ -124,7 +145,7 @@ void Races::set_up_balls(const SceneBuilder& scene) {
                                             model.effective_modulus);
     model.shoulder_radius = 0.5 * scene.bearing.balls().shoulder_diameter[j];
     model.traction = scene.plan.has(Effect::RaceTraction);
-    model.law = scene.bearing.race_traction;
+    model.law = race_law(scene.bearing, model, scene.fixed_angle[j]);
     model.surface = scene.options.surface;
     model.rule = rule;
   }

@@ -11,9 +11,9 @@
 ///   double kink() const;    slip where κ bends, for integrals that are split there; 0: nowhere
 ///   double start() const;   slip over which κ rises from 0 (split ellipse rule); 0: none
 ///   double at_rest() const; κ(0); not 0: rounded over kRegularisationSlip (decision 042)
-/// in a file of its own, which includes nothing but this and base/scalar_math.hpp (race kernels see
-/// it), and a place in TractionLawList (traction_laws.hpp). That is all: kernels, converged
-/// integrals, slices and reports take it from there.
+/// in a file of its own, which includes nothing but this and base/scalar_math.hpp and
+/// scalar_log.hpp (race kernels see it), and a place in TractionLawList (traction_laws.hpp). That
+/// is all: kernels, converged integrals, slices and reports take it from there.
 namespace adore::tribology {
 
 template <class T>
@@ -23,6 +23,7 @@ struct ContactPoint {
   T half_major{}, half_minor{};  ///< a, b: across and along rolling [m]
   T entrainment{};  ///< mean speed of both surfaces along the rolling direction, relative to the
                     ///< contact [m/s]; signed
+  T slip{};         ///< in the middle of the contact [m/s], >= 0
 };
 
 }  // namespace adore::tribology

@@ -290,6 +290,11 @@ TEST_CASE("Fits, growth, operating clearance, units and property tables", "[vali
     expect_covered(name);
 }
 
+TEST_CASE("Thermal networks, convection and thermal steps", "[validation]") {
+  expect_covered("thermal_network");
+  expect_covered("thermal_steps");
+}
+
 TEST_CASE("Films, viscosity, hydrodynamics and churning", "[validation]") {
   for (const char* name :
        {"tribology_film", "tribology_thermalFactor", "tribology_starvation", "tribology_viscosity",

@@ -1,0 +1,90 @@
+#include "listing/print_films.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace adore::listing {
+namespace {
+
+constexpr std::array<const char*, 2> kRaceName{"outer", "inner"};
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+std::string certainty(const std::string& provenance) {
+  if (provenance == "given") return "the deck's own";
+  if (provenance == "seen") return "from a public source";
+  if (provenance == "recalled") return "at least one recalled, not seen";
+  return "AT LEAST ONE AN ESTIMATE of the lubricant's class, not a measured value";
+}
+
+}  // namespace
+
+void print_films(Report& report, const statics::LubricantFilms& films, const std::string& element) {
+  report.heading("Lubricant films");
+  report.item("Lubricant", films.lubricant);
+  report.item("Its constants", certainty(films.provenance));
+  for (std::size_t j = 0; j < 2; ++j) {
+    const std::string at = fmt::format("at the inlet of the {} race", kRaceName[j]);
+    report.item("Temperature " + at, films.temperature[j], unit::kTemperature);
+    report.item("Viscosity " + at, films.viscosity[j], unit::kViscosity);
+    report.item("Pressure-viscosity coefficient " + at, films.alpha[j], unit::kPerStress);
+  }
+  report.item("Critical film, below which contacts count as metallic", films.critical_film,
+              unit::kLength);
+  report.item("Meniscus before the contact over its half width", films.meniscus, unit::kPure);
+  std::vector<Report::Row> rows;
+  for (std::size_t k = 0; k < films.race[0].size(); ++k) {
+    Report::Row row{std::to_string(k + 1), {}};
+    for (const std::vector<statics::ElementFilm>& race : films.race) {
+      const statics::ElementFilm& f = race[k];
+      const bool film = f.film.isothermal > 0.0;
+      for (const double value :
+           {film ? f.film.central : kNone, film ? f.film.minimum : kNone,
+            film ? f.film.thermal : kNone, film ? f.film.starvation : kNone, f.lambda})
+        row.values.push_back(value);
+    }
+    rows.push_back(std::move(row));
+  }
+  report.text(
+      "Film in the middle and at its thinnest; factors of inlet heating (heat) and starvation "
+      "(starve) "
+      "in them; lambda: thinnest film over the composite roughness.");
+  report.table(element,
+               {{"film outer", &unit::kLength},
+                {"least outer", &unit::kLength},
+                {"heat", &unit::kPure},
+                {"starve", &unit::kPure},
+                {"lambda", &unit::kPure},
+                {"film inner", &unit::kLength},
+                {"least inner", &unit::kLength},
+                {"heat", &unit::kPure},
+                {"starve", &unit::kPure},
+                {"lambda", &unit::kPure}},
+               rows);
+  for (std::size_t j = 0; j < 2; ++j)
+    if (films.metal[j] > 0)
+      report.text(fmt::format(
+          "{} of the loaded contacts with the {} race have a film below the critical one: metal "
+          "contact.",
+          films.metal[j], kRaceName[j]));
+}
+
+void add_film_columns(results::StaticTable& elements, const statics::LubricantFilms& films) {
+  for (std::size_t j = 0; j < 2; ++j) {
+    const std::string race = fmt::format("{} ", kRaceName[j]);
+    std::vector<double> central, minimum, lambda;
+    for (const statics::ElementFilm& f : films.race[j]) {
+      const bool film = f.film.isothermal > 0.0;
+      central.push_back(film ? f.film.central : kNone);
+      minimum.push_back(film ? f.film.minimum : kNone);
+      lambda.push_back(f.lambda);
+    }
+    elements.add(race + "film", unit::kLength, std::move(central));
+    elements.add(race + "least film", unit::kLength, std::move(minimum));
+    elements.add(race + "film parameter", unit::kPure, std::move(lambda));
+  }
+}
+
+}  // namespace adore::listing
