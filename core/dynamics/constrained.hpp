@@ -2,6 +2,7 @@
 
 #include "base/rotation.hpp"
 #include "contact/groove.hpp"
+#include "contact/wavy_groove.hpp"
 
 #include <array>
 
@@ -22,6 +23,8 @@ using Mat2 = Eigen::Matrix2d;
 struct RacePose {
   Vec3 centre = Vec3::Zero();
   Vec3 axis = Vec3::UnitX();
+  Vec3 zero = Vec3::UnitZ();  ///< across the axis, where azimuths in the race begin now; read of
+                              ///< races that are not of revolution only
 };
 
 /// One ball/race contact at a ball position; vectors in the azimuth frame (e_x, e_r, e_θ) of the
@@ -31,7 +34,8 @@ struct GrooveContact {
   double load = 0.0;              ///< Q [N]
   double angle = 0.0;             ///< contact angle, 0 when open [rad]
   double energy = 0.0;            ///< V [J]
-  Vec3 normal = Vec3::Zero();     ///< n, from the ball towards the race
+  Vec3 normal = Vec3::Zero();     ///< n, from the ball towards the race; of a wavy race its leaning
+                                  ///< normal, longer than 1 by half the square of its slope
   Mat3 bending = Mat3::Zero();    ///< ∂n/∂p = ∂²l/∂p² [1/m]
   Mat3 stiffness = Mat3::Zero();  ///< ∂²V/∂p², symmetric, 0 when open [N/m]
 };
@@ -68,6 +72,8 @@ class ConstrainedBall {
                   double mass) noexcept
       : groove_(groove), K_(K), mass_(mass) {}
 
+  /// @param wavy imperfections of the races, null: none; outlive this
+  void set_wavy(const std::array<const contact::WavyGroove*, 2>& wavy) noexcept { wavy_ = wavy; }
   [[nodiscard]] double mass() const noexcept { return mass_; }
   /// Radius of the ball circle between the unloaded grooves, for a first guess [m].
   [[nodiscard]] double mid_radius() const noexcept {
@@ -79,6 +85,10 @@ class ConstrainedBall {
   /// @param pose in the azimuth frame of the ball; place x and r of its centre
   [[nodiscard]] GrooveContact contact_with(int race, const RacePose& pose,
                                            const Vec2& place) const noexcept;
+  /// The same with a wavy race. @param per_turn change of the force on the ball, -Q n, with the
+  /// turn of the race about its axis [N/rad]
+  [[nodiscard]] GrooveContact wavy_contact(int race, const RacePose& pose, const Vec2& place,
+                                           Vec3& per_turn) const noexcept;
   /// The balance at a given place, not solved for. `force` acts on (x, r).
   [[nodiscard]] BallBalance evaluate(const std::array<RacePose, 2>& races, double theta,
                                      const Orbit& orbit, const Vec2& force,
@@ -102,6 +112,7 @@ class ConstrainedBall {
   contact::GrooveGeometry groove_;
   std::array<double, 2> K_;
   double mass_;
+  std::array<const contact::WavyGroove*, 2> wavy_{};
 };
 
 /// Derivatives of the solved (x, r); each column or vector is -(∂G/∂(x,r))⁻¹ ∂G/∂(...). Directions

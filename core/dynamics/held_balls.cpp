@@ -14,6 +14,10 @@ namespace {
 constexpr double kNoStiffness = 1e-6;
 
 /// Pose of a race in the azimuth frame of ball i.
+RacePose seen_by(const Evaluation& e, std::size_t i, const RacePose& pose) noexcept {
+  return {e.to_cylindrical(i, pose.centre), e.to_cylindrical(i, pose.axis),
+          e.to_cylindrical(i, pose.zero)};
+}
 RacePose seen_by(const Evaluation& e, std::size_t i, const RaceBody& race) noexcept {
   return {e.to_cylindrical(i, race.position), e.to_cylindrical(i, race.axis())};
 }
@@ -41,6 +45,10 @@ HeldBalls::HeldBalls(const Scene& scene, const ElementSlices& slices, std::size_
       r_dot_(balls, 0.0),
       residual_(balls, Vec2::Zero()),
       estimate_(balls) {
+  std::array<const contact::WavyGroove*, 2> wavy{};
+  for (std::size_t j = 0; j < 2; ++j)
+    if (scene.contacts[j].wavy) wavy[j] = &*scene.contacts[j].wavy;
+  ball_.set_wavy(wavy);
   list_.reserve(balls);
   for (auto& values : state_) values.assign(balls, 0.0);
   for (auto& values : action_) values.assign(balls, 0.0);
@@ -55,15 +63,20 @@ void HeldBalls::set(std::size_t i, bool held) {
     if (flags_[k] != 0) list_.push_back(k);
 }
 
+RacePose HeldBalls::pose(const Evaluation& e, std::size_t j) const noexcept {
+  const RaceBody& race = e.race[j];
+  if (!scene_.contacts[j].wavy) return {race.position, race.axis()};
+  return {race.position, race.axis(), race.motion().zero()};
+}
+
 std::array<RacePose, 2> HeldBalls::poses(const Evaluation& e) const noexcept {
-  return {RacePose{e.race[0].position, e.race[0].axis()},
-          RacePose{e.race[1].position, e.race[1].axis()}};
+  return {pose(e, 0), pose(e, 1)};
 }
 
 Vec2 HeldBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept {
   Vec2 force = Vec2::Zero();
   for (std::size_t j = 0; j < 2; ++j) {
-    const GrooveContact c = ball_.contact_with(static_cast<int>(j), seen_by(e, i, e.race[j]),
+    const GrooveContact c = ball_.contact_with(static_cast<int>(j), seen_by(e, i, pose(e, j)),
                                                {e.elements.x[i], e.elements.r[i]});
     force -= c.load * c.normal.head<2>();
   }
@@ -99,11 +112,15 @@ void HeldBalls::estimate(const Evaluation& e, std::size_t k) noexcept {
   est.normal_theta = 0.0;
   Mat3 stiffness = Mat3::Zero();  // of the contacts
   for (std::size_t j = 0; j < 2; ++j) {
+    const auto race = static_cast<int>(j);
     const GrooveContact c =
-        ball_.contact_with(static_cast<int>(j), seen_by(e, i, e.race[j]), {b.x[i], r});
+        scene_.contacts[j].wavy
+            ? ball_.wavy_contact(race, seen_by(e, i, pose(e, j)), {b.x[i], r}, est.race_turning[j])
+            : ball_.contact_with(race, seen_by(e, i, e.race[j]), {b.x[i], r});
     const Vec2 n = c.normal.head<2>();
     est.race_along[j] = Mat2::Identity() - n * n.transpose();
     est.race_stiffness[j] = c.stiffness;
+    if (scene_.contacts[j].wavy) est.race_turning[j] *= e.race[j].speed;
     est.normal_theta -= c.load * c.normal[2];
     stiffness += c.stiffness;
   }
@@ -141,8 +158,10 @@ void HeldBalls::first_rates(const Evaluation& e, std::size_t k) noexcept {
   const double td = e.elements.theta_dot[i], r = e.elements.r[i];
   const Vec3 orbit(0.0, 0.0, r * td);
   Vec3 drift = Vec3::Zero();  // change of the races' force at fixed x, r
-  for (std::size_t j = 0; j < 2; ++j)
+  for (std::size_t j = 0; j < 2; ++j) {
     drift += est.race_stiffness[j] * (e.to_cylindrical(i, e.race[j].velocity) - orbit);
+    if (scene_.contacts[j].wavy) drift += est.race_turning[j];
+  }
   // e_r turns with the ball: a fixed force changes its r component by F_θ θ̇.
   const Vec2 w = est.inverse * (drift.head<2>() + Vec2(0.0, est.normal_theta * td) +
                                 est.per_orbit * (r * est.normal_theta));
@@ -165,6 +184,7 @@ void HeldBalls::move_race(Evaluation& e) noexcept {
     stiffness += frame.transpose() * held * frame;
     const Vec3 velocity(x_dot_[i], r_dot_[i], e.elements.r[i] * e.elements.theta_dot[i]);
     drift += frame.transpose() * (S * velocity);
+    if (scene_.contacts[1].wavy) drift -= frame.transpose() * estimate_[k].race_turning[1];
   }
   scene_.race->estimate(stiffness, drift, scene_.mass * static_cast<double>(list_.size()));
   follow_race(e, scene_.race->velocity());

@@ -17,9 +17,9 @@
 /// of ẍ and r̈ its x and r follow the balance
 ///   G = (F_x, F_r + m r θ̇²) = 0,   F of all forces: races with friction, pocket, gravity,
 /// by first-order motion  (ẋ, ṙ) = w + (A + C)⁻¹ G(w),  where
-///   w = B⁻¹ (∂G/∂t along θ, L and the races): rates of the balance of race normals,
-///   B = -∂G/∂(x, r) of the normal forces at fixed L,  A = 2 √(m B),
-///   C = Q κ/u along the contact, summed over the contacts (friction force over slip speed).
+///   w = B⁻¹ (∂G/∂t along θ, L and the races and their waves): rates of the balance of race
+///   normals, B = -∂G/∂(x, r) of the normal forces at fixed L,  A = 2 √(m B), C = Q κ/u along the
+///   contact, summed over the contacts (friction force over slip speed).
 /// A departure from balance decays like that of a critically damped ball without inertia, at half
 /// its natural frequency: not faster than the ball itself would move, and without vibration; where
 /// friction is stronger than that, friction alone sets the rates. B is taken as
@@ -93,7 +93,9 @@ class HeldBalls {
     double normal_theta = 0.0;  ///< F_θ of the races' normal forces [N]
     Mat2 race_along[2];         ///< I - n nᵀ of each race contact in (x, r)
     Mat3 race_stiffness[2];     ///< of each race contact on (x, r, θ) directions [N/m]
+    Vec3 race_turning[2];       ///< change of its force as a wavy race turns [N/s]
   };
+  [[nodiscard]] RacePose pose(const Evaluation& e, std::size_t j) const noexcept;
   [[nodiscard]] std::array<RacePose, 2> poses(const Evaluation& e) const noexcept;
   void estimate(const Evaluation& e, std::size_t k) noexcept;
   void first_rates(const Evaluation& e, std::size_t k) noexcept;

@@ -3,6 +3,7 @@
 #include "bearing/bearing.hpp"
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
+#include "contact/wavy_groove.hpp"
 #include "dynamics/elements.hpp"
 #include "dynamics/scene.hpp"
 #include "tribology/ellipse_traction.hpp"
@@ -10,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 /// The hot path: all ball/race contacts of one race in one call, vectorised over the balls
 /// (structure of arrays).
@@ -20,6 +22,7 @@
 ///   (ball_race_motion.hpp), traction as in ellipse_traction.hpp
 ///   on the ball:  F = -Q n + F_c c + F_t t,  M = M_c c + M_t t + M_n n about its centre
 ///   on the race:  -Σ F,  about P_j: -Σ (d × F + M)
+/// A race that is not one of revolution: contact/wavy_groove.hpp; it has a kernel of its own.
 /// Source: tests/reference/dynamics_README.md ("Ball/race contact geometry", "Traction"). The
 /// traction power on ball and race together is -heat identically (also for the quadrature rule).
 /// Limits: r_ball > a (load_limit); ball centre off the race axis. At zero contact angle c is -e_x
@@ -34,15 +37,22 @@ struct RaceMotion {
   double speed = 0.0;            ///< Ω about its axis [rad/s]
   Vec3 velocity = Vec3::Zero();  ///< of P_j [m/s]
   Vec3 tilt = Vec3::Zero();      ///< part of the angular velocity across k: dk/dt = tilt × k
+  // Read of races that are not of revolution only.
+  Vec3 z = Vec3::UnitZ();  ///< across k, where azimuths in the race begin before it turned
+  double turn = 0.0;       ///< that the race has turned beyond z [rad]
+
+  /// Where azimuths in the race begin now.
+  [[nodiscard]] Vec3 zero() const noexcept;
 };
 
 /// Constants of the contacts with one race.
 struct RaceContactModel {
   bearing::Race race = bearing::kOuter;
   contact::GrooveGeometry groove;
-  contact::HertzConstants hertz;   ///< one constant per race: the load has a potential 0.4 K δ^2.5
-  double effective_modulus = 0.0;  ///< E* [Pa], reports only
-  double shoulder_radius = 0.0;    ///< of this race [m], reports only; 0 = not given
+  contact::HertzConstants hertz;  ///< one constant per race: the load has a potential 0.4 K δ^2.5
+  std::optional<contact::WavyGroove> wavy;  ///< imperfections of the race
+  double effective_modulus = 0.0;           ///< E* [Pa], reports only
+  double shoulder_radius = 0.0;             ///< of this race [m], reports only; 0 = not given
   bool traction = true;
   tribology::TractionLaw law;
   tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/wavy_groove.hpp"
 #include "tribology/ellipse_sum.hpp"
 
 #include <cstddef>
@@ -29,6 +30,8 @@ struct RaceKernelInput {
   double centre[3], axis[3], velocity[3], speed;
   bool tilts;
   double tilt[3];
+  const contact::WavyGroove* wavy;  ///< null: a race of revolution
+  double zero[3];                   ///< where azimuths in a wavy race begin
   // Balls and results (see race_contacts.hpp).
   std::size_t n;
   const double *x, *r, *sin_theta, *cos_theta, *x_dot, *r_dot, *theta_dot;

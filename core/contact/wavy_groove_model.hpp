@@ -1,0 +1,16 @@
+#pragma once
+
+#include "bearing/bearing.hpp"
+#include "contact/wavy_groove.hpp"
+
+namespace adore::contact {
+
+/// Of one race of a ball bearing that has errors. K, a and b over the curvature factor: polynomials
+/// through hertz_constants at Chebyshev's points, right to 1e-8 while the factor stays a tenth of
+/// (f - 1/2) away from 1/2.
+/// @param race 0 outer, 1 inner; fixed_angle contact angle of the curvature [rad]
+/// @throws InputError when the waves per turn are not whole numbers, or the ball does not fit
+[[nodiscard]] WavyGroove make_wavy_groove(const bearing::BallGeometry& balls, int race,
+                                          const bearing::RaceErrors& errors, double fixed_angle);
+
+}  // namespace adore::contact
