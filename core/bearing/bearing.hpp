@@ -3,6 +3,7 @@
 #include "bearing/fits.hpp"
 #include "bearing/imperfections.hpp"
 #include "bearing/material.hpp"
+#include "bearing/pocket_shape.hpp"
 #include "bearing/rollers.hpp"
 
 #include <Eigen/Core>
@@ -70,8 +71,6 @@ struct GuideLand {  ///< record 7.2.i
   double edge = 0.0;       ///< signed distance cage centre -> outer edge [m]
   double clearance = 0.0;  ///< diametral [m]
 };
-
-enum class PocketShape : unsigned char { Cylindrical, Spherical, Elongated, Rectangular, Conical };
 
 /// Inertia of one rigid body about its mass centre. Ideal shapes have their principal axes along
 /// the geometric ones and their mass centre in the geometric centre; records 6 and 7.7 may say

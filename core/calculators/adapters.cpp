@@ -8,6 +8,7 @@
 #include "calculators/static.hpp"
 #include "calculators/thermal.hpp"
 #include "calculators/traction.hpp"
+#include "calculators/tribology.hpp"
 
 namespace adore::calculators {
 
@@ -24,6 +25,8 @@ std::vector<Adapter> component_adapters() {
   add(roller_part_adapters());
   add(thermal_adapters());
   add(traction_adapters());
+  add(film_adapters());
+  add(hydrodynamic_adapters());
   add(life_adapters());
   return all;
 }

@@ -1,5 +1,6 @@
 #include "calculators/cage.hpp"
 
+#include "base/symmetric_eigen.hpp"
 #include "calculators/json_access.hpp"
 #include "contact/ball_pocket.hpp"
 #include "contact/cage_inertia.hpp"
@@ -7,7 +8,6 @@
 #include "contact/guide_land.hpp"
 #include "contact/roller_pocket.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -21,13 +21,7 @@ namespace {
 using bearing::PocketShape;
 
 std::optional<PocketShape> pocket_shape(const Json& inputs) {
-  const std::string name = inputs.at("shape").get<std::string>();
-  if (name == "cylindrical") return PocketShape::Cylindrical;
-  if (name == "spherical") return PocketShape::Spherical;
-  if (name == "elongated") return PocketShape::Elongated;
-  if (name == "rectangular") return PocketShape::Rectangular;
-  if (name == "conical") return PocketShape::Conical;
-  return std::nullopt;
+  return bearing::pocket_shape_of(inputs.at("shape").get<std::string>());
 }
 
 // ---- cage_pockets
@@ -358,7 +352,7 @@ std::optional<Json> inertia_case(const Json& the_case) {
   solid.cut_angle = in.value("cageAngCut_deg", 0.0) * kDegree;
   solid.cut_at_pocket = in.value("cut", "") == "pocket";
   const contact::SolidInertia result = contact::cage_solid_inertia(solid);
-  const Vec3 principal = Eigen::SelfAdjointEigenSolver<Mat3>(result.inertia).eigenvalues();
+  const Vec3 principal = symmetric_eigen<3>(result.inertia).values;
   return Json{{"volume", result.volume},
               {"mass", result.mass},
               {"mass_centre", json(result.mass_centre)},

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "base/scalar_math.hpp"
+
 #include <limits>
 
 /// Shape of a raceway for rollers as plain numbers: what race_surface.hpp states, for kernels too,
@@ -21,5 +23,24 @@ struct RaceSurface {
 
   [[nodiscard, gnu::always_inline]] double sigma() const noexcept { return side == 0 ? 1.0 : -1.0; }
 };
+
+/// Width of a slice of width w at x that lies on a land of width B about o: overlap of [x ± w/2]
+/// with [o ± B/2] [m]; of numbers or vectors. Continuous in x, so that the load stays continuous
+/// when a roller slides over the edge of the land [choice].
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T overlap_width(const T& x, const T& width,
+                                                         double land_offset, double land_width) {
+  using M = ScalarMath<T>;
+  const double high = land_offset + 0.5 * land_width, low = land_offset - 0.5 * land_width;
+  const T half = 0.5 * width;
+  return M::max(M::min(half, high - x) - M::max(-half, low - x), T(0.0));
+}
+
+/// Coordinate along the generator of a cone from mid contact, positive towards +x [m], of a contact
+/// point at x on its axis. Land limits are for cones and cylinders: grooves have none.
+template <class T>
+[[nodiscard, gnu::always_inline]] inline T land_coordinate(const RaceSurface& race, const T& x) {
+  return (x - race.mid_x) / race.cos_angle;
+}
 
 }  // namespace adore::contact

@@ -34,11 +34,13 @@ template <class T>
   return race.sigma() * (slope.angle * arm - slope.radius * race.cos_angle);
 }
 
-/// @param x of the slice along the land, low and high its ends, half of the slice's width
+/// Of overlap_width (race_surface.hpp) over the land's offset, where the slice touches the land.
 template <class T>
-[[nodiscard, gnu::always_inline]] inline T width_slope(const T& x, double low, double high,
-                                                       const T& half) {
+[[nodiscard, gnu::always_inline]] inline T width_slope(const T& x, const T& width,
+                                                       double land_offset, double land_width) {
   using M = ScalarMath<T>;
+  const double high = land_offset + 0.5 * land_width, low = land_offset - 0.5 * land_width;
+  const T half = 0.5 * width;
   return M::pick(high - x < half, T(1.0), T(0.0)) - M::pick(low - x > -half, T(1.0), T(0.0));
 }
 

@@ -48,25 +48,6 @@ struct RacePose {
   [[nodiscard]] Vec3 direction_back(const Vec3& v_race) const { return axes * v_race; }
 };
 
-/// Width of a slice of width w at x that lies on a land of width B about o: overlap of [x ± w/2]
-/// with [o ± B/2] [m]; of numbers or vectors. Continuous in x, so that the load stays continuous
-/// when a roller slides over the edge of the land [choice].
-template <class T>
-[[nodiscard, gnu::always_inline]] inline T overlap_width(const T& x, const T& width,
-                                                         double land_offset, double land_width) {
-  using M = ScalarMath<T>;
-  const double high = land_offset + 0.5 * land_width, low = land_offset - 0.5 * land_width;
-  const T half = 0.5 * width;
-  return M::max(M::min(half, high - x) - M::max(-half, low - x), T(0.0));
-}
-
-/// Coordinate along the generator of a cone from mid contact, positive towards +x [m], of a contact
-/// point at x on its axis. Land limits are for cones and cylinders: grooves have none.
-template <class T>
-[[nodiscard, gnu::always_inline]] inline T land_coordinate(const RaceSurface& race, const T& x) {
-  return (x - race.mid_x) / race.cos_angle;
-}
-
 /// Width of a slice on the land of the race, and its derivative over the land coordinate.
 struct LandWidth {
   double width = 0.0, slope = 0.0;

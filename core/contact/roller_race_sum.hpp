@@ -63,8 +63,6 @@ template <class T, class Traction, class Slope = std::nullptr_t>
   constexpr bool kWavy = !std::is_null_pointer_v<Slope>;
   constexpr double kOverPi = 0.31830988618379067154;
   const RaceSurface& surface = slices.race;
-  const double high = surface.land_offset + 0.5 * surface.land_width;
-  const double low = surface.land_offset - 0.5 * surface.land_width;
   RollerRaceSums<T> sum;
   T tan_chi = 0.0, last = 0.0;
   for (std::size_t k = 0; k < slices.count; k += Lanes::kSize) {
@@ -79,10 +77,10 @@ template <class T, class Traction, class Slope = std::nullptr_t>
     if (!M::any(d.at.depth > 0.0)) continue;
     [[maybe_unused]] T widens = 0.0;
     if (slices.limited) {
-      const T x = (d.X.x - surface.mid_x) / surface.cos_angle;
-      const T half = 0.5 * width;
-      if constexpr (kWavy) widens = width_slope(x, low, high, half) * slope.land_offset;
-      width = M::max(M::min(half, high - x) - M::max(-half, low - x), T(0.0));
+      const T x = land_coordinate(surface, d.X.x);
+      if constexpr (kWavy)
+        widens = width_slope(x, width, surface.land_offset, surface.land_width) * slope.land_offset;
+      width = overlap_width(x, width, surface.land_offset, surface.land_width);
     }
     const T delta = M::max(d.at.depth, T(0.0));
     const T Q = slice_secant(slices.law, width, delta) * delta;

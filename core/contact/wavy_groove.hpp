@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/angle_law.hpp"
 #include "contact/ball_groove.hpp"
 #include "contact/race_wave.hpp"
 
@@ -7,8 +8,9 @@
 /// contact/ball_groove.hpp states, with a groove whose bottom, radius and place follow the azimuth
 /// ψ of the ball in the race. SI.
 ///
-/// ξ, η and s of ball_groove.hpp change with ψ, so does K = K_nominal k(ψ) (the curvature that it
-/// comes from follows the groove radius). One potential V = 0.4 K(ψ) δ^2.5, δ = l - s:
+/// ξ, η and s of ball_groove.hpp change with ψ, so does K = K_nominal k(ψ), K_nominal fixed or
+/// after contact/angle_law.hpp (the curvature that it comes from follows the groove radius). One
+/// potential V = 0.4 K(ψ) δ^2.5, δ = l - s:
 ///   Q = K δ^1.5,  D = ∂δ/∂ψ = -n_k x' - n_e Rc' - s' of the groove's change (race_wave.hpp)
 ///   force on the ball  -Q n - (Q/R) (D + 0.4 δ k'/k) t,   the opposite on the race:
 /// the normal leans by R'/r against the direction of growing ψ, t. Its power on ball and race is
@@ -22,7 +24,7 @@ struct WavyGroove {
   RaceForm form;
   double curvature_diameter = 0.0;        ///< D of the ball [m]
   double normal_x = 0.0, normal_r = 1.0;  ///< n of the nominal contact
-  static constexpr int kTerms = 10;
+  static constexpr int kTerms = AngleLaw::kTerms;
   // Over those of the nominal groove, polynomials in (change of f)/(largest change): Hertz's K, and
   // the half axes of the ellipse at one approach.
   bool varying = false;     ///< the curvature changes
@@ -57,18 +59,11 @@ template <class T>
   out.turn = -out.touch.n_k * slope.x - out.touch.n_e * slope.centre_radius - slope.radius;
   if (groove.varying) {
     const T w = e.curvature_factor * groove.per_factor;
-    T k = groove.stiffness[WavyGroove::kTerms - 1], slope_k = 0.0;
-    T major = groove.major[WavyGroove::kTerms - 1], minor = groove.minor[WavyGroove::kTerms - 1];
-    for (int i = WavyGroove::kTerms - 2; i >= 0; --i) {
-      slope_k = slope_k * w + k;
-      k = k * w + groove.stiffness[i];
-      major = major * w + groove.major[i];
-      minor = minor * w + groove.minor[i];
-    }
-    out.stiffness = k;
-    out.log_stiffness_slope = slope_k * (e.curvature_factor_slope * groove.per_factor) / k;
-    out.major = major;
-    out.minor = minor;
+    const PolynomialValue<T> k = polynomial_with_slope(groove.stiffness, w);
+    out.stiffness = k.value;
+    out.log_stiffness_slope = k.slope * (e.curvature_factor_slope * groove.per_factor) / k.value;
+    out.major = polynomial(groove.major, w);
+    out.minor = polynomial(groove.minor, w);
   }
   return out;
 }

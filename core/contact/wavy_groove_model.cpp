@@ -1,16 +1,13 @@
 #include "contact/wavy_groove_model.hpp"
 
-#include "base/errors.hpp"
+#include "base/chebyshev.hpp"
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
 #include "contact/race_errors.hpp"
 
-#include <Eigen/LU>
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <vector>
 
 namespace adore::contact {
 namespace {
@@ -23,27 +20,25 @@ std::array<double, 3> ratios(const HertzConstants& here, const HertzConstants& n
 
 void fit_constants(const bearing::BallGeometry& balls, int race, double amplitude, double angle,
                    WavyGroove& out) {
-  constexpr int n = WavyGroove::kTerms;
+  constexpr std::size_t kPoints = 24;
   const auto constants = [&](double change) {
     bearing::BallGeometry here = balls;
     here.groove_factor[static_cast<std::size_t>(race)] += change;
     return hertz_constants(race_curvature(here, race, angle), 1.0);
   };
   const HertzConstants nominal = constants(0.0);
-  Eigen::Matrix<double, n, n> powers;
-  Eigen::Matrix<double, n, 3> values;
-  for (int i = 0; i < n; ++i) {
-    // One point at 0, so that the nominal groove has the ratios 1 exactly.
-    const double w = i == 0 ? 0.0 : std::cos(std::numbers::pi * (i - 0.5) / (n - 1));
-    for (int k = 0; k < n; ++k) powers(i, k) = std::pow(w, k);
+  std::array<std::vector<double>, 3> values;
+  for (const double w : chebyshev_points(kPoints)) {
     const auto at = ratios(constants(w * amplitude), nominal);
-    for (int q = 0; q < 3; ++q) values(i, q) = at[static_cast<std::size_t>(q)];
+    for (std::size_t q = 0; q < 3; ++q) values[q].push_back(at[q]);
   }
-  const Eigen::Matrix<double, n, 3> c = powers.fullPivLu().solve(values);
-  for (int k = 0; k < n; ++k) {
-    out.stiffness[k] = c(k, 0);
-    out.major[k] = c(k, 1);
-    out.minor[k] = c(k, 2);
+  double* const targets[] = {out.stiffness, out.major, out.minor};
+  for (std::size_t q = 0; q < 3; ++q) {
+    std::vector<double> series = chebyshev_coefficients(values[q]);
+    series.resize(WavyGroove::kTerms, 0.0);
+    const std::vector<double> powers = powers_of_chebyshev(series);
+    // The nominal groove has the ratio 1.
+    for (std::size_t k = 0; k < powers.size(); ++k) targets[q][k] = powers[k] / powers[0];
   }
 }
 

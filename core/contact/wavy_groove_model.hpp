@@ -6,7 +6,7 @@
 namespace adore::contact {
 
 /// Of one race of a ball bearing that has errors. K, a and b over the curvature factor: polynomials
-/// through hertz_constants at Chebyshev's points, right to 1e-8 while the factor stays a tenth of
+/// after hertz_constants, right to 1e-8 while the factor stays a tenth of
 /// (f - 1/2) away from 1/2.
 /// @param race 0 outer, 1 inner; fixed_angle contact angle of the curvature [rad]
 /// @throws InputError when the waves per turn are not whole numbers, or the ball does not fit

@@ -10,6 +10,7 @@
 namespace adore::drawing {
 namespace {
 
+using bearing::PocketShape;
 using deck::Deck;
 
 void draw_ball(const Deck& deck, const OutlineModel& m, Pane& pane) {
@@ -142,11 +143,11 @@ Shape pocket_hole(const OutlineModel& m, double z, Shape::Style style) {
   hole.name = "pocket";
   hole.shows = {"kPocType", "bPocCls1", "bPocCls2"};
   const double around = pocket_half_around(m, z), axial = pocket_half_axial(m, z);
-  if (m.rollers || m.cage->pocket_code == 3) {
+  if (m.rollers || m.cage->pocket == PocketShape::Rectangular) {
     Path path = rectangle(-around, -axial, around, axial);
     path.push_back(path.front());
     hole.paths.push_back(std::move(path));
-  } else if (m.cage->pocket_code == 2 && around > axial) {
+  } else if (m.cage->pocket == PocketShape::Elongated && around > axial) {
     Path path = arc({around - axial, 0.0}, axial, -0.25 * kTurn, 0.25 * kTurn);
     append(path, arc({axial - around, 0.0}, axial, 0.25 * kTurn, 0.75 * kTurn));
     path.push_back(path.front());
@@ -171,7 +172,7 @@ Pane pocket_from_outside(const Deck& deck, const OutlineModel& m, Point push) {
   wall.shows.clear();
   wall.paths.push_back(rectangle(-wide, -half, wide, half));
   pane.shapes.push_back(std::move(wall));
-  if (!m.rollers && (cage.pocket_code == 4 || cage.pocket_code == 1))
+  if (cage.pocket == PocketShape::Conical || cage.pocket == PocketShape::Spherical)
     for (const double z : {low, top})
       pane.shapes.push_back(pocket_hole(m, z, Shape::Style::Dashed));
   Shape element;
@@ -192,18 +193,18 @@ Pane pocket_from_outside(const Deck& deck, const OutlineModel& m, Point push) {
   const double axial = pocket_half_axial(m, 0.0);
   const double edge = pocket_half_around(m, 0.0);
   put.across("bReDia", push.x - r, push.x + r, 0.0, {push.x - r, 0.0}, {push.x + r, 0.0});
-  if (cage.pocket_code == 2 && !m.rollers) {
+  if (cage.pocket == PocketShape::Elongated) {
     put.upright("bPocCls1", push.y + r, axial, 0.0, {0.0, push.y + r}, {0.0, axial});
     const double c = 0.5 * cage.pocket_clearance_2;
     put.across("bPocCls2", -c, c, -half - step, {-c, 0.0}, {c, 0.0});
-  } else if (cage.pocket_code == 4 && !m.rollers) {
+  } else if (cage.pocket == PocketShape::Conical) {
     const double inner = pocket_half_axial(m, low), outer = pocket_half_axial(m, top);
     put.leader("bPocCls1", {0.8 * wide, -half - step}, {0.7071 * inner, -0.7071 * inner});
     put.leader("bPocCls2", {0.8 * wide, half + step}, {0.7071 * outer, 0.7071 * outer});
   } else {
     put.across("bPocCls1", push.x + r, edge, 0.25 * axial, {push.x + r, 0.25 * axial},
                {edge, 0.25 * axial});
-    if (cage.pocket_code == 3 && !m.rollers)
+    if (cage.pocket == PocketShape::Rectangular && !m.rollers)
       put.upright("bPocCls2", push.y + r, axial, 0.0, {0.0, push.y + r}, {0.0, axial});
     else  // it has no meaning for this shape
       put.note("bPocCls2", {0.8 * wide, half + step}, {0.0, axial});
@@ -247,8 +248,7 @@ Pane pocket_across(const Deck& deck, const OutlineModel& m, Point push) {
   put.note("bPocThknsVar", {1.2 * widest, top + 0.15 * m.diameter}, {1.2 * widest, top});
   for (const char* name : {"bPocAngVar1", "bPocAngVar2", "bPocAngVar3", "bPocCenVar2"})
     put.note(name, {-0.8 * widest, top + 0.2 * m.diameter}, {0.0, 0.0});
-  if (!m.rollers || cage.pocket_code < 1) return pane;
-  for (int i = 1; i <= std::min(cage.pocket_code, 3); ++i) {
+  for (int i = 1; i <= cage.face_pairs; ++i) {
     const auto value = [&](const char* name) { return value_or_zero(deck, name, i); };
     const double angle = value("bPocGsAng1"), half = 0.5 * value("bPocGsLen1");
     const double y = value("bPocGsCen2"), z = value("bPocGsCen3");
@@ -304,7 +304,8 @@ Drawing draw_pocket(const Deck& deck) {
   const double wall = pocket_half_around(m, 0.0) - 0.5 * m.diameter;
   const Point push{-std::max(wall, 0.0),
                    m.rollers ? 0.0
-                             : -std::max(m.cage->pocket_code == 2 || m.cage->pocket_code == 3
+                             : -std::max(m.cage->pocket == PocketShape::Elongated ||
+                                                 m.cage->pocket == PocketShape::Rectangular
                                              ? pocket_half_axial(m, 0.0) - 0.5 * m.diameter
                                              : 0.0,
                                          0.0)};

@@ -144,7 +144,8 @@ std::optional<OutlineCage> outline_cage(const Deck& deck) {
     return {};
   if (std::abs(cage.cone_angle) > 1.0) cage.cone_angle = 0.0;
   cage.cut = value_or_zero(deck, "cageAngCut");
-  cage.pocket_code = static_cast<int>(deck.integer("kPocType"));
+  if (deck.integer("kBrg") != 1)
+    cage.face_pairs = static_cast<int>(std::clamp(deck.integer("kPocType"), 0LL, 3LL));
   cage.segments = static_cast<int>(std::min(deck.integer("nCseg"), 1000LL));
   return cage;
 }

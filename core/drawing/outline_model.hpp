@@ -15,7 +15,7 @@ namespace adore::drawing {
 
 struct OutlineCage : bearing::Cage {  ///< outer and inner diameter and width > 0
   double cut = 0.0;                   ///< angle between segments [rad]
-  int pocket_code = 0, segments = 1;  ///< kPocType, nCseg
+  int face_pairs = 0, segments = 1;   ///< guide faces of a roller's pocket; nCseg
   /// Radius at x: cones narrow towards +x.
   [[nodiscard]] double outer_radius(double x) const {
     return 0.5 * outer_diameter - x * std::tan(cone_angle);

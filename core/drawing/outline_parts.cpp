@@ -6,6 +6,8 @@
 namespace adore::drawing {
 namespace {
 
+using bearing::PocketShape;
+
 constexpr int kRacewayParts = 48;
 constexpr double kSmallestPocket = 0.05;  // of the element diameter: what is still drawn
 
@@ -102,12 +104,12 @@ double axial_half(const OutlineModel& m, double z) {
   const OutlineCage& cage = *m.cage;
   const double radius = 0.5 * (m.diameter + cage.pocket_clearance_1);
   if (m.rollers) return 0.5 * m.length;
-  switch (cage.pocket_code) {
-    case 1:
+  switch (cage.pocket) {
+    case PocketShape::Spherical:
       return std::sqrt(std::max(radius * radius - z * z, 0.0));
-    case 3:
+    case PocketShape::Rectangular:
       return 0.5 * (m.diameter + cage.pocket_clearance_2);
-    case 4: {
+    case PocketShape::Conical: {
       const double low = 0.5 * (cage.inner_diameter - m.pitch),
                    high = 0.5 * (cage.outer_diameter - m.pitch);
       const double t = (z - low) / (high - low);
@@ -123,13 +125,14 @@ double around_half(const OutlineModel& m, double z) {
   const OutlineCage& cage = *m.cage;
   if (m.rollers) {
     const double radius = 0.5 * (m.diameter + cage.pocket_clearance_1);
-    if (cage.pocket_code == -1) return std::sqrt(std::max(radius * radius - z * z, 0.0));
+    if (cage.pocket == PocketShape::Cylindrical)
+      return std::sqrt(std::max(radius * radius - z * z, 0.0));
     return radius;
   }
-  if (cage.pocket_code == 2)
+  if (cage.pocket == PocketShape::Elongated)
     return 0.5 * (m.diameter + cage.pocket_clearance_1) +
            0.5 * std::max(cage.pocket_clearance_2, 0.0);
-  if (cage.pocket_code == 3) return 0.5 * (m.diameter + cage.pocket_clearance_1);
+  if (cage.pocket == PocketShape::Rectangular) return 0.5 * (m.diameter + cage.pocket_clearance_1);
   return axial_half(m, z);
 }
 

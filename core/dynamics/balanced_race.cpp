@@ -1,6 +1,6 @@
 #include "dynamics/balanced_race.hpp"
 
-#include <Eigen/Eigenvalues>
+#include "base/symmetric_eigen.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,13 +15,13 @@ void BalancedRace::estimate(const Mat3& stiffness, const Vec3& drift,
       K.row(k).setZero();
       K.col(k).setZero();
     }
-  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(K);
-  const double largest = eigen.eigenvalues()[2];
+  const SymmetricEigen<3> eigen = symmetric_eigen<3>(K);
+  const double largest = eigen.values[2];
   inverse_.setZero();
   for (int k = 0; k < 3; ++k) {
-    const double value = eigen.eigenvalues()[k];
+    const double value = eigen.values[k];
     if (!(value > 1e-9 * largest)) continue;
-    inverse_ += eigen.eigenvectors().col(k) * eigen.eigenvectors().col(k).transpose() / value;
+    inverse_ += eigen.vectors.col(k) * eigen.vectors.col(k).transpose() / value;
   }
   velocity_ = inverse_ * drift;
   rate_ = 0.5 * std::sqrt(std::max(K.trace(), 0.0) / (3.0 * element_mass));

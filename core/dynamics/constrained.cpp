@@ -1,11 +1,11 @@
 #include "dynamics/constrained.hpp"
 
 #include "base/errors.hpp"
+#include "base/symmetric_eigen.hpp"
 #include "contact/hertz.hpp"
 #include "dynamics/stiff_inverse.hpp"
 #include "statics/dual.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 
 namespace adore::dynamics {
@@ -46,13 +46,28 @@ GrooveContact ConstrainedBall::contact_with(int race, const RacePose& pose,
   const double around = place.lift / place.distance;
   c.bending = (side * side.transpose() + around * t * t.transpose()) / touch.length;
   if (!(c.approach > 0.0)) return c;
-  c.load = adore::contact::hertz_load(K_[j], c.approach);
+  const adore::contact::AngleStiffness hertz =
+      law_[j].follows ? adore::contact::angle_stiffness(law_[j], touch.n_e)
+                      : adore::contact::AngleStiffness{K_[j]};
+  const double root = std::sqrt(c.approach), l = touch.length;
+  c.load = adore::contact::point_load(hertz.K, c.approach, root);
   c.energy = adore::contact::point_energy(c.load, c.approach);
   c.angle = adore::contact::contact_angle(race, touch.n_k, touch.n_e);
   const adore::contact::PointStiffness s =
-      adore::contact::point_stiffness(K_[j], c.approach, c.load, touch.length, around);
+      adore::contact::point_stiffness(hertz.K, c.approach, c.load, l, around);
   c.stiffness = s.normal * c.normal * c.normal.transpose() + s.across * side * side.transpose() +
                 s.around * t * t.transpose();
+  c.force = -c.load * c.normal;
+  if (!law_[j].follows) return c;
+  const double lean = adore::contact::leaning_force(hertz.slope, c.approach, root, touch.n_k, l);
+  const double rest = c.approach * root;  // δ^1.5
+  const double coupling = hertz.slope * touch.n_k * rest / l * (1.0 - 0.4 * c.approach / l);
+  const double across = 0.4 * (hertz.bend * touch.n_k * touch.n_k - hertz.slope * touch.n_e) *
+                        rest * c.approach / (l * l);
+  c.force += lean * side;
+  c.stiffness += coupling * (c.normal * side.transpose() + side * c.normal.transpose()) +
+                 across * side * side.transpose() -
+                 lean * touch.n_k / place.distance * t * t.transpose();
   return c;
 }
 
@@ -73,8 +88,7 @@ GrooveContact ConstrainedBall::wavy_contact(int race, const RacePose& pose, cons
                                                  place.axial, place.lift, groove_.offset[j]);
   const con::GrooveTouch<D>& touch = wavy.touch;
   const Triple<D> t = cross(k, place.e);
-  const D push = con::wavy_push(wavy, touch.approach, place.distance);
-  const Triple<D> n = touch.n_k * k + touch.n_e * place.e - push * t;
+  const Triple<D> n = touch.n_k * k + touch.n_e * place.e;
 
   GrooveContact c;
   const auto split = [](const Triple<D>& v, Vec3& value, Mat3& over_place, Vec3& over_turn) {
@@ -91,14 +105,19 @@ GrooveContact ConstrainedBall::wavy_contact(int race, const RacePose& pose, cons
   split(n, c.normal, c.bending, per_turn);
   per_turn.setZero();
   if (!(c.approach > 0.0)) return c;
-  const D load =
-      con::point_load(K_[j] * wavy.stiffness, touch.approach, statics::square_root(touch.approach));
+  const D root = statics::square_root(touch.approach);
+  con::PolynomialValue<D> K{D(K_[j]), D(0.0)};
+  if (law_[j].follows) K = con::polynomial_with_slope(law_[j].K, touch.n_e);
+  const D load = con::point_load(K.value * wavy.stiffness, touch.approach, root);
+  const D across =
+      con::leaning_force(K.slope * wavy.stiffness, touch.approach, root, touch.n_k, touch.length);
+  const D push = load * con::wavy_push(wavy, touch.approach, place.distance);
   c.load = load.v;
   c.energy = con::point_energy(c.load, c.approach);
   c.angle = con::contact_angle(race, touch.n_k.v, touch.n_e.v);
-  Vec3 pull = Vec3::Zero();
-  split(load * n, pull, c.stiffness, per_turn);
-  per_turn *= -1.0;
+  const Triple<D> force = push * t - load * n + across * cross(t, n);
+  split(force, c.force, c.stiffness, per_turn);
+  c.stiffness *= -1.0;
   return c;
 }
 
@@ -117,7 +136,7 @@ BallBalance ConstrainedBall::evaluate(const std::array<RacePose, 2>& races, doub
   Mat3 stiffness = Mat3::Zero();
   for (std::size_t j = 0; j < 2; ++j) {
     b.contact[j] = contact_with(static_cast<int>(j), in_frame(frame, races[j]), x_r);
-    contact_force -= b.contact[j].load * b.contact[j].normal;
+    contact_force += b.contact[j].force;
     stiffness += b.contact[j].stiffness;
     b.potential += b.contact[j].energy;
   }
@@ -186,12 +205,12 @@ BallBalance ConstrainedBall::solve(const std::array<RacePose, 2>& races, double 
 
     const double largest = std::max({b.contact[0].approach, b.contact[1].approach, 0.0});
     const double limit = std::max(3.0 * largest, 0.02 * groove_.offset[0]);
-    const Eigen::SelfAdjointEigenSolver<Mat2> eigen(b.stiffness);
+    const SymmetricEigen<2> eigen = symmetric_eigen<2>(b.stiffness);
     Vec2 step = Vec2::Zero();
     for (int k = 0; k < 2; ++k) {
-      const Vec2 direction = eigen.eigenvectors().col(k);
-      step += direction * direction.dot(b.residual) /
-              std::max(std::abs(eigen.eigenvalues()[k]), kNoStiffness);
+      const Vec2 direction = eigen.vectors.col(k);
+      step +=
+          direction * direction.dot(b.residual) / std::max(std::abs(eigen.values[k]), kNoStiffness);
     }
     if (step.norm() > limit) step *= limit / step.norm();
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/rotation.hpp"
+#include "contact/angle_law.hpp"
 #include "contact/groove.hpp"
 #include "contact/wavy_groove.hpp"
 
@@ -10,7 +11,8 @@
 /// at every instant while its orbit stays dynamic (mode 1, light-load balance), races in balance
 /// (mode 2), suppressed accelerations (kDOF). SI, rad, base axes; G = force balance in x and r.
 ///
-/// Contact with race j: contact/ball_groove.hpp, K fixed, so the contact has a potential V.
+/// Contact with race j: contact/ball_groove.hpp, K fixed or following the contact angle
+/// (contact/angle_law.hpp): it has a potential V.
 /// Balance at azimuth θ: G = (F_x - V_x, F_r - V_r + centrifugal(r)) = 0, and everything implicit
 /// follows from ∂G/∂(x, r).
 /// Limits: frictionless normal contacts plus given forces; ball centre off the race axis.
@@ -34,8 +36,8 @@ struct GrooveContact {
   double load = 0.0;              ///< Q [N]
   double angle = 0.0;             ///< contact angle, 0 when open [rad]
   double energy = 0.0;            ///< V [J]
-  Vec3 normal = Vec3::Zero();     ///< n, from the ball towards the race; of a wavy race its leaning
-                                  ///< normal, longer than 1 by half the square of its slope
+  Vec3 force = Vec3::Zero();      ///< -∂V/∂p on the ball [N]
+  Vec3 normal = Vec3::Zero();     ///< n, from the ball towards the race
   Mat3 bending = Mat3::Zero();    ///< ∂n/∂p = ∂²l/∂p² [1/m]
   Mat3 stiffness = Mat3::Zero();  ///< ∂²V/∂p², symmetric, 0 when open [N/m]
 };
@@ -67,10 +69,11 @@ struct BallBalance {
 /// A ball between its two races.
 class ConstrainedBall {
  public:
-  /// @param K Hertz constants [N m^-1.5], outer and inner
+  /// @param K Hertz constants [N m^-1.5], outer and inner; where `law` follows the contact angle,
+  /// of a scale only
   ConstrainedBall(const contact::GrooveGeometry& groove, const std::array<double, 2>& K,
-                  double mass) noexcept
-      : groove_(groove), K_(K), mass_(mass) {}
+                  double mass, const std::array<contact::AngleLaw, 2>& law = {}) noexcept
+      : groove_(groove), K_(K), law_(law), mass_(mass) {}
 
   /// @param wavy imperfections of the races, null: none; outlive this
   void set_wavy(const std::array<const contact::WavyGroove*, 2>& wavy) noexcept { wavy_ = wavy; }
@@ -111,6 +114,7 @@ class ConstrainedBall {
 
   contact::GrooveGeometry groove_;
   std::array<double, 2> K_;
+  std::array<contact::AngleLaw, 2> law_;
   double mass_;
   std::array<const contact::WavyGroove*, 2> wavy_{};
 };

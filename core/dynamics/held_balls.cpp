@@ -38,7 +38,7 @@ HeldBalls::HeldBalls(const Scene& scene, const ElementSlices& slices, std::size_
     : scene_(scene),
       slices_(slices),
       ball_(scene.contacts[0].groove, {scene.contacts[0].hertz.K, scene.contacts[1].hertz.K},
-            scene.mass),
+            scene.mass, {scene.contacts[0].angle, scene.contacts[1].angle}),
       offset_(std::min(scene.contacts[0].groove.offset[0], scene.contacts[0].groove.offset[1])),
       flags_(balls, 0),
       x_dot_(balls, 0.0),
@@ -78,7 +78,7 @@ Vec2 HeldBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept 
   for (std::size_t j = 0; j < 2; ++j) {
     const GrooveContact c = ball_.contact_with(static_cast<int>(j), seen_by(e, i, pose(e, j)),
                                                {e.elements.x[i], e.elements.r[i]});
-    force -= c.load * c.normal.head<2>();
+    force += c.force.head<2>();
   }
   return force;
 }
@@ -121,7 +121,7 @@ void HeldBalls::estimate(const Evaluation& e, std::size_t k) noexcept {
     est.race_along[j] = Mat2::Identity() - n * n.transpose();
     est.race_stiffness[j] = c.stiffness;
     if (scene_.contacts[j].wavy) est.race_turning[j] *= e.race[j].speed;
-    est.normal_theta -= c.load * c.normal[2];
+    est.normal_theta += c.force[2];
     stiffness += c.stiffness;
   }
   const contact::WallPoints walls = pocket_walls(i);

@@ -65,7 +65,7 @@ bool update_race(const Mode2Balls& set, const Vec5& q, Mode2Race& state, double 
     element.known = true;
     const GrooveContact& inner = b.contact[1];
     const Mat3 frame = azimuth_frame(theta);
-    state.load.head<3>() -= frame.transpose() * (inner.load * inner.normal);
+    state.load.head<3>() += frame.transpose() * inner.force;
     state.stiffness.topLeftCorner<3, 3>() +=
         frame.transpose() * (inner.stiffness * frame - inner.stiffness.leftCols<2>() *
                                                            sensitivity(b, theta).per_inner_centre);

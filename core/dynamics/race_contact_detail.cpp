@@ -51,11 +51,23 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
       model.groove.ball_radius};
   state.motion = ellipse_motion(pair, d, k, t, place, touch);
   if (state.approach > 0.0) {
-    const double nominal = contact::hertz_load(model.hertz.K, state.approach);
-    const double size = std::cbrt(nominal);
-    state.ellipse.Q = nominal * wavy.stiffness;
-    state.ellipse.a = model.hertz.a_hat * size * wavy.major;
-    state.ellipse.b = model.hertz.b_hat * size * wavy.minor;
+    if (model.angle.follows) {
+      const double root = std::sqrt(state.approach);
+      const double K = contact::polynomial(model.angle.K, touch.n_e);
+      state.ellipse.Q = contact::point_load(K, state.approach, root);
+      state.ellipse.a = contact::polynomial(model.angle.major, touch.n_e) * root;
+      state.ellipse.b = contact::polynomial(model.angle.minor, touch.n_e) * root;
+    } else {
+      state.ellipse.Q = contact::hertz_load(model.hertz.K, state.approach);
+      const double size = std::cbrt(state.ellipse.Q);
+      state.ellipse.a = model.hertz.a_hat * size;
+      state.ellipse.b = model.hertz.b_hat * size;
+    }
+    if (model.wavy) {
+      state.ellipse.Q *= wavy.stiffness;
+      state.ellipse.a *= wavy.major;
+      state.ellipse.b *= wavy.minor;
+    }
     tribology::set_contact_surface(state.ellipse, model.surface, model.groove.ball_radius,
                                    model.groove.groove_radius[j], state.approach);
   }

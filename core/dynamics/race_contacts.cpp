@@ -55,6 +55,7 @@ RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const E
   in.K = model.hertz.K;
   in.major = model.hertz.a_hat * root_of_K;
   in.minor = model.hertz.b_hat * root_of_K;
+  in.follow = model.angle.follows ? &model.angle : nullptr;
   in.ball_radius = groove.ball_radius;
   in.rho = tribology::is_curved(model.surface)
                ? tribology::surface_radius(groove.ball_radius, groove.groove_radius[j])

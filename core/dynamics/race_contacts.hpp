@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
+#include "contact/angle_law.hpp"
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
 #include "contact/wavy_groove.hpp"
@@ -20,7 +21,8 @@
 /// P_j and the race axis k:
 ///   slip at the ball centre u0 = V_P + ω × d - V_ball,  W = ω - ω_ball,  ω = Ω k + tilt
 ///   (ball_race_motion.hpp), traction as in ellipse_traction.hpp
-///   on the ball:  F = -Q n + F_c c + F_t t,  M = M_c c + M_t t + M_n n about its centre
+///   on the ball:  F = -Q n + F_c c + F_t t,  M = M_c c + M_t t + M_n n about its centre;
+///   constants that follow the contact angle add L c at its centre (contact/angle_law.hpp)
 ///   on the race:  -Σ F,  about P_j: -Σ (d × F + M)
 /// A race that is not one of revolution: contact/wavy_groove.hpp; it has a kernel of its own.
 /// Source: tests/reference/dynamics_README.md ("Ball/race contact geometry", "Traction"). The
@@ -49,7 +51,8 @@ struct RaceMotion {
 struct RaceContactModel {
   bearing::Race race = bearing::kOuter;
   contact::GrooveGeometry groove;
-  contact::HertzConstants hertz;  ///< one constant per race: the load has a potential 0.4 K δ^2.5
+  contact::HertzConstants hertz;  ///< at one angle: frozen constants, and the scale of estimates
+  contact::AngleLaw angle;        ///< in their place where it follows the contact angle
   std::optional<contact::WavyGroove> wavy;  ///< imperfections of the race
   double effective_modulus = 0.0;           ///< E* [Pa], reports only
   double shoulder_radius = 0.0;             ///< of this race [m], reports only; 0 = not given

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/angle_law.hpp"
 #include "contact/wavy_groove.hpp"
 #include "tribology/ellipse_sum.hpp"
 
@@ -16,6 +17,7 @@ namespace adore::dynamics {
 struct RaceKernelInput {
   // Groove, load and ellipse: Q = K δ^1.5, a = major sqrt(δ), b = minor sqrt(δ).
   double centre_radius, offset, K, major, minor;
+  const contact::AngleLaw* follow;  ///< of K and the ellipse; nullptr: frozen, as above
   double ball_radius;
   double rho;  ///< radius of the contact surface [m], 0 = flat
   tribology::SurfacePlace place;

@@ -41,14 +41,10 @@ class RoundRace {
  public:
   static constexpr bool kWavy = false;
   RoundRace(const RaceKernelInput& in, const Vec&, const contact::GroovePlace<V>& place, V, V)
-      : in_(in), touch_(contact::groove_touch(place.axial, place.lift, in.offset)) {}
+      : touch_(contact::groove_touch(place.axial, place.lift, in.offset)) {}
   const contact::GrooveTouch<V>& touch() const { return touch_; }
-  double stiffness() const { return in_.K; }
-  double major() const { return in_.major; }
-  double minor() const { return in_.minor; }
 
  private:
-  const RaceKernelInput& in_;
   contact::GrooveTouch<V> touch_;
 };
 
@@ -57,20 +53,22 @@ class WavyRace {
  public:
   static constexpr bool kWavy = true;
   WavyRace(const RaceKernelInput& in, const Vec& k, const contact::GroovePlace<V>& place, V s, V c)
-      : in_(in),
-        distance_(place.distance),
+      : distance_(place.distance),
         at_(contact::wavy_touch(*in.wavy,
                                 contact::azimuth_in_race(k, place.e, to_azimuth(in.zero, s, c)),
                                 place.axial, place.lift, in.offset)) {}
   const contact::GrooveTouch<V>& touch() const { return at_.touch; }
-  V stiffness() const { return in_.K * at_.stiffness; }
-  V major() const { return in_.major * at_.major; }
-  V minor() const { return in_.minor * at_.minor; }
+  /// Hertz's constants, and the force of their change with the angle, of the groove as it is here.
+  void scale(V& K, V& leaning, V& major, V& minor) const {
+    K *= at_.stiffness;
+    leaning *= at_.stiffness;
+    major *= at_.major;
+    minor *= at_.minor;
+  }
   /// Part of the normal force on the ball along t.
   V push(V load, V approach) const { return load * contact::wavy_push(at_, approach, distance_); }
 
  private:
-  const RaceKernelInput& in_;
   V distance_;
   contact::WavyTouch<V> at_;
 };
@@ -102,7 +100,19 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
   }
   approach = stdx::max(approach, V(0.0));
   const V root_approach = stdx::sqrt(approach);
-  const V load = contact::point_load(groove.stiffness(), approach, root_approach);
+  V K = in.K, major = in.major, minor = in.minor, leaning = 0.0;
+  if (in.follow != nullptr) {
+    const auto at_angle = contact::polynomial_with_slope(in.follow->K, touch.n_e);
+    K = at_angle.value;
+    leaning =
+        contact::leaning_force(at_angle.slope, approach, root_approach, touch.n_k, touch.length);
+    if (in.traction) {
+      major = contact::polynomial(in.follow->major, touch.n_e);
+      minor = contact::polynomial(in.follow->minor, touch.n_e);
+    }
+  }
+  if constexpr (Race::kWavy) groove.scale(K, leaning, major, minor);
+  const V load = contact::point_load(K, approach, root_approach);
   const V R = place.distance;
   const Vec& e = place.e;
   const Vec t = cross(k, e);
@@ -122,8 +132,8 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
                                  in.ball_radius};
     tribology::EllipseContact<V> ellipse;
     ellipse.load = load;
-    ellipse.a = groove.major() * root_approach;
-    ellipse.b = groove.minor() * root_approach;
+    ellipse.a = major * root_approach;
+    ellipse.b = minor * root_approach;
     ellipse.surface =
         tribology::ellipse_surface(in.place, in.rho, in.ball_radius, ellipse.a, approach);
     ellipse.motion = ellipse_motion(pair, d, k, t, place, touch);
@@ -144,6 +154,10 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
     add(at.M_x, moment.x);
     add(at.M_r, moment.y);
     add(at.M_theta, moment.z);
+  }
+  if (in.follow != nullptr) {
+    meridian.along -= leaning * touch.n_e;
+    meridian.outward += leaning * touch.n_k;
   }
   if constexpr (Race::kWavy) force_t += groove.push(load, approach);
   const V force_k = meridian.along, force_e = meridian.outward;

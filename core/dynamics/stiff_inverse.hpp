@@ -1,7 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <Eigen/Eigenvalues>
+#include "base/symmetric_eigen.hpp"
 
 #include <vector>
 
@@ -16,11 +15,11 @@ template <int N>
 Eigen::Matrix<double, N, N> stiff_inverse(
     const Eigen::Matrix<double, N, N>& stiffness, double smallest,
     std::vector<Eigen::Matrix<double, N, 1>>* free = nullptr) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, N, N>> eigen(stiffness);
+  const SymmetricEigen<N> eigen = symmetric_eigen<N>(stiffness);
   Eigen::Matrix<double, N, N> inverse = Eigen::Matrix<double, N, N>::Zero();
   for (int k = 0; k < N; ++k) {
-    const double value = eigen.eigenvalues()[k];
-    const Eigen::Matrix<double, N, 1> direction = eigen.eigenvectors().col(k);
+    const double value = eigen.values[k];
+    const Eigen::Matrix<double, N, 1> direction = eigen.vectors.col(k);
     if (value > smallest)
       inverse += direction * direction.transpose() / value;
     else if (free != nullptr)

@@ -24,8 +24,8 @@ enum class RhsStatus : unsigned char { Ok, Retry, Fail };
 
 class System {
  public:
-  /// Allocates everything. `statics` must be a solution with Curvature::Fixed at `fixed_angle` (so
-  /// that forces agree).
+  /// Allocates everything. `statics` must be a solution with Curvature::Potential, or with frozen
+  /// constants (SystemOptions::moving_angle) Curvature::Fixed at `fixed_angle`: so forces agree.
   System(const bearing::Bearing& bearing, const ScenePlan& plan,
          const statics::StaticSolution& statics, const std::array<double, 2>& fixed_angle,
          const SystemOptions& options, const std::vector<EffectMaker>& more_effects = {},

@@ -31,8 +31,8 @@ namespace adore::facade {
 namespace fs = std::filesystem;
 namespace {
 
-/// Load-weighted mean contact angle of each race: where a dynamic run freezes its Hertz constants,
-/// so that the contact forces have a potential (decision 001). The free angle when nothing is
+/// Load-weighted mean contact angle of each race: where a dynamic run freezes its Hertz constants
+/// if that is asked for (decision 001). The free angle when nothing is
 /// loaded.
 std::array<double, 2> mean_contact_angles(const statics::StaticSolution& solution,
                                           double free_angle) {
@@ -179,10 +179,11 @@ Prepared prepare_model(LoadedDeck input) {
     out.input.warnings.push_back(remark(Severity::Warning, out.input.path.string(), text));
   if (out.control.dynamic) {
     out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls().contact_angle);
-    statics::StaticsOptions frozen;
-    frozen.curvature = statics::Curvature::Fixed;
-    frozen.fixed_angle = out.fixed_angle;
-    out.start = statics::solve_ball_statics(out.bearing, frozen);
+    statics::StaticsOptions as_in_motion;
+    as_in_motion.curvature =
+        out.options.system.moving_angle ? statics::Curvature::Potential : statics::Curvature::Fixed;
+    as_in_motion.fixed_angle = out.fixed_angle;
+    out.start = statics::solve_ball_statics(out.bearing, as_in_motion);
   }
   out.life = life::ball_bearing_life(out.bearing, life_inputs,
                                      out.control.dynamic ? out.start : out.statics);

@@ -72,9 +72,9 @@ struct Prepared {
   std::shared_ptr<const dynamics::RollerScene> roller_scene;  ///< where a run of them starts
   std::vector<statics::StiffnessRow> stiffness;               ///< kStif; empty when not asked for
   std::array<double, 2>
-      fixed_angle{};  ///< contact angles that the run's Hertz constants are frozen at [rad]
+      fixed_angle{};  ///< mean contact angles, where frozen Hertz constants are taken [rad]
   statics::StaticSolution
-      start;  ///< with those constants: start of a dynamic run (empty when quasi-static)
+      start;  ///< with the law of the motion: start of a dynamic run (empty when quasi-static)
   std::string stability;              ///< of a run: what was decided on its steps (judge_steps.hpp)
   double solve_seconds = 0.0;         ///< computing time of the equilibrium
   double stiffness_seconds = 0.0;     ///< and of the table over speed

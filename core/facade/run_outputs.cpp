@@ -189,7 +189,7 @@ void RunOutputs::Impl::write_restart(const dynamics::System& system, const Snaps
   restart_step = at.step;
 }
 
-/// Of the equilibrium that PRINT.txt shows: a dynamic run's starts from frozen Hertz constants.
+/// Of the equilibrium that PRINT.txt shows: a dynamic run's has the law of its motion.
 listing::StaticSummary RunOutputs::Impl::static_summary(bool dynamic) const {
   if (prepared.rollers) return listing::summarise(*prepared.rollers, prepared.bearing);
   return listing::summarise(dynamic ? prepared.start : prepared.statics, prepared.bearing);

@@ -9,9 +9,11 @@
 namespace adore::facade {
 namespace {
 
-constexpr std::array<std::string_view, 6> kOfMotion = {"ellipseMajor",      "ellipseMinor",
-                                                       "contactSurface",    "landSlices",
-                                                       "checkpointSeconds", "resultsH5"};
+constexpr std::array<std::string_view, 7> kOfMotion = {
+    "ellipseMajor", "ellipseMinor",      "contactSurface", "hertzConstants",
+    "landSlices",   "checkpointSeconds", "resultsH5"};
+constexpr std::array<std::string_view, 4> kOfBallsInMotion = {"ellipseMajor", "ellipseMinor",
+                                                              "contactSurface", "hertzConstants"};
 constexpr std::array<std::string_view, 2> kOfRollers = {"rollerSlices", "rollerContact"};
 
 template <std::size_t N>
@@ -39,7 +41,7 @@ Issue note(const Prepared& prepared, const std::vector<std::string>& names,
 }  // namespace
 
 std::vector<Issue> unused_request(const RunRequest& request, const Prepared& prepared) {
-  std::vector<std::string> motion, rollers;
+  std::vector<std::string> motion, balls, rollers;
   if (!prepared.control.dynamic) {
     if (!request.until.empty()) motion.emplace_back("--until");
     if (!request.integrator.empty()) motion.emplace_back("--integrator");
@@ -48,10 +50,13 @@ std::vector<Issue> unused_request(const RunRequest& request, const Prepared& pre
   for (const auto& [name, value] : prepared.input.option_values) {
     if (!prepared.control.dynamic && is_in(kOfMotion, name)) motion.push_back("option " + name);
     if (!prepared.bearing.rollers() && is_in(kOfRollers, name)) rollers.push_back("option " + name);
+    if (prepared.control.dynamic && prepared.bearing.rollers() && is_in(kOfBallsInMotion, name))
+      balls.push_back("option " + name);
   }
   std::vector<Issue> out;
   if (!motion.empty())
     out.push_back(note(prepared, motion, "mode = -1 asks for the quasi-static solution alone"));
+  if (!balls.empty()) out.push_back(note(prepared, balls, "the bearing has rollers"));
   if (!rollers.empty()) out.push_back(note(prepared, rollers, "the bearing has balls"));
   return out;
 }

@@ -18,27 +18,13 @@ using bearing::CagePlay;
 using bearing::GuideLand;
 using bearing::PocketShape;
 
-std::string pocket_name(const Cage& cage, bool rollers, long long pocket_type) {
-  if (rollers) {
-    if (cage.pocket == PocketShape::Cylindrical)
-      return "cylinder about the roller (roller-guided cage)";
-    if (pocket_type > 0)
-      return fmt::format("{} pair{} of guide faces", pocket_type, pocket_type > 1 ? "s" : "");
-    return "window of parallel faces";
-  }
-  switch (cage.pocket) {
-    case PocketShape::Cylindrical:
-      return "cylindrical";
-    case PocketShape::Spherical:
-      return "spherical";
-    case PocketShape::Elongated:
-      return "elongated";
-    case PocketShape::Rectangular:
-      return "rectangular";
-    case PocketShape::Conical:
-      return "conical";
-  }
-  return {};
+std::string pocket_name(const Cage& cage, bool rollers) {
+  if (!rollers) return std::string(name_of(cage.pocket));
+  if (cage.pocket == PocketShape::Cylindrical)
+    return "cylinder about the roller (roller-guided cage)";
+  const std::size_t pairs = cage.pocket_faces.size();
+  if (pairs > 0) return fmt::format("{} pair{} of guide faces", pairs, pairs > 1 ? "s" : "");
+  return "window of parallel faces";
 }
 
 void lands(Report& report, const Cage& cage) {
@@ -112,16 +98,15 @@ void print_cage_geometry(Report& report, const Bearing& bearing, const deck::Dec
   }
   const Cage& cage = *bearing.cage;
   const bool rollers = bearing.rollers() != nullptr;
-  const long long type = deck.integer("kPocType");
   report.heading("Cage");
   report.item("Outer diameter", cage.outer_diameter, unit::kLength);
   report.item("Inner diameter", cage.inner_diameter, unit::kLength);
   report.item("Width", cage.width, unit::kLength);
   report.item("Half cone angle of a conical cage (diameters: at mid width)", cage.cone_angle,
               unit::kAngle);
-  report.item("Pocket shape", pocket_name(cage, rollers, type));
-  report.item(rollers && type > 0 ? "Least pocket play between the guide faces, diametral"
-                                  : "Pocket clearance I, diametral",
+  report.item("Pocket shape", pocket_name(cage, rollers));
+  report.item(!cage.pocket_faces.empty() ? "Least pocket play between the guide faces, diametral"
+                                         : "Pocket clearance I, diametral",
               cage.pocket_clearance_1, unit::kLength);
   if (!rollers)
     report.item("Pocket clearance II, diametral", cage.pocket_clearance_2, unit::kLength);

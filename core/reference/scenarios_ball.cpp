@@ -1,7 +1,7 @@
+#include "base/symmetric_eigen.hpp"
 #include "reference/ball_scenario.hpp"
 #include "reference/scenarios.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -188,16 +188,16 @@ Json vibration(const Json& the_case) {
          loads[j].Q / l * (Eigen::Matrix2d::Identity() - n * n.transpose());
   }
   K(1, 1) += 3 * m * td * td;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> modes(K);
+  const SymmetricEigen<2> modes = symmetric_eigen<2>(K);
   Json result = {{"Q_o", loads[0].Q},
                  {"Q_i", loads[1].Q},
                  {"alpha_o", loads[0].contact.angle},
                  {"alpha_i", loads[1].contact.angle},
                  {"stiffness_matrix_x_r", {{K(0, 0), K(0, 1)}, {K(1, 0), K(1, 1)}}}};
   std::array<double, 2> frequency{};
-  Eigen::Matrix2d shapes = modes.eigenvectors();
+  Eigen::Matrix2d shapes = modes.vectors;
   for (int k = 0; k < 2; ++k) {
-    frequency[static_cast<std::size_t>(k)] = std::sqrt(modes.eigenvalues()[k] / m) / (2 * kPi);
+    frequency[static_cast<std::size_t>(k)] = std::sqrt(modes.values[k] / m) / (2 * kPi);
     if (shapes(1, k) < 0.0) shapes.col(k) *= -1.0;
   }
   result["natural_frequencies_Hz"] = frequency;

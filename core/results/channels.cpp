@@ -65,44 +65,13 @@ std::size_t channel_index(std::string_view id) {
   return found->second;
 }
 
-int pocket_surfaces(const bearing::Bearing& bearing) {
-  if (bearing.cage && bearing.rollers() != nullptr) {
-    if (!bearing.cage->pocket_faces.empty())
-      return 2 * static_cast<int>(bearing.cage->pocket_faces.size());
-    return bearing.cage->pocket == bearing::PocketShape::Cylindrical ? 1 : 2;
-  }
-  return bearing.cage && bearing.cage->pocket == bearing::PocketShape::Rectangular ? 4 : 1;
-}
-
-int pocket_code(const bearing::Bearing& bearing) {
-  if (!bearing.cage) return 0;
-  if (bearing.rollers() != nullptr) {
-    if (!bearing.cage->pocket_faces.empty())
-      return static_cast<int>(bearing.cage->pocket_faces.size());
-    return bearing.cage->pocket == bearing::PocketShape::Cylindrical ? -1 : 0;
-  }
-  switch (bearing.cage->pocket) {
-    case bearing::PocketShape::Cylindrical:
-      return 0;
-    case bearing::PocketShape::Spherical:
-      return 1;
-    case bearing::PocketShape::Elongated:
-      return 2;
-    case bearing::PocketShape::Rectangular:
-      return 3;
-    case bearing::PocketShape::Conical:
-      return 4;
-  }
-  return 0;
-}
-
 Shape shape_of(const bearing::Bearing& bearing) {
   Shape shape;
   shape.elements = bearing.element_count();
   shape.rollers = bearing.rollers() != nullptr;
   if (bearing.cage) {
     shape.cages = 1;
-    shape.pocket_surfaces = pocket_surfaces(bearing);
+    shape.pocket_surfaces = bearing::pocket_surfaces(*bearing.cage, shape.rollers);
     shape.lands = static_cast<int>(bearing.cage->lands.size());
   } else {
     shape.pairs = shape.elements == 2 ? 1 : shape.elements > 2 ? shape.elements : 0;

@@ -86,11 +86,6 @@ struct Shape {
 [[nodiscard]] Shape shape_of(const bearing::Bearing& bearing);
 /// Values of one channel in one step, components included.
 [[nodiscard]] std::size_t channel_size(const Channel& channel, const Shape& shape);
-/// Active surfaces of one pocket, header integer 20. Balls: 4 for rectangular, else 1. Rollers: 2
-/// for a window, 1 for a round pocket, two for each pair of guide faces.
-[[nodiscard]] int pocket_surfaces(const bearing::Bearing& bearing);
-/// kPocType of the cage, 0 without one.
-[[nodiscard]] int pocket_code(const bearing::Bearing& bearing);
 
 /// One instant, evaluated: values[c][k] of channel c of the run's table, in SI; k runs element,
 /// then race (contacts), race and side (flanges) or surface (pockets), or cage then land, then

@@ -186,7 +186,7 @@ std::map<std::string, double> geometry_of(const bearing::Bearing& bearing) {
   for (const Sol8GeometryField& field : kSol8Geometry) out[field.name] = g.*field.value;
   if (!bearing.cage) return out;
   out["cage_width"] = bearing.cage->width;
-  out["pocket_code"] = pocket_code(bearing);
+  out["pocket_code"] = bearing::pocket_code(*bearing.cage, bearing.rollers() != nullptr);
   out["pocket_cone_angle"] = bearing.cage->cone_angle;
   out["lands"] = static_cast<double>(bearing.cage->lands.size());
   for (std::size_t i = 0; i < bearing.cage->lands.size(); ++i) {

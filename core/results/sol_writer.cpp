@@ -90,8 +90,8 @@ SolHeader make_sol_header(const bearing::Bearing& bearing, int index, UnitSystem
     header.outer_flange = rollers->has_flange(bearing::kOuter);
     header.inner_flange = rollers->has_flange(bearing::kInner);
   }
-  header.pocket_type = pocket_code(bearing);
-  header.pocket_surfaces = pocket_surfaces(bearing);
+  if (bearing.cage) header.pocket_type = bearing::pocket_code(*bearing.cage, shape.rollers);
+  header.pocket_surfaces = bearing.cage ? shape.pocket_surfaces : 1;
   const SolKind kind = sol_kind_of(header);
   header.title = title_of(header);
   header.value_count = sol_value_count(kind, shape);

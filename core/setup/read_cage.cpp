@@ -1,23 +1,9 @@
 #include "setup/read_cage.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace adore::setup {
 namespace {
-
-using bearing::PocketShape;
-
-/// Rollers: -1 cylinders about the rollers, else windows; pairs of guide faces (above 0) count as
-/// windows.
-PocketShape pocket_shape(long long code, bool rollers) {
-  if (rollers) return code < 0 ? PocketShape::Cylindrical : PocketShape::Rectangular;
-  constexpr std::array kShapes{PocketShape::Cylindrical, PocketShape::Spherical,
-                               PocketShape::Elongated, PocketShape::Rectangular,
-                               PocketShape::Conical};
-  const bool known = code >= 0 && code < static_cast<long long>(kShapes.size());
-  return known ? kShapes[static_cast<std::size_t>(code)] : PocketShape::Cylindrical;
-}
 
 bearing::GuideLand guide_land(const deck::Deck& deck, int index, const NumberReader& number) {
   bearing::GuideLand land;
@@ -47,7 +33,7 @@ bearing::Cage read_cage(const deck::Deck& deck, const NumberReader& number) {
   out.cone_angle = deck.has("cageConeAng") ? number("cageConeAng", 1) : 0.0;
   const bool rollers = deck.integer("kBrg") != 1;
   const long long pocket = deck.integer("kPocType");
-  out.pocket = pocket_shape(pocket, rollers);
+  out.pocket = bearing::pocket_shape(pocket, rollers);
   out.pocket_clearance_1 = number("bPocCls1", 1);
   if (!rollers && pocket >= 2) out.pocket_clearance_2 = number("bPocCls2", 1);
   const long long lands = std::clamp(deck.integer("nGL"), 0LL, 4LL);

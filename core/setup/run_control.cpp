@@ -221,6 +221,14 @@ const std::vector<Option>& options() {
              if (name == v) return o.system.surface = surface, true;
            return false;
          }},
+        {{"hertzConstants", "moving",
+          "of balls in motion: moving with the contact angle, or frozen at the mean angle of the "
+          "equilibrium, which is a little faster"},
+         [](RunOptions& o, std::string_view v) {
+           if (v != "moving" && v != "frozen") return false;
+           o.system.moving_angle = v == "moving";
+           return true;
+         }},
         {{"landSlices", fmt::format("{}", defaults.system.land_slices),
           "slices along each cage guide land, 1 to 99"},
          [](RunOptions& o, std::string_view v) {

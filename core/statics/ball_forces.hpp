@@ -15,7 +15,8 @@
 ///   (cos α_i, -sin α_i),
 /// centrifugal (0, m d_m/2 ω_m²). On the inner race: minus its force, and the moment Rc_i P_x - r_i
 /// f_i about the axis opposite to the circumferential direction. Where K varies with the angle, no
-/// K' term enters: Q acts along the normal.
+/// K' term enters and Q acts along the normal, but with Curvature::Potential
+/// (contact/angle_law.hpp).
 ///
 /// A ball that is about to lose its inner race cannot be driven by it: while Q_i is below 1/1000 of
 /// the centrifugal force, ω_m and M_g fade (smoothly, C1) into those of a ball seated on the outer
@@ -29,6 +30,7 @@ struct ContactState {
   S n_k = 0.0, n_e = 0.0;  ///< normal from the ball into the race: on its axis, on e
   Direction<S> alpha;
   S friction = 0.0;
+  S leaning = 0.0;  ///< L along c, at the centre (contact/angle_law.hpp)
 };
 
 /// S: numbers of the ball, P: of the pose of the inner race.
@@ -57,7 +59,14 @@ ContactState<S> contact_state(const BallModel& m, const BallSeat& seat, std::siz
     const HertzSeries& hertz = seat.hertz[race];
     const double K_reference = hertz.reference().K;
     const S root = square_root(c.approach);
-    if (hertz.varying()) {
+    if (hertz.law().follows) {
+      const auto at = contact::angle_stiffness(hertz.law(), value_of(c.n_e));
+      const double K = K_reference + m.own_speed_share * (at.K - K_reference);
+      const double slope = m.own_speed_share * at.slope;
+      c.load = contact::point_load(chain(c.n_e, K, slope), c.approach, root);
+      c.leaning = contact::leaning_force(chain(c.n_e, slope, m.own_speed_share * at.bend),
+                                         c.approach, root, c.n_k, touch.length);
+    } else if (hertz.varying()) {
       const auto log_K = hertz.log_K(value_of(c.alpha.cos));
       const double K = K_reference * std::exp(m.own_speed_share * log_K.value);
       c.load = contact::point_load(chain(c.alpha.cos, K, K * m.own_speed_share * log_K.slope),
@@ -169,15 +178,17 @@ BallForces<S, P> ball_forces(const BallModel& m, const BallSite& site, const S& 
     if (!(value_of(c.load) > 0.0)) {
       continue;
     }
-    const auto [along, outward] = contact::meridian_force(c.load, c.friction, c.n_k, c.n_e);
+    const auto [along, outward] =
+        contact::meridian_force(c.load, c.friction + c.leaning, c.n_k, c.n_e);
     const auto& [xi, eta, a, e] = f.position[j];
     Triple<S> force = along * a + outward * e;
     f.axial += force.x;
     f.radial += force.y;
     if (j == 1) {
       const contact::GrooveGeometry& groove = seat.groove;
-      Triple<S> moment =
-          (groove.centre_radius[1] * along - groove.groove_radius[1] * c.friction) * cross(e, a);
+      Triple<S> moment = (groove.centre_radius[1] * along - groove.groove_radius[1] * c.friction -
+                          (groove.offset[1] + c.approach) * c.leaning) *
+                         cross(e, a);
       if (seat.inner_slope != 0.0) {
         // Where the inner race is not round its normal leans by R'/r against the direction of
         // growing azimuth a × e: the ball also pushes it sideways, by -Q cos α R'/r at ξ a.

@@ -1,6 +1,8 @@
 #include "statics/ball_model.hpp"
 
+#include "base/chebyshev.hpp"
 #include "base/errors.hpp"
+#include "contact/make_angle_law.hpp"
 #include "statics/kinematics.hpp"
 
 #include <fmt/format.h>
@@ -17,28 +19,6 @@ namespace {
 std::size_t nodes_for(double gamma) {
   const double rho = 1.0 / gamma + std::sqrt(1.0 / (gamma * gamma) - 1.0);
   return static_cast<std::size_t>(std::clamp(34.0 / std::log(rho), 8.0, 64.0)) + 2;
-}
-
-/// Chebyshev coefficients from values at the points cos(π(k+½)/n), trailing ones below rounding
-/// dropped.
-std::vector<double> chebyshev_coefficients(const std::vector<double>& values) {
-  const std::size_t n = values.size();
-  std::vector<double> cosine(4 * n);  // of π j/(2n)
-  for (std::size_t j = 0; j < 4 * n; ++j) {
-    cosine[j] = std::cos(0.5 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(n));
-  }
-  std::vector<double> coefficients(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < n; ++k) {
-      sum += values[k] * cosine[i * (2 * k + 1) % (4 * n)];
-    }
-    coefficients[i] = (i == 0 ? 1.0 : 2.0) / static_cast<double>(n) * sum;
-  }
-  while (coefficients.size() > 2 && std::abs(coefficients.back()) < 2e-16) {
-    coefficients.pop_back();
-  }
-  return coefficients;
 }
 
 void check_material(const bearing::Material& m, const char* part) {
@@ -61,12 +41,18 @@ double prescribed_pitch_angle(double angle) {
 }  // namespace
 
 HertzSeries::HertzSeries(const bearing::BallGeometry& balls, int race, double E_star,
-                         double reference_angle, bool varying)
-    : balls_(balls), race_(race), E_star_(E_star), varying_(varying) {
+                         double reference_angle, Curvature curvature)
+    : balls_(balls),
+      race_(race),
+      E_star_(E_star),
+      varying_(curvature == Curvature::Actual || curvature == Curvature::Potential) {
   reference_ =
       contact::hertz_constants(contact::race_curvature(balls, race, reference_angle), E_star);
-  if (!varying) {
+  if (!varying_) {
     return;
+  }
+  if (curvature == Curvature::Potential) {
+    law_ = contact::make_angle_law(balls, race, E_star);
   }
   const std::size_t n = nodes_for(balls.diameter / balls.pitch_diameter);
   std::vector<double> log_K(n);
@@ -173,8 +159,8 @@ BallModel make_ball_model(const bearing::Bearing& bearing, const StaticsOptions&
         bearing::contact_modulus(bearing.element_material, bearing.race_material[j]);
     const double angle =
         options.curvature == Curvature::Fixed ? options.fixed_angle[j] : free_angle;
-    m.hertz[j] = HertzSeries(bearing.balls(), static_cast<int>(j), E_star, angle,
-                             options.curvature == Curvature::Actual);
+    m.hertz[j] =
+        HertzSeries(bearing.balls(), static_cast<int>(j), E_star, angle, options.curvature);
     const double f = bearing.balls().groove_factor[j];
     m.surface_radius[j] = 2.0 * f * bearing.balls().diameter / (2.0 * f + 1.0);
   }

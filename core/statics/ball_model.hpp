@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
+#include "contact/angle_law.hpp"
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
 #include "statics/ball_statics.hpp"
@@ -17,10 +18,10 @@ namespace adore::statics {
 class HertzSeries {
  public:
   HertzSeries() = default;
-  /// `varying`: curvature at the contact's own angle; otherwise everything is taken at
+  /// Curvature::Actual and Potential: at the contact's own angle; otherwise everything is taken at
   /// `reference_angle`.
   HertzSeries(const bearing::BallGeometry& balls, int race, double E_star, double reference_angle,
-              bool varying);
+              Curvature curvature);
 
   struct Value {
     double value = 0.0, slope = 0.0;  ///< of the logarithm, and its derivative over cos α
@@ -29,6 +30,8 @@ class HertzSeries {
   [[nodiscard]] Value log_a(double cos_alpha) const noexcept { return evaluate(log_a_, cos_alpha); }
   [[nodiscard]] const contact::HertzConstants& reference() const noexcept { return reference_; }
   [[nodiscard]] bool varying() const noexcept { return varying_; }
+  /// K as the dynamics have it, whose slope leans the force; `follows` with Curvature::Potential.
+  [[nodiscard]] const contact::AngleLaw& law() const noexcept { return law_; }
   /// Exact constants at one angle (no series).
   [[nodiscard]] contact::HertzConstants at(double alpha) const;
 
@@ -36,6 +39,7 @@ class HertzSeries {
   static Value evaluate(const std::vector<double>& coefficients, double c) noexcept;
 
   std::vector<double> log_K_, log_a_;  ///< empty when nothing varies
+  contact::AngleLaw law_;
   contact::HertzConstants reference_;
   bearing::BallGeometry balls_;
   int race_ = 0;

@@ -17,7 +17,8 @@ double reference_stiffness(const BallModel& m, double load) {
 }
 
 bool is_conservative(const BallModel& m) {
-  return m.own_speed_share == 0.0 || (!m.moving && !m.hertz[0].varying());
+  return m.own_speed_share == 0.0 ||
+         (!m.moving && (!m.hertz[0].varying() || m.hertz[0].law().follows));
 }
 
 bool update_race(const BallModel& model, const Vec5& q, BallRace& state, double) {

@@ -83,7 +83,7 @@ bool make_seat(const BallModel& m, const bearing::Bearing& b, const StaticsOptio
     const double E_star = bearing::contact_modulus(b.element_material, b.race_material[j]);
     const double angle =
         options.curvature == Curvature::Fixed ? options.fixed_angle[j] : m.balls.contact_angle;
-    seat.hertz[j] = HertzSeries(own, static_cast<int>(j), E_star, angle, m.hertz[j].varying());
+    seat.hertz[j] = HertzSeries(own, static_cast<int>(j), E_star, angle, options.curvature);
     const double f = own.groove_factor[j];
     seat.surface_radius[j] = 2.0 * f * seat.diameter / (2.0 * f + 1.0);
   }

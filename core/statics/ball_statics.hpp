@@ -17,11 +17,12 @@ namespace adore::statics {
 
 /// Angle at which the Hertz curvatures are taken.
 enum class Curvature : unsigned char {
-  Actual,  ///< each contact at its own angle, with its derivative in the stiffness: the better
-           ///< physics, default
-  Free,    ///< at the free contact angle
-  Fixed    ///< at StaticsOptions::fixed_angle: what a dynamic run uses so that its contact forces
-           ///< have a potential
+  Actual,     ///< each contact at its own angle, with its derivative in the stiffness: the better
+              ///< physics, default
+  Free,       ///< at the free contact angle
+  Potential,  ///< as Actual, and the force is the gradient of 0.4 K(α) δ^2.5
+              ///< (contact/angle_law.hpp): the start of a dynamic run
+  Fixed       ///< at StaticsOptions::fixed_angle: the start of a dynamic run with frozen constants
 };
 enum class RingKinematics : unsigned char {
   Exact,  ///< rotation matrix of the race's tilt, as in dynamics: default

@@ -1,8 +1,8 @@
 #include "statics/race_equilibrium.hpp"
 
+#include "base/symmetric_eigen.hpp"
 #include "statics/race_text.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <fmt/format.h>
 
@@ -48,11 +48,11 @@ RaceStep newton_step(const Mat5& K, const Vec5& r, double k_ref, double force, d
     step.direction = lu.solve(r);
     return step;
   }
-  const Eigen::SelfAdjointEigenSolver<Mat5> eigen(0.5 * (K + K.transpose()));
+  const SymmetricEigen<5> eigen = symmetric_eigen<5>(0.5 * (K + K.transpose()));
   Vec5 unresisted = Vec5::Zero();
   for (Eigen::Index k = 0; k < 5; ++k) {
-    const double stiffness = std::abs(eigen.eigenvalues()(k));
-    const Vec5 mode = eigen.eigenvectors().col(k);
+    const double stiffness = std::abs(eigen.values(k));
+    const Vec5 mode = eigen.vectors.col(k);
     const double load = mode.dot(r);
     if (stiffness > 1e-9 * k_ref) {
       step.direction += mode * (load / stiffness);
@@ -113,11 +113,11 @@ Vec5 given_only(const RaceTask& task, const Vec5& displacement) {
 UnstableMode unstable_mode(const RaceScales& scales, const RaceTask& task, const Mat5& stiffness,
                            double k_ref) {
   const Mat5 K = scaled_stiffness(scales, task, stiffness, k_ref);
-  const Eigen::SelfAdjointEigenSolver<Mat5> eigen(0.5 * (K + K.transpose()));
+  const SymmetricEigen<5> eigen = symmetric_eigen<5>(0.5 * (K + K.transpose()));
   UnstableMode mode;
-  if (eigen.eigenvalues()(0) < -1e-6 * k_ref) {
-    mode.stiffness = eigen.eigenvalues()(0);
-    mode.direction = eigen.eigenvectors().col(0);
+  if (eigen.values(0) < -1e-6 * k_ref) {
+    mode.stiffness = eigen.values(0);
+    mode.direction = eigen.vectors.col(0);
     Eigen::Index largest = 0;
     mode.direction.cwiseAbs().maxCoeff(&largest);
     mode.lever = lever_of(scales, largest);

@@ -1,6 +1,7 @@
 #include "statics/roller_step.hpp"
 
-#include <Eigen/Eigenvalues>
+#include "base/symmetric_eigen.hpp"
+
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -54,8 +55,8 @@ RollerStep roller_step(const RollerModel& m, const ScaledForces& s, double k_ref
     out.step.tail<2>() = rest.partialPivLu().solve(s.force.tail<2>());
     return out;
   }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(K);
-  const double stiffest = eigen.eigenvalues().cwiseAbs().maxCoeff();
+  const SymmetricEigen<3> eigen = symmetric_eigen<3>(K);
+  const double stiffest = eigen.values.cwiseAbs().maxCoeff();
   if (!(stiffest > 1e-9 * k_ref)) {  // touches nothing: walks until it does, without turning
     const double load = s.force.head<2>().norm();
     if (load > rounding) {
@@ -67,9 +68,9 @@ RollerStep roller_step(const RollerModel& m, const ScaledForces& s, double k_ref
   Eigen::Vector3d weak = Eigen::Vector3d::Zero();
   double load_of_rest = 0.0, load_of_weak = 0.0;
   for (Eigen::Index k = 0; k < 3; ++k) {
-    const Eigen::Vector3d mode = eigen.eigenvectors().col(k);
+    const Eigen::Vector3d mode = eigen.vectors.col(k);
     const double load = mode.dot(s.force);
-    const double stiffness = std::abs(eigen.eigenvalues()(k));
+    const double stiffness = std::abs(eigen.values(k));
     if (stiffness > kWeak * stiffest) {
       out.step += mode * (load / stiffness);
       load_of_rest = std::hypot(load_of_rest, load);

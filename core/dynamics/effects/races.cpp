@@ -1,5 +1,6 @@
 #include "dynamics/effects/races.hpp"
 
+#include "contact/make_angle_law.hpp"
 #include "contact/wavy_groove_model.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/balls.hpp"
@@ -122,6 +123,9 @@ void Races::set_up_balls(const SceneBuilder& scene) {
     if (!errors.ideal())
       model.wavy = contact::make_wavy_groove(scene.bearing.balls(), static_cast<int>(j), errors,
                                              scene.fixed_angle[j]);
+    if (scene.options.moving_angle)
+      model.angle = contact::make_angle_law(scene.bearing.balls(), static_cast<int>(j),
+                                            model.effective_modulus);
     model.shoulder_radius = 0.5 * scene.bearing.balls().shoulder_diameter[j];
     model.traction = scene.plan.has(Effect::RaceTraction);
     model.law = scene.bearing.race_traction;

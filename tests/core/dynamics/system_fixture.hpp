@@ -4,6 +4,7 @@
 #include "base/rotation.hpp"
 #include "contact/cage_inertia.hpp"
 #include "contact/groove.hpp"
+#include "contact/make_angle_law.hpp"
 #include "dynamics/system.hpp"
 #include "facade/system_ode.hpp"
 #include "integrators/stepper.hpp"
@@ -89,11 +90,21 @@ inline statics::StaticSolution statics_of(const bearing::Bearing& b, double fixe
                                           statics::Control control = statics::Control::FromBearing,
                                           double first_azimuth = 0.0) {
   statics::StaticsOptions options;
-  options.curvature = statics::Curvature::Fixed;
+  options.curvature = statics::Curvature::Potential;
   options.fixed_angle = {fixed_angle, fixed_angle};
   options.control = control;
   options.first_azimuth = first_azimuth;
   return statics::solve_ball_statics(b, options);
+}
+
+/// Hertz constants over the contact angle, as the motion has them.
+inline std::array<contact::AngleLaw, 2> angle_laws(const bearing::Bearing& b) {
+  std::array<contact::AngleLaw, 2> laws;
+  for (std::size_t j = 0; j < 2; ++j)
+    laws[j] =
+        contact::make_angle_law(b.balls(), static_cast<int>(j),
+                                bearing::contact_modulus(b.element_material, b.race_material[j]));
+  return laws;
 }
 
 inline dynamics::System make_system(const bearing::Bearing& b, const scene::ScenePlan& plan,

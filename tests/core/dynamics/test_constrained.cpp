@@ -1,5 +1,6 @@
 #include "../statics/ball_bearings.hpp"
 #include "base/errors.hpp"
+#include "contact/make_angle_law.hpp"
 #include "dynamics/constrained.hpp"
 #include "dynamics/excitations.hpp"
 #include "dynamics/mode2.hpp"
@@ -27,6 +28,20 @@ contact::GrooveGeometry groove() {
 }
 
 const ConstrainedBall kBall(groove(), {9.6e9, 9.1e9}, kMass);
+
+/// The same with constants that follow the contact angle, exaggerated by a small pitch circle.
+const ConstrainedBall& following_ball() {
+  static const ConstrainedBall ball = [] {
+    bearing::BallGeometry b;
+    b.diameter = kDiameter;
+    b.pitch_diameter = 0.035;
+    b.groove_factor = {0.52, 0.515};
+    const std::array<contact::AngleLaw, 2> law{contact::make_angle_law(b, 0, 1.1e11),
+                                               contact::make_angle_law(b, 1, 1.1e11)};
+    return ConstrainedBall(groove(), {1.0, 1.0}, kMass, law);
+  }();
+  return ball;
+}
 /// Tilted and displaced, so that no derivative vanishes by symmetry.
 const std::array<RacePose, 2> kRaces{
     RacePose{{1e-6, 0.0, 2e-6}, Vec3(1.0, 2e-4, 1e-4).normalized()},
@@ -40,11 +55,13 @@ bool positive(const Mat2& m) {
 }  // namespace
 
 TEST_CASE("The balance is the stationary point of its potential", "[physics][constrained]") {
+  const bool follows = GENERATE(false, true);
+  const ConstrainedBall& ball = follows ? following_ball() : kBall;
   const Vec2 force(1.5, -4.0), place(9e-5, 0.035013);
   for (const Orbit& orbit : {Orbit{Orbit::Kept::Speed, 900.0},
                              Orbit{Orbit::Kept::Momentum, kMass * 0.035 * 0.035 * 900.0}}) {
     const auto at = [&](const Vec2& p, double theta, double value) {
-      return kBall.evaluate(kRaces, theta, {orbit.kept, value}, force, p);
+      return ball.evaluate(kRaces, theta, {orbit.kept, value}, force, p);
     };
     const BallBalance b = at(place, 2.6, orbit.value);
     REQUIRE(b.contact[0].load > 0.0);

@@ -120,8 +120,8 @@ TEST_CASE("a load that turns with the observer's frame is a fixed load",
   for (const char* spin : {"element.theta_dot", "element.omega_x"})
     for (std::size_t i = 0; i < 9; ++i) z0[index_of(b, spin) + i] -= w;
   z0[index_of(b, "cage.omega")] -= w;
-  const Snapshot at_rest = a.snapshot(t, run(a, y0, t, 1e-9, "rkf7").y);
-  const Snapshot relative = b.snapshot(t, run(b, z0, t, 1e-9, "rkf7").y);
+  const Snapshot at_rest = a.snapshot(t, run(a, y0, t, 1e-11, "rkf7").y);
+  const Snapshot relative = b.snapshot(t, run(b, z0, t, 1e-11, "rkf7").y);
   for (std::size_t i = 0; i < 9; ++i) {
     const ElementSnapshot &p = at_rest.elements[i], &q = relative.elements[i];
     CHECK(p.x == Approx(q.x).margin(1e-9));  // 4e-10 at this tolerance, deflections are 1e-5

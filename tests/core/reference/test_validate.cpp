@@ -290,6 +290,15 @@ TEST_CASE("Fits, growth, operating clearance, units and property tables", "[vali
     expect_covered(name);
 }
 
+TEST_CASE("Films, viscosity, hydrodynamics and churning", "[validation]") {
+  for (const char* name :
+       {"tribology_film", "tribology_thermalFactor", "tribology_starvation", "tribology_viscosity",
+        "tribology_newtonFilm", "tribology_shearThinningFilm", "tribology_viscoelasticStrip",
+        "tribology_flashStrip", "tribology_journalBearing", "tribology_pocketFilm",
+        "tribology_churning"})
+    expect_covered(name);
+}
+
 TEST_CASE("Closed-form dynamics, impact and plates", "[validation]") {
   for (const char* name : {"F_dynamics", "dynamics_impact", "dynamics_plates"})
     expect_covered(name);

@@ -236,5 +236,5 @@ TEST_CASE("a dynamic run starts from the same datum: held races carry the warm p
   };
   const double cold = axial("0", "293.15"), warm = axial("0", "333.15");
   CHECK(warm > 8.0 * cold);
-  CHECK(warm == Approx(axial("-1", "333.15")).epsilon(0.02));  // frozen Hertz constants
+  CHECK(warm == Approx(axial("-1", "333.15")).epsilon(1e-3));  // but for the leaning of the loads
 }

@@ -1,0 +1,90 @@
+#include "base/errors.hpp"
+#include "calculators/json_access.hpp"
+#include "calculators/tribology.hpp"
+#include "tribology/churning.hpp"
+#include "tribology/journal_film.hpp"
+#include "tribology/pocket_film.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace adore::calculators {
+namespace {
+
+using namespace tribology;
+
+void above_zero(const Json& in, std::initializer_list<const char*> keys) {
+  for (const char* key : keys)
+    if (const double value = get(in, key); !(value > 0.0 && std::isfinite(value)))
+      throw InputError(fmt::format("{} is {}; give a finite value above 0", key, value));
+}
+
+std::optional<Json> journal_case(const Json& the_case) {
+  const Json& in = the_case.at("inputs");
+  above_zero(in, {"mu", "R", "L", "c"});
+  const double eps = get(in, "eps");
+  if (!(eps >= 0.0 && eps < 1.0))
+    throw InputError(fmt::format("eps is {}; give an eccentricity of at least 0 and below 1", eps));
+  const JournalForce force =
+      journal_force({get(in, "mu"), get(in, "R"), get(in, "L"), get(in, "c")},
+                    {eps, get(in, "omegaJournal"), get(in, "omegaBearing"), get(in, "attitudeRate"),
+                     get(in, "epsRate")});
+  return Json{{"Fr", force.radial},
+              {"Ft", force.tangential},
+              {"W", std::hypot(force.radial, force.tangential)},
+              {"torqueJournal", force.torque_journal},
+              {"torqueBearing", force.torque_bearing}};
+}
+
+std::optional<Json> pocket_case(const Json& the_case) {
+  const Json& in = the_case.at("inputs");
+  above_zero(in, {"mu", "Rx", "Ry", "h", "R"});
+  return Json{{"wedgeLoad", pocket_wedge(get(in, "mu"), get(in, "u"), get(in, "Rx"), get(in, "Ry"),
+                                         get(in, "h"))},
+              {"squeezeForce",
+               sphere_squeeze(get(in, "mu"), get(in, "R"), get(in, "h"), get(in, "hRate"))}};
+}
+
+std::optional<Json> churning_case(const Json& the_case) {
+  const Json& in = the_case.at("inputs");
+  const std::string body = in.value("kind", kind_of(the_case));
+  above_zero(in, {"rho", "mu"});
+  const Medium medium{get(in, "rho"), get(in, "mu")};
+  const auto of = [](const Drag& drag) {
+    return Json{{"Re", drag.reynolds}, {"Cd", drag.coefficient}, {"force", drag.force}};
+  };
+  if (body == "ball") {
+    above_zero(in, {"D", "area"});
+    return of(sphere_drag(medium, get(in, "V"), get(in, "D"), get(in, "area")));
+  }
+  if (body == "roller") {
+    above_zero(in, {"D", "length"});
+    return of(cylinder_drag(medium, get(in, "V"), get(in, "D"), get(in, "length")));
+  }
+  if (body == "annulus") {
+    above_zero(in, {"r", "c", "length"});
+    const RotationDrag drag =
+        annulus_drag(medium, get(in, "omega"), get(in, "r"), get(in, "c"), get(in, "length"));
+    return Json{{"Re", drag.reynolds},
+                {"Ta", drag.taylor},
+                {"ratio", drag.coefficient},
+                {"torque", drag.torque}};
+  }
+  if (body != "disc" && body != "spin") return std::nullopt;
+  above_zero(in, {"r"});
+  const RotationDrag drag = body == "disc" ? disc_drag(medium, get(in, "omega"), get(in, "r"))
+                                           : spin_drag(medium, get(in, "omega"), get(in, "r"));
+  return Json{{"Re", drag.reynolds}, {"Cm", drag.coefficient}, {"torque", drag.torque}};
+}
+
+}  // namespace
+
+std::vector<Adapter> hydrodynamic_adapters() {
+  return {{"tribology_journalBearing", journal_case},
+          {"tribology_pocketFilm", pocket_case},
+          {"tribology_churning", churning_case}};
+}
+
+}  // namespace adore::calculators
