@@ -172,8 +172,8 @@ void fill(Deck& deck, const Deck& before) {
             std::begin(kValues), std::end(kValues),
             [&](const auto& k) { return name.find(k.first) != std::string_view::npos; });
         // Waves per turn, or a length [m].
-        const bool waves = name.starts_with("rndVar2") &&
-                           (record.id.ends_with("B") || record.id.ends_with("D"));
+        const bool waves =
+            name.starts_with("rndVar2") && (record.id.ends_with("B") || record.id.ends_with("D"));
         if (waves)
           value = 3.0;
         else if (known != std::end(kValues))
