@@ -8,8 +8,9 @@
 /// stands where R = load + force of the elements = 0. Its place c is state; it moves by
 ///   ċ = K⁻¹ (D + λ R),   K = -dR/dc with elements that follow the race, D = ∂R/∂t at fixed c,
 /// so that it goes with its balance and a departure R decays at the rate λ = ½ √(tr K / 3 M), M the
-/// mass of all elements: the pace at which the elements themselves settle (held_balls.hpp). D needs
-/// no friction, R has all of it. Directions without stiffness stay where they are. [SI, base axes]
+/// mass of all elements: the pace at which the elements themselves settle (held_elements.hpp). D
+/// needs no friction, R has all of it. Directions without stiffness stay where they are. [SI, base
+/// axes]
 namespace adore::dynamics {
 
 class BalancedRace {

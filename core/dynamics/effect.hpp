@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/evaluation.hpp"
+#include "dynamics/force_pass.hpp"
 #include "dynamics/system.hpp"
 
 #include <functional>
@@ -126,6 +127,12 @@ class SceneEffect {
   /// A block of it gives races a motion beside their spin (then they do work without friction).
   [[nodiscard]] virtual bool moves_races() const noexcept { return false; }
 
+  /// Adds -∂F/∂(place) of what it does to element i besides the races, (x, r, θ) directions [N/m]:
+  /// an estimate for elements in balance (held_rollers.hpp).
+  virtual void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) const noexcept {
+    return (void)e, (void)i, (void)stiffness;
+  }
+
   /// Longest step from time t that resolves what it prescribes [s] (System::longest_step).
   [[nodiscard]] virtual double longest_step(double t) const {
     return (void)t, std::numeric_limits<double>::infinity();
@@ -237,6 +244,9 @@ class SceneBuilder {
 
   /// Does an effect of the scene move the races?
   [[nodiscard]] bool races_move() const;
+
+  /// Every force of the scene once more, for effects that need them ahead.
+  [[nodiscard]] ForcePass force_pass() const noexcept { return ForcePass(out_); }
 
   /// An effect of the scene, declared before when the catalogue has it before; null: there is none.
   template <class E>

@@ -40,7 +40,7 @@ constexpr CatalogueLine kCatalogue[] = {
     {"race balance", "mode", "inner race in force balance", make_race_balance, nullptr},
     {"suppressed motions", "kDOF", "elements whose accelerations are zero",
      make_suppressed_elements, suppressed_element_terms},
-    {"light-load balance", "qFac, mode", "lightly loaded balls stand in force balance",
+    {"light-load balance", "qFac, mode", "lightly loaded elements stand in force balance",
      make_light_load_balance, light_load_terms},
 };
 

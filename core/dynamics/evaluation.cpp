@@ -15,12 +15,16 @@ void Evaluation::begin(double time, const double* state, double* rates) noexcept
   t = time;
   y = state;
   dydt = rates;
+  clear_actions();
+  valid = true;
+}
+
+void Evaluation::clear_actions() noexcept {
   for (auto& array : actions) std::fill(array.begin(), array.end(), 0.0);
   for (BodyState& body : segments) body.clear_actions();
   for (BodyState& body : race) body.clear_actions();
   for (BodyState& body : others) body.clear_actions();
   elastic = 0.0;
-  valid = true;
 }
 
 }  // namespace adore::dynamics

@@ -33,6 +33,8 @@ struct Evaluation {
   bool valid = true;     ///< false: outside the model's validity
 
   void begin(double time, const double* state, double* rates) noexcept;
+  /// Nothing acts on any body.
+  void clear_actions() noexcept;
   [[nodiscard]] BodyState& body(const BodyId& id) noexcept {
     const auto k = static_cast<std::size_t>(id.index);
     switch (id.kind) {

@@ -18,16 +18,18 @@ void widen(VibrationBand& band, double frequency) {
 }
 
 std::vector<VibrationBand> bands_of(const Prepared& prepared, double time_scale) {
-  // Elements in force balance do not vibrate on their contacts.
-  if (prepared.plan.has(scene::Effect::ElementBalance)) return {};
+  // Elements in force balance do not vibrate along their contacts; rollers still tilt on them.
+  const bool balanced = prepared.plan.has(scene::Effect::ElementBalance);
+  if (balanced && prepared.bearing.rollers() == nullptr) return {};
   VibrationBand along{"elements along their race contacts"},
       across{"elements across their race contacts"};
   for (const auto& ball : dynamics::ball_vibrations(prepared.bearing, prepared.start)) {
-    widen(along, ball.along);
+    if (!balanced) widen(along, ball.along);
     widen(across, ball.across);
   }
-  if (!(along.highest > 0.0)) widen(along, 1.0 / time_scale);
-  std::vector<VibrationBand> out{along};
+  if (!balanced && !(along.highest > 0.0)) widen(along, 1.0 / time_scale);
+  std::vector<VibrationBand> out;
+  if (along.highest > 0.0) out.push_back(along);
   if (across.highest > 0.0) out.push_back(across);
   return out;
 }

@@ -16,8 +16,8 @@ struct JudgedSteps {
 
 /// Bands: both vibrations of every ball between its races (dynamics::ball_vibrations) at the start
 /// of the run, widened by kVibrationMargin; without a loaded contact, the one that the time scale
-/// stands for. Growth counts over a turn of inner against outer race, or the deck's whole run when
-/// the races do not turn against each other.
+/// stands for. In modes 1 and 2 only the tilting of rollers is left. Growth counts over a turn of
+/// inner against outer race, or the deck's whole run when the races do not turn against each other.
 /// @param time_scale unit of the deck's step sizes [s]
 [[nodiscard]] JudgedSteps judge_steps(const Prepared& prepared, double time_scale);
 

@@ -152,15 +152,6 @@ void check_pocket_errors(const Deck& deck, Checker& check) {
 
 /// What the motion of rollers leaves out.
 void check_moving_rollers(const Deck& deck, Checker& check) {
-  if (deck.integer("mode") > 0)
-    check.error("mode",
-                "asks for rollers in force balance, which this version does not simulate yet",
-                "set mode to 0");
-  if (deck.has("qFac") && deck.real("qFac") > 0.0)
-    check.error("qFac",
-                "asks for the force balance of lightly loaded elements, which rollers do "
-                "not have yet",
-                "set it to 0: all rollers move freely");
   if (deck.integer("kReGeoImp") == 3)
     check.error("kReGeoImp", "asks for user routine ADRX8, which this version does not call yet",
                 "use 0, 1 or 2");

@@ -3,14 +3,18 @@
 #include "dynamics/effects/balls.hpp"
 #include "dynamics/effects/race_balance.hpp"
 #include "dynamics/effects/races.hpp"
+#include "dynamics/effects/rigid_elements.hpp"
 #include "dynamics/held_balls.hpp"
+#include "dynamics/held_elements.hpp"
+#include "dynamics/held_rollers.hpp"
+#include "dynamics/roller_start.hpp"
 
 #include <algorithm>
 #include <vector>
 
-/// Effects "light-load balance" (qFac) and "element balance" (modes 1 and 2, all balls): which
-/// balls are held, changed between steps only, and the books of what held balls leave out. The
-/// motion of a held ball: held_balls.hpp.
+/// Effects "light-load balance" (qFac) and "element balance" (modes 1 and 2, all): which
+/// elements are held, changed between steps only, and the books of what held ones leave out. The
+/// motion of a held element: held_elements.hpp.
 namespace adore::dynamics {
 namespace {
 
@@ -39,28 +43,42 @@ constexpr const LedgerTerm* kTerms[] = {&kSwitches, &kBalance, &kLeftOut};
 
 class HeldRates final : public EffectBlock {
  public:
-  explicit HeldRates(HeldBalls& held) : held_(held) {}
+  explicit HeldRates(HeldElements& held) : held_(held) {}
   void apply(Evaluation& e) noexcept override { held_.form_rates(e); }
 
  private:
-  HeldBalls& held_;
+  HeldElements& held_;
 };
 
 class HeldMotion final : public EffectBlock {
  public:
-  explicit HeldMotion(HeldBalls& held) : held_(held) {}
+  explicit HeldMotion(HeldElements& held) : held_(held) {}
   void apply(Evaluation& e) noexcept override { held_.take_inertia_out(e); }
 
  private:
-  HeldBalls& held_;
+  HeldElements& held_;
 };
 
-/// A ball that becomes held: where it was and where its balance is.
+/// An element that becomes held: where it was and where its balance is.
 struct Candidate {
-  std::size_t ball;
+  std::size_t element;
   double x, r, theta_dot;
   Vec2 residual;  ///< G at the old place [N]
 };
+
+std::unique_ptr<HeldContacts> ball_contacts(const SceneBuilder& scene, double mass) {
+  PocketContact* pockets = scene.find<PocketContact>();
+  const bool friction = pockets != nullptr && pockets->friction().has_value();
+  std::optional<MovingFrame> frame;
+  if (const auto& turning = scene.plan.race_motions.frame)
+    frame = MovingFrame{turning->speed, turning->orbit_radius, turning->orbit_angle};
+  return std::make_unique<HeldBalls>(
+      HeldBalls::Scene{scene.find<Races>()->contacts(), mass,
+                       scene.plan.has(Effect::Gravity) ? scene.bearing.gravity : Vec3(Vec3::Zero()),
+                       pockets != nullptr ? &pockets->set() : nullptr,
+                       friction ? *pockets->friction() : tribology::TractionLaw(), friction, frame},
+      static_cast<std::size_t>(scene.bearing.element_count()));
+}
 
 class LightLoadBalance final : public SceneEffect {
  public:
@@ -73,45 +91,45 @@ class LightLoadBalance final : public SceneEffect {
   bool between_steps(double t, std::span<double> y, BetweenSteps& scene) override;
 
  private:
-  std::optional<HeldBalls> held_;
-  ElementSlices ball_;
+  std::optional<HeldElements> held_;
+  ElementSlices element_;
   double mass_ = 0.0, load_ratio_ = 0.0;
-  bool all_ = false;   ///< every ball, from the start on
-  bool moves_ = true;  ///< to its balance when it becomes held
+  bool all_ = false;   ///< every element, from the start on
+  bool axial_ = true;  ///< x is in balance, else r alone: then a held element stays where it is
   // In the state.
   int balance_ = -1, switches_ = -1;
   int impulse_ = -1, angular_impulse_ = -1;  ///< first of three
-  int flags_ = -1;                           ///< first of one per ball: 1 held, 0 free
+  int flags_ = -1;                           ///< first of one per element: 1 held, 0 free
 };
 
 void LightLoadBalance::declare(SceneBuilder& scene) {
   load_ratio_ = scene.plan.light_load_ratio;
   all_ = scene.plan.has(Effect::ElementBalance);
   demand(all_ || load_ratio_ > 0.0, "light-load balance needs a load ratio above 0");
-  const bool axial = scene.plan.suppressed.element_axial;
-  moves_ = !axial;
-  const Balls& balls = *scene.find<Balls>();
-  ball_ = balls.slices();
-  mass_ = balls.mass();
-  PocketContact* pockets = scene.find<PocketContact>();
-  const bool friction = pockets != nullptr && pockets->friction().has_value();
-  std::optional<MovingFrame> frame;
-  if (const auto& turning = scene.plan.race_motions.frame)
-    frame = MovingFrame{turning->speed, turning->orbit_radius, turning->orbit_angle};
+  axial_ = !scene.plan.suppressed.element_axial;
+  std::unique_ptr<HeldContacts> contacts;
+  if (const RigidElements* rollers = scene.find<RigidElements>()) {
+    element_ = rollers->slices();
+    mass_ = rollers->mass();
+    axial_ = axial_ && scene.bearing.rollers()->shape != bearing::RollerShape::Arc;
+    contacts = std::make_unique<HeldRollers>(
+        statics::make_roller_model(scene.bearing, scene.rollers->options), mass_,
+        scene.force_pass());
+  } else {
+    const Balls& balls = *scene.find<Balls>();
+    element_ = balls.slices();
+    mass_ = balls.mass();
+    contacts = ball_contacts(scene, mass_);
+  }
   RaceBalance* race = scene.find<RaceBalance>();
-  held_.emplace(
-      HeldBalls::Scene{scene.find<Races>()->contacts(), mass_,
-                       scene.plan.has(Effect::Gravity) ? scene.bearing.gravity : Vec3(Vec3::Zero()),
-                       pockets != nullptr ? &pockets->set() : nullptr,
-                       friction ? *pockets->friction() : tribology::TractionLaw(), friction, frame,
-                       axial, race != nullptr ? &race->race() : nullptr},
-      ball_, static_cast<std::size_t>(scene.bearing.element_count()));
+  held_.emplace(HeldElements::Scene{mass_, axial_, race != nullptr ? &race->race() : nullptr},
+                element_, std::move(contacts));
   constexpr std::string_view kCost = "light-load balance";
   scene.block<HeldRates>(Phase::Kinematics, kCost, {}, *held_);
   scene.block<HeldMotion>(Phase::Motion, kCost, {}, *held_);
 
   using Momentum = SceneBuilder::Momentum;
-  const HeldBalls::Account& account = held_->account();
+  const HeldElements::Account& account = held_->account();
   scene.energy(balance_, "held.balance_work", kBalance, &account.power);
   scene.energy(switches_, "held.switch_energy", kSwitches, nullptr);
   scene.momentum(impulse_, "held.impulse", Momentum::Linear, kMomentum, account.force.data());
@@ -121,14 +139,14 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
 }
 
 void LightLoadBalance::resume(std::span<const double> y) {
-  for (int i = 0; i < ball_[Quantity::X].count; ++i)
+  for (int i = 0; i < element_[Quantity::X].count; ++i)
     held_->set(static_cast<std::size_t>(i), y[static_cast<std::size_t>(flags_ + i)] > 0.5);
 }
 
 void LightLoadBalance::report(const Evaluation&, Snapshot& snapshot) const {
   double left_out = 0.0;
   for (const std::size_t i : held_->list()) {
-    left_out += 0.5 * mass_ * held_->rate(i).squaredNorm();
+    left_out += 0.5 * mass_ * held_->left_out(i).squaredNorm();
     snapshot.elements[i].held = true;
   }
   snapshot.energy.add(kLeftOut, left_out);
@@ -136,7 +154,7 @@ void LightLoadBalance::report(const Evaluation&, Snapshot& snapshot) const {
 }
 
 bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps& scene) {
-  HeldBalls& held = *held_;
+  HeldElements& held = *held_;
   const Evaluation& e = scene.evaluate(t, y);
   const double threshold = load_ratio_ * scene.run_scales().force, mass = mass_;
   const auto at = [&y](const Slice& slice, std::size_t i) -> double& {
@@ -148,12 +166,12 @@ bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps
   const auto load_of = [&e](std::size_t i) { return std::max(e.load[0][i], e.load[1][i]); };
 
   struct Release {
-    std::size_t ball;
+    std::size_t element;
     Vec2 rate;
   };
   std::vector<Release> released;
   std::vector<Candidate> taken;
-  std::vector<BallBalance> places;
+  std::vector<HeldPlace> places;
   for (std::size_t i = 0; i < e.elements.n; ++i) {
     const bool was = held.is_held(i);
     if ((all_ || held_next(was, load_of(i), threshold)) == was) continue;
@@ -164,13 +182,13 @@ bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps
     // All forces but the normal ones of the races stay as they are while the place is sought.
     const double centrifugal =
         mass * e.elements.r[i] * e.elements.theta_dot[i] * e.elements.theta_dot[i];
-    const Vec2 residual =
-        mass * Vec2(rate_of(ball_[Quantity::XDot], i), rate_of(ball_[Quantity::RDot], i));
+    const Vec2 residual = mass * Vec2(axial_ ? rate_of(element_[Quantity::XDot], i) : 0.0,
+                                      rate_of(element_[Quantity::RDot], i));
     const Vec2 other = residual - Vec2(0.0, centrifugal) - held.normal_force(e, i);
-    BallBalance place = held.balanced(e, i, other);
-    const double load = std::max(place.contact[0].load, place.contact[1].load);
-    if (!all_ && (!place.solved || load > kReleaseRatio * threshold)) continue;  // passing through
-    if (!place.solved || !moves_) {
+    HeldPlace place = held.balanced(e, i, other);
+    if (!all_ && (!place.solved || place.load > kReleaseRatio * threshold))
+      continue;  // passing through
+    if (!place.solved || !axial_) {
       place.x = e.elements.x[i];
       place.r = e.elements.r[i];
       place.speed = e.elements.theta_dot[i];
@@ -183,26 +201,27 @@ bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps
   const double energy = scene.stored_energy();
   const Momenta momenta = scene.momenta();
   for (const Release& release : released) {
-    held.set(release.ball, false);
-    at(ball_[Quantity::XDot], release.ball) = release.rate[0];
-    at(ball_[Quantity::RDot], release.ball) = release.rate[1];
+    held.set(release.element, false);
+    at(element_[Quantity::XDot], release.element) = release.rate[0];
+    at(element_[Quantity::RDot], release.element) = release.rate[1];
   }
   for (std::size_t k = 0; k < taken.size(); ++k) {
-    const std::size_t i = taken[k].ball;
+    const std::size_t i = taken[k].element;
     held.set(i, true);
-    at(ball_[Quantity::XDot], i) = at(ball_[Quantity::RDot], i) = 0.0;
-    at(ball_[Quantity::X], i) = places[k].x;
-    at(ball_[Quantity::R], i) = places[k].r;
-    at(ball_[Quantity::ThetaDot], i) = places[k].speed;  // L is kept
+    if (axial_) at(element_[Quantity::XDot], i) = 0.0;
+    at(element_[Quantity::RDot], i) = 0.0;
+    at(element_[Quantity::X], i) = places[k].x;
+    at(element_[Quantity::R], i) = places[k].r;
+    at(element_[Quantity::ThetaDot], i) = places[k].speed;  // L is kept
   }
-  // A pocket wall in the way can make the new place worse than the old one: then the ball stays and
-  // its motion as a held ball brings it to balance.
+  // A pocket wall in the way can make the new place worse than the old one: then the element stays
+  // and its motion as a held element brings it to balance.
   const bool valid = scene.is_valid(t, y);
   for (const Candidate& c : taken) {
-    if (valid && held.residual(c.ball).norm() <= c.residual.norm()) continue;
-    at(ball_[Quantity::X], c.ball) = c.x;
-    at(ball_[Quantity::R], c.ball) = c.r;
-    at(ball_[Quantity::ThetaDot], c.ball) = c.theta_dot;
+    if (valid && held.residual(c.element).norm() <= c.residual.norm()) continue;
+    at(element_[Quantity::X], c.element) = c.x;
+    at(element_[Quantity::R], c.element) = c.r;
+    at(element_[Quantity::ThetaDot], c.element) = c.theta_dot;
   }
   scene.evaluate(t, y);
 

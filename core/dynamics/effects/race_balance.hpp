@@ -8,7 +8,7 @@
 /// Mode 2: the inner race stands in force balance along the directions whose load is given
 /// (balanced_race.hpp). Its centre is state, in the border of the arrow; its speed and tilt stay
 /// prescribed. What it does to the elements is the work of the inner race in the ledger: the load's
-/// work, less what goes with its way to balance. Who forms its velocity: held_balls.hpp.
+/// work, less what goes with its way to balance. Who forms its velocity: held_elements.hpp.
 namespace adore::dynamics {
 
 class RaceBalance final : public SceneEffect, public BorderBody {

@@ -139,10 +139,12 @@ void Races::declare_contact(SceneBuilder& scene, std::size_t j) {
   const std::string cost = j == 0 ? "outer race contacts" : "inner race contacts";
   const BodyId race{BodyId::Kind::Race, static_cast<int>(j)};
   const bool wear = scene.plan.has(Effect::WearIntegrals);
+  const bool held =
+      scene.plan.has(Effect::LightLoadBalance) || scene.plan.has(Effect::ElementBalance);
   if (rollers_)
     scene.block<RollerRaceBlock>(Phase::Force, cost, race, (*rollers_)[j],
-                                 static_cast<std::size_t>(scene.bearing.element_count()), wear,
-                                 account_[j]);
+                                 static_cast<std::size_t>(scene.bearing.element_count()),
+                                 wear || held, account_[j]);
   else
     scene.block<RaceBlock>(Phase::Force, cost, race, contacts_[j], wear, account_[j]);
 }

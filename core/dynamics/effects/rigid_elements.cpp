@@ -149,17 +149,23 @@ Vec3 RigidElements::angular_momentum(const Evaluation& e, std::size_t i) const n
   return B * (inertia_ * (B.transpose() * e.element_omega(i)));
 }
 
+/// From the state: ẋ and ṙ of held elements stand there as zero.
+Vec3 RigidElements::carried_velocity(const Evaluation& e, std::size_t i) const noexcept {
+  return e.to_base(i, e.y[s_.at(Quantity::XDot, i)], e.y[s_.at(Quantity::RDot, i)],
+                   e.elements.r[i] * e.elements.theta_dot[i]);
+}
+
 void RigidElements::store(const Evaluation& e, EnergyLedger& energy) const {
   double kinetic = 0.0;
   for (std::size_t i = 0; i < e.elements.n; ++i)
-    kinetic += 0.5 * mass_ * e.element_velocity(i).squaredNorm() +
+    kinetic += 0.5 * mass_ * carried_velocity(e, i).squaredNorm() +
                0.5 * e.element_omega(i).dot(angular_momentum(e, i));
   energy.accumulate(terms::kKinetic, kinetic);
 }
 
 void RigidElements::carry(const Evaluation& e, Momenta& momenta) const {
   for (std::size_t i = 0; i < e.elements.n; ++i) {
-    const Vec3 p = mass_ * e.element_velocity(i);
+    const Vec3 p = mass_ * carried_velocity(e, i);
     momenta.add(p, e.element_centre(i).cross(p) + angular_momentum(e, i));
   }
 }
@@ -172,8 +178,8 @@ void RigidElements::report(const Evaluation& e, Snapshot& snapshot) const {
     element.x = e.elements.x[i];
     element.r = e.elements.r[i];
     element.theta = e.elements.theta[i];
-    element.vx = e.elements.x_dot[i];
-    element.vr = e.elements.r_dot[i];
+    element.vx = e.y[s_.at(Quantity::XDot, i)];
+    element.vr = e.y[s_.at(Quantity::RDot, i)];
     element.theta_dot = e.elements.theta_dot[i];
     element.ax = e.dydt[s_.at(Quantity::XDot, i)];
     element.ar = e.dydt[s_.at(Quantity::RDot, i)];

@@ -39,6 +39,7 @@ class RigidElements final : public SceneEffect {
     std::size_t element = 0;
     Slice turn;  ///< ∫ ω·(body x axis) dt
   };
+  [[nodiscard]] Vec3 carried_velocity(const Evaluation& e, std::size_t i) const noexcept;
   [[nodiscard]] Vec3 angular_momentum(const Evaluation& e, std::size_t i) const noexcept;
 
   ElementSlices s_;

@@ -322,6 +322,25 @@ class RollerPockets final : public SceneEffect {
     return {};
   }
 
+  /// dN/dδ m mᵀ of what is touched.
+  void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) const noexcept override {
+    const RollerPocketSet::Place at = set_->locate(e, i);
+    if (!set_->is_inside(i, at.q)) return;
+    const auto add = [&](const Vec3& into, double slope) {
+      const Vec3 m = e.to_cylindrical(i, at.to_base * into);
+      stiffness += slope * m * m.transpose();
+    };
+    for (std::size_t k = 0; k < set_->surfaces(i); ++k) {
+      if (set_->surely_open(i, k, at)) continue;
+      set_->for_slices(i, k, at, [&](const contact::PocketSlice& slice, double load, double) {
+        if (load > 0.0 && slice.gap < 0.0) add(slice.m, (10.0 / 9.0) * load / -slice.gap);
+      });
+    }
+    set_->for_ends(i, at, [&](const contact::EndTouch& touch, double load, double) {
+      add(touch.out, 1.5 * load / -touch.gap);
+    });
+  }
+
   void report(const Evaluation& e, Snapshot& snapshot) const override {
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       const RollerPocketSet::Place at = set_->locate(e, i);

@@ -1,0 +1,186 @@
+#include "dynamics/held_elements.hpp"
+
+#include "dynamics/rigid_body.hpp"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace adore::dynamics {
+namespace {
+
+/// Floor of B, in N/m and as a share of its largest stiffness: keeps B² far from rounding.
+constexpr double kNoStiffness = 1e-6;
+
+Vec3 e_theta_at(const Evaluation& e, std::size_t i) noexcept {
+  return {0.0, -e.cos_theta[i], -e.sin_theta[i]};
+}
+
+/// Square root of a symmetric positive definite 2x2 matrix.
+Mat2 square_root(const Mat2& M) noexcept {
+  const double s = std::sqrt(std::max(M.determinant(), 0.0));
+  return (M + s * Mat2::Identity()) / std::sqrt(M.trace() + 2.0 * s);
+}
+
+}  // namespace
+
+HeldElements::HeldElements(const Scene& scene, const ElementSlices& slices,
+                           std::unique_ptr<HeldContacts> contacts)
+    : scene_(scene),
+      slices_(slices),
+      contacts_(std::move(contacts)),
+      flags_(slices.elements(), 0),
+      x_dot_(slices.elements(), 0.0),
+      r_dot_(slices.elements(), 0.0),
+      residual_(slices.elements(), Vec2::Zero()),
+      springs_(slices.elements()),
+      forces_(slices.elements()),
+      estimate_(slices.elements()) {
+  list_.reserve(slices.elements());
+}
+
+void HeldElements::set(std::size_t i, bool held) {
+  flags_[i] = held ? 1 : 0;
+  list_.clear();
+  for (std::size_t k = 0; k < flags_.size(); ++k)
+    if (flags_[k] != 0) list_.push_back(k);
+}
+
+/// Stiffness of what element i touches and what follows from it.
+void HeldElements::estimate(const Evaluation& e, std::size_t k) noexcept {
+  const std::size_t i = list_[k];
+  const ElementViews& b = e.elements;
+  const double td = b.theta_dot[i], r = b.r[i], centrifugal = scene_.mass * r * td * td;
+  Estimate& est = estimate_[k];
+  Mat2 B = springs_[k].stiffness.topLeftCorner<2, 2>();
+  if (!scene_.axial) B(0, 1) = B(1, 0) = 0.0;
+  B(1, 1) += 3.0 * centrifugal / r;  // of L²/(m r³)
+  const double floor = kSoft * scene_.mass * td * td + kNoStiffness * (1.0 + std::abs(B.trace()));
+  const Mat2 square = B * B + floor * floor * Mat2::Identity();
+  est.damping = 2.0 * std::sqrt(scene_.mass) * square_root(square_root(square));
+  est.inverse = B * square.inverse();
+  if (!scene_.axial) est.inverse.row(0).setZero();
+  est.per_orbit = Vec2(0.0, 2.0 * td / r);
+}
+
+/// w: rates of the balance of race normals, L changing by those alone.
+void HeldElements::first_rates(const Evaluation& e, std::size_t k) noexcept {
+  const std::size_t i = list_[k];
+  const Estimate& est = estimate_[k];
+  const HeldSprings& springs = springs_[k];
+  const double td = e.elements.theta_dot[i], r = e.elements.r[i];
+  const Vec3 orbit(scene_.axial ? 0.0 : e.elements.x_dot[i], 0.0, r * td);
+  Vec3 drift = Vec3::Zero();  // change of the races' force at fixed x, r
+  for (std::size_t j = 0; j < 2; ++j)
+    drift +=
+        springs.race[j] * (e.to_cylindrical(i, e.race[j].velocity) - orbit) + springs.turning[j];
+  // e_r turns with the element: a fixed force changes its r component by F_θ θ̇.
+  const Vec2 w = est.inverse * (drift.head<2>() + Vec2(0.0, springs.normal[2] * td) +
+                                est.per_orbit * (r * springs.normal[2]));
+  if (scene_.axial) x_dot_[i] = w[0];
+  r_dot_[i] = w[1];
+}
+
+/// The force of element i on the inner race is Q n: it changes by S v of the element less S v of
+/// the race, S the contact's stiffness, and the element follows the race by B⁻¹ S.
+void HeldElements::move_race(Evaluation& e) noexcept {
+  Mat3 stiffness = Mat3::Zero();
+  Vec3 drift = Vec3::Zero();
+  for (std::size_t k = 0; k < list_.size(); ++k) {
+    const std::size_t i = list_[k];
+    const Mat3& S = springs_[k].race[1];
+    Mat3 frame;  // base axes -> (x, r, θ)
+    for (int axis = 0; axis < 3; ++axis) frame.col(axis) = e.to_cylindrical(i, Vec3::Unit(axis));
+    Mat3 held = S;
+    held -= S.leftCols<2>() * estimate_[k].inverse * S.topRows<2>();
+    stiffness += frame.transpose() * held * frame;
+    const Vec3 velocity(x_dot_[i], r_dot_[i], e.elements.r[i] * e.elements.theta_dot[i]);
+    drift += frame.transpose() * (S * velocity - springs_[k].turning[1]);
+  }
+  scene_.race->estimate(stiffness, drift, scene_.mass * static_cast<double>(list_.size()));
+  follow_race(e, scene_.race->velocity());
+  e.race[1].velocity = scene_.race->velocity();
+}
+
+void HeldElements::follow_race(const Evaluation& e, const Vec3& velocity) noexcept {
+  for (std::size_t k = 0; k < list_.size(); ++k) {
+    const std::size_t i = list_[k];
+    const Vec2 more =
+        estimate_[k].inverse * (springs_[k].race[1] * e.to_cylindrical(i, velocity)).head<2>();
+    x_dot_[i] += more[0];
+    r_dot_[i] += more[1];
+  }
+}
+
+/// Adds (A + C)⁻¹ G(w) and what race friction adds to L̇. Blows of the cage are left to the former.
+void HeldElements::pull(const Evaluation& e, std::size_t k) noexcept {
+  const std::size_t i = list_[k];
+  const ElementViews& b = e.elements;
+  const Estimate& est = estimate_[k];
+  const HeldForces& forces = forces_[k];
+  const double td = b.theta_dot[i];
+  Mat2 damping = forces.damping;
+  Vec2 G(forces.force[0], forces.force[1] + scene_.mass * b.r[i] * td * td);
+  if (!scene_.axial) {
+    G[0] = 0.0;
+    damping(0, 1) = damping(1, 0) = 0.0;
+  }
+  Vec2 p = (est.damping + damping).inverse() * G;
+  const double size = G.norm();
+  if (size > 0.0)
+    p /= std::sqrt(1.0 + scene_.mass * p.squaredNorm() / (2.0 * size * contacts_->free_path()));
+  const double friction_theta = forces.race_theta - springs_[k].normal[2];
+  p += est.inverse * est.per_orbit * (b.r[i] * friction_theta);
+  x_dot_[i] += p[0];
+  r_dot_[i] += p[1];
+}
+
+void HeldElements::form_rates(Evaluation& e) noexcept {
+  const std::size_t n = e.elements.n, held = list_.size();
+  std::copy(e.elements.x_dot, e.elements.x_dot + n, x_dot_.begin());
+  std::copy(e.elements.r_dot, e.elements.r_dot + n, r_dot_.begin());
+  e.elements.x_dot = x_dot_.data();
+  e.elements.r_dot = r_dot_.data();
+  if (held == 0) return;
+
+  contacts_->springs(e, list_, {springs_.data(), held});
+  for (std::size_t k = 0; k < held; ++k) {
+    estimate(e, k);
+    first_rates(e, k);
+  }
+  if (scene_.race != nullptr) move_race(e);
+  const Vec3 on_race = contacts_->forces(e, list_, {springs_.data(), held}, {forces_.data(), held});
+  if (!e.valid) return;
+  for (std::size_t k = 0; k < held; ++k) pull(e, k);
+  if (scene_.race == nullptr) return;
+  const Vec3 pull = scene_.race->pull(on_race);
+  follow_race(e, pull);
+  e.race[1].velocity += pull;
+}
+
+/// The inertia that is left out would take m(ẍ, r̈ - rθ̇²) = F: what the equations of motion found
+/// for ẍ, r̈ is G/m. Momentum is that of r θ̇ (and of ẋ where it stays
+/// dynamic), p = m r θ̇ e_θ: ṗ = F - G - m ṙ θ̇ e_θ.
+void HeldElements::take_inertia_out(Evaluation& e) noexcept {
+  account_ = {};
+  const double m = scene_.mass;
+  for (const std::size_t i : list_) {
+    double& ax = e.dydt[slices_.at(Quantity::XDot, i)];
+    double& ar = e.dydt[slices_.at(Quantity::RDot, i)];
+    const double td = e.elements.theta_dot[i], r = e.elements.r[i];
+    residual_[i] = Vec2(scene_.axial ? m * ax : 0.0, m * ar);
+    account_.power += residual_[i].dot(rate(i));
+    const Vec3 force = e.to_base(i, residual_[i][0], residual_[i][1], m * r_dot_[i] * td);
+    const Vec3 velocity = e.to_base(i, x_dot_[i], r_dot_[i], 0.0);
+    Vec3 carried = m * r * td * e_theta_at(e, i);
+    if (!scene_.axial) carried[0] += m * x_dot_[i];
+    account_.force += force;
+    account_.moment += e.element_centre(i).cross(force) - velocity.cross(carried);
+    if (scene_.axial) ax = 0.0;
+    ar = 0.0;
+  }
+}
+
+}  // namespace adore::dynamics

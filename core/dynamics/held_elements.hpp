@@ -1,0 +1,118 @@
+#pragma once
+
+#include "dynamics/balanced_race.hpp"
+#include "dynamics/held_contacts.hpp"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+/// Light-load balance in a run (record 2.1 qFac): elements whose inertia in x and r is left out.
+///
+/// A held element keeps x, r, θ, θ̇, its attitude and its spin as state; m r² θ̇ changes by r F_θ as
+/// always. Instead of ẍ and r̈ its x and r follow the balance
+///   G = (F_x, F_r + m r θ̇²) = 0,   F of all forces: races with friction, pocket, gravity,
+/// by first-order motion  (ẋ, ṙ) = w + (A + C)⁻¹ G(w),  where
+///   w = B⁻¹ (∂G/∂t along θ, L, the attitude and the races): rates of the balance of race normals,
+///   B = -∂G/∂(x, r) of the normal forces at fixed L,  A = 2 √(m B),
+///   C = Q κ/u along the contact, summed over the contacts (friction force over slip speed).
+/// A departure from balance decays like that of a critically damped element without inertia, at
+/// half its natural frequency: not faster than the element itself would move, and without
+/// vibration; where friction is stronger than that, friction alone sets the rates. B is taken as
+/// √(B² + (kSoft m θ̇²)²), so that an element without contact keeps finite rates, and an element
+/// nears its balance no faster than by free fall from rest through HeldContacts::free_path().
+/// Without `axial` (kDOF 1 to 4, and barrels) only r is in balance. A barrel turns about the centre
+/// of its groove: x and tilt are one motion, whose inertia is that of x (m R² against the 80 times
+/// smaller moment of inertia of the NU22208's); left without it, friction would be as much stiffer.
+/// Tilt, skew and spin of rollers stay dynamic: held or not, they turn by Euler's equations.
+///
+/// w needs no friction; G(w) is formed by a first pass over the held elements (HeldContacts), and
+/// the pass over all elements then forms every slip with (ẋ, ṙ) itself. Hence the right-hand side
+/// is a pure function of (t, y) and the set of held elements, and the energy that the motion takes
+/// is exactly ∫ G·(ẋ, ṙ) dt, an item of the ledger. The kinetic energy ½m(ẋ² + ṙ²) is left out of
+/// the stored energy; ẋ and ṙ of held elements stand in the state as zero.
+///
+/// Modes 1 and 2 hold all elements. In mode 2 the inner race follows its own balance by the same
+/// kind of motion (balanced_race.hpp), and w holds what its velocity does to the elements.
+///
+/// Limits: w leaves out the cage, gravity and races that tilt in time; a held element follows
+/// those, and changes of friction, within its natural time √(m/B): microseconds along the contact
+/// normal, up to milliseconds across an outer groove at low speed.
+namespace adore::dynamics {
+
+inline constexpr double kSoft = 1.0;  ///< softest stiffness that rates come from, over m θ̇²
+
+class HeldElements {
+ public:
+  struct Scene {
+    double mass;                   ///< of an element [kg]
+    bool axial = true;             ///< x is in balance; false: it stays as dynamic as it is
+    BalancedRace* race = nullptr;  ///< an inner race in balance (mode 2)
+  };
+  HeldElements(const Scene& scene, const ElementSlices& slices,
+               std::unique_ptr<HeldContacts> contacts);
+
+  void set(std::size_t i, bool held);
+  [[nodiscard]] bool is_held(std::size_t i) const noexcept { return flags_[i] != 0; }
+  [[nodiscard]] const std::vector<std::size_t>& list() const noexcept { return list_; }
+
+  /// Velocities of element i whose inertia is left out [m/s].
+  [[nodiscard]] Vec2 left_out(std::size_t i) const noexcept {
+    return {scene_.axial ? x_dot_[i] : 0.0, r_dot_[i]};
+  }
+  /// (ẋ, ṙ) of any element at the state evaluated last, and G of a held one [N].
+  [[nodiscard]] Vec2 rate(std::size_t i) const noexcept { return {x_dot_[i], r_dot_[i]}; }
+  [[nodiscard]] Vec2 residual(std::size_t i) const noexcept { return residual_[i]; }
+
+  /// The place where element i would stand in balance with the normal forces of the races and all
+  /// that acts besides them at the state evaluated last (`force` on x and r, [N]). L is kept.
+  [[nodiscard]] HeldPlace balanced(const Evaluation& e, std::size_t i, const Vec2& force) const {
+    return contacts_->balanced(e, i, force);
+  }
+  /// Normal forces of the races on (x, r) of element i [N].
+  [[nodiscard]] Vec2 normal_force(const Evaluation& e, std::size_t i) const noexcept {
+    return contacts_->normal_force(e, i);
+  }
+
+  /// What the inertia that is left out takes at this evaluation; moment about the base origin.
+  struct Account {
+    double power = 0.0;                                ///< [W]
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< [N, N m]
+  };
+  [[nodiscard]] const Account& account() const noexcept { return account_; }
+
+  /// Gives held elements the rates (ẋ, ṙ) that all slips are formed with. After the kinematics,
+  /// before every force.
+  void form_rates(Evaluation& e) noexcept;
+  /// Replaces ẍ and r̈ of held elements by zero and books what their inertia would take. After the
+  /// equations of motion of the elements.
+  void take_inertia_out(Evaluation& e) noexcept;
+
+ private:
+  struct Estimate {
+    Mat2 damping, inverse;  ///< A and B⁻¹
+    Vec2 per_orbit;         ///< ∂G/∂L
+  };
+  void estimate(const Evaluation& e, std::size_t k) noexcept;
+  void first_rates(const Evaluation& e, std::size_t k) noexcept;
+  /// Velocity of an inner race in balance with what the elements do at their first rates, and what
+  /// the elements' rates get from it.
+  void move_race(Evaluation& e) noexcept;
+  void follow_race(const Evaluation& e, const Vec3& velocity) noexcept;
+  void pull(const Evaluation& e, std::size_t k) noexcept;
+
+  Scene scene_;
+  ElementSlices slices_;
+  std::unique_ptr<HeldContacts> contacts_;
+  std::vector<unsigned char> flags_;
+  std::vector<std::size_t> list_;      ///< held elements, rising
+  std::vector<double> x_dot_, r_dot_;  ///< of all elements
+  std::vector<Vec2> residual_;
+  Account account_;
+  // One value per held element.
+  std::vector<HeldSprings> springs_;
+  std::vector<HeldForces> forces_;
+  std::vector<Estimate> estimate_;
+};
+
+}  // namespace adore::dynamics

@@ -1,0 +1,188 @@
+#include "dynamics/held_rollers.hpp"
+
+#include "base/symmetric_eigen.hpp"
+#include "contact/slice_circle.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::dynamics {
+
+/// One race with its flanges at a roller.
+struct HeldRollers::Contact {
+  contact::RacePose pose;
+  contact::MeridianTurn turn;
+  statics::PairPotential potential;
+  double r = 0.0, side = 0.0;  ///< r' [m], s [N]
+  Vec3 axis = Vec3::UnitX();   ///< of the roller, on (A, y', e)
+
+  [[nodiscard]] Vec3 into(const Vec3& v) const {
+    const Vec3 of_race = pose.direction(v);
+    const contact::Triple<double> out = turn.into({of_race[0], of_race[1], of_race[2]});
+    return {out.x, out.y, out.z};
+  }
+  [[nodiscard]] Vec3 back(const Vec3& v) const {
+    const contact::Triple<double> out = turn.back({v[0], v[1], v[2]});
+    return pose.direction_back({out.x, out.y, out.z});
+  }
+  /// On the roller, base axes.
+  [[nodiscard]] Vec3 force() const {
+    return back({-potential.gradient(0), -side, -potential.gradient(1)});
+  }
+  /// Its rate, base axes.
+  [[nodiscard]] Vec3 force_rate(const Vec3& velocity, const Vec3& omega) const {
+    const Vec3 v = into(velocity), of_axis = into(omega).cross(axis);
+    const double round = v[1] / r, t = axis[2], f = axis[1];
+    const statics::Vec4 rates(v[0], v[2], of_axis[2] + f * round, of_axis[1] - t * round);
+    const statics::Vec4& g = potential.gradient;
+    const statics::Vec4 g_rates = potential.hessian * rates;
+    const double side_rate =
+        (g_rates(2) * f + g(2) * rates(3) - g_rates(3) * t - g(3) * rates(2) - side * v[2]) / r;
+    return back({-g_rates(0), -(side_rate + g(1) * round), -(g_rates(1) - side * round)});
+  }
+};
+
+HeldRollers::Contact HeldRollers::contact(const Evaluation& e, std::size_t i, std::size_t j,
+                                          const Vec3& centre) const noexcept {
+  Contact out;
+  const RaceBody& race = e.race[j];
+  out.pose = {race.position, race.to_base};
+  const Vec3 C = out.pose.point(centre);
+  out.turn = contact::meridian_turn(C[1], C[2], out.r);
+  out.axis = out.into(e.attitude[i].col(0));
+  const statics::Vec4 p(C[0], out.r, out.axis[2], out.axis[1]);
+  const statics::RollerBody& body = model_.body(i);
+  statics::add_race(model_, body, j, p, out.potential);
+  for (const statics::FlangePair& flange : body.flanges)
+    if (flange.race == static_cast<int>(j) && !flange.surely_open(p))
+      statics::add_flange(flange, p, true, out.potential);
+  const statics::Vec4& g = out.potential.gradient;
+  out.side = (g(2) * out.axis[1] - g(3) * out.axis[2]) / out.r;
+  return out;
+}
+
+void HeldRollers::springs(const Evaluation& e, std::span<const std::size_t> held,
+                          std::span<HeldSprings> out) noexcept {
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    const std::size_t i = held[k];
+    HeldSprings& of = out[k];
+    of.normal.setZero();
+    of.stiffness.setZero();
+    const Vec3 to_middle = -model_.mass_offset * e.attitude[i].col(0), omega = e.element_omega(i);
+    for (std::size_t j = 0; j < 2; ++j) {
+      of.race[j].setZero();
+      of.turning[j].setZero();
+      of.along[j].setIdentity();
+      const Contact c = contact(e, i, j, e.element_centre(i) + to_middle);
+      if (!(c.potential.total > 0.0)) continue;
+      const Vec3 force = e.to_cylindrical(i, c.force());
+      const Vec2 n = force.head<2>() / std::max(force.norm(), 1e-300);
+      of.along[j] -= n * n.transpose();
+      for (int axis = 0; axis < 3; ++axis)
+        of.race[j].col(axis) =
+            -e.to_cylindrical(i, c.force_rate(e.to_base(i, Vec3::Unit(axis)), Vec3::Zero()));
+      of.turning[j] = e.to_cylindrical(i, c.force_rate(omega.cross(to_middle), omega));
+      of.normal += force;
+      of.stiffness += of.race[j];
+    }
+    pass_.resist(e, i, of.stiffness);
+  }
+}
+
+Vec3 HeldRollers::forces(Evaluation& e, std::span<const std::size_t> held,
+                         std::span<const HeldSprings> springs, std::span<HeldForces> out) noexcept {
+  pass_.apply(e, ForcePass::Which::OnRaces);
+  for (std::size_t k = 0; k < held.size(); ++k) out[k].race_theta = e.actions[2][held[k]];
+  if (e.valid) pass_.apply(e, ForcePass::Which::Others);
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    const std::size_t i = held[k];
+    out[k].force = {e.actions[0][i], e.actions[1][i], e.actions[2][i]};
+    out[k].damping.setZero();
+    for (std::size_t j = 0; j < 2; ++j)
+      add_friction_damping(e.load[j][i], e.heat[j][i], e.load_slip[j][i], springs[k].along[j],
+                           out[k].damping);
+  }
+  const Vec3 on_race = e.race[1].force;
+  e.clear_actions();
+  return on_race;
+}
+
+Vec2 HeldRollers::normal_force(const Evaluation& e, std::size_t i) const noexcept {
+  const Vec3 C = e.element_centre(i) - model_.mass_offset * e.attitude[i].col(0);
+  Vec3 force = Vec3::Zero();
+  for (std::size_t j = 0; j < 2; ++j) force += contact(e, i, j, C).force();
+  return e.to_cylindrical(i, force).head<2>();
+}
+
+/// Newton over (x, r) with the exact Hessian: eigenvalues are taken as positive, those of nothing
+/// leave the roller where it is; the step is limited to free_path() and halved until |G| falls.
+HeldPlace HeldRollers::balanced(const Evaluation& e, std::size_t i, const Vec2& force) const {
+  constexpr int kIterations = 60;
+  const double r0 = e.elements.r[i], momentum = mass_ * r0 * r0 * e.elements.theta_dot[i];
+  const Vec3 base = -model_.mass_offset * e.attitude[i].col(0);
+  struct Balance {
+    Vec2 residual = Vec2::Zero();
+    Mat2 stiffness = Mat2::Zero();
+    double load = 0.0, size = 0.0;  // size: of the forces that balance
+  };
+  const auto at = [&](const Vec2& place) {
+    Balance out;
+    const double r = place[1];
+    const double centrifugal = momentum * momentum / (mass_ * r * r * r);
+    out.residual = force + Vec2(0.0, centrifugal);
+    out.stiffness(1, 1) = 3.0 * centrifugal / r;
+    out.size = force.norm() + centrifugal;
+    const Vec3 C = e.to_base(i, place[0], r, 0.0) + base;
+    for (std::size_t j = 0; j < 2; ++j) {
+      const Contact c = contact(e, i, j, C);
+      if (!(c.potential.total > 0.0)) continue;
+      out.residual += e.to_cylindrical(i, c.force()).head<2>();
+      for (int axis = 0; axis < 2; ++axis)
+        out.stiffness.col(axis) -=
+            e.to_cylindrical(i, c.force_rate(e.to_base(i, Vec3::Unit(axis)), Vec3::Zero()))
+                .head<2>();
+      out.load = std::max(out.load, c.potential.total);
+      out.size += c.potential.total;
+    }
+    return out;
+  };
+  Vec2 place(e.elements.x[i], r0);
+  Balance now = at(place);
+  HeldPlace out;
+  for (int n = 0; n < kIterations; ++n) {
+    const SymmetricEigen<2> eigen =
+        symmetric_eigen<2>(Mat2(0.5 * (now.stiffness + now.stiffness.transpose())));
+    const double largest = eigen.values.cwiseAbs().maxCoeff();
+    Vec2 step = Vec2::Zero(), held = Vec2::Zero();
+    for (int k = 0; k < 2; ++k) {
+      const Vec2 mode = eigen.vectors.col(k);
+      const double stiffness = std::abs(eigen.values[k]), load = mode.dot(now.residual);
+      if (!(stiffness > 1e-9 * largest)) continue;
+      step += mode * (load / stiffness);
+      held += mode * load;
+    }
+    if (held.norm() <= 1e-12 * now.size) {
+      out.solved = true;
+      break;
+    }
+    if (const double length = step.norm(); length > free_path()) step *= free_path() / length;
+    Balance next = at(place + step);
+    for (int half = 0; half < 30 && !(next.residual.norm() < now.residual.norm()); ++half) {
+      step *= 0.5;
+      next = at(place + step);
+    }
+    if (!(next.residual.norm() < now.residual.norm())) {
+      out.solved = held.norm() <= 1e-9 * now.size;
+      break;
+    }
+    place += step;
+    now = next;
+  }
+  out.x = place[0];
+  out.r = place[1];
+  out.speed = momentum / (mass_ * out.r * out.r);
+  out.load = now.load;
+  return out;
+}
+
+}  // namespace adore::dynamics

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "dynamics/force_pass.hpp"
+#include "dynamics/held_contacts.hpp"
+#include "statics/roller_model.hpp"
+
+#include <array>
+#include <vector>
+
+/// Contacts of held rollers. Springs are exact: U(x', r', t, f) of each race with its flanges has a
+/// gradient g and a Hessian H (statics/slice_potential.hpp); under a velocity v of the middle C and
+/// ω of the roller, both relative to the race, with the axes (A, y', e) of statics/roller_pose.hpp,
+///   ẋ' = v·A,  ṙ' = v·e,  ė = (v·y'/r') y',  ȧ = ω × a,  ṫ = ȧ·e + a·ė,  ḟ = ȧ·y' + a·ẏ',
+///   ġ = H ṗ,  Ḟ = -(ġ_x A + ġ_r e + g_r ė + ṡ y' + s ẏ'),  s = (g_t f - g_f t)/r'   [derived].
+/// Forces come from a pass over all force blocks of the scene (force_pass.hpp), so that whatever
+/// acts on a roller takes part in its balance; the cage's springs are those that effects tell
+/// (SceneEffect::resist).
+/// Limits: friction of flanges has no share in C; races with errors count as ideal in the springs.
+namespace adore::dynamics {
+
+class HeldRollers final : public HeldContacts {
+ public:
+  HeldRollers(statics::RollerModel model, double mass, ForcePass pass)
+      : model_(std::move(model)), mass_(mass), pass_(pass) {
+    for (statics::RollerBody& body : model_.bodies) {
+      body.race = model_.race;  // not as they are where the roller started
+      body.inner_slope = 0.0;
+    }
+  }
+
+  void springs(const Evaluation& e, std::span<const std::size_t> held,
+               std::span<HeldSprings> out) noexcept override;
+  Vec3 forces(Evaluation& e, std::span<const std::size_t> held,
+              std::span<const HeldSprings> springs, std::span<HeldForces> out) noexcept override;
+  [[nodiscard]] HeldPlace balanced(const Evaluation& e, std::size_t i,
+                                   const Vec2& force) const override;
+  [[nodiscard]] Vec2 normal_force(const Evaluation& e, std::size_t i) const noexcept override;
+  /// About that of balls.
+  [[nodiscard]] double free_path() const noexcept override {
+    return 4e-4 * model_.rollers.diameter;
+  }
+
+ private:
+  struct Contact;
+  [[nodiscard]] Contact contact(const Evaluation& e, std::size_t i, std::size_t j,
+                                const Vec3& centre) const noexcept;
+
+  statics::RollerModel model_;
+  double mass_;
+  ForcePass pass_;
+};
+
+}  // namespace adore::dynamics
