@@ -12,8 +12,9 @@
 /// after contact/angle_law.hpp (the curvature that it comes from follows the groove radius). One
 /// potential V = 0.4 K(ψ) δ^2.5, δ = l - s:
 ///   Q = K δ^1.5,  D = ∂δ/∂ψ = -n_k x' - n_e Rc' - s' of the groove's change (race_wave.hpp)
-///   force on the ball  -Q n - (Q/R) (D + 0.4 δ k'/k) t,   the opposite on the race:
-/// the normal leans by R'/r against the direction of growing ψ, t. Its power on ball and race is
+///   force on the ball  -Q n + L c - (Q (D + 0.4 δ k'/k) + L E)/R t,  the opposite on the race,
+/// L of constants that follow the angle, E = n_k Rc' - n_e x':
+/// The normal leans by R'/r against the direction of growing ψ, t. Its power on ball and race is
 /// -dV/dt, whatever turns the race.
 /// Q stands for the force along n: the leaning one is longer by (D/R)²/2, 1e-7 of it.
 /// Limits: whole numbers of waves per turn; waves much longer than the contact is wide. The contact
@@ -35,7 +36,8 @@ struct WavyGroove {
 template <class T>
 struct WavyTouch {
   GrooveTouch<T> touch;
-  T turn;                                        ///< D [m/rad]
+  T turn;    ///< D [m/rad]
+  T across;  ///< -l ∂(n_e)/∂ψ / n_k, of the angle's change with ψ [m/rad]
   T stiffness = 1.0, log_stiffness_slope = 0.0;  ///< k, k'/k [-, 1/rad]
   T major = 1.0, minor = 1.0;                    ///< half axes over the nominal ones
 };
@@ -57,6 +59,7 @@ template <class T>
   out.touch = groove_touch<T>(axial - change.x, lift - change.centre_radius, offset);
   out.touch.approach = out.touch.approach - change.radius;
   out.turn = -out.touch.n_k * slope.x - out.touch.n_e * slope.centre_radius - slope.radius;
+  out.across = out.touch.n_k * slope.centre_radius - out.touch.n_e * slope.x;
   if (groove.varying) {
     const T w = e.curvature_factor * groove.per_factor;
     const PolynomialValue<T> k = polynomial_with_slope(groove.stiffness, w);
@@ -68,11 +71,14 @@ template <class T>
   return out;
 }
 
-/// Part of the force on the ball along t, over Q.
+/// Part of the force on the ball along t.
+/// @param load Q; leaning L of angle_law.hpp, 0 with fixed constants
 template <class T>
-[[nodiscard, gnu::always_inline]] inline T wavy_push(const WavyTouch<T>& at, const T& approach,
+[[nodiscard, gnu::always_inline]] inline T wavy_push(const WavyTouch<T>& at, const T& load,
+                                                     const T& leaning, const T& approach,
                                                      const T& distance) {
-  return -(at.turn + 0.4 * approach * at.log_stiffness_slope) / distance;
+  return -(load * (at.turn + 0.4 * approach * at.log_stiffness_slope) + leaning * at.across) /
+         distance;
 }
 
 /// Azimuth of the ball in a race whose zero direction (across k, turning with the race) is `zero`.

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "base/symmetric_eigen.hpp"
 #include "contact/hertz.hpp"
+#include "contact/wavy_groove.hpp"
 #include "dynamics/stiff_inverse.hpp"
 #include "statics/dual.hpp"
 
@@ -111,7 +112,7 @@ GrooveContact ConstrainedBall::wavy_contact(int race, const RacePose& pose, cons
   const D load = con::point_load(K.value * wavy.stiffness, touch.approach, root);
   const D across =
       con::leaning_force(K.slope * wavy.stiffness, touch.approach, root, touch.n_k, touch.length);
-  const D push = load * con::wavy_push(wavy, touch.approach, place.distance);
+  const D push = con::wavy_push(wavy, load, across, touch.approach, place.distance);
   c.load = load.v;
   c.energy = con::point_energy(c.load, c.approach);
   c.angle = con::contact_angle(race, touch.n_k.v, touch.n_e.v);

@@ -3,9 +3,12 @@
 #include "base/rotation.hpp"
 #include "contact/angle_law.hpp"
 #include "contact/groove.hpp"
-#include "contact/wavy_groove.hpp"
 
 #include <array>
+
+namespace adore::contact {
+struct WavyGroove;
+}
 
 /// Motion with inertia left out where it hardly acts: a ball whose x and r stand in force balance
 /// at every instant while its orbit stays dynamic (mode 1, light-load balance), races in balance

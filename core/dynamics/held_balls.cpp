@@ -25,8 +25,7 @@ HeldBalls::HeldBalls(const Scene& scene, std::size_t balls)
             scene.mass, {scene.contacts[0].angle, scene.contacts[1].angle}),
       offset_(std::min(scene.contacts[0].groove.offset[0], scene.contacts[0].groove.offset[1])) {
   std::array<const contact::WavyGroove*, 2> wavy{};
-  for (std::size_t j = 0; j < 2; ++j)
-    if (scene.contacts[j].wavy) wavy[j] = &*scene.contacts[j].wavy;
+  for (std::size_t j = 0; j < 2; ++j) wavy[j] = scene.contacts[j].wavy.get();
   ball_.set_wavy(wavy);
   for (auto& values : state_) values.assign(balls, 0.0);
   for (auto& values : action_) values.assign(balls, 0.0);

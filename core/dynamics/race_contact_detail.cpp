@@ -1,4 +1,5 @@
 #include "contact/ball_groove.hpp"
+#include "contact/wavy_groove.hpp"
 #include "dynamics/ball_race_motion.hpp"
 #include "dynamics/race_contacts.hpp"
 
@@ -23,7 +24,7 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
   const Triple<double> d{balls.x[index] - centre.x, r - centre.y, -centre.z};
   const auto place = contact::groove_place(d, k, model.groove.centre_radius[j]);
   contact::WavyTouch<double> wavy{
-      contact::groove_touch(place.axial, place.lift, model.groove.offset[j]), 0.0};
+      contact::groove_touch(place.axial, place.lift, model.groove.offset[j]), 0.0, 0.0};
   if (model.wavy)
     wavy = contact::wavy_touch(*model.wavy,
                                contact::azimuth_in_race(k, place.e, to_azimuth(race.zero())),

@@ -75,7 +75,7 @@ RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const E
   }
   in.tilts = in.tilt[0] != 0.0 || in.tilt[1] != 0.0 || in.tilt[2] != 0.0;
   in.speed = race.speed;
-  in.wavy = model.wavy ? &*model.wavy : nullptr;
+  in.wavy = model.wavy.get();
   if (in.wavy != nullptr) {
     const Vec3 zero = race.zero();
     for (int i = 0; i < 3; ++i) in.zero[i] = zero[i];

@@ -4,7 +4,6 @@
 #include "contact/angle_law.hpp"
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
-#include "contact/wavy_groove.hpp"
 #include "dynamics/elements.hpp"
 #include "dynamics/scene.hpp"
 #include "tribology/ellipse_traction.hpp"
@@ -12,7 +11,11 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
+#include <memory>
+
+namespace adore::contact {
+struct WavyGroove;
+}
 
 /// The hot path: all ball/race contacts of one race in one call, vectorised over the balls
 /// (structure of arrays).
@@ -53,9 +56,9 @@ struct RaceContactModel {
   contact::GrooveGeometry groove;
   contact::HertzConstants hertz;  ///< at one angle: frozen constants, and the scale of estimates
   contact::AngleLaw angle;        ///< in their place where it follows the contact angle
-  std::optional<contact::WavyGroove> wavy;  ///< imperfections of the race
-  double effective_modulus = 0.0;           ///< E* [Pa], reports only
-  double shoulder_radius = 0.0;             ///< of this race [m], reports only; 0 = not given
+  std::shared_ptr<const contact::WavyGroove> wavy;  ///< imperfections of the race; null: none
+  double effective_modulus = 0.0;                   ///< E* [Pa], reports only
+  double shoulder_radius = 0.0;  ///< of this race [m], reports only; 0 = not given
   bool traction = true;
   tribology::TractionLaw law;
   tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "contact/angle_law.hpp"
-#include "contact/wavy_groove.hpp"
 #include "tribology/ellipse_sum.hpp"
 
 #include <cstddef>
+
+namespace adore::contact {
+struct WavyGroove;
+}
 
 /// Boundary between race_contacts.cpp and the translation units that are compiled once per
 /// instruction set. Plain numbers and pointers only: a header with inline library code (Eigen,

@@ -2,6 +2,7 @@
 
 #include "base/simd_math.hpp"
 #include "contact/ball_groove.hpp"
+#include "contact/wavy_groove.hpp"
 #include "dynamics/ball_race_motion.hpp"
 #include "dynamics/race_kernel.hpp"
 #include "tribology/ellipse_sum.hpp"
@@ -66,7 +67,9 @@ class WavyRace {
     minor *= at_.minor;
   }
   /// Part of the normal force on the ball along t.
-  V push(V load, V approach) const { return load * contact::wavy_push(at_, approach, distance_); }
+  V push(V load, V leaning, V approach) const {
+    return contact::wavy_push(at_, load, leaning, approach, distance_);
+  }
 
  private:
   V distance_;
@@ -159,7 +162,7 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
     meridian.along -= leaning * touch.n_e;
     meridian.outward += leaning * touch.n_k;
   }
-  if constexpr (Race::kWavy) force_t += groove.push(load, approach);
+  if constexpr (Race::kWavy) force_t += groove.push(load, leaning, approach);
   const V force_k = meridian.along, force_e = meridian.outward;
   const Vec force{force_k * k.x + force_e * e.x + force_t * t.x,
                   force_k * k.y + force_e * e.y + force_t * t.y,

@@ -121,8 +121,8 @@ void Races::set_up_balls(const SceneBuilder& scene) {
         model.effective_modulus);
     const bearing::RaceErrors& errors = scene.bearing.imperfections.race[j];
     if (!errors.ideal())
-      model.wavy = contact::make_wavy_groove(scene.bearing.balls(), static_cast<int>(j), errors,
-                                             scene.fixed_angle[j]);
+      model.wavy = std::make_shared<const contact::WavyGroove>(contact::make_wavy_groove(
+          scene.bearing.balls(), static_cast<int>(j), errors, scene.fixed_angle[j]));
     if (scene.options.moving_angle)
       model.angle = contact::make_angle_law(scene.bearing.balls(), static_cast<int>(j),
                                             model.effective_modulus);

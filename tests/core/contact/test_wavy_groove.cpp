@@ -109,7 +109,7 @@ TEST_CASE("wavy groove: the force is minus the gradient of one potential",
                      R - g.centre_radius[j], g.offset[j]);
       const double load = hertz_load(K * at.stiffness, at.touch.approach);
       return At{point_energy(load, at.touch.approach), load, at.touch.n_k, at.touch.n_e,
-                load * wavy_push(at, at.touch.approach, R)};
+                wavy_push(at, load, 0.0, at.touch.approach, R)};
     };
     const double sign = race == 0 ? 1.0 : -1.0, depth = g.offset[j] + 3e-5;
     const double xi = sign * depth * std::sin(0.45);

@@ -77,13 +77,14 @@ TEST_CASE("wavy races: every instruction set does what dual numbers say of the n
       wavy.per_factor = 250.0;
       wavy.stiffness[1] = 0.2;
       wavy.stiffness[2] = -0.1;
-      model.wavy = wavy;
+      model.wavy = std::make_shared<const contact::WavyGroove>(wavy);
       RaceMotion race = scene.race[j];
       race.centre += Vec3(1e-6, 2e-6, -3e-6);
       race.axis = Vec3(1.0, 3e-5, -2e-5).normalized();
       race.z = (Vec3::UnitZ() - race.axis[2] * race.axis).normalized();
       race.turn = 1.1;
-      dynamics::ConstrainedBall ball(model.groove, {model.hertz.K, model.hertz.K}, 1.0);
+      dynamics::ConstrainedBall ball(model.groove, {model.hertz.K, model.hertz.K}, 1.0,
+                                     {model.angle, model.angle});
       ball.set_wavy({&wavy, &wavy});
       for (const InstructionSet set :
            {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512}) {
@@ -120,7 +121,7 @@ TEST_CASE("wavy races: stiffness and change with the race's turn are those of di
   const contact::GrooveGeometry groove = contact::groove_geometry(b.balls());
   for (int j = 0; j < 2; ++j) {
     const contact::WavyGroove wavy = contact::make_wavy_groove(b.balls(), j, everything(), 0.436);
-    dynamics::ConstrainedBall ball(groove, {9e9, 9e9}, 0.008);
+    dynamics::ConstrainedBall ball(groove, {9e9, 9e9}, 0.008, angle_laws(b));
     ball.set_wavy({&wavy, &wavy});
     const double depth =
         (j == 0 ? 1.0 : -1.0) * (groove.offset[static_cast<std::size_t>(j)] + 2e-5);
