@@ -11,6 +11,7 @@
 #include "deck/lookup.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/theme.hpp"
+#include "desktop/window_place.hpp"
 
 #include <QAction>
 #include <QBoxLayout>
@@ -45,7 +46,7 @@ constexpr int kCheckPause = 200;    // ms without a change before the model is b
 
 DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
   setAcceptDrops(true);
-  resize(1280, 860);
+  desktop::open_at_size(*this, {1280, 860});
   check_ = new QTimer(this);
   check_->setSingleShot(true);
   check_->setInterval(kCheckPause);

@@ -4,6 +4,7 @@
 #include "desktop/dialogs.hpp"
 #include "desktop/launch.hpp"
 #include "desktop/listing_view.hpp"
+#include "desktop/window_place.hpp"
 
 #include <QBoxLayout>
 #include <QCheckBox>
@@ -270,7 +271,7 @@ void RunPanel::showListing() {
   window->setObjectName("listing-window");
   window->setAttribute(Qt::WA_DeleteOnClose);
   window->setWindowTitle(file.fileName());
-  window->resize(1080, 760);
+  desktop::open_at_size(*window, {1080, 760});
   auto* listing = desktop::make_listing_view(window);
   listing->setPlainText(text);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, window);

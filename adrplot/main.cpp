@@ -6,6 +6,7 @@
 #include "desktop/bootstrap.hpp"
 #include "desktop/command_line.hpp"
 #include "desktop/disclaimer.hpp"
+#include "desktop/window_place.hpp"
 
 #include <QTimer>
 #include <fmt/core.h>
@@ -30,6 +31,7 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
   if (!desktop::ask_for_disclaimer("AdrPlot")) return 0;
   adrplot::PlotWindow window;
   window.setAbscissa(abscissa);
+  const desktop::WindowMemory memory(window, "adrplot");
   window.show();
   for (const auto& file : files) window.openFile(file, range);
   if (files.empty()) QTimer::singleShot(0, &window, &adrplot::PlotWindow::askForFile);

@@ -3,6 +3,7 @@
 #include "adrplot/range_dialog.hpp"
 #include "desktop/chart_view.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/window_place.hpp"
 
 #include <QAction>
 #include <QComboBox>
@@ -38,7 +39,7 @@ constexpr std::array<PairChoice, 3> kPairs{
 PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle("AdrPlot");
   setAcceptDrops(true);
-  resize(1280, 860);
+  desktop::open_at_size(*this, {1280, 860});
 
   tree_ = new QTreeWidget(this);
   tree_->setObjectName("pages");

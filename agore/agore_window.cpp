@@ -2,6 +2,7 @@
 
 #include "agore/render.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/window_place.hpp"
 
 #include <QAction>
 #include <QActionGroup>
@@ -27,7 +28,7 @@ constexpr int kTick = 25;  // [ms] between pictures: 40 a second
 
 AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
   setWindowTitle("AGORE");
-  resize(1320, 820);
+  desktop::open_at_size(*this, {1320, 820});
   options_.dark = desktop::current_theme().kind == desktop::ThemeKind::Dark;
   setAcceptDrops(true);
   canvas_ = new PictureWidget(this);

@@ -7,6 +7,7 @@
 #include "desktop/command_line.hpp"
 #include "desktop/disclaimer.hpp"
 #include "desktop/image_export.hpp"
+#include "desktop/window_place.hpp"
 
 #include <QTimer>
 #include <fmt/core.h>
@@ -54,6 +55,7 @@ int show(int& argc, char** argv, const Request& request) {
   const auto app = desktop::make_application(argc, argv, "agore", desktop::Display::Window);
   if (!desktop::ask_for_disclaimer("AGORE")) return 0;
   agore::AgoreWindow window;
+  const desktop::WindowMemory memory(window, "agore");
   window.show();
   if (request.file.empty())
     QTimer::singleShot(0, &window, &agore::AgoreWindow::askForFile);

@@ -162,12 +162,12 @@ TEST_CASE("a quasi-static run leads to its tables; a deck that cannot run says w
   CHECK_FALSE(window.findChild<QPushButton*>("open-animation")->isEnabled());
 
   window.document().edit(cell("mode"), "0");
-  window.document().edit(cell("qFac"), "0.01");  // for balls only
+  window.document().edit(cell("kDOF"), "6");  // a user routine
   window.checkNow();
   launches.clear();
   run_to_end(window);
   CHECK(note(window).contains("not run"));
-  CHECK(window.runPanel().text().contains("which rollers do not have yet"));
+  CHECK(window.runPanel().text().contains("user routine ADRX1"));
   CHECK(launches.empty());
   CHECK_FALSE(window.findChild<QPushButton*>("open-plots")->isEnabled());
 }

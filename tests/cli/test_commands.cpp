@@ -69,11 +69,11 @@ TEST_CASE(
   for (const std::string type : {"cylindrical", "spherical", "tapered", "spherical-tapered"}) {
     const std::string deck = (folder / (type + ".txt")).string();
     REQUIRE(run_adore("new " + type + " --out " + deck).code == 0);
-    const Result run = run_adore("run " + deck + " --set qFac=0.01");
+    const Result run = run_adore("run " + deck + " --set kDOF=6");
     INFO(run.out);
     CHECK(run.code == 2);
-    CHECK(contains(run.out, "qFac"));
-    CHECK(contains(run.out, "which rollers do not have yet"));
+    CHECK(contains(run.out, "kDOF"));
+    CHECK(contains(run.out, "user routine ADRX1"));
     CHECK_FALSE(fs::exists(folder / "PRINT.txt"));
   }
   new_ball_deck(folder);

@@ -6,6 +6,7 @@
 #include "desktop/disclaimer.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/log_chart.hpp"
+#include "desktop/window_place.hpp"
 #include "support/paths.hpp"
 #include "support/qt_app.hpp"
 
@@ -16,8 +17,10 @@
 #include <QImageReader>
 #include <QLabel>
 #include <QLineSeries>
+#include <QSettings>
 #include <QTemporaryDir>
 #include <QValueAxis>
+#include <QWidget>
 #include <QtEndian>
 #include <catch2/catch.hpp>
 
@@ -379,4 +382,30 @@ TEST_CASE("log chart: a picture with every curve, and none without points", "[gu
     }
   CHECK(blue > 500);
   CHECK(orange > 500);
+}
+
+TEST_CASE("a window opens within its screen, frame and title bar included", "[unit][gui][window]") {
+  CHECK(desktop::size_within({1320, 820}, {2560, 1440}) == QSize(1320, 820));
+  CHECK(desktop::size_within({1320, 820}, {1280, 800}) == QSize(1264, 752));
+  CHECK(desktop::size_within({1280, 860}, {1920, 800}) == QSize(1280, 752));
+}
+
+TEST_CASE("a window comes back where it was closed", "[unit][gui][window]") {
+  test::use_qt();
+  const QString app = "adore-test-window-place";
+  QSettings("Adore", app).clear();
+  {
+    QWidget window;
+    desktop::open_at_size(window, {700, 500});
+    const desktop::WindowMemory memory(window, app);
+    CHECK(window.size() == QSize(700, 500));
+    window.show();
+    window.resize(640, 410);
+    window.close();
+  }
+  QWidget window;
+  desktop::open_at_size(window, {700, 500});
+  const desktop::WindowMemory memory(window, app);
+  CHECK(window.size() == QSize(640, 410));
+  QSettings("Adore", app).clear();
 }

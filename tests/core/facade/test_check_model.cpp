@@ -25,7 +25,7 @@ TEST_CASE("a motion that cannot be run has its geometry checked all the same", "
   deck::Deck deck = deck::new_deck("tapered");
   deck.set("mode", "0");
   deck.complete();
-  deck.set("qFac", "0.01");  // balls only
+  deck.set("kDOF", "6");  // a user routine
   auto issues = facade::check_model(deck);
   CHECK(find(issues, Severity::Note, "will refuse this deck") != nullptr);
   CHECK(find(issues, Severity::Error, "") == nullptr);
