@@ -1,4 +1,5 @@
 #include "contact/race_errors.hpp"
+#include "contact/roller_race.hpp"
 #include "core/dynamics/roller_scene.hpp"
 
 #include <catch2/catch.hpp>
@@ -104,6 +105,8 @@ TEST_CASE("rollers on wavy races: at rest the loads are those of the static solu
                              roller_bearings::spherical(0.0)}) {
     const bool groove = b.rollers()->groove_factor[0] > 0.0;
     b.imperfections.race = {errors_of(groove, false), errors_of(groove, true)};
+    // Statics do not follow the curvature while the inner race moves over the rollers.
+    for (RaceErrors& e : b.imperfections.race) e.curvature_factor = {};
     INFO("type " << static_cast<int>(b.type));
     Scene s = roller_scene::scene_of(b, roller_scene::races_only());
     const Snapshot at = s.system.snapshot(0.0, s.system.initial_state());
