@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds what the main job needs (the solver and its pictures), simulates the example bearing and draws its pictures into out/example.
+# Installs what is missing, builds what the main job needs (the solver and its pictures), simulates the example bearing and draws its pictures into out/example; then a cylindrical and a tapered roller bearing beside it.
 set -euo pipefail
 cd "$(dirname "$0")"
 
@@ -23,5 +23,16 @@ echo "example: $out/DATA.txt"
 "$bin/adore" plot "$out"/SOL[1-7] --out "$out/pictures"
 "$bin/adore" animate "$out/SOL8" --view bearing --frame 1 --out "$out/pictures"
 "$bin/adore" animate "$out/SOL8" --view cage --frame 1 --out "$out/pictures"
-echo "done: PRINT.txt, SOL1-SOL8 and RUN.json in $out, pictures in $out/pictures"
+
+# The same for rollers: a shorter way.
+for type in cylindrical tapered; do
+  folder=$PWD/out/example-$type
+  rm -rf "$folder"
+  mkdir -p "$folder/pictures"
+  "$bin/adore" new "$type" --out "$folder/DATA.txt"
+  "$bin/adore" run "$folder"
+  "$bin/adore" plot "$folder/SOL1" --out "$folder/pictures"
+  "$bin/adore" animate "$folder/SOL8" --view bearing --frame 1 --out "$folder/pictures"
+done
+echo "done: PRINT.txt, SOL1-SOL8 and RUN.json in $out, pictures in $out/pictures; rollers in $out-cylindrical and $out-tapered"
 echo "      look at them in the apps: $bin/adrplot $out/SOL1    $bin/agore $out/SOL8"

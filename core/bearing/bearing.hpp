@@ -105,7 +105,25 @@ struct RollerPocketFace {
   double length = 0.0;         ///< along its x [m]
 };
 
-struct Cage {
+/// How a cage or a piece of it starts (records 9.6, 9.6.k).
+struct PieceStart {
+  double whirl_ratio = 0.0;          ///< wvRatio
+  double speed_ratio = 1.0;          ///< avRatio
+  Vec3 start_offset = Vec3::Zero();  ///< cageGcPos [m]
+  Vec3 start_angles = Vec3::Zero();  ///< η, ξ, λ [rad]
+};
+
+/// Equal pieces that a cage is cut into by planes through its axis (record 7.0.1).
+struct Segmentation {
+  int count = 1;
+  bool through_pockets = false;  ///< else through the middle of the bars
+  int first = 0;                 ///< element that the first piece starts with, from 0
+  double cut_angle = 0.0;        ///< taken out between two pieces [rad]
+  [[nodiscard]] bool several() const noexcept { return count > 1; }
+};
+
+/// Its sizes are those of the whole, uncut cage.
+struct Cage : PieceStart {
   double outer_diameter = 0.0, inner_diameter = 0.0, width = 0.0;  ///< [m]
   double clearance_outer = 0.0,
          clearance_inner = 0.0;  ///< diametral, unguided surfaces and outputs only (N90) [m]
@@ -128,12 +146,12 @@ struct Cage {
   double cone_angle = 0.0;                     ///< [rad]
   std::vector<GuideLand> lands;
   Material material;
-  Inertia inertia;  ///< from ideal geometry (contact/cage_inertia) or given
-  // Initial state, record 9.6.
-  double whirl_ratio = 0.0;          ///< wvRatio
-  double speed_ratio = 1.0;          ///< avRatio
-  Vec3 start_offset = Vec3::Zero();  ///< cageGcPos [m]
-  Vec3 start_angles = Vec3::Zero();  ///< η, ξ, λ [rad]
+  Inertia inertia;  ///< from ideal geometry (contact/cage_inertia) or given; of each piece
+  Segmentation segments;
+  std::vector<PieceStart> later_starts;  ///< of the second piece and those behind it
+  [[nodiscard]] const PieceStart& start_of(std::size_t piece) const {
+    return piece == 0 ? *this : later_starts.at(piece - 1);
+  }
 };
 
 /// How the inner-race equilibrium of the quasi-static solution is constrained, order x, y, z, about
@@ -159,6 +177,7 @@ struct Bearing {
   std::array<Material, 2> race_material;
   Inertia element_inertia;  ///< of one ball, or of a nominal roller: x along its own axis, about
                             ///< its mass centre
+  std::optional<Inertia> first_inertia;  ///< of element 1, where it has its own (kReIP = 1)
   double roller_mass_offset = 0.0;  ///< s_G: roller mass centre along its axis from mid length [m]
   std::array<Inertia, 2> race_inertia;
   std::optional<Cage> cage;

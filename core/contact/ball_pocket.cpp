@@ -1,5 +1,7 @@
 #include "contact/ball_pocket.hpp"
 
+#include <limits>
+
 namespace adore::contact {
 namespace {
 
@@ -60,9 +62,78 @@ WallPoints rectangular(const BallPocket& pocket, const Vec3& q, double rotation_
           4};
 }
 
-}  // namespace
+/// Half width along x of the hole at y and z.
+double half_width(const BallPocket& pocket, double y, double z) noexcept {
+  const double r_b = 0.5 * pocket.ball_diameter;
+  double radius = r_b + 0.5 * pocket.clearance_1, beyond = std::abs(y);
+  switch (pocket.shape) {
+    case PocketShape::Rectangular:
+      return r_b + 0.5 * pocket.clearance_2;
+    case PocketShape::Elongated:
+      beyond = std::max(beyond - 0.5 * std::max(pocket.clearance_2, 0.0), 0.0);
+      break;
+    case PocketShape::Spherical:
+      beyond = std::hypot(beyond, z);
+      break;
+    case PocketShape::Conical:
+      radius += 0.5 * (pocket.clearance_2 - pocket.clearance_1) * (z - pocket.z_low) /
+                (pocket.z_high - pocket.z_low);
+      break;
+    case PocketShape::Cylindrical:
+      break;
+  }
+  return std::sqrt(std::max(radius * radius - beyond * beyond, 0.0));
+}
 
-WallPoints nearest_walls(const BallPocket& pocket, const Vec3& q, double rotation_sign) noexcept {
+/// Nearest point to q of the edge at y that bounds the wall, on the side of q: (x(z), y, z), z from
+/// the condition that the way there is across the edge.
+WallPoint edge_point(const BallPocket& pocket, const Vec3& q, double y, double z) noexcept {
+  const double r_b = 0.5 * pocket.ball_diameter;
+  const auto inside = [&](double height) {
+    return std::clamp(height, pocket.z_low, pocket.z_high);
+  };
+  double x = std::abs(q[0]);
+  z = inside(q[2]);
+  if (pocket.shape == PocketShape::Spherical) {  // a circle about the origin
+    const double radius = half_width(pocket, y, 0.0), from = std::hypot(x, q[2]);
+    if (from > kMedialAxisRadius * r_b) z = inside(radius * q[2] / from);
+  } else if (pocket.shape == PocketShape::Conical) {
+    // x² = r² - y², r' = k: stationary where (x - |q_x|) x' + z - q_z = 0, x' = k r/x.
+    const double k =
+        0.5 * (pocket.clearance_2 - pocket.clearance_1) / (pocket.z_high - pocket.z_low);
+    for (int n = 0; n < 20; ++n) {
+      const double wide = std::max(half_width(pocket, y, z), kMedialAxisRadius * r_b);
+      const double slope = k * std::sqrt(wide * wide + y * y) / wide;
+      const double bend = (k * k - slope * slope) / wide;
+      const double error = (wide - x) * slope + z - q[2];
+      const double next =
+          inside(z - error / std::max(1.0 + slope * slope + (wide - x) * bend, 0.5));
+      const bool done = std::abs(next - z) < 1e-15 * r_b;
+      z = next;
+      if (done) break;
+    }
+  }
+  return to_point(q, {std::copysign(half_width(pocket, y, z), q[0]), y, z}, r_b);
+}
+
+/// What the cut leaves of the nearest points of the whole pocket.
+WallPoints of_half(const BallPocket& pocket, const Vec3& q, WallPoints whole) noexcept {
+  const double side = pocket.half < 0 ? -1.0 : 1.0;
+  const double r_b = 0.5 * pocket.ball_diameter, edge = side * pocket.cut;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(whole.count); ++k) {
+    WallPoint& point = whole.surface[k];
+    if (side * point.w[1] >= pocket.cut) continue;
+    if (pocket.shape != PocketShape::Rectangular)
+      point = edge_point(pocket, q, edge, point.w[2]);
+    else if (k % 2 == 0)  // fore and aft
+      point = {Vec3::Zero(), Vec3::Zero(), std::numeric_limits<double>::infinity()};
+    else
+      point = to_point(q, {point.w[0], edge, point.w[2]}, r_b);
+  }
+  return whole;
+}
+
+WallPoints of_whole(const BallPocket& pocket, const Vec3& q, double rotation_sign) noexcept {
   const double r_b = 0.5 * pocket.ball_diameter;
   switch (pocket.shape) {
     case PocketShape::Spherical:
@@ -80,10 +151,26 @@ WallPoints nearest_walls(const BallPocket& pocket, const Vec3& q, double rotatio
   return {{nearest_wall(wall, q, r_b)}, 1};
 }
 
+}  // namespace
+
+WallPoints nearest_walls(const BallPocket& pocket, const Vec3& q, double rotation_sign) noexcept {
+  const WallPoints whole = of_whole(pocket, q, rotation_sign);
+  return pocket.half == 0 ? whole : of_half(pocket, q, whole);
+}
+
+double half_opening(const BallPocket& pocket) noexcept {
+  const bool cone = pocket.shape == PocketShape::Conical;
+  return std::min(half_width(pocket, pocket.cut, cone ? pocket.z_low : 0.0),
+                  half_width(pocket, pocket.cut, cone ? pocket.z_high : 0.0));
+}
+
 bool is_inside(const BallPocket& pocket, const Vec3& q) noexcept {
   const double r_b = 0.5 * pocket.ball_diameter;
   if (q[2] <= pocket.z_low - r_b || q[2] >= pocket.z_high + r_b) return false;
   const double z = std::clamp(q[2], pocket.z_low, pocket.z_high);
+  const double open = -pocket.half * q[1];  // out of the open side of a half
+  if (open > 0.0)
+    return open < pocket.ball_diameter && std::abs(q[0]) < half_width(pocket, pocket.cut, z);
   const double r1 = r_b + 0.5 * pocket.clearance_1, r2 = r_b + 0.5 * pocket.clearance_2;
   const double d2 = q[0] * q[0] + q[1] * q[1];
   switch (pocket.shape) {

@@ -77,6 +77,10 @@ struct BallPocket {
   double clearance_1 = 0.0,
          clearance_2 = 0.0;  ///< C1, C2 with variations [m]; meaning by shape, see nearest_walls
   double z_low = 0.0, z_high = 0.0;  ///< ends of the wall [m]
+  /// A pocket that the cut between two segments goes through keeps its wall where half * y >= cut:
+  /// half -1 at the start of a segment, +1 at the end of one, 0: a whole pocket.
+  int half = 0;
+  double cut = 0.0;  ///< [m]
 };
 
 struct WallPoints {
@@ -85,8 +89,10 @@ struct WallPoints {
   int count = 0;
 };
 
-/// Nearest wall points of every surface.
-/// cylindrical: ρ = (D+C1)/2 · spherical: ρ = (D+C1)/2 about the centre, cut at z_low, z_high ·
+/// Nearest wall points of every surface. Of a half pocket: where the nearest point of the whole one
+/// is cut away, the nearest point of the edge on the ball's side of y (the gap is C1 while the
+/// edges are further apart than the ball is wide); a face that is cut away is infinitely far, m =
+/// 0. cylindrical: ρ = (D+C1)/2 · spherical: ρ = (D+C1)/2 about the centre, cut at z_low, z_high ·
 /// elongated: ρ = (D+C1)/2, arc centres at y = ±C2/2 · rectangular: faces y = ±(D+C1)/2, x =
 /// ±(D+C2)/2 · conical: radius (D+C1)/2 at z_low, (D+C2)/2 at z_high.
 [[nodiscard]] WallPoints nearest_walls(const BallPocket& pocket, const Vec3& q,
@@ -95,6 +101,10 @@ struct WallPoints {
 /// Is the ball's centre inside the hole, at most a radius above or below the wall? Only there is
 /// the direction of nearest_walls into the wall.
 [[nodiscard]] bool is_inside(const BallPocket& pocket, const Vec3& q) noexcept;
+
+/// Half the width along x of the opening that the cut makes of a half pocket, at the height where a
+/// ball in its middle is nearest to the edges [m].
+[[nodiscard]] double half_opening(const BallPocket& pocket) noexcept;
 
 /// Wall curvatures [around, along] [1/m], concave negative, of the part nearest to q. Elongated:
 /// flat between the arc centres.

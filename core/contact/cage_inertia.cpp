@@ -5,7 +5,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace adore::contact {
 namespace {
@@ -154,26 +156,52 @@ Moments sector(const CageSolid& s, double beta) {
   return m;
 }
 
-/// Conical shell, radius R - x tan γ: exact polynomials in x.
-Moments cone(const CageSolid& s) {
+/// Sector of half angle β of a conical shell, radius R - x tan γ, its middle at azimuth 0: exact
+/// polynomials in x.
+Moments cone(const CageSolid& s, double beta) {
   const double r1 = 0.5 * s.outer_diameter, r2 = 0.5 * s.inner_diameter, t = std::tan(s.cone_angle);
   Moments m;
   for (const GaussPoint& axial : kGauss20) {
     const double x = 0.5 * s.width * axial.node, a = r1 - x * t, b = r2 - x * t;
-    const double area = 0.5 * s.width * axial.weight * kPi * (a * a - b * b);
+    const double dx = 0.5 * s.width * axial.weight;
+    const double area = dx * beta * (a * a - b * b);
+    const double out = dx * 2.0 * std::sin(beta) * (a * a * a - b * b * b) / 3.0;
+    const double fourth = dx * (a * a * a * a - b * b * b * b) / 4.0;
     m.volume += area;
-    m.first[0] += area * x;
+    m.first += Vec3(area * x, 0.0, out);
     m.second(0, 0) += area * x * x;
-    const double across = 0.25 * area * (a * a + b * b);
-    m.second(1, 1) += across;
-    m.second(2, 2) += across;
+    m.second(1, 1) += fourth * (beta - 0.5 * std::sin(2.0 * beta));
+    m.second(2, 2) += fourth * (beta + 0.5 * std::sin(2.0 * beta));
+    m.second(0, 2) += x * out;
+    m.second(2, 0) += x * out;
   }
   return m;
 }
 
-/// Void of a pocket of constant section in a conical cage: along the pocket's own normal between
-/// the two cones.
-Moments cone_void(const PocketSection& section) {
+/// Where along the pocket's z the void reaches at (x, y) of its frame; empty: high < low.
+struct Reach {
+  double low, high;
+};
+Reach reach_of_void(const PocketSection& section, double x, double y) {
+  constexpr double kFar = 1e3;  // m
+  const CageSolid& s = section.solid;
+  if (section.along_axis() || s.pocket == PocketShape::Spherical) {
+    const double from = section.along_axis() ? std::abs(y) : std::hypot(x, y);
+    const double square = section.half_y * section.half_y - from * from;
+    const double half = std::sqrt(std::max(square, 0.0));
+    return {-half, half};
+  }
+  if (s.pocket == PocketShape::Conical && section.cone_slope != 0.0) {
+    const double z = section.cone_z + (std::hypot(x, y) - section.half_y) / section.cone_slope;
+    return section.cone_slope > 0.0 ? Reach{z, kFar} : Reach{-kFar, z};
+  }
+  return {-kFar, kFar};
+}
+
+/// Void of a pocket in a conical cage, along the pocket's own normal between the two cones. Of a
+/// pocket that is cut by planes through the axis at ±cut/2 the part on the side of `sign` in y;
+/// sign 0: all of it.
+Moments cone_void(const PocketSection& section, int sign = 0, double cut = 0.0) {
   const CageSolid& s = section.solid;
   const double t = std::tan(s.cone_angle);
   const Mat3 to_cage = passive_y(s.cone_angle).transpose();
@@ -186,31 +214,56 @@ Moments cone_void(const PocketSection& section) {
     const double c = p[1] * p[1] + p[2] * p[2] - R * R;
     return (-b + std::sqrt(std::max(b * b - a * c, 0.0))) / a;
   };
+  // Of cones the widest section that the wall has.
+  double widest = section.half_y;
+  if (s.pocket == PocketShape::Conical)
+    widest += std::abs(section.cone_slope) * (s.outer_diameter - s.inner_diameter);
   Moments sum;
-  const double total = section.half_y + section.flat;
-  const std::array<double, 4> edges = {-total, -section.flat, section.flat, total};
-  const bool round = s.pocket != PocketShape::Rectangular;
-  for (std::size_t piece = 0; piece < 3; ++piece) {
+  const double total = widest + section.flat;
+  std::vector<double> edges{-total, -section.flat, section.flat, total};
+  if (section.flat == 0.0) edges = {-total, 0.0, total};
+  if (sign < 0)
+    for (double& edge : edges) edge = std::min(edge, 0.0);
+  if (sign > 0)
+    for (double& edge : edges) edge = std::max(edge, 0.0);
+  const bool round = s.pocket != PocketShape::Rectangular && !section.along_axis();
+  const bool plain =
+      round && s.pocket != PocketShape::Spherical && s.pocket != PocketShape::Conical;
+  // Sections that change along the wall have kinks: more and shorter pieces.
+  const int parts = plain && sign == 0 ? 1 : 6;
+  for (std::size_t piece = 0; piece + 1 < edges.size(); ++piece) {
     const double y0 = edges[piece], length = edges[piece + 1] - y0;
     if (!(length > 0.0)) continue;
-    for (const GaussPoint& gy : kGauss20) {
-      // sin² map: the chord's square-root end becomes smooth.
-      const double u = 0.5 * (1 + gy.node);
-      const double part = round ? std::pow(std::sin(0.5 * kPi * u), 2) : u;
-      const double slope = round ? 0.5 * kPi * std::sin(kPi * u) : 1.0;
-      const double y = y0 + length * part, half = section.half_chord(y, 0.0);
-      for (const GaussPoint& gx : kGauss20) {
-        const double area = 0.5 * gy.weight * length * slope * gx.weight * half;
-        const Vec3 p = Vec3(0, 0, 0.5 * s.pitch_diameter) + to_cage * Vec3(half * gx.node, y, 0.0);
-        const double low = end(p, 0.5 * s.inner_diameter), high = end(p, 0.5 * s.outer_diameter);
-        const double n1 = high - low, n2 = (high * high - low * low) / 2;
-        const double n3 = (high * high * high - low * low * low) / 3;
-        sum.volume += area * n1;
-        sum.first += area * (n1 * p + n2 * normal);
-        sum.second += area * (n1 * p * p.transpose() + n3 * normal * normal.transpose() +
-                              n2 * (p * normal.transpose() + normal * p.transpose()));
+    for (int part_y = 0; part_y < parts; ++part_y)
+      for (const GaussPoint& gy : kGauss20) {
+        // sin² map: the chord's square-root end becomes smooth.
+        const double u = (part_y + 0.5 * (1 + gy.node)) / parts;
+        const double part = std::pow(std::sin(0.5 * kPi * u), 2);
+        const double slope = 0.5 * kPi * std::sin(kPi * u) / parts;
+        const double y = y0 + length * part;
+        double half = section.half_chord(y, 0.0);
+        if (s.pocket == PocketShape::Conical)
+          half = std::sqrt(std::max(widest * widest - y * y, 0.0));
+        for (int part_x = 0; part_x < parts; ++part_x)
+          for (const GaussPoint& gx : kGauss20) {
+            const double across = (2.0 * part_x + 1.0 + gx.node) / parts - 1.0;
+            const double area = 0.5 * gy.weight * length * slope * gx.weight / parts * half;
+            const double x = half * across;
+            const Vec3 p = Vec3(0, 0, 0.5 * s.pitch_diameter) + to_cage * Vec3(x, y, 0.0);
+            const Reach reach = reach_of_void(section, x, y);
+            const double low = std::max(end(p, 0.5 * s.inner_diameter), reach.low);
+            double high = std::min(end(p, 0.5 * s.outer_diameter), reach.high);
+            if (sign != 0 && cut > 0.0)  // |y| >= z tan(cut/2) of the cage frame
+              high = std::min(high, (std::abs(p[1]) / std::tan(0.5 * cut) - p[2]) / normal[2]);
+            if (!(high > low)) continue;
+            const double n1 = high - low, n2 = (high * high - low * low) / 2;
+            const double n3 = (high * high * high - low * low * low) / 3;
+            sum.volume += area * n1;
+            sum.first += area * (n1 * p + n2 * normal);
+            sum.second += area * (n1 * p * p.transpose() + n3 * normal * normal.transpose() +
+                                  n2 * (p * normal.transpose() + normal * p.transpose()));
+          }
       }
-    }
   }
   return sum;
 }
@@ -242,11 +295,6 @@ void check(const CageSolid& s, const PocketSection& section) {
     throw InputError(fmt::format(
         "cage inertia: the pocket is {} m long but the cage only {} m wide; give a wider cage",
         2 * chord, s.width));
-  if (s.cone_angle != 0.0 && (s.segments > 1 || s.pocket == PocketShape::Spherical ||
-                              s.pocket == PocketShape::Conical || section.along_axis()))
-    throw InputError(
-        "cage inertia: a conical cage must be in one piece with round, elongated or rectangular "
-        "pockets through its wall; give its mass and inertia instead");
   if (s.segments > 1 && s.pockets % s.segments != 0)
     throw InputError(fmt::format("cage inertia: {} pockets cannot be shared equally by {} segments",
                                  s.pockets, s.segments));
@@ -262,7 +310,7 @@ SolidInertia cage_solid_inertia(const CageSolid& s) {
   if (s.segments <= 1) {
     Moments pocket;
     if (s.cone_angle != 0.0) {
-      body = cone(s);
+      body = cone(s, kPi);
       pocket = cone_void(section);
     } else {
       body = sector(s, kPi);
@@ -272,15 +320,26 @@ SolidInertia cage_solid_inertia(const CageSolid& s) {
     for (int i = 0; i < s.pockets; ++i) body.add(pocket.turned(i * pitch), -1.0);
   } else {
     const double half = kPi / s.segments;
-    body = sector(s, half - 0.5 * s.cut_angle);
+    const bool conical = s.cone_angle != 0.0;
+    body = conical ? cone(s, half - 0.5 * s.cut_angle) : sector(s, half - 0.5 * s.cut_angle);
     const int per_segment = s.pockets / s.segments,
               whole = s.cut_at_pocket ? per_segment - 1 : per_segment;
-    Moments pocket = half_void(section, 0.0, 1.0);
-    pocket.add(half_void(section, 0.0, -1.0));
+    Moments pocket;
+    if (conical) {
+      pocket = cone_void(section);
+    } else {
+      pocket = half_void(section, 0.0, 1.0);
+      pocket.add(half_void(section, 0.0, -1.0));
+    }
     for (int i = 0; i < whole; ++i) body.add(pocket.turned((i - 0.5 * (whole - 1)) * pitch), -1.0);
     if (s.cut_at_pocket) {
-      body.add(half_void(section, 0.5 * s.cut_angle, -1.0).turned(half), -1.0);
-      body.add(half_void(section, 0.5 * s.cut_angle, 1.0).turned(-half), -1.0);
+      // In front of the middle lies the start of the pocket that the next segment shares: y > 0.
+      const auto part = [&](double side) {
+        return conical ? cone_void(section, side < 0.0 ? 1 : -1, s.cut_angle)
+                       : half_void(section, 0.5 * s.cut_angle, side);
+      };
+      body.add(part(-1.0).turned(half), -1.0);
+      body.add(part(1.0).turned(-half), -1.0);
     }
   }
   SolidInertia result;
@@ -306,6 +365,9 @@ CageSolid cage_solid(const bearing::Bearing& bearing) {
   solid.clearance_2 = cage.pocket_clearance_2;
   solid.density = cage.material.density;
   solid.cone_angle = cage.cone_angle;
+  solid.segments = cage.segments.count;
+  solid.cut_angle = cage.segments.cut_angle;
+  solid.cut_at_pocket = cage.segments.through_pockets;
   if (bearing.rollers()) {
     solid.element_diameter = bearing.rollers()->diameter;
     solid.pitch_diameter = bearing.rollers()->pitch_diameter;
@@ -322,8 +384,18 @@ bearing::Inertia cage_inertia(const bearing::Bearing& bearing) {
   bearing::Inertia inertia;
   inertia.mass = result.mass;
   inertia.moments = result.inertia.diagonal();
-  if (bearing.cage->cone_angle != 0.0)
-    inertia.geometric_centre = {-result.mass_centre.x(), 0.0, 0.0};
+  inertia.geometric_centre = {-result.mass_centre.x(), 0.0, 0.0};
+  if (bearing.cage->cone_angle == 0.0) inertia.geometric_centre.setZero();
+  if (bearing.cage->segments.several()) {
+    inertia.geometric_centre = {-result.mass_centre.x(), 0.0, -result.mass_centre.z()};
+    if (bearing.cage->cone_angle != 0.0) {  // principal axes lean in the plane of x and z
+      const Mat3& I = result.inertia;
+      const double lean = 0.5 * std::atan2(2.0 * I(0, 2), I(0, 0) - I(2, 2));
+      const Mat3 A = passive_y(lean);
+      inertia.frame = {0.0, lean, 0.0};
+      inertia.moments = (A.transpose() * I * A).diagonal();
+    }
+  }
   return inertia;
 }
 

@@ -47,6 +47,9 @@ struct PocketFace {
 struct RoundPocket {
   double radius = 0.0;  ///< ρ = (D + C1)/2 [m]
   double z_low = 0.0, z_high = 0.0;
+  /// Of a pocket that is cut between two segments the wall with half * y >= cut (ball_pocket.hpp).
+  int half = 0;
+  double cut = 0.0;  ///< [m]
 };
 
 struct PocketSlice {
@@ -91,10 +94,16 @@ inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u,
 [[nodiscard]] inline PocketSlice slice_in_round(const RoundPocket& pocket, const Vec3& p,
                                                 const Vec3& u, double radius) noexcept {
   const double from_axis = std::max(std::hypot(p[1], p[2]), 1e-12 * pocket.radius);
-  const double z = std::clamp(pocket.radius * p[2] / from_axis, pocket.z_low, pocket.z_high);
-  const double y = std::sqrt(std::max(pocket.radius * pocket.radius - z * z, 0.0));
+  double z = std::clamp(pocket.radius * p[2] / from_axis, pocket.z_low, pocket.z_high);
+  double y = std::copysign(std::sqrt(std::max(pocket.radius * pocket.radius - z * z, 0.0)), p[1]);
+  if (pocket.half != 0 && pocket.half * y < pocket.cut) {  // the nearer edge of the cut
+    const double high =
+        std::sqrt(std::max(pocket.radius * pocket.radius - pocket.cut * pocket.cut, 0.0));
+    z = std::clamp(std::copysign(high, p[2]), pocket.z_low, pocket.z_high);
+    y = pocket.half * std::sqrt(std::max(pocket.radius * pocket.radius - z * z, 0.0));
+  }
   PocketSlice out;
-  detail::touch(out, {p[0], std::copysign(y, p[1]), z}, p, u, radius);
+  detail::touch(out, {p[0], y, z}, p, u, radius);
   out.position = out.point[0];
   return out;
 }

@@ -70,7 +70,8 @@ std::span<const VariableRef> find_variable(std::string_view name) {
 std::vector<std::string_view> similar_variables(std::string_view name) {
   name = name.substr(0, 40);
   std::vector<std::pair<std::size_t, std::string_view>> candidates;
-  const std::size_t limit = std::max<std::size_t>(2, name.size() / 3);
+  // Of names so short that two changes make any other, few are meant.
+  const std::size_t limit = name.size() < 3 ? 1 : std::max<std::size_t>(2, name.size() / 3);
   for (const auto& [known, refs] : variable_index()) {
     std::size_t distance = edit_distance(name, known);
     if (name.size() >= 3 && starts_alike(known, name))

@@ -154,12 +154,11 @@ std::vector<VariableSpec> cage_start(std::string_view body) {
            keep(fmt::format("Angular speed of the {} at the start, divided by the epicyclic speed.",
                             body)),
            ""),
-      array(
-          real("cageGcPos", kLength, kAny,
-               keep(fmt::format(
-                   "x, y, z of the {} mass centre at the start, from the locus of element centres.",
-                   body))),
-          "3"),
+      array(real("cageGcPos", kLength, kAny,
+                 keep(fmt::format(
+                     "x, y, z of the {} at the start, from the locus of element centres.",
+                     body == "segment" ? "segment's point on the cage axis" : "cage mass centre"))),
+            "3"),
       array(real("cageAngPos", kAngle, kAny,
                  keep(fmt::format(
                      "Three transformation angles of the {} from the inertial frame at the start.",

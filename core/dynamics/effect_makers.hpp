@@ -21,6 +21,7 @@ MadeEffect make_roller_flanges(const ScenePlan& plan);
 LedgerTerms roller_flange_terms();
 MadeEffect make_element_contact(const ScenePlan& plan);
 LedgerTerms element_contact_terms();
+MadeEffect make_roller_neighbours(const ScenePlan& plan);
 MadeEffect make_land_contact(const ScenePlan& plan);
 LedgerTerms land_terms();
 MadeEffect make_cage(const ScenePlan& plan);

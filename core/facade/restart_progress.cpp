@@ -1,11 +1,13 @@
 #include "facade/restart_progress.hpp"
 
 #include "base/errors.hpp"
+#include "results/run_json.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -96,6 +98,15 @@ std::optional<LedgerStart> LedgerStart::of(const results::MasterState& master) {
   return start;
 }
 
+bool LedgerStart::goes_on(const scene::EnergyLedger& now) const {
+  double largest = 0.0;
+  for (const auto& item : now.items())
+    if (item.term->kind != scene::LedgerKind::Note)
+      largest = std::max(largest, std::abs(item.value));
+  const double rounding = 1e-12 * largest;
+  return std::abs(now.residual() - residual) <= rounding + 1e-9 * results::energy_scale(now);
+}
+
 void LedgerStart::apply(scene::Snapshot& to) const {
   set_start(to.energy, stored);
   if (!to.momentum) return;
@@ -110,22 +121,32 @@ FileSteps restore_progress(const results::MasterState& master, const setup::RunC
     const auto found = state.find(name);
     return found == state.end() ? otherwise : found->second;
   };
-  const auto whole = [&](const char* name, long otherwise) {
-    const double value = number(name, static_cast<double>(otherwise));
-    return value >= -1.0 && value < 9e15 ? static_cast<long>(value) : otherwise;
+  const auto whole = [&](const char* name, long otherwise, long least, long most) {
+    const auto found = state.find(name);
+    if (found == state.end()) return otherwise;  // of an older release
+    const double value = found->second;
+    if (value != std::round(value) || value < static_cast<double>(least) ||
+        value > static_cast<double>(most))
+      throw InputError(
+          fmt::format("{}: \"{}\" is {}, which is no whole number from {} to {}; the file is "
+                      "damaged, restore it or start again with --overwrite",
+                      file.string(), name, value, least, most));
+    return static_cast<long>(value);
   };
-  out.resume.substeps = std::clamp(whole(kSubsteps, 0), 0L, control.substeps - 1L);
-  out.segment = whole(kSegment, 0);
+  constexpr long kMost = 9'000'000'000'000'000;  // beyond, whole numbers run together
+  // The deck may count fewer substeps as one step than it did.
+  out.resume.substeps = std::min(whole(kSubsteps, 0, 0, kMost), control.substeps - 1L);
+  out.segment = whole(kSegment, 0, 0, out.step);
   FileSteps steps;
   // Older files hold the state of the last stored step.
-  steps.plotted = whole(kPlotted, out.step);
-  steps.animated = whole(kAnimated, out.step);
-  steps.printed = whole(kPrinted, out.step);
-  steps.saved = whole(kSaved, out.step);
-  steps.lived = whole(kLived, out.step);
+  steps.plotted = whole(kPlotted, out.step, -1, out.step);
+  steps.animated = whole(kAnimated, out.step, -1, out.step);
+  steps.printed = whole(kPrinted, out.step, -1, out.step);
+  steps.saved = whole(kSaved, out.step, -1, out.step);
+  steps.lived = whole(kLived, out.step, -1, out.step);
   for (const auto& [name, counter] : kCounters)
-    out.resume.counters.*counter = std::max(whole(name, 0), 0L);
-  out.resume.held_changes = std::max(whole(kHeld, 0), 0L);
+    out.resume.counters.*counter = whole(name, 0, 0, kMost);
+  out.resume.held_changes = whole(kHeld, 0, 0, kMost);
   const std::string stem(kStepper), memory = stem + "memory ";
   if (number(stem + "is " + control.integrator, 0.0) != 1.0 ||
       number(stem + "tolerance", 0.0) != control.tolerance ||

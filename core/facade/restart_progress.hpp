@@ -24,12 +24,17 @@ struct FileSteps {
 /// What the ledgers of a continued run began with, and their residual where it goes on. They go on
 /// from there, to the last bit, while the residual is that of MASTER; under other loads or speeds
 /// it jumps, and they begin anew.
+/// "That of MASTER" allows for rounding: of the balance's largest item, since another processor's
+/// vector units round otherwise and the residual is a small difference of large energies (early in
+/// a run next to none has moved), and 1e-9 of what moved.
 struct LedgerStart {
   double stored = 0.0, residual = 0.0;                                 ///< [J]
   Eigen::Vector3d linear = Eigen::Vector3d::Zero(), angular = linear;  ///< [N s, N m s]
 
   /// Nothing when the file is older than such entries.
   [[nodiscard]] static std::optional<LedgerStart> of(const results::MasterState& master);
+  /// Is `now`, an instant that begins with this start, the one in MASTER?
+  [[nodiscard]] bool goes_on(const scene::EnergyLedger& now) const;
   /// Replaces the start in the ledgers of an instant.
   void apply(scene::Snapshot& to) const;
 };
@@ -41,7 +46,7 @@ void save_progress(std::map<std::string, double>& state, const scene::Snapshot& 
 
 /// The stepper's memory belongs to one method with its limits: under others it stays empty.
 /// @param file MASTER, for messages
-/// @throws InputError when what it remembers is not finite
+/// @throws InputError when what it remembers is not finite, or a step or counter impossible
 [[nodiscard]] FileSteps restore_progress(const results::MasterState& master,
                                          const setup::RunControl& control,
                                          const std::filesystem::path& file, StartPoint& out);

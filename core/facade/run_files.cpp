@@ -10,7 +10,9 @@ namespace adore::facade {
 namespace fs = std::filesystem;
 namespace {
 
-int cages(const Prepared& prepared) { return prepared.bearing.cage ? 1 : 0; }
+int cages(const Prepared& prepared) {
+  return prepared.bearing.cage ? prepared.bearing.cage->segments.count : 0;
+}
 
 }  // namespace
 
@@ -119,6 +121,10 @@ void RunFiles::store(const Wanted& where, const scene::Snapshot& at,
     all->write(record);
     steps.saved = at.step;
   }
+}
+
+void RunFiles::close() {
+  if (all) all->close();
 }
 
 std::vector<results::MasterFile> RunFiles::ends() const {

@@ -44,6 +44,10 @@ class RunFiles {
   [[nodiscard]] Wanted book(long step, bool always);
   /// Stores an instant in SOL1-SOL8 and RESULTS.h5.
   void store(const Wanted& where, const scene::Snapshot& at, const results::StepRecord& record);
+  /// The run is over: RESULTS.h5 gets the bytes with which the library leaves it. RUN.json may say
+  /// so after this only, since nobody goes on with a run that is "done".
+  /// @throws WriteError
+  void close();
   /// Where MASTER finds their ends.
   [[nodiscard]] std::vector<results::MasterFile> ends() const;
 

@@ -8,6 +8,7 @@
 #include "facade/deck_summary.hpp"
 #include "facade/key_results.hpp"
 #include "facade/life_observer.hpp"
+#include "facade/motion_watch.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/restart_progress.hpp"
 #include "facade/run_files.hpp"
@@ -84,6 +85,7 @@ struct RunOutputs::Impl {
   results::ChannelRecorder recorder;
   results::RunAverages averages;
   LifeObserver life;
+  MotionWatch watch;
   RunFiles files;
   std::uintmax_t print_bytes = 0;  ///< of a listing that is continued
   std::optional<LedgerStart> ledger_start;
@@ -92,11 +94,11 @@ struct RunOutputs::Impl {
   std::vector<Issue> remarks;
   KeyResults key_results;
   Clock::time_point checkpoint = Clock::now();
-  long segment = 0;            ///< step from which maxStps counts
-  long restart_step = -1;      ///< of the last checkpoint
-  long continued_at = 0;       ///< step at which this process took the run over
-  int cage_position = -1;      ///< first component of the cage's mass centre
-  double turned_before = 0.0;  ///< rotation of the shaft beyond speed times time [rad]
+  long segment = 0;                 ///< step from which maxStps counts
+  long restart_step = -1;           ///< of the last checkpoint
+  long continued_at = 0;            ///< step at which this process took the run over
+  std::vector<int> cage_positions;  ///< first components of the mass centres of cage or segments
+  double turned_before = 0.0;       ///< rotation of the shaft beyond speed times time [rad]
 
   Impl(const Prepared& p, fs::path f, std::string r, bool o)
       : prepared(p),
@@ -107,6 +109,7 @@ struct RunOutputs::Impl {
         units(p.input.deck.units()),
         recorder(p.bearing, units, results::ChannelTable(dynamics::energy_terms())),
         life(p.bearing, p.life.parameters),
+        watch(p.bearing),
         files(p, std::move(f)) {}
 
   [[nodiscard]] fs::path path(const std::string& name) const { return files.path(name); }
@@ -219,6 +222,7 @@ void RunOutputs::Impl::close(results::RunSummary& run,
   files.written.push_back(path("RUN.json"));
   for (const fs::path& file : files.written) run.files.push_back(file.filename().string());
   files.print->ledgers(run, plan, run_life);
+  files.close();
   results::write_run_json(run, path("RUN.json"));
 }
 
@@ -312,7 +316,8 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
     s.remark(*no_animation);
   if (!start.continued) s.print_front(system.scales());
   for (const dynamics::StateLayout::Group& group : system.layout().groups())
-    if (group.name == "cage.position") s.cage_position = group.slice.first;
+    if (group.name.starts_with("cage") && group.name.ends_with(".position"))
+      s.cage_positions.push_back(group.slice.first);
   s.last_y = start.y;
   // Should the process be killed, it says which run that was.
   results::RunSummary run = s.summary();
@@ -325,8 +330,7 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
   // Until something is stored, the last page is of this point.
   const RunPoint here{start.step, start.time, start.step_size, start.y};
   s.last = s.snapshot(system, here);
-  if (s.ledger_start && std::abs(s.last.energy.residual() - s.ledger_start->residual) >
-                            1e-9 * results::energy_scale(s.last.energy)) {
+  if (s.ledger_start && !s.ledger_start->goes_on(s.last.energy)) {
     s.ledger_start.reset();
     s.last = s.snapshot(system, here);
   }
@@ -345,6 +349,7 @@ void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool alw
   if (!where.any()) return;
   s.last = s.snapshot(system, point);
   s.last_y.assign(point.y.begin(), point.y.end());
+  s.watch.look(s.last);
   if (where.life) s.life.observe(s.last);
   s.last.power.life_hours = s.life.hours();
   s.averages.add(s.last);
@@ -357,9 +362,13 @@ void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool alw
 
 void RunOutputs::follow(const RunPoint& point) {
   Impl& s = *impl_;
-  if (s.cage_position < 0) return;
-  const double* c = point.y.data() + s.cage_position;
-  s.averages.add_cage_position({c[0], c[1], c[2]});
+  if (s.cage_positions.empty()) return;
+  scene::Vec3 mean = scene::Vec3::Zero();
+  for (const int first : s.cage_positions) {
+    const double* c = point.y.data() + first;
+    mean += scene::Vec3(c[0], c[1], c[2]) / static_cast<double>(s.cage_positions.size());
+  }
+  s.averages.add_cage_position(mean);
 }
 
 bool RunOutputs::checkpoint_due() const {
@@ -398,6 +407,7 @@ void RunOutputs::store_end(dynamics::System& system, const RunEnd& end) {
 
 void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   Impl& s = *impl_;
+  for (std::string& text : s.watch.warnings(s.units)) s.remark(std::move(text), Severity::Warning);
   s.files.written.push_back(s.path(s.control.final_file));
   s.files.written.push_back(s.path(s.control.master_file));
   if (const long missed = end.resume.counters.at_minimum; missed > 0) {

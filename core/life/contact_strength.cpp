@@ -63,6 +63,20 @@ RaceStrength contact_strength(const Bearing& bearing, const statics::RollerSolut
   return strength_of(bearing, heaviest);
 }
 
+RaceStrength contact_strength(const Bearing& bearing,
+                              std::span<const scene::ElementSnapshot> elements) {
+  const bool line = bearing.rollers() != nullptr;
+  std::array<Heaviest, 2> heaviest;
+  for (std::size_t k = 0; k < elements.size(); ++k)
+    for (std::size_t race = 0; race < 2; ++race) {
+      const scene::RaceContactSnapshot& contact = elements[k].race[race];
+      if (contact.load > 0.0)
+        heaviest[race].offer(k, contact.max_pressure,
+                             line ? 0.0 : contact.half_minor / contact.half_major);
+    }
+  return strength_of(bearing, heaviest);
+}
+
 std::vector<std::string> strength_warnings(const Bearing& bearing, const RaceStrength& strength) {
   const std::string element = bearing.rollers() ? "roller" : "ball";
   std::vector<std::string> out;

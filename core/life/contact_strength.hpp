@@ -1,10 +1,12 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
+#include "scene/snapshot.hpp"
 #include "statics/ball_statics.hpp"
 #include "statics/roller_statics.hpp"
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,6 +36,9 @@ using RaceStrength = std::array<std::array<ContactStrength, 2>, 2>;
                                             const statics::StaticSolution& solution);
 [[nodiscard]] RaceStrength contact_strength(const bearing::Bearing& bearing,
                                             const statics::RollerSolution& solution);
+/// Of one instant of a motion.
+[[nodiscard]] RaceStrength contact_strength(const bearing::Bearing& bearing,
+                                            std::span<const scene::ElementSnapshot> elements);
 
 /// A sentence for each body that yields, naming element, race, stress and limit; empty when all
 /// stay elastic.

@@ -60,6 +60,9 @@ void mass(Report& report, const Bearing& bearing, bool given) {
   try {
     const contact::SolidInertia solid = contact::cage_solid_inertia(contact::cage_solid(bearing));
     report.item("Mass, from the ideal shape", solid.mass, unit::kMass);
+    if (cage.segments.several())
+      report.item("Distance of the mass centre of a segment from the axis", solid.mass_centre.z(),
+                  unit::kLength);
     if (cage.cone_angle != 0.0)
       report.item("Mass centre from the middle of the cage, along x", solid.mass_centre.x(),
                   unit::kLength);
@@ -86,14 +89,8 @@ const CagePlay* least_play(const Bearing& bearing) {
 }  // namespace
 
 void print_cage_geometry(Report& report, const Bearing& bearing, const deck::Deck& deck) {
-  const long long segments = deck.integer("nCseg");
   if (!bearing.cage) {
-    report.text(
-        segments > 1
-            ? fmt::format("The cage is cut into {} segments; this version reports one-piece "
-                          "cages only.",
-                          segments)
-            : std::string("There is no cage."));
+    report.text("There is no cage.");
     return;
   }
   const Cage& cage = *bearing.cage;
@@ -112,6 +109,16 @@ void print_cage_geometry(Report& report, const Bearing& bearing, const deck::Dec
     report.item("Pocket clearance II, diametral", cage.pocket_clearance_2, unit::kLength);
   report.item("Clearance to the outer race, diametral", cage.clearance_outer, unit::kLength);
   report.item("Clearance to the inner race, diametral", cage.clearance_inner, unit::kLength);
+  if (cage.segments.several()) {
+    report.item("Equal segments (mass and inertia are those of one)",
+                static_cast<long>(cage.segments.count));
+    report.item(
+        "Cut",
+        cage.segments.through_pockets
+            ? fmt::format("through the pockets, first that of element {}", cage.segments.first + 1)
+            : fmt::format("between the pockets, first before element {}", cage.segments.first + 1));
+    report.item("Angle of a cut", cage.segments.cut_angle, unit::kAngle);
+  }
   mass(report, bearing, deck.has("cageMass"));
   lands(report, cage);
 }
@@ -132,8 +139,13 @@ void print_cage_operation(Report& report, const Bearing& bearing) {
     report.item("Cage mass", bearing.cage->inertia.mass, unit::kMass);
     report.item("Cage moment of inertia about x", bearing.cage->inertia.moments.x(),
                 unit::kInertia);
-    report.item("Cage moment of inertia about y and z", bearing.cage->inertia.moments.y(),
-                unit::kInertia);
+    const auto& moments = bearing.cage->inertia.moments;
+    if (bearing.cage->segments.several()) {
+      report.item("Cage moment of inertia about y", moments.y(), unit::kInertia);
+      report.item("Cage moment of inertia about z", moments.z(), unit::kInertia);
+    } else {
+      report.item("Cage moment of inertia about y and z", moments.y(), unit::kInertia);
+    }
   }
 }
 
@@ -148,6 +160,8 @@ nlohmann::ordered_json cage_json(const Bearing& bearing) {
     out["effective play"] = {{"of", least->name}, {"diametral [m]", least->operating}};
   const bool known = cage.inertia.mass > 0.0;
   using Json = nlohmann::ordered_json;
+  if (cage.segments.several())
+    out["segments, of which mass and moments are one's"] = cage.segments.count;
   out["mass [kg]"] = known ? Json(cage.inertia.mass) : Json(nullptr);
   out["moments of inertia x, y, z [kg m^2]"] =
       known ? Json({cage.inertia.moments.x(), cage.inertia.moments.y(), cage.inertia.moments.z()})

@@ -202,7 +202,9 @@ void materials(Report& report, const bearing::Bearing& bearing) {
     places.push_back({name, {c.x(), c.y(), c.z(), a.x(), a.y(), a.z()}});
   };
   add(bearing.rollers() ? "roller" : "ball", bearing.element_inertia);
-  if (bearing.cage && bearing.cage->inertia.mass > 0.0) add("cage", bearing.cage->inertia);
+  if (bearing.first_inertia) add("element 1", *bearing.first_inertia);
+  if (bearing.cage && bearing.cage->inertia.mass > 0.0)
+    add(bearing.cage->segments.several() ? "segment" : "cage", bearing.cage->inertia);
   add("outer race", bearing.race_inertia[0]);
   add("inner race", bearing.race_inertia[1]);
   report.table("",
@@ -291,18 +293,20 @@ void operation(Report& report, const PrintFront& front) {
   report.item("Material properties", bearing.mounting.material_laws
                                          ? "follow the temperature of each part"
                                          : "constant (room temperature)");
-  if (bearing.cage && front.deck.integer("mode") >= 0) {
-    report.heading("Start of the cage");
-    report.item("Whirl speed over angular speed of the cage", bearing.cage->whirl_ratio,
-                unit::kPure);
-    report.item("Angular speed over epicyclic speed", bearing.cage->speed_ratio, unit::kPure);
+  const int pieces =
+      bearing.cage && front.deck.integer("mode") >= 0 ? bearing.cage->segments.count : 0;
+  for (int piece = 0; piece < pieces; ++piece) {
+    const bearing::PieceStart& start = bearing.cage->start_of(static_cast<std::size_t>(piece));
+    const std::string name = pieces > 1 ? fmt::format("cage segment {}", piece + 1) : "cage";
+    report.heading(fmt::format("Start of the {}", name));
+    report.item("Whirl speed over angular speed of the cage", start.whirl_ratio, unit::kPure);
+    report.item("Angular speed over epicyclic speed", start.speed_ratio, unit::kPure);
     for (int k = 0; k < 3; ++k)
-      report.item(fmt::format("Centre along {}", "xyz"[k]), bearing.cage->start_offset[k],
-                  unit::kLength);
+      report.item(fmt::format("Centre along {}", "xyz"[k]), start.start_offset[k], unit::kLength);
     for (int k = 0; k < 3; ++k)
-      report.item(fmt::format("Angle {} of the cage",
-                              std::array{"eta", "xi", "lambda"}[static_cast<std::size_t>(k)]),
-                  bearing.cage->start_angles[k], unit::kAngle);
+      report.item(fmt::format("Angle {} of the {}",
+                              std::array{"eta", "xi", "lambda"}[static_cast<std::size_t>(k)], name),
+                  start.start_angles[k], unit::kAngle);
   }
   if (front.deck.integer("mode") < 0) return;
   report.heading(

@@ -184,7 +184,19 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
                        record["pocket.theta"][at], record[last][at]}});
     }
   }
+  for (int k = 0; k < record.shape.last_halves; ++k)
+    for (int s = 0; s < surfaces; ++s) {
+      const auto at = static_cast<std::size_t>((record.shape.elements + k) * surfaces + s);
+      rows.push_back(
+          {surfaces == 1 ? fmt::format("end {}", k + 1) : fmt::format("end {}.{}", k + 1, s + 1),
+           {record["pocket.force"][at], record["pocket.gap"][at], record["pocket.theta"][at],
+            record[last][at]}});
+    }
   report.table("element", columns, rows);
+  if (record.shape.last_halves > 0)
+    report.text(
+        "The cuts go through pockets: the rows of their elements are the halves at the starts of "
+        "segments, the rows \"end\" those at the ends of segments.");
 }
 
 /// By the model that run option sol7Life names, as if the loads of `life_step` lasted for ever.
@@ -208,8 +220,8 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
       "2. Race and cage parameters: position and orientation (theta, phi of the body's axis in the "
       "base frame)");
   std::vector<Report::Row> places, speeds, orbits;
-  const auto add = [&](const char* name, const scene::BodySnapshot& body, double theta, double phi,
-                       double w_theta, double w_phi) {
+  const auto add = [&](const std::string& name, const scene::BodySnapshot& body, double theta,
+                       double phi, double w_theta, double w_phi) {
     const OrbitMotion orbit = orbit_motion(body.position, body.velocity, body.acceleration);
     places.push_back({name,
                       {body.position.x(), body.position.y(), body.position.z(), theta, phi,
@@ -226,9 +238,11 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
                       record[group + ".angular_velocity_theta"][at],
                       record[group + ".angular_velocity_phi"][at]};
   };
-  if (!snapshot.cages.empty()) {
-    const auto a = angles("cage", 0);
-    add("cage", snapshot.cages.front(), a[0], a[1], a[2], a[3]);
+  const bool segments = snapshot.cages.size() > 1;
+  for (std::size_t k = 0; k < snapshot.cages.size(); ++k) {
+    const auto a = angles("cage", k);
+    add(segments ? fmt::format("segment {}", k + 1) : std::string("cage"), snapshot.cages[k], a[0],
+        a[1], a[2], a[3]);
   }
   for (std::size_t race = 0; race < 2; ++race) {
     const auto a = angles("race", race);
@@ -265,11 +279,21 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
         "Cage to race contact (contact angle in the cage frame; no attitude angle without "
         "hydrodynamics)");
     std::vector<Report::Row> lands;
-    for (const scene::LandSnapshot& land : snapshot.cages.front().lands)
-      lands.push_back(
-          {fmt::format("land {}", lands.size() + 1), {land.force, land.gap, wrapped(land.angle)}});
+    for (std::size_t k = 0; k < snapshot.cages.size(); ++k) {
+      int number = 0;
+      for (const scene::LandSnapshot& land : snapshot.cages[k].lands)
+        lands.push_back({segments ? fmt::format("land {} of {}", ++number, k + 1)
+                                  : fmt::format("land {}", ++number),
+                         {land.force, land.gap, wrapped(land.angle)}});
+    }
     report.table("", {{"force", &unit::kForce}, {"gap", &unit::kLength}, {"angle", &unit::kAngle}},
                  lands, 12);
+  }
+  if (segments) {
+    report.heading("Gaps between segments, which do not touch each other (negative: overlap)");
+    for (std::size_t k = 0; k < snapshot.cages.size(); ++k)
+      report.item(fmt::format("Segments {} and {}", k + 1, (k + 1) % snapshot.cages.size() + 1),
+                  snapshot.cages[k].to_next, unit::kLength);
   }
   report.heading("Wear rates, averaged since time zero, and life");
   report.item("Rolling element 1", record["power.element1_wear_rate"][0], unit::kVolumeFlow);
@@ -343,13 +367,18 @@ void summary(Report& report, const scene::Snapshot& snapshot, const StepRecord& 
               unit::kRevolution);
   report.item("Outer race rotation", snapshot.races[0].total_rotation, unit::kRevolution);
   report.item("Inner race rotation", snapshot.races[1].total_rotation, unit::kRevolution);
-  if (!snapshot.cages.empty())
-    report.item("Cage rotation", snapshot.cages.front().total_rotation, unit::kRevolution);
+  for (std::size_t k = 0; k < snapshot.cages.size(); ++k)
+    report.item(snapshot.cages.size() == 1 ? std::string("Cage rotation")
+                                           : fmt::format("Cage segment {} rotation", k + 1),
+                snapshot.cages[k].total_rotation, unit::kRevolution);
   report.item("Orbital velocity ratio, average over elements and time", averages.orbital_ratio,
               unit::kPure);
   if (!snapshot.cages.empty()) {
-    report.item("Cage angular velocity ratio, average over time", averages.cage_ratio, unit::kPure);
-    report.item("Cage whirl ratio, average over time", averages.whirl_ratio, unit::kPure);
+    const char* over = snapshot.cages.size() > 1 ? "segments and time" : "time";
+    report.item(fmt::format("Cage angular velocity ratio, average over {}", over),
+                averages.cage_ratio, unit::kPure);
+    report.item(fmt::format("Cage whirl ratio, average over {}", over), averages.whirl_ratio,
+                unit::kPure);
   }
   report.item("Power loss", snapshot.power.total_loss, unit::kPower);
   report.item("Power loss, average over time", averages.power_loss, unit::kPower);

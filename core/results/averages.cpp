@@ -10,7 +10,8 @@ RunAverages::Totals RunAverages::totals(const scene::Snapshot& snapshot) {
   totals.shaft = snapshot.shaft_rotation;
   for (const scene::ElementSnapshot& element : snapshot.elements) totals.elements += element.theta;
   if (!snapshot.elements.empty()) totals.elements /= static_cast<double>(snapshot.elements.size());
-  if (!snapshot.cages.empty()) totals.cage = snapshot.cages.front().total_rotation;
+  for (const scene::CageSnapshot& cage : snapshot.cages)
+    totals.cage += cage.total_rotation / static_cast<double>(snapshot.cages.size());
   totals.heat = snapshot.energy.sum(scene::LedgerKind::Heat);
   return totals;
 }
@@ -24,7 +25,12 @@ void RunAverages::add(const scene::Snapshot& snapshot) {
   loss_ = snapshot.power.total_loss;
   if (!started_) start_ = now_;
   started_ = true;
-  if (!snapshot.cages.empty()) add_cage_position(snapshot.cages.front().position);
+  if (snapshot.cages.size() == 1) add_cage_position(snapshot.cages.front().position);
+  if (snapshot.cages.size() < 2) return;
+  scene::Vec3 mean = scene::Vec3::Zero();
+  for (const scene::CageSnapshot& cage : snapshot.cages)
+    mean += cage.mass_centre / static_cast<double>(snapshot.cages.size());
+  add_cage_position(mean);
 }
 
 void RunAverages::add_cage_position(const scene::Vec3& position) {

@@ -27,7 +27,8 @@ struct Averages {
 class RunAverages {
  public:
   void add(const scene::Snapshot& snapshot);
-  /// Only the cage's mass centre, for steps that make no snapshot [m].
+  /// Only the cage's mass centre, that of all segments together, for steps that make no snapshot
+  /// [m].
   void add_cage_position(const scene::Vec3& position);
   [[nodiscard]] Averages averages() const;
 

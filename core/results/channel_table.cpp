@@ -200,6 +200,8 @@ constexpr auto kTable = std::to_array<Channel>({
      [](const Source& s) { return s.cage_body().orientation[s.component]; }, "body to base frame"},
     {"cage.angular_velocity", "angular velocity vector", &unit::kRotation, "N", Per::Cage, 3, false,
      [](const Source& s) { return s.cage_body().omega[static_cast<int>(s.component)]; }, "absolute angular velocity"},
+    {"cage.to_next", "gap to the next segment", &unit::kLength, "-", Per::Cage, 1, false,
+     [](const Source& s) { return s.cage_body().to_next; }, "least distance of the ends of neighbouring segments along the circumference, negative where they overlap; 0 for a cage in one piece"},
     {"land.force", "guide land force", &unit::kForce, "-", Per::Land, 1, false,
      [](const Source& s) { return land_value(s, s.land, [](const auto& l) { return l.force; }); }, "normal force of cage and race"},
     {"land.gap", "guide land gap", &unit::kLength, "-", Per::Land, 1, false,

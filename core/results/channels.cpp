@@ -70,7 +70,10 @@ Shape shape_of(const bearing::Bearing& bearing) {
   shape.elements = bearing.element_count();
   shape.rollers = bearing.rollers() != nullptr;
   if (bearing.cage) {
-    shape.cages = 1;
+    const bearing::Segmentation& cut = bearing.cage->segments;
+    shape.cages = cut.count;
+    shape.last_halves = cut.several() && cut.through_pockets ? cut.count : 0;
+    shape.first_pocket = cut.first;
     shape.pocket_surfaces = bearing::pocket_surfaces(*bearing.cage, shape.rollers);
     shape.lands = static_cast<int>(bearing.cage->lands.size());
   } else {
@@ -91,7 +94,7 @@ std::size_t channel_size(const Channel& channel, const Shape& shape) {
       case Per::Flange:
         return shape.rollers ? 4 * shape.elements : 0;
       case Per::Pocket:
-        return shape.elements * shape.pocket_surfaces;
+        return (shape.elements + shape.last_halves) * shape.pocket_surfaces;
       case Per::Pair:
         return shape.pairs;
       case Per::Cage:
@@ -130,7 +133,10 @@ const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot) {
     demand(shape.cages == 0 ||
                element.pocket.size() == static_cast<std::size_t>(shape.pocket_surfaces),
            "each element of a snapshot shows every guide surface of its pocket");
-
+  for (const scene::CageSnapshot& cage : snapshot.cages)
+    demand(shape.last_halves == 0 ||
+               cage.last_half.size() == static_cast<std::size_t>(shape.pocket_surfaces),
+           "each segment of a snapshot shows every guide surface of its last half pocket");
   for (std::size_t i = 0; i < static_cast<std::size_t>(shape.pairs); ++i)
     demand(snapshot.elements[i].to_next.has_value(),
            "each element of a snapshot without cage shows the next one");

@@ -35,7 +35,9 @@ struct ChannelSource {
     return ball().flange[race][side];
   }
   [[nodiscard]] const scene::PocketContactSnapshot& pocket() const {
-    return ball().pocket[surface];
+    const std::size_t elements = snapshot->elements.size();
+    return element < elements ? ball().pocket[surface]
+                              : snapshot->cages[element - elements].last_half[surface];
   }
   /// An element and the next one, in a bearing without cage.
   [[nodiscard]] const scene::NeighbourSnapshot& pair() const { return *ball().to_next; }
@@ -79,6 +81,8 @@ class ChannelTable {
 /// Sizes of one bearing that fix how many values each channel has.
 struct Shape {
   int elements = 0, pocket_surfaces = 0, cages = 0, lands = 0;
+  int last_halves = 0;   ///< half pockets at the ends of segments, behind the elements' pockets
+  int first_pocket = 0;  ///< element that the first segment starts with, from 0
   int pairs = 0;         ///< of elements that may touch
   bool rollers = false;  ///< each with two ends at two races' flanges
   bool operator==(const Shape&) const = default;

@@ -167,6 +167,13 @@ std::optional<ContactFrames> contacts_beside(const Sol8File& file, std::string& 
     ContactFrames out;
     out.load_unit = unit_name(unit::kForce, units);
     out.slip_unit = unit_name(unit::kSpeed, units);
+    const auto size = [&](const char* name) {
+      const auto found = reader->geometry().find(name);
+      return found != reader->geometry().end() && std::isfinite(found->second) ? found->second
+                                                                               : 0.0;
+    };
+    out.pocket_code = static_cast<int>(std::clamp(size("pocket_code"), -1.0, 4.0));
+    out.roller_length = from_si(std::max(size("roller_length"), 0.0), unit::kLength, units);
     const auto positions = positions_of(*reader);
     const std::vector<double> times = reader->read("time");
     for (const Sol8Frame& frame : file.frames) {

@@ -53,7 +53,7 @@ std::vector<hsize_t> dimensions(const Channel& channel, const Shape& shape) {
       out = {n(shape.rollers ? shape.elements : 0), 2, 2};
       break;
     case Per::Pocket:
-      out = {n(shape.elements), n(shape.pocket_surfaces)};
+      out = {n(shape.elements + shape.last_halves), n(shape.pocket_surfaces)};
       break;
     case Per::Pair:
       out = {n(shape.pairs)};
@@ -177,7 +177,7 @@ std::map<std::string, double> geometry_of(const bearing::Bearing& bearing) {
   std::map<std::string, double> out{{"elements", bearing.element_count()},
                                     {"outer_race_width", bearing.envelope.race_width[0]},
                                     {"inner_race_width", bearing.envelope.race_width[1]},
-                                    {"cages", bearing.cage ? 1.0 : 0.0}};
+                                    {"cages", bearing.cage ? bearing.cage->segments.count : 0.0}};
   const std::array<double, 2> free_x =
       bearing.rollers() != nullptr ? add_rollers(bearing, out) : add_balls(bearing.balls(), out);
   out["outer_race_free_x"] = free_x[0];  // the race's centre less its stored displacement
@@ -507,6 +507,21 @@ void H5Writer::write(const StepRecord& record) {
 void H5Writer::flush() {
   const Quiet quiet;
   impl_->write_waiting();
+}
+
+void H5Writer::close() {
+  const Quiet quiet;
+  impl_->write_waiting();
+  impl_->series.clear();
+  H5Fflush(impl_->file, H5F_SCOPE_GLOBAL);
+  if (const int error = write_error(impl_->file); error != 0) {
+    impl_->broken = true;
+    throw WriteError(
+        fmt::format("{}: the file cannot be written to its end ({}); free some disk space or "
+                    "choose another disk",
+                    impl_->path.string(), std::generic_category().message(error)));
+  }
+  impl_->file.reset();
 }
 
 }  // namespace adore::results

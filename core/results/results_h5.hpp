@@ -46,11 +46,13 @@ class H5Writer {
 
   H5Writer(H5Writer&&) noexcept;
   H5Writer& operator=(H5Writer&&) noexcept;
-  ~H5Writer();  ///< flushes; errors are lost here, so call flush() at the end of a run
+  ~H5Writer();  ///< closes; errors are lost here, so call close() at the end of a run
 
   void write(const StepRecord& record);
   /// Hands everything so far to the system. @throws InputError (disk full ...)
   void flush();
+  /// Writes what waits and closes the file: its bytes are final. Nothing can be written any more.
+  void close();
 
  private:
   struct Impl;

@@ -97,7 +97,8 @@ std::string header_text(const bearing::Bearing& bearing, UnitSystem units) {
 }
 
 void check_allowed(const bearing::Bearing& bearing) {
-  if (const auto refusal = sol8_refusal(bearing.element_count(), bearing.cage ? 1 : 0))
+  if (const auto refusal =
+          sol8_refusal(bearing.element_count(), bearing.cage ? bearing.cage->segments.count : 0))
     throw InputError(*refusal);
 }
 
@@ -107,13 +108,13 @@ std::optional<std::string> sol8_refusal(int elements, int cage_segments) {
   if (elements > kMostElements)
     return fmt::format(
         "SOL8 is not written: its three-digit counts hold at most {} rolling elements, this "
-        "bearing has {}; the animation "
-        "plays RESULTS.h5 instead",
+        "bearing has {}; AGORE has nothing to draw, RESULTS.h5 holds the motion",
         kMostElements, elements);
   if (cage_segments > 1)
     return fmt::format(
-        "SOL8 is not written: it has room for one cage, this bearing has {} segments; the "
-        "animation plays RESULTS.h5 instead",
+        "SOL8 is not written, and AGORE has nothing to draw: it has room for one cage, this "
+        "bearing "
+        "has {} segments; RESULTS.h5 holds their motion",
         cage_segments);
   return std::nullopt;
 }

@@ -177,7 +177,8 @@ void add_element_columns(Columns& columns, const SolHeader& header) {
 }
 
 void add_cage_columns(Columns& columns, const SolHeader& header) {
-  for (std::string_view id : kCageFile) columns.add(id, 0);
+  const int segment = header.index - header.elements - 1;
+  for (std::string_view id : kCageFile) columns.add(id, static_cast<std::size_t>(segment));
   const int surfaces = std::max(header.pocket_surfaces, 1);
   // Faces of roller pockets say where along them the contact is, round pockets its angle.
   const bool place = header.bearing_type != kBall && header.pocket_type != kRoundRollerPocket;
@@ -185,7 +186,11 @@ void add_cage_columns(Columns& columns, const SolHeader& header) {
   // the header says.
   for (int pocket = 1; !columns.full(); ++pocket) {
     for (int surface = 1; surface <= surfaces && !columns.full(); ++surface) {
-      const auto at = static_cast<std::size_t>((pocket - 1) * surfaces + surface - 1);
+      const int row = header.segments > 1 && pocket > header.per_segment
+                          ? header.elements + segment
+                          : (header.first_pocket + segment * header.per_segment + pocket - 1) %
+                                std::max(header.elements, 1);
+      const auto at = static_cast<std::size_t>(row * surfaces + surface - 1);
       const std::string where = surfaces == 1
                                     ? fmt::format(", pocket {}", pocket)
                                     : fmt::format(", pocket {} surface {}", pocket, surface);
@@ -243,7 +248,8 @@ int sol_value_count(SolKind kind, const Shape& shape) {
     case SolKind::Element:
       return shape.rollers ? 45 : 33;
     case SolKind::Cage:
-      return 24 + 4 * shape.pocket_surfaces * shape.elements;
+      return 24 + 4 * shape.pocket_surfaces *
+                      (shape.elements / std::max(shape.cages, 1) + (shape.last_halves > 0 ? 1 : 0));
     case SolKind::Race:
       return 24;
     case SolKind::Power:

@@ -19,7 +19,8 @@ struct SolHeader {
   int elements = 0;     ///< rolling elements
   int per_segment = 0;  ///< pockets per cage segment
   int segments = 0;
-  int index = 0;  ///< element number: 1..n, cages, outer, inner; 0 = SOL7
+  int first_pocket = 0;  ///< element whose pocket is the first segment's first, from 0; not stored
+  int index = 0;         ///< element number: 1..n, cages, outer, inner; 0 = SOL7
   bool outer_flange = false, inner_flange = false;
   int bearing_type = 1, pocket_type = 0, pocket_surfaces = 1;
   std::array<std::string, 10>

@@ -77,12 +77,16 @@ SolHeader make_sol_header(const bearing::Bearing& bearing, int index, UnitSystem
     throw InputError(fmt::format(
         "kPltElemInd: element {} cannot be monitored; the bearing has elements 1 to {} ({} rolling "
         "elements, {}outer race, inner race)",
-        index, shape.elements + shape.cages + 2, shape.elements, shape.cages > 0 ? "cage, " : ""));
+        index, shape.elements + shape.cages + 2, shape.elements,
+        shape.cages > 1   ? fmt::format("{} cage segments, ", shape.cages)
+        : shape.cages > 0 ? std::string("cage, ")
+                          : std::string()));
   SolHeader header;
   header.version = kFileVersion;
   header.run_id = bearing.run_id;
   header.elements = shape.elements;
   header.segments = shape.cages;
+  header.first_pocket = shape.first_pocket;
   header.per_segment = shape.cages > 0 ? shape.elements / shape.cages : 0;
   header.index = index;
   header.bearing_type = static_cast<int>(bearing.type);

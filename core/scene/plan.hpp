@@ -63,6 +63,7 @@ struct ScenePlan {
   std::vector<BodyEntry> bodies;
   std::vector<EffectEntry> effects;
   bool rollers = false;                ///< the elements are rollers
+  bool rigid_balls = false;            ///< balls whose inertia is not that of a sphere
   std::vector<int> oriented_elements;  ///< 0-based elements whose orientation is integrated
   double light_load_ratio = 0.0;  ///< qFac: with LightLoadBalance, load over the force scale at or
                                   ///< below which an element is held

@@ -96,8 +96,16 @@ struct BodySnapshot {
   double total_rotation = 0.0;  ///< about its own x axis, accumulated [rad]
 };
 
+/// The cage, or one of its segments.
 struct CageSnapshot : BodySnapshot {
   std::vector<LandSnapshot> lands;
+  /// Surfaces of the half pocket at the end of a segment that is cut through its pockets; the half
+  /// at its start is in the pocket of its first element.
+  std::vector<PocketContactSnapshot> last_half;
+  /// Of a segment: least distance of its end from the start of the next one along the pitch circle,
+  /// over the corners of both; negative: they overlap [m].
+  double to_next = 0.0;
+  Vec3 mass_centre = Vec3::Zero();  ///< of a segment, base frame [m]
 };
 
 struct RaceSnapshot : BodySnapshot {
@@ -120,7 +128,7 @@ struct Snapshot {
   double time = 0.0, step_size = 0.0;  ///< [s]
   double shaft_rotation = 0.0;         ///< inner minus outer about x [rad], signed
   std::vector<ElementSnapshot> elements;
-  std::vector<CageSnapshot> cages;  ///< 0 or 1 entries (segments later)
+  std::vector<CageSnapshot> cages;  ///< none, one, or one for each segment
   std::array<RaceSnapshot, 2> races;
   PowerSnapshot power;
   EnergyLedger energy;                     ///< since the start of the run

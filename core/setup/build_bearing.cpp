@@ -54,7 +54,7 @@ Material material(const Deck& deck, const char* code_variable, Part part, const 
   out.thermal_expansion = value("CTE");
   out.conductivity = value("TC", false);  // until temperatures are computed
   out.specific_heat = value("SH", false);
-  out.elastic_strain_limit = value("ESL", part != Part::Cage);
+  out.elastic_strain_limit = value("ESL", part != Part::Cage || deck.integer("mode") >= 0);
   out.wear_coefficient = value("WC", wears);
   out.fatigue_limit_stress = value("VM", contact);
   if (const std::string hardness = prefix + "H" + suffix; deck.has(hardness)) {
@@ -136,12 +136,19 @@ bearing::Cage cage(const Deck& deck, const Bearing& bearing) {
   out.material = material(deck, "kCageMat", Part::Cage, "cage", "");
   if (deck.has("avRatio")) {
     const deck::ReportOnly quiet(deck, deck.integer("mode") < 0);  // statics moves no cage
-    out.whirl_ratio = deck.si("wvRatio");
-    out.speed_ratio = deck.si("avRatio");
-    for (int k = 0; k < 3; ++k) {
-      out.start_offset[k] = deck.si("cageGcPos", 1, k + 1);
-      out.start_angles[k] = deck.si("cageAngPos", 1, k + 1);
-    }
+    const auto start = [&deck](int piece) {
+      bearing::PieceStart one;
+      one.whirl_ratio = deck.si("wvRatio", piece);
+      one.speed_ratio = deck.si("avRatio", piece);
+      for (int k = 0; k < 3; ++k) {
+        one.start_offset[k] = deck.si("cageGcPos", piece, k + 1);
+        one.start_angles[k] = deck.si("cageAngPos", piece, k + 1);
+      }
+      return one;
+    };
+    static_cast<bearing::PieceStart&>(out) = start(1);
+    for (int piece = 2; piece <= out.segments.count; ++piece)
+      out.later_starts.push_back(start(piece));
   }
   return out;
 }
@@ -176,11 +183,13 @@ bearing::Mounting mounting(const Deck& deck) {
 
 /// Balls or rollers with their inertia.
 void build_elements(const Deck& deck, Bearing& out) {
+  const bool first_only = deck.has("bReMass") && deck.integer("kReIP") == 1;
   if (out.type == bearing::Type::Ball) {
     out.elements = build_balls(deck);
-    out.element_inertia = deck.has("bReMass")
-                              ? given_inertia(deck, "bRe", "")
-                              : ball_inertia(out.balls().diameter, out.element_material.density);
+    out.element_inertia = ball_inertia(out.balls().diameter, out.element_material.density);
+    if (deck.has("bReMass"))
+      (first_only ? out.first_inertia.emplace() : out.element_inertia) =
+          given_inertia(deck, "bRe", "");
     return;
   }
   out.elements = build_rollers(deck);
@@ -188,6 +197,10 @@ void build_elements(const Deck& deck, Bearing& out) {
   out.element_inertia = mass.inertia;
   out.roller_mass_offset = mass.mass_offset;
   if (!deck.has("bReMass")) return;
+  if (first_only) {
+    out.first_inertia = given_inertia(deck, "bRe", "");
+    return;
+  }
   out.element_inertia = given_inertia(deck, "bRe", "");
   out.roller_mass_offset = -out.element_inertia.geometric_centre.x();
 }
@@ -267,7 +280,7 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   if (dynamic && out.rollers() != nullptr &&
       (out.rollers()->has_flange(0) || out.rollers()->has_flange(1)))
     out.flange_traction = curve(deck, "kRFTracType", "reFlngTC", true);
-  if (deck.integer("nCseg") == 1) out.cage = cage(deck, out);
+  if (deck.integer("nCseg") > 0) out.cage = cage(deck, out);
   if (dynamic && deck.integer("nCseg") == 0)
     out.element_traction = curve(deck, "kRRTracType", "reReTC", true);
   if (dynamic && out.cage) {

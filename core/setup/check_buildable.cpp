@@ -1,11 +1,16 @@
 #include "bearing/material_laws.hpp"
+#include "contact/ball_pocket.hpp"
+#include "contact/tapered_geometry.hpp"
 #include "setup/build_bearing.hpp"
 #include "setup/deck_text.hpp"
 #include "setup/race_motions.hpp"
+#include "setup/read_cage.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -34,10 +39,14 @@ constexpr Gate kDynamic[] = {
 constexpr Gate kCage[] = {
     {"kCageGsImp", 0, "cage guide-land imperfections"},
     {"kRaceGsImp", 0, "race guide-land imperfections"},
-    {"kPocHydro", 0, "pocket hydrodynamics"},
-    {"kGsHydro", 0, "guide-land hydrodynamics"},
     {"kCPTrac", 0, "a user routine for element to cage traction"},
     {"kCRTrac", 0, "a user routine for cage to race traction"},
+};
+
+// Of a cage in one piece; segments have none (N72).
+constexpr Gate kCageFilms[] = {
+    {"kPocHydro", 0, "pocket hydrodynamics"},
+    {"kGsHydro", 0, "guide-land hydrodynamics"},
 };
 
 constexpr Gate kNoCage[] = {
@@ -150,6 +159,85 @@ void check_pocket_errors(const Deck& deck, Checker& check) {
                               length_text(deck, left)));
 }
 
+/// Do the cuts of a segmented cage leave of bars and pockets what contacts need? Half pockets: an
+/// opening that the element does not touch on both sides at once.
+bool cut_fits(const Deck& deck, const bearing::Cage& cage, double angle) {
+  constexpr double kPi = std::numbers::pi;
+  const double D = deck.si("bReDia");
+  const double d_m = deck.has("pitchDia") ? deck.si("pitchDia")
+                                          : contact::tapered_geometry(
+                                                D, {deck.si("raceTaper1"), deck.si("raceTaper2")})
+                                                .pitch_diameter;
+  const bool rollers = deck.integer("kBrg") != 1;
+  const double width = D + cage.pocket_clearance_1;
+  const bool elongated = !rollers && cage.pocket == bearing::PocketShape::Elongated;
+  const double reach = width + (elongated ? std::max(cage.pocket_clearance_2, 0.0) : 0.0);
+  if (!cage.segments.through_pockets)
+    return angle < 2.0 * kPi / static_cast<double>(deck.integer("nRe")) -
+                       2.0 * std::asin(std::min(reach / d_m, 1.0));
+  const double edge = 0.5 * d_m * std::tan(0.5 * angle);
+  if (!(2.0 * edge < reach)) return false;
+  if (rollers)
+    return cage.pocket == bearing::PocketShape::Rectangular ||
+           width * width - 4.0 * edge * edge >= D * D;
+  const auto [low, high] = contact::wall_height(cage.outer_diameter, cage.inner_diameter, d_m);
+  return contact::half_opening({cage.pocket, D, cage.pocket_clearance_1, cage.pocket_clearance_2,
+                                low, high, 1, edge}) >= 0.5 * D;
+}
+
+void check_segments(const Deck& deck, Checker& check) {
+  const deck::ReportOnly quiet(deck);
+  const bearing::Cage cage =
+      read_cage(deck, [&](std::string_view name, int instance) { return deck.si(name, instance); });
+  const double cut = cage.segments.cut_angle;
+  if (cut == 0.0)
+    check.warning("cageAngCut",
+                  "leaves no gap between the segments, which do not touch each other: their ends "
+                  "overlap as soon as they move",
+                  "give the angle that is cut out");
+  for (std::size_t i = 0; i < cage.lands.size(); ++i)
+    if (cage.lands[i].guide != bearing::GuideLand::Guide::None && cage.lands[i].clearance < 0.0)
+      check.error(
+          "cageGsCls",
+          fmt::format("lets land {} of the segments press on its race all around, which only "
+                      "a whole ring does",
+                      i + 1),
+          "give 0 or more");
+  const bool through = cage.segments.through_pockets;
+  const char* const remedy = "or cut between the pockets (positive numbers)";
+  if (through && deck.integer("mode") > 0)
+    check.error("lSeg",
+                "cuts the cage through its pockets; the force balance of elements knows whole "
+                "pockets only",
+                fmt::format("set mode to 0, {}", remedy));
+  else if (through && deck.real("qFac") > 0.0)
+    check.error("lSeg",
+                "cuts the cage through its pockets; the force balance of lightly loaded elements "
+                "knows whole pockets only",
+                fmt::format("set qFac to 0, {}", remedy));
+  if (deck.has("cageMass") && deck.real("cageGeoCenZ") == 0.0)
+    check.warning("cageGeoCenZ",
+                  "puts the mass centre of every segment on the bearing axis; record 7.7 is about "
+                  "one segment, whose z axis goes through its angular middle",
+                  "give the distance, negative, or set kCageIP to 0");
+  const bool faces = deck.integer("kBrg") != 1 && deck.integer("kPocType") > 0;
+  if (faces || cut_fits(deck, cage, cut)) return;
+  double most = 0.0, bad = cut;
+  for (int n = 0; n < 40; ++n) {
+    const double middle = 0.5 * (most + bad);
+    (cut_fits(deck, cage, middle) ? most : bad) = middle;
+  }
+  const std::string limit = fmt::format("give at most {:.4g} degrees",
+                                        std::floor(most * 180.0 / std::numbers::pi * 1e4) / 1e4);
+  if (!through)
+    check.error("cageAngCut", "cuts more than the bars between the pockets", limit);
+  else
+    check.error("cageAngCut",
+                "leaves half pockets whose opening the rolling element touches on both sides",
+                most > 0.0 ? fmt::format("{}, {}", limit, remedy)
+                           : fmt::format("give more pocket clearance, {}", remedy));
+}
+
 /// What the motion of rollers leaves out.
 void check_moving_rollers(const Deck& deck, Checker& check) {
   if (deck.integer("kReGeoImp") == 3)
@@ -186,28 +274,24 @@ std::vector<Issue> check_buildable(const Deck& deck) {
                 "version does not simulate yet",
                 "set kReGeoImp to 0");
   const long long segments = deck.integer("nCseg");
-  if (dynamic && segments > 1)
-    check.error("nCseg", "asks for a segmented cage, which this version does not simulate yet",
-                "set nCseg to 1 for a cage of one piece, or to 0 for a bearing without cage");
+  if (dynamic && segments > 1) check_segments(deck, check);
   if (dynamic && segments == 0) {
     check.gates(kNoCage);
-    if (rollers)
-      check.error(
-          "nCseg",
-          "asks for rollers that touch each other, which this version does not simulate yet",
-          "set nCseg to 1");
     if (deck.real("qFac") > 0.0)
-      check.error("qFac",
-                  "asks for lightly loaded balls in force balance, which knows races and pockets "
-                  "but no contact between balls (nCseg = 0)",
-                  "set qFac to 0");
+      check.error(
+          "qFac",
+          "asks for lightly loaded elements in force balance, which knows races and pockets "
+          "but no contact between elements (nCseg = 0)",
+          "set qFac to 0");
     if (deck.integer("mode") > 0)
-      check.error("mode",
-                  "asks for balls in force balance, which knows races and pockets but no contact "
-                  "between balls (nCseg = 0)",
-                  "set mode to 0");
+      check.error(
+          "mode",
+          "asks for elements in force balance, which knows races and pockets but no contact "
+          "between elements (nCseg = 0)",
+          "set mode to 0");
   }
   if (dynamic && segments > 0) check.gates(kCage);
+  if (dynamic && segments == 1) check.gates(kCageFilms);
   for (Issue& issue : check_race_motions(deck)) check.add(std::move(issue));
   for (Issue& issue : check_element_inertia(deck)) check.add(std::move(issue));
   for (const char* material :

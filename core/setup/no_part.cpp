@@ -47,7 +47,7 @@ std::string of_material(std::string_view name, const Scene& scene) {
       name.ends_with("SH") || name.ends_with("SH1") || name.ends_with("SH2"))
     return "no heat flow is computed, so that conductivity and specific heat are only printed";
   if (name.starts_with("cage"))
-    return scene.motion ? "the cage's strength, hardness and wear are not judged"
+    return scene.motion ? "no fatigue of the cage is judged"
                         : "a quasi-static solution moves and wears no cage";
   if (name.starts_with("hsng") || name.starts_with("shft"))
     return "no contact stresses this part, only its fit is computed";
@@ -68,6 +68,8 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
     return "the cage keeps rolling elements from touching each other";
   if (is_one_of(name, {"kCPTrac", "kCPTracType", "kPocHydro"}) && !scene.cage)
     return "there is no cage";
+  if (is_one_of(name, {"kPocHydro", "kGsHydro"}) && scene.segments)
+    return "a segmented cage has no hydrodynamics";
   if (is_one_of(name, {"kCRTrac", "kCRTracType", "kGsHydro"}) && !scene.guided)
     return "no land guides a cage";
   if (record.starts_with("10") && record.ends_with("D") && name.ends_with("TC4"))
@@ -91,8 +93,8 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (name == "pltNames8") return "kAGraf = 0 stores no animation";
   if (name.starts_with("pltNames") && scene.motion) return "fewer bodies have a plot file";
   if (name == "angVelOrient") return "only kAngVel = 2 gives the angle of the spin axis";
-  if (name == "bPocCls2" && !scene.segments) return "a pocket of this shape has one clearance";
-  if (name == "bPocClsVar2" && !scene.segments) return "a pocket of this shape has no clearance II";
+  if (name == "bPocCls2") return "a pocket of this shape has one clearance";
+  if (name == "bPocClsVar2") return "a pocket of this shape has no clearance II";
   if (name == "cageAngCut" && !scene.segments) return "a cage of one piece has no cut";
   if (name == "pocLubFilm") return "no hydrodynamics of the pockets is computed";
   if (record.starts_with("5G.1D")) return "there are fewer rolling elements";
@@ -112,8 +114,6 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
     return "a quasi-static solution writes PRINT.txt and RUN.json only";
   if (record == "1" || record == "2.2") return "a quasi-static solution has no steps in time";
   if (name == "kChrn") return "a quasi-static solution has no churning";
-  if (scene.segments && (record.starts_with("7") || name == "kCageMat"))
-    return "the plays of a segmented cage are not computed";
   if (record.starts_with("7") || name == "kCageMat")
     return "a quasi-static solution knows the cage's size and play, but neither its motion nor its "
            "forces";

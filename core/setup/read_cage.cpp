@@ -1,6 +1,7 @@
 #include "setup/read_cage.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace adore::setup {
 namespace {
@@ -36,6 +37,12 @@ bearing::Cage read_cage(const deck::Deck& deck, const NumberReader& number) {
   out.pocket = bearing::pocket_shape(pocket, rollers);
   out.pocket_clearance_1 = number("bPocCls1", 1);
   if (!rollers && pocket >= 2) out.pocket_clearance_2 = number("bPocCls2", 1);
+  if (const long long pieces = deck.integer("nCseg"); pieces > 1) {
+    const long long first = deck.integer("lSeg", 1);
+    out.segments = {static_cast<int>(pieces), first < 0, static_cast<int>(std::abs(first)) - 1,
+                    number("cageAngCut", 1)};
+    for (int i = 2; i <= pieces; ++i) (void)deck.integer("lSeg", i);  // alike: check_cage.cpp
+  }
   const long long lands = std::clamp(deck.integer("nGL"), 0LL, 4LL);
   for (int i = 1; i <= lands; ++i) out.lands.push_back(guide_land(deck, i, number));
   return out;

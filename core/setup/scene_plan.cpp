@@ -30,6 +30,14 @@ std::string flange_reason(const deck::Deck& deck) {
   return out;
 }
 
+/// Does a ball need no orientation to move: equal moments, mass centre in its middle?
+bool moves_as_sphere(const bearing::Bearing& bearing) {
+  if (bearing.first_inertia) return false;
+  const bearing::Inertia& one = bearing.element_inertia;
+  return one.geometric_centre.isZero(0.0) &&
+         one.moments.maxCoeff() - one.moments.minCoeff() <= 1e-9 * one.moments.maxCoeff();
+}
+
 }  // namespace
 
 scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing& bearing,
@@ -53,6 +61,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   effect(Effect::RaceTraction, element + " / race traction", can_push(bearing.race_traction),
          curve_reason(deck, "kTracType", bearing.race_traction));
   plan.rollers = bearing.rollers() != nullptr;
+  plan.rigid_balls = !plan.rollers && !moves_as_sphere(bearing);
   if (bearing.flange_traction) {
     effect(Effect::FlangeContact, "roller / flange contact", true, flange_reason(deck));
     effect(Effect::FlangeTraction, "roller / flange traction", can_push(*bearing.flange_traction),
@@ -102,13 +111,17 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
       plan.oriented_elements.push_back(i);
   }
   const int oriented = static_cast<int>(plan.oriented_elements.size());
-  effect(Effect::ElementOrientation, element + " orientation", oriented > 0 || plan.rollers,
-         plan.rollers
-             ? std::string("contacts read the axes of all rollers; total rotation of those "
-                           "in kPltElemInd, kPrtOpt or kAGraf")
-         : control.animate
-             ? fmt::format("kAGraf = {}: all balls", control.animate_every)
-             : fmt::format("{} of {} {}s in kPltElemInd or kPrtOpt", oriented, n, element));
+  const bool rigid = plan.rollers || plan.rigid_balls;
+  effect(
+      Effect::ElementOrientation, element + " orientation", oriented > 0 || rigid,
+      plan.rollers ? std::string("contacts read the axes of all rollers; total rotation of those "
+                                 "in kPltElemInd, kPrtOpt or kAGraf")
+      : rigid ? fmt::format("kReIP = {}: the inertia of balls turns with them; total rotation of "
+                            "those in kPltElemInd, kPrtOpt or kAGraf",
+                            deck.integer("kReIP"))
+      : control.animate
+          ? fmt::format("kAGraf = {}: all balls", control.animate_every)
+          : fmt::format("{} of {} {}s in kPltElemInd or kPrtOpt", oriented, n, element));
   effect(Effect::WearIntegrals, "wear and power integrals", true, "SOL7 and PRINT show them");
   effect(Effect::MomentumLedger, "momentum ledger", true, "RUN.json and PRINT show it");
   effect(Effect::SuppressedMotions, "suppressed motions", plan.suppressed.any(),
@@ -120,20 +133,24 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   effect(Effect::ElementBalance, fmt::format("force balance of all {}s", element), code > 0, mode);
   effect(Effect::RaceBalance, "force balance of the inner race", code == 2, mode);
 
-  if (plan.rollers)
-    plan.bodies.push_back({fmt::format("rollers ({})", n),
+  if (rigid)
+    plan.bodies.push_back({fmt::format("{}s ({})", element, n),
                            "x, r, theta, quaternion, angular velocity: 6 degrees of freedom each",
                            13 * n});
   else
     plan.bodies.push_back({fmt::format("balls ({})", n),
                            "x, r, theta, angular velocity: 6 degrees of freedom each", 9 * n});
-  if (oriented > 0 && plan.rollers)
+  if (oriented > 0 && rigid)
     plan.bodies.push_back(
-        {fmt::format("rotation of rollers ({})", oriented), "total rotation", oriented});
+        {fmt::format("rotation of {}s ({})", element, oriented), "total rotation", oriented});
   else if (oriented > 0)
     plan.bodies.push_back({fmt::format("orientation of balls ({})", oriented),
                            "quaternion and total rotation", 5 * oriented});
-  if (cage) plan.bodies.push_back({"cage", "6 degrees of freedom and total rotation", 14});
+  if (const int pieces = cage ? bearing.cage->segments.count : 0; pieces > 1)
+    plan.bodies.push_back({fmt::format("cage segments ({})", pieces),
+                           "6 degrees of freedom and total rotation each", 14 * pieces});
+  else if (cage)
+    plan.bodies.push_back({"cage", "6 degrees of freedom and total rotation", 14});
   plan_race_motions(deck, bearing, plan);
   for (const scene::BodyEntry& body : plan.bodies) plan.unknowns += body.unknowns;
   return plan;

@@ -137,6 +137,7 @@ void move_grooves(bearing::BallGeometry& balls, OperatingFits& report, const Mou
 
 void scale_inertia(bearing::Inertia& inertia, double growth) {
   inertia.moments *= (1.0 + growth) * (1.0 + growth);
+  inertia.geometric_centre *= 1.0 + growth;
 }
 
 /// Play between a cage surface of the given diameter and a race, before and after; moves the play.
@@ -210,8 +211,10 @@ void move_cage(bearing::Cage& cage, const Bearing& free, const MountedState& sta
       statics::epicyclic_speeds(elements.count, elements.diameter, elements.pitch_diameter,
                                 elements.angle, free.speed[0], free.speed[1])
           .cage_speed;
+  // Segments are no ring that rotation could stretch.
+  const double stretched_at = cage.segments.several() ? 0.0 : report.cage_speed;
   const RingPart ring = part(free, cage.material, free.cage_temperature, 0.5 * cage.inner_diameter,
-                             0.5 * cage.outer_diameter, report.cage_speed);
+                             0.5 * cage.outer_diameter, stretched_at);
   report.cage = {growth_at(ring, ring.outer), growth_at(ring, ring.inner)};
 
   for (std::size_t i = 0; i < cage.lands.size(); ++i) {
@@ -341,6 +344,7 @@ Bearing operating_roller_bearing_of(const Bearing& free) {
     rollers.pitch_diameter = sizes.pitch_diameter;
     rollers.clearance = sizes.clearance;
     scale_inertia(out.element_inertia, growth);
+    if (out.first_inertia) scale_inertia(*out.first_inertia, growth);
     scale_inertia(out.race_inertia[0], operating.state.rings.outer.growth);
     scale_inertia(out.race_inertia[1], operating.state.rings.inner.growth);
   } else {
@@ -401,6 +405,7 @@ Bearing operating_bearing(const Bearing& free) {
   if (report.changed) {
     move_grooves(out.balls(), report, state, groove.centre_x);
     scale_inertia(out.element_inertia, ball_growth);
+    if (out.first_inertia) scale_inertia(*out.first_inertia, ball_growth);
     scale_inertia(out.race_inertia[0], rings.outer.growth);
     scale_inertia(out.race_inertia[1], rings.inner.growth);
   } else {

@@ -1,4 +1,5 @@
 #include "agore/agore_window.hpp"
+#include "agore/pocket_outline.hpp"
 #include "agore/render.hpp"
 #include "base/errors.hpp"
 #include "support/qt_app.hpp"
@@ -422,4 +423,28 @@ TEST_CASE("render: pictures, numbered pictures and a film", "[gui]") {
   CHECK_THROWS_AS(render_movie(picture, 1, 25, base / "run.gif", options), InputError);
   render_movie(picture, 15, 25, base / "stills", options);
   CHECK(std::filesystem::exists(base / "stills" / "SOL8-frame-00016.png"));
+}
+
+TEST_CASE("pocket outlines have the clearances of their shape", "[unit][agore][pocket]") {
+  using agore::PocketOutline;
+  const auto half = [](PocketOutline p) { return agore::pocket_half(p); };
+  const PocketOutline ball{.radius = 5.0, .clearance_1 = 1.0, .clearance_2 = 2.0};
+  const auto with = [&](int code) {
+    PocketOutline p = ball;
+    p.code = code;
+    return p;
+  };
+  CHECK(half(with(0)) == QSizeF(5.5, 5.5));
+  CHECK(half(with(2)) == QSizeF(6.5, 5.5));  // round the bearing
+  CHECK(half(with(3)) == QSizeF(5.5, 6.0));
+  CHECK(half(with(4)) == QSizeF(6.0, 6.0));
+  for (const int code : {0, 1, 2, 3, 4}) {
+    const QRectF box = agore::pocket_hole(with(code)).boundingRect();
+    CHECK(box.width() == Approx(2.0 * half(with(code)).width()));
+    CHECK(box.height() == Approx(2.0 * half(with(code)).height()));
+  }
+  PocketOutline roller = ball;
+  roller.roller_length = 14.0;
+  CHECK(agore::pocket_hole(roller).contains(agore::roller_side(roller).boundingRect()));
+  CHECK(agore::roller_side(roller).boundingRect().size() == QSizeF(10.0, 14.0));
 }

@@ -51,6 +51,7 @@ TEST_CASE("mistakes on the command line are met with what was probably meant", "
   const std::vector<Case> cases = {
       {"rum", "there is no command \"rum\"; did you mean run?"},
       {"runn " + deck, "did you mean run?"},
+      {"plto", "did you mean plot?"},
       {"exampels", "did you mean examples?"},
       {"", "adore new ball --out DATA.txt"},
       {"--verison", "did you mean --version?"},
@@ -65,7 +66,8 @@ TEST_CASE("mistakes on the command line are met with what was probably meant", "
       {"run --out a --out b", "--out was given more than once"},
       {"show", "`adore show` needs file: result file"},
       {"convert " + deck, "`adore convert` needs --to"},
-      {"convert " + deck + " --to cvs", "give csv or json"},
+      {"convert " + deck + " --to cvs", "did you mean csv? Give csv or json"},
+      {"convert " + deck + " --to xml", "give csv or json"},
       {"new", "`adore new` needs type"},
       {"new bal", "bal"},
   };

@@ -2,8 +2,10 @@
  * moment that does not depend on the machine's speed.
  *
  *   ADORE_KILL_AT=n      before the call is made, n = 1, 2, ...; with ADORE_KILL_AFTER=1 when it
- * has been made ADORE_COUNT_CALLS=f  writes the number of calls into file f when the program ends
- * by itself
+ * has been made
+ *   ADORE_COUNT_CALLS=f  writes the number of calls into file f when the program ends by itself
+ *   ADORE_KEEP=name      kills nothing: each file that is given this name keeps another one,
+ * name.0000, name.0001, ..., when the next one takes its place
  *
  * Counted: write beyond the standard streams, pwrite, ftruncate, fsync, rename, link, unlink, and
  * open that creates. */
@@ -14,16 +16,20 @@
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <sys/types.h>
 #include <unistd.h>
 
 static long calls, kill_at = -1;
 static int after;
+static const char* keep;
+static int kept;
 
 __attribute__((constructor)) static void start(void) {
   const char* at = getenv("ADORE_KILL_AT");
   kill_at = at != NULL ? atol(at) : -1;
   after = getenv("ADORE_KILL_AFTER") != NULL;
+  keep = getenv("ADORE_KEEP");
 }
 
 __attribute__((destructor)) static void end(void) {
@@ -87,9 +93,21 @@ int fsync(int fd) {
   REAL(fsync);
   AROUND(int, real(fd));
 }
+static void keep_copy(const char* path) {
+  char name[4096];
+  const size_t length = strlen(path), tail = strlen(keep);
+  if (length < tail || strcmp(path + length - tail, keep) != 0) return;
+  snprintf(name, sizeof name, "%s.%04d", path, kept++);
+  if (link(path, name) != 0) abort();
+}
 typedef int (*type_rename)(const char*, const char*);
 int rename(const char* from, const char* to) {
   REAL(rename);
+  if (keep != NULL) {
+    const int result = real(from, to);
+    if (result == 0) keep_copy(to);
+    return result;
+  }
   AROUND(int, real(from, to));
 }
 typedef int (*type_unlink)(const char*);

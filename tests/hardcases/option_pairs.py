@@ -41,15 +41,20 @@ SIZES = {"ball": (12, 0.0127, 0.066, 0.058, 0.017), "cylindrical": (14, 0.011, 0
          "spherical-tapered": (16, 0.0095, 0.064, 0.058, 0.016)}
 
 
-def segments(row):
+def segments(row, cut=1):
     n = SIZES[row["type"]][0]
     k = 3 if n % 3 == 0 else 2
     out = {"nCseg": k, "cageAngCut": 0.5}
     if n % k:
         n = 16
         out["nRe"] = n
-    out.update({f"lSeg[{i + 1}]": 1 + i * n // k for i in range(k)})
+    out.update({f"lSeg[{i + 1}]": cut * (1 + i * n // k) for i in range(k)})
+    out.update({f"avRatio[{i + 1}]": 1.0 for i in range(k)})
     return out
+
+
+def half_pockets(row):
+    return segments(row, -1)
 
 
 def guide_faces(row):
@@ -99,6 +104,13 @@ def element_inertia(row):
     return {"bReMass": mass, "bReMIx": axial, "bReMIy": across, "bReMIz": across}
 
 
+def cage_inertia(row):
+    if row["cage"] == "one piece":
+        return {"kCageIP": 1, "cageMass": 0.03, "cageMIx": 2.5e-5, "cageMIy": 1.4e-5, "cageMIz": 1.4e-5, "cageGeoCenY": 5e-6}
+    # One segment, in its own frame.
+    return {"kCageIP": 1, "cageMass": 0.012, "cageMIx": 4e-6, "cageMIy": 4e-6, "cageMIz": 6e-6, "cageGeoCenZ": -0.02}
+
+
 def race_errors(j, waves):
     def values(row):
         out = {f"rndVar1{j}": 1e-6, f"rndVar2{j}": 3 if waves else -1e-6, f"rndVar3{j}": 30.0}
@@ -127,21 +139,22 @@ FACTORS = {
                      ("outer given", lambda row: {"kRaceIP1": 1, **(race_inertia(1) if row["mode"] == "0" else {})}),
                      ("inner given", lambda row: {"kRaceIP2": 1, **(race_inertia(2) if row["mode"] == "0" else {})})],
     "element inertia": [("ideal", {}), ("given", lambda row: {"kReIP": 2, **element_inertia(row)}),
-                        ("unbalanced", lambda row: {"kReIP": 2, **element_inertia(row), "bReGeoCenX": 1e-6, "bReFrameY": 1.0})],
+                        ("unbalanced", lambda row: {"kReIP": 2, **element_inertia(row), "bReGeoCenX": 1e-6, "bReFrameY": 1.0}),
+                        ("of element 1", lambda row: {"kReIP": 1, **element_inertia(row), "bReGeoCenY": 1e-6})],
     "load": [("steady", {}), ("rotating", {"kVarLoad": 1, "rotLoadFrac1": 0.0, "rotLoadFrac2": 0.2, "rotLoadRpm2": 9000.0}),
              ("vibration", {"kVarLoad": 2, "raceVibAmp11": 1e-6, "raceVibAmp32": 1e-6, "raceVibFreq1": 500.0, "raceVibFreq2": 900.0})],
     "speed": [("steady", {}),
               ("ramp", {"kVarSpeed": 1, "raceAngAcc2": 1e4, "startTime2": 0.0, "endTime2": 1e-3}),
               ("wave", {"kVarSpeed": 2, "raceSpeedAmp2": 0.05, "raceSpeedFreq2": 200.0})],
     "frame": [("fixed", {}), ("turning", {"kRotFrame": 1, "brgOrbitRad": 0.1, "brgAngVel": 500.0, "brgLoadFrac2": 1.0})],
-    "cage": [("one piece", {"nCseg": 1}), ("none", {"nCseg": 0}), ("segments", segments)],
+    "cage": [("one piece", {"nCseg": 1}), ("none", {"nCseg": 0}), ("segments", segments),
+             ("segments, cut pockets", half_pockets)],
     "pocket": [(str(k), guide_faces) for k in range(-1, 5)],
     "pocket errors": [(str(k), {"kCagePocImp": k} if k == 0 else
                        {"kCagePocImp": k, "bPocClsVar1": 1e-5, "bPocThknsVar": 1e-5, "bPocCenVar1": 1e-5, "bPocAngVar1": 0.05})
                       for k in range(4)],
     "lands": [("none", {"nGL": 0}), ("outer", lands(1)), ("inner", lands(2))],
-    "cage inertia": [("ideal", {}), ("given", {"kCageIP": 1, "cageMass": 0.03, "cageMIx": 2.5e-5, "cageMIy": 1.4e-5,
-                                               "cageMIz": 1.4e-5, "cageGeoCenY": 5e-6})],
+    "cage inertia": [("ideal", {}), ("given", cage_inertia)],
     "cone": [("plain", {}), ("conical", {"cageConeAng": 8.0})],
     "element errors": [("none", {}), ("random", {"kReGeoImp": 1, "reDiaVar": 5e-7}),
                        ("listed", {"kReGeoImp": 2, "reDiaVar1": 1e-6, "reDiaVar4": -1e-6})],

@@ -74,7 +74,7 @@ class BallOrientation final : public SceneEffect {
 }  // namespace
 
 std::unique_ptr<SceneEffect> make_ball_orientation(const ScenePlan& plan) {
-  if (!plan.has(Effect::ElementOrientation) || plan.rollers) return nullptr;
+  if (!plan.has(Effect::ElementOrientation) || plan.rollers || plan.rigid_balls) return nullptr;
   return std::make_unique<BallOrientation>();
 }
 

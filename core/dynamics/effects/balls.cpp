@@ -107,7 +107,7 @@ void Balls::report(const Evaluation& e, Snapshot& snapshot) const {
 }
 
 std::unique_ptr<SceneEffect> make_balls(const ScenePlan& plan) {
-  return plan.rollers ? nullptr : std::make_unique<Balls>();
+  return plan.rollers || plan.rigid_balls ? nullptr : std::make_unique<Balls>();
 }
 
 }  // namespace adore::dynamics

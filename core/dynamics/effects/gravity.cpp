@@ -1,7 +1,8 @@
 #include "dynamics/effect_makers.hpp"
+#include "dynamics/element_masses.hpp"
 #include "scene/ledger_terms.hpp"
 
-/// Weight of balls, cage and free races, and their energy in the field: -m g · position.
+/// Weight of elements, cage and free races, and their energy in the field: -m g · position.
 namespace adore::dynamics {
 namespace {
 
@@ -9,13 +10,15 @@ constexpr LedgerTerm kEnergy{LedgerKind::Stored,        "gravity",    "energy in
                              {"energy in gravity now"}, "stored now", "N"};
 constexpr const LedgerTerm* kTerms[] = {&kEnergy};
 
-class BallGravity final : public EffectBlock {
+class ElementGravity final : public EffectBlock {
  public:
-  explicit BallGravity(const Vec3& weight) : weight_(weight) {}
+  ElementGravity(const Vec3& gravity, const ElementMasses& masses)
+      : gravity_(gravity), masses_(masses) {}
   void apply(Evaluation& e) noexcept override;
 
  private:
-  Vec3 weight_;  ///< of one ball [N]
+  Vec3 gravity_;  ///< [m/s²]
+  const ElementMasses& masses_;
 };
 
 /// On cage and free races.
@@ -35,24 +38,33 @@ class BodyGravity final : public EffectBlock {
   Vec3 gravity_;  ///< [m/s²]
 };
 
-void BallGravity::apply(Evaluation& e) noexcept {
-  for (std::size_t i = 0; i < e.elements.n; ++i) e.add_force(i, e.to_cylindrical(i, weight_));
+void ElementGravity::apply(Evaluation& e) noexcept {
+  for (std::size_t i = 0; i < e.elements.n; ++i) {
+    const ElementMass& body = masses_[i];
+    const Vec3 weight = body.mass * gravity_;
+    e.add_force(i, e.to_cylindrical(i, weight));
+    if (body.off_centre)
+      e.add_moment(i, e.to_cylindrical(i, Vec3(e.attitude[i] * body.arm).cross(weight)));
+  }
 }
 
 class Gravity final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
     gravity_ = scene.bearing.gravity;
-    ball_mass_ = scene.bearing.element_inertia.mass;
+    masses_ = ElementMasses(scene.bearing);
     constexpr std::string_view kCost = "gravity";
-    scene.block<BallGravity>(Phase::Force, kCost, {}, Vec3(ball_mass_ * gravity_));
+    scene.block<ElementGravity>(Phase::Force, kCost, {}, gravity_, masses_);
     scene.block<BodyGravity>(Phase::Force, kCost, {}, gravity_);
   }
 
   void store(const Evaluation& e, EnergyLedger& energy) const override {
     double stored = 0.0;
-    for (std::size_t i = 0; i < e.elements.n; ++i)
-      stored -= ball_mass_ * gravity_.dot(e.element_centre(i));
+    for (std::size_t i = 0; i < e.elements.n; ++i) {
+      Vec3 centre = e.element_centre(i);
+      if (masses_[i].off_centre) centre += e.attitude[i] * masses_[i].arm;
+      stored -= masses_[i].mass * gravity_.dot(centre);
+    }
     e.for_integrated(
         [&](const BodyState& body) { stored -= body.mass * gravity_.dot(body.centre_of_mass()); });
     energy.accumulate(kEnergy, stored);
@@ -60,7 +72,7 @@ class Gravity final : public SceneEffect {
 
  private:
   Vec3 gravity_ = Vec3::Zero();  ///< [m/s²]
-  double ball_mass_ = 0.0;       ///< [kg]
+  ElementMasses masses_;
 };
 
 }  // namespace

@@ -21,6 +21,12 @@
 /// the cage, s the rounded slip (tribology/rounded_law.hpp), the opposite on the race at the same
 /// point. Heat = friction · u. Tilt enters through
 /// the slice centres; second order in tilt.
+///
+/// A segment has an arc of the circle only: s = e·d, d the unit vector of the arc (signed by its
+/// side) with the largest s, takes the place of |e|; inside the arc d = e/|e| and s = |e|. At an
+/// end of the arc d turns with the segment: the force -N d acts on it, and its opposite on the
+/// race, at the point of the race axis beside the slice, which is minus the gradient of the energy
+/// over all poses. Limit: the law is that of a full circle also near the ends of the arc.
 namespace adore::dynamics {
 namespace {
 
@@ -44,6 +50,26 @@ struct SliceAt {
   Vec3 centre;        ///< slice centre, base frame [m]
   Vec3 eccentricity;  ///< across the race axis [m]
 };
+
+/// Where a slice is nearest to the race.
+struct Nearest {
+  double size = 0.0;              ///< s [m]
+  Vec3 direction = Vec3::Zero();  ///< d, across the race axis
+};
+
+/// Within `half_angle` of the z axis of the segment.
+Nearest nearest_on_arc(const Vec3& eccentricity, double side, double half_angle,
+                       const BodyState& segment, const Vec3& race_axis) noexcept {
+  const Vec3 out = segment.to_base.transpose() * (side * eccentricity);
+  const double angle = std::atan2(-out[1], out[2]);  // of the nearest point of the whole circle
+  if (std::abs(angle) <= half_angle) {
+    const double size = eccentricity.norm();
+    return {size, eccentricity / std::max(size, std::numeric_limits<double>::min())};
+  }
+  Vec3 d = side * (segment.to_base * radial_direction(std::copysign(half_angle, angle)));
+  d -= d.dot(race_axis) * race_axis;
+  return {eccentricity.dot(d), d};
+}
 
 SliceAt locate(double x, const BodyState& cage, const RaceBody& race) noexcept {
   const Vec3 centre = cage.position + x * cage.to_base.col(0);
@@ -75,53 +101,56 @@ std::vector<LandModel> make_lands(const bearing::Bearing& bearing, int slices) {
   return lands;
 }
 
-/// Force, least gap over the slices and its azimuth in the cage frame.
-LandSnapshot report_of(const LandModel& land, const Evaluation& e) {
+/// Force, least gap over the slices and its azimuth in the frame of the cage or segment.
+LandSnapshot report_of(const LandModel& land, const Evaluation& e, const BodyState& cage,
+                       double half_angle) {
   LandSnapshot result;
   const RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
-  const BodyState& cage = e.segments.front();
   Vec3 force = Vec3::Zero();
-  double largest = -1.0;
+  double largest = -std::numeric_limits<double>::infinity();
   for (const double x : land.slice_x) {
     const Vec3 eccentricity = locate(x, cage, race).eccentricity;
-    const double size = eccentricity.norm();
+    const Nearest at = nearest_on_arc(eccentricity, land.side, half_angle, cage, race.axis());
+    const double size = at.size;
     if (size > 0.0)
-      force -=
-          contact::land_load_per_length(land.law, size) * land.slice_length / size * eccentricity;
+      force -= contact::land_load_per_length(land.law, size) * land.slice_length * at.direction;
     if (size <= largest) continue;
     largest = size;
     result.gap = land.law.clearance - size;
-    const double angle = azimuth(cage.to_base.transpose() * (land.side * eccentricity));
+    const double angle = azimuth(cage.to_base.transpose() * (land.side * at.direction));
     result.angle = angle < 0.0 ? angle + 2.0 * std::numbers::pi : angle;
   }
   result.force = force.norm();
   return result;
 }
 
-template <bool Traction>
+template <bool Traction, bool Arcs>
 class LandBlock final : public EffectBlock {
  public:
-  LandBlock(const std::vector<LandModel>& lands, const tribology::TractionLaw& law, double& heat)
-      : lands_(lands), law_(law), heat_(heat) {}
+  LandBlock(const std::vector<LandModel>& lands, double half_angle,
+            const tribology::TractionLaw& law, double& heat)
+      : lands_(lands), half_angle_(half_angle), law_(law), heat_(heat) {}
   void apply(Evaluation& e) noexcept override {
-    law_.visit_rounded([&](const auto& friction_per_slip) { apply_with(friction_per_slip, e); });
+    law_.visit_rounded([&](const auto& friction_per_slip) {
+      if constexpr (Traction) heat_ = 0.0;
+      for (BodyState& cage : e.segments) apply_with(friction_per_slip, e, cage);
+    });
   }
 
  private:
   template <class Friction>
-  void apply_with(const Friction& friction_per_slip, Evaluation& e) noexcept;
+  void apply_with(const Friction& friction_per_slip, Evaluation& e, BodyState& cage) noexcept;
 
   const std::vector<LandModel>& lands_;
+  double half_angle_;  ///< of the arc of a segment [rad]
   tribology::TractionLaw law_;
   double& heat_;
 };
 
-template <bool Traction>
+template <bool Traction, bool Arcs>
 template <class Friction>
-void LandBlock<Traction>::apply_with([[maybe_unused]] const Friction& friction_per_slip,
-                                     Evaluation& e) noexcept {
-  if constexpr (Traction) heat_ = 0.0;
-  BodyState& cage = e.segments.front();
+void LandBlock<Traction, Arcs>::apply_with([[maybe_unused]] const Friction& friction_per_slip,
+                                           Evaluation& e, BodyState& cage) noexcept {
   for (const LandModel& land : lands_) {
     RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
     const double c = land.law.clearance;
@@ -129,12 +158,22 @@ void LandBlock<Traction>::apply_with([[maybe_unused]] const Friction& friction_p
       const SliceAt slice = locate(x, cage, race);
       const double e2 = slice.eccentricity.squaredNorm();
       if (c > 0.0 && e2 <= c * c) continue;
-      const double size = std::sqrt(e2);
-      const Vec3 direction =
-          slice.eccentricity / std::max(size, std::numeric_limits<double>::min());
+      double size = 0.0;
+      Vec3 direction, acts_at = slice.centre;
+      if constexpr (Arcs) {
+        const Nearest at =
+            nearest_on_arc(slice.eccentricity, land.side, half_angle_, cage, race.axis());
+        size = at.size;
+        direction = at.direction;
+        if (c > 0.0 ? size <= c : size <= 0.0) continue;
+        acts_at -= slice.eccentricity;
+      } else {
+        size = std::sqrt(e2);
+        direction = slice.eccentricity / std::max(size, std::numeric_limits<double>::min());
+      }
       const double N = contact::land_load_per_length(land.law, size) * land.slice_length;
-      cage.add_force(-N * direction, slice.centre);
-      race.add_force(N * direction, slice.centre);
+      cage.add_force(-N * direction, acts_at);
+      race.add_force(N * direction, acts_at);
       e.elastic += contact::land_energy_per_length(land.law, size) * land.slice_length;
       if constexpr (Traction) {
         const Vec3 point = slice.centre + (land.side * land.cage_radius) * direction;
@@ -158,24 +197,34 @@ class LandContact final : public SceneEffect {
     demand(scene.options.land_slices >= 1, "a guide land needs at least one slice");
     lands_ = make_lands(scene.bearing, scene.options.land_slices);
     if (lands_.empty()) return;
-    constexpr std::string_view kCost = "land contacts";
-    if (!scene.plan.has(Effect::LandTraction)) {
-      scene.block<LandBlock<false>>(Phase::Force, kCost, {}, lands_, tribology::TractionLaw(),
-                                    heat_);
-      return;
-    }
-    demand(scene.bearing.land_traction.has_value(), "land traction is on without a traction curve");
-    scene.block<LandBlock<true>>(Phase::Force, kCost, {}, lands_,
-                                 tribology::TractionLaw(*scene.bearing.land_traction), heat_);
-    scene.energy("lands.heat", kHeat, &heat_);
+    const bearing::Segmentation& cut = scene.bearing.cage->segments;
+    half_angle_ = std::numbers::pi / cut.count - 0.5 * cut.cut_angle;
+    const bool traction = scene.plan.has(Effect::LandTraction);
+    demand(!traction || scene.bearing.land_traction.has_value(),
+           "land traction is on without a traction curve");
+    const auto add = [&]<bool Traction, bool Arcs>() {
+      scene.block<LandBlock<Traction, Arcs>>(
+          Phase::Force, "land contacts", {}, lands_, half_angle_,
+          Traction ? tribology::TractionLaw(*scene.bearing.land_traction)
+                   : tribology::TractionLaw(),
+          heat_);
+    };
+    if (cut.several())
+      traction ? add.operator()<true, true>() : add.operator()<false, true>();
+    else
+      traction ? add.operator()<true, false>() : add.operator()<false, false>();
+    if (traction) scene.energy("lands.heat", kHeat, &heat_);
   }
 
   void report(const Evaluation& e, Snapshot& snapshot) const override {
-    if (snapshot.cages.empty()) snapshot.cages.emplace_back();
-    for (const LandModel& land : lands_) snapshot.cages.front().lands.push_back(report_of(land, e));
+    snapshot.cages.resize(e.segments.size());
+    for (std::size_t k = 0; k < e.segments.size(); ++k)
+      for (const LandModel& land : lands_)
+        snapshot.cages[k].lands.push_back(report_of(land, e, e.segments[k], half_angle_));
   }
 
  private:
+  double half_angle_ = std::numbers::pi;  ///< of a segment [rad]
   std::vector<LandModel> lands_;
   double heat_ = 0.0;  ///< now [W]
 };

@@ -110,7 +110,7 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
   std::unique_ptr<HeldContacts> contacts;
   if (const RigidElements* rollers = scene.find<RigidElements>()) {
     element_ = rollers->slices();
-    mass_ = rollers->mass();
+    mass_ = scene.bearing.element_inertia.mass;
     axial_ = axial_ && scene.bearing.rollers()->shape != bearing::RollerShape::Arc;
     contacts = std::make_unique<HeldRollers>(
         statics::make_roller_model(scene.bearing, scene.rollers->options),

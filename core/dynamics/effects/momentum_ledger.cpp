@@ -1,4 +1,5 @@
 #include "dynamics/effect_makers.hpp"
+#include "dynamics/element_masses.hpp"
 #include "scene/ledger_terms.hpp"
 
 /// What acts from outside on balls, cage and free races together: the reactions of the prescribed
@@ -13,9 +14,9 @@ constexpr LedgerTerm kAngularImpulse{
 
 class ExternalActions final : public EffectBlock {
  public:
-  ExternalActions(const Vec3& gravity, double ball_mass, Vec3& force, Vec3& moment)
+  ExternalActions(const Vec3& gravity, const ElementMasses& masses, Vec3& force, Vec3& moment)
       : gravity_(gravity),
-        ball_mass_(ball_mass),
+        masses_(masses),
         has_gravity_(!gravity.isZero(0.0)),
         force_(force),
         moment_(moment) {}
@@ -23,7 +24,7 @@ class ExternalActions final : public EffectBlock {
 
  private:
   Vec3 gravity_;
-  double ball_mass_;
+  const ElementMasses& masses_;
   bool has_gravity_;
   Vec3 &force_, &moment_;
 };
@@ -37,15 +38,15 @@ void ExternalActions::apply(Evaluation& e) noexcept {
     moment_ -= race.moment + race.position.cross(race.force);
   }
   if (!has_gravity_) return;
-  const ElementViews& b = e.elements;
-  double x = 0.0, y = 0.0, z = 0.0;
-  for (std::size_t i = 0; i < b.n; ++i) {
-    x += b.x[i];
-    y -= b.r[i] * b.sin_theta[i];
-    z += b.r[i] * b.cos_theta[i];
+  Vec3 first_moment = Vec3::Zero();
+  double mass = 0.0;
+  for (std::size_t i = 0; i < e.elements.n; ++i) {
+    const ElementMass& body = masses_[i];
+    Vec3 centre = e.element_centre(i);
+    if (body.off_centre) centre += e.attitude[i] * body.arm;
+    first_moment += body.mass * centre;
+    mass += body.mass;
   }
-  Vec3 first_moment = ball_mass_ * Vec3(x, y, z);
-  double mass = ball_mass_ * static_cast<double>(b.n);
   e.for_integrated([&](const BodyState& body) {
     first_moment += body.mass * body.centre_of_mass();
     mass += body.mass;
@@ -59,8 +60,9 @@ class MomentumAccount final : public SceneEffect {
   void declare(SceneBuilder& scene) override {
     const ScenePlan& plan = scene.plan;
     const Vec3 gravity = plan.has(Effect::Gravity) ? scene.bearing.gravity : Vec3(Vec3::Zero());
-    scene.block<ExternalActions>(Phase::Account, "momentum ledger", {}, gravity,
-                                 scene.bearing.element_inertia.mass, force_, moment_);
+    masses_ = ElementMasses(scene.bearing);
+    scene.block<ExternalActions>(Phase::Account, "momentum ledger", {}, gravity, masses_, force_,
+                                 moment_);
     using Momentum = SceneBuilder::Momentum;
     scene.momentum(impulse_, "external.impulse", Momentum::Linear, kImpulse, force_.data());
     scene.momentum(angular_impulse_, "external.angular_impulse", Momentum::Angular, kAngularImpulse,
@@ -71,6 +73,7 @@ class MomentumAccount final : public SceneEffect {
  private:
   Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();  ///< now [N, N m]
   int impulse_ = -1, angular_impulse_ = -1;
+  ElementMasses masses_;
 };
 
 }  // namespace

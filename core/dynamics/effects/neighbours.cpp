@@ -1,3 +1,5 @@
+#include "dynamics/effects/neighbours.hpp"
+
 #include "base/errors.hpp"
 #include "contact/conformal.hpp"
 #include "dynamics/effect_makers.hpp"
@@ -23,17 +25,9 @@
 namespace adore::dynamics {
 namespace {
 
-constexpr LedgerTerm kHeat{LedgerKind::Heat,
-                           "element_heat",
-                           "heat between elements",
-                           {"contacts between elements"},
-                           "dissipated since the start"};
-constexpr const LedgerTerm* kTerms[] = {&kHeat};
+constexpr const LedgerTerm* kTerms[] = {&kElementHeat};
 
-/// Element i touches `other`.
-struct Pair {
-  std::size_t i, other;
-};
+using Pair = NeighbourPair;
 
 struct PairContact {
   Vec3 n = Vec3::Zero();  ///< from i to the other
@@ -104,21 +98,19 @@ class Neighbours final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
     const bearing::Bearing& bearing = scene.bearing;
-    const std::size_t n = static_cast<std::size_t>(bearing.element_count());
     model_.diameter = bearing.balls().diameter;
     model_.law =
         contact::ball_pocket_law(bearing.element_material, bearing.element_material,
                                  model_.diameter, {2.0 / model_.diameter, 2.0 / model_.diameter})
             .law;
-    for (std::size_t i = 0; i + 1 < n; ++i) model_.pairs.push_back({i, i + 1});
-    if (n > 2) model_.pairs.push_back({n - 1, 0});
+    model_.pairs = neighbour_pairs(static_cast<std::size_t>(bearing.element_count()));
     constexpr std::string_view kCost = "contacts between elements";
     if (scene.plan.has(Effect::ElementTraction)) {
       demand(bearing.element_traction.has_value(),
              "traction between elements is on without a traction curve");
       scene.block<PairBlock<true>>(Phase::Force, kCost, {}, model_, *bearing.element_traction,
                                    heat_);
-      scene.energy("elements.heat", kHeat, &heat_);
+      scene.energy("elements.heat", kElementHeat, &heat_);
     } else {
       scene.block<PairBlock<false>>(Phase::Force, kCost, {}, model_, tribology::TractionLaw(),
                                     heat_);
@@ -151,7 +143,7 @@ class Neighbours final : public SceneEffect {
 }  // namespace
 
 std::unique_ptr<SceneEffect> make_element_contact(const ScenePlan& plan) {
-  if (!plan.has(Effect::ElementContact)) return nullptr;
+  if (!plan.has(Effect::ElementContact) || plan.rollers) return nullptr;
   return std::make_unique<Neighbours>();
 }
 std::span<const LedgerTerm* const> element_contact_terms() { return kTerms; }

@@ -18,20 +18,22 @@ double nominal_cage_speed(const bearing::Bearing& bearing) noexcept {
   return statics::epicyclic_speed(bearing.speed[0], bearing.speed[1], gamma);
 }
 
-PocketSet::PocketSet(const bearing::Bearing& bearing, const std::vector<double>& azimuths) {
+PocketSet::PocketSet(const bearing::Bearing& bearing,
+                     const std::vector<contact::PlacedPocket>& pockets) {
   const bearing::Cage& cage = *bearing.cage;
   const double D = bearing.balls().diameter;
   ball_radius_ = 0.5 * D;
   pitch_radius_ = 0.5 * bearing.balls().pitch_diameter;
   rotation_sign_ = nominal_cage_speed(bearing) < 0.0 ? -1.0 : 1.0;
-  const std::size_t count = azimuths.size();
-  segment_.assign(count, 0);  // a cage of one piece
+  const std::size_t count = pockets.size();
   for (auto* values : {&qx_, &qy_, &qz_, &sin_, &cos_}) values->resize(count);
   std::vector<bearing::PocketDeviation> deviation;
   bool alike = cage.pocket == bearing::PocketShape::Cylindrical && cage.cone_angle == 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
-    deviation.push_back(cage.deviation_of(i));
-    alike = alike && deviation.back().is_zero();
+  for (const contact::PlacedPocket& pocket : pockets) {
+    segment_.push_back(pocket.piece);
+    element_.push_back(pocket.element);
+    deviation.push_back(cage.deviation_of(pocket.element));
+    alike = alike && deviation.back().is_zero() && pocket.half == 0;
   }
   const auto height = [&](double thickness) {
     return contact::wall_height(cage.outer_diameter, cage.inner_diameter,
@@ -47,8 +49,8 @@ PocketSet::PocketSet(const bearing::Bearing& bearing, const std::vector<double>&
                                     {-1.0 / wall_.wall_radius, 0.0})
                .law;
     for (std::size_t i = 0; i < count; ++i) {
-      sin_[i] = std::sin(azimuths[i]);
-      cos_[i] = std::cos(azimuths[i]);
+      sin_[i] = std::sin(pockets[i].azimuth);
+      cos_[i] = std::cos(pockets[i].azimuth);
     }
     return;
   }
@@ -61,9 +63,11 @@ PocketSet::PocketSet(const bearing::Bearing& bearing, const std::vector<double>&
                      cage.pocket_clearance_1 + own.clearance[0],
                      cage.pocket_clearance_2 + own.clearance[1],
                      low,
-                     high};
+                     high,
+                     pockets[i].half,
+                     contact::cut_edge(cage, bearing.balls().pitch_diameter)};
     pocket.frame = contact::pocket_frame(
-        {azimuths[i] + own.angular, pitch_radius_, own.axial, cage.cone_angle, own.tilt});
+        {pockets[i].azimuth + own.angular, pitch_radius_, own.axial, cage.cone_angle, own.tilt});
     pocket.law = contact::ball_pocket_law(bearing.element_material, cage.material, D,
                                           contact::wall_curvatures(pocket.pocket))
                      .law;
@@ -76,9 +80,10 @@ inline void PocketSet::locate_round(const Evaluation& e, std::size_t i) noexcept
   const Mat3& R = cage.to_base;
   const Vec3& p = cage.position;
   const ElementViews& b = e.elements;
-  const double dx = b.x[i] - p[0];
-  const double dy = -b.r[i] * b.sin_theta[i] - p[1];
-  const double dz = b.r[i] * b.cos_theta[i] - p[2];
+  const std::size_t ball = element_[i];
+  const double dx = b.x[ball] - p[0];
+  const double dy = -b.r[ball] * b.sin_theta[ball] - p[1];
+  const double dz = b.r[ball] * b.cos_theta[ball] - p[2];
   const double cy = R(0, 1) * dx + R(1, 1) * dy + R(2, 1) * dz;
   const double cz = R(0, 2) * dx + R(1, 2) * dy + R(2, 2) * dz;
   qx_[i] = R(0, 0) * dx + R(1, 0) * dy + R(2, 0) * dz;
@@ -89,7 +94,7 @@ inline void PocketSet::locate_round(const Evaluation& e, std::size_t i) noexcept
 void PocketSet::locate_shaped(const Evaluation& e, std::size_t i) noexcept {
   const contact::PocketFrame& frame = shaped_[i].frame;
   const BodyState& cage = body(e, i);
-  const Vec3 in_cage = cage.to_base.transpose() * (e.element_centre(i) - cage.position);
+  const Vec3 in_cage = cage.to_base.transpose() * (e.element_centre(element_[i]) - cage.position);
   const Vec3 q = frame.cage_to_pocket * (in_cage - frame.centre);
   qx_[i] = q[0];
   qy_[i] = q[1];
@@ -112,6 +117,10 @@ std::vector<PocketContactSnapshot> PocketSet::report(std::size_t i) const {
   const contact::WallPoints all = walls(i);
   for (std::size_t k = 0; k < static_cast<std::size_t>(all.count); ++k) {
     const contact::WallPoint& wall = all.surface[k];
+    if (!std::isfinite(wall.gap)) {  // a face that the cut has taken away
+      out.emplace_back();
+      continue;
+    }
     out.push_back({contact::load(law(i), -wall.gap), wall.gap,
                    contact::pocket_theta(wall.m, rotation_sign_), contact::pocket_phi(wall.m)});
   }
@@ -153,14 +162,15 @@ inline void PocketBlock<Traction, Shaped>::touch(const Friction& friction, Evalu
                                                  std::size_t i, const contact::CappedHertz& law,
                                                  const Vec3& m, double overlap) noexcept {
   BodyState& cage = set_.body(e, i);
+  const std::size_t ball = set_.element(i);
   const PocketAction action =
-      pocket_action(law, friction, e, i, cage, set_.ball_radius(), m, overlap);
+      pocket_action(law, friction, e, ball, cage, set_.ball_radius(), m, overlap);
   if constexpr (Traction) {
-    e.add_moment(i, e.to_cylindrical(i, action.arm.cross(action.friction)));
+    e.add_moment(ball, e.to_cylindrical(ball, action.arm.cross(action.friction)));
     heat_ += action.heat;
     cage.load_slip += action.N * action.slip;
   }
-  e.add_force(i, e.to_cylindrical(i, action.on_ball));
+  e.add_force(ball, e.to_cylindrical(ball, action.on_ball));
   cage.add_force(-action.on_ball, action.point);
   e.elastic += contact::energy(law, overlap);
 }
@@ -169,7 +179,6 @@ template <bool Traction, bool Shaped>
 template <class Friction>
 void PocketBlock<Traction, Shaped>::apply_with(const Friction& friction, Evaluation& e) noexcept {
   set_.locate(e);
-  if constexpr (Traction) heat_ = 0.0;
   for (std::size_t i = 0; i < set_.size(); ++i) {
     if constexpr (Shaped) {
       if (!set_.is_inside(i)) {
@@ -199,46 +208,55 @@ void PocketBlock<Traction, Shaped>::apply_with(const Friction& friction, Evaluat
 
 }  // namespace
 
+void PocketContact::add_block(SceneBuilder& scene, PocketSet& set, std::vector<BodyId> partners) {
+  const auto add = [&]<bool Traction, bool Shaped>() {
+    scene.block<PocketBlock<Traction, Shaped>>(
+        Phase::Force, "pocket contacts", Partners(std::move(partners)), set,
+        Traction ? *friction_ : tribology::TractionLaw(), heat_);
+  };
+  if (!friction_)
+    set.shaped() ? add.operator()<false, true>() : add.operator()<false, false>();
+  else
+    set.shaped() ? add.operator()<true, true>() : add.operator()<true, false>();
+}
+
 void PocketContact::declare(SceneBuilder& scene) {
   demand(scene.plan.has(Effect::CageMotion), "the plan has cage contacts but no cage motion");
+  if (scene.plan.has(Effect::PocketTraction)) {
+    demand(scene.bearing.pocket_traction.has_value(),
+           "pocket traction is on without a traction curve");
+    friction_.emplace(*scene.bearing.pocket_traction);
+    scene.block<NoHeatYet>(Phase::Force, "pocket contacts", {}, heat_);
+  }
   std::vector<double> azimuths;
   for (const statics::StaticBall& b : scene.statics.balls) azimuths.push_back(b.azimuth);
-  set_.emplace(scene.bearing, azimuths);
-  std::vector<BodyId> partners;
-  for (std::size_t i = 0; i < set_->size(); ++i)
-    partners.push_back({BodyId::Kind::Segment, set_->segment(i)});
-  constexpr std::string_view kCost = "pocket contacts";
-  if (!scene.plan.has(Effect::PocketTraction)) {
-    if (set_->shaped())
-      scene.block<PocketBlock<false, true>>(Phase::Force, kCost, Partners(partners), *set_,
-                                            tribology::TractionLaw(), heat_);
-    else
-      scene.block<PocketBlock<false, false>>(Phase::Force, kCost, Partners(partners), *set_,
-                                             tribology::TractionLaw(), heat_);
-    return;
-  }
-  demand(scene.bearing.pocket_traction.has_value(),
-         "pocket traction is on without a traction curve");
-  friction_.emplace(*scene.bearing.pocket_traction);
-  if (set_->shaped())
-    scene.block<PocketBlock<true, true>>(Phase::Force, kCost, Partners(partners), *set_, *friction_,
-                                         heat_);
-  else
-    scene.block<PocketBlock<true, false>>(Phase::Force, kCost, Partners(partners), *set_,
-                                          *friction_, heat_);
-  scene.energy("pockets.heat", kPocketHeat, &heat_);
+  const contact::CagePieces pieces = contact::cage_pieces(*scene.bearing.cage, azimuths);
+  const auto add = [&](std::optional<PocketSet>& set,
+                       const std::vector<contact::PlacedPocket>& pockets) {
+    set.emplace(scene.bearing, pockets);
+    std::vector<BodyId> partners(azimuths.size(), BodyId{BodyId::Kind::Segment, -1});
+    for (const contact::PlacedPocket& pocket : pockets)
+      partners[pocket.element].index = pocket.piece;
+    add_block(scene, *set, std::move(partners));
+  };
+  add(set_, pieces.pockets);
+  if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves);
+  if (friction_) scene.energy("pockets.heat", kPocketHeat, &heat_);
 }
 
 std::string PocketContact::why_invalid(const Evaluation&) const {
-  for (std::size_t i = 0; i < set_->size(); ++i)
-    if (!set_->is_inside(i)) {
-      const Vec3 q = set_->centre(i);
+  for (const auto* set : {&set_, &last_halves_}) {
+    if (!set->has_value()) continue;
+    for (std::size_t i = 0; i < (*set)->size(); ++i) {
+      if ((*set)->is_inside(i)) continue;
+      const Vec3 q = (*set)->centre(i);
       return fmt::format(
           "the centre of element {} is outside its cage pocket (axial {:.4g} m, against the "
           "rotation {:.4g} m, radial {:.4g} m from the pocket centre); check the cage's start "
           "position, its pocket clearance and the largest step",
-          i + 1, q[0], q[1], q[2]);
+          (*set)->element(i) + 1, q[0], q[1], q[2]);
     }
+  }
   return {};
 }
 
@@ -247,6 +265,11 @@ void PocketContact::report(const Evaluation& e, Snapshot& snapshot) const {
     snapshot.elements[i].pocket = set_->report(i);
     snapshot.elements[i].pocket_to_centre = set_->centre(i);
   }
+  if (!last_halves_) return;
+  snapshot.cages.resize(last_halves_->size());
+  for (std::size_t i = 0; i < last_halves_->size(); ++i)
+    snapshot.cages[static_cast<std::size_t>(last_halves_->segment(i))].last_half =
+        last_halves_->report(i);
 }
 
 std::unique_ptr<SceneEffect> make_pocket_contact(const ScenePlan& plan) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/ball_pocket.hpp"
+#include "contact/cage_pieces.hpp"
 #include "contact/conformal.hpp"
 #include "dynamics/effect.hpp"
 #include "tribology/traction_law.hpp"
@@ -9,8 +10,9 @@
 #include <optional>
 #include <type_traits>
 
-/// Balls in the pockets of a one-piece cage. Round pockets that are all alike have a short way of
-/// their own; other shapes and pockets with deviations (record 7.4) take the general one.
+/// Balls in the pockets of a cage or of its segments. Round pockets that are all alike have a short
+/// way of their own; other shapes, halves and pockets with deviations (record 7.4) take the general
+/// one. A ball in a cut pocket touches the halves of two segments, which are two sets.
 ///
 /// Normal: N = law(-gap) on the ball along -m, gap and m of contact/ball_pocket.hpp. Friction acts
 /// at the ball surface point p = r_b m (not shortened by the penetration): slip u = cage velocity -
@@ -27,17 +29,29 @@ inline constexpr LedgerTerm kPocketHeat{LedgerKind::Heat,
                                         {"cage pockets"},
                                         "dissipated since the start"};
 
+/// Sets the heat of pockets to zero before the blocks that add to it.
+class NoHeatYet final : public EffectBlock {
+ public:
+  explicit NoHeatYet(double& heat) : heat_(heat) {}
+  void apply(Evaluation&) noexcept override { heat_ = 0.0; }
+
+ private:
+  double& heat_;
+};
+
 /// Epicyclic speed of the cage at the free contact angle, or of the rollers' axes, signed [rad/s].
 [[nodiscard]] double nominal_cage_speed(const bearing::Bearing& bearing) noexcept;
 
 class PocketSet {
  public:
-  /// @param azimuths of the pocket centres in the cage frame, without their deviations [rad]
-  PocketSet(const bearing::Bearing& bearing, const std::vector<double>& azimuths);
+  /// @param pockets where they are, without their deviations
+  PocketSet(const bearing::Bearing& bearing, const std::vector<contact::PlacedPocket>& pockets);
 
   /// Not all round and alike: only the general functions hold.
   [[nodiscard]] bool shaped() const noexcept { return !shaped_.empty(); }
   [[nodiscard]] std::size_t size() const noexcept { return qx_.size(); }
+  /// The element in pocket i: the same number, but for the last halves of segments.
+  [[nodiscard]] std::size_t element(std::size_t i) const noexcept { return element_[i]; }
   [[nodiscard]] double ball_radius() const noexcept { return ball_radius_; }
   /// Centres of all balls, or of one, in their pocket frames, kept for the other calls.
   void locate(const Evaluation& e) noexcept;
@@ -112,6 +126,7 @@ class PocketSet {
   std::vector<double> sin_, cos_;     ///< of the pocket azimuths
   std::vector<double> qx_, qy_, qz_;
   std::vector<int> segment_;  ///< of each pocket
+  std::vector<std::size_t> element_;
 };
 
 /// One contact of a ball with its pocket wall, base axes.
@@ -151,7 +166,8 @@ template <class Friction>
   return a;
 }
 
-/// Effects "pocket contact" and "pocket traction". Not valid when a ball's centre left the hole.
+/// Effects "pocket contact" and "pocket traction", of balls. Not valid when a ball's centre left
+/// the hole.
 class PocketContact final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override;
@@ -165,7 +181,10 @@ class PocketContact final : public SceneEffect {
   }
 
  private:
+  void add_block(SceneBuilder& scene, PocketSet& set, std::vector<BodyId> partners);
+
   std::optional<PocketSet> set_;
+  std::optional<PocketSet> last_halves_;  ///< of segments that are cut through their pockets
   std::optional<tribology::TractionLaw> friction_;
   double heat_ = 0.0;  ///< now [W]
 };

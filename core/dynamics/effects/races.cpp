@@ -4,6 +4,7 @@
 #include "contact/wavy_groove_model.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/balls.hpp"
+#include "dynamics/effects/rigid_elements.hpp"
 #include "dynamics/rigid_body.hpp"
 
 #include <fmt/format.h>
@@ -184,8 +185,10 @@ void Races::declare(SceneBuilder& scene) {
   if (work) scene.block<RacePower>(Phase::Account, kMotionCost, {}, account_);
   if (in_contact_ && !rollers_ &&
       !plan.has(Effect::ElementBalance)) {  // whose balls do not vibrate
-    const Balls& balls = *scene.find<Balls>();
-    normal_.emplace(contacts_, balls.slices(), balls.mass());
+    const Balls* balls = scene.find<Balls>();
+    normal_.emplace(contacts_,
+                    balls != nullptr ? balls->slices() : scene.find<RigidElements>()->slices(),
+                    scene.bearing.element_inertia.mass);
   }
 }
 

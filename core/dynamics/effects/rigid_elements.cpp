@@ -3,12 +3,10 @@
 #include "base/errors.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/balls.hpp"
-#include "dynamics/rigid_body.hpp"
 #include "dynamics/roller_start.hpp"
 #include "dynamics/state_access.hpp"
 #include "scene/ledger_terms.hpp"
 
-#include <Eigen/LU>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -51,20 +49,27 @@ class RigidElements::Motion final : public EffectBlock {
 
 void RigidElements::Motion::apply(Evaluation& e) noexcept {
   const ElementViews& b = e.elements;
-  const double per_mass = 1.0 / of_.mass_;
   double check = 0.0;
   const auto& [F_x, F_r, F_theta, M_x, M_r, M_theta] = e.actions;
   const auto [x, r, theta, x_dot, r_dot, theta_dot, omega_x, omega_r, omega_theta] =
       rates_in(e.dydt, of_.s_);
   for (std::size_t i = 0; i < b.n; ++i) {
     const double td = b.theta_dot[i];
-    const double ax = F_x[i] * per_mass;
-    const double ar = F_r[i] * per_mass + b.r[i] * td * td;
-    const double at = (F_theta[i] * per_mass - 2.0 * b.r_dot[i] * td) / b.r[i];
+    const ElementMass& body = of_.masses_[i];
+    const double per_mass = 1.0 / body.mass;
+    Vec3 acceleration(F_x[i] * per_mass, F_r[i] * per_mass, F_theta[i] * per_mass);
     const Mat3& B = e.attitude[i];
     const Vec3 omega = B.transpose() * e.element_omega(i);
-    const Vec3 moment = B.transpose() * e.to_base(i, M_x[i], M_r[i], M_theta[i]);
-    const Vec3 rate = of_.inverse_ * (moment - omega.cross(Vec3(of_.inertia_ * omega)));
+    Vec3 moment = B.transpose() * e.to_base(i, M_x[i], M_r[i], M_theta[i]);
+    if (body.off_centre)
+      moment -= body.arm.cross(Vec3(B.transpose() * e.to_base(i, F_x[i], F_r[i], F_theta[i])));
+    const Vec3 rate = body.inverse * (moment - omega.cross(Vec3(body.inertia * omega)));
+    if (body.off_centre)
+      acceleration -=
+          e.to_cylindrical(i, B * (rate.cross(body.arm) + omega.cross(omega.cross(body.arm))));
+    const double ax = acceleration[0];
+    const double ar = acceleration[1] + b.r[i] * td * td;
+    const double at = (acceleration[2] - 2.0 * b.r_dot[i] * td) / b.r[i];
     const Vec3 w = e.to_cylindrical(i, B * rate);
     x[i] = b.x_dot[i];
     r[i] = b.r_dot[i];
@@ -88,16 +93,19 @@ void RigidElements::declare(SceneBuilder& scene) {
   const bearing::Bearing& bearing = scene.bearing;
   const int count = bearing.element_count();
   rollers_ = scene.rollers != nullptr;
-  demand(rollers_, "rigid elements need the start of the rollers");
-  start_ = start_poses(*scene.rollers, bearing);
+  if (rollers_)
+    start_ = start_poses(*scene.rollers, bearing);
+  else
+    for (const statics::StaticBall& ball : scene.statics.balls)
+      start_.push_back({ball.azimuth,
+                        ball.x,
+                        ball.r,
+                        ball.orbital_speed,
+                        {ball.omega_x, ball.omega_r, ball.omega_theta},
+                        quaternion_about(Vec3::UnitX(), ball.azimuth)});
   demand(static_cast<int>(start_.size()) == count,
          "the start has another number of elements than the bearing");
-  mass_ = bearing.element_inertia.mass;
-  const Vec3& moments = bearing.element_inertia.moments;
-  demand(mass_ > 0.0 && moments.minCoeff() > 0.0,
-         "an element needs a positive mass and positive moments of inertia");
-  inertia_ = moments.asDiagonal();
-  inverse_ = inertia_.inverse();
+  masses_ = ElementMasses(bearing);
   for (std::size_t q = 0; q < kQuantities.size(); ++q) {
     const QuantityLine& line = kQuantities[q];
     s_[static_cast<Quantity>(q)] =
@@ -146,7 +154,7 @@ std::string RigidElements::why_invalid(const Evaluation& e) const {
 
 Vec3 RigidElements::angular_momentum(const Evaluation& e, std::size_t i) const noexcept {
   const Mat3& B = e.attitude[i];
-  return B * (inertia_ * (B.transpose() * e.element_omega(i)));
+  return B * (masses_[i].inertia * (B.transpose() * e.element_omega(i)));
 }
 
 /// From the state: ẋ and ṙ of held elements stand there as zero.
@@ -157,16 +165,20 @@ Vec3 RigidElements::carried_velocity(const Evaluation& e, std::size_t i) const n
 
 void RigidElements::store(const Evaluation& e, EnergyLedger& energy) const {
   double kinetic = 0.0;
-  for (std::size_t i = 0; i < e.elements.n; ++i)
-    kinetic += 0.5 * mass_ * carried_velocity(e, i).squaredNorm() +
-               0.5 * e.element_omega(i).dot(angular_momentum(e, i));
+  for (std::size_t i = 0; i < e.elements.n; ++i) {
+    const Vec3 omega = e.element_omega(i);
+    const Vec3 velocity = carried_velocity(e, i) + omega.cross(arm(e, i));
+    kinetic +=
+        0.5 * masses_[i].mass * velocity.squaredNorm() + 0.5 * omega.dot(angular_momentum(e, i));
+  }
   energy.accumulate(terms::kKinetic, kinetic);
 }
 
 void RigidElements::carry(const Evaluation& e, Momenta& momenta) const {
   for (std::size_t i = 0; i < e.elements.n; ++i) {
-    const Vec3 p = mass_ * carried_velocity(e, i);
-    momenta.add(p, e.element_centre(i).cross(p) + angular_momentum(e, i));
+    const Vec3 to_mass = arm(e, i);
+    const Vec3 p = masses_[i].mass * (carried_velocity(e, i) + e.element_omega(i).cross(to_mass));
+    momenta.add(p, (e.element_centre(i) + to_mass).cross(p) + angular_momentum(e, i));
   }
 }
 
@@ -195,7 +207,7 @@ void RigidElements::report(const Evaluation& e, Snapshot& snapshot) const {
 }
 
 std::unique_ptr<SceneEffect> make_rigid_elements(const ScenePlan& plan) {
-  return plan.rollers ? std::make_unique<RigidElements>() : nullptr;
+  return plan.rollers || plan.rigid_balls ? std::make_unique<RigidElements>() : nullptr;
 }
 
 }  // namespace adore::dynamics

@@ -1,20 +1,24 @@
 #pragma once
 
 #include "dynamics/effect.hpp"
+#include "dynamics/element_masses.hpp"
 
-/// Rolling elements as rigid bodies with any inertia: rollers, and balls with given moments. Mass
-/// centre G in (x, r, θ) as for balls (balls.hpp), attitude as a quaternion body -> base, ω
-/// absolute on the azimuth axes. Euler about G with the tensor I of the body, B = body -> azimuth
-/// axes:
-///   ω̇ = B I⁻¹ (Bᵀ M - ω_b × I ω_b),  ω_b = Bᵀ ω;   rates of the components on e_x, e_r, e_θ:
-///   ω̇ - θ̇ e_x × ω
+/// Rolling elements as rigid bodies with any inertia: rollers, and balls of unequal moments or off
+/// centre (record 6.1). Reference point P in (x, r, θ) as for balls (balls.hpp), attitude as a
+/// quaternion body -> base, ω absolute on the azimuth axes. The mass centre G is at the arm c from
+/// P (element_masses.hpp). Euler about G with the tensor I of the body, B = body -> azimuth axes, F
+/// and M about P what acts on the element:
+///   ω̇ = B I⁻¹ (Bᵀ M - c × Bᵀ F - ω_b × I ω_b),  ω_b = Bᵀ ω;   rates of the components on e_x, e_r,
+///   e_θ: ω̇ - θ̇ e_x × ω
+///   a_P = F/m - B (ω̇_b × c + ω_b × (ω_b × c))
+/// The whole is free, so that neither needs a system of equations.
 /// Blocks and effects read the attitudes from Evaluation::attitude. Not valid when an element is on
 /// the axis, or a roller lies across the bearing.
 namespace adore::dynamics {
 
 /// Where an element stands at the start.
 struct ElementPose {
-  double azimuth = 0.0, x = 0.0, r = 0.0;  ///< of the mass centre [rad, m, m]
+  double azimuth = 0.0, x = 0.0, r = 0.0;  ///< of the reference point [rad, m, m]
   double theta_dot = 0.0;                  ///< [rad/s]
   Vec3 omega = Vec3::Zero();               ///< on e_x, e_r, e_θ [rad/s]
   Quat attitude{1, 0, 0, 0};               ///< body -> base
@@ -30,7 +34,6 @@ class RigidElements final : public SceneEffect {
   void report(const Evaluation& e, Snapshot& snapshot) const override;
 
   [[nodiscard]] const ElementSlices& slices() const noexcept { return s_; }
-  [[nodiscard]] double mass() const noexcept { return mass_; }
 
  private:
   class Kinematics;
@@ -40,13 +43,17 @@ class RigidElements final : public SceneEffect {
     Slice turn;  ///< ∫ ω·(body x axis) dt
   };
   [[nodiscard]] Vec3 carried_velocity(const Evaluation& e, std::size_t i) const noexcept;
+  /// About the mass centre.
   [[nodiscard]] Vec3 angular_momentum(const Evaluation& e, std::size_t i) const noexcept;
+  /// From the reference point to the mass centre, base axes.
+  [[nodiscard]] Vec3 arm(const Evaluation& e, std::size_t i) const noexcept {
+    return e.attitude[i] * masses_[i].arm;
+  }
 
   ElementSlices s_;
-  std::vector<Slice> attitude_;                           ///< by element
-  std::vector<Rotation> rotation_;                        ///< of the elements that files show
-  double mass_ = 0.0;                                     ///< [kg]
-  Mat3 inertia_ = Mat3::Zero(), inverse_ = Mat3::Zero();  ///< body axes [kg m², 1/(kg m²)]
+  std::vector<Slice> attitude_;     ///< by element
+  std::vector<Rotation> rotation_;  ///< of the elements that files show
+  ElementMasses masses_;
   bool rollers_ = false;
   std::vector<ElementPose> start_;
 };

@@ -1,5 +1,6 @@
 #include "base/errors.hpp"
 #include "contact/ball_pocket.hpp"
+#include "contact/cage_pieces.hpp"
 #include "contact/conformal.hpp"
 #include "contact/line_contact.hpp"
 #include "contact/roller_flange.hpp"
@@ -19,8 +20,8 @@
 #include <optional>
 #include <type_traits>
 
-/// Rollers in the pockets of a one-piece cage: windows with a fore and an aft face, pairs of guide
-/// faces (record 7.3), or round pockets. Geometry of contact/roller_pocket.hpp.
+/// Rollers in the pockets of a cage or of its segments: windows with a fore and an aft face, pairs
+/// of guide faces (record 7.3), or round pockets. Geometry of contact/roller_pocket.hpp.
 ///
 /// Normal load of a slice, δ = -gap: on faces K_l L^(-1/9) w δ^(10/9), K_l of both materials
 /// (contact/line_contact.hpp), in round pockets the elastic foundation of contact/conformal.hpp.
@@ -31,6 +32,9 @@
 /// the ends of the nominal roller in its middle; Hertz load of the corner as a sphere. They keep
 /// the cage on its rollers, and are no guide surfaces of the outputs (N105). Limits: the middle of
 /// the roller stays between faces and ends and within half a diameter of the wall.
+/// A pocket that is cut between two segments is two halves (contact/cage_pieces.hpp): each has the
+/// faces on its side and half the stiffness of both ends; its open side holds nothing. Limit: the
+/// roller stays within a diameter of the middle there.
 namespace adore::dynamics {
 namespace {
 
@@ -41,6 +45,8 @@ struct RollerPocket {
   double half_window = 0.0;          ///< least distance of a wall from the middle along y [m]
   double z_low = 0.0, z_high = 0.0;  ///< ends of the wall [m]
   std::array<double, 2> end_wall{};  ///< of the ends at -x and +x, from the middle [m]
+  std::size_t element = 0, segment = 0;
+  int half = 0;
 };
 
 /// Slices of one roller.
@@ -54,10 +60,12 @@ struct PocketRoller {
 
 class RollerPocketSet {
  public:
-  explicit RollerPocketSet(const SceneBuilder& scene);
+  RollerPocketSet(const SceneBuilder& scene, const std::vector<contact::PlacedPocket>& placed);
 
   [[nodiscard]] std::size_t size() const noexcept { return pockets_.size(); }
   [[nodiscard]] double mass_offset() const noexcept { return mass_offset_; }
+  [[nodiscard]] std::size_t element(std::size_t i) const noexcept { return pockets_[i].element; }
+  [[nodiscard]] std::size_t segment(std::size_t i) const noexcept { return pockets_[i].segment; }
   /// Mid length of roller i and its axis in its pocket frame.
   struct Place {
     Vec3 q, u;
@@ -65,9 +73,9 @@ class RollerPocketSet {
   };
   [[nodiscard]] Place locate(const Evaluation& e, std::size_t i) const noexcept {
     const RollerPocket& pocket = pockets_[i];
-    const BodyState& cage = e.segments.front();
-    const Vec3 a = e.attitude[i].col(0);
-    const Vec3 C = e.element_centre(i) - mass_offset_ * a;
+    const BodyState& cage = e.segments[pocket.segment];
+    const Vec3 a = e.attitude[pocket.element].col(0);
+    const Vec3 C = e.element_centre(pocket.element) - mass_offset_ * a;
     const Mat3 to_base = cage.to_base * pocket.frame.cage_to_pocket.transpose();
     const Vec3 in_cage = cage.to_base.transpose() * (C - cage.position);
     return {pocket.frame.cage_to_pocket * (in_cage - pocket.frame.centre), to_base.transpose() * a,
@@ -75,12 +83,18 @@ class RollerPocketSet {
   }
   [[nodiscard]] bool is_inside(std::size_t i, const Vec3& q) const noexcept {
     const RollerPocket& pocket = pockets_[i];
+    const double reach = pocket.half * q[1] < 0.0 ? 2.0 * radius_ : pocket.half_window;
     return std::abs(q[0]) < std::min(pocket.end_wall[0], pocket.end_wall[1]) &&
-           std::abs(q[1]) < pocket.half_window && q[2] > pocket.z_low - radius_ &&
+           std::abs(q[1]) < reach && q[2] > pocket.z_low - radius_ &&
            q[2] < pocket.z_high + radius_;
   }
   [[nodiscard]] std::size_t surfaces(std::size_t i) const noexcept {
     return pockets_[i].round ? 1 : pockets_[i].faces.size();
+  }
+  /// Does the cut leave surface k?
+  [[nodiscard]] bool is_there(std::size_t i, std::size_t k) const noexcept {
+    const RollerPocket& pocket = pockets_[i];
+    return pocket.half == 0 || pocket.round || pocket.half * pocket.faces[k].normal[1] > 0.0;
   }
   /// Can surface k touch?
   [[nodiscard]] bool surely_open(std::size_t i, std::size_t k, const Place& at) const noexcept {
@@ -121,7 +135,8 @@ class RollerPocketSet {
       const contact::EndTouch touch =
           contact::end_at_wall(roller.end[k], pockets_[i].end_wall[k], at.q, at.u);
       if (!(touch.gap < 0.0)) continue;
-      const double load = contact::hertz_load(roller.end_constant[k], -touch.gap);
+      const double share = pockets_[i].half == 0 ? 1.0 : 0.5;
+      const double load = contact::hertz_load(share * roller.end_constant[k], -touch.gap);
       visit(touch, load, -0.4 * load * touch.gap);
     }
   }
@@ -129,7 +144,7 @@ class RollerPocketSet {
 
  private:
   [[nodiscard]] const PocketRoller& roller_of(std::size_t i) const noexcept {
-    return rollers_[rollers_.size() == 1 ? 0 : i];
+    return rollers_[rollers_.size() == 1 ? 0 : pockets_[i].element];
   }
   std::vector<RollerPocket> pockets_;
   std::vector<PocketRoller> rollers_;  ///< one for all, or one by roller
@@ -137,7 +152,8 @@ class RollerPocketSet {
   double E_star_ = 0.0, mass_offset_ = 0.0, radius_ = 0.0, rotation_sign_ = 1.0;
 };
 
-RollerPocketSet::RollerPocketSet(const SceneBuilder& scene) {
+RollerPocketSet::RollerPocketSet(const SceneBuilder& scene,
+                                 const std::vector<contact::PlacedPocket>& placed) {
   const bearing::Bearing& bearing = scene.bearing;
   const bearing::RollerGeometry& rollers = *bearing.rollers();
   const bearing::Cage& cage = *bearing.cage;
@@ -168,15 +184,17 @@ RollerPocketSet::RollerPocketSet(const SceneBuilder& scene) {
   const contact::RollerProfile ideal = contact::roller_profile(rollers);
   const std::array<contact::RollerEnd, 2> nominal{contact::roller_end(ideal, 0),
                                                   contact::roller_end(ideal, 1)};
-  for (std::size_t i = 0; i < scene.statics.balls.size(); ++i) {
-    const bearing::PocketDeviation own = cage.deviation_of(i);
+  for (const contact::PlacedPocket& place : placed) {
+    const bearing::PocketDeviation own = cage.deviation_of(place.element);
     const auto [low, high] = contact::wall_height(cage.outer_diameter, cage.inner_diameter,
                                                   rollers.pitch_diameter, own.thickness);
     const double width = D + cage.pocket_clearance_1 + own.clearance[0];
     RollerPocket pocket;
-    pocket.frame =
-        contact::pocket_frame({scene.statics.balls[i].azimuth + own.angular,
-                               0.5 * rollers.pitch_diameter, own.axial, cage.cone_angle, own.tilt});
+    pocket.element = place.element;
+    pocket.segment = static_cast<std::size_t>(place.piece);
+    pocket.half = place.half;
+    pocket.frame = contact::pocket_frame({place.azimuth + own.angular, 0.5 * rollers.pitch_diameter,
+                                          own.axial, cage.cone_angle, own.tilt});
     pocket.z_low = low;
     pocket.z_high = high;
     pocket.half_window = 0.5 * width;
@@ -189,7 +207,8 @@ RollerPocketSet::RollerPocketSet(const SceneBuilder& scene) {
     if (!cage.pocket_faces.empty())
       pocket.faces = contact::paired_faces(cage.pocket_faces, rotation_sign_);
     else if (cage.pocket == bearing::PocketShape::Cylindrical)
-      pocket.round = contact::RoundPocket{0.5 * width, low, high};
+      pocket.round = contact::RoundPocket{0.5 * width, low, high, place.half,
+                                          contact::cut_edge(cage, rollers.pitch_diameter)};
     else
       pocket.faces = contact::window_faces(width, low, high, rotation_sign_, rollers.half_angle);
     pockets_.push_back(std::move(pocket));
@@ -200,6 +219,10 @@ std::vector<PocketContactSnapshot> RollerPocketSet::report(std::size_t i, const 
   std::vector<PocketContactSnapshot> out;
   for (std::size_t k = 0; k < surfaces(i); ++k) {
     PocketContactSnapshot one;
+    if (!is_there(i, k)) {
+      out.push_back(one);
+      continue;
+    }
     one.gap = std::numeric_limits<double>::infinity();
     Vec3 m = Vec3::Zero();
     double moment = 0.0, nearest = 0.0;
@@ -233,7 +256,6 @@ class RollerPocketBlock final : public EffectBlock {
  private:
   template <class Friction>
   void apply_with(const Friction& friction, Evaluation& e) noexcept {
-    heat_ = 0.0;
     for (std::size_t i = 0; i < set_.size(); ++i) {
       const RollerPocketSet::Place at = set_.locate(e, i);
       if (!set_.is_inside(i, at.q)) {
@@ -241,7 +263,7 @@ class RollerPocketBlock final : public EffectBlock {
         return;
       }
       for (std::size_t k = 0; k < set_.surfaces(i); ++k) {
-        if (set_.surely_open(i, k, at)) continue;
+        if (!set_.is_there(i, k) || set_.surely_open(i, k, at)) continue;
         set_.for_slices(i, k, at,
                         [&](const contact::PocketSlice& slice, double load, double energy) {
                           if (load > 0.0)
@@ -269,21 +291,23 @@ template <class Friction>
 void RollerPocketBlock<Traction>::push(const Friction& friction, Evaluation& e, std::size_t i,
                                        const RollerPocketSet::Place& at, const Vec3& into,
                                        const Vec3& point, double load, double energy) noexcept {
-  BodyState& cage = e.segments.front();
+  BodyState& cage = e.segments[set_.segment(i)];
+  const std::size_t roller = set_.element(i);
   const Vec3 m = at.to_base * into;
-  const Vec3 arm = at.to_base * (point - at.q) - set_.mass_offset() * e.attitude[i].col(0);
-  const Vec3 X = e.element_centre(i) + arm;
+  const Vec3 arm = at.to_base * (point - at.q) - set_.mass_offset() * e.attitude[roller].col(0);
+  const Vec3 X = e.element_centre(roller) + arm;
   Vec3 f = -load * m;
   if constexpr (Traction) {
-    Vec3 slip = cage.velocity_at(X) - e.element_velocity(i) - e.element_omega(i).cross(arm);
+    Vec3 slip =
+        cage.velocity_at(X) - e.element_velocity(roller) - e.element_omega(roller).cross(arm);
     slip -= slip.dot(m) * m;
     const double square = slip.squaredNorm(), per_slip = load * friction(square);
     f += per_slip * slip;
     heat_ += per_slip * square;
     cage.load_slip += load * std::sqrt(square);
   }
-  e.add_force(i, e.to_cylindrical(i, f));
-  e.add_moment(i, e.to_cylindrical(i, arm.cross(f)));
+  e.add_force(roller, e.to_cylindrical(roller, f));
+  e.add_moment(roller, e.to_cylindrical(roller, arm.cross(f)));
   cage.add_force(-f, X);
   e.elastic += energy;
 }
@@ -293,31 +317,45 @@ class RollerPockets final : public SceneEffect {
   void declare(SceneBuilder& scene) override {
     demand(scene.plan.has(Effect::CageMotion), "the plan has cage contacts but no cage motion");
     demand(scene.rollers != nullptr, "roller pockets need rollers");
-    set_.emplace(scene);
-    constexpr std::string_view kCost = "pocket contacts";
-    const BodyId cage{BodyId::Kind::Segment, 0};
-    if (!scene.plan.has(Effect::PocketTraction)) {
-      scene.block<RollerPocketBlock<false>>(Phase::Force, kCost, cage, *set_,
-                                            tribology::TractionLaw(), heat_);
-      return;
-    }
-    demand(scene.bearing.pocket_traction.has_value(),
+    const bool traction = scene.plan.has(Effect::PocketTraction);
+    demand(!traction || scene.bearing.pocket_traction.has_value(),
            "pocket traction is on without a traction curve");
-    scene.block<RollerPocketBlock<true>>(Phase::Force, kCost, cage, *set_,
-                                         tribology::TractionLaw(*scene.bearing.pocket_traction),
-                                         heat_);
-    scene.energy("pockets.heat", kPocketHeat, &heat_);
+    constexpr std::string_view kCost = "pocket contacts";
+    if (traction) scene.block<NoHeatYet>(Phase::Force, kCost, {}, heat_);
+    std::vector<double> azimuths;
+    for (const statics::StaticBall& one : scene.statics.balls) azimuths.push_back(one.azimuth);
+    const contact::CagePieces pieces = contact::cage_pieces(*scene.bearing.cage, azimuths);
+    const auto add = [&](std::optional<RollerPocketSet>& set,
+                         const std::vector<contact::PlacedPocket>& pockets) {
+      set.emplace(scene, pockets);
+      std::vector<BodyId> partners(azimuths.size(), BodyId{BodyId::Kind::Segment, -1});
+      for (const contact::PlacedPocket& pocket : pockets)
+        partners[pocket.element].index = pocket.piece;
+      if (traction)
+        scene.block<RollerPocketBlock<true>>(
+            Phase::Force, kCost, Partners(std::move(partners)), *set,
+            tribology::TractionLaw(*scene.bearing.pocket_traction), heat_);
+      else
+        scene.block<RollerPocketBlock<false>>(Phase::Force, kCost, Partners(std::move(partners)),
+                                              *set, tribology::TractionLaw(), heat_);
+    };
+    add(set_, pieces.pockets);
+    if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves);
+    if (traction) scene.energy("pockets.heat", kPocketHeat, &heat_);
   }
 
   [[nodiscard]] std::string why_invalid(const Evaluation& e) const override {
-    for (std::size_t i = 0; i < set_->size(); ++i) {
-      const RollerPocketSet::Place at = set_->locate(e, i);
-      if (set_->is_inside(i, at.q)) continue;
-      return fmt::format(
-          "the middle of roller {} is outside its cage pocket (axial {:.4g} m, against the "
-          "rotation {:.4g} m, radial {:.4g} m from the pocket centre); check the cage's start "
-          "position, its pocket clearance and the largest step",
-          i + 1, at.q[0], at.q[1], at.q[2]);
+    for (const auto* set : {&set_, &last_halves_}) {
+      if (!set->has_value()) continue;
+      for (std::size_t i = 0; i < (*set)->size(); ++i) {
+        const RollerPocketSet::Place at = (*set)->locate(e, i);
+        if ((*set)->is_inside(i, at.q)) continue;
+        return fmt::format(
+            "the middle of roller {} is outside its cage pocket (axial {:.4g} m, against the "
+            "rotation {:.4g} m, radial {:.4g} m from the pocket centre); check the cage's start "
+            "position, its pocket clearance and the largest step",
+            (*set)->element(i) + 1, at.q[0], at.q[1], at.q[2]);
+      }
     }
     return {};
   }
@@ -331,7 +369,7 @@ class RollerPockets final : public SceneEffect {
       stiffness += slope * m * m.transpose();
     };
     for (std::size_t k = 0; k < set_->surfaces(i); ++k) {
-      if (set_->surely_open(i, k, at)) continue;
+      if (!set_->is_there(i, k) || set_->surely_open(i, k, at)) continue;
       set_->for_slices(i, k, at, [&](const contact::PocketSlice& slice, double load, double) {
         if (load > 0.0 && slice.gap < 0.0) add(slice.m, (10.0 / 9.0) * load / -slice.gap);
       });
@@ -347,11 +385,17 @@ class RollerPockets final : public SceneEffect {
       snapshot.elements[i].pocket = set_->report(i, at);
       snapshot.elements[i].pocket_to_centre = at.q;
     }
+    if (!last_halves_) return;
+    snapshot.cages.resize(last_halves_->size());
+    for (std::size_t i = 0; i < last_halves_->size(); ++i)
+      snapshot.cages[last_halves_->segment(i)].last_half =
+          last_halves_->report(i, last_halves_->locate(e, i));
   }
 
  private:
   std::optional<RollerPocketSet> set_;
-  double heat_ = 0.0;  ///< now [W]
+  std::optional<RollerPocketSet> last_halves_;  ///< of segments that are cut through their pockets
+  double heat_ = 0.0;                           ///< now [W]
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 ///   H = -m (ẍ, r̈, r θ̈) and -I (ω̇_x, ω̇_r, ω̇_θ) of the suppressed components, I the tensor in the
 ///   axes now,
 /// acts from outside, and does the work H · velocity, which the ledgers book. Of the cage:
-/// cage.cpp.
+/// cage.cpp. Limit: elements whose mass centre is where their reference point is.
 namespace adore::dynamics {
 namespace {
 
@@ -35,8 +35,7 @@ class SuppressedElements final : public SceneEffect {
       slices_ = balls->slices();
     else
       slices_ = scene.find<RigidElements>()->slices();
-    mass_ = scene.bearing.element_inertia.mass;
-    moments_ = scene.bearing.element_inertia.moments;
+    masses_ = ElementMasses(scene.bearing);
     scene.block<Hold>(Phase::Motion, "suppressed motions", {}, *this);
     scene.energy("held elements.work", kWork, &power_);
     if (!scene.plan.has(Effect::MomentumLedger)) return;
@@ -69,10 +68,11 @@ class SuppressedElements final : public SceneEffect {
       };
       const ElementViews& b = e.elements;
       Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  // (x, r, θ)
-      if (axial_) force[0] = -mass_ * taken(Quantity::XDot);
+      const double mass = masses_[i].mass;
+      if (axial_) force[0] = -mass * taken(Quantity::XDot);
       if (rest_) {
-        force[1] = -mass_ * taken(Quantity::RDot);
-        force[2] = -mass_ * b.r[i] * taken(Quantity::ThetaDot);
+        force[1] = -mass * taken(Quantity::RDot);
+        force[2] = -mass * b.r[i] * taken(Quantity::ThetaDot);
         moment[0] = -taken(Quantity::OmegaX);
       }
       if (tilt_) {
@@ -91,16 +91,16 @@ class SuppressedElements final : public SceneEffect {
   /// I ω̇, both (x, r, θ) components.
   [[nodiscard]] Vec3 inertia_times(const Evaluation& e, std::size_t i,
                                    const Vec3& rate) const noexcept {
-    if (e.attitude.empty()) return moments_[0] * rate;  // a ball
+    const Mat3& inertia = masses_[i].inertia;
+    if (e.attitude.empty()) return inertia(0, 0) * rate;  // a ball
     const Mat3& to_base = e.attitude[i];
-    const Vec3 in_body = moments_.cwiseProduct(Vec3(to_base.transpose() * e.to_base(i, rate)));
+    const Vec3 in_body = inertia * (to_base.transpose() * e.to_base(i, rate));
     return e.to_cylindrical(i, to_base * in_body);
   }
 
   ElementSlices slices_;
   bool axial_ = false, tilt_ = false, rest_ = false;
-  double mass_ = 0.0;                                  ///< of an element [kg]
-  Vec3 moments_ = Vec3::Zero();                        ///< of an element, principal [kg m²]
+  ElementMasses masses_;
   double power_ = 0.0;                                 ///< now [W]
   Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();  ///< now, about the base origin [N, N m]
   int impulse_ = -1, angular_impulse_ = -1;            ///< in the state

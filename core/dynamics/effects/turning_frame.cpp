@@ -1,4 +1,5 @@
 #include "dynamics/effect_makers.hpp"
+#include "dynamics/element_masses.hpp"
 #include "dynamics/moving_frame.hpp"
 #include "scene/ledger_terms.hpp"
 
@@ -33,10 +34,7 @@ class TurningFrame final : public SceneEffect {
     const bearing::FrameMotion& motion = *scene.plan.race_motions.frame;
     frame_ = {motion.speed, motion.orbit_radius, motion.orbit_angle};
     load_share_ = motion.load_share;
-    mass_ = scene.bearing.element_inertia.mass;
-    const Vec3& moments = scene.bearing.element_inertia.moments;
-    tensor_ = moments.asDiagonal();
-    inertia_ = moments[0];
+    masses_ = ElementMasses(scene.bearing);
     scene.block<Fields>(Phase::Force, "turning base frame", {}, *this);
     if (!scene.plan.has(Effect::MomentumLedger)) return;
     using Momentum = SceneBuilder::Momentum;
@@ -47,8 +45,10 @@ class TurningFrame final : public SceneEffect {
 
   void store(const Evaluation& e, EnergyLedger& energy) const override {
     double stored = 0.0;
-    for (std::size_t i = 0; i < e.elements.n; ++i) stored += potential(mass_, e.element_centre(i));
-    for (const Mat3& attitude : e.attitude) stored += of_turn(attitude, tensor_);
+    for (std::size_t i = 0; i < e.elements.n; ++i)
+      stored += potential(masses_[i].mass, mass_centre(e, i));
+    for (std::size_t i = 0; i < e.attitude.size(); ++i)
+      stored += of_turn(e.attitude[i], masses_[i].inertia);
     e.for_integrated([&](const BodyState& body) {
       stored += potential(share_of(e, body) * body.mass, body.centre_of_mass()) +
                 of_turn(body.to_base, body.inertia);
@@ -66,6 +66,11 @@ class TurningFrame final : public SceneEffect {
     TurningFrame& of_;
   };
 
+  [[nodiscard]] Vec3 mass_centre(const Evaluation& e, std::size_t i) const noexcept {
+    Vec3 out = e.element_centre(i);
+    if (masses_[i].off_centre) out += e.attitude[i] * masses_[i].arm;
+    return out;
+  }
   [[nodiscard]] double potential(double mass, const Vec3& centre) const noexcept {
     const Vec3 from_axis = frame_.orbit_radius * radial_direction(frame_.orbit_angle) + centre;
     return -0.5 * mass * frame_.speed * frame_.speed *
@@ -102,13 +107,16 @@ class TurningFrame final : public SceneEffect {
     moment_.setZero();
     const Vec3 frame = frame_.speed * Vec3::UnitX();
     for (std::size_t i = 0; i < e.elements.n; ++i) {
-      const Vec3 centre = e.element_centre(i);
-      const Vec3 force = frame_.inertial_force(mass_, centre, e.element_velocity(i));
-      const Vec3 moment = e.attitude.empty()
-                              ? Vec3(-inertia_ * frame.cross(e.element_omega(i)))
-                              : of_tensor(e.attitude[i], tensor_, e.element_omega(i), frame);
+      const ElementMass& body = masses_[i];
+      const Vec3 centre = mass_centre(e, i), omega = e.element_omega(i);
+      Vec3 velocity = e.element_velocity(i);
+      const Vec3 arm = centre - e.element_centre(i);
+      if (body.off_centre) velocity += omega.cross(arm);
+      const Vec3 force = frame_.inertial_force(body.mass, centre, velocity);
+      const Vec3 moment = e.attitude.empty() ? Vec3(-body.inertia(0, 0) * frame.cross(omega))
+                                             : of_tensor(e.attitude[i], body.inertia, omega, frame);
       e.add_force(i, e.to_cylindrical(i, force));
-      e.add_moment(i, e.to_cylindrical(i, moment));
+      e.add_moment(i, e.to_cylindrical(i, moment + arm.cross(force)));
       book(force, moment, centre);
     }
     e.for_integrated([&](BodyState& body) {
@@ -124,8 +132,7 @@ class TurningFrame final : public SceneEffect {
 
   MovingFrame frame_;
   std::array<double, 2> load_share_{1.0, 1.0};
-  double mass_ = 0.0, inertia_ = 0.0;                  ///< of an element; of a ball [kg, kg m²]
-  Mat3 tensor_ = Mat3::Zero();                         ///< of an element, its own axes [kg m²]
+  ElementMasses masses_;
   Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();  ///< now, about the base origin [N, N m]
   int impulse_ = -1, angular_impulse_ = -1;            ///< in the state
 };

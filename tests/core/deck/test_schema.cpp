@@ -278,6 +278,8 @@ TEST_CASE("names are found, and mistyped names bring suggestions", "[unit][schem
   CHECK(find_record("7.2.1") == nullptr);
   CHECK(similar_variables("pichDia").front() == "pitchDia");
   CHECK(similar_variables("NRE").front() == "nRe");
+  CHECK(similar_variables("ptichDia").front() == "pitchDia");
+  CHECK(similar_variables("zz").empty());
   CHECK(similar_variables("cageGs").size() == 3);
   CHECK(similar_variables("zzzzzzzzzz").empty());
 }

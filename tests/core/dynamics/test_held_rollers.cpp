@@ -237,3 +237,24 @@ TEST_CASE("modes 1 and 2 and qFac of rollers close the energy ledger",
     }
   }
 }
+
+TEST_CASE("held rollers: every kind of stepper follows the same motion",
+          "[physics][rollers][held][constrained][slow]") {
+  const bearing::Bearing b = with_cage(roller_bearings::tapered(3000.0));
+  for (const int mode : {1, 2}) {
+    Scene first = roller_scene::scene_of(b, mode_plan(mode), 9);
+    const Snapshot exact = run(first, 1e-4, 1e-10, "rkf7").last;
+    for (const char* method : {"rkf4", "pece4", "cvode-bdf", "arkode-dirk"}) {
+      Scene s = roller_scene::scene_of(b, mode_plan(mode), 9);
+      const Snapshot now = run(s, 1e-4, 1e-8, method).last;
+      INFO("mode " << mode << ", " << method);
+      for (std::size_t i = 0; i < now.elements.size(); ++i) {
+        CHECK(now.elements[i].r == Approx(exact.elements[i].r).margin(1e-9));
+        CHECK(
+            now.elements[i].race[1].load ==
+            Approx(exact.elements[i].race[1].load).margin(1e-4 * first.rollers->solution.max_load));
+      }
+      CHECK((now.races[1].position - exact.races[1].position).norm() < 1e-9);
+    }
+  }
+}

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -343,4 +344,58 @@ TEST_CASE("rigid elements: a roller free of forces precesses as Euler says", "[p
                         std::sin(angle) * l.cross(axis);
   const Vec3 found = system.snapshot(end, run.y).elements[0].x_axis;
   CHECK((found - expected).norm() < 1e-9);
+}
+
+TEST_CASE("rollers: a race vibrates on them at the eigenfrequencies of the static stiffness",
+          "[physics][rollers][races][limits][slow]") {
+  struct Case {
+    bearing::Bearing bearing;
+    double thrust;           ///< [N]
+    std::vector<int> along;  ///< directions that have stiffness
+  };
+  // Radially preloaded, or under thrust: all rollers carry alike, and nothing pushes them around.
+  const std::vector<Case> cases{{roller_bearings::cylindrical(0.0, -2e-5), 0.0, {1, 2}},
+                                {roller_bearings::spherical(0.0, -2e-5), 0.0, {2}},
+                                {roller_bearings::tapered(0.0), 3000.0, {0, 2}},
+                                {roller_bearings::spherical_tapered(0.0), 3000.0, {0, 2}}};
+  for (const Case& one : cases) {
+    bearing::Bearing b = one.bearing;
+    b.constraints.load = {one.thrust, 0.0, 0.0, 0.0, 0.0};
+    b.constraints.displacement_given = {one.thrust == 0.0, true, true, true, true};
+    statics::RollerOptions options;
+    options.slices = 9;
+    const statics::RollerSolution rest = statics::solve_roller_statics(b, options);
+    b.constraints.displacement_given.fill(true);
+    b.constraints.displacement = rest.displacement;
+    const double mass = 40.0;  // the rollers have 0.17 kg or less together
+    b.race_inertia[1] = {mass, {0.05, 0.03, 0.03}};
+    for (const int k : one.along) {
+      const auto axis = static_cast<std::size_t>(k);
+      const auto load_at = [&](double shift) {
+        bearing::Bearing moved = b;
+        moved.constraints.displacement[axis] += shift;
+        return statics::solve_roller_statics(moved, options).load[axis];
+      };
+      const double h = 1e-8, size = 2e-8;
+      const double stiffness = (load_at(h) - load_at(-h)) / (2.0 * h);
+      const double period = 2.0 * std::numbers::pi * std::sqrt(mass / stiffness);
+      scene::ScenePlan plan = roller_scene::races_only();
+      bearing::FreeRace& free = plan.race_motions.free[1].emplace();
+      plan.effects.push_back({scene::Effect::FreeRaces, "", true, "test"});
+      free.translation_held = {k != 0, k != 1, k != 2};
+      free.rotation_held = {true, true, true};
+      free.force[k] = load_at(0.0) + stiffness * size;
+      Scene s = scene_of(b, plan, 9);
+      // Released at the old place it swings about the new one, `size` away.
+      const auto place = [&](double t) {
+        return (after(s, t, 1e-8, "rkf7").races[1].position[k] - rest.displacement[axis]) / size;
+      };
+      const double late = place(4.5 * period), quarter = place(4.25 * period);
+      INFO("type " << static_cast<int>(b.type) << " along " << k << " at " << 1.0 / period
+                   << " Hz: " << late << ", " << quarter);
+      CHECK(late == Approx(2.0).epsilon(0.02));
+      // 1 - cos of the phase: slope 1 per radian, 27 rad of phase.
+      CHECK(std::abs(quarter - 1.0) < 0.005 * 4.25 * 2.0 * std::numbers::pi);
+    }
+  }
 }

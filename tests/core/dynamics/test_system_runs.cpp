@@ -1,3 +1,4 @@
+#include "../statics/ball_bearings.hpp"
 #include "core/dynamics/allocation_counter.hpp"
 #include "core/dynamics/system_fixture.hpp"
 
@@ -199,4 +200,26 @@ TEST_CASE("the run's ellipse rule is measured against the converged integrals",
   CHECK(error(normal) < error(rough));
   System none = make_system(b, plan_with({Effect::RaceContact}));
   CHECK(none.quadrature_error(0.0, none.initial_state()) == 0.0);
+}
+
+TEST_CASE("the 218 bearing at 15000 rpm runs at the contact angles of the classic solution",
+          "[physics][dynamics]") {
+  // Thrust 17.8 kN: 56.8 degrees inner, 19.2 outer with the gyroscopic moment carried at the outer
+  // race. Its sign decides: reversed, the angles would be 50.0 and 31.8.
+  bearing::Bearing b = ball_bearings::angular_contact_218(15000.0);
+  ball_bearings::load(b, 17800.0, 0.0, 0.0);
+  b.race_traction = {bearing::TractionCurve::Form::TwoSlope, 0.0, 0.15, -0.002, 0.0, 0.3};
+  const auto statics = statics_of(b, b.balls().contact_angle);
+  constexpr double kDegree = std::numbers::pi / 180.0;
+  CHECK(statics.balls[0].alpha[0] == Approx(19.2 * kDegree).margin(0.1 * kDegree));
+  CHECK(statics.balls[0].alpha[1] == Approx(56.8 * kDegree).margin(0.1 * kDegree));
+  const auto plan = plan_with({Effect::RaceContact, Effect::RaceTraction});
+  System system = make_system(b, plan, statics);
+  const double turn = 60.0 / 15000.0;
+  const Snapshot s =
+      system.snapshot(4.0 * turn, run(system, system.initial_state(), 4.0 * turn, 1e-7, "rkf5").y);
+  for (const ElementSnapshot& e : s.elements) {
+    CHECK(e.race[0].angle == Approx(19.2 * kDegree).margin(0.3 * kDegree));
+    CHECK(e.race[1].angle == Approx(56.8 * kDegree).margin(0.3 * kDegree));
+  }
 }

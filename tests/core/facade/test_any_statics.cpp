@@ -134,7 +134,7 @@ TEST_CASE("a cut or conical cage and given inertia leave the statics alone", "[p
     cut.complete();
     if (!has_errors(cut)) {
       CHECK(solution(cut) == base);
-      CHECK_THAT(remarks(cut), Catch::Contains("nCseg = 2 ("));
+      CHECK_THAT(remarks(cut), !Catch::Contains("nCseg"));  // its mass and plays are computed
     }
     deck::Deck bare = plain;
     bare.set("nCseg", "0");

@@ -241,3 +241,42 @@ TEST_CASE("a MASTER whose place in time or scales are impossible is refused by n
     CHECK_THAT(message_of([&] { (void)read_master(folder / "MASTER"); }), Contains("not finite"));
   }
 }
+
+TEST_CASE("no number of MASTER or FINAL may be not a number, infinite or a word",
+          "[unit][restart]") {
+  TemporaryFolder folder;
+  MasterState master;
+  master.last = make_state();
+  master.averages = {{"average time", 0.125}, {"stepper memory next step", 1e-6}};
+  master.files = {{"PRINT", "PRINT.txt", 10}};
+  write_master(master, folder / "MASTER");
+  write_final(make_state(), folder / "FINAL");
+  for (const std::string name : {"FINAL", "MASTER"}) {
+    const auto read = [&] {
+      name == "FINAL" ? (void)read_final(folder / name) : (void)read_master(folder / name);
+    };
+    const std::string good = read_bytes(folder / name);
+    const std::size_t numbers = good.find("\nstep ") + 1;  // behind the run's own name
+    const std::size_t deck = good.find("\ndeck ") + 1;
+    const std::size_t behind_deck = good.find("'synthetic'\n") + 12;
+    int changed = 0;
+    for (std::size_t line = numbers; line < good.size(); line = good.find('\n', line) + 1) {
+      if (line > deck && line < behind_deck) continue;
+      const std::size_t end = good.find('\n', line);
+      // "keyword number" or "number name"
+      const std::size_t blank = good.find(' ', line);
+      if (blank == std::string::npos || blank > end) continue;  // the last line
+      const bool first = good.find_first_of("0123456789", line) == line || good[line] == '-';
+      const std::size_t at = first ? line : blank + 1, length = (first ? blank : end) - at;
+      for (const std::string value : {"nan", "-nan", "inf", "-inf", "1e999", "x", ""}) {
+        std::string bad = good;
+        bad.replace(at, length, value);
+        CAPTURE(name, good.substr(line, end - line), value);
+        write_bytes(folder / name, bad);
+        CHECK_THAT(message_of(read), Contains(name + ":") && Contains("the file is damaged"));
+        ++changed;
+      }
+    }
+    CHECK(changed >= 7 * 13);
+  }
+}

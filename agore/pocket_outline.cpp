@@ -1,0 +1,48 @@
+#include "agore/pocket_outline.hpp"
+
+#include <algorithm>
+
+namespace adore::agore {
+namespace {
+
+constexpr double kEndRoom = 1.06;  // of a window, over the roller's length
+
+}  // namespace
+
+QSizeF pocket_half(const PocketOutline& p) {
+  const double half = p.radius + 0.5 * p.clearance_1;
+  if (p.roller_length > 0.0) return {half, 0.5 * kEndRoom * p.roller_length};
+  switch (p.code) {
+    case 2:  // elongated round the bearing
+      return {half + 0.5 * p.clearance_2, half};
+    case 3:  // rectangular
+      return {half, p.radius + 0.5 * p.clearance_2};
+    case 4: {  // conical: the wider of its two ends
+      const double wide = p.radius + 0.5 * std::max(p.clearance_1, p.clearance_2);
+      return {wide, wide};
+    }
+    default:
+      return {half, half};
+  }
+}
+
+QPainterPath pocket_hole(const PocketOutline& p) {
+  const QSizeF half = pocket_half(p);
+  const QRectF box(-half.width(), -half.height(), 2.0 * half.width(), 2.0 * half.height());
+  QPainterPath path;
+  if (p.roller_length > 0.0 || p.code == 3)
+    path.addRect(box);
+  else
+    path.addRoundedRect(box, half.height(), half.height());
+  return path;
+}
+
+QPainterPath roller_side(const PocketOutline& p) {
+  QPainterPath path;
+  const double corner = 0.12 * p.radius;
+  path.addRoundedRect(QRectF(-p.radius, -0.5 * p.roller_length, 2.0 * p.radius, p.roller_length),
+                      corner, corner);
+  return path;
+}
+
+}  // namespace adore::agore

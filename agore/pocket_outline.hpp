@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QPainterPath>
+
+namespace adore::agore {
+
+/// A pocket seen from outside, about its centre: right is the way round, up the bearing axis.
+struct PocketOutline {
+  int code = 0;                                 ///< kPocType
+  double radius = 0.0;                          ///< of the element
+  double roller_length = 0.0;                   ///< 0: balls
+  double clearance_1 = 0.0, clearance_2 = 0.0;  ///< diametral, as drawn
+};
+
+/// The hole. Lengths in one unit of the caller's. Windows of rollers are drawn a little longer than
+/// these.
+[[nodiscard]] QPainterPath pocket_hole(const PocketOutline& pocket);
+
+/// Half sizes of it, the way round and along the axis.
+[[nodiscard]] QSizeF pocket_half(const PocketOutline& pocket);
+
+/// The roller itself, its axis upright.
+[[nodiscard]] QPainterPath roller_side(const PocketOutline& pocket);
+
+}  // namespace adore::agore

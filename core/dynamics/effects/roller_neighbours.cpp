@@ -1,0 +1,235 @@
+#include "base/errors.hpp"
+#include "contact/line_contact.hpp"
+#include "contact/roller_pair.hpp"
+#include "contact/roller_shape.hpp"
+#include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/neighbours.hpp"
+#include "dynamics/roller_start.hpp"
+#include "tribology/traction_law.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include <vector>
+
+/// Rollers that touch the ones before and after them in a bearing without cage (nCseg = 0, record
+/// 10.5.3). Each slice of a roller against its neighbour and each slice of the neighbour against
+/// the roller, with half the load each (contact/roller_pair.hpp): action and reaction are one line
+/// of force, so that both rollers are treated alike and momentum is kept.
+///   Q = K_l L^(-1/9) w δ^(10/9) of a slice of width w, K_l of both materials
+///   (contact/line_contact.hpp);
+///   friction at the point X = p + (ρ/(ρ + ρ')) d m, where both have their share of the distance: u
+///   = velocity of the other roller less that of the slice's, its part along m removed; Q κ(s)/s u
+///   on the slice's roller, the opposite on the other, s the rounded slip.
+/// Heat = friction · u >= 0. Without friction energy is kept. Limits: ends and corners of rollers
+/// do not touch neighbours; an overlap of a radius is no valid state.
+namespace adore::dynamics {
+namespace {
+
+struct SlicedRoller {
+  contact::RollerSide side;
+  std::vector<contact::RollerSlice> slices;
+  double slice_width = 0.0, reach = 0.0;  ///< furthest slice from the middle [m]
+  double largest_radius = 0.0;
+};
+
+struct RingModel {
+  std::vector<SlicedRoller> rollers;  ///< one for all, or one by roller
+  std::vector<NeighbourPair> pairs;
+  contact::PowerLaw law;
+  double mass_offset = 0.0, diameter = 0.0;
+
+  [[nodiscard]] const SlicedRoller& roller(std::size_t i) const noexcept {
+    return rollers[rollers.size() == 1 ? 0 : i];
+  }
+};
+
+/// Axis and middle of a roller, base axes.
+struct Axis {
+  Vec3 a, C;
+};
+Axis axis_of(const Evaluation& e, const RingModel& model, std::size_t i) noexcept {
+  const Vec3 a = e.attitude[i].col(0);
+  return {a, e.element_centre(i) - model.mass_offset * a};
+}
+
+/// Least gap that two rollers can have, from the distance of one's middle to the other's axis.
+double gap_bound(const SlicedRoller& one, const Axis& at, const SlicedRoller& other,
+                 const Axis& there) noexcept {
+  const Vec3 between = at.C - there.C;
+  const double distance = (between - between.dot(there.a) * there.a).norm();
+  const double lean = (at.a - at.a.dot(there.a) * there.a).norm();
+  return distance - one.reach * lean - one.largest_radius - other.largest_radius;
+}
+
+/// visit(slice, contact, p, load [N], energy [J], axial part of the force [N]) of every slice of
+/// roller `one` against `other`; the load is half of the law's.
+template <class Visit>
+void for_slices(const RingModel& model, const SlicedRoller& one, const Axis& at,
+                const SlicedRoller& other, const Axis& there, const Visit& visit) noexcept {
+  for (const contact::RollerSlice& slice : one.slices) {
+    const Vec3 p = at.C + slice.s * at.a;
+    const contact::PairSlice c =
+        contact::pair_slice(p, slice.radius, 0.5 * one.slice_width, other.side, there.C, there.a);
+    if (!(c.fraction > 0.0)) continue;
+    const double load = 0.5 * contact::slice_load(model.law, one.slice_width, c.overlap).load;
+    const double energy = (9.0 / 19.0) * load * std::max(c.overlap, 0.0);
+    visit(slice, c, p, load, energy);
+  }
+}
+
+template <bool Traction>
+class RingBlock final : public EffectBlock {
+ public:
+  RingBlock(const RingModel& model, const tribology::TractionLaw& law, double& heat)
+      : model_(model), law_(law), heat_(heat) {}
+  void apply(Evaluation& e) noexcept override {
+    if constexpr (Traction) heat_ = 0.0;
+    law_.visit_rounded([&](const auto& friction) {
+      for (const NeighbourPair& pair : model_.pairs) {
+        const SlicedRoller &one = model_.roller(pair.i), &other = model_.roller(pair.other);
+        const Axis at = axis_of(e, model_, pair.i), there = axis_of(e, model_, pair.other);
+        if (gap_bound(one, at, other, there) > 0.0) continue;
+        press(friction, e, pair.i, one, at, pair.other, other, there);
+        press(friction, e, pair.other, other, there, pair.i, one, at);
+      }
+    });
+  }
+
+ private:
+  template <class Friction>
+  void press(const Friction& friction_per_slip, Evaluation& e, std::size_t i,
+             const SlicedRoller& one, const Axis& at, std::size_t j, const SlicedRoller& other,
+             const Axis& there) noexcept {
+    const Vec3 centre_i = e.element_centre(i), centre_j = e.element_centre(j);
+    Vec3 force = Vec3::Zero(), moment_i = Vec3::Zero(), moment_j = Vec3::Zero();
+    for_slices(
+        model_, one, at, other, there,
+        [&](const contact::RollerSlice& slice, const contact::PairSlice& c, const Vec3& p,
+            double load, double energy) {
+          if (!(load > 0.0)) return;
+          e.valid = e.valid && c.overlap < 0.5 * model_.diameter;
+          const double N = c.fraction * load;
+          e.elastic += c.fraction * energy;
+          const Vec3 f = -N * c.m - (N * c.other_slope + energy * c.fraction_slope) * there.a;
+          force += f;
+          moment_i += (p - centre_i).cross(f);
+          moment_j -= (p - centre_j).cross(f);
+          if constexpr (Traction) {
+            const Vec3 X = p + (slice.radius / (slice.radius + c.other_radius) * c.distance) * c.m;
+            Vec3 slip = e.element_velocity(j) + e.element_omega(j).cross(X - centre_j) -
+                        e.element_velocity(i) - e.element_omega(i).cross(X - centre_i);
+            slip -= slip.dot(c.m) * c.m;
+            const double square = slip.squaredNorm();
+            const double per_slip = N * friction_per_slip(square);
+            const Vec3 pull = per_slip * slip;
+            heat_ += per_slip * square;
+            force += pull;
+            moment_i += (X - centre_i).cross(pull);
+            moment_j -= (X - centre_j).cross(pull);
+          }
+        });
+    e.add_force(i, e.to_cylindrical(i, force));
+    e.add_force(j, e.to_cylindrical(j, -force));
+    e.add_moment(i, e.to_cylindrical(i, moment_i));
+    e.add_moment(j, e.to_cylindrical(j, moment_j));
+  }
+
+  const RingModel& model_;
+  tribology::TractionLaw law_;
+  double& heat_;
+};
+
+class RollerNeighbours final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override {
+    demand(scene.rollers != nullptr, "rollers that touch each other need rollers");
+    const bearing::Bearing& bearing = scene.bearing;
+    const bearing::RollerGeometry& rollers = *bearing.rollers();
+    model_.diameter = rollers.diameter;
+    model_.mass_offset = bearing.roller_mass_offset;
+    model_.pairs = neighbour_pairs(static_cast<std::size_t>(rollers.count));
+    const double E_star =
+        bearing::contact_modulus(bearing.element_material, bearing.element_material);
+    model_.law = contact::power_law(contact::line_constant(E_star), rollers.length);
+    const std::size_t shapes =
+        rollers.deviation.empty() ? 1 : static_cast<std::size_t>(rollers.count);
+    for (std::size_t i = 0; i < shapes; ++i)
+      model_.rollers.push_back(sliced(contact::roller_profile(rollers, rollers.deviation_of(i)),
+                                      scene.rollers->options.slices));
+    constexpr std::string_view kCost = "contacts between elements";
+    if (scene.plan.has(Effect::ElementTraction)) {
+      demand(bearing.element_traction.has_value(),
+             "traction between elements is on without a traction curve");
+      scene.block<RingBlock<true>>(Phase::Force, kCost, {}, model_, *bearing.element_traction,
+                                   heat_);
+      scene.energy("elements.heat", kElementHeat, &heat_);
+    } else {
+      scene.block<RingBlock<false>>(Phase::Force, kCost, {}, model_, tribology::TractionLaw(),
+                                    heat_);
+    }
+    scene.neighbours_meet();
+  }
+
+  [[nodiscard]] std::string why_invalid(const Evaluation& e) const override {
+    for (const NeighbourPair& pair : model_.pairs)
+      if (!(-contact_of(e, pair).gap < 0.5 * model_.diameter))
+        return fmt::format(
+            "rollers {} and {} overlap by more than their radius; check the number of elements, "
+            "speeds and the largest step",
+            pair.i + 1, pair.other + 1);
+    return {};
+  }
+
+  void report(const Evaluation& e, Snapshot& snapshot) const override {
+    for (const NeighbourPair& pair : model_.pairs)
+      snapshot.elements[pair.i].to_next = contact_of(e, pair);
+  }
+
+ private:
+  static SlicedRoller sliced(const contact::RollerProfile& profile, int count) {
+    SlicedRoller out;
+    const contact::Slicing slicing = contact::slicing(profile, count);
+    out.slices = contact::roller_slices(profile, slicing);
+    out.slice_width = slicing.width;
+    out.side = {profile, slicing.start, slicing.start + slicing.effective_length};
+    for (const contact::RollerSlice& slice : out.slices) {
+      out.reach = std::max(out.reach, std::abs(slice.s));
+      out.largest_radius = std::max(out.largest_radius, slice.radius);
+    }
+    return out;
+  }
+
+  /// Load of all slices and their least gap.
+  [[nodiscard]] scene::NeighbourSnapshot contact_of(const Evaluation& e,
+                                                    const NeighbourPair& pair) const {
+    scene::NeighbourSnapshot out;
+    out.gap = std::numeric_limits<double>::infinity();
+    const auto look = [&](const contact::RollerSlice&, const contact::PairSlice& c, const Vec3&,
+                          double load, double) {
+      out.force += c.fraction * load;
+      out.gap = std::min(out.gap, -c.overlap);
+    };
+    const SlicedRoller &one = model_.roller(pair.i), &other = model_.roller(pair.other);
+    const Axis at = axis_of(e, model_, pair.i), there = axis_of(e, model_, pair.other);
+    for_slices(model_, one, at, other, there, look);
+    for_slices(model_, other, there, one, at, look);
+    if (std::isinf(out.gap)) out.gap = gap_bound(one, at, other, there);  // side by side no more
+    return out;
+  }
+
+  RingModel model_;
+  double heat_ = 0.0;  ///< now [W]
+};
+
+}  // namespace
+
+std::unique_ptr<SceneEffect> make_roller_neighbours(const ScenePlan& plan) {
+  if (!plan.rollers || !plan.has(Effect::ElementContact)) return nullptr;
+  return std::make_unique<RollerNeighbours>();
+}
+
+}  // namespace adore::dynamics

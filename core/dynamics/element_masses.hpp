@@ -1,0 +1,41 @@
+#pragma once
+
+#include "bearing/bearing.hpp"
+
+#include <cstddef>
+#include <vector>
+
+/// Mass and inertia of rolling elements that are no ideal ones (record 6.1).
+///
+/// The nine quantities of an element are those of its reference point: the centre of a ball, of a
+/// roller the point of its axis beside the mass centre that contacts count from
+/// (Bearing::roller_mass_offset). Its mass centre is `arm` from there in body axes: zero but for
+/// unbalanced elements, and of rollers zero along the axis unless element 1 has its own inertia.
+namespace adore::dynamics {
+
+using Vec3 = bearing::Vec3;
+using Mat3 = Eigen::Matrix3d;
+
+struct ElementMass {
+  double mass = 0.0;            ///< [kg]
+  Mat3 inertia = Mat3::Zero();  ///< about the mass centre, body axes [kg m²]
+  Mat3 inverse = Mat3::Zero();  ///< of it
+  Vec3 arm = Vec3::Zero();      ///< [m]
+  bool off_centre = false;      ///< the arm is not 0
+};
+
+class ElementMasses {
+ public:
+  ElementMasses() = default;
+  explicit ElementMasses(const bearing::Bearing& bearing);
+  [[nodiscard]] const ElementMass& operator[](std::size_t element) const noexcept {
+    return all_[element < all_.size() ? element : all_.size() - 1];
+  }
+  /// Some mass centre is not at the reference point.
+  [[nodiscard]] bool off_centre() const noexcept;
+
+ private:
+  std::vector<ElementMass> all_;  ///< one for all, or of element 1 and of the others
+};
+
+}  // namespace adore::dynamics

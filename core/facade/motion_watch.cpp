@@ -1,0 +1,171 @@
+#include "facade/motion_watch.hpp"
+
+#include "contact/ball_pocket.hpp"
+#include "contact/conformal.hpp"
+#include "contact/line_contact.hpp"
+#include "life/stress_life.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace adore::facade {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr std::array<const char*, 2> kRace{"outer", "inner"};
+
+std::string quantity(double si, const results::UnitPair& unit, results::UnitSystem units) {
+  return fmt::format("{:.4g} {}", results::from_si(si, unit, units),
+                     results::unit_name(unit, units));
+}
+
+}  // namespace
+
+MotionWatch::MotionWatch(const bearing::Bearing& bearing) : bearing_(bearing) {
+  if (bearing.cage)
+    cage_limit_ =
+        bearing.cage->material.elastic_strain_limit * bearing.cage->material.elastic_modulus;
+}
+
+void MotionWatch::look(const scene::Snapshot& at) {
+  const life::RaceStrength now = life::contact_strength(bearing_, at.elements);
+  for (std::size_t race = 0; race < 2; ++race)
+    if (now[race][0].pressure > strength_[race][0].pressure) {
+      strength_[race] = now[race];
+      strength_time_[race] = at.time;
+    }
+  if (bearing_.rollers() == nullptr)
+    for (std::size_t race = 0; race < 2; ++race) {
+      Worst& worst = shoulder_[race];
+      bool passed = false;
+      for (std::size_t i = 0; i < at.elements.size(); ++i) {
+        const scene::RaceContactSnapshot& contact = at.elements[i].race[race];
+        const double over = contact.load > 0.0 ? -contact.edge : 0.0;
+        passed = passed || over > 0.0;
+        if (over > worst.value) {
+          worst.value = over;
+          worst.time = at.time;
+          worst.element = i + 1;
+        }
+      }
+      worst.steps += passed ? 1 : 0;
+    }
+  if (bearing_.cage) look_at_cage(at);
+}
+
+double MotionWatch::pocket_pressure(const scene::PocketContactSnapshot& contact) const {
+  const bearing::Cage& cage = *bearing_.cage;
+  if (!(contact.force > 0.0)) return 0.0;
+  const double D = bearing_.element_diameter();
+  if (const bearing::RollerGeometry* rollers = bearing_.rollers()) {
+    const double E_star = bearing::contact_modulus(bearing_.element_material, cage.material);
+    const bool round = cage.pocket == bearing::PocketShape::Cylindrical;
+    const double curvature = round ? 2.0 / D - 2.0 / (D + cage.pocket_clearance_1) : 2.0 / D;
+    if (!(curvature > 0.0)) return 0.0;
+    return contact::line_pressure(contact.force / rollers->length, curvature, E_star).peak;
+  }
+  const auto [low, high] =
+      contact::wall_height(cage.outer_diameter, cage.inner_diameter, bearing_.pitch_diameter());
+  const contact::PocketLaw law = contact::ball_pocket_law(
+      bearing_.element_material, cage.material, D,
+      contact::wall_curvatures(contact::BallPocket{cage.pocket, D, cage.pocket_clearance_1,
+                                                   cage.pocket_clearance_2, low, high}));
+  // Beyond the cap the patch no longer grows.
+  const double Q =
+      std::min(contact.force, law.law.load_cap > 0.0 ? law.law.load_cap : contact.force);
+  const double area = kPi * law.hertz.a_hat * law.hertz.b_hat * std::cbrt(Q * Q);
+  return std::isfinite(area) && area > 0.0 ? 1.5 * contact.force / area : 0.0;
+}
+
+void MotionWatch::look_at_cage(const scene::Snapshot& at) {
+  const bearing::Cage& cage = *bearing_.cage;
+  bool overlap = false;
+  if (at.cages.size() > 1)
+    for (std::size_t k = 0; k < at.cages.size(); ++k) {
+      const double depth = -at.cages[k].to_next;
+      overlap = overlap || depth > 0.0;
+      if (depth > overlap_.value)
+        overlap_ = {depth, at.time, 0, overlap_.steps,
+                    fmt::format("{} and {}", k + 1, (k + 1) % at.cages.size() + 1)};
+    }
+  overlap_.steps += overlap ? 1 : 0;
+  if (!(cage_limit_ > 0.0)) return;
+  bool passed = false;
+  const auto offer = [&](double pressure, double ratio, auto&& where) {
+    if (!(pressure > 0.0)) return;
+    const double stress =
+        pressure * life::peak_ratios(ratio, cage.material.poisson_ratio).von_mises;
+    passed = passed || stress > cage_limit_;
+    if (stress <= cage_.value) return;
+    cage_ = {stress, at.time, 0, cage_.steps, where()};
+    cage_pressure_ = pressure;
+  };
+  // The stress ratio is asked for once, for the contact of largest force: pockets are alike.
+  const scene::PocketContactSnapshot* heaviest = nullptr;
+  std::size_t element = 0;
+  const auto take = [&](const std::vector<scene::PocketContactSnapshot>& pocket, std::size_t i) {
+    for (const scene::PocketContactSnapshot& one : pocket)
+      if (one.force > (heaviest == nullptr ? 0.0 : heaviest->force)) {
+        heaviest = &one;
+        element = i;
+      }
+  };
+  for (std::size_t i = 0; i < at.elements.size(); ++i) take(at.elements[i].pocket, i);
+  for (const scene::CageSnapshot& piece : at.cages) take(piece.last_half, at.elements.size());
+  if (heaviest != nullptr)
+    offer(pocket_pressure(*heaviest), bearing_.rollers() != nullptr ? 0.0 : 1.0, [&] {
+      return element < at.elements.size()
+                 ? fmt::format("in the pocket of element {}", element + 1)
+                 : std::string("in the half pocket at the end of a segment");
+    });
+  for (const scene::CageSnapshot& piece : at.cages)
+    for (std::size_t i = 0; i < piece.lands.size() && i < cage.lands.size(); ++i) {
+      if (cage.lands[i].guide == bearing::GuideLand::Guide::None) continue;
+      const auto race = cage.lands[i].guide == bearing::GuideLand::Guide::Outer ? 0U : 1U;
+      const double E_star = bearing::contact_modulus(cage.material, bearing_.race_material[race]);
+      const double foundation = 3.0 * kPi * E_star / (16.0 * 0.5 * cage.lands[i].diameter);
+      offer(foundation * std::max(-piece.lands[i].gap, 0.0), 0.0,
+            [&] { return fmt::format("at guide land {}", i + 1); });
+    }
+  cage_.steps += passed ? 1 : 0;
+}
+
+std::vector<std::string> MotionWatch::warnings(results::UnitSystem units) const {
+  std::vector<std::string> out;
+  for (std::size_t race = 0; race < 2; ++race) {
+    life::RaceStrength one{};
+    one[race] = strength_[race];
+    for (std::string& text : life::strength_warnings(bearing_, one))
+      out.push_back(fmt::format("at t = {:.6g} s, the worst of all stored steps: {}",
+                                strength_time_[race], text));
+    const Worst& over = shoulder_[race];
+    if (over.steps > 0)
+      out.push_back(fmt::format(
+          "in {} of the stored steps contact ellipses reach over the shoulder of the {} race, the "
+          "worst that of ball {} at t = {:.6g} s by {}: the motion keeps the whole ellipse, so "
+          "that "
+          "loads there are better than real",
+          over.steps, kRace[race], over.element, over.time,
+          quantity(over.value, results::unit::kLength, units)));
+  }
+  if (cage_.steps > 0)
+    out.push_back(fmt::format(
+        "in {} of the stored steps the cage ({}) yields, the worst {} at t = {:.6g} s: a von Mises "
+        "stress of {:.4g} MPa at a pressure of {:.4g} MPa, with an elastic limit of {:.4g} MPa "
+        "(cageESL {:.4g} times the modulus); contacts are elastic in this run",
+        cage_.steps, bearing_.cage->material.name, cage_.where, cage_.time, 1e-6 * cage_.value,
+        1e-6 * cage_pressure_, 1e-6 * cage_limit_, bearing_.cage->material.elastic_strain_limit));
+  if (overlap_.steps > 0)
+    out.push_back(fmt::format(
+        "in {} of the stored steps segments of the cage overlap, the worst {} by {} at t = {:.6g} "
+        "s: segments do not touch each other in this model; give a wider cut (cageAngCut) or less "
+        "pocket clearance",
+        overlap_.steps, overlap_.where, quantity(overlap_.value, results::unit::kLength, units),
+        overlap_.time));
+  return out;
+}
+
+}  // namespace adore::facade

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "bearing/bearing.hpp"
+#include "life/contact_strength.hpp"
+#include "results/quantities.hpp"
+#include "scene/snapshot.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+/// Limits that a motion may pass without breaking off, watched at the stored steps (F118):
+///   contact ellipses of balls that reach over the shoulder of a race,
+///   race contacts under which race or element yields (life/contact_strength.hpp),
+///   pockets and guide lands under which the cage yields (cageESL): c p above the elastic limit, p
+///   the largest Hertz pressure of a ball in its pocket, the pressure of the mean load per length
+///   of a roller at a face of its pocket, or the largest pressure of the elastic foundation of a
+///   land, ends of cage segments that overlap, which nothing prevents (N106).
+/// Each is said once, with the worst of all stored steps. What happens between them is not seen.
+namespace adore::facade {
+
+class MotionWatch {
+ public:
+  explicit MotionWatch(const bearing::Bearing& bearing);
+  void look(const scene::Snapshot& at);
+  /// Sentences; empty: no limit was passed.
+  [[nodiscard]] std::vector<std::string> warnings(results::UnitSystem units) const;
+
+ private:
+  struct Worst {
+    double value = 0.0, time = 0.0;
+    std::size_t element = 0;  ///< from 1, 0: none
+    std::size_t steps = 0;    ///< in which the limit was passed
+    std::string where;
+  };
+  void look_at_cage(const scene::Snapshot& at);
+  /// Pressure in the pocket of one element, and its von Mises stress [Pa].
+  [[nodiscard]] double pocket_pressure(const scene::PocketContactSnapshot& contact) const;
+
+  bearing::Bearing bearing_;
+  life::RaceStrength strength_{};
+  std::array<double, 2> strength_time_{};
+  std::array<Worst, 2> shoulder_;
+  Worst cage_, overlap_;
+  double cage_pressure_ = 0.0, cage_limit_ = 0.0;  ///< of the worst; of the material [Pa]
+};
+
+}  // namespace adore::facade

@@ -1,0 +1,18 @@
+#include "base/spelling.hpp"
+
+#include <catch2/catch.hpp>
+
+using adore::edit_distance;
+
+TEST_CASE("letters put in, left out, replaced or swapped count one each", "[unit][base]") {
+  CHECK(edit_distance("plot", "PLOT") == 0);
+  CHECK(edit_distance("", "plot") == 4);
+  CHECK(edit_distance("plot", "") == 4);
+  CHECK(edit_distance("plt", "plot") == 1);
+  CHECK(edit_distance("ploot", "plot") == 1);
+  CHECK(edit_distance("plat", "plot") == 1);
+  CHECK(edit_distance("plto", "plot") == 1);
+  CHECK(edit_distance("lpto", "plot") == 2);
+  CHECK(edit_distance("kitten", "sitting") == 3);
+  CHECK(edit_distance("ca", "abc") == 3);  // no letter is changed twice
+}

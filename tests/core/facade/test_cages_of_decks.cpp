@@ -1,0 +1,201 @@
+#include "core/results/synthetic.hpp"
+#include "deck/templates.hpp"
+#include "facade/prepare.hpp"
+#include "facade/run.hpp"
+#include "results/h5_file.hpp"
+#include "results/sol_file.hpp"
+#include "support/paths.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+/// Decks with segmented cages, without cage, and with unbalanced elements.
+using namespace adore;
+using deck::Deck;
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+/// Later values replace earlier ones.
+Sets with(Sets sets, const Sets& more) {
+  for (const auto& [name, value] : more) {
+    const auto found =
+        std::find_if(sets.begin(), sets.end(), [&](const auto& set) { return set.first == name; });
+    if (found == sets.end())
+      sets.emplace_back(name, value);
+    else
+      found->second = value;
+  }
+  return sets;
+}
+
+Deck deck_of(const char* type, const Sets& sets) {
+  Deck deck = deck::new_deck(type);
+  deck.set_all(with({{"maxStps", "30"}, {"nStps", "2"}, {"kPltFreq", "10"}}, sets));
+  return deck;
+}
+
+/// Three segments of four pockets, cut between the pockets (or through them).
+Sets segments(bool through) {
+  const std::string sign = through ? "-" : "";
+  return {{"nCseg", "3"},           {"cageAngCut", "1"},
+          {"lSeg[1]", sign + "2"},  {"lSeg[2]", sign + "6"},
+          {"lSeg[3]", sign + "10"}, {"avRatio[1]", "0.98"},
+          {"avRatio[2]", "1"},      {"avRatio[3]", "1.02"},
+          {"kNumPltElem", "3"},     {"kPltElemInd", "1,13,15"}};
+}
+
+std::string refusal(const Deck& deck) {
+  facade::DeckRequest request;
+  request.text = deck::write_deck(deck);
+  try {
+    (void)facade::prepare(request);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "was accepted";
+}
+
+struct Ran {
+  facade::RunOutcome outcome;
+  json report;
+  std::string print;
+};
+
+Ran run(const Deck& deck, const fs::path& folder, bool go_on = false) {
+  fs::create_directories(folder);
+  deck::write_deck(deck, folder / "DATA.txt");
+  facade::RunRequest request;
+  request.deck = folder / "DATA.txt";
+  request.go_on = go_on;
+  Ran out;
+  out.outcome = facade::run(request);
+  out.report = json::parse(testing::read_bytes(folder / "RUN.json"));
+  out.print = testing::read_bytes(folder / "PRINT.txt");
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a deck with a segmented cage runs and its files hold every segment",
+          "[validation][cage]") {
+  for (const bool through : {false, true}) {
+    const testing::TemporaryFolder folder;
+    const fs::path here = folder / "run";
+    const Ran ran = run(deck_of("ball", segments(through)), here);
+    INFO("through pockets " << through);
+    CHECK(std::abs(ran.outcome.energy_residual) < 1e-5 * ran.outcome.energy_scale);
+    // Element 13 is segment 1, 15 segment 3; both have four pockets, cut ones four and a half more.
+    const results::SolFile sol = results::read_sol(here / "SOL2");
+    CHECK(sol.header.segments == 3);
+    CHECK(sol.header.per_segment == 4);
+    CHECK(sol.header.title == "Cage Segment 1");
+    CHECK(sol.header.value_count == 24 + 4 * (through ? 5 : 4));
+    CHECK(results::read_sol(here / "SOL3").header.title == "Cage Segment 3");
+    for (const char* text : {"segment 3", "Segments 3 and 1", "Start of the cage segment 2"})
+      CHECK_THAT(ran.print, Catch::Contains(text));
+    CHECK((ran.print.find("end 3") != std::string::npos) == through);
+  }
+}
+
+TEST_CASE("a run with a segmented cage goes on from where it was", "[validation][cage]") {
+  const testing::TemporaryFolder folder;
+  const Sets sets = segments(true);
+  const Ran whole = run(deck_of("ball", with(sets, {{"maxStps", "40"}})), folder / "whole");
+  (void)run(deck_of("ball", with(sets, {{"maxStps", "20"}})), folder / "parts");
+  Deck rest = deck_of("ball", with(sets, {{"maxStps", "20"}, {"kIcOpt", "1"}}));
+  const Ran parts = run(rest, folder / "parts");
+  CHECK(parts.outcome.steps == whole.outcome.steps);
+  CHECK(parts.outcome.time == Approx(whole.outcome.time).epsilon(1e-6));
+}
+
+TEST_CASE("roller decks with segments or without cage run and close the energy ledger",
+          "[validation][cage][rollers]") {
+  for (const char* type : {"cylindrical", "spherical", "tapered", "spherical-tapered"}) {
+    const testing::TemporaryFolder folder;
+    for (const bool cage : {true, false}) {
+      const Sets sets = cage
+                            ? Sets{{"nRe", "12"},       {"nCseg", "2"},       {"cageAngCut", "0.5"},
+                                   {"lSeg[1]", "1"},    {"lSeg[2]", "7"},     {"avRatio[1]", "1"},
+                                   {"avRatio[2]", "1"}, {"kNumPltElem", "1"}, {"kPltElemInd", "1"}}
+                            : Sets{{"nCseg", "0"}, {"kNumPltElem", "1"}, {"kPltElemInd", "1"}};
+      const Ran ran = run(deck_of(type, sets), folder / (cage ? "segments" : "none"));
+      INFO(type << (cage ? " in segments" : " without cage") << ": residual "
+                << ran.outcome.energy_residual << " of " << ran.outcome.energy_scale);
+      CHECK(std::abs(ran.outcome.energy_residual) < 1e-5 * ran.outcome.energy_scale);
+    }
+  }
+}
+
+TEST_CASE("unequal, unbalanced and single odd elements run from decks", "[validation][rigid]") {
+  const Sets ball{{"bReMass", "8.4e-3"}, {"bReMIx", "1.3e-7"},   {"bReMIy", "1.35e-7"},
+                  {"bReMIz", "1.4e-7"},  {"bReGeoCenX", "1e-6"}, {"bReGeoCenZ", "2e-6"},
+                  {"bReFrameY", "5"}};
+  const Sets roller{{"bReMass", "8e-3"},  {"bReMIx", "1.2e-7"},   {"bReMIy", "1.4e-7"},
+                    {"bReMIz", "1.5e-7"}, {"bReGeoCenX", "1e-5"}, {"bReGeoCenY", "2e-6"},
+                    {"bReFrameX", "20"}};
+  for (const char* code : {"1", "2"})
+    for (const auto& [type, sets] : {std::pair{"ball", ball}, {"tapered", roller}}) {
+      const testing::TemporaryFolder folder;
+      const Ran ran = run(deck_of(type, with({{"kReIP", code}}, sets)), folder / "run");
+      INFO(type << ", kReIP = " << code);
+      CHECK(std::abs(ran.outcome.energy_residual) < 1e-5 * ran.outcome.energy_scale);
+    }
+}
+
+TEST_CASE("what segments and unbalanced elements cannot do is refused by what it is",
+          "[unit][cage]") {
+  CHECK_THAT(refusal(deck_of("ball", with(segments(true), {{"qFac", "0.05"}}))),
+             Catch::Contains("whole pockets only"));
+  CHECK(refusal(deck_of("ball", with(segments(false), {{"qFac", "0.05"}}))) == "was accepted");
+  CHECK_THAT(refusal(deck_of("ball", with(segments(false), {{"cageAngCut", "20"}}))),
+             Catch::Contains("cuts more than the bars") && Catch::Contains("give at most"));
+  CHECK_THAT(refusal(deck_of("ball", with(segments(true), {{"cageAngCut", "20"}}))),
+             Catch::Contains("touches on both sides"));
+  CHECK_THAT(refusal(deck_of("ball", {{"kReIP", "1"},
+                                      {"bReMass", "8e-3"},
+                                      {"bReMIx", "1e-7"},
+                                      {"bReMIy", "1e-7"},
+                                      {"bReMIz", "1e-7"},
+                                      {"qFac", "0.05"}})),
+             Catch::Contains("inertia of its own"));
+}
+
+TEST_CASE("a cage whose strain limit is passed is said to yield", "[validation][cage]") {
+  const testing::TemporaryFolder folder;
+  const Sets wild{{"avRatio", "2.5"},  {"maxStps", "60"},  {"kCageMat", "1"},
+                  {"cageDen", "7800"}, {"cageEM", "2e11"}, {"cagePR", "0.3"},
+                  {"cageH", "20"},     {"cageTC", "40"},   {"cageSH", "450"}};
+  const auto warnings = [&](const char* limit) {
+    std::string out;
+    const Ran ran = run(deck_of("ball", with(wild, {{"cageESL", limit}})), folder / limit);
+    for (const Issue& issue : ran.outcome.warnings) out += issue.message + "\n";
+    return out;
+  };
+  CHECK_THAT(warnings("1e-5"), Catch::Contains("the cage (given in the deck) yields"));
+  CHECK_THAT(warnings("0.5"), !Catch::Contains("yields, the worst"));
+}
+
+TEST_CASE("a cage in the middle that elements overlap is refused for the clearance",
+          "[validation][cage]") {
+  const auto refused = [](const Deck& deck) -> std::string {
+    const testing::TemporaryFolder folder;
+    try {
+      (void)run(deck, folder / "run");
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "ran";
+  };
+  // No axial play in rectangular ball pockets, whatever record 9.6 does across the axis.
+  CHECK_THAT(refused(deck_of("ball", {{"kPocType", "3"}, {"bPocCls2", "0"}})),
+             Catch::Contains("bPocCls2") && Catch::Contains("more clearance"));
+  CHECK_THAT(refused(deck_of("ball", {{"cageGcPos", "0,0,-3e-4"}})),
+             Catch::Contains("smaller offsets and angles"));
+}
