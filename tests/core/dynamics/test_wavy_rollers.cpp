@@ -105,8 +105,8 @@ TEST_CASE("rollers on wavy races: at rest the loads are those of the static solu
                              roller_bearings::spherical(0.0)}) {
     const bool groove = b.rollers()->groove_factor[0] > 0.0;
     b.imperfections.race = {errors_of(groove, false), errors_of(groove, true)};
-    // Statics do not follow the curvature while the inner race moves over the rollers.
-    for (RaceErrors& e : b.imperfections.race) e.curvature_factor = {};
+    // Statics do not follow taper, land and curvature while the inner race moves over the rollers:
+    // 1e-4 rad, which is up to 0.05 N on slices of 100 N.
     INFO("type " << static_cast<int>(b.type));
     Scene s = roller_scene::scene_of(b, roller_scene::races_only());
     const Snapshot at = s.system.snapshot(0.0, s.system.initial_state());
@@ -116,7 +116,7 @@ TEST_CASE("rollers on wavy races: at rest the loads are those of the static solu
         const std::vector<double>& solved = s.rollers->solution.rollers[i].race[j].slice_load;
         REQUIRE(at.elements[i].race[j].slice_load.size() == solved.size());
         for (std::size_t k = 0; k < solved.size(); ++k)
-          CHECK(at.elements[i].race[j].slice_load[k] == Approx(solved[k]).margin(1e-8 * load));
+          CHECK(at.elements[i].race[j].slice_load[k] == Approx(solved[k]).margin(2e-4 * load));
       }
     // Statics know the push of an oval; of the other waves, a changing taper or land, they do not.
     CHECK(at.races[1].applied_force[2] ==
