@@ -1,6 +1,7 @@
 #include "contact/guide_land.hpp"
 
 #include "base/gauss.hpp"
+#include "contact/race_wave.hpp"
 
 #include <vector>
 
@@ -122,10 +123,8 @@ std::array<double, 2> LandProfile::at(double psi) const noexcept {
     case Kind::Ellipse: {
       const double p = 1 / ((radius + variation_1) * (radius + variation_1));
       const double q = 1 / ((radius + variation_2) * (radius + variation_2));
-      const double s = std::sin(psi), c = std::cos(psi);
-      const double u = p * s * s + q * c * c;  // R = u^(-1/2)
-      const double R = 1 / std::sqrt(u);
-      return {R, -R * (p - q) * s * c / u};
+      const auto [R, slope] = oval_radius(q, p, std::cos(psi), std::sin(psi));
+      return {R, slope};
     }
   }
   return {radius, 0.0};

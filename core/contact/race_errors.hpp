@@ -1,8 +1,9 @@
 #pragma once
 
 #include "bearing/imperfections.hpp"
-#include "contact/guide_land.hpp"
+#include "contact/race_slope.hpp"
 #include "contact/race_surface.hpp"
+#include "contact/race_wave.hpp"
 
 #include <array>
 #include <cmath>
@@ -12,41 +13,25 @@
 ///   elliptical  R(ψ) = AB/√(B² cos² t + A² sin² t), A = R + v1, B = R + v2, t = ψ - v3
 ///   sinusoidal  R(ψ) = R + v1 sin(v2 ψ + v3)
 ///   land offset, taper, curvature factor   a sin(nψ + p) each
-/// Evaluate once per element and race, at the azimuth of the contact.
+/// Evaluate once per element and race, at the azimuth of the contact. The formulas: race_wave.hpp.
 namespace adore::contact {
 
 using bearing::Harmonic;
 using bearing::RaceErrors;
 
-/// Values at one azimuth.
-struct LocalRaceError {
-  double radius = 0.0;            ///< R(ψ) - R [m]
-  double radius_slope = 0.0;      ///< dR/dψ [m/rad]
-  double land_offset = 0.0;       ///< [m]
-  double taper = 0.0;             ///< [rad]
-  double curvature_factor = 0.0;  ///< change of f [-]
-};
-
+/// Ready for evaluation by race_error_at of race_wave.hpp.
 /// @param nominal_radius R: race radius at mid contact, for a groove the radius of its bottom [m]
+[[nodiscard]] RaceForm race_form(const RaceErrors& errors, double nominal_radius);
+
+/// For races in motion: a wave that does not close has a step where the turn closes, over which no
+/// finite force lifts an element.
+/// @throws InputError naming the number of waves that is not whole
+void check_whole_waves(const RaceErrors& errors);
+
+/// At an angle; waves of any number.
 [[nodiscard]] inline LocalRaceError race_error_at(const RaceErrors& errors, double nominal_radius,
-                                                  double psi) noexcept {
-  LocalRaceError e;
-  if (errors.roundness != RaceErrors::Roundness::None) {
-    const bool wave = errors.roundness == RaceErrors::Roundness::Sinusoidal;
-    LandProfile outline;
-    outline.radius = nominal_radius;
-    outline.kind = wave ? LandProfile::Kind::Wave : LandProfile::Kind::Ellipse;
-    outline.variation_1 = wave ? errors.variation[0] : errors.variation[1];
-    outline.variation_2 = wave ? errors.variation[1] : errors.variation[0];
-    outline.phase = wave ? errors.variation[2] : 0.0;
-    const auto [radius, slope] = outline.at(wave ? psi : psi - errors.variation[2]);
-    e.radius = radius - nominal_radius;
-    e.radius_slope = slope;
-  }
-  e.land_offset = errors.land_offset.at(psi);
-  e.taper = errors.taper.at(psi);
-  e.curvature_factor = errors.curvature_factor.at(psi);
-  return e;
+                                                  double psi) {
+  return race_error_at(race_form(errors, nominal_radius), AzimuthAngle{psi});
 }
 
 /// The race as it is at one azimuth.
@@ -60,6 +45,30 @@ struct LocalRaceError {
                                           double curvature_diameter = 0.0,
                                           const std::array<double, 2>& nominal_normal = {
                                               0.0, 1.0}) noexcept;
+
+/// n of the nominal contact in (x, r) where a groove is touched.
+[[nodiscard]] inline std::array<double, 2> nominal_groove_normal(const RaceSurface& groove) {
+  return {(groove.mid_x - groove.groove_x) / groove.groove_radius,
+          (groove.mid_r - groove.groove_centre_radius) / groove.groove_radius};
+}
+
+/// A race for rollers that has errors, in motion.
+struct WavyRace {
+  RaceForm form;
+  RaceSurface ideal;
+  double curvature_diameter = 0.0;  ///< 2 R_c [m]
+  std::array<double, 2> normal{0.0, 1.0};
+
+  struct Here {
+    RaceSurface surface;
+    RaceSlope slope;
+  };
+  [[nodiscard]] Here at(const AzimuthDirection<double>& psi) const noexcept;
+};
+/// @param nominal_radius as in race_form; crown_radius R_c [m]
+/// @throws InputError when the waves per turn are not whole numbers
+[[nodiscard]] WavyRace make_wavy_race(const RaceErrors& errors, const RaceSurface& ideal,
+                                      double nominal_radius, double crown_radius);
 
 /// Normal of a wavy race: n - n_r (R'/r) e_ψ, made unit. Without it the wave moves the roller but
 /// does no work on it, and the energy ledger does not close [derived]. X and n in the race frame.

@@ -2,6 +2,7 @@
 
 #include "base/scalar_math.hpp"
 #include "contact/race_shape.hpp"
+#include "contact/race_slope.hpp"
 #include "contact/slice_circle.hpp"
 #include "contact/slice_law.hpp"
 #include "contact/triple.hpp"
@@ -36,6 +37,7 @@ struct RollerRaceSums {
   Triple<T> force{T(0.0), T(0.0), T(0.0)};   ///< on the roller
   Triple<T> moment{T(0.0), T(0.0), T(0.0)};  ///< about C
   T load = 0.0, energy = 0.0, heat = 0.0, load_slip = 0.0;
+  T turning = 0.0;  ///< ∂U/∂ψ of a race with errors [J/rad]
 };
 
 /// How vectors are read from memory and summed over lanes: for double, and in roller_race_simd.hpp
@@ -50,12 +52,15 @@ struct SliceLanes<double> {
 };
 
 /// @param traction callable (u², pressure) -> κ(s)/s on T, or nullptr: none
-template <class T, class Traction>
+/// @param slope RaceSlope of a race with errors at the azimuth of C, or nullptr
+template <class T, class Traction, class Slope = std::nullptr_t>
 [[nodiscard, gnu::always_inline]] inline RollerRaceSums<T> roller_race_sums(
-    const RaceSlices& slices, const RollerPose& at, const Traction& traction) noexcept {
+    const RaceSlices& slices, const RollerPose& at, const Traction& traction,
+    const Slope& slope = nullptr) noexcept {
   using M = ScalarMath<T>;
   using Lanes = SliceLanes<T>;
   constexpr bool kTraction = !std::is_null_pointer_v<Traction>;
+  constexpr bool kWavy = !std::is_null_pointer_v<Slope>;
   constexpr double kOverPi = 0.31830988618379067154;
   const RaceSurface& surface = slices.race;
   RollerRaceSums<T> sum;
@@ -70,9 +75,13 @@ template <class T, class Traction>
     tan_chi = k == 0 ? found : 2.0 * found - last;
     last = found;
     if (!M::any(d.at.depth > 0.0)) continue;
-    if (slices.limited)
-      width = overlap_width(land_coordinate(surface, d.X.x), width, surface.land_offset,
-                            surface.land_width);
+    [[maybe_unused]] T widens = 0.0;
+    if (slices.limited) {
+      const T x = land_coordinate(surface, d.X.x);
+      if constexpr (kWavy)
+        widens = width_slope(x, width, surface.land_offset, surface.land_width) * slope.land_offset;
+      width = overlap_width(x, width, surface.land_offset, surface.land_width);
+    }
     const T delta = M::max(d.at.depth, T(0.0));
     const T Q = slice_secant(slices.law, width, delta) * delta;
     const Triple<T>& n = d.at.n;
@@ -95,6 +104,9 @@ template <class T, class Traction>
     sum.moment = sum.moment + cross(arm, f);
     sum.load += Q;
     sum.energy += (9.0 / 19.0) * Q * delta;
+    if constexpr (kWavy)
+      sum.turning += Q * (depth_slope(surface, slope, d.X, d.at) +
+                          (9.0 / 19.0) * delta * widens / M::max(width, T(1e-30)));
   }
   return sum;
 }

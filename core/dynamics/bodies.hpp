@@ -58,7 +58,7 @@ struct RaceBody : BodyState {
   [[nodiscard]] Vec3 axis() const noexcept { return to_base.col(0); }
   /// What the contact kernel reads.
   [[nodiscard]] RaceMotion motion() const noexcept {
-    return {position, axis(), speed, velocity, tilt};
+    return {position, axis(), speed, velocity, tilt, to_base.col(2), turn_beyond};
   }
   [[nodiscard]] Quat orientation() const noexcept {
     return multiply(attitude, quaternion_about(Vec3::UnitX(), turn_beyond));

@@ -3,7 +3,9 @@
 #include "base/errors.hpp"
 #include "base/symmetric_eigen.hpp"
 #include "contact/hertz.hpp"
+#include "contact/wavy_groove.hpp"
 #include "dynamics/stiff_inverse.hpp"
+#include "statics/dual.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +13,7 @@ namespace adore::dynamics {
 namespace {
 
 RacePose in_frame(const Mat3& frame, const RacePose& pose) noexcept {
-  return {frame * pose.centre, frame * pose.axis};
+  return {frame * pose.centre, frame * pose.axis, frame * pose.zero};
 }
 
 constexpr int kMaxIterations = 200;
@@ -31,6 +33,7 @@ GrooveContact ConstrainedBall::contact_with(int race, const RacePose& pose,
                                             const Vec2& at) const noexcept {
   using adore::contact::Triple;
   const auto j = static_cast<std::size_t>(race);
+  if (Vec3 per_turn; wavy_[j] != nullptr) return wavy_contact(race, pose, at, per_turn);
   const Triple<double> k{pose.axis[0], pose.axis[1], pose.axis[2]};
   const Triple<double> d{at[0] - pose.centre[0], at[1] - pose.centre[1], -pose.centre[2]};
   const auto place = adore::contact::groove_place(d, k, groove_.centre_radius[j]);
@@ -66,6 +69,56 @@ GrooveContact ConstrainedBall::contact_with(int race, const RacePose& pose,
   c.stiffness += coupling * (c.normal * side.transpose() + side * c.normal.transpose()) +
                  across * side * side.transpose() -
                  lean * touch.n_k / place.distance * t * t.transpose();
+  return c;
+}
+
+/// The gradient of V as in the kernel, with dual numbers for the ball's place and the race's turn.
+GrooveContact ConstrainedBall::wavy_contact(int race, const RacePose& pose, const Vec2& at,
+                                            Vec3& per_turn) const noexcept {
+  namespace con = adore::contact;
+  using D = statics::Dual<4>;
+  using con::Triple;
+  const auto j = static_cast<std::size_t>(race);
+  const auto fixed = [](const Vec3& v) { return Triple<D>{D(v[0]), D(v[1]), D(v[2])}; };
+  const Triple<D> k = fixed(pose.axis);
+  const Triple<D> d{D::variable(at[0] - pose.centre[0], 0), D::variable(at[1] - pose.centre[1], 1),
+                    D::variable(-pose.centre[2], 2)};
+  const Triple<D> zero = fixed(pose.zero) + D::variable(0.0, 3) * fixed(pose.axis.cross(pose.zero));
+  const auto place = con::groove_place(d, k, groove_.centre_radius[j]);
+  const con::WavyTouch<D> wavy = con::wavy_touch(*wavy_[j], con::azimuth_in_race(k, place.e, zero),
+                                                 place.axial, place.lift, groove_.offset[j]);
+  const con::GrooveTouch<D>& touch = wavy.touch;
+  const Triple<D> t = cross(k, place.e);
+  const Triple<D> n = touch.n_k * k + touch.n_e * place.e;
+
+  GrooveContact c;
+  const auto split = [](const Triple<D>& v, Vec3& value, Mat3& over_place, Vec3& over_turn) {
+    const std::array<const D*, 3> parts{&v.x, &v.y, &v.z};
+    for (int row = 0; row < 3; ++row) {
+      const D& part = *parts[static_cast<std::size_t>(row)];
+      value[row] = part.v;
+      for (int column = 0; column < 3; ++column)
+        over_place(row, column) = part.d[static_cast<std::size_t>(column)];
+      over_turn[row] = part.d[3];
+    }
+  };
+  c.approach = touch.approach.v;
+  split(n, c.normal, c.bending, per_turn);
+  per_turn.setZero();
+  if (!(c.approach > 0.0)) return c;
+  const D root = statics::square_root(touch.approach);
+  con::PolynomialValue<D> K{D(K_[j]), D(0.0)};
+  if (law_[j].follows) K = con::polynomial_with_slope(law_[j].K, touch.n_e);
+  const D load = con::point_load(K.value * wavy.stiffness, touch.approach, root);
+  const D across =
+      con::leaning_force(K.slope * wavy.stiffness, touch.approach, root, touch.n_k, touch.length);
+  const D push = con::wavy_push(wavy, load, across, touch.approach, place.distance);
+  c.load = load.v;
+  c.energy = con::point_energy(c.load, c.approach);
+  c.angle = con::contact_angle(race, touch.n_k.v, touch.n_e.v);
+  const Triple<D> force = push * t - load * n + across * cross(t, n);
+  split(force, c.force, c.stiffness, per_turn);
+  c.stiffness *= -1.0;
   return c;
 }
 

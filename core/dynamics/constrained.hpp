@@ -6,6 +6,10 @@
 
 #include <array>
 
+namespace adore::contact {
+struct WavyGroove;
+}
+
 /// Motion with inertia left out where it hardly acts: a ball whose x and r stand in force balance
 /// at every instant while its orbit stays dynamic (mode 1, light-load balance), races in balance
 /// (mode 2), suppressed accelerations (kDOF). SI, rad, base axes; G = force balance in x and r.
@@ -24,6 +28,8 @@ using Mat2 = Eigen::Matrix2d;
 struct RacePose {
   Vec3 centre = Vec3::Zero();
   Vec3 axis = Vec3::UnitX();
+  Vec3 zero = Vec3::UnitZ();  ///< across the axis, where azimuths in the race begin now; read of
+                              ///< races that are not of revolution only
 };
 
 /// One ball/race contact at a ball position; vectors in the azimuth frame (e_x, e_r, e_θ) of the
@@ -72,6 +78,8 @@ class ConstrainedBall {
                   double mass, const std::array<contact::AngleLaw, 2>& law = {}) noexcept
       : groove_(groove), K_(K), law_(law), mass_(mass) {}
 
+  /// @param wavy imperfections of the races, null: none; outlive this
+  void set_wavy(const std::array<const contact::WavyGroove*, 2>& wavy) noexcept { wavy_ = wavy; }
   [[nodiscard]] double mass() const noexcept { return mass_; }
   /// Radius of the ball circle between the unloaded grooves, for a first guess [m].
   [[nodiscard]] double mid_radius() const noexcept {
@@ -83,6 +91,10 @@ class ConstrainedBall {
   /// @param pose in the azimuth frame of the ball; place x and r of its centre
   [[nodiscard]] GrooveContact contact_with(int race, const RacePose& pose,
                                            const Vec2& place) const noexcept;
+  /// The same with a wavy race. @param per_turn change of the force on the ball, -Q n, with the
+  /// turn of the race about its axis [N/rad]
+  [[nodiscard]] GrooveContact wavy_contact(int race, const RacePose& pose, const Vec2& place,
+                                           Vec3& per_turn) const noexcept;
   /// The balance at a given place, not solved for. `force` acts on (x, r).
   [[nodiscard]] BallBalance evaluate(const std::array<RacePose, 2>& races, double theta,
                                      const Orbit& orbit, const Vec2& force,
@@ -107,6 +119,7 @@ class ConstrainedBall {
   std::array<double, 2> K_;
   std::array<contact::AngleLaw, 2> law_;
   double mass_;
+  std::array<const contact::WavyGroove*, 2> wavy_{};
 };
 
 /// Derivatives of the solved (x, r); each column or vector is -(∂G/∂(x,r))⁻¹ ∂G/∂(...). Directions

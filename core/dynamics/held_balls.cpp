@@ -9,6 +9,10 @@ namespace adore::dynamics {
 namespace {
 
 /// Pose of a race in the azimuth frame of ball i.
+RacePose seen_by(const Evaluation& e, std::size_t i, const RacePose& pose) noexcept {
+  return {e.to_cylindrical(i, pose.centre), e.to_cylindrical(i, pose.axis),
+          e.to_cylindrical(i, pose.zero)};
+}
 RacePose seen_by(const Evaluation& e, std::size_t i, const RaceBody& race) noexcept {
   return {e.to_cylindrical(i, race.position), e.to_cylindrical(i, race.axis())};
 }
@@ -20,16 +24,25 @@ HeldBalls::HeldBalls(const Scene& scene, std::size_t balls)
       ball_(scene.contacts[0].groove, {scene.contacts[0].hertz.K, scene.contacts[1].hertz.K},
             scene.mass, {scene.contacts[0].angle, scene.contacts[1].angle}),
       offset_(std::min(scene.contacts[0].groove.offset[0], scene.contacts[0].groove.offset[1])) {
+  std::array<const contact::WavyGroove*, 2> wavy{};
+  for (std::size_t j = 0; j < 2; ++j) wavy[j] = scene.contacts[j].wavy.get();
+  ball_.set_wavy(wavy);
   for (auto& values : state_) values.assign(balls, 0.0);
   for (auto& values : action_) values.assign(balls, 0.0);
   for (auto* arrays : {&load_, &heat_, &load_slip_})
     for (auto& values : *arrays) values.assign(balls, 0.0);
 }
 
+RacePose HeldBalls::pose(const Evaluation& e, std::size_t j) const noexcept {
+  const RaceBody& race = e.race[j];
+  if (!scene_.contacts[j].wavy) return {race.position, race.axis()};
+  return {race.position, race.axis(), race.motion().zero()};
+}
+
 Vec2 HeldBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept {
   Vec2 force = Vec2::Zero();
   for (std::size_t j = 0; j < 2; ++j) {
-    const GrooveContact c = ball_.contact_with(static_cast<int>(j), seen_by(e, i, e.race[j]),
+    const GrooveContact c = ball_.contact_with(static_cast<int>(j), seen_by(e, i, pose(e, j)),
                                                {e.elements.x[i], e.elements.r[i]});
     force += c.force.head<2>();
   }
@@ -39,8 +52,7 @@ Vec2 HeldBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept 
 HeldPlace HeldBalls::balanced(const Evaluation& e, std::size_t i, const Vec2& force) const {
   const ElementViews& b = e.elements;
   const Orbit orbit{Orbit::Kept::Momentum, scene_.mass * b.r[i] * b.r[i] * b.theta_dot[i]};
-  const std::array<RacePose, 2> poses{RacePose{e.race[0].position, e.race[0].axis()},
-                                      RacePose{e.race[1].position, e.race[1].axis()}};
+  const std::array<RacePose, 2> poses{pose(e, 0), pose(e, 1)};
   const BallBalance at = ball_.solve(poses, b.theta[i], orbit, force, {b.x[i], b.r[i]});
   return {at.x, at.r, at.speed, std::max(at.contact[0].load, at.contact[1].load), at.solved};
 }
@@ -86,12 +98,19 @@ void HeldBalls::springs(const Evaluation& e, std::span<const std::size_t> held,
     of.normal.setZero();
     of.stiffness.setZero();
     for (std::size_t j = 0; j < 2; ++j) {
-      const GrooveContact c = ball_.contact_with(static_cast<int>(j), seen_by(e, i, e.race[j]),
-                                                 {e.elements.x[i], e.elements.r[i]});
+      const auto race = static_cast<int>(j);
+      const Vec2 place(e.elements.x[i], e.elements.r[i]);
+      const GrooveContact c =
+          scene_.contacts[j].wavy
+              ? ball_.wavy_contact(race, seen_by(e, i, pose(e, j)), place, of.turning[j])
+              : ball_.contact_with(race, seen_by(e, i, e.race[j]), place);
       const Vec2 n = c.normal.head<2>();
       of.along[j] = Mat2::Identity() - n * n.transpose();
       of.race[j] = c.stiffness;
-      of.turning[j].setZero();
+      if (scene_.contacts[j].wavy)
+        of.turning[j] *= e.race[j].speed;
+      else
+        of.turning[j].setZero();
       of.normal += c.force;
       of.stiffness += c.stiffness;
     }

@@ -37,6 +37,7 @@ class HeldBalls final : public HeldContacts {
  private:
   static constexpr double kFreePath = 0.02;  ///< over (groove - ball radius)
 
+  [[nodiscard]] RacePose pose(const Evaluation& e, std::size_t j) const noexcept;
   void add_walls(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept;
   /// The walls that a located ball touches.
   [[nodiscard]] contact::WallPoints pocket_walls(std::size_t i) const noexcept;

@@ -16,7 +16,8 @@ namespace adore::dynamics {
 struct HeldSprings {
   std::array<Mat3, 2> race;       ///< -∂F_j over the element's place [N/m]
   std::array<Mat2, 2> along;      ///< I - n nᵀ of each race contact in (x, r)
-  std::array<Vec3, 2> turning;    ///< dF_j/dt by the element's turning alone [N/s]
+  std::array<Vec3, 2> turning;    ///< dF_j/dt by the turning alone of the element, and of a race
+                                  ///< with errors [N/s]
   Vec3 normal = Vec3::Zero();     ///< Σ F_j [N]
   Mat3 stiffness = Mat3::Zero();  ///< of races and cage together [N/m]
 };

@@ -42,6 +42,16 @@ struct HeldRollers::Contact {
   }
 };
 
+HeldRollers::HeldRollers(statics::RollerModel model, const bearing::Imperfections& errors,
+                         double mass, ForcePass pass)
+    : model_(std::move(model)), mass_(mass), pass_(pass) {
+  for (std::size_t j = 0; j < 2; ++j)
+    if (!errors.race[j].ideal())
+      wavy_[j] = contact::make_wavy_race(errors.race[j], model_.race[j],
+                                         model_.rollers.race_radius(static_cast<int>(j)),
+                                         model_.rollers.crown_radius);
+}
+
 HeldRollers::Contact HeldRollers::contact(const Evaluation& e, std::size_t i, std::size_t j,
                                           const Vec3& centre) const noexcept {
   Contact out;
@@ -51,6 +61,13 @@ HeldRollers::Contact HeldRollers::contact(const Evaluation& e, std::size_t i, st
   out.turn = contact::meridian_turn(C[1], C[2], out.r);
   out.axis = out.into(e.attitude[i].col(0));
   const statics::Vec4 p(C[0], out.r, out.axis[2], out.axis[1]);
+  if (wavy_[j]) {  // then each roller has a body of its own
+    const double cosine = std::cos(race.turn_beyond), sine = std::sin(race.turn_beyond);
+    model_.bodies[i].race[j] = wavy_[j]
+                                   ->at({out.turn.ez * cosine - out.turn.ey * sine,
+                                         -out.turn.ey * cosine - out.turn.ez * sine})
+                                   .surface;
+  }
   const statics::RollerBody& body = model_.body(i);
   statics::add_race(model_, body, j, p, out.potential);
   for (const statics::FlangePair& flange : body.flanges)

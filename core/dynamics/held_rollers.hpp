@@ -1,10 +1,12 @@
 #pragma once
 
+#include "contact/race_errors.hpp"
 #include "dynamics/force_pass.hpp"
 #include "dynamics/held_contacts.hpp"
 #include "statics/roller_model.hpp"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 /// Contacts of held rollers. Springs are exact: U(x', r', t, f) of each race with its flanges has a
@@ -15,14 +17,14 @@
 /// Forces come from a pass over all force blocks of the scene (force_pass.hpp), so that whatever
 /// acts on a roller takes part in its balance; the cage's springs are those that effects tell
 /// (SceneEffect::resist).
-/// Limits: friction of flanges has no share in C; an inner race with errors counts as round in the
-/// springs.
+/// Limits: friction of flanges has no share in C; the springs leave out how a race with
+/// errors changes as it turns.
 namespace adore::dynamics {
 
 class HeldRollers final : public HeldContacts {
  public:
-  HeldRollers(statics::RollerModel model, double mass, ForcePass pass)
-      : model_(std::move(model)), mass_(mass), pass_(pass) {}
+  HeldRollers(statics::RollerModel model, const bearing::Imperfections& errors, double mass,
+              ForcePass pass);
 
   void springs(const Evaluation& e, std::span<const std::size_t> held,
                std::span<HeldSprings> out) noexcept override;
@@ -41,7 +43,8 @@ class HeldRollers final : public HeldContacts {
   [[nodiscard]] Contact contact(const Evaluation& e, std::size_t i, std::size_t j,
                                 const Vec3& centre) const noexcept;
 
-  statics::RollerModel model_;
+  mutable statics::RollerModel model_;  ///< races with errors as they are at their rollers now
+  std::array<std::optional<contact::WavyRace>, 2> wavy_;
   double mass_;
   ForcePass pass_;
 };

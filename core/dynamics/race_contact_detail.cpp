@@ -1,4 +1,5 @@
 #include "contact/ball_groove.hpp"
+#include "contact/wavy_groove.hpp"
 #include "dynamics/ball_race_motion.hpp"
 #include "dynamics/race_contacts.hpp"
 
@@ -22,7 +23,13 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
   const Triple<double> k = to_azimuth(race.axis), centre = to_azimuth(race.centre);
   const Triple<double> d{balls.x[index] - centre.x, r - centre.y, -centre.z};
   const auto place = contact::groove_place(d, k, model.groove.centre_radius[j]);
-  const auto touch = contact::groove_touch(place.axial, place.lift, model.groove.offset[j]);
+  contact::WavyTouch<double> wavy{
+      contact::groove_touch(place.axial, place.lift, model.groove.offset[j]), 0.0, 0.0};
+  if (model.wavy)
+    wavy = contact::wavy_touch(*model.wavy,
+                               contact::azimuth_in_race(k, place.e, to_azimuth(race.zero())),
+                               place.axial, place.lift, model.groove.offset[j]);
+  const contact::GrooveTouch<double>& touch = wavy.touch;
   const Triple<double> n = touch.n_k * k + touch.n_e * place.e;
   const Triple<double> t = cross(k, place.e);
 
@@ -56,6 +63,11 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
       const double size = std::cbrt(state.ellipse.Q);
       state.ellipse.a = model.hertz.a_hat * size;
       state.ellipse.b = model.hertz.b_hat * size;
+    }
+    if (model.wavy) {
+      state.ellipse.Q *= wavy.stiffness;
+      state.ellipse.a *= wavy.major;
+      state.ellipse.b *= wavy.minor;
     }
     tribology::set_contact_surface(state.ellipse, model.surface, model.groove.ball_radius,
                                    model.groove.groove_radius[j], state.approach);

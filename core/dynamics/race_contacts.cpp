@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "dynamics/race_kernel.hpp"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -74,6 +75,11 @@ RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const E
   }
   in.tilts = in.tilt[0] != 0.0 || in.tilt[1] != 0.0 || in.tilt[2] != 0.0;
   in.speed = race.speed;
+  in.wavy = model.wavy.get();
+  if (in.wavy != nullptr) {
+    const Vec3 zero = race.zero();
+    for (int i = 0; i < 3; ++i) in.zero[i] = zero[i];
+  }
   in.n = balls.n;
   in.x = balls.x, in.r = balls.r, in.sin_theta = balls.sin_theta, in.cos_theta = balls.cos_theta;
   in.x_dot = balls.x_dot, in.r_dot = balls.r_dot, in.theta_dot = balls.theta_dot;
@@ -97,6 +103,10 @@ RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const E
 InstructionSet chosen_instruction_set() noexcept {
   static const InstructionSet set = choose_instruction_set();
   return set;
+}
+
+Vec3 RaceMotion::zero() const noexcept {
+  return std::cos(turn) * z + std::sin(turn) * axis.cross(z);
 }
 
 double load_limit(const RaceContactModel& model) noexcept {

@@ -11,6 +11,11 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
+
+namespace adore::contact {
+struct WavyGroove;
+}
 
 /// The hot path: all ball/race contacts of one race in one call, vectorised over the balls
 /// (structure of arrays).
@@ -22,6 +27,7 @@
 ///   on the ball:  F = -Q n + F_c c + F_t t,  M = M_c c + M_t t + M_n n about its centre;
 ///   constants that follow the contact angle add L c at its centre (contact/angle_law.hpp)
 ///   on the race:  -Σ F,  about P_j: -Σ (d × F + M)
+/// A race that is not one of revolution: contact/wavy_groove.hpp; it has a kernel of its own.
 /// Source: tests/reference/dynamics_README.md ("Ball/race contact geometry", "Traction"). The
 /// traction power on ball and race together is -heat identically (also for the quadrature rule).
 /// Limits: r_ball > a (load_limit); ball centre off the race axis. At zero contact angle c is -e_x
@@ -36,16 +42,23 @@ struct RaceMotion {
   double speed = 0.0;            ///< Ω about its axis [rad/s]
   Vec3 velocity = Vec3::Zero();  ///< of P_j [m/s]
   Vec3 tilt = Vec3::Zero();      ///< part of the angular velocity across k: dk/dt = tilt × k
+  // Read of races that are not of revolution only.
+  Vec3 z = Vec3::UnitZ();  ///< across k, where azimuths in the race begin before it turned
+  double turn = 0.0;       ///< that the race has turned beyond z [rad]
+
+  /// Where azimuths in the race begin now.
+  [[nodiscard]] Vec3 zero() const noexcept;
 };
 
 /// Constants of the contacts with one race.
 struct RaceContactModel {
   bearing::Race race = bearing::kOuter;
   contact::GrooveGeometry groove;
-  contact::HertzConstants hertz;   ///< at one angle: frozen constants, and the scale of estimates
-  contact::AngleLaw angle;         ///< in their place where it follows the contact angle
-  double effective_modulus = 0.0;  ///< E* [Pa], reports only
-  double shoulder_radius = 0.0;    ///< of this race [m], reports only; 0 = not given
+  contact::HertzConstants hertz;  ///< at one angle: frozen constants, and the scale of estimates
+  contact::AngleLaw angle;        ///< in their place where it follows the contact angle
+  std::shared_ptr<const contact::WavyGroove> wavy;  ///< imperfections of the race; null: none
+  double effective_modulus = 0.0;                   ///< E* [Pa], reports only
+  double shoulder_radius = 0.0;  ///< of this race [m], reports only; 0 = not given
   bool traction = true;
   tribology::TractionLaw law;
   tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;

@@ -5,6 +5,10 @@
 
 #include <cstddef>
 
+namespace adore::contact {
+struct WavyGroove;
+}
+
 /// Boundary between race_contacts.cpp and the translation units that are compiled once per
 /// instruction set. Plain numbers and pointers only: a header with inline library code (Eigen,
 /// std::vector) included there could leave AVX instructions in functions that the linker then uses
@@ -31,6 +35,8 @@ struct RaceKernelInput {
   double centre[3], axis[3], velocity[3], speed;
   bool tilts;
   double tilt[3];
+  const contact::WavyGroove* wavy;  ///< null: a race of revolution
+  double zero[3];                   ///< where azimuths in a wavy race begin
   // Balls and results (see race_contacts.hpp).
   std::size_t n;
   const double *x, *r, *sin_theta, *cos_theta, *x_dot, *r_dot, *theta_dot;

@@ -2,6 +2,7 @@
 
 #include "base/simd_math.hpp"
 #include "contact/ball_groove.hpp"
+#include "contact/wavy_groove.hpp"
 #include "dynamics/ball_race_motion.hpp"
 #include "dynamics/race_kernel.hpp"
 #include "tribology/ellipse_sum.hpp"
@@ -36,11 +37,50 @@ struct Lanes {
   int used;  ///< lanes that are balls; the others hold copies and count as open contacts
 };
 
+/// A race of revolution.
+class RoundRace {
+ public:
+  static constexpr bool kWavy = false;
+  RoundRace(const RaceKernelInput& in, const Vec&, const contact::GroovePlace<V>& place, V, V)
+      : touch_(contact::groove_touch(place.axial, place.lift, in.offset)) {}
+  const contact::GrooveTouch<V>& touch() const { return touch_; }
+
+ private:
+  contact::GrooveTouch<V> touch_;
+};
+
+/// A race with errors.
+class WavyRace {
+ public:
+  static constexpr bool kWavy = true;
+  WavyRace(const RaceKernelInput& in, const Vec& k, const contact::GroovePlace<V>& place, V s, V c)
+      : distance_(place.distance),
+        at_(contact::wavy_touch(*in.wavy,
+                                contact::azimuth_in_race(k, place.e, to_azimuth(in.zero, s, c)),
+                                place.axial, place.lift, in.offset)) {}
+  const contact::GrooveTouch<V>& touch() const { return at_.touch; }
+  /// Hertz's constants, and the force of their change with the angle, of the groove as it is here.
+  void scale(V& K, V& leaning, V& major, V& minor) const {
+    K *= at_.stiffness;
+    leaning *= at_.stiffness;
+    major *= at_.major;
+    minor *= at_.minor;
+  }
+  /// Part of the normal force on the ball along t.
+  V push(V load, V leaning, V approach) const {
+    return contact::wavy_push(at_, load, leaning, approach, distance_);
+  }
+
+ private:
+  V distance_;
+  contact::WavyTouch<V> at_;
+};
+
 inline V get(const double* from) { return V(from, stdx::element_aligned); }
 inline void put(double* to, V value) { value.copy_to(to, stdx::element_aligned); }
 inline void add(double* to, V value) { put(to, get(to) + value); }
 
-template <class Law>
+template <class Law, class Race>
 void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
   const V s = get(at.sin_theta), c = get(at.cos_theta);
   const Vec k = to_azimuth(in.axis, s, c);
@@ -48,7 +88,8 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
   const V r = get(at.r);
   const Vec d{get(at.x) - centre.x, r - centre.y, -centre.z};  // ball centre from P_j
   const auto place = contact::groove_place(d, k, in.centre_radius);
-  const auto touch = contact::groove_touch(place.axial, place.lift, in.offset);
+  const Race groove(in, k, place, s, c);
+  const auto& touch = groove.touch();
   V approach = touch.approach;
   if (at.used < static_cast<int>(V::size())) {
     const V lane([](auto i) { return static_cast<double>(i); });
@@ -73,6 +114,7 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
       minor = contact::polynomial(in.follow->minor, touch.n_e);
     }
   }
+  if constexpr (Race::kWavy) groove.scale(K, leaning, major, minor);
   const V load = contact::point_load(K, approach, root_approach);
   const V R = place.distance;
   const Vec& e = place.e;
@@ -120,6 +162,7 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
     meridian.along -= leaning * touch.n_e;
     meridian.outward += leaning * touch.n_k;
   }
+  if constexpr (Race::kWavy) force_t += groove.push(load, leaning, approach);
   const V force_k = meridian.along, force_e = meridian.outward;
   const Vec force{force_k * k.x + force_e * e.x + force_t * t.x,
                   force_k * k.y + force_e * e.y + force_t * t.y,
@@ -150,7 +193,7 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
 }
 
 /// The last, incomplete vector works on copies: no lane reads or writes beyond the arrays.
-template <class Law>
+template <class Law, class Race>
 void evaluate_tail(const RaceKernelInput& in, std::size_t first, int used, Totals& totals) {
   constexpr int kLanes = static_cast<int>(V::size());
   double copies[19][kLanes];
@@ -172,7 +215,7 @@ void evaluate_tail(const RaceKernelInput& in, std::size_t first, int used, Total
   Lanes at{copies[0],  copies[1],  copies[2],  copies[3],  copies[4],  copies[5],  copies[6],
            copies[7],  copies[8],  copies[9],  copies[10], copies[11], copies[12], copies[13],
            copies[14], copies[15], copies[16], copies[17], copies[18], used};
-  evaluate<Law>(in, at, totals);
+  evaluate<Law, Race>(in, at, totals);
   for (int array = 0; array < 9; ++array) {
     if (targets[array] == nullptr) continue;
     for (int i = 0; i < used; ++i)
@@ -180,7 +223,7 @@ void evaluate_tail(const RaceKernelInput& in, std::size_t first, int used, Total
   }
 }
 
-template <class Law>
+template <class Law, class Race>
 RaceKernelSums evaluate_all(const RaceKernelInput& in) {
   constexpr std::size_t kLanes = V::size();
   Totals totals;
@@ -206,9 +249,9 @@ RaceKernelSums evaluate_all(const RaceKernelInput& in) {
                    in.heat + i,
                    in.load_slip == nullptr ? nullptr : in.load_slip + i,
                    static_cast<int>(kLanes)};
-    evaluate<Law>(in, at, totals);
+    evaluate<Law, Race>(in, at, totals);
   }
-  if (i < in.n) evaluate_tail<Law>(in, i, static_cast<int>(in.n - i), totals);
+  if (i < in.n) evaluate_tail<Law, Race>(in, i, static_cast<int>(in.n - i), totals);
   return {
       {stdx::reduce(totals.force_x), stdx::reduce(totals.force_y), stdx::reduce(totals.force_z)},
       {stdx::reduce(totals.moment_x), stdx::reduce(totals.moment_y), stdx::reduce(totals.moment_z)},
@@ -217,17 +260,18 @@ RaceKernelSums evaluate_all(const RaceKernelInput& in) {
       stdx::reduce(totals.load_slip)};
 }
 
-template <class... Laws>
+template <class Race, class... Laws>
 RaceKernelSums evaluate_race(const RaceKernelInput& in, tribology::TypeList<Laws...>) {
   RaceKernelSums sums{};
   std::size_t index = 0;
-  (void)((index++ == in.law_index && (sums = evaluate_all<Laws>(in), true)) || ...);
+  (void)((index++ == in.law_index && (sums = evaluate_all<Laws, Race>(in), true)) || ...);
   return sums;
 }
 
-/// Once per race: the law is chosen here, and nowhere below.
+/// Once per race: groove and law are chosen here, and nowhere below.
 inline RaceKernelSums evaluate_race(const RaceKernelInput& in) {
-  return evaluate_race(in, tribology::TractionLawList());
+  if (in.wavy != nullptr) return evaluate_race<WavyRace>(in, tribology::TractionLawList());
+  return evaluate_race<RoundRace>(in, tribology::TractionLawList());
 }
 
 }  // namespace

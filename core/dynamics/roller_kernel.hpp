@@ -12,6 +12,7 @@ namespace adore::dynamics {
 struct RollerKernelAction {
   double force[3], moment[3];
   double load, energy, heat, load_slip;
+  double turning;  ///< with slopes: ∂U/∂ψ [J/rad]
 };
 
 struct RollerKernelInput {
@@ -19,6 +20,7 @@ struct RollerKernelInput {
   bool alike;                         ///< one for all
   std::size_t n;
   const contact::RollerPose* rollers;
+  const contact::RaceSlope* slopes;  ///< of each roller on a race with errors, or null
   RollerKernelAction* out;
   bool traction;
   // Law of traction: one of tribology::TractionLawList.

@@ -31,6 +31,15 @@ inline void put(const contact::RollerRaceSums<V>& sums, RollerKernelAction& out)
 
 template <class Traction>
 void evaluate_rollers(const RollerKernelInput& in, const Traction& traction) {
+  if (in.slopes != nullptr) {
+    for (std::size_t i = 0; i < in.n; ++i) {
+      const auto sums =
+          contact::roller_race_sums<V>(in.slices[i], in.rollers[i], traction, in.slopes[i]);
+      put(sums, in.out[i]);
+      in.out[i].turning = Lanes::sum(sums.turning);
+    }
+    return;
+  }
   for (std::size_t i = 0; i < in.n; ++i)
     put(contact::roller_race_sums<V>(in.slices[in.alike ? 0 : i], in.rollers[i], traction),
         in.out[i]);

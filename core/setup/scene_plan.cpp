@@ -97,6 +97,15 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
                          "the static solution only",
                          j + 1));
 
+  for (std::size_t j = 0; j < 2; ++j)
+    if (bearing.imperfections.race_given[j]) {
+      const bool ideal = bearing.imperfections.race[j].ideal();
+      effect(Effect::RaceContact, j == 0 ? "imperfect outer race" : "imperfect inner race", !ideal,
+             fmt::format("kRaceGeoImp{} = {}{}", j + 1,
+                         deck.integer(fmt::format("kRaceGeoImp{}", j + 1)),
+                         ideal ? ", all amplitudes 0" : ""));
+    }
+
   // A perfect sphere's orientation is integrated only for elements that a file shows.
   const bool sections = control.print_option >= 1;
   for (int i = 0; i < n; ++i) {

@@ -91,10 +91,8 @@ void place_races(const RollerModel& m, const bearing::Imperfections& errors, dou
     const contact::RaceSurface& ideal = m.race[j];
     const contact::LocalRaceError e =
         contact::race_error_at(errors.race[j], m.rollers.race_radius(static_cast<int>(j)), psi);
-    const std::array<double, 2> normal{
-        (ideal.mid_x - ideal.groove_x) / ideal.groove_radius,
-        (ideal.mid_r - ideal.groove_centre_radius) / ideal.groove_radius};  // of grooves only
-    body.race[j] = contact::race_with_error(ideal, e, 2.0 * m.rollers.crown_radius, normal);
+    body.race[j] = contact::race_with_error(ideal, e, 2.0 * m.rollers.crown_radius,
+                                            contact::nominal_groove_normal(ideal));
     if (j == bearing::kInner) {
       body.inner_slope = e.radius_slope;
     }

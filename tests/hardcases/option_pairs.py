@@ -113,7 +113,7 @@ def cage_inertia(row):
 
 def race_errors(j, waves):
     def values(row):
-        out = {f"rndVar1{j}": 1e-6, f"rndVar2{j}": 3 if waves else 0.1, f"rndVar3{j}": 30.0}
+        out = {f"rndVar1{j}": 1e-6, f"rndVar2{j}": 3 if waves else -1e-6, f"rndVar3{j}": 30.0}
         stem = "rlOffset" if row["type"] in STRAIGHT else "cFacVar"
         out.update({f"{stem}1{j}": 1e-5 if stem == "rlOffset" else 1e-3, f"{stem}2{j}": 2, f"{stem}3{j}": 90.0})
         return out

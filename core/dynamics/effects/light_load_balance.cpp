@@ -113,8 +113,8 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
     mass_ = scene.bearing.element_inertia.mass;
     axial_ = axial_ && scene.bearing.rollers()->shape != bearing::RollerShape::Arc;
     contacts = std::make_unique<HeldRollers>(
-        statics::make_roller_model(scene.bearing, scene.rollers->options), mass_,
-        scene.force_pass());
+        statics::make_roller_model(scene.bearing, scene.rollers->options),
+        scene.bearing.imperfections, mass_, scene.force_pass());
   } else {
     const Balls& balls = *scene.find<Balls>();
     element_ = balls.slices();

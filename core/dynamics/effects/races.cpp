@@ -1,6 +1,7 @@
 #include "dynamics/effects/races.hpp"
 
 #include "contact/make_angle_law.hpp"
+#include "contact/wavy_groove_model.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/balls.hpp"
 #include "dynamics/effects/rigid_elements.hpp"
@@ -140,6 +141,10 @@ void Races::set_up_balls(const SceneBuilder& scene) {
     model.hertz = contact::hertz_constants(
         contact::race_curvature(scene.bearing.balls(), static_cast<int>(j), scene.fixed_angle[j]),
         model.effective_modulus);
+    const bearing::RaceErrors& errors = scene.bearing.imperfections.race[j];
+    if (!errors.ideal())
+      model.wavy = std::make_shared<const contact::WavyGroove>(contact::make_wavy_groove(
+          scene.bearing.balls(), static_cast<int>(j), errors, scene.fixed_angle[j]));
     if (scene.options.moving_angle)
       model.angle = contact::make_angle_law(scene.bearing.balls(), static_cast<int>(j),
                                             model.effective_modulus);
@@ -180,8 +185,10 @@ void Races::declare(SceneBuilder& scene) {
   in_contact_ = plan.has(Effect::RaceContact);
   const bool traction = plan.has(Effect::RaceTraction), wear = plan.has(Effect::WearIntegrals);
   // Without friction a body of revolution that only spins about its axis exerts no power.
-  const bool work = traction || plan.has(Effect::LandTraction) ||
-                    plan.has(Effect::FlangeTraction) || scene.races_move();
+  const auto& errors = scene.bearing.imperfections.race;
+  const bool work = traction || !errors[0].ideal() || !errors[1].ideal() ||
+                    plan.has(Effect::LandTraction) || plan.has(Effect::FlangeTraction) ||
+                    scene.races_move();
   const std::array<std::string, 2> names{"outer race", "inner race"};
   for (std::size_t j = 0; j < 2; ++j) {
     const std::string& name = names[j];

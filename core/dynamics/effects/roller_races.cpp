@@ -36,6 +36,12 @@ RollerPlace place_of(const Evaluation& e, std::size_t i, double mass_offset) {
   return {G - mass_offset * axis, axis, {G, e.element_velocity(i), e.element_omega(i)}};
 }
 
+/// ψ of a roller in a race that turned by `turn` beyond its axes.
+contact::AzimuthDirection<double> azimuth_of(const contact::MeridianTurn& at, double cosine,
+                                             double sine) {
+  return {at.ez * cosine - at.ey * sine, -at.ey * cosine - at.ez * sine};
+}
+
 }  // namespace
 
 std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
@@ -52,7 +58,12 @@ std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
     of.race = static_cast<bearing::Race>(j);
     for (const statics::RollerBody& body : model.bodies)
       of.slices.push_back(contact::roller_race_slices(
-          body.race[j], body.slices, model.slicing.width, model.law[j], model.E_star[j]));
+          model.race[j], body.slices, model.slicing.width, model.law[j], model.E_star[j]));
+    const bearing::RaceErrors& errors = scene.bearing.imperfections.race[j];
+    if (!errors.ideal())
+      of.wavy = contact::make_wavy_race(errors, model.race[j],
+                                        model.rollers.race_radius(static_cast<int>(j)),
+                                        model.rollers.crown_radius);
     of.mass_offset = scene.bearing.roller_mass_offset;
     const double radius = 0.5 * scene.bearing.element_diameter();
     of.load_limit = contact::slice_load(model.law[j], model.slicing.effective_length, radius).load;
@@ -81,6 +92,24 @@ RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, std::size_t rolle
       actions_(rollers) {
   for (const contact::RollerRaceSlices& slices : model.slices)
     views_.push_back(contact::view_of(slices));
+  if (!model.wavy) return;
+  slopes_.resize(rollers);
+  while (views_.size() < rollers) views_.push_back(views_.front());  // each with a race of its own
+}
+
+void RollerRaceBlock::form_race(const RaceBody& race) noexcept {
+  const double cosine = std::cos(race.turn_beyond), sine = std::sin(race.turn_beyond);
+  for (std::size_t i = 0; i < slopes_.size(); ++i) {
+    const auto here = model_.wavy->at(azimuth_of(turns_[i], cosine, sine));
+    views_[i].race = here.surface;
+    slopes_[i] = here.slope;
+  }
+}
+
+/// Growing ψ is -y of the meridian frame.
+void RollerRaceBlock::lean() noexcept {
+  for (std::size_t i = 0; i < slopes_.size(); ++i)
+    actions_[i].force[1] += actions_[i].turning / poses_[i].r;
 }
 
 void RollerRaceBlock::apply(Evaluation& e) noexcept {
@@ -95,8 +124,11 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
     poses_[i] = in.roller;
     turns_[i] = in.turn;
   }
-  kernel_({views_.data(), views_.size() == 1, poses_.size(), poses_.data(), actions_.data(),
-           model_.traction, model_.law.index(), model_.law.address(), model_.law.slip_floor()});
+  if (!slopes_.empty()) form_race(race);
+  kernel_({views_.data(), views_.size() == 1, poses_.size(), poses_.data(),
+           slopes_.empty() ? nullptr : slopes_.data(), actions_.data(), model_.traction,
+           model_.law.index(), model_.law.address(), model_.law.slip_floor()});
+  if (!slopes_.empty()) lean();
   sums_.heat = sums_.load_slip = 0.0;
   for (std::size_t i = 0; i < actions_.size(); ++i) {
     const RollerKernelAction& a = actions_[i];
@@ -130,10 +162,16 @@ RaceContactSnapshot roller_race_detail(const RollerRaceModel& model, const Evalu
       pose_of(race), motion_of(race), roller.centre, roller.axis, roller.motion);
   const contact::RollerRaceSlices& slices = model.of(i);
   const contact::RollerPose& at = in.roller;
+  contact::RaceSurface surface = slices.race;
+  if (model.wavy)
+    surface =
+        model.wavy->at(azimuth_of(in.turn, std::cos(race.turn_beyond), std::sin(race.turn_beyond)))
+            .surface;
   RaceContactSnapshot out;
   double normal_x = 0.0, normal_r = 0.0;
   for (std::size_t k = 0; k < slices.count; ++k) {
     contact::RaceSlices one = contact::view_of(slices);
+    one.race = surface;
     one.count = 1;
     one.s += k;
     one.radius += k;
@@ -147,7 +185,7 @@ RaceContactSnapshot roller_race_detail(const RollerRaceModel& model, const Evalu
     out.slice_pressure.push_back(0.0);
     if (!(sums.load > 0.0)) continue;
     double tan_chi = 0.0;
-    const auto d = contact::deepest_on_slice<double>(slices.race, at.axes, at.x, at.r, slices.s[k],
+    const auto d = contact::deepest_on_slice<double>(surface, at.axes, at.x, at.r, slices.s[k],
                                                      slices.radius[k], tan_chi);
     const double curvature = 1.0 / slices.radius[k] - d.at.A_hoop;
     // U = 9/19 Q δ; Q goes with the width that is on the land.

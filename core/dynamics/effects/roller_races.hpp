@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/race_errors.hpp"
 #include "contact/roller_race.hpp"
 #include "dynamics/effect.hpp"
 #include "dynamics/effects/race_account.hpp"
@@ -7,19 +8,27 @@
 #include "tribology/traction_law.hpp"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 /// Rollers on their races, slice by slice (contact/roller_race.hpp): surfaces, slices and constants
 /// are those of the equilibrium (statics/roller_model.hpp), so that its loads are those of the
 /// start. The force on a roller acts at its middle C = G - s_G a with the moment about it; about
-/// the mass centre M_G = M_C + (C - G) × F. The race gets the opposite wrench. Limit: a roller
-/// presses by less than its radius; a race is a surface of revolution.
+/// the mass centre M_G = M_C + (C - G) × F. The race gets the opposite wrench.
+///
+/// A race with errors (contact/race_errors.hpp) is taken for each roller as it is at the azimuth ψ
+/// of C in the race, which turns: U = Σ 9/19 Q δ depends on ψ too, and -∂U/∂ψ/r acts on the roller
+/// at C along growing ψ, the opposite on the race. Its power is that of -dU/dt, so that the work of
+/// the drive balances. Left out are the curvature of a wave under one roller and, as on perfect
+/// races, the axial force at the edge of a land.
+/// Limit: a roller presses by less than its radius; whole numbers of waves per turn.
 namespace adore::dynamics {
 
 /// Constants of the contacts of all rollers with one race.
 struct RollerRaceModel {
   bearing::Race race = bearing::kOuter;
   std::vector<contact::RollerRaceSlices> slices;  ///< one for all, or one by roller
+  std::optional<contact::WavyRace> wavy;          ///< errors of the race
   double mass_offset = 0.0;                       ///< s_G [m]
   double load_limit = 0.0;                        ///< [N]
   bool traction = true;
@@ -49,6 +58,9 @@ class RollerRaceBlock final : public EffectBlock {
   void apply(Evaluation& e) noexcept override;
 
  private:
+  void form_race(const RaceBody& race) noexcept;
+  void lean() noexcept;
+
   const RollerRaceModel& model_;
   bool load_slip_;
   RaceAccount& sums_;
@@ -56,6 +68,7 @@ class RollerRaceBlock final : public EffectBlock {
   std::vector<contact::RaceSlices> views_;
   std::vector<contact::RollerPose> poses_;
   std::vector<contact::MeridianTurn> turns_;
+  std::vector<contact::RaceSlope> slopes_;  ///< by roller where the race has errors, else none
   std::vector<RollerKernelAction> actions_;
 };
 

@@ -80,7 +80,7 @@ TEST_CASE("held rollers: springs are the derivatives of the normal forces, turni
     const ElementPose pose = start_poses(*s.rollers, s.bearing)[i];
     Assembly no_blocks;
     HeldRollers held(statics::make_roller_model(s.bearing, s.rollers->options),
-                     s.bearing.element_inertia.mass, ForcePass(no_blocks));
+                     s.bearing.imperfections, s.bearing.element_inertia.mass, ForcePass(no_blocks));
     // The start, moved a little so that nothing is symmetric.
     struct Place {
       Vec3 G;

@@ -171,7 +171,12 @@ void fill(Deck& deck, const Deck& before) {
         const auto* known = std::find_if(
             std::begin(kValues), std::end(kValues),
             [&](const auto& k) { return name.find(k.first) != std::string_view::npos; });
-        if (known != std::end(kValues))
+        // Waves per turn, or a length [m].
+        const bool waves =
+            name.starts_with("rndVar2") && (record.id.ends_with("B") || record.id.ends_with("D"));
+        if (waves)
+          value = 3.0;
+        else if (known != std::end(kValues))
           value = known->second;
         else if (record.id.starts_with("8"))
           value = 60.0;  // hardness

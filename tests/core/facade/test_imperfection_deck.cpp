@@ -144,4 +144,11 @@ TEST_CASE("imperfections that cannot be simulated are refused by name", "[unit][
   REQUIRE(issues.size() == 1);
   CHECK(issues[0].severity == Severity::Warning);
   CHECK(issues[0].text().find("rndVar21") != std::string::npos);
+  deck::Deck open_in_motion = open;
+  open_in_motion.set("mode", "0");
+  open_in_motion.complete();
+  CHECK_THROWS_WITH(setup::build_bearing(open_in_motion),
+                    Catch::Contains("rndVar21") && Catch::Contains("no element rolls"));
+  open_in_motion.set("rndVar21", "3");
+  CHECK_NOTHROW(setup::build_bearing(open_in_motion));
 }

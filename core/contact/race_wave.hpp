@@ -1,0 +1,142 @@
+#pragma once
+
+#include "base/scalar_math.hpp"
+
+#include <cmath>
+
+/// Geometric imperfections of a race at one azimuth ψ of its own frame: the one statement of what
+/// contact/race_errors.hpp says, as plain numbers, for numbers, vectors of numbers (one element a
+/// lane) and dual numbers, for kernels too. SI, rad.
+namespace adore::contact {
+
+/// a sin(nψ + p).
+struct RaceWave {
+  double amplitude = 0.0, waves = 0.0, phase = 0.0;
+  double cos_phase = 1.0, sin_phase = 0.0;
+};
+
+/// Ellipse with one half axis at ψ = phase and the other a quarter turn on.
+struct RaceOval {
+  double along = 0.0, across = 0.0;  ///< 1/(half axis)² [1/m²]
+  double phase = 0.0, cos_phase = 1.0, sin_phase = 0.0;
+};
+
+template <class T>
+struct WithSlope {
+  T value, slope;  ///< and its derivative over ψ
+};
+
+/// (sin²t/b² + cos²t/a²)^(-1/2) from the cosine and sine of t.
+template <class T>
+[[gnu::always_inline]] inline WithSlope<T> oval_radius(double along, double across, const T& cosine,
+                                                       const T& sine) {
+  const T u = across * sine * sine + along * cosine * cosine;
+  T R;
+  ScalarMath<T>::root_and_inverse(u, R);
+  return {R, -R * (across - along) * sine * cosine / u};
+}
+
+/// An azimuth by its angle: waves of any number.
+struct AzimuthAngle {
+  using Number = double;
+  double psi = 0.0;
+  [[nodiscard]] WithSlope<double> wave(const RaceWave& w) const {
+    const double angle = w.waves * psi + w.phase;
+    return {w.amplitude * std::sin(angle), w.amplitude * w.waves * std::cos(angle)};
+  }
+  [[nodiscard]] WithSlope<double> oval(const RaceOval& o) const {
+    const double t = psi - o.phase;
+    return oval_radius(o.along, o.across, std::cos(t), std::sin(t));
+  }
+};
+
+/// An azimuth by its cosine and sine: whole numbers of waves, cos nψ + i sin nψ = (cos ψ + i sin
+/// ψ)^n by repeated squares; n rounding errors.
+template <class T>
+struct AzimuthDirection {
+  using Number = T;
+  T cosine, sine;
+  [[nodiscard, gnu::always_inline]] WithSlope<T> wave(const RaceWave& w) const {
+    T c = w.cos_phase, s = w.sin_phase, power_c = cosine, power_s = sine;
+    if (w.waves < 0.0) power_s = -power_s;
+    for (auto n = static_cast<unsigned>(w.waves < 0.0 ? -w.waves : w.waves); n != 0; n >>= 1) {
+      if ((n & 1U) != 0U) {
+        const T next = c * power_c - s * power_s;
+        s = c * power_s + s * power_c;
+        c = next;
+      }
+      const T square = power_c * power_c - power_s * power_s;
+      power_s = 2.0 * power_c * power_s;
+      power_c = square;
+    }
+    return {w.amplitude * s, (w.amplitude * w.waves) * c};
+  }
+  [[nodiscard, gnu::always_inline]] WithSlope<T> oval(const RaceOval& o) const {
+    return oval_radius(o.along, o.across, cosine * o.cos_phase + sine * o.sin_phase,
+                       sine * o.cos_phase - cosine * o.sin_phase);
+  }
+};
+
+/// Errors of one race, ready for evaluation. Its radius follows the oval, or the wave.
+struct RaceForm {
+  double nominal_radius = 0.0;  ///< R [m]
+  bool is_oval = false;
+  RaceOval oval;
+  RaceWave radius, land_offset, taper, curvature_factor;
+};
+
+/// Values at one azimuth, with their derivatives over it.
+template <class T>
+struct LocalRaceErrorOf {
+  T radius = 0.0;            ///< R(ψ) - R [m]
+  T radius_slope = 0.0;      ///< [m/rad]
+  T land_offset = 0.0;       ///< [m]
+  T taper = 0.0;             ///< [rad]
+  T curvature_factor = 0.0;  ///< change of f [-]
+  T land_offset_slope = 0.0, taper_slope = 0.0, curvature_factor_slope = 0.0;
+};
+using LocalRaceError = LocalRaceErrorOf<double>;
+
+template <class Azimuth>
+[[nodiscard, gnu::always_inline]] inline LocalRaceErrorOf<typename Azimuth::Number> race_error_at(
+    const RaceForm& form, const Azimuth& azimuth) {
+  using T = typename Azimuth::Number;
+  LocalRaceErrorOf<T> e;
+  const auto take = [&](const RaceWave& wave, T& value, T& slope) {
+    if (wave.amplitude == 0.0) return;
+    const WithSlope<T> at = azimuth.wave(wave);
+    value = at.value;
+    slope = at.slope;
+  };
+  if (form.is_oval) {
+    const WithSlope<T> outline = azimuth.oval(form.oval);
+    e.radius = outline.value - form.nominal_radius;
+    e.radius_slope = outline.slope;
+  } else {
+    take(form.radius, e.radius, e.radius_slope);
+  }
+  take(form.land_offset, e.land_offset, e.land_offset_slope);
+  take(form.taper, e.taper, e.taper_slope);
+  take(form.curvature_factor, e.curvature_factor, e.curvature_factor_slope);
+  return e;
+}
+
+/// What an error does to a groove (race_errors.hpp, race_with_error): its radius and the circle of
+/// its centres. Linear, so that slopes change as values do.
+template <class T>
+struct GrooveChange {
+  T radius, x, centre_radius;  ///< [m], or [m/rad] from slopes
+};
+/// @param radius R(ψ) - R; curvature_diameter 2 R_c, or the ball's D [m]; normal_x, normal_r n of
+/// the nominal contact
+template <class T>
+[[nodiscard, gnu::always_inline]] inline GrooveChange<T> groove_change(const T& radius,
+                                                                       const T& curvature_factor,
+                                                                       double curvature_diameter,
+                                                                       double normal_x,
+                                                                       double normal_r) {
+  const T growth = curvature_factor * curvature_diameter;
+  return {growth, -growth * normal_x, radius - growth * normal_r};
+}
+
+}  // namespace adore::contact

@@ -1,0 +1,66 @@
+#include "contact/wavy_groove_model.hpp"
+
+#include "base/chebyshev.hpp"
+#include "contact/groove.hpp"
+#include "contact/hertz.hpp"
+#include "contact/race_errors.hpp"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace adore::contact {
+namespace {
+
+/// K, a and b at one approach over those of the nominal curvature; E* cancels.
+std::array<double, 3> ratios(const HertzConstants& here, const HertzConstants& nominal) {
+  const double K = here.K / nominal.K, root = std::cbrt(K);
+  return {K, here.a_hat / nominal.a_hat * root, here.b_hat / nominal.b_hat * root};
+}
+
+void fit_constants(const bearing::BallGeometry& balls, int race, double amplitude, double angle,
+                   WavyGroove& out) {
+  constexpr std::size_t kPoints = 24;
+  const auto constants = [&](double change) {
+    bearing::BallGeometry here = balls;
+    here.groove_factor[static_cast<std::size_t>(race)] += change;
+    return hertz_constants(race_curvature(here, race, angle), 1.0);
+  };
+  const HertzConstants nominal = constants(0.0);
+  std::array<std::vector<double>, 3> values;
+  for (const double w : chebyshev_points(kPoints)) {
+    const auto at = ratios(constants(w * amplitude), nominal);
+    for (std::size_t q = 0; q < 3; ++q) values[q].push_back(at[q]);
+  }
+  double* const targets[] = {out.stiffness, out.major, out.minor};
+  for (std::size_t q = 0; q < 3; ++q) {
+    std::vector<double> series = chebyshev_coefficients(values[q]);
+    series.resize(WavyGroove::kTerms, 0.0);
+    const std::vector<double> powers = powers_of_chebyshev(series);
+    // The nominal groove has the ratio 1.
+    for (std::size_t k = 0; k < powers.size(); ++k) targets[q][k] = powers[k] / powers[0];
+  }
+}
+
+}  // namespace
+
+WavyGroove make_wavy_groove(const bearing::BallGeometry& balls, int race,
+                            const bearing::RaceErrors& errors, double fixed_angle) {
+  const auto j = static_cast<std::size_t>(race);
+  const double sign = race == bearing::kOuter ? 1.0 : -1.0;
+  const GrooveGeometry groove = groove_geometry(balls);
+  check_whole_waves(errors);
+  WavyGroove out;
+  out.form = race_form(errors, groove.centre_radius[j] + sign * groove.groove_radius[j]);
+  out.curvature_diameter = balls.diameter;
+  out.normal_x = sign * std::sin(balls.contact_angle);
+  out.normal_r = sign * std::cos(balls.contact_angle);
+  const double amplitude = std::abs(errors.curvature_factor.amplitude);
+  if (amplitude == 0.0) return out;
+  out.varying = true;
+  out.per_factor = 1.0 / amplitude;
+  fit_constants(balls, race, amplitude, fixed_angle, out);
+  return out;
+}
+
+}  // namespace adore::contact
