@@ -31,4 +31,13 @@ double roller_pocket_play(std::span<const RollerPocketFace> faces, const RollerP
   return 2.0 * least;
 }
 
+std::vector<RollerPocketFace> widened(std::span<const RollerPocketFace> faces, double clearance) {
+  std::vector<RollerPocketFace> out(faces.begin(), faces.end());
+  for (RollerPocketFace& face : out) {
+    const Vec3 normal = passive_matrix(face.angles).row(1);
+    face.centre += 0.5 * clearance * normal;
+  }
+  return out;
+}
+
 }  // namespace adore::contact

@@ -5,6 +5,7 @@
 #include "contact/roller_profile.hpp"
 
 #include <span>
+#include <vector>
 
 /// Play of a roller between the guide faces of a cage pocket (kPocType above 0), at rest in the
 /// middle of its pocket.
@@ -18,5 +19,10 @@ using bearing::RollerPocketFace;
 /// @throws InputError when no face covers any part of the roller.
 [[nodiscard]] double roller_pocket_play(std::span<const RollerPocketFace> faces,
                                         const RollerProfile& roller);
+
+/// The faces of a pocket whose clearance is larger by `clearance` (diametral, record 7.4): each is
+/// moved by half of that along its normal, away from the roller.
+[[nodiscard]] std::vector<RollerPocketFace> widened(std::span<const RollerPocketFace> faces,
+                                                    double clearance);
 
 }  // namespace adore::contact

@@ -1,6 +1,7 @@
 #include "setup/build_imperfections.hpp"
 
 #include "base/random_table.hpp"
+#include "contact/roller_pocket_play.hpp"
 #include "setup/check_rollers.hpp"
 #include "setup/deck_text.hpp"
 
@@ -176,14 +177,15 @@ void element_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
   check_roller_deviations(deck, rollers);
 }
 
-/// Record 7.4 by `value`, which is asked for a variable and its column of the random table.
+/// Record 7.4 by `value`, which is asked for a variable and its column of the random table. Guide
+/// faces have their own width (record 7.3), whatever the wall.
 template <class Value>
-bearing::PocketDeviation pocket_deviation(const Deck& deck, bool two, Value&& value) {
+bearing::PocketDeviation pocket_deviation(const Deck& deck, bool two, bool faces, Value&& value) {
   bearing::PocketDeviation out;
   out.clearance = {value("bPocClsVar1", RandomColumn::PocketClearance1),
                    two ? value("bPocClsVar2", RandomColumn::PocketClearance2) : 0.0};
   const deck::ReportOnly quiet(deck, deck.integer("mode") < 0);  // a play has nothing of these
-  out.thickness = value("bPocThknsVar", RandomColumn::PocketThickness);
+  if (!faces) out.thickness = value("bPocThknsVar", RandomColumn::PocketThickness);
   out.axial = value("bPocCenVar1", RandomColumn::PocketAxial);
   out.angular = value("bPocCenVar2", RandomColumn::PocketAngular);
   out.tilt = {value("bPocAngVar1", RandomColumn::PocketTilt1),
@@ -194,23 +196,25 @@ bearing::PocketDeviation pocket_deviation(const Deck& deck, bool two, Value&& va
 
 /// kCagePocImp: 1 the first pocket, 2 all alike, 3 each its own.
 void pocket_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
-  if (!b.cage || !deck.has("bPocClsVar1") || (b.rollers() && deck.integer("kPocType") > 0)) return;
+  if (!b.cage || !deck.has("bPocClsVar1")) return;
   const bool two = !b.rollers() && deck.integer("kPocType") >= 2;  // pockets with clearance II
+  const bool faces = !b.cage->pocket_faces.empty();
   const auto given = [&deck](const char* variable, RandomColumn) { return deck.si(variable); };
   const long long code = deck.integer("kCagePocImp");
   if (code == 2) {
     bearing::PocketDeviation& all = b.cage->every_pocket;
-    all = pocket_deviation(deck, two, given);
+    all = pocket_deviation(deck, two, faces, given);
+    if (faces) b.cage->pocket_faces = contact::widened(b.cage->pocket_faces, all.clearance[0]);
     b.cage->pocket_clearance_1 += all.clearance[0];
     b.cage->pocket_clearance_2 += all.clearance[1];
     all.clearance = {};
   } else if (code == 1) {
-    b.cage->pocket_deviation = {pocket_deviation(deck, two, given)};
+    b.cage->pocket_deviation = {pocket_deviation(deck, two, faces, given)};
   } else if (code == 3) {
     const Deviations random(deck, seed);
     for (std::size_t k = 0; k < static_cast<std::size_t>(b.element_count()); ++k)
       b.cage->pocket_deviation.push_back(
-          pocket_deviation(deck, two, [&](const char* variable, RandomColumn column) {
+          pocket_deviation(deck, two, faces, [&](const char* variable, RandomColumn column) {
             return random.at(variable, k, column);
           }));
   }

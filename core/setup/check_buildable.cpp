@@ -150,7 +150,7 @@ void check_law_ranges(const Deck& deck, Checker& check) {
 /// The same deviation in all pockets; that of single ones is looked at in operation.
 void check_pocket_errors(const Deck& deck, Checker& check) {
   if (!deck.has("bPocClsVar1") || deck.integer("kCagePocImp") != 2) return;
-  if (deck.integer("kBrg") != 1 && deck.integer("kPocType") > 0) return;  // guide faces
+  if (deck.integer("kBrg") != 1 && deck.integer("kPocType") > 0) return;  // bPocCls1 has no part
   const double given = deck.si("bPocCls1"), left = given + deck.si("bPocClsVar1");
   if (given >= 0.0 && left < 0.0)
     check.warning("bPocClsVar1",
@@ -248,12 +248,6 @@ void check_moving_rollers(const Deck& deck, Checker& check) {
         "kReGeoImp",
         "the contacts of each roller are those of its own shape; mass and moments of inertia "
         "stay those of the nominal roller");
-  if (deck.has("kCagePocImp") && deck.integer("kCagePocImp") != 0 && deck.integer("kPocType") > 0)
-    check.error(
-        "kCagePocImp",
-        "asks for imperfections of pockets with guide faces (record 7.3), which this version "
-        "does not simulate",
-        "set it to 0, or kPocType to 0 or -1");
   if (deck.has("reFlngTC1") && deck.integer("kRFTrac") != 0)
     check.error("kRFTrac", "asks for a user routine for roller to flange traction",
                 "set kRFTrac to 0");

@@ -96,6 +96,8 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (name.starts_with("pltNames") && scene.motion) return "fewer bodies have a plot file";
   if (name == "angVelOrient") return "only kAngVel = 2 gives the angle of the spin axis";
   if (name == "bPocCls2") return "a pocket of this shape has one clearance";
+  if (name == "bPocThknsVar" && scene.motion && scene.cage)
+    return "guide faces have their own width, whatever the wall";
   if (name == "bPocClsVar2") return "a pocket of this shape has no clearance II";
   if (name == "cageAngCut" && !scene.segments) return "a cage of one piece has no cut";
   if (name == "pocLubFilm") return "no hydrodynamics of the pockets is computed";

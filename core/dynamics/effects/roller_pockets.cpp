@@ -5,6 +5,7 @@
 #include "contact/line_contact.hpp"
 #include "contact/roller_flange.hpp"
 #include "contact/roller_pocket.hpp"
+#include "contact/roller_pocket_play.hpp"
 #include "contact/roller_shape.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/pockets.hpp"
@@ -205,7 +206,8 @@ RollerPocketSet::RollerPocketSet(const SceneBuilder& scene,
       pocket.end_wall[k] =
           0.5 * (width - D) - contact::end_at_wall(nominal[k], 0.0, Vec3::Zero(), axis).gap;
     if (!cage.pocket_faces.empty())
-      pocket.faces = contact::paired_faces(cage.pocket_faces, rotation_sign_);
+      pocket.faces = contact::paired_faces(contact::widened(cage.pocket_faces, own.clearance[0]),
+                                           rotation_sign_);
     else if (cage.pocket == bearing::PocketShape::Cylindrical)
       pocket.round = contact::RoundPocket{0.5 * width, low, high, place.half,
                                           contact::cut_edge(cage, rollers.pitch_diameter)};

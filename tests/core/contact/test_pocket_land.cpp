@@ -384,6 +384,9 @@ TEST_CASE("Play of a roller between guide faces", "[physics][cage]") {
   leaning.angles = {0.2, 0.0, 0.0};
   leaning.centre = 0.00508 * Vec3(0.0, std::cos(0.2), std::sin(0.2));
   CHECK(roller_pocket_play(std::array{face, leaning}, roller) == Approx(1.6e-4).epsilon(1e-9));
+  // What a deviation of the clearance adds is diametral, whatever way a face leans.
+  CHECK(roller_pocket_play(contact::widened(std::array{face, leaning}, 3e-5), roller) ==
+        Approx(1.9e-4).epsilon(1e-9));
   // A tapered roller is widest at its large end, towards -x, as far as the face reaches.
   roller.half_angle = 0.03;
   CHECK(roller_pocket_play(std::array{face}, roller) ==
