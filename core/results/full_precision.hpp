@@ -31,8 +31,8 @@ struct ContactFrames {
   std::string load_unit, slip_unit;
   std::vector<std::vector<ContactFrame>> frames;  ///< [frame][element]
   double largest_load = 0.0;                      ///< over all frames and elements
-  int pocket_code = 0;         ///< kPocType
-  double roller_length = 0.0;  ///< in the file's unit; 0 for balls
+  int pocket_code = 0;                            ///< kPocType
+  double roller_length = 0.0;                     ///< in the file's unit; 0 for balls
 };
 
 /// From RESULTS.h5 in the folder of a SOL8 file. Empty, with the reason in `why_not`, when there is
