@@ -21,18 +21,6 @@ namespace {
 
 using namespace tribology;
 
-/// @throws InputError unless every one of the inputs is above 0 and finite
-void above_zero(const Json& in, std::initializer_list<const char*> keys) {
-  for (const char* key : keys)
-    if (const double value = get(in, key); !(value > 0.0 && std::isfinite(value)))
-      throw InputError(fmt::format("{} is {}; give a finite value above 0", key, value));
-}
-void not_negative(const Json& in, std::initializer_list<const char*> keys) {
-  for (const char* key : keys)
-    if (const double value = get(in, key); !(value >= 0.0 && std::isfinite(value)))
-      throw InputError(fmt::format("{} is {}; give a finite value of at least 0", key, value));
-}
-
 std::optional<Json> film_case(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   const std::string formula = in.at("formula");

@@ -15,12 +15,6 @@ namespace {
 
 using namespace tribology;
 
-void above_zero(const Json& in, std::initializer_list<const char*> keys) {
-  for (const char* key : keys)
-    if (const double value = get(in, key); !(value > 0.0 && std::isfinite(value)))
-      throw InputError(fmt::format("{} is {}; give a finite value above 0", key, value));
-}
-
 std::optional<Json> journal_case(const Json& the_case) {
   const Json& in = the_case.at("inputs");
   above_zero(in, {"mu", "R", "L", "c"});

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,26 @@ inline constexpr int kMostElements = 10'000, kMostSlices = 1'000;
 [[nodiscard]] inline int whole_or(const Json& inputs, const char* key, int fallback, int least,
                                   int most) {
   return inputs.contains(key) ? whole(inputs, key, least, most) : fallback;
+}
+/// A number that must be finite and above 0. @throws InputError saying so
+inline double above_zero(const Json& inputs, const char* key) {
+  const double value = get(inputs, key);
+  if (!(value > 0.0 && std::isfinite(value)))
+    throw InputError(fmt::format("{} is {}; give a finite value above 0", key, value));
+  return value;
+}
+inline void above_zero(const Json& inputs, std::initializer_list<const char*> keys) {
+  for (const char* key : keys) above_zero(inputs, key);
+}
+/// The same for one that may be 0.
+inline double not_negative(const Json& inputs, const char* key) {
+  const double value = get(inputs, key);
+  if (!(value >= 0.0 && std::isfinite(value)))
+    throw InputError(fmt::format("{} is {}; give a finite value of at least 0", key, value));
+  return value;
+}
+inline void not_negative(const Json& inputs, std::initializer_list<const char*> keys) {
+  for (const char* key : keys) not_negative(inputs, key);
 }
 [[nodiscard]] inline std::string kind_of(const Json& the_case) {
   return the_case.value("kind", std::string());

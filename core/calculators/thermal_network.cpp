@@ -21,20 +21,6 @@ std::string kind(const Json& the_case) {
   return own.empty() ? the_case.at("inputs").value("kind", std::string()) : own;
 }
 
-double above_zero(const Json& in, const char* key) {
-  const double value = get(in, key);
-  if (!(value > 0.0 && std::isfinite(value)))
-    throw InputError(fmt::format("{} is {}; give a finite value above 0", key, value));
-  return value;
-}
-
-double not_negative(const Json& in, const char* key) {
-  const double value = get(in, key);
-  if (!(value >= 0.0 && std::isfinite(value)))
-    throw InputError(fmt::format("{} is {}; give a finite value of at least 0", key, value));
-  return value;
-}
-
 NetworkRing ring(const Json& in) {
   const NetworkRing out{above_zero(in, "r_in"), above_zero(in, "r_out"), above_zero(in, "w"),
                         above_zero(in, "k")};

@@ -1,4 +1,4 @@
-#include "core/results/synthetic.hpp"
+#include "core/facade/deck_runs.hpp"
 #include "deck/templates.hpp"
 #include "facade/prepare.hpp"
 #include "facade/run.hpp"
@@ -15,6 +15,9 @@
 /// Decks with segmented cages, without cage, and with unbalanced elements.
 using namespace adore;
 using deck::Deck;
+using testing::Ran;
+using testing::refusal_of;
+using testing::run_deck;
 namespace fs = std::filesystem;
 using nlohmann::json;
 
@@ -51,36 +54,6 @@ Sets segments(bool through) {
           {"kNumPltElem", "3"},     {"kPltElemInd", "1,13,15"}};
 }
 
-std::string refusal(const Deck& deck) {
-  facade::DeckRequest request;
-  request.text = deck::write_deck(deck);
-  try {
-    (void)facade::prepare(request);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "was accepted";
-}
-
-struct Ran {
-  facade::RunOutcome outcome;
-  json report;
-  std::string print;
-};
-
-Ran run(const Deck& deck, const fs::path& folder, bool go_on = false) {
-  fs::create_directories(folder);
-  deck::write_deck(deck, folder / "DATA.txt");
-  facade::RunRequest request;
-  request.deck = folder / "DATA.txt";
-  request.go_on = go_on;
-  Ran out;
-  out.outcome = facade::run(request);
-  out.report = json::parse(testing::read_bytes(folder / "RUN.json"));
-  out.print = testing::read_bytes(folder / "PRINT.txt");
-  return out;
-}
-
 }  // namespace
 
 TEST_CASE("a deck with a segmented cage runs and its files hold every segment",
@@ -88,7 +61,7 @@ TEST_CASE("a deck with a segmented cage runs and its files hold every segment",
   for (const bool through : {false, true}) {
     const testing::TemporaryFolder folder;
     const fs::path here = folder / "run";
-    const Ran ran = run(deck_of("ball", segments(through)), here);
+    const Ran ran = run_deck(deck_of("ball", segments(through)), here);
     INFO("through pockets " << through);
     // Segments at speeds of their own collide at once: 2e-5 at the tolerance of the example deck.
     CHECK(std::abs(ran.outcome.energy_residual) < 1e-4 * ran.outcome.energy_scale);
@@ -108,10 +81,10 @@ TEST_CASE("a deck with a segmented cage runs and its files hold every segment",
 TEST_CASE("a run with a segmented cage goes on from where it was", "[validation][cage]") {
   const testing::TemporaryFolder folder;
   const Sets sets = segments(true);
-  const Ran whole = run(deck_of("ball", with(sets, {{"maxStps", "40"}})), folder / "whole");
-  (void)run(deck_of("ball", with(sets, {{"maxStps", "20"}})), folder / "parts");
+  const Ran whole = run_deck(deck_of("ball", with(sets, {{"maxStps", "40"}})), folder / "whole");
+  (void)run_deck(deck_of("ball", with(sets, {{"maxStps", "20"}})), folder / "parts");
   Deck rest = deck_of("ball", with(sets, {{"maxStps", "20"}, {"kIcOpt", "1"}}));
-  const Ran parts = run(rest, folder / "parts");
+  const Ran parts = run_deck(rest, folder / "parts");
   CHECK(parts.outcome.steps == whole.outcome.steps);
   CHECK(parts.outcome.time == Approx(whole.outcome.time).epsilon(1e-6));
 }
@@ -126,7 +99,7 @@ TEST_CASE("roller decks with segments or without cage run and close the energy l
                                    {"lSeg[1]", "1"},    {"lSeg[2]", "7"},     {"avRatio[1]", "1"},
                                    {"avRatio[2]", "1"}, {"kNumPltElem", "1"}, {"kPltElemInd", "1"}}
                             : Sets{{"nCseg", "0"}, {"kNumPltElem", "1"}, {"kPltElemInd", "1"}};
-      const Ran ran = run(deck_of(type, sets), folder / (cage ? "segments" : "none"));
+      const Ran ran = run_deck(deck_of(type, sets), folder / (cage ? "segments" : "none"));
       INFO(type << (cage ? " in segments" : " without cage") << ": residual "
                 << ran.outcome.energy_residual << " of " << ran.outcome.energy_scale);
       CHECK(std::abs(ran.outcome.energy_residual) < 1e-5 * ran.outcome.energy_scale);
@@ -144,7 +117,7 @@ TEST_CASE("unequal, unbalanced and single odd elements run from decks", "[valida
   for (const char* code : {"1", "2"})
     for (const auto& [type, sets] : {std::pair{"ball", ball}, {"tapered", roller}}) {
       const testing::TemporaryFolder folder;
-      const Ran ran = run(deck_of(type, with({{"kReIP", code}}, sets)), folder / "run");
+      const Ran ran = run_deck(deck_of(type, with({{"kReIP", code}}, sets)), folder / "run");
       INFO(type << ", kReIP = " << code);
       CHECK(std::abs(ran.outcome.energy_residual) < 1e-5 * ran.outcome.energy_scale);
     }
@@ -152,19 +125,19 @@ TEST_CASE("unequal, unbalanced and single odd elements run from decks", "[valida
 
 TEST_CASE("what segments and unbalanced elements cannot do is refused by what it is",
           "[unit][cage]") {
-  CHECK_THAT(refusal(deck_of("ball", with(segments(true), {{"qFac", "0.05"}}))),
+  CHECK_THAT(refusal_of(deck_of("ball", with(segments(true), {{"qFac", "0.05"}}))),
              Catch::Contains("whole pockets only"));
-  CHECK(refusal(deck_of("ball", with(segments(false), {{"qFac", "0.05"}}))) == "was accepted");
-  CHECK_THAT(refusal(deck_of("ball", with(segments(false), {{"cageAngCut", "20"}}))),
+  CHECK(refusal_of(deck_of("ball", with(segments(false), {{"qFac", "0.05"}}))) == "was accepted");
+  CHECK_THAT(refusal_of(deck_of("ball", with(segments(false), {{"cageAngCut", "20"}}))),
              Catch::Contains("cuts more than the bars") && Catch::Contains("give at most"));
-  CHECK_THAT(refusal(deck_of("ball", with(segments(true), {{"cageAngCut", "20"}}))),
+  CHECK_THAT(refusal_of(deck_of("ball", with(segments(true), {{"cageAngCut", "20"}}))),
              Catch::Contains("touches on both sides"));
-  CHECK_THAT(refusal(deck_of("ball", {{"kReIP", "1"},
-                                      {"bReMass", "8e-3"},
-                                      {"bReMIx", "1e-7"},
-                                      {"bReMIy", "1e-7"},
-                                      {"bReMIz", "1e-7"},
-                                      {"qFac", "0.05"}})),
+  CHECK_THAT(refusal_of(deck_of("ball", {{"kReIP", "1"},
+                                         {"bReMass", "8e-3"},
+                                         {"bReMIx", "1e-7"},
+                                         {"bReMIy", "1e-7"},
+                                         {"bReMIz", "1e-7"},
+                                         {"qFac", "0.05"}})),
              Catch::Contains("inertia of its own"));
 }
 
@@ -175,7 +148,7 @@ TEST_CASE("a cage whose strain limit is passed is said to yield", "[validation][
                   {"cageH", "20"},     {"cageTC", "40"},   {"cageSH", "450"}};
   const auto warnings = [&](const char* limit) {
     std::string out;
-    const Ran ran = run(deck_of("ball", with(wild, {{"cageESL", limit}})), folder / limit);
+    const Ran ran = run_deck(deck_of("ball", with(wild, {{"cageESL", limit}})), folder / limit);
     for (const Issue& issue : ran.outcome.warnings) out += issue.message + "\n";
     return out;
   };
@@ -188,7 +161,7 @@ TEST_CASE("a cage in the middle that elements overlap is refused for the clearan
   const auto refused = [](const Deck& deck) -> std::string {
     const testing::TemporaryFolder folder;
     try {
-      (void)run(deck, folder / "run");
+      (void)run_deck(deck, folder / "run");
     } catch (const InputError& error) {
       return error.what();
     }

@@ -1,4 +1,4 @@
-#include "core/results/synthetic.hpp"
+#include "core/facade/deck_runs.hpp"
 #include "deck/templates.hpp"
 #include "facade/check.hpp"
 #include "facade/prepare.hpp"
@@ -13,6 +13,8 @@
 /// Decks that let races move, excite or suppress motions, and the constrained modes.
 using namespace adore;
 using deck::Deck;
+using testing::Ran;
+using testing::run_deck;
 namespace fs = std::filesystem;
 using nlohmann::json;
 
@@ -61,25 +63,6 @@ std::string warnings(const Sets& sets) {
   std::string out;
   for (const Issue& issue : prepared(sets).input.warnings)
     out += issue.variable + " " + issue.message + "\n";
-  return out;
-}
-
-struct Ran {
-  facade::RunOutcome outcome;
-  json report;
-  std::string print;
-};
-
-Ran run(const Deck& deck, const fs::path& folder, bool go_on = false) {
-  fs::create_directories(folder);
-  deck::write_deck(deck, folder / "DATA.txt");
-  facade::RunRequest request;
-  request.deck = folder / "DATA.txt";
-  request.go_on = go_on;
-  Ran out;
-  out.outcome = facade::run(request);
-  out.report = json::parse(testing::read_bytes(folder / "RUN.json"));
-  out.print = testing::read_bytes(folder / "PRINT.txt");
   return out;
 }
 
@@ -144,7 +127,7 @@ TEST_CASE("every excitation and constraint of a ball deck runs and closes the en
   };
   for (const auto& [name, sets] : cases) {
     INFO(name);
-    const Ran ran = run(ball(sets), folder / name);
+    const Ran ran = run_deck(ball(sets), folder / name);
     CHECK(ran.outcome.status == facade::RunStatus::Done);
     CHECK(ran.outcome.steps == 40);
     CHECK(std::abs(ran.outcome.energy_residual) < 1e-4 * ran.outcome.energy_scale);
@@ -161,7 +144,7 @@ TEST_CASE("constraints, turning frame and given inertia of rollers close the ene
         {{"maxStps", "40"}, {"nStps", "2"}, {"kNumPltElem", "1"}, {"kPltElemInd", "1"}}, sets));
     return deck;
   };
-  const double plain = run(cylindrical({}), folder / "plain").outcome.energy_scale;
+  const double plain = run_deck(cylindrical({}), folder / "plain").outcome.energy_scale;
   const std::pair<const char*, Sets> cases[] = {
       {"kDOF 2", {{"kDOF", "2"}}},
       {"kDOF 4", {{"kDOF", "4"}}},
@@ -183,7 +166,7 @@ TEST_CASE("constraints, turning frame and given inertia of rollers close the ene
         {"bReMIz", "3.5e-7"}}},
   };
   for (const auto& [name, sets] : cases) {
-    const Ran ran = run(cylindrical(sets), folder / name);
+    const Ran ran = run_deck(cylindrical(sets), folder / name);
     INFO(name << ": residual " << ran.outcome.energy_residual << " of " << ran.outcome.energy_scale
               << " J, plain " << plain << " J");
     CHECK(ran.outcome.status == facade::RunStatus::Done);
@@ -258,11 +241,11 @@ TEST_CASE("runs with moving races go on where they stopped", "[validation][motio
     const fs::path whole = folder / ("whole" + std::to_string(k)),
                    parts = folder / ("parts" + std::to_string(k));
     ++k;
-    const Ran unbroken = run(ball(sets), whole);
+    const Ran unbroken = run_deck(ball(sets), whole);
     Deck first = ball(sets);
     first.set("maxStps", "20");
-    (void)run(first, parts);
-    const Ran rest = run(ball(with(sets, {{"kIcOpt", "0"}})), parts, true);
+    (void)run_deck(first, parts);
+    const Ran rest = run_deck(ball(with(sets, {{"kIcOpt", "0"}})), parts, true);
     CHECK(rest.outcome.steps == 40);
     CHECK(rest.outcome.revolutions == Approx(unbroken.outcome.revolutions).epsilon(1e-12));
     CHECK(testing::read_bytes(whole / "SOL2") == testing::read_bytes(parts / "SOL2"));

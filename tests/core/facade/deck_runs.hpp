@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/results/synthetic.hpp"
+#include "deck/deck.hpp"
+#include "facade/prepare.hpp"
+#include "facade/run.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <string>
+
+/// Decks that are run through the facade, with what they leave.
+namespace adore::testing {
+
+struct Ran {
+  facade::RunOutcome outcome;
+  nlohmann::json report;  ///< RUN.json
+  std::string print;      ///< PRINT.txt
+};
+
+inline Ran run_deck(const deck::Deck& deck, const std::filesystem::path& folder,
+                    bool go_on = false) {
+  std::filesystem::create_directories(folder);
+  deck::write_deck(deck, folder / "DATA.txt");
+  facade::RunRequest request;
+  request.deck = folder / "DATA.txt";
+  request.go_on = go_on;
+  Ran out;
+  out.outcome = facade::run(request);
+  out.report = nlohmann::json::parse(read_bytes(folder / "RUN.json"));
+  out.print = read_bytes(folder / "PRINT.txt");
+  return out;
+}
+
+/// Why a deck is refused, or "was accepted".
+inline std::string refusal_of(const deck::Deck& deck) {
+  facade::DeckRequest request;
+  request.text = deck::write_deck(deck);
+  try {
+    (void)facade::prepare(request);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "was accepted";
+}
+
+}  // namespace adore::testing
