@@ -66,20 +66,6 @@ struct Candidate {
   Vec2 residual;  ///< G at the old place [N]
 };
 
-std::unique_ptr<HeldContacts> ball_contacts(const SceneBuilder& scene, double mass) {
-  PocketContact* pockets = scene.find<PocketContact>();
-  const bool friction = pockets != nullptr && pockets->friction().has_value();
-  std::optional<MovingFrame> frame;
-  if (const auto& turning = scene.plan.race_motions.frame)
-    frame = MovingFrame{turning->speed, turning->orbit_radius, turning->orbit_angle};
-  return std::make_unique<HeldBalls>(
-      HeldBalls::Scene{scene.find<Races>()->contacts(), mass,
-                       scene.plan.has(Effect::Gravity) ? scene.bearing.gravity : Vec3(Vec3::Zero()),
-                       pockets != nullptr ? &pockets->set() : nullptr,
-                       friction ? *pockets->friction() : tribology::TractionLaw(), friction, frame},
-      static_cast<std::size_t>(scene.bearing.element_count()));
-}
-
 class LightLoadBalance final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override;
@@ -114,16 +100,16 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
     axial_ = axial_ && scene.bearing.rollers()->shape != bearing::RollerShape::Arc;
     contacts = std::make_unique<HeldRollers>(
         statics::make_roller_model(scene.bearing, scene.rollers->options),
-        scene.bearing.imperfections, mass_, scene.force_pass());
+        scene.bearing.imperfections, mass_);
   } else {
     const Balls& balls = *scene.find<Balls>();
     element_ = balls.slices();
     mass_ = balls.mass();
-    contacts = ball_contacts(scene, mass_);
+    contacts = std::make_unique<HeldBalls>(scene.find<Races>()->contacts(), mass_);
   }
   RaceBalance* race = scene.find<RaceBalance>();
   held_.emplace(HeldElements::Scene{mass_, axial_, race != nullptr ? &race->race() : nullptr},
-                element_, std::move(contacts));
+                element_, std::move(contacts), scene.force_pass(race == nullptr));
   constexpr std::string_view kCost = "light-load balance";
   scene.block<HeldRates>(Phase::Kinematics, kCost, {}, *held_);
   scene.block<HeldMotion>(Phase::Motion, kCost, {}, *held_);
