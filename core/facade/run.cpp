@@ -309,12 +309,13 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   long step = start.step;
   long substeps = start.resume.substeps;  // done of the counted step under way
   double h = start.step_size;
-  double output_seconds = 0.0;
+  double output_seconds = 0.0;  // of the processor, as all of the ledger
   auto output = [&](auto&& action) {
-    const auto at = Clock::now();
+    const double at = scene::processor_seconds();
     action();
-    system.cost().add(output_cost, Clock::now() - at);
-    output_seconds += seconds_since(at);
+    const double spent = scene::processor_seconds() - at;
+    system.cost().add(output_cost, spent);
+    output_seconds += spent;
   };
 
   // Of the run before this process, and of the stepper before its last start.
@@ -342,7 +343,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   };
   const bool may_hold = prepared.plan.has(scene::Effect::LightLoadBalance);
 
-  const auto loop_begin = Clock::now();
+  const double loop_begin = scene::processor_seconds();
   try {
     if (!start.continued && system.between_steps(start.time, start.y)) ++held_changes;
     try {
@@ -415,13 +416,11 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   }
   if (const std::string text = outputs.load_warning(); !text.empty()) warn(prepared, text);
   // What the loop spent outside the right-hand side and the output belongs to the stepper.
-  const double loop_seconds = seconds_since(loop_begin);
+  const double loop_seconds = scene::processor_seconds() - loop_begin;
   double rhs_seconds = 0.0;
   for (const auto& row : system.cost().rows())
     if (row.name != "stepper" && row.name != "output") rhs_seconds += row.seconds;
-  const double rest = std::max(0.0, loop_seconds - rhs_seconds - output_seconds);
-  system.cost().add(stepper_cost, std::chrono::duration_cast<Clock::duration>(
-                                      std::chrono::duration<double>(rest)));
+  system.cost().add(stepper_cost, std::max(0.0, loop_seconds - rhs_seconds - output_seconds));
 
   summary.status = out.status;
   summary.message = out.message;
