@@ -21,12 +21,17 @@ RacePose seen_by(const Evaluation& e, std::size_t i, const RaceBody& race) noexc
 
 HeldBalls::HeldBalls(const Scene& scene, std::size_t balls)
     : scene_(scene),
-      ball_(scene.contacts[0].groove, {scene.contacts[0].hertz.K, scene.contacts[1].hertz.K},
-            scene.mass, {scene.contacts[0].angle, scene.contacts[1].angle}),
       offset_(std::min(scene.contacts[0].groove.offset[0], scene.contacts[0].groove.offset[1])) {
-  std::array<const contact::WavyGroove*, 2> wavy{};
-  for (std::size_t j = 0; j < 2; ++j) wavy[j] = scene.contacts[j].wavy.get();
-  ball_.set_wavy(wavy);
+  const auto& contacts = scene.contacts;
+  const std::size_t own = scene.masses.alike() && !contacts[0].own ? 1 : balls;
+  for (std::size_t i = 0; i < own; ++i) {
+    const RaceContactModel &outer = contacts[0].of(i), &inner = contacts[1].of(i);
+    ConstrainedBall ball(outer.groove, {outer.hertz.K, inner.hertz.K}, scene.masses[i].mass,
+                         {outer.angle, inner.angle});
+    ball.set_wavy({outer.wavy.get(), inner.wavy.get()});
+    offset_ = std::min({offset_, outer.groove.offset[0], outer.groove.offset[1]});
+    balls_.push_back(ball);
+  }
   for (auto& values : state_) values.assign(balls, 0.0);
   for (auto& values : action_) values.assign(balls, 0.0);
   for (auto* arrays : {&load_, &heat_, &load_slip_})
@@ -42,8 +47,8 @@ RacePose HeldBalls::pose(const Evaluation& e, std::size_t j) const noexcept {
 Vec2 HeldBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept {
   Vec2 force = Vec2::Zero();
   for (std::size_t j = 0; j < 2; ++j) {
-    const GrooveContact c = ball_.contact_with(static_cast<int>(j), seen_by(e, i, pose(e, j)),
-                                               {e.elements.x[i], e.elements.r[i]});
+    const GrooveContact c = ball(i).contact_with(static_cast<int>(j), seen_by(e, i, pose(e, j)),
+                                                 {e.elements.x[i], e.elements.r[i]});
     force += c.force.head<2>();
   }
   return force;
@@ -51,9 +56,10 @@ Vec2 HeldBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept 
 
 HeldPlace HeldBalls::balanced(const Evaluation& e, std::size_t i, const Vec2& force) const {
   const ElementViews& b = e.elements;
-  const Orbit orbit{Orbit::Kept::Momentum, scene_.mass * b.r[i] * b.r[i] * b.theta_dot[i]};
+  const Orbit orbit{Orbit::Kept::Momentum,
+                    scene_.masses[i].mass * b.r[i] * b.r[i] * b.theta_dot[i]};
   const std::array<RacePose, 2> poses{pose(e, 0), pose(e, 1)};
-  const BallBalance at = ball_.solve(poses, b.theta[i], orbit, force, {b.x[i], b.r[i]});
+  const BallBalance at = ball(i).solve(poses, b.theta[i], orbit, force, {b.x[i], b.r[i]});
   return {at.x, at.r, at.speed, std::max(at.contact[0].load, at.contact[1].load), at.solved};
 }
 
@@ -102,8 +108,8 @@ void HeldBalls::springs(const Evaluation& e, std::span<const std::size_t> held,
       const Vec2 place(e.elements.x[i], e.elements.r[i]);
       const GrooveContact c =
           scene_.contacts[j].wavy
-              ? ball_.wavy_contact(race, seen_by(e, i, pose(e, j)), place, of.turning[j])
-              : ball_.contact_with(race, seen_by(e, i, e.race[j]), place);
+              ? ball(i).wavy_contact(race, seen_by(e, i, pose(e, j)), place, of.turning[j])
+              : ball(i).contact_with(race, seen_by(e, i, e.race[j]), place);
       const Vec2 n = c.normal.head<2>();
       of.along[j] = Mat2::Identity() - n * n.transpose();
       of.race[j] = c.stiffness;
@@ -126,16 +132,17 @@ void HeldBalls::add_forces(const Friction& friction, const Evaluation& e, std::s
   for (std::size_t j = 0; j < 2; ++j)
     add_friction_damping(load_[j][k], heat_[j][k], load_slip_[j][k], springs.along[j], damping);
   out.race_theta = force[2];
-  force += e.to_cylindrical(i, scene_.mass * scene_.gravity);
+  const double mass = scene_.masses[i].mass;
+  force += e.to_cylindrical(i, mass * scene_.gravity);
   if (scene_.frame)
     force += e.to_cylindrical(
-        i, scene_.frame->inertial_force(scene_.mass, e.element_centre(i), e.element_velocity(i)));
+        i, scene_.frame->inertial_force(mass, e.element_centre(i), e.element_velocity(i)));
   const contact::WallPoints walls = pocket_walls(i);
   for (int w = 0; w < walls.count; ++w) {
     const contact::WallPoint& wall = walls.surface[static_cast<std::size_t>(w)];
     const PocketSet& set = *scene_.pockets;
     const PocketAction a =
-        pocket_action(set.law(i), friction, e, i, set.body(e, i), set.ball_radius(),
+        pocket_action(set.law(i), friction, e, i, set.body(e, i), set.ball_radius(i),
                       set.to_base(i, wall.m, set.body(e, i).to_base), -wall.gap);
     force += e.to_cylindrical(i, a.on_ball);
     const Vec2 m = e.to_cylindrical(i, a.m).head<2>();
@@ -145,10 +152,7 @@ void HeldBalls::add_forces(const Friction& friction, const Evaluation& e, std::s
   out.damping = damping;
 }
 
-Vec3 HeldBalls::forces(Evaluation& e, std::span<const std::size_t> held,
-                       std::span<const HeldSprings> springs, std::span<HeldForces> out) noexcept {
-  for (std::size_t k = 0; k < held.size(); ++k) gather(e.elements, held[k], state_, k);
-  for (auto& values : action_) std::fill_n(values.begin(), held.size(), 0.0);
+Vec3 HeldBalls::race_forces(const Evaluation& e, std::span<const std::size_t> held) noexcept {
   const ElementViews balls = view_of(state_, held.size());
   Vec3 on_race = Vec3::Zero();
   for (std::size_t j = 0; j < 2; ++j)
@@ -156,6 +160,35 @@ Vec3 HeldBalls::forces(Evaluation& e, std::span<const std::size_t> held,
                   scene_.contacts[j], balls, e.race[j].motion(),
                   forces_in(action_, load_[j].data(), heat_[j].data(), load_slip_[j].data()))
                   .force;  // of the inner race last
+  return on_race;
+}
+
+/// Balls that differ, of which some are held.
+Vec3 HeldBalls::race_forces_one_by_one(const Evaluation& e,
+                                       std::span<const std::size_t> held) noexcept {
+  Vec3 on_race = Vec3::Zero();
+  for (std::size_t k = 0; k < held.size(); ++k) {
+    ElementViews one = view_of(state_, 1);
+    for (const auto view : kElementViews) one.*view += k;
+    for (std::size_t j = 0; j < 2; ++j) {
+      ElementForces out =
+          forces_in(action_, load_[j].data() + k, heat_[j].data() + k, load_slip_[j].data() + k);
+      for (const auto action : kElementActions) out.*action += k;
+      const Vec3 force =
+          evaluate_race_contacts(scene_.contacts[j].of(held[k]), one, e.race[j].motion(), out)
+              .force;
+      if (j == 1) on_race += force;
+    }
+  }
+  return on_race;
+}
+
+Vec3 HeldBalls::forces(Evaluation& e, std::span<const std::size_t> held,
+                       std::span<const HeldSprings> springs, std::span<HeldForces> out) noexcept {
+  for (std::size_t k = 0; k < held.size(); ++k) gather(e.elements, held[k], state_, k);
+  for (auto& values : action_) std::fill_n(values.begin(), held.size(), 0.0);
+  const Vec3 on_race =
+      scene_.contacts[0].own ? race_forces_one_by_one(e, held) : race_forces(e, held);
   const auto add_all = [&](const auto& friction) {
     for (std::size_t k = 0; k < held.size(); ++k)
       add_forces(friction, e, held[k], k, springs[k], out[k]);

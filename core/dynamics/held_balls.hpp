@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/effects/pockets.hpp"
+#include "dynamics/element_masses.hpp"
 #include "dynamics/held_contacts.hpp"
 #include "dynamics/moving_frame.hpp"
 
@@ -16,7 +17,7 @@ class HeldBalls final : public HeldContacts {
  public:
   struct Scene {
     const std::array<RaceContactModel, 2>& contacts;
-    double mass;                        ///< of a ball [kg]
+    const ElementMasses& masses;
     Vec3 gravity;                       ///< [m/s²]
     PocketSet* pockets;                 ///< null without pocket contact
     tribology::TractionLaw pocket_law;  ///< with pocket_traction
@@ -39,6 +40,9 @@ class HeldBalls final : public HeldContacts {
 
   [[nodiscard]] RacePose pose(const Evaluation& e, std::size_t j) const noexcept;
   void add_walls(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept;
+  /// Into action_, load_ ... of the held balls. Returns the force on the inner race [N].
+  Vec3 race_forces(const Evaluation& e, std::span<const std::size_t> held) noexcept;
+  Vec3 race_forces_one_by_one(const Evaluation& e, std::span<const std::size_t> held) noexcept;
   /// The walls that a located ball touches.
   [[nodiscard]] contact::WallPoints pocket_walls(std::size_t i) const noexcept;
   /// @param friction of the pockets (pocket_action)
@@ -46,9 +50,13 @@ class HeldBalls final : public HeldContacts {
   void add_forces(const Friction& friction, const Evaluation& e, std::size_t i, std::size_t k,
                   const HeldSprings& springs, HeldForces& out) noexcept;
 
+  [[nodiscard]] const ConstrainedBall& ball(std::size_t i) const noexcept {
+    return balls_[i < balls_.size() ? i : balls_.size() - 1];
+  }
+
   Scene scene_;
-  ConstrainedBall ball_;
-  double offset_ = 0.0;  ///< least groove radius - ball radius [m]
+  std::vector<ConstrainedBall> balls_;  ///< one for all, or each its own
+  double offset_ = 0.0;                 ///< least groove radius - ball radius [m]
   // One value per held ball.
   ElementStorage state_;
   ElementActions action_;  ///< forces and moments of the races

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/race_errors.hpp"
+#include "dynamics/element_masses.hpp"
 #include "dynamics/force_pass.hpp"
 #include "dynamics/held_contacts.hpp"
 #include "statics/roller_model.hpp"
@@ -23,8 +24,8 @@ namespace adore::dynamics {
 
 class HeldRollers final : public HeldContacts {
  public:
-  HeldRollers(statics::RollerModel model, const bearing::Imperfections& errors, double mass,
-              ForcePass pass);
+  HeldRollers(statics::RollerModel model, const bearing::Imperfections& errors,
+              ElementMasses masses, ForcePass pass);
 
   void springs(const Evaluation& e, std::span<const std::size_t> held,
                std::span<HeldSprings> out) noexcept override;
@@ -45,7 +46,7 @@ class HeldRollers final : public HeldContacts {
 
   mutable statics::RollerModel model_;  ///< races with errors as they are at their rollers now
   std::array<std::optional<contact::WavyRace>, 2> wavy_;
-  double mass_;
+  ElementMasses masses_;
   ForcePass pass_;
 };
 

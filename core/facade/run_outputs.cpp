@@ -492,7 +492,9 @@ std::vector<fs::path> RunOutputs::files() const { return impl_->files.written; }
 KeyResults RunOutputs::summary() const { return impl_->key_results; }
 
 results::EnergyJudgement RunOutputs::judge_energy() const {
-  return results::judge_energy(impl_->last.energy, static_elastic(impl_->prepared));
+  const bool vibrates = !impl_->prepared.plan.has(scene::Effect::ElementBalance);
+  return results::judge_energy(impl_->last.energy,
+                               vibrates ? static_elastic(impl_->prepared) : 0.0);
 }
 
 std::string RunOutputs::load_warning() const {

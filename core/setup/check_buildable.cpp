@@ -238,16 +238,26 @@ void check_segments(const Deck& deck, Checker& check) {
                            : fmt::format("give more pocket clearance, {}", remedy));
 }
 
-/// What the motion of rollers leaves out.
-void check_moving_rollers(const Deck& deck, Checker& check) {
+/// What the motion of unequal elements leaves out.
+void check_moving_elements(const Deck& deck, bool rollers, Checker& check) {
   if (deck.integer("kReGeoImp") == 3)
     check.error("kReGeoImp", "asks for user routine ADRX8, which this version does not call yet",
                 "use 0, 1 or 2");
-  else if (deck.integer("kReGeoImp") != 0)
+  else if (deck.integer("kReGeoImp") == 0)
+    return;
+  else if (rollers)
     check.note(
         "kReGeoImp",
         "the contacts of each roller are those of its own shape; mass and moments of inertia "
         "stay those of the nominal roller");
+  else if (deck.integer("kTrac") != 0)
+    check.note("kReGeoImp",
+               "the contacts of each ball are those of its own diameter; the thickness and the "
+               "traction of the lubricant's film are those on the nominal ball");
+}
+
+/// What the motion of rollers leaves out.
+void check_moving_rollers(const Deck& deck, Checker& check) {
   if (deck.has("reFlngTC1") && deck.integer("kRFTrac") != 0)
     check.error("kRFTrac", "asks for a user routine for roller to flange traction",
                 "set kRFTrac to 0");
@@ -286,12 +296,8 @@ std::vector<Issue> check_buildable(const Deck& deck) {
   if (dynamic) check.gates(kDynamic);
   const bool rollers = deck.integer("kBrg") != 1;
   if (dynamic) check_lubricant(deck, rollers, check);
+  if (dynamic) check_moving_elements(deck, rollers, check);
   if (dynamic && rollers) check_moving_rollers(deck, check);
-  if (dynamic && !rollers && deck.integer("kReGeoImp") != 0)
-    check.error("kReGeoImp",
-                "asks for the motion of rolling elements with geometric imperfections, which this "
-                "version does not simulate yet",
-                "set kReGeoImp to 0");
   const long long segments = deck.integer("nCseg");
   if (dynamic && segments > 1) check_segments(deck, check);
   if (dynamic && segments == 0) {

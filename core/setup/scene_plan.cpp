@@ -1,5 +1,6 @@
 #include "setup/scene_plan.hpp"
 
+#include "bearing/element_inertia.hpp"
 #include "setup/race_motions.hpp"
 #include "tribology/lubricant.hpp"
 
@@ -105,6 +106,13 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
                          deck.integer(fmt::format("kRaceGeoImp{}", j + 1)),
                          ideal ? ", all amplitudes 0" : ""));
     }
+
+  if (!bearing.imperfections.ball_diameter.empty()) {
+    const bool unequal = bearing::has_unequal_balls(bearing);
+    effect(Effect::RaceContact, "balls of unequal diameter", unequal,
+           fmt::format("kReGeoImp = {}{}", deck.integer("kReGeoImp"),
+                       unequal ? "" : ", all deviations 0"));
+  }
 
   // A perfect sphere's orientation is integrated only for elements that a file shows.
   const bool sections = control.print_option >= 1;

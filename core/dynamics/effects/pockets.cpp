@@ -1,6 +1,7 @@
 #include "dynamics/effects/pockets.hpp"
 
 #include "base/errors.hpp"
+#include "bearing/element_inertia.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "statics/kinematics.hpp"
 
@@ -28,7 +29,8 @@ PocketSet::PocketSet(const bearing::Bearing& bearing,
   const std::size_t count = pockets.size();
   for (auto* values : {&qx_, &qy_, &qz_, &sin_, &cos_}) values->resize(count);
   std::vector<bearing::PocketDeviation> deviation;
-  bool alike = cage.pocket == bearing::PocketShape::Cylindrical && cage.cone_angle == 0.0;
+  bool alike = cage.pocket == bearing::PocketShape::Cylindrical && cage.cone_angle == 0.0 &&
+               !bearing::has_unequal_balls(bearing);
   for (const contact::PlacedPocket& pocket : pockets) {
     segment_.push_back(pocket.piece);
     element_.push_back(pocket.element);
@@ -66,9 +68,11 @@ PocketSet::PocketSet(const bearing::Bearing& bearing,
                      high,
                      pockets[i].half,
                      contact::cut_edge(cage, bearing.balls().pitch_diameter)};
+    const double own_diameter = 2.0 * bearing::element_radius(bearing, pockets[i].element);
+    pocket.pocket = contact::with_ball(pocket.pocket, own_diameter - D);
     pocket.frame = contact::pocket_frame(
         {pockets[i].azimuth + own.angular, pitch_radius_, own.axial, cage.cone_angle, own.tilt});
-    pocket.law = contact::ball_pocket_law(bearing.element_material, cage.material, D,
+    pocket.law = contact::ball_pocket_law(bearing.element_material, cage.material, own_diameter,
                                           contact::wall_curvatures(pocket.pocket))
                      .law;
     shaped_.push_back(std::move(pocket));
@@ -164,7 +168,7 @@ inline void PocketBlock<Traction, Shaped>::touch(const Friction& friction, Evalu
   BodyState& cage = set_.body(e, i);
   const std::size_t ball = set_.element(i);
   const PocketAction action =
-      pocket_action(law, friction, e, ball, cage, set_.ball_radius(), m, overlap);
+      pocket_action(law, friction, e, ball, cage, set_.ball_radius(i), m, overlap);
   if constexpr (Traction) {
     e.add_moment(ball, e.to_cylindrical(ball, action.arm.cross(action.friction)));
     heat_ += action.heat;

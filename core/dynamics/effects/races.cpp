@@ -153,6 +153,8 @@ void Races::set_up_balls(const SceneBuilder& scene) {
     model.law = race_law(scene.bearing, model, scene.fixed_angle[j]);
     model.surface = scene.options.surface;
     model.rule = rule;
+    set_own_balls(model, scene.bearing.balls(), errors, scene.bearing.imperfections.ball_diameter,
+                  scene.fixed_angle[j]);
   }
   place(scene, groove.centre_x);
 }
@@ -209,7 +211,7 @@ void Races::declare(SceneBuilder& scene) {
     const Balls* balls = scene.find<Balls>();
     normal_.emplace(contacts_,
                     balls != nullptr ? balls->slices() : scene.find<RigidElements>()->slices(),
-                    scene.bearing.element_inertia.mass);
+                    ElementMasses(scene.bearing));
   }
 }
 
@@ -224,9 +226,9 @@ double Races::stiffness(double force) const {
 std::string Races::why_invalid(const Evaluation& e) const {
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t i = 0; i < e.elements.n; ++i) {
-      const double of_radius =
-          rollers_ ? (*rollers_)[j].load_limit
-                   : contact::hertz_load(contacts_[j].hertz.K, contacts_[j].groove.ball_radius);
+      const double radius = rollers_ ? 0.0 : contacts_[j].of(i).groove.ball_radius;
+      const double of_radius = rollers_ ? (*rollers_)[j].load_limit
+                                        : contact::hertz_load(contacts_[j].of(i).hertz.K, radius);
       if (e.load[j][i] > of_radius)
         return fmt::format(
             "element {} is pressed into the {} race by more than its own radius; use a "
@@ -238,7 +240,7 @@ std::string Races::why_invalid(const Evaluation& e) const {
             "length reaches the radius of the element ({:.4g} m), because the groove fits it so "
             "closely: Hertz's theory ends before that. Give a larger groove factor or less load, "
             "or, where the load is a peak of the run, a smaller largest step",
-            e.load[j][i], i + 1, j == 0 ? "outer" : "inner", contacts_[j].groove.ball_radius);
+            e.load[j][i], i + 1, j == 0 ? "outer" : "inner", radius);
     }
   return {};
 }
@@ -262,7 +264,7 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       RaceContactSnapshot& contact = snapshot.elements[i].race[j];
       contact = rollers_ ? roller_race_detail((*rollers_)[j], e, i)
-                         : race_contact_detail(contacts_[j], e.elements, i, body.motion());
+                         : race_contact_detail(contacts_[j].of(i), e.elements, i, body.motion());
       contact.contact_temperature = temperature_[j] + contact.temperature_rise;
     }
   }
@@ -272,9 +274,9 @@ double Races::quadrature_error(const Evaluation& e) const {
   double largest = 0.0;
   if (!in_contact_ || rollers_) return largest;  // slices have no rule
   for (std::size_t j = 0; j < 2; ++j) {
-    const RaceContactModel& model = contacts_[j];
-    if (!model.traction) continue;
+    if (!contacts_[j].traction) continue;
     for (std::size_t i = 0; i < e.elements.n; ++i) {
+      const RaceContactModel& model = contacts_[j].of(i);
       const RaceContactState contact = race_contact_state(model, e.elements, i, e.race[j].motion());
       if (!(contact.ellipse.Q > 0.0)) continue;
       const auto fixed =
