@@ -80,6 +80,30 @@ inline V get(const double* from) { return V(from, stdx::element_aligned); }
 inline void put(double* to, V value) { value.copy_to(to, stdx::element_aligned); }
 inline void add(double* to, V value) { put(to, get(to) + value); }
 
+/// Of a law with a film: a call, so that a kernel has one copy of each.
+template <class Law>
+[[gnu::noinline]] void add_film_traction(const RaceKernelInput& in,
+                                         const tribology::EllipseContact<V>& ellipse,
+                                         tribology::EllipseSums<V>& sums) {
+  sums = tribology::EllipseSum<V, Law>(in.nodes, ellipse, *static_cast<const Law*>(in.law),
+                                       in.slip_floor, in.slip_scale)
+             .run();
+}
+
+template <class Law>
+[[gnu::always_inline]] inline tribology::EllipseSums<V> traction_of(
+    const RaceKernelInput& in, const tribology::EllipseContact<V>& ellipse) {
+  if constexpr (tribology::kHasFilm<Law>) {
+    tribology::EllipseSums<V> sums;
+    add_film_traction<Law>(in, ellipse, sums);
+    return sums;
+  } else {
+    return tribology::EllipseSum<V, Law>(in.nodes, ellipse, *static_cast<const Law*>(in.law),
+                                         in.slip_floor, in.slip_scale)
+        .run();
+  }
+}
+
 template <class Law, class Race>
 void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
   const V s = get(at.sin_theta), c = get(at.cos_theta);
@@ -140,10 +164,7 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
     ellipse.surface =
         tribology::ellipse_surface(in.place, in.rho, in.ball_radius, ellipse.a, approach);
     ellipse.motion = ellipse_motion(pair, d, k, t, place, touch);
-    const tribology::EllipseSums<V> traction =
-        tribology::EllipseSum<V, Law>(in.nodes, ellipse, *static_cast<const Law*>(in.law),
-                                      in.slip_floor, in.slip_scale)
-            .run();
+    const tribology::EllipseSums<V> traction = traction_of<Law>(in, ellipse);
     meridian = contact::meridian_force(load, traction.F_c, touch.n_k, touch.n_e);
     force_t = traction.F_t;
     moment_k = traction.M_n * touch.n_k - traction.M_c * touch.n_e;
