@@ -21,7 +21,8 @@ LifeObserver::LifeObserver(const bearing::Bearing& bearing, const life::LifePara
 void LifeObserver::observe(const scene::Snapshot& snapshot) {
   const bearing::LifeChoices& choices = calculator_.parameters().choices;
   life::BearingContacts contacts = life::life_contacts(snapshot, bearing_);
-  contacts.film_parameter = film_parameter_;
+  for (std::size_t j = 0; j < 2; ++j)  // of the instant; else that of the start
+    if (!contacts.film_parameter[j]) contacts.film_parameter[j] = film_parameter_[j];
   const life::LifeState state = calculator_.evaluate(contacts, choices.stored_model);
   const life::PartLives& lives = state.of(choices.stored_model, choices.stored_modification);
   hours_ = life::life_hours(lives.L_S, state.relative_speed);

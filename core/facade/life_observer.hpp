@@ -14,7 +14,7 @@ namespace adore::facade {
 
 class LifeObserver {
  public:
-  /// @param film_parameter Λ by race, that of the start
+  /// @param film_parameter Λ by race of instants that say none
   LifeObserver(const bearing::Bearing& bearing, const life::LifeParameters& parameters,
                const std::array<std::optional<double>, 2>& film_parameter = {});
 

@@ -94,6 +94,7 @@ void flanges(Report& report, const scene::Snapshot& snapshot, int interval) {
 void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
               int interval) {
   const bool film = is_computed(record, "contact.film");
+  const bool lambda = is_computed(record, "contact.film_parameter");
   const bool rise = is_computed(record, "contact.temperature_rise");
   const bool rollers = record.shape.rollers;
   report.heading(
@@ -138,7 +139,11 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
                                        {"a", "contact.half_major", race},
                                        {"b", "contact.half_minor", race},
                                        {"pressure", "contact.pressure", race}};
-    if (film) columns.push_back({"film", "contact.film", race});
+    if (film) {
+      columns.push_back({"film", "contact.film", race});
+      columns.push_back({"least film", "contact.least_film", race});
+    }
+    if (lambda) columns.push_back({"lambda", "contact.film_parameter", race});
     columns.insert(columns.end(), {{"slip", "contact.slip", race},
                                    {"spin/roll", "contact.spin_to_roll", race},
                                    {"heat", "contact.heat", race},

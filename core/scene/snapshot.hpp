@@ -26,9 +26,12 @@ struct RaceContactSnapshot {
   double max_slip = 0.0;                      ///< largest slip speed in the ellipse [m/s]
   double heat = 0.0;                          ///< ∫ κ p u dA [W]
   double load_slip = 0.0;                     ///< ∫ p u dA [W]
-  double film = 0.0;                          ///< 0 with the hypothetical law [m]
-  double temperature_rise = 0.0;              ///< 0 until a thermal model exists [K]
-  double contact_temperature = 0.0;           ///< race temperature + rise [K]
+  double film = 0.0;                          ///< in the middle; 0 with the hypothetical law [m]
+  double least_film = 0.0;                    ///< at its thinnest, likewise [m]
+  double film_parameter = 0.0;       ///< Λ, least film over the composite roughness; 0: none known
+  double rolling_speed = 0.0;        ///< of both surfaces, of contacts with a film [m/s]
+  double temperature_rise = 0.0;     ///< flash, of contacts with a film; else 0 [K]
+  double contact_temperature = 0.0;  ///< race temperature + rise [K]
   double edge = 0.0;          ///< depth s of the contact below the shoulder, either race (N94) [m]
   double centre_chord = 0.0;  ///< t, inner end of the contact from the groove's centre plane [m]
   // Rollers: half_major is half the length in contact, half_minor and max_pressure are those of the

@@ -5,7 +5,6 @@
 #include "setup/deck_text.hpp"
 #include "setup/race_motions.hpp"
 #include "setup/read_cage.hpp"
-#include "tribology/film_law.hpp"
 
 #include <fmt/format.h>
 
@@ -263,28 +262,10 @@ void check_moving_rollers(const Deck& deck, Checker& check) {
                 "set kRFTrac to 0");
 }
 
-/// Which lubricants have a law of traction in motion, and between what.
-void check_lubricant(const Deck& deck, bool rollers, Checker& check) {
-  const long long code = deck.integer("kTrac");
-  if (code == 0) return;
-  if (code < 0)
-    return check.error("kTrac", "asks for user routine ADRX7, which this version does not call yet",
-                       "set kTrac to 0 or to a lubricant");
-  constexpr int kUserLubricant = 9;
-  if (rollers)
-    return check.error("kTrac",
-                       "asks for a lubricant's traction between rollers and races, which this "
-                       "version does not simulate yet (mode -1 has its films)",
-                       "set kTrac to 0");
-  if (code != kUserLubricant &&
-      !tribology::has_film_law(tribology::lubricant(static_cast<int>(code))))
-    check.error(
-        "kTrac",
-        fmt::format("asks for the traction of {}, whose visco-elastic, shear-thinning or "
-                    "measured law this version does not simulate in motion yet (mode -1 has "
-                    "its films)",
-                    tribology::lubricant(static_cast<int>(code)).name),
-        "set kTrac to 0, to 1 to 7, or to 9");
+void check_lubricant(const Deck& deck, Checker& check) {
+  if (deck.integer("kTrac") < 0)
+    check.error("kTrac", "asks for user routine ADRX7, which this version does not call yet",
+                "set kTrac to 0 or to a lubricant");
 }
 
 }  // namespace
@@ -295,7 +276,7 @@ std::vector<Issue> check_buildable(const Deck& deck) {
   check.gates(kAlways);
   if (dynamic) check.gates(kDynamic);
   const bool rollers = deck.integer("kBrg") != 1;
-  if (dynamic) check_lubricant(deck, rollers, check);
+  if (dynamic) check_lubricant(deck, check);
   if (dynamic) check_moving_elements(deck, rollers, check);
   if (dynamic && rollers) check_moving_rollers(deck, check);
   const long long segments = deck.integer("nCseg");
