@@ -285,6 +285,25 @@ constexpr auto kTable = std::to_array<Channel>({
      [](const Source& s) { return s.bearing->element_temperature; }, "rolling elements"},
     {"power.cage_temperature", "cage bulk temperature", &unit::kTemperature, "-", Per::Run, 1, false,
      [](const Source& s) { return s.bearing->cage_temperature; }, "cage"},
+    // Thermal analysis.
+    {"thermal.coolant_inlet", "coolant inlet temperature", &unit::kTemperature, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().coolant_in; }, "of the last thermal step"},
+    {"thermal.coolant_exit", "coolant exit temperature", &unit::kTemperature, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().coolant_out; }, "of the last thermal step"},
+    {"thermal.outside_diameter", "bearing outside diameter temperature", &unit::kTemperature, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().outside; }, "outer race at the housing"},
+    {"thermal.bore", "bearing bore temperature", &unit::kTemperature, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().bore; }, "inner race at the shaft"},
+    {"thermal.housing", "housing outside diameter temperature", &unit::kTemperature, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().housing; }, "of the last thermal step"},
+    {"thermal.total_heat", "average total heat", &unit::kPower, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().heat; }, "over the last thermal step"},
+    {"thermal.coolant_heat", "average heat to the coolant", &unit::kPower, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().coolant_heat; }, "over the last thermal step"},
+    {"thermal.outer_heat", "average heat to the outer race", &unit::kPower, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().race_heat[0]; }, "through it, over the last thermal step"},
+    {"thermal.inner_heat", "average heat to the inner race", &unit::kPower, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().race_heat[1]; }, "through it, over the last thermal step"},
 });
 
 }  // namespace
