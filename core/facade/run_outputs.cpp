@@ -243,6 +243,7 @@ void RunOutputs::show_thermal(const ThermalRun& thermal) { impl_->thermal = &the
 void RunOutputs::thermal_step(const ThermalRun::Step& step, double time) {
   Impl& s = *impl_;
   s.recorder.set_bearing(s.prepared.bearing);
+  s.life.follow_bearing();
   s.files.print->thermal_step(step.heat, step.number, time, step.geometry);
 }
 

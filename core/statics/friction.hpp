@@ -20,11 +20,11 @@
 /// Oil in the inlet resists rolling; on each surface, with the film's inlet heating φT:
 ///   point  2.86 E' R² k^0.348 U^0.66 G^0.022 W^0.47     (Houpert 1987, recalled)
 ///   line   4.318 (R L/α) (G U)^0.658 W^0.0126           (Goksem & Hargreaves 1978, recalled)
-/// and takes 2 F ū. Starvation thins it as it thins the film (factor φS).
-/// Flanges: load times the curve of record 10.2 at the slip of the end. Lands and pockets: without
-/// the motion of the cage their loads are not known, and nothing is booked; the drag of the medium
-/// (kChrn) on elements and cage is, at the epicyclic speeds. Elastic hysteresis is left out.
-/// Decision 301.
+/// and takes 2 F ū (own check of the line: ∫(h - h0)/2 dp of a Grubin inlet, within 5 %).
+/// Starvation thins it as it thins the film (factor φS). Flanges: load times the curve of
+/// record 10.2 at the slip of the end. Lands and pockets: without the motion of the cage their
+/// loads are not known, and nothing is booked; the drag of the medium (kChrn) on elements and cage
+/// is, at the epicyclic speeds. Elastic hysteresis is left out. Decision 301.
 namespace adore::statics {
 
 struct StaticSolution;

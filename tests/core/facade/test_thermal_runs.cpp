@@ -105,7 +105,10 @@ TEST_CASE("a continued run goes on with its temperatures", "[physics][thermal]")
   const auto a = results::read_sol(one / "SOL7").steps.back().values,
              b = results::read_sol(two / "SOL7").steps.back().values;
   REQUIRE(a.size() == b.size());
-  for (std::size_t k = 0; k < a.size(); ++k) CHECK(a[k] == b[k]);
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    INFO("value " << k + 1);
+    CHECK(a[k] == b[k]);
+  }
 }
 
 TEST_CASE("temperatures that run away end the run with their figures", "[physics][thermal]") {
