@@ -208,6 +208,10 @@ constexpr auto kTable = std::to_array<Channel>({
      [](const Source& s) { return land_value(s, s.land, [](const auto& l) { return l.gap; }); }, "negative in contact"},
     {"land.angle", "guide land contact angle", &unit::kAngle, "K", Per::Land, 1, false,
      [](const Source& s) { return land_value(s, s.land, [](const auto& l) { return l.angle; }); }, "azimuth of the least gap"},
+    {"land.film_force", "guide land film force", &unit::kForce, "-", Per::Land, 1, false,
+     [](const Source& s) { return land_value(s, s.land, [](const auto& l) { return l.film_force; }); }, "of the oil between cage and race; 0 without hydrodynamics (kGsHydro)"},
+    {"land.attitude", "guide land attitude angle", &unit::kAngle, "-", Per::Land, 1, false,
+     [](const Source& s) { return land_value(s, s.land, [](const auto& l) { return l.attitude; }); }, "from the line of the least gap to the load of the film"},
     // Races, outer then inner.
     {"race.whirl_speed", "whirl speed", &unit::kRotation, "N", Per::Race, 1, false,
      [](const Source& s) { return race_orbit(s).theta_dot; }, "of the mass centre about the bearing axis"},
