@@ -133,6 +133,9 @@ Prepared prepare_model(LoadedDeck input) {
     });
     out.as_built = out.thermal->as_built;
     out.bearing = out.thermal->operating;
+    for (const std::string& note : out.thermal->heat.notes)
+      out.input.warnings.push_back(
+          remark(Severity::Note, out.input.path.string(), "thermal analysis: " + note));
   } else {
     out.bearing = thermal::operating_bearing(out.as_built);
   }

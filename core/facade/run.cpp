@@ -478,6 +478,10 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   summary.status = out.status;
   summary.message = out.message;
   summary.loop_seconds = loop_seconds;
+  if (thermal && thermal->steps() == 0)
+    outputs.remark(
+        "thermal analysis: the run ended before its first thermal step (aveTime); temperatures "
+        "stayed those of record 9.1.3");
   outputs.finish(system, summary);
 
   out.files = outputs.files();

@@ -214,6 +214,10 @@ BearingHeat solve_bearing_heat(const Bearing& b, const HeatSources& sources, dou
     // Nothing above absolute zero is left to evaluate properties at: runaway() says so.
     if (!runaway(out.bulk).empty()) break;
   }
+  if (!(b.envelope.shaft_bore > 0.0))
+    out.notes.emplace_back(
+        "the shaft is solid (shftID = 0): the thermal network gives it a bore of 1 % of the "
+        "bearing's");
   if (out.coolant && out.coolant->outside(T_mean))
     out.notes.push_back(fmt::format(
         "the coolant's properties are known from {:g} to {:g} K; its mean temperature is {:.4g} K, "
