@@ -9,6 +9,7 @@
 #include "setup/lubricated.hpp"
 #include "setup/race_motions.hpp"
 #include "setup/read_cage.hpp"
+#include "tribology/film_law.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
@@ -102,9 +103,12 @@ bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const 
 bearing::Lubrication lubrication(const Deck& deck) {
   bearing::Lubrication out;
   out.code = static_cast<int>(deck.integer("kTrac"));
-  out.critical_film = deck.si("reRaceFilm");
-  out.meniscus = deck.si("strParam");
   constexpr int kUserLubricant = 9;
+  // At rest it tells film from metal where the film's traction is computed.
+  const bool law = deck.integer("mode") >= 0 || out.code == kUserLubricant ||
+                   tribology::has_film_law(tribology::lubricant(out.code));
+  out.critical_film = si_where(law, deck, "reRaceFilm");
+  out.meniscus = deck.si("strParam");
   if (out.code != kUserLubricant) return out;
   bearing::UserLubricant user;
   user.name = deck.text("lubName");
@@ -377,9 +381,6 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   const bool dynamic = deck.integer("mode") >= 0;
   if (dynamic || deck.has("reRaceTC1"))
     out.race_traction = curve(deck, "kTracType", "reRaceTC", true);
-  if ((dynamic || deck.has("reFlngTC1")) && out.rollers() != nullptr &&
-      (out.rollers()->has_flange(0) || out.rollers()->has_flange(1)))
-    out.flange_traction = curve(deck, "kRFTracType", "reFlngTC", true);
   if (lubricated(deck)) out.lubrication = lubrication(deck);
   if (deck.integer("kChrn") > 0) out.churning = churning(deck);
   if (deck.integer("kTherm") > 0) out.thermal = thermal_inputs(deck);
@@ -396,6 +397,13 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
     if (guided) out.land_traction = curve(deck, "kCRTracType", "cageRaceTC", true);
   }
   out.constraints = constraints(deck);
+  if ((dynamic || deck.has("reFlngTC1")) && out.rollers() != nullptr &&
+      (out.rollers()->has_flange(0) || out.rollers()->has_flange(1))) {
+    // At rest the flanges of cylindrical rollers carry nothing without thrust.
+    const bool acts = dynamic || out.type != bearing::Type::Cylindrical ||
+                      out.constraints.load[0] != 0.0 || out.constraints.displacement[0] != 0.0;
+    out.flange_traction = curve(deck, "kRFTracType", "reFlngTC", acts);
+  }
   const bearing::Vec3 in_frame = frame_load(deck, out.race_inertia);
   for (std::size_t k = 1; k < 3; ++k)
     if (!out.constraints.displacement_given[k])
