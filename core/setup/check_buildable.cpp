@@ -31,21 +31,11 @@ struct Gate {
 constexpr Gate kAlways[] = {
     {"kRaceFlex", 0, "a flexible outer race (announced by the classic program, never available)"},
 };
-constexpr Gate kDynamic[] = {
-    {"kTherm", 0, "the thermal analysis"},
-    {"kChrn", 0, "churning and drag"},
-};
 constexpr Gate kCage[] = {
     {"kCageGsImp", 0, "cage guide-land imperfections"},
     {"kRaceGsImp", 0, "race guide-land imperfections"},
     {"kCPTrac", 0, "a user routine for element to cage traction"},
     {"kCRTrac", 0, "a user routine for cage to race traction"},
-};
-
-// Of a cage in one piece; segments have none (N72).
-constexpr Gate kCageFilms[] = {
-    {"kPocHydro", 0, "pocket hydrodynamics"},
-    {"kGsHydro", 0, "guide-land hydrodynamics"},
 };
 
 constexpr Gate kNoCage[] = {
@@ -268,13 +258,32 @@ void check_lubricant(const Deck& deck, Checker& check) {
                 "set kTrac to 0 or to a lubricant");
 }
 
+/// Which films of the pockets act.
+void check_pocket_films(const Deck& deck, bool rollers, Checker& check) {
+  const deck::ReportOnly quiet(deck);
+  if (rollers)
+    check.error("kPocHydro",
+                "asks for hydrodynamics in the pockets of rollers, which this version does not "
+                "simulate yet (guide lands of all types and pockets of balls are)",
+                "set kPocHydro to 0");
+  else if (deck.real("qFac") > 0.0 || deck.integer("mode") > 0)
+    check.error("kPocHydro",
+                "asks for films in the pockets of balls that are held in force balance, which "
+                "knows the contact with the pockets alone",
+                "set kPocHydro to 0, or qFac and mode to 0");
+  else if (!(deck.si("pocLubFilm") > 0.0))
+    check.error("pocLubFilm",
+                "leaves the pockets no film, which kPocHydro = 1 asks for: walls farther than this "
+                "feel none",
+                "give the largest film, e.g. half the pocket clearance, or set kPocHydro to 0");
+}
+
 }  // namespace
 
 std::vector<Issue> check_buildable(const Deck& deck) {
   Checker check(deck);
   const bool dynamic = deck.integer("mode") >= 0;
   check.gates(kAlways);
-  if (dynamic) check.gates(kDynamic);
   const bool rollers = deck.integer("kBrg") != 1;
   if (dynamic) check_lubricant(deck, check);
   if (dynamic) check_moving_elements(deck, rollers, check);
@@ -297,7 +306,8 @@ std::vector<Issue> check_buildable(const Deck& deck) {
           "set mode to 0");
   }
   if (dynamic && segments > 0) check.gates(kCage);
-  if (dynamic && segments == 1) check.gates(kCageFilms);
+  if (dynamic && segments == 1 && deck.integer("kPocHydro") == 1)
+    check_pocket_films(deck, rollers, check);
   for (Issue& issue : check_race_motions(deck)) check.add(std::move(issue));
   for (Issue& issue : check_element_inertia(deck)) check.add(std::move(issue));
   for (const char* material :

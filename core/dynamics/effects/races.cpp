@@ -196,7 +196,8 @@ void Races::declare(SceneBuilder& scene) {
   const auto& errors = scene.bearing.imperfections.race;
   const bool work = traction || !errors[0].ideal() || !errors[1].ideal() ||
                     plan.has(Effect::LandTraction) || plan.has(Effect::FlangeTraction) ||
-                    scene.races_move();
+                    plan.has(Effect::ElementDrag) || plan.has(Effect::CageDrag) ||
+                    plan.has(Effect::LandFilm) || scene.races_move();
   const std::array<std::string, 2> names{"outer race", "inner race"};
   for (std::size_t j = 0; j < 2; ++j) {
     const std::string& name = names[j];
