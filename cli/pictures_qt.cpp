@@ -48,7 +48,8 @@ void add_plot(CLI::App& app) {
   CLI::Option* page = command->add_option("--page", options->page, "one page (all unless given)");
   command->add_option("--from", options->range.from, "first stored step, counted from 1")
       ->capture_default_str();
-  command->add_option("--to", options->range.to, "last stored step")->capture_default_str();
+  CLI::Option* to =
+      command->add_option("--to", options->range.to, "last stored step")->default_str("the last");
   command->add_option("--every", options->range.every, "interval of stored steps")
       ->capture_default_str();
   command_line::one_of(command->add_option("--abscissa", *abscissa, "revolutions or time")
@@ -62,7 +63,7 @@ void add_plot(CLI::App& app) {
   command->callback([=] {
     if (page->count() > 0) check_range("--page", options->page);
     check_range("--from", static_cast<double>(options->range.from));
-    check_range("--to", static_cast<double>(options->range.to));
+    if (to->count() > 0) check_range("--to", static_cast<double>(options->range.to));
     check_range("--every", static_cast<double>(options->range.every));
     desktop::ensure_headless_application();
     options->folder = *out;
