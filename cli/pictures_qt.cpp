@@ -74,9 +74,10 @@ void add_plot(CLI::App& app) {
 }
 
 struct AnimateOptions {
-  std::string file, out = ".", view = "bearing", race = "inner", movie, progress = "auto";
+  std::string file, out = ".", view = "bearing", race = "inner", colour = "none", movie,
+                    progress = "auto";
   int frame = 0, every = 1, frames_per_second = 25, element = 1;
-  bool dark = false;
+  bool dark = false, contacts = false;
 };
 
 void animate(const AnimateOptions& options) {
@@ -84,6 +85,9 @@ void animate(const AnimateOptions& options) {
   agore::RenderOptions render;
   render.view.view = agore::view_named(options.view, options.race);
   render.view.element = options.element;
+  render.view.flange_race = options.race == "outer" ? 0 : 1;
+  render.view.colour = agore::colour_named(options.colour);
+  render.view.contacts = options.contacts;
   render.view.dark = options.dark;
   render.progress = make_count_progress("frame", options.progress);
   agore::MotionPicture picture = agore::open_animation(options.file);
@@ -108,11 +112,13 @@ void animate(const AnimateOptions& options) {
 void add_animate(CLI::App& app) {
   CLI::App* command = app.add_subcommand("animate", "draw frames or a film of SOL8");
   auto options = std::make_shared<AnimateOptions>();
-  command->add_option("file", options->file, "SOL8 file")->required()->type_name("FILE");
+  command->add_option("file", options->file, "SOL8 file, or RESULTS.h5")
+      ->required()
+      ->type_name("FILE");
   command_line::one_of(command->add_option("--view", options->view, "what is looked at")
                            ->capture_default_str()
                            ->type_name("VIEW"),
-                       {"bearing", "cage", "pocket", "element", "race", "flange"});
+                       {"bearing", "cage", "pocket", "element", "race", "flange", "section"});
   command_line::one_of(command->add_option("--race", options->race, "race of the race view")
                            ->capture_default_str()
                            ->type_name("RACE"),
@@ -126,7 +132,9 @@ void add_animate(CLI::App& app) {
       command->add_option("--every", options->every, "every n-th frame")->capture_default_str();
   CLI::Option* movie = command
                            ->add_option("--movie", options->movie,
-                                        "film to write: NAME.avi, or a folder of numbered pictures")
+                                        "film to write: NAME.avi, NAME.gif, NAME.mp4 (where ffmpeg "
+                                        "is), or a folder of numbered "
+                                        "pictures")
                            ->type_name("FILE");
   command->add_option("--fps", options->frames_per_second, "pictures per second of the film")
       ->capture_default_str();
@@ -134,6 +142,11 @@ void add_animate(CLI::App& app) {
   command->add_option("--out", options->out, "folder of the pictures")
       ->type_name("DIR")
       ->default_str("here");
+  command_line::one_of(command->add_option("--colour", options->colour, "what colours the elements")
+                           ->capture_default_str()
+                           ->type_name("WHAT"),
+                       {"none", "load", "slip", "heat", "temperature"});
+  command->add_flag("--contacts", options->contacts, "arrows of the race loads on all elements");
   command->add_flag("--dark", options->dark, "dark theme");
   add_progress(*command, options->progress);
   command->footer(
