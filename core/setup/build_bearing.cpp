@@ -9,7 +9,6 @@
 #include "setup/lubricated.hpp"
 #include "setup/race_motions.hpp"
 #include "setup/read_cage.hpp"
-#include "tribology/film_law.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
@@ -104,10 +103,7 @@ bearing::Lubrication lubrication(const Deck& deck) {
   bearing::Lubrication out;
   out.code = static_cast<int>(deck.integer("kTrac"));
   constexpr int kUserLubricant = 9;
-  // At rest it tells film from metal where the film's traction is computed.
-  const bool law = deck.integer("mode") >= 0 || out.code == kUserLubricant ||
-                   tribology::has_film_law(tribology::lubricant(out.code));
-  out.critical_film = si_where(law, deck, "reRaceFilm");
+  out.critical_film = deck.si("reRaceFilm");
   out.meniscus = deck.si("strParam");
   if (out.code != kUserLubricant) return out;
   bearing::UserLubricant user;

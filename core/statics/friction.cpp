@@ -9,7 +9,6 @@
 #include "tribology/contact_film.hpp"
 #include "tribology/ellipse_traction.hpp"
 #include "tribology/film_law.hpp"
-#include "tribology/newton_film.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
@@ -85,40 +84,38 @@ class Oil {
     }
   }
   [[nodiscard]] bool given() const { return oil_.has_value(); }
-  [[nodiscard]] bool has_traction() const { return oil_ && tribology::has_film_law(*oil_); }
-  [[nodiscard]] tribology::TractionLaw law(std::size_t j, double radius, double k,
-                                           double race_speed) const {
-    if (!has_traction()) return bearing_.race_traction;
+  /// Of contacts with one race. @param width_over_pressure b/p0 [m/Pa]
+  [[nodiscard]] tribology::TractionLaw law(std::size_t j, bool line, double radius,
+                                           double width_over_pressure, double race_speed) const {
+    if (!given()) return bearing_.race_traction;
     tribology::FilmSurface surface;
+    surface.line = line;
     surface.radius = radius;
-    surface.k = std::max(k, 1.0);
     surface.modulus = modulus_[j];
     surface.wall_temperature = temperature_[j];
     surface.race_speed = std::max(race_speed, 1e-6);
-    return {bearing_.race_traction, tribology::heated_film(*oil_, *bearing_.lubrication, surface)};
+    surface.width_over_pressure = width_over_pressure;
+    return tribology::film_law(bearing_.race_traction, *oil_, *bearing_.lubrication, surface);
   }
-  /// κ of a slice of a line at its pressure, with the film of the whole line: as
-  /// laws/heated_film.hpp has it for points.
+  /// κ of slip and peak pressure of a slice of a line, with the film of the whole line.
   [[nodiscard]] std::function<double(double, double)> line_law(
-      std::size_t j, tribology::FilmContact contact) const {
-    const tribology::TractionLaw metal(bearing_.race_traction);
-    const auto dry = [metal](double slip, double) { return metal.coefficient(slip); };
-    if (!has_traction()) return dry;
-    contact.modulus = modulus_[j];
-    const tribology::ContactFilm film = tribology::contact_film(inlet_[j], contact);
-    const double critical = bearing_.lubrication->critical_film, T = temperature_[j];
-    const double s =
-        std::clamp((film.minimum - 0.95 * critical) / (0.1 * critical + 1e-15), 0.0, 1.0);
-    const double share = s * s * (3.0 - 2.0 * s);
-    if (!(share > 0.0)) return dry;
-    const tribology::NewtonFilm newton{film.central, oil_->pressed_viscosity(0.0, T),
-                                       oil_->traction_alpha, oil_->pressed_beta(0.0, T),
-                                       oil_->conductivity.at(T)};
-    return [=, limit = oil_->limiting_ratio](double slip, double pressure) {
-      double kappa = tribology::film_shear_stress(newton, slip, pressure) / std::max(pressure, 1.0);
-      if (limit > 0.0) kappa /= std::pow(1.0 + std::pow(kappa / limit, 4.0), 0.25);
-      return share * kappa + (1.0 - share) * metal.coefficient(slip);
-    };
+      const tribology::TractionLaw& law, const tribology::FilmContact& contact) const {
+    tribology::ContactPoint<double> point;
+    point.load = contact.load;
+    point.peak_pressure = contact.peak_pressure;
+    point.half_minor = contact.half_width;
+    point.entrainment = contact.speed;
+    point.curvature = 1.0 / contact.radius;
+    return law.visit([&](const auto& one) -> std::function<double(double, double)> {
+      if constexpr (tribology::kHasFilm<std::decay_t<decltype(one)>>) {
+        // What a film points at lives as long as the law.
+        return [here = one.at(point), law](double slip, double pressure) {
+          return here.strip(pressure)(slip);
+        };
+      } else {
+        return [law](double slip, double) { return law.coefficient(slip); };
+      }
+    });
   }
   /// Power of the oil in the inlet; `contact` without its modulus, of lines per length.
   [[nodiscard]] double rolling(std::size_t j, tribology::FilmContact contact, double length) const {
@@ -153,15 +150,10 @@ FrictionEstimate begin(const Bearing& bearing, const Oil& oil) {
   out.speed = std::abs(bearing.speed[1] - bearing.speed[0]);
   const std::string curve = fmt::format("the curve of record 10.1, {:.4g} at most",
                                         tribology::largest_traction(bearing.race_traction));
-  if (oil.has_traction()) {
+  if (oil.given()) {
     out.law = fmt::format("film of {}, below the critical film {}", oil.name(), curve);
   } else {
     out.law = curve;
-    if (oil.given())
-      out.notes.push_back(
-          fmt::format("the traction of {} is not computed here: that of record 10.1 stands for it; "
-                      "its film and viscous rolling are the lubricant's own",
-                      oil.name()));
   }
   if (bearing.cage)
     out.notes.emplace_back(
@@ -229,7 +221,8 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const StaticSolution&
       const double along =
           1.0 / contact::race_curvature(balls, static_cast<int>(j), std::abs(alpha)).along_minor;
       const double k = ball.a[j] / ball.b[j];
-      const tribology::TractionLaw law = oil.law(j, along, k, race_speed);
+      const tribology::TractionLaw law =
+          oil.law(j, false, along, ball.b[j] / ball.p_max[j], race_speed);
       const double all = free_heat(law, g, m, rule);
       EllipseGeometry flat = g;
       flat.rho = 0.0;
@@ -293,8 +286,9 @@ FrictionEstimate friction_estimate(const Bearing& bearing, const RollerSolution&
       film.half_width = at.half_width;
       film.peak_pressure = at.peak_pressure;
       film.speed = u;
-      const tribology::TractionLaw law = oil.law(j, film.radius, k, race_speed);
-      const auto slice_law = oil.line_law(j, film);
+      const tribology::TractionLaw law = oil.law(
+          j, line, film.radius, at.half_width / std::max(at.peak_pressure, 1.0), race_speed);
+      const auto slice_law = oil.line_law(law, film);
       EllipseGeometry g{at.load, 0.5 * at.length, at.half_width, 0.0, R};
       const double crown = std::min(rollers.crown_radius, kStraight);
       g.rho = tribology::surface_radius(crown, groove);
