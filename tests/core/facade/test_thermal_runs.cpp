@@ -6,6 +6,9 @@
 
 #include <cmath>
 #include <filesystem>
+#include <string>
+#include <tuple>
+#include <vector>
 
 using namespace adore;
 using namespace adore::testing;
@@ -127,4 +130,68 @@ TEST_CASE("temperatures that run away end the run with their figures", "[physics
   still.set("cFlowRate", "1.0e-7");
   CHECK_THROWS_WITH(run_deck(still, folder("still_runaway")),
                     Catch::Contains("thermal analysis: no steady state"));
+}
+
+TEST_CASE("the medium drags in decks of all types and modes, and its heat is in the account",
+          "[physics][tribology]") {
+  for (const auto& [name, mode, share] : {std::tuple{"ball", "0", "0.0"},
+                                          {"ball", "0", "0.02"},
+                                          {"ball", "1", "0.0"},
+                                          {"ball", "2", "0.0"},
+                                          {"cylindrical", "0", "0.0"},
+                                          {"cylindrical", "1", "0.0"},
+                                          {"spherical", "0", "0.0"},
+                                          {"tapered", "0", "0.0"},
+                                          {"spherical-tapered", "0", "0.0"}}) {
+    INFO(name << ", mode " << mode << ", qFac " << share);
+    deck::Deck deck = deck::new_deck(name);
+    for (const auto& [variable, value] : {std::pair{"mode", mode},
+                                          {"qFac", share},
+                                          {"kChrn", "14"},
+                                          {"maxStps", "60"},
+                                          {"kPltFreq", "20"}})
+      deck.set(variable, value);
+    deck.complete();
+    deck.set("denRatio", "0.5");
+    deck.set("visRatio", "1.0");
+    const fs::path where = folder("drag");
+    const Ran ran = run_deck(deck, where);
+    INFO(ran.outcome.message);
+    CHECK(ran.outcome.status == facade::RunStatus::Done);
+    const std::vector<double> last = results::read_sol(where / "SOL7").steps.back().values;
+    CHECK(last.size() == 17);
+    CHECK(last[1] > 0.0);  // churning fraction
+    CHECK(last[1] < 1.0);
+    CHECK(std::abs(ran.outcome.energy_residual) < 1e-3 * ran.outcome.energy_scale);
+    CHECK_THAT(ran.print, Catch::Contains("drag of elements in the medium"));
+  }
+}
+
+TEST_CASE("films of the cage act from decks: lands of any type, pockets of balls",
+          "[physics][tribology]") {
+  for (const auto& [name, lands, pockets] :
+       {std::tuple{"ball", "1", "1"}, {"ball", "0", "1"}, {"cylindrical", "1", "0"}}) {
+    INFO(name << ", kGsHydro " << lands << ", kPocHydro " << pockets);
+    deck::Deck deck = deck::new_deck(name);
+    for (const auto& [variable, value] :
+         {std::pair{"mode", "0"}, {"kGsHydro", lands}, {"kPocHydro", pockets}, {"maxStps", "60"}})
+      deck.set(variable, value);
+    deck.complete();
+    if (deck.has("pocVis")) deck.set("pocVis", "0.02");
+    if (deck.has("gsVis")) deck.set("gsVis", "0.02");
+    if (std::string(pockets) == "1") deck.set("pocLubFilm", "1.0e-4");
+    const Ran ran = run_deck(deck, folder("films"));
+    INFO(ran.outcome.message);
+    CHECK(ran.outcome.status == facade::RunStatus::Done);
+    CHECK(std::abs(ran.outcome.energy_residual) < 1e-3 * ran.outcome.energy_scale);
+    CHECK_THAT(ran.print, Catch::Contains("films "));
+  }
+  // What is not simulated says so.
+  deck::Deck rollers = deck::new_deck("cylindrical");
+  rollers.set("mode", "0");
+  rollers.set("kPocHydro", "1");
+  rollers.complete();
+  if (rollers.has("pocVis")) rollers.set("pocVis", "0.02");
+  if (rollers.has("gsVis")) rollers.set("gsVis", "0.02");
+  CHECK_THAT(refusal_of(rollers), Catch::Contains("pockets of rollers"));
 }
