@@ -1,16 +1,22 @@
 #include "facade/accuracy.hpp"
 
+#include "base/atomic_file.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
 #include "cli/export.hpp"
 #include "cli/option_ranges.hpp"
-#include "cli/pictures.hpp"
+#include "cli/percentage.hpp"
+#include "cli/picture_program.hpp"
+#include "cli/signals.hpp"
 #include "cli/streams.hpp"
+#include "deck/keep_text.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
+#include <fstream>
 #include <memory>
+#include <sstream>
 
 namespace adore::cli {
 namespace {
@@ -42,55 +48,151 @@ std::vector<double> parse_tolerances(const std::string& text) {
 }
 
 struct Options : DeckOptions {
-  std::string methods, tolerances, out = ".";
-  double span = 100.0;
+  std::string methods, tolerances, out = ".", accuracy = "1%";
+  double turns = 50.0, budget = 120.0;
+  bool apply = false, go_on = false;
 };
 
-void run(const Options& options) {
+std::string contents(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+/// Rows are said as they come.
+class Reporter {
+ public:
+  void operator()(const facade::AccuracyRow& row, const facade::AccuracyStudy& study) {
+    const std::string round = !study.models.empty()   ? "models"
+                              : !study.finals.empty() ? "second round"
+                                                      : "first round";
+    if (round != round_) tell(fmt::format("{}, {:.4g} turns\n", round, row.turns));
+    round_ = round;
+    tell(fmt::format("  {:<40} {}\n", row.setting.name,
+                     row.failure.empty() ? fmt::format("{:.3g} s, {:.2g} %", row.seconds,
+                                                       100.0 * row.errors.largest())
+                                         : row.failure));
+  }
+
+ private:
+  std::string round_;
+};
+
+/// Puts the recommended settings into the deck.
+void apply(const Options& options, const facade::AccuracyStudy& study) {
+  const auto sets = facade::recommended_sets(study);
+  if (sets.empty()) throw InputError("--apply: nothing is recommended, so the deck stays as it is");
+  const std::filesystem::path path = facade::deck_path(std::filesystem::path(options.deck));
+  const deck::KeptText text = deck::with_values(contents(path), sets);
+  write_file_atomically(path, text.text);
+  std::string said;
+  for (const auto& [name, value] : sets)
+    said += fmt::format("{}{} = {}", said.empty() ? "" : ", ", name, value);
+  fmt::print("{}: {}{}\n", path.string(), said,
+             text.kept ? "" : " (written anew, without remarks behind the values)");
+}
+
+int run(const Options& options) {
   facade::AccuracyRequest request;
   options.fill(request);
+  if (options.apply && request.text)
+    throw InputError(
+        "--apply changes the deck, and this one comes from standard input; name a file");
+  if (options.apply && !request.sets.empty())
+    throw InputError(
+        "--apply writes what was found for the deck as it is, and --set changes it for this study; "
+        "leave one of them out");
   if (!options.methods.empty()) request.methods = split_list(options.methods);
   if (!options.tolerances.empty()) request.tolerances = parse_tolerances(options.tolerances);
-  check_range("--span", options.span);
-  request.span = options.span;
+  check_range("--turns", options.turns);
+  check_range("--budget", options.budget);
+  request.turns = options.turns;
+  request.budget = options.budget;
+  request.target = parse_percentage("--accuracy", options.accuracy);
   const std::filesystem::path folder(options.out);
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (!std::filesystem::is_directory(folder, error))
     throw InputError(
         fmt::format("--out {}: this folder cannot be made; name another one", folder.string()));
-  const facade::AccuracyStudy study =
-      facade::study_accuracy(request, [](const facade::AccuracyRow& row) {
-        tell(fmt::format("{} at {:.0e}: {}\n", row.method, row.tolerance,
-                         row.failure.empty() ? fmt::format("error {:.2e}", row.error) : "gave up"));
-      });
-  fmt::print("{}", facade::accuracy_table(study));
-  write_export(folder / "ACCURACY.csv", facade::accuracy_csv(study), {options.deck});
-  fmt::print("\n{}\n", (folder / "ACCURACY.csv").string());
-  if (draw_accuracy_chart(study, folder / "ACCURACY.png"))
-    fmt::print("{}\n", (folder / "ACCURACY.png").string());
+  const std::filesystem::path json = folder / "ACCURACY.json";
+  facade::AccuracyStudy earlier;
+  if (options.go_on) {
+    if (!std::filesystem::exists(json, error))
+      throw InputError(
+          fmt::format("--continue: there is no {}; leave it out to begin a study", json.string()));
+    earlier = facade::read_accuracy(contents(json), json.string());
+  }
+  const auto write = [&](const facade::AccuracyStudy& study) {
+    write_export(folder / "ACCURACY.csv", facade::accuracy_csv(study), {options.deck});
+    write_export(json, facade::accuracy_json(study), {options.deck});
+  };
+  InterruptWatch watch;
+  Reporter report;
+  const facade::AccuracyStudy study = facade::study_accuracy(
+      request,
+      [&](const facade::AccuracyRow& row, const facade::AccuracyStudy& so_far) {
+        report(row, so_far);
+        write(so_far);
+      },
+      watch.token(), earlier);
+  if (options.go_on && study.digest != earlier.digest)
+    tell(fmt::format(
+        "adore: note: {} is of another deck, or of other options; nothing was taken from it\n",
+        json.string()));
+  write(study);
+  if (!study.complete) {
+    tell(fmt::format("\ninterrupted; go on with the same command and --continue ({})\n",
+                     json.string()));
+    return 130;
+  }
+  fmt::print("{}\n{}\n{}\n", facade::accuracy_table(study), (folder / "ACCURACY.csv").string(),
+             json.string());
+  const std::filesystem::path picture = folder / "ACCURACY.png";
+  if (run_picture_program({"accuracy-chart", json.string(), picture.string()}))
+    fmt::print("{}\n", picture.string());
+  if (options.apply) apply(options, study);
+  return 0;
 }
 
 }  // namespace
 
-void add_accuracy(CLI::App& app, int&) {
+void add_accuracy(CLI::App& app, int& exit_code) {
   CLI::App* command = app.add_subcommand(
-      "accuracy", "what accuracy costs in time: methods x tolerances against a tight reference");
+      "accuracy",
+      "what accuracy costs in time: the deck's run with other integrators, tolerances and steps");
   auto options = std::make_shared<Options>();
   options->add_to(*command);
-  command->add_option("--methods", options->methods, "integrators, separated by commas")
+  command
+      ->add_option("--methods", options->methods, "integrators, separated by commas (default: all)")
       ->type_name("LIST");
-  command->add_option("--tols", options->tolerances, "tolerances, separated by commas")
+  command
+      ->add_option("--tols", options->tolerances,
+                   "tolerances, separated by commas (default: 1e-4 to 1e-7)")
       ->type_name("LIST");
-  command->add_option("--span", options->span, "simulated time over the time scale")
+  command
+      ->add_option("--turns", options->turns,
+                   "turns of the shaft that the best settings are judged over")
       ->capture_default_str();
-  command->add_option("--out", options->out, "folder for ACCURACY.csv and ACCURACY.png")
+  command
+      ->add_option("--budget", options->budget,
+                   "processor time of the study [s]; fewer turns if need be")
+      ->capture_default_str();
+  command
+      ->add_option("--accuracy", options->accuracy, "what is asked of speeds, loads, heat and life")
+      ->capture_default_str()
+      ->type_name("PERCENT");
+  command->add_flag("--apply", options->apply, "write the recommended settings into the deck");
+  command->add_flag("--continue", options->go_on, "go on with a study that was broken off");
+  command->add_option("--out", options->out, "folder for ACCURACY.csv, .json and .png")
       ->type_name("DIR")
       ->default_str("here");
   command->footer(
-      "Example\n"
-      "  adore accuracy DATA.txt --methods rkf5,cvode-adams --tols 1e-5,1e-7 --out study");
-  command->callback([=] { run(*options); });
+      "Examples\n"
+      "  adore accuracy DATA.txt --out study\n"
+      "  adore accuracy DATA.txt --methods rkf3,rkf5 --tols 1e-4,1e-6 --turns 10 --apply");
+  command->callback([options, &exit_code] { exit_code = run(*options); });
 }
 
 }  // namespace adore::cli

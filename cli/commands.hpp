@@ -11,7 +11,6 @@ void add_run(CLI::App& app, int& exit_code);
 void add_deck_commands(CLI::App& app, int& exit_code);  ///< check, plan, schema, new, examples
 void add_calc(CLI::App& app, int& exit_code);           ///< calc, validate
 void add_accuracy(CLI::App& app, int& exit_code);
-void add_file_commands(CLI::App& app, int& exit_code);     ///< show, convert
-void add_picture_commands(CLI::App& app, int& exit_code);  ///< plot, animate
+void add_file_commands(CLI::App& app, int& exit_code);  ///< show, convert
 
 }  // namespace adore::cli

@@ -25,7 +25,9 @@ inline constexpr std::array kOptionRanges{
     OptionRange{"--fps", 1, 240, ""},
     OptionRange{"--element", 1, 10'000, "elements are counted from 1"},
     OptionRange{"--tols", 1e-14, 0.01, "coarser ones follow no motion"},
-    OptionRange{"--span", 1e-6, 1e9, "simulated time over the time scale"},
+    OptionRange{"--turns", 0.01, 1e6, "of the shaft"},
+    OptionRange{"--budget", 1, 1e6, "seconds of processor time"},
+    OptionRange{"--accuracy", 1e-6, 0.5, "0.01 or 1%"},
 };
 
 /// @throws InputError "--threads is -3; give a number from 0 to 1024 (0: all cores)"

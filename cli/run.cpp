@@ -1,8 +1,10 @@
 #include "facade/run.hpp"
 
+#include "base/interrupted.hpp"
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
 #include "cli/option_ranges.hpp"
+#include "cli/percentage.hpp"
 #include "cli/progress.hpp"
 #include "cli/run_report.hpp"
 #include "cli/signals.hpp"
@@ -12,6 +14,7 @@
 #include "facade/output_folder.hpp"
 #include "facade/reproducible.hpp"
 #include "facade/sweep.hpp"
+#include "facade/verify.hpp"
 #include "setup/run_control.hpp"
 
 #include <fmt/format.h>
@@ -25,11 +28,11 @@ namespace adore::cli {
 namespace {
 
 struct RunOptions : DeckOptions {
-  std::string out, until, integrator, progress = "auto";
+  std::string out, until, integrator, accuracy, progress = "auto";
   double tolerance = 0.0;
   int threads = 0;
   bool quiet = false, list_options = false, json = false, reproducible = false, go_on = false,
-       overwrite = false;
+       overwrite = false, verify = false;
 
   /// The command that goes on with this run, to its own end or to another one.
   [[nodiscard]] std::string continuation(bool tolerance_given, const std::string& to) const {
@@ -106,6 +109,31 @@ int report(const facade::RunOutcome& outcome, const RunOptions& options, bool to
   return exit_code(outcome);
 }
 
+/// Integrator, tolerance and longest step of the request become those that a short study finds.
+void choose_settings(facade::RunRequest& request, const std::string& accuracy,
+                     std::stop_token stop) {
+  facade::AccuracyRequest study;
+  static_cast<facade::DeckRequest&>(study) = request;
+  study.target = parse_percentage("--accuracy", accuracy);
+  study.methods = {"rkf3", "rkf4", "rkf5", "rkf7", "cvode-adams"};
+  study.turns = 5.0;
+  study.budget = 20.0;
+  const facade::AccuracyStudy found = facade::study_accuracy(study, {}, std::move(stop));
+  if (!found.complete) throw Interrupted("interrupted");
+  tell(fmt::format("{}\n", facade::recommendation(found)));
+  if (found.recommended < 0)
+    throw SolverError(
+        fmt::format("--accuracy {}: no settings that were tried keep to it; `adore accuracy` tries "
+                    "more of them "
+                    "over more turns",
+                    accuracy));
+  const facade::AccuracySetting& best =
+      found.finals[static_cast<std::size_t>(found.recommended)].setting;
+  request.integrator = best.method;
+  request.tolerance = best.tolerance;
+  request.sets.insert(request.sets.end(), best.sets.begin(), best.sets.end());
+}
+
 int run(const RunOptions& options, bool tolerance_given) {
   if (options.list_options) {
     list_options(options.json);
@@ -121,9 +149,16 @@ int run(const RunOptions& options, bool tolerance_given) {
   request.go_on = options.go_on;
   request.overwrite = options.overwrite;
   check_range("--threads", options.threads);
+  if (!options.accuracy.empty() && (options.go_on || !options.integrator.empty()))
+    throw InputError(fmt::format("--accuracy chooses the integrator of a new run; leave out {}",
+                                 options.go_on ? "--continue" : "--integrator"));
   const facade::ProgressSink sink = make_progress(options.quiet ? "none" : options.progress);
   InterruptWatch watch;
   if (facade::is_sweep(request)) {
+    if (options.verify || !options.accuracy.empty())
+      throw InputError(
+          "--verify and --accuracy look at one run, and this is a sweep; leave them out, or give "
+          "one value to --set");
     const facade::SweepOutcome sweep = run_asking(
         request, [&] { return facade::run_sweep(request, options.threads, sink, watch.token()); });
     print_warnings(sweep.warnings);
@@ -140,10 +175,14 @@ int run(const RunOptions& options, bool tolerance_given) {
     tell(
         "adore: note: --threads plays no part: one run takes one core; a sweep "
         "(--set variable=first:last:count) takes more\n");
+  if (!options.accuracy.empty()) choose_settings(request, options.accuracy, watch.token());
   const facade::RunOutcome outcome =
       run_asking(request, [&] { return facade::run(request, sink, watch.token()); });
   print_warnings(outcome.warnings);
-  return report(outcome, options, tolerance_given);
+  const int code = report(outcome, options, tolerance_given);
+  if (options.verify && code == 0 && outcome.steps > 0)
+    tell(facade::verification_text(facade::verify(request, outcome, watch.token()), outcome));
+  return code;
 }
 
 }  // namespace
@@ -173,6 +212,15 @@ void add_run(CLI::App& app, int& exit_code) {
        "pece8", "cvode-adams", "cvode-bdf", "arkode-erk", "arkode-dirk", "arkode-imex"});
   CLI::Option* tolerance =
       command->add_option("--tol", options->tolerance, "local error limit; replaces tol");
+  command
+      ->add_option(
+          "--accuracy", options->accuracy,
+          "choose integrator, tolerance and longest step by a short study, so that speeds, "
+          "loads, heat and life keep within this, e.g. 1%")
+      ->type_name("PERCENT")
+      ->excludes(tolerance);
+  command->add_flag("--verify", options->verify,
+                    "repeat the run with tighter settings and say how its results differ");
   command->add_option("--threads", options->threads,
                       "runs of a sweep at a time (all cores unless given)");
   command_line::one_of(

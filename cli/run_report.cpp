@@ -2,7 +2,7 @@
 
 #include "base/duration.hpp"
 #include "base/own_files.hpp"
-#include "cli/pictures.hpp"
+#include "cli/picture_program.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

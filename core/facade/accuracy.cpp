@@ -1,212 +1,398 @@
 #include "facade/accuracy.hpp"
 
-#include "facade/judge_steps.hpp"
-#include "facade/system_ode.hpp"
+#include "base/interrupted.hpp"
+#include "facade/accuracy_settings.hpp"
+#include "integrators/stepper.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
 
 namespace adore::facade {
 namespace {
 
-struct EndState {
-  std::vector<double> y;
-  std::vector<double> loads;  ///< Q of every ball and race [N]
-  double energy_residual = 0.0;
-  integrators::Counters counters;
-  double seconds = 0.0;
+constexpr double kShortTurns = 2.0;   ///< of the first round, at most
+constexpr double kShortShare = 0.35;  ///< of the budget
+constexpr double kLongShare = 0.6;
+constexpr double kLongestRow = 5.0;  ///< times the cost of the deck's own run; slower ones are cut
+constexpr std::size_t kFinalists = 8;  ///< beside the deck's own settings
+constexpr double kReferenceTolerance = 1e-9;
+constexpr double kAtLongest = 0.98;  ///< mean step over longest: it never took another
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+double difference(double a, double b, double scale) {
+  if (std::isnan(a) || std::isnan(b)) return -1.0;
+  const double d = std::abs(a - b);
+  return d == 0.0 ? 0.0 : scale > 0.0 ? d / scale : -1.0;
+}
+
+/// Of the deck as it is asked to run, with what the study itself must decide.
+struct Subject {
+  RunRequest request;
+  double turn = 0.0;        ///< [s]
+  double time_scale = 0.0;  ///< unit of the deck's step sizes [s]
 };
 
-/// Smallest and longest step, and the order of methods that change theirs.
-integrators::StepControl limits_of(const setup::RunControl& control, double time_scale) {
-  integrators::StepControl out;
-  out.initial = control.step_initial * time_scale;
-  out.minimum = control.step_minimum * time_scale;
-  out.maximum = control.step_maximum * time_scale;
+RunRequest run_of(const Subject& subject, const AccuracySetting& setting, double turns) {
+  RunRequest out = subject.request;
+  out.integrator = setting.method;
+  out.tolerance = setting.tolerance;
+  out.until = fmt::format("{:.17g}s", turns * subject.turn);
+  out.sets.insert(out.sets.end(), setting.sets.begin(), setting.sets.end());
+  out.options.insert(out.options.end(), setting.options.begin(), setting.options.end());
   return out;
 }
 
-/// What a run of the deck with this method is held to: the deck's limits, or those that its
-/// stability asks for. @throws InputError when the method is refused.
-integrators::StepControl limits_of_run(Prepared prepared, const std::string& method,
-                                       double time_scale) {
-  prepared.control.integrator = method;
-  integrators::StepControl out = limits_of(prepared.control, time_scale);
-  const JudgedSteps steps = judge_steps(prepared, time_scale);
-  if (steps.limits.action == StepAction::Refused) throw InputError(steps.text);
-  if (steps.limits.action != StepAction::Kept) {
-    out.minimum = steps.limits.minimum;
-    out.maximum = steps.limits.maximum;
-    out.highest_order = steps.limits.highest_order;
+/// One row and the key results behind it.
+struct Trial {
+  AccuracyRow row;
+  results::KeyResults results;
+  [[nodiscard]] bool good() const { return row.failure.empty(); }
+};
+
+Trial try_setting(const Subject& subject, const AccuracySetting& setting, double turns,
+                  double most_seconds, std::stop_token stop) {
+  Trial out;
+  out.row.setting = setting;
+  out.row.turns = turns;
+  try {
+    const MeasuredRun run = measured_run(run_of(subject, setting, turns), most_seconds, stop);
+    const RunOutcome& outcome = run.outcome;
+    out.row.seconds = run.seconds;
+    out.row.steps = outcome.taken;
+    out.row.evaluations = outcome.evaluations;
+    if (run.cut) {
+      out.row.failure = fmt::format("cut: takes more than {:.3g} s", most_seconds);
+    } else if (outcome.status != RunStatus::Done) {
+      out.row.failure = outcome.message;
+    } else {
+      out.results = outcome.summary;
+      out.row.longest = outcome.longest_step / subject.time_scale;
+      if (outcome.taken > 0 && outcome.longest_step > 0.0)
+        out.row.at_longest =
+            outcome.time / static_cast<double>(outcome.taken) / outcome.longest_step;
+      if (outcome.energy_scale > 0.0)
+        out.row.energy_share = std::abs(outcome.energy_residual) / outcome.energy_scale;
+    }
+  } catch (const InputError& error) {
+    out.row.failure = error.what();
+  } catch (const SolverError& error) {
+    out.row.failure = error.what();
   }
   return out;
 }
 
-/// Integrates the deck's start state over the span with one method, tolerance and step control.
-EndState integrate(const Prepared& prepared, const std::string& method, double tolerance,
-                   double end, integrators::StepControl control, std::stop_token stop) {
-  dynamics::System system = make_system(prepared);
-  std::vector<double> start = system.initial_state();
-  system.set_start(0.0, start);
-  // With qFac: the elements that the start state holds, for the whole span. When a method would
-  // hold or release others depends on where its steps end, and that is no error of the method.
-  system.between_steps(0.0, start);
-  SystemOde ode(system);
-  const auto stepper = integrators::make_stepper(method);
-  control.tolerance = tolerance;
-  const auto begin = std::chrono::steady_clock::now();
-  stepper->start(ode, 0.0, start, control);
-  while (stepper->time() < end && !stop.stop_requested()) stepper->step(end);
-  EndState out;
-  out.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  out.y.assign(stepper->state().begin(), stepper->state().end());
-  out.counters = stepper->counters();
-  const scene::Snapshot snapshot = system.snapshot(stepper->time(), out.y);
-  out.energy_residual = std::abs(snapshot.energy.residual());
-  for (const scene::ElementSnapshot& element : snapshot.elements)
-    for (const scene::RaceContactSnapshot& contact : element.race)
-      out.loads.push_back(contact.load);
-  return out;
-}
-
-double state_difference(const std::vector<double>& a, const std::vector<double>& b,
-                        std::span<const double> scales, int controlled) {
-  double out = 0.0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(controlled); ++i)
-    out = std::max(out, std::abs(a[i] - b[i]) / scales[i]);
-  return out;
-}
-
-double load_difference(const std::vector<double>& a, const std::vector<double>& b) {
-  double difference = 0.0, largest = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    difference = std::max(difference, std::abs(a[i] - b[i]));
-    largest = std::max(largest, std::abs(b[i]));
+/// The other rows of a round against its reference: errors, order, and which of them are worth
+/// their time.
+void judge(std::vector<AccuracyRow>& rows) {
+  for (AccuracyRow& row : rows) {
+    row.front = row.failure.empty() &&
+                std::none_of(rows.begin(), rows.end(), [&](const AccuracyRow& other) {
+                  return other.failure.empty() && other.seconds < row.seconds &&
+                         other.errors.largest() < row.errors.largest();
+                });
+    row.order = 0.0;
   }
-  return largest > 0.0 ? difference / largest : difference;
+  for (AccuracyRow& row : rows)
+    for (const AccuracyRow& other : rows) {
+      if (!row.failure.empty() || !other.failure.empty()) continue;
+      const bool next = other.setting.method == row.setting.method &&
+                        other.setting.as_long_as_stable == row.setting.as_long_as_stable &&
+                        std::abs(other.setting.tolerance / row.setting.tolerance - 10.0) < 1.0;
+      if (!next || row.at_longest > kAtLongest || other.at_longest > kAtLongest) continue;
+      const double steps = std::log(static_cast<double>(row.steps) /
+                                    std::max(1.0, static_cast<double>(other.steps)));
+      const double errors = std::log(other.errors.largest() / row.errors.largest());
+      if (steps > 0.05 && std::isfinite(errors)) row.order = errors / steps;
+    }
 }
+
+class Study {
+ public:
+  Study(const AccuracyRequest& request, const AccuracySink& sink, std::stop_token stop,
+        const AccuracyStudy& earlier)
+      : request_(request), sink_(sink), stop_(std::move(stop)), earlier_(earlier) {}
+
+  AccuracyStudy run() {
+    set_up();
+    try {
+      first_round();
+      second_round();
+      model_round();
+      study_.complete = true;
+    } catch (const Interrupted&) {
+      study_.complete = false;
+    }
+    study_.recommended = choose();
+    return std::move(study_);
+  }
+
+ private:
+  void set_up() {
+    const Prepared prepared = prepare(request_);
+    if (!prepared.control.dynamic)
+      throw InputError(
+          "an accuracy study integrates in time, and this deck is quasi-static (mode < 0); set "
+          "mode = 0");
+    for (const std::string& method : request_.methods) {
+      try {
+        (void)integrators::make_stepper(method);
+      } catch (const std::invalid_argument& error) {
+        throw InputError(error.what());
+      }
+    }
+    static_cast<DeckRequest&>(subject_.request) = request_;
+    if (prepared.control.start != setup::StartState::Statics)
+      subject_.request.sets.emplace_back("kIcOpt", "0");
+    const double scale = make_system(prepared).scales().time;
+    const double speed = std::abs(prepared.bearing.speed[1] - prepared.bearing.speed[0]);
+    subject_.time_scale = scale;
+    // Races that stand still against each other: the deck's whole run counts as one turn.
+    subject_.turn =
+        speed > 0.0 ? 2.0 * std::numbers::pi / speed : prepared.control.end_time * scale;
+    study_.turn = subject_.turn;
+    study_.asked = request_.turns;
+    study_.target = request_.target;
+    study_.digest =
+        request_digest(subject_.request, prepared.input) +
+        fmt::format("-{:g}-{:g}-{}", request_.turns, request_.budget, request_.methods.size());
+    for (const double tolerance : request_.tolerances)
+      study_.digest += fmt::format("-{:g}", tolerance);
+    settings_ = settings_of(prepared, request_.methods, request_.tolerances);
+    models_ = models_of(prepared);
+    stp_max_ = prepared.control.step_maximum;
+  }
+
+  /// A row of an earlier study, or a new one.
+  Trial trial(const std::vector<AccuracyRow>& known, const AccuracySetting& setting, double turns,
+              double most_seconds) {
+    if (study_.digest == earlier_.digest)
+      for (const AccuracyRow& row : known)
+        if (row.setting.name == setting.name && row.turns == turns) {
+          Trial out;
+          out.row = row;
+          known_ = true;
+          return out;
+        }
+    known_ = false;
+    Trial out = try_setting(subject_, setting, turns, most_seconds, stop_);
+    study_.seconds += out.row.seconds;
+    return out;
+  }
+
+  /// @throws SolverError
+  AccuracyReference references(double turns, const AccuracyReference& known) {
+    if (study_.digest == earlier_.digest && !known.results.empty()) {
+      study_.reference = earlier_.reference;
+      return known;
+    }
+    const auto reference = [&](const char* method, double tolerance) {
+      AccuracySetting setting;
+      setting.method = method;
+      setting.tolerance = tolerance;
+      // Its steps may be shorter than the deck allows, not longer.
+      setting.sets = {{"stpMin", fmt::format("{:.3g}", 1e-6 * std::min(1.0, stp_max_))}};
+      Trial out = try_setting(subject_, setting, turns, kUnlimited, stop_);
+      study_.seconds += out.row.seconds;
+      if (!out.good())
+        throw SolverError(fmt::format("no reference solution: {} at {:.0e}: {}", method, tolerance,
+                                      out.row.failure));
+      return out;
+    };
+    const double tight =
+        std::min(kReferenceTolerance,
+                 1e-2 * *std::min_element(request_.tolerances.begin(), request_.tolerances.end()));
+    const Trial best = reference("rkf7", tight);
+    const Trial check = reference("rkf5", 10.0 * tight);
+    AccuracyReference out{best.results, compare_results(check.results, best.results),
+                          best.row.seconds + check.row.seconds};
+    study_.reference =
+        fmt::format("rkf7 at {:.0e}, checked against rkf5 at {:.0e}", tight, 10.0 * tight);
+    return out;
+  }
+
+  void add(std::vector<AccuracyRow>& rows, Trial& trial, const results::KeyResults& reference) {
+    if (trial.good() && !known_) trial.row.errors = compare_results(trial.results, reference);
+    rows.push_back(trial.row);
+    if (sink_) sink_(trial.row, study_);
+  }
+
+  void first_round() {
+    const auto same = study_.digest == earlier_.digest && earlier_.short_turns > 0.0;
+    // Two short runs of the deck's own settings tell what a turn and what the start cost; one
+    // before them finds programs and files in no cache.
+    const double few = 0.02, more = 0.2;
+    (void)try_seconds(few);
+    const double start = try_seconds(few), both = try_seconds(more);
+    turn_cost_ = std::max((both - start) / (more - few), 1e-6);
+    start_cost_ = std::max(0.0, start - few * turn_cost_);
+    const double references_cost = 12.0;  // in turns of the deck's own run; measured below
+    const double rows = static_cast<double>(settings_.size());
+    study_.short_turns = std::clamp((kShortShare * request_.budget - (rows + 2.0) * start_cost_) /
+                                        (turn_cost_ * (1.2 * rows + references_cost)),
+                                    0.02, std::min(kShortTurns, request_.turns));
+    if (same) study_.short_turns = earlier_.short_turns;
+    study_.short_reference = references(study_.short_turns, earlier_.short_reference);
+    reference_cost_ = (study_.short_reference.seconds - 2.0 * start_cost_) / study_.short_turns;
+    const double most = start_cost_ + 0.05 + kLongestRow * turn_cost_ * study_.short_turns;
+    // From the tightest tolerance up: once the longest step decides, looser ones change nothing.
+    std::string settled;
+    for (const AccuracySetting& setting : settings_) {
+      const std::string group = setting.method + (setting.as_long_as_stable ? "+" : "-");
+      if (group == settled && !setting.own) continue;
+      Trial row = trial(earlier_.screening, setting, study_.short_turns, most);
+      // So does a method that is refused, and one whose steps its stability bounds in any case.
+      const bool twin = has_twin(row.row);
+      if (row.row.failure.find("is refused for this deck") != std::string::npos || twin ||
+          (row.good() && row.row.at_longest > kAtLongest))
+        settled = group;
+      if (!twin) add(study_.screening, row, study_.short_reference.results);
+    }
+    judge(study_.screening);
+  }
+
+  /// Is there a row with the deck's own longest step that was allowed the very same steps?
+  [[nodiscard]] bool has_twin(const AccuracyRow& row) const {
+    return row.setting.as_long_as_stable &&
+           std::any_of(study_.screening.begin(), study_.screening.end(),
+                       [&](const AccuracyRow& other) {
+                         return other.setting.method == row.setting.method &&
+                                !other.setting.as_long_as_stable &&
+                                other.setting.tolerance == row.setting.tolerance &&
+                                other.longest > 0.0 && other.longest == row.longest;
+                       });
+  }
+
+  double try_seconds(double turns) {
+    const Trial own = try_setting(subject_, own_setting(settings_), turns, kUnlimited, stop_);
+    study_.seconds += own.row.seconds;
+    if (!own.good() && own.row.seconds == 0.0)
+      throw InputError(own.row.failure);  // refused before it began
+    return own.row.seconds;
+  }
+
+  /// The deck's own settings, and those that may be the cheapest of their accuracy.
+  [[nodiscard]] std::vector<AccuracySetting> finalists() const {
+    std::vector<const AccuracyRow*> rows;
+    for (const AccuracyRow& row : study_.screening)
+      if (row.failure.empty() && !row.setting.own) rows.push_back(&row);
+    // By time, the settings on the front first; those far off the target come last.
+    const auto rank = [&](const AccuracyRow* row) {
+      const double error = row->errors.largest();
+      const double limit = std::max(study_.target, 2.0 * study_.short_reference.noise.largest());
+      return std::pair(error > 5.0 * limit            ? 2
+                       : row->front || error <= limit ? 0
+                                                      : 1,
+                       row->seconds);
+    };
+    std::stable_sort(rows.begin(), rows.end(),
+                     [&](const AccuracyRow* a, const AccuracyRow* b) { return rank(a) < rank(b); });
+    std::vector<AccuracySetting> out{own_setting(settings_)};
+    for (const AccuracyRow* row : rows)
+      if (out.size() <= kFinalists) out.push_back(row->setting);
+    return out;
+  }
+
+  void second_round() {
+    const std::vector<AccuracySetting> chosen = finalists();
+    const double rows = static_cast<double>(chosen.size());
+    const double affordable = (kLongShare * request_.budget - (rows + 2.0) * start_cost_) /
+                              (reference_cost_ + rows * turn_cost_);
+    double turns = std::min(request_.turns, affordable);
+    // Means over whole turns; where not even one can be afforded, over what can be.
+    turns = turns >= 1.0 ? std::floor(turns) : turns;
+    study_.long_turns = std::max(turns, study_.short_turns);
+    if (study_.digest == earlier_.digest && earlier_.long_turns > 0.0)
+      study_.long_turns = earlier_.long_turns;
+    study_.long_reference = references(study_.long_turns, earlier_.long_reference);
+    for (const AccuracySetting& setting : chosen) {
+      Trial row = trial(earlier_.finals, setting, study_.long_turns, kUnlimited);
+      add(study_.finals, row, study_.long_reference.results);
+    }
+    judge(study_.finals);
+  }
+
+  /// What other resolutions of the model would change against the deck's own run.
+  void model_round() {
+    if (models_.empty()) return;
+    const AccuracySetting own = own_setting(settings_);
+    const Trial base = try_setting(subject_, own, study_.short_turns, kUnlimited, stop_);
+    study_.seconds += base.row.seconds;
+    if (!base.good()) return;
+    for (AccuracySetting setting : models_) {
+      setting.method = own.method;
+      setting.tolerance = own.tolerance;
+      Trial row = trial(earlier_.models, setting, study_.short_turns,
+                        start_cost_ + 0.5 + 30.0 * turn_cost_ * study_.short_turns);
+      add(study_.models, row, base.results);
+    }
+  }
+
+  [[nodiscard]] int choose() const {
+    const double limit = std::max(study_.target, 1.5 * study_.long_reference.noise.largest());
+    int best = -1;
+    for (std::size_t k = 0; k < study_.finals.size(); ++k) {
+      const AccuracyRow& row = study_.finals[k];
+      if (!row.failure.empty() || row.errors.largest() > limit) continue;
+      if (best < 0 || row.seconds < study_.finals[static_cast<std::size_t>(best)].seconds)
+        best = static_cast<int>(k);
+    }
+    return best;
+  }
+
+  const AccuracyRequest& request_;
+  const AccuracySink& sink_;
+  std::stop_token stop_;
+  const AccuracyStudy& earlier_;
+  Subject subject_;
+  std::vector<AccuracySetting> settings_, models_;
+  double stp_max_ = 0.0;
+  double turn_cost_ = 0.0, start_cost_ = 0.0, reference_cost_ = 0.0;  ///< [s/turn, s, s/turn]
+  bool known_ = false;  ///< the last trial was taken from the earlier study
+  AccuracyStudy study_;
+};
 
 }  // namespace
 
-AccuracyStudy study_accuracy(const AccuracyRequest& request,
-                             const std::function<void(const AccuracyRow&)>& row_done,
-                             std::stop_token stop) {
-  const Prepared prepared = prepare(request);
-  if (!prepared.control.dynamic)
-    throw InputError(
-        "an accuracy study integrates in time, and this deck is quasi-static (mode < 0); set mode "
-        "= 0");
-  for (const std::string& method : request.methods) {
-    try {
-      (void)integrators::make_stepper(method);
-    } catch (const std::invalid_argument& error) {
-      throw InputError(error.what());
-    }
-  }
-  const dynamics::System system = make_system(prepared);
-  const auto scales = system.layout().scales();
-  const int controlled = system.layout().controlled_size();
-  const double scale = system.scales().time;
-  const double end = request.span * scale;
+double AccuracyErrors::largest() const { return std::max({speed, load, heat, life, 0.0}); }
 
-  AccuracyStudy study;
-  study.span_seconds = end;
-  study.span_revolutions =
-      (prepared.bearing.speed[1] - prepared.bearing.speed[0]) * end / (2.0 * std::numbers::pi);
-  const double tight = std::min(
-      1e-11, 1e-2 * *std::min_element(request.tolerances.begin(), request.tolerances.end()));
-  study.steps =
-      fmt::format("{:.3g} to {:.3g} s (stpMin {:g}, stpMax {:g})",
-                  prepared.control.step_minimum * scale, prepared.control.step_maximum * scale,
-                  prepared.control.step_minimum, prepared.control.step_maximum);
-  study.reference =
-      fmt::format("rkf7 at {:.0e}, checked against rkf5 at {:.0e}", tight, 10.0 * tight);
-  EndState reference, check;
-  try {
-    // The reference may take smaller steps than the deck allows, not longer ones.
-    integrators::StepControl free = limits_of(prepared.control, scale);
-    free.minimum = 0.0;
-    reference = integrate(prepared, "rkf7", tight, end, free, stop);
-    check = integrate(prepared, "rkf5", 10.0 * tight, end, free, stop);
-  } catch (const integrators::StepFailure& failure) {
-    throw SolverError(fmt::format("no reference solution: {}", failure.what()));
+AccuracyErrors compare_results(const results::KeyResults& run,
+                               const results::KeyResults& reference) {
+  const auto of = [&](std::string_view id) { return value_of(run, id); };
+  const auto is = [&](std::string_view id) { return value_of(reference, id); };
+  const auto relative = [&](std::string_view id) {
+    return difference(of(id), is(id), std::abs(is(id)));
+  };
+  AccuracyErrors out;
+  const double cage = std::abs(is("mean_cage_ratio"));
+  out.speed = std::max({relative("mean_orbital_ratio"), relative("mean_cage_ratio"),
+                        difference(of("mean_whirl_ratio"), is("mean_whirl_ratio"),
+                                   std::max(cage, std::abs(is("mean_whirl_ratio"))))});
+  double race = 0.0, change = 0.0;
+  for (const char* id : {"mean_load_x_N", "mean_load_y_N", "mean_load_z_N"}) {
+    race += is(id) * is(id);
+    change += (of(id) - is(id)) * (of(id) - is(id));
   }
-  study.reference_check = state_difference(check.y, reference.y, scales, controlled);
-
-  for (const std::string& method : request.methods) {
-    integrators::StepControl control;
-    std::string refusal;
-    try {
-      control = limits_of_run(prepared, method, scale);
-    } catch (const InputError& error) {
-      refusal = error.what();
-    }
-    for (const double tolerance : request.tolerances) {
-      if (stop.stop_requested()) return study;
-      AccuracyRow row;
-      row.method = method;
-      row.tolerance = tolerance;
-      row.failure = refusal;
-      try {
-        if (refusal.empty()) {
-          const EndState result = integrate(prepared, method, tolerance, end, control, stop);
-          row.error = state_difference(result.y, reference.y, scales, controlled);
-          row.load_error = load_difference(result.loads, reference.loads);
-          row.energy_residual = result.energy_residual;
-          row.steps = result.counters.steps;
-          row.at_minimum = result.counters.at_minimum;
-          row.rejected = result.counters.rejected;
-          row.evaluations = result.counters.evaluations;
-          row.seconds = result.seconds;
-        }
-      } catch (const integrators::StepFailure& failure) {
-        row.failure = failure.what();
-      } catch (const std::invalid_argument& error) {
-        row.failure = error.what();
-      }
-      study.rows.push_back(row);
-      if (row_done) row_done(row);
-    }
-  }
-  return study;
-}
-
-std::string accuracy_table(const AccuracyStudy& study) {
-  std::string out = fmt::format(
-      "span {:.4g} s, {:.3g} revolutions; steps as the deck allows them: {}\n"
-      "reference: {} (they differ by {:.1e})\n\n"
-      "{:<12} {:>8} {:>10} {:>10} {:>12} {:>8} {:>8} {:>10} {:>10} {:>9}\n",
-      study.span_seconds, study.span_revolutions, study.steps, study.reference,
-      study.reference_check, "method", "tol", "error", "load error", "energy [J]", "steps",
-      "rejected", "at stpMin", "rhs calls", "time [s]");
-  for (const AccuracyRow& row : study.rows) {
-    if (row.failure.empty())
-      out += fmt::format(
-          "{:<12} {:>8.0e} {:>10.2e} {:>10.2e} {:>12.2e} {:>8} {:>8} {:>10} {:>10} {:>9.3f}\n",
-          row.method, row.tolerance, row.error, row.load_error, row.energy_residual, row.steps,
-          row.rejected, row.at_minimum, row.evaluations, row.seconds);
-    else
-      out += fmt::format("{:<12} {:>8.0e} gave up: {}\n", row.method, row.tolerance, row.failure);
-  }
+  out.load = std::max(relative("mean_largest_load_N"),
+                      difference(std::sqrt(change), 0.0, std::sqrt(race)));
+  const double heat = std::abs(is("mean_power_loss_W"));
+  out.heat = -1.0;
+  for (const char* id :
+       {"mean_heat_outer_race_W", "mean_heat_inner_race_W", "mean_heat_elsewhere_W"})
+    out.heat = std::max(out.heat, difference(of(id), is(id), heat));
+  const double life = is("run_life_hours");
+  out.life = std::isfinite(life) && std::isfinite(of("run_life_hours")) ? relative("run_life_hours")
+                                                                        : -1.0;
   return out;
 }
 
-std::string accuracy_csv(const AccuracyStudy& study) {
-  std::string out =
-      "method,tol,error,load_error,energy_residual_J,steps,rejected,at_minimum,rhs_calls,seconds,"
-      "failure\n";
-  for (const AccuracyRow& row : study.rows) {
-    std::string failure = row.failure;
-    std::replace(failure.begin(), failure.end(), '"', '\'');
-    out += fmt::format("{},{},{},{},{},{},{},{},{},{},\"{}\"\n", row.method, row.tolerance,
-                       row.error, row.load_error, row.energy_residual, row.steps, row.rejected,
-                       row.at_minimum, row.evaluations, row.seconds, failure);
-  }
-  return out;
+AccuracyStudy study_accuracy(const AccuracyRequest& request, const AccuracySink& row_done,
+                             std::stop_token stop, const AccuracyStudy& earlier) {
+  return Study(request, row_done, std::move(stop), earlier).run();
 }
 
 }  // namespace adore::facade

@@ -1,53 +1,116 @@
 #pragma once
 
-#include "facade/prepare.hpp"
+#include "facade/measured_run.hpp"
 
+#include <filesystem>
 #include <functional>
 #include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
-/// Work-precision study: what accuracy costs in time, for the user's own deck. Every method takes
-/// the steps that a run with it would take: the deck's limits, changed where its stability asks for
-/// it (judge_steps); only the references may go below stpMin.
+/// What accuracy costs in time, for the user's own deck: its own run (start state, steps, output
+/// and all files) is repeated with other integrators, tolerances and longest steps, and its key
+/// results are compared with those of a run that is far more accurate.
+///
+/// Errors are those of what engineers read, all runs over the same span of whole turns from the
+/// same start (Δ: difference to the reference, values with ‾ are means over the span):
+///   speed  |Δ orbital ratio‾| / |orbital ratio‾|, the same of the cage ratio, and
+///          |Δ whirl ratio‾| over the larger of |whirl ratio‾| and |cage ratio‾|
+///   load   |Δ largest contact load‾| over its own value, and |Δ race load‾| over |race load‾|
+///   heat   |Δ heat‾| of outer race, inner race and everything else, over the whole heat‾
+///   life   |Δ life| / life, by the loads of the run
+/// The error of a row is the largest of them. A second reference by another method says how far
+/// such means can be known at all: where a motion is irregular, two accurate runs differ too.
+///
+/// Two rounds: all settings over a short span, then the deck's own and those that may win over as
+/// many turns as the budget allows.
 namespace adore::facade {
 
 struct AccuracyRequest : DeckRequest {
-  std::vector<std::string> methods{"rkf3",  "rkf5",        "rkf7",     "pece4",
-                                   "pece8", "cvode-adams", "cvode-bdf"};
-  std::vector<double> tolerances{1e-4, 1e-5, 1e-6, 1e-7, 1e-8};
-  double span = 100.0;  ///< simulated time over the time scale; contact vibration keeps its phase,
-                        ///< so longer spans compare luck
+  std::vector<std::string> methods;  ///< empty: every integrator
+  std::vector<double> tolerances{1e-4, 1e-5, 1e-6, 1e-7};
+  double turns = 50.0;    ///< of the shaft, inner against outer race, in the second round at most
+  double budget = 120.0;  ///< processor time of the whole study [s]
+  double target = 0.01;   ///< error that the recommendation keeps to
 };
 
-struct AccuracyRow {
+/// One way to run the deck.
+struct AccuracySetting {
   std::string method;
   double tolerance = 0.0;
-  double error = 0.0;       ///< largest |y - y_ref| / scale over the controlled state at the end
-  double load_error = 0.0;  ///< largest |Q - Q_ref| over the largest Q_ref
-  double energy_residual = 0.0;  ///< |residual| [J]
-  long steps = 0, rejected = 0, evaluations = 0;
-  long at_minimum = 0;   ///< steps of stpMin, accepted above the tolerance
-  double seconds = 0.0;  ///< computing time of the integration
-  std::string failure;   ///< empty, or why the method gave up
+  bool as_long_as_stable = false;  ///< stpMax does not bind: contact vibrations do (judge_steps)
+  bool own = false;                ///< what the deck itself asks for
+  /// Other values of deck variables or run options than the deck's: resolutions of the model.
+  std::vector<std::pair<std::string, std::string>> sets, options;
+  /// "rkf5, tol 1e-06, stpMax 0.5", "hertzConstants frozen"
+  std::string name;
+};
+
+struct AccuracyErrors {
+  double speed = 0.0, load = 0.0, heat = 0.0, life = 0.0;  ///< negative: not computed
+  [[nodiscard]] double largest() const;
+};
+
+/// Of two runs of one deck over one span. @param reference the more accurate one
+[[nodiscard]] AccuracyErrors compare_results(const results::KeyResults& run,
+                                             const results::KeyResults& reference);
+
+struct AccuracyRow {
+  AccuracySetting setting;
+  double turns = 0.0;  ///< span of its run
+  AccuracyErrors errors;
+  double seconds = 0.0;  ///< processor time of the run
+  long steps = 0, evaluations = 0;
+  double at_longest = 0.0;    ///< mean step over the longest allowed
+  double longest = 0.0;       ///< step allowed, in the unit of stpMax
+  double energy_share = 0.0;  ///< |residual| over the energy moved
+  double order = 0.0;         ///< observed against the next tolerance of the method; 0: none
+  bool front = false;         ///< no other row of its round is both cheaper and better
+  std::string failure;        ///< empty, or why there is no result
+};
+
+/// The more accurate run that others are compared with.
+struct AccuracyReference {
+  results::KeyResults results;  ///< empty: there is none yet
+  AccuracyErrors noise;         ///< of a second accurate run by another method
+  double seconds = 0.0;         ///< processor time of both
 };
 
 struct AccuracyStudy {
-  std::string steps;      ///< limits of the deck's steps
-  std::string reference;  ///< how the reference was made
-  double reference_check =
-      0.0;  ///< difference of the reference to a second tight solution, same measure as `error`
-  double span_seconds = 0.0, span_revolutions = 0.0;
-  std::vector<AccuracyRow> rows;
+  std::string digest;                          ///< of deck, options and request
+  double turn = 0.0;                           ///< [s]
+  double asked = 0.0;                          ///< turns asked for
+  double short_turns = 0.0, long_turns = 0.0;  ///< of the rounds
+  std::string reference;                       ///< how the reference was made
+  AccuracyReference short_reference, long_reference;
+  double target = 0.0;
+  std::vector<AccuracyRow> screening, finals, models;
+  int recommended = -1;  ///< among finals; negative: none keeps to the target
+  double seconds = 0.0;  ///< processor time of the study
+  bool complete = false;
 };
 
+/// A row that is done, in its round.
+using AccuracySink = std::function<void(const AccuracyRow&, const AccuracyStudy&)>;
+
+/// @param earlier a study that was broken off: rows of the same request are taken from it
 /// @throws InputError (quasi-static deck, unknown method), SolverError when no reference can be
-/// computed.
-AccuracyStudy study_accuracy(const AccuracyRequest& request,
-                             const std::function<void(const AccuracyRow&)>& row_done = {},
-                             std::stop_token stop = {});
+/// computed. An interrupted study comes back as far as it got, `complete` false.
+AccuracyStudy study_accuracy(const AccuracyRequest& request, const AccuracySink& row_done = {},
+                             std::stop_token stop = {}, const AccuracyStudy& earlier = {});
+
+/// One sentence: which settings this deck wants, and what they reach.
+[[nodiscard]] std::string recommendation(const AccuracyStudy& study);
+/// The deck variables of the recommended settings; empty without one.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> recommended_sets(
+    const AccuracyStudy& study);
 
 [[nodiscard]] std::string accuracy_table(const AccuracyStudy& study);
 [[nodiscard]] std::string accuracy_csv(const AccuracyStudy& study);
+/// The whole study; read_accuracy() takes it back.
+[[nodiscard]] std::string accuracy_json(const AccuracyStudy& study);
+/// @throws InputError when the text is no study.
+[[nodiscard]] AccuracyStudy read_accuracy(const std::string& text, const std::string& name);
 
 }  // namespace adore::facade

@@ -3,6 +3,7 @@
 #include "life/statistics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 namespace adore::facade {
@@ -76,18 +77,31 @@ KeyResults dynamic_results(const Snapshot& last, const results::Averages& averag
       load = std::max(load, contact.load);
       slip = std::max(slip, contact.max_slip);
     }
+  // The ledger counts from where the averages do, the start of the run.
+  std::array<double, 2> heat{};
+  for (int j = 0; j < 2; ++j) {
+    const auto* item = last.energy.find("heat", j);
+    if (item == nullptr) continue;
+    heat[static_cast<std::size_t>(j)] =
+        averages.time > 0.0 ? item->value / averages.time : item->rate;
+  }
   return {key_result("time_s", last.time),
           key_result("revolutions", last.shaft_rotation / (2.0 * std::numbers::pi)),
           key_result("largest_contact_load_N", load),
           key_result("largest_slip_m_per_s", slip),
           key_result("power_loss_W", last.power.total_loss),
           key_result("mean_power_loss_W", averages.power_loss),
+          key_result("mean_heat_outer_race_W", heat[0]),
+          key_result("mean_heat_inner_race_W", heat[1]),
+          key_result("mean_heat_elsewhere_W", averages.power_loss - heat[0] - heat[1]),
           key_result("mean_orbital_ratio", averages.orbital_ratio),
           key_result("mean_cage_ratio", averages.cage_ratio),
           key_result("mean_whirl_ratio", averages.whirl_ratio),
           key_result("mean_load_x_N", carried.mean[0]),
           key_result("mean_load_y_N", carried.mean[1]),
           key_result("mean_load_z_N", carried.mean[2]),
+          key_result("mean_largest_load_N", averages.largest_load),
+          key_result("peak_load_N", averages.peak_load),
           key_result("load_departure", carried.departure()),
           key_result("energy_residual_J", last.energy.residual())};
 }

@@ -431,6 +431,9 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   out.files = outputs.files();
   out.summary = outputs.summary();
   out.steps = step;
+  out.taken = summary.resume.counters.steps;
+  out.evaluations = summary.resume.counters.evaluations;
+  out.longest_step = control.maximum;
   out.time = end.time;
   out.revolutions = turns();
   out.warnings = outputs.remarks();

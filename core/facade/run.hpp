@@ -58,6 +58,9 @@ struct RunOutcome {
   std::vector<std::string> results;  ///< of a quasi-static run: displacement, largest load and
                                      ///< pressure, life, a line each in the deck's units
   long steps = 0;
+  long taken = 0;             ///< steps of the integrator: `steps` counts each nStps of them
+  long evaluations = 0;       ///< of the right-hand side
+  double longest_step = 0.0;  ///< that the run was allowed [s]
   double time = 0.0, revolutions = 0.0, seconds = 0.0;
   double energy_residual = 0.0;  ///< [J]
   results::KeyResults summary;   ///< a sweep's columns

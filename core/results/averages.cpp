@@ -2,7 +2,20 @@
 
 #include "results/motion.hpp"
 
+#include <algorithm>
+
 namespace adore::results {
+namespace {
+
+double largest_contact_load(const scene::Snapshot& snapshot) {
+  double load = 0.0;
+  for (const scene::ElementSnapshot& element : snapshot.elements)
+    for (const scene::RaceContactSnapshot& contact : element.race)
+      load = std::max(load, contact.load);
+  return load;
+}
+
+}  // namespace
 
 RunAverages::Totals RunAverages::totals(const scene::Snapshot& snapshot) {
   Totals totals;
@@ -20,8 +33,14 @@ void RunAverages::add(const scene::Snapshot& snapshot) {
   const double before = now_.time;
   now_ = totals(snapshot);
   const scene::Vec3& force = snapshot.races[1].applied_force;
-  if (started_) impulse_ += 0.5 * (now_.time - before) * (force_ + force);
+  const double largest = largest_contact_load(snapshot);
+  if (started_) {
+    impulse_ += 0.5 * (now_.time - before) * (force_ + force);
+    largest_impulse_ += 0.5 * (now_.time - before) * (largest_ + largest);
+  }
   force_ = force;
+  largest_ = largest;
+  peak_ = std::max(peak_, largest);
   loss_ = snapshot.power.total_loss;
   if (!started_) start_ = now_;
   started_ = true;
@@ -50,6 +69,8 @@ Averages RunAverages::averages() const {
     out.whirl_ratio = (whirl_now_ - whirl_start_) / turned;
   }
   out.power_loss = out.time > 0.0 ? (now_.heat - start_.heat) / out.time : loss_;
+  out.largest_load = out.time > 0.0 ? largest_impulse_ / out.time : largest_;
+  out.peak_load = peak_;
   out.load = out.time > 0.0 ? scene::Vec3(impulse_ / out.time) : force_;
   return out;
 }
@@ -76,6 +97,9 @@ void RunAverages::visit(Self& self, Visit visit) {
   visit("average impulse x", self.impulse_[0]);
   visit("average impulse y", self.impulse_[1]);
   visit("average impulse z", self.impulse_[2]);
+  visit("average largest load", self.largest_);
+  visit("average largest impulse", self.largest_impulse_);
+  visit("average peak load", self.peak_);
 }
 
 void RunAverages::save(std::map<std::string, double>& state) const {

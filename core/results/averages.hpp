@@ -15,6 +15,8 @@ struct Averages {
   double cage_ratio = 0.0;     ///< cage speed about its own axis
   double whirl_ratio = 0.0;    ///< speed of the cage's mass centre about the bearing axis
   double power_loss = 0.0;     ///< [W]
+  double largest_load = 0.0;   ///< mean over time of the largest contact load at each instant [N]
+  double peak_load = 0.0;      ///< the largest contact load at all instants [N]
   scene::Vec3 load = scene::Vec3::Zero();  ///< what held the inner race against the elements
                                            ///< [N], base frame
 };
@@ -22,8 +24,9 @@ struct Averages {
 /// Accumulates them. All but the whirl come from angles and heats that the run itself integrates,
 /// so they are exact whatever the interval between the snapshots; the whirl angle needs two or more
 /// positions per turn of the whirl. A ratio is 0 while the races have not turned against each
-/// other; before the first span ends the loss and the load are those of the first snapshot. The
-/// load is the trapezoidal mean over the snapshots: sampled, not integrated by the run.
+/// other; before the first span ends the loss and the loads are those of the first snapshot. Loads
+/// are trapezoidal means over the snapshots, and their peak is that of the snapshots: sampled, not
+/// integrated by the run.
 class RunAverages {
  public:
   void add(const scene::Snapshot& snapshot);
@@ -52,6 +55,9 @@ class RunAverages {
   double loss_ = 0.0;                        ///< of the last snapshot [W]
   scene::Vec3 force_ = scene::Vec3::Zero();  ///< on the inner race, last snapshot [N]
   scene::Vec3 impulse_ = scene::Vec3::Zero();  ///< its time integral [N s]
+  double largest_ = 0.0;                       ///< contact load at the last snapshot [N]
+  double largest_impulse_ = 0.0;               ///< its time integral [N s]
+  double peak_ = 0.0;                          ///< [N]
 };
 
 }  // namespace adore::results

@@ -27,7 +27,7 @@ TEST_CASE("numbers of options out of range are refused with their range", "[cli]
   refused(run_adore("accuracy" + deck + "--tols 1"),
           "--tols is 1; give a number from 1e-14 to 0.01");
   refused(run_adore("accuracy" + deck + "--tols 1e-4,1e-30"), "--tols is 1e-30");
-  refused(run_adore("accuracy" + deck + "--span 1e300"), "--span");
+  refused(run_adore("accuracy" + deck + "--turns 1e300"), "--turns");
   if (contains(run_adore("plot none --out none").out, "ADORE_WITH_QT")) return;  // no pictures
   const std::string to = " --out " + (folder / "p").string();
   refused(run_adore("plot none" + to + " --page 0"), "--page is 0; give a number from 1");

@@ -102,18 +102,51 @@ TEST_CASE("a sweep that is killed keeps its table, and only what is missing runs
   CHECK(read(folder / "broken" / "SWEEP.csv") != whole);
 }
 
-TEST_CASE("adore accuracy tabulates error against cost", "[cli]") {
+TEST_CASE("adore accuracy studies a deck's own run and puts what it finds into the deck", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
-  const Result study =
-      run_adore("accuracy " + folder.path().string() +
-                " --methods rkf5,pece4 --tols 1e-5,1e-7 --span 5 --out " + folder.path().string());
+  const std::string line = "accuracy " + folder.path().string() +
+                           " --methods rkf5,rkf7 --tols 1e-5,1e-6 --turns 0.05 --budget 10 "
+                           "--accuracy 50% --out " +
+                           (folder / "study").string();
+  const std::string before = read(folder / "DATA.txt");
+  const Result study = run_adore(line);
   INFO(study.out);
   REQUIRE(study.code == 0);
-  CHECK(fs::exists(folder / "ACCURACY.csv"));
-  std::istringstream csv(read(folder / "ACCURACY.csv"));
-  std::string line;
-  int lines = 0;
-  while (std::getline(csv, line)) ++lines;
-  CHECK(lines == 5);
+  CHECK(contains(study.out, "the cheapest within 50 %"));
+  const json found = json::parse(read(folder / "study" / "ACCURACY.json"));
+  CHECK(found["complete"] == true);
+  CHECK(found["finals"].size() >= 2);
+  std::istringstream csv(read(folder / "study" / "ACCURACY.csv"));
+  std::size_t lines = 0;
+  for (std::string text; std::getline(csv, text);) ++lines;
+  CHECK(lines == 1 + found["screening"].size() + found["finals"].size() + found["models"].size());
+  CHECK(read(folder / "DATA.txt") == before);
+
+  // From the rows that are there: nothing runs, and the deck gets what they recommend.
+  const Result applied = run_adore(line + " --continue --apply");
+  INFO(applied.out);
+  REQUIRE(applied.code == 0);
+  const std::string after = read(folder / "DATA.txt");
+  CHECK(contains(after, "stpInit stpMin stpMax fTime tol qFac"));  // remarks stay
+  const auto& best = found["finals"][found["recommended"].get<std::size_t>()];
+  const Result checked = run_adore("check " + folder.path().string());
+  CHECK(checked.code == 0);
+  if (!best["own"].get<bool>()) CHECK(after != before);
+}
+
+TEST_CASE("adore run --verify says how far its results go with the tolerance", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const Result run = run_adore("run " + folder.path().string() +
+                               " --until 0.02rev --verify --out " + (folder / "out").string());
+  INFO(run.out);
+  REQUIRE(run.code == 0);
+  CHECK(contains(run.out, "verified:  against tol 1e-07"));
+  CHECK(contains(run.out, "loads"));
+  const Result both =
+      run_adore("run " + folder.path().string() + " --set rpm2=1000:2000:2 --verify --out " +
+                (folder / "sweep").string());
+  CHECK(both.code == 2);
+  CHECK(contains(both.out, "this is a sweep"));
 }

@@ -1,0 +1,104 @@
+#include "cli/picture_commands.hpp"
+
+#include "cli/option_ranges.hpp"
+#include "command_line/tree.hpp"
+
+#include <memory>
+
+namespace adore::cli {
+namespace {
+
+void add_progress(CLI::App& command, std::string& style) {
+  command_line::one_of(command.add_option("--progress", style, "how progress is shown on stderr")
+                           ->capture_default_str()
+                           ->type_name("STYLE"),
+                       {"auto", "plain", "json", "none"});
+}
+
+void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw) {
+  CLI::App* command = app.add_subcommand(
+      "plot", "draw the pages of SOL1-SOL7, a quasi-static RUN.json or SWEEP.csv as PNG files");
+  auto request = std::make_shared<PlotRequest>();
+  auto time = std::make_shared<bool>(false);
+  command->add_option("files", request->files, "SOL1-SOL7, RUN.json, SWEEP.csv")
+      ->required()
+      ->type_name("FILE");
+  command->add_option("--out", request->out, "folder of the pictures")
+      ->type_name("DIR")
+      ->default_str("here");
+  CLI::Option* page = command->add_option("--page", request->page, "one page (all unless given)");
+  command->add_option("--from", request->range.from, "first stored step, counted from 1")
+      ->capture_default_str();
+  command->add_option("--to", request->range.to, "last stored step")->capture_default_str();
+  command->add_option("--every", request->range.every, "interval of stored steps")
+      ->capture_default_str();
+  command_line::one_of(command->add_option("--abscissa", request->abscissa, "revolutions or time")
+                           ->capture_default_str()
+                           ->type_name("WHAT"),
+                       {"rev", "time"});
+  command->add_flag("--time", *time, "the same as --abscissa time")->group("");
+  command->add_flag("--dark", request->dark, "dark theme");
+  add_progress(*command, request->progress);
+  command->footer("Example\n  adore plot SOL1 SOL7 --page 1 --out pictures");
+  command->callback([=] {
+    if (page->count() > 0) check_range("--page", request->page);
+    check_range("--from", static_cast<double>(request->range.from));
+    check_range("--to", static_cast<double>(request->range.to));
+    check_range("--every", static_cast<double>(request->range.every));
+    if (*time) request->abscissa = "time";
+    draw(*request);
+  });
+}
+
+void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>& draw) {
+  CLI::App* command = app.add_subcommand("animate", "draw frames or a film of SOL8");
+  auto request = std::make_shared<AnimateRequest>();
+  command->add_option("file", request->file, "SOL8 file")->required()->type_name("FILE");
+  command_line::one_of(command->add_option("--view", request->view, "what is looked at")
+                           ->capture_default_str()
+                           ->type_name("VIEW"),
+                       {"bearing", "cage", "pocket", "element", "race", "flange"});
+  command_line::one_of(command->add_option("--race", request->race, "race of the race view")
+                           ->capture_default_str()
+                           ->type_name("RACE"),
+                       {"outer", "inner"});
+  command
+      ->add_option("--element", request->element, "element or pocket of the single-element views")
+      ->capture_default_str();
+  CLI::Option* frame = command->add_option("--frame", request->frame,
+                                           "one stored frame, counted from 1 (all unless given)");
+  CLI::Option* every =
+      command->add_option("--every", request->every, "every n-th frame")->capture_default_str();
+  CLI::Option* movie = command
+                           ->add_option("--movie", request->movie,
+                                        "film to write: NAME.avi, or a folder of numbered pictures")
+                           ->type_name("FILE");
+  command->add_option("--fps", request->frames_per_second, "pictures per second of the film")
+      ->capture_default_str();
+  frame->excludes(every)->excludes(movie);
+  command->add_option("--out", request->out, "folder of the pictures")
+      ->type_name("DIR")
+      ->default_str("here");
+  command->add_flag("--dark", request->dark, "dark theme");
+  add_progress(*command, request->progress);
+  command->footer(
+      "Examples\n"
+      "  adore animate SOL8 --frame 1 --out pictures\n"
+      "  adore animate SOL8 --view cage --every 5 --movie cage.avi");
+  command->callback([=] {
+    if (frame->count() > 0) check_range("--frame", request->frame);
+    check_range("--every", request->every);
+    check_range("--fps", request->frames_per_second);
+    check_range("--element", request->element);
+    draw(*request);
+  });
+}
+
+}  // namespace
+
+void add_picture_commands(CLI::App& app, const PictureActions& actions) {
+  add_plot(app, actions.plot);
+  add_animate(app, actions.animate);
+}
+
+}  // namespace adore::cli

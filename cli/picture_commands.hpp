@@ -1,0 +1,37 @@
+#pragma once
+
+#include "results/sol_file.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+/// The commands `plot` and `animate`: their options, without what draws. Two programs have them:
+/// `adore`, which hands them over, and `adore-pictures`, which links Qt and draws. To link Qt's
+/// seventy libraries takes longer than all else that most commands do.
+namespace adore::cli {
+
+struct PlotRequest {
+  std::vector<std::string> files;
+  std::string out = ".", progress = "auto", abscissa = "rev";
+  int page = 0;  ///< 0: all
+  results::SolRange range;
+  bool dark = false;
+};
+
+struct AnimateRequest {
+  std::string file, out = ".", view = "bearing", race = "inner", movie, progress = "auto";
+  int frame = 0, every = 1, frames_per_second = 25, element = 1;
+  bool dark = false;
+};
+
+struct PictureActions {
+  std::function<void(const PlotRequest&)> plot;
+  std::function<void(const AnimateRequest&)> animate;
+};
+
+void add_picture_commands(CLI::App& app, const PictureActions& actions);
+
+}  // namespace adore::cli

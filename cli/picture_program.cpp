@@ -1,0 +1,76 @@
+#include "cli/picture_program.hpp"
+
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace adore::cli {
+namespace {
+
+std::string program_path() {
+  return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "adore-pictures")
+      .string();
+}
+
+[[noreturn]] void refuse(const std::string& program, int error) {
+  throw InputError(fmt::format(
+      "pictures are drawn by {}, which does not start: {}; install it beside `adore`, or use "
+      "`adore convert FILE --to csv` and a plotter of your own",
+      program, std::strerror(error)));
+}
+
+void become(char** argv) {
+  if (!has_pictures())
+    throw InputError(
+        "this program was built without Qt, which draws; build with ADORE_WITH_QT=ON (preset "
+        "release), or use `adore convert FILE --to csv` and a plotter of your own");
+  const std::string program = program_path();
+  (void)std::fflush(nullptr);
+  ::execv(program.c_str(), argv);
+  refuse(program, errno);
+}
+
+}  // namespace
+
+bool has_pictures() noexcept {
+#ifdef ADORE_HAS_PICTURES
+  return true;
+#else
+  return false;
+#endif
+}
+
+PictureActions handed_over(char** argv) {
+  return {[argv](const PlotRequest&) { become(argv); },
+          [argv](const AnimateRequest&) { become(argv); }};
+}
+
+bool run_picture_program(const std::vector<std::string>& words) {
+  if (!has_pictures()) return false;
+  const std::string program = program_path();
+  std::vector<std::string> all{program};
+  all.insert(all.end(), words.begin(), words.end());
+  std::vector<char*> argv;
+  for (std::string& word : all) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  (void)std::fflush(nullptr);
+  pid_t child = 0;
+  if (const int error =
+          ::posix_spawn(&child, program.c_str(), nullptr, nullptr, argv.data(), environ);
+      error != 0)
+    refuse(program, error);
+  int status = 0;
+  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace adore::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "cli/picture_commands.hpp"
+
+#include <string>
+#include <vector>
+
+/// The program that draws, beside this one: `adore-pictures`.
+namespace adore::cli {
+
+/// Whether this build draws pictures.
+[[nodiscard]] bool has_pictures() noexcept;
+
+/// Actions that become that program, with the same command line. In a build without Qt they throw
+/// an InputError that says so. @param argv of main, ended by a null pointer
+[[nodiscard]] PictureActions handed_over(char** argv);
+
+/// Starts it with these words and waits. @return true when it ended with 0; false without Qt.
+/// @throws InputError when it is not where it belongs.
+bool run_picture_program(const std::vector<std::string>& words);
+
+}  // namespace adore::cli

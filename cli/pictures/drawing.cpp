@@ -1,0 +1,92 @@
+#include "cli/pictures/drawing.hpp"
+
+#include "adrplot/render.hpp"
+#include "agore/render.hpp"
+#include "base/errors.hpp"
+#include "cli/progress.hpp"
+#include "desktop/bootstrap.hpp"
+#include "desktop/image_export.hpp"
+#include "desktop/log_chart.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <fstream>
+
+namespace adore::cli {
+namespace {
+
+void print_files(const std::vector<std::filesystem::path>& files) {
+  for (const auto& file : files) fmt::print("{}\n", file.string());
+}
+
+void plot(const PlotRequest& request) {
+  desktop::ensure_headless_application();
+  adrplot::RenderOptions options;
+  options.folder = request.out;
+  options.page = request.page;
+  options.range = request.range;
+  options.dark = request.dark;
+  options.progress = make_count_progress("file", request.progress);
+  if (request.abscissa == "time") options.view.abscissa = adrplot::Abscissa::Time;
+  print_files(adrplot::render_plots({request.files.begin(), request.files.end()}, options));
+}
+
+void animate(const AnimateRequest& request) {
+  desktop::ensure_headless_application();
+  agore::RenderOptions render;
+  render.view.view = agore::view_named(request.view, request.race);
+  render.view.element = request.element;
+  render.view.dark = request.dark;
+  render.progress = make_count_progress("frame", request.progress);
+  agore::MotionPicture picture = agore::open_animation(request.file);
+  const std::filesystem::path folder(request.out);
+  if (!request.movie.empty()) {
+    const std::filesystem::path film = folder / request.movie;  // an absolute name stays as it is
+    agore::render_movie(picture, request.every, request.frames_per_second, film, render);
+    print_files({film});
+  } else if (request.frame > 0) {
+    desktop::make_folder(folder);
+    const std::filesystem::path file =
+        folder / fmt::format("{}-{}-frame-{:05}.png",
+                             std::filesystem::path(request.file).filename().string(), request.view,
+                             request.frame);
+    agore::render_frame(picture, request.frame, file, render);
+    print_files({file});
+  } else {
+    print_files(agore::render_frames(picture, request.every, folder, render));
+  }
+}
+
+}  // namespace
+
+PictureActions drawing_actions() { return {plot, animate}; }
+
+void draw_accuracy(const std::filesystem::path& table, const std::filesystem::path& picture) {
+  std::ifstream file(table);
+  const auto study = nlohmann::json::parse(file, nullptr, false);
+  if (!study.is_object() || !study.contains("finals"))
+    throw InputError(fmt::format("{} is no table of `adore accuracy`", table.string()));
+  desktop::ensure_headless_application();
+  desktop::LogChart chart;
+  chart.title = study.value("title", "What accuracy costs");
+  chart.x_title = "computing time [s]";
+  chart.y_title = study.value("error_title", "error");
+  const bool finals = !study["finals"].empty();
+  for (const auto& row : study[finals ? "finals" : "screening"]) {
+    const double seconds = row.value("seconds", 0.0), error = row.value("error", 0.0);
+    if (row.contains("failure") || !(seconds > 0.0) || !(error > 0.0)) continue;
+    const std::string name = row.value("curve", "");
+    auto curve = std::find_if(chart.curves.begin(), chart.curves.end(),
+                              [&](const desktop::ChartCurve& c) { return c.name == name; });
+    if (curve == chart.curves.end())
+      curve = chart.curves.insert(curve, desktop::ChartCurve{name, {}, {}});
+    curve->x.push_back(seconds);
+    curve->y.push_back(error);
+  }
+  if (!desktop::save_log_chart(chart, picture))
+    throw InputError(fmt::format("{} holds no run that came to its end", table.string()));
+}
+
+}  // namespace adore::cli

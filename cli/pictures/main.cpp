@@ -1,0 +1,25 @@
+#include "base/errors.hpp"
+#include "base/interrupted.hpp"
+#include "cli/pictures/drawing.hpp"
+#include "cli/streams.hpp"
+#include "cli/whole_program.hpp"
+#include "command_line/program.hpp"
+
+#include <memory>
+#include <string>
+
+int main(int argc, char** argv) {
+  return adore::cli::whole_program([&] {
+    const auto app = adore::command_line::make_program(
+        "The part of Adore's command line that draws; `adore plot` and `adore animate` start it.",
+        "adore-pictures");
+    app->require_subcommand(1);
+    adore::cli::add_picture_commands(*app, adore::cli::drawing_actions());
+    CLI::App* chart = app->add_subcommand("accuracy-chart", "error against computing time");
+    auto table = std::make_shared<std::string>(), picture = std::make_shared<std::string>();
+    chart->add_option("table", *table, "ACCURACY.json")->required();
+    chart->add_option("picture", *picture, "PNG file to write")->required();
+    chart->callback([=] { adore::cli::draw_accuracy(*table, *picture); });
+    return adore::command_line::parse(*app, argc, argv).value_or(0);
+  });
+}

@@ -1,0 +1,291 @@
+#include "base/json_text.hpp"
+#include "facade/verify.hpp"
+#include "integrators/stepper.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::facade {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string percent(double error) {
+  return error < 0.0 ? "not computed" : fmt::format("{:.2g} %", 100.0 * error);
+}
+
+std::string short_percent(double error) {
+  return error < 0.0 ? "-" : fmt::format("{:.2g}", 100.0 * error);
+}
+
+std::string table_of(const std::vector<AccuracyRow>& rows) {
+  std::size_t width = 24;
+  for (const AccuracyRow& row : rows) width = std::max(width, row.setting.name.size() + 2);
+  std::string out =
+      fmt::format("  {:<{}}{:>10}{:>9}{:>8}{:>8}{:>8}{:>8}{:>11}{:>7}{:>10}\n", "", width, "s",
+                  "error %", "speed", "load", "heat", "life", "steps/turn", "order", "energy");
+  for (const AccuracyRow& row : rows) {
+    const std::string mark = row.front ? "* " : "  ";
+    if (!row.failure.empty()) {
+      constexpr std::size_t kRoom = 90;
+      out += fmt::format(
+          "{}{:<{}}{}\n", mark, row.setting.name, width,
+          row.failure.size() > kRoom ? row.failure.substr(0, kRoom) + " ..." : row.failure);
+      continue;
+    }
+    out += fmt::format("{}{:<{}}{:>10.3g}{:>9}{:>8}{:>8}{:>8}{:>8}{:>11.0f}{:>7}{:>10.1e}{}{}\n",
+                       mark, row.setting.name, width, row.seconds,
+                       short_percent(row.errors.largest()), short_percent(row.errors.speed),
+                       short_percent(row.errors.load), short_percent(row.errors.heat),
+                       short_percent(row.errors.life), static_cast<double>(row.steps) / row.turns,
+                       row.order > 0.0 ? fmt::format("{:.1f}", row.order) : "-", row.energy_share,
+                       row.at_longest > 0.98 ? "  at its longest step" : "",
+                       row.setting.own ? "  (as the deck asks)" : "");
+  }
+  return out;
+}
+
+Json json_of(const AccuracyErrors& e) {
+  return {{"speed", e.speed}, {"load", e.load}, {"heat", e.heat}, {"life", e.life}};
+}
+
+Json json_of(const AccuracyRow& row) {
+  Json out{{"name", row.setting.name},
+           {"method", row.setting.method},
+           {"curve", row.setting.method + (row.setting.as_long_as_stable ? ", stable" : "")},
+           {"tol", row.setting.tolerance},
+           {"as_long_as_stable", row.setting.as_long_as_stable},
+           {"own", row.setting.own},
+           {"turns", row.turns}};
+  if (!row.failure.empty()) out["failure"] = row.failure;
+  out["seconds"] = row.seconds;
+  out["error"] = row.errors.largest();
+  out["errors"] = json_of(row.errors);
+  out["steps"] = row.steps;
+  out["evaluations"] = row.evaluations;
+  out["at_longest"] = row.at_longest;
+  out["longest"] = row.longest;
+  out["energy_share"] = row.energy_share;
+  out["order"] = row.order;
+  out["front"] = row.front;
+  out["sets"] = row.setting.sets;
+  return out;
+}
+
+Json json_of(const AccuracyReference& reference) {
+  Json out{{"seconds", reference.seconds}, {"noise", json_of(reference.noise)}};
+  Json values = Json::object();
+  for (const results::KeyResult& result : reference.results)
+    if (std::isfinite(result.value)) values[std::string(result.of.id)] = result.value;
+  out["results"] = values;
+  return out;
+}
+
+AccuracyErrors errors_of(const Json& json) {
+  return {json.at("speed").get<double>(), json.at("load").get<double>(),
+          json.at("heat").get<double>(), json.at("life").get<double>()};
+}
+
+AccuracyRow row_of(const Json& json) {
+  AccuracyRow row;
+  row.setting.name = json.at("name").get<std::string>();
+  row.setting.method = json.at("method").get<std::string>();
+  row.setting.tolerance = json.at("tol").get<double>();
+  row.setting.as_long_as_stable = json.at("as_long_as_stable").get<bool>();
+  row.setting.own = json.at("own").get<bool>();
+  row.setting.sets = json.at("sets").get<std::vector<std::pair<std::string, std::string>>>();
+  row.turns = json.at("turns").get<double>();
+  row.failure = json.value("failure", "");
+  row.seconds = json.at("seconds").get<double>();
+  row.errors = errors_of(json.at("errors"));
+  row.steps = json.at("steps").get<long>();
+  row.evaluations = json.at("evaluations").get<long>();
+  row.at_longest = json.at("at_longest").get<double>();
+  row.longest = json.at("longest").get<double>();
+  row.energy_share = json.at("energy_share").get<double>();
+  row.order = json.at("order").get<double>();
+  row.front = json.at("front").get<bool>();
+  return row;
+}
+
+AccuracyReference reference_of(const Json& json) {
+  AccuracyReference out;
+  out.seconds = json.at("seconds").get<double>();
+  out.noise = errors_of(json.at("noise"));
+  for (const auto& [id, value] : json.at("results").items()) {
+    const results::KeyResultSpec spec = results::find_key_result(id);
+    if (!spec.id.empty()) out.results.push_back({spec, value.get<double>()});
+  }
+  return out;
+}
+
+const AccuracyRow* own_row(const AccuracyStudy& study) {
+  for (const AccuracyRow& row : study.finals)
+    if (row.setting.own) return &row;
+  return nullptr;
+}
+
+}  // namespace
+
+std::string recommendation(const AccuracyStudy& study) {
+  if (study.finals.empty()) return "The study was broken off before it could recommend anything.";
+  const AccuracyRow* own = own_row(study);
+  const double noise = study.long_reference.noise.largest();
+  std::string out;
+  if (study.recommended < 0) {
+    out = fmt::format("None of the settings keeps within {} over {:.4g} turns",
+                      percent(study.target), study.long_turns);
+  } else {
+    const AccuracyRow& best = study.finals[static_cast<std::size_t>(study.recommended)];
+    out = fmt::format("{}: the cheapest within {} over {:.4g} turns, {:.3g} s ({})",
+                      best.setting.name, percent(std::max(study.target, 1.5 * noise)),
+                      study.long_turns, best.seconds, errors_text(best.errors));
+    if (best.setting.own) return out + "; these are the deck's own settings.";
+  }
+  if (own != nullptr)
+    out += own->failure.empty() ? fmt::format("; the deck's own settings take {:.3g} s ({})",
+                                              own->seconds, errors_text(own->errors))
+                                : fmt::format("; with the deck's own settings: {}", own->failure);
+  if (noise > study.target)
+    out += fmt::format(
+        "; two accurate runs differ by {}: the motion is irregular, and no smaller errors of its "
+        "means over this span can be told",
+        percent(noise));
+  return out + ".";
+}
+
+std::vector<std::pair<std::string, std::string>> recommended_sets(const AccuracyStudy& study) {
+  if (study.recommended < 0) return {};
+  const AccuracySetting& best = study.finals[static_cast<std::size_t>(study.recommended)].setting;
+  int code = 0;
+  while (code < 100 && integrators::name_of_int_met(code) != best.method) ++code;
+  std::vector<std::pair<std::string, std::string>> out{
+      {"intMet", std::to_string(code)}, {"tol", fmt::format("{:g}", best.tolerance)}};
+  const double longest = study.finals[static_cast<std::size_t>(study.recommended)].longest;
+  if (best.as_long_as_stable && longest > 0.0) {
+    // As stability allows it, rounded down: the deck then asks for it itself.
+    const double unit = std::pow(10.0, std::floor(std::log10(longest)) - 1.0);
+    out.emplace_back("stpMax", fmt::format("{:g}", unit * std::floor(longest / unit)));
+  }
+  return out;
+}
+
+std::string accuracy_table(const AccuracyStudy& study) {
+  std::string out = fmt::format(
+      "Errors are differences of means to a reference ({});\n"
+      "s: processor time of the whole run; *: no other row is cheaper and better.\n",
+      study.reference);
+  const auto round = [&](const char* what, double turns, const AccuracyReference& reference,
+                         const std::vector<AccuracyRow>& rows) {
+    if (rows.empty()) return;
+    out += fmt::format("\n{}: {:.4g} turns. The two references differ by {} ({}).\n{}", what, turns,
+                       percent(reference.noise.largest()), errors_text(reference.noise),
+                       table_of(rows));
+  };
+  round("First round", study.short_turns, study.short_reference, study.screening);
+  round("Second round", study.long_turns, study.long_reference, study.finals);
+  if (study.long_turns > 0.0 && study.long_turns < study.asked)
+    out += fmt::format("{:g} turns were asked for; the budget pays for {:.4g}.\n", study.asked,
+                       study.long_turns);
+  if (!study.models.empty())
+    out += fmt::format(
+        "\nOther models with the deck's own settings, {:.4g} turns; here the figures are what they "
+        "change.\n{}",
+        study.short_turns, table_of(study.models));
+  return out + "\n" + recommendation(study) + "\n";
+}
+
+std::string accuracy_csv(const AccuracyStudy& study) {
+  std::string out =
+      "round,name,method,tol,turns,seconds,error,speed,load,heat,life,steps,evaluations,"
+      "longest_step,mean_step_over_longest,energy_share,order,front,failure\n";
+  const auto quoted = [](std::string text) {
+    for (std::size_t at = 0; (at = text.find('"', at)) != std::string::npos; at += 2)
+      text.insert(at, 1, '"');
+    return "\"" + text + "\"";
+  };
+  const auto add = [&](const char* round, const std::vector<AccuracyRow>& rows) {
+    for (const AccuracyRow& row : rows) {
+      const auto number = [&](double error) {
+        return !row.failure.empty() || error < 0.0 ? std::string() : fmt::format("{:.6g}", error);
+      };
+      out += fmt::format(
+          "{},{},{},{:g},{:g},{:.6g},{},{},{},{},{},{},{},{:.4g},{:.4g},{:.4g},{:.3g},{},{}\n",
+          round, quoted(row.setting.name), row.setting.method, row.setting.tolerance, row.turns,
+          row.seconds, number(row.errors.largest()), number(row.errors.speed),
+          number(row.errors.load), number(row.errors.heat), number(row.errors.life), row.steps,
+          row.evaluations, row.longest, row.at_longest, row.energy_share, row.order,
+          row.front ? 1 : 0, row.failure.empty() ? "" : quoted(row.failure));
+    }
+  };
+  add("first", study.screening);
+  add("second", study.finals);
+  add("model", study.models);
+  return out;
+}
+
+std::string accuracy_json(const AccuracyStudy& study) {
+  Json out{{"program", "adore"},
+           {"study", "accuracy"},
+           {"digest", study.digest},
+           {"complete", study.complete},
+           {"title", fmt::format("What accuracy costs: {:.3g} turns, reference {}",
+                                 study.finals.empty() ? study.short_turns : study.long_turns,
+                                 study.reference)},
+           {"error_title", "largest error of speeds, loads, heat and life"},
+           {"turn_s", study.turn},
+           {"asked_turns", study.asked},
+           {"short_turns", study.short_turns},
+           {"long_turns", study.long_turns},
+           {"target", study.target},
+           {"reference", study.reference},
+           {"short_reference", json_of(study.short_reference)},
+           {"long_reference", json_of(study.long_reference)},
+           {"seconds", study.seconds},
+           {"recommended", study.recommended},
+           {"recommendation", recommendation(study)}};
+  const auto list = [](const std::vector<AccuracyRow>& rows) {
+    Json all = Json::array();
+    for (const AccuracyRow& row : rows) all.push_back(json_of(row));
+    return all;
+  };
+  out["screening"] = list(study.screening);
+  out["finals"] = list(study.finals);
+  out["models"] = list(study.models);
+  return out.dump(2) + "\n";
+}
+
+AccuracyStudy read_accuracy(const std::string& text, const std::string& name) {
+  const Json json = parse_json<Json>(text, name);
+  try {
+    AccuracyStudy out;
+    out.digest = json.at("digest").get<std::string>();
+    out.complete = json.at("complete").get<bool>();
+    out.turn = json.at("turn_s").get<double>();
+    out.asked = json.at("asked_turns").get<double>();
+    out.short_turns = json.at("short_turns").get<double>();
+    out.long_turns = json.at("long_turns").get<double>();
+    out.target = json.at("target").get<double>();
+    out.reference = json.at("reference").get<std::string>();
+    out.short_reference = reference_of(json.at("short_reference"));
+    out.long_reference = reference_of(json.at("long_reference"));
+    out.seconds = json.at("seconds").get<double>();
+    for (const Json& row : json.at("screening")) out.screening.push_back(row_of(row));
+    for (const Json& row : json.at("finals")) out.finals.push_back(row_of(row));
+    for (const Json& row : json.at("models")) out.models.push_back(row_of(row));
+    const auto recommended = json.at("recommended").get<long long>();
+    if (recommended >= static_cast<long long>(out.finals.size()))
+      throw InputError(name +
+                       " is no study of `adore accuracy`: it recommends a row that it does not "
+                       "have");
+    out.recommended = static_cast<int>(std::max(recommended, -1LL));
+    return out;
+  } catch (const nlohmann::json::exception& error) {
+    throw InputError(name + " is no study of `adore accuracy`: " + error.what());
+  }
+}
+
+}  // namespace adore::facade

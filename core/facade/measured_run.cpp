@@ -1,0 +1,78 @@
+#include "facade/measured_run.hpp"
+
+#include "base/errors.hpp"
+#include "base/interrupted.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <limits>
+
+namespace adore::facade {
+namespace fs = std::filesystem;
+namespace {
+
+double processor_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// A new folder for files that nobody wants to keep, gone with this object.
+class PassingFolder {
+ public:
+  PassingFolder() {
+    std::string pattern = (fs::temp_directory_path() / "adore-XXXXXX").string();
+    if (mkdtemp(pattern.data()) == nullptr)
+      throw InputError("no folder for passing files can be made in " +
+                       fs::temp_directory_path().string() + ": " + std::strerror(errno) +
+                       "; name another place in the environment variable TMPDIR");
+    path_ = pattern;
+  }
+  ~PassingFolder() {
+    std::error_code error;
+    fs::remove_all(path_, error);
+  }
+  PassingFolder(const PassingFolder&) = delete;
+  PassingFolder& operator=(const PassingFolder&) = delete;
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+}  // namespace
+
+MeasuredRun measured_run(RunRequest request, double most_seconds, std::stop_token stop) {
+  const PassingFolder folder;
+  request.out = folder.path();
+  std::stop_source end;
+  const std::stop_callback forward(stop, [&end] { end.request_stop(); });
+  MeasuredRun out;
+  const double begin = processor_seconds();
+  const ProgressSink watch = [&](const Progress&) {
+    if (processor_seconds() - begin > most_seconds) {
+      out.cut = true;
+      end.request_stop();
+    }
+  };
+  try {
+    out.outcome = run(request, watch, end.get_token());
+  } catch (const Interrupted&) {
+    if (!out.cut || stop.stop_requested()) throw;
+  }
+  out.seconds = processor_seconds() - begin;
+  out.outcome.files.clear();
+  if (stop.stop_requested()) throw Interrupted("interrupted");
+  out.cut = out.cut && out.outcome.status == RunStatus::Interrupted;
+  return out;
+}
+
+double value_of(const results::KeyResults& results, std::string_view id) {
+  for (const results::KeyResult& result : results)
+    if (result.of.id == id) return result.value;
+  return std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace adore::facade

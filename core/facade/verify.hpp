@@ -1,0 +1,31 @@
+#pragma once
+
+#include "facade/accuracy.hpp"
+
+#include <stop_token>
+#include <string>
+
+/// A run against itself with tighter settings: what its own numerics leave open.
+namespace adore::facade {
+
+struct Verification {
+  AccuracyErrors errors;  ///< of the run, against the tighter one (accuracy.hpp)
+  double seconds = 0.0;   ///< processor time of the tighter run
+  std::string tighter;    ///< "tol 1e-07, steps at most half as long"
+  results::KeyResults results;
+  std::string failure;  ///< why the tighter run gave no results; empty when it did
+};
+
+/// Repeats a run that came to its end with a tenth of its tolerance and half of the longest step
+/// that it was allowed, from the start to the same end, and compares. A run that was continued is
+/// repeated as a whole. @throws InputError, Interrupted
+[[nodiscard]] Verification verify(const RunRequest& request, const RunOutcome& outcome,
+                                  std::stop_token stop);
+
+[[nodiscard]] std::string verification_text(const Verification& verification,
+                                            const RunOutcome& outcome);
+
+/// "speeds 0.1 %, loads 0.02 %, heat 0.3 %, life not computed" of what could be compared.
+[[nodiscard]] std::string errors_text(const AccuracyErrors& errors);
+
+}  // namespace adore::facade

@@ -1,0 +1,65 @@
+#include "deck/keep_text.hpp"
+#include "deck/templates.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace adore;
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+namespace {
+
+std::string example() { return std::string(deck::template_text("ball")); }
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> out{""};
+  for (const char c : text)
+    if (c == '\n')
+      out.emplace_back();
+    else
+      out.back() += c;
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a changed value leaves everything else of a deck's text as it stands", "[unit][deck]") {
+  const std::string before = example();
+  const deck::KeptText after = deck::with_values(before, Sets{{"tol", "1e-4"}, {"intMet", "3"}});
+  REQUIRE(after.kept);
+  const auto a = lines(before), b = lines(after.text);
+  REQUIRE(a.size() == b.size());
+  std::size_t changed = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) changed += a[k] != b[k];
+  CHECK(changed == 2);
+  CHECK(after.text.find("stpInit stpMin stpMax fTime tol qFac") != std::string::npos);
+  CHECK(deck::read_deck_text(after.text, "after").deck.real("tol") == 1e-4);
+}
+
+TEST_CASE("every number of a deck can be changed in place", "[unit][deck]") {
+  const std::string before = example();
+  const deck::Deck deck = deck::read_deck_text(before, "before").deck;
+  for (const char* name : {"stpMax", "appLoadX", "pocClsII", "rpm2", "qFac", "temp[2]"}) {
+    CAPTURE(name);
+    if (!deck.has(std::string(name).substr(0, std::string(name).find('[')))) continue;
+    const deck::KeptText after = deck::with_values(before, Sets{{name, "0.125"}});
+    CHECK(after.kept);
+    deck::Deck expected = deck;
+    expected.set_all(Sets{{name, "0.125"}});
+    CHECK(deck::read_deck_text(after.text, "after").deck == expected);
+  }
+}
+
+TEST_CASE("a value that shares its word with others makes the writer's own text", "[unit][deck]") {
+  std::string text = example();
+  const std::size_t at = text.find("1.0e-7, 1.0e-7");
+  REQUIRE(at != std::string::npos);
+  text.replace(at, 14, "2*1.0e-7");
+  const deck::Deck deck = deck::read_deck_text(text, "repeated").deck;
+  const deck::KeptText same = deck::with_values(text, Sets{{"tol", "1e-4"}});
+  CHECK(same.kept);
+  const deck::KeptText other = deck::with_values(text, Sets{{"rmsAspHt1", "2e-7"}});
+  CHECK_FALSE(other.kept);
+  deck::Deck expected = deck;
+  expected.set_all(Sets{{"rmsAspHt1", "2e-7"}});
+  CHECK(deck::read_deck_text(other.text, "after").deck == expected);
+}

@@ -1,0 +1,153 @@
+#include "core/facade/deck_runs.hpp"
+#include "deck/templates.hpp"
+#include "facade/verify.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+using namespace adore;
+using namespace adore::facade;
+
+namespace {
+
+results::KeyResults made_up(double orbit, double cage, double whirl, double load, double heat,
+                            double life) {
+  using results::key_result;
+  return {key_result("mean_orbital_ratio", orbit),
+          key_result("mean_cage_ratio", cage),
+          key_result("mean_whirl_ratio", whirl),
+          key_result("mean_largest_load_N", load),
+          key_result("mean_load_x_N", 300.0),
+          key_result("mean_load_y_N", 0.0),
+          key_result("mean_load_z_N", 400.0),
+          key_result("mean_power_loss_W", heat),
+          key_result("mean_heat_outer_race_W", 0.5 * heat),
+          key_result("mean_heat_inner_race_W", 0.25 * heat),
+          key_result("mean_heat_elsewhere_W", 0.25 * heat),
+          key_result("run_life_hours", life)};
+}
+
+AccuracyRequest short_study() {
+  AccuracyRequest request;
+  request.text = std::string(deck::template_text("ball"));
+  request.methods = {"rkf5", "pece4"};
+  request.tolerances = {1e-5, 1e-6};
+  request.turns = 0.05;
+  request.budget = 10.0;
+  request.target = 0.1;
+  return request;
+}
+
+}  // namespace
+
+TEST_CASE("errors are those of speeds, loads, heat and life", "[unit][accuracy]") {
+  const auto reference = made_up(0.4, 0.4, 0.1, 100.0, 8.0, 1e4);
+  const AccuracyErrors none = compare_results(reference, reference);
+  CHECK(none.largest() == 0.0);
+  const auto of = [&](const results::KeyResults& run) { return compare_results(run, reference); };
+  CHECK(of(made_up(0.404, 0.4, 0.1, 100.0, 8.0, 1e4)).speed == Approx(0.01));
+  CHECK(of(made_up(0.4, 0.408, 0.1, 100.0, 8.0, 1e4)).speed == Approx(0.02));
+  // A whirl that is small against the cage's own speed is measured by that.
+  CHECK(of(made_up(0.4, 0.4, 0.104, 100.0, 8.0, 1e4)).speed == Approx(0.01));
+  CHECK(of(made_up(0.4, 0.4, 0.1, 103.0, 8.0, 1e4)).load == Approx(0.03));
+  CHECK(of(made_up(0.4, 0.4, 0.1, 100.0, 8.8, 1e4)).heat == Approx(0.05));
+  CHECK(of(made_up(0.4, 0.4, 0.1, 100.0, 8.0, 0.9e4)).life == Approx(0.1));
+  CHECK(of(made_up(0.4, 0.4, 0.1, 100.0, 8.0, 0.9e4)).largest() == Approx(0.1));
+}
+
+TEST_CASE("what a run has not computed makes no error", "[unit][accuracy]") {
+  const double infinite = std::numeric_limits<double>::infinity();
+  const auto reference = made_up(0.4, 0.4, 0.1, 100.0, 0.0, infinite);
+  const AccuracyErrors errors = compare_results(made_up(0.4, 0.4, 0.1, 100.0, 0.0, 1e4), reference);
+  CHECK(errors.life < 0.0);
+  CHECK(errors.heat == 0.0);
+  CHECK(errors.largest() == 0.0);
+  CHECK(errors_text({0.0, 0.01, -1.0, -1.0}) == "speeds 0 %, loads 1 %");
+}
+
+TEST_CASE("an accuracy study compares the deck's own run and recommends the cheapest row",
+          "[unit][accuracy]") {
+  const AccuracyRequest request = short_study();
+  const AccuracyStudy study = study_accuracy(request);
+  REQUIRE(study.complete);
+  REQUIRE(study.screening.size() >= 3);
+  CHECK(study.screening.front().setting.own);
+  CHECK(study.finals.front().setting.own);
+  CHECK(study.models.size() >= 5);
+  REQUIRE(study.recommended >= 0);
+  const AccuracyRow& best = study.finals[static_cast<std::size_t>(study.recommended)];
+  for (const AccuracyRow& row : study.finals) {
+    if (!row.failure.empty() || row.errors.largest() > study.target) continue;
+    CHECK(best.seconds <= row.seconds);
+  }
+  // The same settings once more: the front holds no row that another one beats.
+  for (const AccuracyRow& row : study.screening)
+    for (const AccuracyRow& other : study.screening)
+      if (row.front && other.failure.empty())
+        CHECK_FALSE((other.seconds < row.seconds && other.errors.largest() < row.errors.largest()));
+
+  SECTION("a finished study comes back from its file, and nothing is run again") {
+    const AccuracyStudy read = read_accuracy(accuracy_json(study), "ACCURACY.json");
+    CHECK(accuracy_csv(read) == accuracy_csv(study));
+    CHECK(recommendation(read) == recommendation(study));
+    CHECK(recommended_sets(read) == recommended_sets(study));
+    const AccuracyStudy again = study_accuracy(request, {}, {}, read);
+    REQUIRE(again.finals.size() == study.finals.size());
+    for (std::size_t k = 0; k < again.finals.size(); ++k)
+      CHECK(again.finals[k].seconds == study.finals[k].seconds);
+  }
+  SECTION("rows of another deck are not taken over") {
+    AccuracyRequest other = request;
+    other.sets = {{"appLoadX", "777"}};
+    AccuracyStudy known = study;
+    for (AccuracyRow& row : known.finals) row.seconds = 1e6;
+    for (const AccuracyRow& row : study_accuracy(other, {}, {}, known).finals)
+      CHECK(row.seconds < 1e6);
+  }
+}
+
+TEST_CASE("a study that is stopped comes back as far as it got", "[unit][accuracy]") {
+  std::stop_source stop;
+  int rows = 0;
+  const AccuracyStudy study = study_accuracy(
+      short_study(),
+      [&](const AccuracyRow&, const AccuracyStudy&) {
+        if (++rows == 2) stop.request_stop();
+      },
+      stop.get_token());
+  CHECK_FALSE(study.complete);
+  CHECK(study.screening.size() == 2);
+  CHECK(study.finals.empty());
+  CHECK(recommended_sets(study).empty());
+  CHECK(read_accuracy(accuracy_json(study), "ACCURACY.json").screening.size() == 2);
+}
+
+TEST_CASE("no study of a quasi-static deck, and none from a broken file", "[unit][accuracy]") {
+  AccuracyRequest request = short_study();
+  request.sets = {{"mode", "-1"}};
+  CHECK_THROWS_AS(study_accuracy(request), InputError);
+  request = short_study();
+  request.methods = {"euler"};
+  CHECK_THROWS_AS(study_accuracy(request), InputError);
+  CHECK_THROWS_AS(read_accuracy("{}", "ACCURACY.json"), InputError);
+  CHECK_THROWS_AS(read_accuracy("no json", "ACCURACY.json"), InputError);
+}
+
+TEST_CASE("verifying repeats a run with tighter settings to the same end", "[unit][accuracy]") {
+  RunRequest request;
+  request.text = std::string(deck::template_text("ball"));
+  request.until = "0.05rev";
+  const testing::TemporaryFolder folder;
+  request.out = folder / "run";
+  const RunOutcome outcome = run(request);
+  REQUIRE(outcome.status == RunStatus::Done);
+  const Verification verified = verify(request, outcome, {});
+  REQUIRE(verified.failure.empty());
+  CHECK(value_of(verified.results, "time_s") == Approx(outcome.time).epsilon(1e-12));
+  CHECK(verified.errors.speed < 1e-3);
+  CHECK(verified.errors.load < 1e-2);
+  // It did take other steps: not one figure to the last digit.
+  CHECK(value_of(verified.results, "power_loss_W") != value_of(outcome.summary, "power_loss_W"));
+}
