@@ -72,6 +72,9 @@ struct GuideLand {  ///< record 7.2.i
   double width = 0.0;      ///< [m]
   double edge = 0.0;       ///< signed distance cage centre -> outer edge [m]
   double clearance = 0.0;  ///< diametral [m]
+  LandErrors of_cage, of_race;
+  /// A circle in a circle.
+  [[nodiscard]] bool ideal() const noexcept { return of_cage.ideal() && of_race.ideal(); }
 };
 
 /// Inertia of one rigid body about its mass centre. Ideal shapes have their principal axes along

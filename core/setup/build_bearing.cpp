@@ -5,6 +5,7 @@
 #include "contact/roller_pocket_play.hpp"
 #include "contact/roller_shape.hpp"
 #include "setup/build_rollers.hpp"
+#include "setup/check_pockets.hpp"
 #include "setup/deck_text.hpp"
 #include "setup/lubricated.hpp"
 #include "setup/race_motions.hpp"
@@ -421,7 +422,10 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   out.cage_temperature = deck.si("cageTemp");
   out.mounting = mounting(deck);
   build_imperfections(deck, seed, out);
-  if (out.cage) out.cage->inertia = cage_mass(deck, out, dynamic);
+  if (out.cage) {
+    check_pockets(deck, out);
+    out.cage->inertia = cage_mass(deck, out, dynamic);
+  }
   return out;
 }
 

@@ -32,8 +32,6 @@ constexpr Gate kAlways[] = {
     {"kRaceFlex", 0, "a flexible outer race (announced by the classic program, never available)"},
 };
 constexpr Gate kCage[] = {
-    {"kCageGsImp", 0, "cage guide-land imperfections"},
-    {"kRaceGsImp", 0, "race guide-land imperfections"},
     {"kCPTrac", 0, "a user routine for element to cage traction"},
     {"kCRTrac", 0, "a user routine for cage to race traction"},
 };
@@ -146,6 +144,64 @@ void check_pocket_errors(const Deck& deck, Checker& check) {
                   fmt::format("makes every pocket smaller than its rolling element, which it "
                               "clamps: bPocCls1 + bPocClsVar1 is {}",
                               length_text(deck, left)));
+}
+
+/// Errors of a guide land and of its race: waves that close, on lands that stay nearly round.
+void check_land_errors(const Deck& deck, Checker& check) {
+  const deck::ReportOnly quiet(deck);
+  const bearing::Cage cage =
+      read_cage(deck, [&](std::string_view name, int instance) { return deck.si(name, instance); });
+  constexpr double kMost = 0.05;  // of the radius, and of the slope
+  constexpr double kMostWaves = 1000.0;
+  for (std::size_t i = 0; i < cage.lands.size(); ++i) {
+    const bearing::GuideLand& land = cage.lands[i];
+    if (land.guide == bearing::GuideLand::Guide::None) continue;
+    const int index = static_cast<int>(i) + 1;
+    const double radius = 0.5 * land.diameter;
+    for (const auto& [stem, errors] :
+         {std::pair{"cageGsRadVar", &land.of_cage}, {"raceGsRadVar", &land.of_race}}) {
+      if (errors->ideal()) continue;
+      const std::array<double, 3>& v = errors->variation;
+      const auto variable = [stem = stem](int k) { return fmt::format("{}{}", stem, k); };
+      const auto error = [&](int k, std::string message, std::string remedy) {
+        check.add(
+            deck.issue(Severity::Error, variable(k), std::move(message), std::move(remedy), index));
+      };
+      if (errors->roundness == bearing::RaceErrors::Roundness::Elliptical) {
+        for (const int k : {1, 2})
+          if (std::abs(v[static_cast<std::size_t>(k - 1)]) > kMost * radius)
+            error(k,
+                  fmt::format("makes land {} an ellipse far from a circle: the law of lands knows "
+                              "deviations of at most a twentieth of the radius",
+                              index),
+                  fmt::format("give at most {} either way", length_text(deck, kMost * radius)));
+        continue;
+      }
+      if (v[1] != std::round(v[1]))
+        error(2,
+              fmt::format("is not a whole number of waves per turn: land {} has a step where the "
+                          "turn closes, over which nothing slides",
+                          index),
+              "give a whole number of waves per turn");
+      if (std::abs(v[1]) > kMostWaves)
+        error(2, fmt::format("is more than the law of lands resolves on land {}", index),
+              fmt::format("give at most {:g} waves per turn", kMostWaves));
+      if (v[1] == 0.0 && std::abs(std::sin(v[2])) < 1e-9)
+        check.add(deck.issue(
+            Severity::Warning, variable(1),
+            fmt::format("has no effect: with {} = 0 waves and a phase {} of {:.6g} "
+                        "degrees, a sin(phase) is zero everywhere",
+                        variable(2), variable(3), v[2] * 180.0 / std::numbers::pi),
+            fmt::format("give {}, or a phase of 90 degrees for a constant", variable(2)), index));
+      const double most = kMost * radius / std::max(1.0, std::abs(v[1]));
+      if (std::abs(v[0]) > most)
+        error(1,
+              fmt::format("makes waves on land {} that are too high or too steep: the law of lands "
+                          "knows heights and slopes of at most a twentieth",
+                          index),
+              fmt::format("give at most {} either way", length_text(deck, most)));
+    }
+  }
 }
 
 /// Do the cuts of a segmented cage leave of bars and pockets what contacts need? Half pockets: an
@@ -305,7 +361,10 @@ std::vector<Issue> check_buildable(const Deck& deck) {
           "between elements (nCseg = 0)",
           "set mode to 0");
   }
-  if (dynamic && segments > 0) check.gates(kCage);
+  if (dynamic && segments > 0) {
+    check.gates(kCage);
+    check_land_errors(deck, check);
+  }
   if (dynamic && segments == 1 && deck.integer("kPocHydro") == 1)
     check_pocket_films(deck, rollers, check);
   for (Issue& issue : check_race_motions(deck)) check.add(std::move(issue));

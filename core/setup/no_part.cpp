@@ -108,6 +108,10 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
     return "guide faces have their own width, whatever the wall";
   if (name == "bPocClsVar2") return "a pocket of this shape has no clearance II";
   if (name == "cageAngCut" && !scene.segments) return "a cage of one piece has no cut";
+  if (scene.motion && is_one_of(name, {"cageGsRadVar3", "raceGsRadVar3"}))
+    return "an ellipse has two half axes and no third value, or no race guides this land";
+  if (scene.motion && starts_with_one_of(name, {"cageGsRadVar", "raceGsRadVar"}))
+    return "no race guides this land";
   if (name == "pocLubFilm") return "no hydrodynamics of the pockets is asked for (kPocHydro)";
   if (record.starts_with("5G.1D")) return "there are fewer rolling elements";
   if (name == "kAngVel") return "rollers roll without slip, their axes are given by geometry";
@@ -125,6 +129,7 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (record == "8.1" || record == "8.2.1" || record == "8.2.2" || record == "8.3" ||
       record == "8.4" || record == "8.5")
     return of_material(name, scene);
+  if (name.starts_with("raceCenLen")) return "a raceway without crown (raceCrn = 0) is straight";
   if (name == "qFac" && scene.motion) return "modes 1 and 2 hold every element in force balance";
   if (scene.motion) return {};
   // Quasi-static.

@@ -116,6 +116,18 @@ class RacePower final : public EffectBlock {
 
 }  // namespace
 
+namespace {
+
+/// A race whose land is no circle pushes the cage around, and so does one in a cage that is none.
+bool has_uneven_lands(const SceneBuilder& scene) {
+  if (!scene.plan.has(Effect::LandContact) || !scene.bearing.cage) return false;
+  const auto& lands = scene.bearing.cage->lands;
+  return std::any_of(lands.begin(), lands.end(),
+                     [](const bearing::GuideLand& land) { return !land.ideal(); });
+}
+
+}  // namespace
+
 void Races::place(const SceneBuilder& scene, const std::array<double, 2>& centre_x) {
   const auto& misalignment = scene.bearing.constraints.outer_misalignment;
   const auto& displacement = scene.statics.displacement;
@@ -194,10 +206,10 @@ void Races::declare(SceneBuilder& scene) {
   const bool traction = plan.has(Effect::RaceTraction), wear = plan.has(Effect::WearIntegrals);
   // Without friction a body of revolution that only spins about its axis exerts no power.
   const auto& errors = scene.bearing.imperfections.race;
-  const bool work = traction || !errors[0].ideal() || !errors[1].ideal() ||
-                    plan.has(Effect::LandTraction) || plan.has(Effect::FlangeTraction) ||
-                    plan.has(Effect::ElementDrag) || plan.has(Effect::CageDrag) ||
-                    plan.has(Effect::LandFilm) || scene.races_move();
+  const bool work = traction || has_uneven_lands(scene) || !errors[0].ideal() ||
+                    !errors[1].ideal() || plan.has(Effect::LandTraction) ||
+                    plan.has(Effect::FlangeTraction) || plan.has(Effect::ElementDrag) ||
+                    plan.has(Effect::CageDrag) || plan.has(Effect::LandFilm) || scene.races_move();
   const std::array<std::string, 2> names{"outer race", "inner race"};
   for (std::size_t j = 0; j < 2; ++j) {
     const std::string& name = names[j];
