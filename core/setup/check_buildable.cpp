@@ -158,6 +158,9 @@ void check_land_errors(const Deck& deck, Checker& check) {
     if (land.guide == bearing::GuideLand::Guide::None) continue;
     const int index = static_cast<int>(i) + 1;
     const double radius = 0.5 * land.diameter;
+    if (!land.ideal() && deck.integer("kGsHydro") == 1)
+      check.error("kGsHydro", "computes the films of round lands, and these have shape errors",
+                  "set kGsHydro to 0, or kCageGsImp and kRaceGsImp to 0");
     for (const auto& [stem, errors] :
          {std::pair{"cageGsRadVar", &land.of_cage}, {"raceGsRadVar", &land.of_race}}) {
       if (errors->ideal()) continue;
