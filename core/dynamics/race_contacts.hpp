@@ -109,8 +109,8 @@ RaceSums evaluate_race_contacts(const RaceContactModel& model, const ElementView
 /// for the hot path. Contact angle: outer atan2(n_x', n_r'), inner atan2(-n_x', -n_r') in the
 /// race's own meridional plane; both positive when the inner race pushes the ball towards +x.
 /// spin_to_roll = W_n / W_c, signed, 0 without rolling. `edge` is how far the contact stays below
-/// the shoulder (N94), negative when it runs over; 0 when open or shoulder_radius is 0. film,
-/// temperature_rise and contact_temperature are left at 0.
+/// the shoulder (N94), negative when it runs over; 0 when open or shoulder_radius is 0.
+/// film_parameter, temperature_rise and contact_temperature are left at 0.
 /// With `converged` the traction integrals are split at kinks and reversals instead of using
 /// model.rule.
 RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const ElementViews& balls,

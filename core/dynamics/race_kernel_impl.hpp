@@ -165,6 +165,30 @@ inline V get(const double* from) { return V(from, stdx::element_aligned); }
 inline void put(double* to, V value) { value.copy_to(to, stdx::element_aligned); }
 inline void add(double* to, V value) { put(to, get(to) + value); }
 
+/// Of a law with a film: a call, so that a kernel has one copy of each.
+template <class Law, class S>
+[[gnu::noinline]] void add_film_traction(const RaceKernelInput& in,
+                                         const tribology::EllipseContact<V, S>& ellipse,
+                                         tribology::EllipseSums<V>& sums) {
+  sums = tribology::EllipseSum<V, Law, S>(in.nodes, ellipse, *static_cast<const Law*>(in.law),
+                                       in.slip_floor, in.slip_scale)
+             .run();
+}
+
+template <class Law, class S>
+[[gnu::always_inline]] inline tribology::EllipseSums<V> traction_of(
+    const RaceKernelInput& in, const tribology::EllipseContact<V, S>& ellipse) {
+  if constexpr (tribology::kHasFilm<Law>) {
+    tribology::EllipseSums<V> sums;
+    add_film_traction<Law, S>(in, ellipse, sums);
+    return sums;
+  } else {
+    return tribology::EllipseSum<V, Law, S>(in.nodes, ellipse, *static_cast<const Law*>(in.law),
+                                         in.slip_floor, in.slip_scale)
+        .run();
+  }
+}
+
 template <class Law, class Race, class Balls>
 void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
   using S = typename Balls::Scalar;
@@ -229,10 +253,7 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
     ellipse.surface =
         tribology::ellipse_surface(in.place, balls.rho(), radius, ellipse.a, approach);
     ellipse.motion = ellipse_motion(pair, d, k, t, place, touch);
-    const tribology::EllipseSums<V> traction =
-        tribology::EllipseSum<V, Law, S>(in.nodes, ellipse, *static_cast<const Law*>(in.law),
-                                         in.slip_floor, in.slip_scale)
-            .run();
+    const tribology::EllipseSums<V> traction = traction_of<Law, S>(in, ellipse);
     meridian = contact::meridian_force(load, traction.F_c, touch.n_k, touch.n_e);
     force_t = traction.F_t;
     moment_k = traction.M_n * touch.n_k - traction.M_c * touch.n_e;

@@ -21,6 +21,7 @@ struct EllipseMotion {
   T u_c{}, u_t{};         ///< [m/s]
   T W_c{}, W_t{}, W_n{};  ///< [rad/s]
   T entrainment{};        ///< laws/contact_point.hpp [m/s]
+  T curvature{};          ///< likewise [1/m]
 };
 
 /// Height of the contact surface over the ball centre: h(ξ) = offset, or offset + √(ρ² - ξ²) when
@@ -96,7 +97,8 @@ class EllipseSum {
         e_(contact),
         peak_pressure_(Law::kOfPressure ? peak_pressure(contact) : T(0.0)),
         law_{law.at(ContactPoint<T>{contact.load, peak_pressure(contact), contact.a, contact.b,
-                                    contact.motion.entrainment, middle_slip(contact)}),
+                                    contact.motion.entrainment, middle_slip(contact),
+                                    contact.motion.curvature}),
              floor},
         slip_scale_(slip_scale) {}
 
@@ -170,16 +172,45 @@ class EllipseSum {
     const T swing = m.W_n * half_width;
     const T fixed = u_t * u_t + law_.floor;
     T g0 = 0.0, g1 = 0.0, g2 = 0.0, speed = 0.0;
-    for (int j = 0; j < nodes_.minor; ++j) {
-      const T u_c = mean - swing * nodes_.v[j];
-      const T square = u_c * u_c + fixed;
-      T pressure = 0.0, slip;
-      if constexpr (Law::kOfPressure) pressure = peak_pressure_ * chord * nodes_.chord_v[j];
-      const T g = law_.of_rounded(square, pressure, slip);
-      g0 += g * nodes_.weight_v[j];
-      g1 += g * nodes_.weight_v1[j];
-      g2 += g * nodes_.weight_v2[j];
-      speed += slip * nodes_.weight_v[j];
+    const auto along_row = [&](const auto& law) {
+      for (int j = 0; j < nodes_.minor; ++j) {
+        const T u_c = mean - swing * nodes_.v[j];
+        const T square = u_c * u_c + fixed;
+        T pressure = 0.0, slip;
+        if constexpr (Law::kOfPressure) pressure = peak_pressure_ * chord * nodes_.chord_v[j];
+        const T g = law.of_rounded(square, pressure, slip);
+        g0 += g * nodes_.weight_v[j];
+        g1 += g * nodes_.weight_v1[j];
+        g2 += g * nodes_.weight_v2[j];
+        speed += slip * nodes_.weight_v[j];
+      }
+    };
+    if constexpr (requires(const Here& here, T* at) {
+                    here.template several<kBlock>(at, at, at);
+                  }) {
+      for (int first = 0; first < nodes_.minor; first += kBlock) {
+        T u_c[kBlock], slip[kBlock], inverse[kBlock], pressure[kBlock], kappa[kBlock];
+        for (int k = 0; k < kBlock; ++k) {
+          const int j = first + k < nodes_.minor ? first + k : nodes_.minor - 1;
+          u_c[k] = mean - swing * nodes_.v[j];
+          slip[k] = ScalarMath<T>::root_and_inverse(u_c[k] * u_c[k] + fixed, inverse[k]);
+          pressure[k] = peak_pressure_ * chord * nodes_.chord_v[j];
+        }
+        law_.law.template several<kBlock>(slip, pressure, kappa);
+        for (int k = 0; k < kBlock && first + k < nodes_.minor; ++k) {
+          const int j = first + k;
+          const T g = ScalarMath<T>::over(kappa[k], slip[k], inverse[k]);
+          g0 += g * nodes_.weight_v[j];
+          g1 += g * nodes_.weight_v1[j];
+          g2 += g * nodes_.weight_v2[j];
+          speed += slip[k] * nodes_.weight_v[j];
+        }
+      }
+    } else if constexpr (is_of_strip<Law>()) {
+      const auto strip = law_.law.strip(peak_pressure_ * chord);
+      along_row(RoundedLaw<decltype(strip)>{strip, law_.floor});
+    } else {
+      along_row(law_);
     }
     const T f_t = load * (g0 * u_t);
     const T f_c = load * (mean * g0 - swing * g1);
@@ -193,6 +224,7 @@ class EllipseSum {
     sum_.load_slip += load * speed;
   }
 
+  static constexpr int kBlock = 4;  ///< points of a row that laws take at once
   using Here = decltype(std::declval<const Law&>().at(std::declval<const ContactPoint<T>&>()));
 
   const EllipseNodes& nodes_;

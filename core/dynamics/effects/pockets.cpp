@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "bearing/element_inertia.hpp"
 #include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/scene_pieces.hpp"
 #include "statics/kinematics.hpp"
 
 #include <fmt/format.h>
@@ -232,13 +233,11 @@ void PocketContact::declare(SceneBuilder& scene) {
     friction_.emplace(*scene.bearing.pocket_traction);
     scene.block<NoHeatYet>(Phase::Force, "pocket contacts", {}, heat_);
   }
-  std::vector<double> azimuths;
-  for (const statics::StaticBall& b : scene.statics.balls) azimuths.push_back(b.azimuth);
-  const contact::CagePieces pieces = contact::cage_pieces(*scene.bearing.cage, azimuths);
+  const contact::CagePieces pieces = pieces_of(scene);
   const auto add = [&](std::optional<PocketSet>& set,
                        const std::vector<contact::PlacedPocket>& pockets) {
     set.emplace(scene.bearing, pockets);
-    std::vector<BodyId> partners(azimuths.size(), BodyId{BodyId::Kind::Segment, -1});
+    std::vector<BodyId> partners(pieces.pockets.size(), BodyId{BodyId::Kind::Segment, -1});
     for (const contact::PlacedPocket& pocket : pockets)
       partners[pocket.element].index = pocket.piece;
     add_block(scene, *set, std::move(partners));

@@ -6,12 +6,14 @@
 #include "dynamics/effects/balls.hpp"
 #include "dynamics/effects/rigid_elements.hpp"
 #include "dynamics/rigid_body.hpp"
+#include "tribology/contact_flash.hpp"
 #include "tribology/film_law.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace adore::dynamics {
 namespace {
@@ -39,14 +41,15 @@ tribology::TractionLaw race_law(const bearing::Bearing& bearing, const RaceConta
   surface.radius =
       1.0 /
       contact::race_curvature(bearing.balls(), static_cast<int>(j), contact_angle).along_minor;
-  surface.k = model.hertz.a_hat / model.hertz.b_hat;
   surface.modulus = 2.0 * model.effective_modulus;
   surface.wall_temperature = 0.5 * (bearing.race_temperature[j] + bearing.element_temperature);
   surface.race_speed = 0.5 * bearing.pitch_diameter() *
                        std::max(std::abs(bearing.speed[0]), std::abs(bearing.speed[1]));
-  return {bearing.race_traction,
-          tribology::heated_film(tribology::lubricant_of(*bearing.lubrication),
-                                 *bearing.lubrication, surface)};
+  // b/p0: both go with the cube root of the load.
+  surface.width_over_pressure =
+      std::numbers::pi / 1.5 * model.hertz.a_hat * model.hertz.b_hat * model.hertz.b_hat;
+  return tribology::film_law(bearing.race_traction, tribology::lubricant_of(*bearing.lubrication),
+                             *bearing.lubrication, surface);
 }
 
 class RaceBlock final : public EffectBlock {
@@ -110,6 +113,18 @@ class RacePower final : public EffectBlock {
  private:
   std::array<RaceAccount, 2>& account_;
 };
+
+}  // namespace
+
+namespace {
+
+/// A race whose land is no circle pushes the cage around, and so does one in a cage that is none.
+bool has_uneven_lands(const SceneBuilder& scene) {
+  if (!scene.plan.has(Effect::LandContact) || !scene.bearing.cage) return false;
+  const auto& lands = scene.bearing.cage->lands;
+  return std::any_of(lands.begin(), lands.end(),
+                     [](const bearing::GuideLand& land) { return !land.ideal(); });
+}
 
 }  // namespace
 
@@ -183,14 +198,18 @@ void Races::declare(SceneBuilder& scene) {
   scene.e.race = at_rest_;
   scene.block<RaceSpin>(Phase::Races, kMotionCost, {}, at_rest_);
   temperature_ = scene.bearing.race_temperature;
+  roughness_ = rollers_ ? scene.bearing.rollers()->roughness : scene.bearing.balls().roughness;
+  material_ = {scene.bearing.race_material[0], scene.bearing.race_material[1],
+               scene.bearing.element_material};
   const ScenePlan& plan = scene.plan;
   in_contact_ = plan.has(Effect::RaceContact);
   const bool traction = plan.has(Effect::RaceTraction), wear = plan.has(Effect::WearIntegrals);
   // Without friction a body of revolution that only spins about its axis exerts no power.
   const auto& errors = scene.bearing.imperfections.race;
-  const bool work = traction || !errors[0].ideal() || !errors[1].ideal() ||
-                    plan.has(Effect::LandTraction) || plan.has(Effect::FlangeTraction) ||
-                    scene.races_move();
+  const bool work = traction || has_uneven_lands(scene) || !errors[0].ideal() ||
+                    !errors[1].ideal() || plan.has(Effect::LandTraction) ||
+                    plan.has(Effect::FlangeTraction) || plan.has(Effect::ElementDrag) ||
+                    plan.has(Effect::CageDrag) || plan.has(Effect::LandFilm) || scene.races_move();
   const std::array<std::string, 2> names{"outer race", "inner race"};
   for (std::size_t j = 0; j < 2; ++j) {
     const std::string& name = names[j];
@@ -265,6 +284,16 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
       RaceContactSnapshot& contact = snapshot.elements[i].race[j];
       contact = rollers_ ? roller_race_detail((*rollers_)[j], e, i)
                          : race_contact_detail(contacts_[j].of(i), e.elements, i, body.motion());
+      if (contact.film > 0.0) {
+        constexpr double kNoFilm = 1e-9;  // Λ of a film that has collapsed
+        if (roughness_[j] > 0.0)
+          contact.film_parameter = std::max(contact.least_film / roughness_[j], kNoFilm);
+        const double area =
+            (rollers_ ? 4.0 : std::numbers::pi) * contact.half_major * contact.half_minor;
+        contact.temperature_rise = tribology::contact_flash(
+            {contact.heat, area, contact.half_minor, contact.rolling_speed}, material_[j],
+            material_[2]);
+      }
       contact.contact_temperature = temperature_[j] + contact.temperature_rise;
     }
   }
