@@ -32,10 +32,11 @@ Mat2 square_root(const Mat2& M) noexcept {
 }  // namespace
 
 HeldElements::HeldElements(const Scene& scene, const ElementSlices& slices,
-                           std::unique_ptr<HeldContacts> contacts)
+                           std::unique_ptr<HeldContacts> contacts, ForcePass pass)
     : scene_(scene),
       slices_(slices),
       contacts_(std::move(contacts)),
+      pass_(pass),
       flags_(slices.elements(), 0),
       x_dot_(slices.elements(), 0.0),
       r_dot_(slices.elements(), 0.0),
@@ -127,9 +128,9 @@ void HeldElements::pull(const Evaluation& e, std::size_t k) noexcept {
   const std::size_t i = list_[k];
   const ElementViews& b = e.elements;
   const Estimate& est = estimate_[k];
-  const HeldForces& forces = forces_[k];
+  const Forces& forces = forces_[k];
   const double td = b.theta_dot[i];
-  Mat2 damping = forces.damping;
+  Mat2 damping = forces.friction;
   const ElementMass& body = scene_.masses[i];
   Vec2 G(forces.force[0], forces.force[1] + body.mass * b.r[i] * td * td);
   if (body.off_centre) {
@@ -150,6 +151,29 @@ void HeldElements::pull(const Evaluation& e, std::size_t k) noexcept {
   r_dot_[i] += p[1];
 }
 
+/// Friction over slip of a race contact of load Q: Q κ/u = heat (Q/load-slip)².
+Vec3 HeldElements::form_forces(Evaluation& e) noexcept {
+  pass_.apply(e, ForcePass::Which::OnRaces);
+  for (std::size_t k = 0; k < list_.size(); ++k) forces_[k].race_theta = e.actions[2][list_[k]];
+  if (e.valid) pass_.apply(e, ForcePass::Which::Others);
+  for (std::size_t k = 0; e.valid && k < list_.size(); ++k) {
+    const std::size_t i = list_[k];
+    Forces& of = forces_[k];
+    of.force = {e.actions[0][i], e.actions[1][i], e.actions[2][i]};
+    of.friction.setZero();
+    for (std::size_t j = 0; j < 2; ++j) {
+      const double load_slip = e.load_slip[j][i], heat = e.heat[j][i];
+      if (!(load_slip > 0.0 && heat > 0.0)) continue;
+      const double share = e.load[j][i] / load_slip;
+      of.friction += heat * share * share * springs_[k].along[j];
+    }
+    pass_.damp(e, i, of.friction);
+  }
+  const Vec3 on_race = e.race[1].force;
+  e.clear_actions();
+  return on_race;
+}
+
 void HeldElements::form_rates(Evaluation& e) noexcept {
   const std::size_t n = e.elements.n, held = list_.size();
   std::copy(e.elements.x_dot, e.elements.x_dot + n, x_dot_.begin());
@@ -160,11 +184,12 @@ void HeldElements::form_rates(Evaluation& e) noexcept {
 
   contacts_->springs(e, list_, {springs_.data(), held});
   for (std::size_t k = 0; k < held; ++k) {
+    pass_.resist(e, list_[k], springs_[k].stiffness);
     estimate(e, k);
     first_rates(e, k);
   }
   if (scene_.race != nullptr) move_race(e);
-  const Vec3 on_race = contacts_->forces(e, list_, {springs_.data(), held}, {forces_.data(), held});
+  const Vec3 on_race = form_forces(e);
   if (!e.valid) return;
   for (std::size_t k = 0; k < held; ++k) pull(e, k);
   if (scene_.race == nullptr) return;
@@ -190,6 +215,7 @@ void HeldElements::take_inertia_out(Evaluation& e) noexcept {
     residual_[i] = Vec2(scene_.axial ? m * ax : 0.0, m * ar);
     account_.power += residual_[i].dot(rate(i));
     const Vec3 force = e.to_base(i, residual_[i][0], residual_[i][1], m * r_dot_[i] * td);
+    // Of the mass centre, what it carries left out.
     const Vec3 velocity = e.to_base(i, left_out(i)[0], left_out(i)[1], 0.0);
     Vec3 carried = m * r * td * e_theta_at(e, i);
     if (!scene_.axial) carried[0] += m * x_dot_[i];

@@ -43,8 +43,8 @@ struct HeldRollers::Contact {
 };
 
 HeldRollers::HeldRollers(statics::RollerModel model, const bearing::Imperfections& errors,
-                         ElementMasses masses, ForcePass pass)
-    : model_(std::move(model)), masses_(std::move(masses)), pass_(pass) {
+                         ElementMasses masses)
+    : model_(std::move(model)), masses_(std::move(masses)) {
   for (std::size_t j = 0; j < 2; ++j)
     if (!errors.race[j].ideal())
       wavy_[j] = contact::make_wavy_race(errors.race[j], model_.race[j],
@@ -62,11 +62,11 @@ HeldRollers::Contact HeldRollers::contact(const Evaluation& e, std::size_t i, st
   out.axis = out.into(e.attitude[i].col(0));
   const statics::Vec4 p(C[0], out.r, out.axis[2], out.axis[1]);
   if (wavy_[j]) {  // then each roller has a body of its own
-    const double cosine = std::cos(race.turn_beyond), sine = std::sin(race.turn_beyond);
-    model_.bodies[i].race[j] = wavy_[j]
-                                   ->at({out.turn.ez * cosine - out.turn.ey * sine,
-                                         -out.turn.ey * cosine - out.turn.ez * sine})
-                                   .surface;
+    model_.bodies[i].race[j] =
+        wavy_[j]
+            ->at(contact::azimuth_in_turned(out.turn, std::cos(race.turn_beyond),
+                                            std::sin(race.turn_beyond)))
+            .surface;
   }
   const statics::RollerBody& body = model_.body(i);
   statics::add_race(model_, body, j, p, out.potential);
@@ -102,26 +102,7 @@ void HeldRollers::springs(const Evaluation& e, std::span<const std::size_t> held
       of.normal += force;
       of.stiffness += of.race[j];
     }
-    pass_.resist(e, i, of.stiffness);
   }
-}
-
-Vec3 HeldRollers::forces(Evaluation& e, std::span<const std::size_t> held,
-                         std::span<const HeldSprings> springs, std::span<HeldForces> out) noexcept {
-  pass_.apply(e, ForcePass::Which::OnRaces);
-  for (std::size_t k = 0; k < held.size(); ++k) out[k].race_theta = e.actions[2][held[k]];
-  if (e.valid) pass_.apply(e, ForcePass::Which::Others);
-  for (std::size_t k = 0; k < held.size(); ++k) {
-    const std::size_t i = held[k];
-    out[k].force = {e.actions[0][i], e.actions[1][i], e.actions[2][i]};
-    out[k].damping.setZero();
-    for (std::size_t j = 0; j < 2; ++j)
-      add_friction_damping(e.load[j][i], e.heat[j][i], e.load_slip[j][i], springs[k].along[j],
-                           out[k].damping);
-  }
-  const Vec3 on_race = e.race[1].force;
-  e.clear_actions();
-  return on_race;
 }
 
 Vec2 HeldRollers::normal_force(const Evaluation& e, std::size_t i) const noexcept {

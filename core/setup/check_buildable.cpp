@@ -251,18 +251,6 @@ void check_segments(const Deck& deck, Checker& check) {
                       "a whole ring does",
                       i + 1),
           "give 0 or more");
-  const bool through = cage.segments.through_pockets;
-  const char* const remedy = "or cut between the pockets (positive numbers)";
-  if (through && deck.integer("mode") > 0)
-    check.error("lSeg",
-                "cuts the cage through its pockets; the force balance of elements knows whole "
-                "pockets only",
-                fmt::format("set mode to 0, {}", remedy));
-  else if (through && deck.real("qFac") > 0.0)
-    check.error("lSeg",
-                "cuts the cage through its pockets; the force balance of lightly loaded elements "
-                "knows whole pockets only",
-                fmt::format("set qFac to 0, {}", remedy));
   if (deck.has("cageMass") && deck.real("cageGeoCenZ") == 0.0)
     check.warning("cageGeoCenZ",
                   "puts the mass centre of every segment on the bearing axis; record 7.7 is about "
@@ -277,13 +265,13 @@ void check_segments(const Deck& deck, Checker& check) {
   }
   const std::string limit = fmt::format("give at most {:.4g} degrees",
                                         std::floor(most * 180.0 / std::numbers::pi * 1e4) / 1e4);
-  if (!through)
+  if (!cage.segments.through_pockets)
     check.error("cageAngCut", "cuts more than the bars between the pockets", limit);
   else
     check.error("cageAngCut",
                 "leaves half pockets whose opening the rolling element touches on both sides",
-                most > 0.0 ? fmt::format("{}, {}", limit, remedy)
-                           : fmt::format("give more pocket clearance, {}", remedy));
+                fmt::format("{}, or cut between the pockets (positive numbers)",
+                            most > 0.0 ? limit : "give more pocket clearance"));
 }
 
 /// What the motion of unequal elements leaves out.
@@ -351,18 +339,6 @@ std::vector<Issue> check_buildable(const Deck& deck) {
   if (dynamic && segments > 1) check_segments(deck, check);
   if (dynamic && segments == 0) {
     check.gates(kNoCage);
-    if (deck.real("qFac") > 0.0)
-      check.error(
-          "qFac",
-          "asks for lightly loaded elements in force balance, which knows races and pockets "
-          "but no contact between elements (nCseg = 0)",
-          "set qFac to 0");
-    if (deck.integer("mode") > 0)
-      check.error(
-          "mode",
-          "asks for elements in force balance, which knows races and pockets but no contact "
-          "between elements (nCseg = 0)",
-          "set mode to 0");
   }
   if (dynamic && segments > 0) {
     check.gates(kCage);

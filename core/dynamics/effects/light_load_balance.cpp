@@ -66,21 +66,6 @@ struct Candidate {
   Vec2 residual;  ///< G at the old place [N]
 };
 
-std::unique_ptr<HeldContacts> ball_contacts(const SceneBuilder& scene,
-                                            const ElementMasses& masses) {
-  PocketContact* pockets = scene.find<PocketContact>();
-  const bool friction = pockets != nullptr && pockets->friction().has_value();
-  std::optional<MovingFrame> frame;
-  if (const auto& turning = scene.plan.race_motions.frame)
-    frame = MovingFrame{turning->speed, turning->orbit_radius, turning->orbit_angle};
-  return std::make_unique<HeldBalls>(
-      HeldBalls::Scene{scene.find<Races>()->contacts(), masses,
-                       scene.plan.has(Effect::Gravity) ? scene.bearing.gravity : Vec3(Vec3::Zero()),
-                       pockets != nullptr ? &pockets->set() : nullptr,
-                       friction ? *pockets->friction() : tribology::TractionLaw(), friction, frame},
-      static_cast<std::size_t>(scene.bearing.element_count()));
-}
-
 class LightLoadBalance final : public SceneEffect, public HoldsElements {
  public:
   void declare(SceneBuilder& scene) override;
@@ -121,9 +106,10 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
     axial_ = axial_ && scene.bearing.rollers()->shape != bearing::RollerShape::Arc;
     contacts = std::make_unique<HeldRollers>(
         statics::make_roller_model(scene.bearing, scene.rollers->options),
-        scene.bearing.imperfections, masses_, scene.force_pass());
+        scene.bearing.imperfections, masses_);
   } else {
-    contacts = ball_contacts(scene, masses_);
+    contacts = std::make_unique<HeldBalls>(scene.find<Races>()->contacts(), masses_,
+                                           static_cast<std::size_t>(scene.bearing.element_count()));
   }
   RaceBalance* race = scene.find<RaceBalance>();
   const scene::SuppressedMotions& suppressed = scene.plan.suppressed;
@@ -132,7 +118,7 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
                           axial_,
                           race != nullptr ? &race->race() : nullptr,
                           {.x = suppressed.element_axial, .tilt = suppressed.element_tilt}},
-      element_, std::move(contacts));
+      element_, std::move(contacts), scene.force_pass(race == nullptr));
   constexpr std::string_view kCost = "light-load balance";
   scene.block<HeldRates>(Phase::Kinematics, kCost, {}, *held_);
   scene.block<HeldMotion>(Phase::Motion, kCost, {}, *held_);

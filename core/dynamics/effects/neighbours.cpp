@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 /// Balls that touch the ones before and after them in a bearing without cage (nCseg = 0, record
@@ -49,6 +50,15 @@ struct PairOfBalls : Pair {
   contact::CappedHertz law;
 };
 
+/// Velocity of the other ball less that of i where they touch, across n.
+Vec3 slip_of(const Evaluation& e, const PairOfBalls& pair, const PairContact& c) noexcept {
+  const Vec3 arm = (pair.share * c.distance) * c.n, other_arm = arm - c.distance * c.n;
+  const Vec3 slip = e.element_velocity(pair.other) - e.element_velocity(pair.i) +
+                    e.element_omega(pair.other).cross(other_arm) -
+                    e.element_omega(pair.i).cross(arm);
+  return slip - slip.dot(c.n) * c.n;
+}
+
 template <bool Traction>
 class PairBlock final : public EffectBlock {
  public:
@@ -81,12 +91,8 @@ void PairBlock<Traction>::apply_with([[maybe_unused]] const Friction& friction_p
     Vec3 on_first = -N * c.n;
     e.elastic += contact::energy(pair.law, overlap);
     if constexpr (Traction) {
-      const Vec3 arm = (pair.share * c.distance) * c.n;
-      const Vec3 other_arm = arm - c.distance * c.n;
-      Vec3 slip = e.element_velocity(pair.other) - e.element_velocity(pair.i) -
-                  (e.element_omega(pair.other) + e.element_omega(pair.i)).cross(arm) +
-                  e.element_omega(pair.other).cross(Vec3(other_arm + arm));
-      slip -= slip.dot(c.n) * c.n;
+      const Vec3 arm = (pair.share * c.distance) * c.n, other_arm = arm - c.distance * c.n;
+      const Vec3 slip = slip_of(e, pair, c);
       const Vec3 friction = (N * friction_per_slip(slip.squaredNorm())) * slip;
       on_first += friction;
       heat_ += friction.dot(slip);
@@ -98,7 +104,7 @@ void PairBlock<Traction>::apply_with([[maybe_unused]] const Friction& friction_p
   }
 }
 
-class Neighbours final : public SceneEffect {
+class Neighbours final : public SceneEffect, public ElementSupport {
  public:
   void declare(SceneBuilder& scene) override {
     const bearing::Bearing& bearing = scene.bearing;
@@ -122,6 +128,36 @@ class Neighbours final : public SceneEffect {
                                     heat_);
     }
     scene.neighbours_meet();
+    scene.supports(*this);
+    if (scene.plan.has(Effect::ElementTraction)) friction_.emplace(*bearing.element_traction);
+  }
+
+  /// N' n nᵀ - N/d (I - n nᵀ) while the other one stands still.
+  void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept override {
+    for_pairs_of(i, e.elements.n, pairs_, [&](const PairOfBalls& pair) {
+      const PairContact c = pair_contact(e, pair);
+      const double overlap = pair.reach - c.distance;
+      if (!(overlap > 0.0)) return;
+      const Vec3 n = e.to_cylindrical(i, c.n);
+      const double across = contact::load(pair.law, overlap) / c.distance;
+      stiffness += (contact::slope(pair.law, overlap) + across) * n * n.transpose();
+      stiffness.diagonal().array() -= across;
+    });
+  }
+  /// Twice friction over slip (held_elements.hpp).
+  void damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& damping) noexcept override {
+    if (!friction_) return;
+    for_pairs_of(i, e.elements.n, pairs_, [&](const PairOfBalls& pair) {
+      const PairContact c = pair_contact(e, pair);
+      const double overlap = pair.reach - c.distance;
+      if (!(overlap > 0.0)) return;
+      const Eigen::Vector2d n = e.to_cylindrical(i, c.n).head<2>();
+      friction_->visit_rounded([&](const auto& per_slip) {
+        damping += 2.0 * contact::load(pair.law, overlap) *
+                   per_slip(slip_of(e, pair, c).squaredNorm()) *
+                   (Eigen::Matrix2d::Identity() - n * n.transpose());
+      });
+    });
   }
 
   [[nodiscard]] std::string why_invalid(const Evaluation& e) const override {
@@ -143,6 +179,7 @@ class Neighbours final : public SceneEffect {
 
  private:
   std::vector<PairOfBalls> pairs_;
+  std::optional<tribology::TractionLaw> friction_;
   double heat_ = 0.0;  ///< now [W]
 };
 

@@ -245,6 +245,53 @@ void PocketContact::declare(SceneBuilder& scene) {
   add(set_, pieces.pockets);
   if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves);
   if (friction_) scene.energy("pockets.heat", kPocketHeat, &heat_);
+  scene.supports(*this);
+}
+
+namespace {
+
+/// visit(wall) of what the ball of a located pocket touches.
+template <class Visit>
+void for_touched(const PocketSet& set, std::size_t pocket, const Visit& visit) noexcept {
+  if (!set.is_inside(pocket) || (!set.shaped() && set.surely_open(pocket))) return;
+  const contact::WallPoints walls = set.walls(pocket);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k)
+    if (walls.surface[k].gap < 0.0) visit(walls.surface[k]);
+}
+
+}  // namespace
+
+void PocketContact::resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept {
+  for_pockets(i, [&](PocketSet& set, std::size_t pocket) {
+    set.locate(e, pocket);
+    for_touched(set, pocket, [&](const contact::WallPoint& wall) {
+      const contact::CappedHertz& law = set.law(pocket);
+      const Vec3 q = set.centre(pocket);
+      const double d = std::max(std::hypot(q[0], q[1]), 1e-9);
+      const auto in_frame = [&](const Vec3& v) {
+        return e.to_cylindrical(i, set.to_base(pocket, v, set.body(e, pocket).to_base));
+      };
+      const Vec3 m = in_frame(wall.m), t = in_frame({-q[1] / d, q[0] / d, 0.0});
+      stiffness += contact::slope(law, -wall.gap) * m * m.transpose() +
+                   contact::load(law, -wall.gap) / d * t * t.transpose();
+    });
+  });
+}
+
+void PocketContact::damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& damping) noexcept {
+  if (!friction_) return;
+  for_pockets(i, [&](PocketSet& set, std::size_t pocket) {
+    for_touched(set, pocket, [&](const contact::WallPoint& wall) {
+      const BodyState& cage = set.body(e, pocket);
+      friction_->visit_rounded([&](const auto& friction) {
+        const PocketAction a =
+            pocket_action(set.law(pocket), friction, e, i, cage, set.ball_radius(pocket),
+                          set.to_base(pocket, wall.m, cage.to_base), -wall.gap);
+        const Eigen::Vector2d m = e.to_cylindrical(i, a.m).head<2>();
+        damping += a.friction_per_slip * (Eigen::Matrix2d::Identity() - m * m.transpose());
+      });
+    });
+  });
 }
 
 std::string PocketContact::why_invalid(const Evaluation&) const {

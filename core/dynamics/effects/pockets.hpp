@@ -35,6 +35,7 @@ inline constexpr LedgerTerm kPocketHeat{LedgerKind::Heat,
 class NoHeatYet final : public EffectBlock {
  public:
   explicit NoHeatYet(double& heat) : heat_(heat) {}
+  [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation&) noexcept override { heat_ = 0.0; }
 
  private:
@@ -173,19 +174,27 @@ template <class Friction>
 
 /// Effects "pocket contact" and "pocket traction", of balls. Not valid when a ball's centre left
 /// the hole.
-class PocketContact final : public SceneEffect {
+class PocketContact final : public SceneEffect, public ElementSupport {
  public:
   void declare(SceneBuilder& scene) override;
   [[nodiscard]] std::string why_invalid(const Evaluation& e) const override;
   void report(const Evaluation& e, Snapshot& snapshot) const override;
-
+  /// N' m mᵀ, and N over the distance from the pocket axis across it (an estimate where the wall
+  /// does not go round that axis).
+  void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept override;
+  void damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& damping) noexcept override;
+  /// Pockets that belong to one piece of the cage. @pre declared
   [[nodiscard]] PocketSet& set() noexcept { return *set_; }
-  /// Has no friction without pocket traction.
-  [[nodiscard]] const std::optional<tribology::TractionLaw>& friction() const noexcept {
-    return friction_;
-  }
 
  private:
+  /// visit(set, its pocket of element i): one, or the halves of two segments.
+  template <class Visit>
+  void for_pockets(std::size_t i, const Visit& visit) {
+    visit(*set_, i);
+    if (!last_halves_) return;
+    for (std::size_t k = 0; k < last_halves_->size(); ++k)
+      if (last_halves_->element(k) == i) visit(*last_halves_, k);
+  }
   void add_block(SceneBuilder& scene, PocketSet& set, std::vector<BodyId> partners);
 
   std::optional<PocketSet> set_;

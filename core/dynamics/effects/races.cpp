@@ -54,7 +54,7 @@ tribology::TractionLaw race_law(const bearing::Bearing& bearing, const RaceConta
 
 class RaceBlock final : public EffectBlock {
  public:
-  /// @param load_slip the wear integrals are wanted
+  /// @param load_slip it is wanted: by the wear integrals, or by elements in balance
   RaceBlock(const RaceContactModel& model, bool load_slip, RaceAccount& sums)
       : model_(model), load_slip_(load_slip), load_limit_(load_limit(model)), sums_(sums) {}
   void apply(Evaluation& e) noexcept override;
@@ -185,7 +185,7 @@ void Races::declare_contact(SceneBuilder& scene, std::size_t j) {
                                  static_cast<std::size_t>(scene.bearing.element_count()),
                                  wear || held, account_[j]);
   else
-    scene.block<RaceBlock>(Phase::Force, cost, race, contacts_[j], wear, account_[j]);
+    scene.block<RaceBlock>(Phase::Force, cost, race, contacts_[j], wear || held, account_[j]);
 }
 
 void Races::declare(SceneBuilder& scene) {
