@@ -216,7 +216,7 @@ void HeldElements::take_inertia_out(Evaluation& e) noexcept {
     account_.power += residual_[i].dot(rate(i));
     const Vec3 force = e.to_base(i, residual_[i][0], residual_[i][1], m * r_dot_[i] * td);
     // Of the mass centre, what it carries left out.
-    const Vec3 velocity = e.to_base(i, scene_.axial ? x_dot_[i] : 0.0, r_dot_[i], 0.0);
+    const Vec3 velocity = e.to_base(i, left_out(i)[0], left_out(i)[1], 0.0);
     Vec3 carried = m * r * td * e_theta_at(e, i);
     if (!scene_.axial) carried[0] += m * x_dot_[i];
     account_.force += force;

@@ -50,11 +50,11 @@
 /// Modes 1 and 2 hold all elements. In mode 2 the inner race follows its own balance by the same
 /// kind of motion (balanced_race.hpp), and w holds what its velocity does to the elements.
 ///
-/// Limits: w leaves out the cage, neighbours, gravity and races that tilt in time; a held element
-/// follows those, and changes of friction, within its natural time √(m/B): microseconds along the
-/// contact normal, up to milliseconds across an outer groove at low speed. C leaves out friction of
-/// rollers on flanges, in pockets and on neighbours. The way to balance sees of an unbalanced
-/// element ω × (ω × c), not ω̇ × c.
+/// Limits: the way to balance sees of an unbalanced element ω × (ω × c), not ω̇ × c; w leaves out
+/// the cage, neighbours, gravity and races that tilt in time; a held element follows those, and
+/// changes of friction, within its natural time √(m/B): microseconds along the contact normal, up
+/// to milliseconds across an outer groove at low speed. C leaves out friction of rollers on
+/// flanges, in pockets and on neighbours.
 namespace adore::dynamics {
 
 inline constexpr double kSoft = 1.0;  ///< softest stiffness that rates come from, over m θ̇²

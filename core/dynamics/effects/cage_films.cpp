@@ -207,7 +207,7 @@ void PocketFilmBlock::apply(Evaluation& e) noexcept {
 void PocketFilmBlock::film(Evaluation& e, std::size_t i, const contact::WallPoint& wall) noexcept {
   BodyState& cage = set_.body(e, i);
   const std::size_t ball = set_.element(i);
-  const double R = set_.ball_radius();
+  const double R = set_.ball_radius(i);
   const double h = smooth_max(wall.gap, oil_.critical, 0.5 * oil_.critical);
   const double s = std::clamp(2.0 * (1.0 - wall.gap / oil_.largest), 0.0, 1.0);
   const double fade = s * s * (3.0 - 2.0 * s);

@@ -183,6 +183,8 @@ class PocketContact final : public SceneEffect, public ElementSupport {
   /// does not go round that axis).
   void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept override;
   void damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& damping) noexcept override;
+  /// Pockets that belong to one piece of the cage. @pre declared
+  [[nodiscard]] PocketSet& set() noexcept { return *set_; }
 
  private:
   /// visit(set, its pocket of element i): one, or the halves of two segments.
