@@ -17,14 +17,19 @@ RacePose seen_by(const Evaluation& e, std::size_t i, const RaceBody& race) noexc
 
 }  // namespace
 
-HeldBalls::HeldBalls(const std::array<RaceContactModel, 2>& contacts, double mass)
+HeldBalls::HeldBalls(const std::array<RaceContactModel, 2>& contacts, const ElementMasses& masses,
+                     std::size_t balls)
     : contacts_(contacts),
-      ball_(contacts[0].groove, {contacts[0].hertz.K, contacts[1].hertz.K}, mass,
-            {contacts[0].angle, contacts[1].angle}),
       offset_(std::min(contacts[0].groove.offset[0], contacts[0].groove.offset[1])) {
-  std::array<const contact::WavyGroove*, 2> wavy{};
-  for (std::size_t j = 0; j < 2; ++j) wavy[j] = contacts[j].wavy.get();
-  ball_.set_wavy(wavy);
+  const std::size_t own = masses.alike() && !contacts[0].own ? 1 : balls;
+  for (std::size_t i = 0; i < own; ++i) {
+    const RaceContactModel &outer = contacts[0].of(i), &inner = contacts[1].of(i);
+    ConstrainedBall ball(outer.groove, {outer.hertz.K, inner.hertz.K}, masses[i].mass,
+                         {outer.angle, inner.angle});
+    ball.set_wavy({outer.wavy.get(), inner.wavy.get()});
+    offset_ = std::min({offset_, outer.groove.offset[0], outer.groove.offset[1]});
+    balls_.push_back(ball);
+  }
 }
 
 RacePose HeldBalls::pose(const Evaluation& e, std::size_t j) const noexcept {
@@ -36,8 +41,8 @@ RacePose HeldBalls::pose(const Evaluation& e, std::size_t j) const noexcept {
 Vec2 HeldBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept {
   Vec2 force = Vec2::Zero();
   for (std::size_t j = 0; j < 2; ++j) {
-    const GrooveContact c = ball_.contact_with(static_cast<int>(j), seen_by(e, i, pose(e, j)),
-                                               {e.elements.x[i], e.elements.r[i]});
+    const GrooveContact c = ball(i).contact_with(static_cast<int>(j), seen_by(e, i, pose(e, j)),
+                                                 {e.elements.x[i], e.elements.r[i]});
     force += c.force.head<2>();
   }
   return force;
@@ -45,9 +50,9 @@ Vec2 HeldBalls::normal_force(const Evaluation& e, std::size_t i) const noexcept 
 
 HeldPlace HeldBalls::balanced(const Evaluation& e, std::size_t i, const Vec2& force) const {
   const ElementViews& b = e.elements;
-  const Orbit orbit{Orbit::Kept::Momentum, ball_.mass() * b.r[i] * b.r[i] * b.theta_dot[i]};
+  const Orbit orbit{Orbit::Kept::Momentum, ball(i).mass() * b.r[i] * b.r[i] * b.theta_dot[i]};
   const std::array<RacePose, 2> poses{pose(e, 0), pose(e, 1)};
-  const BallBalance at = ball_.solve(poses, b.theta[i], orbit, force, {b.x[i], b.r[i]});
+  const BallBalance at = ball(i).solve(poses, b.theta[i], orbit, force, {b.x[i], b.r[i]});
   return {at.x, at.r, at.speed, std::max(at.contact[0].load, at.contact[1].load), at.solved};
 }
 
@@ -63,8 +68,8 @@ void HeldBalls::springs(const Evaluation& e, std::span<const std::size_t> held,
       const Vec2 place(e.elements.x[i], e.elements.r[i]);
       const GrooveContact c =
           contacts_[j].wavy
-              ? ball_.wavy_contact(race, seen_by(e, i, pose(e, j)), place, of.turning[j])
-              : ball_.contact_with(race, seen_by(e, i, e.race[j]), place);
+              ? ball(i).wavy_contact(race, seen_by(e, i, pose(e, j)), place, of.turning[j])
+              : ball(i).contact_with(race, seen_by(e, i, e.race[j]), place);
       const Vec2 n = c.normal.head<2>();
       of.along[j] = Mat2::Identity() - n * n.transpose();
       of.race[j] = c.stiffness;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "dynamics/element_masses.hpp"
 #include "dynamics/held_contacts.hpp"
 #include "dynamics/race_contacts.hpp"
 
 #include <array>
+#include <vector>
 
 /// Grooves of held balls (constrained.hpp). Left out: races that tilt in time.
 namespace adore::dynamics {
@@ -11,8 +13,8 @@ namespace adore::dynamics {
 class HeldBalls final : public HeldContacts {
  public:
   /// @param contacts outlive this
-  /// @param mass of a ball [kg]
-  HeldBalls(const std::array<RaceContactModel, 2>& contacts, double mass);
+  HeldBalls(const std::array<RaceContactModel, 2>& contacts, const ElementMasses& masses,
+            std::size_t balls);
 
   void springs(const Evaluation& e, std::span<const std::size_t> held,
                std::span<HeldSprings> out) noexcept override;
@@ -25,10 +27,13 @@ class HeldBalls final : public HeldContacts {
   static constexpr double kFreePath = 0.02;  ///< over (groove - ball radius)
 
   [[nodiscard]] RacePose pose(const Evaluation& e, std::size_t j) const noexcept;
+  [[nodiscard]] const ConstrainedBall& ball(std::size_t i) const noexcept {
+    return balls_[i < balls_.size() ? i : balls_.size() - 1];
+  }
 
   const std::array<RaceContactModel, 2>& contacts_;
-  ConstrainedBall ball_;
-  double offset_ = 0.0;  ///< least groove radius - ball radius [m]
+  std::vector<ConstrainedBall> balls_;  ///< one for all, or each its own
+  double offset_ = 0.0;                 ///< least groove radius - ball radius [m]
 };
 
 }  // namespace adore::dynamics

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/balanced_race.hpp"
+#include "dynamics/constrained_element.hpp"
 #include "dynamics/force_pass.hpp"
 #include "dynamics/held_contacts.hpp"
 
@@ -40,13 +41,20 @@
 /// The kinetic energy ½m(ẋ² + ṙ²) is left out of the stored energy; ẋ and ṙ of held elements stand
 /// in the state as zero.
 ///
+/// An element whose mass centre is beside its reference point P (element_masses.hpp) is held at P
+/// (constrained_element.hpp): G are the components along x and r of what holds it, with sign, so
+/// that its unbalance m ω × (ω × c) is a load of the balance. Its kinetic energy and momentum are
+/// those of the mass centre, whose velocity is r θ̇ e_θ + ω × c; the ledger takes F·u + m ṙ θ̇ (r θ̇
+/// + (ω × c)_θ), u = (ẋ, ṙ) [derived], which is G·u without c.
+///
 /// Modes 1 and 2 hold all elements. In mode 2 the inner race follows its own balance by the same
 /// kind of motion (balanced_race.hpp), and w holds what its velocity does to the elements.
 ///
-/// Limits: w leaves out the cage, neighbours, gravity and races that tilt in time; a held element
-/// follows those, and changes of friction, within its natural time √(m/B): microseconds along the
-/// contact normal, up to milliseconds across an outer groove at low speed. C leaves out friction of
-/// rollers on flanges, in pockets and on neighbours.
+/// Limits: the way to balance sees of an unbalanced element ω × (ω × c), not ω̇ × c; w leaves out
+/// the cage, neighbours, gravity and races that tilt in time; a held element follows those, and
+/// changes of friction, within its natural time √(m/B): microseconds along the contact normal, up
+/// to milliseconds across an outer groove at low speed. C leaves out friction of rollers on
+/// flanges, in pockets and on neighbours.
 namespace adore::dynamics {
 
 inline constexpr double kSoft = 1.0;  ///< softest stiffness that rates come from, over m θ̇²
@@ -54,9 +62,10 @@ inline constexpr double kSoft = 1.0;  ///< softest stiffness that rates come fro
 class HeldElements {
  public:
   struct Scene {
-    double mass;                   ///< of an element [kg]
+    ElementMasses masses;
     bool axial = true;             ///< x is in balance; false: it stays as dynamic as it is
     BalancedRace* race = nullptr;  ///< an inner race in balance (mode 2)
+    ElementHold suppressed = {};   ///< what kDOF suppresses besides, of off-centre elements
   };
   HeldElements(const Scene& scene, const ElementSlices& slices,
                std::unique_ptr<HeldContacts> contacts, ForcePass pass);
@@ -117,6 +126,7 @@ class HeldElements {
   /// @return force on the inner race, base axes [N]
   Vec3 form_forces(Evaluation& e) noexcept;
   void pull(const Evaluation& e, std::size_t k) noexcept;
+  void take_off_centre(Evaluation& e, std::size_t i) noexcept;
 
   Scene scene_;
   ElementSlices slices_;
@@ -131,6 +141,15 @@ class HeldElements {
   std::vector<HeldSprings> springs_;
   std::vector<Forces> forces_;
   std::vector<Estimate> estimate_;
+};
+
+/// An effect that holds elements, for effects that must know it (SceneBuilder::find).
+class HoldsElements {
+ public:
+  virtual ~HoldsElements() = default;
+  [[nodiscard]] virtual bool is_held(std::size_t i) const noexcept = 0;
+  /// x is in balance, too.
+  [[nodiscard]] virtual bool holds_x() const noexcept = 0;
 };
 
 }  // namespace adore::dynamics

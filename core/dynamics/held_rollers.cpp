@@ -43,8 +43,8 @@ struct HeldRollers::Contact {
 };
 
 HeldRollers::HeldRollers(statics::RollerModel model, const bearing::Imperfections& errors,
-                         double mass)
-    : model_(std::move(model)), mass_(mass) {
+                         ElementMasses masses)
+    : model_(std::move(model)), masses_(std::move(masses)) {
   for (std::size_t j = 0; j < 2; ++j)
     if (!errors.race[j].ideal())
       wavy_[j] = contact::make_wavy_race(errors.race[j], model_.race[j],
@@ -116,7 +116,8 @@ Vec2 HeldRollers::normal_force(const Evaluation& e, std::size_t i) const noexcep
 /// leave the roller where it is; the step is limited to free_path() and halved until |G| falls.
 HeldPlace HeldRollers::balanced(const Evaluation& e, std::size_t i, const Vec2& force) const {
   constexpr int kIterations = 60;
-  const double r0 = e.elements.r[i], momentum = mass_ * r0 * r0 * e.elements.theta_dot[i];
+  const double mass = masses_[i].mass, r0 = e.elements.r[i];
+  const double momentum = mass * r0 * r0 * e.elements.theta_dot[i];
   const Vec3 base = -model_.mass_offset * e.attitude[i].col(0);
   struct Balance {
     Vec2 residual = Vec2::Zero();
@@ -126,7 +127,7 @@ HeldPlace HeldRollers::balanced(const Evaluation& e, std::size_t i, const Vec2& 
   const auto at = [&](const Vec2& place) {
     Balance out;
     const double r = place[1];
-    const double centrifugal = momentum * momentum / (mass_ * r * r * r);
+    const double centrifugal = momentum * momentum / (mass * r * r * r);
     out.residual = force + Vec2(0.0, centrifugal);
     out.stiffness(1, 1) = 3.0 * centrifugal / r;
     out.size = force.norm() + centrifugal;
@@ -178,7 +179,7 @@ HeldPlace HeldRollers::balanced(const Evaluation& e, std::size_t i, const Vec2& 
   }
   out.x = place[0];
   out.r = place[1];
-  out.speed = momentum / (mass_ * out.r * out.r);
+  out.speed = momentum / (mass * out.r * out.r);
   out.load = now.load;
   return out;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/race_errors.hpp"
+#include "dynamics/element_masses.hpp"
 #include "dynamics/held_contacts.hpp"
 #include "statics/roller_model.hpp"
 
@@ -18,7 +19,8 @@ namespace adore::dynamics {
 
 class HeldRollers final : public HeldContacts {
  public:
-  HeldRollers(statics::RollerModel model, const bearing::Imperfections& errors, double mass);
+  HeldRollers(statics::RollerModel model, const bearing::Imperfections& errors,
+              ElementMasses masses);
 
   void springs(const Evaluation& e, std::span<const std::size_t> held,
                std::span<HeldSprings> out) noexcept override;
@@ -37,7 +39,7 @@ class HeldRollers final : public HeldContacts {
 
   mutable statics::RollerModel model_;  ///< races with errors as they are at their rollers now
   std::array<std::optional<contact::WavyRace>, 2> wavy_;
-  double mass_;
+  ElementMasses masses_;
 };
 
 }  // namespace adore::dynamics

@@ -128,8 +128,13 @@ Json orbit_case(const Json& in) {
   return out;
 }
 
+struct RollerOfCase {
+  statics::RollerModel model;
+  dynamics::ElementMasses masses;
+};
+
 /// Straight and without crown between cylinders, every slice with its share of K.
-statics::RollerModel roller_model(const Json& in) {
+RollerOfCase roller_of(const Json& in) {
   bearing::Bearing b;
   b.type = bearing::Type::Cylindrical;
   for (auto* m : {&b.element_material, &b.race_material[0], &b.race_material[1]})
@@ -149,14 +154,14 @@ statics::RollerModel roller_model(const Json& in) {
   statics::RollerModel model = statics::make_roller_model(b, {});
   for (std::size_t j = 0; j < 2; ++j)
     model.law[j].constant = in.at("K").at(j).get<double>() / model.slicing.effective_length;
-  return model;
+  return {model, dynamics::ElementMasses(b)};
 }
 
 /// As a held roller finds its place in a run; that keeps m r² θ̇, here θ̇ is given.
 Json roller_case(const Json& in) {
-  const statics::RollerModel model = roller_model(in);
-  const double mass = get(in, "mass"), theta = get(in, "theta"), speed = get(in, "theta_rate");
-  dynamics::HeldRollers held(model, {}, mass);
+  const auto [model, masses] = roller_of(in);
+  const double theta = get(in, "theta"), speed = get(in, "theta_rate");
+  dynamics::HeldRollers held(model, {}, masses);
   dynamics::Evaluation e(1);
   const auto races = races_of(in);
   for (std::size_t j = 0; j < 2; ++j) e.race[j].position = races[j].centre;

@@ -25,8 +25,8 @@ struct NeighbourPair {
 }
 
 /// visit(pair) of the two (at most) that element i is in; `pairs` as above.
-template <class Visit>
-void for_pairs_of(std::size_t i, std::size_t elements, const std::vector<NeighbourPair>& pairs,
+template <class Pair, class Visit>
+void for_pairs_of(std::size_t i, std::size_t elements, const std::vector<Pair>& pairs,
                   const Visit& visit) {
   if (i < pairs.size()) visit(pairs[i]);
   const std::size_t before = (i + elements - 1) % elements;

@@ -9,6 +9,7 @@
 #include "contact/roller_shape.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/pockets.hpp"
+#include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/roller_start.hpp"
 #include "tribology/traction_law.hpp"
 
@@ -114,7 +115,7 @@ class RollerPocketSet {
       if (pocket.round) {
         const contact::PocketSlice c =
             contact::slice_in_round(*pocket.round, p, at.u, slice.radius);
-        const contact::LandLaw law{E_star_, pocket.round->radius - slice.radius};
+        const contact::LandLaw law{E_star_, pocket.round->radius_at(slice.s) - slice.radius};
         const double e = law.clearance - c.gap;
         const bool open = !(c.gap < 0.0);
         visit(c, open ? 0.0 : roller.slice_width * contact::land_load_per_length(law, e),
@@ -209,8 +210,13 @@ RollerPocketSet::RollerPocketSet(const SceneBuilder& scene,
       pocket.faces = contact::paired_faces(contact::widened(cage.pocket_faces, own.clearance[0]),
                                            rotation_sign_);
     else if (cage.pocket == bearing::PocketShape::Cylindrical)
-      pocket.round = contact::RoundPocket{0.5 * width, low, high, place.half,
-                                          contact::cut_edge(cage, rollers.pitch_diameter)};
+      pocket.round = contact::RoundPocket{0.5 * width,
+                                          low,
+                                          high,
+                                          place.half,
+                                          contact::cut_edge(cage, rollers.pitch_diameter),
+                                          std::tan(rollers.half_angle),
+                                          std::cos(rollers.half_angle)};
     else
       pocket.faces = contact::window_faces(width, low, high, rotation_sign_, rollers.half_angle);
     pockets_.push_back(std::move(pocket));
@@ -324,13 +330,11 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
            "pocket traction is on without a traction curve");
     constexpr std::string_view kCost = "pocket contacts";
     if (traction) scene.block<NoHeatYet>(Phase::Force, kCost, {}, heat_);
-    std::vector<double> azimuths;
-    for (const statics::StaticBall& one : scene.statics.balls) azimuths.push_back(one.azimuth);
-    const contact::CagePieces pieces = contact::cage_pieces(*scene.bearing.cage, azimuths);
+    const contact::CagePieces pieces = pieces_of(scene);
     const auto add = [&](std::optional<RollerPocketSet>& set,
                          const std::vector<contact::PlacedPocket>& pockets) {
       set.emplace(scene, pockets);
-      std::vector<BodyId> partners(azimuths.size(), BodyId{BodyId::Kind::Segment, -1});
+      std::vector<BodyId> partners(pieces.pockets.size(), BodyId{BodyId::Kind::Segment, -1});
       for (const contact::PlacedPocket& pocket : pockets)
         partners[pocket.element].index = pocket.piece;
       if (traction)

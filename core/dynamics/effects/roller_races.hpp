@@ -64,6 +64,7 @@ class RollerRaceBlock final : public EffectBlock {
   const RollerRaceModel& model_;
   bool load_slip_;
   RaceAccount& sums_;
+  bool has_film_;
   RollerKernel kernel_;
   std::vector<contact::RaceSlices> views_;
   std::vector<contact::RollerPose> poses_;

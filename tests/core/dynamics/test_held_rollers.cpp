@@ -79,7 +79,7 @@ TEST_CASE("held rollers: springs are the derivatives of the normal forces, turni
     const std::size_t i = 1;
     const ElementPose pose = start_poses(*s.rollers, s.bearing)[i];
     HeldRollers held(statics::make_roller_model(s.bearing, s.rollers->options),
-                     s.bearing.imperfections, s.bearing.element_inertia.mass);
+                     s.bearing.imperfections, ElementMasses(s.bearing));
     // The start, moved a little so that nothing is symmetric.
     struct Place {
       Vec3 G;
