@@ -7,6 +7,15 @@
 
 namespace adore::dynamics {
 
+void BalancedRace::set_time(double t) noexcept {
+  if (share_ == 0.0) return;
+  const double angle = turn_speed_ * t, y = load_at_start_[1], z = load_at_start_[2];
+  const double c = std::cos(angle), s = std::sin(angle);
+  const Vec3 turned(0.0, c * y - s * z, s * y + c * z);
+  load_ = load_at_start_ + share_ * (turned - Vec3(0.0, y, z));
+  load_rate_ = share_ * turn_speed_ * Vec3(0.0, -turned[2], turned[1]);
+}
+
 void BalancedRace::estimate(const Mat3& stiffness, const Vec3& drift,
                             double element_mass) noexcept {
   Mat3 K = 0.5 * (stiffness + stiffness.transpose());
@@ -23,7 +32,7 @@ void BalancedRace::estimate(const Mat3& stiffness, const Vec3& drift,
     if (!(value > 1e-9 * largest)) continue;
     inverse_ += eigen.vectors.col(k) * eigen.vectors.col(k).transpose() / value;
   }
-  velocity_ = inverse_ * drift;
+  velocity_ = inverse_ * (drift + load_rate_);
   rate_ = 0.5 * std::sqrt(std::max(K.trace(), 0.0) / (3.0 * element_mass));
 }
 

@@ -9,8 +9,9 @@
 ///   ċ = K⁻¹ (D + λ R),   K = -dR/dc with elements that follow the race, D = ∂R/∂t at fixed c,
 /// so that it goes with its balance and a departure R decays at the rate λ = ½ √(tr K / 3 M), M the
 /// mass of all elements: the pace at which the elements themselves settle (held_elements.hpp). D
-/// needs no friction, R has all of it. Directions without stiffness stay where they are. [SI, base
-/// axes]
+/// needs no friction, R has all of it. Directions without stiffness stay where they are. A share of
+/// the radial load may turn about x (record 9.3A): load(t) = load + share (turn(ω t) - 1) radial
+/// load, whose rate is part of D. [SI, base axes]
 namespace adore::dynamics {
 
 class BalancedRace {
@@ -18,7 +19,14 @@ class BalancedRace {
   /// @param free directions whose load is given
   BalancedRace(const Vec3& load, const std::array<bool, 3>& free) : load_(load), free_(free) {}
 
-  /// Takes K and D [N/m, N/s]; velocity() is then K⁻¹ D.
+  /// The radial load must be given along y and z.
+  void turn_load(double share, double speed) noexcept {
+    share_ = share;
+    turn_speed_ = speed;
+  }
+  /// Sets the load of this time.
+  void set_time(double t) noexcept;
+  /// Takes K and D at a steady load [N/m, N/s]; velocity() is then K⁻¹ D, the load's rate in D.
   void estimate(const Mat3& stiffness, const Vec3& drift, double element_mass) noexcept;
   [[nodiscard]] const Vec3& velocity() const noexcept { return velocity_; }
   /// λ K⁻¹ R from the force of the elements on the race [N].
@@ -29,7 +37,8 @@ class BalancedRace {
   [[nodiscard]] const std::array<bool, 3>& free() const noexcept { return free_; }
 
  private:
-  Vec3 load_;
+  Vec3 load_, load_at_start_ = load_, load_rate_ = Vec3::Zero();
+  double share_ = 0.0, turn_speed_ = 0.0;  ///< of the load that turns [rad/s]
   std::array<bool, 3> free_;
   Mat3 inverse_ = Mat3::Zero();  ///< of K where it has stiffness
   Vec3 velocity_ = Vec3::Zero();

@@ -106,11 +106,12 @@ void HeldElements::move_race(Evaluation& e) noexcept {
     held -= S.leftCols<2>() * estimate_[k].inverse * S.topRows<2>();
     stiffness += frame.transpose() * held * frame;
     const Vec3 velocity(x_dot_[i], r_dot_[i], e.elements.r[i] * e.elements.theta_dot[i]);
-    drift += frame.transpose() * (S * velocity - springs_[k].turning[1]);
+    drift += frame.transpose() *
+             (S * (velocity - e.to_cylindrical(i, e.race[1].velocity)) - springs_[k].turning[1]);
   }
   scene_.race->estimate(stiffness, drift, mass);
   follow_race(e, scene_.race->velocity());
-  e.race[1].velocity = scene_.race->velocity();
+  e.race[1].velocity += scene_.race->velocity();
 }
 
 void HeldElements::follow_race(const Evaluation& e, const Vec3& velocity) noexcept {

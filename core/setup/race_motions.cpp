@@ -175,20 +175,25 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
                     deck.integer("mode")),
         "set mode to 0, or kDOF to 0 to 4");
   if (deck.integer("mode") == 2) {
-    const char* const why =
-        "mode = 2 places the inner race by its balance of forces, but this {} it";
     for (int axis = 1; axis <= 3; ++axis) {
       if (rotation_free(deck, axis, 2))
-        add(Severity::Error, fmt::format("kMD{}2", axis), fmt::format(fmt::runtime(why), "frees"),
+        add(Severity::Error, fmt::format("kMD{}2", axis),
+            "mode = 2 places the inner race by its balance of forces, but this frees it",
             "set it to 1, or mode to 0 or 1");
       const std::string amplitude = fmt::format("raceVibAmp{}2", axis);
-      if (given_and_not_zero(deck, amplitude))
-        add(Severity::Error, amplitude, fmt::format(fmt::runtime(why), "moves"),
-            "set it to 0, or mode to 0 or 1");
+      const std::string given = fmt::format("kFS{}", axis);
+      if (given_and_not_zero(deck, amplitude) && deck.integer(given) == 0)
+        add(Severity::Error, amplitude,
+            fmt::format("moves the inner race along {}, where mode = 2 places it by its load",
+                        kAxes[static_cast<std::size_t>(axis - 1)]),
+            fmt::format("set it to 0, {} to 1, or mode to 0 or 1", given));
     }
-    if (given_and_not_zero(deck, "rotLoadFrac2"))
-      add(Severity::Error, "rotLoadFrac2", fmt::format(fmt::runtime(why), "moves"),
-          "set it to 0, or mode to 0 or 1");
+    if (given_and_not_zero(deck, "rotLoadFrac2") &&
+        (deck.integer("kFS2") == 1 || deck.integer("kFS3") == 1))
+      add(Severity::Error, "rotLoadFrac2",
+          "turns a share of the radial load of the inner race, which mode = 2 needs along y and z, "
+          "but kFS2 or kFS3 gives its place there",
+          "set it to 0, kFS2 and kFS3 to 0, or mode to 0 or 1");
     if (deck.integer("kFS1") + deck.integer("kFS2") + deck.integer("kFS3") == 3)
       add(Severity::Error, "kFS1",
           "gives the place of the inner race along x, y and z, so that mode = 2 has no load to "

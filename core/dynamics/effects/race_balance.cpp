@@ -8,20 +8,32 @@ namespace adore::dynamics {
 
 class RaceBalance::Place final : public EffectBlock {
  public:
-  explicit Place(const Slice& centre) : centre_(centre) {}
-  void apply(Evaluation& e) noexcept override { e.race[1].position = vector_at(e.y, centre_); }
+  Place(const Slice& centre, BalancedRace& race) : centre_(centre), race_(race) {}
+  void apply(Evaluation& e) noexcept override {
+    race_.set_time(e.t);
+    const Vec3 centre = vector_at(e.y, centre_);
+    for (int k = 0; k < 3; ++k)
+      if (race_.free()[static_cast<std::size_t>(k)]) e.race[1].position[k] = centre[k];
+  }
 
  private:
   const Slice& centre_;
+  BalancedRace& race_;
 };
 
 class RaceBalance::Motion final : public EffectBlock {
  public:
-  explicit Motion(const Slice& centre) : centre_(centre) {}
-  void apply(Evaluation& e) noexcept override { store_at(e.dydt, centre_, e.race[1].velocity); }
+  Motion(const Slice& centre, const BalancedRace& race) : centre_(centre), race_(race) {}
+  void apply(Evaluation& e) noexcept override {
+    Vec3 rate = e.race[1].velocity;
+    for (int k = 0; k < 3; ++k)
+      if (!race_.free()[static_cast<std::size_t>(k)]) rate[k] = 0.0;
+    store_at(e.dydt, centre_, rate);
+  }
 
  private:
   const Slice& centre_;
+  const BalancedRace& race_;
 };
 
 void RaceBalance::declare(SceneBuilder& scene) {
@@ -33,11 +45,13 @@ void RaceBalance::declare(SceneBuilder& scene) {
     if (free[k]) load[static_cast<int>(k)] = given.load[k];
   }
   race_.emplace(load, free);
+  if (const auto& turning = scene.plan.race_motions.turning_load)
+    race_->turn_load(turning->fraction[1], turning->speed[1]);
   start_ = scene.find<Races>()->at_rest()[1].position;
   centre_ = scene.state("inner race.centre", "m", 3, ScaleKind::Length, kBorder);
   scene.border_body({BodyId::Kind::Race, 1}, *this, centre_);
-  scene.block<Place>(Phase::Races, kMotionCost, {}, centre_);
-  scene.block<Motion>(Phase::Motion, kMotionCost, {}, centre_);
+  scene.block<Place>(Phase::Races, kMotionCost, {}, centre_, *race_);
+  scene.block<Motion>(Phase::Motion, kMotionCost, {}, centre_, *race_);
 }
 
 void RaceBalance::start(std::span<double> y) const { store_at(y.data(), centre_, start_); }

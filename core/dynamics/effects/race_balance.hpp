@@ -6,7 +6,8 @@
 #include <optional>
 
 /// Mode 2: the inner race stands in force balance along the directions whose load is given
-/// (balanced_race.hpp). Its centre is state, in the border of the arrow; its speed and tilt stay
+/// (balanced_race.hpp), whose turning share (9.3A) turns as a load; the others follow their laws of
+/// the time (9.3B). Its centre is state, in the border of the arrow; its speed and tilt stay
 /// prescribed. What it does to the elements is the work of the inner race in the ledger: the load's
 /// work, less what goes with its way to balance. Who forms its velocity: held_elements.hpp.
 namespace adore::dynamics {

@@ -64,6 +64,8 @@ class RaceExcitations final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
     motions_ = scene.plan.race_motions;
+    if (motions_.turning_load && scene.plan.has(Effect::RaceBalance))
+      motions_.turning_load->fraction[1] = 0.0;  // the load itself turns (race_balance.hpp)
     const Races& races = *scene.find<Races>();
     laws_.emplace(std::array<Vec3, 2>{races.at_rest()[0].position, races.at_rest()[1].position},
                   motions_);

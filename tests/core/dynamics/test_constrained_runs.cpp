@@ -94,6 +94,42 @@ TEST_CASE("mode 2 without friction stands at the static loads and keeps the aske
   }
 }
 
+TEST_CASE("mode 2 carries a load of which a share turns, and vibration along given directions",
+          "[physics][dynamics][constrained][motions]") {
+  const auto end_of = [](const bearing::Bearing& b, const ScenePlan& plan, double end) {
+    System system = make_system(b, plan);
+    const Snapshot now = run_mode(system, end, 1e-9).last;
+    CHECK(std::abs(now.energy.residual()) < 1e-8 * now.energy.sum(LedgerKind::Start));
+    return now;
+  };
+  bearing::Bearing b = angular_contact(12);
+  b.cage.reset();
+  constexpr double kEnd = 2e-3;
+  SECTION("load") {
+    ScenePlan plan = mode_plan(2, plan_with({Effect::RaceContact}));
+    plan.race_motions.turning_load = bearing::TurningLoad{{0.0, 0.4}, {0.0, 400.0}};
+    const Snapshot now = end_of(b, plan, kEnd);
+    const double angle = 400.0 * kEnd;
+    const Vec3 asked(1500.0, -0.4 * 500.0 * std::sin(angle), 500.0 * (0.6 + 0.4 * std::cos(angle)));
+    CAPTURE(now.races[1].applied_force.transpose(), asked.transpose());
+    CHECK((now.races[1].applied_force - asked).norm() < 1e-4 * asked.norm());
+  }
+  SECTION("vibration") {
+    b.constraints.displacement_given[0] = true;
+    b.constraints.displacement[0] = 2e-5;
+    ScenePlan plan = mode_plan(2, plan_with({Effect::RaceContact}));
+    constexpr double kFrequency = 200.0;
+    plan.race_motions.vibration[1] = bearing::Vibration{{1e-6, 0.0, 0.0}, kFrequency};
+    const Snapshot now = end_of(b, plan, kEnd),
+                   still = end_of(b, mode_plan(2, plan_with({Effect::RaceContact})), kEnd);
+    CHECK(now.races[1].position[0] - still.races[1].position[0] ==
+          Approx(1e-6 * std::sin(2.0 * std::numbers::pi * kFrequency * kEnd)).epsilon(1e-6));
+    CAPTURE(now.races[1].applied_force.transpose());
+    CHECK(std::abs(now.races[1].applied_force[2] - 500.0) < 0.05);
+    CHECK(std::abs(now.races[1].applied_force[1]) < 0.05);
+  }
+}
+
 TEST_CASE("mode 1 has the cage speed and the heat of mode 0, in fewer evaluations",
           "[physics][dynamics][constrained][slow]") {
   bearing::Bearing b = angular_contact(12);

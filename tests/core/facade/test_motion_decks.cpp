@@ -191,6 +191,8 @@ TEST_CASE("what cannot act together is refused by variable, and what stays open 
              Catch::Contains("kMD22") && Catch::Contains("mode = 2"));
   CHECK_THAT(refusal({{"mode", "2"}, {"kVarLoad", "2"}, {"raceVibAmp12", "1e-6"}}),
              Catch::Contains("raceVibAmp12"));
+  CHECK_THAT(refusal({{"mode", "2"}, {"kFS2", "1"}, {"kVarLoad", "1"}, {"rotLoadFrac2", "0.1"}}),
+             Catch::Contains("rotLoadFrac2") && Catch::Contains("kFS2"));
   CHECK_THAT(refusal({{"mode", "1"}, {"kDCR", "1"}, {"kFD12", "0"}}),
              Catch::Contains("kFD12") && Catch::Contains("equilibrium mode 1"));
   CHECK_THAT(warnings({{"mode", "1"}, {"kRaceIP2", "1"}}),
