@@ -6,6 +6,7 @@
 #include "bearing/material.hpp"
 #include "bearing/pocket_shape.hpp"
 #include "bearing/rollers.hpp"
+#include "bearing/thermal_inputs.hpp"
 
 #include <Eigen/Core>
 
@@ -71,6 +72,9 @@ struct GuideLand {  ///< record 7.2.i
   double width = 0.0;      ///< [m]
   double edge = 0.0;       ///< signed distance cage centre -> outer edge [m]
   double clearance = 0.0;  ///< diametral [m]
+  LandErrors of_cage, of_race;
+  /// A circle in a circle.
+  [[nodiscard]] bool ideal() const noexcept { return of_cage.ideal() && of_race.ideal(); }
 };
 
 /// Inertia of one rigid body about its mass centre. Ideal shapes have their principal axes along
@@ -188,6 +192,9 @@ struct Bearing {
   std::optional<TractionCurve> element_traction;  ///< element to element, without cage
   std::optional<TractionCurve> flange_traction;   ///< roller end to race flange
   std::optional<Lubrication> lubrication;         ///< between elements and races; kTrac > 0
+  std::optional<Churning> churning;               ///< kChrn > 0
+  std::optional<CageFilms> cage_films;            ///< kPocHydro or kGsHydro
+  std::optional<ThermalInputs> thermal;           ///< kTherm = 1
   Imperfections imperfections;  ///< of balls and races; rollers keep their own in RollerGeometry
   StaticConstraints constraints;
   SpinRule spin_rule = SpinRule::RaceControl;
@@ -196,8 +203,9 @@ struct Bearing {
   Vec3 gravity = Vec3::Zero();    ///< [m/s^2], base frame
   std::array<double, 2> race_temperature{293.15, 293.15};  ///< [K]
   double element_temperature = 293.15, cage_temperature = 293.15,
-         room_temperature = 293.15;  ///< [K]
-  Mounting mounting;                 ///< fits, housing and shaft
+         room_temperature = 293.15;          ///< [K]
+  std::optional<double> medium_temperature;  ///< of coolant and churning medium, once found [K]
+  Mounting mounting;                         ///< fits, housing and shaft
   std::optional<OperatingFits>
       operating;  ///< set once the geometry is the operating one (thermal/operating.hpp)
 

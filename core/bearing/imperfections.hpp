@@ -40,6 +40,21 @@ struct RaceErrors {
   }
 };
 
+/// Errors of a guide land of the cage or of the race that guides it (records 7.5.i, 7.6.i) over the
+/// azimuth ψ of that body, as RaceErrors::roundness, about the body's own axes.
+struct LandErrors {
+  RaceErrors::Roundness roundness = RaceErrors::Roundness::None;
+  /// elliptical: half axes along y and z minus the nominal radius [m, m, -]; sinusoidal: amplitude,
+  /// waves per turn, phase [m, -, rad]
+  std::array<double, 3> variation{};
+
+  [[nodiscard]] bool ideal() const noexcept {
+    using Roundness = RaceErrors::Roundness;
+    return roundness == Roundness::None ||
+           (variation[0] == 0.0 && (roundness == Roundness::Sinusoidal || variation[1] == 0.0));
+  }
+};
+
 /// Where the deviations of the rolling elements come from (kReGeoImp).
 enum class ElementErrors : unsigned char { None = 0, Random = 1, Listed = 2 };
 

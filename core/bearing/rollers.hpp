@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -70,8 +72,10 @@ struct RollerGeometry {
       race_angle{};  ///< contact angle at mid length by race: half cone angle, or of the row
   std::array<double, 2>
       groove_factor{};  ///< groove radius / (2 Rc) by race (Arc); 0: straight raceway
-  std::array<double, 2> land_width{};  ///< usable raceway by race; 0: no limit
-  std::array<double, 2> roughness{};   ///< composite rms by race
+  std::array<double, 2> land_width{};           ///< usable raceway by race; 0: no limit
+  std::array<double, 2> race_crown_radius{};    ///< of straight raceways that recede; 0: no crown
+  std::array<double, 2> race_central_length{};  ///< straight part of a crowned raceway
+  std::array<double, 2> roughness{};            ///< composite rms by race
   std::array<std::array<std::optional<Flange>, 2>, 2> flange;  ///< [race][side]
   std::array<double, 2> flange_play{};     ///< total axial travel between the two flanges of a race
   std::vector<RollerDeviation> deviation;  ///< by roller; empty: all nominal
@@ -82,6 +86,13 @@ struct RollerGeometry {
   /// Length over which a roller can touch a raceway: without its corners.
   [[nodiscard]] double contact_length() const noexcept {
     return length - corner_radius[0] - corner_radius[1];
+  }
+  /// Across the rolling direction, of a raceway in the middle of its contact: positive hollow,
+  /// negative crowned, infinite straight.
+  [[nodiscard]] double race_profile_radius(std::size_t race) const noexcept {
+    if (groove_factor[race] > 0.0) return 2.0 * groove_factor[race] * crown_radius;
+    if (race_crown_radius[race] > 0.0) return -race_crown_radius[race];
+    return std::numeric_limits<double>::infinity();
   }
   /// Radius about the bearing axis of the raceway under the middle of a nominal roller, half the
   /// play taken at this race.

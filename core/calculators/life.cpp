@@ -126,7 +126,7 @@ Geometry geometry(const Json& geo) {
   out.alpha = geo.value("alpha", 0.0) * kDegree;
   out.life.nominal_angle = out.alpha;
   out.life.length = geo.value("l", 0.0);
-  out.life.profile_radius = 0.5 * out.life.diameter;
+  out.life.profile_radius.fill(0.5 * out.life.diameter);
   out.conformity = {geo.value("f_outer", 0.0), geo.value("f_inner", 0.0)};
   for (std::size_t i = 0; i < 2; ++i)
     out.life.groove_radius[i] = out.conformity[i] * out.life.diameter;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "base/rotation.hpp"
+#include "bearing/imperfections.hpp"
 #include "contact/conformal.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -31,6 +33,23 @@ struct LandProfile {
   /// R(ψ), dR/dψ. Ellipse: (sin²ψ/a_y² + cos²ψ/a_z²)^(-1/2); wave: R + A sin(Nψ + phase).
   [[nodiscard]] std::array<double, 2> at(double psi) const noexcept;
 };
+
+/// @param radius nominal [m]
+[[nodiscard]] inline LandProfile land_profile(double radius,
+                                              const bearing::LandErrors& errors) noexcept {
+  if (errors.ideal()) return {LandProfile::Kind::Circle, radius, 0.0, 0.0, 0.0};
+  const bool wave = errors.roundness == bearing::RaceErrors::Roundness::Sinusoidal;
+  return {wave ? LandProfile::Kind::Wave : LandProfile::Kind::Ellipse, radius, errors.variation[0],
+          errors.variation[1], wave ? errors.variation[2] : 0.0};
+}
+/// Least and largest R(ψ) minus nominal [m].
+[[nodiscard]] inline std::array<double, 2> land_extremes(const LandProfile& land) noexcept {
+  if (land.kind == LandProfile::Kind::Circle) return {0.0, 0.0};
+  if (land.kind == LandProfile::Kind::Wave)
+    return {-std::abs(land.variation_1), std::abs(land.variation_1)};
+  return {std::min(land.variation_1, land.variation_2),
+          std::max(land.variation_1, land.variation_2)};
+}
 
 /// One land of the cage and of the race that guides it.
 struct LandPair {

@@ -34,9 +34,11 @@ struct RaceGrowth {
 }
 
 [[nodiscard]] inline RaceSurface grown(RaceSurface race, const RaceGrowth& growth) noexcept {
-  if (race.shape == RaceSurface::Shape::Cone) {
+  if (race.shape != RaceSurface::Shape::Groove) {
     // The point of x = 0 has moved to growth.x(0): back to x = 0 along the generator.
     race.radius = growth.r(race.radius) + race.sin_angle / race.cos_angle * growth.x(0.0);
+    race.crown_curvature /= 1.0 + growth.strain;
+    race.crown_land *= 1.0 + growth.strain;
   } else {
     race.groove_radius *= 1.0 + growth.strain;
     race.groove_x = growth.x(race.groove_x);

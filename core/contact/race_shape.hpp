@@ -9,7 +9,7 @@
 namespace adore::contact {
 
 struct RaceSurface {
-  enum class Shape : unsigned char { Cone, Groove } shape = Shape::Cone;
+  enum class Shape : unsigned char { Cone, Groove, CrownedCone } shape = Shape::Cone;
   int side = 0;                             ///< bearing::Race
   double radius = 0.0;                      ///< R0 at x = 0, cone and cylinder [m]
   double cos_angle = 1.0, sin_angle = 0.0;  ///< of α, radius falls towards +x; cone and cylinder
@@ -17,7 +17,8 @@ struct RaceSurface {
          groove_centre_radius = 0.0;  ///< r_g, x_g, R_g, groove only [m]
   // Land: limits where a roller can touch.
   double land_width = std::numeric_limits<double>::infinity();  ///< B along the generator [m]
-  double land_offset = 0.0;             ///< o_r from mid contact towards +x [m]
+  double land_offset = 0.0;                        ///< o_r from mid contact towards +x [m]
+  double crown_curvature = 0.0, crown_land = 0.0;  ///< k, L_c, crowned cone only [1/m, m]
   double mid_x = 0.0, mid_r = 0.0;      ///< mid contact, where land coordinates begin [m]
   double along_x = 1.0, along_r = 0.0;  ///< unit vector of the nominal generator, (cos α, -sin α)
 

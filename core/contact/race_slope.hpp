@@ -7,6 +7,8 @@
 /// How the depth of a point in a race changes with the azimuth at which the race's surface is taken
 /// (race_wave.hpp); the point stays. For numbers and for a slice a lane, for kernels too. SI.
 ///   cone    ∂φ/∂ψ = σ (-R' cos α + α' (x cos α - (r - R0) sin α - x_mid/cos α)),  α' = -taper'
+///   crowned cone, φ0' that of the cone:  ∂φ/∂ψ = n·n0 φ0' + n·g (l' - o'),
+///     l' = -α' ((x - x_m) sin α + (r - r_m) cos α)
 ///   groove  ∂φ/∂ψ = -n_x x_g' - n_r R_g' - r_g'
 /// and of the width w of a slice on a land whose offset o moves: ∂w/∂o. [derived]
 namespace adore::contact {
@@ -31,7 +33,14 @@ template <class T>
   const T r = ScalarMath<T>::copysign(ScalarMath<T>::sqrt(X.y * X.y + X.z * X.z), X.z);
   const T arm =
       X.x * race.cos_angle - (r - race.radius) * race.sin_angle - race.mid_x / race.cos_angle;
-  return race.sigma() * (slope.angle * arm - slope.radius * race.cos_angle);
+  const T cone = race.sigma() * (slope.angle * arm - slope.radius * race.cos_angle);
+  if (race.shape == RaceSurface::Shape::Cone) return cone;
+  const T n_x = at.n.x, n_r = at.meridian.x;
+  const T along =
+      -slope.angle * ((X.x - race.mid_x) * race.sin_angle + (r - race.mid_r) * race.cos_angle) -
+      slope.land_offset;
+  return race.sigma() * (n_x * race.sin_angle + n_r * race.cos_angle) * cone +
+         (n_x * race.cos_angle - n_r * race.sin_angle) * along;
 }
 
 /// Of overlap_width (race_surface.hpp) over the land's offset, where the slice touches the land.

@@ -49,4 +49,17 @@ RaceSurface groove_race(int side, double groove_radius, double groove_x,
   return race;
 }
 
+RaceSurface crowned_race(const RaceSurface& cone, double crown_radius, double land) {
+  if (!(crown_radius > 0.0) || !(land >= 0.0))
+    throw InputError(
+        fmt::format("race: a crown radius of {} m and a straight part of {} m; give a positive one "
+                    "and one that is not negative",
+                    crown_radius, land));
+  RaceSurface race = cone;
+  race.shape = RaceSurface::Shape::CrownedCone;
+  race.crown_curvature = 1.0 / crown_radius;
+  race.crown_land = land;
+  return race;
+}
+
 }  // namespace adore::contact

@@ -19,6 +19,11 @@
 ///   cylinder: the cone with α = 0
 ///   groove, circle of radius r_g about (x_g, R_g): l = √((x-x_g)² + (r-R_g)²), φ = l - r_g,
 ///     n = (x - x_g, r - R_g)/l
+///   crowned cone, the cone with a circle of radius 1/k beyond the straight part L_c about the land
+///     offset o, tangent there, that recedes from the roller: with φ0, n0 of the cone, l = (x -
+///     x_m) cos α - (r - r_m) sin α along its generator g from mid contact, e = max(|l - o| -
+///     L_c/2, 0) and S = √(k²e² + (1 - kφ0)²)
+///     φ = (2φ0 - k (e² + φ0²))/(1 + S),  n = ((1 - kφ0) n0 ∓ k e g)/S
 /// The groove form holds for both races and for R_g <= 0 (a self-aligning outer race has R_g = 0).
 /// Undefined on the race axis (r = 0) and on the circle of groove centres: no roller gets there.
 /// φ and n are computed in contact/slice_circle.hpp.
@@ -29,6 +34,8 @@ namespace adore::contact {
 [[nodiscard]] RaceSurface cone_race(int side, double radius_at_x0, double half_angle);
 [[nodiscard]] RaceSurface groove_race(int side, double groove_radius, double groove_x,
                                       double groove_centre_radius);
+/// A cone or cylinder with a crown; curvature 0 leaves it as it is. @param land L_c >= 0 [m]
+[[nodiscard]] RaceSurface crowned_race(const RaceSurface& cone, double crown_radius, double land);
 
 /// R = pitch diameter/2 ± D/2 ± clearance/4, upper sign outer, clearance diametral [m].
 [[nodiscard]] inline double cylinder_radius(int side, double pitch_diameter, double roller_diameter,

@@ -43,13 +43,18 @@ struct PocketFace {
 [[nodiscard]] std::vector<PocketFace> paired_faces(std::span<const bearing::RollerPocketFace> given,
                                                    double rotation_sign);
 
-/// A round pocket about the pocket's x axis, fore and aft walls between z_low and z_high.
+/// A round pocket about the pocket's x axis, fore and aft walls between z_low and z_high. It
+/// follows the taper of the roller, as windows do: radius ρ - x tan ν [choice: a cylinder would
+/// clamp the large end].
 struct RoundPocket {
-  double radius = 0.0;  ///< ρ = (D + C1)/2 [m]
+  double radius = 0.0;  ///< ρ = (D + C1)/2, at x = 0 [m]
   double z_low = 0.0, z_high = 0.0;
   /// Of a pocket that is cut between two segments the wall with half * y >= cut (ball_pocket.hpp).
   int half = 0;
-  double cut = 0.0;  ///< [m]
+  double cut = 0.0;     ///< [m]
+  double taper = 0.0;   ///< tan ν
+  double cosine = 1.0;  ///< cos ν
+  [[nodiscard]] double radius_at(double x) const noexcept { return radius - x * taper; }
 };
 
 struct PocketSlice {
@@ -94,16 +99,19 @@ inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u,
 [[nodiscard]] inline PocketSlice slice_in_round(const RoundPocket& pocket, const Vec3& p,
                                                 const Vec3& u, double radius) noexcept {
   const double from_axis = std::max(std::hypot(p[1], p[2]), 1e-12 * pocket.radius);
-  double z = std::clamp(pocket.radius * p[2] / from_axis, pocket.z_low, pocket.z_high);
-  double y = std::copysign(std::sqrt(std::max(pocket.radius * pocket.radius - z * z, 0.0)), p[1]);
+  // Foot of the normal from the middle of the slice.
+  const double x =
+      p[0] + (pocket.radius_at(p[0]) - from_axis) * pocket.cosine * pocket.cosine * pocket.taper;
+  const double radius_2 = pocket.radius_at(x) * pocket.radius_at(x);
+  double z = std::clamp(pocket.radius_at(x) * p[2] / from_axis, pocket.z_low, pocket.z_high);
+  double y = std::copysign(std::sqrt(std::max(radius_2 - z * z, 0.0)), p[1]);
   if (pocket.half != 0 && pocket.half * y < pocket.cut) {  // the nearer edge of the cut
-    const double high =
-        std::sqrt(std::max(pocket.radius * pocket.radius - pocket.cut * pocket.cut, 0.0));
+    const double high = std::sqrt(std::max(radius_2 - pocket.cut * pocket.cut, 0.0));
     z = std::clamp(std::copysign(high, p[2]), pocket.z_low, pocket.z_high);
-    y = pocket.half * std::sqrt(std::max(pocket.radius * pocket.radius - z * z, 0.0));
+    y = pocket.half * std::sqrt(std::max(radius_2 - z * z, 0.0));
   }
   PocketSlice out;
-  detail::touch(out, {p[0], y, z}, p, u, radius);
+  detail::touch(out, {x, y, z}, p, u, radius);
   out.position = out.point[0];
   return out;
 }
@@ -166,8 +174,10 @@ struct RollerBounds {
 }
 [[nodiscard]] inline double gap_bound(const RoundPocket& pocket, const Vec3& q, const Vec3& u,
                                       const RollerBounds& roller) noexcept {
-  return pocket.radius - std::hypot(q[1], q[2]) - roller.half_length * std::hypot(u[1], u[2]) -
-         std::max(roller.low, roller.high);
+  const double aside = std::hypot(q[1], q[2]) + roller.half_length * std::hypot(u[1], u[2]);
+  const double low = pocket.radius_at(q[0] - roller.half_length * u[0]) - roller.low;
+  const double high = pocket.radius_at(q[0] + roller.half_length * u[0]) - roller.high;
+  return (std::min(low, high) - aside) * pocket.cosine;
 }
 
 }  // namespace adore::contact

@@ -31,6 +31,14 @@ double roller_pocket_play(std::span<const RollerPocketFace> faces, const RollerP
   return 2.0 * least;
 }
 
+double round_pocket_play(const RoundPocket& pocket, const RollerProfile& roller, double lean) {
+  const Vec3 u(std::cos(lean), 0.0, std::sin(lean));
+  double least = std::numeric_limits<double>::infinity();
+  for (const RollerSlice& slice : pocket_slices(roller, 41))
+    least = std::min(least, slice_in_round(pocket, slice.s * u, u, slice.radius).gap);
+  return 2.0 * least;
+}
+
 std::vector<RollerPocketFace> widened(std::span<const RollerPocketFace> faces, double clearance) {
   std::vector<RollerPocketFace> out(faces.begin(), faces.end());
   for (RollerPocketFace& face : out) {

@@ -2,6 +2,7 @@
 
 #include "base/rotation.hpp"
 #include "bearing/bearing.hpp"
+#include "contact/roller_pocket.hpp"
 #include "contact/roller_profile.hpp"
 
 #include <span>
@@ -19,6 +20,11 @@ using bearing::RollerPocketFace;
 /// @throws InputError when no face covers any part of the roller.
 [[nodiscard]] double roller_pocket_play(std::span<const RollerPocketFace> faces,
                                         const RollerProfile& roller);
+
+/// Least diametral play of a roller in the middle of a round pocket whose axis leans against its
+/// own by `lean` in the plane of x and z [rad]. Negative: it does not fit.
+[[nodiscard]] double round_pocket_play(const RoundPocket& pocket, const RollerProfile& roller,
+                                       double lean);
 
 /// The faces of a pocket whose clearance is larger by `clearance` (diametral, record 7.4): each is
 /// moved by half of that along its normal, away from the roller.

@@ -11,7 +11,8 @@
 /// penetration is the greatest depth of that circle in the race [choice]: δ = φ(X), X = P + ρ u(χ),
 /// u = cos χ b1 + sin χ b2 with b1, b2 across a. Newton on δ_χ = ρ n·u_χ = 0, with the curvature
 /// tensor N = ∇∇φ of the race's distance function: δ_χχ = ρ (ρ u_χ·N u_χ - n·u), N = n_r/r along
-/// the hoop and 1/l along the meridian of a groove [derived]. Two or three passes end at rounding.
+/// the hoop and 1/l along the meridian of a groove, -k/S of a crown [derived]. Two or three passes
+/// end at rounding.
 ///
 /// All in the race's axes turned about x so that C lies in the plane of x and z ("meridian frame"),
 /// z > 0: x along the race axis, y = z × x.
@@ -42,7 +43,7 @@ template <class T>
     s.depth = sigma * ((r - race.radius) * race.cos_angle + X.x * race.sin_angle);
     nx = sigma * race.sin_angle;
     nr = sigma * race.cos_angle;
-  } else {
+  } else if (race.shape == RaceSurface::Shape::Groove) {
     const T x = X.x - race.groove_x;
     const T y = r - race.groove_centre_radius;
     const T l = M::sqrt(x * x + y * y);
@@ -50,6 +51,19 @@ template <class T>
     s.A_meridian = 1.0 / l;
     nx = x * s.A_meridian;
     nr = y * s.A_meridian;
+  } else {
+    const double sigma = race.sigma(), k = race.crown_curvature;
+    const T cone = sigma * ((r - race.radius) * race.cos_angle + X.x * race.sin_angle);
+    const T l =
+        (X.x - race.mid_x) * race.cos_angle - (r - race.mid_r) * race.sin_angle - race.land_offset;
+    const T e = M::max(M::abs(l) - 0.5 * race.crown_land, T(0.0));
+    const T up = 1.0 - k * cone, out = k * M::copysign(e, l);
+    const T S = M::sqrt(out * out + up * up), over_S = 1.0 / S;
+    s.depth = (2.0 * cone - k * (e * e + cone * cone)) / (1.0 + S);
+    s.A_meridian = M::pick(e > 0.0, -k * over_S, T(0.0));
+    const T along = -out * over_S, across = sigma * up * over_S;
+    nx = across * race.sin_angle + along * race.cos_angle;
+    nr = across * race.cos_angle - along * race.sin_angle;
   }
   s.n = {nx, nr * ey, nr * ez};
   s.hoop = {T(0.0), ez, -ey};

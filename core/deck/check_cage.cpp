@@ -132,6 +132,8 @@ void check_lands(Checker& c) {
   const auto outer = c.si("cageDia1");
   const auto inner = c.si("cageDia2");
   const auto width = c.si("cageWidth");
+  const auto outside = c.si("brgOD");
+  const auto bore = c.si("brgBore");
   if (!count) return;
   bool guided = false;
   for (int land = 1; land <= *count; ++land) {
@@ -147,6 +149,13 @@ void check_lands(Checker& c) {
     if (guide && *guide == 2 && diameter && inner && *diameter < *inner * (1.0 - kRounding))
       c.warning("cageGsDia", "an inner race guided land lies below the cage's inner diameter",
                 "check cageGsDia and cageDia2", land);
+    const bool guides = guide && *guide > 0;
+    if (guides && diameter && outside && *outside > 0.0 && *diameter >= *outside)
+      c.error("cageGsDia", "the land lies outside the bearing",
+              fmt::format("give less than brgOD = {}", c.length(*outside)), land);
+    else if (guides && diameter && bore && *diameter <= *bore)
+      c.error("cageGsDia", "the land lies inside the bore of the bearing",
+              fmt::format("give more than brgBore = {}", c.length(*bore)), land);
     if (clearance && *clearance < 0.0)
       c.warning("cageGsCls", "a negative clearance clamps the cage on its race",
                 "give a clearance above 0", land);
@@ -154,6 +163,10 @@ void check_lands(Checker& c) {
       c.error("cageGsWidth",
               fmt::format("the land is wider than the cage, cageWidth = {}", c.length(*width)),
               "give a width at most cageWidth", land);
+    else if (width && position && land_width && std::abs(*position) - *land_width >= 0.5 * *width)
+      c.error("cageGsPos", "puts the whole land beside the cage",
+              fmt::format("give at most half of cageWidth, {}, either way", c.length(0.5 * *width)),
+              land);
     else if (width && position && std::abs(*position) > 0.5 * *width * (1.0 + kRounding))
       c.warning("cageGsPos", "the outer edge of the land lies outside the cage",
                 "give a distance of at most half the cage width", land);
@@ -202,11 +215,29 @@ void check_segments(Checker& c) {
   }
 }
 
+/// A cage at rest among elements that orbit.
+void check_cage_start(Checker& c, long long segments) {
+  const auto mode = c.integer("mode");
+  const auto outer = c.raw("rpm1"), inner = c.raw("rpm2");
+  if (!mode || *mode < 0 || !outer || !inner || (*outer == 0.0 && *inner == 0.0)) return;
+  for (int k = 1; k <= segments; ++k) {
+    const auto ratio = c.raw("avRatio", k);
+    if (!ratio || *ratio != 0.0) continue;
+    return c.warning("avRatio",
+                     segments > 1 ? "lets the segment start at rest among elements that orbit, "
+                                    "which strike it hard"
+                                  : "lets the cage start at rest among elements that orbit, which "
+                                    "strike it hard",
+                     "1 starts it with them", k);
+  }
+}
+
 }  // namespace
 
 void check_cage(Checker& c) {
   const auto segments = c.integer("nCseg");
   if (!segments || *segments < 1) return;
+  check_cage_start(c, *segments);
   check_pocket_code(c);
   check_pockets(c);
   check_cage_body(c);

@@ -137,8 +137,31 @@ bool is_at(const RecordData& data, std::string_view id, int instance) {
   return data.instance == instance && data.id == id;
 }
 
+/// How a cage starts, in one piece (record 9.6) or in segments (9.6.k), has the same variables: a
+/// record of the one that was never given takes over what the deck says of the other, so that a
+/// cage that turns at its epicyclic speed still does when it is cut.
+/// @param replaced records that the deck is about to lose
+void take_over_cage_start(const Deck& deck, const std::vector<RecordData>& replaced,
+                          RecordData& data) {
+  constexpr std::string_view kWhole = "9.6", kSegment = "9.6.k";
+  if (data.id != kWhole && data.id != kSegment) return;
+  const RecordData* from = nullptr;
+  for (const std::string_view id : {kSegment, kWhole})
+    for (const std::vector<RecordData>* records : {&deck.records, &replaced, &deck.shelf})
+      for (const RecordData& other : *records)
+        if (from == nullptr && other.instance == 1 && other.id == id && other.values.size() > 1)
+          from = &other;
+  if (from == nullptr) return;
+  data.values = from->values;
+  data.values[0].clear();  // the label
+  for (std::size_t v = 1; v < data.values.size(); ++v)
+    for (std::size_t k = 0; k < data.values[v].size(); ++k) data.defaulted.push_back({v, k});
+}
+
 /// The record as it was given before, taken off the shelf; without values when it never was.
-RecordData from_shelf(Deck& deck, std::string_view id, int instance) {
+/// @param replaced as of take_over_cage_start
+RecordData from_shelf(Deck& deck, std::string_view id, int instance,
+                      const std::vector<RecordData>& replaced = {}) {
   RecordData data;
   const auto known = std::find_if(deck.shelf.begin(), deck.shelf.end(),
                                   [&](const RecordData& r) { return is_at(r, id, instance); });
@@ -148,6 +171,7 @@ RecordData from_shelf(Deck& deck, std::string_view id, int instance) {
   }
   data.id = id;
   data.instance = instance;
+  if (data.values.empty()) take_over_cage_start(deck, replaced, data);
   return data;
 }
 
@@ -324,7 +348,7 @@ void Deck::complete() {
         records.push_back(std::move(*known));
         old.erase(known);
       } else {
-        records.push_back(from_shelf(*this, spec.id, instance));
+        records.push_back(from_shelf(*this, spec.id, instance, old));
       }
       fill_with_defaults(*this, records.size() - 1);
     }

@@ -95,11 +95,16 @@ std::vector<VariableSpec> straight_raceways() {
             "Usable surface width of the {} race along the roller, undercuts excluded.", name))));
     variables.push_back(
         real(keep(fmt::format("raceCenLen{}", race)), kLength, kNotNegative,
-             keep(fmt::format("Flat land width of a part-crowned {} race; reserved, set 0.", name)),
+             keep(fmt::format("Width of the flat land in the middle of a crowned {} race; counts "
+                              "with a crown only.",
+                              name)),
              "0"));
-    variables.push_back(
-        real(keep(fmt::format("raceCrn{}", race)), kLength, kNotNegative,
-             keep(fmt::format("Crown radius of the {} race; reserved, set 0.", name)), "0"));
+    variables.push_back(real(
+        keep(fmt::format("raceCrn{}", race)), kLength, kNotNegative,
+        keep(fmt::format("Radius of the crown of the {} race beyond its flat land, receding from "
+                         "the rollers; 0 means no crown.",
+                         name)),
+        "0"));
   }
   variables.push_back(roughness(1, "outer"));
   variables.push_back(roughness(2, "inner"));

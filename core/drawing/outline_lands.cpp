@@ -67,22 +67,6 @@ void add_land(const Deck& deck, const OutlineCage& cage, std::size_t index, doub
       {{0.5 * (left + right), y - sigma * 0.25 * thick}, std::to_string(i), right - left});
 }
 
-/// The deck's errors of one land over the azimuth.
-contact::LandProfile profile(const Deck& deck, const char* stem, long long code, int land,
-                             double radius) {
-  contact::LandProfile out;
-  out.radius = radius;
-  if (code != 1 && code != 2) return out;
-  out.kind = code == 1 ? contact::LandProfile::Kind::Ellipse : contact::LandProfile::Kind::Wave;
-  const auto value = [&](int k) {
-    return value_or_zero(deck, fmt::format("{}GsRadVar{}", stem, k), land);
-  };
-  out.variation_1 = value(1);
-  out.variation_2 = value(2);
-  out.phase = value(3);
-  return out;
-}
-
 /// Lands around the axis, deviations from the circle exaggerated; empty when all are ideal.
 void add_round_lands(const Deck& deck, const OutlineCage& cage, Drawing& out) {
   const long long cage_code = deck.integer("kCageGsImp"), race_code = deck.integer("kRaceGsImp");
@@ -102,12 +86,11 @@ void add_round_lands(const Deck& deck, const OutlineCage& cage, Drawing& out) {
     const double r = 0.5 * land.diameter;
     if (!(r > 0.0)) continue;
     const bool inner = land.guide == GuideLand::Guide::Inner;
-    rings.push_back({Part::Cage, profile(deck, "cage", cage_code, number, r), {}, number});
-    rings.push_back(
-        {inner ? Part::InnerRing : Part::OuterRing,
-         profile(deck, "race", race_code, number, r + (inner ? -0.5 : 0.5) * land.clearance),
-         {},
-         number});
+    rings.push_back({Part::Cage, contact::land_profile(r, land.of_cage), {}, number});
+    rings.push_back({inner ? Part::InnerRing : Part::OuterRing,
+                     contact::land_profile(r + (inner ? -0.5 : 0.5) * land.clearance, land.of_race),
+                     {},
+                     number});
   }
   for (const Ring& ring : rings)
     for (int k = 0; k < kParts; ++k)

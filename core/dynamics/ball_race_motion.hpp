@@ -8,8 +8,8 @@
 /// race_contacts.hpp. Seen by the race kernels.
 namespace adore::dynamics {
 
-/// Race and ball as rigid bodies.
-template <class T>
+/// Race and ball as rigid bodies. S: a number, or of balls that differ one a lane.
+template <class T, class S = double>
 struct RacePairMotion {
   contact::Triple<T> race_velocity;  ///< of P_j [m/s]
   contact::Triple<T> tilt;           ///< angular velocity of the race across its axis [rad/s]
@@ -18,7 +18,7 @@ struct RacePairMotion {
   contact::Triple<T> ball_velocity;  ///< of its centre [m/s]
   contact::Triple<T> ball_omega;     ///< [rad/s]
   T orbital_speed;                   ///< θ̇, read for the entrainment only [rad/s]
-  double ball_radius = 0.0;          ///< likewise [m]
+  S ball_radius = 0.0;               ///< likewise [m]
 };
 
 /// With w = V_P + tilt × d - V_ball and ω = tilt - ω_ball:
@@ -28,9 +28,9 @@ struct RacePairMotion {
 ///   curvature = 1/r_ball - n_e/(R + r_ball n_e): of both bodies along t, R the distance of the
 ///   ball's centre from the race axis.
 /// @param d ball centre from P_j; k race axis
-template <class T>
+template <class T, class S>
 [[gnu::always_inline]] inline tribology::EllipseMotion<T> ellipse_motion(
-    const RacePairMotion<T>& m, const contact::Triple<T>& d, const contact::Triple<T>& k,
+    const RacePairMotion<T, S>& m, const contact::Triple<T>& d, const contact::Triple<T>& k,
     const contact::Triple<T>& t, const contact::GroovePlace<T>& place,
     const contact::GrooveTouch<T>& touch) {
   using contact::dot;

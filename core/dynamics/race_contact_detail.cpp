@@ -26,7 +26,7 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
   contact::WavyTouch<double> wavy{
       contact::groove_touch(place.axial, place.lift, model.groove.offset[j]), 0.0, 0.0};
   if (model.wavy)
-    wavy = contact::wavy_touch(*model.wavy,
+    wavy = contact::wavy_touch(*model.wavy, model.wavy->ratios,
                                contact::azimuth_in_race(k, place.e, to_azimuth(race.zero())),
                                place.axial, place.lift, model.groove.offset[j]);
   const contact::GrooveTouch<double>& touch = wavy.touch;

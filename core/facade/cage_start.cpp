@@ -1,11 +1,15 @@
 #include "facade/cage_start.hpp"
 
+#include "contact/ball_pocket.hpp"
+#include "contact/roller_pocket_play.hpp"
+#include "contact/roller_shape.hpp"
 #include "results/quantities.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace adore::facade {
@@ -13,6 +17,28 @@ namespace {
 
 /// Overlaps below this share of the element's radius are rounding.
 constexpr double kRounding = 1e-6;
+
+/// Angle by which the round pockets of a cage lean against its rollers, which then do not fit at
+/// all; 0: they do, or the pockets are not round.
+double lean_that_does_not_fit(const bearing::Bearing& bearing) {
+  const bearing::Cage& cage = *bearing.cage;
+  const bearing::RollerGeometry* rollers = bearing.rollers();
+  if (rollers == nullptr || cage.pocket != bearing::PocketShape::Cylindrical ||
+      !cage.pocket_faces.empty() || !(cage.pocket_clearance_1 > 0.0))
+    return 0.0;
+  const double lean = cage.cone_angle - rollers->axis_angle;
+  const auto [low, high] =
+      contact::wall_height(cage.outer_diameter, cage.inner_diameter, rollers->pitch_diameter);
+  contact::RoundPocket pocket;
+  pocket.radius = 0.5 * (rollers->diameter + cage.pocket_clearance_1);
+  pocket.z_low = low;
+  pocket.z_high = high;
+  pocket.taper = std::tan(rollers->half_angle);
+  pocket.cosine = std::cos(rollers->half_angle);
+  const bool fits =
+      contact::round_pocket_play(pocket, contact::roller_profile(*rollers), lean) > 0.0;
+  return fits ? 0.0 : lean;
+}
 
 }  // namespace
 
@@ -92,14 +118,29 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
                                            triple("cageAngPos"));
     issue.remedy =
         "start it within its clearances: smaller offsets and angles, or 0 for the centred cage";
+  } else if (const double lean = lean_that_does_not_fit(prepared.bearing);
+             lean != 0.0 && wall_of_worst != nullptr) {
+    constexpr double kDegree = 180.0 / std::numbers::pi;
+    issue.record = "7.1";
+    issue.variable = "cageConeAng";
+    issue.message = fmt::format(
+        "{}: a cage with a cone angle of {:.4g} degrees has round pockets that lean by {:.4g} "
+        "degrees "
+        "against its rollers, which do not fit",
+        found, prepared.bearing.cage->cone_angle * kDegree, std::abs(lean) * kDegree);
+    issue.remedy = fmt::format("give {:.6g} degrees, as the rollers lie, or more bPocCls1",
+                               prepared.bearing.rollers()->axis_angle * kDegree);
   } else {
     const bool second = axial && (cage.pocket == bearing::PocketShape::Rectangular);
     const bool land = wall_of_worst == nullptr;
     issue.record = faces ? "7.3.i" : land ? "7.2.i" : "7.1";
     issue.variable = faces ? "bPocGsCen2" : land ? "cageGsCls" : second ? "bPocCls2" : "bPocCls1";
     issue.message = fmt::format(
-        "{}{}: the static solution has shifted or tilted the elements further than there is room",
+        "{}{}{}: the static solution has shifted or tilted the elements further than there is room",
         found,
+        pocket > 0.0 && wall_of_worst != nullptr
+            ? fmt::format(", beyond the {} by which its pockets clamp them", length(pocket))
+            : std::string(),
         moved || turned ? ", which is not the doing of record 9.6" : " although it is centred");
     issue.remedy = faces ? fmt::format("put the guide faces at least {} further from the rollers",
                                        length(worst))

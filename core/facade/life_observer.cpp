@@ -9,14 +9,27 @@
 #include <numbers>
 
 namespace adore::facade {
+namespace {
+
+life::LifeCalculator calculator_of(const bearing::Bearing& bearing,
+                                   const life::LifeParameters& parameters) {
+  return {bearing.rollers() != nullptr ? life::roller_life_geometry(*bearing.rollers())
+                                       : life::ball_life_geometry(bearing.balls()),
+          parameters};
+}
+
+}  // namespace
 
 LifeObserver::LifeObserver(const bearing::Bearing& bearing, const life::LifeParameters& parameters,
                            const std::array<std::optional<double>, 2>& film_parameter)
     : bearing_(bearing),
-      calculator_(bearing.rollers() != nullptr ? life::roller_life_geometry(*bearing.rollers())
-                                               : life::ball_life_geometry(bearing.balls()),
-                  parameters),
+      calculator_(calculator_of(bearing, parameters)),
       film_parameter_(film_parameter) {}
+
+void LifeObserver::follow_bearing() {
+  const life::LifeParameters parameters = calculator_.parameters();
+  calculator_ = calculator_of(bearing_, parameters);
+}
 
 void LifeObserver::observe(const scene::Snapshot& snapshot) {
   const bearing::LifeChoices& choices = calculator_.parameters().choices;

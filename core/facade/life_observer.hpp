@@ -21,6 +21,8 @@ class LifeObserver {
   /// The life at this instant's loads, and its damage since the instant before (linear between
   /// them).
   void observe(const scene::Snapshot& snapshot);
+  /// The bearing has another geometry now (thermal steps).
+  void follow_bearing();
   /// Of the last instant, as if its loads lasted for ever, by the model that SOL7 stores, at the
   /// deck's survival probability [hr]; infinity is a valid life, 0 before the first instant.
   [[nodiscard]] double hours() const noexcept { return hours_; }

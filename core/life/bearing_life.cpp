@@ -164,7 +164,7 @@ void LifeCalculator::set_shapes(const BearingContacts& contacts, LifeState& out)
     for (const ContactPatch& ellipse : contacts.race[i].ellipses)
       out.major_axis[i] = std::max(out.major_axis[i], 2.0 * ellipse.a);
     if (out.major_axis[i] > 0.0)
-      out.shape[i] = contact_shape(out.major_axis[i], geometry_.land, geometry_.length);
+      out.shape[i] = contact_shape(out.major_axis[i], geometry_.land[i], geometry_.length);
   }
 }
 
@@ -176,7 +176,7 @@ double LifeCalculator::capacity(const RaceContacts& race, std::size_t index, dou
   g.cos_alpha = std::cos(race.angle);
   g.count = geometry_.count;
   g.inner = index == bearing::kInnerRacePart;
-  g.profile_radius = geometry_.profile_radius;
+  g.profile_radius = geometry_.profile_radius[index];
   g.groove_radius = geometry_.groove_radius[index];
   g.length = length;
   const double factor = parameters_.part[index].original_factor.value;

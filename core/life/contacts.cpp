@@ -27,12 +27,6 @@ class MeanAngle {
   int count_ = 0;
 };
 
-double groove_radius(const bearing::RollerGeometry& rollers, std::size_t race) {
-  const double factor = rollers.groove_factor[race];
-  return factor > 0.0 ? 2.0 * factor * rollers.crown_radius
-                      : std::numeric_limits<double>::infinity();
-}
-
 /// Patches of one roller against one race.
 class RollerPatches {
  public:
@@ -42,7 +36,7 @@ class RollerPatches {
     const bearing::RollerGeometry& g = *bearing.rollers();
     curvature_ =
         contact::roller_race_curvature(g, contact::roller_profile(g, g.deviation_of(roller)),
-                                       static_cast<int>(race), groove_radius(g, race));
+                                       static_cast<int>(race), g.race_profile_radius(race));
   }
   /// The whole roller as a line under a uniform load.
   [[nodiscard]] ContactPatch line(double load) const {
@@ -105,7 +99,7 @@ LifeGeometry ball_life_geometry(const bearing::BallGeometry& balls) {
   out.diameter = balls.diameter;
   out.pitch_diameter = balls.pitch_diameter;
   out.nominal_angle = balls.contact_angle;
-  out.profile_radius = 0.5 * balls.diameter;
+  out.profile_radius.fill(0.5 * balls.diameter);
   for (std::size_t i = 0; i < 2; ++i)
     out.groove_radius[i] = balls.groove_factor[i] * balls.diameter;
   return out;
@@ -136,9 +130,21 @@ LifeGeometry roller_life_geometry(const bearing::RollerGeometry& rollers) {
   out.nominal_angle = rollers.axis_angle;
   out.length = rollers.contact_length();
   const contact::RollerProfile profile = contact::roller_profile(rollers);
-  out.profile_radius = profile.crown_radius;
-  if (profile.kind == contact::RollerProfile::Kind::Crowned) out.land = profile.central_length;
-  for (std::size_t i = 0; i < 2; ++i) out.groove_radius[i] = groove_radius(rollers, i);
+  const bool crowned = profile.kind == contact::RollerProfile::Kind::Crowned;
+  for (std::size_t i = 0; i < 2; ++i) {
+    out.profile_radius[i] = profile.crown_radius;
+    out.groove_radius[i] = rollers.race_profile_radius(i);
+    if (crowned) out.land[i] = profile.central_length;
+    if (!(rollers.race_crown_radius[i] > 0.0)) continue;
+    // Two crowns count as one against a straight race, with the shorter land of those that bend.
+    const double own = 1.0 / profile.crown_radius, race = 1.0 / rollers.race_crown_radius[i];
+    out.profile_radius[i] = 1.0 / (own + race);
+    out.groove_radius[i] = std::numeric_limits<double>::infinity();
+    constexpr double kHardly = 1e-3;
+    if (race < kHardly * own) continue;
+    const double land = rollers.race_central_length[i];
+    out.land[i] = own < kHardly * race ? land : std::min(out.land[i], land);
+  }
   return out;
 }
 

@@ -16,16 +16,17 @@ namespace adore::life {
 
 /// Index [0] outer race, [1] inner race.
 struct LifeGeometry {
-  bool line = false;            ///< rollers: lines or points by contact_shape; else points
-  int count = 0;                ///< Z
-  double diameter = 0.0;        ///< D, of a tapered or barrel roller at mid-length [m]
-  double pitch_diameter = 0.0;  ///< d_m [m]
-  double nominal_angle = 0.0;   ///< [rad]
-  double length = 0.0;          ///< effective length of a line contact [m]
-  double land = 0.0;            ///< straight land in the middle of a roller [m]
-  double profile_radius = 0.0;  ///< point contact: transverse radius of the element [m]
-  std::array<double, 2> groove_radius{};  ///< point contact: transverse radius of the races [m];
-                                          ///< infinite: straight raceway
+  bool line = false;             ///< rollers: lines or points by contact_shape; else points
+  int count = 0;                 ///< Z
+  double diameter = 0.0;         ///< D, of a tapered or barrel roller at mid-length [m]
+  double pitch_diameter = 0.0;   ///< d_m [m]
+  double nominal_angle = 0.0;    ///< [rad]
+  double length = 0.0;           ///< effective length of a line contact [m]
+  std::array<double, 2> land{};  ///< straight land in the middle of a roller's contact [m]
+  std::array<double, 2> profile_radius{};  ///< point contact: transverse radius of the element,
+                                           ///< with the crown of the race [m]
+  std::array<double, 2> groove_radius{};   ///< point contact: transverse radius of the races [m];
+                                           ///< infinite: straight raceway
 };
 
 /// Contacts of one race. patches[element * slices + slice]; a roller's slices lie in the same order

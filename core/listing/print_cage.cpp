@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "contact/cage_inertia.hpp"
+#include "contact/guide_land.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -48,6 +49,20 @@ void lands(Report& report, const Cage& cage) {
                 {"outer edge", &unit::kLength},
                 {"dia clear", &unit::kLength}},
                rows, 14);
+  for (std::size_t i = 0; i < cage.lands.size(); ++i) {
+    const GuideLand& land = cage.lands[i];
+    if (land.guide == GuideLand::Guide::None || land.ideal()) continue;
+    const auto [c_least, c_most] =
+        contact::land_extremes(contact::land_profile(0.5 * land.diameter, land.of_cage));
+    const auto [r_least, r_most] =
+        contact::land_extremes(contact::land_profile(0.5 * land.diameter, land.of_race));
+    const bool outer = land.guide == GuideLand::Guide::Outer;
+    const double c = 0.5 * land.clearance;
+    report.item(fmt::format("Least radial play at land {} with its errors", i + 1),
+                c + (outer ? r_least - c_most : c_least - r_most), unit::kLength);
+    report.item(fmt::format("Largest radial play at land {} with its errors", i + 1),
+                c + (outer ? r_most - c_least : c_most - r_least), unit::kLength);
+  }
 }
 
 /// Mass and, of a conical cage, where its mass centre lies; or why they are not known.

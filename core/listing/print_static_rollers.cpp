@@ -231,6 +231,13 @@ void print_roller_geometry(Report& report, const bearing::RollerGeometry& g,
                 {"race width", &unit::kLength},
                 {"roughness", &unit::kLength}},
                rows, 12);
+  for (const std::size_t r : {0UL, 1UL}) {
+    if (!(g.race_crown_radius[r] > 0.0)) continue;
+    report.item(fmt::format("Crown radius of the {} race", kRaceName[r]), g.race_crown_radius[r],
+                unit::kLength);
+    report.item(fmt::format("Length of the flat land of the {} race", kRaceName[r]),
+                g.race_central_length[r], unit::kLength);
+  }
   flanges(report, g);
 }
 

@@ -212,6 +212,10 @@ constexpr auto kTable = std::to_array<Channel>({
      [](const Source& s) { return land_value(s, s.land, [](const auto& l) { return l.gap; }); }, "negative in contact"},
     {"land.angle", "guide land contact angle", &unit::kAngle, "K", Per::Land, 1, false,
      [](const Source& s) { return land_value(s, s.land, [](const auto& l) { return l.angle; }); }, "azimuth of the least gap"},
+    {"land.film_force", "guide land film force", &unit::kForce, "-", Per::Land, 1, false,
+     [](const Source& s) { return land_value(s, s.land, [](const auto& l) { return l.film_force; }); }, "of the oil between cage and race; 0 without hydrodynamics (kGsHydro)"},
+    {"land.attitude", "guide land attitude angle", &unit::kAngle, "-", Per::Land, 1, false,
+     [](const Source& s) { return land_value(s, s.land, [](const auto& l) { return l.attitude; }); }, "from the line of the least gap to the load of the film"},
     // Races, outer then inner.
     {"race.whirl_speed", "whirl speed", &unit::kRotation, "N", Per::Race, 1, false,
      [](const Source& s) { return race_orbit(s).theta_dot; }, "of the mass centre about the bearing axis"},
@@ -289,6 +293,25 @@ constexpr auto kTable = std::to_array<Channel>({
      [](const Source& s) { return s.bearing->element_temperature; }, "rolling elements"},
     {"power.cage_temperature", "cage bulk temperature", &unit::kTemperature, "-", Per::Run, 1, false,
      [](const Source& s) { return s.bearing->cage_temperature; }, "cage"},
+    // Thermal analysis.
+    {"thermal.coolant_inlet", "coolant inlet temperature", &unit::kTemperature, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().coolant_in; }, "of the last thermal step"},
+    {"thermal.coolant_exit", "coolant exit temperature", &unit::kTemperature, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().coolant_out; }, "of the last thermal step"},
+    {"thermal.outside_diameter", "bearing outside diameter temperature", &unit::kTemperature, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().outside; }, "outer race at the housing"},
+    {"thermal.bore", "bearing bore temperature", &unit::kTemperature, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().bore; }, "inner race at the shaft"},
+    {"thermal.housing", "housing outside diameter temperature", &unit::kTemperature, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().housing; }, "of the last thermal step"},
+    {"thermal.total_heat", "average total heat", &unit::kPower, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().heat; }, "over the last thermal step"},
+    {"thermal.coolant_heat", "average heat to the coolant", &unit::kPower, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().coolant_heat; }, "over the last thermal step"},
+    {"thermal.outer_heat", "average heat to the outer race", &unit::kPower, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().race_heat[0]; }, "through it, over the last thermal step"},
+    {"thermal.inner_heat", "average heat to the inner race", &unit::kPower, "-", Per::Thermal, 1, false,
+     [](const Source& s) { return s.thermal().race_heat[1]; }, "through it, over the last thermal step"},
 });
 
 }  // namespace

@@ -67,6 +67,9 @@ std::vector<hsize_t> dimensions(const Channel& channel, const Shape& shape) {
     case Per::Race:
       out = {2};
       break;
+    case Per::Thermal:
+      out = {n(shape.thermal ? 1 : 0)};
+      break;
   }
   if (channel.components > 1) out.push_back(n(channel.components));
   return out;
@@ -93,6 +96,8 @@ std::string_view dimension_names(const Channel& channel) {
       return "step, cage, land";
     case Per::Race:
       return vector ? "step, race, component" : "step, race";
+    case Per::Thermal:
+      return "step, one";
   }
   return {};
 }
@@ -161,6 +166,8 @@ std::array<double, 2> add_rollers(const bearing::Bearing& bearing,
   out["roller_crown_radius"] = rollers.crown_radius;
   out["outer_race_angle"] = rollers.race_angle[0];
   out["inner_race_angle"] = rollers.race_angle[1];
+  out["outer_race_crown_radius"] = rollers.race_crown_radius[0];  // 0: none
+  out["inner_race_crown_radius"] = rollers.race_crown_radius[1];
   for (const auto& [race, name] : {std::pair{0U, "outer"}, {1U, "inner"}})
     for (const auto& [side, end] : {std::pair{0U, "minus_x"}, {1U, "plus_x"}}) {
       const auto& flange = rollers.flange[race][side];

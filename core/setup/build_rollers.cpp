@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace adore::setup {
@@ -19,6 +20,23 @@ using deck::Deck;
 
 double given(const Deck& deck, const std::string& name) {
   return deck.has(name) ? deck.si(name) : 0.0;
+}
+
+/// A crown that starts inside the contact must reach its end.
+void read_race_crowns(const Deck& deck, bearing::RollerGeometry& out) {
+  for (std::size_t j = 0; j < 2; ++j) {
+    const std::string crown = fmt::format("raceCrn{}", j + 1);
+    out.race_crown_radius[j] = deck.si(crown);
+    if (!(out.race_crown_radius[j] > 0.0)) continue;  // then raceCenLen plays no part
+    out.race_central_length[j] = deck.si(fmt::format("raceCenLen{}", j + 1));
+    const double reach =
+        0.5 * (std::max(out.length, out.land_width[j]) - out.race_central_length[j]);
+    if (!(out.race_crown_radius[j] > reach))
+      throw InputError(
+          {deck.issue(Severity::Error, crown, "is a crown that ends before the raceway does",
+                      fmt::format("give more than {}, or 0 for a straight raceway",
+                                  length_text(deck, reach)))});
+  }
 }
 
 void read_profile(const Deck& deck, Type type, bearing::RollerGeometry& out) {
@@ -39,13 +57,7 @@ void read_profile(const Deck& deck, Type type, bearing::RollerGeometry& out) {
         throw InputError({deck.issue(Severity::Error, name, "is no width of a raceway",
                                      "give the usable width; at least bReLen sets no limit")});
     }
-    for (const char* name : {"raceCenLen1", "raceCrn1", "raceCenLen2", "raceCrn2"}) {
-      if (deck.real(name) != 0.0)
-        throw InputError({deck.issue(Severity::Error, name,
-                                     "asks for a crowned raceway, which the record reserves and "
-                                     "this version does not simulate",
-                                     "set it to 0")});
-    }
+    read_race_crowns(deck, out);
   }
 }
 

@@ -1,10 +1,26 @@
 #include "setup/read_cage.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace adore::setup {
 namespace {
+
+/// Records 7.5.i and 7.6.i.
+bearing::LandErrors land_errors(const deck::Deck& deck, std::string_view body, int index,
+                                const NumberReader& number) {
+  using Roundness = bearing::RaceErrors::Roundness;
+  bearing::LandErrors out;
+  const long long code = deck.integer(body == "cage" ? "kCageGsImp" : "kRaceGsImp");
+  if (code != 1 && code != 2) return out;
+  out.roundness = code == 1 ? Roundness::Elliptical : Roundness::Sinusoidal;
+  for (std::size_t k = 0; k < (code == 1 ? 2U : 3U); ++k)
+    out.variation[k] = number(fmt::format("{}GsRadVar{}", body, k + 1), index);
+  return out;
+}
 
 bearing::GuideLand guide_land(const deck::Deck& deck, int index, const NumberReader& number) {
   bearing::GuideLand land;
@@ -19,6 +35,10 @@ bearing::GuideLand guide_land(const deck::Deck& deck, int index, const NumberRea
     land.edge = number("cageGsPos", index);
   }
   land.clearance = number("cageGsCls", index);
+  const deck::ReportOnly quiet(
+      deck, deck.integer("mode") < 0 || land.guide == bearing::GuideLand::Guide::None);
+  land.of_cage = land_errors(deck, "cage", index, number);
+  land.of_race = land_errors(deck, "race", index, number);
   return land;
 }
 

@@ -91,10 +91,9 @@ LubricantFilms contact_films(const bearing::Bearing& bearing, const RollerSoluti
       const RollerRaceContact& at = solution.rollers[k].race[j];
       tribology::FilmContact contact;
       if (at.load > 0.0 && at.length > 0.0) {
-        const double factor = g.groove_factor[j];
-        const contact::RollerRaceCurvature curvature = contact::roller_race_curvature(
-            g, contact::roller_profile(g, g.deviation_of(k)), static_cast<int>(j),
-            factor > 0.0 ? 2.0 * factor * g.crown_radius : std::numeric_limits<double>::infinity());
+        const contact::RollerRaceCurvature curvature =
+            contact::roller_race_curvature(g, contact::roller_profile(g, g.deviation_of(k)),
+                                           static_cast<int>(j), g.race_profile_radius(j));
         contact.line = !at.slice_load.empty();
         contact.load = contact.line ? at.load / at.length : at.load;
         contact.radius = 1.0 / curvature.rolling;

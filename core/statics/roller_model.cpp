@@ -42,6 +42,10 @@ void check(const bearing::Bearing& b, const RollerOptions& options) {
   if (options.kinematics == RollerKinematics::Linear && b.type != bearing::Type::Cylindrical) {
     refuse("linear kinematics exist for cylindrical rollers only");
   }
+  if (options.kinematics == RollerKinematics::Linear &&
+      (g.race_crown_radius[0] > 0.0 || g.race_crown_radius[1] > 0.0)) {
+    refuse("linear kinematics know no crowned raceways");
+  }
   if (!(std::isfinite(b.speed[0]) && std::isfinite(b.speed[1]))) {
     refuse(fmt::format("the race speeds are {} and {} rad/s; they must be numbers", b.speed[0],
                        b.speed[1]));

@@ -29,6 +29,9 @@ RollerRaces bench_races(bearing::Type type, const bearing::RollerGeometry& g) {
     if (g.land_width[j] > 0.0 && g.shape != bearing::RollerShape::Arc) {
       race[j].land_width = g.land_width[j];
     }
+    if (g.race_crown_radius[j] > 0.0) {
+      race[j] = contact::crowned_race(race[j], g.race_crown_radius[j], g.race_central_length[j]);
+    }
   }
   return race;
 }

@@ -5,6 +5,7 @@
 #include "tribology/rounded_law.hpp"
 
 #include <numbers>
+#include <type_traits>
 #include <utility>
 
 /// The traction integral of one contact by the fixed rule of a run (ellipse_traction.hpp), for
@@ -25,12 +26,20 @@ struct EllipseMotion {
 
 /// Height of the contact surface over the ball centre: h(ξ) = offset, or offset + √(ρ² - ξ²) when
 /// ρ > 0.
-template <class T>
+/// Radii are numbers, or of vectors one a lane: then S is T.
+template <class T, class S = double>
 struct EllipseSurface {
   T offset{};
-  double rho = 0.0;
+  S rho = 0.0;
   [[gnu::always_inline]] T height(const T& xi) const {
-    return rho > 0.0 ? offset + ScalarMath<T>::root(rho * rho - xi * xi) : offset;
+    return is_curved(rho) ? offset + ScalarMath<T>::root(rho * rho - xi * xi) : offset;
+  }
+  /// The surfaces of all lanes are of one kind.
+  [[gnu::always_inline]] static bool is_curved(const S& rho) {
+    if constexpr (std::is_same_v<S, double>)
+      return rho > 0.0;
+    else
+      return rho[0] > 0.0;
   }
 };
 
@@ -40,15 +49,15 @@ enum class SurfacePlace : unsigned char {
   HalfApproach,  ///< half the approach below the undeformed ball at the centre
   Undeformed     ///< touching the undeformed ball at the centre
 };
-template <class T>
-[[gnu::always_inline]] inline EllipseSurface<T> ellipse_surface(SurfacePlace place, double rho,
-                                                                double ball_radius, const T& a,
-                                                                const T& approach) {
+template <class T, class S>
+[[gnu::always_inline]] inline EllipseSurface<T, S> ellipse_surface(SurfacePlace place, const S& rho,
+                                                                   const S& ball_radius, const T& a,
+                                                                   const T& approach) {
   using M = ScalarMath<T>;
   T offset = ball_radius;
   if (place == SurfacePlace::ThroughEdge) {
     offset = M::root(ball_radius * ball_radius - a * a);
-    if (rho > 0.0) offset -= M::root(rho * rho - a * a);
+    if (EllipseSurface<T, S>::is_curved(rho)) offset -= M::root(rho * rho - a * a);
   } else {
     if (place == SurfacePlace::HalfApproach) offset -= 0.5 * approach;
     offset -= rho;
@@ -66,10 +75,10 @@ struct EllipseNodes {
 };
 
 /// One contact, or one a lane.
-template <class T>
+template <class T, class S = double>
 struct EllipseContact {
   T load{}, a{}, b{};
-  EllipseSurface<T> surface;
+  EllipseSurface<T, S> surface;
   EllipseMotion<T> motion;
 };
 
@@ -78,11 +87,11 @@ struct EllipseSums {
   T F_c{}, F_t{}, M_c{}, M_t{}, M_n{}, heat{}, load_slip{};
 };
 
-template <class T, class Law>
+template <class T, class Law, class S = double>
 class EllipseSum {
  public:
   /// @param floor ε² of the rounded slip; slip_scale of the law, for the pieces of a split rule
-  [[gnu::always_inline]] EllipseSum(const EllipseNodes& nodes, const EllipseContact<T>& contact,
+  [[gnu::always_inline]] EllipseSum(const EllipseNodes& nodes, const EllipseContact<T, S>& contact,
                                     const Law& law, double floor, double slip_scale)
       : nodes_(nodes),
         e_(contact),
@@ -120,12 +129,12 @@ class EllipseSum {
   }
 
  private:
-  [[gnu::always_inline]] static T middle_slip(const EllipseContact<T>& e) {
+  [[gnu::always_inline]] static T middle_slip(const EllipseContact<T, S>& e) {
     const T h = e.surface.height(T(0.0));
     const T along = e.motion.u_t - e.motion.W_c * h, across = e.motion.u_c + e.motion.W_t * h;
     return ScalarMath<T>::root(along * along + across * across);
   }
-  [[gnu::always_inline]] static T peak_pressure(const EllipseContact<T>& e) {
+  [[gnu::always_inline]] static T peak_pressure(const EllipseContact<T, S>& e) {
     // Open contacts beside closed ones have no ellipse.
     return 1.5 * e.load / (std::numbers::pi * ScalarMath<T>::max(e.a * e.b, T(1e-30)));
   }
@@ -219,7 +228,7 @@ class EllipseSum {
   using Here = decltype(std::declval<const Law&>().at(std::declval<const ContactPoint<T>&>()));
 
   const EllipseNodes& nodes_;
-  const EllipseContact<T>& e_;
+  const EllipseContact<T, S>& e_;
   T peak_pressure_;
   RoundedLaw<Here> law_;
   double slip_scale_;

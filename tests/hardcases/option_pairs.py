@@ -39,6 +39,7 @@ RPM = {"ball": 10000, "cylindrical": 6000, "spherical": 3000, "tapered": 3000, "
 SIZES = {"ball": (12, 0.0127, 0.066, 0.058, 0.017), "cylindrical": (14, 0.011, 0.066, 0.058, 0.016),
          "spherical": (15, 0.0105, 0.064, 0.057, 0.014), "tapered": (17, 0.0095, 0.064, 0.058, 0.017),
          "spherical-tapered": (16, 0.0095, 0.064, 0.058, 0.016)}
+TAPER = {"tapered": 1.925, "spherical-tapered": 1.925}  # of the rollers: half the difference of their races' angles [deg]
 
 
 def segments(row, cut=1):
@@ -58,12 +59,16 @@ def half_pockets(row):
 
 
 def guide_faces(row):
-    """kPocType pairs of faces beside a roller, at 0.12 mm from it."""
+    """kPocType pairs of faces beside a roller, at 0.12 mm from it and along its taper; balls: axial play 0.2 mm."""
     k = int(row["pocket"])
     out = {"kPocType": k}
+    if row["type"] == "ball" and k in (2, 3):
+        out["bPocCls2"] = 2e-4
     if row["type"] == "ball" or k < 1:
         return out
     for i in range(1, k + 1):
+        if row["type"] in TAPER:
+            out[f"bPocGsAng3[{i}]"] = -TAPER[row["type"]]
         out.update({f"bPocGsCen2[{i}]": SIZES[row["type"]][1] / 2 + 1.2e-4, f"bPocGsCen3[{i}]": (0.0, 1e-3, -1e-3)[i - 1],
                     f"bPocGsLen1[{i}]": 0.002, f"bPocGsLen2[{i}]": 0.008})
     return out

@@ -3,6 +3,7 @@
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/free_body.hpp"
 #include "dynamics/effects/pockets.hpp"
+#include "dynamics/effects/scene_pieces.hpp"
 #include "scene/ledger_terms.hpp"
 
 #include <fmt/format.h>
@@ -73,10 +74,7 @@ class Cage final : public SceneEffect {
   void declare(SceneBuilder& scene) override {
     demand(scene.bearing.cage.has_value(), "the plan moves a cage that the bearing does not have");
     const bearing::Cage& cage = *scene.bearing.cage;
-    std::vector<double> azimuths;
-    for (const statics::StaticBall& element : scene.statics.balls)
-      azimuths.push_back(element.azimuth);
-    pieces_ = contact::cage_pieces(cage, azimuths);
+    pieces_ = pieces_of(scene);
     scene.e.segments.resize(pieces_.middle.size());
     segments_.resize(scene.e.segments.size());
     for (std::size_t k = 0; k < segments_.size(); ++k)

@@ -1,8 +1,9 @@
+#include "dynamics/effects/lands.hpp"
+
 #include "base/errors.hpp"
-#include "contact/conformal.hpp"
 #include "contact/guide_land.hpp"
 #include "dynamics/effect_makers.hpp"
-#include "tribology/traction_law.hpp"
+#include "dynamics/effects/scene_pieces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,8 @@
 /// end of the arc d turns with the segment: the force -N d acts on it, and its opposite on the
 /// race, at the point of the race axis beside the slice, which is minus the gradient of the energy
 /// over all poses. Limit: the law is that of a full circle also near the ends of the arc.
+///
+/// Lands with shape errors of the cage or the race have a block of their own (uneven_lands.cpp).
 namespace adore::dynamics {
 namespace {
 
@@ -36,20 +39,6 @@ constexpr LedgerTerm kHeat{LedgerKind::Heat,
                            {"guide lands"},
                            "dissipated since the start"};
 constexpr const LedgerTerm* kTerms[] = {&kHeat};
-
-struct LandModel {
-  int race = 0;              ///< guiding race
-  double side = 1.0;         ///< +1 outer guidance, -1 inner guidance
-  double cage_radius = 0.0;  ///< R_c [m]
-  contact::LandLaw law;
-  double slice_length = 0.0;    ///< [m]
-  std::vector<double> slice_x;  ///< mid planes in the cage frame [m]
-};
-
-struct SliceAt {
-  Vec3 centre;        ///< slice centre, base frame [m]
-  Vec3 eccentricity;  ///< across the race axis [m]
-};
 
 /// Where a slice is nearest to the race.
 struct Nearest {
@@ -71,14 +60,20 @@ Nearest nearest_on_arc(const Vec3& eccentricity, double side, double half_angle,
   return {eccentricity.dot(d), d};
 }
 
-SliceAt locate(double x, const BodyState& cage, const RaceBody& race) noexcept {
-  const Vec3 centre = cage.position + x * cage.to_base.col(0);
-  const Vec3 from_race = centre - race.position, axis = race.axis();
-  return {centre, from_race - from_race.dot(axis) * axis};
+contact::UnevenLand::Shape uneven_shape(const bearing::GuideLand& guide, const LandModel& land,
+                                        double half_angle) {
+  contact::UnevenLand::Shape shape;
+  shape.side = land.side;
+  shape.clearance = land.law.clearance;
+  shape.cage = contact::land_profile(land.cage_radius, guide.of_cage);
+  shape.race = contact::land_profile(land.cage_radius + land.side * shape.clearance, guide.of_race);
+  shape.stiffness = 3.0 * std::numbers::pi / 16.0 * land.law.E_star * land.slice_length;
+  shape.half_angle = half_angle;
+  return shape;
 }
 
 /// One per land of the cage; lands without a guiding race have no slices.
-std::vector<LandModel> make_lands(const bearing::Bearing& bearing, int slices) {
+std::vector<LandModel> make_lands(const bearing::Bearing& bearing, int slices, double half_angle) {
   std::vector<LandModel> lands;
   const bearing::Cage& cage = *bearing.cage;
   for (const bearing::GuideLand& guide : cage.lands) {
@@ -95,6 +90,7 @@ std::vector<LandModel> make_lands(const bearing::Bearing& bearing, int slices) {
       const double centre = contact::land_centre(guide.edge, guide.width);
       for (int k = 0; k < slices; ++k)
         land.slice_x.push_back(centre + ((k + 0.5) / slices - 0.5) * guide.width);
+      if (!guide.ideal()) land.uneven.emplace(uneven_shape(guide, land, half_angle));
     }
     lands.push_back(std::move(land));
   }
@@ -130,6 +126,7 @@ class LandBlock final : public EffectBlock {
   LandBlock(const std::vector<LandModel>& lands, double half_angle,
             const tribology::TractionLaw& law, double& heat)
       : lands_(lands), half_angle_(half_angle), law_(law), heat_(heat) {}
+  [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
     law_.visit_rounded([&](const auto& friction_per_slip) {
       if constexpr (Traction) heat_ = 0.0;
@@ -152,6 +149,7 @@ template <class Friction>
 void LandBlock<Traction, Arcs>::apply_with([[maybe_unused]] const Friction& friction_per_slip,
                                            Evaluation& e, BodyState& cage) noexcept {
   for (const LandModel& land : lands_) {
+    if (land.uneven) continue;
     RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
     const double c = land.law.clearance;
     for (const double x : land.slice_x) {
@@ -195,10 +193,11 @@ class LandContact final : public SceneEffect {
   void declare(SceneBuilder& scene) override {
     demand(scene.plan.has(Effect::CageMotion), "the plan has cage contacts but no cage motion");
     demand(scene.options.land_slices >= 1, "a guide land needs at least one slice");
-    lands_ = make_lands(scene.bearing, scene.options.land_slices);
-    if (lands_.empty()) return;
     const bearing::Segmentation& cut = scene.bearing.cage->segments;
-    half_angle_ = std::numbers::pi / cut.count - 0.5 * cut.cut_angle;
+    if (cut.several()) half_angle_ = std::numbers::pi / cut.count - 0.5 * cut.cut_angle;
+    lands_ = make_lands(scene.bearing, scene.options.land_slices, half_angle_);
+    if (lands_.empty()) return;
+    middle_ = pieces_of(scene).middle;
     const bool traction = scene.plan.has(Effect::LandTraction);
     demand(!traction || scene.bearing.land_traction.has_value(),
            "land traction is on without a traction curve");
@@ -213,6 +212,16 @@ class LandContact final : public SceneEffect {
       traction ? add.operator()<true, true>() : add.operator()<false, true>();
     else
       traction ? add.operator()<true, false>() : add.operator()<false, false>();
+    if (std::any_of(lands_.begin(), lands_.end(),
+                    [](const LandModel& land) { return land.uneven.has_value(); })) {
+      if (traction)
+        scene.block<UnevenLandBlock<true>>(Phase::Force, "land contacts", {}, lands_, middle_,
+                                           tribology::TractionLaw(*scene.bearing.land_traction),
+                                           heat_);
+      else
+        scene.block<UnevenLandBlock<false>>(Phase::Force, "land contacts", {}, lands_, middle_,
+                                            tribology::TractionLaw(), heat_);
+    }
     if (traction) scene.energy("lands.heat", kHeat, &heat_);
   }
 
@@ -220,13 +229,16 @@ class LandContact final : public SceneEffect {
     snapshot.cages.resize(e.segments.size());
     for (std::size_t k = 0; k < e.segments.size(); ++k)
       for (const LandModel& land : lands_)
-        snapshot.cages[k].lands.push_back(report_of(land, e, e.segments[k], half_angle_));
+        snapshot.cages[k].lands.push_back(land.uneven
+                                              ? report_of_uneven(land, e, e.segments[k], middle_[k])
+                                              : report_of(land, e, e.segments[k], half_angle_));
   }
 
  private:
   double half_angle_ = std::numbers::pi;  ///< of a segment [rad]
   std::vector<LandModel> lands_;
-  double heat_ = 0.0;  ///< now [W]
+  std::vector<double> middle_;  ///< azimuth of each segment in the cage [rad]
+  double heat_ = 0.0;           ///< now [W]
 };
 
 }  // namespace

@@ -54,7 +54,7 @@ tribology::TractionLaw race_law(const bearing::Bearing& bearing, const RaceConta
 
 class RaceBlock final : public EffectBlock {
  public:
-  /// @param load_slip the wear integrals are wanted
+  /// @param load_slip it is wanted: by the wear integrals, or by elements in balance
   RaceBlock(const RaceContactModel& model, bool load_slip, RaceAccount& sums)
       : model_(model), load_slip_(load_slip), load_limit_(load_limit(model)), sums_(sums) {}
   void apply(Evaluation& e) noexcept override;
@@ -116,6 +116,18 @@ class RacePower final : public EffectBlock {
 
 }  // namespace
 
+namespace {
+
+/// A race whose land is no circle pushes the cage around, and so does one in a cage that is none.
+bool has_uneven_lands(const SceneBuilder& scene) {
+  if (!scene.plan.has(Effect::LandContact) || !scene.bearing.cage) return false;
+  const auto& lands = scene.bearing.cage->lands;
+  return std::any_of(lands.begin(), lands.end(),
+                     [](const bearing::GuideLand& land) { return !land.ideal(); });
+}
+
+}  // namespace
+
 void Races::place(const SceneBuilder& scene, const std::array<double, 2>& centre_x) {
   const auto& misalignment = scene.bearing.constraints.outer_misalignment;
   const auto& displacement = scene.statics.displacement;
@@ -156,6 +168,8 @@ void Races::set_up_balls(const SceneBuilder& scene) {
     model.law = race_law(scene.bearing, model, scene.fixed_angle[j]);
     model.surface = scene.options.surface;
     model.rule = rule;
+    set_own_balls(model, scene.bearing.balls(), errors, scene.bearing.imperfections.ball_diameter,
+                  scene.fixed_angle[j]);
   }
   place(scene, groove.centre_x);
 }
@@ -171,7 +185,7 @@ void Races::declare_contact(SceneBuilder& scene, std::size_t j) {
                                  static_cast<std::size_t>(scene.bearing.element_count()),
                                  wear || held, account_[j]);
   else
-    scene.block<RaceBlock>(Phase::Force, cost, race, contacts_[j], wear, account_[j]);
+    scene.block<RaceBlock>(Phase::Force, cost, race, contacts_[j], wear || held, account_[j]);
 }
 
 void Races::declare(SceneBuilder& scene) {
@@ -192,9 +206,10 @@ void Races::declare(SceneBuilder& scene) {
   const bool traction = plan.has(Effect::RaceTraction), wear = plan.has(Effect::WearIntegrals);
   // Without friction a body of revolution that only spins about its axis exerts no power.
   const auto& errors = scene.bearing.imperfections.race;
-  const bool work = traction || !errors[0].ideal() || !errors[1].ideal() ||
-                    plan.has(Effect::LandTraction) || plan.has(Effect::FlangeTraction) ||
-                    scene.races_move();
+  const bool work = traction || has_uneven_lands(scene) || !errors[0].ideal() ||
+                    !errors[1].ideal() || plan.has(Effect::LandTraction) ||
+                    plan.has(Effect::FlangeTraction) || plan.has(Effect::ElementDrag) ||
+                    plan.has(Effect::CageDrag) || plan.has(Effect::LandFilm) || scene.races_move();
   const std::array<std::string, 2> names{"outer race", "inner race"};
   for (std::size_t j = 0; j < 2; ++j) {
     const std::string& name = names[j];
@@ -215,7 +230,7 @@ void Races::declare(SceneBuilder& scene) {
     const Balls* balls = scene.find<Balls>();
     normal_.emplace(contacts_,
                     balls != nullptr ? balls->slices() : scene.find<RigidElements>()->slices(),
-                    scene.bearing.element_inertia.mass);
+                    ElementMasses(scene.bearing));
   }
 }
 
@@ -230,9 +245,9 @@ double Races::stiffness(double force) const {
 std::string Races::why_invalid(const Evaluation& e) const {
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t i = 0; i < e.elements.n; ++i) {
-      const double of_radius =
-          rollers_ ? (*rollers_)[j].load_limit
-                   : contact::hertz_load(contacts_[j].hertz.K, contacts_[j].groove.ball_radius);
+      const double radius = rollers_ ? 0.0 : contacts_[j].of(i).groove.ball_radius;
+      const double of_radius = rollers_ ? (*rollers_)[j].load_limit
+                                        : contact::hertz_load(contacts_[j].of(i).hertz.K, radius);
       if (e.load[j][i] > of_radius)
         return fmt::format(
             "element {} is pressed into the {} race by more than its own radius; use a "
@@ -244,7 +259,7 @@ std::string Races::why_invalid(const Evaluation& e) const {
             "length reaches the radius of the element ({:.4g} m), because the groove fits it so "
             "closely: Hertz's theory ends before that. Give a larger groove factor or less load, "
             "or, where the load is a peak of the run, a smaller largest step",
-            e.load[j][i], i + 1, j == 0 ? "outer" : "inner", contacts_[j].groove.ball_radius);
+            e.load[j][i], i + 1, j == 0 ? "outer" : "inner", radius);
     }
   return {};
 }
@@ -268,7 +283,7 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       RaceContactSnapshot& contact = snapshot.elements[i].race[j];
       contact = rollers_ ? roller_race_detail((*rollers_)[j], e, i)
-                         : race_contact_detail(contacts_[j], e.elements, i, body.motion());
+                         : race_contact_detail(contacts_[j].of(i), e.elements, i, body.motion());
       if (contact.film > 0.0) {
         constexpr double kNoFilm = 1e-9;  // Λ of a film that has collapsed
         if (roughness_[j] > 0.0)
@@ -288,9 +303,9 @@ double Races::quadrature_error(const Evaluation& e) const {
   double largest = 0.0;
   if (!in_contact_ || rollers_) return largest;  // slices have no rule
   for (std::size_t j = 0; j < 2; ++j) {
-    const RaceContactModel& model = contacts_[j];
-    if (!model.traction) continue;
+    if (!contacts_[j].traction) continue;
     for (std::size_t i = 0; i < e.elements.n; ++i) {
+      const RaceContactModel& model = contacts_[j].of(i);
       const RaceContactState contact = race_contact_state(model, e.elements, i, e.race[j].motion());
       if (!(contact.ellipse.Q > 0.0)) continue;
       const auto fixed =

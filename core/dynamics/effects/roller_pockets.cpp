@@ -9,6 +9,7 @@
 #include "contact/roller_shape.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/pockets.hpp"
+#include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/roller_start.hpp"
 #include "tribology/traction_law.hpp"
 
@@ -114,7 +115,7 @@ class RollerPocketSet {
       if (pocket.round) {
         const contact::PocketSlice c =
             contact::slice_in_round(*pocket.round, p, at.u, slice.radius);
-        const contact::LandLaw law{E_star_, pocket.round->radius - slice.radius};
+        const contact::LandLaw law{E_star_, pocket.round->radius_at(slice.s) - slice.radius};
         const double e = law.clearance - c.gap;
         const bool open = !(c.gap < 0.0);
         visit(c, open ? 0.0 : roller.slice_width * contact::land_load_per_length(law, e),
@@ -209,8 +210,13 @@ RollerPocketSet::RollerPocketSet(const SceneBuilder& scene,
       pocket.faces = contact::paired_faces(contact::widened(cage.pocket_faces, own.clearance[0]),
                                            rotation_sign_);
     else if (cage.pocket == bearing::PocketShape::Cylindrical)
-      pocket.round = contact::RoundPocket{0.5 * width, low, high, place.half,
-                                          contact::cut_edge(cage, rollers.pitch_diameter)};
+      pocket.round = contact::RoundPocket{0.5 * width,
+                                          low,
+                                          high,
+                                          place.half,
+                                          contact::cut_edge(cage, rollers.pitch_diameter),
+                                          std::tan(rollers.half_angle),
+                                          std::cos(rollers.half_angle)};
     else
       pocket.faces = contact::window_faces(width, low, high, rotation_sign_, rollers.half_angle);
     pockets_.push_back(std::move(pocket));
@@ -314,7 +320,7 @@ void RollerPocketBlock<Traction>::push(const Friction& friction, Evaluation& e, 
   e.elastic += energy;
 }
 
-class RollerPockets final : public SceneEffect {
+class RollerPockets final : public SceneEffect, public ElementSupport {
  public:
   void declare(SceneBuilder& scene) override {
     demand(scene.plan.has(Effect::CageMotion), "the plan has cage contacts but no cage motion");
@@ -324,13 +330,11 @@ class RollerPockets final : public SceneEffect {
            "pocket traction is on without a traction curve");
     constexpr std::string_view kCost = "pocket contacts";
     if (traction) scene.block<NoHeatYet>(Phase::Force, kCost, {}, heat_);
-    std::vector<double> azimuths;
-    for (const statics::StaticBall& one : scene.statics.balls) azimuths.push_back(one.azimuth);
-    const contact::CagePieces pieces = contact::cage_pieces(*scene.bearing.cage, azimuths);
+    const contact::CagePieces pieces = pieces_of(scene);
     const auto add = [&](std::optional<RollerPocketSet>& set,
                          const std::vector<contact::PlacedPocket>& pockets) {
       set.emplace(scene, pockets);
-      std::vector<BodyId> partners(azimuths.size(), BodyId{BodyId::Kind::Segment, -1});
+      std::vector<BodyId> partners(pieces.pockets.size(), BodyId{BodyId::Kind::Segment, -1});
       for (const contact::PlacedPocket& pocket : pockets)
         partners[pocket.element].index = pocket.piece;
       if (traction)
@@ -344,6 +348,7 @@ class RollerPockets final : public SceneEffect {
     add(set_, pieces.pockets);
     if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves);
     if (traction) scene.energy("pockets.heat", kPocketHeat, &heat_);
+    scene.supports(*this);
   }
 
   [[nodiscard]] std::string why_invalid(const Evaluation& e) const override {
@@ -363,22 +368,10 @@ class RollerPockets final : public SceneEffect {
   }
 
   /// dN/dδ m mᵀ of what is touched.
-  void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) const noexcept override {
-    const RollerPocketSet::Place at = set_->locate(e, i);
-    if (!set_->is_inside(i, at.q)) return;
-    const auto add = [&](const Vec3& into, double slope) {
-      const Vec3 m = e.to_cylindrical(i, at.to_base * into);
-      stiffness += slope * m * m.transpose();
-    };
-    for (std::size_t k = 0; k < set_->surfaces(i); ++k) {
-      if (!set_->is_there(i, k) || set_->surely_open(i, k, at)) continue;
-      set_->for_slices(i, k, at, [&](const contact::PocketSlice& slice, double load, double) {
-        if (load > 0.0 && slice.gap < 0.0) add(slice.m, (10.0 / 9.0) * load / -slice.gap);
-      });
-    }
-    set_->for_ends(i, at, [&](const contact::EndTouch& touch, double load, double) {
-      add(touch.out, 1.5 * load / -touch.gap);
-    });
+  void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept override {
+    resist(*set_, i, e, stiffness);
+    for (std::size_t k = 0; last_halves_ && k < last_halves_->size(); ++k)
+      if (last_halves_->element(k) == i) resist(*last_halves_, k, e, stiffness);
   }
 
   void report(const Evaluation& e, Snapshot& snapshot) const override {
@@ -395,6 +388,25 @@ class RollerPockets final : public SceneEffect {
   }
 
  private:
+  static void resist(const RollerPocketSet& set, std::size_t i, const Evaluation& e,
+                     Mat3& stiffness) noexcept {
+    const RollerPocketSet::Place at = set.locate(e, i);
+    if (!set.is_inside(i, at.q)) return;
+    const auto add = [&](const Vec3& into, double slope) {
+      const Vec3 m = e.to_cylindrical(set.element(i), at.to_base * into);
+      stiffness += slope * m * m.transpose();
+    };
+    for (std::size_t k = 0; k < set.surfaces(i); ++k) {
+      if (!set.is_there(i, k) || set.surely_open(i, k, at)) continue;
+      set.for_slices(i, k, at, [&](const contact::PocketSlice& slice, double load, double) {
+        if (load > 0.0 && slice.gap < 0.0) add(slice.m, (10.0 / 9.0) * load / -slice.gap);
+      });
+    }
+    set.for_ends(i, at, [&](const contact::EndTouch& touch, double load, double) {
+      add(touch.out, 1.5 * load / -touch.gap);
+    });
+  }
+
   std::optional<RollerPocketSet> set_;
   std::optional<RollerPocketSet> last_halves_;  ///< of segments that are cut through their pockets
   double heat_ = 0.0;                           ///< now [W]

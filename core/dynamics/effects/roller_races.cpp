@@ -65,12 +65,6 @@ tribology::TractionLaw law_of(const bearing::Bearing& bearing, std::size_t race,
                              *bearing.lubrication, surface);
 }
 
-/// ψ of a roller in a race that turned by `turn` beyond its axes.
-contact::AzimuthDirection<double> azimuth_of(const contact::MeridianTurn& at, double cosine,
-                                             double sine) {
-  return {at.ez * cosine - at.ey * sine, -at.ey * cosine - at.ez * sine};
-}
-
 }  // namespace
 
 std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
@@ -130,7 +124,7 @@ RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, std::size_t rolle
 void RollerRaceBlock::form_race(const RaceBody& race) noexcept {
   const double cosine = std::cos(race.turn_beyond), sine = std::sin(race.turn_beyond);
   for (std::size_t i = 0; i < slopes_.size(); ++i) {
-    const auto here = model_.wavy->at(azimuth_of(turns_[i], cosine, sine));
+    const auto here = model_.wavy->at(contact::azimuth_in_turned(turns_[i], cosine, sine));
     views_[i].race = here.surface;
     slopes_[i] = here.slope;
   }
@@ -196,9 +190,10 @@ RaceContactSnapshot roller_race_detail(const RollerRaceModel& model, const Evalu
   const contact::RollerPose& at = in.roller;
   contact::RaceSurface surface = slices.race;
   if (model.wavy)
-    surface =
-        model.wavy->at(azimuth_of(in.turn, std::cos(race.turn_beyond), std::sin(race.turn_beyond)))
-            .surface;
+    surface = model.wavy
+                  ->at(contact::azimuth_in_turned(in.turn, std::cos(race.turn_beyond),
+                                                  std::sin(race.turn_beyond)))
+                  .surface;
   RaceContactSnapshot out;
   double normal_x = 0.0, normal_r = 0.0, least_film = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < slices.count; ++k) {

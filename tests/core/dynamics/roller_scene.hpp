@@ -25,8 +25,8 @@ inline void add_cage(Bearing& b) {
   cage.pocket_clearance_1 = 2.5e-4;
   cage.cone_angle = b.rollers()->axis_angle;
   using Guide = bearing::GuideLand::Guide;
-  cage.lands = {{Guide::Outer, cage.outer_diameter, 0.002, -0.5 * cage.width, 3e-4},
-                {Guide::Outer, cage.outer_diameter, 0.002, 0.5 * cage.width, 3e-4}};
+  cage.lands = {{Guide::Outer, cage.outer_diameter, 0.002, -0.5 * cage.width, 3e-4, {}, {}},
+                {Guide::Outer, cage.outer_diameter, 0.002, 0.5 * cage.width, 3e-4, {}, {}}};
   cage.material = fixture::steel();
   b.cage = cage;
   b.cage->inertia = contact::cage_inertia(b);

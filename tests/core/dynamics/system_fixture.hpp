@@ -65,8 +65,8 @@ inline bearing::Bearing angular_contact(int balls = 18, double pitch_diameter = 
   cage.width = 0.02;
   cage.pocket_clearance_1 = cage.pocket_clearance_2 = 3e-4;
   using Guide = bearing::GuideLand::Guide;
-  cage.lands = {{Guide::Outer, cage.outer_diameter, 0.003, 0.01, 4e-4},
-                {Guide::Outer, cage.outer_diameter, 0.003, -0.01, 4e-4}};
+  cage.lands = {{Guide::Outer, cage.outer_diameter, 0.003, 0.01, 4e-4, {}, {}},
+                {Guide::Outer, cage.outer_diameter, 0.003, -0.01, 4e-4, {}, {}}};
   cage.material = steel();
   cage.inertia =
       contact::cage_inertia(cage, balls, b.balls().diameter, b.balls().pitch_diameter, 7800.0);

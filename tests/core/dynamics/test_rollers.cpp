@@ -71,7 +71,9 @@ TEST_CASE("rollers: the loads of the equilibrium hold at the start, nothing drif
   for (bearing::Bearing b :
        {roller_bearings::cylindrical(0.0), roller_bearings::tapered(0.0),
         roller_bearings::spherical(0.0), roller_bearings::spherical_tapered(0.0),
-        roller_bearings::cylindrical(6000.0), roller_bearings::tapered(6000.0)}) {
+        roller_bearings::cylindrical(6000.0), roller_bearings::tapered(6000.0),
+        roller_bearings::on_crowned_races(roller_bearings::cylindrical(0.0)),
+        roller_bearings::on_crowned_races(roller_bearings::tapered(6000.0))}) {
     Scene s = scene_of(b, roller_scene::races_only());
     const double load = s.rollers->solution.max_load;
     REQUIRE(load > 500.0);
@@ -95,7 +97,8 @@ TEST_CASE("rollers: the loads of the equilibrium hold at the start, nothing drif
 TEST_CASE("rollers: without friction energy and momentum are conserved, the better the tolerance",
           "[physics][rollers]") {
   for (bearing::Bearing b : {roller_bearings::cylindrical(3000.0), roller_bearings::tapered(3000.0),
-                             roller_bearings::spherical_tapered(3000.0)}) {
+                             roller_bearings::spherical_tapered(3000.0),
+                             roller_bearings::on_crowned_races(roller_bearings::tapered(3000.0))}) {
     roller_scene::add_cage(b);
     INFO("type " << static_cast<int>(b.type));
     std::vector<double> residuals;
@@ -233,8 +236,10 @@ TEST_CASE("rollers: what each does to the cage is its share of the rates", "[uni
 }
 
 TEST_CASE("rollers: pockets of every shape conserve energy and momentum", "[physics][rollers]") {
-  for (const int shape : {-1, 1, 2}) {
-    bearing::Bearing b = roller_bearings::cylindrical(3000.0);
+  for (const int shape : {-2, -1, 1, 2}) {
+    // Round pockets follow the taper of their rollers.
+    bearing::Bearing b =
+        shape == -2 ? roller_bearings::tapered(3000.0) : roller_bearings::cylindrical(3000.0);
     roller_scene::add_cage(b);
     const double reach = 0.5 * (b.element_diameter() + b.cage->pocket_clearance_1);
     if (shape < 0) {

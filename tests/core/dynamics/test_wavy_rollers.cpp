@@ -42,7 +42,8 @@ TEST_CASE("wavy races: the turning of the slices' energy is its derivative over 
   cone.mid_r = 0.035 - 0.003 * std::tan(0.2);
   cone.land_width = 0.0093;
   RaceSurface groove = contact::groove_race(1, 0.04, 0.002, 0.064);
-  for (RaceSurface race : {cone, groove}) {
+  const RaceSurface crowned = contact::crowned_race(cone, 0.4, 0.003);
+  for (RaceSurface race : {cone, groove, crowned}) {
     const bool is_groove = race.shape == RaceSurface::Shape::Groove;
     if (is_groove) {
       race.mid_x = 0.0;

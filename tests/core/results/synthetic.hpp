@@ -81,8 +81,8 @@ inline bearing::Bearing make_bearing(int balls = 3, bool with_cage = true) {
     cage.clearance_inner = 0.005;
     cage.pocket_clearance_1 = 0.0004;
     cage.pocket_clearance_2 = 0.0005;
-    cage.lands = {{bearing::GuideLand::Guide::Outer, 0.074, 0.002, -0.007, 0.0006},
-                  {bearing::GuideLand::Guide::Outer, 0.074, 0.002, 0.007, 0.0002}};
+    cage.lands = {{bearing::GuideLand::Guide::Outer, 0.074, 0.002, -0.007, 0.0006, {}, {}},
+                  {bearing::GuideLand::Guide::Outer, 0.074, 0.002, 0.007, 0.0002, {}, {}}};
     cage.material.hardness = 1e9;
     cage.material.wear_coefficient = 2e-6;
     bearing.cage = cage;

@@ -30,6 +30,13 @@ inline void finish(Bearing& b, double rpm) {
   b.speed = {0.0, rpm * std::numbers::pi / 30.0};
 }
 
+/// Straight raceways that recede beyond a flat land, in the middle of the contact.
+inline Bearing on_crowned_races(Bearing b) {
+  b.rollers()->race_crown_radius = {0.8, 0.5};
+  b.rollers()->race_central_length = {0.004, 0.003};
+  return b;
+}
+
 inline Bearing cylindrical(double rpm, double clearance = 2e-5) {
   Bearing b;
   b.type = Type::Cylindrical;

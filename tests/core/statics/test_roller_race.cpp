@@ -64,7 +64,9 @@ double power(const Scene& s, const RollerRaceAction& a) {
 
 std::vector<bearing::Bearing> bearings() {
   return {roller_bearings::cylindrical(0.0), roller_bearings::tapered(0.0),
-          roller_bearings::spherical(0.0)};
+          roller_bearings::spherical(0.0),
+          roller_bearings::on_crowned_races(roller_bearings::cylindrical(0.0)),
+          roller_bearings::on_crowned_races(roller_bearings::tapered(0.0))};
 }
 
 const tribology::TractionLaw kLaw =

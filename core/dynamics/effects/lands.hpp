@@ -1,0 +1,65 @@
+#pragma once
+
+#include "contact/conformal.hpp"
+#include "contact/uneven_land.hpp"
+#include "dynamics/effect.hpp"
+#include "scene/snapshot.hpp"
+#include "tribology/traction_law.hpp"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+/// Guide lands of a scene: what lands.cpp and uneven_lands.cpp share. SI.
+namespace adore::dynamics {
+
+struct LandModel {
+  int race = 0;              ///< guiding race
+  double side = 1.0;         ///< +1 outer guidance, -1 inner guidance
+  double cage_radius = 0.0;  ///< R_c [m]
+  contact::LandLaw law;
+  double slice_length = 0.0;                  ///< [m]
+  std::vector<double> slice_x;                ///< mid planes in the cage frame [m]
+  std::optional<contact::UnevenLand> uneven;  ///< shape errors of the cage or of the race
+};
+
+struct SliceAt {
+  Vec3 centre;        ///< slice centre, base frame [m]
+  Vec3 eccentricity;  ///< across the race axis [m]
+};
+
+inline SliceAt locate(double x, const BodyState& cage, const RaceBody& race) noexcept {
+  const Vec3 centre = cage.position + x * cage.to_base.col(0);
+  const Vec3 from_race = centre - race.position, axis = race.axis();
+  return {centre, from_race - from_race.dot(axis) * axis};
+}
+
+/// Contact and traction of the lands that have shape errors (contact/uneven_land.hpp), which reads
+/// no other; adds to `heat` what they dissipate.
+template <bool Traction>
+class UnevenLandBlock final : public EffectBlock {
+ public:
+  /// @param middle azimuth of each segment in the cage [rad]
+  UnevenLandBlock(const std::vector<LandModel>& lands, const std::vector<double>& middle,
+                  const tribology::TractionLaw& law, double& heat)
+      : lands_(lands), middle_(middle), law_(law), heat_(heat) {}
+  void apply(Evaluation& e) noexcept override;
+
+ private:
+  template <class Friction>
+  void apply_to(const Friction& friction_per_slip, Evaluation& e, const LandModel& land,
+                BodyState& segment, double middle) noexcept;
+
+  const std::vector<LandModel>& lands_;
+  const std::vector<double>& middle_;
+  tribology::TractionLaw law_;
+  double& heat_;
+};
+extern template class UnevenLandBlock<false>;
+extern template class UnevenLandBlock<true>;
+
+/// Force, least gap over the slices and its azimuth in the frame of the cage or segment.
+[[nodiscard]] scene::LandSnapshot report_of_uneven(const LandModel& land, const Evaluation& e,
+                                                   const BodyState& segment, double middle);
+
+}  // namespace adore::dynamics

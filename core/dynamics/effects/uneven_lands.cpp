@@ -1,0 +1,115 @@
+#include "dynamics/effects/lands.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+/// Guide lands with shape errors: U(e, φ, β) of contact/uneven_land.hpp for every slice.
+///
+/// e and φ are taken in the axes of the race that do not spin, β is its turn about its own axis. φ
+/// is the azimuth of the z axis of the cage or segment, c, there; a turn dω of the segment against
+/// the race changes it by
+///   dφ = g·dω,   g = a - c_a (c - c_a a)/(1 - c_a²),   a the race axis, c_a = c·a,   [derived]
+/// so that the moment T g on the segment and -T g on the race are minus the gradient of U, at any
+/// tilt. F acts at the slice centre, -F at the same point of the race: e × F is the moment of the
+/// race that a turn of e in its axes asks for. Friction: as of circular lands, for each stretch of
+/// a spot by itself, at the cage's radius in the direction of its force.
+namespace adore::dynamics {
+namespace {
+
+/// Where a slice of a segment lies in the axes of its race.
+struct PlacedSlice {
+  SliceAt at;
+  contact::UnevenLand::Place place;
+};
+
+PlacedSlice place_slice(double x, const BodyState& segment, const RaceBody& race,
+                        double middle) noexcept {
+  PlacedSlice out;
+  out.at = locate(x, segment, race);
+  const Vec3 e = race.to_base.transpose() * out.at.eccentricity;
+  const Vec3 c = race.to_base.transpose() * segment.to_base.col(2);
+  out.place = {{e[1], e[2]}, azimuth(c), race.turn_beyond, middle};
+  return out;
+}
+
+/// g of the file comment.
+Vec3 turning_gradient(const BodyState& segment, const RaceBody& race) noexcept {
+  const Vec3 a = race.axis(), c = segment.to_base.col(2);
+  const double along = c.dot(a);
+  return a - along / (1.0 - along * along) * (c - along * a);
+}
+
+}  // namespace
+
+template <bool Traction>
+template <class Friction>
+void UnevenLandBlock<Traction>::apply_to([[maybe_unused]] const Friction& friction_per_slip,
+                                         Evaluation& e, const LandModel& land, BodyState& segment,
+                                         double middle) noexcept {
+  RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
+  const Vec3 g = turning_gradient(segment, race);
+  for (const double x : land.slice_x) {
+    if (land.uneven->out_of_reach(locate(x, segment, race).eccentricity.squaredNorm())) continue;
+    const PlacedSlice slice = place_slice(x, segment, race, middle);
+    Vec3 force = Vec3::Zero();
+    double turning = 0.0;
+    land.uneven->visit(slice.place, [&](const contact::UnevenPiece& piece) {
+      const Vec3 f = race.to_base * Vec3(0.0, piece.force[0], piece.force[1]);
+      force += f;
+      turning += piece.turning;
+      e.elastic += piece.energy;
+      if constexpr (Traction) {
+        // The race pushes the cage inwards where it guides outside, outwards where inside.
+        const Vec3 normal = f / piece.load;
+        const Vec3 point = slice.at.centre - (land.side * land.cage_radius) * normal;
+        Vec3 slip = race.velocity_at(point) - segment.velocity_at(point);
+        slip -= slip.dot(normal) * normal;
+        const double square = slip.squaredNorm();
+        const Vec3 friction = (piece.load * friction_per_slip(square)) * slip;
+        segment.add_force(friction, point);
+        race.add_force(-friction, point);
+        heat_ += friction.dot(slip);
+        segment.load_slip += piece.load * std::sqrt(square);
+      }
+    });
+    segment.add_force(force, slice.at.centre);
+    race.add_force(-force, slice.at.centre);
+    segment.moment += turning * g;
+    race.moment -= turning * g;
+  }
+}
+
+template <bool Traction>
+void UnevenLandBlock<Traction>::apply(Evaluation& e) noexcept {
+  law_.visit_rounded([&](const auto& friction_per_slip) {
+    for (std::size_t k = 0; k < e.segments.size(); ++k)
+      for (const LandModel& land : lands_)
+        if (land.uneven) apply_to(friction_per_slip, e, land, e.segments[k], middle_[k]);
+  });
+}
+
+template class UnevenLandBlock<false>;
+template class UnevenLandBlock<true>;
+
+scene::LandSnapshot report_of_uneven(const LandModel& land, const Evaluation& e,
+                                     const BodyState& segment, double middle) {
+  scene::LandSnapshot result;
+  const RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
+  std::array<double, 2> force{};
+  result.gap = std::numeric_limits<double>::infinity();
+  for (const double x : land.slice_x) {
+    const PlacedSlice slice = place_slice(x, segment, race, middle);
+    land.uneven->visit(slice.place, [&](const contact::UnevenPiece& piece) {
+      for (const std::size_t k : {0UL, 1UL}) force[k] += piece.force[k];
+    });
+    const auto least = land.uneven->least_gap(slice.place);
+    if (least.gap >= result.gap) continue;
+    result.gap = least.gap;
+    result.angle = least.s < 0.0 ? least.s + 2.0 * std::numbers::pi : least.s;
+  }
+  result.force = std::hypot(force[0], force[1]);
+  return result;
+}
+
+}  // namespace adore::dynamics
