@@ -123,6 +123,18 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
                                    {"temp inner", "contact.temperature", 1}});
   element_table(report, record, interval, thermal);
   if (!rise) report.item("Contact temperature and its rise above the race", "not computed");
+  if (film) {
+    report.heading("Least film of the contacts, and lambda: over the composite roughness");
+    std::vector<ChannelColumn> films;
+    for (int race = 0; race < 2; ++race) {
+      films.push_back({race == 0 ? "least outer" : "least inner", "contact.least_film", race});
+      if (lambda)
+        films.push_back(
+            {race == 0 ? "lambda outer" : "lambda inner", "contact.film_parameter", race});
+    }
+    element_table(report, record, interval, films);
+    if (!lambda) report.item("Lambda (no roughness given)", "not computed");
+  }
   if (!film) report.item("Film thickness (hypothetical traction)", "not computed");
   for (int race = 0; race < 2; ++race) {
     const char* name = race == 0 ? "outer" : "inner";
@@ -139,11 +151,7 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
                                        {"a", "contact.half_major", race},
                                        {"b", "contact.half_minor", race},
                                        {"pressure", "contact.pressure", race}};
-    if (film) {
-      columns.push_back({"film", "contact.film", race});
-      columns.push_back({"least film", "contact.least_film", race});
-    }
-    if (lambda) columns.push_back({"lambda", "contact.film_parameter", race});
+    if (film) columns.push_back({"film", "contact.film", race});
     columns.insert(columns.end(), {{"slip", "contact.slip", race},
                                    {"spin/roll", "contact.spin_to_roll", race},
                                    {"heat", "contact.heat", race},

@@ -33,6 +33,18 @@ std::string flange_reason(const deck::Deck& deck) {
   return out;
 }
 
+/// The lubricant, and what stands in for an integral that is too dear.
+std::string film_reason(const bearing::Lubrication& lubrication) {
+  const tribology::Lubricant oil = tribology::lubricant_of(lubrication);
+  std::string out = fmt::format("kTrac = {}, {}", lubrication.code, oil.name);
+  if (oil.model == tribology::LubricantModel::ViscoElastic)
+    out +=
+        "; stress along each strip read from splines over pressure (to 5 GPa), slip and transit "
+        "(0.003 to 2 of the race speed), 0.2 % from the integral in the mean and 3 % at most, "
+        "made at set-up";
+  return out;
+}
+
 /// Does a ball need no orientation to move: equal moments, mass centre in its middle?
 bool moves_as_sphere(const bearing::Bearing& bearing) {
   if (bearing.first_inertia) return false;
@@ -63,8 +75,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   effect(Effect::RaceContact, element + " / race contact", true, mode);
   effect(Effect::RaceTraction, element + " / race traction",
          can_push(bearing.race_traction) || bearing.lubrication,
-         bearing.lubrication ? fmt::format("kTrac = {}, {}", bearing.lubrication->code,
-                                           tribology::lubricant_of(*bearing.lubrication).name)
+         bearing.lubrication ? film_reason(*bearing.lubrication)
                              : curve_reason(deck, "kTracType", bearing.race_traction));
   plan.rollers = bearing.rollers() != nullptr;
   plan.rigid_balls = !plan.rollers && !moves_as_sphere(bearing);
