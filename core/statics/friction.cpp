@@ -84,10 +84,14 @@ class Oil {
     }
   }
   [[nodiscard]] bool given() const { return oil_.has_value(); }
-  /// Of contacts with one race. @param width_over_pressure b/p0 [m/Pa]
+  /// Of contacts with one race. Visco-elastic films take the first one's shape for all of a race:
+  /// their surfaces take the better part of a second to make. @param width_over_pressure b/p0
+  /// [m/Pa]
   [[nodiscard]] tribology::TractionLaw law(std::size_t j, bool line, double radius,
                                            double width_over_pressure, double race_speed) const {
     if (!given()) return bearing_.race_traction;
+    std::optional<tribology::TractionLaw>& kept = kept_[j];
+    if (kept && oil_->model == tribology::LubricantModel::ViscoElastic) return *kept;
     tribology::FilmSurface surface;
     surface.line = line;
     surface.radius = radius;
@@ -95,7 +99,8 @@ class Oil {
     surface.wall_temperature = temperature_[j];
     surface.race_speed = std::max(race_speed, 1e-6);
     surface.width_over_pressure = width_over_pressure;
-    return tribology::film_law(bearing_.race_traction, *oil_, *bearing_.lubrication, surface);
+    kept = tribology::film_law(bearing_.race_traction, *oil_, *bearing_.lubrication, surface);
+    return *kept;
   }
   /// κ of slip and peak pressure of a slice of a line, with the film of the whole line.
   [[nodiscard]] std::function<double(double, double)> line_law(
@@ -143,6 +148,7 @@ class Oil {
   std::optional<tribology::Lubricant> oil_;
   std::array<tribology::InletOil, 2> inlet_;
   std::array<double, 2> temperature_{}, modulus_{};
+  mutable std::array<std::optional<tribology::TractionLaw>, 2> kept_;
 };
 
 FrictionEstimate begin(const Bearing& bearing, const Oil& oil) {
