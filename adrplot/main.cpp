@@ -60,8 +60,9 @@ int main(int argc, char** argv) {
       ->needs(folder);
   command_line::at_least(
       cli.add_option("--from", options.range.from, "first stored step, counted from 1"), 1);
-  command_line::at_least(
-      cli.add_option("--to", options.range.to, "last stored step (5000 unless given)"), 1);
+  command_line::at_least(cli.add_option("--to", options.range.to,
+                                        "last stored step (the end of the file unless given)"),
+                         1);
   command_line::at_least(
       cli.add_option("--every", options.range.every, "interval of the stored steps"), 1);
   cli.add_option("--size", size, "picture size in pixels, WIDTHxHEIGHT")

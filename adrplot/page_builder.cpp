@@ -1,7 +1,9 @@
 #include "adrplot/page_builder.hpp"
 
-#include "adrplot/spectrum.hpp"
+#include "adrplot/known_values.hpp"
+#include "adrplot/waterfall_page.hpp"
 #include "base/errors.hpp"
+#include "desktop/axis_scale.hpp"
 #include "results/channels.hpp"
 
 #include <fmt/format.h>
@@ -18,37 +20,18 @@ using desktop::ChartPage;
 using desktop::ChartPanel;
 using results::SolFile;
 
-/// The columns of one file, found by id: numbers and unit. What the file does not hold is missing
-/// at every step.
-class FileColumns {
- public:
-  explicit FileColumns(const SolFile& file)
-      : file_(file), columns_(results::sol_columns(file.header)) {}
-
-  [[nodiscard]] std::vector<double> numbers(const std::string& id) const {
-    const std::size_t index = file_.place(find(id));
-    std::vector<double> out;
-    out.reserve(file_.steps.size());
-    for (const auto& step : file_.steps)
-      out.push_back(index < step.values.size() ? step.values[index]
-                                               : std::numeric_limits<double>::quiet_NaN());
-    return out;
-  }
-  [[nodiscard]] std::string unit(const std::string& id) const {
-    const std::size_t index = find(id);
-    return index < columns_.size() ? results::unit_of_column(file_, columns_[index]) : "";
-  }
-
- private:
-  [[nodiscard]] std::size_t find(const std::string& id) const {
-    const auto found = std::find_if(columns_.begin(), columns_.end(),
-                                    [&](const auto& column) { return column.id == id; });
-    return static_cast<std::size_t>(found - columns_.begin());
-  }
-
-  const SolFile& file_;
-  std::vector<results::SolColumn> columns_;
-};
+/// The longest stored interval when it is too long to show a vibration of that frequency (less than
+/// two samples a period), else 0.
+double alias_interval(const SolFile& file, double frequency) {
+  if (!(frequency > 0.0) || file.steps.size() < 2) return 0.0;
+  // The median: single steps may be longer or shorter.
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < file.steps.size(); ++i)
+    steps.push_back(file.steps[i].time - file.steps[i - 1].time);
+  std::nth_element(steps.begin(), steps.begin() + std::ssize(steps) / 2, steps.end());
+  const double interval = steps[steps.size() / 2];
+  return 2.0 * interval * frequency > 1.0 ? interval : 0.0;
+}
 
 std::vector<double> times(const SolFile& file) {
   std::vector<double> numbers;
@@ -56,23 +39,52 @@ std::vector<double> times(const SolFile& file) {
   return numbers;
 }
 
-void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Abscissa abscissa) {
-  if (abscissa == Abscissa::Time) {
-    chart.x_title = "Time";
-    chart.x_unit = "s";
-    chart.x = times(file);
-  } else {
-    chart.x_title = "Bearing rotation";
-    chart.x_unit = "rev";
-    for (const auto& step : file.steps) chart.x.push_back(step.revolutions);
-  }
-  const FileColumns columns(file);
+void add_note(ChartPage& chart, const std::string& text) {
+  if (text.empty() || chart.note.find(text) != std::string::npos) return;
+  chart.note += (chart.note.empty() ? "" : " ") + text;
+}
+
+bool any_value(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+}
+
+/// Panels of a page with its curves over the stored steps. A curve without any value leaves its
+/// reason in the panel, or in the page's note beside curves that have some.
+void add_panels(ChartPage& chart, const SolFile& file, const PageSpec& page) {
+  const KnownColumns columns(file);
   for (const auto& spec : page.panels) {
     ChartPanel panel{spec.title, columns.unit(spec.curves.front().column), {}, spec.wraps};
-    for (const auto& curve : spec.curves)
-      panel.curves.push_back({curve.name, columns.numbers(curve.column), {}});
+    std::string reason;
+    for (const auto& curve : spec.curves) {
+      KnownValues known = columns.values(curve.column);
+      if (!known.why_none.empty() && !any_value(known.values)) {
+        reason = known.why_none;
+        if (spec.curves.size() > 1) reason = curve.name + ": " + reason;
+      }
+      panel.curves.push_back({curve.name, std::move(known.values), {}});
+    }
+    if (std::none_of(panel.curves.begin(), panel.curves.end(),
+                     [](const ChartCurve& c) { return any_value(c.y); })) {
+      const auto colon = reason.find(": ");
+      panel.message =
+          spec.curves.size() > 1 && colon != std::string::npos ? reason.substr(colon + 2) : reason;
+    } else {
+      add_note(chart, reason);
+    }
     chart.panels.push_back(std::move(panel));
   }
+}
+
+void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Abscissa abscissa,
+                 const PageContext& context) {
+  set_abscissa(chart, file, abscissa);
+  add_panels(chart, file, page);
+  const double aliased = alias_interval(file, context.fastest_frequency);
+  if (aliased > 0.0)
+    add_note(chart, fmt::format("Aliased: the fastest contact vibrates at {}, steps are stored at "
+                                "{}; faster motion between them is not seen in the lines.",
+                                desktop::pretty_quantity(context.fastest_frequency, "Hz", 3),
+                                desktop::pretty_quantity(1.0 / aliased, "Hz", 3)));
 }
 
 void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, OrbitPair pair) {
@@ -85,10 +97,10 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
   // axial coordinate.
   if (over_clearance && pair.across != 0 && pair.up != 0) chart.guide_radius = 1.0;
   chart.x_title = across.title + suffix;
-  const FileColumns columns(file);
+  const KnownColumns columns(file);
   ChartPanel panel{up.title + suffix, columns.unit(up.curves.front().column), {}, false};
-  panel.curves.push_back({"mass centre", columns.numbers(up.curves.front().column),
-                          columns.numbers(across.curves.front().column)});
+  panel.curves.push_back({"mass centre", columns.values(up.curves.front().column).values,
+                          columns.values(across.curves.front().column).values});
   chart.panels.push_back(std::move(panel));
 }
 
@@ -107,38 +119,86 @@ double interesting_frequency(const std::vector<double>& frequency,
           frequency[std::max<std::size_t>(last, std::min<std::size_t>(10, frequency.size() - 1))]);
 }
 
-void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page) {
-  const std::vector<double> t = times(file);
-  const TimeStep step = common_time_step(t);
-  if (!step.reason.empty()) {
-    chart.note = step.reason;
-    return;
+/// Frequencies of the run that lie on the page; the shaft's from the file alone.
+void add_marks(ChartPage& chart, const SolFile& file, const PageContext& context) {
+  chart.marks = context.frequencies;
+  if (!chart.marks.empty()) return;
+  const double span = file.steps.back().time - file.steps.front().time;
+  const std::vector<double> turns = accumulated_turns(file);
+  const double shaft = span > 0.0 ? (turns.back() - turns.front()) / span : 0.0;
+  if (shaft > 0.0) chart.marks.push_back({shaft, "shaft"});
+}
+
+/// Every curve of the page becomes its spectrum.
+void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOptions& options) {
+  std::vector<double> frequency;
+  bool any = false;
+  for (ChartPanel& panel : chart.panels) {
+    for (ChartCurve& curve : panel.curves) {
+      const bool empty = !any_value(curve.y);
+      const Samples samples = equal_samples(t, curve.y);
+      curve.low.clear(), curve.high.clear();
+      curve.y.clear();
+      if (!empty) add_note(chart, samples.note);
+      if (samples.values.empty()) continue;
+      Spectrum spectrum = amplitude_spectrum(samples.values, samples.step, options.window);
+      if (std::all_of(spectrum.amplitude.begin(), spectrum.amplitude.end(),
+                      [](double a) { return a == 0.0; })) {
+        panel.message = "Nothing vibrates here: the value does not change.";
+        frequency = std::move(spectrum.frequency);
+        any = true;
+        continue;
+      }
+      scale_spectrum(spectrum, options.scale);
+      frequency = std::move(spectrum.frequency);
+      curve.y = std::move(spectrum.amplitude);
+      any = true;
+    }
+    panel.wraps = false;
+    if (options.scale == SpectrumScale::Units)
+      panel.title += " amplitude";
+    else
+      panel.title = "Amplitude " + panel.title,
+      panel.unit = options.scale == SpectrumScale::Decibel ? "dB" : "";
+    if (panel.message.empty()) panel.message = chart.note;
   }
+  chart.x = std::move(frequency);
   chart.x_title = "Frequency";
   chart.x_unit = "Hz";
-  const FileColumns columns(file);
-  // y and z carry the whirl, so they come first; x is the third panel.
-  for (const std::size_t coordinate : {1U, 2U, 0U}) {
-    const PanelSpec& spec = page.panels.at(coordinate);
-    const std::vector<double> samples = columns.numbers(spec.curves.front().column);
-    if (std::any_of(samples.begin(), samples.end(), [](double s) { return !std::isfinite(s); })) {
-      chart.panels.clear();
-      chart.note =
-          "The file shows stars instead of some mass centre positions, so there is no frequency "
-          "spectrum.";
-      return;
+  if (!any) chart.panels.clear();
+}
+
+void first_view(ChartPage& chart, SpectrumScale scale) {
+  if (chart.panels.empty() || scale == SpectrumScale::Decibel) return;
+  std::vector<ChartPanel> relative;
+  for (const ChartPanel& panel : chart.panels)
+    for (const ChartCurve& curve : panel.curves) {
+      if (curve.y.empty()) continue;
+      ChartPanel one{"", "", {curve}, false};
+      const double largest = *std::max_element(curve.y.begin(), curve.y.end());
+      for (double& a : one.curves.front().y) a = largest > 0.0 ? a / largest : 0.0;
+      relative.push_back(std::move(one));
     }
-    Spectrum spectrum = relative_spectrum(samples, step.step);
-    chart.x = spectrum.frequency;
-    chart.panels.push_back(
-        {"Amplitude " + spec.title, "", {{"", std::move(spectrum.amplitude), {}}}, false});
-  }
-  const double turns = file.steps.back().revolutions - file.steps.front().revolutions;
-  const double shaft = std::abs(turns) / (t.back() - t.front());
-  if (shaft > 0.0) chart.marks.push_back({shaft, "shaft"});
+  double shown = interesting_frequency(chart.x, relative);
+  for (const auto& mark : chart.marks)
+    if (mark.label == "shaft") shown = std::max(shown, 1.5 * mark.x);
   chart.view_low = 0.0;
-  chart.view_high = std::max(interesting_frequency(chart.x, chart.panels),
-                             1.5 * std::min(shaft, chart.x.back() / 1.5));
+  chart.view_high = std::min(shown, chart.x.back());
+}
+
+/// The file's own spectrum page: y and z carry the whirl, so they come first; x is the third panel.
+PageSpec spectrum_panels(const PageSpec& page) {
+  PageSpec out = page;
+  out.panels = {page.panels.at(1), page.panels.at(2), page.panels.at(0)};
+  return out;
+}
+
+void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
+                  const SpectrumOptions& options, const PageContext& context) {
+  add_panels(chart, file, page);
+  add_marks(chart, file, context);
+  to_spectra(chart, times(file), options);
+  first_view(chart, options.scale);
 }
 
 }  // namespace
@@ -150,7 +210,7 @@ void check_page_number(const std::filesystem::path& file, int number, std::size_
 }
 
 ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, int number,
-                     const PageOptions& options) {
+                     const PageOptions& options, const PageContext& context) {
   check_page_number(file.path, number, pages.size());
   const PageSpec& page = pages[static_cast<std::size_t>(number - 1)];
   ChartPage chart;
@@ -167,13 +227,20 @@ ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, in
   }
   switch (page.kind) {
     case PageKind::History:
-      add_history(chart, file, page, options.abscissa);
+      if (options.domain == Domain::Spectrum) {
+        add_spectrum(chart, file, page, options.spectrum, context);
+      } else if (options.domain == Domain::Waterfall) {
+        add_panels(chart, file, page);
+        to_waterfall(chart, times(file), options.spectrum);
+      } else {
+        add_history(chart, file, page, options.abscissa, context);
+      }
       break;
     case PageKind::Orbit:
       add_orbit(chart, file, page, options.orbit);
       break;
     case PageKind::Spectrum:
-      add_spectrum(chart, file, page);
+      add_spectrum(chart, file, spectrum_panels(page), options.spectrum, context);
       break;
     case PageKind::Chart:
       break;  // pages of step files are of the kinds above

@@ -1,28 +1,41 @@
 #pragma once
 
+#include "adrplot/abscissa.hpp"
 #include "adrplot/plot_pages.hpp"
+#include "adrplot/spectrum.hpp"
 #include "desktop/chart_page.hpp"
 
 namespace adore::adrplot {
-
-enum class Abscissa : unsigned char { Revolutions, Time };
 
 /// Which coordinates an orbit page shows: 0, 1, 2 = x, y, z. Z over Y at first.
 struct OrbitPair {
   int across = 1, up = 2;
 };
 
+/// What a history page shows of its curves.
+enum class Domain : unsigned char { History, Spectrum, Waterfall };
+
 struct PageOptions {
   Abscissa abscissa = Abscissa::Revolutions;
   OrbitPair orbit;
+  SpectrumOptions spectrum = {};
+  Domain domain = Domain::History;
+};
+
+/// What is known of a run beyond the file that is drawn.
+struct PageContext {
+  std::vector<desktop::ChartMark> frequencies;  ///< shaft, FTF, BPFO ... [Hz]
+  double fastest_frequency = 0.0;               ///< of a contact of the run [Hz]; 0: not known
+  std::string fastest_contact;                  ///< "element 1 / outer race"
 };
 
 /// @throws InputError unless 1 <= number <= count.
 void check_page_number(const std::filesystem::path& file, int number, std::size_t count);
 
 /// The chart of one page, its numbers taken from the file. @throws InputError for a page number
-/// outside 1 .. pages.size().
+/// outside 1 .. pages.size(). Numbers that mean "not computed" are no values (known_values.hpp).
 desktop::ChartPage build_page(const results::SolFile& file, const std::vector<PageSpec>& pages,
-                              int number, const PageOptions& options = {});
+                              int number, const PageOptions& options = {},
+                              const PageContext& context = {});
 
 }  // namespace adore::adrplot

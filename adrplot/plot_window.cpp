@@ -232,15 +232,17 @@ void PlotWindow::askForRange(const QString& path) {
     openFile(path.toStdString());
     return;
   }
+  long stored = 0;
   try {
     // The origin is checked before the user is asked for numbers in vain.
     if (results::sol_kind(path.toStdString()) == results::SolKind::Animation)
       plot_pages(results::SolKind::Animation, {});
+    stored = results::stored_steps(path.toStdString());
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
     return;
   }
-  auto* dialog = new RangeDialog(QFileInfo(path).fileName(), this);
+  auto* dialog = new RangeDialog(QFileInfo(path).fileName(), stored, this);
   dialog->setObjectName("range");
   connect(dialog, &QDialog::accepted, this,
           [this, dialog, path] { openFile(path.toStdString(), dialog->range()); });

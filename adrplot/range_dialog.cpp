@@ -5,23 +5,31 @@
 #include <QLabel>
 #include <QSpinBox>
 
+#include <algorithm>
+#include <limits>
+
 namespace adore::adrplot {
 
-RangeDialog::RangeDialog(const QString& file, QWidget* parent) : QDialog(parent) {
+RangeDialog::RangeDialog(const QString& file, long stored, QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Plot parameters"));
   setAttribute(Qt::WA_DeleteOnClose);
-  const auto box = [this](const char* name, int value) {
+  const int last =
+      static_cast<int>(std::clamp<long>(stored, 1, std::numeric_limits<int>::max() / 2));
+  const auto box = [this, last](const char* name, int value) {
     auto* spin = new QSpinBox(this);
     spin->setObjectName(name);
-    spin->setRange(1, 100'000'000);
+    spin->setRange(1, last);
     spin->setValue(value);
     spin->setMinimumWidth(140);
     return spin;
   };
-  const results::SolRange defaults;
-  from_ = box("from", static_cast<int>(defaults.from));
-  to_ = box("to", static_cast<int>(defaults.to));
-  every_ = box("every", static_cast<int>(defaults.every));
+  count_ = new QLabel(this);
+  count_->setObjectName("count");
+  from_ = box("from", 1);
+  to_ = box("to", last);
+  every_ = box("every", 1);
+  for (const QSpinBox* spin : {from_, to_, every_})
+    connect(spin, &QSpinBox::valueChanged, this, &RangeDialog::count);
   // The end never lies before the start.
   connect(from_, &QSpinBox::valueChanged, to_, &QSpinBox::setMinimum);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this);
@@ -34,11 +42,20 @@ RangeDialog::RangeDialog(const QString& file, QWidget* parent) : QDialog(parent)
   form->addRow(tr("&Start point"), from_);
   form->addRow(tr("&End point"), to_);
   form->addRow(tr("&Interval"), every_);
+  form->addRow(count_);
   form->addRow(buttons);
+  count();
+}
+
+void RangeDialog::count() {
+  const int steps = (to_->value() - from_->value()) / every_->value() + 1;
+  count_->setText(tr("%1 of %2 stored steps").arg(steps).arg(to_->maximum()));
 }
 
 results::SolRange RangeDialog::range() const {
-  return {from_->value(), to_->value(), every_->value()};
+  // The end of the file stays the end while it grows.
+  const long to = to_->value() == to_->maximum() ? results::SolRange{}.to : to_->value();
+  return {from_->value(), to, every_->value()};
 }
 
 }  // namespace adore::adrplot

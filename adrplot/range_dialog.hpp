@@ -4,22 +4,26 @@
 
 #include <QDialog>
 
+class QLabel;
 class QSpinBox;
 
 namespace adore::adrplot {
 
-/// Start point, end point and interval of the stored steps to plot: 1, 5000 and 1 unless the user
-/// says otherwise.
+/// Start point, end point and interval of the stored steps to plot: the whole run unless the user
+/// says otherwise. How many steps that are stands below.
 class RangeDialog : public QDialog {
   Q_OBJECT
  public:
-  explicit RangeDialog(const QString& file, QWidget* parent = nullptr);
+  RangeDialog(const QString& file, long stored, QWidget* parent = nullptr);
   [[nodiscard]] results::SolRange range() const;
 
  private:
+  void count();
+
   QSpinBox* from_;
   QSpinBox* to_;
   QSpinBox* every_;
+  QLabel* count_;
 };
 
 }  // namespace adore::adrplot

@@ -1,5 +1,6 @@
 #include "adrplot/static_pages.hpp"
 
+#include "adrplot/heat_page.hpp"
 #include "desktop/axis_scale.hpp"
 
 #include <fmt/format.h>
@@ -331,6 +332,7 @@ std::vector<ChartPage> static_pages(const StaticTables& all) {
     if (auto page = tilt_page(all, elements)) pages.push_back(std::move(*page));
   }
   if (auto page = slice_page(all)) pages.push_back(std::move(*page));
+  if (auto page = heat_page(all)) pages.push_back(std::move(*page));
   for (ChartPage& page : stiffness_pages(all)) pages.push_back(std::move(page));
   for (ChartPage& page : pages)
     page.subtitle = fmt::format("{}   ·   {} bearing, quasi-static",

@@ -134,7 +134,7 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
 
 bool AgoreWindow::openFile(const std::filesystem::path& path, long most_frames) {
   try {
-    setAnimation(prepare(results::read_sol8(path, {1, most_frames, 1})));
+    setAnimation(open_motion(path, most_frames));
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
     return false;

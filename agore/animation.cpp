@@ -30,26 +30,12 @@ bool find_version(const std::string& text, int& major, int& minor) {
   return false;
 }
 
-/// Mean over the frames around each one; exact for steady turning, and rid of most of the rounding
-/// to three digits.
-std::vector<double> averaged(const std::vector<double>& values) {
-  constexpr std::size_t kReach = 2;
-  std::vector<double> out(values.size());
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const std::size_t reach = std::min({kReach, i, values.size() - 1 - i});
-    double sum = 0.0;
-    for (std::size_t j = i - reach; j <= i + reach; ++j) sum += values[j];
-    out[i] = sum / static_cast<double>(2 * reach + 1);
-  }
-  return out;
-}
-
 template <class Angle>
 std::vector<double> angle_history(const results::Sol8File& file, Angle angle) {
   std::vector<double> values;
   values.reserve(file.frames.size());
   for (const auto& frame : file.frames) values.push_back(angle(frame));
-  return averaged(continuous(std::move(values)));
+  return continuous(std::move(values));
 }
 
 /// Where each pocket sits in the cage: mean direction over the file, because single frames are
@@ -62,8 +48,8 @@ std::vector<double> find_pockets(const Animation& animation) {
     for (std::size_t i = 0; i < animation.frames(); ++i) {
       const auto& element = animation.frame(i).elements[k];
       // The pocket's y axis points against the azimuth.
-      const double angle =
-          element.theta + element.pocket_vector[1] / pitch_radius - animation.cage_angle[i];
+      const double angle = element.theta + element.pocket_vector[1] / pitch_radius -
+                           animation.part_angle(i, animation.pocket_part[k]);
       sine += std::sin(angle);
       cosine += std::cos(angle);
     }
@@ -72,11 +58,52 @@ std::vector<double> find_pockets(const Animation& animation) {
   return angles;
 }
 
+/// Sizes of RESULTS.h5 in the file's unit; 0 where there is none.
+double size_of(const Animation& animation, const std::string& name) {
+  if (!animation.motion) return 0.0;
+  const auto& geometry = animation.motion->geometry();
+  const auto found = geometry.find(name);
+  if (found == geometry.end() || !std::isfinite(found->second)) return 0.0;
+  const bool english = animation.file.units[0] == "in";
+  return found->second / (english ? 0.0254 : 1.0);
+}
+
+/// Lands that exist, and the race that they guide on. RESULTS.h5 says so. SOL8 does not: a land
+/// whose force and angle are 0 in every frame is none, and the lands touch on the side to which the
+/// cage has moved (outer race) or on the other one (inner race); without a contact the narrower gap
+/// is taken for the guiding one.
 void find_guide(Animation& animation) {
   const auto& g = animation.file.geometry;
+  if (animation.motion && animation.motion->geometry().contains("lands")) {
+    const auto lands = static_cast<int>(animation.motion->geometry().at("lands"));
+    for (int i = 0; i < std::min(lands, 2); ++i) {
+      const std::string name = fmt::format("land{}_", i + 1);
+      animation.land[static_cast<std::size_t>(i)] = true;
+      const auto guide = animation.motion->geometry().find(name + "guide");
+      if (animation.guide != Guide::None || guide == animation.motion->geometry().end()) continue;
+      animation.guide = guide->second == 1.0   ? Guide::Outer
+                        : guide->second == 2.0 ? Guide::Inner
+                                               : Guide::None;
+      animation.guide_clearance = size_of(animation, name + "clearance");
+    }
+    return;
+  }
+  double votes = 0.0;
+  for (std::size_t i = 0; i < animation.frames(); ++i) {
+    const auto& frame = animation.frame(i);
+    for (std::size_t land = 0; land < 2; ++land) {
+      if (frame.land_force[land] == 0.0 && frame.land_angle[land] == 0.0) continue;
+      animation.land[land] = true;
+      if (!(frame.land_force[land] > 0.0)) continue;
+      const auto& p = frame.cage.position;
+      votes += std::cos(animation.cage_angle[i] + frame.land_angle[land] - std::atan2(-p[1], p[2]));
+    }
+  }
+  if (!animation.land[0] && !animation.land[1]) return;
   const bool outer = g.cage_outer_clearance > 0.0, inner = g.cage_inner_clearance > 0.0;
-  // The file does not say where the lands are; the narrower gap is the one that guides.
-  if (inner && (!outer || g.cage_inner_clearance <= g.cage_outer_clearance))
+  if (votes != 0.0)
+    animation.guide = votes > 0.0 ? Guide::Outer : Guide::Inner;
+  else if (inner && (!outer || g.cage_inner_clearance <= g.cage_outer_clearance))
     animation.guide = Guide::Inner;
   else if (outer)
     animation.guide = Guide::Outer;
@@ -85,10 +112,107 @@ void find_guide(Animation& animation) {
                                                                 : 0.0;
 }
 
-std::vector<double> over_shaft(std::vector<double> speeds, const Animation& animation) {
-  const double shaft = shaft_speed(animation);
-  for (double& s : speeds) s = shaft == 0.0 ? kNone : s / shaft;
-  return speeds;
+/// Which segment each pocket belongs to: equal shares in element order.
+void find_parts(Animation& animation) {
+  const int n = animation.file.elements;
+  animation.pocket_part.assign(static_cast<std::size_t>(n), 0);
+  animation.segments = animation.has_cage ? 1 : 0;
+  if (!animation.motion || animation.motion->segment_frames().empty()) return;
+  const int parts = static_cast<int>(animation.motion->segment_frames().front().size());
+  animation.segments = parts;
+  // The first pocket of the first segment need not be that of element 1: a pocket stays at one
+  // place of its own segment.
+  const int per = std::max(1, n / parts);
+  const double pitch_radius = 0.5 * animation.file.geometry.pitch_diameter;
+  constexpr std::size_t kLooks = 40;
+  const std::size_t every = std::max<std::size_t>(1, animation.frames() / kLooks);
+  double best = std::numeric_limits<double>::infinity();
+  for (int first = 0; first < n; ++first) {
+    double spread = 0.0;
+    std::vector<int> part;
+    for (int k = 0; k < n; ++k) {
+      part.push_back(std::min((k - first + n) % n / per, parts - 1));
+      double sine = 0.0, cosine = 0.0, looks = 0.0;
+      for (std::size_t i = 0; i < animation.frames(); i += every) {
+        const auto& element = animation.frame(i).elements[static_cast<std::size_t>(k)];
+        const double angle = element.theta + element.pocket_vector[1] / pitch_radius -
+                             animation.part(i, part.back()).angles[0];
+        sine += std::sin(angle), cosine += std::cos(angle), ++looks;
+      }
+      spread += 1.0 - std::hypot(sine, cosine) / looks;
+    }
+    if (spread < best * (1.0 - 1e-9) - 1e-15) {
+      best = spread;
+      animation.pocket_part = part;
+    }
+  }
+}
+
+/// Contacts of all elements at the frames.
+std::optional<ContactFrames> contacts_of(const Animation& animation) {
+  const auto* load = animation.motion->channel("contact.load");
+  const auto* slip = animation.motion->channel("contact.slip");
+  const auto n = static_cast<std::size_t>(animation.file.elements);
+  if (load == nullptr || slip == nullptr || load->width != 2 * n || slip->width != 2 * n)
+    return std::nullopt;
+  ContactFrames out;
+  out.load_unit = load->unit;
+  out.slip_unit = slip->unit;
+  out.pocket_code = static_cast<int>(std::clamp(animation.motion->geometry().contains("pocket_code")
+                                                    ? animation.motion->geometry().at("pocket_code")
+                                                    : 0.0,
+                                                -1.0, 4.0));
+  out.roller_length = std::max(0.0, size_of(animation, "roller_length"));
+  for (std::size_t i = 0; i < animation.frames(); ++i) {
+    std::vector<ContactFrame>& contacts = out.frames.emplace_back(n);
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t j = 0; j < 2; ++j) {
+        contacts[k].load[j] = load->at(i, 2 * k + j);
+        contacts[k].slip[j] = slip->at(i, 2 * k + j);
+        out.largest_load = std::max(out.largest_load, contacts[k].load[j]);
+      }
+  }
+  return out;
+}
+
+void check_frames(const results::Sol8File& file, const std::string& name) {
+  if (file.frames.empty())
+    throw InputError(name + " holds no complete frame" +
+                     (file.note.empty() ? "" : " (" + file.note + ")") +
+                     "; let the run store at least one (kAGraf)");
+  for (const auto& frame : file.frames)
+    if (static_cast<int>(frame.elements.size()) != file.elements)
+      throw InputError(fmt::format(
+          "{}: step {} holds {} rolling elements, its header says {}; the file is damaged", name,
+          frame.step, frame.elements.size(), file.elements));
+  if (!(file.geometry.pitch_diameter > 0.0) || !(file.geometry.element_radius > 0.0))
+    throw InputError(name +
+                     " gives no pitch diameter or rolling element size, so there is nothing to "
+                     "draw; the file is damaged");
+}
+
+Animation finish(Animation animation) {
+  const auto& data = animation.file;
+  for (const auto& frame : data.frames) animation.time.push_back(frame.time);
+  animation.has_cage = data.geometry.cage_outer_radius > data.geometry.cage_inner_radius;
+  animation.cage_angle = angle_history(data, [](const auto& f) { return f.cage.angles[0]; });
+  for (std::size_t r = 0; r < 2; ++r)
+    animation.race_angle[r] =
+        angle_history(data, [r](const auto& f) { return f.races[r].angles[0]; });
+  find_parts(animation);
+  animation.pocket_angle = find_pockets(animation);
+  if (animation.has_cage) find_guide(animation);
+  if (animation.motion) {
+    animation.contacts = contacts_of(animation);
+    animation.source =
+        animation.motion->every() > 1
+            ? fmt::format("every {}. of {} stored steps of RESULTS.h5", animation.motion->every(),
+                          animation.motion->stored_steps())
+            : "every stored step, all digits from RESULTS.h5";
+  } else {
+    animation.source = "SOL8 alone: three digits, nothing between its frames";
+  }
+  return animation;
 }
 
 }  // namespace
@@ -107,35 +231,58 @@ void check_version(const std::string& version, const std::string& file) {
         file, version, kLowestVersion));
 }
 
-Animation prepare(results::Sol8File file) {
+Animation prepare(results::Sol8File file, long most_frames) {
   const std::string name = file.path.string();
   check_version(file.version, name);
-  if (file.frames.empty())
-    throw InputError(name + " holds no complete frame" +
-                     (file.note.empty() ? "" : " (" + file.note + ")") +
-                     "; let the run store at least one (kAGraf)");
-  for (const auto& frame : file.frames)
-    if (static_cast<int>(frame.elements.size()) != file.elements)
-      throw InputError(fmt::format(
-          "{}: step {} holds {} rolling elements, its header says {}; the file is damaged", name,
-          frame.step, frame.elements.size(), file.elements));
+  check_frames(file, name);
   Animation animation;
-  animation.file = std::move(file);
-  const auto& data = animation.file;
-  if (!(data.geometry.pitch_diameter > 0.0) || !(data.geometry.element_radius > 0.0))
-    throw InputError(name +
-                     " gives no pitch diameter or rolling element size, so there is nothing to "
-                     "draw; the file is damaged");
-  for (const auto& frame : data.frames) animation.time.push_back(frame.time);
-  animation.has_cage = data.geometry.cage_outer_radius > data.geometry.cage_inner_radius;
-  animation.cage_angle = angle_history(data, [](const auto& f) { return f.cage.angles[0]; });
-  for (std::size_t r = 0; r < 2; ++r)
-    animation.race_angle[r] =
-        angle_history(data, [r](const auto& f) { return f.races[r].angles[0]; });
-  animation.pocket_angle = find_pockets(animation);
-  if (animation.has_cage) find_guide(animation);
-  animation.contacts = results::contacts_beside(animation.file, animation.no_contacts);
-  return animation;
+  std::string why_not;
+  const auto most = static_cast<std::size_t>(
+      std::clamp<long>(most_frames, 1, static_cast<long>(results::MotionFile::kMostFrames)));
+  if (auto motion = results::MotionFile::beside(file, why_not, most)) {
+    animation.motion = std::make_shared<const results::MotionFile>(std::move(*motion));
+    animation.file = animation.motion->frames();
+    check_frames(animation.file, name);
+  } else {
+    animation.file = std::move(file);
+    animation.no_contacts = why_not;
+  }
+  return finish(std::move(animation));
+}
+
+Animation prepare(results::MotionFile motion) {
+  Animation animation;
+  animation.motion = std::make_shared<const results::MotionFile>(std::move(motion));
+  animation.file = animation.motion->frames();
+  check_frames(animation.file, animation.file.path.string());
+  return finish(std::move(animation));
+}
+
+Animation open_motion(const std::filesystem::path& path, long most_frames) {
+  if (path.extension() != ".h5")
+    return prepare(results::read_sol8(path, {1, most_frames, 1}), most_frames);
+  return prepare(results::MotionFile::open(
+      path, results::UnitSystem::SI,
+      static_cast<std::size_t>(
+          std::clamp<long>(most_frames, 1, static_cast<long>(results::MotionFile::kMostFrames)))));
+}
+
+const results::Sol8Body& Animation::part(std::size_t i, int segment) const {
+  return segments > 1 ? motion->segment_frames().at(i).at(static_cast<std::size_t>(segment))
+                      : file.frames.at(i).cage;
+}
+
+const results::Sol8Body& Animation::cage_of(std::size_t i, std::size_t element) const {
+  return part(i, pocket_part.at(element));
+}
+
+double Animation::part_angle(std::size_t i, int segment) const {
+  return segments > 1 ? part(i, segment).angles[0] : cage_angle.at(i);
+}
+
+double Animation::value(const std::string& channel, std::size_t i, std::size_t place) const {
+  const results::MotionChannel* found = motion ? motion->channel(channel) : nullptr;
+  return found != nullptr && place < found->width ? found->at(i, place) : kNone;
 }
 
 std::vector<double> continuous(std::vector<double> angle) {
@@ -172,48 +319,6 @@ double shaft_speed(const Animation& animation) {
   return last.time > first.time
              ? kTurn * (last.revolutions - first.revolutions) / (last.time - first.time)
              : 0.0;
-}
-
-std::vector<double> cage_whirl_ratio(const Animation& animation) {
-  std::vector<double> angle;
-  double largest = 0.0;
-  for (const auto& frame : animation.file.frames) {
-    const auto& p = frame.cage.position;
-    angle.push_back(std::atan2(-p[1], p[2]));
-    largest = std::max(largest, std::hypot(p[1], p[2]));
-  }
-  auto ratio = over_shaft(rate(averaged(continuous(std::move(angle))), animation.time), animation);
-  for (std::size_t i = 0; i < ratio.size(); ++i) {
-    const auto& p = animation.frame(i).cage.position;
-    // Near the middle the direction of the centre means nothing.
-    if (std::hypot(p[1], p[2]) <= 1e-3 * largest) ratio[i] = kNone;
-  }
-  return ratio;
-}
-
-std::vector<double> cage_speed_ratio(const Animation& animation) {
-  return over_shaft(rate(animation.cage_angle, animation.time), animation);
-}
-
-std::vector<double> element_orbit_ratio(const Animation& animation, std::size_t element) {
-  const auto angle = angle_history(
-      animation.file, [element](const auto& f) { return f.elements.at(element).theta; });
-  return over_shaft(rate(angle, animation.time), animation);
-}
-
-std::vector<double> element_spin_ratio(const Animation& animation, std::size_t element) {
-  const std::size_t n = animation.frames();
-  std::vector<double> turned(n, 0.0);
-  for (std::size_t i = 1; i < n; ++i) {
-    const Mat3 a = rotation(animation.frame(i - 1).elements.at(element).angles);
-    const Mat3 b = rotation(animation.frame(i).elements.at(element).angles);
-    // Angle of the rotation from one frame to the next: trace(A^T B) = 1 + 2 cos(angle).
-    const double trace = a.cwiseProduct(b).sum();
-    turned[i] = turned[i - 1] + std::acos(std::clamp(0.5 * (trace - 1.0), -1.0, 1.0));
-  }
-  auto ratio = over_shaft(rate(turned, animation.time), animation);
-  for (double& r : ratio) r = std::abs(r);
-  return ratio;
 }
 
 Mat3 rotation(const std::array<double, 3>& angles) {

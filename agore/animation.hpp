@@ -1,20 +1,24 @@
 #pragma once
 
 #include "base/rotation.hpp"
-#include "results/full_precision.hpp"
+#include "results/motion_file.hpp"
 #include "results/sol_file.hpp"
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-/// What AGORE's views need beyond the frames of a SOL8 file: continuous angles, speeds by
-/// differences, and the guiding race. No Qt. Frames: X along the bearing axis, Z up; azimuth is a
-/// rotation about +X from Z (y = -r sin, z = r cos). SOL8 holds three significant digits, so angles
-/// are averaged over a few frames and speeds are differences over a span of frames that turns by
-/// one radian, a tenth of the file at most. A body must turn by less than half a turn from one
-/// stored frame to the next.
+/// What AGORE's views need beyond the frames of a SOL8 file: continuous angles, the guiding race,
+/// and where better numbers lie. No Qt. Frames: X along the bearing axis, Z up; azimuth is a
+/// rotation about +X from Z (y = -r sin, z = r cos).
+///
+/// Where RESULTS.h5 of the same run lies beside the file, its steps are the frames and its channels
+/// the curves: all digits, every stored step. SOL8 alone holds three digits at its own times; that
+/// is what is drawn then, nothing between, and speeds are differences over a span of frames that
+/// turns by one radian, a tenth of the file at most. A body that turns by more than half a turn
+/// from one frame to the next has no speed that the file could tell.
 namespace adore::agore {
 
 /// Oldest program version whose data sets are accepted.
@@ -25,25 +29,85 @@ void check_version(const std::string& version, const std::string& file);
 
 enum class Guide : unsigned char { None, Outer, Inner };
 
+/// Contact of one rolling element with the two races (outer, inner).
+struct ContactFrame {
+  std::array<double, 2> load{};  ///< in `load_unit`
+  std::array<double, 2> slip{};  ///< largest slip speed in the contact, in `slip_unit`
+};
+
+/// Contacts of all elements at the frames of a SOL8 file, and what that file lacks of the shape of
+/// the pockets.
+struct ContactFrames {
+  std::string load_unit, slip_unit;
+  std::vector<std::vector<ContactFrame>> frames;  ///< [frame][element]
+  double largest_load = 0.0;                      ///< over all frames and elements
+  int pocket_code = 0;                            ///< kPocType
+  double roller_length = 0.0;                     ///< in the file's unit; 0 for balls
+};
+
 struct Animation {
   results::Sol8File file;
+  std::shared_ptr<const results::MotionFile> motion;  ///< RESULTS.h5, where it could be used
+  std::string source;                                 ///< what the pictures rest on, for people
   bool has_cage = false;
+  int segments = 0;                ///< of the cage; 1: in one piece
+  std::vector<int> pocket_part{};  ///< segment that the element's pocket belongs to
+  std::array<bool, 2> land{};      ///< guide lands that exist
   Guide guide = Guide::None;
-  double guide_clearance = 0.0;                    ///< radial, file units
-  std::vector<double> time;                        ///< [s]
-  std::vector<double> cage_angle;                  ///< continuous rotation about X [rad]
-  std::array<std::vector<double>, 2> race_angle;   ///< outer, inner [rad]
-  std::optional<results::ContactFrames> contacts;  ///< from RESULTS.h5 beside the file
-  std::string no_contacts;                         ///< why there are none
-  std::vector<double> pocket_angle;                ///< of each pocket centre in the cage [rad]
+  double guide_clearance = 0.0;                   ///< radial, file units
+  std::vector<double> time;                       ///< [s]
+  std::vector<double> cage_angle;                 ///< continuous rotation about X [rad]
+  std::array<std::vector<double>, 2> race_angle;  ///< outer, inner [rad]
+  std::optional<ContactFrames> contacts;          ///< from RESULTS.h5 beside the file
+  std::string no_contacts;                        ///< why there are none
+  std::vector<double> pocket_angle;               ///< of each pocket centre in the cage [rad]
 
   [[nodiscard]] std::size_t frames() const { return time.size(); }
   [[nodiscard]] const results::Sol8Frame& frame(std::size_t i) const { return file.frames.at(i); }
+  /// Cage, or the segment that holds an element's pocket, at a frame.
+  [[nodiscard]] const results::Sol8Body& cage_of(std::size_t frame, std::size_t element) const;
+  [[nodiscard]] const results::Sol8Body& part(std::size_t frame, int segment) const;
+  /// Continuous for a cage in one piece [rad].
+  [[nodiscard]] double part_angle(std::size_t frame, int segment) const;
+  /// Value of a channel of RESULTS.h5 at a frame; NaN where there is none.
+  [[nodiscard]] double value(const std::string& channel, std::size_t frame,
+                             std::size_t place) const;
 };
+
+/// A curve beside the picture: at the steps of RESULTS.h5, else of the SOL file of that body beside
+/// SOL8, else at the frames of SOL8.
+struct History {
+  std::vector<double> time;  ///< [s]
+  std::vector<double> value;
+  std::string unit;
+  std::string unknown;  ///< why the values cannot be known; empty: they are
+};
+[[nodiscard]] History land_force(const Animation& animation, std::size_t land);
+[[nodiscard]] History pocket_force(const Animation& animation, std::size_t element);
+/// Speed of the mass centre of the cage about the bearing axis, and of the cage about its own, over
+/// that of the faster race.
+[[nodiscard]] History cage_whirl(const Animation& animation);
+[[nodiscard]] History cage_speed(const Animation& animation);
+/// Orbit speed of an element, and the size of its angular velocity, over that of the shaft.
+[[nodiscard]] History element_orbit(const Animation& animation, std::size_t element);
+[[nodiscard]] History element_spin(const Animation& animation, std::size_t element);
+/// Mass centre of a race, coordinate 0, 1, 2 = x, y, z.
+[[nodiscard]] History race_position(const Animation& animation, std::size_t race,
+                                    std::size_t coordinate);
+/// Of one element at one race (0 outer, 1 inner); `what`: "force" or "gap"; side 0 = -x, 1 = +x.
+[[nodiscard]] History flange_history(const Animation& animation, const std::string& what,
+                                     std::size_t element, std::size_t race, std::size_t side);
+
+/// Does the run have a flange there?
+[[nodiscard]] bool has_flange(const Animation& animation, std::size_t race, std::size_t side);
 
 /// @throws InputError for a file without a complete frame, of an unknown version, or of too many
 /// bodies for its frames.
-Animation prepare(results::Sol8File file);
+Animation prepare(results::Sol8File file, long most_frames = 1'000'000'000);
+/// RESULTS.h5 alone: also for bearings that SOL8 has no room for. @throws InputError
+Animation prepare(results::MotionFile motion);
+/// SOL8, or RESULTS.h5 by its ending. @throws InputError
+Animation open_motion(const std::filesystem::path& path, long most_frames = 1'000'000'000);
 
 /// An angle stored in -pi..pi (or 0..2 pi) made continuous.
 std::vector<double> continuous(std::vector<double> angle);
@@ -55,15 +119,6 @@ std::vector<double> rate(const std::vector<double>& angle, const std::vector<dou
 /// Speed of the inner relative to the outer race [rad/s], averaged over the file; 0 when nothing
 /// turns.
 double shaft_speed(const Animation& animation);
-
-/// Orbit speed of the cage centre, and rotation speed of the cage, each over shaft speed. NaN where
-/// the centre stands in the middle.
-std::vector<double> cage_whirl_ratio(const Animation& animation);
-std::vector<double> cage_speed_ratio(const Animation& animation);
-
-/// Orbit speed of an element (0-based), and the size of its rotation speed, each over shaft speed.
-std::vector<double> element_orbit_ratio(const Animation& animation, std::size_t element);
-std::vector<double> element_spin_ratio(const Animation& animation, std::size_t element);
 
 /// Rotation matrix of transformation angles: about X by eta, then the new Y by xi, then the newest
 /// Z by lambda. Columns are the body's axes in the fixed frame.

@@ -18,7 +18,7 @@ namespace {
 
 struct Request {
   std::filesystem::path file, folder;
-  std::string view = "bearing", race = "inner", size = "1280x800", film;
+  std::string view = "bearing", race = "inner", size = "1280x800", film, colour = "none";
   int frame = 0, every = 0, rate = 25;
   agore::RenderOptions options;
 };
@@ -73,14 +73,14 @@ int main(int argc, char** argv) {
       "agore");
   CLI::App& cli = *program;
   Request request;
-  cli.add_option("SOL8", request.file, "animation file")->type_name("FILE");
+  cli.add_option("SOL8", request.file, "animation file, or RESULTS.h5")->type_name("FILE");
   auto* folder = cli.add_option("--render", request.folder,
                                 "write pictures into this folder instead of opening a window")
                      ->type_name("DIR");
   command_line::one_of(cli.add_option("--view", request.view, "what is looked at")
                            ->capture_default_str()
                            ->type_name("VIEW"),
-                       {"bearing", "cage", "pocket", "element", "race", "flange"});
+                       {"bearing", "cage", "pocket", "element", "race", "flange", "section"});
   command_line::one_of(cli.add_option("--race", request.race, "race of the race view")
                            ->capture_default_str()
                            ->type_name("RACE"),
@@ -99,7 +99,8 @@ int main(int argc, char** argv) {
   command_line::at_least(cli.add_option("--every", request.every, "every K-th frame"), 1)
       ->needs(folder)
       ->excludes(frame);
-  cli.add_option("--movie", request.film, "a film of this name (.avi) in the folder")
+  cli.add_option("--movie", request.film,
+                 "a film of this name in the folder: .avi, .gif, or .mp4 where ffmpeg is")
       ->type_name("FILE")
       ->needs(folder)
       ->excludes(frame);
@@ -111,10 +112,18 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->type_name("SIZE")
       ->needs(folder);
+  command_line::one_of(cli.add_option("--colour", request.colour, "what colours the elements")
+                           ->capture_default_str()
+                           ->type_name("WHAT"),
+                       {"none", "load", "slip", "heat", "temperature"});
+  cli.add_flag("--contacts", request.options.view.contacts,
+               "arrows of the race loads on all elements");
   cli.add_flag("--dark", request.options.view.dark, "dark colours")->needs(folder);
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("agore", [&] {
     request.options.view.view = agore::view_named(request.view, request.race);
+    request.options.view.flange_race = request.race == "outer" ? 0 : 1;
+    request.options.view.colour = agore::colour_named(request.colour);
     const auto pixels = desktop::parse_size(request.size);
     request.options.width = pixels.width;
     request.options.height = pixels.height;

@@ -14,14 +14,16 @@ namespace {
 
 constexpr double kHeading = 58, kBarSpace = 58, kMargin = 22;
 
-/// Newest sample of each curve at a frame, as text under the data area's title.
-QString present_values(const desktop::ChartPage& page, std::size_t frame) {
+/// Value of each curve nearest to a time, as text under the data area's title.
+QString present_values(const desktop::ChartPage& page, double time) {
   QStringList parts;
+  const std::size_t at = desktop::nearest_index(page.x, time);
   for (const auto& panel : page.panels)
     for (const auto& curve : panel.curves) {
+      if (at >= curve.y.size()) continue;
       const std::string& name = curve.name.empty() ? panel.title : curve.name;
       parts << QString::fromStdString(name + " " +
-                                      desktop::pretty_quantity(curve.y.at(frame), panel.unit, 3));
+                                      desktop::pretty_quantity(curve.y[at], panel.unit, 3));
     }
   return parts.join("   ");
 }
@@ -35,6 +37,30 @@ double MotionPicture::progress(std::size_t frame) const {
   return span > 0.0
              ? std::clamp((animation_.time.at(frame) - animation_.time.front()) / span, 0.0, 1.0)
              : 1.0;
+}
+
+QRectF MotionPicture::dataArea(const QRectF& area) {
+  const double width = std::clamp(0.36 * area.width(), 200.0, 560.0);
+  const double bottom = area.bottom() - kBarSpace;
+  return {area.right() - kMargin - width, area.top() + kHeading, width,
+          std::min(bottom - area.top() - kHeading, 1.25 * width)};
+}
+
+QRectF MotionPicture::pictureArea(const QRectF& area) {
+  const QRectF data = dataArea(area);
+  return {area.left() + kMargin, area.top() + kHeading, data.left() - 10 - area.left() - kMargin,
+          area.height() - kHeading - kBarSpace};
+}
+
+std::optional<double> MotionPicture::timeAt(const QRectF& area, QPointF position) const {
+  const QRectF data = dataArea(area);
+  const QPointF inside = position - data.topLeft();
+  if (!data_.panelAt(inside)) return std::nullopt;
+  return data_.abscissaAt(inside.x());
+}
+
+std::size_t MotionPicture::frameAt(double time) const {
+  return desktop::nearest_index(animation_.time, time);
 }
 
 QRectF MotionPicture::timeBar(const QRectF& area) {
@@ -57,14 +83,10 @@ void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t fra
   const std::string run = animation_.file.run_id.empty() ? "(no run name)" : animation_.file.run_id;
   painter.drawText(
       QPointF(area.left() + kMargin, area.top() + 50),
-      QString::fromStdString(run + "   ·   " + animation_.file.path.filename().string()));
+      QString::fromStdString(run + "   ·   " + animation_.file.path.filename().string() +
+                             "   ·   " + animation_.source));
 
-  const double data_width = std::clamp(0.36 * area.width(), 200.0, 560.0);
-  const QRectF body(area.left() + kMargin, area.top() + kHeading, area.width() - 2 * kMargin,
-                    area.height() - kHeading - kBarSpace);
-  const QRectF picture(body.left(), body.top(), body.width() - data_width - 10, body.height());
-  const QRectF data(body.right() - data_width, area.top() + 12, data_width,
-                    std::min(body.bottom() - area.top() - 12, 1.25 * data_width));
+  const QRectF picture = pictureArea(area), data = dataArea(area);
   paint_picture(painter, picture, animation_, frame, options);
   paintDataArea(painter, data, frame, options);
   paintTimeBar(painter, timeBar(area), frame, t);
@@ -75,9 +97,10 @@ void MotionPicture::paintDataArea(QPainter& painter, const QRectF& area, std::si
                                   const ViewOptions& options) {
   const double ratio = painter.device()->devicePixelRatioF();
   const QSize pixels = (area.size() * ratio).toSize();
-  const bool fresh = !data_image_.isNull() && data_image_.size() == pixels &&
-                     data_options_.view == options.view &&
-                     data_options_.element == options.element && data_options_.dark == options.dark;
+  const bool fresh =
+      !data_image_.isNull() && data_image_.size() == pixels && data_options_.view == options.view &&
+      data_options_.element == options.element &&
+      data_options_.flange_race == options.flange_race && data_options_.dark == options.dark;
   if (!fresh) {
     data_.setTheme(theme_of(options));
     data_.setPageSize(area.size());
@@ -98,7 +121,8 @@ void MotionPicture::paintDataArea(QPainter& painter, const QRectF& area, std::si
   painter.setFont(desktop::ui_font(12));
   painter.setPen(t.muted);
   painter.drawText(QRectF(area.left() + 12, area.top() + 26, area.width() - 20, 18),
-                   Qt::AlignLeft | Qt::AlignVCenter, present_values(data_.page(), frame));
+                   Qt::AlignLeft | Qt::AlignVCenter,
+                   present_values(data_.page(), animation_.time.at(frame)));
 }
 
 void MotionPicture::paintTimeBar(QPainter& painter, const QRectF& bar, std::size_t frame,

@@ -6,6 +6,8 @@
 #include <QImage>
 #include <QPainter>
 
+#include <optional>
+
 namespace adore::agore {
 
 /// A whole frame: heading, picture area, data area with the present moment marked, and the time bar
@@ -22,6 +24,12 @@ class MotionPicture {
   [[nodiscard]] double progress(std::size_t frame) const;
   /// The time bar inside `area`, so that a window can be clicked there.
   [[nodiscard]] static QRectF timeBar(const QRectF& area);
+  /// Places of the picture and of the curves inside `area`.
+  [[nodiscard]] static QRectF pictureArea(const QRectF& area);
+  [[nodiscard]] static QRectF dataArea(const QRectF& area);
+  /// Time at a position on one of the curves' panels, as painted last; none beside them.
+  [[nodiscard]] std::optional<double> timeAt(const QRectF& area, QPointF position) const;
+  [[nodiscard]] std::size_t frameAt(double time) const;  ///< the nearest one
 
  private:
   void paintDataArea(QPainter& painter, const QRectF& area, std::size_t frame,

@@ -37,6 +37,15 @@ QPainterPath pocket_hole(const PocketOutline& p) {
   return path;
 }
 
+QPainterPath pocket_far_edge(const PocketOutline& p) {
+  QPainterPath path;
+  constexpr int kConical = 4;
+  if (p.code != kConical || p.roller_length > 0.0 || p.clearance_1 == p.clearance_2) return path;
+  const double narrow = p.radius + 0.5 * std::min(p.clearance_1, p.clearance_2);
+  path.addEllipse(QPointF(0.0, 0.0), narrow, narrow);
+  return path;
+}
+
 QPainterPath roller_side(const PocketOutline& p) {
   QPainterPath path;
   const double corner = 0.12 * p.radius;

@@ -16,6 +16,9 @@ struct PocketOutline {
 /// these.
 [[nodiscard]] QPainterPath pocket_hole(const PocketOutline& pocket);
 
+/// The other, hidden edge of a conical pocket's hole, whose two ends differ; empty for others.
+[[nodiscard]] QPainterPath pocket_far_edge(const PocketOutline& pocket);
+
 /// Half sizes of it, the way round and along the axis.
 [[nodiscard]] QSizeF pocket_half(const PocketOutline& pocket);
 

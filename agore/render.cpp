@@ -82,7 +82,7 @@ void render_movie(MotionPicture& picture, int every, int frames_per_second, cons
 }
 
 MotionPicture open_animation(const fs::path& sol8, long most_frames) {
-  return MotionPicture(prepare(results::read_sol8(sol8, {1, most_frames, 1})));
+  return MotionPicture(open_motion(sol8, most_frames));
 }
 
 }  // namespace adore::agore

@@ -9,11 +9,12 @@
 
 namespace adore::agore {
 
-Sketch::Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme)
+Sketch::Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme,
+               QPointF pan)
     : painter_(painter),
       area_(area),
       theme_(theme),
-      centre_(area.center()),
+      centre_(area.center() + QPointF(pan.x() * area.width(), pan.y() * area.height())),
       scale_(0.5 * std::min(area.width(), area.height()) / radius) {}
 
 QPointF Sketch::around(QPointF centre, double radius, double angle) const {
@@ -41,17 +42,21 @@ void Sketch::circle(QPointF centre, double radius, const QPen& pen) const {
   painter_.drawEllipse(at(centre.x(), centre.y()), radius * scale_, radius * scale_);
 }
 
-void Sketch::ball(QPointF centre, double radius, const std::array<double, 3>& mark) const {
+void Sketch::ball(QPointF centre, double radius, const std::array<double, 3>& mark,
+                  const QColor& tint) const {
   const QPointF middle = at(centre.x(), centre.y());
   const double r = radius * scale_;
   painter_.setPen(QPen(theme_.steel_dark.darker(150), 1));
-  painter_.setBrush(desktop::ball_brush(middle, r, QColor("#ffffff"), theme_.steel_light,
-                                        theme_.steel_dark.darker(115)));
+  painter_.setBrush(tint.isValid()
+                        ? QBrush(tint)  // as the scale shows it: no light, no shade
+                        : desktop::ball_brush(middle, r, QColor("#ffffff"), theme_.steel_light,
+                                              theme_.steel_dark.darker(115)));
   painter_.drawEllipse(middle, r, r);
   orientation_mark(middle, r, mark);
 }
 
-void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 3>& mark) const {
+void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 3>& mark,
+                        const QColor& tint) const {
   const QPointF middle = at(centre.x(), centre.y());
   const double r = radius * scale_;
   ring(centre, 0.88 * radius, radius, theme_.steel_dark, theme_.steel_dark.darker(130));  // corner
@@ -59,13 +64,14 @@ void Sketch::roller_end(QPointF centre, double radius, const std::array<double, 
   shade.setColorAt(0, theme_.steel_light);
   shade.setColorAt(1, theme_.steel_dark);
   painter_.setPen(Qt::NoPen);
-  painter_.setBrush(shade);
+  painter_.setBrush(tint.isValid() ? QBrush(tint) : QBrush(shade));
   painter_.drawEllipse(middle, 0.88 * r, 0.88 * r);
   orientation_mark(middle, r, mark);
 }
 
 /// On the surface, paler on the far side.
 void Sketch::orientation_mark(QPointF middle, double r, const std::array<double, 3>& mark) const {
+  if (mark == std::array<double, 3>{}) return;
   const QPointF tip = middle + QPointF(mark[0], -mark[1]) * r * 0.8;
   QColor colour = theme_.kind == desktop::ThemeKind::Dark ? QColor("#10151b") : theme_.text;
   colour.setAlpha(mark[2] >= 0.0 ? 255 : 130);
@@ -85,8 +91,8 @@ void Sketch::cage_rail(QPointF centre, const Animation& animation) const {
   ring(centre, g.cage_inner_radius, g.cage_outer_radius, light, dark);
 }
 
-void Sketch::cage(QPointF centre, double angle, const Animation& animation,
-                  double pocket_radius) const {
+void Sketch::cage(QPointF centre, double angle, const Animation& animation, double pocket_radius,
+                  int segment) const {
   const auto& g = animation.file.geometry;
   const double pitch_radius = 0.5 * g.pitch_diameter;
   QPainterPath body;
@@ -96,9 +102,32 @@ void Sketch::cage(QPointF centre, double angle, const Animation& animation,
                   g.cage_inner_radius * scale_);
   QPainterPath holes;
   holes.setFillRule(Qt::WindingFill);
-  for (const double pocket : animation.pocket_angle)
+  double first = 0.0, last = 0.0, reference = 0.0;
+  bool any = false;
+  for (std::size_t k = 0; k < animation.pocket_angle.size(); ++k) {
+    if (animation.pocket_part[k] != segment) continue;
+    const double pocket = animation.pocket_angle[k];
     holes.addEllipse(around(centre, pitch_radius, angle + pocket), pocket_radius * scale_,
                      pocket_radius * scale_);
+    if (!any) reference = pocket;
+    any = true;
+    const double beside = std::remainder(pocket - reference, 2.0 * std::numbers::pi);
+    first = std::min(first, beside), last = std::max(last, beside);
+  }
+  if (animation.segments > 1) {
+    // From the middle between two pockets to the next such middle, with a gap that can be seen.
+    constexpr double kGap = 0.012;
+    const double half = std::numbers::pi / animation.file.elements - kGap;
+    QPolygonF sector{at(centre.x(), centre.y())};
+    const double begin = angle + reference + first - half, end = angle + reference + last + half;
+    constexpr int kParts = 90;
+    for (int i = 0; i <= kParts; ++i)
+      sector.append(around(centre, 2.0 * g.cage_outer_radius, begin + (end - begin) * i / kParts));
+    QPainterPath arc;
+    arc.addPolygon(sector);
+    arc.closeSubpath();
+    body = body.intersected(arc);
+  }
   painter_.setPen(QPen(theme_.cage.darker(145), 1.2));
   QColor fill = theme_.cage;
   fill.setAlpha(225);

@@ -13,7 +13,9 @@ namespace adore::agore {
 class Sketch {
  public:
   /// Fits a circle of `radius` around the origin into `area`.
-  Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme);
+  /// `pan`: how far its middle is moved, in parts of the area.
+  Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme,
+         QPointF pan = {0.0, 0.0});
 
   [[nodiscard]] QPainter& painter() const { return painter_; }
   [[nodiscard]] const desktop::Theme& theme() const { return theme_; }
@@ -27,16 +29,20 @@ class Sketch {
   void ring(QPointF centre_yz, double inner, double outer, const QColor& light,
             const QColor& dark) const;
   void circle(QPointF centre_yz, double radius, const QPen& pen) const;
-  /// `mark` is the direction of the orientation mark: right, up, towards the viewer.
-  void ball(QPointF centre_yz, double radius, const std::array<double, 3>& mark) const;
+  /// `mark` is the direction of the orientation mark: right, up, towards the viewer; zero: none.
+  /// An invalid `tint` is steel.
+  void ball(QPointF centre_yz, double radius, const std::array<double, 3>& mark,
+            const QColor& tint = {}) const;
   /// The flat end of a roller, seen along the bearing axis.
-  void roller_end(QPointF centre_yz, double radius, const std::array<double, 3>& mark) const;
+  void roller_end(QPointF centre_yz, double radius, const std::array<double, 3>& mark,
+                  const QColor& tint = {}) const;
   /// The cage's side ring, pale, to lie behind the elements; and the ring between the pockets, to
   /// lie before them.
   void cage_rail(QPointF centre_yz, const Animation& animation) const;
-  /// Ring with holes of `pocket_radius` at the pocket angles, turned by `angle`.
-  void cage(QPointF centre_yz, double angle, const Animation& animation,
-            double pocket_radius) const;
+  /// Ring with holes of `pocket_radius` at the pocket angles, turned by `angle`; of a cage in
+  /// segments the arc of the given one.
+  void cage(QPointF centre_yz, double angle, const Animation& animation, double pocket_radius,
+            int segment = 0) const;
   /// Two arms along the body's y and z axes.
   void frame(QPointF centre_yz, double angle, double length, const QColor& colour) const;
   void arrow(QPointF from, QPointF to, const QColor& colour,

@@ -21,11 +21,20 @@ View view_named(const std::string& name, const std::string& race) {
       throw InputError("there is no race '" + race + "'; give outer or inner");
     return race == "outer" ? View::OuterRace : View::InnerRace;
   }
-  if (name == "flange")
-    throw InputError(
-        "the flange view needs a roller bearing and roller data that SOL8 does not hold; use "
-        "bearing, cage, pocket, element or race");
-  throw InputError("there is no view '" + name + "'; use bearing, cage, pocket, element or race");
+  if (name == "flange") return View::Flange;
+  if (name == "section") return View::Section;
+  throw InputError("there is no view '" + name +
+                   "'; use bearing, cage, pocket, element, race, flange or section");
+}
+
+ColourBy colour_named(const std::string& name) {
+  if (name == "none") return ColourBy::None;
+  if (name == "load") return ColourBy::Load;
+  if (name == "slip") return ColourBy::Slip;
+  if (name == "heat") return ColourBy::Heat;
+  if (name == "temperature") return ColourBy::Temperature;
+  throw InputError("elements cannot be coloured by '" + name +
+                   "'; use none, load, slip, heat or temperature");
 }
 
 std::string view_title(View view) {
@@ -42,6 +51,10 @@ std::string view_title(View view) {
       return "Outer race motion";
     case View::InnerRace:
       return "Inner race motion";
+    case View::Flange:
+      return "Flange interaction";
+    case View::Section:
+      return "Axial section";
   }
   return {};
 }
@@ -49,12 +62,28 @@ std::string view_title(View view) {
 std::string why_not(View view, const Animation& animation) {
   if (!animation.has_cage && (view == View::Cage || view == View::Pocket))
     return "This bearing has no cage, so there is neither a cage nor a pocket to show.";
+  if (view == View::Flange) {
+    if (animation.file.bearing_type == 1) return "Balls run between no flanges.";
+    if (!animation.motion)
+      return "The flange view needs RESULTS.h5 beside the file: " + animation.no_contacts + ".";
+    bool any = false;
+    for (std::size_t race = 0; race < 2; ++race)
+      for (std::size_t side = 0; side < 2; ++side) any = any || has_flange(animation, race, side);
+    if (!any) return "This bearing has no flange.";
+  }
+  if (view == View::Section && !animation.motion)
+    return "The axial section needs the sizes of RESULTS.h5 beside the file: " +
+           animation.no_contacts + ".";
   return {};
 }
 
 void check_view(const Animation& animation, const ViewOptions& options) {
   const std::string reason = why_not(options.view, animation);
   if (!reason.empty()) throw InputError(reason);
+  if (options.view == View::Flange && !has_flange(animation, options.flange_race, 0) &&
+      !has_flange(animation, options.flange_race, 1))
+    throw InputError(fmt::format("The {} race has no flange; choose the other one.",
+                                 options.flange_race == 0 ? "outer" : "inner"));
   if (options.element < 1 || options.element > animation.file.elements)
     throw InputError(
         fmt::format("there is no rolling element or pocket {}; this bearing has 1 to {}",

@@ -2,11 +2,25 @@
 
 #include "agore/animation.hpp"
 
+#include <QPointF>
+
 #include <string>
 
 namespace adore::agore {
 
-enum class View : unsigned char { Bearing, Cage, Pocket, Element, OuterRace, InnerRace };
+enum class View : unsigned char {
+  Bearing,
+  Cage,
+  Pocket,
+  Element,
+  OuterRace,
+  InnerRace,
+  Flange,
+  Section  ///< the cut through one element and the bearing's axis
+};
+
+/// By what the elements of the bearing view are coloured: the larger of both contacts.
+enum class ColourBy : unsigned char { None, Load, Slip, Heat, Temperature };
 
 struct ViewOptions {
   View view = View::Bearing;
@@ -14,11 +28,20 @@ struct ViewOptions {
   double exaggeration = 0.0;  ///< of clearances and the motions within them; 0 = chosen from the
                               ///< geometry, 1 = to scale
   bool dark = false;
+  std::size_t flange_race = 1;  ///< of the flange view: 0 outer, 1 inner
+  ColourBy colour = ColourBy::None;
+  bool contacts = false;  ///< arrows of the race loads on all elements
+  double zoom = 1.0;
+  QPointF pan{0.0, 0.0};  ///< of the picture, in parts of its size
 };
 
-/// "bearing", "cage", "pocket", "element", "race" (with `race` outer or inner). @throws InputError
-/// with the list of names.
+/// "bearing", "cage", "pocket", "element", "section", "flange", "race" (with `race` outer or
+/// inner).
+/// @throws InputError with the list of names.
 View view_named(const std::string& name, const std::string& race = "inner");
+
+/// "none", "load", "slip", "heat", "temperature". @throws InputError with the list of names.
+ColourBy colour_named(const std::string& name);
 
 /// Title of a view for menus and pictures.
 std::string view_title(View view);

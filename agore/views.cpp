@@ -1,7 +1,7 @@
 #include "agore/views.hpp"
 
-#include "agore/pocket_outline.hpp"
 #include "agore/sketch.hpp"
+#include "agore/view_scene.hpp"
 #include "base/errors.hpp"
 #include "desktop/axis_scale.hpp"
 
@@ -14,40 +14,51 @@
 #include <numbers>
 
 namespace adore::agore {
+
+std::array<double, 3> mark_from_outside(const results::Sol8Element& element, double angle) {
+  if (element.angles == std::array<double, 3>{}) return {};
+  const Vec3 axis = rotation(element.angles).col(2);
+  const double x = axis.x(), y = axis.y(), z = axis.z();
+  return {-y * std::cos(angle) - z * std::sin(angle), x,
+          -y * std::sin(angle) + z * std::cos(angle)};
+}
+
+void draw_key(const Sketch& sketch, const std::vector<KeyEntry>& entries, const QString& remark) {
+  QPainter& p = sketch.painter();
+  const auto& area = sketch.area();
+  p.setFont(desktop::ui_font(12));
+  const QFontMetricsF metrics(p.font());
+  const double line = metrics.height() + 2, x = area.left() + 4;
+  double width = metrics.horizontalAdvance(remark);
+  for (const auto& entry : entries)
+    width = std::max(width, metrics.horizontalAdvance(entry.text) + 26);
+  width = std::min(width, area.width() - 8);
+  const double height =
+      line * (static_cast<double>(entries.size()) + (remark.isEmpty() ? 0.0 : 1.0));
+  // What stands below stays readable and does not disturb.
+  QColor paper = sketch.theme().surface;
+  paper.setAlpha(215);
+  p.setPen(Qt::NoPen);
+  p.setBrush(paper);
+  p.drawRoundedRect(QRectF(x - 4, area.bottom() - height - 2, width + 10, height + 2), 4, 4);
+  double y = area.bottom() - 6;
+  const auto write = [&](const QString& text, double left) {
+    p.setPen(sketch.theme().muted);
+    p.drawText(QPointF(left, y), metrics.elidedText(text, Qt::ElideRight, area.right() - left - 4));
+  };
+  if (!remark.isEmpty()) {
+    write(remark, x);
+    y -= line;
+  }
+  for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
+    write(entry->text, x + 26);
+    p.setPen(QPen(entry->colour, 3));
+    p.drawLine(QPointF(x, y - 4), QPointF(x + 18, y - 4));
+    y -= line;
+  }
+}
+
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-/// Speeds by differences of three-digit angles are good to about 1 %; finer detail is not shown.
-constexpr double kRatioSpan = 0.05;
-
-struct KeyEntry {
-  QColor colour;
-  QString text;
-};
-
-/// Everything that the views of one frame share.
-struct Scene {
-  const Sketch& sketch;
-  const Animation& animation;
-  std::size_t index;
-  const results::Sol8Frame& frame;
-  double factor;  ///< exaggeration
-  const ViewOptions& options;
-
-  [[nodiscard]] const results::Sol8Geometry& geometry() const { return animation.file.geometry; }
-  [[nodiscard]] double pitch_radius() const { return 0.5 * geometry().pitch_diameter; }
-  /// Exaggerated position (y, z) of a body.
-  [[nodiscard]] QPointF place(const results::Sol8Body& body) const {
-    return QPointF(body.position[1], body.position[2]) * factor;
-  }
-  [[nodiscard]] double pocket_radius() const {
-    return geometry().element_radius + 0.5 * factor * geometry().pocket_clearance_1;
-  }
-  [[nodiscard]] double cage_angle() const { return animation.cage_angle[index]; }
-  [[nodiscard]] int busier_land() const {
-    return frame.land_force[1] > frame.land_force[0] ? 1 : 0;
-  }
-};
 
 /// Outer radius of the picture's outer race: a little beyond its groove where the file gives none.
 double outer_rim(const results::Sol8Geometry& g) {
@@ -60,60 +71,47 @@ QPointF ball_centre(const Scene& s, std::size_t k) {
   const auto& element = s.frame.elements[k];
   const auto polar = [](double r, double a) { return QPointF(-r * std::sin(a), r * std::cos(a)); };
   if (!s.animation.has_cage) return polar(element.r, element.theta);
-  const double a = s.cage_angle() + s.animation.pocket_angle[k];
+  const double a = s.pocket_azimuth(k);
   const QPointF radial = polar(1.0, a),
                 across(std::cos(a), std::sin(a));  // z and y axes of the pocket
-  return s.place(s.frame.cage) + radial * s.pitch_radius() +
+  return s.place(s.animation.cage_of(s.index, k)) + radial * s.pitch_radius() +
          (across * element.pocket_vector[1] + radial * element.pocket_vector[2]) * s.factor;
 }
 
 /// Direction of an element's orientation mark, its body's z axis: right, up, towards the viewer,
 /// seen from +X.
 std::array<double, 3> mark_from_axis(const results::Sol8Element& element) {
+  if (element.angles == std::array<double, 3>{}) return {};  // its turning was not followed
   const Vec3 z = rotation(element.angles).col(2);
   return {z.y(), z.z(), z.x()};
 }
 
-/// Seen along the bearing axis.
-void draw_element(const Scene& s, std::size_t k) {
+/// Seen along the bearing axis; `tint` invalid: steel.
+void draw_element(const Scene& s, std::size_t k, const QColor& tint = {}) {
   const auto mark = mark_from_axis(s.frame.elements.at(k));
   const double radius = s.animation.file.geometry.element_radius;
   if (s.animation.file.bearing_type == 1)
-    s.sketch.ball(ball_centre(s, k), radius, mark);
+    s.sketch.ball(ball_centre(s, k), radius, mark, tint);
   else
-    s.sketch.roller_end(ball_centre(s, k), radius, mark);
+    s.sketch.roller_end(ball_centre(s, k), radius, mark, tint);
 }
 
-/// The same seen from outside along the pocket axis at azimuth `angle`: right is increasing
-/// azimuth, up is X.
-std::array<double, 3> mark_from_outside(const results::Sol8Element& element, double angle) {
-  const Vec3 axis = rotation(element.angles).col(2);
-  const double x = axis.x(), y = axis.y(), z = axis.z();
-  return {-y * std::cos(angle) - z * std::sin(angle), x,
-          -y * std::sin(angle) + z * std::cos(angle)};
+/// All of them, coloured as the options ask, with the scale.
+void draw_elements(const Scene& s) {
+  const Colouring colours = colouring(s.animation, s.index, s.options.colour);
+  for (std::size_t k = 0; k < s.frame.elements.size(); ++k)
+    draw_element(
+        s, k,
+        k < colours.value.size() && colours.largest > 0.0 && std::isfinite(colours.value[k])
+            ? scale_colour(colours.value[k] / colours.largest)
+            : QColor());
+  if (s.options.colour != ColourBy::None) draw_scale(s.sketch, colours);
 }
 
-void draw_key(const Sketch& sketch, const std::vector<KeyEntry>& entries, const QString& remark) {
-  QPainter& p = sketch.painter();
-  const auto& area = sketch.area();
-  p.setFont(desktop::ui_font(12));
-  const QFontMetricsF metrics(p.font());
-  double y = area.bottom() - 6;
-  const double x = area.left() + 4;
-  const auto write = [&](const QString& text, double left) {
-    p.setPen(sketch.theme().muted);
-    p.drawText(QPointF(left, y), text);
-  };
-  if (!remark.isEmpty()) {
-    write(remark, x);
-    y -= metrics.height() + 2;
-  }
-  for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
-    write(entry->text, x + 26);
-    p.setPen(QPen(entry->colour, 3));
-    p.drawLine(QPointF(x, y - 4), QPointF(x + 18, y - 4));
-    y -= metrics.height() + 2;
-  }
+void draw_cage(const Scene& s) {
+  for (int part = 0; part < s.animation.segments; ++part)
+    s.sketch.cage(s.place(s.animation.part(s.index, part)), s.animation.part_angle(s.index, part),
+                  s.animation, s.pocket_radius(), part);
 }
 
 QString exaggeration_remark(double factor) {
@@ -152,6 +150,26 @@ void draw_land_arrow(const Scene& s) {
                  s.sketch.theme().red, 3.2);
 }
 
+/// Forces of both races on every element, the largest of the run as long as an element's radius.
+void draw_all_loads(const Scene& s) {
+  if (!s.animation.contacts || !(s.animation.contacts->largest_load > 0.0)) return;
+  const auto& contacts = s.animation.contacts->frames.at(s.index);
+  const double radius = s.geometry().element_radius;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const QPointF centre = ball_centre(s, k);
+    const double distance = std::hypot(centre.x(), centre.y());
+    if (!(distance > 0.0)) continue;
+    for (std::size_t j = 0; j < 2; ++j) {
+      const double part = contacts[k].load[j] / s.animation.contacts->largest_load;
+      if (!(part > 0.0)) continue;
+      const QPointF outward = (j == 0 ? 1.0 : -1.0) / distance * centre;
+      const QPointF tip = centre + radius * outward, tail = tip + part * radius * outward;
+      s.sketch.arrow(s.sketch.at(tail.x(), tail.y()), s.sketch.at(tip.x(), tip.y()),
+                     s.sketch.theme().curves[0], 2.6);
+    }
+  }
+}
+
 void bearing_view(const Scene& s) {
   const auto& g = s.geometry();
   const auto& t = s.sketch.theme();
@@ -175,10 +193,10 @@ void bearing_view(const Scene& s) {
     s.sketch.ring(inner, g.inner_race_outer_radius, guide_radius, pale_light, pale_dark);
   if (s.animation.guide == Guide::Outer && guide_radius < g.outer_race_inner_radius)
     s.sketch.ring(outer, guide_radius, g.outer_race_inner_radius, pale_light, pale_dark);
-  if (s.animation.has_cage) s.sketch.cage_rail(cage, s.animation);
-  for (std::size_t k = 0; k < s.frame.elements.size(); ++k) draw_element(s, k);
+  if (s.animation.segments == 1) s.sketch.cage_rail(cage, s.animation);
+  draw_elements(s);
   if (s.animation.has_cage) {
-    s.sketch.cage(cage, s.cage_angle(), s.animation, s.pocket_radius());
+    draw_cage(s);
     if (guide_radius > 0.0)
       s.sketch.circle(s.animation.guide == Guide::Outer ? outer : inner, guide_radius,
                       QPen(t.red, 1.6, Qt::DashLine));
@@ -188,32 +206,61 @@ void bearing_view(const Scene& s) {
   s.sketch.frame({0, 0}, s.animation.race_angle[1][s.index], 0.62 * bore, t.blue);
   if (s.animation.has_cage) s.sketch.frame({0, 0}, s.cage_angle(), 0.46 * bore, t.green);
   draw_land_arrow(s);
+  if (s.options.contacts) draw_all_loads(s);
   draw_contact_marks(s, true);
   std::vector<KeyEntry> key{{t.light_blue, "outer race frame"}, {t.blue, "inner race frame"}};
   if (s.animation.has_cage) {
-    key.push_back({t.green, "cage frame"});
+    key.push_back({t.green, s.animation.segments > 1 ? "frame of segment 1" : "cage frame"});
     key.push_back({t.red, "contacts of the cage"});
+  }
+  if (s.options.contacts && s.animation.contacts) {
+    key.push_back(
+        {t.curves[0], QString::fromStdString(fmt::format(
+                          "race loads, longest arrow {}",
+                          desktop::pretty_quantity(s.animation.contacts->largest_load,
+                                                   s.animation.contacts->load_unit, 3)))});
+  } else if (s.options.contacts) {
+    key.push_back({t.muted, QString::fromStdString("no race loads: " + s.animation.no_contacts)});
   }
   draw_key(s.sketch, key, s.animation.has_cage ? exaggeration_remark(s.factor) : QString());
 }
 
 /// Orbit of a body's centre, enlarged to `radius` of the picture's lengths; returns the
-/// enlargement.
-double draw_orbit(const Scene& s, double radius, double reference,
-                  const std::vector<QPointF>& orbit) {
+/// enlargement. Without a reference length it is drawn about its middle, which is not magnified:
+/// only motion is. A body that moves less than an atom's size stands still: 0.
+double draw_orbit(const Scene& s, double radius, double reference, std::vector<QPointF> orbit) {
+  QPointF middle(0.0, 0.0);
+  if (!(reference > 0.0)) {
+    double left = orbit[0].x(), right = left, low = orbit[0].y(), high = low;
+    for (const auto& p : orbit) {
+      left = std::min(left, p.x()), right = std::max(right, p.x());
+      low = std::min(low, p.y()), high = std::max(high, p.y());
+    }
+    middle = {0.5 * (left + right), 0.5 * (low + high)};
+  }
   double largest = reference;
-  for (const auto& p : orbit) largest = std::max(largest, std::hypot(p.x(), p.y()));
-  if (!(largest > 0.0)) return 0.0;
+  for (auto& p : orbit) {
+    p -= middle;
+    largest = std::max(largest, std::hypot(p.x(), p.y()));
+  }
+  if (!(largest > desktop::least_span_of(s.animation.file.units[0]))) return 0.0;
   const double enlargement = radius / largest;
   const auto& t = s.sketch.theme();
   if (reference > 0.0)
     s.sketch.circle({0, 0}, reference * enlargement, QPen(t.red, 1.2, Qt::DashLine));
-  QPolygonF line;
-  for (std::size_t i = 0; i <= s.index; ++i)
-    line.append(s.sketch.at(orbit[i].x() * enlargement, orbit[i].y() * enlargement));
-  QPolygonF rest;
-  for (std::size_t i = s.index; i < orbit.size(); ++i)
-    rest.append(s.sketch.at(orbit[i].x() * enlargement, orbit[i].y() * enlargement));
+  const auto place = [&](const QPointF& p) {
+    return s.sketch.at(p.x() * enlargement, p.y() * enlargement);
+  };
+  // What lies within half a pixel of the last point adds nothing to the line.
+  const auto path = [&](std::size_t first, std::size_t last) {
+    QPolygonF line{place(orbit[first])};
+    for (std::size_t i = first + 1; i <= last; ++i) {
+      const QPointF next = place(orbit[i]), way = next - line.back();
+      if (std::abs(way.x()) + std::abs(way.y()) > 0.5 || i == last) line.append(next);
+    }
+    return line;
+  };
+  const QPolygonF line = path(0, s.index), rest = path(s.index, orbit.size() - 1);
   QPainter& p = s.sketch.painter();
   p.setBrush(Qt::NoBrush);
   QColor pale = t.curves[0];
@@ -232,8 +279,8 @@ void cage_view(const Scene& s) {
   const auto& g = s.geometry();
   const auto& t = s.sketch.theme();
   const QPointF cage = s.place(s.frame.cage);
-  s.sketch.cage_rail(cage, s.animation);
-  s.sketch.cage(cage, s.cage_angle(), s.animation, s.pocket_radius());
+  if (s.animation.segments == 1) s.sketch.cage_rail(cage, s.animation);
+  draw_cage(s);
   std::vector<QPointF> orbit;
   for (const auto& frame : s.animation.file.frames)
     orbit.emplace_back(frame.cage.position[1], frame.cage.position[2]);
@@ -252,109 +299,11 @@ void cage_view(const Scene& s) {
   draw_key(s.sketch, key, scale + "  ·  " + exaggeration_remark(s.factor));
 }
 
-/// Exaggeration of the pocket view: the clearance is drawn as 0.44 element radii.
-double pocket_factor(const results::Sol8Geometry& g) {
-  return g.pocket_clearance_1 > 0.0 ? 0.44 * g.element_radius / g.pocket_clearance_1 : 1.0;
-}
-
-/// As RESULTS.h5 has it; from SOL8 alone round, and rollers as long as wide.
-PocketOutline pocket_of(const Animation& animation) {
-  const auto& g = animation.file.geometry;
-  const double factor = pocket_factor(g);
-  PocketOutline pocket{.radius = g.element_radius,
-                       .clearance_1 = factor * g.pocket_clearance_1,
-                       .clearance_2 = factor * g.pocket_clearance_2};
-  if (animation.contacts) {
-    pocket.code = animation.contacts->pocket_code;
-    pocket.roller_length = animation.contacts->roller_length;
-  } else if (animation.file.bearing_type != 1) {
-    pocket.roller_length = 2.0 * g.element_radius;
-  }
-  return pocket;
-}
-
-void pocket_view(const Scene& s) {
-  const auto& g = s.geometry();
-  const auto& t = s.sketch.theme();
-  QPainter& p = s.sketch.painter();
-  const auto k = static_cast<std::size_t>(s.options.element - 1);
-  const auto& element = s.frame.elements.at(k);
-  // Seen from outside along the pocket axis: bearing axis up, direction of increasing azimuth to
-  // the right.
-  const double factor = pocket_factor(g);
-  const PocketOutline pocket = pocket_of(s.animation);
-  const bool rollers = s.animation.file.bearing_type != 1;
-  const bool shape_known = s.animation.contacts.has_value();
-  const QSizeF hole = pocket_half(pocket);
-  // From the pocket's centre, y up, to the picture.
-  QTransform to_picture = QTransform::fromTranslate(s.sketch.at(0, 0).x(), s.sketch.at(0, 0).y());
-  to_picture.scale(s.sketch.scale(), -s.sketch.scale());
-  p.setPen(QPen(t.cage.darker(145), 1.6));
-  p.setBrush(t.cage);
-  QPainterPath body;
-  const double wide = std::max(1.75 * g.element_radius, hole.width() + 0.5 * g.element_radius),
-               high = std::max(1.75 * g.element_radius, hole.height() + 0.5 * g.element_radius);
-  body.addRoundedRect(QRectF(-wide, -high, 2.0 * wide, 2.0 * high), 0.2 * g.element_radius,
-                      0.2 * g.element_radius);
-  body.addPath(pocket_hole(pocket));
-  p.drawPath(to_picture.map(body));
-  const QPointF centre(-element.pocket_vector[1] * factor, element.pocket_vector[0] * factor);
-  const double azimuth = s.cage_angle() + s.animation.pocket_angle[k];
-  if (rollers) {
-    const Vec3 axis = rotation(element.angles).col(0);
-    const double skew =
-        std::atan2(-axis.y() * std::cos(azimuth) - axis.z() * std::sin(azimuth), axis.x());
-    QTransform turned = to_picture;
-    turned.translate(centre.x(), centre.y()).rotateRadians(-skew);
-    QLinearGradient shade(to_picture.map(centre - QPointF(g.element_radius, 0)),
-                          to_picture.map(centre + QPointF(g.element_radius, 0)));
-    shade.setColorAt(0.0, t.steel_dark);
-    shade.setColorAt(0.4, t.steel_light);
-    shade.setColorAt(1.0, t.steel_dark);
-    p.setPen(QPen(t.steel_dark.darker(150), 1));
-    p.setBrush(shade);
-    p.drawPath(turned.map(roller_side(pocket)));
-  } else {
-    s.sketch.ball(centre, g.element_radius, mark_from_outside(element, azimuth));
-  }
-  const double direction =
-      s.animation.cage_angle.back() >= s.animation.cage_angle.front() ? 1.0 : -1.0;
-  const double top = high + 0.3 * g.element_radius;
-  s.sketch.arrow(s.sketch.at(-direction * g.element_radius, top),
-                 s.sketch.at(direction * g.element_radius, top), t.red, 7.0);
-  s.sketch.label(s.sketch.at(0, top + 22.0 / s.sketch.scale()), "cage rotation", t.muted, 13);
-  if (element.pocket_force > 0.0) {
-    const double way = std::hypot(centre.x(), centre.y());
-    // The wall that is touched lies where the element has gone; without a way out, the stored angle
-    // tells (0: the cage drives).
-    const QPointF u = way > 0.0 ? centre / way
-                                : QPointF(-direction * std::cos(element.pocket_angle),
-                                          std::sin(element.pocket_angle));
-    s.sketch.arrow(
-        s.sketch.at(centre.x(), centre.y()),
-        s.sketch.at(centre.x() + u.x() * g.element_radius, centre.y() + u.y() * g.element_radius),
-        t.red, 2.6);
-  }
-  const std::string force =
-      desktop::pretty_quantity(element.pocket_force, s.animation.file.units[2], 3);
-  draw_key(s.sketch,
-           {{t.red, element.pocket_force > 0.0
-                        ? QString::fromStdString(fmt::format("contact: {} at {:.0f}°", force,
-                                                             element.pocket_angle * 180.0 / kPi))
-                        : QString("no contact")}},
-           QString::fromStdString(fmt::format(
-               "pocket {} of {}  ·  clearance × {}  ·  seen from outside, axis up{}", k + 1,
-               s.frame.elements.size(), desktop::pretty_number(factor, 3),
-               shape_known || (!rollers && !(g.pocket_clearance_2 > 0.0)) ? ""
-               : rollers ? "  ·  as long as wide: SOL8 does not hold the length of rollers"
-                         : "  ·  drawn round: SOL8 does not hold the pocket's shape")));
-}
-
 /// Forces of the two races on element k as arrows on its surface, as long as its diameter for the
 /// largest load of the file, with load and slip in the key.
 void draw_contact_loads(const Scene& s, std::size_t k, QPointF centre, std::vector<KeyEntry>& key) {
-  const results::ContactFrames& all = *s.animation.contacts;
-  const results::ContactFrame& contact = all.frames.at(s.index).at(k);
+  const ContactFrames& all = *s.animation.contacts;
+  const ContactFrame& contact = all.frames.at(s.index).at(k);
   const double distance = std::hypot(centre.x(), centre.y());
   if (!(distance > 0.0)) return;
   const QPointF outward = centre / distance;
@@ -419,8 +368,14 @@ void element_view(const Scene& s) {
   draw_key(s.sketch, key, remark);
 }
 
+/// Lengths below an atom's size are rounding.
+double atoms(double length, const Scene& s) {
+  return std::abs(length) < desktop::least_span_of(s.animation.file.units[0]) ? 0.0 : length;
+}
+
 void race_view(const Scene& s) {
   const auto& g = s.geometry();
+  const std::string& unit = s.animation.file.units[0];
   const auto& t = s.sketch.theme();
   const std::size_t r = s.options.view == View::OuterRace ? 0 : 1;
   const double low = r == 0 ? g.outer_race_inner_radius : g.inner_race_inner_radius;
@@ -435,9 +390,13 @@ void race_view(const Scene& s) {
   const double enlargement = draw_orbit(s, 0.45 * low, 0.0, orbit);
   s.sketch.frame({0, 0}, s.animation.race_angle[r][s.index], 0.7 * low, t.blue);
   draw_key(s.sketch, {{t.blue, "frame of the race"}, {t.curves[0], "path of the race centre"}},
-           enlargement > 0.0 ? QString::fromStdString(
-                                   fmt::format("path × {}", desktop::pretty_number(enlargement, 3)))
-                             : QString("the race centre does not move"));
+           QString::fromStdString(
+               (enlargement > 0.0 ? fmt::format("path about its middle × {}",
+                                                desktop::pretty_number(enlargement, 3))
+                                  : std::string("the race centre does not move")) +
+               fmt::format("  ·  it stands at y = {}, z = {}",
+                           desktop::pretty_quantity(atoms(orbit[s.index].x(), s), unit, 3),
+                           desktop::pretty_quantity(atoms(orbit[s.index].y(), s), unit, 3))));
 }
 
 double picture_radius(const Animation& animation, const ViewOptions& options, QSizeF size) {
@@ -450,11 +409,12 @@ double picture_radius(const Animation& animation, const ViewOptions& options, QS
       return outer_rim(g) * (1.0 + margin);
     case View::Cage:
       return (g.cage_outer_radius + g.element_radius) * (1.0 + margin);
-    case View::Pocket: {
-      const QSizeF hole = pocket_half(pocket_of(animation));
-      return std::max({2.6 * g.element_radius, hole.height() + 1.4 * g.element_radius,
-                       hole.width() + 1.4 * g.element_radius});
-    }
+    case View::Pocket:
+      return pocket_picture_radius(animation);
+    case View::Section:
+      return section_picture_radius(animation);
+    case View::Flange:
+      return flange_picture_radius(animation);
     case View::InnerRace:
       return g.inner_race_outer_radius * (1.0 + margin);
   }
@@ -472,8 +432,10 @@ void paint_picture(QPainter& painter, const QRectF& area, const Animation& anima
   check_view(animation, options);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  const Sketch sketch(painter, area, picture_radius(animation, options, area.size()),
-                      theme_of(options));
+  if (options.zoom != 1.0) painter.setClipRect(area);
+  const Sketch sketch(
+      painter, area, picture_radius(animation, options, area.size()) / std::max(options.zoom, 1e-3),
+      theme_of(options), options.pan);
   const Scene scene{
       sketch, animation, index, animation.frame(index), used_exaggeration(animation, options),
       options};
@@ -487,6 +449,12 @@ void paint_picture(QPainter& painter, const QRectF& area, const Animation& anima
     case View::Pocket:
       pocket_view(scene);
       break;
+    case View::Section:
+      section_view(scene);
+      break;
+    case View::Flange:
+      flange_view(scene);
+      break;
     case View::Element:
       element_view(scene);
       break;
@@ -496,68 +464,6 @@ void paint_picture(QPainter& painter, const QRectF& area, const Animation& anima
       break;
   }
   painter.restore();
-}
-
-desktop::ChartPage data_page(const Animation& animation, const ViewOptions& options) {
-  desktop::ChartPage page;
-  page.x = animation.time;
-  page.x_title = "Time";
-  page.x_unit = "s";
-  const auto& units = animation.file.units;
-  const auto history = [&](auto value) {
-    std::vector<double> values;
-    for (const auto& frame : animation.file.frames) values.push_back(value(frame));
-    return values;
-  };
-  const auto k = static_cast<std::size_t>(options.element - 1);
-  switch (options.view) {
-    case View::Bearing: {
-      page.title = "Guide land force";
-      desktop::ChartPanel panel{"Force", units[2], {}, false};
-      for (std::size_t land = 0; land < 2; ++land)
-        panel.curves.push_back({"land " + std::to_string(land + 1),
-                                history([land](const auto& f) { return f.land_force[land]; }),
-                                {}});
-      page.panels.push_back(std::move(panel));
-      break;
-    }
-    case View::Cage:
-      page.title = "Cage speeds over shaft speed";
-      page.panels.push_back(
-          {"Whirl", "", {{"", cage_whirl_ratio(animation), {}}}, false, kRatioSpan});
-      page.panels.push_back(
-          {"Rotation", "", {{"", cage_speed_ratio(animation), {}}}, false, kRatioSpan});
-      break;
-    case View::Pocket:
-      page.title = fmt::format("Force in pocket {}", options.element);
-      page.panels.push_back(
-          {"Force",
-           units[2],
-           {{"", history([k](const auto& f) { return f.elements.at(k).pocket_force; }), {}}},
-           false});
-      break;
-    case View::Element:
-      page.title = fmt::format("Speeds of element {} over shaft speed", options.element);
-      page.panels.push_back(
-          {"Orbit", "", {{"", element_orbit_ratio(animation, k), {}}}, false, kRatioSpan});
-      page.panels.push_back(
-          {"Rotation", "", {{"", element_spin_ratio(animation, k), {}}}, false, kRatioSpan});
-      break;
-    case View::OuterRace:
-    case View::InnerRace: {
-      const std::size_t r = options.view == View::OuterRace ? 0 : 1;
-      page.title = "Centre of the race";
-      const char* names[] = {"X", "Y", "Z"};
-      for (std::size_t c = 0; c < 3; ++c)
-        page.panels.push_back(
-            {names[c],
-             units[0],
-             {{"", history([r, c](const auto& f) { return f.races[r].position[c]; }), {}}},
-             false});
-      break;
-    }
-  }
-  return page;
 }
 
 }  // namespace adore::agore

@@ -29,7 +29,8 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
   CLI::Option* page = command->add_option("--page", request->page, "one page (all unless given)");
   command->add_option("--from", request->range.from, "first stored step, counted from 1")
       ->capture_default_str();
-  command->add_option("--to", request->range.to, "last stored step")->capture_default_str();
+  CLI::Option* to =
+      command->add_option("--to", request->range.to, "last stored step")->default_str("the last");
   command->add_option("--every", request->range.every, "interval of stored steps")
       ->capture_default_str();
   command_line::one_of(command->add_option("--abscissa", request->abscissa, "revolutions or time")
@@ -43,7 +44,7 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
   command->callback([=] {
     if (page->count() > 0) check_range("--page", request->page);
     check_range("--from", static_cast<double>(request->range.from));
-    check_range("--to", static_cast<double>(request->range.to));
+    if (to->count() > 0) check_range("--to", static_cast<double>(request->range.to));
     check_range("--every", static_cast<double>(request->range.every));
     if (*time) request->abscissa = "time";
     draw(*request);
@@ -51,17 +52,20 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
 }
 
 void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>& draw) {
-  CLI::App* command = app.add_subcommand("animate", "draw frames or a film of SOL8");
+  CLI::App* command = app.add_subcommand("animate", "draw frames or a film of SOL8 or RESULTS.h5");
   auto request = std::make_shared<AnimateRequest>();
-  command->add_option("file", request->file, "SOL8 file")->required()->type_name("FILE");
+  command->add_option("file", request->file, "SOL8 file, or RESULTS.h5")
+      ->required()
+      ->type_name("FILE");
   command_line::one_of(command->add_option("--view", request->view, "what is looked at")
                            ->capture_default_str()
                            ->type_name("VIEW"),
-                       {"bearing", "cage", "pocket", "element", "race", "flange"});
-  command_line::one_of(command->add_option("--race", request->race, "race of the race view")
-                           ->capture_default_str()
-                           ->type_name("RACE"),
-                       {"outer", "inner"});
+                       {"bearing", "cage", "pocket", "element", "race", "flange", "section"});
+  command_line::one_of(
+      command->add_option("--race", request->race, "race of the race and the flange view")
+          ->capture_default_str()
+          ->type_name("RACE"),
+      {"outer", "inner"});
   command
       ->add_option("--element", request->element, "element or pocket of the single-element views")
       ->capture_default_str();
@@ -71,7 +75,8 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
       command->add_option("--every", request->every, "every n-th frame")->capture_default_str();
   CLI::Option* movie = command
                            ->add_option("--movie", request->movie,
-                                        "film to write: NAME.avi, or a folder of numbered pictures")
+                                        "film to write: NAME.avi, NAME.gif, NAME.mp4 (where ffmpeg "
+                                        "is), or a folder of numbered pictures")
                            ->type_name("FILE");
   command->add_option("--fps", request->frames_per_second, "pictures per second of the film")
       ->capture_default_str();
@@ -79,6 +84,11 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
   command->add_option("--out", request->out, "folder of the pictures")
       ->type_name("DIR")
       ->default_str("here");
+  command_line::one_of(command->add_option("--colour", request->colour, "what colours the elements")
+                           ->capture_default_str()
+                           ->type_name("WHAT"),
+                       {"none", "load", "slip", "heat", "temperature"});
+  command->add_flag("--contacts", request->contacts, "arrows of the race loads on all elements");
   command->add_flag("--dark", request->dark, "dark theme");
   add_progress(*command, request->progress);
   command->footer(

@@ -22,9 +22,10 @@ struct PlotRequest {
 };
 
 struct AnimateRequest {
-  std::string file, out = ".", view = "bearing", race = "inner", movie, progress = "auto";
+  std::string file, out = ".", view = "bearing", race = "inner", colour = "none", movie,
+                    progress = "auto";
   int frame = 0, every = 1, frames_per_second = 25, element = 1;
-  bool dark = false;
+  bool dark = false, contacts = false;
 };
 
 struct PictureActions {

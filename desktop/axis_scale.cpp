@@ -95,7 +95,7 @@ AxisScale scaled(const Limits& limits, std::string_view unit, int parts) {
   if (span < 2e-3 * size) {
     const double coarse = nice_step(span, 1) * 10.0;
     axis.offset = std::round(0.5 * (limits.low + limits.high) / coarse) * coarse;
-    axis.offset_text = "from " + pretty_quantity(axis.offset, unit, 7);
+    axis.offset_text = pretty_quantity(axis.offset, unit, 7);
     shown_size = std::max(std::abs(limits.low - axis.offset), std::abs(limits.high - axis.offset));
   }
   const Multiple multiple = multiple_for(shown_size, unit);
@@ -109,6 +109,31 @@ AxisScale scaled(const Limits& limits, std::string_view unit, int parts) {
 }
 
 }  // namespace
+
+double least_span_of(std::string_view unit) {
+  struct Least {
+    std::string_view unit;
+    double span;
+  };
+  constexpr std::array<Least, 15> kLeast{{{"m", 1e-10},
+                                          {"in", 4e-9},
+                                          {"m/s", 1e-8},
+                                          {"in/s", 4e-7},
+                                          {"m/s^2", 1e-5},
+                                          {"in/s^2", 4e-4},
+                                          {"deg", 1e-6},
+                                          {"rpm", 1e-6},
+                                          {"rpm/s", 1e-3},
+                                          {"N", 1e-6},
+                                          {"lbf", 2e-7},
+                                          {"N.m", 1e-9},
+                                          {"lbf.in", 1e-8},
+                                          {"K", 1e-3},
+                                          {"R", 1e-3}}};
+  for (const Least& least : kLeast)
+    if (least.unit == unit) return least.span;
+  return 0.0;
+}
 
 bool is_drawable(double value) { return std::abs(value) <= kLargestDrawable; }
 
@@ -144,6 +169,55 @@ AxisScale value_axis(double low, double high, std::string_view unit, int parts) 
 
 AxisScale tight_axis(double low, double high, std::string_view unit, int parts) {
   return scaled(drawable(low, high), unit, parts);
+}
+
+AxisScale log_axis(double low, double high, std::string_view unit, bool tight) {
+  constexpr double kSmallest = 1e-300, kMostDecades = 40.0;
+  if (!(high > kSmallest) || !std::isfinite(high)) low = 1.0, high = 10.0;
+  low = std::max({std::isfinite(low) && low > 0.0 ? low : 0.0, kSmallest,
+                  high * std::pow(10.0, -kMostDecades)});
+  AxisScale axis;
+  axis.log = true;
+  axis.unit = pretty_unit(unit);
+  axis.min = std::log10(low);
+  axis.max = std::log10(high);
+  if (!tight || !(axis.max - axis.min > 1e-6)) {
+    axis.min = std::floor(axis.min + 1e-9);
+    axis.max = std::ceil(axis.max - 1e-9);
+    if (axis.max - axis.min < 1.0) axis.max = axis.min + 1.0;
+  }
+  axis.step = std::max(1.0, std::ceil((axis.max - axis.min) / 10.0));
+  axis.decimals = 0;
+  return axis;
+}
+
+std::vector<AxisTick> axis_ticks(const AxisScale& axis) {
+  constexpr std::size_t kMostTicks = 200;
+  std::vector<AxisTick> out;
+  const double slack = 1e-6 * axis.step;
+  const auto add = [&](double at, std::string text) {
+    if (at >= axis.min - slack && at <= axis.max + slack && out.size() < kMostTicks)
+      out.push_back({at, std::move(text)});
+  };
+  if (!axis.log) {
+    for (double k = std::ceil((axis.min - slack) / axis.step);
+         k * axis.step <= axis.max + slack && out.size() < kMostTicks; ++k)
+      add(k * axis.step, tick_text(k * axis.step, axis.decimals));
+    return out;
+  }
+  const bool plain = axis.min > -3.5 && axis.max < 5.5;
+  const bool between = axis.max - axis.min < 2.5;  // 1, 2, 5 of each decade
+  for (double decade = axis.step * std::floor(axis.min / axis.step); decade <= axis.max + slack;
+       decade += axis.step)
+    for (const int digit : {1, 2, 5}) {
+      if (digit > 1 && !between) continue;
+      const double value = digit * std::pow(10.0, decade);
+      add(std::log10(value),
+          plain        ? pretty_number(value, 3)
+          : digit == 1 ? "10" + superscript(static_cast<int>(std::lround(decade)))
+                       : fmt::format("{}·10{}", digit, superscript(static_cast<int>(decade))));
+    }
+  return out;
 }
 
 std::string tick_text(double value, int decimals) {

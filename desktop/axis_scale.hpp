@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Axes that read well: round tick values, SI prefixes or powers of ten instead of long numbers,
 /// and a base value taken out when a signal hardly moves. No Qt in here.
@@ -14,15 +16,34 @@ struct AxisScale {
   double min = 0.0, max = 1.0, step = 0.2;
   int decimals = 1;
   std::string unit;  ///< to be shown in brackets: "µm", "10³ rpm/s"; empty for a plain number
-  std::string offset_text;  ///< "from 35.12 mm" when an offset was taken out, else empty
+  std::string offset_text;  ///< "35.12 mm" when that was taken out of the numbers, else empty
 
-  [[nodiscard]] double shown(double value) const { return (value - offset) / factor; }
+  bool log = false;  ///< shown = log10(value): one decade per shown unit
+
+  [[nodiscard]] double shown(double value) const {
+    return log ? std::log10(value) : (value - offset) / factor;
+  }
+  [[nodiscard]] double value(double at) const {
+    return log ? std::pow(10.0, at) : at * factor + offset;
+  }
 };
+
+/// A tick in shown numbers and its text.
+struct AxisTick {
+  double at = 0.0;
+  std::string text;
+};
+/// Of the whole range, at most 200.
+[[nodiscard]] std::vector<AxisTick> axis_ticks(const AxisScale& axis);
 
 /// Numbers beyond have no place on an axis: sums and differences of them overflow.
 inline constexpr double kLargestDrawable = 1e290;
 /// False for NaN too.
 bool is_drawable(double value);
+
+/// Smallest range that an axis of a unit of the result files shows: below it stands rounding, not a
+/// result. A ten-billionth of a metre is an atom; 0 for a unit that has no such size.
+double least_span_of(std::string_view unit);
 
 /// The largest of 1, 2, 5 times a power of ten that divides `span` into at least `parts` parts.
 double nice_step(double span, int parts);
@@ -35,6 +56,10 @@ AxisScale value_axis(double low, double high, std::string_view unit, int parts);
 
 /// Scale whose range is exactly the data's range (an abscissa); ticks are multiples of `step`.
 AxisScale tight_axis(double low, double high, std::string_view unit, int parts);
+
+/// Logarithmic scale over the positive part of the range: whole decades around it, or exactly the
+/// range when `tight`. A range without positive numbers counts as 1 to 10.
+AxisScale log_axis(double low, double high, std::string_view unit, bool tight = false);
 
 /// "−0.40": fixed decimals, a true minus sign, no negative zero.
 std::string tick_text(double value, int decimals);

@@ -65,4 +65,40 @@ std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::v
   return pieces;
 }
 
+std::size_t nearest_index(const std::vector<double>& x, double where) {
+  if (x.empty()) return 0;
+  const auto after = std::lower_bound(x.begin(), x.end(), where);
+  auto i = static_cast<std::size_t>(std::min<std::ptrdiff_t>(after - x.begin(), std::ssize(x) - 1));
+  if (i > 0 && std::abs(x[i - 1] - where) < std::abs(x[i] - where)) --i;
+  return i;
+}
+
+CurveStatistics statistics_between(const std::vector<double>& x, const std::vector<double>& y,
+                                   double from, double to) {
+  if (from > to) std::swap(from, to);
+  CurveStatistics out;
+  double sum = 0.0, squares = 0.0, span = 0.0, plain = 0.0, plain_squares = 0.0;
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+    if (!(x[i] >= from && x[i] <= to) || !is_drawable(y[i])) continue;
+    out.lowest = out.count == 0 ? y[i] : std::min(out.lowest, y[i]);
+    out.highest = out.count == 0 ? y[i] : std::max(out.highest, y[i]);
+    if (out.count > 0) {
+      const double width = x[i] - x[last];
+      sum += 0.5 * width * (y[i] + y[last]);
+      squares += 0.5 * width * (y[i] * y[i] + y[last] * y[last]);
+      span += width;
+    }
+    plain += y[i];
+    plain_squares += y[i] * y[i];
+    last = i;
+    ++out.count;
+  }
+  if (out.count == 0) return out;
+  const auto n = static_cast<double>(out.count);
+  out.mean = span > 0.0 ? sum / span : plain / n;
+  out.rms = std::sqrt(span > 0.0 ? squares / span : plain_squares / n);
+  return out;
+}
+
 }  // namespace adore::desktop

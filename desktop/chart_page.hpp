@@ -13,6 +13,9 @@ struct ChartCurve {
   std::vector<double> x;  ///< empty: the page's abscissa (own values only on pages with equal axes)
   bool dashed = false;    ///< drawn broken, so that a curve below it stays visible
   bool heavy = false;     ///< drawn thick: what the picture is about
+  /// Extremes between the values, drawn as a pale area; empty: not known. As long as y.
+  std::vector<double> low = {}, high = {};
+  bool hidden = false;  ///< by its entry in the legend
 };
 
 struct ChartPanel {
@@ -22,6 +25,9 @@ struct ChartPanel {
   bool wraps = false;  ///< an angle in degrees: jumps by more than half a turn are not joined
   double least_span =
       0.0;  ///< smallest range of the vertical axis, where finer detail is the data's rounding
+  std::string message = {};  ///< a sentence in place of curves without any value
+  bool one_colour = false;   ///< curves of one family, without a legend
+  bool log = false;          ///< logarithmic axis; values of 0 and less have no place on it
 };
 
 struct ChartMark {
@@ -50,7 +56,22 @@ struct ChartPage {
   std::vector<ChartLabel> labels;  ///< of a page with equal axes
   double guide_radius = 0.0;       ///< circle about the origin of an orbit; 0 = none
   double view_low = 0.0, view_high = 0.0;  ///< first view of the abscissa; equal = all of it
+  bool log_x = false;                      ///< logarithmic abscissa
 };
+
+/// Extremes, mean and root mean square of the values of a curve between two places of its abscissa,
+/// both included. Means weigh every stored value by the abscissa that it stands for (trapezoidal
+/// rule); with one value they are that value.
+struct CurveStatistics {
+  std::size_t count = 0;  ///< of values
+  double lowest = 0.0, highest = 0.0, mean = 0.0, rms = 0.0;
+};
+[[nodiscard]] CurveStatistics statistics_between(const std::vector<double>& x,
+                                                 const std::vector<double>& y, double from,
+                                                 double to);
+
+/// Place of the value whose abscissa is nearest; 0 of an empty vector. `x` rises.
+[[nodiscard]] std::size_t nearest_index(const std::vector<double>& x, double where);
 
 /// The pieces of a curve that are drawn as connected lines inside [low, high] of the abscissa:
 /// broken at NaN and at wraps, thinned to the extremes of each of `columns` columns, so that the

@@ -15,6 +15,7 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
   const ChartPanel& panel = page_.panels.front();
   Extent across, up;
   for (const auto& curve : panel.curves) {
+    if (curve.hidden) continue;
     for (const double x : curve.x) across.include(x);
     for (const double y : curve.y) up.include(y);
   }
@@ -32,6 +33,8 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
                     : 0.5 * std::max(across.high - across.low, up.high - up.low);
   if (!(half > 1e-9 * std::max(std::abs(middle_x), std::abs(middle_y))))
     half = std::max({std::abs(middle_x), std::abs(middle_y), 1e-9});
+  // Less than an atom's size is rounding, not a path.
+  half = std::max(half, 0.5 * least_span_of(panel.unit));
   half *= 1.08;
   // A fitted page is as wide as its curves need at the scale that its height gives, or less.
   double half_x = half, half_y = half;
@@ -78,6 +81,10 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
   }
   int colour = 0;
   for (const auto& curve : panel.curves) {
+    if (curve.hidden) {
+      ++colour;
+      continue;
+    }
     Polyline line;
     for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
       if (!is_drawable(curve.x[i]) || !is_drawable(curve.y[i])) continue;
@@ -100,6 +107,7 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
     dot(line.x.size() - 1, theme_->red);
   }
   areas_.push_back(area);
+  y_axes_.push_back(y_axis);
   for (const ChartLabel& label : page_.labels) {
     const QPointF at(area.left() + (x_axis.shown(label.x) - x_axis.min) /
                                        (x_axis.max - x_axis.min) * area.width(),

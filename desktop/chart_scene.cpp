@@ -17,21 +17,52 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 namespace adore::desktop {
 
 ChartScene::Metrics ChartScene::metrics() const {
   if (style_ == ChartStyle::Compact) return {74, 14, 46, 46, 26, 17, 13, 11, 10, 1.4, 1.0};
-  const qreal note = page_.note.empty() || page_.panels.empty() ? 0 : 20;
+  const qreal note =
+      18.0 * static_cast<qreal>(noteLines(28).size()) + (noteLines(28).isEmpty() ? 0 : 2);
   return {86, 28, 66 + note, 54, 34, 22, 18, 13, 12, 1.6, 1.2};
+}
+
+/// The page's note as lines of the page's width, two at most.
+QStringList ChartScene::noteLines(qreal right) const {
+  if (page_.note.empty() || page_.panels.empty()) return {};
+  constexpr int kFont = 13, kLeft = 24;
+  const QFontMetricsF metrics(ui_font(kFont));
+  const qreal width = size_.width() - kLeft - right;
+  QStringList lines{QString()};
+  for (const QString& word : text_of(page_.note).split(' ')) {
+    const QString longer = lines.back().isEmpty() ? word : lines.back() + ' ' + word;
+    if (lines.size() == 1 && !lines.back().isEmpty() && metrics.horizontalAdvance(longer) > width)
+      lines << word;
+    else
+      lines.back() = longer;
+  }
+  for (QString& line : lines) line = metrics.elidedText(line, Qt::ElideRight, width);
+  return lines;
 }
 
 ChartScene::ChartScene(ChartStyle style, QObject* parent)
     : QGraphicsScene(parent), style_(style), theme_(&current_theme()) {}
 
-void ChartScene::setPage(ChartPage page) {
+void ChartScene::setPage(ChartPage page, bool keep_view) {
+  const bool same = keep_view && zoomed() && !page.equal_axes && !page_.equal_axes &&
+                    page.x_title == page_.x_title && page.x_unit == page_.x_unit;
+  const double low = low_, high = high_;
   page_ = std::move(page);
-  resetView();
+  panel_views_.assign(page_.panels.size(), std::nullopt);
+  const auto [first, last] = wholeRange();
+  if (same && low < last && high > first) {
+    low_ = std::max(low, first);
+    high_ = std::min(high, last);
+    rebuild();
+  } else {
+    resetView();
+  }
 }
 
 void ChartScene::setTheme(const Theme& theme) {
@@ -46,38 +77,63 @@ void ChartScene::setPageSize(QSizeF size) {
   rebuild();
 }
 
-void ChartScene::resetView() {
+std::pair<double, double> ChartScene::wholeRange() const {
   Extent extent;
-  for (const double x : page_.x) extent.include(x);
-  if (page_.view_high > page_.view_low) {
-    low_ = page_.view_low;
-    high_ = page_.view_high;
-  } else {
-    low_ = extent.empty() ? 0.0 : extent.low;
-    high_ = extent.empty() ? 1.0 : extent.high;
-  }
+  for (const double x : page_.x)
+    if (!page_.log_x || x > 0.0) extent.include(x);
+  if (extent.empty()) return {page_.log_x ? 1.0 : 0.0, page_.log_x ? 10.0 : 1.0};
+  return {extent.low, extent.high};
+}
+
+void ChartScene::resetView() {
+  panel_views_.assign(page_.panels.size(), std::nullopt);
+  std::tie(low_, high_) =
+      page_.view_high > page_.view_low ? std::pair(page_.view_low, page_.view_high) : wholeRange();
+  if (page_.log_x) low_ = std::max(low_, wholeRange().first);
   rebuild();
 }
 
-void ChartScene::setView(double low, double high) {
-  Extent extent;
-  for (const double x : page_.x) extent.include(x);
-  if (extent.empty() || page_.equal_axes) return;
-  const double smallest = (extent.high - extent.low) * 1e-4;
-  low = std::clamp(low, extent.low, extent.high);
-  high = std::clamp(high, extent.low, extent.high);
-  if (high - low < smallest) return;
-  low_ = low;
-  high_ = high;
+bool ChartScene::zoomed() const {
+  const bool chosen = std::any_of(panel_views_.begin(), panel_views_.end(),
+                                  [](const auto& range) { return range.has_value(); });
+  const auto [first, last] =
+      page_.view_high > page_.view_low ? std::pair(page_.view_low, page_.view_high) : wholeRange();
+  return chosen || low_ != first || high_ != last;
+}
+
+void ChartScene::setView(double low, double high) { setZoom({low, high, panel_views_}); }
+
+void ChartScene::setZoom(const ChartZoom& zoom) {
+  if (page_.x.empty() || page_.equal_axes) return;
+  const auto [first, last] = wholeRange();
+  const double smallest = (last - first) * 1e-4;
+  const double low = std::clamp(zoom.low, first, last), high = std::clamp(zoom.high, first, last);
+  if (high - low >= smallest) {
+    low_ = low;
+    high_ = high;
+  }
+  panel_views_ = zoom.panels;
+  panel_views_.resize(page_.panels.size());
+  rebuild();
+}
+
+void ChartScene::setPanelView(std::size_t panel, std::optional<std::pair<double, double>> range) {
+  if (panel >= panel_views_.size() || page_.equal_axes) return;
+  if (range && !(range->second > range->first)) return;
+  panel_views_[panel] = range;
+  rebuild();
+}
+
+void ChartScene::showCurve(std::size_t panel, std::size_t curve, bool shown) {
+  page_.panels.at(panel).curves.at(curve).hidden = !shown;
   rebuild();
 }
 
 double ChartScene::abscissaAt(double scene_x) const {
   if (areas_.empty()) return low_;
   const QRectF& area = areas_.front();
-  const double shown =
-      x_axis_.min + (scene_x - area.left()) / area.width() * (x_axis_.max - x_axis_.min);
-  return shown * x_axis_.factor + x_axis_.offset;
+  return x_axis_.value(x_axis_.min +
+                       (scene_x - area.left()) / area.width() * (x_axis_.max - x_axis_.min));
 }
 
 double ChartScene::positionOf(double abscissa) const {
@@ -87,30 +143,45 @@ double ChartScene::positionOf(double abscissa) const {
          (x_axis_.shown(abscissa) - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
 }
 
+double ChartScene::valueAt(std::size_t panel, double scene_y) const {
+  const QRectF& area = areas_.at(panel);
+  const AxisScale& axis = y_axes_.at(panel);
+  return axis.value(axis.min + (area.bottom() - scene_y) / area.height() * (axis.max - axis.min));
+}
+
+double ChartScene::heightOf(std::size_t panel, double value) const {
+  const QRectF& area = areas_.at(panel);
+  const AxisScale& axis = y_axes_.at(panel);
+  return area.bottom() - (axis.shown(value) - axis.min) / (axis.max - axis.min) * area.height();
+}
+
+std::optional<std::size_t> ChartScene::panelAt(QPointF position) const {
+  for (std::size_t p = 0; p < areas_.size(); ++p)
+    if (areas_[p].contains(position)) return p;
+  return std::nullopt;
+}
+
 QString ChartScene::readout(QPointF position) const {
-  if (page_.equal_axes || page_.x.empty()) return {};
-  for (std::size_t p = 0; p < areas_.size(); ++p) {
-    if (!areas_[p].contains(position)) continue;
-    const double x = abscissaAt(position.x());
-    const auto after = std::lower_bound(page_.x.begin(), page_.x.end(), x);
-    auto i = static_cast<std::size_t>(
-        std::min<std::ptrdiff_t>(after - page_.x.begin(), std::ssize(page_.x) - 1));
-    if (i > 0 && std::abs(page_.x[i - 1] - x) < std::abs(page_.x[i] - x)) --i;
-    QString text = text_of(pretty_quantity(page_.x[i], page_.x_unit, 5)) + ":";
-    for (const auto& curve : page_.panels[p].curves) {
-      if (i >= curve.y.size()) continue;
-      const QString name = text_of(curve.name.empty() ? page_.panels[p].title : curve.name);
-      text += "  " + name + " " + text_of(pretty_quantity(curve.y[i], page_.panels[p].unit, 5));
+  if (page_.equal_axes || page_.x.empty() || !panelAt(position)) return {};
+  const std::size_t i = nearest_index(page_.x, abscissaAt(position.x()));
+  QString text = text_of(pretty_quantity(page_.x[i], page_.x_unit, 5)) + ":";
+  for (const ChartPanel& panel : page_.panels)
+    for (const auto& curve : panel.curves) {
+      if (i >= curve.y.size() || curve.hidden) continue;
+      const QString name = text_of(curve.name.empty()         ? panel.title
+                                   : page_.panels.size() == 1 ? curve.name
+                                                              : panel.title + ", " + curve.name);
+      text += "  " + name + " " + text_of(pretty_quantity(curve.y[i], panel.unit, 5));
     }
-    return text;
-  }
-  return {};
+  return text;
 }
 
 void ChartScene::rebuild() {
   clear();
   charts_.clear();
   areas_.clear();
+  y_axes_.clear();
+  legend_.clear();
   setSceneRect(QRectF(QPointF(0, 0), size_));
   setBackgroundBrush(theme_->surface);
   const Metrics m = metrics();
@@ -125,8 +196,9 @@ void ChartScene::rebuild() {
     addOrbit(space, m);
     return;
   }
-  x_axis_ =
-      tight_axis(low_, high_, page_.x_unit, std::max(2, static_cast<int>(space.width() / 110)));
+  x_axis_ = page_.log_x ? log_axis(low_, high_, page_.x_unit, true)
+                        : tight_axis(low_, high_, page_.x_unit,
+                                     std::max(2, static_cast<int>(space.width() / 110)));
   const auto count = static_cast<qreal>(page_.panels.size());
   const qreal height = (space.height() - m.gap * (count - 1) - m.legend) / count;
   for (std::size_t i = 0; i < page_.panels.size(); ++i) {
@@ -152,41 +224,119 @@ void ChartScene::addHeading(const Metrics& m) {
   }
   line(text_of(page_.title), ui_font(m.title_font, true), theme_->text, 14);
   line(text_of(page_.subtitle), ui_font(m.text_font), theme_->muted, 40);
-  if (!page_.panels.empty()) line(text_of(page_.note), ui_font(m.text_font), theme_->accent, 60);
+  qreal y = 60;
+  for (const QString& text : noteLines(m.right)) {
+    line(text, ui_font(m.text_font), theme_->accent, y);
+    y += 18;
+  }
 }
 
 void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, const Metrics& m) {
   const ChartPanel& panel = page_.panels[index];
   Extent extent;
+  bool any = false;
   for (const auto& curve : panel.curves)
-    for (std::size_t i = 0; i < std::min(curve.y.size(), page_.x.size()); ++i)
-      if (page_.x[i] >= low_ && page_.x[i] <= high_) extent.include(curve.y[i]);
-  if (!extent.empty() && extent.high - extent.low < panel.least_span) {
+    for (std::size_t i = 0; i < std::min(curve.y.size(), page_.x.size()); ++i) {
+      any = any || is_drawable(curve.y[i]);
+      if (curve.hidden || page_.x[i] < low_ || page_.x[i] > high_) continue;
+      for (const auto* values : {&curve.y, &curve.low, &curve.high})
+        if (i < values->size() && (!panel.log || (*values)[i] > 0.0)) extent.include((*values)[i]);
+    }
+  const double least = std::max(panel.least_span, least_span_of(panel.unit));
+  if (!panel.log && !extent.empty() && extent.high - extent.low < least) {
+    // Beside a larger value such noise is a constant; about zero the axis shows how small it is.
     const double middle = 0.5 * (extent.low + extent.high);
-    extent = {middle - 0.5 * panel.least_span, middle + 0.5 * panel.least_span};
+    const double half = std::abs(middle) > 500.0 * least ? 0.0 : 0.5 * least;
+    extent = {middle - half, middle + half};
   }
   const int parts = std::clamp(static_cast<int>(area.height() / 38), 2, 8);
-  const AxisScale y_axis = value_axis(extent.low, extent.high, panel.unit, parts);
-  AxisScale x_axis = x_axis_;
-  const QString x_title = bottom ? with_unit(text_of(page_.x_title), x_axis) : QString();
+  const auto& chosen = panel_views_[index];
+  const double low = chosen ? chosen->first : extent.low,
+               high = chosen ? chosen->second : extent.high;
+  const AxisScale y_axis = panel.log ? log_axis(low, high, panel.unit, chosen.has_value())
+                           : chosen  ? tight_axis(low, high, panel.unit, parts)
+                                     : value_axis(low, high, panel.unit, parts);
+  const QString x_title = bottom ? with_unit_and_base(text_of(page_.x_title), x_axis_) : QString();
   QChart* chart =
-      addChart(area, x_axis, y_axis, x_title, with_unit(text_of(panel.title), y_axis), bottom, m);
-  int colour = 0;
+      addChart(area, x_axis_, y_axis, x_title, with_unit(text_of(panel.title), y_axis), bottom, m);
+  int colour = -1;
   for (const auto& curve : panel.curves) {
-    const auto pieces =
-        drawable_pieces(page_.x, curve.y, low_, high_, static_cast<int>(area.width()), panel.wraps);
+    colour = panel.one_colour ? 0 : colour + 1;
+    if (curve.hidden) continue;
+    if (!curve.low.empty()) addBand(curve, area, y_axis, colour);
+    std::vector<double> positive;
+    if (panel.log) {
+      positive = curve.y;
+      for (double& value : positive)
+        if (!(value > 0.0)) value = std::numeric_limits<double>::quiet_NaN();
+    }
+    const auto pieces = drawable_pieces(page_.x, panel.log ? positive : curve.y, low_, high_,
+                                        static_cast<int>(area.width()), panel.wraps);
     for (const auto& piece : pieces) {
-      addSeries(chart, piece, x_axis, y_axis, text_of(curve.name), colour, m.line, curve.dashed);
+      addSeries(chart, piece, x_axis_, y_axis, text_of(curve.name), colour, m.line, curve.dashed);
       // A value between gaps has no line: it is a point.
       if (page_.points || piece.x.size() == 1)
-        addPoints(piece, area, x_axis, y_axis, colour, m.line);
+        addPoints(piece, area, x_axis_, y_axis, colour, m.line);
     }
-    ++colour;
   }
-  if (extent.empty()) addMessage(area, "no values in the file", m);
+  if (!any)
+    addMessage(area, panel.message.empty() ? "no values in the file" : text_of(panel.message), m);
+  if (!y_axis.offset_text.empty()) {
+    auto* base =
+        addSimpleText("difference from " + text_of(y_axis.offset_text), ui_font(m.tick_font));
+    base->setBrush(theme_->accent);
+    base->setPos(area.left(), area.top() - base->boundingRect().height() - 3);
+  }
   addMarks(area, index == 0, m);
-  addLegend(panel, area, m);
   areas_.push_back(area);
+  y_axes_.push_back(y_axis);
+  addLegend(panel, area, m);
+}
+
+/// The extremes between the values, as a pale area that the lowest and highest value of each column
+/// of pixels bound.
+void ChartScene::addBand(const ChartCurve& curve, const QRectF& area, const AxisScale& y_axis,
+                         int colour) {
+  const std::size_t count = std::min({page_.x.size(), curve.low.size(), curve.high.size()});
+  struct Column {
+    qreal x = 0.0;
+    double low = 0.0, high = 0.0;
+  };
+  std::vector<Column> columns;
+  const auto flush = [&] {
+    if (columns.size() < 2) {
+      columns.clear();
+      return;
+    }
+    const auto height = [&](double value) {
+      const double at = (y_axis.shown(value) - y_axis.min) / (y_axis.max - y_axis.min);
+      return area.bottom() - std::clamp(at, 0.0, 1.0) * area.height();
+    };
+    QPolygonF outline;
+    for (const Column& c : columns) outline.append({c.x, height(c.high)});
+    for (auto c = columns.rbegin(); c != columns.rend(); ++c)
+      outline.append({c->x, height(c->low)});
+    QColor fill = theme_->curves[static_cast<std::size_t>(colour) % theme_->curves.size()];
+    fill.setAlpha(70);
+    addPolygon(outline, QPen(Qt::NoPen), fill);
+    columns.clear();
+  };
+  for (std::size_t i = 0; i < count; ++i) {
+    if (page_.x[i] < low_ || page_.x[i] > high_) continue;
+    if (!is_drawable(curve.low[i]) || !is_drawable(curve.high[i])) {
+      flush();
+      continue;
+    }
+    const qreal x = area.left() + (x_axis_.shown(page_.x[i]) - x_axis_.min) /
+                                      (x_axis_.max - x_axis_.min) * area.width();
+    if (columns.size() > 1 && std::floor(x) == std::floor(columns.back().x)) {
+      columns.back().low = std::min(columns.back().low, curve.low[i]);
+      columns.back().high = std::max(columns.back().high, curve.high[i]);
+    } else {
+      columns.push_back({x, curve.low[i], curve.high[i]});
+    }
+  }
+  flush();
 }
 
 QChart* ChartScene::addChart(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
@@ -238,15 +388,6 @@ void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const A
                            const Metrics& m) {
   const QFont font = ui_font(m.tick_font), title_font = ui_font(m.text_font);
   const QFontMetricsF metrics(font), title_metrics(title_font);
-  const auto ticks = [](const AxisScale& scale) {
-    constexpr std::size_t kMostTicks = 200;
-    std::vector<double> values;
-    const double slack = 1e-6 * scale.step;
-    for (double k = std::ceil((scale.min - slack) / scale.step);
-         k * scale.step <= scale.max + slack && values.size() < kMostTicks; ++k)
-      values.push_back(k * scale.step);
-    return values;
-  };
   const auto add = [&](const QString& text, const QFont& used, const QColor& colour,
                        QPointF position) {
     auto* item = addSimpleText(text, used);
@@ -254,16 +395,16 @@ void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const A
     item->setPos(position);
     return item;
   };
-  for (const double value : ticks(y_scale)) {
-    const QString text = text_of(tick_text(value, y_scale.decimals));
+  for (const auto& [value, label] : axis_ticks(y_scale)) {
+    const QString text = text_of(label);
     const qreal y =
         area.bottom() - (value - y_scale.min) / (y_scale.max - y_scale.min) * area.height();
     add(text, font, theme_->muted,
         {area.left() - 8 - metrics.horizontalAdvance(text), y - 0.5 * metrics.height()});
   }
   if (x_labels)
-    for (const double value : ticks(x_scale)) {
-      const QString text = text_of(tick_text(value, x_scale.decimals));
+    for (const auto& [value, label] : axis_ticks(x_scale)) {
+      const QString text = text_of(label);
       const qreal x =
           area.left() + (value - x_scale.min) / (x_scale.max - x_scale.min) * area.width();
       const qreal width = metrics.horizontalAdvance(text);
@@ -275,12 +416,22 @@ void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const A
     add(x_title, title_font, theme_->text,
         {area.center().x() - 0.5 * width, area.bottom() + 10 + metrics.height()});
   }
-  // A title longer than its panel may use the gaps above and below before it is shortened.
-  const QString shown = title_metrics.elidedText(y_title, Qt::ElideRight, area.height() + m.gap);
-  auto* title = add(shown, title_font, theme_->text, {});
-  title->setRotation(-90);
-  title->setPos(area.left() - m.left + 8,
-                area.center().y() + 0.5 * title_metrics.horizontalAdvance(shown));
+  // A title longer than its panel may use the gaps above and below; then its unit gets a line of
+  // its own, which is never shortened.
+  const qreal room = area.height() + m.gap;
+  const auto write = [&](const QString& text, qreal left) {
+    auto* title = add(text, title_font, theme_->text, {});
+    title->setRotation(-90);
+    title->setPos(left, area.center().y() + 0.5 * title_metrics.horizontalAdvance(text));
+  };
+  const qsizetype unit = y_title.lastIndexOf(" [");
+  if (title_metrics.horizontalAdvance(y_title) <= room || unit < 0) {
+    write(title_metrics.elidedText(y_title, Qt::ElideRight, room), area.left() - m.left + 8);
+    return;
+  }
+  write(title_metrics.elidedText(y_title.left(unit), Qt::ElideRight, room),
+        area.left() - m.left + 1);
+  write(y_title.mid(unit + 1), area.left() - m.left + 1 + title_metrics.height() - 2);
 }
 
 void ChartScene::addSeries(QChart* chart, const Polyline& line, const AxisScale& x_axis,
@@ -316,39 +467,60 @@ void ChartScene::addPoints(const Polyline& line, const QRectF& area, const AxisS
 }
 
 void ChartScene::addLegend(const ChartPanel& panel, const QRectF& area, const Metrics& m) {
-  if (panel.curves.size() < 2) return;
+  if (panel.curves.size() < 2 || panel.one_colour) return;
   const QFont font = ui_font(m.text_font);
   const QFontMetricsF metrics(font);
+  constexpr qreal kLine = 24.0, kGap = 16.0;
+  // What has no room shares it: long names are shortened alike.
+  const auto count = static_cast<qreal>(panel.curves.size());
+  qreal wanted = 0.0;
+  for (const auto& curve : panel.curves)
+    wanted += metrics.horizontalAdvance(text_of(curve.name)) + kLine + kGap;
+  const qreal most =
+      wanted <= area.width() ? area.width() : std::max(0.0, area.width() / count - kLine - kGap);
+  const auto index = static_cast<std::size_t>(&panel - page_.panels.data());
   qreal x = area.right();
   for (std::size_t i = panel.curves.size(); i-- > 0;) {
-    const QString name = text_of(panel.curves[i].name);
+    const ChartCurve& curve = panel.curves[i];
+    const QString name = metrics.elidedText(text_of(curve.name), Qt::ElideMiddle, most);
     x -= metrics.horizontalAdvance(name);
     auto* label = addSimpleText(name, font);
-    label->setBrush(theme_->text);
+    label->setBrush(curve.hidden ? theme_->frame : theme_->text);
+    label->setToolTip(text_of(curve.name));
     label->setPos(x, area.top() - metrics.height() - 3);
     const qreal middle = area.top() - 0.5 * metrics.height() - 3;
-    QPen pen(theme_->curves[i % theme_->curves.size()], 2.4);
-    if (panel.curves[i].dashed) pen.setDashPattern({2.0, 1.5});
-    addLine(QLineF(x - 24, middle, x - 6, middle), pen);
-    x -= 40;
+    QPen pen(curve.hidden ? theme_->frame : theme_->curves[i % theme_->curves.size()], 2.4);
+    if (curve.dashed) pen.setDashPattern({2.0, 1.5});
+    addLine(QLineF(x - kLine, middle, x - 6, middle), pen);
+    legend_.push_back({QRectF(x - kLine, area.top() - metrics.height() - 3,
+                              metrics.horizontalAdvance(name) + kLine, metrics.height()),
+                       index, i});
+    x -= kLine + kGap;
   }
 }
 
 void ChartScene::addMarks(const QRectF& area, bool label, const Metrics& m) {
-  for (const auto& mark : page_.marks) {
+  std::vector<ChartMark> marks = page_.marks;
+  std::stable_sort(marks.begin(), marks.end(),
+                   [](const ChartMark& a, const ChartMark& b) { return a.x < b.x; });
+  const QFont font = ui_font(m.tick_font);
+  const QFontMetricsF metrics(font);
+  qreal free_from = area.left();
+  for (const auto& mark : marks) {
     const double shown = x_axis_.shown(mark.x);
     if (!(shown > x_axis_.min && shown < x_axis_.max)) continue;
     const qreal x =
         area.left() + (shown - x_axis_.min) / (x_axis_.max - x_axis_.min) * area.width();
     addLine(QLineF(x, area.top(), x, area.bottom()), QPen(theme_->muted, 1, Qt::DashLine));
     if (!label) continue;
-    const QFont font = ui_font(m.tick_font);
     const QString text = text_of(mark.label);
+    const qreal width = metrics.horizontalAdvance(text);
+    const qreal left = std::clamp(x - 0.5 * width, area.left(), area.right() - width);
+    if (left < free_from) continue;  // the line stays; its name would cover the last one
+    free_from = left + width + 8.0;
     auto* item = addSimpleText(text, font);
     item->setBrush(theme_->muted);
-    const qreal width = QFontMetricsF(font).horizontalAdvance(text);
-    item->setPos(std::clamp(x - 0.5 * width, area.left(), area.right() - width),
-                 area.top() - QFontMetricsF(font).height() - 3);
+    item->setPos(left, area.top() - metrics.height() - 3);
   }
 }
 

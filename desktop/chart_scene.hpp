@@ -6,6 +6,8 @@
 
 #include <QGraphicsScene>
 
+#include <optional>
+#include <utility>
 #include <vector>
 
 class QChart;
@@ -18,12 +20,28 @@ namespace adore::desktop {
 /// Sizes of a page in pixels: the full page of AdrPlot, or the small one beside AGORE's picture.
 enum class ChartStyle : unsigned char { Page, Compact };
 
+/// What of a page is looked at: a part of the abscissa, and of the panels' own axes where somebody
+/// chose it.
+struct ChartZoom {
+  double low = 0.0, high = 1.0;
+  std::vector<std::optional<std::pair<double, double>>> panels;  ///< missing: follows the curves
+  bool operator==(const ChartZoom&) const = default;
+};
+
+/// A curve's name in the picture, to be clicked.
+struct LegendEntry {
+  QRectF place;
+  std::size_t panel = 0, curve = 0;
+};
+
 class ChartScene : public QGraphicsScene {
   Q_OBJECT
  public:
   explicit ChartScene(ChartStyle style = ChartStyle::Page, QObject* parent = nullptr);
 
-  void setPage(ChartPage page);
+  /// Shows all of the page; with `keep_view` the part of the abscissa that is shown now, if the new
+  /// page has the same abscissa.
+  void setPage(ChartPage page, bool keep_view = false);
   [[nodiscard]] const ChartPage& page() const { return page_; }
   void setTheme(const Theme& theme);
   void setPageSize(QSizeF size);
@@ -31,6 +49,15 @@ class ChartScene : public QGraphicsScene {
   /// Visible part of the abscissa, in the page's units; limited to the data. Vertical axes follow.
   void setView(double low, double high);
   void resetView();
+  [[nodiscard]] ChartZoom zoom() const { return {low_, high_, panel_views_}; }
+  /// Ranges of panels that this page does not have are left out.
+  void setZoom(const ChartZoom& zoom);
+  /// Range of one panel's own axis, in its unit; none: it follows its curves again.
+  void setPanelView(std::size_t panel, std::optional<std::pair<double, double>> range);
+  /// Does the view differ from the one that resetView() makes?
+  [[nodiscard]] bool zoomed() const;
+  void showCurve(std::size_t panel, std::size_t curve, bool shown);
+  [[nodiscard]] const std::vector<LegendEntry>& legend() const { return legend_; }
   [[nodiscard]] double viewLow() const { return low_; }
   [[nodiscard]] double viewHigh() const { return high_; }
 
@@ -40,6 +67,11 @@ class ChartScene : public QGraphicsScene {
   /// Abscissa value at a scene position, and back.
   [[nodiscard]] double abscissaAt(double scene_x) const;
   [[nodiscard]] double positionOf(double abscissa) const;
+  /// Value of a panel's own axis at a scene position, and back.
+  [[nodiscard]] double valueAt(std::size_t panel, double scene_y) const;
+  [[nodiscard]] double heightOf(std::size_t panel, double value) const;
+  /// Panel under a scene position; none between them.
+  [[nodiscard]] std::optional<std::size_t> panelAt(QPointF scene_position) const;
   /// "12.3 rev: outer 412 N, inner 398 N" for a scene position, empty outside the panels.
   [[nodiscard]] QString readout(QPointF scene_position) const;
 
@@ -49,13 +81,16 @@ class ChartScene : public QGraphicsScene {
  private:
   struct Metrics;
   [[nodiscard]] Metrics metrics() const;
+  [[nodiscard]] QStringList noteLines(qreal right) const;
   void rebuild();
   void addHeading(const Metrics& m);
   void addPanel(std::size_t index, const QRectF& area, bool bottom, const Metrics& m);
+  void addBand(const ChartCurve& curve, const QRectF& area, const AxisScale& y_axis, int colour);
   void addOrbit(const QRectF& space, const Metrics& m);
   void addRemark(const ChartLabel& label, QPointF at, const Metrics& m);
   void addLegend(const ChartPanel& panel, const QRectF& area, const Metrics& m);
   void addMarks(const QRectF& area, bool label, const Metrics& m);
+  [[nodiscard]] std::pair<double, double> wholeRange() const;
   void addMessage(const QRectF& area, const QString& text, const Metrics& m);
   QChart* addChart(const QRectF& area, const AxisScale& x_axis, const AxisScale& y_axis,
                    const QString& x_title, const QString& y_title, bool x_labels, const Metrics& m);
@@ -73,6 +108,9 @@ class ChartScene : public QGraphicsScene {
   QSizeF size_{1280, 800};
   double low_ = 0.0, high_ = 1.0;
   AxisScale x_axis_;
+  std::vector<AxisScale> y_axes_;
+  std::vector<std::optional<std::pair<double, double>>> panel_views_;
+  std::vector<LegendEntry> legend_;
   std::vector<QRectF> areas_;
   std::vector<QChart*> charts_;
 };

@@ -17,8 +17,13 @@ inline QString text_of(const std::string& text) { return QString::fromStdString(
 inline QString with_unit(const QString& title, const AxisScale& axis) {
   QString text = title;
   if (!axis.unit.empty()) text += " [" + text_of(axis.unit) + "]";
-  if (!axis.offset_text.empty()) text += " " + text_of(axis.offset_text);
   return text;
+}
+
+/// An abscissa has room for the value that was taken out of its numbers.
+inline QString with_unit_and_base(const QString& title, const AxisScale& axis) {
+  const QString text = with_unit(title, axis);
+  return axis.offset_text.empty() ? text : text + " from " + text_of(axis.offset_text);
 }
 
 struct Extent {

@@ -38,6 +38,9 @@ void animate(const AnimateRequest& request) {
   agore::RenderOptions render;
   render.view.view = agore::view_named(request.view, request.race);
   render.view.element = request.element;
+  render.view.flange_race = request.race == "outer" ? 0 : 1;
+  render.view.colour = agore::colour_named(request.colour);
+  render.view.contacts = request.contacts;
   render.view.dark = request.dark;
   render.progress = make_count_progress("frame", request.progress);
   agore::MotionPicture picture = agore::open_animation(request.file);

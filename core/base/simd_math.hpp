@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/scalar_lanes.hpp"
 #include "base/scalar_log.hpp"
 #include "base/scalar_math.hpp"
 
@@ -78,7 +79,8 @@ struct SimdMath {
     const Bits bits = std::bit_cast<Bits>(x);
     const Bits k = (bits - 0x3fe6a09e667f3bcdLL) >> 52;  // of √½: rounds to the nearer power of 2
     const V m = std::bit_cast<V>(bits - (k << 52));
-    const V z = (m - 1.0) / (m + 1.0), z2 = z * z;
+    const V over = inverse_sqrt(m + 1.0);
+    const V z = (m - 1.0) * (over * over), z2 = z * z;
     V p = 1.0 / 19.0;
     p = p * z2 + 1.0 / 17.0;
     p = p * z2 + 1.0 / 15.0;
@@ -130,6 +132,19 @@ template <class Abi>
 struct ScalarLog<stdx::simd<double, Abi>> {
   using V = stdx::simd<double, Abi>;
   [[gnu::always_inline]] static V log(V x) { return SimdMath<V>::log(x); }
+};
+
+template <class Abi>
+struct ScalarLanes<stdx::simd<double, Abi>> {
+  using V = stdx::simd<double, Abi>;
+  static constexpr int kCount = static_cast<int>(V::size());
+  [[gnu::always_inline]] static double get(const V& x, int lane) {
+    return x[static_cast<std::size_t>(lane)];
+  }
+  [[gnu::always_inline]] static V from(const double* values) {
+    return V(values, stdx::element_aligned);
+  }
+  [[gnu::always_inline]] static V floor(V x) { return stdx::floor(x); }
 };
 
 template <class Abi>

@@ -6,6 +6,7 @@
 #include "bearing/material.hpp"
 #include "bearing/pocket_shape.hpp"
 #include "bearing/rollers.hpp"
+#include "bearing/thermal_inputs.hpp"
 
 #include <Eigen/Core>
 
@@ -191,6 +192,9 @@ struct Bearing {
   std::optional<TractionCurve> element_traction;  ///< element to element, without cage
   std::optional<TractionCurve> flange_traction;   ///< roller end to race flange
   std::optional<Lubrication> lubrication;         ///< between elements and races; kTrac > 0
+  std::optional<Churning> churning;               ///< kChrn > 0
+  std::optional<CageFilms> cage_films;            ///< kPocHydro or kGsHydro
+  std::optional<ThermalInputs> thermal;           ///< kTherm = 1
   Imperfections imperfections;  ///< of balls and races; rollers keep their own in RollerGeometry
   StaticConstraints constraints;
   SpinRule spin_rule = SpinRule::RaceControl;
@@ -199,8 +203,9 @@ struct Bearing {
   Vec3 gravity = Vec3::Zero();    ///< [m/s^2], base frame
   std::array<double, 2> race_temperature{293.15, 293.15};  ///< [K]
   double element_temperature = 293.15, cage_temperature = 293.15,
-         room_temperature = 293.15;  ///< [K]
-  Mounting mounting;                 ///< fits, housing and shaft
+         room_temperature = 293.15;          ///< [K]
+  std::optional<double> medium_temperature;  ///< of coolant and churning medium, once found [K]
+  Mounting mounting;                         ///< fits, housing and shaft
   std::optional<OperatingFits>
       operating;  ///< set once the geometry is the operating one (thermal/operating.hpp)
 

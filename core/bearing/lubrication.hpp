@@ -22,4 +22,20 @@ struct Lubrication {
   std::optional<UserLubricant> user;  ///< kTrac 9
 };
 
+/// What churns in the cavity of the bearing (kChrn, records 10.7A and 10.7B).
+struct Churning {
+  int code = 0;  ///< kChrn: 1 the lubricant, 2 given, 3 to 14 of the table of fluids
+  double density = 0.0, viscosity = 0.0;              ///< code 2 [kg/m³, Pa s]
+  double density_ratio = 1.0, viscosity_ratio = 1.0;  ///< other codes: over what the medium has
+};
+
+/// Oil films between the cage and what it meets (kPocHydro, kGsHydro, records 9.6 and 10.6).
+struct CageFilms {
+  bool pockets = false, lands = false;
+  /// Given; 0: that of the lubricant at the cage's temperature [Pa s].
+  double pocket_viscosity = 0.0, land_viscosity = 0.0;
+  double largest_pocket_film = 0.0;  ///< pocLubFilm: farther walls feel none [m]
+  double critical_film = 0.0;        ///< thinner films are metal contacts [m]
+};
+
 }  // namespace adore::bearing

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/resources.hpp"
+#include "bearing/material_json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -68,7 +69,7 @@ Material parse_material(const Json& entry) {
 }
 
 Table load() {
-  const Json json = Json::parse(resources::get("materials.json"));
+  const Json& json = material_json();
   Table table;
   for (const auto& [key, entry] : json.at("materials").items())
     table.materials.emplace(key, parse_material(entry)).first->second.table_key = key;
@@ -96,6 +97,11 @@ const Table& table() {
 }
 
 }  // namespace
+
+const nlohmann::json& material_json() {
+  static const Json kJson = Json::parse(resources::get("materials.json"));
+  return kJson;
+}
 
 Material material_from_table(int code, Part part) {
   const std::string key = code == 0 ? table().defaults.at(part) : std::to_string(code);

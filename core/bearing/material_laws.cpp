@@ -1,7 +1,7 @@
 #include "bearing/material_laws.hpp"
 
 #include "base/errors.hpp"
-#include "base/resources.hpp"
+#include "bearing/material_json.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -79,7 +79,7 @@ std::map<std::string, MaterialSheet> load() {
                                              "wear_coefficient",
                                              "von_mises_yield",
                                              "von_mises_fatigue_limit"};
-  const Json json = Json::parse(resources::get("materials.json"));
+  const Json& json = material_json();
   std::map<std::string, MaterialSheet> out;
   for (const auto& [key, entry] : json.at("materials").items()) {
     MaterialSheet sheet;

@@ -27,14 +27,14 @@ struct AngleLaw {
   double K[kTerms] = {}, major[kTerms] = {}, minor[kTerms] = {};
 };
 
-/// A polynomial and its derivatives.
+/// A polynomial and its derivatives; coefficients are numbers or, of vectors, one a lane.
 template <class T>
 struct PolynomialValue {
   T value, slope;
 };
-template <class T>
+template <class C, class T>
 [[nodiscard, gnu::always_inline]] inline PolynomialValue<T> polynomial_with_slope(
-    const double (&c)[AngleLaw::kTerms], const T& u) {
+    const C (&c)[AngleLaw::kTerms], const T& u) {
   T value = T(c[AngleLaw::kTerms - 1]), slope = T(0.0);
   for (int k = AngleLaw::kTerms - 2; k >= 0; --k) {
     slope = slope * u + value;
@@ -42,9 +42,8 @@ template <class T>
   }
   return {value, slope};
 }
-template <class T>
-[[nodiscard, gnu::always_inline]] inline T polynomial(const double (&c)[AngleLaw::kTerms],
-                                                      const T& u) {
+template <class C, class T>
+[[nodiscard, gnu::always_inline]] inline T polynomial(const C (&c)[AngleLaw::kTerms], const T& u) {
   T value = T(c[AngleLaw::kTerms - 1]);
   for (int k = AngleLaw::kTerms - 2; k >= 0; --k) value = value * u + T(c[k]);
   return value;

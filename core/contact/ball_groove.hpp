@@ -52,10 +52,10 @@ struct GrooveTouch {
   T n_k, n_e;  ///< n on k and e
 };
 
-/// @param offset s = groove radius - ball radius [m]
-template <class T>
+/// @param offset s = groove radius - ball radius [m], a number or one a lane
+template <class T, class S>
 [[gnu::always_inline]] inline GrooveTouch<T> groove_touch(const T& axial, const T& lift,
-                                                          double offset) {
+                                                          const S& offset) {
   GrooveTouch<T> touch;
   T inverse;
   touch.length = ScalarMath<T>::root_and_inverse(

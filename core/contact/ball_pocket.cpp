@@ -234,6 +234,14 @@ std::array<double, 2> wall_curvatures(const BallPocket& pocket) {
   return {-1.0 / r1, 0.0};
 }
 
+BallPocket with_ball(BallPocket pocket, double growth) noexcept {
+  pocket.ball_diameter += growth;
+  pocket.clearance_1 -= growth;
+  // Of an elongated pocket the distance of the arc centres.
+  if (pocket.shape != PocketShape::Elongated) pocket.clearance_2 -= growth;
+  return pocket;
+}
+
 WallPoint nearest_wall_half(const CylindricalPocket& pocket, const Vec3& q, double ball_radius,
                             int half_side, double y_cut) noexcept {
   const WallPoint full = nearest_wall(pocket, q, ball_radius);

@@ -118,6 +118,10 @@ struct WallPoints {
 [[nodiscard]] WallPoint nearest_wall_half(const CylindricalPocket& pocket, const Vec3& q,
                                           double ball_radius, int half_side, double y_cut) noexcept;
 
+/// The same pocket with a ball that is `growth` larger [m]: walls stay, so that clearances that are
+/// counted from the ball are smaller.
+[[nodiscard]] BallPocket with_ball(BallPocket pocket, double growth) noexcept;
+
 /// Where the pocket is in the cage.
 struct PocketPlacement {
   double azimuth = 0.0;          ///< ψ_i, circumferential variation included [rad]

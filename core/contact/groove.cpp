@@ -69,6 +69,20 @@ GrooveGeometry groove_geometry(const bearing::BallGeometry& balls) {
   return g;
 }
 
+bearing::BallGeometry own_ball(const bearing::BallGeometry& balls, double growth) {
+  bearing::BallGeometry out = balls;
+  out.diameter += growth;
+  for (double& factor : out.groove_factor) factor *= balls.diameter / out.diameter;
+  return out;
+}
+
+GrooveGeometry groove_of_ball(const GrooveGeometry& nominal, double growth) noexcept {
+  GrooveGeometry out = nominal;
+  out.ball_radius += 0.5 * growth;
+  for (double& offset : out.offset) offset -= 0.5 * growth;
+  return out;
+}
+
 RelativeCurvature race_curvature(const bearing::BallGeometry& balls, int race,
                                  double contact_angle) {
   const auto j = static_cast<std::size_t>(race);

@@ -30,6 +30,13 @@ struct GrooveGeometry {
 /// (README C of the reference cases: Pd/4 on each race).
 [[nodiscard]] GrooveGeometry groove_geometry(const bearing::BallGeometry& balls);
 
+/// The same bearing as one ball sees it that is `growth` larger than the others [m]: grooves stay,
+/// their factors are those over its own diameter. Contact angle, clearance and groove_plane are not
+/// touched: they say where the grooves are, which is what groove_of_ball keeps.
+[[nodiscard]] bearing::BallGeometry own_ball(const bearing::BallGeometry& balls, double growth);
+/// Grooves of the nominal ball around that ball: radius and offsets are its own.
+[[nodiscard]] GrooveGeometry groove_of_ball(const GrooveGeometry& nominal, double growth) noexcept;
+
 /// Relative curvatures at race j for contact angle α: 2/D ± 2 cos α/(d_m ∓ D cos α) rolling (upper
 /// sign inner), 2/D - 1/(f_j D) transverse. For every practical groove the major axis is
 /// transverse.

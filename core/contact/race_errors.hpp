@@ -4,6 +4,7 @@
 #include "contact/race_slope.hpp"
 #include "contact/race_surface.hpp"
 #include "contact/race_wave.hpp"
+#include "contact/slice_circle.hpp"
 
 #include <array>
 #include <cmath>
@@ -50,6 +51,13 @@ void check_whole_waves(const RaceErrors& errors);
 [[nodiscard]] inline std::array<double, 2> nominal_groove_normal(const RaceSurface& groove) {
   return {(groove.mid_x - groove.groove_x) / groove.groove_radius,
           (groove.mid_r - groove.groove_centre_radius) / groove.groove_radius};
+}
+
+/// ψ of a meridian frame in a race that turned by an angle beyond its axes.
+[[nodiscard]] inline AzimuthDirection<double> azimuth_in_turned(const MeridianTurn& at,
+                                                                double cosine,
+                                                                double sine) noexcept {
+  return {at.ez * cosine - at.ey * sine, -at.ey * cosine - at.ez * sine};
 }
 
 /// A race for rollers that has errors, in motion.

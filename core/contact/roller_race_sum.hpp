@@ -24,12 +24,25 @@ struct RaceSlices {
   const double *s = nullptr, *radius = nullptr, *width = nullptr;  ///< [m]
 };
 
+/// What a traction that knows a lubricant's film may know of a slice. SI.
+template <class T>
+struct SlicePlace {
+  T load_per_length;  ///< Q/w [N/m]
+  T peak_pressure;    ///< of the line [Pa]
+  T half_width;       ///< b [m]
+  T curvature;        ///< Σρ [1/m]
+  T entrainment;      ///< mean speed of both surfaces along rolling, in the frame that orbits with
+                      ///< the roller; signed [m/s]
+  T slip;             ///< [m/s]
+};
+
 /// Middle C of the roller along and from the race axis, its axis, and the motion of the race
 /// relative to it about C.
 struct RollerPose {
   double x = 0.0, r = 0.0;
   SliceAxes axes;
   Triple<double> velocity{}, omega{};
+  Triple<double> spin{};  ///< ω of the roller less that of its orbit, read by films only [rad/s]
 };
 
 template <class T>
@@ -51,7 +64,8 @@ struct SliceLanes<double> {
   static double sum(double x) { return x; }
 };
 
-/// @param traction callable (u², pressure) -> κ(s)/s on T, or nullptr: none
+/// @param traction callable (u², pressure) -> κ(s)/s on T, or nullptr: none; or with on(SlicePlace)
+/// -> callable u² -> κ(s)/s
 /// @param slope RaceSlope of a race with errors at the azimuth of C, or nullptr
 template <class T, class Traction, class Slope = std::nullptr_t>
 [[nodiscard, gnu::always_inline]] inline RollerRaceSums<T> roller_race_sums(
@@ -95,7 +109,17 @@ template <class T, class Traction, class Slope = std::nullptr_t>
       const T per_length = Q / M::max(width, T(1e-30));
       const T pressure =
           M::root(per_length * ((1.0 / radius - d.at.A_hoop) * (slices.E_star * kOverPi)));
-      const T per_slip = Q * traction(square, pressure);
+      T per_slip;
+      if constexpr (requires(const SlicePlace<T>& at) { traction.on(at); }) {
+        // Half the race's surface and half the roller's, which both have the orbit's motion too.
+        const T speed = 0.5 * dot(slip, d.w) + dot(cross(at.spin, arm), d.w);
+        const T half_width = (2.0 * kOverPi) * per_length / M::max(pressure, T(1.0));
+        const SlicePlace<T> place{
+            per_length, pressure, half_width, 1.0 / radius - d.at.A_hoop, speed, M::root(square)};
+        per_slip = Q * traction.on(place)(square);
+      } else {
+        per_slip = Q * traction(square, pressure);
+      }
       f = f + per_slip * slip;
       sum.heat += per_slip * square;
       sum.load_slip += Q * M::root(square);

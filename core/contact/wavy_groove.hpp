@@ -21,16 +21,21 @@
 /// axes, the arms of traction and the surface it acts on are those of the nominal groove.
 namespace adore::contact {
 
+/// Over those of the nominal groove, polynomials in (change of f)/(largest change): Hertz's K, and
+/// the half axes of the ellipse at one approach. Coefficients are numbers or one a lane.
+template <class C>
+struct GrooveRatios {
+  static constexpr int kTerms = AngleLaw::kTerms;
+  C stiffness[kTerms]{C(1.0)}, major[kTerms]{C(1.0)}, minor[kTerms]{C(1.0)};
+};
+
 struct WavyGroove {
   RaceForm form;
-  double curvature_diameter = 0.0;        ///< D of the ball [m]
+  double curvature_diameter = 0.0;        ///< D of the nominal ball [m]
   double normal_x = 0.0, normal_r = 1.0;  ///< n of the nominal contact
-  static constexpr int kTerms = AngleLaw::kTerms;
-  // Over those of the nominal groove, polynomials in (change of f)/(largest change): Hertz's K, and
-  // the half axes of the ellipse at one approach.
-  bool varying = false;     ///< the curvature changes
-  double per_factor = 0.0;  ///< 1/(largest change of f)
-  double stiffness[kTerms]{1.0}, major[kTerms]{1.0}, minor[kTerms]{1.0};
+  bool varying = false;                   ///< the curvature changes
+  double per_factor = 0.0;                ///< 1/(largest change of f)
+  GrooveRatios<double> ratios;            ///< of one ball
 };
 
 template <class T>
@@ -42,12 +47,14 @@ struct WavyTouch {
   T major = 1.0, minor = 1.0;                    ///< half axes over the nominal ones
 };
 
-/// @param psi azimuth of the ball in the race; offset s of the nominal groove [m]
-template <class T>
+/// @param ratios of the ball, or of the one in each lane; psi its azimuth in the race; offset s of
+/// the nominal groove [m]
+template <class T, class C, class S>
 [[nodiscard, gnu::always_inline]] inline WavyTouch<T> wavy_touch(const WavyGroove& groove,
+                                                                 const GrooveRatios<C>& ratios,
                                                                  const AzimuthDirection<T>& psi,
                                                                  const T& axial, const T& lift,
-                                                                 double offset) {
+                                                                 const S& offset) {
   const LocalRaceErrorOf<T> e = race_error_at(groove.form, psi);
   const auto change_of = [&](const T& radius, const T& factor) {
     return groove_change(radius, factor, groove.curvature_diameter, groove.normal_x,
@@ -56,17 +63,17 @@ template <class T>
   const GrooveChange<T> change = change_of(e.radius, e.curvature_factor);
   const GrooveChange<T> slope = change_of(e.radius_slope, e.curvature_factor_slope);
   WavyTouch<T> out;
-  out.touch = groove_touch<T>(axial - change.x, lift - change.centre_radius, offset);
+  out.touch = groove_touch(T(axial - change.x), T(lift - change.centre_radius), offset);
   out.touch.approach = out.touch.approach - change.radius;
   out.turn = -out.touch.n_k * slope.x - out.touch.n_e * slope.centre_radius - slope.radius;
   out.across = out.touch.n_k * slope.centre_radius - out.touch.n_e * slope.x;
   if (groove.varying) {
     const T w = e.curvature_factor * groove.per_factor;
-    const PolynomialValue<T> k = polynomial_with_slope(groove.stiffness, w);
+    const PolynomialValue<T> k = polynomial_with_slope(ratios.stiffness, w);
     out.stiffness = k.value;
     out.log_stiffness_slope = k.slope * (e.curvature_factor_slope * groove.per_factor) / k.value;
-    out.major = polynomial(groove.major, w);
-    out.minor = polynomial(groove.minor, w);
+    out.major = polynomial(ratios.major, w);
+    out.minor = polynomial(ratios.minor, w);
   }
   return out;
 }

@@ -18,13 +18,18 @@ std::array<double, 3> ratios(const HertzConstants& here, const HertzConstants& n
   return {K, here.a_hat / nominal.a_hat * root, here.b_hat / nominal.b_hat * root};
 }
 
-void fit_constants(const bearing::BallGeometry& balls, int race, double amplitude, double angle,
-                   WavyGroove& out) {
+}  // namespace
+
+GrooveRatios<double> ratios_of_ball(const bearing::BallGeometry& balls, double growth, int race,
+                                    const bearing::RaceErrors& errors, double angle) {
+  GrooveRatios<double> out;
+  const double amplitude = std::abs(errors.curvature_factor.amplitude);
+  if (amplitude == 0.0) return out;
   constexpr std::size_t kPoints = 24;
   const auto constants = [&](double change) {
     bearing::BallGeometry here = balls;
     here.groove_factor[static_cast<std::size_t>(race)] += change;
-    return hertz_constants(race_curvature(here, race, angle), 1.0);
+    return hertz_constants(race_curvature(own_ball(here, growth), race, angle), 1.0);
   };
   const HertzConstants nominal = constants(0.0);
   std::array<std::vector<double>, 3> values;
@@ -35,14 +40,13 @@ void fit_constants(const bearing::BallGeometry& balls, int race, double amplitud
   double* const targets[] = {out.stiffness, out.major, out.minor};
   for (std::size_t q = 0; q < 3; ++q) {
     std::vector<double> series = chebyshev_coefficients(values[q]);
-    series.resize(WavyGroove::kTerms, 0.0);
+    series.resize(GrooveRatios<double>::kTerms, 0.0);
     const std::vector<double> powers = powers_of_chebyshev(series);
     // The nominal groove has the ratio 1.
     for (std::size_t k = 0; k < powers.size(); ++k) targets[q][k] = powers[k] / powers[0];
   }
+  return out;
 }
-
-}  // namespace
 
 WavyGroove make_wavy_groove(const bearing::BallGeometry& balls, int race,
                             const bearing::RaceErrors& errors, double fixed_angle) {
@@ -59,7 +63,7 @@ WavyGroove make_wavy_groove(const bearing::BallGeometry& balls, int race,
   if (amplitude == 0.0) return out;
   out.varying = true;
   out.per_factor = 1.0 / amplitude;
-  fit_constants(balls, race, amplitude, fixed_angle, out);
+  out.ratios = ratios_of_ball(balls, 0.0, race, errors, fixed_angle);
   return out;
 }
 

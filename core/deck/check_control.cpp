@@ -30,10 +30,6 @@ void check_run_mode(Checker& c) {
       c.warning("kIcOpt",
                 "has no effect, because mode is negative and there is no run to go on with",
                 "set kIcOpt to 0");
-    const auto churning = c.integer("kChrn");
-    if (churning && *churning != 0)
-      c.warning("kChrn", "has no effect, because mode is negative and nothing moves in the medium",
-                "set kChrn to 0 and drop record 10.7");
   }
   if (c.is("kRaceFlex", 1))
     c.error("kRaceFlex",

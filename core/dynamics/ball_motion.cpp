@@ -4,13 +4,18 @@
 
 namespace adore::dynamics {
 
-bool ball_motion(const ElementViews& b, const ElementActions& actions, double mass, double inertia,
-                 const std::array<double*, kQuantities.size()>& rates) noexcept {
-  const double per_mass = 1.0 / mass, per_inertia = 1.0 / inertia;
+namespace {
+
+/// @param per_mass_of, per_inertia_of called with the number of the ball
+template <class PerMass, class PerInertia>
+inline bool motion(const ElementViews& b, const ElementActions& actions, const PerMass& per_mass_of,
+                   const PerInertia& per_inertia_of,
+                   const std::array<double*, kQuantities.size()>& rates) noexcept {
   double check = 0.0;
   const auto& [F_x, F_r, F_theta, M_x, M_r, M_theta] = actions;
   const auto [x, r, theta, x_dot, r_dot, theta_dot, omega_x, omega_r, omega_theta] = rates;
   for (std::size_t i = 0; i < b.n; ++i) {
+    const double per_mass = per_mass_of(i), per_inertia = per_inertia_of(i);
     const double td = b.theta_dot[i];
     const double ax = F_x[i] * per_mass;
     const double ar = F_r[i] * per_mass + b.r[i] * td * td;
@@ -30,6 +35,24 @@ bool ball_motion(const ElementViews& b, const ElementActions& actions, double ma
     check += ax + ar + at + wx + wr + wt + b.x_dot[i] + b.r_dot[i];
   }
   return std::isfinite(check);
+}
+
+}  // namespace
+
+bool ball_motion(const ElementViews& b, const ElementActions& actions, double mass, double inertia,
+                 const std::array<double*, kQuantities.size()>& rates) noexcept {
+  const double per_mass = 1.0 / mass, per_inertia = 1.0 / inertia;
+  return motion(
+      b, actions, [=](std::size_t) { return per_mass; }, [=](std::size_t) { return per_inertia; },
+      rates);
+}
+
+bool ball_motion(const ElementViews& b, const ElementActions& actions,
+                 std::span<const double> per_mass, std::span<const double> per_inertia,
+                 const std::array<double*, kQuantities.size()>& rates) noexcept {
+  return motion(
+      b, actions, [=](std::size_t i) { return per_mass[i]; },
+      [=](std::size_t i) { return per_inertia[i]; }, rates);
 }
 
 }  // namespace adore::dynamics

@@ -8,8 +8,8 @@
 /// race_contacts.hpp. Seen by the race kernels.
 namespace adore::dynamics {
 
-/// Race and ball as rigid bodies.
-template <class T>
+/// Race and ball as rigid bodies. S: a number, or of balls that differ one a lane.
+template <class T, class S = double>
 struct RacePairMotion {
   contact::Triple<T> race_velocity;  ///< of P_j [m/s]
   contact::Triple<T> tilt;           ///< angular velocity of the race across its axis [rad/s]
@@ -18,17 +18,19 @@ struct RacePairMotion {
   contact::Triple<T> ball_velocity;  ///< of its centre [m/s]
   contact::Triple<T> ball_omega;     ///< [rad/s]
   T orbital_speed;                   ///< θ̇, read for the entrainment only [rad/s]
-  double ball_radius = 0.0;          ///< likewise [m]
+  S ball_radius = 0.0;               ///< likewise [m]
 };
 
 /// With w = V_P + tilt × d - V_ball and ω = tilt - ω_ball:
 ///   u_c = w·c, u_t = w·t + Ω R, W = Ω k + ω on (c, t, n)
 ///   entrainment = ½ (u_t - W_c h) - h (ω_ball - θ̇ e_x)·c,  h = r_ball: mean of both surfaces'
-///   velocities at ξ = η = 0 along t in the frame that orbits with the ball.
+///   velocities at ξ = η = 0 along t in the frame that orbits with the ball;
+///   curvature = 1/r_ball - n_e/(R + r_ball n_e): of both bodies along t, R the distance of the
+///   ball's centre from the race axis.
 /// @param d ball centre from P_j; k race axis
-template <class T>
+template <class T, class S>
 [[gnu::always_inline]] inline tribology::EllipseMotion<T> ellipse_motion(
-    const RacePairMotion<T>& m, const contact::Triple<T>& d, const contact::Triple<T>& k,
+    const RacePairMotion<T, S>& m, const contact::Triple<T>& d, const contact::Triple<T>& k,
     const contact::Triple<T>& t, const contact::GroovePlace<T>& place,
     const contact::GrooveTouch<T>& touch) {
   using contact::dot;
@@ -49,6 +51,7 @@ template <class T>
   const T spin_c = touch.n_k * dot(m.ball_omega, e) - touch.n_e * dot(m.ball_omega, k);
   const T orbit_c = m.orbital_speed * (touch.n_k * e.x - touch.n_e * k.x);
   out.entrainment = 0.5 * (out.u_t - out.W_c * m.ball_radius) - m.ball_radius * (spin_c - orbit_c);
+  out.curvature = 1.0 / m.ball_radius - touch.n_e / (place.distance + m.ball_radius * touch.n_e);
   return out;
 }
 

@@ -85,8 +85,9 @@ GrooveContact ConstrainedBall::wavy_contact(int race, const RacePose& pose, cons
                     D::variable(-pose.centre[2], 2)};
   const Triple<D> zero = fixed(pose.zero) + D::variable(0.0, 3) * fixed(pose.axis.cross(pose.zero));
   const auto place = con::groove_place(d, k, groove_.centre_radius[j]);
-  const con::WavyTouch<D> wavy = con::wavy_touch(*wavy_[j], con::azimuth_in_race(k, place.e, zero),
-                                                 place.axial, place.lift, groove_.offset[j]);
+  const con::WavyTouch<D> wavy =
+      con::wavy_touch(*wavy_[j], wavy_[j]->ratios, con::azimuth_in_race(k, place.e, zero),
+                      place.axial, place.lift, groove_.offset[j]);
   const con::GrooveTouch<D>& touch = wavy.touch;
   const Triple<D> t = cross(k, place.e);
   const Triple<D> n = touch.n_k * k + touch.n_e * place.e;

@@ -24,6 +24,8 @@ class EffectBlock {
   virtual ~EffectBlock() = default;
   /// Adds this effect's share to `e`. No allocation.
   virtual void apply(Evaluation& e) noexcept = 0;
+  /// False: it acts on cage and races alone (force_pass.hpp).
+  [[nodiscard]] virtual bool acts_on_elements() const noexcept { return true; }
 };
 
 /// When a block acts; within a phase in the order of declaration.
@@ -63,6 +65,19 @@ class BorderBody {
   /// element [N, N m], base frame.
   virtual void add_share(const Evaluation& e, std::size_t i, const Vec3& force, const Vec3& moment,
                          double* row) const noexcept = 0;
+};
+
+/// What elements touch besides the races: estimates for elements in balance (held_elements.hpp).
+class ElementSupport {
+ public:
+  virtual ~ElementSupport() = default;
+  /// Adds -∂F/∂(place) of its normal forces on element i, (x, r, θ) directions [N/m].
+  virtual void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept = 0;
+  /// Adds the friction force on element i over the slip speed, (x, r) directions [N s/m]. The force
+  /// blocks have just been applied.
+  virtual void damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& damping) noexcept {
+    return (void)e, (void)i, (void)damping;
+  }
 };
 
 /// Which bodies a block couples the elements with: whatever it adds to an element's force and
@@ -127,12 +142,6 @@ class SceneEffect {
   /// A block of it gives races a motion beside their spin (then they do work without friction).
   [[nodiscard]] virtual bool moves_races() const noexcept { return false; }
 
-  /// Adds -∂F/∂(place) of what it does to element i besides the races, (x, r, θ) directions [N/m]:
-  /// an estimate for elements in balance (held_rollers.hpp).
-  virtual void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) const noexcept {
-    return (void)e, (void)i, (void)stiffness;
-  }
-
   /// Longest step from time t that resolves what it prescribes [s] (System::longest_step).
   [[nodiscard]] virtual double longest_step(double t) const {
     return (void)t, std::numeric_limits<double>::infinity();
@@ -193,6 +202,7 @@ struct Assembly {
   bool neighbours_meet = false;
   std::vector<Block> blocks;
   std::vector<Border> border;
+  std::vector<ElementSupport*> supports;
   CostLedger cost;
 };
 
@@ -245,8 +255,12 @@ class SceneBuilder {
   /// Does an effect of the scene move the races?
   [[nodiscard]] bool races_move() const;
 
+  /// Elements touch this; it lives as long as the System.
+  void supports(ElementSupport& support) { out_.supports.push_back(&support); }
   /// Every force of the scene once more, for effects that need them ahead.
-  [[nodiscard]] ForcePass force_pass() const noexcept { return ForcePass(out_); }
+  [[nodiscard]] ForcePass force_pass(bool elements_alone) const noexcept {
+    return {out_, elements_alone};
+  }
 
   /// An effect of the scene, declared before when the catalogue has it before; null: there is none.
   template <class E>

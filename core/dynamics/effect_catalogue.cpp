@@ -34,6 +34,13 @@ constexpr CatalogueLine kCatalogue[] = {
      nullptr},
     {"guide lands", "nGL, kCRTracType", "contact and traction of cage and races", make_land_contact,
      land_terms},
+    {"guide-land films", "kGsHydro", "oil films between cage and races", make_land_film,
+     land_film_terms},
+    {"pocket films", "kPocHydro, pocLubFilm", "oil films between balls and cage", make_pocket_film,
+     pocket_film_terms},
+    {"element drag", "kChrn", "drag and churning of elements in the medium of the cavity",
+     make_element_drag, element_drag_terms},
+    {"cage drag", "kChrn", "drag and churning of the cage", make_cage_drag, cage_drag_terms},
     {"cage", "nCseg", "body with six degrees of freedom, or one for each segment", make_cage,
      cage_terms},
     {"free races", "kDCR", "races that move under loads", make_free_races, free_race_terms},
@@ -48,6 +55,8 @@ constexpr CatalogueLine kCatalogue[] = {
      make_suppressed_elements, suppressed_element_terms},
     {"light-load balance", "qFac, mode", "lightly loaded elements stand in force balance",
      make_light_load_balance, light_load_terms},
+    {"thermal steps", "kTherm", "temperatures and geometry change between steps",
+     make_thermal_steps, thermal_step_terms},
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "dynamics/element_masses.hpp"
 
 #include "base/errors.hpp"
+#include "bearing/element_inertia.hpp"
 #include "dynamics/rigid_body.hpp"
 
 #include <Eigen/LU>
@@ -30,15 +31,16 @@ ElementMass element_mass(const bearing::Inertia& given, double along_axis) {
 
 ElementMasses::ElementMasses(const bearing::Bearing& bearing) {
   const bool rollers = bearing.rollers() != nullptr;
-  const auto arm = [&](const bearing::Inertia& given, double at) {
-    return -given.geometric_centre[0] - at;
-  };
-  if (bearing.first_inertia)
-    all_.push_back(
-        element_mass(*bearing.first_inertia,
-                     arm(*bearing.first_inertia, rollers ? bearing.roller_mass_offset : 0.0)));
-  const bearing::Inertia& given = bearing.element_inertia;
-  all_.push_back(element_mass(given, rollers ? 0.0 : arm(given, 0.0)));
+  std::size_t own = bearing.first_inertia ? 2 : 1;
+  if (bearing::has_unequal_balls(bearing)) own = static_cast<std::size_t>(bearing.element_count());
+  for (std::size_t i = 0; i < own; ++i) {
+    const bearing::Inertia given = bearing::inertia_of(bearing, i);
+    const bool nominal = i > 0 || !bearing.first_inertia;
+    const double at = !rollers  ? -given.geometric_centre[0]
+                      : nominal ? 0.0
+                                : -given.geometric_centre[0] - bearing.roller_mass_offset;
+    all_.push_back(element_mass(given, at));
+  }
 }
 
 bool ElementMasses::off_centre() const noexcept {

@@ -5,7 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-/// Mass and inertia of rolling elements that are no ideal ones (record 6.1).
+/// Mass and inertia of rolling elements: alike, given (record 6.1), or of balls of unequal diameter
+/// (bearing/element_inertia.hpp).
 ///
 /// The nine quantities of an element are those of its reference point: the centre of a ball, of a
 /// roller the point of its axis beside the mass centre that contacts count from
@@ -31,11 +32,13 @@ class ElementMasses {
   [[nodiscard]] const ElementMass& operator[](std::size_t element) const noexcept {
     return all_[element < all_.size() ? element : all_.size() - 1];
   }
+  /// All have the same mass and inertia.
+  [[nodiscard]] bool alike() const noexcept { return all_.size() == 1; }
   /// Some mass centre is not at the reference point.
   [[nodiscard]] bool off_centre() const noexcept;
 
  private:
-  std::vector<ElementMass> all_;  ///< one for all, or of element 1 and of the others
+  std::vector<ElementMass> all_;  ///< one for all, of element 1 and of the others, or each its own
 };
 
 }  // namespace adore::dynamics

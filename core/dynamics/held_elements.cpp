@@ -18,6 +18,11 @@ Vec3 e_theta_at(const Evaluation& e, std::size_t i) noexcept {
   return {0.0, -e.cos_theta[i], -e.sin_theta[i]};
 }
 
+/// From the reference point to the mass centre, on (x, r, θ).
+Vec3 arm_of(const Evaluation& e, std::size_t i, const ElementMass& body) noexcept {
+  return e.to_cylindrical(i, Vec3(e.attitude[i] * body.arm));
+}
+
 /// Square root of a symmetric positive definite 2x2 matrix.
 Mat2 square_root(const Mat2& M) noexcept {
   const double s = std::sqrt(std::max(M.determinant(), 0.0));
@@ -27,10 +32,11 @@ Mat2 square_root(const Mat2& M) noexcept {
 }  // namespace
 
 HeldElements::HeldElements(const Scene& scene, const ElementSlices& slices,
-                           std::unique_ptr<HeldContacts> contacts)
+                           std::unique_ptr<HeldContacts> contacts, ForcePass pass)
     : scene_(scene),
       slices_(slices),
       contacts_(std::move(contacts)),
+      pass_(pass),
       flags_(slices.elements(), 0),
       x_dot_(slices.elements(), 0.0),
       r_dot_(slices.elements(), 0.0),
@@ -52,14 +58,15 @@ void HeldElements::set(std::size_t i, bool held) {
 void HeldElements::estimate(const Evaluation& e, std::size_t k) noexcept {
   const std::size_t i = list_[k];
   const ElementViews& b = e.elements;
-  const double td = b.theta_dot[i], r = b.r[i], centrifugal = scene_.mass * r * td * td;
+  const double mass = scene_.masses[i].mass;
+  const double td = b.theta_dot[i], r = b.r[i], centrifugal = mass * r * td * td;
   Estimate& est = estimate_[k];
   Mat2 B = springs_[k].stiffness.topLeftCorner<2, 2>();
   if (!scene_.axial) B(0, 1) = B(1, 0) = 0.0;
   B(1, 1) += 3.0 * centrifugal / r;  // of L²/(m r³)
-  const double floor = kSoft * scene_.mass * td * td + kNoStiffness * (1.0 + std::abs(B.trace()));
+  const double floor = kSoft * mass * td * td + kNoStiffness * (1.0 + std::abs(B.trace()));
   const Mat2 square = B * B + floor * floor * Mat2::Identity();
-  est.damping = 2.0 * std::sqrt(scene_.mass) * square_root(square_root(square));
+  est.damping = 2.0 * std::sqrt(mass) * square_root(square_root(square));
   est.inverse = B * square.inverse();
   if (!scene_.axial) est.inverse.row(0).setZero();
   est.per_orbit = Vec2(0.0, 2.0 * td / r);
@@ -88,8 +95,10 @@ void HeldElements::first_rates(const Evaluation& e, std::size_t k) noexcept {
 void HeldElements::move_race(Evaluation& e) noexcept {
   Mat3 stiffness = Mat3::Zero();
   Vec3 drift = Vec3::Zero();
+  double mass = 0.0;
   for (std::size_t k = 0; k < list_.size(); ++k) {
     const std::size_t i = list_[k];
+    mass += scene_.masses[i].mass;
     const Mat3& S = springs_[k].race[1];
     Mat3 frame;  // base axes -> (x, r, θ)
     for (int axis = 0; axis < 3; ++axis) frame.col(axis) = e.to_cylindrical(i, Vec3::Unit(axis));
@@ -99,7 +108,7 @@ void HeldElements::move_race(Evaluation& e) noexcept {
     const Vec3 velocity(x_dot_[i], r_dot_[i], e.elements.r[i] * e.elements.theta_dot[i]);
     drift += frame.transpose() * (S * velocity - springs_[k].turning[1]);
   }
-  scene_.race->estimate(stiffness, drift, scene_.mass * static_cast<double>(list_.size()));
+  scene_.race->estimate(stiffness, drift, mass);
   follow_race(e, scene_.race->velocity());
   e.race[1].velocity = scene_.race->velocity();
 }
@@ -119,10 +128,15 @@ void HeldElements::pull(const Evaluation& e, std::size_t k) noexcept {
   const std::size_t i = list_[k];
   const ElementViews& b = e.elements;
   const Estimate& est = estimate_[k];
-  const HeldForces& forces = forces_[k];
+  const Forces& forces = forces_[k];
   const double td = b.theta_dot[i];
-  Mat2 damping = forces.damping;
-  Vec2 G(forces.force[0], forces.force[1] + scene_.mass * b.r[i] * td * td);
+  Mat2 damping = forces.friction;
+  const ElementMass& body = scene_.masses[i];
+  Vec2 G(forces.force[0], forces.force[1] + body.mass * b.r[i] * td * td);
+  if (body.off_centre) {
+    const Vec3 omega(b.omega_x[i], b.omega_r[i], b.omega_theta[i]);
+    G -= body.mass * omega.cross(omega.cross(arm_of(e, i, body))).head<2>();
+  }
   if (!scene_.axial) {
     G[0] = 0.0;
     damping(0, 1) = damping(1, 0) = 0.0;
@@ -130,11 +144,34 @@ void HeldElements::pull(const Evaluation& e, std::size_t k) noexcept {
   Vec2 p = (est.damping + damping).inverse() * G;
   const double size = G.norm();
   if (size > 0.0)
-    p /= std::sqrt(1.0 + scene_.mass * p.squaredNorm() / (2.0 * size * contacts_->free_path()));
+    p /= std::sqrt(1.0 + body.mass * p.squaredNorm() / (2.0 * size * contacts_->free_path()));
   const double friction_theta = forces.race_theta - springs_[k].normal[2];
   p += est.inverse * est.per_orbit * (b.r[i] * friction_theta);
   x_dot_[i] += p[0];
   r_dot_[i] += p[1];
+}
+
+/// Friction over slip of a race contact of load Q: Q κ/u = heat (Q/load-slip)².
+Vec3 HeldElements::form_forces(Evaluation& e) noexcept {
+  pass_.apply(e, ForcePass::Which::OnRaces);
+  for (std::size_t k = 0; k < list_.size(); ++k) forces_[k].race_theta = e.actions[2][list_[k]];
+  if (e.valid) pass_.apply(e, ForcePass::Which::Others);
+  for (std::size_t k = 0; e.valid && k < list_.size(); ++k) {
+    const std::size_t i = list_[k];
+    Forces& of = forces_[k];
+    of.force = {e.actions[0][i], e.actions[1][i], e.actions[2][i]};
+    of.friction.setZero();
+    for (std::size_t j = 0; j < 2; ++j) {
+      const double load_slip = e.load_slip[j][i], heat = e.heat[j][i];
+      if (!(load_slip > 0.0 && heat > 0.0)) continue;
+      const double share = e.load[j][i] / load_slip;
+      of.friction += heat * share * share * springs_[k].along[j];
+    }
+    pass_.damp(e, i, of.friction);
+  }
+  const Vec3 on_race = e.race[1].force;
+  e.clear_actions();
+  return on_race;
 }
 
 void HeldElements::form_rates(Evaluation& e) noexcept {
@@ -147,11 +184,12 @@ void HeldElements::form_rates(Evaluation& e) noexcept {
 
   contacts_->springs(e, list_, {springs_.data(), held});
   for (std::size_t k = 0; k < held; ++k) {
+    pass_.resist(e, list_[k], springs_[k].stiffness);
     estimate(e, k);
     first_rates(e, k);
   }
   if (scene_.race != nullptr) move_race(e);
-  const Vec3 on_race = contacts_->forces(e, list_, {springs_.data(), held}, {forces_.data(), held});
+  const Vec3 on_race = form_forces(e);
   if (!e.valid) return;
   for (std::size_t k = 0; k < held; ++k) pull(e, k);
   if (scene_.race == nullptr) return;
@@ -165,15 +203,20 @@ void HeldElements::form_rates(Evaluation& e) noexcept {
 /// dynamic), p = m r θ̇ e_θ: ṗ = F - G - m ṙ θ̇ e_θ.
 void HeldElements::take_inertia_out(Evaluation& e) noexcept {
   account_ = {};
-  const double m = scene_.mass;
   for (const std::size_t i : list_) {
+    if (scene_.masses[i].off_centre) {
+      take_off_centre(e, i);
+      continue;
+    }
+    const double m = scene_.masses[i].mass;
     double& ax = e.dydt[slices_.at(Quantity::XDot, i)];
     double& ar = e.dydt[slices_.at(Quantity::RDot, i)];
     const double td = e.elements.theta_dot[i], r = e.elements.r[i];
     residual_[i] = Vec2(scene_.axial ? m * ax : 0.0, m * ar);
     account_.power += residual_[i].dot(rate(i));
     const Vec3 force = e.to_base(i, residual_[i][0], residual_[i][1], m * r_dot_[i] * td);
-    const Vec3 velocity = e.to_base(i, x_dot_[i], r_dot_[i], 0.0);
+    // Of the mass centre, what it carries left out.
+    const Vec3 velocity = e.to_base(i, left_out(i)[0], left_out(i)[1], 0.0);
     Vec3 carried = m * r * td * e_theta_at(e, i);
     if (!scene_.axial) carried[0] += m * x_dot_[i];
     account_.force += force;
@@ -181,6 +224,39 @@ void HeldElements::take_inertia_out(Evaluation& e) noexcept {
     if (scene_.axial) ax = 0.0;
     ar = 0.0;
   }
+}
+
+/// What holds the reference point holds the other rates, too: all are found anew.
+void HeldElements::take_off_centre(Evaluation& e, std::size_t i) noexcept {
+  using enum Quantity;
+  const ElementMass& body = scene_.masses[i];
+  const ElementViews& b = e.elements;
+  ElementHold hold = scene_.suppressed;
+  hold.r = true;
+  hold.x = hold.x || scene_.axial;
+  const ElementRates found = constrained_element(e, i, body, hold);
+  const auto rate_of = [&](Quantity q) -> double& { return e.dydt[slices_.at(q, i)]; };
+  rate_of(XDot) = found.x_ddot;
+  rate_of(RDot) = 0.0;
+  rate_of(ThetaDot) = found.theta_ddot;
+  rate_of(OmegaX) = found.omega[0];
+  rate_of(OmegaR) = found.omega[1];
+  rate_of(OmegaTheta) = found.omega[2];
+  residual_[i] = Vec2(scene_.axial ? -found.force[0] : 0.0, -found.force[1]);
+
+  const Vec2 u = left_out(i);
+  const double m = body.mass, td = b.theta_dot[i], turning = m * u[1] * td;
+  const Vec3 arm = arm_of(e, i, body);
+  const Vec3 swing = Vec3(b.omega_x[i], b.omega_r[i], b.omega_theta[i]).cross(arm);
+  const Vec3 velocity(scene_.axial ? 0.0 : x_dot_[i], 0.0, b.r[i] * td);
+  account_.power +=
+      e.actions[0][i] * u[0] + e.actions[1][i] * u[1] + turning * (velocity[2] + swing[2]);
+  const Vec3 around(0.0, 0.0, turning);
+  const Vec3 force = e.to_base(i, residual_[i][0], residual_[i][1], turning);
+  account_.force += force;
+  account_.moment +=
+      e.element_centre(i).cross(force) +
+      e.to_base(i, Vec3(arm.cross(around) - Vec3(u[0], u[1], 0.0).cross(m * (velocity + swing))));
 }
 
 }  // namespace adore::dynamics

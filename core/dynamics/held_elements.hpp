@@ -1,6 +1,8 @@
 #pragma once
 
 #include "dynamics/balanced_race.hpp"
+#include "dynamics/constrained_element.hpp"
+#include "dynamics/force_pass.hpp"
 #include "dynamics/held_contacts.hpp"
 
 #include <cstddef>
@@ -16,28 +18,43 @@
 ///   w = B⁻¹ (∂G/∂t along θ, L, the attitude and the races): rates of the balance of race normals,
 ///   B = -∂G/∂(x, r) of the normal forces at fixed L,  A = 2 √(m B),
 ///   C = Q κ/u along the contact, summed over the contacts (friction force over slip speed).
-/// A departure from balance decays like that of a critically damped element without inertia, at
-/// half its natural frequency: not faster than the element itself would move, and without
-/// vibration; where friction is stronger than that, friction alone sets the rates. B is taken as
-/// √(B² + (kSoft m θ̇²)²), so that an element without contact keeps finite rates, and an element
-/// nears its balance no faster than by free fall from rest through HeldContacts::free_path().
-/// Without `axial` (kDOF 1 to 4, and barrels) only r is in balance. A barrel turns about the centre
-/// of its groove: x and tilt are one motion, whose inertia is that of x (m R² against the 80 times
-/// smaller moment of inertia of the NU22208's); left without it, friction would be as much stiffer.
-/// Tilt, skew and spin of rollers stay dynamic: held or not, they turn by Euler's equations.
+/// B and C are those of the element by itself, whatever it touches standing or moving as it does
+/// (ElementSupport): neighbours of a bearing without cage act on G alone. The balance G = 0 does
+/// not know A, B and C, so that it is met exactly; the way there stays a decay, because A + C,
+/// symmetric and positive, is no less than what it stands for: two neighbours press with a
+/// stiffness of [B -B; -B B] <= 2 diag(B, B), and rub with [C -C; -C C] <= 2 diag(C, C), of which
+/// 2C is taken. A departure from balance decays like that of a critically damped element without
+/// inertia, at half its natural frequency: not faster than the element itself would move, and
+/// without vibration; where friction is stronger than that, friction alone sets the rates. B is
+/// taken as √(B² + (kSoft m θ̇²)²), so that an element without contact keeps finite rates, and an
+/// element nears its balance no faster than by free fall from rest through
+/// HeldContacts::free_path(). Without `axial` (kDOF 1 to 4, and barrels) only r is in balance. A
+/// barrel turns about the centre of its groove: x and tilt are one motion, whose inertia is that of
+/// x (m R² against the 80 times smaller moment of inertia of the NU22208's); left without it,
+/// friction would be as much stiffer. Tilt, skew and spin of rollers stay dynamic: held or not,
+/// they turn by Euler's equations.
 ///
-/// w needs no friction; G(w) is formed by a first pass over the held elements (HeldContacts), and
-/// the pass over all elements then forms every slip with (ẋ, ṙ) itself. Hence the right-hand side
-/// is a pure function of (t, y) and the set of held elements, and the energy that the motion takes
-/// is exactly ∫ G·(ẋ, ṙ) dt, an item of the ledger. The kinetic energy ½m(ẋ² + ṙ²) is left out of
-/// the stored energy; ẋ and ṙ of held elements stand in the state as zero.
+/// w needs no friction; G(w) is formed by a first pass over the force blocks of the scene
+/// (force_pass.hpp), so that whatever acts takes part, and the second pass then forms every slip
+/// with (ẋ, ṙ) itself. Hence the right-hand side is a pure function of (t, y) and the set of held
+/// elements, and the energy that the motion takes is exactly ∫ G·(ẋ, ṙ) dt, an item of the ledger.
+/// The kinetic energy ½m(ẋ² + ṙ²) is left out of the stored energy; ẋ and ṙ of held elements stand
+/// in the state as zero.
+///
+/// An element whose mass centre is beside its reference point P (element_masses.hpp) is held at P
+/// (constrained_element.hpp): G are the components along x and r of what holds it, with sign, so
+/// that its unbalance m ω × (ω × c) is a load of the balance. Its kinetic energy and momentum are
+/// those of the mass centre, whose velocity is r θ̇ e_θ + ω × c; the ledger takes F·u + m ṙ θ̇ (r θ̇
+/// + (ω × c)_θ), u = (ẋ, ṙ) [derived], which is G·u without c.
 ///
 /// Modes 1 and 2 hold all elements. In mode 2 the inner race follows its own balance by the same
 /// kind of motion (balanced_race.hpp), and w holds what its velocity does to the elements.
 ///
-/// Limits: w leaves out the cage, gravity and races that tilt in time; a held element follows
-/// those, and changes of friction, within its natural time √(m/B): microseconds along the contact
-/// normal, up to milliseconds across an outer groove at low speed.
+/// Limits: the way to balance sees of an unbalanced element ω × (ω × c), not ω̇ × c; w leaves out
+/// the cage, neighbours, gravity and races that tilt in time; a held element follows those, and
+/// changes of friction, within its natural time √(m/B): microseconds along the contact normal, up
+/// to milliseconds across an outer groove at low speed. C leaves out friction of rollers on
+/// flanges, in pockets and on neighbours.
 namespace adore::dynamics {
 
 inline constexpr double kSoft = 1.0;  ///< softest stiffness that rates come from, over m θ̇²
@@ -45,12 +62,13 @@ inline constexpr double kSoft = 1.0;  ///< softest stiffness that rates come fro
 class HeldElements {
  public:
   struct Scene {
-    double mass;                   ///< of an element [kg]
+    ElementMasses masses;
     bool axial = true;             ///< x is in balance; false: it stays as dynamic as it is
     BalancedRace* race = nullptr;  ///< an inner race in balance (mode 2)
+    ElementHold suppressed = {};   ///< what kDOF suppresses besides, of off-centre elements
   };
   HeldElements(const Scene& scene, const ElementSlices& slices,
-               std::unique_ptr<HeldContacts> contacts);
+               std::unique_ptr<HeldContacts> contacts, ForcePass pass);
 
   void set(std::size_t i, bool held);
   [[nodiscard]] bool is_held(std::size_t i) const noexcept { return flags_[i] != 0; }
@@ -93,17 +111,27 @@ class HeldElements {
     Mat2 damping, inverse;  ///< A and B⁻¹
     Vec2 per_orbit;         ///< ∂G/∂L
   };
+  /// All forces at the rates that the evaluation's elements have.
+  struct Forces {
+    Vec3 force;         ///< [N]
+    double race_theta;  ///< of the races alone along e_θ [N]
+    Mat2 friction;      ///< C
+  };
   void estimate(const Evaluation& e, std::size_t k) noexcept;
   void first_rates(const Evaluation& e, std::size_t k) noexcept;
   /// Velocity of an inner race in balance with what the elements do at their first rates, and what
   /// the elements' rates get from it.
   void move_race(Evaluation& e) noexcept;
   void follow_race(const Evaluation& e, const Vec3& velocity) noexcept;
+  /// @return force on the inner race, base axes [N]
+  Vec3 form_forces(Evaluation& e) noexcept;
   void pull(const Evaluation& e, std::size_t k) noexcept;
+  void take_off_centre(Evaluation& e, std::size_t i) noexcept;
 
   Scene scene_;
   ElementSlices slices_;
   std::unique_ptr<HeldContacts> contacts_;
+  ForcePass pass_;
   std::vector<unsigned char> flags_;
   std::vector<std::size_t> list_;      ///< held elements, rising
   std::vector<double> x_dot_, r_dot_;  ///< of all elements
@@ -111,8 +139,17 @@ class HeldElements {
   Account account_;
   // One value per held element.
   std::vector<HeldSprings> springs_;
-  std::vector<HeldForces> forces_;
+  std::vector<Forces> forces_;
   std::vector<Estimate> estimate_;
+};
+
+/// An effect that holds elements, for effects that must know it (SceneBuilder::find).
+class HoldsElements {
+ public:
+  virtual ~HoldsElements() = default;
+  [[nodiscard]] virtual bool is_held(std::size_t i) const noexcept = 0;
+  /// x is in balance, too.
+  [[nodiscard]] virtual bool holds_x() const noexcept = 0;
 };
 
 }  // namespace adore::dynamics

@@ -43,8 +43,8 @@ struct HeldRollers::Contact {
 };
 
 HeldRollers::HeldRollers(statics::RollerModel model, const bearing::Imperfections& errors,
-                         double mass, ForcePass pass)
-    : model_(std::move(model)), mass_(mass), pass_(pass) {
+                         ElementMasses masses)
+    : model_(std::move(model)), masses_(std::move(masses)) {
   for (std::size_t j = 0; j < 2; ++j)
     if (!errors.race[j].ideal())
       wavy_[j] = contact::make_wavy_race(errors.race[j], model_.race[j],
@@ -62,11 +62,11 @@ HeldRollers::Contact HeldRollers::contact(const Evaluation& e, std::size_t i, st
   out.axis = out.into(e.attitude[i].col(0));
   const statics::Vec4 p(C[0], out.r, out.axis[2], out.axis[1]);
   if (wavy_[j]) {  // then each roller has a body of its own
-    const double cosine = std::cos(race.turn_beyond), sine = std::sin(race.turn_beyond);
-    model_.bodies[i].race[j] = wavy_[j]
-                                   ->at({out.turn.ez * cosine - out.turn.ey * sine,
-                                         -out.turn.ey * cosine - out.turn.ez * sine})
-                                   .surface;
+    model_.bodies[i].race[j] =
+        wavy_[j]
+            ->at(contact::azimuth_in_turned(out.turn, std::cos(race.turn_beyond),
+                                            std::sin(race.turn_beyond)))
+            .surface;
   }
   const statics::RollerBody& body = model_.body(i);
   statics::add_race(model_, body, j, p, out.potential);
@@ -102,26 +102,7 @@ void HeldRollers::springs(const Evaluation& e, std::span<const std::size_t> held
       of.normal += force;
       of.stiffness += of.race[j];
     }
-    pass_.resist(e, i, of.stiffness);
   }
-}
-
-Vec3 HeldRollers::forces(Evaluation& e, std::span<const std::size_t> held,
-                         std::span<const HeldSprings> springs, std::span<HeldForces> out) noexcept {
-  pass_.apply(e, ForcePass::Which::OnRaces);
-  for (std::size_t k = 0; k < held.size(); ++k) out[k].race_theta = e.actions[2][held[k]];
-  if (e.valid) pass_.apply(e, ForcePass::Which::Others);
-  for (std::size_t k = 0; k < held.size(); ++k) {
-    const std::size_t i = held[k];
-    out[k].force = {e.actions[0][i], e.actions[1][i], e.actions[2][i]};
-    out[k].damping.setZero();
-    for (std::size_t j = 0; j < 2; ++j)
-      add_friction_damping(e.load[j][i], e.heat[j][i], e.load_slip[j][i], springs[k].along[j],
-                           out[k].damping);
-  }
-  const Vec3 on_race = e.race[1].force;
-  e.clear_actions();
-  return on_race;
 }
 
 Vec2 HeldRollers::normal_force(const Evaluation& e, std::size_t i) const noexcept {
@@ -135,7 +116,8 @@ Vec2 HeldRollers::normal_force(const Evaluation& e, std::size_t i) const noexcep
 /// leave the roller where it is; the step is limited to free_path() and halved until |G| falls.
 HeldPlace HeldRollers::balanced(const Evaluation& e, std::size_t i, const Vec2& force) const {
   constexpr int kIterations = 60;
-  const double r0 = e.elements.r[i], momentum = mass_ * r0 * r0 * e.elements.theta_dot[i];
+  const double mass = masses_[i].mass, r0 = e.elements.r[i];
+  const double momentum = mass * r0 * r0 * e.elements.theta_dot[i];
   const Vec3 base = -model_.mass_offset * e.attitude[i].col(0);
   struct Balance {
     Vec2 residual = Vec2::Zero();
@@ -145,7 +127,7 @@ HeldPlace HeldRollers::balanced(const Evaluation& e, std::size_t i, const Vec2& 
   const auto at = [&](const Vec2& place) {
     Balance out;
     const double r = place[1];
-    const double centrifugal = momentum * momentum / (mass_ * r * r * r);
+    const double centrifugal = momentum * momentum / (mass * r * r * r);
     out.residual = force + Vec2(0.0, centrifugal);
     out.stiffness(1, 1) = 3.0 * centrifugal / r;
     out.size = force.norm() + centrifugal;
@@ -197,7 +179,7 @@ HeldPlace HeldRollers::balanced(const Evaluation& e, std::size_t i, const Vec2& 
   }
   out.x = place[0];
   out.r = place[1];
-  out.speed = momentum / (mass_ * out.r * out.r);
+  out.speed = momentum / (mass * out.r * out.r);
   out.load = now.load;
   return out;
 }

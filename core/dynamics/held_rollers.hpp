@@ -1,7 +1,7 @@
 #pragma once
 
 #include "contact/race_errors.hpp"
-#include "dynamics/force_pass.hpp"
+#include "dynamics/element_masses.hpp"
 #include "dynamics/held_contacts.hpp"
 #include "statics/roller_model.hpp"
 
@@ -14,22 +14,16 @@
 /// ω of the roller, both relative to the race, with the axes (A, y', e) of statics/roller_pose.hpp,
 ///   ẋ' = v·A,  ṙ' = v·e,  ė = (v·y'/r') y',  ȧ = ω × a,  ṫ = ȧ·e + a·ė,  ḟ = ȧ·y' + a·ẏ',
 ///   ġ = H ṗ,  Ḟ = -(ġ_x A + ġ_r e + g_r ė + ṡ y' + s ẏ'),  s = (g_t f - g_f t)/r'   [derived].
-/// Forces come from a pass over all force blocks of the scene (force_pass.hpp), so that whatever
-/// acts on a roller takes part in its balance; the cage's springs are those that effects tell
-/// (SceneEffect::resist).
-/// Limits: friction of flanges has no share in C; the springs leave out how a race with
-/// errors changes as it turns.
+/// Limit: the springs leave out how a race with errors changes as it turns.
 namespace adore::dynamics {
 
 class HeldRollers final : public HeldContacts {
  public:
-  HeldRollers(statics::RollerModel model, const bearing::Imperfections& errors, double mass,
-              ForcePass pass);
+  HeldRollers(statics::RollerModel model, const bearing::Imperfections& errors,
+              ElementMasses masses);
 
   void springs(const Evaluation& e, std::span<const std::size_t> held,
                std::span<HeldSprings> out) noexcept override;
-  Vec3 forces(Evaluation& e, std::span<const std::size_t> held,
-              std::span<const HeldSprings> springs, std::span<HeldForces> out) noexcept override;
   [[nodiscard]] HeldPlace balanced(const Evaluation& e, std::size_t i,
                                    const Vec2& force) const override;
   [[nodiscard]] Vec2 normal_force(const Evaluation& e, std::size_t i) const noexcept override;
@@ -45,8 +39,7 @@ class HeldRollers final : public HeldContacts {
 
   mutable statics::RollerModel model_;  ///< races with errors as they are at their rollers now
   std::array<std::optional<contact::WavyRace>, 2> wavy_;
-  double mass_;
-  ForcePass pass_;
+  ElementMasses masses_;
 };
 
 }  // namespace adore::dynamics

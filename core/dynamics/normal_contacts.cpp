@@ -5,8 +5,9 @@
 namespace adore::dynamics {
 
 NormalContacts::NormalContacts(const std::array<RaceContactModel, 2>& contacts,
-                               const ElementSlices& slices, double mass)
-    : contacts_(contacts), s_(slices), per_mass_(1.0 / mass) {
+                               const ElementSlices& slices, const ElementMasses& masses)
+    : contacts_(contacts), s_(slices) {
+  for (std::size_t i = 0; i < slices.elements(); ++i) per_mass_.push_back(1.0 / masses[i].mass);
   for (std::size_t j = 0; j < 2; ++j) {
     contacts_[j].traction = false;
     load_limit_[j] = load_limit(contacts[j]);
@@ -36,9 +37,9 @@ bool NormalContacts::evaluate(const std::array<RaceBody, 2>& races, const double
     dydt[s_.at(X, i)] = balls.x_dot[i];
     dydt[s_.at(R, i)] = balls.r_dot[i];
     dydt[s_.at(Theta, i)] = balls.theta_dot[i];
-    dydt[s_.at(XDot, i)] = F_x[i] * per_mass_;
-    dydt[s_.at(RDot, i)] = F_r[i] * per_mass_;
-    dydt[s_.at(ThetaDot, i)] = F_theta[i] * per_mass_ / balls.r[i];
+    dydt[s_.at(XDot, i)] = F_x[i] * per_mass_[i];
+    dydt[s_.at(RDot, i)] = F_r[i] * per_mass_[i];
+    dydt[s_.at(ThetaDot, i)] = F_theta[i] * per_mass_[i] / balls.r[i];
   }
   return valid;
 }

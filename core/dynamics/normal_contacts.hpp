@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dynamics/element_masses.hpp"
 #include "dynamics/evaluation.hpp"
 
 #include <array>
@@ -18,7 +19,7 @@ namespace adore::dynamics {
 class NormalContacts {
  public:
   NormalContacts(const std::array<RaceContactModel, 2>& contacts, const ElementSlices& slices,
-                 double mass);
+                 const ElementMasses& masses);
   /// Writes all `size` rates; false where the whole right-hand side is not valid either: a ball on
   /// the axis, or pressed into a race by more than its radius. No allocation.
   bool evaluate(const std::array<RaceBody, 2>& races, const double* y, double* dydt,
@@ -27,7 +28,7 @@ class NormalContacts {
  private:
   std::array<RaceContactModel, 2> contacts_;  ///< without traction
   ElementSlices s_;
-  double per_mass_ = 0.0;
+  std::vector<double> per_mass_;  ///< by ball [1/kg]
   std::array<double, 2> load_limit_{};
   std::vector<double> sin_, cos_, load_, heat_;
   ElementActions actions_;  ///< without traction no moments

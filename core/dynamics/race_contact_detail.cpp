@@ -26,7 +26,7 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
   contact::WavyTouch<double> wavy{
       contact::groove_touch(place.axial, place.lift, model.groove.offset[j]), 0.0, 0.0};
   if (model.wavy)
-    wavy = contact::wavy_touch(*model.wavy,
+    wavy = contact::wavy_touch(*model.wavy, model.wavy->ratios,
                                contact::azimuth_in_race(k, place.e, to_azimuth(race.zero())),
                                place.axial, place.lift, model.groove.offset[j]);
   const contact::GrooveTouch<double>& touch = wavy.touch;
@@ -95,10 +95,14 @@ RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const Ele
   const tribology::EllipseTraction traction =
       converged ? tribology::ellipse_traction_converged(model.law, ellipse, state.motion)
                 : tribology::ellipse_traction(model.law, ellipse, state.motion, model.rule);
-  if (model.traction)
-    snapshot.film =
-        model.law.film({ellipse.Q, snapshot.max_pressure, ellipse.a, ellipse.b,
-                        state.motion.entrainment, tribology::middle_slip(ellipse, state.motion)});
+  if (model.traction && model.law.has_film()) {
+    const tribology::FilmHere<double> film = model.law.film(
+        {ellipse.Q, snapshot.max_pressure, ellipse.a, ellipse.b, state.motion.entrainment,
+         tribology::middle_slip(ellipse, state.motion), state.motion.curvature});
+    snapshot.film = film.thickness;
+    snapshot.least_film = film.thinnest;
+    snapshot.rolling_speed = std::abs(state.motion.entrainment);
+  }
   snapshot.max_slip = traction.max_slip;
   snapshot.heat = model.traction ? traction.heat : 0.0;
   snapshot.load_slip = model.traction ? traction.load_slip : 0.0;

@@ -1,6 +1,8 @@
 #include "dynamics/race_contacts.hpp"
 
 #include "base/errors.hpp"
+#include "contact/make_angle_law.hpp"
+#include "contact/wavy_groove_model.hpp"
 #include "dynamics/race_kernel.hpp"
 
 #include <Eigen/Geometry>
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -44,12 +47,35 @@ RaceKernel kernel_of(InstructionSet set) noexcept {
   return race_kernel_baseline;
 }
 
+/// Q^(1/3) = K^(1/3) √δ: times a_hat and b_hat the half axes over √δ.
+double root_of(const contact::HertzConstants& hertz) { return std::cbrt(hertz.K); }
+
+double radius_of_surface(const RaceContactModel& model) {
+  const contact::GrooveGeometry& groove = model.groove;
+  return tribology::is_curved(model.surface)
+             ? tribology::surface_radius(groove.ball_radius,
+                                         groove.groove_radius[static_cast<std::size_t>(model.race)])
+             : 0.0;
+}
+
+BallConstants constants_of(const RaceContactModel& model) {
+  const double root = root_of(model.hertz);
+  return {model.groove.offset[static_cast<std::size_t>(model.race)],
+          model.hertz.K,
+          model.hertz.a_hat * root,
+          model.hertz.b_hat * root,
+          model.groove.ball_radius,
+          radius_of_surface(model),
+          model.angle,
+          model.wavy ? &model.wavy->ratios : nullptr};
+}
+
 RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const ElementViews& balls,
                        const RaceMotion& race, const ElementForces& out) noexcept {
   RaceKernelInput in;
   const auto j = static_cast<std::size_t>(model.race);
   const contact::GrooveGeometry& groove = model.groove;
-  const double root_of_K = std::cbrt(model.hertz.K);  // Q^(1/3) = K^(1/3) sqrt(δ)
+  const double root_of_K = root_of(model.hertz);
   in.centre_radius = groove.centre_radius[j];
   in.offset = groove.offset[j];
   in.K = model.hertz.K;
@@ -57,9 +83,7 @@ RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const E
   in.minor = model.hertz.b_hat * root_of_K;
   in.follow = model.angle.follows ? &model.angle : nullptr;
   in.ball_radius = groove.ball_radius;
-  in.rho = tribology::is_curved(model.surface)
-               ? tribology::surface_radius(groove.ball_radius, groove.groove_radius[j])
-               : 0.0;
+  in.rho = radius_of_surface(model);
   in.place = tribology::place_of(model.surface);
   in.traction = model.traction;
   in.law_index = model.law.index();
@@ -80,6 +104,7 @@ RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const E
     const Vec3 zero = race.zero();
     for (int i = 0; i < 3; ++i) in.zero[i] = zero[i];
   }
+  in.own = model.own ? model.own->constants.data() : nullptr;
   in.n = balls.n;
   in.x = balls.x, in.r = balls.r, in.sin_theta = balls.sin_theta, in.cos_theta = balls.cos_theta;
   in.x_dot = balls.x_dot, in.r_dot = balls.r_dot, in.theta_dot = balls.theta_dot;
@@ -109,7 +134,39 @@ Vec3 RaceMotion::zero() const noexcept {
   return std::cos(turn) * z + std::sin(turn) * axis.cross(z);
 }
 
+const RaceContactModel& RaceContactModel::of(std::size_t ball) const noexcept {
+  return own ? own->model[ball] : *this;
+}
+
+void set_own_balls(RaceContactModel& model, const bearing::BallGeometry& balls,
+                   const bearing::RaceErrors& errors, const std::vector<double>& growth,
+                   double angle) {
+  if (std::all_of(growth.begin(), growth.end(), [](double one) { return one == 0.0; })) return;
+  const int race = model.race;
+  const double E_star = model.effective_modulus;
+  auto own = std::make_shared<OwnBalls>();
+  for (const double more : growth) {
+    RaceContactModel& one = own->model.emplace_back(model);
+    if (more == 0.0) continue;
+    const bearing::BallGeometry geometry = contact::own_ball(balls, more);
+    one.groove = contact::groove_of_ball(model.groove, more);
+    one.hertz = contact::hertz_constants(contact::race_curvature(geometry, race, angle), E_star);
+    if (model.angle.follows) one.angle = contact::make_angle_law(geometry, race, E_star);
+    if (!model.wavy) continue;
+    contact::WavyGroove wavy = *model.wavy;
+    wavy.ratios = contact::ratios_of_ball(balls, more, race, errors, angle);
+    one.wavy = std::make_shared<const contact::WavyGroove>(wavy);
+  }
+  for (const RaceContactModel& one : own->model) own->constants.push_back(constants_of(one));
+  model.own = std::move(own);
+}
+
 double load_limit(const RaceContactModel& model) noexcept {
+  if (model.own) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const RaceContactModel& one : model.own->model) least = std::min(least, load_limit(one));
+    return least;
+  }
   const double radius = model.groove.ball_radius, wide = radius / model.hertz.a_hat;
   return std::min(contact::hertz_load(model.hertz.K, radius), wide * wide * wide);
 }

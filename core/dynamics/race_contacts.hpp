@@ -5,6 +5,7 @@
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
 #include "dynamics/elements.hpp"
+#include "dynamics/race_kernel.hpp"
 #include "dynamics/scene.hpp"
 #include "tribology/ellipse_traction.hpp"
 #include "tribology/traction_law.hpp"
@@ -12,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 namespace adore::contact {
 struct WavyGroove;
@@ -27,7 +29,8 @@ struct WavyGroove;
 ///   on the ball:  F = -Q n + F_c c + F_t t,  M = M_c c + M_t t + M_n n about its centre;
 ///   constants that follow the contact angle add L c at its centre (contact/angle_law.hpp)
 ///   on the race:  -Σ F,  about P_j: -Σ (d × F + M)
-/// A race that is not one of revolution: contact/wavy_groove.hpp; it has a kernel of its own.
+/// A race that is not one of revolution: contact/wavy_groove.hpp; it has a kernel of its own. So
+/// have balls that differ: what is theirs is one value a lane.
 /// Source: tests/reference/dynamics_README.md ("Ball/race contact geometry", "Traction"). The
 /// traction power on ball and race together is -heat identically (also for the quadrature rule).
 /// Limits: r_ball > a (load_limit); ball centre off the race axis. At zero contact angle c is -e_x
@@ -50,6 +53,8 @@ struct RaceMotion {
   [[nodiscard]] Vec3 zero() const noexcept;
 };
 
+struct OwnBalls;
+
 /// Constants of the contacts with one race.
 struct RaceContactModel {
   bearing::Race race = bearing::kOuter;
@@ -57,16 +62,34 @@ struct RaceContactModel {
   contact::HertzConstants hertz;  ///< at one angle: frozen constants, and the scale of estimates
   contact::AngleLaw angle;        ///< in their place where it follows the contact angle
   std::shared_ptr<const contact::WavyGroove> wavy;  ///< imperfections of the race; null: none
-  double effective_modulus = 0.0;                   ///< E* [Pa], reports only
+  double effective_modulus = 0.0;                   ///< E* [Pa]
   double shoulder_radius = 0.0;  ///< of this race [m], reports only; 0 = not given
   bool traction = true;
   tribology::TractionLaw law;
   tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;
-  tribology::EllipseRule rule;  ///< fixed quadrature rule of the run (make_ellipse_rule)
+  tribology::EllipseRule rule;          ///< fixed quadrature rule of the run (make_ellipse_rule)
+  std::shared_ptr<const OwnBalls> own;  ///< balls that differ; null: all are alike
+
+  /// Of one ball. What is here is that of the nominal one.
+  [[nodiscard]] const RaceContactModel& of(std::size_t ball) const noexcept;
 };
+
+/// Balls of unequal diameter in the grooves of one race: offset, Hertz constants and their laws are
+/// each ball's own, and so is the radius of its contact surface. A law of traction with a film is
+/// that of the nominal ball: its thickness changes by about half the relative deviation.
+struct OwnBalls {
+  std::vector<RaceContactModel> model;   ///< by ball
+  std::vector<BallConstants> constants;  ///< the same for kernels
+};
+/// Gives `model`, of a nominal ball, those of balls that are `growth` larger [m]. All 0: nothing.
+/// @param angle where constants are frozen [rad]
+void set_own_balls(RaceContactModel& model, const bearing::BallGeometry& balls,
+                   const bearing::RaceErrors& errors, const std::vector<double>& growth,
+                   double angle);
 
 /// Load up to which a contact can be one [N]: there the ball lies in the race by its own radius, or
 /// half the major axis is as long as that.
+/// Of balls that differ the least one.
 [[nodiscard]] double load_limit(const RaceContactModel& model) noexcept;
 
 struct RaceSums {
@@ -86,8 +109,8 @@ RaceSums evaluate_race_contacts(const RaceContactModel& model, const ElementView
 /// for the hot path. Contact angle: outer atan2(n_x', n_r'), inner atan2(-n_x', -n_r') in the
 /// race's own meridional plane; both positive when the inner race pushes the ball towards +x.
 /// spin_to_roll = W_n / W_c, signed, 0 without rolling. `edge` is how far the contact stays below
-/// the shoulder (N94), negative when it runs over; 0 when open or shoulder_radius is 0. film,
-/// temperature_rise and contact_temperature are left at 0.
+/// the shoulder (N94), negative when it runs over; 0 when open or shoulder_radius is 0.
+/// film_parameter, temperature_rise and contact_temperature are left at 0.
 /// With `converged` the traction integrals are split at kinks and reversals instead of using
 /// model.rule.
 RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const ElementViews& balls,

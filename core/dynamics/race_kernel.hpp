@@ -7,7 +7,9 @@
 
 namespace adore::contact {
 struct WavyGroove;
-}
+template <class C>
+struct GrooveRatios;
+}  // namespace adore::contact
 
 /// Boundary between race_contacts.cpp and the translation units that are compiled once per
 /// instruction set. Plain numbers and pointers only: a header with inline library code (Eigen,
@@ -16,6 +18,13 @@ struct WavyGroove;
 /// traction laws) are templates over the scalar type, and the vector types of the instruction sets
 /// differ.
 namespace adore::dynamics {
+
+/// What is one ball's own where balls differ: as in RaceKernelInput.
+struct BallConstants {
+  double offset, K, major, minor, ball_radius, rho;
+  contact::AngleLaw follow;
+  const contact::GrooveRatios<double>* ratios;  ///< of a race with errors; else null
+};
 
 struct RaceKernelInput {
   // Groove, load and ellipse: Q = K δ^1.5, a = major sqrt(δ), b = minor sqrt(δ).
@@ -37,6 +46,7 @@ struct RaceKernelInput {
   double tilt[3];
   const contact::WavyGroove* wavy;  ///< null: a race of revolution
   double zero[3];                   ///< where azimuths in a wavy race begin
+  const BallConstants* own;         ///< of all balls of the bearing; null: they are alike
   // Balls and results (see race_contacts.hpp).
   std::size_t n;
   const double *x, *r, *sin_theta, *cos_theta, *x_dot, *r_dot, *theta_dot;

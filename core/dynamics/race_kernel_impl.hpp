@@ -31,18 +31,92 @@ struct Totals {
 
 /// One vector of balls: where its lanes are read and written.
 struct Lanes {
+  std::size_t first;  ///< ball of the first lane
   const double *x, *r, *sin_theta, *cos_theta, *x_dot, *r_dot, *theta_dot;
   const double *omega_x, *omega_r, *omega_theta;
   double *F_x, *F_r, *F_theta, *M_x, *M_r, *M_theta, *load, *heat, *load_slip;
   int used;  ///< lanes that are balls; the others hold copies and count as open contacts
 };
 
+/// Coefficients of a polynomial of contact/angle_law.hpp.
+using Terms = double[contact::AngleLaw::kTerms];
+struct LaneTerms {
+  V c[contact::AngleLaw::kTerms];
+};
+
+/// Balls that are all alike: their constants are numbers.
+class AlikeBalls {
+ public:
+  using Scalar = double;
+  static constexpr bool kAlike = true;
+  AlikeBalls(const RaceKernelInput& in, const Lanes&) : in_(in) {}
+  double offset() const { return in_.offset; }
+  double K() const { return in_.K; }
+  double major() const { return in_.major; }
+  double minor() const { return in_.minor; }
+  double radius() const { return in_.ball_radius; }
+  double rho() const { return in_.rho; }
+  struct TheTerms {
+    const Terms& c;
+  };
+  TheTerms follow(const Terms contact::AngleLaw::*of) const { return {in_.follow->*of}; }
+  const contact::GrooveRatios<double>& ratios() const { return in_.wavy->ratios; }
+
+ private:
+  const RaceKernelInput& in_;
+};
+
+/// Balls that differ: one value a lane.
+class DifferentBalls {
+ public:
+  using Scalar = V;
+  static constexpr bool kAlike = false;
+  DifferentBalls(const RaceKernelInput& in, const Lanes& at) {
+    for (int lane = 0; lane < static_cast<int>(V::size()); ++lane)
+      ball_[lane] = in.own + at.first + (lane < at.used ? lane : at.used - 1);
+  }
+  V offset() const { return of(&BallConstants::offset); }
+  V K() const { return of(&BallConstants::K); }
+  V major() const { return of(&BallConstants::major); }
+  V minor() const { return of(&BallConstants::minor); }
+  V radius() const { return of(&BallConstants::ball_radius); }
+  V rho() const { return of(&BallConstants::rho); }
+  LaneTerms follow(const Terms contact::AngleLaw::*of) const {
+    return terms([&](const BallConstants& one, int k) { return (one.follow.*of)[k]; });
+  }
+  contact::GrooveRatios<V> ratios() const {
+    contact::GrooveRatios<V> out;
+    for (int k = 0; k < contact::AngleLaw::kTerms; ++k) {
+      out.stiffness[k] = V([&](auto lane) { return ball_[lane]->ratios->stiffness[k]; });
+      out.major[k] = V([&](auto lane) { return ball_[lane]->ratios->major[k]; });
+      out.minor[k] = V([&](auto lane) { return ball_[lane]->ratios->minor[k]; });
+    }
+    return out;
+  }
+
+ private:
+  V of(double BallConstants::*member) const {
+    return V([&](auto lane) { return ball_[lane]->*member; });
+  }
+  template <class Term>
+  LaneTerms terms(const Term& term) const {
+    LaneTerms out;
+    for (int k = 0; k < contact::AngleLaw::kTerms; ++k)
+      out.c[k] = V([&](auto lane) { return term(*ball_[lane], k); });
+    return out;
+  }
+
+  const BallConstants* ball_[V::size()];
+};
+
 /// A race of revolution.
 class RoundRace {
  public:
   static constexpr bool kWavy = false;
-  RoundRace(const RaceKernelInput& in, const Vec&, const contact::GroovePlace<V>& place, V, V)
-      : touch_(contact::groove_touch(place.axial, place.lift, in.offset)) {}
+  template <class Balls>
+  RoundRace(const RaceKernelInput&, const Balls& balls, const Vec&,
+            const contact::GroovePlace<V>& place, V, V)
+      : touch_(contact::groove_touch(place.axial, place.lift, balls.offset())) {}
   const contact::GrooveTouch<V>& touch() const { return touch_; }
 
  private:
@@ -53,11 +127,10 @@ class RoundRace {
 class WavyRace {
  public:
   static constexpr bool kWavy = true;
-  WavyRace(const RaceKernelInput& in, const Vec& k, const contact::GroovePlace<V>& place, V s, V c)
-      : distance_(place.distance),
-        at_(contact::wavy_touch(*in.wavy,
-                                contact::azimuth_in_race(k, place.e, to_azimuth(in.zero, s, c)),
-                                place.axial, place.lift, in.offset)) {}
+  template <class Balls>
+  WavyRace(const RaceKernelInput& in, const Balls& balls, const Vec& k,
+           const contact::GroovePlace<V>& place, V s, V c)
+      : distance_(place.distance), at_(touch_of(in, balls, k, place, s, c)) {}
   const contact::GrooveTouch<V>& touch() const { return at_.touch; }
   /// Hertz's constants, and the force of their change with the angle, of the groove as it is here.
   void scale(V& K, V& leaning, V& major, V& minor) const {
@@ -72,6 +145,18 @@ class WavyRace {
   }
 
  private:
+  /// Balls that differ come here with round races, too: a race of no waves.
+  template <class Balls>
+  static contact::WavyTouch<V> touch_of(const RaceKernelInput& in, const Balls& balls, const Vec& k,
+                                        const contact::GroovePlace<V>& place, V s, V c) {
+    if constexpr (!Balls::kAlike)
+      if (in.wavy == nullptr)
+        return {contact::groove_touch(place.axial, place.lift, balls.offset()), V(0.0), V(0.0)};
+    return contact::wavy_touch(*in.wavy, balls.ratios(),
+                               contact::azimuth_in_race(k, place.e, to_azimuth(in.zero, s, c)),
+                               place.axial, place.lift, balls.offset());
+  }
+
   V distance_;
   contact::WavyTouch<V> at_;
 };
@@ -80,15 +165,41 @@ inline V get(const double* from) { return V(from, stdx::element_aligned); }
 inline void put(double* to, V value) { value.copy_to(to, stdx::element_aligned); }
 inline void add(double* to, V value) { put(to, get(to) + value); }
 
-template <class Law, class Race>
+/// Of a law with a film: a call, so that a kernel has one copy of each.
+template <class Law, class S>
+[[gnu::noinline]] void add_film_traction(const RaceKernelInput& in,
+                                         const tribology::EllipseContact<V, S>& ellipse,
+                                         tribology::EllipseSums<V>& sums) {
+  sums = tribology::EllipseSum<V, Law, S>(in.nodes, ellipse, *static_cast<const Law*>(in.law),
+                                       in.slip_floor, in.slip_scale)
+             .run();
+}
+
+template <class Law, class S>
+[[gnu::always_inline]] inline tribology::EllipseSums<V> traction_of(
+    const RaceKernelInput& in, const tribology::EllipseContact<V, S>& ellipse) {
+  if constexpr (tribology::kHasFilm<Law>) {
+    tribology::EllipseSums<V> sums;
+    add_film_traction<Law, S>(in, ellipse, sums);
+    return sums;
+  } else {
+    return tribology::EllipseSum<V, Law, S>(in.nodes, ellipse, *static_cast<const Law*>(in.law),
+                                         in.slip_floor, in.slip_scale)
+        .run();
+  }
+}
+
+template <class Law, class Race, class Balls>
 void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
+  using S = typename Balls::Scalar;
+  const Balls balls(in, at);
   const V s = get(at.sin_theta), c = get(at.cos_theta);
   const Vec k = to_azimuth(in.axis, s, c);
   const Vec centre = to_azimuth(in.centre, s, c);
   const V r = get(at.r);
   const Vec d{get(at.x) - centre.x, r - centre.y, -centre.z};  // ball centre from P_j
   const auto place = contact::groove_place(d, k, in.centre_radius);
-  const Race groove(in, k, place, s, c);
+  const Race groove(in, balls, k, place, s, c);
   const auto& touch = groove.touch();
   V approach = touch.approach;
   if (at.used < static_cast<int>(V::size())) {
@@ -103,15 +214,16 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
   }
   approach = stdx::max(approach, V(0.0));
   const V root_approach = stdx::sqrt(approach);
-  V K = in.K, major = in.major, minor = in.minor, leaning = 0.0;
+  V K = balls.K(), major = balls.major(), minor = balls.minor(), leaning = 0.0;
   if (in.follow != nullptr) {
-    const auto at_angle = contact::polynomial_with_slope(in.follow->K, touch.n_e);
+    const auto at_angle =
+        contact::polynomial_with_slope(balls.follow(&contact::AngleLaw::K).c, touch.n_e);
     K = at_angle.value;
     leaning =
         contact::leaning_force(at_angle.slope, approach, root_approach, touch.n_k, touch.length);
     if (in.traction) {
-      major = contact::polynomial(in.follow->major, touch.n_e);
-      minor = contact::polynomial(in.follow->minor, touch.n_e);
+      major = contact::polynomial(balls.follow(&contact::AngleLaw::major).c, touch.n_e);
+      minor = contact::polynomial(balls.follow(&contact::AngleLaw::minor).c, touch.n_e);
     }
   }
   if constexpr (Race::kWavy) groove.scale(K, leaning, major, minor);
@@ -125,25 +237,23 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
   V moment_k = 0.0, moment_e = 0.0, moment_t = 0.0;
   if (in.traction) {
     const V theta_dot = get(at.theta_dot);
-    const RacePairMotion<V> pair{to_azimuth(in.velocity, s, c),
-                                 in.tilts ? to_azimuth(in.tilt, s, c) : Vec{},
-                                 in.speed,
-                                 in.tilts,
-                                 {get(at.x_dot), get(at.r_dot), r * theta_dot},
-                                 {get(at.omega_x), get(at.omega_r), get(at.omega_theta)},
-                                 theta_dot,
-                                 in.ball_radius};
-    tribology::EllipseContact<V> ellipse;
+    const S radius = balls.radius();
+    const RacePairMotion<V, S> pair{to_azimuth(in.velocity, s, c),
+                                    in.tilts ? to_azimuth(in.tilt, s, c) : Vec{},
+                                    in.speed,
+                                    in.tilts,
+                                    {get(at.x_dot), get(at.r_dot), r * theta_dot},
+                                    {get(at.omega_x), get(at.omega_r), get(at.omega_theta)},
+                                    theta_dot,
+                                    radius};
+    tribology::EllipseContact<V, S> ellipse;
     ellipse.load = load;
     ellipse.a = major * root_approach;
     ellipse.b = minor * root_approach;
     ellipse.surface =
-        tribology::ellipse_surface(in.place, in.rho, in.ball_radius, ellipse.a, approach);
+        tribology::ellipse_surface(in.place, balls.rho(), radius, ellipse.a, approach);
     ellipse.motion = ellipse_motion(pair, d, k, t, place, touch);
-    const tribology::EllipseSums<V> traction =
-        tribology::EllipseSum<V, Law>(in.nodes, ellipse, *static_cast<const Law*>(in.law),
-                                      in.slip_floor, in.slip_scale)
-            .run();
+    const tribology::EllipseSums<V> traction = traction_of<Law, S>(in, ellipse);
     meridian = contact::meridian_force(load, traction.F_c, touch.n_k, touch.n_e);
     force_t = traction.F_t;
     moment_k = traction.M_n * touch.n_k - traction.M_c * touch.n_e;
@@ -193,7 +303,7 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
 }
 
 /// The last, incomplete vector works on copies: no lane reads or writes beyond the arrays.
-template <class Law, class Race>
+template <class Law, class Race, class Balls>
 void evaluate_tail(const RaceKernelInput& in, std::size_t first, int used, Totals& totals) {
   constexpr int kLanes = static_cast<int>(V::size());
   double copies[19][kLanes];
@@ -212,10 +322,10 @@ void evaluate_tail(const RaceKernelInput& in, std::size_t first, int used, Total
       copies[10 + array][i] = add_to ? targets[array][first + static_cast<std::size_t>(i)] : 0.0;
     }
   }
-  Lanes at{copies[0],  copies[1],  copies[2],  copies[3],  copies[4],  copies[5],  copies[6],
-           copies[7],  copies[8],  copies[9],  copies[10], copies[11], copies[12], copies[13],
-           copies[14], copies[15], copies[16], copies[17], copies[18], used};
-  evaluate<Law, Race>(in, at, totals);
+  Lanes at{first,      copies[0],  copies[1],  copies[2],  copies[3],  copies[4],  copies[5],
+           copies[6],  copies[7],  copies[8],  copies[9],  copies[10], copies[11], copies[12],
+           copies[13], copies[14], copies[15], copies[16], copies[17], copies[18], used};
+  evaluate<Law, Race, Balls>(in, at, totals);
   for (int array = 0; array < 9; ++array) {
     if (targets[array] == nullptr) continue;
     for (int i = 0; i < used; ++i)
@@ -223,13 +333,14 @@ void evaluate_tail(const RaceKernelInput& in, std::size_t first, int used, Total
   }
 }
 
-template <class Law, class Race>
+template <class Law, class Race, class Balls>
 RaceKernelSums evaluate_all(const RaceKernelInput& in) {
   constexpr std::size_t kLanes = V::size();
   Totals totals;
   std::size_t i = 0;
   for (; i + kLanes <= in.n; i += kLanes) {
-    const Lanes at{in.x + i,
+    const Lanes at{i,
+                   in.x + i,
                    in.r + i,
                    in.sin_theta + i,
                    in.cos_theta + i,
@@ -249,9 +360,9 @@ RaceKernelSums evaluate_all(const RaceKernelInput& in) {
                    in.heat + i,
                    in.load_slip == nullptr ? nullptr : in.load_slip + i,
                    static_cast<int>(kLanes)};
-    evaluate<Law, Race>(in, at, totals);
+    evaluate<Law, Race, Balls>(in, at, totals);
   }
-  if (i < in.n) evaluate_tail<Law, Race>(in, i, static_cast<int>(in.n - i), totals);
+  if (i < in.n) evaluate_tail<Law, Race, Balls>(in, i, static_cast<int>(in.n - i), totals);
   return {
       {stdx::reduce(totals.force_x), stdx::reduce(totals.force_y), stdx::reduce(totals.force_z)},
       {stdx::reduce(totals.moment_x), stdx::reduce(totals.moment_y), stdx::reduce(totals.moment_z)},
@@ -260,18 +371,20 @@ RaceKernelSums evaluate_all(const RaceKernelInput& in) {
       stdx::reduce(totals.load_slip)};
 }
 
-template <class Race, class... Laws>
+template <class Race, class Balls, class... Laws>
 RaceKernelSums evaluate_race(const RaceKernelInput& in, tribology::TypeList<Laws...>) {
   RaceKernelSums sums{};
   std::size_t index = 0;
-  (void)((index++ == in.law_index && (sums = evaluate_all<Laws, Race>(in), true)) || ...);
+  (void)((index++ == in.law_index && (sums = evaluate_all<Laws, Race, Balls>(in), true)) || ...);
   return sums;
 }
 
-/// Once per race: groove and law are chosen here, and nowhere below.
+/// Once per race: groove, balls and law are chosen here, and nowhere below.
 inline RaceKernelSums evaluate_race(const RaceKernelInput& in) {
-  if (in.wavy != nullptr) return evaluate_race<WavyRace>(in, tribology::TractionLawList());
-  return evaluate_race<RoundRace>(in, tribology::TractionLawList());
+  constexpr tribology::TractionLawList kLaws;
+  if (in.own != nullptr) return evaluate_race<WavyRace, DifferentBalls>(in, kLaws);
+  return in.wavy != nullptr ? evaluate_race<WavyRace, AlikeBalls>(in, kLaws)
+                            : evaluate_race<RoundRace, AlikeBalls>(in, kLaws);
 }
 
 }  // namespace

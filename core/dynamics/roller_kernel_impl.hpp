@@ -3,7 +3,7 @@
 #include "base/simd_math.hpp"
 #include "contact/roller_race_simd.hpp"
 #include "dynamics/roller_kernel.hpp"
-#include "tribology/rounded_law.hpp"
+#include "dynamics/slice_law.hpp"
 #include "tribology/traction_laws.hpp"
 
 #include <cstddef>
@@ -47,8 +47,8 @@ void evaluate_rollers(const RollerKernelInput& in, const Traction& traction) {
 
 template <class Law>
 void evaluate_with_law(const RollerKernelInput& in) {
-  const auto here = static_cast<const Law*>(in.law)->at(tribology::ContactPoint<V>{});
-  evaluate_rollers(in, tribology::RoundedLaw<decltype(here)>{here, in.slip_floor});
+  with_slice_law<V>(*static_cast<const Law*>(in.law), in.slip_floor,
+                    [&](const auto& traction) { evaluate_rollers(in, traction); });
 }
 
 template <class... Laws>
@@ -60,7 +60,7 @@ void evaluate_with_laws(const RollerKernelInput& in, tribology::TypeList<Laws...
 /// Once per race: the law is chosen here, and nowhere below.
 inline void evaluate_rollers(const RollerKernelInput& in) {
   if (in.traction)
-    evaluate_with_laws(in, tribology::DryLawList());
+    evaluate_with_laws(in, tribology::TractionLawList());
   else
     evaluate_rollers(in, nullptr);
 }

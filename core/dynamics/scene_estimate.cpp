@@ -1,5 +1,6 @@
 #include "dynamics/scene_estimate.hpp"
 
+#include "bearing/element_inertia.hpp"
 #include "contact/ball_groove.hpp"
 #include "contact/groove.hpp"
 
@@ -84,8 +85,11 @@ std::vector<BallVibration> ball_vibrations(const bearing::Bearing& bearing,
     return out;
   }
   const contact::GrooveGeometry groove = contact::groove_geometry(bearing.balls());
-  for (const statics::StaticBall& ball : statics.balls)
-    out.push_back(ball_vibration(ball, groove, bearing.element_inertia.mass));
+  for (std::size_t i = 0; i < statics.balls.size(); ++i) {
+    const double growth = 2.0 * bearing::element_radius(bearing, i) - bearing.element_diameter();
+    out.push_back(ball_vibration(statics.balls[i], contact::groove_of_ball(groove, growth),
+                                 bearing::inertia_of(bearing, i).mass));
+  }
   return out;
 }
 

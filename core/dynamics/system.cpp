@@ -24,6 +24,7 @@ bool System::Impl::evaluate_blocks(double t, const double* y, double* dydt) noex
 }
 
 bool System::Impl::evaluate_measured(double t, const double* y, double* dydt) noexcept {
+  parts.cost.begin_sample();
   e.begin(t, y, dydt);
   for (const Assembly::Block& b : parts.blocks) {
     const auto start = CostLedger::Clock::now();
@@ -32,6 +33,7 @@ bool System::Impl::evaluate_measured(double t, const double* y, double* dydt) no
     if (!e.valid) return false;
   }
   for (const Integral& integral : integrals) dydt[integral.index] = *integral.rate;
+  parts.cost.end_sample();
   return true;
 }
 

@@ -41,6 +41,11 @@ class System {
   /// Fixes the reference of the ledgers and takes over what effects keep beside the state (call
   /// once with the start state).
   void set_start(double t, std::span<const double> y);
+  /// Goes on with the state of a system of the same layout whose bearing had other temperatures:
+  /// scales and ledgers go on, and the jumps of stored energy and momentum are booked in y (effect
+  /// "thermal steps").
+  /// @throws SolverError when the state is not valid in this geometry
+  void take_over(System& before, double t, std::span<double> y);
 
   /// y' = f(t, y). No allocation, no throw. Retry: a ball left its pocket radially or the like in a
   /// trial step.

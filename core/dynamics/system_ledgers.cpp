@@ -1,6 +1,10 @@
+#include "base/errors.hpp"
+#include "dynamics/effects/thermal_steps.hpp"
 #include "dynamics/state_access.hpp"
 #include "dynamics/system_impl.hpp"
 #include "scene/ledger_terms.hpp"
+
+#include <utility>
 
 /// Conservation ledgers of a System: what bodies and effects store now, and the integrals that are
 /// items of a ledger.
@@ -56,6 +60,28 @@ void System::set_start(double t, std::span<const double> y) {
   const MomentumLedger momenta = s.momentum_ledger();
   s.momenta_at_start.linear = momenta.linear.sum(LedgerKind::Stored) - momenta.linear.flow();
   s.momenta_at_start.angular = momenta.angular.sum(LedgerKind::Stored) - momenta.angular.flow();
+}
+
+void System::take_over(System& before, double t, std::span<double> y) {
+  Impl &s = *impl_, &old = *before.impl_;
+  demand(s.parts.layout.size() == old.parts.layout.size(),
+         "a thermal step changed the layout of the state");
+  const ThermalSteps* steps = nullptr;
+  for (const auto& effect : s.parts.effects)
+    if (const auto* found = dynamic_cast<const ThermalSteps*>(effect.get())) steps = found;
+  demand(steps != nullptr, "a system takes another one over without thermal steps");
+  s.parts.cost = std::move(old.parts.cost);  // of the same blocks
+  s.scales = old.scales;
+  s.apply_scales();
+  old.evaluate(t, y);
+  const double energy = old.stored_energy();
+  const Momenta momenta = old.momenta();
+  for (const auto& effect : s.parts.effects) effect->resume(y);
+  s.evaluate(t, y);
+  steps->book(y, s.stored_energy() - energy, momenta, s.momenta());
+  s.stored_at_start = old.stored_at_start;
+  s.momenta_at_start = old.momenta_at_start;
+  s.evaluate(t, y);
 }
 
 }  // namespace adore::dynamics

@@ -33,6 +33,19 @@ void add_fits(KeyResults& out, const bearing::OperatingFits& fits) {
   out.push_back(key_result("inner_fit_pressure_Pa", fits.fit[1].pressure));
 }
 
+void add_heat(KeyResults& out, const Prepared& prepared) {
+  if (!prepared.friction) return;
+  out.push_back(key_result("friction_torque_Nm", prepared.friction->torque()));
+  out.push_back(key_result("friction_power_W", prepared.friction->power()));
+  if (!prepared.thermal) return;
+  const thermal::BearingHeat& heat = prepared.thermal->heat;
+  out.push_back(key_result("outer_race_temperature_K", heat.bulk.race[0]));
+  out.push_back(key_result("inner_race_temperature_K", heat.bulk.race[1]));
+  out.push_back(key_result("element_temperature_K", heat.bulk.element));
+  if (heat.coolant)
+    out.push_back(key_result("coolant_exit_temperature_K", heat.temperature.coolant_out));
+}
+
 namespace {
 
 double largest_pressure(const Prepared& prepared) {

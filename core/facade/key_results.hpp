@@ -20,6 +20,7 @@ using results::KeyResults;
                                          const results::MeanLoad& carried);
 
 /// Clearance, contact angle and pressures of the fits under way.
+void add_heat(KeyResults& out, const Prepared& prepared);
 void add_fits(KeyResults& out, const bearing::OperatingFits& fits);
 
 /// Life of the bearing by the original theory, and by the model that run option sol7Life asks for

@@ -9,19 +9,33 @@
 #include <numbers>
 
 namespace adore::facade {
+namespace {
+
+life::LifeCalculator calculator_of(const bearing::Bearing& bearing,
+                                   const life::LifeParameters& parameters) {
+  return {bearing.rollers() != nullptr ? life::roller_life_geometry(*bearing.rollers())
+                                       : life::ball_life_geometry(bearing.balls()),
+          parameters};
+}
+
+}  // namespace
 
 LifeObserver::LifeObserver(const bearing::Bearing& bearing, const life::LifeParameters& parameters,
                            const std::array<std::optional<double>, 2>& film_parameter)
     : bearing_(bearing),
-      calculator_(bearing.rollers() != nullptr ? life::roller_life_geometry(*bearing.rollers())
-                                               : life::ball_life_geometry(bearing.balls()),
-                  parameters),
+      calculator_(calculator_of(bearing, parameters)),
       film_parameter_(film_parameter) {}
+
+void LifeObserver::follow_bearing() {
+  const life::LifeParameters parameters = calculator_.parameters();
+  calculator_ = calculator_of(bearing_, parameters);
+}
 
 void LifeObserver::observe(const scene::Snapshot& snapshot) {
   const bearing::LifeChoices& choices = calculator_.parameters().choices;
   life::BearingContacts contacts = life::life_contacts(snapshot, bearing_);
-  contacts.film_parameter = film_parameter_;
+  for (std::size_t j = 0; j < 2; ++j)  // of the instant; else that of the start
+    if (!contacts.film_parameter[j]) contacts.film_parameter[j] = film_parameter_[j];
   const life::LifeState state = calculator_.evaluate(contacts, choices.stored_model);
   const life::PartLives& lives = state.of(choices.stored_model, choices.stored_modification);
   hours_ = life::life_hours(lives.L_S, state.relative_speed);

@@ -14,13 +14,15 @@ namespace adore::facade {
 
 class LifeObserver {
  public:
-  /// @param film_parameter Λ by race, that of the start
+  /// @param film_parameter Λ by race of instants that say none
   LifeObserver(const bearing::Bearing& bearing, const life::LifeParameters& parameters,
                const std::array<std::optional<double>, 2>& film_parameter = {});
 
   /// The life at this instant's loads, and its damage since the instant before (linear between
   /// them).
   void observe(const scene::Snapshot& snapshot);
+  /// The bearing has another geometry now (thermal steps).
+  void follow_bearing();
   /// Of the last instant, as if its loads lasted for ever, by the model that SOL7 stores, at the
   /// deck's survival probability [hr]; infinity is a valid life, 0 before the first instant.
   [[nodiscard]] double hours() const noexcept { return hours_; }

@@ -2,22 +2,16 @@
 
 #include "base/errors.hpp"
 #include "base/interrupted.hpp"
+#include "scene/cost_ledger.hpp"
 
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
 #include <limits>
 
 namespace adore::facade {
 namespace fs = std::filesystem;
 namespace {
-
-double processor_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 /// A new folder for files that nobody wants to keep, gone with this object.
 class PassingFolder {
@@ -50,9 +44,9 @@ MeasuredRun measured_run(RunRequest request, double most_seconds, std::stop_toke
   std::stop_source end;
   const std::stop_callback forward(stop, [&end] { end.request_stop(); });
   MeasuredRun out;
-  const double begin = processor_seconds();
+  const double begin = scene::processor_seconds();
   const ProgressSink watch = [&](const Progress&) {
-    if (processor_seconds() - begin > most_seconds) {
+    if (scene::processor_seconds() - begin > most_seconds) {
       out.cut = true;
       end.request_stop();
     }
@@ -62,7 +56,7 @@ MeasuredRun measured_run(RunRequest request, double most_seconds, std::stop_toke
   } catch (const Interrupted&) {
     if (!out.cut || stop.stop_requested()) throw;
   }
-  out.seconds = processor_seconds() - begin;
+  out.seconds = scene::processor_seconds() - begin;
   out.outcome.files.clear();
   if (stop.stop_requested()) throw Interrupted("interrupted");
   out.cut = out.cut && out.outcome.status == RunStatus::Interrupted;

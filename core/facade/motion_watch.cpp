@@ -25,17 +25,31 @@ std::string quantity(double si, const results::UnitPair& unit, results::UnitSyst
 }  // namespace
 
 MotionWatch::MotionWatch(const bearing::Bearing& bearing) : bearing_(bearing) {
-  if (bearing.cage)
-    cage_limit_ =
-        bearing.cage->material.elastic_strain_limit * bearing.cage->material.elastic_modulus;
+  if (!bearing.cage) return;
+  const bearing::Cage& cage = *bearing.cage;
+  cage_limit_ = cage.material.elastic_strain_limit * cage.material.elastic_modulus;
+  if (!(cage_limit_ > 0.0)) return;
+  point_stress_ = life::peak_ratios(1.0, cage.material.poisson_ratio).von_mises;
+  line_stress_ = life::peak_ratios(0.0, cage.material.poisson_ratio).von_mises;
+  if (bearing.rollers() != nullptr) return;
+  const double D = bearing.element_diameter();
+  const auto [low, high] =
+      contact::wall_height(cage.outer_diameter, cage.inner_diameter, bearing.pitch_diameter());
+  const contact::PocketLaw law = contact::ball_pocket_law(
+      bearing.element_material, cage.material, D,
+      contact::wall_curvatures(contact::BallPocket{cage.pocket, D, cage.pocket_clearance_1,
+                                                   cage.pocket_clearance_2, low, high}));
+  pocket_patch_ = kPi * law.hertz.a_hat * law.hertz.b_hat;
+  pocket_cap_ = law.law.load_cap;
 }
 
 void MotionWatch::look(const scene::Snapshot& at) {
-  const life::RaceStrength now = life::contact_strength(bearing_, at.elements);
+  const life::HeaviestContacts now =
+      life::heaviest_contacts(at.elements, bearing_.rollers() != nullptr);
   for (std::size_t race = 0; race < 2; ++race)
-    if (now[race][0].pressure > strength_[race][0].pressure) {
-      strength_[race] = now[race];
-      strength_time_[race] = at.time;
+    if (now[race].pressure > heaviest_[race].pressure) {
+      heaviest_[race] = now[race];
+      heaviest_time_[race] = at.time;
     }
   if (bearing_.rollers() == nullptr)
     for (std::size_t race = 0; race < 2; ++race) {
@@ -59,24 +73,16 @@ void MotionWatch::look(const scene::Snapshot& at) {
 double MotionWatch::pocket_pressure(const scene::PocketContactSnapshot& contact) const {
   const bearing::Cage& cage = *bearing_.cage;
   if (!(contact.force > 0.0)) return 0.0;
-  const double D = bearing_.element_diameter();
   if (const bearing::RollerGeometry* rollers = bearing_.rollers()) {
+    const double D = bearing_.element_diameter();
     const double E_star = bearing::contact_modulus(bearing_.element_material, cage.material);
     const bool round = cage.pocket == bearing::PocketShape::Cylindrical;
     const double curvature = round ? 2.0 / D - 2.0 / (D + cage.pocket_clearance_1) : 2.0 / D;
     if (!(curvature > 0.0)) return 0.0;
     return contact::line_pressure(contact.force / rollers->length, curvature, E_star).peak;
   }
-  const auto [low, high] =
-      contact::wall_height(cage.outer_diameter, cage.inner_diameter, bearing_.pitch_diameter());
-  const contact::PocketLaw law = contact::ball_pocket_law(
-      bearing_.element_material, cage.material, D,
-      contact::wall_curvatures(contact::BallPocket{cage.pocket, D, cage.pocket_clearance_1,
-                                                   cage.pocket_clearance_2, low, high}));
-  // Beyond the cap the patch no longer grows.
-  const double Q =
-      std::min(contact.force, law.law.load_cap > 0.0 ? law.law.load_cap : contact.force);
-  const double area = kPi * law.hertz.a_hat * law.hertz.b_hat * std::cbrt(Q * Q);
+  const double Q = std::min(contact.force, pocket_cap_ > 0.0 ? pocket_cap_ : contact.force);
+  const double area = pocket_patch_ * std::cbrt(Q * Q);
   return std::isfinite(area) && area > 0.0 ? 1.5 * contact.force / area : 0.0;
 }
 
@@ -94,10 +100,9 @@ void MotionWatch::look_at_cage(const scene::Snapshot& at) {
   overlap_.steps += overlap ? 1 : 0;
   if (!(cage_limit_ > 0.0)) return;
   bool passed = false;
-  const auto offer = [&](double pressure, double ratio, auto&& where) {
+  const auto offer = [&](double pressure, double stress_ratio, auto&& where) {
     if (!(pressure > 0.0)) return;
-    const double stress =
-        pressure * life::peak_ratios(ratio, cage.material.poisson_ratio).von_mises;
+    const double stress = pressure * stress_ratio;
     passed = passed || stress > cage_limit_;
     if (stress <= cage_.value) return;
     cage_ = {stress, at.time, 0, cage_.steps, where()};
@@ -116,18 +121,19 @@ void MotionWatch::look_at_cage(const scene::Snapshot& at) {
   for (std::size_t i = 0; i < at.elements.size(); ++i) take(at.elements[i].pocket, i);
   for (const scene::CageSnapshot& piece : at.cages) take(piece.last_half, at.elements.size());
   if (heaviest != nullptr)
-    offer(pocket_pressure(*heaviest), bearing_.rollers() != nullptr ? 0.0 : 1.0, [&] {
-      return element < at.elements.size()
-                 ? fmt::format("in the pocket of element {}", element + 1)
-                 : std::string("in the half pocket at the end of a segment");
-    });
+    offer(pocket_pressure(*heaviest), bearing_.rollers() != nullptr ? line_stress_ : point_stress_,
+          [&] {
+            return element < at.elements.size()
+                       ? fmt::format("in the pocket of element {}", element + 1)
+                       : std::string("in the half pocket at the end of a segment");
+          });
   for (const scene::CageSnapshot& piece : at.cages)
     for (std::size_t i = 0; i < piece.lands.size() && i < cage.lands.size(); ++i) {
       if (cage.lands[i].guide == bearing::GuideLand::Guide::None) continue;
       const auto race = cage.lands[i].guide == bearing::GuideLand::Guide::Outer ? 0U : 1U;
       const double E_star = bearing::contact_modulus(cage.material, bearing_.race_material[race]);
       const double foundation = 3.0 * kPi * E_star / (16.0 * 0.5 * cage.lands[i].diameter);
-      offer(foundation * std::max(-piece.lands[i].gap, 0.0), 0.0,
+      offer(foundation * std::max(-piece.lands[i].gap, 0.0), line_stress_,
             [&] { return fmt::format("at guide land {}", i + 1); });
     }
   cage_.steps += passed ? 1 : 0;
@@ -135,12 +141,13 @@ void MotionWatch::look_at_cage(const scene::Snapshot& at) {
 
 std::vector<std::string> MotionWatch::warnings(results::UnitSystem units) const {
   std::vector<std::string> out;
+  const life::RaceStrength strength = life::contact_strength(bearing_, heaviest_);
   for (std::size_t race = 0; race < 2; ++race) {
     life::RaceStrength one{};
-    one[race] = strength_[race];
+    one[race] = strength[race];
     for (std::string& text : life::strength_warnings(bearing_, one))
       out.push_back(fmt::format("at t = {:.6g} s, the worst of all stored steps: {}",
-                                strength_time_[race], text));
+                                heaviest_time_[race], text));
     const Worst& over = shoulder_[race];
     if (over.steps > 0)
       out.push_back(fmt::format(

@@ -38,11 +38,15 @@ class MotionWatch {
   [[nodiscard]] double pocket_pressure(const scene::PocketContactSnapshot& contact) const;
 
   bearing::Bearing bearing_;
-  life::RaceStrength strength_{};
-  std::array<double, 2> strength_time_{};
+  life::HeaviestContacts heaviest_{};
+  std::array<double, 2> heaviest_time_{};
   std::array<Worst, 2> shoulder_;
   Worst cage_, overlap_;
   double cage_pressure_ = 0.0, cage_limit_ = 0.0;  ///< of the worst; of the material [Pa]
+  double point_stress_ = 0.0, line_stress_ = 0.0;  ///< von Mises stress in the cage over pressure
+  /// Of a ball in its pocket: patch over F^(2/3) [m²/N^(2/3)], and the force beyond which it no
+  /// longer grows [N]; 0: none.
+  double pocket_patch_ = 0.0, pocket_cap_ = 0.0;
 };
 
 }  // namespace adore::facade

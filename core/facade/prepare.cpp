@@ -1,5 +1,6 @@
 #include "facade/prepare.hpp"
 
+#include "base/interrupted.hpp"
 #include "base/json_text.hpp"
 #include "deck/defaults.hpp"
 #include "deck/unit_text.hpp"
@@ -125,7 +126,19 @@ Prepared prepare_model(LoadedDeck input) {
   out.as_built = setup::build_bearing(deck, out.options.seed);
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
   for (Issue& issue : setup::check_buildable(deck)) out.input.warnings.push_back(std::move(issue));
-  out.bearing = thermal::operating_bearing(out.as_built);
+  if (out.as_built.thermal && deck.integer("mode") < 0) {
+    out.thermal = thermal::solve_steady_state(out.as_built, out.options.rollers, [&] {
+      if (out.input.stop.stop_requested())
+        throw Interrupted("interrupted in the thermal analysis; nothing was written");
+    });
+    out.as_built = out.thermal->as_built;
+    out.bearing = out.thermal->operating;
+    for (const std::string& note : out.thermal->heat.notes)
+      out.input.warnings.push_back(
+          remark(Severity::Note, out.input.path.string(), "thermal analysis: " + note));
+  } else {
+    out.bearing = thermal::operating_bearing(out.as_built);
+  }
   for (Issue& issue : operating_warnings(out.bearing, out.input.path.string()))
     out.input.warnings.push_back(std::move(issue));
   out.control = setup::build_run_control(deck);
@@ -157,6 +170,7 @@ Prepared prepare_model(LoadedDeck input) {
         [&] { out.rollers = statics::solve_roller_statics(out.bearing, out.options.rollers); });
     if (out.bearing.lubrication)
       out.rollers->films = statics::contact_films(out.bearing, *out.rollers);
+    if (!out.control.dynamic) out.friction = statics::friction_estimate(out.bearing, *out.rollers);
     judge(life::contact_strength(out.bearing, *out.rollers));
     out.life = life::roller_bearing_life(out.bearing, life_inputs, *out.rollers);
     if (out.control.dynamic) {
@@ -176,6 +190,7 @@ Prepared prepare_model(LoadedDeck input) {
   }
   out.solve_seconds = timed([&] { out.statics = statics::solve_ball_statics(out.bearing); });
   if (out.bearing.lubrication) out.statics.films = statics::contact_films(out.bearing, out.statics);
+  if (!out.control.dynamic) out.friction = statics::friction_estimate(out.bearing, out.statics);
   judge(life::contact_strength(out.bearing, out.statics));
   for (const std::string& text : listing::ball_warnings(
            out.bearing, out.statics, available_friction(deck, out.bearing), deck.units()))

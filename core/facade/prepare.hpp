@@ -8,8 +8,10 @@
 #include "scene/plan.hpp"
 #include "setup/run_control.hpp"
 #include "statics/ball_statics.hpp"
+#include "statics/friction.hpp"
 #include "statics/roller_statics.hpp"
 #include "statics/stiffness_table.hpp"
+#include "thermal/steady_state.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -80,6 +82,8 @@ struct Prepared {
   double stiffness_seconds = 0.0;     ///< and of the table over speed
   std::vector<deck::NoPart> no_part;  ///< values of the deck that this run does not use, and why
   life::BearingLife life;             ///< at the equilibrium that PRINT.txt shows
+  std::optional<statics::FrictionEstimate> friction;  ///< of a quasi-static deck
+  std::optional<thermal::SteadyState> thermal;        ///< of one with kTherm = 1
 
   /// What the quasi-static solution says of the inner race, whatever rolls on it.
   [[nodiscard]] const statics::RaceResult& race_result() const {

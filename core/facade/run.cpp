@@ -8,7 +8,9 @@
 #include "facade/output_folder.hpp"
 #include "facade/run_outputs.hpp"
 #include "facade/system_ode.hpp"
+#include "facade/thermal_run.hpp"
 #include "facade/unused_request.hpp"
+#include "results/restart.hpp"
 
 #include <fmt/format.h>
 
@@ -19,6 +21,7 @@
 #include <functional>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 namespace adore::facade {
@@ -230,10 +233,27 @@ std::string way_on(const fs::path& master) {
              : "the run had no checkpoint yet: start it again, with --overwrite";
 }
 
+/// Temperatures and geometry of the run that goes on; false: it has none.
+bool restore_thermal(ThermalRun& thermal, Prepared& prepared, const fs::path& master) {
+  std::error_code error;
+  if (!fs::exists(master, error)) return false;
+  if (!thermal.restore(results::read_master(master).averages, master)) return false;
+  move_to(prepared, thermal.operating());
+  return true;
+}
+
 RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::path& folder,
                     const ProgressSink& progress, std::stop_token stop) {
   const auto begin = Clock::now();
-  dynamics::System system = make_system(prepared);
+  const setup::StartState how =
+      request.go_on ? setup::StartState::Continue : prepared.control.start;
+  const fs::path master = folder / prepared.control.master_file;
+  std::optional<ThermalRun> thermal;
+  if (prepared.bearing.thermal) thermal.emplace(prepared);
+  const bool thermal_goes_on =
+      thermal && how == setup::StartState::Continue && restore_thermal(*thermal, prepared, master);
+  std::optional<dynamics::System> at_present(make_system(prepared));
+  dynamics::System& system = *at_present;  // thermal steps put another one into its place
   SystemOde ode(system);
   const auto stepper = make_checked_stepper(
       prepared.control, ode,
@@ -242,15 +262,13 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   // Everything is checked before a file of an earlier run is touched.
   (void)run_span(request, prepared, system.scales().time);
   const StepLimits limits = settle_steps(prepared, system.scales().time);
-  const setup::StartState how =
-      request.go_on ? setup::StartState::Continue : prepared.control.start;
-  const fs::path master = folder / prepared.control.master_file;
   if (request.go_on && !fs::exists(master))
     throw InputError(fmt::format(
         "{}: there is no run to go on with: it was never started here, or ended before its first "
         "checkpoint; start it again without --continue, with --overwrite if files are left",
         master.string()));
   RunOutputs outputs(prepared, folder, request_digest(request, prepared.input), request.overwrite);
+  if (thermal) outputs.show_thermal(*thermal);
   StartPoint start = outputs.find_start(system, how);
   const double scale = system.scales().time;
   const Span span = run_span(request, prepared, scale);
@@ -284,6 +302,8 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
                       start.step, prepared.control.integrator, stepper->loses()));
   }
   outputs.open(system, start);
+  if (thermal && !thermal_goes_on)
+    thermal->start(start.time, system.snapshot(start.time, start.y).energy);
 
   RunOutcome out;
   integrators::StepControl control;
@@ -309,12 +329,13 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   long step = start.step;
   long substeps = start.resume.substeps;  // done of the counted step under way
   double h = start.step_size;
-  double output_seconds = 0.0;
+  double output_seconds = 0.0;  // of the processor, as all of the ledger
   auto output = [&](auto&& action) {
-    const auto at = Clock::now();
+    const double at = scene::processor_seconds();
     action();
-    system.cost().add(output_cost, Clock::now() - at);
-    output_seconds += seconds_since(at);
+    const double spent = scene::processor_seconds() - at;
+    system.cost().add(output_cost, spent);
+    output_seconds += spent;
   };
 
   // Of the run before this process, and of the stepper before its last start.
@@ -340,9 +361,40 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
     again.initial = h;
     stepper->start(ode, stepper->time(), y, again);
   };
+  /// Thermal analysis: the window is full; the state goes on in the new geometry, and the stepper
+  /// starts anew.
+  auto thermal_step = [&] {
+    const double t = stepper->time();
+    std::vector<double> y(stepper->state().begin(), stepper->state().end());
+    const bool settled = thermal->settled();
+    const ThermalRun::Step done = thermal->close(system.snapshot(t, y));
+    if (thermal->settled() && !settled)
+      outputs.remark(
+          fmt::format("thermal analysis: temperatures settled at thermal step {}, t = {:.6g} s",
+                      done.number, t));
+    try {
+      move_to(prepared, thermal->operating());
+      dynamics::System next = make_system(prepared);
+      next.take_over(system, t, y);
+      at_present.emplace(std::move(next));
+    } catch (const InputError& error) {
+      throw SolverError(
+          fmt::format("at t = {:.9g} s, thermal step {} leaves no bearing that could work: {}", t,
+                      done.number, error.what()));
+    } catch (const SolverError& error) {
+      throw SolverError(
+          fmt::format("at t = {:.9g} s, after thermal step {}: {}", t, done.number, error.what()));
+    }
+    outputs.thermal_step(done, t);
+    add_counters(counters, stepper->counters());
+    ++counters.restarts;
+    integrators::StepControl again = control;
+    again.initial = h;
+    stepper->start(ode, t, y, again);
+  };
   const bool may_hold = prepared.plan.has(scene::Effect::LightLoadBalance);
 
-  const auto loop_begin = Clock::now();
+  const double loop_begin = scene::processor_seconds();
   try {
     if (!start.continued && system.between_steps(start.time, start.y)) ++held_changes;
     try {
@@ -384,6 +436,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
       const RunPoint point{step, stepper->time(), h, stepper->state()};
       system.check_state(point.time, point.y.data());
       if (may_hold) update_held();
+      if (thermal && thermal->due(stepper->time())) output(thermal_step);
       const RunPoint now{step, stepper->time(), h, stepper->state()};
       if (outputs.wants(step)) output([&] { outputs.store(system, now, false); });
       outputs.follow(now);
@@ -415,17 +468,19 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   }
   if (const std::string text = outputs.load_warning(); !text.empty()) warn(prepared, text);
   // What the loop spent outside the right-hand side and the output belongs to the stepper.
-  const double loop_seconds = seconds_since(loop_begin);
+  const double loop_seconds = scene::processor_seconds() - loop_begin;
   double rhs_seconds = 0.0;
   for (const auto& row : system.cost().rows())
     if (row.name != "stepper" && row.name != "output") rhs_seconds += row.seconds;
-  const double rest = std::max(0.0, loop_seconds - rhs_seconds - output_seconds);
-  system.cost().add(stepper_cost, std::chrono::duration_cast<Clock::duration>(
-                                      std::chrono::duration<double>(rest)));
+  system.cost().add(stepper_cost, std::max(0.0, loop_seconds - rhs_seconds - output_seconds));
 
   summary.status = out.status;
   summary.message = out.message;
   summary.loop_seconds = loop_seconds;
+  if (thermal && thermal->steps() == 0)
+    outputs.remark(
+        "thermal analysis: the run ended before its first thermal step (aveTime); temperatures "
+        "stayed those of record 9.1.3");
   outputs.finish(system, summary);
 
   out.files = outputs.files();

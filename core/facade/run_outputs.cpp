@@ -13,6 +13,7 @@
 #include "facade/restart_progress.hpp"
 #include "facade/run_files.hpp"
 #include "listing/print_fits.hpp"
+#include "listing/print_heat.hpp"
 #include "listing/solution_tables.hpp"
 #include "listing/static_cut.hpp"
 #include "listing/static_summary.hpp"
@@ -98,7 +99,8 @@ struct RunOutputs::Impl {
   long restart_step = -1;           ///< of the last checkpoint
   long continued_at = 0;            ///< step at which this process took the run over
   std::vector<int> cage_positions;  ///< first components of the mass centres of cage or segments
-  double turned_before = 0.0;       ///< rotation of the shaft beyond speed times time [rad]
+  const ThermalRun* thermal = nullptr;
+  double turned_before = 0.0;  ///< rotation of the shaft beyond speed times time [rad]
 
   Impl(const Prepared& p, fs::path f, std::string r, bool o)
       : prepared(p),
@@ -174,6 +176,7 @@ Snapshot RunOutputs::Impl::snapshot(dynamics::System& system, const RunPoint& po
   out.step_size = point.step_size;
   out.shaft_rotation += turned_before;
   if (ledger_start) ledger_start->apply(out);
+  if (thermal != nullptr) out.thermal = thermal->shown();
   return out;
 }
 
@@ -182,6 +185,7 @@ void RunOutputs::Impl::write_restart(const dynamics::System& system, const Snaps
   if (files.all) files.all->flush();
   results::MasterState master;
   master.last = final_state(system, at, y);
+  if (thermal != nullptr) thermal->save(master.averages);
   averages.save(master.averages);
   life.save(master.averages);
   recorder.save(master.averages);
@@ -213,6 +217,8 @@ void RunOutputs::Impl::print_front(const std::optional<scene::Scales>& scales) {
     print.quasi_static(*prepared.rollers, prepared.bearing);
   else
     print.quasi_static(scales ? prepared.start : prepared.statics, prepared.bearing);
+  if (prepared.friction) print.friction(*prepared.friction, prepared.rollers ? "roller" : "ball");
+  if (prepared.thermal) print.thermal(*prepared.thermal);
   if (prepared.bearing.operating) print.fits(prepared.bearing);
   if (control.stiffness) print.stiffness_table(prepared.stiffness, control.stiffness->share);
   print.life(prepared.life);
@@ -231,6 +237,15 @@ RunOutputs::RunOutputs(const Prepared& prepared, const fs::path& folder, std::st
                        bool overwrite)
     : impl_(std::make_unique<Impl>(prepared, folder, std::move(request), overwrite)) {}
 RunOutputs::~RunOutputs() = default;
+
+void RunOutputs::show_thermal(const ThermalRun& thermal) { impl_->thermal = &thermal; }
+
+void RunOutputs::thermal_step(const ThermalRun::Step& step, double time) {
+  Impl& s = *impl_;
+  s.recorder.set_bearing(s.prepared.bearing);
+  s.life.follow_bearing();
+  s.files.print->thermal_step(step.heat, step.number, time, step.geometry);
+}
 
 void RunOutputs::remark(std::string text) { impl_->remark(std::move(text)); }
 
@@ -469,6 +484,7 @@ std::vector<std::string> RunOutputs::write_quasi_static() {
   results::RunSummary run = s.summary();
   run.status = "done";
   s.key_results = static_results(s.prepared);
+  add_heat(s.key_results, s.prepared);
   if (s.prepared.bearing.operating) add_fits(s.key_results, *s.prepared.bearing.operating);
   add_lives(s.key_results, s.prepared.life);
   run.summary = s.key_results;
@@ -481,10 +497,20 @@ std::vector<std::string> RunOutputs::write_quasi_static() {
     listing::add_cut(tables, s.prepared.statics, s.prepared.bearing);
   if (!s.prepared.stiffness.empty())
     tables.tables.push_back(listing::stiffness_over_speed(s.prepared.stiffness));
+  if (s.prepared.friction) {
+    listing::add_friction_columns(tables.tables.front(), *s.prepared.friction);
+    tables.tables.push_back(listing::friction_table(*s.prepared.friction));
+  }
+  if (s.prepared.thermal) tables.tables.push_back(listing::network_table(s.prepared.thermal->heat));
   run.quasi_static = results::to_json(tables);
   s.close(run);
-  return listing::summary_lines(s.static_summary(false), s.prepared.bearing, s.prepared.life,
-                                s.units);
+  std::vector<std::string> lines =
+      listing::summary_lines(s.static_summary(false), s.prepared.bearing, s.prepared.life, s.units);
+  if (s.prepared.friction)
+    for (std::string& line : listing::heat_lines(
+             *s.prepared.friction, s.prepared.thermal ? &*s.prepared.thermal : nullptr, s.units))
+      lines.push_back(std::move(line));
+  return lines;
 }
 
 std::vector<fs::path> RunOutputs::files() const { return impl_->files.written; }
@@ -492,7 +518,9 @@ std::vector<fs::path> RunOutputs::files() const { return impl_->files.written; }
 KeyResults RunOutputs::summary() const { return impl_->key_results; }
 
 results::EnergyJudgement RunOutputs::judge_energy() const {
-  return results::judge_energy(impl_->last.energy, static_elastic(impl_->prepared));
+  const bool vibrates = !impl_->prepared.plan.has(scene::Effect::ElementBalance);
+  return results::judge_energy(impl_->last.energy,
+                               vibrates ? static_elastic(impl_->prepared) : 0.0);
 }
 
 std::string RunOutputs::load_warning() const {

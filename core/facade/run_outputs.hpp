@@ -2,6 +2,7 @@
 
 #include "facade/prepare.hpp"
 #include "facade/run.hpp"
+#include "facade/thermal_run.hpp"
 #include "integrators/stepper.hpp"
 #include "results/energy_judgement.hpp"
 
@@ -67,6 +68,10 @@ class RunOutputs {
   [[nodiscard]] StartPoint find_start(dynamics::System& system, setup::StartState start);
   /// Opens every file for a run from there, and writes the front part of PRINT.txt.
   void open(dynamics::System& system, const StartPoint& start);
+  /// The thermal analysis whose last step every instant shows; outlives these outputs.
+  void show_thermal(const ThermalRun& thermal);
+  /// A thermal step is done: into PRINT.txt, and its temperatures into all that is stored later.
+  void thermal_step(const ThermalRun::Step& step, double time);
   /// Says something in RUN.json and on the last page, and to whoever asks for remarks().
   void remark(std::string text);
   /// Does any file store this step? (print, plot and animation intervals)

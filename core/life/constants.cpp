@@ -1,6 +1,7 @@
 #include "life/constants.hpp"
 
 #include "base/resources.hpp"
+#include "bearing/material_json.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -117,7 +118,7 @@ void read_iso(const Json& json, LifeConstants& c) {
 
 std::map<int, Marked> load_limits() {
   std::map<int, Marked> out;
-  const Json json = Json::parse(resources::get("materials.json"));
+  const Json& json = bearing::material_json();
   for (const auto& [key, entry] : json.at("materials").items()) {
     const Json& limit = entry.at("von_mises_fatigue_limit");
     if (limit.is_null() || limit.at("value").is_null()) continue;

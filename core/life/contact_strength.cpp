@@ -12,17 +12,11 @@ using bearing::Material;
 
 constexpr std::array<const char*, 2> kRaceName{"outer", "inner"};
 
-/// The contact of largest pressure, and its b/a (0: a line).
-struct Heaviest {
-  int element = 0;
-  double pressure = 0.0, ratio = 0.0;
-  void offer(std::size_t index, double p, double b_over_a) {
-    if (!(p > pressure)) return;
-    *this = {static_cast<int>(index) + 1, p, b_over_a};
-  }
-};
+void offer(HeaviestContact& heaviest, std::size_t index, double pressure, double ratio) {
+  if (pressure > heaviest.pressure) heaviest = {static_cast<int>(index) + 1, pressure, ratio};
+}
 
-ContactStrength strength_of(const Heaviest& contact, const Material& material) {
+ContactStrength strength_of(const HeaviestContact& contact, const Material& material) {
   ContactStrength out{contact.element, contact.pressure, 0.0,
                       material.elastic_strain_limit * material.elastic_modulus};
   if (contact.element > 0)
@@ -30,7 +24,9 @@ ContactStrength strength_of(const Heaviest& contact, const Material& material) {
   return out;
 }
 
-RaceStrength strength_of(const Bearing& bearing, const std::array<Heaviest, 2>& heaviest) {
+}  // namespace
+
+RaceStrength contact_strength(const Bearing& bearing, const HeaviestContacts& heaviest) {
   RaceStrength out;
   for (std::size_t race = 0; race < 2; ++race)
     out[race] = {strength_of(heaviest[race], bearing.race_material[race]),
@@ -38,43 +34,39 @@ RaceStrength strength_of(const Bearing& bearing, const std::array<Heaviest, 2>& 
   return out;
 }
 
-}  // namespace
-
 RaceStrength contact_strength(const Bearing& bearing, const statics::StaticSolution& solution) {
-  std::array<Heaviest, 2> heaviest;
+  HeaviestContacts heaviest;
   for (std::size_t k = 0; k < solution.balls.size(); ++k)
     for (std::size_t race = 0; race < 2; ++race) {
       const statics::StaticBall& ball = solution.balls[k];
       if (ball.Q[race] > 0.0)
-        heaviest[race].offer(k, ball.p_max[race], ball.b[race] / ball.a[race]);
+        offer(heaviest[race], k, ball.p_max[race], ball.b[race] / ball.a[race]);
     }
-  return strength_of(bearing, heaviest);
+  return contact_strength(bearing, heaviest);
 }
 
 RaceStrength contact_strength(const Bearing& bearing, const statics::RollerSolution& solution) {
-  std::array<Heaviest, 2> heaviest;
+  HeaviestContacts heaviest;
   for (std::size_t k = 0; k < solution.rollers.size(); ++k)
     for (std::size_t race = 0; race < 2; ++race) {
       const statics::RollerRaceContact& c = solution.rollers[k].race[race];
       if (!(c.load > 0.0)) continue;
       const bool point = c.slice_load.empty();  // then half width and length are of an ellipse
-      heaviest[race].offer(k, c.peak_pressure, point ? c.half_width / (0.5 * c.length) : 0.0);
+      offer(heaviest[race], k, c.peak_pressure, point ? c.half_width / (0.5 * c.length) : 0.0);
     }
-  return strength_of(bearing, heaviest);
+  return contact_strength(bearing, heaviest);
 }
 
-RaceStrength contact_strength(const Bearing& bearing,
-                              std::span<const scene::ElementSnapshot> elements) {
-  const bool line = bearing.rollers() != nullptr;
-  std::array<Heaviest, 2> heaviest;
+HeaviestContacts heaviest_contacts(std::span<const scene::ElementSnapshot> elements, bool lines) {
+  HeaviestContacts heaviest;
   for (std::size_t k = 0; k < elements.size(); ++k)
     for (std::size_t race = 0; race < 2; ++race) {
       const scene::RaceContactSnapshot& contact = elements[k].race[race];
       if (contact.load > 0.0)
-        heaviest[race].offer(k, contact.max_pressure,
-                             line ? 0.0 : contact.half_minor / contact.half_major);
+        offer(heaviest[race], k, contact.max_pressure,
+              lines ? 0.0 : contact.half_minor / contact.half_major);
     }
-  return strength_of(bearing, heaviest);
+  return heaviest;
 }
 
 std::vector<std::string> strength_warnings(const Bearing& bearing, const RaceStrength& strength) {

@@ -36,9 +36,18 @@ using RaceStrength = std::array<std::array<ContactStrength, 2>, 2>;
                                             const statics::StaticSolution& solution);
 [[nodiscard]] RaceStrength contact_strength(const bearing::Bearing& bearing,
                                             const statics::RollerSolution& solution);
-/// Of one instant of a motion.
+/// The contact of largest pressure at one race.
+struct HeaviestContact {
+  int element = 0;        ///< 1-based; 0: none is loaded
+  double pressure = 0.0;  ///< [Pa]
+  double ratio = 0.0;     ///< b/a, 0: a line
+};
+using HeaviestContacts = std::array<HeaviestContact, 2>;  ///< outer, inner race
+/// Of one instant of a motion; quick. @param lines the elements are rollers
+[[nodiscard]] HeaviestContacts heaviest_contacts(std::span<const scene::ElementSnapshot> elements,
+                                                 bool lines);
 [[nodiscard]] RaceStrength contact_strength(const bearing::Bearing& bearing,
-                                            std::span<const scene::ElementSnapshot> elements);
+                                            const HeaviestContacts& heaviest);
 
 /// A sentence for each body that yields, naming element, race, stress and limit; empty when all
 /// stay elastic.

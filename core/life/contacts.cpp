@@ -191,6 +191,16 @@ BearingContacts life_contacts(const scene::Snapshot& snapshot, const bearing::Be
     out.race[i].angle = angle.value(bearing.balls().contact_angle);
   }
   set_motion(out, snapshot.races[0].omega.x(), snapshot.races[1].omega.x());
+  // Λ of a race is that of its most loaded contact.
+  for (std::size_t i = 0; i < 2; ++i) {
+    double heaviest = 0.0;
+    for (const scene::ElementSnapshot& element : snapshot.elements) {
+      const scene::RaceContactSnapshot& c = element.race[i];
+      if (!(c.film_parameter > 0.0) || !(c.load > heaviest)) continue;
+      heaviest = c.load;
+      out.film_parameter[i] = c.film_parameter;
+    }
+  }
   if (out.relative_speed > 0.0)
     for (const scene::ElementSnapshot& element : snapshot.elements) {
       const scene::Vec3 orbiting = element.omega - scene::Vec3(element.theta_dot, 0.0, 0.0);

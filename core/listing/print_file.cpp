@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "listing/print_fits.hpp"
+#include "listing/print_heat.hpp"
 #include "results/continuation.hpp"
 #include "results/fortran_format.hpp"
 #include "results/line_reader.hpp"
@@ -97,6 +98,22 @@ void PrintFile::step(const scene::Snapshot& snapshot, const StepRecord& record,
                      const bearing::Bearing& bearing, const Averages& averages, int kPrtOpt,
                      std::optional<long> life_step) {
   print_step(report_, snapshot, record, bearing, averages, kPrtOpt, life_step);
+  flush();
+}
+
+void PrintFile::friction(const statics::FrictionEstimate& friction, const std::string& element) {
+  print_friction(report_, friction, element);
+  flush();
+}
+
+void PrintFile::thermal(const thermal::SteadyState& steady) {
+  print_steady_state(report_, steady);
+  flush();
+}
+
+void PrintFile::thermal_step(const thermal::BearingHeat& heat, long step, double time,
+                             bool geometry) {
+  print_thermal_step(report_, heat, step, time, geometry);
   flush();
 }
 

@@ -13,8 +13,10 @@
 #include "scene/scales.hpp"
 #include "scene/snapshot.hpp"
 #include "statics/ball_statics.hpp"
+#include "statics/friction.hpp"
 #include "statics/roller_statics.hpp"
 #include "statics/stiffness_table.hpp"
+#include "thermal/steady_state.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -66,6 +68,12 @@ class PrintFile {
   /// Equilibrium of elements and races.
   void quasi_static(const statics::StaticSolution& solution, const bearing::Bearing& bearing);
   void quasi_static(const statics::RollerSolution& solution, const bearing::Bearing& bearing);
+  /// Friction at that equilibrium.
+  void friction(const statics::FrictionEstimate& friction, const std::string& element);
+  /// Temperatures that agree with it.
+  void thermal(const thermal::SteadyState& steady);
+  /// A thermal step of a run.
+  void thermal_step(const thermal::BearingHeat& heat, long step, double time, bool geometry);
   /// Fatigue life at that equilibrium.
   void life(const life::BearingLife& life);
   /// Stiffness over speed (kStif); `share`: of the contact deflection, for the differences.

@@ -94,6 +94,7 @@ void flanges(Report& report, const scene::Snapshot& snapshot, int interval) {
 void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
               int interval) {
   const bool film = is_computed(record, "contact.film");
+  const bool lambda = is_computed(record, "contact.film_parameter");
   const bool rise = is_computed(record, "contact.temperature_rise");
   const bool rollers = record.shape.rollers;
   report.heading(
@@ -138,7 +139,11 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
                                        {"a", "contact.half_major", race},
                                        {"b", "contact.half_minor", race},
                                        {"pressure", "contact.pressure", race}};
-    if (film) columns.push_back({"film", "contact.film", race});
+    if (film) {
+      columns.push_back({"film", "contact.film", race});
+      columns.push_back({"least film", "contact.least_film", race});
+    }
+    if (lambda) columns.push_back({"lambda", "contact.film_parameter", race});
     columns.insert(columns.end(), {{"slip", "contact.slip", race},
                                    {"spin/roll", "contact.spin_to_roll", race},
                                    {"heat", "contact.heat", race},
@@ -275,19 +280,34 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
                 {"axial acc", &unit::kAcceleration}},
                orbits, 12);
   if (!snapshot.cages.empty() && !snapshot.cages.front().lands.empty()) {
-    report.heading(
-        "Cage to race contact (contact angle in the cage frame; no attitude angle without "
-        "hydrodynamics)");
+    const auto& shown = snapshot.cages.front().lands;
+    const bool films = std::any_of(shown.begin(), shown.end(), [](const scene::LandSnapshot& land) {
+      return land.film_force > 0.0;
+    });
+    report.heading(films
+                       ? "Cage to race contact and film (contact angle in the cage frame; attitude "
+                         "from the least gap to the film's load)"
+                       : "Cage to race contact (contact angle in the cage frame; no attitude angle "
+                         "without hydrodynamics)");
     std::vector<Report::Row> lands;
     for (std::size_t k = 0; k < snapshot.cages.size(); ++k) {
       int number = 0;
-      for (const scene::LandSnapshot& land : snapshot.cages[k].lands)
+      for (const scene::LandSnapshot& land : snapshot.cages[k].lands) {
         lands.push_back({segments ? fmt::format("land {} of {}", ++number, k + 1)
                                   : fmt::format("land {}", ++number),
                          {land.force, land.gap, wrapped(land.angle)}});
+        if (films)
+          for (const double value : {land.film_force, land.attitude})
+            lands.back().values.push_back(value);
+      }
     }
-    report.table("", {{"force", &unit::kForce}, {"gap", &unit::kLength}, {"angle", &unit::kAngle}},
-                 lands, 12);
+    std::vector<Report::Column> columns{
+        {"force", &unit::kForce}, {"gap", &unit::kLength}, {"angle", &unit::kAngle}};
+    if (films) {
+      columns.push_back({"film force", &unit::kForce});
+      columns.push_back({"attitude", &unit::kAngle});
+    }
+    report.table("", columns, lands, 12);
   }
   if (segments) {
     report.heading("Gaps between segments, which do not touch each other (negative: overlap)");

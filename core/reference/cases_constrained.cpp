@@ -1,11 +1,18 @@
 #include "reference/cases_constrained.hpp"
 
+#include "base/errors.hpp"
 #include "dynamics/constrained.hpp"
+#include "dynamics/held_rollers.hpp"
 #include "dynamics/mode2.hpp"
 #include "reference/adapter.hpp"
 #include "reference/trajectory.hpp"
+#include "statics/roller_model.hpp"
 
 #include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <limits>
+#include <vector>
 
 namespace adore::reference {
 namespace {
@@ -121,6 +128,78 @@ Json orbit_case(const Json& in) {
   return out;
 }
 
+struct RollerOfCase {
+  statics::RollerModel model;
+  dynamics::ElementMasses masses;
+};
+
+/// Straight and without crown between cylinders, every slice with its share of K.
+RollerOfCase roller_of(const Json& in) {
+  bearing::Bearing b;
+  b.type = bearing::Type::Cylindrical;
+  for (auto* m : {&b.element_material, &b.race_material[0], &b.race_material[1]})
+    m->elastic_modulus = 1.0;  // K is given
+  const double D = get(in, "roller_diameter");
+  const double outer = in.at("raceway_radius").at(0), inner = in.at("raceway_radius").at(1);
+  bearing::RollerGeometry g;
+  g.count = 1;
+  g.diameter = g.length = g.central_length = D;
+  g.crown_radius = std::numeric_limits<double>::infinity();
+  g.land_width = {D, D};
+  g.pitch_diameter = outer + inner;
+  g.clearance = 2.0 * (outer - inner - D);
+  b.elements = g;
+  b.element_inertia.mass = get(in, "mass");
+  b.element_inertia.moments.setConstant(1.0);  // of no account
+  statics::RollerModel model = statics::make_roller_model(b, {});
+  for (std::size_t j = 0; j < 2; ++j)
+    model.law[j].constant = in.at("K").at(j).get<double>() / model.slicing.effective_length;
+  return {model, dynamics::ElementMasses(b)};
+}
+
+/// As a held roller finds its place in a run; that keeps m r² θ̇, here θ̇ is given.
+Json roller_case(const Json& in) {
+  const auto [model, masses] = roller_of(in);
+  const double theta = get(in, "theta"), speed = get(in, "theta_rate");
+  dynamics::HeldRollers held(model, {}, masses);
+  dynamics::Evaluation e(1);
+  const auto races = races_of(in);
+  for (std::size_t j = 0; j < 2; ++j) e.race[j].position = races[j].centre;
+  e.attitude.assign(1, Mat3::Identity());
+  e.sin_theta[0] = std::sin(theta);
+  e.cos_theta[0] = std::cos(theta);
+  const double zero = 0.0;
+  double r = 0.5 * model.rollers.pitch_diameter;
+  e.elements = {.n = 1,
+                .x = &zero,
+                .r = &r,
+                .sin_theta = e.sin_theta.data(),
+                .cos_theta = e.cos_theta.data(),
+                .x_dot = &zero,
+                .r_dot = &zero,
+                .theta_dot = &speed,
+                .omega_x = &zero,
+                .omega_r = &zero,
+                .omega_theta = &zero,
+                .theta = &theta};
+  for (int k = 0; k < 20; ++k) {
+    const dynamics::HeldPlace at = held.balanced(e, 0, Vec2::Zero());
+    demand(at.solved, "the roller finds no balance");
+    r = at.r;
+  }
+  const std::vector<std::size_t> list{0};
+  std::vector<dynamics::HeldSprings> springs(1);
+  held.springs(e, list, springs);
+  std::array<double, 2> Q{};
+  for (std::size_t j = 0; j < 2; ++j) {
+    const Vec3 d = e.element_centre(0) - races[j].centre;
+    statics::PairPotential potential;
+    statics::add_race(model, model.body(0), j, {0.0, std::hypot(d[1], d[2]), 0.0, 0.0}, potential);
+    Q[j] = potential.total;
+  }
+  return {{"r", r}, {"Q_outer", Q[0]}, {"Q_inner", Q[1]}, {"force_theta", springs[0].normal[2]}};
+}
+
 Json mode2_case(const Json& in) {
   const ConstrainedBall ball = ball_of(in);
   const int n = in.at("nRe");
@@ -184,6 +263,7 @@ std::optional<Json> constraint_case(const Json& the_case) {
   if (kind == "mode1_ball") return ball_case(in);
   if (kind == "mode1_idle") return idle_case(in);
   if (kind == "mode1_orbit") return orbit_case(in);
+  if (kind == "mode1_roller") return roller_case(in);
   if (kind == "mode2_ball_bearing") return mode2_case(in);
   if (kind == "qfac_switch_energy") return switch_case(in);
   if (kind == "qfac_sequence") return sequence_case(in);

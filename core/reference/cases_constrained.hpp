@@ -4,7 +4,8 @@
 
 namespace adore::reference {
 
-/// One case of the family motion_constraints: a ball or a ball bearing with eliminated inertia.
+/// One case of the family motion_constraints: a ball, a roller or a ball bearing with eliminated
+/// inertia.
 [[nodiscard]] std::optional<Json> constraint_case(const Json& the_case);
 
 }  // namespace adore::reference

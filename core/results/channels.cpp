@@ -24,6 +24,7 @@ void point_at(ChannelSource& source, const Channel& channel, const Shape& shape,
   };
   switch (channel.per) {
     case Per::Run:
+    case Per::Thermal:
       break;
     case Per::Element:
     case Per::Pair:
@@ -69,6 +70,7 @@ Shape shape_of(const bearing::Bearing& bearing) {
   Shape shape;
   shape.elements = bearing.element_count();
   shape.rollers = bearing.rollers() != nullptr;
+  shape.thermal = bearing.thermal.has_value();
   if (bearing.cage) {
     const bearing::Segmentation& cut = bearing.cage->segments;
     shape.cages = cut.count;
@@ -103,6 +105,8 @@ std::size_t channel_size(const Channel& channel, const Shape& shape) {
         return shape.cages * shape.lands;
       case Per::Race:
         return 2;
+      case Per::Thermal:
+        return shape.thermal ? 1 : 0;
     }
     return 0;
   }();
@@ -140,6 +144,9 @@ const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(shape.pairs); ++i)
     demand(snapshot.elements[i].to_next.has_value(),
            "each element of a snapshot without cage shows the next one");
+
+  demand(!shape.thermal || snapshot.thermal.has_value(),
+         "a snapshot of a run with a thermal analysis shows its last thermal step");
 
   record_.step = snapshot.step;
   record_.time = snapshot.time;

@@ -19,7 +19,18 @@
 namespace adore::results {
 
 /// How often a channel occurs in one step.
-enum class Per : unsigned char { Run, Element, Contact, Flange, Pocket, Pair, Cage, Land, Race };
+enum class Per : unsigned char {
+  Run,
+  Element,
+  Contact,
+  Flange,
+  Pocket,
+  Pair,
+  Cage,
+  Land,
+  Race,
+  Thermal  ///< once, in runs with a thermal analysis
+};
 
 /// Where a channel's getter looks: one instant and the indices that its `Per` needs (all from 0).
 struct ChannelSource {
@@ -41,6 +52,7 @@ struct ChannelSource {
   }
   /// An element and the next one, in a bearing without cage.
   [[nodiscard]] const scene::NeighbourSnapshot& pair() const { return *ball().to_next; }
+  [[nodiscard]] const scene::ThermalSnapshot& thermal() const { return *snapshot->thermal; }
   [[nodiscard]] const scene::CageSnapshot& cage_body() const { return snapshot->cages[cage]; }
   [[nodiscard]] const scene::RaceSnapshot& race_body() const { return snapshot->races[race]; }
 };
@@ -85,6 +97,7 @@ struct Shape {
   int first_pocket = 0;  ///< element that the first segment starts with, from 0
   int pairs = 0;         ///< of elements that may touch
   bool rollers = false;  ///< each with two ends at two races' flanges
+  bool thermal = false;  ///< with a thermal analysis
   bool operator==(const Shape&) const = default;
 };
 [[nodiscard]] Shape shape_of(const bearing::Bearing& bearing);

@@ -26,13 +26,15 @@ EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic) 
   const Trust by_elastic = judge(out.over_elastic, kElasticWarning, kElasticLimit);
   out.trust = std::max(by_moved, by_elastic);
   if (out.trust == Trust::Full) return out;
-  out.text = fmt::format(
-      "{:.3g} J of energy have no account: {:.2g} of the {:.3g} J that moved{}, {:.2g} of the "
-      "{:.3g} J "
-      "of elastic energy in the quasi-static solution{}. ",
-      residual, out.over_moved, moved,
-      by_moved == Trust::None ? fmt::format(" (limit {:g})", kMovedLimit) : "", out.over_elastic,
-      elastic, by_elastic == Trust::None ? fmt::format(" (limit {:g})", kElasticLimit) : "");
+  out.text = fmt::format("{:.3g} J of energy have no account: {:.2g} of the {:.3g} J that moved{}",
+                         residual, out.over_moved, moved,
+                         by_moved == Trust::None ? fmt::format(" (limit {:g})", kMovedLimit) : "");
+  if (elastic > 0.0)
+    out.text +=
+        fmt::format(", {:.2g} of the {:.3g} J of elastic energy in the quasi-static solution{}",
+                    out.over_elastic, elastic,
+                    by_elastic == Trust::None ? fmt::format(" (limit {:g})", kElasticLimit) : "");
+  out.text += ". ";
   out.text += out.trust == Trust::None
                   ? "The results of this run cannot be trusted. Lower the tolerance (tol on record "
                     "2.1, or --tol) or the longest step (stpMax), lower stpMin when steps were "

@@ -22,7 +22,8 @@ struct EnergyJudgement {
 };
 
 /// A residual that is no number is never trusted.
-/// @param elastic elastic energy of the quasi-static solution [J]
+/// @param elastic elastic energy of the quasi-static solution [J]; 0 where there is none to measure
+/// by: nothing is loaded, or elements in balance (modes 1 and 2) do not vibrate
 [[nodiscard]] EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic);
 
 }  // namespace adore::results

@@ -1,5 +1,6 @@
 #include "results/fortran_format.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -62,27 +63,31 @@ void append_real(std::string& out, double value, int width, int digits, Scale sc
   std::from_chars(scientific.data() + letter + (scientific[letter + 1] == '+' ? 2 : 1), end,
                   exponent);
 
-  std::string field;
-  if (value < 0.0) field += '-';
-  const std::size_t lead = field.size();
+  std::array<char, 80> field{};
+  char* at = field.data();
+  const auto put = [&at](std::string_view text) { at = std::copy(text.begin(), text.end(), at); };
+  if (value < 0.0) *at++ = '-';
+  char* const lead = at;
   if (scale == Scale::One) {
-    field.append(scientific.substr(0, letter));
-    if (digits == 0) field += '.';
+    put(scientific.substr(0, letter));
+    if (digits == 0) *at++ = '.';
   } else {
-    field += "0.";
-    field += scientific[0];
-    if (letter > 2) field.append(scientific.substr(2, letter - 2));
+    put("0.");
+    *at++ = scientific[0];
+    if (letter > 2) put(scientific.substr(2, letter - 2));
     if (value != 0.0) ++exponent;
   }
   const int size = std::abs(exponent);
-  if (size < 100) field += 'E';
-  field += exponent < 0 ? '-' : '+';
-  if (size < 10) field += '0';
-  field += std::to_string(size);
+  if (size < 100) *at++ = 'E';
+  *at++ = exponent < 0 ? '-' : '+';
+  if (size < 10) *at++ = '0';
+  at = std::to_chars(at, field.data() + field.size(), size).ptr;
   // Fortran may leave out the zero before the point when the field is one column too narrow.
-  if (scale == Scale::Zero && field.size() == static_cast<std::size_t>(width) + 1)
-    field.erase(lead, 1);
-  append_right(out, field, width);
+  if (scale == Scale::Zero && at - field.data() == width + 1) {
+    std::copy(lead + 1, at, lead);
+    --at;
+  }
+  append_right(out, {field.data(), static_cast<std::size_t>(at - field.data())}, width);
 }
 
 void append_text(std::string& out, std::string_view text, int width) {

@@ -9,13 +9,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <unordered_map>
 
 namespace adore::results {
 namespace {
 
-/// Relative resolution of the (1p,e16.7) fields of SOL1-SOL7 with some room, and of SOL8's e10.3.
-constexpr double kSolDigits = 1e-6, kSol8Digits = 2e-3;
+/// Relative resolution of the (1p,e16.7) fields of SOL1-SOL7 with some room.
+constexpr double kSolDigits = 1e-6;
 
 /// RESULTS.h5 beside `file` when it has the run code; else nothing and the reason.
 std::optional<H5Reader> open_beside(const std::filesystem::path& file, const std::string& run_id,
@@ -146,67 +147,6 @@ std::string use_full_precision(SolFile& file) {
     return {};
   } catch (const InputError& error) {
     return error.what();
-  }
-}
-
-std::optional<ContactFrames> contacts_beside(const Sol8File& file, std::string& why_not) {
-  const auto reader = open_beside(file.path, file.run_id, why_not);
-  if (!reader) return std::nullopt;
-  try {
-    const auto* load = reader->find("contact.load");
-    const auto* slip = reader->find("contact.slip");
-    const auto* radius = reader->find("element.radial_position");
-    const auto n = static_cast<std::size_t>(file.elements);
-    if (load == nullptr || slip == nullptr || radius == nullptr || load->size() != 2 * n ||
-        slip->size() != 2 * n || radius->size() != n) {
-      why_not = "RESULTS.h5 beside the file has no contacts of these elements";
-      return std::nullopt;
-    }
-    const bool english = file.units[2] == unit::kForce.en;
-    const UnitSystem units = english ? UnitSystem::English : UnitSystem::SI;
-    ContactFrames out;
-    out.load_unit = unit_name(unit::kForce, units);
-    out.slip_unit = unit_name(unit::kSpeed, units);
-    const auto size = [&](const char* name) {
-      const auto found = reader->geometry().find(name);
-      return found != reader->geometry().end() && std::isfinite(found->second) ? found->second
-                                                                               : 0.0;
-    };
-    out.pocket_code = static_cast<int>(std::clamp(size("pocket_code"), -1.0, 4.0));
-    out.roller_length = from_si(std::max(size("roller_length"), 0.0), unit::kLength, units);
-    const auto positions = positions_of(*reader);
-    const std::vector<double> times = reader->read("time");
-    for (const Sol8Frame& frame : file.frames) {
-      const auto found = positions.find(frame.step);
-      if (found == positions.end()) {
-        why_not = fmt::format("RESULTS.h5 beside the file lacks step {}", frame.step);
-        return std::nullopt;
-      }
-      const std::size_t at = found->second;
-      const auto radii = reader->read("element.radial_position", at, 1);
-      bool same = fits(frame.time, times[at], kSolDigits, 1e-300);
-      for (std::size_t k = 0; same && k < n; ++k)
-        same = fits(frame.elements[k].r, from_si(radii[k], unit::kLength, units), kSol8Digits, 0.0);
-      if (!same) {
-        why_not = kOtherRun;
-        return std::nullopt;
-      }
-      const auto loads = reader->read("contact.load", at, 1);
-      const auto slips = reader->read("contact.slip", at, 1);
-      std::vector<ContactFrame> contacts(n);
-      for (std::size_t k = 0; k < n; ++k) {
-        for (std::size_t j = 0; j < 2; ++j) {
-          contacts[k].load[j] = from_si(loads[2 * k + j], unit::kForce, units);
-          contacts[k].slip[j] = from_si(slips[2 * k + j], unit::kSpeed, units);
-          out.largest_load = std::max(out.largest_load, contacts[k].load[j]);
-        }
-      }
-      out.frames.push_back(std::move(contacts));
-    }
-    return out;
-  } catch (const InputError& error) {
-    why_not = error.what();
-    return std::nullopt;
   }
 }
 

@@ -67,6 +67,9 @@ std::vector<hsize_t> dimensions(const Channel& channel, const Shape& shape) {
     case Per::Race:
       out = {2};
       break;
+    case Per::Thermal:
+      out = {n(shape.thermal ? 1 : 0)};
+      break;
   }
   if (channel.components > 1) out.push_back(n(channel.components));
   return out;
@@ -93,6 +96,8 @@ std::string_view dimension_names(const Channel& channel) {
       return "step, cage, land";
     case Per::Race:
       return vector ? "step, race, component" : "step, race";
+    case Per::Thermal:
+      return "step, one";
   }
   return {};
 }

@@ -99,24 +99,12 @@ constexpr std::string_view kPowerFile[] = {"power.loss",
                                            "race.temperature",
                                            "power.cage_temperature"};
 
-/// Values of the format that no ball bearing has: name and unit only, so that files of other
-/// programs can be shown.
-struct ForeignColumn {
-  std::string_view id, label;
-  const UnitPair* unit;
-};
 constexpr std::string_view kFlanges[] = {"flange.force", "flange.gap", "flange.heat"};
-/// SOL7 values 18-26 (N51): of the thermal model.
-constexpr ForeignColumn kThermal[] = {
-    {"thermal.coolant_inlet", "coolant inlet temperature", &unit::kTemperature},
-    {"thermal.coolant_exit", "coolant exit temperature", &unit::kTemperature},
-    {"thermal.outside_diameter", "bearing outside diameter temperature", &unit::kTemperature},
-    {"thermal.bore", "bearing bore temperature", &unit::kTemperature},
-    {"thermal.housing", "housing outside diameter temperature", &unit::kTemperature},
-    {"thermal.total_heat", "average total heat", &unit::kPower},
-    {"thermal.coolant_heat", "average heat to the coolant", &unit::kPower},
-    {"thermal.outer_heat", "average heat to the outer race", &unit::kPower},
-    {"thermal.inner_heat", "average heat to the inner race", &unit::kPower}};
+/// SOL7 values 18-26 (N51): of the thermal analysis.
+constexpr std::string_view kThermal[] = {
+    "thermal.coolant_inlet", "thermal.coolant_exit", "thermal.outside_diameter",
+    "thermal.bore",          "thermal.housing",      "thermal.total_heat",
+    "thermal.coolant_heat",  "thermal.outer_heat",   "thermal.inner_heat"};
 
 constexpr int kBall = 1;
 constexpr int kRoundRollerPocket = -1;
@@ -207,8 +195,7 @@ void add_power_columns(Columns& columns) {
     else
       columns.add(id, 0);
   }
-  for (const ForeignColumn& column : kThermal)
-    columns.add_foreign(std::string(column.id), std::string(column.label), column.unit);
+  for (const std::string_view id : kThermal) columns.add(id, 0);
 }
 
 }  // namespace
@@ -253,7 +240,7 @@ int sol_value_count(SolKind kind, const Shape& shape) {
     case SolKind::Race:
       return 24;
     case SolKind::Power:
-      return 17;
+      return shape.thermal ? 26 : 17;
     case SolKind::Animation:
       return 11 * shape.elements + 22;
   }

@@ -174,6 +174,19 @@ Sol8File read_sol8(const std::filesystem::path& path, const SolRange& range) {
   return read_sol8(stream, path.string(), range);
 }
 
+long stored_steps(const std::filesystem::path& path) {
+  std::ifstream stream = open_file(path);
+  SolParser parser(stream, path.string());
+  SolStep step;
+  const std::uintmax_t header = parser.good_bytes();
+  if (parser.next(step, false) != BlockStatus::Complete) return 0;
+  const std::uintmax_t first = parser.good_bytes() - header;
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error || first == 0) return 1;
+  return static_cast<long>((size - header + first / 2) / first);
+}
+
 SolKind sol_kind(const std::filesystem::path& path) {
   std::ifstream stream = open_file(path);
   return SolParser(stream, path.string()).kind();

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,7 @@ struct SolStep {
 /// Which steps to keep: positions in the file, counted from 1.
 struct SolRange {
   long from = 1;
-  long to = 5000;  ///< N81
+  long to = std::numeric_limits<long>::max();  ///< the whole file (N81)
   long every = 1;
   std::vector<std::size_t> columns = {};  ///< values to keep, by their places in a step, rising;
                                           ///< empty: all of them
@@ -59,6 +60,10 @@ struct SolFile {
 
 /// @throws InputError when the file cannot be read or is no SOL1-SOL7 file (the sentence says why).
 SolFile read_sol(const std::filesystem::path& path, const SolRange& range = {});
+
+/// Complete and cut-off stored steps of a SOL1-SOL7 file by its size: exact, because every step of
+/// a file takes the same room. @throws InputError as read_sol()
+[[nodiscard]] long stored_steps(const std::filesystem::path& path);
 
 /// Geometry line of SOL8, in file units (outputs.md 7.1).
 struct Sol8Geometry {

@@ -1,6 +1,7 @@
 #include "scene/cost_ledger.hpp"
 
 #include <algorithm>
+#include <ctime>
 
 namespace adore::scene {
 namespace {
@@ -18,11 +19,21 @@ CostLedger::Clock::duration clock_cost() {
   return cost;
 }
 
+/// A sampled call may take this much longer by the wall's clock than by the processor's [s]: the
+/// second is read in two system calls.
+constexpr double kLostProcessor = 2e-6;
+
 double seconds(CostLedger::Clock::duration duration) {
   return std::chrono::duration<double>(duration).count();
 }
 
 }  // namespace
+
+double processor_seconds() noexcept {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
 
 int CostLedger::add_entry(std::string name) {
   (void)clock_cost();  // measured at set-up, not in the first sampled call
@@ -38,26 +49,40 @@ int CostLedger::entry(std::string_view name) {
 
 void CostLedger::add_sampled(int entry, Clock::duration duration) noexcept {
   Entry& e = entries_[static_cast<std::size_t>(entry)];
-  e.sampled += std::max(duration - clock_cost(), Clock::duration::zero());
+  e.pending += std::max(duration - clock_cost(), Clock::duration::zero());
   e.is_sampled = true;
 }
 
-void CostLedger::add(int entry, Clock::duration duration) noexcept {
+void CostLedger::begin_sample() noexcept {
+  for (Entry& e : entries_) e.pending = {};
+  sample_wall_ = Clock::now();
+  sample_processor_ = processor_seconds();
+}
+
+void CostLedger::end_sample() noexcept {
+  const double processor = processor_seconds() - sample_processor_;
+  const double wall = seconds(Clock::now() - sample_wall_);
+  // The first one counts in any case: a run of a few calls has no other.
+  if (kept_ > 0 && wall > 1.2 * processor + kLostProcessor) return;
+  ++kept_;
+  for (Entry& e : entries_) e.sampled += e.pending;
+}
+
+void CostLedger::add(int entry, double seconds) noexcept {
   Entry& e = entries_[static_cast<std::size_t>(entry)];
-  e.full += duration;
+  e.full += seconds;
   ++e.calls;
 }
 
 std::vector<CostLedger::Row> CostLedger::rows() const {
   std::vector<Row> result;
   result.reserve(entries_.size());
-  const long sampled_calls = (calls_ + kSampleEvery - 1) / kSampleEvery;
   for (const Entry& e : entries_) {
-    Row row{e.name, e.calls, seconds(e.full)};
+    Row row{e.name, e.calls, e.full};
     if (e.is_sampled) {
       row.calls += calls_;
-      row.seconds +=
-          seconds(e.sampled) * static_cast<double>(calls_) / static_cast<double>(sampled_calls);
+      row.seconds += seconds(e.sampled) * static_cast<double>(calls_) /
+                     static_cast<double>(std::max(1L, kept_));
     }
     result.push_back(std::move(row));
   }

@@ -6,9 +6,14 @@
 #include <string_view>
 #include <vector>
 
-/// Where the time of a run goes. Timers inside the right-hand side are sampled (every n-th call is
-/// measured in full) so that the ledger costs below 2 % and still adds up to the run's time.
+/// Where the processor time of a run goes. Timers inside the right-hand side are sampled (every
+/// n-th call is measured in full) so that the ledger costs below 2 % and still adds up to the run's
+/// time. Inside a call the clock is that of the wall, which is quick to read; a call during which
+/// the thread did not have the processor all the time is left out.
 namespace adore::scene {
+
+/// Processor time of this thread [s]: what other programs do meanwhile does not count.
+[[nodiscard]] double processor_seconds() noexcept;
 
 class CostLedger {
  public:
@@ -17,14 +22,18 @@ class CostLedger {
   int add_entry(std::string name);
   /// Handle of the entry of that name, registered at its first mention.
   int entry(std::string_view name);
-  /// Called at the start of each right-hand side; true when this call is to be measured.
+  /// Called at the start of each right-hand side; true when this call is to be measured: between
+  /// begin_sample() and end_sample().
   bool sample() noexcept { return (calls_++ % kSampleEvery) == 0; }
-  /// Adds measured time of one sampled call (scaled up by calls / sampled calls on report; an entry
+  void begin_sample() noexcept;
+  /// Adds measured time of the sampled call (scaled up by calls / sampled calls on report; an entry
   /// may be added to several times per call). What one reading of the clock costs (measured once)
   /// is taken off, so that short entries are not overestimated.
   void add_sampled(int entry, Clock::duration duration) noexcept;
-  /// Adds time that was measured in full (output, stepper ...).
-  void add(int entry, Clock::duration duration) noexcept;
+  /// Books what was added since begin_sample(), unless the thread lost the processor in between.
+  void end_sample() noexcept;
+  /// Adds time that was measured in full (output, stepper ...) [s].
+  void add(int entry, double seconds) noexcept;
   struct Row {
     std::string name;
     long calls = 0;
@@ -40,11 +49,14 @@ class CostLedger {
   struct Entry {
     std::string name;
     long calls = 0;
-    Clock::duration full{}, sampled{};
+    double full = 0.0;  ///< [s]
+    Clock::duration sampled{}, pending{};
     bool is_sampled = false;
   };
   std::vector<Entry> entries_;
-  long calls_ = 0;
+  long calls_ = 0, kept_ = 0;  ///< right-hand sides; sampled ones that were booked
+  Clock::time_point sample_wall_;
+  double sample_processor_ = 0.0;  ///< [s]
 };
 
 }  // namespace adore::scene

@@ -31,7 +31,12 @@ enum class Effect : unsigned char {
   TurningFrame,        ///< the base frame turns: ScenePlan::race_motions
   SuppressedMotions,   ///< accelerations that are zero: ScenePlan::suppressed
   ElementBalance,      ///< all elements stand in force balance (modes 1 and 2)
-  RaceBalance          ///< the inner race stands in force balance (mode 2)
+  RaceBalance,         ///< the inner race stands in force balance (mode 2)
+  ElementDrag,         ///< the medium drags on elements (kChrn)
+  CageDrag,            ///< and on the cage
+  PocketFilm,          ///< oil films in the pockets (kPocHydro)
+  LandFilm,            ///< and at the guide lands (kGsHydro)
+  ThermalSteps         ///< temperatures and geometry change between steps (kTherm)
 };
 
 /// Accelerations that are zero (kDOF, reading N9): their velocities keep the values of the start.

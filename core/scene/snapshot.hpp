@@ -26,9 +26,12 @@ struct RaceContactSnapshot {
   double max_slip = 0.0;                      ///< largest slip speed in the ellipse [m/s]
   double heat = 0.0;                          ///< ∫ κ p u dA [W]
   double load_slip = 0.0;                     ///< ∫ p u dA [W]
-  double film = 0.0;                          ///< 0 with the hypothetical law [m]
-  double temperature_rise = 0.0;              ///< 0 until a thermal model exists [K]
-  double contact_temperature = 0.0;           ///< race temperature + rise [K]
+  double film = 0.0;                          ///< in the middle; 0 with the hypothetical law [m]
+  double least_film = 0.0;                    ///< at its thinnest, likewise [m]
+  double film_parameter = 0.0;       ///< Λ, least film over the composite roughness; 0: none known
+  double rolling_speed = 0.0;        ///< of both surfaces, of contacts with a film [m/s]
+  double temperature_rise = 0.0;     ///< flash, of contacts with a film; else 0 [K]
+  double contact_temperature = 0.0;  ///< race temperature + rise [K]
   double edge = 0.0;          ///< depth s of the contact below the shoulder, either race (N94) [m]
   double centre_chord = 0.0;  ///< t, inner end of the contact from the groove's centre plane [m]
   // Rollers: half_major is half the length in contact, half_minor and max_pressure are those of the
@@ -50,7 +53,7 @@ struct FlangeContactSnapshot {
 };
 
 struct PocketContactSnapshot {
-  double force = 0.0;             ///< [N]
+  double force = 0.0;             ///< of contact and film [N]
   double gap = 0.0;               ///< negative in contact [m]
   double theta = 0.0, phi = 0.0;  ///< contact angles [rad], theta 0..2π
   double position = 0.0;          ///< of a roller: axial place of the contact on the surface [m]
@@ -82,7 +85,9 @@ struct ElementSnapshot {
 
 struct LandSnapshot {
   double force = 0.0, gap = 0.0;
-  double angle = 0.0;  ///< azimuth of the least gap in the cage frame [rad]
+  double angle = 0.0;       ///< azimuth of the least gap in the cage frame [rad]
+  double film_force = 0.0;  ///< hydrodynamic [N]
+  double attitude = 0.0;    ///< from the line of least gap to the film's load; 0 without [rad]
 };
 
 /// Rigid body (cage or race) in the base frame. Orbit: r, θ of the mass centre about the bearing
@@ -115,12 +120,22 @@ struct RaceSnapshot : BodySnapshot {
 
 struct PowerSnapshot {
   double total_loss = 0.0;         ///< all dissipation now: energy.heat_rate() [W]
-  double churning_fraction = 0.0;  ///< 0 until churning exists
+  double churning_fraction = 0.0;  ///< of it, drag and churning
   double life_hours = 0.0;         ///< at the loads now; infinity is a valid life; 0: no life model
   // Time integrals since t = 0 of load x slip [J]: what Archard wear needs (element 1 per race, all
   // of a race, cage).
   double qv_element1[2] = {0.0, 0.0}, qv_race[2] = {0.0, 0.0}, qv_cage = 0.0;
   double qv_flange[2] = {0.0, 0.0};  ///< of all flanges of a race, roller ends alike
+};
+
+/// What the last thermal step found (core/thermal/network.hpp); flows are averages over it.
+struct ThermalSnapshot {
+  int step = 0;                                ///< 0: none yet
+  double coolant_in = 0.0, coolant_out = 0.0;  ///< [K]
+  double outside = 0.0, bore = 0.0;            ///< of the bearing, at housing and shaft [K]
+  double housing = 0.0;                        ///< its outside [K]
+  double heat = 0.0, coolant_heat = 0.0;       ///< all; what the coolant takes [W]
+  std::array<double, 2> race_heat{};           ///< what goes through the races [W]
 };
 
 struct Snapshot {
@@ -133,6 +148,7 @@ struct Snapshot {
   PowerSnapshot power;
   EnergyLedger energy;                     ///< since the start of the run
   std::optional<MomentumLedger> momentum;  ///< the same, with the momentum ledger
+  std::optional<ThermalSnapshot> thermal;  ///< with a thermal analysis
   std::optional<int> held_elements;        ///< in force balance, with light-load balance (qFac)
   double max_quaternion_error = 0.0;       ///< largest | |q| - 1 |
 };

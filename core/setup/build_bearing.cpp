@@ -54,7 +54,8 @@ Material material(const Deck& deck, const char* code_variable, Part part, const 
   out.elastic_modulus = value("EM");
   out.poisson_ratio = value("PR");
   out.thermal_expansion = value("CTE");
-  out.conductivity = value("TC", false);  // until temperatures are computed
+  out.conductivity = value("TC", deck.integer("kTherm") > 0 && part != Part::RollingElement &&
+                                     part != Part::Cage);  // of the rings in the thermal network
   out.specific_heat = value("SH", false);
   out.elastic_strain_limit = value("ESL", part != Part::Cage || deck.integer("mode") >= 0);
   out.wear_coefficient = value("WC", wears);
@@ -102,13 +103,10 @@ bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const 
 bearing::Lubrication lubrication(const Deck& deck) {
   bearing::Lubrication out;
   out.code = static_cast<int>(deck.integer("kTrac"));
-  // At rest it only counts metal contacts for PRINT.
-  const bool motion = deck.integer("mode") >= 0;
-  out.critical_film = si_where(motion, deck, "reRaceFilm");
-  out.meniscus = deck.si("strParam");
   constexpr int kUserLubricant = 9;
+  out.critical_film = deck.si("reRaceFilm");
+  out.meniscus = deck.si("strParam");
   if (out.code != kUserLubricant) return out;
-  // What acts on traction alone does nothing at rest.
   bearing::UserLubricant user;
   user.name = deck.text("lubName");
   user.T0 = deck.si("refTemp");
@@ -116,12 +114,85 @@ bearing::Lubrication lubrication(const Deck& deck) {
   user.alpha = deck.si("prVisCoeff");
   user.beta = deck.si("tempVisCoeff");
   user.conductivity = deck.si("lubTherCond");
-  user.density = si_where(false, deck, "lubDen");
-  user.specific_heat = si_where(false, deck, "lubSpHeat");
-  user.traction_viscosity = si_where(motion, deck, "refTracVis");
-  user.traction_alpha = si_where(motion, deck, "tracVisCoeff1");
-  user.traction_beta = si_where(motion, deck, "tracVisCoeff2");
+  const bool cools = deck.integer("kTherm") > 0 && deck.integer("kCoolant") == 1;
+  user.density = si_where(cools || deck.integer("kChrn") == 1, deck, "lubDen");
+  user.specific_heat = si_where(cools, deck, "lubSpHeat");
+  user.traction_viscosity = deck.si("refTracVis");
+  user.traction_alpha = deck.si("tracVisCoeff1");
+  user.traction_beta = deck.si("tracVisCoeff2");
   out.user = user;
+  return out;
+}
+
+/// Records 10.7A and 10.7B.
+bearing::Churning churning(const Deck& deck) {
+  bearing::Churning out;
+  out.code = static_cast<int>(deck.integer("kChrn"));
+  if (out.code == 2) {
+    out.density = deck.si("chnDen");
+    out.viscosity = deck.si("chnVis");
+    return out;
+  }
+  for (const auto& [name, value] :
+       {std::pair{"denRatio", &out.density_ratio}, std::pair{"visRatio", &out.viscosity_ratio}}) {
+    *value = deck.si(name);
+    if (!(*value > 0.0))
+      throw InputError({deck.issue(Severity::Error, name,
+                                   "leaves no medium that could drag on elements and cage",
+                                   "give a ratio above 0, or set kChrn to 0")});
+  }
+  return out;
+}
+
+/// Records 7.0, 9.6 and 10.6; empty without films, and in segments (N72).
+std::optional<bearing::CageFilms> cage_films(const Deck& deck, const Bearing& bearing) {
+  if (deck.integer("nCseg") != 1) return {};
+  bearing::CageFilms out;
+  out.pockets = deck.integer("kPocHydro") == 1;
+  const bool guided = std::any_of(
+      bearing.cage->lands.begin(), bearing.cage->lands.end(),
+      [](const bearing::GuideLand& land) { return land.guide != bearing::GuideLand::Guide::None; });
+  out.lands = guided && deck.integer("kGsHydro") == 1;
+  if (!out.pockets && !out.lands) return {};
+  if (!bearing.lubrication) {
+    out.pocket_viscosity = si_where(out.pockets, deck, "pocVis");
+    out.land_viscosity = si_where(out.lands, deck, "gsVis");
+  }
+  if (out.pockets) out.largest_pocket_film = deck.si("pocLubFilm");
+  constexpr double kThinnest = 1e-7;  // [m], decision 304
+  out.critical_film =
+      std::max(kThinnest, bearing.lubrication ? bearing.lubrication->critical_film : 0.0);
+  return out;
+}
+
+/// Records 3.5, 9.7 and 9.8.
+bearing::ThermalInputs thermal_inputs(const Deck& deck) {
+  bearing::ThermalInputs out;
+  const bool motion = deck.integer("mode") >= 0;
+  out.coolant = static_cast<int>(deck.integer("kCoolant"));
+  out.base = static_cast<int>(deck.integer("kBaseTemp"));
+  out.base_temperature = deck.si("baseTemp");
+  const bool flows = out.coolant > 0;
+  out.flow = si_where(flows, deck, "cFlowRate");
+  {
+    const deck::ReportOnly quiet(deck, !flows || !(out.flow > 0.0));
+    out.convection_given = deck.integer("kHTC") == 1;
+    out.element_convection = si_where(out.convection_given, deck, "reHTC");
+    out.cage_convection =
+        si_where(out.convection_given && deck.integer("nCseg") > 0, deck, "cageHTC");
+  }
+  if (out.coolant == 2) {
+    out.density = deck.si("xRo");
+    out.viscosity = si_where(!out.convection_given, deck, "xMu");
+    out.specific_heat = deck.si("xCp");
+    out.conductivity = si_where(!out.convection_given, deck, "xK");
+  }
+  {
+    out.geometry_every = static_cast<int>(deck.integer("kGeoMod"));
+    const deck::ReportOnly quiet(deck, !motion);  // a steady state has no steps
+    out.average_time = deck.si("aveTime");
+    out.skip_time = si_where(out.geometry_every > 0, deck, "skipTime");
+  }
   return out;
 }
 
@@ -306,11 +377,10 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
       out.race_inertia[j] = given_inertia(deck, "race", j == 0 ? "1" : "2");
   const bool dynamic = deck.integer("mode") >= 0;
   if (dynamic || deck.has("reRaceTC1"))
-    out.race_traction = curve(deck, "kTracType", "reRaceTC", dynamic);
-  if (dynamic && out.rollers() != nullptr &&
-      (out.rollers()->has_flange(0) || out.rollers()->has_flange(1)))
-    out.flange_traction = curve(deck, "kRFTracType", "reFlngTC", true);
+    out.race_traction = curve(deck, "kTracType", "reRaceTC", true);
   if (lubricated(deck)) out.lubrication = lubrication(deck);
+  if (deck.integer("kChrn") > 0) out.churning = churning(deck);
+  if (deck.integer("kTherm") > 0) out.thermal = thermal_inputs(deck);
   if (deck.integer("nCseg") > 0) out.cage = cage(deck, out);
   if (dynamic && deck.integer("nCseg") == 0)
     out.element_traction = curve(deck, "kRRTracType", "reReTC", true);
@@ -320,9 +390,17 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
                                     [](const bearing::GuideLand& land) {
                                       return land.guide != bearing::GuideLand::Guide::None;
                                     });
+    out.cage_films = cage_films(deck, out);
     if (guided) out.land_traction = curve(deck, "kCRTracType", "cageRaceTC", true);
   }
   out.constraints = constraints(deck);
+  if ((dynamic || deck.has("reFlngTC1")) && out.rollers() != nullptr &&
+      (out.rollers()->has_flange(0) || out.rollers()->has_flange(1))) {
+    // At rest the flanges of cylindrical rollers carry nothing without thrust.
+    const bool acts = dynamic || out.type != bearing::Type::Cylindrical ||
+                      out.constraints.load[0] != 0.0 || out.constraints.displacement[0] != 0.0;
+    out.flange_traction = curve(deck, "kRFTracType", "reFlngTC", acts);
+  }
   const bearing::Vec3 in_frame = frame_load(deck, out.race_inertia);
   for (std::size_t k = 1; k < 3; ++k)
     if (!out.constraints.displacement_given[k])

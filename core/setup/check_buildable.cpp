@@ -5,7 +5,6 @@
 #include "setup/deck_text.hpp"
 #include "setup/race_motions.hpp"
 #include "setup/read_cage.hpp"
-#include "tribology/film_law.hpp"
 
 #include <fmt/format.h>
 
@@ -32,19 +31,9 @@ struct Gate {
 constexpr Gate kAlways[] = {
     {"kRaceFlex", 0, "a flexible outer race (announced by the classic program, never available)"},
 };
-constexpr Gate kDynamic[] = {
-    {"kTherm", 0, "the thermal analysis"},
-    {"kChrn", 0, "churning and drag"},
-};
 constexpr Gate kCage[] = {
     {"kCPTrac", 0, "a user routine for element to cage traction"},
     {"kCRTrac", 0, "a user routine for cage to race traction"},
-};
-
-// Of a cage in one piece; segments have none (N72).
-constexpr Gate kCageFilms[] = {
-    {"kPocHydro", 0, "pocket hydrodynamics"},
-    {"kGsHydro", 0, "guide-land hydrodynamics"},
 };
 
 constexpr Gate kNoCage[] = {
@@ -169,6 +158,9 @@ void check_land_errors(const Deck& deck, Checker& check) {
     if (land.guide == bearing::GuideLand::Guide::None) continue;
     const int index = static_cast<int>(i) + 1;
     const double radius = 0.5 * land.diameter;
+    if (!land.ideal() && deck.integer("kGsHydro") == 1)
+      check.error("kGsHydro", "computes the films of round lands, and these have shape errors",
+                  "set kGsHydro to 0, or kCageGsImp and kRaceGsImp to 0");
     for (const auto& [stem, errors] :
          {std::pair{"cageGsRadVar", &land.of_cage}, {"raceGsRadVar", &land.of_race}}) {
       if (errors->ideal()) continue;
@@ -259,18 +251,6 @@ void check_segments(const Deck& deck, Checker& check) {
                       "a whole ring does",
                       i + 1),
           "give 0 or more");
-  const bool through = cage.segments.through_pockets;
-  const char* const remedy = "or cut between the pockets (positive numbers)";
-  if (through && deck.integer("mode") > 0)
-    check.error("lSeg",
-                "cuts the cage through its pockets; the force balance of elements knows whole "
-                "pockets only",
-                fmt::format("set mode to 0, {}", remedy));
-  else if (through && deck.real("qFac") > 0.0)
-    check.error("lSeg",
-                "cuts the cage through its pockets; the force balance of lightly loaded elements "
-                "knows whole pockets only",
-                fmt::format("set qFac to 0, {}", remedy));
   if (deck.has("cageMass") && deck.real("cageGeoCenZ") == 0.0)
     check.warning("cageGeoCenZ",
                   "puts the mass centre of every segment on the bearing axis; record 7.7 is about "
@@ -285,52 +265,64 @@ void check_segments(const Deck& deck, Checker& check) {
   }
   const std::string limit = fmt::format("give at most {:.4g} degrees",
                                         std::floor(most * 180.0 / std::numbers::pi * 1e4) / 1e4);
-  if (!through)
+  if (!cage.segments.through_pockets)
     check.error("cageAngCut", "cuts more than the bars between the pockets", limit);
   else
     check.error("cageAngCut",
                 "leaves half pockets whose opening the rolling element touches on both sides",
-                most > 0.0 ? fmt::format("{}, {}", limit, remedy)
-                           : fmt::format("give more pocket clearance, {}", remedy));
+                fmt::format("{}, or cut between the pockets (positive numbers)",
+                            most > 0.0 ? limit : "give more pocket clearance"));
 }
 
-/// What the motion of rollers leaves out.
-void check_moving_rollers(const Deck& deck, Checker& check) {
+/// What the motion of unequal elements leaves out.
+void check_moving_elements(const Deck& deck, bool rollers, Checker& check) {
   if (deck.integer("kReGeoImp") == 3)
     check.error("kReGeoImp", "asks for user routine ADRX8, which this version does not call yet",
                 "use 0, 1 or 2");
-  else if (deck.integer("kReGeoImp") != 0)
+  else if (deck.integer("kReGeoImp") == 0)
+    return;
+  else if (rollers)
     check.note(
         "kReGeoImp",
         "the contacts of each roller are those of its own shape; mass and moments of inertia "
         "stay those of the nominal roller");
+  else if (deck.integer("kTrac") != 0)
+    check.note("kReGeoImp",
+               "the contacts of each ball are those of its own diameter; the thickness and the "
+               "traction of the lubricant's film are those on the nominal ball");
+}
+
+/// What the motion of rollers leaves out.
+void check_moving_rollers(const Deck& deck, Checker& check) {
   if (deck.has("reFlngTC1") && deck.integer("kRFTrac") != 0)
     check.error("kRFTrac", "asks for a user routine for roller to flange traction",
                 "set kRFTrac to 0");
 }
 
-/// Which lubricants have a law of traction in motion, and between what.
-void check_lubricant(const Deck& deck, bool rollers, Checker& check) {
-  const long long code = deck.integer("kTrac");
-  if (code == 0) return;
-  if (code < 0)
-    return check.error("kTrac", "asks for user routine ADRX7, which this version does not call yet",
-                       "set kTrac to 0 or to a lubricant");
-  constexpr int kUserLubricant = 9;
+void check_lubricant(const Deck& deck, Checker& check) {
+  if (deck.integer("kTrac") < 0)
+    check.error("kTrac", "asks for user routine ADRX7, which this version does not call yet",
+                "set kTrac to 0 or to a lubricant");
+}
+
+/// Which films of the pockets act.
+void check_pocket_films(const Deck& deck, bool rollers, Checker& check) {
+  const deck::ReportOnly quiet(deck);
   if (rollers)
-    return check.error("kTrac",
-                       "asks for a lubricant's traction between rollers and races, which this "
-                       "version does not simulate yet (mode -1 has its films)",
-                       "set kTrac to 0");
-  if (code != kUserLubricant &&
-      !tribology::has_film_law(tribology::lubricant(static_cast<int>(code))))
-    check.error(
-        "kTrac",
-        fmt::format("asks for the traction of {}, whose visco-elastic, shear-thinning or "
-                    "measured law this version does not simulate in motion yet (mode -1 has "
-                    "its films)",
-                    tribology::lubricant(static_cast<int>(code)).name),
-        "set kTrac to 0, to 1 to 7, or to 9");
+    check.error("kPocHydro",
+                "asks for hydrodynamics in the pockets of rollers, which this version does not "
+                "simulate yet (guide lands of all types and pockets of balls are)",
+                "set kPocHydro to 0");
+  else if (deck.real("qFac") > 0.0 || deck.integer("mode") > 0)
+    check.error("kPocHydro",
+                "asks for films in the pockets of balls that are held in force balance, which "
+                "knows the contact with the pockets alone",
+                "set kPocHydro to 0, or qFac and mode to 0");
+  else if (!(deck.si("pocLubFilm") > 0.0))
+    check.error("pocLubFilm",
+                "leaves the pockets no film, which kPocHydro = 1 asks for: walls farther than this "
+                "feel none",
+                "give the largest film, e.g. half the pocket clearance, or set kPocHydro to 0");
 }
 
 }  // namespace
@@ -339,37 +331,21 @@ std::vector<Issue> check_buildable(const Deck& deck) {
   Checker check(deck);
   const bool dynamic = deck.integer("mode") >= 0;
   check.gates(kAlways);
-  if (dynamic) check.gates(kDynamic);
   const bool rollers = deck.integer("kBrg") != 1;
-  if (dynamic) check_lubricant(deck, rollers, check);
+  if (dynamic) check_lubricant(deck, check);
+  if (dynamic) check_moving_elements(deck, rollers, check);
   if (dynamic && rollers) check_moving_rollers(deck, check);
-  if (dynamic && !rollers && deck.integer("kReGeoImp") != 0)
-    check.error("kReGeoImp",
-                "asks for the motion of rolling elements with geometric imperfections, which this "
-                "version does not simulate yet",
-                "set kReGeoImp to 0");
   const long long segments = deck.integer("nCseg");
   if (dynamic && segments > 1) check_segments(deck, check);
   if (dynamic && segments == 0) {
     check.gates(kNoCage);
-    if (deck.real("qFac") > 0.0)
-      check.error(
-          "qFac",
-          "asks for lightly loaded elements in force balance, which knows races and pockets "
-          "but no contact between elements (nCseg = 0)",
-          "set qFac to 0");
-    if (deck.integer("mode") > 0)
-      check.error(
-          "mode",
-          "asks for elements in force balance, which knows races and pockets but no contact "
-          "between elements (nCseg = 0)",
-          "set mode to 0");
   }
   if (dynamic && segments > 0) {
     check.gates(kCage);
     check_land_errors(deck, check);
   }
-  if (dynamic && segments == 1) check.gates(kCageFilms);
+  if (dynamic && segments == 1 && deck.integer("kPocHydro") == 1)
+    check_pocket_films(deck, rollers, check);
   for (Issue& issue : check_race_motions(deck)) check.add(std::move(issue));
   for (Issue& issue : check_element_inertia(deck)) check.add(std::move(issue));
   for (const char* material :

@@ -13,16 +13,18 @@ using deck::Deck;
 
 /// What the reasons depend on.
 struct Scene {
-  bool motion = false;        ///< mode >= 0
-  bool race_control = false;  ///< balls, kAngVel = 1
+  bool motion = false;      ///< mode >= 0
+  bool heat = false;        ///< a thermal analysis
+  bool convection = false;  ///< its coefficients are given
   bool balls = false, cage = false, guided = false, flanges = false, segments = false;
 };
 
 Scene scene_of(const Deck& deck) {
   Scene out;
   out.motion = deck.integer("mode") >= 0;
+  out.heat = deck.integer("kTherm") > 0;
+  out.convection = out.heat && deck.integer("kHTC") == 1;
   out.balls = deck.integer("kBrg") == 1;
-  out.race_control = out.balls && deck.integer("kAngVel") == 1;
   out.cage = deck.integer("nCseg") > 0;
   for (int i = 1; i <= deck.integer("nGL"); ++i)
     out.guided = out.guided || deck.integer("iCageGuide", i) > 0;
@@ -45,7 +47,11 @@ bool starts_with_one_of(std::string_view name, std::initializer_list<std::string
 std::string of_material(std::string_view name, const Scene& scene) {
   if (name.ends_with("TC") || name.ends_with("TC1") || name.ends_with("TC2") ||
       name.ends_with("SH") || name.ends_with("SH1") || name.ends_with("SH2"))
-    return "no heat flow is computed, so that conductivity and specific heat are only printed";
+    return !scene.heat
+               ? "no heat flow is computed, so that conductivity and specific heat are only "
+                 "printed"
+               : "the thermal network is steady, and conducts through races, housing and "
+                 "shaft only";
   if (name.starts_with("cage"))
     return scene.motion ? "no fatigue of the cage is judged"
                         : "a quasi-static solution moves and wears no cage";
@@ -74,11 +80,13 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
     return "no land guides a cage";
   if (record.starts_with("10") && record.ends_with("D") && name.ends_with("TC4"))
     return "the asymptotic law has three coefficients";
-  if (record.starts_with("10.1") && !scene.motion && scene.race_control)
-    return "of friction a quasi-static solution only asks whether its largest value can carry race "
-           "control, for a warning";
+  if ((record.starts_with("10.2") || name == "kRFTracType") && scene.flanges && !scene.motion)
+    return "without thrust no flange of cylindrical rollers carries a load at rest";
+  if (name == "reRaceFilm" && !scene.motion)
+    return "this lubricant's traction is not computed at rest: the curve of record 10.1 stands "
+           "for it at any film";
   if (record.starts_with("10") && !scene.motion)
-    return "a quasi-static solution has no friction; of a lubricant it takes the film";
+    return "a quasi-static solution knows the friction of elements and races, but none of the cage";
   if (name == "iTherm")
     return "only visco-elastic traction (kTrac 12) has this correction, and no motion computes it "
            "yet";
@@ -104,11 +112,17 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
     return "an ellipse has two half axes and no third value, or no race guides this land";
   if (scene.motion && starts_with_one_of(name, {"cageGsRadVar", "raceGsRadVar"}))
     return "no race guides this land";
-  if (name == "pocLubFilm") return "no hydrodynamics of the pockets is computed";
+  if (name == "pocLubFilm") return "no hydrodynamics of the pockets is asked for (kPocHydro)";
   if (record.starts_with("5G.1D")) return "there are fewer rolling elements";
   if (name == "kAngVel") return "rollers roll without slip, their axes are given by geometry";
   if (starts_with_one_of(name, {"rmsAspHt", "rmsAspSlope", "aspTrac"}))
     return "without a lubricant (kTrac) no film is computed";
+  if (name == "cFlowRate") return "without a coolant (kCoolant) nothing flows";
+  if (is_one_of(name, {"kHTC", "reHTC", "cageHTC", "xMu", "xK"}))
+    return scene.convection ? "convection coefficients are given"
+                            : "convection coefficients are computed, or no coolant flows";
+  if (is_one_of(name, {"aveTime", "skipTime"}))
+    return scene.motion ? "the geometry is never changed" : "a steady state has no thermal steps";
   if (record == "9.7" || record == "9.8" || record == "3.5" || name == "kTherm")
     return "no thermal steps are computed: the temperatures of record 9.1.3 rule, and of record "
            "3.5 only kMatPropMod acts";
@@ -122,7 +136,6 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (name == "kFnOpt" || record == "2.3")
     return "a quasi-static solution writes PRINT.txt and RUN.json only";
   if (record == "1" || record == "2.2") return "a quasi-static solution has no steps in time";
-  if (name == "kChrn") return "a quasi-static solution has no churning";
   if (record.starts_with("7") || name == "kCageMat")
     return "a quasi-static solution knows the cage's size and play, but neither its motion nor its "
            "forces";
@@ -135,11 +148,6 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
 std::vector<deck::NoPart> values_without_part(const Deck& deck) {
   std::vector<deck::NoPart> out = deck::values_not_read(deck);
   const deck::ReportOnly quiet(deck);
-  // It brings record 3.5, of which kMatPropMod acts, but asks for more.
-  const bool named = std::any_of(
-      out.begin(), out.end(), [](const deck::NoPart& value) { return value.variable == "kTherm"; });
-  if (!named && deck.integer("kTherm") != 0)
-    out.insert(out.begin(), {"1", "kTherm", std::to_string(deck.integer("kTherm")), {}, true});
   const Scene scene = scene_of(deck);
   for (deck::NoPart& value : out) {
     value.because = reason(value, scene);

@@ -107,7 +107,7 @@ bearing::Inertia given_inertia(const Deck& deck, std::string_view prefix, std::s
   return out;
 }
 
-/// What constraints of elements do not know of record 6.1.
+/// What is left out of record 6.1.
 std::vector<Issue> check_element_inertia(const Deck& deck) {
   std::vector<Issue> out;
   const long long code = moves(deck) ? deck.integer("kReIP") : 0;
@@ -117,37 +117,7 @@ std::vector<Issue> check_element_inertia(const Deck& deck) {
   if (code == 3)
     refuse("kReIP", "asks for user routine ADRX8, which this version does not call yet",
            "use 0, 1 or 2");
-  if (code != 1 && code != 2) return out;
-  const bearing::Inertia given = given_inertia(deck, "bRe", "");
-  const bool balls = deck.integer("kBrg") == 1;
-  // The mass centre of a roller may be anywhere on its axis.
-  const bool off_centre = balls || code == 1 ? !given.geometric_centre.isZero(0.0)
-                                             : given.geometric_centre.tail<2>().norm() > 0.0;
-  const bool unequal = balls && given.moments.maxCoeff() - given.moments.minCoeff() >
-                                    1e-9 * given.moments.maxCoeff();
-  const char* const what = code == 1    ? "gives element 1 an inertia of its own"
-                           : off_centre ? "puts the mass centre of the elements beside their centre"
-                                        : "gives the balls unequal moments of inertia";
-  if (code == 1 || off_centre || unequal) {
-    if (deck.integer("mode") > 0)
-      refuse("kReIP",
-             fmt::format("{}; the force balance of modes 1 and 2 knows elements that are alike and "
-                         "balanced",
-                         what),
-             "set mode to 0, or kReIP to 0");
-    else if (deck.real("qFac") > 0.0)
-      refuse("kReIP",
-             fmt::format("{}; the force balance of lightly loaded elements (qFac) knows elements "
-                         "that are alike and balanced",
-                         what),
-             "set qFac to 0, or kReIP to 0");
-  }
-  if (off_centre && deck.integer("kDOF") != 0)
-    refuse("kDOF",
-           "suppresses motions of elements or cage; that of elements whose mass centre is beside "
-           "their centre is not known",
-           "set kDOF to 0, or bReGeoCenX, bReGeoCenY and bReGeoCenZ to 0");
-  if (code == 1)
+  if (code == 1 && deck.integer("kBrg") != 1)
     out.push_back(deck.issue(Severity::Note, "kReIP",
                              "element 1 moves with an inertia of its own; the static solution at "
                              "the start takes all elements for alike",

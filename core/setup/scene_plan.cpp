@@ -1,6 +1,8 @@
 #include "setup/scene_plan.hpp"
 
+#include "bearing/element_inertia.hpp"
 #include "setup/race_motions.hpp"
+#include "tribology/bearing_drag.hpp"
 #include "tribology/lubricant.hpp"
 
 #include <fmt/format.h>
@@ -87,6 +89,29 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   effect(Effect::LandTraction, "cage / race traction", guided && can_push(*bearing.land_traction),
          guided ? curve_reason(deck, "kCRTracType", *bearing.land_traction)
                 : std::string("no guided land"));
+  const auto films = [&](const char* flag, bool on, double viscosity) {
+    std::string because = fmt::format("{} = {}", flag, deck.integer(flag));
+    if (on)
+      because += viscosity > 0.0 ? fmt::format(", {:g} Pa s", viscosity)
+                                 : fmt::format(", {} at the cage's temperature",
+                                               tribology::lubricant_of(*bearing.lubrication).name);
+    return because;
+  };
+  if (cage) {
+    const bearing::CageFilms oil = bearing.cage_films.value_or(bearing::CageFilms{});
+    effect(Effect::PocketFilm, "pocket films", oil.pockets,
+           films("kPocHydro", oil.pockets, oil.pocket_viscosity));
+    effect(Effect::LandFilm, "guide-land films", oil.lands && guided,
+           films("kGsHydro", oil.lands && guided, oil.land_viscosity));
+  }
+  const std::string medium = bearing.churning
+                                 ? fmt::format("kChrn = {}, {}", bearing.churning->code,
+                                               tribology::churning_medium(bearing).name)
+                                 : std::string("kChrn = 0");
+  effect(Effect::ElementDrag, element + " drag in the medium", bearing.churning.has_value(),
+         medium);
+  effect(Effect::CageDrag, "cage drag in the medium", bearing.churning.has_value() && cage,
+         cage ? medium : cage_switch);
   effect(Effect::Gravity, "gravity", bearing.gravity.norm() > 0.0,
          fmt::format("gravityVec = {:g} m/s^2, {:g} m/s^2, {:g} m/s^2", bearing.gravity.x(),
                      bearing.gravity.y(), bearing.gravity.z()));
@@ -105,6 +130,13 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
                          deck.integer(fmt::format("kRaceGeoImp{}", j + 1)),
                          ideal ? ", all amplitudes 0" : ""));
     }
+
+  if (!bearing.imperfections.ball_diameter.empty()) {
+    const bool unequal = bearing::has_unequal_balls(bearing);
+    effect(Effect::RaceContact, "balls of unequal diameter", unequal,
+           fmt::format("kReGeoImp = {}{}", deck.integer("kReGeoImp"),
+                       unequal ? "" : ", all deviations 0"));
+  }
 
   // A perfect sphere's orientation is integrated only for elements that a file shows.
   const bool sections = control.print_option >= 1;
@@ -130,6 +162,9 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   effect(Effect::MomentumLedger, "momentum ledger", true, "RUN.json and PRINT show it");
   effect(Effect::SuppressedMotions, "suppressed motions", plan.suppressed.any(),
          fmt::format("kDOF = {}", dof));
+  effect(Effect::ThermalSteps, "thermal steps", bearing.thermal.has_value(),
+         bearing.thermal ? fmt::format("kTherm = 1, kGeoMod = {}", bearing.thermal->geometry_every)
+                         : std::string("kTherm = 0"));
   const long long code = deck.integer("mode");
   plan.light_load_ratio = control.light_load_ratio;
   effect(Effect::LightLoadBalance, "light-load balance", control.light_load_ratio > 0.0,

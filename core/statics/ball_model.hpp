@@ -107,10 +107,10 @@ struct BallModel : BallSeat {
 
 /// Fills own and own_number for the imperfections of the bearing (bearing.imperfections): balls of
 /// other diameter, grooves whose bottom or radius is another at the ball's azimuth.
-/// Ball k: D_k, mass ~ D_k³, inertia ~ D_k⁵. Groove j at azimuth ψ: contact/race_errors.hpp, the
-/// groove radius changes by Δf D. The inner race also has the slope dR/dψ of its bottom, so that a
-/// wave pushes it sideways; that of the outer race pushes the ball against its cage and has no
-/// effect here.
+/// Ball k: D_k, mass and inertia of bearing/element_inertia.hpp. Groove j at azimuth ψ:
+/// contact/race_errors.hpp, the groove radius changes by Δf D. The inner race also has the slope
+/// dR/dψ of its bottom, so that a wave pushes it sideways; that of the outer race pushes the ball
+/// against its cage and has no effect here.
 /// @throws InputError naming the ball that does not fit its groove.
 void add_imperfect_seats(BallModel& model, const bearing::Bearing& bearing,
                          const StaticsOptions& options);

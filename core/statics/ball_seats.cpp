@@ -1,4 +1,5 @@
 #include "base/errors.hpp"
+#include "bearing/element_inertia.hpp"
 #include "contact/race_errors.hpp"
 #include "statics/ball_model.hpp"
 
@@ -32,7 +33,8 @@ bool make_seat(const BallModel& m, const bearing::Bearing& b, const StaticsOptio
                std::size_t k, BallSeat& seat) {
   const auto& errors = b.imperfections;
   const double growth = k < errors.ball_diameter.size() ? errors.ball_diameter[k] : 0.0;
-  bool differs = growth != 0.0;
+  const bearing::Inertia own_inertia = bearing::inertia_of(b, k);
+  bool differs = growth != 0.0 || (k == 0 && b.first_inertia);
   std::array<bool, 2> curved_otherwise{growth != 0.0, growth != 0.0};
   seat = m;  // the base: nominal
   if (growth != 0.0) {
@@ -43,12 +45,14 @@ bool make_seat(const BallModel& m, const bearing::Bearing& b, const StaticsOptio
     }
     seat.diameter += growth;
     seat.groove.ball_radius += 0.5 * growth;
-    const double ratio = seat.diameter / m.diameter;
-    seat.gamma *= ratio;
-    seat.mass *= ratio * ratio * ratio;
-    seat.inertia *= ratio * ratio * ratio * ratio * ratio;
-    seat.base_centrifugal *= ratio * ratio * ratio;
-    seat.window *= ratio * ratio * ratio;
+    seat.gamma *= seat.diameter / m.diameter;
+  }
+  if (differs) {
+    const double ratio = m.mass > 0.0 ? own_inertia.mass / m.mass : 1.0;
+    seat.mass = own_inertia.mass;
+    seat.inertia = own_inertia.moments.x();
+    seat.base_centrifugal *= ratio;
+    seat.window *= ratio;
   }
   for (std::size_t j = 0; j < 2; ++j) {
     seat.groove.offset[j] -= 0.5 * growth;
@@ -95,7 +99,8 @@ bool make_seat(const BallModel& m, const bearing::Bearing& b, const StaticsOptio
 void add_imperfect_seats(BallModel& m, const bearing::Bearing& bearing,
                          const StaticsOptions& options) {
   const auto& errors = bearing.imperfections;
-  if (errors.ball_diameter.empty() && errors.race[0].ideal() && errors.race[1].ideal()) {
+  if (errors.ball_diameter.empty() && !bearing.first_inertia && errors.race[0].ideal() &&
+      errors.race[1].ideal()) {
     return;
   }
   m.own_number.assign(m.azimuth.size(), 0);

@@ -269,7 +269,8 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
 }
 
 /// Newton; where it fails (it wanders between unstable equilibria and open contacts), downhill from
-/// the same start to a stable equilibrium, and Newton again.
+/// the same start to a stable equilibrium, and Newton again. A race without load that only idle
+/// elements hold off has forces far below their loads: there downhill all the way.
 template <class Set, class State>
 RaceSolve solve_race_surely(const Set& set, const RaceTask& task, State& state,
                             double target = 1e-12) {
@@ -291,6 +292,14 @@ RaceSolve solve_race_surely(const Set& set, const RaceTask& task, State& state,
   } else if (descent.ran_away) {  // downhill for ever: nothing holds the race
     state = std::move(down);
     return descent;
+  }
+  if (descent.converged) {
+    State all_the_way = start;
+    const RaceSolve last = solve_race(set, task, all_the_way, target, true);
+    if (last.converged) {
+      state = std::move(all_the_way);
+      return last;
+    }
   }
   state = start;
   return solve_race(set, task, state, target);

@@ -174,8 +174,13 @@ struct Sizes {
   double coefficient = 0.0, heat = 0.0, slip = 0.0;
 };
 
-/// @param law functor of the contact
-template <class Here>
+/// What a law reads of a point: its pressure, or the peak of its strip, as parts of the contact's.
+template <class Law>
+double pressure_at(double strip_peak, double of_strip) {
+  return is_of_strip<Law>() ? strip_peak : strip_peak * of_strip;
+}
+
+template <class Law, class Here>
 Sizes typical_sizes(const Here& law, const Kinematics& kinematics, double p0) {
   const EllipseRule rule = make_ellipse_rule(24, 16);
   Sizes sizes;
@@ -184,7 +189,8 @@ Sizes typical_sizes(const Here& law, const Kinematics& kinematics, double p0) {
     for (std::size_t j = 0; j < rule.v.size(); ++j) {
       const double weight = rule.weight_s[i] * rule.weight_v[j];
       const double slip = std::hypot(row.mean - row.swing * rule.v[j], row.u_t);
-      const double pressure = p0 * rule.chord[i] * std::sqrt(1.0 - rule.v[j] * rule.v[j]);
+      const double pressure =
+          pressure_at<Law>(p0 * rule.chord[i], std::sqrt(1.0 - rule.v[j] * rule.v[j]));
       const double kappa = std::abs(law(slip, pressure));
       sizes.coefficient += weight * kappa;
       sizes.heat += weight * kappa * slip;
@@ -203,9 +209,10 @@ EllipseTraction integrate(const Law& of_contacts, const EllipseGeometry& geometr
   const Kinematics kinematics(geometry, motion);
   result.max_slip = largest_slip(kinematics);
   const double p0 = 1.5 * geometry.Q / (std::numbers::pi * geometry.a * geometry.b);
-  const auto law = of_contacts.at(ContactPoint<double>{
-      geometry.Q, p0, geometry.a, geometry.b, motion.entrainment, middle_slip(geometry, motion)});
-  const Sizes sizes = typical_sizes(law, kinematics, p0);
+  const auto law = of_contacts.at(
+      ContactPoint<double>{geometry.Q, p0, geometry.a, geometry.b, motion.entrainment,
+                           middle_slip(geometry, motion), motion.curvature});
+  const Sizes sizes = typical_sizes<Law>(law, kinematics, p0);
   if (!(sizes.slip > 0.0)) return result;  // κ(0) means no force at exactly zero slip
   // A law of zero traction still needs the load-slip integral.
   const double coefficient = std::max(sizes.coefficient, 1e-300),
@@ -221,7 +228,8 @@ EllipseTraction integrate(const Law& of_contacts, const EllipseGeometry& geometr
       const double v = std::sin(psi), cosine = std::cos(psi);
       const double u_c = row.mean - row.swing * v;
       const double slip = std::sqrt(u_c * u_c + row.u_t * row.u_t);
-      const double kappa = slip > 0.0 ? law(slip, p0 * std::cos(phi) * cosine) : 0.0;
+      const double kappa =
+          slip > 0.0 ? law(slip, pressure_at<Law>(p0 * std::cos(phi), cosine)) : 0.0;
       const double along_c = slip > 0.0 ? kappa * u_c / slip : 0.0;
       const double along_t = slip > 0.0 ? kappa * row.u_t / slip : 0.0;
       const double weight = 2.0 / std::numbers::pi * cosine * cosine;

@@ -56,9 +56,16 @@ struct Row {
 template <class Here>
 class Integral {
  public:
-  Integral(const Here& law, double kink, double peak_pressure, const EllipseGeometry& g,
-           const EllipseKinematics& m, int points)
-      : law_(law), peak_(peak_pressure), g_(g), m_(m), gauss_(gauss(points)), kink_(kink) {}
+  /// @param of_strip the law wants the peak pressure of a strip (laws/contact_point.hpp)
+  Integral(const Here& law, bool of_strip, double kink, double peak_pressure,
+           const EllipseGeometry& g, const EllipseKinematics& m, int points)
+      : law_(law),
+        of_strip_(of_strip),
+        peak_(peak_pressure),
+        g_(g),
+        m_(m),
+        gauss_(gauss(points)),
+        kink_(kink) {}
 
   EllipseTraction run() {
     const std::vector<double> cuts = outer_cuts();
@@ -166,7 +173,7 @@ class Integral {
         const double dpsi = 0.5 * epsilon * (grow + shrink) * half * gauss_.weight[i];
         const double w = c * c * dpsi / kHalfPi;  // (2/π) cos²ψ dψ
         const double u_c = r.mean - r.swing * v, u = std::sqrt(u_c * u_c + r.u_t * r.u_t);
-        const double kappa = u > 0.0 ? law_(u, peak_ * chord_s * c) : 0.0;
+        const double kappa = u > 0.0 ? law_(u, peak_ * chord_s * (of_strip_ ? 1.0 : c)) : 0.0;
         const double per_slip = u > 0.0 ? w * kappa / u : 0.0;
         f_c += per_slip * u_c;
         f_t += per_slip * r.u_t;
@@ -188,6 +195,7 @@ class Integral {
   }
 
   Here law_;
+  bool of_strip_;
   double peak_;
   EllipseGeometry g_;
   EllipseKinematics m_;
@@ -203,10 +211,13 @@ EllipseTraction ellipse_traction_split(const TractionLaw& law, const EllipseGeom
   demand(points >= 4 && points <= 40, "the split ellipse rule has 4 to 40 points per piece");
   if (!(geometry.Q > 0.0) || !(geometry.a > 0.0)) return {};
   const double peak = 1.5 * geometry.Q / (std::numbers::pi * geometry.a * geometry.b);
-  const ContactPoint<double> contact{
-      geometry.Q, peak, geometry.a, geometry.b, motion.entrainment, middle_slip(geometry, motion)};
+  const ContactPoint<double> contact{geometry.Q,         peak,
+                                     geometry.a,         geometry.b,
+                                     motion.entrainment, middle_slip(geometry, motion),
+                                     motion.curvature};
   return law.visit([&](const auto& own) {
-    return Integral(own.at(contact), own.kink(), peak, geometry, motion, points).run();
+    constexpr bool kStrip = is_of_strip<std::decay_t<decltype(own)>>();
+    return Integral(own.at(contact), kStrip, own.kink(), peak, geometry, motion, points).run();
   });
 }
 

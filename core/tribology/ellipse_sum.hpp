@@ -5,6 +5,7 @@
 #include "tribology/rounded_law.hpp"
 
 #include <numbers>
+#include <type_traits>
 #include <utility>
 
 /// The traction integral of one contact by the fixed rule of a run (ellipse_traction.hpp), for
@@ -20,16 +21,25 @@ struct EllipseMotion {
   T u_c{}, u_t{};         ///< [m/s]
   T W_c{}, W_t{}, W_n{};  ///< [rad/s]
   T entrainment{};        ///< laws/contact_point.hpp [m/s]
+  T curvature{};          ///< likewise [1/m]
 };
 
 /// Height of the contact surface over the ball centre: h(ξ) = offset, or offset + √(ρ² - ξ²) when
 /// ρ > 0.
-template <class T>
+/// Radii are numbers, or of vectors one a lane: then S is T.
+template <class T, class S = double>
 struct EllipseSurface {
   T offset{};
-  double rho = 0.0;
+  S rho = 0.0;
   [[gnu::always_inline]] T height(const T& xi) const {
-    return rho > 0.0 ? offset + ScalarMath<T>::root(rho * rho - xi * xi) : offset;
+    return is_curved(rho) ? offset + ScalarMath<T>::root(rho * rho - xi * xi) : offset;
+  }
+  /// The surfaces of all lanes are of one kind.
+  [[gnu::always_inline]] static bool is_curved(const S& rho) {
+    if constexpr (std::is_same_v<S, double>)
+      return rho > 0.0;
+    else
+      return rho[0] > 0.0;
   }
 };
 
@@ -39,15 +49,15 @@ enum class SurfacePlace : unsigned char {
   HalfApproach,  ///< half the approach below the undeformed ball at the centre
   Undeformed     ///< touching the undeformed ball at the centre
 };
-template <class T>
-[[gnu::always_inline]] inline EllipseSurface<T> ellipse_surface(SurfacePlace place, double rho,
-                                                                double ball_radius, const T& a,
-                                                                const T& approach) {
+template <class T, class S>
+[[gnu::always_inline]] inline EllipseSurface<T, S> ellipse_surface(SurfacePlace place, const S& rho,
+                                                                   const S& ball_radius, const T& a,
+                                                                   const T& approach) {
   using M = ScalarMath<T>;
   T offset = ball_radius;
   if (place == SurfacePlace::ThroughEdge) {
     offset = M::root(ball_radius * ball_radius - a * a);
-    if (rho > 0.0) offset -= M::root(rho * rho - a * a);
+    if (EllipseSurface<T, S>::is_curved(rho)) offset -= M::root(rho * rho - a * a);
   } else {
     if (place == SurfacePlace::HalfApproach) offset -= 0.5 * approach;
     offset -= rho;
@@ -65,10 +75,10 @@ struct EllipseNodes {
 };
 
 /// One contact, or one a lane.
-template <class T>
+template <class T, class S = double>
 struct EllipseContact {
   T load{}, a{}, b{};
-  EllipseSurface<T> surface;
+  EllipseSurface<T, S> surface;
   EllipseMotion<T> motion;
 };
 
@@ -77,17 +87,18 @@ struct EllipseSums {
   T F_c{}, F_t{}, M_c{}, M_t{}, M_n{}, heat{}, load_slip{};
 };
 
-template <class T, class Law>
+template <class T, class Law, class S = double>
 class EllipseSum {
  public:
   /// @param floor ε² of the rounded slip; slip_scale of the law, for the pieces of a split rule
-  [[gnu::always_inline]] EllipseSum(const EllipseNodes& nodes, const EllipseContact<T>& contact,
+  [[gnu::always_inline]] EllipseSum(const EllipseNodes& nodes, const EllipseContact<T, S>& contact,
                                     const Law& law, double floor, double slip_scale)
       : nodes_(nodes),
         e_(contact),
         peak_pressure_(Law::kOfPressure ? peak_pressure(contact) : T(0.0)),
         law_{law.at(ContactPoint<T>{contact.load, peak_pressure(contact), contact.a, contact.b,
-                                    contact.motion.entrainment, middle_slip(contact)}),
+                                    contact.motion.entrainment, middle_slip(contact),
+                                    contact.motion.curvature}),
              floor},
         slip_scale_(slip_scale) {}
 
@@ -118,12 +129,12 @@ class EllipseSum {
   }
 
  private:
-  [[gnu::always_inline]] static T middle_slip(const EllipseContact<T>& e) {
+  [[gnu::always_inline]] static T middle_slip(const EllipseContact<T, S>& e) {
     const T h = e.surface.height(T(0.0));
     const T along = e.motion.u_t - e.motion.W_c * h, across = e.motion.u_c + e.motion.W_t * h;
     return ScalarMath<T>::root(along * along + across * across);
   }
-  [[gnu::always_inline]] static T peak_pressure(const EllipseContact<T>& e) {
+  [[gnu::always_inline]] static T peak_pressure(const EllipseContact<T, S>& e) {
     // Open contacts beside closed ones have no ellipse.
     return 1.5 * e.load / (std::numbers::pi * ScalarMath<T>::max(e.a * e.b, T(1e-30)));
   }
@@ -161,16 +172,45 @@ class EllipseSum {
     const T swing = m.W_n * half_width;
     const T fixed = u_t * u_t + law_.floor;
     T g0 = 0.0, g1 = 0.0, g2 = 0.0, speed = 0.0;
-    for (int j = 0; j < nodes_.minor; ++j) {
-      const T u_c = mean - swing * nodes_.v[j];
-      const T square = u_c * u_c + fixed;
-      T pressure = 0.0, slip;
-      if constexpr (Law::kOfPressure) pressure = peak_pressure_ * chord * nodes_.chord_v[j];
-      const T g = law_.of_rounded(square, pressure, slip);
-      g0 += g * nodes_.weight_v[j];
-      g1 += g * nodes_.weight_v1[j];
-      g2 += g * nodes_.weight_v2[j];
-      speed += slip * nodes_.weight_v[j];
+    const auto along_row = [&](const auto& law) {
+      for (int j = 0; j < nodes_.minor; ++j) {
+        const T u_c = mean - swing * nodes_.v[j];
+        const T square = u_c * u_c + fixed;
+        T pressure = 0.0, slip;
+        if constexpr (Law::kOfPressure) pressure = peak_pressure_ * chord * nodes_.chord_v[j];
+        const T g = law.of_rounded(square, pressure, slip);
+        g0 += g * nodes_.weight_v[j];
+        g1 += g * nodes_.weight_v1[j];
+        g2 += g * nodes_.weight_v2[j];
+        speed += slip * nodes_.weight_v[j];
+      }
+    };
+    if constexpr (requires(const Here& here, T* at) {
+                    here.template several<kBlock>(at, at, at);
+                  }) {
+      for (int first = 0; first < nodes_.minor; first += kBlock) {
+        T u_c[kBlock], slip[kBlock], inverse[kBlock], pressure[kBlock], kappa[kBlock];
+        for (int k = 0; k < kBlock; ++k) {
+          const int j = first + k < nodes_.minor ? first + k : nodes_.minor - 1;
+          u_c[k] = mean - swing * nodes_.v[j];
+          slip[k] = ScalarMath<T>::root_and_inverse(u_c[k] * u_c[k] + fixed, inverse[k]);
+          pressure[k] = peak_pressure_ * chord * nodes_.chord_v[j];
+        }
+        law_.law.template several<kBlock>(slip, pressure, kappa);
+        for (int k = 0; k < kBlock && first + k < nodes_.minor; ++k) {
+          const int j = first + k;
+          const T g = ScalarMath<T>::over(kappa[k], slip[k], inverse[k]);
+          g0 += g * nodes_.weight_v[j];
+          g1 += g * nodes_.weight_v1[j];
+          g2 += g * nodes_.weight_v2[j];
+          speed += slip[k] * nodes_.weight_v[j];
+        }
+      }
+    } else if constexpr (is_of_strip<Law>()) {
+      const auto strip = law_.law.strip(peak_pressure_ * chord);
+      along_row(RoundedLaw<decltype(strip)>{strip, law_.floor});
+    } else {
+      along_row(law_);
     }
     const T f_t = load * (g0 * u_t);
     const T f_c = load * (mean * g0 - swing * g1);
@@ -184,10 +224,11 @@ class EllipseSum {
     sum_.load_slip += load * speed;
   }
 
+  static constexpr int kBlock = 4;  ///< points of a row that laws take at once
   using Here = decltype(std::declval<const Law&>().at(std::declval<const ContactPoint<T>&>()));
 
   const EllipseNodes& nodes_;
-  const EllipseContact<T>& e_;
+  const EllipseContact<T, S>& e_;
   T peak_pressure_;
   RoundedLaw<Here> law_;
   double slip_scale_;

@@ -1,46 +1,115 @@
 #include "tribology/film_law.hpp"
 
 #include "base/errors.hpp"
-#include "tribology/film_thickness.hpp"
+#include "tribology/pressure_fits.hpp"
+#include "tribology/visco_elastic_surface.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace adore::tribology {
+namespace {
 
-bool has_film_law(const Lubricant& lubricant) {
-  return lubricant.model == LubricantModel::NewtonianThermal;
+constexpr double kLeastBeta = 1e-9;       // 1/K: no heating to speak of
+constexpr double kStartPressure = 1e9;    // Pa, where `start` of a law is taken
+constexpr double kLargestPressure = 6e9;  // Pa, beyond any bearing
+constexpr double kFitError = 1e-4;        // of ln μ and ln of the heating
+
+/// ln of c G^m (μ0/E')^s.
+double log_constant(const FilmRegression& f, double viscosity, double alpha, double modulus) {
+  return std::log(f.coefficient) + f.material * std::log(std::max(alpha * modulus, 1e-30)) +
+         f.speed * std::log(viscosity / modulus);
 }
 
-HeatedFilm heated_film(const Lubricant& oil, const bearing::Lubrication& lubrication,
-                       const FilmSurface& s) {
-  demand(has_film_law(oil), "a lubricant with a law for motion");
-  const double T = s.wall_temperature, mu = oil.base_viscosity(T), alpha = oil.base_alpha(T),
-               K = oil.conductivity.at(T);
-  // The powers of speed and load taken out, at 1 m/s and 1 N.
-  const FilmThickness unit = point_film({mu, alpha, 1.0, s.modulus}, s.radius, 1.0, s.k);
-  HeatedFilm out;
-  // point_film itself holds W at 1e-9; at 1 N that can only be reached by bodies of metres.
-  out.log_central = std::log(unit.central);
-  out.log_minimum = std::log(unit.minimum);
-  constexpr double kLeastGroup = 1e-9;  // film_thickness.hpp
-  out.least_load = kLeastGroup * s.modulus * s.radius * s.radius;
+/// Fits that both films with measured viscosity take.
+struct MeasuredFits {
+  PressureFit log_viscosity, log_heating;
+  double start = 0.0;  ///< slip at which κ bends: heating sets in, or the limit is reached
+};
+MeasuredFits measured_fits(const Lubricant& oil, double T) {
+  const auto log_viscosity = [&](double p) { return std::log(oil.pressed_viscosity(p, T)); };
+  const double K = oil.conductivity.at(T);
+  const auto log_heating = [&](double p) {
+    return 0.5 *
+           (std::log(std::max(oil.pressed_beta(p, T), kLeastBeta) / (8.0 * K)) + log_viscosity(p));
+  };
+  const double end =
+      pressure_of_viscosity(log_viscosity, kLogGlassViscosity - 0.6, kLargestPressure);
+  MeasuredFits out{fit_over_pressure(log_viscosity, end, kFitError).fit,
+                   fit_over_pressure(log_heating, end, kFitError).fit};
+  constexpr double kFilm = 3e-7;  // m, a usual one
+  const double limit =
+      oil.limiting_ratio * kStartPressure * kFilm / std::exp(out.log_viscosity.at(kStartPressure));
+  out.start =
+      std::max(std::min(limit, std::exp(-out.log_heating.at(kStartPressure))), kRegularisationSlip);
+  return out;
+}
+
+}  // namespace
+
+FilmOfContact film_of_contact(const Lubricant& oil, const bearing::Lubrication& lubrication,
+                              const FilmSurface& s) {
+  const double T = s.wall_temperature, mu = oil.base_viscosity(T), alpha = oil.base_alpha(T);
+  FilmOfContact out;
+  out.line = s.line;
+  out.log_central = log_constant(s.line ? kLineCentral : kPointCentral, mu, alpha, s.modulus);
+  out.log_minimum = log_constant(s.line ? kLineMinimum : kPointMinimum, mu, alpha, s.modulus);
+  out.inverse_modulus = 1.0 / s.modulus;
+  out.curvature = 1.0 / s.radius;
   constexpr double kLeastShare = 1e-6, kLeastSpeed = 1e-9;  // of the race speed [choice]; m/s
   const double least = std::max(kLeastShare * std::abs(s.race_speed), kLeastSpeed);
   out.least_speed2 = least * least;
-  out.log_heating = std::log(std::max(mu * oil.base_beta(T) / K, 1e-30));
-  out.pressure_scale = 13.2 / s.modulus;
+  out.log_heating = std::log(std::max(mu * oil.base_beta(T) / oil.conductivity.at(T), 1e-30));
   constexpr double kDry = 1e-9;  // meniscus at the contact: no film
   out.meniscus = std::max(lubrication.meniscus, kDry);
-  out.inverse_diameter = 0.5 / s.radius;
-  out.viscosity = oil.pressed_viscosity(0.0, T);
-  out.half_alpha = 0.5 * oil.traction_alpha;
-  constexpr double kLeastBeta = 1e-9;  // 1/K: no heating to speak of
-  out.heating =
-      std::sqrt(std::max(oil.pressed_beta(0.0, T), kLeastBeta) * out.viscosity / (8.0 * K));
-  out.limit = oil.limiting_ratio;
   out.critical = lubrication.critical_film;
   return out;
+}
+
+HeatedFilm heated_film(const Lubricant& oil, double T) {
+  HeatedFilm out;
+  out.viscosity = oil.pressed_viscosity(0.0, T);
+  out.half_alpha = 0.5 * oil.traction_alpha;
+  out.heating = std::sqrt(std::max(oil.pressed_beta(0.0, T), kLeastBeta) * out.viscosity /
+                          (8.0 * oil.conductivity.at(T)));
+  out.limit = LimitedTraction::at(oil.limiting_ratio);
+  return out;
+}
+
+MeasuredFilm measured_film(const Lubricant& oil, double T) {
+  const MeasuredFits fits = measured_fits(oil, T);
+  return {fits.log_viscosity, fits.log_heating, LimitedTraction::at(oil.limiting_ratio),
+          fits.start};
+}
+
+ThinningFilm thinning_film(const Lubricant& oil, double T) {
+  demand(oil.carreau_a == 2.0, "shear thinning with a = 2");
+  const MeasuredFits fits = measured_fits(oil, T);
+  return {fits.log_viscosity,
+          fits.log_heating,
+          oil.carreau_G * T / oil.carreau_TR,
+          0.5 * (oil.carreau_n - 1.0),
+          LimitedTraction::at(oil.limiting_ratio),
+          fits.start};
+}
+
+TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,
+                     const bearing::Lubrication& lubrication, const FilmSurface& s) {
+  const FilmOfContact film = film_of_contact(oil, lubrication, s);
+  switch (oil.model) {
+    case LubricantModel::NewtonianThermal:
+      return {metal, film, heated_film(oil, s.wall_temperature)};
+    case LubricantModel::NewtonianGeneral:
+      return {metal, film, measured_film(oil, s.wall_temperature)};
+    case LubricantModel::ShearThinning:
+      return {metal, film, thinning_film(oil, s.wall_temperature)};
+    case LubricantModel::ViscoElastic:
+      break;
+  }
+  constexpr double kLeastRaceSpeed = 0.1;  // m/s, for the range of a bearing that stands
+  const ViscoElasticSurface surface = visco_elastic_surface(
+      oil, s.wall_temperature, s.width_over_pressure, std::max(s.race_speed, kLeastRaceSpeed));
+  return {metal, film, surface.film, surface.table};
 }
 
 }  // namespace adore::tribology

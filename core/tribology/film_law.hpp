@@ -1,27 +1,36 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
-#include "tribology/laws/heated_film.hpp"
 #include "tribology/lubricant.hpp"
+#include "tribology/traction_law.hpp"
 
+#include <string>
+
+/// From a deck's lubricant to the law of traction of one race.
 namespace adore::tribology {
 
 /// Contacts with one race, as far as its film reads them.
 struct FilmSurface {
-  double radius = 0.0;            ///< of both bodies along rolling [m]
-  double k = 1.0;                 ///< half axis across over along rolling, >= 1
+  bool line = false;              ///< slices of rollers
+  double radius = 0.0;            ///< of both bodies along rolling, where a contact says none [m]
   double modulus = 0.0;           ///< E' [Pa]
   double wall_temperature = 0.0;  ///< mean of both bodies' bulk temperatures [K]
   double race_speed = 0.0;        ///< scale of the surface speeds [m/s]
+  double width_over_pressure = 0.0;  ///< b/p0 of the contacts, read by visco-elastic films [m/Pa]
 };
 
-/// Can the lubricant's traction be computed in motion? So far the Newtonian model with thermal film
-/// (kTrac 1 to 7, 9).
-[[nodiscard]] bool has_film_law(const Lubricant& lubricant);
+[[nodiscard]] FilmOfContact film_of_contact(const Lubricant& lubricant,
+                                            const bearing::Lubrication& lubrication,
+                                            const FilmSurface& surface);
 
-/// @pre has_film_law
-[[nodiscard]] HeatedFilm heated_film(const Lubricant& lubricant,
-                                     const bearing::Lubrication& lubrication,
-                                     const FilmSurface& surface);
+// The films of the four models at the walls' temperature.
+[[nodiscard]] HeatedFilm heated_film(const Lubricant& lubricant, double temperature);
+[[nodiscard]] MeasuredFilm measured_film(const Lubricant& lubricant, double temperature);
+[[nodiscard]] ThinningFilm thinning_film(const Lubricant& lubricant, double temperature);
+
+/// @param metal where the film breaks down
+[[nodiscard]] TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& lubricant,
+                                   const bearing::Lubrication& lubrication,
+                                   const FilmSurface& surface);
 
 }  // namespace adore::tribology

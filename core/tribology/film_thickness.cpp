@@ -11,19 +11,20 @@ struct Groups {
 };
 
 Groups groups(const FilmInlet& inlet, double radius, double load_over_modulus) {
-  constexpr double kLeastLoad = 1e-9;
   return {inlet.viscosity * inlet.speed / (inlet.modulus * radius), inlet.alpha * inlet.modulus,
-          std::max(load_over_modulus, kLeastLoad)};
+          std::max(load_over_modulus, kLeastLoadGroup)};
+}
+
+double thickness(const FilmRegression& f, const Groups& g, double radius, double k) {
+  return f.coefficient * radius * std::pow(g.U, f.speed) * std::pow(g.G, f.material) *
+         std::pow(g.W, -f.load) * (1.0 - f.shape * std::exp(-f.decay * k));
 }
 
 }  // namespace
 
 FilmThickness point_film(const FilmInlet& inlet, double radius, double load, double k) {
-  const auto [U, G, W] = groups(inlet, radius, load / (inlet.modulus * radius * radius));
-  return {2.69 * radius * std::pow(U, 0.67) * std::pow(G, 0.53) * std::pow(W, -0.067) *
-              (1.0 - 0.61 * std::exp(-0.73 * k)),
-          3.63 * radius * std::pow(U, 0.68) * std::pow(G, 0.49) * std::pow(W, -0.073) *
-              -std::expm1(-0.68 * k)};
+  const Groups g = groups(inlet, radius, load / (inlet.modulus * radius * radius));
+  return {thickness(kPointCentral, g, radius, k), thickness(kPointMinimum, g, radius, k)};
 }
 
 FilmThickness any_point_film(const FilmInlet& inlet, double along, double across, double load) {
@@ -34,9 +35,8 @@ FilmThickness any_point_film(const FilmInlet& inlet, double along, double across
 }
 
 FilmThickness line_film(const FilmInlet& inlet, double radius, double load) {
-  const auto [U, G, W] = groups(inlet, radius, load / (inlet.modulus * radius));
-  return {3.06 * radius * std::pow(G, 0.56) * std::pow(U, 0.69) * std::pow(W, -0.10),
-          2.65 * radius * std::pow(G, 0.54) * std::pow(U, 0.7) * std::pow(W, -0.13)};
+  const Groups g = groups(inlet, radius, load / (inlet.modulus * radius));
+  return {thickness(kLineCentral, g, radius, 0.0), thickness(kLineMinimum, g, radius, 0.0)};
 }
 
 double line_film_1966(const FilmInlet& inlet, double radius, double load) {

@@ -12,6 +12,17 @@ struct FilmThickness {
   double central = 0.0, minimum = 0.0;  ///< [m]
 };
 
+/// A regression for points (W of the load) or lines (W of the load per length):
+///   h = c R U^s G^m W^-l (1 - e exp(-d k))
+struct FilmRegression {
+  double coefficient, speed, material, load;  ///< c, s, m, l
+  double shape = 0.0, decay = 0.0;            ///< e, d
+};
+inline constexpr FilmRegression kPointCentral{2.69, 0.67, 0.53, 0.067, 0.61, 0.73},
+    kPointMinimum{3.63, 0.68, 0.49, 0.073, 1.0, 0.68}, kLineCentral{3.06, 0.69, 0.56, 0.10},
+    kLineMinimum{2.65, 0.70, 0.54, 0.13};
+inline constexpr double kLeastLoadGroup = 1e-9;  ///< W is never taken below it
+
 struct FilmInlet {
   double viscosity = 0.0;  ///< μ0 [Pa s]
   double alpha = 0.0;      ///< α [1/Pa]

@@ -10,35 +10,31 @@ constexpr double kZeroCoefficient = 1e-12;
 
 }  // namespace
 
-TractionLaw::TractionLaw(const bearing::TractionCurve& c) noexcept {
-  if (c.form == bearing::TractionCurve::Form::TwoSlope)
-    law_ = TwoSlopeLaw{c.A, c.B, c.C, c.u0};
-  else
-    law_ = ExponentialLaw{c.A, c.B, c.C, c.D};
-  const double at_rest = visit([](const auto& law) { return law.at_rest(); });
-  if (std::abs(at_rest) > kZeroCoefficient) floor_ = kRegularisationSlip * kRegularisationSlip;
+MetalLaw TractionLaw::metal_of(const bearing::TractionCurve& c) noexcept {
+  if (c.form == bearing::TractionCurve::Form::TwoSlope) return TwoSlopeLaw{c.A, c.B, c.C, c.u0};
+  return ExponentialLaw{c.A, c.B, c.C, c.D};
 }
 
-TractionLaw::TractionLaw(const bearing::TractionCurve& metal, const HeatedFilm& film) noexcept
-    : TractionLaw(metal) {
-  if (const auto* slopes = std::get_if<TwoSlopeLaw>(&law_))
-    law_ = HeatedFilmLaw<TwoSlopeLaw>{*slopes, film};
+TractionLaw::TractionLaw(const bearing::TractionCurve& c) noexcept {
+  const MetalLaw law = metal_of(c);
+  if (law.slopes)
+    law_ = law.two_slope;
   else
-    law_ = HeatedFilmLaw<ExponentialLaw>{std::get<ExponentialLaw>(law_), film};
+    law_ = law.exponential;
+  if (std::abs(law.at_rest()) > kZeroCoefficient)
+    floor_ = kRegularisationSlip * kRegularisationSlip;
 }
 
 bool TractionLaw::has_film() const noexcept {
-  return visit([](const auto& law) {
-    return requires { law.film; };
-  });
+  return visit([](const auto& law) { return kHasFilm<std::decay_t<decltype(law)>>; });
 }
 
-double TractionLaw::film(const ContactPoint<double>& contact) const {
-  return visit([&](const auto& law) {
-    if constexpr (requires { law.film; })
-      return law.at(contact).thickness;
+FilmHere<double> TractionLaw::film(const ContactPoint<double>& contact) const {
+  return visit([&](const auto& law) -> FilmHere<double> {
+    if constexpr (kHasFilm<std::decay_t<decltype(law)>>)
+      return law.film.at(contact);
     else
-      return 0.0;
+      return {0.0, 0.0, 0.0};
   });
 }
 
@@ -55,7 +51,8 @@ double TractionLaw::coefficient(double slip, double pressure) const {
 }
 
 double TractionLaw::slip_scale() const noexcept {
-  return rounded() ? 0.0 : visit([](const auto& law) { return law.start(); });
+  const double start = visit([](const auto& law) { return law.start(); });
+  return rounded() && !has_film() ? 0.0 : start;
 }
 
 double TractionLaw::kink() const noexcept {

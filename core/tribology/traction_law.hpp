@@ -5,8 +5,10 @@
 #include "tribology/traction_laws.hpp"
 
 #include <cstddef>
+#include <memory>
 #include <utility>
 #include <variant>
+#include <vector>
 
 /// A traction law as a value, chosen at set-up from the list of traction_laws.hpp.
 namespace adore::tribology {
@@ -16,7 +18,13 @@ class TractionLaw {
   TractionLaw() = default;                                    ///< frictionless
   TractionLaw(const bearing::TractionCurve& curve) noexcept;  // NOLINT: a curve is a law
   /// A lubricant's film, with the curve where it breaks down.
-  TractionLaw(const bearing::TractionCurve& metal, const HeatedFilm& film) noexcept;
+  /// @param table numbers that the film points at, kept as long as the law
+  template <class Film>
+  TractionLaw(const bearing::TractionCurve& metal, const FilmOfContact& film, const Film& fluid,
+              std::shared_ptr<const std::vector<double>> table = nullptr)
+      : law_(FilmLawOf<Film>{metal_of(metal), film, fluid}),
+        floor_(kRegularisationSlip * kRegularisationSlip),
+        table_(std::move(table)) {}
 
   /// f(law) with the law's own type: once per block of contacts, not per contact.
   template <class F>
@@ -28,10 +36,15 @@ class TractionLaw {
   /// metal contact.
   template <class T = double, class F>
   decltype(auto) visit_rounded(F&& f, const ContactPoint<T>& contact = {}) const {
+    const auto with = [&](const auto& dry) {
+      return std::forward<F>(f)(RoundedLaw<decltype(dry.at(contact))>{dry.at(contact), floor_});
+    };
     return std::visit(
         [&](const auto& law) {
-          return std::forward<F>(f)(
-              RoundedLaw<decltype(dry(law).at(contact))>{dry(law).at(contact), floor_});
+          if constexpr (kHasFilm<std::decay_t<decltype(law)>>)
+            return with(law.metal);
+          else
+            return with(law);
         },
         law_);
   }
@@ -41,8 +54,8 @@ class TractionLaw {
 
   /// κ(u), u >= 0, not rounded, for reports. @param pressure [Pa], read by laws that depend on it
   [[nodiscard]] double coefficient(double slip, double pressure = 0.0) const;
-  /// What is added to u² before the root [m²/s²]: ε², ε = kRegularisationSlip, when κ(0) ≠ 0; else
-  /// (1e-12 m/s)², so that κ(s)/s is finite at rest.
+  /// What is added to u² before the root [m²/s²]: ε², ε = kRegularisationSlip, when κ(0) ≠ 0 or
+  /// there is a film; else (1e-12 m/s)², so that κ(s)/s is finite at rest.
   [[nodiscard]] double slip_floor() const noexcept { return floor_; }
   /// Is slip rounded?
   [[nodiscard]] bool rounded() const noexcept { return floor_ > kNoRounding; }
@@ -50,13 +63,16 @@ class TractionLaw {
   /// 0 or C = 0.
   [[nodiscard]] double slip_scale() const noexcept;
   [[nodiscard]] double kink() const noexcept;
-  /// Has it a film? How thick is it in the middle of this contact [m]; 0 without.
   [[nodiscard]] bool has_film() const noexcept;
-  [[nodiscard]] double film(const ContactPoint<double>& contact) const;
+  /// The film of a contact; 0 without.
+  [[nodiscard]] FilmHere<double> film(const ContactPoint<double>& contact) const;
 
  private:
+  static MetalLaw metal_of(const bearing::TractionCurve& curve) noexcept;
+
   TractionLawsIn<std::variant> law_;
   double floor_ = kNoRounding;
+  std::shared_ptr<const std::vector<double>> table_;
 };
 
 }  // namespace adore::tribology

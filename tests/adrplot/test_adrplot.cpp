@@ -178,28 +178,53 @@ TEST_CASE("spectrum: two tones come out at their frequencies and relative height
     samples.push_back(7.0 + 3.0 * std::cos(2 * std::numbers::pi * 170 * t) +
                       0.6 * std::sin(2 * std::numbers::pi * 2900 * t));
   }
-  const Spectrum s = relative_spectrum(samples, kStep);
+  Spectrum s = amplitude_spectrum(samples, kStep);
   REQUIRE(s.frequency.size() == kSamples / 2);
   CHECK(s.frequency[16] == Approx(170.0));
   // Whole periods in the record, so only rounding separates the bins from the exact heights.
-  CHECK(s.amplitude[16] == Approx(1.0).epsilon(1e-9));
-  CHECK(s.amplitude[289] == Approx(0.2).epsilon(1e-9));
+  CHECK(s.amplitude[16] == Approx(3.0).epsilon(1e-9));
+  CHECK(s.amplitude[289] == Approx(0.6).epsilon(1e-9));
   CHECK(s.amplitude[100] < 1e-9);
-  const Spectrum still = relative_spectrum(std::vector<double>(500, 3.3e-5), kStep);
+  for (const Window window : {Window::Hann, Window::FlatTop}) {
+    const Spectrum shaped = amplitude_spectrum(samples, kStep, window);
+    CHECK(shaped.amplitude[16] == Approx(3.0).epsilon(1e-9));
+    CHECK(shaped.amplitude[289] == Approx(0.6).epsilon(1e-9));
+  }
+  scale_spectrum(s, SpectrumScale::Decibel);
+  CHECK(s.amplitude[16] == Approx(0.0).margin(1e-9));
+  CHECK(s.amplitude[289] == Approx(20.0 * std::log10(0.2)));
+  const Spectrum still = amplitude_spectrum(std::vector<double>(500, 3.3e-5), kStep);
   CHECK(*std::max_element(still.amplitude.begin(), still.amplitude.end()) == 0.0);
 }
 
-TEST_CASE("spectrum: unequal time increments are refused with a reason", "[unit]") {
-  std::vector<double> times;
-  for (int i = 0; i < 100; ++i)
-    times.push_back(1e-6 * std::round(i * 12.5));  // seven digits make them uneven by 4 %
-  CHECK_FALSE(common_time_step(times).reason.empty());
-  for (int i = 0; i < 100; ++i) times[static_cast<std::size_t>(i)] = i * 1.25e-5;
-  CHECK(common_time_step(times).step == Approx(1.25e-5));
-  times.back() += 1e-5;
-  CHECK(common_time_step(times).reason.find("equal time intervals") != std::string::npos);
-  times.resize(5);
-  CHECK(common_time_step(times).reason.find("at least 16") != std::string::npos);
+TEST_CASE("spectrum: a shorter last step is left out, unequal steps are resampled and said so",
+          "[unit]") {
+  std::vector<double> times, values;
+  for (int i = 0; i < 100; ++i) {
+    times.push_back(i * 1.25e-5);
+    values.push_back(3.0 * times.back());
+  }
+  CHECK(equal_samples(times, values).step == Approx(1.25e-5));
+  CHECK(equal_samples(times, values).note.empty());
+  times.back() -= 1e-5;  // the end of the run
+  const Samples cut = equal_samples(times, values);
+  CHECK(cut.values.size() == 99);
+  CHECK(cut.step == Approx(1.25e-5));
+  CHECK(cut.note.find("left out") != std::string::npos);
+  CHECK_FALSE(cut.resampled);
+  for (std::size_t i = 0; i < 100; ++i) {
+    times[i] = 1e-5 * static_cast<double>(i) + 3e-6 * static_cast<double>(i % 3);
+    values[i] = 7.0 - 2e3 * times[i];  // straight lines read it off exactly
+  }
+  const Samples uneven = equal_samples(times, values);
+  CHECK(uneven.resampled);
+  CHECK(uneven.note.find("Resampled") != std::string::npos);
+  REQUIRE(uneven.values.size() == 100);
+  for (std::size_t i = 0; i < 100; ++i)
+    CHECK(uneven.values[i] ==
+          Approx(7.0 - 2e3 * (uneven.start + uneven.step * static_cast<double>(i))));
+  times.resize(5), values.resize(5);
+  CHECK(equal_samples(times, values).note.find("at least 16") != std::string::npos);
 }
 
 TEST_CASE("page_builder: abscissa, units and orbit pair follow the options", "[unit]") {
@@ -219,7 +244,8 @@ TEST_CASE("page_builder: abscissa, units and orbit pair follow the options", "[u
   CHECK_THROWS_AS(build_page(race, pages, 0), InputError);
 }
 
-TEST_CASE("page_builder: an uneven run has a spectrum page that says why it is empty", "[unit]") {
+TEST_CASE("page_builder: an uneven run is resampled for its spectrum page, and it says so",
+          "[unit]") {
   auto cage = test::synthetic_sol(SolKind::Cage);
   const auto pages = plot_pages(cage.kind, cage.header);
   const auto full = build_page(cage, pages, 21);
@@ -227,8 +253,88 @@ TEST_CASE("page_builder: an uneven run has a spectrum page that says why it is e
   CHECK(full.marks.at(0).x == Approx(10000.0 / 60.0).epsilon(1e-6));
   cage.steps.erase(cage.steps.begin() + 700, cage.steps.begin() + 720);
   const auto uneven = build_page(cage, pages, 21);
-  CHECK(uneven.panels.empty());
-  CHECK(uneven.note.find("equal time intervals") != std::string::npos);
+  CHECK(uneven.panels.size() == 3);
+  CHECK(uneven.note.find("Resampled") != std::string::npos);
+}
+
+TEST_CASE("page_builder: turns accumulate whatever the direction, and time takes over without them",
+          "[unit]") {
+  auto race = test::synthetic_sol(SolKind::Race);
+  const auto pages = plot_pages(race.kind, race.header);
+  const auto forward = build_page(race, pages, 2).x;
+  for (auto& step : race.steps) step.revolutions = -step.revolutions;
+  CHECK(build_page(race, pages, 2).x == forward);
+  // There and back: two turns, drawn side by side.
+  for (std::size_t i = 0; i < race.steps.size(); ++i)
+    race.steps[i].revolutions =
+        1.0 - std::abs(1.0 - 2.0 * static_cast<double>(i) / double(race.steps.size() - 1));
+  CHECK(build_page(race, pages, 2).x.back() == Approx(2.0).epsilon(1e-3));
+  CHECK(std::is_sorted(forward.begin(), forward.end()));
+  for (auto& step : race.steps) step.revolutions = 0.0;  // both races turn alike
+  const auto alike = build_page(race, pages, 2);
+  CHECK(alike.x_unit == "s");
+  CHECK(alike.x.back() == race.steps.back().time);
+  CHECK(alike.note.find("drawn over time") != std::string::npos);
+  CHECK(build_page(race, pages, 2, {Abscissa::Step, {}}).x[3] == 60.0);
+}
+
+TEST_CASE("page_builder: zeros that nobody computed are no values", "[unit]") {
+  auto element = test::synthetic_sol(SolKind::Element);
+  const auto pages = plot_pages(element.kind, element.header);
+  for (auto& step : element.steps) {
+    for (const int film : {25, 26, 29, 30}) step.values[static_cast<std::size_t>(film)] = 0.0;
+    step.values[15] = 0.0;  // the outer contact is open
+  }
+  const auto slip = build_page(element, pages, 7);
+  CHECK(slip.panels[2].message.find("No film") == 0);
+  CHECK(std::isnan(slip.panels[2].curves[0].y[5]));
+  CHECK(build_page(element, pages, 8).panels[1].message.find("No temperature rise") == 0);
+  const auto load = build_page(element, pages, 6);
+  CHECK(load.panels[0].curves[0].y[5] == 0.0);
+  CHECK(std::isnan(load.panels[1].curves[0].y[5]));  // an open contact has no angle
+  CHECK(std::isfinite(load.panels[1].curves[1].y[5]));
+
+  auto cage = test::synthetic_sol(SolKind::Cage);
+  for (auto& step : cage.steps)
+    for (const std::size_t land2 : {6, 7, 8}) step.values[land2] = 0.0;
+  const auto cage_pages = plot_pages(cage.kind, cage.header);
+  CHECK(build_page(cage, cage_pages, 3).panels[0].message.find("no guide land 2") !=
+        std::string::npos);
+  CHECK(build_page(cage, cage_pages, 2).panels[0].message.empty());
+
+  auto power = test::synthetic_sol(SolKind::Power);
+  for (const std::size_t wear : {9, 10, 11, 12}) power.steps.front().values[wear] = 0.0;
+  const auto wear = build_page(power, plot_pages(power.kind, power.header), 3);
+  CHECK(std::isnan(wear.panels[0].curves[0].y[0]));
+  CHECK(std::isfinite(wear.panels[0].curves[0].y[1]));
+}
+
+TEST_CASE("page_builder: a flange that is not there has no gap", "[unit]") {
+  test::SyntheticRun run;
+  run.steps = 20;
+  auto roller = test::synthetic_sol(SolKind::Element, run);
+  roller.header.bearing_type = 2;
+  roller.header.value_count = 45;
+  roller.header.outer_flange = true;
+  for (auto& step : roller.steps) {
+    step.values.resize(45, 0.0);
+    for (std::size_t i = 27; i < 45; ++i) step.values[i] = 0.0;
+    step.values[27] = 12.0;   // load at -x
+    step.values[29] = -2e-7;  // gap at -x
+  }
+  const auto page = build_page(roller, plot_pages(roller.kind, roller.header), 9);
+  CHECK(page.panels[0].curves[0].y[3] == 12.0);
+  CHECK(std::isnan(page.panels[0].curves[1].y[3]));
+  CHECK(page.panels[1].curves[0].y[3] == -2e-7);
+  CHECK(std::isnan(page.panels[1].curves[1].y[3]));
+  CHECK(page.note.find("no flange") != std::string::npos);
+}
+
+TEST_CASE("page_builder: what is stored too seldom for the fastest contact says so", "[unit]") {
+  const auto race = test::synthetic_sol(SolKind::Race);  // every 12 us: 83 kHz
+  const auto pages = plot_pages(race.kind, race.header);
+  CHECK(build_page(race, pages, 2, {}, {{}, 41e3, ""}).note.empty());
+  CHECK(build_page(race, pages, 2, {}, {{}, 43e3, ""}).note.find("Aliased") == 0);
 }
 
 TEST_CASE("render_plots: every page of files on disk becomes a picture with curves in it",
@@ -416,13 +522,15 @@ TEST_CASE("plot_window: a dropped file asks for its range, several are opened at
   CHECK(window.fileCount() == 2);
 }
 
-TEST_CASE("range_dialog: starts at 1 to 5000 by 1 and keeps the end behind the start", "[gui]") {
+TEST_CASE("range_dialog: starts with the whole run and keeps the end behind the start", "[gui]") {
   test::use_qt();
-  RangeDialog dialog("SOL1");
+  RangeDialog dialog("SOL1", 9000);
   dialog.setAttribute(Qt::WA_DeleteOnClose, false);
   CHECK(dialog.range().from == 1);
-  CHECK(dialog.range().to == 5000);
+  CHECK(dialog.range().to == results::SolRange{}.to);  // the end, also when the file grows
+  CHECK(dialog.findChild<QLabel*>("count")->text() == "9000 of 9000 stored steps");
   CHECK(dialog.range().every == 1);
+  dialog.findChild<QSpinBox*>("to")->setValue(100);
   dialog.findChild<QSpinBox*>("from")->setValue(8000);
   CHECK(dialog.range().to == 8000);
   dialog.findChild<QSpinBox*>("every")->setValue(10);

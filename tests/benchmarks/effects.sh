@@ -31,6 +31,7 @@ free race|ball|--set kDCR=1 --set kFD12=0||RaceKinematics|RaceLoad|HeldDirection
 light balls in balance|ball|--set appLoadX=200 --set appLoadZ=2000 --set qFac=0.1|--set appLoadX=200 --set appLoadZ=2000|HeldRates|HeldMotion
 contact angle that moves|ball||--opt hertzConstants=frozen|-
 suppressed motions|ball|--set kDOF=2||Hold
+balls of unequal diameter|ball|--set kReGeoImp=2 --set reDiaVar1=1e-6||DifferentBalls|OwnBallMotion
 flanges|cylindrical||--set kFlngInd11=0 --set kFlngInd12=0 --set kFlngInd21=0 --set kFlngInd22=0|FlangeBlock
 cage of rollers|cylindrical||--set nCseg=0 --set kNumPltElem=2 --set kPltElemInd=1,16|RollerPocketBlock|LandBlock
 EOF

@@ -77,7 +77,7 @@ TEST_CASE(
     CHECK_FALSE(fs::exists(folder / "PRINT.txt"));
   }
   new_ball_deck(folder);
-  for (const std::string set : {"kTrac=13", "kReIP=3", "kDOF=6", "kRaceGeoImp1=3", "kReGeoImp=1"}) {
+  for (const std::string set : {"kReIP=3", "kDOF=6", "kRaceGeoImp1=3", "kReGeoImp=3"}) {
     const Result run = run_adore("run " + folder.path().string() + " --set " + set);
     INFO(set << "\n" << run.out);
     CHECK(run.code == 2);

@@ -89,7 +89,7 @@ TEST_CASE("axis_scale: a signal that hardly moves is shown from a base value", "
   const AxisScale axis = value_axis(0.0325 - 4e-7, 0.0325 + 4e-7, "m", 5);
   CHECK(axis.unit == "nm");
   CHECK(axis.offset == Approx(0.0325).epsilon(1e-9));
-  CHECK(axis.offset_text == "from 32.5 mm");
+  CHECK(axis.offset_text == "32.5 mm");
   CHECK(axis.shown(0.0325 + 4e-7) == Approx(400.0).epsilon(1e-6));
 }
 

@@ -20,17 +20,29 @@ void BallMotion::apply(Evaluation& e) noexcept {
   e.valid = ball_motion(e.elements, e.actions, mass_, inertia_, rates_in(e.dydt, s_)) && e.valid;
 }
 
+OwnBallMotion::OwnBallMotion(const ElementSlices& slices, const ElementMasses& masses)
+    : s_(slices) {
+  for (std::size_t i = 0; i < slices.elements(); ++i) {
+    per_mass_.push_back(1.0 / masses[i].mass);
+    per_inertia_.push_back(1.0 / masses[i].inertia(0, 0));
+  }
+}
+
+void OwnBallMotion::apply(Evaluation& e) noexcept {
+  e.valid =
+      ball_motion(e.elements, e.actions, per_mass_, per_inertia_, rates_in(e.dydt, s_)) && e.valid;
+}
+
 void Balls::declare(SceneBuilder& scene) {
   const bearing::Bearing& bearing = scene.bearing;
   demand(bearing.element_count() >= 1, "a bearing needs at least one ball");
   demand(static_cast<int>(scene.statics.balls.size()) == bearing.element_count(),
          "the static solution has another number of balls than the bearing");
   const Vec3& moments = bearing.element_inertia.moments;
-  mass_ = bearing.element_inertia.mass;
-  inertia_ = moments[0];
-  demand(mass_ > 0.0 && moments.minCoeff() > 0.0 &&
+  demand(bearing.element_inertia.mass > 0.0 && moments.minCoeff() > 0.0 &&
              moments.maxCoeff() - moments.minCoeff() <= 1e-9 * moments.maxCoeff(),
          "a ball needs a positive mass and three equal, positive moments of inertia");
+  masses_ = ElementMasses(bearing);
   start_ = scene.statics.balls;
   for (std::size_t q = 0; q < kQuantities.size(); ++q) {
     const QuantityLine& line = kQuantities[q];
@@ -38,7 +50,10 @@ void Balls::declare(SceneBuilder& scene) {
         scene.states_of_elements("element." + std::string(line.name), line.unit, line.scale);
   }
   scene.block<ElementKinematics>(Phase::Kinematics, kMotionCost, {}, s_);
-  scene.block<BallMotion>(Phase::Motion, kMotionCost, {}, s_, mass_, inertia_);
+  if (masses_.alike())
+    scene.block<BallMotion>(Phase::Motion, kMotionCost, {}, s_, masses_[0].mass, moments[0]);
+  else
+    scene.block<OwnBallMotion>(Phase::Motion, kMotionCost, {}, s_, masses_);
 }
 
 void Balls::start(std::span<double> y) const {
@@ -70,8 +85,8 @@ void Balls::store(const Evaluation& e, EnergyLedger& energy) const {
   double kinetic = 0.0;
   for (std::size_t i = 0; i < b.n; ++i) {
     const Vec3 velocity = e.to_base(i, x_dot[i], r_dot[i], b.r[i] * b.theta_dot[i]);
-    kinetic +=
-        0.5 * mass_ * velocity.squaredNorm() + 0.5 * inertia_ * e.element_omega(i).squaredNorm();
+    kinetic += 0.5 * masses_[i].mass * velocity.squaredNorm() +
+               0.5 * masses_[i].inertia(0, 0) * e.element_omega(i).squaredNorm();
   }
   energy.accumulate(terms::kKinetic, kinetic);
 }
@@ -80,8 +95,8 @@ void Balls::carry(const Evaluation& e, Momenta& momenta) const {
   const ElementViews& b = e.elements;
   const double *x_dot = e.y + s_[Quantity::XDot].first, *r_dot = e.y + s_[Quantity::RDot].first;
   for (std::size_t i = 0; i < b.n; ++i) {
-    const Vec3 p = mass_ * e.to_base(i, x_dot[i], r_dot[i], b.r[i] * b.theta_dot[i]);
-    momenta.add(p, e.element_centre(i).cross(p) + inertia_ * e.element_omega(i));
+    const Vec3 p = masses_[i].mass * e.to_base(i, x_dot[i], r_dot[i], b.r[i] * b.theta_dot[i]);
+    momenta.add(p, e.element_centre(i).cross(p) + masses_[i].inertia(0, 0) * e.element_omega(i));
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/effect.hpp"
+#include "dynamics/element_masses.hpp"
 
 /// The balls as bodies: states, equations of motion (ball_motion.hpp), energy and momentum.
 namespace adore::dynamics {
@@ -27,6 +28,17 @@ class BallMotion final : public EffectBlock {
   double mass_, inertia_;
 };
 
+/// Of balls that differ.
+class OwnBallMotion final : public EffectBlock {
+ public:
+  OwnBallMotion(const ElementSlices& slices, const ElementMasses& masses);
+  void apply(Evaluation& e) noexcept override;
+
+ private:
+  ElementSlices s_;
+  std::vector<double> per_mass_, per_inertia_;  ///< by ball [1/kg, 1/(kg m²)]
+};
+
 class Balls final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override;
@@ -37,11 +49,10 @@ class Balls final : public SceneEffect {
   void report(const Evaluation& e, Snapshot& snapshot) const override;
 
   [[nodiscard]] const ElementSlices& slices() const noexcept { return s_; }
-  [[nodiscard]] double mass() const noexcept { return mass_; }
 
  private:
   ElementSlices s_;
-  double mass_ = 0.0, inertia_ = 0.0;  ///< [kg, kg m²]
+  ElementMasses masses_;
   std::vector<statics::StaticBall> start_;
 };
 

@@ -25,6 +25,7 @@ class ElementGravity final : public EffectBlock {
 class BodyGravity final : public EffectBlock {
  public:
   explicit BodyGravity(const Vec3& gravity) : gravity_(gravity) {}
+  [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
     e.for_integrated([this](BodyState& body) {
       const Vec3 weight = body.mass * gravity_;

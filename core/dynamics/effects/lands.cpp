@@ -126,6 +126,7 @@ class LandBlock final : public EffectBlock {
   LandBlock(const std::vector<LandModel>& lands, double half_angle,
             const tribology::TractionLaw& law, double& heat)
       : lands_(lands), half_angle_(half_angle), law_(law), heat_(heat) {}
+  [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
     law_.visit_rounded([&](const auto& friction_per_slip) {
       if constexpr (Traction) heat_ = 0.0;

@@ -66,21 +66,7 @@ struct Candidate {
   Vec2 residual;  ///< G at the old place [N]
 };
 
-std::unique_ptr<HeldContacts> ball_contacts(const SceneBuilder& scene, double mass) {
-  PocketContact* pockets = scene.find<PocketContact>();
-  const bool friction = pockets != nullptr && pockets->friction().has_value();
-  std::optional<MovingFrame> frame;
-  if (const auto& turning = scene.plan.race_motions.frame)
-    frame = MovingFrame{turning->speed, turning->orbit_radius, turning->orbit_angle};
-  return std::make_unique<HeldBalls>(
-      HeldBalls::Scene{scene.find<Races>()->contacts(), mass,
-                       scene.plan.has(Effect::Gravity) ? scene.bearing.gravity : Vec3(Vec3::Zero()),
-                       pockets != nullptr ? &pockets->set() : nullptr,
-                       friction ? *pockets->friction() : tribology::TractionLaw(), friction, frame},
-      static_cast<std::size_t>(scene.bearing.element_count()));
-}
-
-class LightLoadBalance final : public SceneEffect {
+class LightLoadBalance final : public SceneEffect, public HoldsElements {
  public:
   void declare(SceneBuilder& scene) override;
   void resume(std::span<const double> y) override;
@@ -89,11 +75,14 @@ class LightLoadBalance final : public SceneEffect {
   /// and, put in balance, below the release level; released above kReleaseRatio times that. The
   /// jumps of energy and momentum are booked in y.
   bool between_steps(double t, std::span<double> y, BetweenSteps& scene) override;
+  [[nodiscard]] bool is_held(std::size_t i) const noexcept override { return held_->is_held(i); }
+  [[nodiscard]] bool holds_x() const noexcept override { return axial_; }
 
  private:
   std::optional<HeldElements> held_;
   ElementSlices element_;
-  double mass_ = 0.0, load_ratio_ = 0.0;
+  ElementMasses masses_;
+  double load_ratio_ = 0.0;
   bool all_ = false;   ///< every element, from the start on
   bool axial_ = true;  ///< x is in balance, else r alone: then a held element stays where it is
   // In the state.
@@ -108,22 +97,28 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
   demand(all_ || load_ratio_ > 0.0, "light-load balance needs a load ratio above 0");
   axial_ = !scene.plan.suppressed.element_axial;
   std::unique_ptr<HeldContacts> contacts;
-  if (const RigidElements* rollers = scene.find<RigidElements>()) {
-    element_ = rollers->slices();
-    mass_ = scene.bearing.element_inertia.mass;
+  masses_ = ElementMasses(scene.bearing);
+  if (const RigidElements* rigid = scene.find<RigidElements>())
+    element_ = rigid->slices();
+  else
+    element_ = scene.find<Balls>()->slices();
+  if (scene.rollers != nullptr) {
     axial_ = axial_ && scene.bearing.rollers()->shape != bearing::RollerShape::Arc;
     contacts = std::make_unique<HeldRollers>(
         statics::make_roller_model(scene.bearing, scene.rollers->options),
-        scene.bearing.imperfections, mass_, scene.force_pass());
+        scene.bearing.imperfections, masses_);
   } else {
-    const Balls& balls = *scene.find<Balls>();
-    element_ = balls.slices();
-    mass_ = balls.mass();
-    contacts = ball_contacts(scene, mass_);
+    contacts = std::make_unique<HeldBalls>(scene.find<Races>()->contacts(), masses_,
+                                           static_cast<std::size_t>(scene.bearing.element_count()));
   }
   RaceBalance* race = scene.find<RaceBalance>();
-  held_.emplace(HeldElements::Scene{mass_, axial_, race != nullptr ? &race->race() : nullptr},
-                element_, std::move(contacts));
+  const scene::SuppressedMotions& suppressed = scene.plan.suppressed;
+  held_.emplace(
+      HeldElements::Scene{masses_,
+                          axial_,
+                          race != nullptr ? &race->race() : nullptr,
+                          {.x = suppressed.element_axial, .tilt = suppressed.element_tilt}},
+      element_, std::move(contacts), scene.force_pass(race == nullptr));
   constexpr std::string_view kCost = "light-load balance";
   scene.block<HeldRates>(Phase::Kinematics, kCost, {}, *held_);
   scene.block<HeldMotion>(Phase::Motion, kCost, {}, *held_);
@@ -146,7 +141,7 @@ void LightLoadBalance::resume(std::span<const double> y) {
 void LightLoadBalance::report(const Evaluation&, Snapshot& snapshot) const {
   double left_out = 0.0;
   for (const std::size_t i : held_->list()) {
-    left_out += 0.5 * mass_ * held_->left_out(i).squaredNorm();
+    left_out += 0.5 * masses_[i].mass * held_->left_out(i).squaredNorm();
     snapshot.elements[i].held = true;
   }
   snapshot.energy.add(kLeftOut, left_out);
@@ -156,7 +151,7 @@ void LightLoadBalance::report(const Evaluation&, Snapshot& snapshot) const {
 bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps& scene) {
   HeldElements& held = *held_;
   const Evaluation& e = scene.evaluate(t, y);
-  const double threshold = load_ratio_ * scene.run_scales().force, mass = mass_;
+  const double threshold = load_ratio_ * scene.run_scales().force;
   const auto at = [&y](const Slice& slice, std::size_t i) -> double& {
     return y[static_cast<std::size_t>(slice.first) + i];
   };
@@ -180,6 +175,7 @@ bool LightLoadBalance::between_steps(double t, std::span<double> y, BetweenSteps
       continue;
     }
     // All forces but the normal ones of the races stay as they are while the place is sought.
+    const double mass = masses_[i].mass;
     const double centrifugal =
         mass * e.elements.r[i] * e.elements.theta_dot[i] * e.elements.theta_dot[i];
     const Vec2 residual = mass * Vec2(axial_ ? rate_of(element_[Quantity::XDot], i) : 0.0,

@@ -1,6 +1,7 @@
 #include "dynamics/effects/neighbours.hpp"
 
 #include "base/errors.hpp"
+#include "bearing/element_inertia.hpp"
 #include "contact/conformal.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "tribology/traction_law.hpp"
@@ -8,18 +9,22 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 /// Balls that touch the ones before and after them in a bearing without cage (nCseg = 0, record
-/// 10.5.3). Centres q_i, q_j of neighbours, d = |q_j - q_i|, n = (q_j - q_i)/d, overlap δ = D - d:
-///   N = law(δ), Hertz of two equal spheres (Q = 4/3 E* √(D/4) δ^1.5, E* = E/(2(1 - ν²)), continued
-///   by contact/conformal.hpp where the patch grows beyond half a radius) along n, apart;
-///   friction at the middle of q_i q_j, where both have the lever d/2: u = velocity of j less that
-///   of i, its part along n removed; N κ(s)/s u on i, the opposite on j, s the rounded slip
-///   (tribology/rounded_law.hpp). One point for both, so that angular momentum is conserved.
+/// 10.5.3). Centres q_i, q_j of neighbours, d = |q_j - q_i|, n = (q_j - q_i)/d, overlap δ = r_i +
+/// r_j - d:
+///   N = law(δ), Hertz of two spheres (Q = 4/3 E* √R δ^1.5, 1/R = 1/r_i + 1/r_j, E* = E/(2(1 -
+///   ν²)), continued by contact/conformal.hpp where the patch grows beyond half a radius) along n,
+///   apart;
+///   friction at the point that divides q_i q_j like the radii, from i at the lever d r_i/(r_i +
+///   r_j): u = velocity of j less that of i there, its part along n removed; N κ(s)/s u on i, the
+///   opposite on j, s the rounded slip (tribology/rounded_law.hpp). One point for both, so that
+///   angular momentum is conserved.
 /// Heat = friction · u >= 0. N is minus the gradient of law.energy over both centres: without
 /// friction energy is conserved. Zero load and zero heat without overlap.
-/// Limits: equal balls; an overlap of a radius is no valid state. With two balls there is one
+/// Limits: an overlap of half the sum of the radii is no valid state. With two balls there is one
 /// contact. The spacing of the static solution decides who touches whom first.
 /// Source: resources/docs/theory/cage_and_motion.md, section 7; decision 230.
 namespace adore::dynamics {
@@ -39,17 +44,26 @@ PairContact pair_contact(const Evaluation& e, const Pair& pair) noexcept {
   return {between / distance, distance};
 }
 
-struct PairModel {
-  double diameter = 0.0;  ///< D [m]
+struct PairOfBalls : Pair {
+  double reach = 0.0;  ///< r_i + r_j [m]
+  double share = 0.5;  ///< r_i/(r_i + r_j)
   contact::CappedHertz law;
-  std::vector<Pair> pairs;
 };
+
+/// Velocity of the other ball less that of i where they touch, across n.
+Vec3 slip_of(const Evaluation& e, const PairOfBalls& pair, const PairContact& c) noexcept {
+  const Vec3 arm = (pair.share * c.distance) * c.n, other_arm = arm - c.distance * c.n;
+  const Vec3 slip = e.element_velocity(pair.other) - e.element_velocity(pair.i) +
+                    e.element_omega(pair.other).cross(other_arm) -
+                    e.element_omega(pair.i).cross(arm);
+  return slip - slip.dot(c.n) * c.n;
+}
 
 template <bool Traction>
 class PairBlock final : public EffectBlock {
  public:
-  PairBlock(const PairModel& model, const tribology::TractionLaw& law, double& heat)
-      : model_(model), law_(law), heat_(heat) {}
+  PairBlock(const std::vector<PairOfBalls>& pairs, const tribology::TractionLaw& law, double& heat)
+      : pairs_(pairs), law_(law), heat_(heat) {}
   void apply(Evaluation& e) noexcept override {
     law_.visit_rounded([&](const auto& friction) { apply_with(friction, e); });
   }
@@ -58,7 +72,7 @@ class PairBlock final : public EffectBlock {
   template <class Friction>
   void apply_with(const Friction& friction_per_slip, Evaluation& e) noexcept;
 
-  const PairModel& model_;
+  const std::vector<PairOfBalls>& pairs_;
   tribology::TractionLaw law_;
   double& heat_;
 };
@@ -68,59 +82,87 @@ template <class Friction>
 void PairBlock<Traction>::apply_with([[maybe_unused]] const Friction& friction_per_slip,
                                      Evaluation& e) noexcept {
   if constexpr (Traction) heat_ = 0.0;
-  for (const Pair& pair : model_.pairs) {
+  for (const PairOfBalls& pair : pairs_) {
     const PairContact c = pair_contact(e, pair);
-    const double overlap = model_.diameter - c.distance;
+    const double overlap = pair.reach - c.distance;
     if (!(overlap > 0.0)) continue;
-    e.valid = e.valid && overlap < 0.5 * model_.diameter;
-    const double N = contact::load(model_.law, overlap);
+    e.valid = e.valid && overlap < 0.5 * pair.reach;
+    const double N = contact::load(pair.law, overlap);
     Vec3 on_first = -N * c.n;
-    e.elastic += contact::energy(model_.law, overlap);
+    e.elastic += contact::energy(pair.law, overlap);
     if constexpr (Traction) {
-      const Vec3 arm = (0.5 * c.distance) * c.n;
-      Vec3 slip = e.element_velocity(pair.other) - e.element_velocity(pair.i) -
-                  (e.element_omega(pair.other) + e.element_omega(pair.i)).cross(arm);
-      slip -= slip.dot(c.n) * c.n;
+      const Vec3 arm = (pair.share * c.distance) * c.n, other_arm = arm - c.distance * c.n;
+      const Vec3 slip = slip_of(e, pair, c);
       const Vec3 friction = (N * friction_per_slip(slip.squaredNorm())) * slip;
       on_first += friction;
       heat_ += friction.dot(slip);
-      // The other one's lever and force are both opposite: the same moment.
-      const Vec3 moment = arm.cross(friction);
-      e.add_moment(pair.i, e.to_cylindrical(pair.i, moment));
-      e.add_moment(pair.other, e.to_cylindrical(pair.other, moment));
+      e.add_moment(pair.i, e.to_cylindrical(pair.i, arm.cross(friction)));
+      e.add_moment(pair.other, e.to_cylindrical(pair.other, friction.cross(other_arm)));
     }
     e.add_force(pair.i, e.to_cylindrical(pair.i, on_first));
     e.add_force(pair.other, e.to_cylindrical(pair.other, -on_first));
   }
 }
 
-class Neighbours final : public SceneEffect {
+class Neighbours final : public SceneEffect, public ElementSupport {
  public:
   void declare(SceneBuilder& scene) override {
     const bearing::Bearing& bearing = scene.bearing;
-    model_.diameter = bearing.balls().diameter;
-    model_.law =
-        contact::ball_pocket_law(bearing.element_material, bearing.element_material,
-                                 model_.diameter, {2.0 / model_.diameter, 2.0 / model_.diameter})
-            .law;
-    model_.pairs = neighbour_pairs(static_cast<std::size_t>(bearing.element_count()));
+    for (const Pair& pair : neighbour_pairs(static_cast<std::size_t>(bearing.element_count()))) {
+      const double mine = bearing::element_radius(bearing, pair.i);
+      const double other = bearing::element_radius(bearing, pair.other);
+      pairs_.push_back({pair, mine + other, mine / (mine + other),
+                        contact::ball_pocket_law(bearing.element_material, bearing.element_material,
+                                                 2.0 * mine, {1.0 / other, 1.0 / other})
+                            .law});
+    }
     constexpr std::string_view kCost = "contacts between elements";
     if (scene.plan.has(Effect::ElementTraction)) {
       demand(bearing.element_traction.has_value(),
              "traction between elements is on without a traction curve");
-      scene.block<PairBlock<true>>(Phase::Force, kCost, {}, model_, *bearing.element_traction,
+      scene.block<PairBlock<true>>(Phase::Force, kCost, {}, pairs_, *bearing.element_traction,
                                    heat_);
       scene.energy("elements.heat", kElementHeat, &heat_);
     } else {
-      scene.block<PairBlock<false>>(Phase::Force, kCost, {}, model_, tribology::TractionLaw(),
+      scene.block<PairBlock<false>>(Phase::Force, kCost, {}, pairs_, tribology::TractionLaw(),
                                     heat_);
     }
     scene.neighbours_meet();
+    scene.supports(*this);
+    if (scene.plan.has(Effect::ElementTraction)) friction_.emplace(*bearing.element_traction);
+  }
+
+  /// N' n nᵀ - N/d (I - n nᵀ) while the other one stands still.
+  void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept override {
+    for_pairs_of(i, e.elements.n, pairs_, [&](const PairOfBalls& pair) {
+      const PairContact c = pair_contact(e, pair);
+      const double overlap = pair.reach - c.distance;
+      if (!(overlap > 0.0)) return;
+      const Vec3 n = e.to_cylindrical(i, c.n);
+      const double across = contact::load(pair.law, overlap) / c.distance;
+      stiffness += (contact::slope(pair.law, overlap) + across) * n * n.transpose();
+      stiffness.diagonal().array() -= across;
+    });
+  }
+  /// Twice friction over slip (held_elements.hpp).
+  void damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& damping) noexcept override {
+    if (!friction_) return;
+    for_pairs_of(i, e.elements.n, pairs_, [&](const PairOfBalls& pair) {
+      const PairContact c = pair_contact(e, pair);
+      const double overlap = pair.reach - c.distance;
+      if (!(overlap > 0.0)) return;
+      const Eigen::Vector2d n = e.to_cylindrical(i, c.n).head<2>();
+      friction_->visit_rounded([&](const auto& per_slip) {
+        damping += 2.0 * contact::load(pair.law, overlap) *
+                   per_slip(slip_of(e, pair, c).squaredNorm()) *
+                   (Eigen::Matrix2d::Identity() - n * n.transpose());
+      });
+    });
   }
 
   [[nodiscard]] std::string why_invalid(const Evaluation& e) const override {
-    for (const Pair& pair : model_.pairs)
-      if (!(pair_contact(e, pair).distance > 0.5 * model_.diameter))
+    for (const PairOfBalls& pair : pairs_)
+      if (!(pair_contact(e, pair).distance > 0.5 * pair.reach))
         return fmt::format(
             "elements {} and {} overlap by more than their radius; check the number of elements, "
             "speeds and the largest step",
@@ -129,14 +171,15 @@ class Neighbours final : public SceneEffect {
   }
 
   void report(const Evaluation& e, Snapshot& snapshot) const override {
-    for (const Pair& pair : model_.pairs) {
-      const double gap = pair_contact(e, pair).distance - model_.diameter;
-      snapshot.elements[pair.i].to_next = {contact::load(model_.law, -gap), gap};
+    for (const PairOfBalls& pair : pairs_) {
+      const double gap = pair_contact(e, pair).distance - pair.reach;
+      snapshot.elements[pair.i].to_next = {contact::load(pair.law, -gap), gap};
     }
   }
 
  private:
-  PairModel model_;
+  std::vector<PairOfBalls> pairs_;
+  std::optional<tribology::TractionLaw> friction_;
   double heat_ = 0.0;  ///< now [W]
 };
 

@@ -24,4 +24,13 @@ struct NeighbourPair {
   return out;
 }
 
+/// visit(pair) of the two (at most) that element i is in; `pairs` as above.
+template <class Pair, class Visit>
+void for_pairs_of(std::size_t i, std::size_t elements, const std::vector<Pair>& pairs,
+                  const Visit& visit) {
+  if (i < pairs.size()) visit(pairs[i]);
+  const std::size_t before = (i + elements - 1) % elements;
+  if (before < pairs.size() && before != i) visit(pairs[before]);
+}
+
 }  // namespace adore::dynamics

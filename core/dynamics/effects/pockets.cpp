@@ -1,6 +1,7 @@
 #include "dynamics/effects/pockets.hpp"
 
 #include "base/errors.hpp"
+#include "bearing/element_inertia.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "statics/kinematics.hpp"
@@ -29,7 +30,8 @@ PocketSet::PocketSet(const bearing::Bearing& bearing,
   const std::size_t count = pockets.size();
   for (auto* values : {&qx_, &qy_, &qz_, &sin_, &cos_}) values->resize(count);
   std::vector<bearing::PocketDeviation> deviation;
-  bool alike = cage.pocket == bearing::PocketShape::Cylindrical && cage.cone_angle == 0.0;
+  bool alike = cage.pocket == bearing::PocketShape::Cylindrical && cage.cone_angle == 0.0 &&
+               !bearing::has_unequal_balls(bearing);
   for (const contact::PlacedPocket& pocket : pockets) {
     segment_.push_back(pocket.piece);
     element_.push_back(pocket.element);
@@ -67,9 +69,11 @@ PocketSet::PocketSet(const bearing::Bearing& bearing,
                      high,
                      pockets[i].half,
                      contact::cut_edge(cage, bearing.balls().pitch_diameter)};
+    const double own_diameter = 2.0 * bearing::element_radius(bearing, pockets[i].element);
+    pocket.pocket = contact::with_ball(pocket.pocket, own_diameter - D);
     pocket.frame = contact::pocket_frame(
         {pockets[i].azimuth + own.angular, pitch_radius_, own.axial, cage.cone_angle, own.tilt});
-    pocket.law = contact::ball_pocket_law(bearing.element_material, cage.material, D,
+    pocket.law = contact::ball_pocket_law(bearing.element_material, cage.material, own_diameter,
                                           contact::wall_curvatures(pocket.pocket))
                      .law;
     shaped_.push_back(std::move(pocket));
@@ -165,7 +169,7 @@ inline void PocketBlock<Traction, Shaped>::touch(const Friction& friction, Evalu
   BodyState& cage = set_.body(e, i);
   const std::size_t ball = set_.element(i);
   const PocketAction action =
-      pocket_action(law, friction, e, ball, cage, set_.ball_radius(), m, overlap);
+      pocket_action(law, friction, e, ball, cage, set_.ball_radius(i), m, overlap);
   if constexpr (Traction) {
     e.add_moment(ball, e.to_cylindrical(ball, action.arm.cross(action.friction)));
     heat_ += action.heat;
@@ -241,6 +245,53 @@ void PocketContact::declare(SceneBuilder& scene) {
   add(set_, pieces.pockets);
   if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves);
   if (friction_) scene.energy("pockets.heat", kPocketHeat, &heat_);
+  scene.supports(*this);
+}
+
+namespace {
+
+/// visit(wall) of what the ball of a located pocket touches.
+template <class Visit>
+void for_touched(const PocketSet& set, std::size_t pocket, const Visit& visit) noexcept {
+  if (!set.is_inside(pocket) || (!set.shaped() && set.surely_open(pocket))) return;
+  const contact::WallPoints walls = set.walls(pocket);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k)
+    if (walls.surface[k].gap < 0.0) visit(walls.surface[k]);
+}
+
+}  // namespace
+
+void PocketContact::resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept {
+  for_pockets(i, [&](PocketSet& set, std::size_t pocket) {
+    set.locate(e, pocket);
+    for_touched(set, pocket, [&](const contact::WallPoint& wall) {
+      const contact::CappedHertz& law = set.law(pocket);
+      const Vec3 q = set.centre(pocket);
+      const double d = std::max(std::hypot(q[0], q[1]), 1e-9);
+      const auto in_frame = [&](const Vec3& v) {
+        return e.to_cylindrical(i, set.to_base(pocket, v, set.body(e, pocket).to_base));
+      };
+      const Vec3 m = in_frame(wall.m), t = in_frame({-q[1] / d, q[0] / d, 0.0});
+      stiffness += contact::slope(law, -wall.gap) * m * m.transpose() +
+                   contact::load(law, -wall.gap) / d * t * t.transpose();
+    });
+  });
+}
+
+void PocketContact::damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& damping) noexcept {
+  if (!friction_) return;
+  for_pockets(i, [&](PocketSet& set, std::size_t pocket) {
+    for_touched(set, pocket, [&](const contact::WallPoint& wall) {
+      const BodyState& cage = set.body(e, pocket);
+      friction_->visit_rounded([&](const auto& friction) {
+        const PocketAction a =
+            pocket_action(set.law(pocket), friction, e, i, cage, set.ball_radius(pocket),
+                          set.to_base(pocket, wall.m, cage.to_base), -wall.gap);
+        const Eigen::Vector2d m = e.to_cylindrical(i, a.m).head<2>();
+        damping += a.friction_per_slip * (Eigen::Matrix2d::Identity() - m * m.transpose());
+      });
+    });
+  });
 }
 
 std::string PocketContact::why_invalid(const Evaluation&) const {

@@ -10,9 +10,11 @@
 #include <optional>
 #include <type_traits>
 
-/// Balls in the pockets of a cage or of its segments. Round pockets that are all alike have a short
-/// way of their own; other shapes, halves and pockets with deviations (record 7.4) take the general
-/// one. A ball in a cut pocket touches the halves of two segments, which are two sets.
+/// Balls in the pockets of a cage or of its segments. Round pockets that are all alike, with balls
+/// that are, have a short way of their own; other shapes, halves, pockets with deviations (record
+/// 7.4) and balls of unequal diameter take the general one: the wall is that of a nominal ball, the
+/// play what the ball leaves of it. A ball in a cut pocket touches the halves of two segments,
+/// which are two sets.
 ///
 /// Normal: N = law(-gap) on the ball along -m, gap and m of contact/ball_pocket.hpp. Friction acts
 /// at the ball surface point p = r_b m (not shortened by the penetration): slip u = cage velocity -
@@ -33,6 +35,7 @@ inline constexpr LedgerTerm kPocketHeat{LedgerKind::Heat,
 class NoHeatYet final : public EffectBlock {
  public:
   explicit NoHeatYet(double& heat) : heat_(heat) {}
+  [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation&) noexcept override { heat_ = 0.0; }
 
  private:
@@ -52,7 +55,10 @@ class PocketSet {
   [[nodiscard]] std::size_t size() const noexcept { return qx_.size(); }
   /// The element in pocket i: the same number, but for the last halves of segments.
   [[nodiscard]] std::size_t element(std::size_t i) const noexcept { return element_[i]; }
-  [[nodiscard]] double ball_radius() const noexcept { return ball_radius_; }
+  /// Of the ball in pocket i; of round pockets that are alike one for all.
+  [[nodiscard]] double ball_radius(std::size_t i) const noexcept {
+    return shaped() ? 0.5 * shaped_[i].pocket.ball_diameter : ball_radius_;
+  }
   /// Centres of all balls, or of one, in their pocket frames, kept for the other calls.
   void locate(const Evaluation& e) noexcept;
   void locate(const Evaluation& e, std::size_t i) noexcept;
@@ -168,19 +174,27 @@ template <class Friction>
 
 /// Effects "pocket contact" and "pocket traction", of balls. Not valid when a ball's centre left
 /// the hole.
-class PocketContact final : public SceneEffect {
+class PocketContact final : public SceneEffect, public ElementSupport {
  public:
   void declare(SceneBuilder& scene) override;
   [[nodiscard]] std::string why_invalid(const Evaluation& e) const override;
   void report(const Evaluation& e, Snapshot& snapshot) const override;
-
+  /// N' m mᵀ, and N over the distance from the pocket axis across it (an estimate where the wall
+  /// does not go round that axis).
+  void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept override;
+  void damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& damping) noexcept override;
+  /// Pockets that belong to one piece of the cage. @pre declared
   [[nodiscard]] PocketSet& set() noexcept { return *set_; }
-  /// Has no friction without pocket traction.
-  [[nodiscard]] const std::optional<tribology::TractionLaw>& friction() const noexcept {
-    return friction_;
-  }
 
  private:
+  /// visit(set, its pocket of element i): one, or the halves of two segments.
+  template <class Visit>
+  void for_pockets(std::size_t i, const Visit& visit) {
+    visit(*set_, i);
+    if (!last_halves_) return;
+    for (std::size_t k = 0; k < last_halves_->size(); ++k)
+      if (last_halves_->element(k) == i) visit(*last_halves_, k);
+  }
   void add_block(SceneBuilder& scene, PocketSet& set, std::vector<BodyId> partners);
 
   std::optional<PocketSet> set_;

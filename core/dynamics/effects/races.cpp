@@ -6,12 +6,14 @@
 #include "dynamics/effects/balls.hpp"
 #include "dynamics/effects/rigid_elements.hpp"
 #include "dynamics/rigid_body.hpp"
+#include "tribology/contact_flash.hpp"
 #include "tribology/film_law.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace adore::dynamics {
 namespace {
@@ -39,19 +41,20 @@ tribology::TractionLaw race_law(const bearing::Bearing& bearing, const RaceConta
   surface.radius =
       1.0 /
       contact::race_curvature(bearing.balls(), static_cast<int>(j), contact_angle).along_minor;
-  surface.k = model.hertz.a_hat / model.hertz.b_hat;
   surface.modulus = 2.0 * model.effective_modulus;
   surface.wall_temperature = 0.5 * (bearing.race_temperature[j] + bearing.element_temperature);
   surface.race_speed = 0.5 * bearing.pitch_diameter() *
                        std::max(std::abs(bearing.speed[0]), std::abs(bearing.speed[1]));
-  return {bearing.race_traction,
-          tribology::heated_film(tribology::lubricant_of(*bearing.lubrication),
-                                 *bearing.lubrication, surface)};
+  // b/p0: both go with the cube root of the load.
+  surface.width_over_pressure =
+      std::numbers::pi / 1.5 * model.hertz.a_hat * model.hertz.b_hat * model.hertz.b_hat;
+  return tribology::film_law(bearing.race_traction, tribology::lubricant_of(*bearing.lubrication),
+                             *bearing.lubrication, surface);
 }
 
 class RaceBlock final : public EffectBlock {
  public:
-  /// @param load_slip the wear integrals are wanted
+  /// @param load_slip it is wanted: by the wear integrals, or by elements in balance
   RaceBlock(const RaceContactModel& model, bool load_slip, RaceAccount& sums)
       : model_(model), load_slip_(load_slip), load_limit_(load_limit(model)), sums_(sums) {}
   void apply(Evaluation& e) noexcept override;
@@ -165,6 +168,8 @@ void Races::set_up_balls(const SceneBuilder& scene) {
     model.law = race_law(scene.bearing, model, scene.fixed_angle[j]);
     model.surface = scene.options.surface;
     model.rule = rule;
+    set_own_balls(model, scene.bearing.balls(), errors, scene.bearing.imperfections.ball_diameter,
+                  scene.fixed_angle[j]);
   }
   place(scene, groove.centre_x);
 }
@@ -180,7 +185,7 @@ void Races::declare_contact(SceneBuilder& scene, std::size_t j) {
                                  static_cast<std::size_t>(scene.bearing.element_count()),
                                  wear || held, account_[j]);
   else
-    scene.block<RaceBlock>(Phase::Force, cost, race, contacts_[j], wear, account_[j]);
+    scene.block<RaceBlock>(Phase::Force, cost, race, contacts_[j], wear || held, account_[j]);
 }
 
 void Races::declare(SceneBuilder& scene) {
@@ -193,6 +198,9 @@ void Races::declare(SceneBuilder& scene) {
   scene.e.race = at_rest_;
   scene.block<RaceSpin>(Phase::Races, kMotionCost, {}, at_rest_);
   temperature_ = scene.bearing.race_temperature;
+  roughness_ = rollers_ ? scene.bearing.rollers()->roughness : scene.bearing.balls().roughness;
+  material_ = {scene.bearing.race_material[0], scene.bearing.race_material[1],
+               scene.bearing.element_material};
   const ScenePlan& plan = scene.plan;
   in_contact_ = plan.has(Effect::RaceContact);
   const bool traction = plan.has(Effect::RaceTraction), wear = plan.has(Effect::WearIntegrals);
@@ -200,7 +208,8 @@ void Races::declare(SceneBuilder& scene) {
   const auto& errors = scene.bearing.imperfections.race;
   const bool work = traction || has_uneven_lands(scene) || !errors[0].ideal() ||
                     !errors[1].ideal() || plan.has(Effect::LandTraction) ||
-                    plan.has(Effect::FlangeTraction) || scene.races_move();
+                    plan.has(Effect::FlangeTraction) || plan.has(Effect::ElementDrag) ||
+                    plan.has(Effect::CageDrag) || plan.has(Effect::LandFilm) || scene.races_move();
   const std::array<std::string, 2> names{"outer race", "inner race"};
   for (std::size_t j = 0; j < 2; ++j) {
     const std::string& name = names[j];
@@ -221,7 +230,7 @@ void Races::declare(SceneBuilder& scene) {
     const Balls* balls = scene.find<Balls>();
     normal_.emplace(contacts_,
                     balls != nullptr ? balls->slices() : scene.find<RigidElements>()->slices(),
-                    scene.bearing.element_inertia.mass);
+                    ElementMasses(scene.bearing));
   }
 }
 
@@ -236,9 +245,9 @@ double Races::stiffness(double force) const {
 std::string Races::why_invalid(const Evaluation& e) const {
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t i = 0; i < e.elements.n; ++i) {
-      const double of_radius =
-          rollers_ ? (*rollers_)[j].load_limit
-                   : contact::hertz_load(contacts_[j].hertz.K, contacts_[j].groove.ball_radius);
+      const double radius = rollers_ ? 0.0 : contacts_[j].of(i).groove.ball_radius;
+      const double of_radius = rollers_ ? (*rollers_)[j].load_limit
+                                        : contact::hertz_load(contacts_[j].of(i).hertz.K, radius);
       if (e.load[j][i] > of_radius)
         return fmt::format(
             "element {} is pressed into the {} race by more than its own radius; use a "
@@ -250,7 +259,7 @@ std::string Races::why_invalid(const Evaluation& e) const {
             "length reaches the radius of the element ({:.4g} m), because the groove fits it so "
             "closely: Hertz's theory ends before that. Give a larger groove factor or less load, "
             "or, where the load is a peak of the run, a smaller largest step",
-            e.load[j][i], i + 1, j == 0 ? "outer" : "inner", contacts_[j].groove.ball_radius);
+            e.load[j][i], i + 1, j == 0 ? "outer" : "inner", radius);
     }
   return {};
 }
@@ -274,7 +283,17 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       RaceContactSnapshot& contact = snapshot.elements[i].race[j];
       contact = rollers_ ? roller_race_detail((*rollers_)[j], e, i)
-                         : race_contact_detail(contacts_[j], e.elements, i, body.motion());
+                         : race_contact_detail(contacts_[j].of(i), e.elements, i, body.motion());
+      if (contact.film > 0.0) {
+        constexpr double kNoFilm = 1e-9;  // Λ of a film that has collapsed
+        if (roughness_[j] > 0.0)
+          contact.film_parameter = std::max(contact.least_film / roughness_[j], kNoFilm);
+        const double area =
+            (rollers_ ? 4.0 : std::numbers::pi) * contact.half_major * contact.half_minor;
+        contact.temperature_rise = tribology::contact_flash(
+            {contact.heat, area, contact.half_minor, contact.rolling_speed}, material_[j],
+            material_[2]);
+      }
       contact.contact_temperature = temperature_[j] + contact.temperature_rise;
     }
   }
@@ -284,9 +303,9 @@ double Races::quadrature_error(const Evaluation& e) const {
   double largest = 0.0;
   if (!in_contact_ || rollers_) return largest;  // slices have no rule
   for (std::size_t j = 0; j < 2; ++j) {
-    const RaceContactModel& model = contacts_[j];
-    if (!model.traction) continue;
+    if (!contacts_[j].traction) continue;
     for (std::size_t i = 0; i < e.elements.n; ++i) {
+      const RaceContactModel& model = contacts_[j].of(i);
       const RaceContactState contact = race_contact_state(model, e.elements, i, e.race[j].motion());
       if (!(contact.ellipse.Q > 0.0)) continue;
       const auto fixed =

@@ -40,7 +40,8 @@ class Races final : public SceneEffect {
   std::optional<std::array<RollerRaceModel, 2>> rollers_;  ///< else
   std::array<Vec3, 2> free_centre_;  ///< free positions of the race centres [m]
   std::array<RaceBody, 2> at_rest_;  ///< at t = 0: they stand still but for their spin
-  std::array<double, 2> temperature_{};
+  std::array<double, 2> temperature_{}, roughness_{};
+  std::array<bearing::Material, 3> material_;  ///< of races and elements
   bool in_contact_ = false;
   std::optional<NormalContacts> normal_;  ///< with race contact of balls
   std::array<RaceAccount, 2> account_;

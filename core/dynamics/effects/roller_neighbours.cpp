@@ -143,7 +143,7 @@ class RingBlock final : public EffectBlock {
   double& heat_;
 };
 
-class RollerNeighbours final : public SceneEffect {
+class RollerNeighbours final : public SceneEffect, public ElementSupport {
  public:
   void declare(SceneBuilder& scene) override {
     demand(scene.rollers != nullptr, "rollers that touch each other need rollers");
@@ -172,6 +172,24 @@ class RollerNeighbours final : public SceneEffect {
                                     heat_);
     }
     scene.neighbours_meet();
+    scene.supports(*this);
+  }
+
+  /// f dQ/dδ m mᵀ of what is touched.
+  void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept override {
+    const auto add = [&](const contact::RollerSlice&, const contact::PairSlice& c, const Vec3&,
+                         double load, double) {
+      if (!(load > 0.0)) return;
+      const Vec3 m = e.to_cylindrical(i, c.m);
+      stiffness += (10.0 / 9.0) * c.fraction * load / c.overlap * m * m.transpose();
+    };
+    for_pairs_of(i, e.elements.n, model_.pairs, [&](const NeighbourPair& pair) {
+      const SlicedRoller &one = model_.roller(pair.i), &other = model_.roller(pair.other);
+      const Axis at = axis_of(e, model_, pair.i), there = axis_of(e, model_, pair.other);
+      if (gap_bound(one, at, other, there) > 0.0) return;
+      for_slices(model_, one, at, other, there, add);
+      for_slices(model_, other, there, one, at, add);
+    });
   }
 
   [[nodiscard]] std::string why_invalid(const Evaluation& e) const override {

@@ -320,7 +320,7 @@ void RollerPocketBlock<Traction>::push(const Friction& friction, Evaluation& e, 
   e.elastic += energy;
 }
 
-class RollerPockets final : public SceneEffect {
+class RollerPockets final : public SceneEffect, public ElementSupport {
  public:
   void declare(SceneBuilder& scene) override {
     demand(scene.plan.has(Effect::CageMotion), "the plan has cage contacts but no cage motion");
@@ -348,6 +348,7 @@ class RollerPockets final : public SceneEffect {
     add(set_, pieces.pockets);
     if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves);
     if (traction) scene.energy("pockets.heat", kPocketHeat, &heat_);
+    scene.supports(*this);
   }
 
   [[nodiscard]] std::string why_invalid(const Evaluation& e) const override {
@@ -367,22 +368,10 @@ class RollerPockets final : public SceneEffect {
   }
 
   /// dN/dδ m mᵀ of what is touched.
-  void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) const noexcept override {
-    const RollerPocketSet::Place at = set_->locate(e, i);
-    if (!set_->is_inside(i, at.q)) return;
-    const auto add = [&](const Vec3& into, double slope) {
-      const Vec3 m = e.to_cylindrical(i, at.to_base * into);
-      stiffness += slope * m * m.transpose();
-    };
-    for (std::size_t k = 0; k < set_->surfaces(i); ++k) {
-      if (!set_->is_there(i, k) || set_->surely_open(i, k, at)) continue;
-      set_->for_slices(i, k, at, [&](const contact::PocketSlice& slice, double load, double) {
-        if (load > 0.0 && slice.gap < 0.0) add(slice.m, (10.0 / 9.0) * load / -slice.gap);
-      });
-    }
-    set_->for_ends(i, at, [&](const contact::EndTouch& touch, double load, double) {
-      add(touch.out, 1.5 * load / -touch.gap);
-    });
+  void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept override {
+    resist(*set_, i, e, stiffness);
+    for (std::size_t k = 0; last_halves_ && k < last_halves_->size(); ++k)
+      if (last_halves_->element(k) == i) resist(*last_halves_, k, e, stiffness);
   }
 
   void report(const Evaluation& e, Snapshot& snapshot) const override {
@@ -399,6 +388,25 @@ class RollerPockets final : public SceneEffect {
   }
 
  private:
+  static void resist(const RollerPocketSet& set, std::size_t i, const Evaluation& e,
+                     Mat3& stiffness) noexcept {
+    const RollerPocketSet::Place at = set.locate(e, i);
+    if (!set.is_inside(i, at.q)) return;
+    const auto add = [&](const Vec3& into, double slope) {
+      const Vec3 m = e.to_cylindrical(set.element(i), at.to_base * into);
+      stiffness += slope * m * m.transpose();
+    };
+    for (std::size_t k = 0; k < set.surfaces(i); ++k) {
+      if (!set.is_there(i, k) || set.surely_open(i, k, at)) continue;
+      set.for_slices(i, k, at, [&](const contact::PocketSlice& slice, double load, double) {
+        if (load > 0.0 && slice.gap < 0.0) add(slice.m, (10.0 / 9.0) * load / -slice.gap);
+      });
+    }
+    set.for_ends(i, at, [&](const contact::EndTouch& touch, double load, double) {
+      add(touch.out, 1.5 * load / -touch.gap);
+    });
+  }
+
   std::optional<RollerPocketSet> set_;
   std::optional<RollerPocketSet> last_halves_;  ///< of segments that are cut through their pockets
   double heat_ = 0.0;                           ///< now [W]

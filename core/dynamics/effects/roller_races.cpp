@@ -4,10 +4,13 @@
 #include "contact/line_contact.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/roller_start.hpp"
+#include "dynamics/slice_law.hpp"
 #include "statics/roller_model.hpp"
+#include "tribology/film_law.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace adore::dynamics {
 namespace {
@@ -36,10 +39,30 @@ RollerPlace place_of(const Evaluation& e, std::size_t i, double mass_offset) {
   return {G - mass_offset * axis, axis, {G, e.element_velocity(i), e.element_omega(i)}};
 }
 
-/// ψ of a roller in a race that turned by `turn` beyond its axes.
-contact::AzimuthDirection<double> azimuth_of(const contact::MeridianTurn& at, double cosine,
-                                             double sine) {
-  return {at.ez * cosine - at.ey * sine, -at.ey * cosine - at.ez * sine};
+/// ω of a roller less that of its orbit about the bearing axis, in its meridian frame.
+contact::Triple<double> spin_of(const Evaluation& e, std::size_t i, const RollerPlace& roller,
+                                const contact::RacePose& pose, const contact::MeridianTurn& turn) {
+  const Vec3 spin = pose.direction(roller.motion.omega - Vec3(e.elements.theta_dot[i], 0.0, 0.0));
+  return turn.into({spin[0], spin[1], spin[2]});
+}
+
+/// The deck's curve, or its lubricant's film with the curve where it breaks down. Inlets and walls
+/// have the mean bulk temperature of race and rollers for the run.
+tribology::TractionLaw law_of(const bearing::Bearing& bearing, std::size_t race, double E_star) {
+  if (!bearing.lubrication) return bearing.race_traction;
+  const bearing::RollerGeometry& g = *bearing.rollers();
+  const double roller = 0.5 * bearing.element_diameter(),
+               of_race = g.race_radius(static_cast<int>(race));
+  tribology::FilmSurface surface;
+  surface.line = true;
+  surface.radius = 1.0 / (1.0 / roller + (race == 0 ? -1.0 : 1.0) / of_race);
+  surface.modulus = 2.0 * E_star;
+  surface.wall_temperature = 0.5 * (bearing.race_temperature[race] + bearing.element_temperature);
+  surface.race_speed = 0.5 * bearing.pitch_diameter() *
+                       std::max(std::abs(bearing.speed[0]), std::abs(bearing.speed[1]));
+  surface.width_over_pressure = 2.0 * surface.radius / E_star;
+  return tribology::film_law(bearing.race_traction, tribology::lubricant_of(*bearing.lubrication),
+                             *bearing.lubrication, surface);
 }
 
 }  // namespace
@@ -68,7 +91,7 @@ std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
     const double radius = 0.5 * scene.bearing.element_diameter();
     of.load_limit = contact::slice_load(model.law[j], model.slicing.effective_length, radius).load;
     of.traction = scene.plan.has(Effect::RaceTraction);
-    of.law = scene.bearing.race_traction;
+    of.law = law_of(scene.bearing, j, model.E_star[j]);
   }
   return out;
 }
@@ -86,6 +109,7 @@ RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, std::size_t rolle
     : model_(model),
       load_slip_(load_slip),
       sums_(sums),
+      has_film_(model.law.has_film()),
       kernel_(kernel_of(chosen_instruction_set())),
       poses_(rollers),
       turns_(rollers),
@@ -100,7 +124,7 @@ RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, std::size_t rolle
 void RollerRaceBlock::form_race(const RaceBody& race) noexcept {
   const double cosine = std::cos(race.turn_beyond), sine = std::sin(race.turn_beyond);
   for (std::size_t i = 0; i < slopes_.size(); ++i) {
-    const auto here = model_.wavy->at(azimuth_of(turns_[i], cosine, sine));
+    const auto here = model_.wavy->at(contact::azimuth_in_turned(turns_[i], cosine, sine));
     views_[i].race = here.surface;
     slopes_[i] = here.slope;
   }
@@ -119,8 +143,9 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
   const contact::RigidMotion motion = motion_of(race);
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     const RollerPlace roller = place_of(e, i, model_.mass_offset);
-    const contact::RollerInMeridian in =
+    contact::RollerInMeridian in =
         contact::roller_in_meridian(pose, motion, roller.centre, roller.axis, roller.motion);
+    if (has_film_) in.roller.spin = spin_of(e, i, roller, pose, in.turn);
     poses_[i] = in.roller;
     turns_[i] = in.turn;
   }
@@ -158,17 +183,19 @@ RaceContactSnapshot roller_race_detail(const RollerRaceModel& model, const Evalu
   const auto j = static_cast<std::size_t>(model.race);
   const RaceBody& race = e.race[j];
   const RollerPlace roller = place_of(e, i, model.mass_offset);
-  const contact::RollerInMeridian in = contact::roller_in_meridian(
+  contact::RollerInMeridian in = contact::roller_in_meridian(
       pose_of(race), motion_of(race), roller.centre, roller.axis, roller.motion);
+  in.roller.spin = spin_of(e, i, roller, pose_of(race), in.turn);
   const contact::RollerRaceSlices& slices = model.of(i);
   const contact::RollerPose& at = in.roller;
   contact::RaceSurface surface = slices.race;
   if (model.wavy)
-    surface =
-        model.wavy->at(azimuth_of(in.turn, std::cos(race.turn_beyond), std::sin(race.turn_beyond)))
-            .surface;
+    surface = model.wavy
+                  ->at(contact::azimuth_in_turned(in.turn, std::cos(race.turn_beyond),
+                                                  std::sin(race.turn_beyond)))
+                  .surface;
   RaceContactSnapshot out;
-  double normal_x = 0.0, normal_r = 0.0;
+  double normal_x = 0.0, normal_r = 0.0, least_film = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < slices.count; ++k) {
     contact::RaceSlices one = contact::view_of(slices);
     one.race = surface;
@@ -178,8 +205,11 @@ RaceContactSnapshot roller_race_detail(const RollerRaceModel& model, const Evalu
     one.width += k;
     const auto sums = [&] {
       if (!model.traction) return contact::roller_race_sums<double>(one, at, nullptr);
-      return model.law.visit_rounded(
-          [&](const auto& law) { return contact::roller_race_sums<double>(one, at, law); });
+      return model.law.visit([&](const auto& law) {
+        return with_slice_law<double>(law, model.law.slip_floor(), [&](const auto& traction) {
+          return contact::roller_race_sums<double>(one, at, traction);
+        });
+      });
     }();
     out.slice_load.push_back(sums.load);
     out.slice_pressure.push_back(0.0);
@@ -204,6 +234,18 @@ RaceContactSnapshot roller_race_detail(const RollerRaceModel& model, const Evalu
     out.heat += sums.heat;
     out.load_slip += sums.load_slip;
     out.half_major += 0.5 * on_land;
+    if (model.traction && model.law.has_film()) {
+      const double speed =
+          0.5 * contact::dot(slip, d.w) + contact::dot(contact::cross(at.spin, arm), d.w);
+      const tribology::FilmHere<double> film =
+          model.law.film({sums.load / on_land, line.peak, 0.0, line.half_width, speed,
+                          std::sqrt(contact::dot(slip, slip)), curvature});
+      least_film = std::min(least_film, film.thinnest);
+      if (line.peak >= out.max_pressure) {
+        out.film = film.thickness;
+        out.rolling_speed = std::abs(speed);
+      }
+    }
     normal_x += sums.load * n.x;
     normal_r += sums.load * n.z;
     if (line.peak < out.max_pressure) continue;
@@ -214,6 +256,7 @@ RaceContactSnapshot roller_race_detail(const RollerRaceModel& model, const Evalu
     const double rolling = -at.omega.x * n.z + at.omega.z * n.x;
     out.spin_to_roll = rolling != 0.0 ? contact::dot(at.omega, n) / rolling : 0.0;
   }
+  if (out.load > 0.0 && model.law.has_film() && model.traction) out.least_film = least_film;
   if (out.load > 0.0)
     out.angle = model.race == bearing::kOuter ? std::atan2(normal_x, normal_r)
                                               : std::atan2(-normal_x, -normal_r);

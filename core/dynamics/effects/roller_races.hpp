@@ -52,7 +52,7 @@ struct RollerRaceModel {
 
 class RollerRaceBlock final : public EffectBlock {
  public:
-  /// @param load_slip the wear integrals are wanted
+  /// @param load_slip it is wanted: by the wear integrals, or by elements in balance
   RollerRaceBlock(const RollerRaceModel& model, std::size_t rollers, bool load_slip,
                   RaceAccount& sums);
   void apply(Evaluation& e) noexcept override;
@@ -64,6 +64,7 @@ class RollerRaceBlock final : public EffectBlock {
   const RollerRaceModel& model_;
   bool load_slip_;
   RaceAccount& sums_;
+  bool has_film_;
   RollerKernel kernel_;
   std::vector<contact::RaceSlices> views_;
   std::vector<contact::RollerPose> poses_;

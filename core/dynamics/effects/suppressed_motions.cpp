@@ -1,15 +1,17 @@
 #include "base/errors.hpp"
+#include "dynamics/constrained_element.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/balls.hpp"
 #include "dynamics/effects/rigid_elements.hpp"
+#include "dynamics/held_elements.hpp"
 
 /// Suppressed accelerations of elements (kDOF, reading N9): after the equations of motion they are
 /// set to zero, so that the velocity keeps the value of the start; components of ω are those of the
 /// azimuth frame. What holds an element follows from what its acceleration would have been,
 ///   H = -m (ẍ, r̈, r θ̈) and -I (ω̇_x, ω̇_r, ω̇_θ) of the suppressed components, I the tensor in the
 ///   axes now,
-/// acts from outside, and does the work H · velocity, which the ledgers book. Of the cage:
-/// cage.cpp. Limit: elements whose mass centre is where their reference point is.
+/// acts from outside, and does the work H · velocity, which the ledgers book. Elements whose mass
+/// centre is beside their reference point: constrained_element.hpp. Of the cage: cage.cpp.
 namespace adore::dynamics {
 namespace {
 
@@ -36,6 +38,7 @@ class SuppressedElements final : public SceneEffect {
     else
       slices_ = scene.find<RigidElements>()->slices();
     masses_ = ElementMasses(scene.bearing);
+    others_ = scene.find<HoldsElements>();
     scene.block<Hold>(Phase::Motion, "suppressed motions", {}, *this);
     scene.energy("held elements.work", kWork, &power_);
     if (!scene.plan.has(Effect::MomentumLedger)) return;
@@ -60,6 +63,10 @@ class SuppressedElements final : public SceneEffect {
     force_.setZero();
     moment_.setZero();
     for (std::size_t i = 0; i < slices_.elements(); ++i) {
+      if (masses_[i].off_centre) {
+        hold_off_centre(e, i);
+        continue;
+      }
       const auto taken = [&](Quantity q) {
         double& rate = e.dydt[slices_.at(q, i)];
         const double value = rate;
@@ -79,13 +86,39 @@ class SuppressedElements final : public SceneEffect {
         moment[1] = -taken(Quantity::OmegaR);
         moment[2] = -taken(Quantity::OmegaTheta);
       }
-      moment = inertia_times(e, i, moment);
-      power_ += force.dot(Vec3(b.x_dot[i], b.r_dot[i], b.r[i] * b.theta_dot[i])) +
-                moment.dot(Vec3(b.omega_x[i], b.omega_r[i], b.omega_theta[i]));
-      const Vec3 in_base = e.to_base(i, force);
-      force_ += in_base;
-      moment_ += e.to_base(i, moment) + e.element_centre(i).cross(in_base);
+      book(e, i, force, inertia_times(e, i, moment));
     }
+  }
+
+  /// All rates anew: what is held changes the others too.
+  void hold_off_centre(Evaluation& e, std::size_t i) noexcept {
+    using enum Quantity;
+    ElementHold hold{axial_, rest_, rest_, rest_, tilt_};
+    const bool held = others_ != nullptr && others_->is_held(i);
+    if (held) {  // what a balance holds is its own (held_elements.hpp), with the same rates
+      hold.r = true;
+      hold.x = hold.x || others_->holds_x();
+    }
+    ElementRates found = constrained_element(e, i, masses_[i], hold);
+    if (held) found.force[1] = 0.0;
+    const auto rate = [&](Quantity q) -> double& { return e.dydt[slices_.at(q, i)]; };
+    rate(XDot) = found.x_ddot;
+    rate(RDot) = found.r_ddot;
+    rate(ThetaDot) = found.theta_ddot;
+    rate(OmegaX) = found.omega[0];
+    rate(OmegaR) = found.omega[1];
+    rate(OmegaTheta) = found.omega[2];
+    book(e, i, found.force, found.moment);
+  }
+
+  /// @param force, moment what holds element i, (x, r, θ)
+  void book(const Evaluation& e, std::size_t i, const Vec3& force, const Vec3& moment) noexcept {
+    const ElementViews& b = e.elements;
+    power_ += force.dot(Vec3(b.x_dot[i], b.r_dot[i], b.r[i] * b.theta_dot[i])) +
+              moment.dot(Vec3(b.omega_x[i], b.omega_r[i], b.omega_theta[i]));
+    const Vec3 in_base = e.to_base(i, force);
+    force_ += in_base;
+    moment_ += e.to_base(i, moment) + e.element_centre(i).cross(in_base);
   }
 
   /// I ω̇, both (x, r, θ) components.
@@ -101,6 +134,7 @@ class SuppressedElements final : public SceneEffect {
   ElementSlices slices_;
   bool axial_ = false, tilt_ = false, rest_ = false;
   ElementMasses masses_;
+  const HoldsElements* others_ = nullptr;              ///< an effect that holds elements, too
   double power_ = 0.0;                                 ///< now [W]
   Vec3 force_ = Vec3::Zero(), moment_ = Vec3::Zero();  ///< now, about the base origin [N, N m]
   int impulse_ = -1, angular_impulse_ = -1;            ///< in the state

@@ -13,17 +13,34 @@
 ///   double at_rest() const; κ(0); not 0: rounded over kRegularisationSlip (decision 042)
 /// in a file of its own, which includes nothing but this and base/scalar_math.hpp and
 /// scalar_log.hpp (race kernels see it), and a place in TractionLawList (traction_laws.hpp). That
-/// is all: kernels, converged integrals, slices and reports take it from there.
+/// is all: kernels, converged integrals, slices and reports take it from there. Laws with a
+/// lubricant's film are written as the film alone (film_law_of.hpp).
 namespace adore::tribology {
 
+/// A point contact, or a line: then loads are per length and half_major is not read.
 template <class T>
 struct ContactPoint {
-  T load{};                      ///< Q [N]
+  T load{};                      ///< Q [N]; line: [N/m]
   T peak_pressure{};             ///< of Hertz [Pa]
   T half_major{}, half_minor{};  ///< a, b: across and along rolling [m]
   T entrainment{};  ///< mean speed of both surfaces along the rolling direction, relative to the
                     ///< contact [m/s]; signed
   T slip{};         ///< in the middle of the contact [m/s], >= 0
+  T curvature{};    ///< 1/R of both bodies along rolling [1/m]; 0: that of the law
 };
+
+/// Has the law a film? Then strips along rolling can be asked for (film_law_of.hpp).
+template <class Law>
+inline constexpr bool kHasFilm = requires(const Law& law) {
+  law.film;
+};
+/// Does its functor want the peak pressure of a strip along rolling instead of that of a point?
+template <class Law>
+[[nodiscard]] constexpr bool is_of_strip() {
+  if constexpr (requires { Law::kOfStrip; })
+    return Law::kOfStrip;
+  else
+    return false;
+}
 
 }  // namespace adore::tribology

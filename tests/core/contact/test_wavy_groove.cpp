@@ -83,8 +83,8 @@ TEST_CASE("wavy groove: Hertz's constants follow the curvature factor", "[unit][
     errors.curvature_factor = {amplitude, 1.0, 0.0};
     const WavyGroove groove = make_wavy_groove(balls(), 1, errors, angle);
     const auto at = [&](double psi) {
-      return wavy_touch(groove, AzimuthDirection<double>{std::cos(psi), std::sin(psi)}, 1e-4, 2e-4,
-                        2.5e-4);
+      return wavy_touch(groove, groove.ratios,
+                        AzimuthDirection<double>{std::cos(psi), std::sin(psi)}, 1e-4, 2e-4, 2.5e-4);
     };
     for (int i = 0; i <= 40; ++i) {
       const double psi = -std::numbers::pi + i * 0.05 * std::numbers::pi;
@@ -110,8 +110,8 @@ TEST_CASE("wavy groove: the force is minus the gradient of one potential",
     constexpr double K = 1e10;
     const auto contact_at = [&](double xi, double R, double psi) {
       const WavyTouch<double> at =
-          wavy_touch(groove, AzimuthDirection<double>{std::cos(psi), std::sin(psi)}, xi,
-                     R - g.centre_radius[j], g.offset[j]);
+          wavy_touch(groove, groove.ratios, AzimuthDirection<double>{std::cos(psi), std::sin(psi)},
+                     xi, R - g.centre_radius[j], g.offset[j]);
       const double load = hertz_load(K * at.stiffness, at.touch.approach);
       return At{point_energy(load, at.touch.approach), load, at.touch.n_k, at.touch.n_e,
                 wavy_push(at, load, 0.0, at.touch.approach, R)};

@@ -416,11 +416,11 @@ TEST_CASE("unusual but legal bearings check clean", "[unit][deck]") {
 
 TEST_CASE("options that a quasi-static solution does not use say so", "[unit][deck]") {
   Deck deck = new_deck("ball");
-  deck_variants::set_all(deck, {{"mode", "-1"}, {"kIcOpt", "1"}, {"kChrn", "13"}});
+  deck_variants::set_all(deck, {{"mode", "-1"}, {"kIcOpt", "1"}, {"kFnOpt", "1"}});
   const std::string text = adore::to_text(check_deck(deck));
   INFO(text);
   CHECK(text.find("kIcOpt = 1: has no effect, because mode is negative") != std::string::npos);
-  CHECK(text.find("kChrn = 13: has no effect, because mode is negative") != std::string::npos);
+  CHECK(text.find("kFnOpt = 1: has no effect, because mode is negative") != std::string::npos);
 }
 
 TEST_CASE("the remedy for cones that do not belong together works, in either unit system",

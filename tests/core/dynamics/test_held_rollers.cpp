@@ -78,9 +78,8 @@ TEST_CASE("held rollers: springs are the derivatives of the normal forces, turni
     Scene s = roller_scene::scene_of(b, roller_scene::races_only(), 9);
     const std::size_t i = 1;
     const ElementPose pose = start_poses(*s.rollers, s.bearing)[i];
-    Assembly no_blocks;
     HeldRollers held(statics::make_roller_model(s.bearing, s.rollers->options),
-                     s.bearing.imperfections, s.bearing.element_inertia.mass, ForcePass(no_blocks));
+                     s.bearing.imperfections, ElementMasses(s.bearing));
     // The start, moved a little so that nothing is symmetric.
     struct Place {
       Vec3 G;

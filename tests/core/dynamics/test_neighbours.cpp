@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace adore;
@@ -134,4 +135,114 @@ TEST_CASE("balls pressed into each other by a radius are no state of a bearing",
   y[place(system, "element.theta", 1)] = y[place(system, "element.theta", 0)] + 0.1;
   CHECK_THROWS_WITH(system.snapshot(0.0, y),
                     Catch::Contains("elements 1 and 2 overlap by more than their radius"));
+}
+
+// Balls in balance (modes 1 and 2, qFac).
+
+namespace {
+
+scene::ScenePlan held_ring(bool friction, Effect balance = Effect::ElementBalance) {
+  scene::ScenePlan plan = ring_plan(friction);
+  plan.effects.push_back({balance, "", true, "test"});
+  plan.light_load_ratio = balance == Effect::LightLoadBalance ? 0.15 : 0.0;
+  return plan;
+}
+
+/// As a run does it: balls become held or free between steps.
+Snapshot run_held(System& system, std::vector<double> y, double end, double tolerance) {
+  system.set_start(0.0, y);
+  (void)system.between_steps(0.0, y);
+  Adapter adapter(system);
+  const auto stepper = integrators::make_stepper("rkf4");
+  integrators::StepControl control;
+  control.maximum = end;
+  control.minimum = 1e-13;
+  control.tolerance = tolerance;
+  stepper->start(adapter, 0.0, y, control);
+  for (int step = 1; stepper->time() < end; ++step) {
+    stepper->step(end);
+    if (step % 5 != 0) continue;
+    y.assign(stepper->state().begin(), stepper->state().end());
+    if (system.between_steps(stepper->time(), y))
+      stepper->start(adapter, stepper->time(), y, control);
+  }
+  return system.snapshot(end, stepper->state());
+}
+
+}  // namespace
+
+TEST_CASE("a ring of held balls that is squeezed stands where all forces balance",
+          "[physics][dynamics][held]") {
+  constexpr int kBalls = 12;
+  bearing::Bearing b = crowded(kBalls);
+  b.balls().pitch_diameter = (0.0127 - 2e-5) / std::sin(std::numbers::pi / kBalls);
+  System held = make_system(b, held_ring(false)), free = make_system(b, ring_plan(false));
+  std::vector<double> y = held.initial_state();
+  (void)held.between_steps(0.0, y);
+  y = fixture::run(held, y, 2e-3, 1e-9).y;
+  const Snapshot now = held.snapshot(2e-3, y);
+  std::vector<double> state(y.begin(), y.begin() + free.layout().controlled_size()), rates;
+  state.resize(free.initial_state().size(), 0.0);
+  rates.resize(state.size());
+  REQUIRE(free.rhs(0.0, state.data(), rates.data()) == RhsStatus::Ok);
+  for (std::size_t i = 0; i < kBalls; ++i) {
+    const double outward =
+        2.0 * now.elements[i].to_next->force * std::sin(std::numbers::pi / kBalls);
+    REQUIRE(outward > 5.0);
+    for (const char* rate : {"element.x_dot", "element.r_dot"})
+      CHECK(std::abs(b.element_inertia.mass * rates[place(free, rate, i)]) < 1e-4 * outward);
+  }
+}
+
+TEST_CASE("held balls without cage close the ledgers through their collisions",
+          "[physics][dynamics][held][energy]") {
+  for (const Effect balance : {Effect::ElementBalance, Effect::LightLoadBalance})
+    for (const bool friction : {false, true}) {
+      bearing::Bearing b = crowded();
+      if (balance == Effect::LightLoadBalance) b.constraints.load = {600.0, 0.0, 800.0, 0.0, 0.0};
+      double previous = 1e300;
+      for (const double tolerance : {1e-6, 1e-9}) {
+        System system = make_system(b, held_ring(friction, balance));
+        const Snapshot at = run_held(system, colliding(system), 1.5e-3, tolerance);
+        const double residual =
+            std::abs(at.energy.residual()) / at.energy.sum(scene::LedgerKind::Start);
+        const double heat = at.energy.value("element_heat");
+        INFO("friction " << friction << ", tolerance " << tolerance << ": residual " << residual
+                         << ", heat between balls " << heat << " J, "
+                         << at.held_elements.value_or(0) << " held");
+        CHECK(at.held_elements.value_or(0) > 0);
+        CHECK((heat > 1e-6) == friction);
+        CHECK(residual < std::max(0.5 * previous, 1e-9));
+        if (tolerance == 1e-9) {
+          CHECK(residual < 1e-6);
+          CHECK(at.momentum->linear.residual().norm() < 1e-6 * at.momentum->linear_size);
+          CHECK(at.momentum->angular.residual().norm() < 1e-6 * at.momentum->angular_size);
+        }
+        previous = residual;
+      }
+    }
+}
+
+TEST_CASE("mode 1 without cage turns and heats as mode 0 does", "[physics][dynamics][held][slow]") {
+  bearing::Bearing b = crowded();
+  b.constraints.load = {1500.0, 0.0, 500.0, 0.0, 0.0};
+  const double end = 3.0 * 2.0 * std::numbers::pi / b.speed[1];
+  std::array<Snapshot, 2> of;
+  for (const bool held : {false, true}) {
+    System system = make_system(b, held ? held_ring(true) : ring_plan(true));
+    of[held ? 1 : 0] = run_held(system, system.initial_state(), end, 1e-6);
+  }
+  const auto turned = [](const Snapshot& s) {
+    double sum = 0.0;
+    for (const auto& e : s.elements) sum += e.theta;
+    return sum;
+  };
+  for (const char* item : {"heat", "element_heat"})
+    for (const int race : {0, 1}) {
+      if (of[0].energy.find(item, race) == nullptr) continue;
+      INFO(item << " " << race << ": " << of[0].energy.value(item, race) << " "
+                << of[1].energy.value(item, race));
+      CHECK(of[1].energy.value(item, race) == Approx(of[0].energy.value(item, race)).epsilon(0.01));
+    }
+  CHECK(turned(of[1]) == Approx(turned(of[0])).epsilon(1e-3));
 }

@@ -167,3 +167,53 @@ TEST_CASE("rollers without cage conserve energy and momentum through their colli
       }
     }
 }
+
+TEST_CASE("held rollers without cage close the ledgers through their collisions",
+          "[physics][rollers][held][energy]") {
+  for (const bearing::Bearing& b :
+       {crowded(roller_bearings::cylindrical(3000.0)), crowded(roller_bearings::tapered(3000.0)),
+        crowded(roller_bearings::spherical(3000.0)),
+        crowded(roller_bearings::spherical_tapered(3000.0))})
+    for (const bool all : {true, false}) {
+      scene::ScenePlan plan =
+          roller_scene::plan_of({RaceContact, RaceTraction, FlangeContact, FlangeTraction,
+                                 ElementContact, ElementTraction, Effect::MomentumLedger});
+      plan.effects.push_back(
+          {all ? Effect::ElementBalance : Effect::LightLoadBalance, "", true, "test"});
+      plan.light_load_ratio = all ? 0.0 : 0.1;
+      bearing::Bearing with = b;
+      roller_scene::add_friction(with);
+      with.pocket_traction.reset();
+      with.land_traction.reset();
+      double previous = 1e300;
+      for (const double tolerance : {1e-6, 1e-9}) {
+        roller_scene::Scene s = roller_scene::scene_of(with, plan, 7);
+        std::vector<double> y = colliding(s.system);
+        s.system.set_start(0.0, y);
+        (void)s.system.between_steps(0.0, y);
+        Adapter adapter(s.system);
+        const auto stepper = integrators::make_stepper("rkf4");
+        integrators::StepControl control;
+        const double end = 3e-4;
+        control.maximum = end;
+        control.minimum = 1e-13;
+        control.tolerance = tolerance;
+        stepper->start(adapter, 0.0, y, control);
+        while (stepper->time() < end) stepper->step(end);
+        const Snapshot at = s.system.snapshot(end, stepper->state());
+        const double residual = std::abs(at.energy.residual());
+        INFO("type " << static_cast<int>(with.type) << ", all held " << all << ", tolerance "
+                     << tolerance << ": residual " << residual << " J, "
+                     << at.held_elements.value_or(0) << " held");
+        CHECK(at.held_elements.value_or(0) > 0);
+        CHECK(at.energy.value("element_heat") > 1e-6);
+        CHECK(residual < std::max(0.5 * previous, 1e-9));
+        if (tolerance == 1e-9) {
+          CHECK(residual < 1e-5 * at.energy.sum(scene::LedgerKind::Start));
+          CHECK(at.momentum->linear.residual().norm() < 1e-5 * at.momentum->linear_size);
+          CHECK(at.momentum->angular.residual().norm() < 1e-5 * at.momentum->angular_size);
+        }
+        previous = residual;
+      }
+    }
+}

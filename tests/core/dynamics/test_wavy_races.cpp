@@ -76,8 +76,8 @@ TEST_CASE("wavy races: every instruction set does what dual numbers say of the n
       wavy.normal_r = 0.8;
       wavy.varying = true;
       wavy.per_factor = 250.0;
-      wavy.stiffness[1] = 0.2;
-      wavy.stiffness[2] = -0.1;
+      wavy.ratios.stiffness[1] = 0.2;
+      wavy.ratios.stiffness[2] = -0.1;
       model.wavy = std::make_shared<const contact::WavyGroove>(wavy);
       RaceMotion race = scene.race[j];
       race.centre += Vec3(1e-6, 2e-6, -3e-6);

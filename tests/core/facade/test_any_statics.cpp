@@ -102,6 +102,8 @@ TEST_CASE("any deck has its statics: whatever only moves is left out, and named"
             deck.set("baseTemp", "300.0");
             deck.set("aveTime", "1.0");
           }
+          for (const char* ratio : {"denRatio", "visRatio"})  // neither has record 10.7B
+            if (deck.has(ratio)) deck.set(ratio, "1.0");
           if (has_errors(deck)) continue;  // no such code for this type
           INFO(type << ": " << name << " = " << code << "\n" << remarks(deck));
           CHECK(solution(deck) == base);
@@ -117,7 +119,7 @@ TEST_CASE("any deck has its statics: whatever only moves is left out, and named"
       }
     INFO(type);
     CHECK(solved > 40);
-    for (const char* must : {"kTrac", "kTherm", "kChrn", "kPocHydro", "kGsHydro", "kDOF"}) {
+    for (const char* must : {"kPocHydro", "kGsHydro", "kDOF"}) {
       INFO(must);
       CHECK(named.count(must) == 1);
     }

@@ -129,11 +129,11 @@ TEST_CASE("all deviations of random rollers, and their lands, are solved",
 }
 
 TEST_CASE("imperfections that cannot be simulated are refused by name", "[unit][imperfections]") {
-  deck::Deck moving = with("ball", {{"kReGeoImp", "1"}}, {{"reDiaVar", "1e-6"}});
+  deck::Deck moving = with("ball", {{"kReGeoImp", "3"}}, {});
   moving.set("mode", "0");
   moving.complete();
   CHECK_THROWS_WITH(setup::build_bearing(moving),
-                    Catch::Contains("kReGeoImp") && Catch::Contains("does not simulate yet"));
+                    Catch::Contains("kReGeoImp") && Catch::Contains("ADRX8"));
   const deck::Deck routine = with("ball", {{"kRaceGeoImp2", "3"}}, {});
   CHECK_THROWS_WITH(setup::build_bearing(routine), Catch::Contains("ADRX6"));
   const deck::Deck gone = with("ball", {{"kReGeoImp", "2"}}, {{"reDiaVar4", "-1"}});

@@ -35,7 +35,9 @@ TEST_CASE("The energy residual is judged against what moved and against the elas
   CHECK(judge_energy(run_of(residual), residual / 0.021).trust == Trust::Warned);
   CHECK(judge_energy(run_of(residual), residual / 0.49).trust == Trust::Warned);
   CHECK(judge_energy(run_of(residual), residual / 0.51).trust == Trust::None);
-  CHECK(judge_energy(run_of(residual), 0.0).trust == Trust::Full);  // nothing is loaded
+  CHECK(judge_energy(run_of(residual), 0.0).trust == Trust::Full);  // nothing to measure by
+  CHECK(judge_energy(run_of(1.1e-4), 0.0).text.find("elastic") == std::string::npos);
+  CHECK(judge_energy(run_of(1.1e-4), much).text.find("elastic") != std::string::npos);
 }
 
 TEST_CASE("An energy that is no number is never trusted", "[unit][results]") {

@@ -1,4 +1,5 @@
 #include "results/full_precision.hpp"
+#include "results/motion_file.hpp"
 #include "results/results_h5.hpp"
 #include "results/sol_writer.hpp"
 #include "synthetic.hpp"
@@ -96,7 +97,7 @@ TEST_CASE("a RESULTS.h5 that is absent, of another run or unreadable changes not
     for (std::size_t i = 0; i < file.steps.size(); ++i)
       CHECK(file.steps[i].values == before.steps[i].values);
     std::string why_not;
-    CHECK_FALSE(contacts_beside(read_sol8(folder / "SOL8"), why_not).has_value());
+    CHECK_FALSE(MotionFile::beside(read_sol8(folder / "SOL8"), why_not).has_value());
     CHECK_FALSE(why_not.empty());
     return why;
   };
@@ -122,28 +123,68 @@ TEST_CASE("steps that RESULTS.h5 lacks keep what the classic file has", "[unit][
   CHECK(file.steps[20].values != before.steps[20].values);
   CHECK(file.steps[21].values == before.steps[21].values);
   std::string why_not;
-  CHECK_FALSE(contacts_beside(read_sol8(folder / "SOL8"), why_not).has_value());
-  CHECK_THAT(why_not, Contains("lacks step 21"));
+  CHECK_FALSE(MotionFile::beside(read_sol8(folder / "SOL8"), why_not).has_value());
+  CHECK_THAT(why_not, Contains("lacks step"));
 }
 
-TEST_CASE("contact loads and slip of an animation come from RESULTS.h5", "[unit][h5][sol8]") {
+TEST_CASE("the motion beside SOL8 is that of RESULTS.h5, with all digits and every channel",
+          "[unit][h5][sol8]") {
   for (const UnitSystem units : {UnitSystem::SI, UnitSystem::English}) {
     TemporaryFolder folder;
     write_run(folder, units, "synthetic run 7");
+    const Sol8File coarse = read_sol8(folder / "SOL8");
     std::string why_not;
-    const auto contacts = contacts_beside(read_sol8(folder / "SOL8"), why_not);
+    const auto motion = MotionFile::beside(coarse, why_not);
     INFO(why_not);
-    REQUIRE(contacts);
-    REQUIRE(contacts->frames.size() == 41);
-    const bool si = units == UnitSystem::SI;
-    CHECK(contacts->load_unit == (si ? "N" : "lbf"));
-    const double newton = si ? 1.0 : 4.4482216152605, metre = si ? 1.0 : 0.0254;
-    for (std::size_t k = 0; k < 3; ++k)
-      for (std::size_t j = 0; j < 2; ++j) {
-        const auto made = make_snapshot(make_bearing(), 17).elements[k].race[j];
-        CHECK(contacts->frames[17][k].load[j] == Approx(made.load / newton).epsilon(1e-12));
-        CHECK(contacts->frames[17][k].slip[j] == Approx(made.max_slip / metre).epsilon(1e-12));
+    REQUIRE(motion);
+    const Sol8File& fine = motion->frames();
+    REQUIRE(fine.frames.size() == 41);
+    CHECK(fine.units == coarse.units);
+    CHECK(fine.elements == coarse.elements);
+    CHECK(motion->every() == 1);
+    const bearing::Bearing bearing = make_bearing();
+    const double metre = units == UnitSystem::SI ? 1.0 : 0.0254,
+                 newton = units == UnitSystem::SI ? 1.0 : 4.4482216152605;
+    const Sol8Geometry sizes = make_sol8_geometry(bearing);
+    for (const Sol8GeometryField& field : kSol8Geometry)
+      CHECK(fine.geometry.*field.value == Approx(sizes.*field.value / metre));
+    for (const long step : {0L, 17L, 40L}) {
+      INFO(step);
+      const Sol8Frame exact = make_sol8_frame(make_snapshot(bearing, step));
+      const Sol8Frame& read = fine.frames[static_cast<std::size_t>(step)];
+      CHECK(read.step == exact.step);
+      CHECK(read.revolutions == Approx(exact.revolutions));
+      for (std::size_t k = 0; k < exact.elements.size(); ++k) {
+        const Sol8Element &a = read.elements[k], &b = exact.elements[k];
+        CHECK(a.x == Approx(b.x / metre).epsilon(1e-12));
+        CHECK(a.r == Approx(b.r / metre).epsilon(1e-12));
+        CHECK(a.theta == Approx(b.theta).epsilon(1e-12));
+        CHECK(a.pocket_force == Approx(b.pocket_force / newton).epsilon(1e-12));
+        for (std::size_t c = 0; c < 3; ++c) {
+          CHECK(a.angles[c] == Approx(b.angles[c]).margin(1e-12));
+          CHECK(a.pocket_vector[c] == Approx(b.pocket_vector[c] / metre).margin(1e-15));
+        }
       }
-    CHECK(contacts->largest_load == Approx(1300.0 / newton));  // element 3, inner race
+      for (std::size_t land = 0; land < 2; ++land)
+        CHECK(read.land_force[land] == Approx(exact.land_force[land] / newton).margin(1e-12));
+      for (std::size_t c = 0; c < 3; ++c) {
+        CHECK(read.cage.position[c] == Approx(exact.cage.position[c] / metre).margin(1e-15));
+        CHECK(read.races[1].angles[c] == Approx(exact.races[1].angles[c]).margin(1e-12));
+      }
+    }
+    const MotionChannel* load = motion->channel("contact.load");
+    REQUIRE(load != nullptr);
+    CHECK(load->unit == (units == UnitSystem::SI ? "N" : "lbf"));
+    const auto made = make_snapshot(bearing, 17).elements[2].race[1];
+    CHECK(load->at(17, 2 * 2 + 1) == Approx(made.load / newton).epsilon(1e-12));
+    CHECK(motion->series("contact.load", 5)[17] == load->at(17, 5));
+    CHECK(motion->channel("nothing.here") == nullptr);
+    // Of long runs every second, third ... step is a frame; curves keep every step.
+    const MotionFile few = MotionFile::open(folder / "RESULTS.h5", units, 11);
+    CHECK(few.every() == 4);
+    CHECK(few.frames().frames.size() == 11);
+    CHECK(few.frames().frames[3].step == 12);
+    CHECK(few.channel("contact.load")->at(3, 5) == load->at(12, 5));
+    CHECK(few.series("contact.load", 5).size() == 41);
   }
 }

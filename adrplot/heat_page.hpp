@@ -1,0 +1,15 @@
+#pragma once
+
+#include "desktop/chart_page.hpp"
+#include "results/static_tables.hpp"
+
+#include <optional>
+
+/// The thermal network of a quasi-static solution as a picture: nodes with their temperatures,
+/// links with the heat that flows through them.
+namespace adore::adrplot {
+
+/// Nothing without the table "thermal network".
+[[nodiscard]] std::optional<desktop::ChartPage> heat_page(const results::StaticTables& all);
+
+}  // namespace adore::adrplot

@@ -1,0 +1,99 @@
+#include "adrplot/known_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace adore::adrplot {
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfiniteLife = 9.9e30;
+
+bool zero(const std::vector<double>& values) {
+  return !values.empty() &&
+         std::all_of(values.begin(), values.end(), [](double v) { return v == 0.0; });
+}
+
+/// "contact.angle.outer" and "contact.angle" -> ".outer"
+std::string behind(const std::string& id, std::string_view channel) {
+  return id.substr(channel.size());
+}
+
+}  // namespace
+
+KnownColumns::KnownColumns(const results::SolFile& file)
+    : file_(file), columns_(results::sol_columns(file.header)) {
+  for (std::size_t i = 0; i < columns_.size(); ++i) place_.emplace(columns_[i].id, i);
+}
+
+std::size_t KnownColumns::find(const std::string& id) const {
+  const auto found = place_.find(id);
+  return found == place_.end() ? columns_.size() : found->second;
+}
+
+std::vector<double> KnownColumns::stored(const std::string& id) const {
+  const std::size_t column = find(id);
+  const std::size_t index = column < columns_.size() ? file_.place(column) : std::string::npos;
+  std::vector<double> out;
+  out.reserve(file_.steps.size());
+  for (const auto& step : file_.steps)
+    out.push_back(index < step.values.size() ? step.values[index] : kNone);
+  return out;
+}
+
+bool KnownColumns::always_zero(const std::string& id) const { return has(id) && zero(stored(id)); }
+
+std::string KnownColumns::unit(const std::string& id) const {
+  const std::size_t index = find(id);
+  return index < columns_.size() ? results::unit_of_column(file_, columns_[index]) : "";
+}
+
+KnownValues KnownColumns::values(const std::string& id) const {
+  KnownValues out{stored(id), unit(id), {}};
+  const auto nothing = [&out](std::string why) {
+    std::fill(out.values.begin(), out.values.end(), kNone);
+    out.why_none = std::move(why);
+  };
+  const auto drop = [&out](const std::vector<double>& where, auto absent) {
+    for (std::size_t i = 0; i < std::min(where.size(), out.values.size()); ++i)
+      if (absent(where[i])) out.values[i] = kNone;
+  };
+  const auto is_zero = [](double v) { return v == 0.0; };
+  const auto is = [&id](std::string_view channel) { return id.starts_with(channel); };
+  if (is("contact.film.")) {
+    if (zero(out.values)) nothing("No film was computed: the traction law of this run has none.");
+  } else if (is("contact.temperature_rise.")) {
+    if (zero(out.values)) nothing("No temperature rise in the contacts was computed in this run.");
+  } else if (is("contact.angle.") || is("contact.spin_to_roll.") || is("contact.slip.")) {
+    for (const std::string_view channel : {"contact.angle", "contact.spin_to_roll", "contact.slip"})
+      if (is(std::string(channel) + ".") && has("contact.load" + behind(id, channel)))
+        drop(stored("contact.load" + behind(id, channel)), is_zero);
+  } else if (is("cage.land1_") || is("cage.land2_")) {
+    const std::string land = id.substr(0, std::string("cage.land1").size());
+    if (always_zero(land + "_force") && always_zero(land + "_gap") && always_zero(land + "_angle"))
+      nothing(fmt::format("This cage has no guide land {}.", land.back()));
+  } else if (is("flange.")) {
+    const std::string where = id.substr(id.find('.', std::string("flange.").size()));
+    if (always_zero("flange.gap" + where))
+      nothing("This race has no flange there, or the roller's end never came near it.");
+    else if (is("flange.gap."))
+      drop(stored(id), is_zero);
+  } else if (id == "power.life") {
+    if (zero(out.values)) nothing("No life model was active in this run.");
+    const bool infinite = std::any_of(out.values.begin(), out.values.end(),
+                                      [](double v) { return v >= kInfiniteLife; });
+    drop(stored(id), [](double v) { return v == 0.0 || v >= kInfiniteLife; });
+    if (infinite && std::none_of(out.values.begin(), out.values.end(),
+                                 [](double v) { return std::isfinite(v); }))
+      nothing("The life is infinite at every step.");
+  } else if (id.ends_with("wear_rate")) {
+    for (std::size_t i = 0; i < out.values.size() && !(file_.steps[i].time > 0.0); ++i)
+      out.values[i] = kNone;
+  }
+  return out;
+}
+
+}  // namespace adore::adrplot

@@ -1,0 +1,46 @@
+#pragma once
+
+#include "results/channels.hpp"
+#include "results/sol_file.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+/// The numbers of one file by the ids of their columns, without those that mean "nobody computed
+/// this": the classic files have no other way to say it than a zero.
+namespace adore::adrplot {
+
+struct KnownValues {
+  std::vector<double> values;  ///< one per step, in the file's unit; NaN: none
+  std::string unit;
+  std::string why_none;  ///< a sentence when the column holds no number that means anything
+};
+
+/// Rules, each only where the stored numbers leave no other meaning:
+/// - a film thickness or a temperature rise of exactly 0 at every step: the run has no such model;
+/// - a guide land whose force, gap and angle are exactly 0 at every step: the cage has no such
+/// land;
+/// - a flange gap of exactly 0: no flange there, or the roller's end is nowhere near it;
+/// - contact angle, spin to roll and slip at a load of exactly 0: the contact is open;
+/// - a life of 0: no life model, or none computed yet; 9.99E+30: infinite (N77);
+/// - an average wear rate at time 0: there is no time to average over.
+class KnownColumns {
+ public:
+  explicit KnownColumns(const results::SolFile& file);
+  [[nodiscard]] bool has(const std::string& id) const { return find(id) < columns_.size(); }
+  [[nodiscard]] KnownValues values(const std::string& id) const;
+  [[nodiscard]] std::string unit(const std::string& id) const;
+  [[nodiscard]] const std::vector<results::SolColumn>& columns() const { return columns_; }
+
+ private:
+  [[nodiscard]] std::size_t find(const std::string& id) const;
+  [[nodiscard]] std::vector<double> stored(const std::string& id) const;
+  [[nodiscard]] bool always_zero(const std::string& id) const;
+
+  const results::SolFile& file_;
+  std::vector<results::SolColumn> columns_;
+  std::map<std::string, std::size_t> place_;
+};
+
+}  // namespace adore::adrplot

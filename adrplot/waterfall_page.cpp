@@ -1,0 +1,56 @@
+#include "adrplot/waterfall_page.hpp"
+
+#include "desktop/axis_scale.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::adrplot {
+
+void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
+                  const SpectrumOptions& options) {
+  constexpr double kDistance = 0.2;
+  const desktop::ChartPanel* found = nullptr;
+  for (const auto& panel : page.panels)
+    if (found == nullptr && !panel.curves.empty() &&
+        std::any_of(panel.curves.front().y.begin(), panel.curves.front().y.end(),
+                    [](double v) { return std::isfinite(v); }))
+      found = &panel;
+  if (found == nullptr) {
+    page.panels.clear();
+    page.note = "No curve of this page has values.";
+    return;
+  }
+  const desktop::ChartPanel source = *found;
+  const Samples samples = equal_samples(times, source.curves.front().y);
+  page.note += (page.note.empty() || samples.note.empty() ? "" : " ") + samples.note;
+  page.panels.clear();
+  const Waterfall fall = waterfall(samples, options.window);
+  if (fall.time.empty()) return;
+  double largest = 0.0;
+  for (const auto& piece : fall.amplitude)
+    largest = std::max(largest, *std::max_element(piece.begin(), piece.end()));
+  desktop::ChartPanel panel{"Spectra, earliest at the bottom", source.unit, {}, false};
+  for (std::size_t i = 0; i < fall.time.size(); ++i) {
+    desktop::ChartCurve curve{desktop::pretty_quantity(fall.time[i], "s", 3), {}, {}};
+    for (const double a : fall.amplitude[i])
+      curve.y.push_back(a + kDistance * largest * static_cast<double>(i));
+    panel.curves.push_back(std::move(curve));
+  }
+  panel.one_colour = true;
+  page.x = fall.frequency;
+  page.x_title = "Frequency";
+  page.x_unit = "Hz";
+  page.note +=
+      fmt::format("{}{} spectra of {}{}{}, centred at {} to {}; lines stand {} apart.",
+                  page.note.empty() ? "" : " ", fall.time.size(), source.title,
+                  source.curves.front().name.empty() ? "" : ", ", source.curves.front().name,
+                  desktop::pretty_quantity(fall.time.front(), "s", 3),
+                  desktop::pretty_quantity(fall.time.back(), "s", 3),
+                  desktop::pretty_quantity(kDistance * largest, source.unit, 3));
+  page.panels.push_back(std::move(panel));
+}
+
+}  // namespace adore::adrplot

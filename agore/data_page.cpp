@@ -1,0 +1,100 @@
+#include "agore/views.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::agore {
+namespace {
+
+/// Speeds by differences of three-digit angles are good to about 1 %; finer detail is not shown.
+constexpr double kRatioSpan = 0.05;
+
+/// A panel of one history, with its reason where it has no values. All of a page share their times.
+void add(desktop::ChartPage& page, const std::string& title, const std::string& name,
+         const History& history, bool exact, bool ratio = false) {
+  if (page.panels.empty() || page.panels.back().title != title)
+    page.panels.push_back({title, history.unit, {}, false, ratio && !exact ? kRatioSpan : 0.0});
+  desktop::ChartPanel& panel = page.panels.back();
+  panel.curves.push_back({name, history.value, {}});
+  if (!history.unknown.empty()) panel.message = history.unknown;
+  if (page.x.size() < history.time.size()) page.x = history.time;
+}
+
+}  // namespace
+
+desktop::ChartPage data_page(const Animation& animation, const ViewOptions& options) {
+  desktop::ChartPage page;
+  page.x_title = "Time";
+  page.x_unit = "s";
+  const auto k = static_cast<std::size_t>(options.element - 1);
+  const bool exact = animation.motion != nullptr;
+  switch (options.view) {
+    case View::Bearing:
+    case View::Section:
+      if (options.view == View::Section && animation.contacts) {
+        page.title = fmt::format("Contact loads of element {}", options.element);
+        for (const auto& [race, name] :
+             {std::pair<std::size_t, const char*>{0, "outer race"}, {1, "inner race"}}) {
+          History load;
+          load.time = animation.motion->times();
+          load.value = animation.motion->series("contact.load", 2 * k + race, &load.unit);
+          add(page, "Load", name, load, exact);
+        }
+        break;
+      }
+      page.title = "Guide land force";
+      for (std::size_t land = 0; land < 2; ++land)
+        if (animation.land[land])
+          add(page, "Force", "land " + std::to_string(land + 1), land_force(animation, land),
+              exact);
+      if (page.panels.empty()) {
+        page.x = animation.time;
+        page.panels.push_back({"Force", animation.file.units[2], {}, false});
+        page.panels.back().message =
+            animation.has_cage ? "This cage has no guide land." : "This bearing has no cage.";
+      } else if (page.panels.front().curves.size() == 1) {
+        page.title += ", " + page.panels.front().curves.front().name;
+      }
+      break;
+    case View::Cage:
+      page.title = "Cage speeds over race speed";
+      add(page, "Whirl", "", cage_whirl(animation), exact, true);
+      add(page, "Rotation", "", cage_speed(animation), exact, true);
+      break;
+    case View::Pocket:
+      page.title = fmt::format("Force in pocket {}", options.element);
+      add(page, "Force", "", pocket_force(animation, k), exact);
+      break;
+    case View::Element:
+      page.title = fmt::format("Speeds of element {} over shaft speed", options.element);
+      add(page, "Orbit", "", element_orbit(animation, k), exact, true);
+      add(page, "Rotation", "", element_spin(animation, k), exact, true);
+      break;
+    case View::OuterRace:
+    case View::InnerRace: {
+      const std::size_t r = options.view == View::OuterRace ? 0 : 1;
+      page.title = "Centre of the race";
+      const char* names[] = {"X", "Y", "Z"};
+      for (std::size_t c = 0; c < 3; ++c)
+        add(page, names[c], "", race_position(animation, r, c), exact);
+      break;
+    }
+    case View::Flange: {
+      const std::size_t r = options.flange_race;
+      page.title = fmt::format("Element {} at the {} race's flanges", options.element,
+                               r == 0 ? "outer" : "inner");
+      for (const auto& [what, title] :
+           {std::pair<const char*, const char*>{"force", "Load"}, {"gap", "Gap"}})
+        for (std::size_t side = 0; side < 2; ++side)
+          if (has_flange(animation, r, side))
+            add(page, title, side == 0 ? "at −x" : "at +x",
+                flange_history(animation, what, k, r, side), exact);
+      break;
+    }
+  }
+  return page;
+}
+
+}  // namespace adore::agore

@@ -1,0 +1,102 @@
+#include "agore/view_scene.hpp"
+#include "desktop/axis_scale.hpp"
+
+#include <QPainterPath>
+#include <QTransform>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+/// A roller between the flanges of one race, seen from outside: +x to the right. Gaps are
+/// magnified, and the factor stated.
+namespace adore::agore {
+namespace {
+
+double length_of(const Animation& animation) {
+  return animation.contacts && animation.contacts->roller_length > 0.0
+             ? animation.contacts->roller_length
+             : 2.0 * animation.file.geometry.element_radius;
+}
+
+}  // namespace
+
+double flange_picture_radius(const Animation& animation) {
+  return 0.95 * std::max(length_of(animation), 2.0 * animation.file.geometry.element_radius);
+}
+
+void flange_view(const Scene& s) {
+  const auto& t = s.sketch.theme();
+  QPainter& p = s.sketch.painter();
+  const auto k = static_cast<std::size_t>(s.options.element - 1);
+  const std::size_t race = s.options.flange_race;
+  const double length = length_of(s.animation), radius = s.geometry().element_radius;
+  // Drawn clearance of both ends together: a fifth of the length, for the widest of the run.
+  const results::MotionChannel* gaps = s.animation.motion->channel("flange.gap");
+  const results::MotionChannel* forces = s.animation.motion->channel("flange.force");
+  double widest = 0.0, largest = 0.0;
+  const auto place = [&](std::size_t side) { return 4 * k + 2 * race + side; };
+  for (std::size_t i = 0; gaps != nullptr && forces != nullptr && i < s.animation.frames(); ++i)
+    for (std::size_t side = 0; side < 2; ++side) {
+      widest = std::max(widest, std::abs(gaps->at(i, place(side))));
+      largest = std::max(largest, forces->at(i, place(side)));
+    }
+  const double factor = widest > 0.0 ? 0.1 * length / widest : 1.0;
+  const Vec3 axis = rotation(s.frame.elements.at(k).angles).col(0);
+  const double azimuth = s.frame.elements.at(k).theta;
+  const double skew =
+      std::atan2(-axis.y() * std::cos(azimuth) - axis.z() * std::sin(azimuth), std::abs(axis.x()));
+  QTransform to_picture = QTransform::fromTranslate(s.sketch.at(0, 0).x(), s.sketch.at(0, 0).y());
+  to_picture.scale(s.sketch.scale(), -s.sketch.scale());
+  QPainterPath roller;
+  roller.addRoundedRect(QRectF(-0.5 * length, -radius, length, 2.0 * radius), 0.1 * radius,
+                        0.1 * radius);
+  QTransform turned = to_picture;
+  turned.rotateRadians(skew);
+  QLinearGradient shade(to_picture.map(QPointF(0, radius)), to_picture.map(QPointF(0, -radius)));
+  shade.setColorAt(0.0, t.steel_dark);
+  shade.setColorAt(0.4, t.steel_light);
+  shade.setColorAt(1.0, t.steel_dark);
+  p.setPen(QPen(t.steel_dark.darker(150), 1));
+  p.setBrush(shade);
+  p.drawPath(turned.map(roller));
+  std::vector<KeyEntry> key;
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (!has_flange(s.animation, race, side)) continue;
+    const double way = side == 0 ? -1.0 : 1.0;
+    const double gap = s.animation.value("flange.gap", s.index, place(side)),
+                 force = s.animation.value("flange.force", s.index, place(side));
+    const bool near = std::isfinite(gap) && gap != 0.0;
+    const double face = way * (0.5 * length + (near ? gap * factor : 0.14 * length));
+    const double wall = 0.12 * length;
+    QPainterPath flange;
+    flange.addRect(QRectF(std::min(face, face + way * wall), -1.25 * radius, wall, 2.5 * radius));
+    QColor colour = t.steel_dark;
+    if (!near) colour.setAlpha(120);
+    p.setPen(QPen(t.steel_dark.darker(150), 1.2));
+    p.setBrush(colour);
+    p.drawPath(to_picture.map(flange));
+    if (force > 0.0 && largest > 0.0) {
+      const double tail = way * (0.5 * length + 0.35 * length * force / largest);
+      s.sketch.arrow(s.sketch.at(tail, 0.0), s.sketch.at(way * 0.5 * length, 0.0), t.red, 3.2);
+    }
+    const std::string unit = s.animation.file.units[0];
+    key.push_back(
+        {t.red, QString::fromStdString(fmt::format(
+                    "flange at {}x: {}", side == 0 ? "−" : "+",
+                    !near ? std::string("the roller's end is nowhere near")
+                          : fmt::format("{}, gap {}",
+                                        force > 0.0 ? desktop::pretty_quantity(
+                                                          force, s.animation.file.units[2], 3)
+                                                    : std::string("no contact"),
+                                        desktop::pretty_quantity(gap, unit, 3))))});
+  }
+  draw_key(s.sketch, key,
+           QString::fromStdString(fmt::format(
+               "roller {} at the {} race  ·  gaps × {}  ·  skew {:.3f}°, to scale  ·  seen from "
+               "outside, +x to the right",
+               k + 1, race == 0 ? "outer" : "inner", desktop::pretty_number(factor, 3),
+               skew * 180.0 / kPi)));
+}
+
+}  // namespace adore::agore

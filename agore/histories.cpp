@@ -1,0 +1,303 @@
+#include "agore/animation.hpp"
+#include "results/channels.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+/// The curves beside the pictures: from RESULTS.h5, from the SOL file of the body, or from SOL8.
+namespace adore::agore {
+namespace {
+
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// d(angle)/dt between the neighbours of each value; one-sided at the ends.
+std::vector<double> slope(const std::vector<double>& angle, const std::vector<double>& time) {
+  const std::size_t n = std::min(angle.size(), time.size());
+  std::vector<double> out(n, kNone);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t low = i > 0 ? i - 1 : 0, high = std::min(i + 1, n - 1);
+    if (time[high] > time[low]) out[i] = (angle[high] - angle[low]) / (time[high] - time[low]);
+  }
+  return out;
+}
+
+void divide(std::vector<double>& values, const std::vector<double>& by) {
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] = i < by.size() && std::abs(by[i]) > 0.0 ? values[i] / by[i] : kNone;
+}
+
+// --- RESULTS.h5
+
+History of_motion(const Animation& animation, const std::string& id, std::size_t place) {
+  History out;
+  out.time = animation.motion->times();
+  out.value = animation.motion->series(id, place, &out.unit);
+  return out;
+}
+
+std::vector<double> shaft_of_motion(const Animation& animation) {
+  return slope(animation.motion->series("shaft_rotation", 0), animation.motion->times());
+}
+
+// --- SOL1-SOL6 beside a lone SOL8
+
+constexpr double kRpm = kTurn / 60.0;
+
+/// A file of the same run for a body: its values of some columns.
+struct Stored {
+  std::vector<double> time, revolutions;
+  std::vector<std::vector<double>> columns;
+  std::vector<std::string> units;
+};
+
+std::optional<Stored> stored_beside(const Animation& animation, int index,
+                                    const std::vector<std::string>& ids) {
+  for (int number = 1; number <= 6; ++number) {
+    const std::filesystem::path path =
+        animation.file.path.parent_path() / fmt::format("SOL{}", number);
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored)) continue;
+    try {
+      results::SolRange range{1, 1, 1};
+      const results::SolFile head = results::read_sol(path, range);
+      if (head.header.run_id != animation.file.run_id || head.header.index != index ||
+          head.header.elements != animation.file.elements)
+        continue;
+      const std::vector<results::SolColumn> columns = results::sol_columns(head.header);
+      std::vector<std::size_t> places;
+      Stored out;
+      for (const std::string& id : ids) {
+        const auto found = std::find_if(columns.begin(), columns.end(),
+                                        [&](const auto& column) { return column.id == id; });
+        if (found == columns.end()) return std::nullopt;
+        places.push_back(static_cast<std::size_t>(found - columns.begin()));
+        out.units.push_back(results::unit_of_column(head, *found));
+      }
+      range = {};
+      range.columns = places;
+      std::sort(range.columns.begin(), range.columns.end());
+      range.columns.erase(std::unique(range.columns.begin(), range.columns.end()),
+                          range.columns.end());
+      const results::SolFile file = results::read_sol(path, range);
+      out.columns.resize(ids.size());
+      for (const auto& step : file.steps) {
+        out.time.push_back(step.time);
+        out.revolutions.push_back(step.revolutions);
+        for (std::size_t i = 0; i < places.size(); ++i) {
+          const std::size_t at = file.place(places[i]);
+          out.columns[i].push_back(at < step.values.size() ? step.values[at] : kNone);
+        }
+      }
+      return out;
+    } catch (const std::exception&) {
+      continue;  // another file may be good
+    }
+  }
+  return std::nullopt;
+}
+
+int cage_index(const Animation& animation) { return animation.file.elements + 1; }
+/// With one cage, or none at all.
+int race_index(const Animation& animation, std::size_t race) {
+  return animation.file.elements + (animation.has_cage ? 1 : 0) + 1 + static_cast<int>(race);
+}
+
+std::optional<History> one_column(const Animation& animation, int index, const std::string& id) {
+  auto stored = stored_beside(animation, index, {id});
+  if (!stored) return std::nullopt;
+  return History{std::move(stored->time), std::move(stored->columns.front()), stored->units.front(),
+                 ""};
+}
+
+/// A speed in rpm over that of the shaft.
+std::optional<History> speed_column(const Animation& animation, int index, const std::string& id) {
+  auto stored = stored_beside(animation, index, {id});
+  if (!stored) return std::nullopt;
+  History out{stored->time, std::move(stored->columns.front()), "", ""};
+  for (double& value : out.value) value *= kRpm;
+  std::vector<double> turned;
+  for (const double rev : stored->revolutions) turned.push_back(kTurn * rev);
+  divide(out.value, slope(turned, stored->time));
+  return out;
+}
+
+// --- SOL8
+
+template <class Value>
+History of_frames(const Animation& animation, std::string unit, Value value) {
+  History out{animation.time, {}, std::move(unit), ""};
+  for (const auto& frame : animation.file.frames) out.value.push_back(value(frame));
+  return out;
+}
+
+/// Most that the shaft turns from one frame to the next [rev].
+double turns_per_frame(const Animation& animation) {
+  double most = 0.0;
+  const auto& frames = animation.file.frames;
+  for (std::size_t i = 1; i < frames.size(); ++i)
+    most = std::max(most, std::abs(frames[i].revolutions - frames[i - 1].revolutions));
+  return most;
+}
+
+/// Speeds from angles of SOL8, unless the body may turn further from frame to frame than an angle
+/// can tell. `ratio`: about how fast it turns against the shaft.
+History by_differences(const Animation& animation, const std::vector<double>& angle, double ratio) {
+  constexpr double kMostTurn = 0.45;  // of half a turn, less the rounding
+  History out{animation.time, std::vector<double>(animation.frames(), kNone), "", ""};
+  const double turn = ratio * turns_per_frame(animation);
+  if (turn > kMostTurn) {
+    out.unknown = fmt::format(
+        "Not to be known from SOL8 alone: about {:.2g} turns from one frame to the next.", turn);
+    return out;
+  }
+  const double shaft = shaft_speed(animation);
+  if (shaft == 0.0) {
+    out.unknown = "The races do not turn against each other.";
+    return out;
+  }
+  out.value = rate(angle, animation.time);
+  for (double& value : out.value) value /= shaft;
+  return out;
+}
+
+}  // namespace
+
+History land_force(const Animation& animation, std::size_t land) {
+  if (animation.motion && animation.motion->has("land.force"))
+    return of_motion(animation, "land.force", land);
+  if (auto stored = one_column(animation, cage_index(animation),
+                               land == 0 ? "cage.land1_force" : "cage.land2_force"))
+    return *stored;
+  return of_frames(animation, animation.file.units[2],
+                   [land](const auto& f) { return f.land_force[land]; });
+}
+
+History pocket_force(const Animation& animation, std::size_t element) {
+  const auto n = static_cast<std::size_t>(animation.file.elements);
+  if (animation.motion && animation.motion->has("pocket.force")) {
+    const results::MotionChannel* all = animation.motion->channel("pocket.force");
+    const std::size_t surfaces = std::max<std::size_t>(1, all->width / n);
+    History out = of_motion(animation, "pocket.force", element * surfaces);
+    for (std::size_t j = 1; j < surfaces; ++j) {
+      const auto more = animation.motion->series("pocket.force", element * surfaces + j);
+      for (std::size_t i = 0; i < more.size(); ++i) out.value[i] = std::max(out.value[i], more[i]);
+    }
+    return out;
+  }
+  if (auto stored = one_column(animation, cage_index(animation),
+                               fmt::format("pocket.force.{}.1", element + 1)))
+    return *stored;
+  return of_frames(animation, animation.file.units[2],
+                   [element](const auto& f) { return f.elements.at(element).pocket_force; });
+}
+
+History cage_whirl(const Animation& animation) {
+  if (animation.motion && animation.motion->has("cage.whirl_ratio"))
+    return of_motion(animation, "cage.whirl_ratio", 0);
+  if (auto stored = one_column(animation, cage_index(animation), "cage.whirl_ratio"))
+    return *stored;
+  std::vector<double> angle;
+  double largest = 0.0;
+  for (const auto& frame : animation.file.frames) {
+    const auto& p = frame.cage.position;
+    angle.push_back(std::atan2(-p[1], p[2]));
+    largest = std::max(largest, std::hypot(p[1], p[2]));
+  }
+  constexpr double kFastest = 1.0;  // a cage that whirls with the shaft
+  History out = by_differences(animation, continuous(std::move(angle)), kFastest);
+  for (std::size_t i = 0; i < out.value.size(); ++i) {
+    const auto& p = animation.frame(i).cage.position;
+    // Near the middle the direction of the centre means nothing.
+    if (std::hypot(p[1], p[2]) <= 1e-3 * largest) out.value[i] = kNone;
+  }
+  return out;
+}
+
+History cage_speed(const Animation& animation) {
+  if (animation.motion && animation.motion->has("cage.speed_ratio"))
+    return of_motion(animation, "cage.speed_ratio", 0);
+  if (auto stored = one_column(animation, cage_index(animation), "cage.speed_ratio"))
+    return *stored;
+  return by_differences(animation, animation.cage_angle, 0.6);
+}
+
+History element_orbit(const Animation& animation, std::size_t element) {
+  if (animation.motion) {
+    History out = of_motion(animation, "element.orbital_velocity", element);
+    for (double& value : out.value) value *= kRpm;
+    divide(out.value, shaft_of_motion(animation));
+    out.unit.clear();
+    return out;
+  }
+  if (auto stored =
+          speed_column(animation, static_cast<int>(element) + 1, "element.orbital_velocity"))
+    return *stored;
+  std::vector<double> angle;
+  for (const auto& frame : animation.file.frames) angle.push_back(frame.elements.at(element).theta);
+  return by_differences(animation, continuous(std::move(angle)), 0.6);
+}
+
+History element_spin(const Animation& animation, std::size_t element) {
+  const auto size = [](History out) {
+    for (double& value : out.value) value = std::abs(value);
+    return out;
+  };
+  if (animation.motion) {
+    History out = of_motion(animation, "element.angular_velocity", element);
+    for (double& value : out.value) value *= kRpm;
+    divide(out.value, shaft_of_motion(animation));
+    out.unit.clear();
+    return size(std::move(out));
+  }
+  if (auto stored =
+          speed_column(animation, static_cast<int>(element) + 1, "element.angular_velocity"))
+    return size(std::move(*stored));
+  const std::size_t n = animation.frames();
+  std::vector<double> turned(n, 0.0);
+  for (std::size_t i = 1; i < n; ++i) {
+    const Mat3 a = rotation(animation.frame(i - 1).elements.at(element).angles);
+    const Mat3 b = rotation(animation.frame(i).elements.at(element).angles);
+    // Angle of the rotation from one frame to the next: trace(A^T B) = 1 + 2 cos(angle).
+    const double trace = a.cwiseProduct(b).sum();
+    turned[i] = turned[i - 1] + std::acos(std::clamp(0.5 * (trace - 1.0), -1.0, 1.0));
+  }
+  // Rolling without slip, at contact angle 0: (dm/D)(1 - (D/dm)^2)/2.
+  const auto& g = animation.file.geometry;
+  const double slender = g.pitch_diameter / (2.0 * g.element_radius);
+  return size(by_differences(animation, turned, 0.5 * slender * (1.0 - 1.0 / (slender * slender))));
+}
+
+History race_position(const Animation& animation, std::size_t race, std::size_t coordinate) {
+  const std::string axis(1, "xyz"[coordinate]);
+  if (animation.motion) return of_motion(animation, "race." + axis, race);
+  if (auto stored = one_column(animation, race_index(animation, race), "race." + axis))
+    return *stored;
+  return of_frames(animation, animation.file.units[0], [race, coordinate](const auto& f) {
+    return f.races[race].position[coordinate];
+  });
+}
+
+History flange_history(const Animation& animation, const std::string& what, std::size_t element,
+                       std::size_t race, std::size_t side) {
+  if (!animation.motion || !animation.motion->has("flange." + what))
+    return {{}, {}, "", "Flange contacts need RESULTS.h5 beside the file."};
+  History out = of_motion(animation, "flange." + what, 4 * element + 2 * race + side);
+  // A gap of exactly 0: the roller's end is nowhere near.
+  if (what == "gap")
+    for (double& value : out.value)
+      if (value == 0.0) value = kNone;
+  return out;
+}
+
+bool has_flange(const Animation& animation, std::size_t race, std::size_t side) {
+  return animation.motion && animation.motion->geometry().contains(
+                                 fmt::format("{}_flange_{}_height", race == 0 ? "outer" : "inner",
+                                             side == 0 ? "minus_x" : "plus_x"));
+}
+
+}  // namespace adore::agore

@@ -1,0 +1,126 @@
+#include "agore/pocket_outline.hpp"
+#include "agore/view_scene.hpp"
+#include "desktop/axis_scale.hpp"
+
+#include <QTransform>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::agore {
+namespace {
+
+/// Exaggeration of the pocket view: the clearance is drawn as 0.44 element radii.
+double pocket_factor(const results::Sol8Geometry& g) {
+  return g.pocket_clearance_1 > 0.0 ? 0.44 * g.element_radius / g.pocket_clearance_1 : 1.0;
+}
+
+/// As RESULTS.h5 has it; from SOL8 alone round, and rollers as long as wide.
+PocketOutline pocket_of(const Animation& animation) {
+  const auto& g = animation.file.geometry;
+  const double factor = pocket_factor(g);
+  PocketOutline pocket{.radius = g.element_radius,
+                       .clearance_1 = factor * g.pocket_clearance_1,
+                       .clearance_2 = factor * g.pocket_clearance_2};
+  if (animation.contacts) {
+    pocket.code = animation.contacts->pocket_code;
+    pocket.roller_length = animation.contacts->roller_length;
+  } else if (animation.file.bearing_type != 1) {
+    pocket.roller_length = 2.0 * g.element_radius;
+  }
+  return pocket;
+}
+
+}  // namespace
+
+double pocket_picture_radius(const Animation& animation) {
+  const auto& g = animation.file.geometry;
+  const QSizeF hole = pocket_half(pocket_of(animation));
+  return std::max({2.6 * g.element_radius, hole.height() + 1.4 * g.element_radius,
+                   hole.width() + 1.4 * g.element_radius});
+}
+
+void pocket_view(const Scene& s) {
+  const auto& g = s.geometry();
+  const auto& t = s.sketch.theme();
+  QPainter& p = s.sketch.painter();
+  const auto k = static_cast<std::size_t>(s.options.element - 1);
+  const auto& element = s.frame.elements.at(k);
+  // Seen from outside along the pocket axis: bearing axis up, direction of increasing azimuth to
+  // the right.
+  const double factor = pocket_factor(g);
+  const PocketOutline pocket = pocket_of(s.animation);
+  const bool rollers = s.animation.file.bearing_type != 1;
+  const bool shape_known = s.animation.contacts.has_value();
+  const QSizeF hole = pocket_half(pocket);
+  // From the pocket's centre, y up, to the picture.
+  QTransform to_picture = QTransform::fromTranslate(s.sketch.at(0, 0).x(), s.sketch.at(0, 0).y());
+  to_picture.scale(s.sketch.scale(), -s.sketch.scale());
+  p.setPen(QPen(t.cage.darker(145), 1.6));
+  p.setBrush(t.cage);
+  QPainterPath body;
+  const double wide = std::max(1.75 * g.element_radius, hole.width() + 0.5 * g.element_radius),
+               high = std::max(1.75 * g.element_radius, hole.height() + 0.5 * g.element_radius);
+  body.addRoundedRect(QRectF(-wide, -high, 2.0 * wide, 2.0 * high), 0.2 * g.element_radius,
+                      0.2 * g.element_radius);
+  body.addPath(pocket_hole(pocket));
+  p.drawPath(to_picture.map(body));
+  if (const QPainterPath far = pocket_far_edge(pocket); !far.isEmpty()) {
+    p.setPen(QPen(t.cage.darker(145), 1.2, Qt::DashLine));
+    p.setBrush(Qt::NoBrush);
+    p.drawPath(to_picture.map(far));
+  }
+  const QPointF centre(-element.pocket_vector[1] * factor, element.pocket_vector[0] * factor);
+  const double azimuth = s.pocket_azimuth(k);
+  if (rollers) {
+    const Vec3 axis = rotation(element.angles).col(0);
+    const double skew =
+        std::atan2(-axis.y() * std::cos(azimuth) - axis.z() * std::sin(azimuth), axis.x());
+    QTransform turned = to_picture;
+    turned.translate(centre.x(), centre.y()).rotateRadians(-skew);
+    QLinearGradient shade(to_picture.map(centre - QPointF(g.element_radius, 0)),
+                          to_picture.map(centre + QPointF(g.element_radius, 0)));
+    shade.setColorAt(0.0, t.steel_dark);
+    shade.setColorAt(0.4, t.steel_light);
+    shade.setColorAt(1.0, t.steel_dark);
+    p.setPen(QPen(t.steel_dark.darker(150), 1));
+    p.setBrush(shade);
+    p.drawPath(turned.map(roller_side(pocket)));
+  } else {
+    s.sketch.ball(centre, g.element_radius, mark_from_outside(element, azimuth));
+  }
+  const double direction =
+      s.animation.cage_angle.back() >= s.animation.cage_angle.front() ? 1.0 : -1.0;
+  const double top = high + 0.3 * g.element_radius;
+  s.sketch.arrow(s.sketch.at(-direction * g.element_radius, top),
+                 s.sketch.at(direction * g.element_radius, top), t.red, 7.0);
+  s.sketch.label(s.sketch.at(0, top + 22.0 / s.sketch.scale()), "cage rotation", t.muted, 13);
+  if (element.pocket_force > 0.0) {
+    const double way = std::hypot(centre.x(), centre.y());
+    // The wall that is touched lies where the element has gone; without a way out, the stored angle
+    // tells (0: the cage drives).
+    const QPointF u = way > 0.0 ? centre / way
+                                : QPointF(-direction * std::cos(element.pocket_angle),
+                                          std::sin(element.pocket_angle));
+    s.sketch.arrow(
+        s.sketch.at(centre.x(), centre.y()),
+        s.sketch.at(centre.x() + u.x() * g.element_radius, centre.y() + u.y() * g.element_radius),
+        t.red, 2.6);
+  }
+  const std::string force =
+      desktop::pretty_quantity(element.pocket_force, s.animation.file.units[2], 3);
+  draw_key(s.sketch,
+           {{t.red, element.pocket_force > 0.0
+                        ? QString::fromStdString(fmt::format("contact: {} at {:.0f}°", force,
+                                                             element.pocket_angle * 180.0 / kPi))
+                        : QString("no contact")}},
+           QString::fromStdString(fmt::format(
+               "pocket {} of {}  ·  clearance × {}  ·  seen from outside, axis up{}", k + 1,
+               s.frame.elements.size(), desktop::pretty_number(factor, 3),
+               shape_known || (!rollers && !(g.pocket_clearance_2 > 0.0)) ? ""
+               : rollers ? "  ·  as long as wide: SOL8 does not hold the length of rollers"
+                         : "  ·  drawn round: SOL8 does not hold the pocket's shape")));
+}
+
+}  // namespace adore::agore

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "agore/sketch.hpp"
+#include "agore/view_options.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+/// What the sources of the views share: one frame of an animation, and where its bodies are drawn.
+namespace adore::agore {
+
+inline constexpr double kPi = std::numbers::pi;
+
+struct KeyEntry {
+  QColor colour;
+  QString text;
+};
+
+/// Everything that the views of one frame share.
+struct Scene {
+  const Sketch& sketch;
+  const Animation& animation;
+  std::size_t index;
+  const results::Sol8Frame& frame;
+  double factor;  ///< exaggeration
+  const ViewOptions& options;
+
+  [[nodiscard]] const results::Sol8Geometry& geometry() const { return animation.file.geometry; }
+  [[nodiscard]] double pitch_radius() const { return 0.5 * geometry().pitch_diameter; }
+  /// Exaggerated position (y, z) of a body.
+  [[nodiscard]] QPointF place(const results::Sol8Body& body) const {
+    return QPointF(body.position[1], body.position[2]) * factor;
+  }
+  [[nodiscard]] double pocket_radius() const {
+    return geometry().element_radius + 0.5 * factor * geometry().pocket_clearance_1;
+  }
+  [[nodiscard]] double cage_angle() const { return animation.cage_angle[index]; }
+  /// Azimuth of the centre of an element's pocket.
+  [[nodiscard]] double pocket_azimuth(std::size_t k) const {
+    return animation.part_angle(index, animation.pocket_part[k]) + animation.pocket_angle[k];
+  }
+  [[nodiscard]] int busier_land() const {
+    return frame.land_force[1] > frame.land_force[0] ? 1 : 0;
+  }
+};
+
+void draw_key(const Sketch& sketch, const std::vector<KeyEntry>& entries, const QString& remark);
+
+/// Direction of an element's orientation mark seen from outside along the pocket axis at azimuth
+/// `angle`: right is increasing azimuth, up is X.
+[[nodiscard]] std::array<double, 3> mark_from_outside(const results::Sol8Element& element,
+                                                      double angle);
+
+/// Views with sources of their own.
+void pocket_view(const Scene& scene);
+void section_view(const Scene& scene);
+void flange_view(const Scene& scene);
+/// Half the height that they need, in the file's length.
+[[nodiscard]] double pocket_picture_radius(const Animation& animation);
+[[nodiscard]] double section_picture_radius(const Animation& animation);
+[[nodiscard]] double flange_picture_radius(const Animation& animation);
+
+/// A quantity of an element as a colour: what the value is, between 0 and the largest of the run.
+struct Colouring {
+  std::string title, unit;
+  double largest = 0.0;
+  std::vector<double> value;  ///< of each element at the frame; empty: nothing to colour by
+  std::string why_none;
+};
+[[nodiscard]] Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by);
+/// Dark blue over green to yellow (after viridis), even in lightness; `part` 0 to 1.
+[[nodiscard]] QColor scale_colour(double part);
+/// Bar with its ends, at the right end of the picture.
+void draw_scale(const Sketch& sketch, const Colouring& colouring);
+
+}  // namespace adore::agore

@@ -1,0 +1,279 @@
+#include "base/errors.hpp"
+#include "contact/guide_land.hpp"
+#include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/pockets.hpp"
+#include "tribology/cage_oil.hpp"
+#include "tribology/journal_film.hpp"
+#include "tribology/pocket_film.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+/// Oil films between the cage and races (kGsHydro) or balls (kPocHydro). Two effects.
+///
+/// Guide land: the short journal bearing of tribology/journal_film.hpp, one film for each land at
+/// its middle plane; the cage is the journal on the outer race, the race on the inner. Force at the
+/// centres of both circles, e F_t of their couple is shared by both torques, so that no momentum is
+/// lost. The eccentricity of the film stops smoothly, over 5 % of the clearance, where the least
+/// gap is the critical film; from there on the metal contact of effects/lands.cpp grows.
+/// Attitude angle: from the line of the least gap to the film's load, tan φ = F_t/-F_r.
+///
+/// Pocket, at each surface nearer than pocLubFilm: wedge of the sliding surfaces, entrained with
+/// half the slip, and squeeze (tribology/pocket_film.hpp), both along the normal; shear of a sphere
+/// that slides past a wall, 6π μ R u (8/15 ln(R/h) + 0.9588) (Goldman, Cox & Brenner 1967), against
+/// the slip in the contact point [choice]. All fade to nothing by a cubic between half of
+/// pocLubFilm and itself; below the critical film they stay what they are there, and contact grows.
+/// Curvature of the wall: nominal clearance I. Heat is what the actions of both films take: minus
+/// their power. Decision 304.
+namespace adore::dynamics {
+namespace {
+
+constexpr LedgerTerm kLandHeat{LedgerKind::Heat,
+                               "land_film_heat",
+                               "heat in the films at the guide lands",
+                               {"films at the guide lands"},
+                               "dissipated since the start"};
+constexpr LedgerTerm kPocketFilmHeat{LedgerKind::Heat,
+                                     "pocket_film_heat",
+                                     "heat in the films in the pockets",
+                                     {"films in the pockets"},
+                                     "dissipated since the start"};
+constexpr const LedgerTerm* kLandTerms[] = {&kLandHeat};
+constexpr const LedgerTerm* kPocketTerms[] = {&kPocketFilmHeat};
+
+/// max(x, limit), rounded by a parabola over ± width.
+double smooth_max(double x, double limit, double width) noexcept {
+  const double above = x - limit;
+  if (above >= width) return x;
+  if (above <= -width) return limit;
+  return limit + (above + width) * (above + width) / (4.0 * width);
+}
+
+struct FilmLand {
+  std::size_t index = 0;  ///< of the land
+  std::size_t race = 0;
+  bool cage_inside = true;
+  double x = 0.0;        ///< middle plane in the cage frame [m]
+  double largest = 0.0;  ///< eccentricity of the critical film
+  tribology::JournalFilm film;
+};
+
+/// What one film does: on the journal at its centre, on the bearing the opposite at its own.
+struct FilmAction {
+  Vec3 force = Vec3::Zero();
+  double radial = 0.0, tangential = 0.0;
+  double torque_journal = 0.0, torque_bearing = 0.0;
+  Vec3 cage_centre = Vec3::Zero(), race_centre = Vec3::Zero(), axis = Vec3::Zero();
+};
+
+FilmAction act(const FilmLand& land, const BodyState& cage, const RaceBody& race) noexcept {
+  constexpr double kLeast = 1e-6;  // eccentricity below which its direction says nothing
+  FilmAction out;
+  out.axis = race.axis();
+  out.cage_centre = cage.position + land.x * cage.to_base.col(0);
+  Vec3 apart = out.cage_centre - race.position;
+  apart -= apart.dot(out.axis) * out.axis;
+  out.race_centre = out.cage_centre - apart;
+  Vec3 motion = cage.velocity_at(out.cage_centre) - race.velocity_at(out.race_centre);
+  motion -= motion.dot(out.axis) * out.axis;
+  const double side = land.cage_inside ? 1.0 : -1.0, c = land.film.clearance;
+  apart *= side;
+  motion *= side;
+  const double size = apart.norm(), guarded = std::max(size, kLeast * c);
+  Vec3 d = size > kLeast * c ? Vec3(apart / size)
+                             : Vec3(out.axis
+                                        .cross(std::abs(out.axis.y()) < 0.9 ? Vec3(Vec3::UnitY())
+                                                                            : Vec3(Vec3::UnitZ()))
+                                        .normalized());
+  const Vec3 t = out.axis.cross(d);
+  const BodyState& journal = land.cage_inside ? cage : static_cast<const BodyState&>(race);
+  const BodyState& bearing = land.cage_inside ? static_cast<const BodyState&>(race) : cage;
+  tribology::JournalMotion at;
+  constexpr double kBlend = 0.05;
+  at.eccentricity = -smooth_max(-guarded / c, -land.largest, kBlend);
+  at.journal = journal.omega.dot(out.axis);
+  at.bearing = bearing.omega.dot(out.axis);
+  at.attitude_rate = motion.dot(t) / guarded;
+  at.squeeze = motion.dot(d) / c;
+  const tribology::JournalForce force = tribology::journal_force(land.film, at);
+  out.radial = force.radial;
+  out.tangential = force.tangential;
+  out.force = force.radial * d + force.tangential * t;
+  const double shear = 0.5 * (force.torque_bearing - force.torque_journal);
+  const double couple = 0.5 * size * force.tangential;
+  out.torque_journal = -shear - couple;
+  out.torque_bearing = shear - couple;
+  return out;
+}
+
+class LandFilmBlock final : public EffectBlock {
+ public:
+  LandFilmBlock(const std::vector<FilmLand>& lands, double& heat) : lands_(lands), heat_(heat) {}
+  void apply(Evaluation& e) noexcept override {
+    heat_ = 0.0;
+    BodyState& cage = e.segments.front();
+    for (const FilmLand& land : lands_) {
+      RaceBody& race = e.race[land.race];
+      const FilmAction a = act(land, cage, race);
+      const Vec3 on_cage = land.cage_inside ? a.force : Vec3(-a.force);
+      const Vec3 cage_torque = (land.cage_inside ? a.torque_journal : a.torque_bearing) * a.axis;
+      const Vec3 race_torque = (land.cage_inside ? a.torque_bearing : a.torque_journal) * a.axis;
+      cage.add_force(on_cage, a.cage_centre);
+      cage.moment += cage_torque;
+      race.add_force(-on_cage, a.race_centre);
+      race.moment += race_torque;
+      heat_ -= on_cage.dot(cage.velocity_at(a.cage_centre) - race.velocity_at(a.race_centre)) +
+               cage_torque.dot(cage.omega) + race_torque.dot(race.omega);
+    }
+  }
+
+ private:
+  const std::vector<FilmLand>& lands_;
+  double& heat_;
+};
+
+class LandFilm final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override {
+    const bearing::Bearing& bearing = scene.bearing;
+    demand(bearing.cage_films.has_value() && bearing.cage.has_value(), "films without oil or cage");
+    const bearing::CageFilms& films = *bearing.cage_films;
+    const double viscosity = tribology::film_viscosity(bearing, films.land_viscosity);
+    for (std::size_t i = 0; i < bearing.cage->lands.size(); ++i) {
+      const bearing::GuideLand& guide = bearing.cage->lands[i];
+      const double c = 0.5 * guide.clearance;
+      if (guide.guide == bearing::GuideLand::Guide::None || !(c > 0.0) || !(guide.width > 0.0))
+        continue;
+      FilmLand land;
+      land.index = i;
+      land.cage_inside = guide.guide == bearing::GuideLand::Guide::Outer;
+      land.race = land.cage_inside ? 0 : 1;
+      land.x = contact::land_centre(guide.edge, guide.width);
+      land.film = {viscosity, 0.5 * guide.diameter - (land.cage_inside ? 0.0 : c), guide.width, c};
+      constexpr double kTightest = 0.5;  // a play of a few critical films still has one
+      land.largest = std::max(kTightest, 1.0 - films.critical_film / c);
+      lands_.push_back(land);
+    }
+    scene.block<LandFilmBlock>(Phase::Force, "films of the cage", {}, lands_, heat_);
+    scene.energy("land films.heat", kLandHeat, &heat_);
+  }
+  void report(const Evaluation& e, Snapshot& snapshot) const override {
+    for (const FilmLand& land : lands_) {
+      if (snapshot.cages.empty() || land.index >= snapshot.cages.front().lands.size()) continue;
+      const FilmAction a = act(land, e.segments.front(), e.race[land.race]);
+      LandSnapshot& shown = snapshot.cages.front().lands[land.index];
+      shown.film_force = a.force.norm();
+      shown.attitude = std::atan2(a.tangential, -a.radial);
+    }
+  }
+
+ private:
+  std::vector<FilmLand> lands_;
+  double heat_ = 0.0;  ///< now [W]
+};
+
+/// Oil of the pockets and what of their shape its films read.
+struct PocketOil {
+  double viscosity = 0.0, largest = 0.0, critical = 0.0;
+  double around = 0.0, along = 0.0;  ///< relative curvature around and along the pocket axis [1/m]
+};
+
+class PocketFilmBlock final : public EffectBlock {
+ public:
+  PocketFilmBlock(PocketSet& set, const PocketOil& oil, double& heat)
+      : set_(set), oil_(oil), heat_(heat) {}
+  void apply(Evaluation& e) noexcept override;
+
+ private:
+  void film(Evaluation& e, std::size_t i, const contact::WallPoint& wall) noexcept;
+
+  PocketSet& set_;
+  PocketOil oil_;
+  double& heat_;
+};
+
+void PocketFilmBlock::apply(Evaluation& e) noexcept {
+  heat_ = 0.0;
+  set_.locate(e);
+  for (std::size_t i = 0; i < set_.size(); ++i) {
+    const contact::WallPoints walls = set_.walls(i);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k)
+      if (walls.surface[k].gap < oil_.largest) film(e, i, walls.surface[k]);
+  }
+}
+
+void PocketFilmBlock::film(Evaluation& e, std::size_t i, const contact::WallPoint& wall) noexcept {
+  BodyState& cage = set_.body(e, i);
+  const std::size_t ball = set_.element(i);
+  const double R = set_.ball_radius(i);
+  const double h = smooth_max(wall.gap, oil_.critical, 0.5 * oil_.critical);
+  const double s = std::clamp(2.0 * (1.0 - wall.gap / oil_.largest), 0.0, 1.0);
+  const double fade = s * s * (3.0 - 2.0 * s);
+  const Vec3 m = set_.to_base(i, wall.m, cage.to_base);
+  const Vec3 z = set_.to_base(i, Vec3::UnitZ(), cage.to_base);
+  const Vec3 arm = R * m, point = e.element_centre(ball) + arm;
+  const Vec3 of_wall = cage.velocity_at(point);
+  const Vec3 slip = e.element_velocity(ball) + e.element_omega(ball).cross(arm) - of_wall;
+  const double closing = (e.element_velocity(ball) - of_wall).dot(m);  // -dh/dt
+  const Vec3 sliding = slip - slip.dot(m) * m;
+  const double u = sliding.norm();
+  const double lengthwise = u > 0.0 ? std::pow(sliding.dot(z) / u, 2) : 1.0;
+  const double k_along = lengthwise * oil_.along + (1.0 - lengthwise) * oil_.around;
+  const double k_across = lengthwise * oil_.around + (1.0 - lengthwise) * oil_.along;
+  const double wedge =
+      tribology::pocket_wedge(oil_.viscosity, 0.5 * u, 1.0 / k_along, 1.0 / k_across, h);
+  const double squeeze =
+      tribology::sphere_squeeze(oil_.viscosity, 1.0 / std::sqrt(k_along * k_across), h, -closing);
+  const double shear = 6.0 * std::numbers::pi * oil_.viscosity * R *
+                       std::max(0.0, 8.0 / 15.0 * std::log(R / h) + 0.9588);
+  const Vec3 tangential = -fade * shear * sliding;
+  const Vec3 force = tangential - fade * (wedge + squeeze) * m;
+  e.add_force(ball, e.to_cylindrical(ball, force));
+  e.add_moment(ball, e.to_cylindrical(ball, arm.cross(force)));
+  cage.add_force(-force, point);
+  heat_ -= force.dot(slip);
+}
+
+class PocketFilm final : public SceneEffect {
+ public:
+  void declare(SceneBuilder& scene) override {
+    const bearing::Bearing& bearing = scene.bearing;
+    PocketContact* pockets = scene.find<PocketContact>();
+    demand(pockets != nullptr && bearing.cage_films.has_value(),
+           "films of pockets without balls in pockets or without oil");
+    const bearing::CageFilms& films = *bearing.cage_films;
+    const double r = 0.5 * bearing.balls().diameter;
+    const double wall = 1.0 / (r + 0.5 * std::max(bearing.cage->pocket_clearance_1, 1e-3 * r));
+    const auto shape = bearing.cage->pocket;
+    PocketOil oil;
+    oil.viscosity = tribology::film_viscosity(bearing, films.pocket_viscosity);
+    oil.largest = films.largest_pocket_film;
+    oil.critical = std::min(films.critical_film, 0.25 * films.largest_pocket_film);
+    oil.around = 1.0 / r - (shape == bearing::PocketShape::Rectangular ? 0.0 : wall);
+    oil.along = 1.0 / r - (shape == bearing::PocketShape::Spherical ? wall : 0.0);
+    scene.block<PocketFilmBlock>(Phase::Force, "films of the cage",
+                                 BodyId{BodyId::Kind::Segment, 0}, pockets->set(), oil, heat_);
+    scene.energy("pocket films.heat", kPocketFilmHeat, &heat_);
+  }
+
+ private:
+  double heat_ = 0.0;  ///< now [W]
+};
+
+}  // namespace
+
+std::unique_ptr<SceneEffect> make_land_film(const ScenePlan& plan) {
+  if (!plan.has(Effect::LandFilm)) return nullptr;
+  return std::make_unique<LandFilm>();
+}
+std::span<const LedgerTerm* const> land_film_terms() { return kLandTerms; }
+
+std::unique_ptr<SceneEffect> make_pocket_film(const ScenePlan& plan) {
+  if (!plan.has(Effect::PocketFilm)) return nullptr;
+  return std::make_unique<PocketFilm>();
+}
+std::span<const LedgerTerm* const> pocket_film_terms() { return kPocketTerms; }
+
+}  // namespace adore::dynamics

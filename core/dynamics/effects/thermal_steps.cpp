@@ -1,0 +1,47 @@
+#include "dynamics/effects/thermal_steps.hpp"
+
+#include "dynamics/effect_makers.hpp"
+
+namespace adore::dynamics {
+namespace {
+
+constexpr LedgerTerm kEnergy{LedgerKind::Switch,
+                             "thermal_steps",
+                             "thermal steps",
+                             {"changes of geometry and material by thermal steps"},
+                             "stored energy after less before, since the start"};
+constexpr LedgerTerm kMomentum{
+    LedgerKind::Switch, "", "", {"linear momentum brought by thermal steps"}, ""};
+constexpr LedgerTerm kAngularMomentum{
+    LedgerKind::Switch, "", "", {"angular momentum brought by thermal steps"}, ""};
+constexpr const LedgerTerm* kTerms[] = {&kEnergy};
+
+}  // namespace
+
+void ThermalSteps::declare(SceneBuilder& scene) {
+  scene.energy(energy_, "thermal.jump", kEnergy, nullptr);
+  if (!scene.plan.has(Effect::MomentumLedger)) return;
+  using Momentum = SceneBuilder::Momentum;
+  scene.momentum(impulse_, "thermal.impulse", Momentum::Linear, kMomentum, nullptr);
+  scene.momentum(angular_impulse_, "thermal.angular_impulse", Momentum::Angular, kAngularMomentum,
+                 nullptr);
+}
+
+void ThermalSteps::book(std::span<double> y, double energy, const Momenta& before,
+                        const Momenta& after) const {
+  const auto at = [&y](int index) -> double& { return y[static_cast<std::size_t>(index)]; };
+  at(energy_) += energy;
+  if (impulse_ < 0) return;
+  for (int k = 0; k < 3; ++k) {
+    at(impulse_ + k) += after.linear[k] - before.linear[k];
+    at(angular_impulse_ + k) += after.angular[k] - before.angular[k];
+  }
+}
+
+std::unique_ptr<SceneEffect> make_thermal_steps(const ScenePlan& plan) {
+  if (!plan.has(Effect::ThermalSteps)) return nullptr;
+  return std::make_unique<ThermalSteps>();
+}
+std::span<const LedgerTerm* const> thermal_step_terms() { return kTerms; }
+
+}  // namespace adore::dynamics

@@ -1,0 +1,224 @@
+#include "facade/thermal_run.hpp"
+
+#include "base/errors.hpp"
+#include "dynamics/roller_start.hpp"
+#include "statics/kinematics.hpp"
+#include "thermal/steady_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::facade {
+namespace {
+
+constexpr std::size_t kJudged = 8;  ///< steps that judge_sequence may look back
+
+/// All heats as one list, for differences and files.
+std::array<double, 8> list_of(const thermal::HeatSources& q) {
+  return {q.race[0],   q.race[1],   q.land[0],      q.land[1],
+          q.flange[0], q.flange[1], q.element_cage, q.churning};
+}
+thermal::HeatSources of_list(const std::array<double, 8>& v) {
+  return {{v[0], v[1]}, {v[2], v[3]}, {v[4], v[5]}, v[6], v[7]};
+}
+
+std::string key(const char* what, std::size_t k) { return fmt::format("thermal.{}.{}", what, k); }
+
+/// Of the cage, where there is none of the elements; at its epicyclic speed where it is free.
+double cage_speed(const scene::Snapshot& at) {
+  if (!at.cages.empty()) return at.cages.front().omega.x();
+  double mean = 0.0;
+  for (const scene::ElementSnapshot& element : at.elements)
+    mean += element.theta_dot / static_cast<double>(at.elements.size());
+  return mean;
+}
+
+}  // namespace
+
+ThermalRun::ThermalRun(const Prepared& prepared)
+    : as_built_(prepared.as_built),
+      now_(thermal::BulkTemperatures::in(prepared.as_built)),
+      geometry_(now_) {
+  shown_.outside = now_.race[0];
+  shown_.bore = now_.race[1];
+  shown_.housing = now_.housing;
+  shown_.coolant_in = shown_.coolant_out =
+      as_built_.thermal->base == 2 || as_built_.thermal->base == 3
+          ? as_built_.thermal->base_temperature
+          : now_.element;
+  const auto field = now_.list();
+  history_.emplace_back(field.begin(), field.end());
+}
+
+thermal::HeatSources ThermalRun::sources(const scene::EnergyLedger& energy) const {
+  thermal::HeatSources out;
+  double lands = energy.value("land_heat") + energy.value("land_film_heat");
+  std::array<double, 2> guided{};
+  if (as_built_.cage)
+    for (const bearing::GuideLand& land : as_built_.cage->lands) {
+      if (land.guide == bearing::GuideLand::Guide::Outer) guided[0] += land.width;
+      if (land.guide == bearing::GuideLand::Guide::Inner) guided[1] += land.width;
+    }
+  const double width = guided[0] + guided[1];
+  for (std::size_t j = 0; j < 2; ++j) {
+    out.race[j] = energy.value("heat", static_cast<int>(j));
+    out.land[j] = width > 0.0 ? lands * guided[j] / width : 0.0;
+    out.flange[j] = 0.5 * energy.value("flange_heat");
+    if (energy.find("flange_heat", 1) != nullptr)
+      out.flange[j] = energy.value("flange_heat", static_cast<int>(j));
+  }
+  // What elements make with each other stays with them: as that of pockets it goes to the coolant.
+  out.element_cage =
+      energy.value("pocket_heat") + energy.value("pocket_film_heat") + energy.value("element_heat");
+  out.churning = energy.value("element_drag") + energy.value("cage_drag");
+  return out;
+}
+
+void ThermalRun::start(double time, const scene::EnergyLedger& energy) {
+  begun_ = time;
+  before_ = sources(energy);
+}
+
+bool ThermalRun::due(double time) const noexcept {
+  constexpr double kRounding = 1e-9;
+  return time - begun_ >= as_built_.thermal->average_time * (1.0 - kRounding) && time > begun_;
+}
+
+void ThermalRun::show(const thermal::BearingHeat& heat) {
+  const thermal::NetworkTemperatures& T = heat.temperature;
+  shown_ = {
+      steps_,    T.coolant_in,         T.coolant_out,     T.outer_interface, T.inner_interface,
+      T.housing, heat.sources.total(), heat.to_coolant(), heat.flows.race};
+}
+
+ThermalRun::Step ThermalRun::close(const scene::Snapshot& at) {
+  const thermal::HeatSources until = sources(at.energy);
+  const std::array<double, 8> now = list_of(until), then = list_of(before_);
+  std::array<double, 8> mean{};
+  for (std::size_t k = 0; k < now.size(); ++k)
+    mean[k] = std::max(0.0, (now[k] - then[k]) / (at.time - begun_));
+  Step out;
+  bearing::Bearing warm = as_built_;
+  now_.set(warm);
+  out.heat = thermal::solve_bearing_heat(warm, of_list(mean), cage_speed(at));
+  ++steps_;
+  out.number = steps_;
+  now_ = out.heat.bulk;
+  begun_ = at.time;
+  before_ = until;
+  show(out.heat);
+  const bearing::ThermalInputs& in = *as_built_.thermal;
+  out.geometry =
+      in.geometry_every > 0 && steps_ % in.geometry_every == 0 && at.time >= in.skip_time;
+  if (out.geometry) geometry_ = now_;
+  const auto field = now_.list();
+  history_.emplace_back(field.begin(), field.end());
+  if (history_.size() > kJudged) history_.erase(history_.begin());
+  thermal::StepRules rules;
+  rules.limit = thermal::kHottest;
+  out.judged = thermal::judge_sequence(history_, rules);
+  settled_ = out.judged.verdict == thermal::StepVerdict::Stable;
+  const std::string hot = thermal::runaway(now_);
+  if (!hot.empty() || out.judged.verdict == thermal::StepVerdict::Divergent)
+    throw SolverError(fmt::format(
+        "at t = {:.9g} s, thermal step {}: temperatures run away ({}); heat {:.4g} W, outer race "
+        "{:.4g} K, inner race {:.4g} K, elements {:.4g} K. Give more coolant (cFlowRate), more "
+        "clearance or less interference (freeIntCls, raceFit1, raceFit2), less load or speed; or "
+        "a longer aveTime when heat only settles",
+        at.time, steps_,
+        !hot.empty() ? hot : std::string("their changes have grown over four thermal steps"),
+        out.heat.sources.total(), now_.race[0], now_.race[1], now_.element));
+  return out;
+}
+
+bearing::Bearing ThermalRun::operating() const {
+  bearing::Bearing at = as_built_;
+  geometry_.set(at);
+  at.medium_temperature.reset();
+  bearing::Bearing out = thermal::bearing_at(at, now_, false);
+  return out;
+}
+
+void ThermalRun::save(std::map<std::string, double>& state) const {
+  state["thermal.steps"] = steps_;
+  state["thermal.begun"] = begun_;
+  state["thermal.settled"] = settled_ ? 1.0 : 0.0;
+  const auto now = now_.list(), geometry = geometry_.list();
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    state[key("now", k)] = now[k];
+    state[key("geometry", k)] = geometry[k];
+  }
+  const auto heat = list_of(before_);
+  for (std::size_t k = 0; k < heat.size(); ++k) state[key("heat", k)] = heat[k];
+  state["thermal.history"] = static_cast<double>(history_.size());
+  for (std::size_t n = 0; n < history_.size(); ++n)
+    for (std::size_t k = 0; k < history_[n].size(); ++k)
+      state[fmt::format("thermal.history.{}.{}", n, k)] = history_[n][k];
+  const double shown[] = {shown_.coolant_in,   shown_.coolant_out,  shown_.outside,
+                          shown_.bore,         shown_.housing,      shown_.heat,
+                          shown_.coolant_heat, shown_.race_heat[0], shown_.race_heat[1]};
+  for (std::size_t k = 0; k < std::size(shown); ++k) state[key("shown", k)] = shown[k];
+}
+
+bool ThermalRun::restore(const std::map<std::string, double>& state,
+                         const std::filesystem::path& file) {
+  if (state.find("thermal.steps") == state.end()) return false;
+  const auto get = [&](const std::string& name, double least, double most) {
+    const auto found = state.find(name);
+    if (found == state.end() || !(found->second >= least && found->second <= most))
+      throw InputError(
+          fmt::format("{}: the thermal analysis of the run is incomplete or impossible ({}{}); "
+                      "restore the file "
+                      "or start again with --overwrite",
+                      file.string(), name,
+                      found == state.end() ? std::string(" is missing")
+                                           : fmt::format(" = {:g}", found->second)));
+    return found->second;
+  };
+  constexpr double kColdest = 1.0, kMost = 1e30;
+  steps_ = static_cast<int>(get("thermal.steps", 0.0, 1e9));
+  begun_ = get("thermal.begun", 0.0, kMost);
+  settled_ = get("thermal.settled", 0.0, 1.0) > 0.5;
+  std::array<double, 7> now{}, geometry{};
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    now[k] = get(key("now", k), kColdest, thermal::kHottest);
+    geometry[k] = get(key("geometry", k), kColdest, thermal::kHottest);
+  }
+  now_ = thermal::BulkTemperatures::of(now);
+  geometry_ = thermal::BulkTemperatures::of(geometry);
+  std::array<double, 8> heat{};
+  for (std::size_t k = 0; k < heat.size(); ++k) heat[k] = get(key("heat", k), -kMost, kMost);
+  before_ = of_list(heat);
+  const auto count = static_cast<std::size_t>(get("thermal.history", 0.0, double(kJudged)));
+  history_.assign(count, std::vector<double>(now.size()));
+  for (std::size_t n = 0; n < count; ++n)
+    for (std::size_t k = 0; k < now.size(); ++k)
+      history_[n][k] = get(fmt::format("thermal.history.{}.{}", n, k), kColdest, thermal::kHottest);
+  std::array<double, 9> shown{};
+  for (std::size_t k = 0; k < shown.size(); ++k) shown[k] = get(key("shown", k), -kMost, kMost);
+  shown_ = {steps_,   shown[0], shown[1],
+            shown[2], shown[3], shown[4],
+            shown[5], shown[6], {shown[7], shown[8]}};
+  return true;
+}
+
+void move_to(Prepared& p, bearing::Bearing operating) {
+  p.bearing = std::move(operating);
+  if (p.bearing.rollers()) {
+    auto scene = std::make_shared<dynamics::RollerScene>();
+    scene->options = p.options.rollers;
+    scene->solution = statics::solve_roller_statics(p.bearing, p.options.rollers);
+    p.start = dynamics::static_start(*scene, p.bearing);
+    p.roller_scene = std::move(scene);
+    return;
+  }
+  statics::StaticsOptions as_in_motion;
+  as_in_motion.curvature =
+      p.options.system.moving_angle ? statics::Curvature::Potential : statics::Curvature::Fixed;
+  as_in_motion.fixed_angle = p.fixed_angle;
+  p.start = statics::solve_ball_statics(p.bearing, as_in_motion);
+}
+
+}  // namespace adore::facade

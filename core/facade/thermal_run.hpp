@@ -1,0 +1,71 @@
+#pragma once
+
+#include "facade/prepare.hpp"
+#include "scene/snapshot.hpp"
+#include "thermal/bearing_heat.hpp"
+#include "thermal/steps.hpp"
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// The thermal analysis of a run in time (kTherm = 1, mode 0 to 2): a window of aveTime closes with
+/// the counted step that reaches it; the heat of the window, from the energy ledger, goes through
+/// the network; oil, medium and materials follow at once, geometry at every kGeoMod-th thermal step
+/// after skipTime. The network has no heat capacity: thermal steps are iterates towards a steady
+/// state, not a warming-up in time.
+namespace adore::facade {
+
+class ThermalRun {
+ public:
+  /// A prepared dynamic deck with a thermal analysis.
+  explicit ThermalRun(const Prepared& prepared);
+
+  /// Begins the first window.
+  void start(double time, const scene::EnergyLedger& energy);
+  [[nodiscard]] bool due(double time) const noexcept;
+
+  struct Step {
+    thermal::BearingHeat heat;
+    int number = 0;
+    bool geometry = false;  ///< changes with this step
+    thermal::StepSequence judged;
+  };
+  /// Closes the window at this instant. @throws SolverError where temperatures run away, or heat
+  /// finds no way
+  [[nodiscard]] Step close(const scene::Snapshot& at);
+  /// The bearing at work after the last step.
+  [[nodiscard]] bearing::Bearing operating() const;
+
+  [[nodiscard]] const scene::ThermalSnapshot& shown() const noexcept { return shown_; }
+  [[nodiscard]] const thermal::BulkTemperatures& bulk() const noexcept { return now_; }
+  [[nodiscard]] int steps() const noexcept { return steps_; }
+  [[nodiscard]] bool settled() const noexcept { return settled_; }
+
+  /// For MASTER, and back; false: there is nothing of a thermal analysis.
+  void save(std::map<std::string, double>& state) const;
+  /// @throws InputError naming `file` for values that no run leaves
+  bool restore(const std::map<std::string, double>& state, const std::filesystem::path& file);
+
+ private:
+  [[nodiscard]] thermal::HeatSources sources(const scene::EnergyLedger& energy) const;
+  void show(const thermal::BearingHeat& heat);
+
+  bearing::Bearing as_built_;
+  thermal::BulkTemperatures now_, geometry_;  ///< of the parts; of the present geometry
+  double begun_ = 0.0;                        ///< of the window [s]
+  thermal::HeatSources before_;               ///< heat until then [J]
+  int steps_ = 0;
+  bool settled_ = false;
+  std::vector<std::vector<double>> history_;  ///< of the last steps, as far as they are judged
+  scene::ThermalSnapshot shown_;
+};
+
+/// A prepared dynamic deck whose bearing now is `operating`: races and elements in the equilibrium
+/// of this geometry. @throws SolverError when there is none
+void move_to(Prepared& prepared, bearing::Bearing operating);
+
+}  // namespace adore::facade

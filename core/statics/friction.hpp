@@ -1,0 +1,59 @@
+#pragma once
+
+#include "bearing/bearing.hpp"
+#include "tribology/bearing_drag.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+/// Friction of a quasi-static solution: what its speeds and loads dissipate, an estimate, because
+/// the equilibrium knows no friction. SI.
+///
+/// Element and race: speeds are those of the solution (balls: no slip at the contact centres, spin
+/// by kAngVel; rollers: pure rolling). Over each contact the slip of the spin and of the curved
+/// surface (Heathcote),
+///   u_t = u + W_n ξ - W_c h(ξ),   u_c = W_t h(ξ) - W_n η,
+/// acts with the deck's traction law; u is the creep for which the contact carries no force along
+/// the rolling direction, ∫ τ_t dA = 0, as a freely rolling element does. Heat = ∫ τ u dA. Its part
+/// `spin` is that of W_n alone (curvature left out), the rest `sliding`.
+/// Oil in the inlet resists rolling; on each surface, with the film's inlet heating φT:
+///   point  2.86 E' R² k^0.348 U^0.66 G^0.022 W^0.47     (Houpert 1987, recalled)
+///   line   4.318 (R L/α) (G U)^0.658 W^0.0126           (Goksem & Hargreaves 1978, recalled)
+/// and takes 2 F ū (own check of the line: ∫(h - h0)/2 dp of a Grubin inlet, within 5 %).
+/// Starvation thins it as it thins the film (factor φS). Flanges: load times the curve of
+/// record 10.2 at the slip of the end. Lands and pockets: without the motion of the cage their
+/// loads are not known, and nothing is booked; the drag of the medium (kChrn) on elements and cage
+/// is, at the epicyclic speeds. Elastic hysteresis is left out. Decision 301.
+namespace adore::statics {
+
+struct StaticSolution;
+struct RollerSolution;
+
+struct FrictionOfContact {
+  double spin = 0.0, sliding = 0.0, rolling = 0.0;  ///< [W]
+  [[nodiscard]] double total() const noexcept { return spin + sliding + rolling; }
+};
+
+struct FrictionEstimate {
+  std::array<std::vector<FrictionOfContact>, 2> race;  ///< by race and element
+  std::array<double, 2> flange{};                      ///< by race [W]
+  double element_drag = 0.0, cage_drag = 0.0;          ///< [W]
+  std::string medium, medium_provenance;               ///< of the drag; empty: none
+  std::string law;                                     ///< of the traction, in words
+  std::vector<std::string> notes;
+  double speed = 0.0;  ///< |Ω_i - Ω_o| [rad/s]
+
+  [[nodiscard]] FrictionOfContact of_race(int race) const noexcept;
+  [[nodiscard]] double drag() const noexcept { return element_drag + cage_drag; }
+  [[nodiscard]] double power() const noexcept;
+  /// Power over the relative speed of the races; 0 at rest [N m].
+  [[nodiscard]] double torque() const noexcept { return speed > 0.0 ? power() / speed : 0.0; }
+};
+
+[[nodiscard]] FrictionEstimate friction_estimate(const bearing::Bearing& bearing,
+                                                 const StaticSolution& solution);
+[[nodiscard]] FrictionEstimate friction_estimate(const bearing::Bearing& bearing,
+                                                 const RollerSolution& solution);
+
+}  // namespace adore::statics

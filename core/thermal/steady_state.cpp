@@ -1,0 +1,172 @@
+#include "thermal/steady_state.hpp"
+
+#include "base/errors.hpp"
+#include "statics/ball_statics.hpp"
+#include "thermal/operating.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace adore::thermal {
+namespace {
+
+using bearing::Bearing;
+using Field = std::array<double, 7>;
+
+constexpr double kTolerance = 0.01;  ///< [K]
+constexpr int kPasses = 300;
+
+double largest(const Field& field) {
+  double out = 0.0;
+  for (const double value : field) out = std::max(out, std::abs(value));
+  return out;
+}
+Field less(const Field& a, const Field& b) {
+  Field out{};
+  for (std::size_t k = 0; k < a.size(); ++k) out[k] = a[k] - b[k];
+  return out;
+}
+double dot(const Field& a, const Field& b) {
+  double out = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) out += a[k] * b[k];
+  return out;
+}
+
+/// What one pass finds.
+struct Pass {
+  Bearing operating;
+  statics::FrictionEstimate friction;
+  BearingHeat heat;
+};
+
+Pass one_pass(const Bearing& as_built, const BulkTemperatures& bulk,
+              const statics::RollerOptions& rollers) {
+  Pass out;
+  out.operating = bearing_at(as_built, bulk, as_built.thermal->geometry_every > 0);
+  double orbit = 0.0;
+  if (out.operating.rollers()) {
+    const auto solution = statics::solve_roller_statics(out.operating, rollers);
+    orbit = solution.orbital_speed;
+    out.friction = statics::friction_estimate(out.operating, solution);
+  } else {
+    const auto solution = statics::solve_ball_statics(out.operating);
+    for (const statics::StaticBall& ball : solution.balls)
+      orbit += ball.orbital_speed / static_cast<double>(solution.balls.size());
+    out.friction = statics::friction_estimate(out.operating, solution);
+  }
+  out.heat = solve_bearing_heat(out.operating, heat_sources(out.friction), orbit);
+  return out;
+}
+
+constexpr const char* kRemedy =
+    "give more coolant (cFlowRate), more clearance or less interference (freeIntCls, raceFit1, "
+    "raceFit2), less load or speed, or a thinner lubricant";
+
+[[noreturn]] void give_up(const std::string& what, int passes, const std::optional<Pass>& last,
+                          double gain) {
+  std::string state;
+  if (last) {
+    const BulkTemperatures& T = last->heat.bulk;
+    state = fmt::format(
+        "; last: {:.4g} W, outer race {:.4g} K, inner race {:.4g} K, elements {:.4g} K, diametral "
+        "clearance {:.4g} m",
+        last->friction.power(), T.race[0], T.race[1], T.element,
+        last->operating.operating ? last->operating.operating->operating.clearance : 0.0);
+  }
+  const std::string growth =
+      std::isfinite(gain) && gain > 1.0
+          ? fmt::format("; heat grows with temperature {:.3g} times as fast as it is taken away",
+                        gain)
+          : std::string();
+  throw SolverError(fmt::format("thermal analysis: no steady state after {} passes: {}{}{}. {}",
+                                passes, what, state, growth, kRemedy));
+}
+
+}  // namespace
+
+HeatSources heat_sources(const statics::FrictionEstimate& friction) {
+  HeatSources out;
+  for (std::size_t j = 0; j < 2; ++j) {
+    out.race[j] = friction.of_race(static_cast<int>(j)).total();
+    out.flange[j] = friction.flange[j];
+  }
+  out.churning = friction.drag();
+  return out;
+}
+
+Bearing bearing_at(const Bearing& as_built, const BulkTemperatures& bulk, bool geometry_follows) {
+  if (geometry_follows) {
+    Bearing warm = as_built;
+    bulk.set(warm);
+    return operating_bearing(warm);
+  }
+  Bearing out = operating_bearing(as_built);
+  bulk.set(out);
+  return out;
+}
+
+SteadyState solve_steady_state(const Bearing& as_built, const statics::RollerOptions& rollers,
+                               const std::function<void()>& each_pass) {
+  demand(as_built.thermal.has_value(), "a steady state of a deck without thermal analysis");
+  BulkTemperatures at = BulkTemperatures::in(as_built);
+  SteadyState out;
+  out.gain = std::numeric_limits<double>::quiet_NaN();
+  std::optional<Pass> last;
+  Field residual{};
+  double factor = 1.0;
+  for (int pass = 1;; ++pass) {
+    if (each_pass) each_pass();
+    Pass now;
+    try {
+      now = one_pass(as_built, at, rollers);
+    } catch (const SolverError& error) {
+      if (!last) throw;
+      give_up(fmt::format("the bearing has no equilibrium any more ({})", error.what()), pass, last,
+              out.gain);
+    } catch (const InputError& error) {
+      if (!last) throw;
+      give_up(fmt::format("the bearing cannot work any more ({})", error.what()), pass, last,
+              out.gain);
+    }
+    last = now;
+    const Field r = less(now.heat.bulk.list(), at.list());
+    out.passes = pass;
+    out.change = largest(r);
+    if (std::isfinite(out.change) && pass > 1) {
+      // r falls by (1 - gain) of each step, step = factor × residual.
+      const Field d = less(r, residual);
+      const double square = dot(d, d);
+      if (square > 0.0) {
+        const double slope = dot(residual, d) / (factor * dot(residual, residual));
+        out.gain = 1.0 + slope;
+        const double wanted = -factor * dot(residual, d) / square;
+        factor = wanted > 0.0 ? std::clamp(wanted, 0.05, 3.0) : 1.0;
+      }
+    }
+    if (out.change < kTolerance) {
+      out.heat = std::move(now.heat);
+      out.friction = std::move(now.friction);
+      out.as_built = as_built;
+      if (as_built.thermal->geometry_every > 0) at.set(out.as_built);
+      out.operating = std::move(now.operating);
+      return out;
+    }
+    if (const std::string hot = runaway(now.heat.bulk); !hot.empty() || !std::isfinite(out.change))
+      give_up(fmt::format("temperatures run away ({})", hot), pass, last, out.gain);
+    if (pass == kPasses)
+      give_up(fmt::format("temperatures still change by {:.3g} K", out.change), pass, last,
+              out.gain);
+    Field next = at.list();
+    for (std::size_t k = 0; k < next.size(); ++k) next[k] = std::max(next[k] + factor * r[k], 1.5);
+    residual = r;
+    at = BulkTemperatures::of(next);
+    if (const std::string hot = runaway(at); !hot.empty())
+      give_up(fmt::format("temperatures run away ({})", hot), pass, last, out.gain);
+  }
+}
+
+}  // namespace adore::thermal

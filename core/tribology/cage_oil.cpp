@@ -1,0 +1,14 @@
+#include "tribology/cage_oil.hpp"
+
+#include "base/errors.hpp"
+#include "tribology/lubricant.hpp"
+
+namespace adore::tribology {
+
+double film_viscosity(const bearing::Bearing& bearing, double given) {
+  if (given > 0.0) return given;
+  demand(bearing.lubrication.has_value(), "films of the cage without a lubricant");
+  return lubricant_of(*bearing.lubrication).base_viscosity(bearing.cage_temperature);
+}
+
+}  // namespace adore::tribology

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "base/scalar_log.hpp"
+#include "base/scalar_math.hpp"
+#include "tribology/film_thickness.hpp"
+#include "tribology/laws/contact_point.hpp"
+
+/// The film of a contact as traction laws have it: contact_film.hpp for numbers and for vectors of
+/// numbers, with the state's own load, speed, slip, curvature and ellipse. Points go by Hamrock &
+/// Dowson also where k < 1 (which grooves do not make), lines by Dowson & Toyoda and Dowson.
+namespace adore::tribology {
+
+template <class T>
+struct FilmHere {
+  T thickness;  ///< in the middle [m]
+  T thinnest;   ///< [m]
+  T share;      ///< w of the film in the traction, the rest is metal: 0 to 1
+};
+
+/// Constants of the films of one race at the temperature of its inlets, which stays for the run.
+/// SI. Set by film_law.hpp.
+struct FilmOfContact {
+  bool line = false;
+  double log_central = 0.0, log_minimum = 0.0;  ///< ln of c G^m (μ0/E')^s of the regressions
+  double inverse_modulus = 0.0;                 ///< 1/E' [1/Pa]
+  double curvature = 0.0;                       ///< 1/R of contacts that do not say theirs [1/m]
+  double least_speed2 = 0.0;                    ///< added to u² [m²/s²]
+  double log_heating = 0.0;                     ///< ln of L/u²
+  double meniscus = 0.0;                        ///< strParam
+  double critical = 0.0;                        ///< reRaceFilm [m]
+
+  template <class T>
+  [[gnu::always_inline]] FilmHere<T> at(const ContactPoint<T>& c) const {
+    using M = ScalarMath<T>;
+    using Log = ScalarLog<T>;
+    const FilmRegression& central = line ? kLineCentral : kPointCentral;
+    const FilmRegression& minimum = line ? kLineMinimum : kPointMinimum;
+    const T curve = M::pick(c.curvature > 0.0, c.curvature, T(curvature));
+    const T u2 = c.entrainment * c.entrainment + least_speed2;
+    const T log_u = 0.5 * Log::log(u2), log_curve = Log::log(curve);
+    const T area = line ? curve : curve * curve;
+    const T log_W = Log::log(M::max(c.load * inverse_modulus * area, T(kLeastLoadGroup)));
+    const T log_h = log_central + (central.speed - 1.0) * log_curve + central.speed * log_u -
+                    central.load * log_W;
+    const T log_least = log_minimum + (minimum.speed - 1.0) * log_curve + minimum.speed * log_u -
+                        minimum.load * log_W;
+    T shape = 1.0, shape_least = 1.0;
+    if (!line) {
+      const T k = c.half_major / M::max(c.half_minor, T(1e-30));
+      shape -= central.shape * M::exp(-central.decay * k);
+      shape_least -= minimum.shape * M::exp(-minimum.decay * k);
+    }
+    const T isothermal = shape * M::exp(log_h);
+    // Inlet heating, with its floor of 0.1 (thermal_reduction.hpp).
+    const T log_L = log_heating + 2.0 * log_u;
+    const T slide = M::exp(0.415 * Log::log(c.slip * c.slip / u2 + 1e-8));
+    const T raw = (1.0 - 13.2 * inverse_modulus * c.peak_pressure * M::exp(0.42 * log_L)) /
+                  (1.0 + 0.213 * (1.0 + 2.23 * slide) * M::exp(0.64 * log_L));
+    const T above = raw - kFloor;
+    const T inside = M::min(M::max(above, T(-kWidth)), T(kWidth)) + kWidth;
+    const T thermal = kFloor + M::max(above - kWidth, T(0.0)) + inside * inside / (4.0 * kWidth);
+    // Starvation (starvation.hpp); half widths that are none give no film.
+    const T reach = 0.5 * c.half_minor * c.half_minor * curve;
+    const T log_psi =
+        (2.0 / 3.0) * (Log::log(M::max(reach, T(1e-30))) - Log::log(M::max(isothermal, T(1e-30)))) +
+        Log::log(T(meniscus));
+    const T near = M::min(log_psi, T(kFlooded));
+    const T dry = M::exp(-1.68005 * M::exp(0.8315 * near) + 0.260137 * M::exp(1.558 * near) -
+                         0.016146 * M::exp(2.296 * near));
+    const T factor = thermal * M::max(1.0 - dry, T(0.0));
+    const T thinnest = factor * shape_least * M::exp(log_least);
+    const T s =
+        M::min(M::max((thinnest - 0.95 * critical) / (0.1 * critical + 1e-15), T(0.0)), T(1.0));
+    return {factor * isothermal, thinnest, s * s * (3.0 - 2.0 * s)};
+  }
+
+ private:
+  static constexpr double kFloor = 0.1, kWidth = 0.05, kFlooded = 7.0;
+};
+
+}  // namespace adore::tribology

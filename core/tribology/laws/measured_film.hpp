@@ -1,0 +1,60 @@
+#pragma once
+
+#include "base/scalar_log.hpp"
+#include "base/scalar_math.hpp"
+#include "tribology/laws/contact_point.hpp"
+#include "tribology/laws/limited.hpp"
+#include "tribology/laws/pressure_fit.hpp"
+
+namespace adore::tribology {
+
+/// Traction of a Newtonian film that its own shear heats, with the measured viscosity over pressure
+/// and temperature (kTrac 10): τ by newton_film.hpp with μ1(p) and β(p) = -∂ln μ/∂T at the
+/// temperature of the walls, and a limiting stress. Right for rises up to some 20 K through the
+/// film, where β may be held. SI.
+struct MeasuredFilm {
+  PressureFit log_viscosity;  ///< ln μ1 [Pa s]
+  PressureFit log_heating;    ///< ln √(β μ1/(8 K)) [s/m]
+  LimitedTraction limit;
+  double start_slip = 0.0;
+
+  static constexpr bool kOfStrip = false;
+
+  template <class T>
+  struct Here {
+    const MeasuredFilm* film;
+    T inverse_thickness;
+
+    [[gnu::always_inline]] T operator()(const T& slip, const T& pressure) const {
+      T kappa[1];
+      several<1>(&slip, &pressure, kappa);
+      return kappa[0];
+    }
+    /// Of N points at once (film_law_of.hpp).
+    template <int N>
+    [[gnu::always_inline]] void several(const T* slip, const T* pressure, T* kappa) const {
+      using M = ScalarMath<T>;
+      T log_viscosity[N], log_heating[N];
+      film->log_viscosity.template at<N>(pressure, log_viscosity);
+      film->log_heating.template at<N>(pressure, log_heating);
+      for (int i = 0; i < N; ++i) {
+        const T S = slip[i] * M::exp(log_heating[i]);
+        const T S2 = S * S;
+        T inverse;
+        const T root = M::root_and_inverse(1.0 + S2, inverse);
+        const T thinning =
+            M::pick(S < 1e-3, 1.0 - S2 * (2.0 / 3.0 - S2 * (8.0 / 15.0)),
+                    ScalarLog<T>::log(S + root) * inverse * M::inverse_sqrt(M::max(S2, T(1e-30))));
+        const T stress = M::exp(log_viscosity[i]) * slip[i] * inverse_thickness * thinning;
+        kappa[i] = film->limit.of(stress / M::max(pressure[i], T(1.0)));
+      }
+    }
+  };
+  template <class T>
+  [[gnu::always_inline]] Here<T> at(const ContactPoint<T>&, const T& thickness) const {
+    return {this, 1.0 / thickness};
+  }
+  [[nodiscard]] double start() const { return start_slip; }
+};
+
+}  // namespace adore::tribology

@@ -1,0 +1,62 @@
+#include "adrplot/heat_page.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace adore;
+namespace unit = results::unit;
+
+namespace {
+
+results::StaticTables network(results::UnitSystem units) {
+  results::StaticTable table{"thermal network", {}};
+  for (const auto& [name, T] : {std::pair{"coolant inlet", 320.0},
+                                {"coolant mean", 322.0},
+                                {"coolant exit", 324.0},
+                                {"rolling elements", 330.0},
+                                {"outer raceway", 330.0},
+                                {"outer race at the housing", 328.0},
+                                {"housing outside", 325.0},
+                                {"inner raceway", 330.0},
+                                {"inner race at the shaft", 327.0},
+                                {"shaft inside", 321.0}})
+    table.add(name, unit::kTemperature, {T});
+  table.add("rolling elements to coolant", unit::kPower, {70.0});
+  table.add("outer raceway to housing", unit::kPower, {30.0});
+  table.add("inner raceway to shaft", unit::kPower, {40.0});
+  table.add("made at the outer race", unit::kPower, {60.0});
+  table.add("made in the pockets", unit::kPower, {0.0});
+  results::StaticTables out{"heat", "ball", units, {}};
+  out.tables.push_back(std::move(table));
+  return out;
+}
+
+bool says(const desktop::ChartPage& page, const std::string& text) {
+  return std::any_of(page.labels.begin(), page.labels.end(),
+                     [&](const desktop::ChartLabel& label) { return label.text == text; });
+}
+
+}  // namespace
+
+TEST_CASE("the picture of the network has each node with its temperature, each flow with its heat",
+          "[unit][plots]") {
+  CHECK_FALSE(adrplot::heat_page({"none", "ball", results::UnitSystem::SI, {}}));
+  const auto page = adrplot::heat_page(network(results::UnitSystem::SI));
+  REQUIRE(page);
+  CHECK(page->equal_axes);
+  CHECK(says(*page, "rolling elements 330 K"));
+  CHECK(says(*page, "coolant exit 324 K"));
+  CHECK(says(*page, "70 W"));
+  CHECK(says(*page, "made at the outer race: 60 W"));
+  CHECK_FALSE(says(*page, "made in the pockets: 0 W"));
+  REQUIRE(page->panels.size() == 1);
+  for (const desktop::ChartCurve& curve : page->panels[0].curves)
+    CHECK(curve.x.size() == curve.y.size());
+  // Ten squares of six entries each, the last of them a gap; no cage, so none for it.
+  CHECK(page->panels[0].curves[0].x.size() == 60);
+  const auto english = adrplot::heat_page(network(results::UnitSystem::English));
+  REQUIRE(english);
+  CHECK(says(*english, "rolling elements 594 R"));
+}

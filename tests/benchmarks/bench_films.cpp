@@ -1,0 +1,90 @@
+// Cost of the films of lubricants beside the hypothetical law, in one run: 16 balls (whole vectors)
+// on both races with the run's own rule. Counters: ns per contact, and `ratio` to the hypothetical
+// law of the same instruction set, measured just before.
+#include "../core/dynamics/thrust_scene.hpp"
+#include "tribology/film_law.hpp"
+
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <string>
+
+namespace {
+
+using namespace adore;
+using dynamics::InstructionSet;
+
+constexpr std::size_t kBalls = 16;
+
+test::ThrustScene scene_of(int code) {
+  test::ThrustScene scene = test::thrust_scene("dyn3_40_30k_exp_curved", kBalls,
+                                               tribology::make_split_ellipse_rule(15, 4), 1.0);
+  if (code == 0) return scene;
+  bearing::Lubrication lubrication;
+  lubrication.code = code;
+  lubrication.critical_film = 1e-9;
+  lubrication.meniscus = 10.0;
+  tribology::FilmSurface surface;
+  surface.radius = 0.005;
+  surface.modulus = 2.26e11;
+  surface.wall_temperature = 360.0;
+  surface.race_speed = 60.0;
+  surface.width_over_pressure = 1e-13;
+  for (auto& model : scene.model)
+    model.law = tribology::film_law(bearing::TractionCurve{}, tribology::lubricant(code),
+                                    lubrication, surface);
+  return scene;
+}
+
+void evaluate(test::ThrustScene& scene, InstructionSet set, test::Outputs& out) {
+  const dynamics::ElementForces forces = out.forces();
+  const dynamics::ElementViews balls = scene.arrays();
+  for (std::size_t j = 0; j < 2; ++j)
+    benchmark::DoNotOptimize(
+        dynamics::evaluate_race_contacts(set, scene.model[j], balls, scene.race[j], forces));
+}
+
+/// Seconds per evaluation of both races, the least of some runs.
+double seconds(test::ThrustScene& scene, InstructionSet set) {
+  test::Outputs out(scene.n);
+  double least = 1.0;
+  for (int run = 0; run < 30; ++run) {
+    constexpr int kRepeats = 200;
+    const auto begin = std::chrono::steady_clock::now();
+    for (int i = 0; i < kRepeats; ++i) evaluate(scene, set, out);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    least = std::min(least, took.count() / kRepeats);
+  }
+  return least;
+}
+
+void films(benchmark::State& state, int code, InstructionSet set) {
+  if (!dynamics::instruction_set_available(set)) {
+    state.SkipWithError("this machine lacks the instruction set");
+    return;
+  }
+  test::ThrustScene dry = scene_of(0), scene = scene_of(code);
+  const double hypothetical = seconds(dry, set), own = seconds(scene, set);
+  test::Outputs out(scene.n);
+  for (auto _ : state) {
+    evaluate(scene, set, out);
+    benchmark::ClobberMemory();
+  }
+  constexpr double kContacts = 2.0 * kBalls;
+  state.counters["ns_per_contact"] = 1e9 * own / kContacts;
+  state.counters["ratio"] = own / hypothetical;
+}
+
+const int registered = [] {
+  for (const InstructionSet set : {InstructionSet::Avx512, InstructionSet::Avx2})
+    for (const int code : {0, 3, 6, 10, 11, 8}) {
+      const std::string name =
+          std::string("kTrac_") + std::to_string(code) + "/" + dynamics::instruction_set_name(set);
+      benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
+        films(state, code, set);
+      })->Unit(benchmark::kMicrosecond);
+    }
+  return 0;
+}();
+
+}  // namespace

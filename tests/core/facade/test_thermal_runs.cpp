@@ -1,0 +1,197 @@
+#include "core/facade/deck_runs.hpp"
+#include "deck/templates.hpp"
+#include "results/sol_file.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <tuple>
+#include <vector>
+
+using namespace adore;
+using namespace adore::testing;
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path folder(const std::string& name) {
+  const fs::path out = fs::temp_directory_path() / ("adore_thermal_" + name);
+  fs::remove_all(out);
+  return out;
+}
+
+/// An example with the thermal analysis switched on: oil through the bearing, 320 K at its inlet.
+deck::Deck warm(const std::string& name, const char* mode) {
+  deck::Deck deck = deck::new_deck(name);
+  deck.set("mode", mode);
+  deck.set("kTherm", "1");
+  deck.complete();
+  for (const auto& [variable, value] : {std::pair{"kCoolant", "14"},
+                                        {"kBaseTemp", "3"},
+                                        {"kHTC", "0"},
+                                        {"kGeoMod", "1"},
+                                        {"kMatPropMod", "0"},
+                                        {"baseTemp", "320.0"},
+                                        {"cFlowRate", "2.0e-5"},
+                                        {"reHTC", "0.0"},
+                                        {"cageHTC", "0.0"},
+                                        {"aveTime", "2.0e-4"},
+                                        {"skipTime", "0.0"}})
+    deck.set(variable, value);
+  deck.complete();
+  return deck;
+}
+
+deck::Deck moving(const std::string& name) {
+  deck::Deck deck = warm(name, "0");
+  deck.set("maxStps", "400");
+  deck.set("kPltFreq", "20");
+  deck.set("kPrtFreq", "100");
+  return deck;
+}
+
+}  // namespace
+
+TEST_CASE("a quasi-static deck with kTherm prints temperatures, friction and their network",
+          "[physics][thermal]") {
+  for (const char* name : {"ball", "cylindrical"}) {
+    INFO(name);
+    const Ran ran = run_deck(warm(name, "-1"), folder(std::string("static_") + name));
+    CHECK(ran.outcome.status == facade::RunStatus::Done);
+    CHECK_THAT(ran.print, Catch::Contains("THERMAL STEADY STATE") &&
+                              Catch::Contains("FRICTION: ESTIMATE FROM THE EQUILIBRIUM") &&
+                              Catch::Contains("coolant exit"));
+    const auto& summary = ran.report.at("summary");
+    const double power = summary.at("friction_power_W").get<double>();
+    CHECK(power > 0.0);
+    CHECK(summary.at("element_temperature_K").get<double>() > 320.0);
+    CHECK(summary.at("coolant_exit_temperature_K").get<double>() > 320.0);
+    for (const auto& value : ran.report.at("played_no_part"))
+      CHECK(value.at("variable").get<std::string>() != "kTherm");
+  }
+}
+
+TEST_CASE("a run with kTherm warms by steps, keeps its ledger and shows nine values more",
+          "[physics][thermal]") {
+  const fs::path where = folder("moving");
+  const Ran ran = run_deck(moving("ball"), where);
+  INFO(ran.outcome.message);
+  CHECK(ran.outcome.status == facade::RunStatus::Done);
+  CHECK_THAT(ran.print, Catch::Contains("THERMAL STEP"));
+  CHECK_THAT(ran.print, Catch::Contains("changes of geometry and material by thermal steps"));
+  const results::SolFile power = results::read_sol(where / "SOL7");
+  CHECK(power.header.value_count == 26);
+  const auto& first = power.steps.front().values;
+  const auto& last = power.steps.back().values;
+  constexpr std::size_t kElement = 13, kInlet = 17, kHeat = 22;  // values 14, 18 and 23
+  CHECK(first[kElement] == Approx(293.15).margin(30.0));
+  CHECK(last[kElement] > 320.0);
+  CHECK(last[kInlet] == Approx(320.0).epsilon(1e-6));
+  CHECK(last[kHeat] > 0.0);
+  CHECK(std::abs(ran.outcome.energy_residual) < 1e-3 * ran.outcome.energy_scale);
+}
+
+TEST_CASE("a continued run goes on with its temperatures", "[physics][thermal]") {
+  deck::Deck whole = moving("ball");
+  const fs::path one = folder("whole"), two = folder("parts");
+  const Ran unbroken = run_deck(whole, one);
+  REQUIRE(unbroken.outcome.status == facade::RunStatus::Done);
+  deck::Deck part = whole;
+  part.set("maxStps", "250");
+  REQUIRE(run_deck(part, two).outcome.status == facade::RunStatus::Done);
+  const Ran joined = run_deck(whole, two, true);
+  INFO(joined.outcome.message);
+  REQUIRE(joined.outcome.status == facade::RunStatus::Done);
+  CHECK(read_bytes(one / "FINAL") == read_bytes(two / "FINAL"));
+  const auto a = results::read_sol(one / "SOL7").steps.back().values,
+             b = results::read_sol(two / "SOL7").steps.back().values;
+  REQUIRE(a.size() == b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    INFO("value " << k + 1);
+    CHECK(a[k] == b[k]);
+  }
+}
+
+TEST_CASE("temperatures that run away end the run with their figures", "[physics][thermal]") {
+  deck::Deck deck = moving("ball");
+  deck.set("kCoolant", "13");  // a breath of air
+  deck.set("cFlowRate", "1.0e-7");
+  deck.set("baseTemp", "320.0");
+  const Ran ran = run_deck(deck, folder("runaway"));
+  CHECK(ran.outcome.status == facade::RunStatus::Failed);
+  CHECK_THAT(ran.outcome.message, Catch::Contains("thermal step") &&
+                                      Catch::Contains("temperatures run away") &&
+                                      Catch::Contains("Give more coolant"));
+  // The same at rest.
+  deck::Deck still = warm("ball", "-1");
+  still.set("kCoolant", "13");
+  still.set("cFlowRate", "1.0e-7");
+  CHECK_THROWS_WITH(run_deck(still, folder("still_runaway")),
+                    Catch::Contains("thermal analysis: no steady state"));
+}
+
+TEST_CASE("the medium drags in decks of all types and modes, and its heat is in the account",
+          "[physics][tribology]") {
+  for (const auto& [name, mode, share] : {std::tuple{"ball", "0", "0.0"},
+                                          {"ball", "0", "0.02"},
+                                          {"ball", "1", "0.0"},
+                                          {"ball", "2", "0.0"},
+                                          {"cylindrical", "0", "0.0"},
+                                          {"cylindrical", "1", "0.0"},
+                                          {"spherical", "0", "0.0"},
+                                          {"tapered", "0", "0.0"},
+                                          {"spherical-tapered", "0", "0.0"}}) {
+    INFO(name << ", mode " << mode << ", qFac " << share);
+    deck::Deck deck = deck::new_deck(name);
+    for (const auto& [variable, value] : {std::pair{"mode", mode},
+                                          {"qFac", share},
+                                          {"kChrn", "14"},
+                                          {"maxStps", "60"},
+                                          {"kPltFreq", "20"}})
+      deck.set(variable, value);
+    deck.complete();
+    deck.set("denRatio", "0.5");
+    deck.set("visRatio", "1.0");
+    const fs::path where = folder("drag");
+    const Ran ran = run_deck(deck, where);
+    INFO(ran.outcome.message);
+    CHECK(ran.outcome.status == facade::RunStatus::Done);
+    const std::vector<double> last = results::read_sol(where / "SOL7").steps.back().values;
+    CHECK(last.size() == 17);
+    CHECK(last[1] > 0.0);  // churning fraction
+    CHECK(last[1] < 1.0);
+    CHECK(std::abs(ran.outcome.energy_residual) < 1e-3 * ran.outcome.energy_scale);
+    CHECK_THAT(ran.print, Catch::Contains("drag of elements in the medium"));
+  }
+}
+
+TEST_CASE("films of the cage act from decks: lands of any type, pockets of balls",
+          "[physics][tribology]") {
+  for (const auto& [name, lands, pockets] :
+       {std::tuple{"ball", "1", "1"}, {"ball", "0", "1"}, {"cylindrical", "1", "0"}}) {
+    INFO(name << ", kGsHydro " << lands << ", kPocHydro " << pockets);
+    deck::Deck deck = deck::new_deck(name);
+    for (const auto& [variable, value] :
+         {std::pair{"mode", "0"}, {"kGsHydro", lands}, {"kPocHydro", pockets}, {"maxStps", "60"}})
+      deck.set(variable, value);
+    deck.complete();
+    if (deck.has("pocVis")) deck.set("pocVis", "0.02");
+    if (deck.has("gsVis")) deck.set("gsVis", "0.02");
+    if (std::string(pockets) == "1") deck.set("pocLubFilm", "1.0e-4");
+    const Ran ran = run_deck(deck, folder("films"));
+    INFO(ran.outcome.message);
+    CHECK(ran.outcome.status == facade::RunStatus::Done);
+    CHECK(std::abs(ran.outcome.energy_residual) < 1e-3 * ran.outcome.energy_scale);
+    CHECK_THAT(ran.print, Catch::Contains("films "));
+  }
+  // What is not simulated says so.
+  deck::Deck rollers = deck::new_deck("cylindrical");
+  rollers.set("mode", "0");
+  rollers.set("kPocHydro", "1");
+  rollers.complete();
+  if (rollers.has("pocVis")) rollers.set("pocVis", "0.02");
+  if (rollers.has("gsVis")) rollers.set("gsVis", "0.02");
+  CHECK_THAT(refusal_of(rollers), Catch::Contains("pockets of rollers"));
+}

@@ -1,0 +1,181 @@
+#include "base/errors.hpp"
+#include "deck/reader.hpp"
+#include "setup/build_bearing.hpp"
+#include "statics/ball_statics.hpp"
+#include "support/paths.hpp"
+#include "thermal/bearing_heat.hpp"
+#include "thermal/operating.hpp"
+#include "thermal/steady_state.hpp"
+#include "tribology/fluid.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace adore;
+using bearing::Bearing;
+using thermal::BearingHeat;
+using thermal::HeatSources;
+
+namespace {
+
+Bearing example(const std::string& name = "ball") {
+  const deck::ReadResult read =
+      deck::read_deck(adore::test::source_dir().string() + "/resources/decks/" + name + ".txt");
+  REQUIRE(read.ok());
+  Bearing b = setup::build_bearing(read.deck);
+  b.envelope.shaft_bore = 0.3 * b.envelope.bore;
+  b.envelope.housing_diameter = 1.5 * b.envelope.outer_diameter;
+  b.thermal = bearing::ThermalInputs{};
+  b.thermal->coolant = 1;
+  b.thermal->base = 3;
+  b.thermal->base_temperature = 320.0;
+  b.thermal->flow = 1e-5;
+  b.thermal->geometry_every = 1;
+  b.lubrication = bearing::Lubrication{1, 1e-8, 10.0, {}};
+  return b;
+}
+
+const HeatSources kHeat{{60.0, 80.0}, {3.0, 0.0}, {0.0, 0.0}, 5.0, 20.0};
+
+}  // namespace
+
+TEST_CASE("without heat every part of the network has the temperature of the coolant",
+          "[physics][thermal]") {
+  for (const int coolant : {0, 1, 14}) {
+    Bearing b = example();
+    b.thermal->coolant = coolant;
+    if (coolant == 0) b.thermal->base = 0;
+    const BearingHeat heat = thermal::solve_bearing_heat(b, {}, 400.0);
+    for (const double T : heat.bulk.list()) CHECK(T == Approx(320.0).epsilon(1e-14));
+    CHECK(heat.temperature.coolant_out == Approx(320.0).epsilon(1e-14));
+    CHECK(heat.imbalance() == 0.0);
+  }
+}
+
+TEST_CASE("the network gives away what is made in it, whatever cools and whatever is known",
+          "[physics][thermal]") {
+  for (const int coolant : {0, 1, 2, 3, 5, 13, 14})
+    for (const int base : {0, 1, 2, 3, 4, 5}) {
+      if (coolant == 0 && (base == 2 || base == 3)) continue;
+      INFO("kCoolant " << coolant << ", kBaseTemp " << base);
+      Bearing b = example();
+      b.thermal->coolant = coolant;
+      b.thermal->base = base;
+      b.thermal->base_temperature = coolant == 3 ? 95.0 : coolant == 5 ? 80.0 : 320.0;
+      b.thermal->density = 900.0;
+      b.thermal->viscosity = 0.01;
+      b.thermal->specific_heat = 2000.0;
+      b.thermal->conductivity = 0.14;
+      if (coolant == 13) b.thermal->flow = 1e-2;
+      const BearingHeat heat = thermal::solve_bearing_heat(b, kHeat, 400.0);
+      CHECK(std::abs(heat.imbalance()) < 1e-10 * kHeat.total());
+      const thermal::NetworkTemperatures& T = heat.temperature;
+      const double at_base[] = {T.outer_interface, T.housing,         T.coolant_out,
+                                T.coolant_in,      T.inner_interface, T.shaft};
+      CHECK(at_base[base] == Approx(b.thermal->base_temperature).epsilon(1e-12));
+      // Heat runs down: races and elements above the coolant, housing and shaft below the races.
+      CHECK(T.element >= T.coolant_mean);
+      CHECK(T.cage >= T.coolant_mean);
+      CHECK(T.housing < T.outer_raceway);
+      CHECK(T.shaft < T.inner_raceway);
+      if (coolant == 0) continue;
+      REQUIRE(heat.coolant);
+      // The coolant warms by what it takes.
+      CHECK((T.coolant_out - T.coolant_in) * heat.coolant->mass_flow *
+                heat.coolant->specific_heat ==
+            Approx(heat.flows.coolant).epsilon(1e-9));
+    }
+}
+
+TEST_CASE("cryogenic coolants keep their own temperature and say where they are extrapolated",
+          "[physics][thermal]") {
+  Bearing b = example();
+  b.thermal->coolant = 4;  // hydrogen
+  b.thermal->base_temperature = 22.0;
+  b.thermal->flow = 1e-3;
+  const BearingHeat cold = thermal::solve_bearing_heat(b, kHeat, 3000.0);
+  for (const std::string& note : cold.notes) CHECK_THAT(note, !Catch::Contains("nearer end"));
+  CHECK(cold.temperature.coolant_in == Approx(22.0));
+  CHECK(cold.bulk.element < 60.0);
+  CHECK(cold.coolant->provenance == tribology::fluid_properties(4, 22.0).provenance);
+  b.thermal->base_temperature = 300.0;  // no liquid any more
+  const BearingHeat warm = thermal::solve_bearing_heat(b, kHeat, 3000.0);
+  REQUIRE_FALSE(warm.notes.empty());
+  CHECK_THAT(warm.notes.front(), Catch::Contains("the nearer end is used"));
+}
+
+TEST_CASE("a coolant that takes no heat is refused with the variables that would help",
+          "[unit][thermal]") {
+  Bearing b = example();
+  b.thermal->convection_given = true;
+  CHECK_THROWS_WITH(thermal::solve_bearing_heat(b, kHeat, 400.0),
+                    Catch::Contains("reHTC") && Catch::Contains("cageHTC"));
+  b = example();
+  b.mounting.shaft.conductivity = 0.0;
+  CHECK_THROWS_WITH(thermal::solve_bearing_heat(b, kHeat, 400.0), Catch::Contains("shftTC"));
+}
+
+TEST_CASE("a steady state is a fixed point: its temperatures give its loads, friction and heat",
+          "[physics][thermal]") {
+  for (const char* name : {"ball", "cylindrical", "tapered"}) {
+    INFO(name);
+    const Bearing b = example(name);
+    const thermal::SteadyState steady = thermal::solve_steady_state(b);
+    CHECK(steady.change < 0.01);
+    CHECK(steady.friction.power() > 0.0);
+    CHECK(steady.heat.sources.total() == Approx(steady.friction.power()).epsilon(1e-12));
+    CHECK(std::abs(steady.heat.imbalance()) < 1e-9 * steady.friction.power());
+    CHECK(steady.heat.bulk.element > b.thermal->base_temperature);
+    CHECK(steady.gain < 1.0);
+    // Once more from what it found.
+    const thermal::SteadyState again = thermal::solve_steady_state(steady.as_built);
+    CHECK(again.passes <= 2);
+    const auto first = steady.heat.bulk.list(), second = again.heat.bulk.list();
+    for (std::size_t k = 0; k < first.size(); ++k)
+      CHECK(second[k] == Approx(first[k]).margin(0.03));
+    // The geometry is that of these temperatures.
+    CHECK(steady.operating.race_temperature[1] == steady.as_built.race_temperature[1]);
+  }
+}
+
+TEST_CASE("more flow cools, more load heats; a standing bearing stays as cold as its coolant",
+          "[physics][thermal]") {
+  Bearing b = example();
+  const double one = thermal::solve_steady_state(b).heat.bulk.element;
+  b.thermal->flow *= 5.0;
+  CHECK(thermal::solve_steady_state(b).heat.bulk.element < one);
+  b = example();
+  for (double& load : b.constraints.load) load *= 3.0;
+  CHECK(thermal::solve_steady_state(b).heat.bulk.element > one);
+  b = example();
+  b.speed = {0.0, 0.0};
+  const thermal::SteadyState rest = thermal::solve_steady_state(b);
+  CHECK(rest.friction.power() == 0.0);
+  for (const double T : rest.heat.bulk.list()) CHECK(T == Approx(320.0).epsilon(1e-12));
+}
+
+TEST_CASE("with fixed geometry only the oil follows the temperatures", "[physics][thermal]") {
+  Bearing b = example();
+  b.thermal->geometry_every = 0;
+  const thermal::SteadyState fixed = thermal::solve_steady_state(b);
+  const Bearing cold = thermal::operating_bearing(b);
+  CHECK(fixed.operating.balls().clearance == cold.balls().clearance);
+  CHECK(fixed.operating.element_temperature > b.element_temperature);
+}
+
+TEST_CASE("a clamped bearing whose heat cannot get away runs away, and the error says so",
+          "[physics][thermal]") {
+  // Stiff housing held cold, a hot inner ring: the clearance is lost with every kelvin.
+  Bearing b = example("cylindrical");
+  b.thermal->coolant = 0;
+  b.thermal->base = 1;  // housing outside
+  b.thermal->base_temperature = 293.15;
+  b.lubrication.reset();
+  b.race_traction = {bearing::TractionCurve::Form::Exponential, 0.0, 0.0, 0.0, 0.5, 0.0};
+  b.mounting.fit = {2e-5, 6e-5};
+  b.speed[1] *= 20.0;
+  CHECK_THROWS_WITH(
+      thermal::solve_steady_state(b),
+      Catch::Contains("thermal analysis: no steady state") && Catch::Contains("give more coolant"));
+}

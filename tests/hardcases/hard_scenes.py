@@ -1,0 +1,246 @@
+#!/usr/bin/python3
+"""Runs the hard scenes of rolling bearings with every integrator: nothing may hang, crash or be silently wrong.
+
+    hard_scenes.py PROGRAM [--full] [--turns T] [--jobs N] [--only NAME] [--report FILE]
+
+PROGRAM is `adore`. Each scene below starts from an example deck; why it is hard and what is known of it stand beside it.
+Without --full each scene runs with the deck's own integrator, an explicit and an implicit one (a few minutes); with it, with
+all twenty and with five slightly other loads, whose spread tells how far two right runs may differ (an hour or two).
+
+A run is
+- solved: exit 0, every figure finite;
+- refused (exit 2) or given up (exit 3) with a sentence;
+- FAILED: a crash, a hang, exit 1, a figure that is no number, or solved with means (speeds, largest loads, heat) outside the
+  spread of the others.
+A scene passes when its own integrator, one explicit and one implicit method solve it and nothing failed. Writes the table as
+Markdown; exit code 1 when a scene does not pass.
+"""
+
+import argparse
+import concurrent.futures
+import json
+import math
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+
+EXPLICIT = [f"rkf{k}" for k in range(1, 8)] + [f"pece{k}" for k in range(1, 9)] + ["cvode-adams", "arkode-erk"]
+IMPLICIT = ["cvode-bdf", "arkode-dirk", "arkode-imex"]
+OWN = "own"
+QUICK = [OWN, "rkf7", "arkode-dirk"]
+LONGEST_RUN = {False: 60.0, True: 600.0}  # quick, full [s]
+LEAST_SPREAD = 0.02  # means of whole turns are not asked to agree better
+MEANS = ["mean_orbital_ratio", "mean_cage_ratio", "mean_largest_load_N", "mean_power_loss_W"]
+
+BALL, ROLLERS = "ball", ["cylindrical", "spherical", "tapered", "spherical-tapered"]
+NO_CAGE = {"nCseg": 0}
+FREE_INNER = {"kDCR": 1, "kFD12": 0, "kFD22": 0, "kFD32": 0, "kRaceIP2": 1, "raceMass2": 0.3, "raceMIx2": 2e-4, "raceMIy2": 1.4e-4,
+              "raceMIz2": 1.4e-4}
+
+
+def scene(name, deck, why, sets, turns=0.2, known=None):
+    return {"name": name, "deck": deck, "why": why, "sets": sets, "turns": turns, "known": known or {}}
+
+
+# `known`: key result -> (value, relative tolerance), of every run that solves the scene.
+SCENES = [
+    scene("load zone entry", BALL, "balls enter and leave a load zone under a huge radial load", {"appLoadX": 300.0, "appLoadZ": 20000.0}),
+    scene("vanishing load", BALL, "a contact of nanometres; the time scale of the load is that of nothing", {"appLoadX": 1e-3}),
+    scene("skid", BALL, "centrifugal force and drag against a light load: gross sliding", {"appLoadX": 50.0, "rpm2": 40000.0}),
+    scene("heavy preload", BALL, "contact pressure far beyond what metal carries; stiffest contacts", {"appLoadX": 1e6, "raceCurFac1": 0.8, "raceCurFac2": 0.8}),
+    scene("radial meganewton", BALL, "one ball carries most of it, over the edge of its groove", {"appLoadX": 1e4, "appLoadZ": 1e6, "raceCurFac1": 0.95, "raceCurFac2": 0.95}),
+    scene("land friction", BALL, "cage instability: backward whirl with friction 0.5 at the guide lands",
+          {"cageRaceTC2": 0.5}, 0.5),
+    scene("loose pockets", BALL, "pocket hammering with wide clearance", {"bPocCls1": 2e-3, "bPocCls2": 2e-3}),
+    scene("over the shoulder", BALL, "ellipses reach over the low shoulder of the race", {"appLoadX": 20000.0, "shoulderDia1": 0.0700}),
+    scene("near-conformal groove", BALL, "f = 0.5005: ellipses far longer than the groove",
+          {"raceCurFac1": 0.5005, "raceCurFac2": 0.5005, "appLoadX": 300.0}),
+    scene("slow shaft", BALL, "100 rpm: a million vibrations of the contacts a turn", {"rpm2": 100.0}, 2e-3),
+    scene("very fast shaft", BALL, "300,000 rpm: centrifugal force lifts balls off the inner race", {"rpm2": 300000.0, "appLoadX": 200.0, "bReDia": 0.0015, "pitchDia": 0.008, "nCseg": 0, "nRe": 10,
+           "brgBore": 0.005, "brgOD": 0.011, "hsngOD": 0.015, "shoulderDia1": 0.0085, "shoulderDia2": 0.0075, "kNumPltElem": 2,
+           "kPltElemInd": "1,12"}),
+    scene("counter-rotation", BALL, "elements that hardly orbit while both races run", {"rpm1": -10000.0, "rpm2": 10000.0}),
+    scene("both races turn alike", BALL, "no rolling at all; the abscissa of turns stands still", {"rpm1": 10000.0, "rpm2": 10000.0}, 0),
+    scene("outer race turns", BALL, "the other ring drives", {"rpm1": 10000.0, "rpm2": 0.0}),
+    scene("start from rest", BALL, "speeds through zero: slip without a direction",
+          {"rpm2": 0.0, "kVarSpeed": 1, "raceAngAcc2": 1e5, "startTime2": 0.0, "endTime2": 5e-3}, 0),
+    scene("reversal", BALL, "speed through zero and back",
+          {"rpm2": 500.0, "kVarSpeed": 1, "raceAngAcc2": -1e5, "startTime2": 0.0, "endTime2": 1e-3}, 0),
+    scene("planetary frame", BALL, "transport and Coriolis terms beyond the loads", {"kRotFrame": 1, "brgOrbitRad": 0.2, "brgAngVel": 800.0,
+                                                                                   "brgLoadFrac2": 1.0}),
+    scene("resonance", BALL, "a race shaken at the frequency of the contacts",
+          {"kVarLoad": 2, "raceVibAmp12": 2e-7, "raceVibFreq2": 23000.0}),
+    scene("waves at ball pass", BALL, "as many waves as balls: all elements are pushed at once",
+          {"kRaceGeoImp2": 2, "rndVar12": 1e-6, "rndVar22": 12, "rndVar32": 0.0, "cFacVar12": 0.0, "cFacVar22": 1, "cFacVar32": 0.0}),
+    scene("rotating load", BALL, "the load zone runs round with the shaft",
+          {"kVarLoad": 1, "rotLoadFrac1": 0.0, "rotLoadFrac2": 1.0, "rotLoadRpm2": 10000.0, "appLoadX": 300.0, "appLoadZ": 2000.0}),
+    scene("free race", BALL, "a race carried by its bearing alone, with its own unbalance", {**FREE_INNER, "raceGeoCenY2": 2e-6}),
+    scene("one ball", BALL, "a bearing that holds nothing in most directions",
+          {"nRe": 1, "nCseg": 0, "kNumPltElem": 2, "kPltElemInd": "1,3"}),
+    scene("two balls", BALL, "two balls and no cage", {"nRe": 2, "nCseg": 0, "kNumPltElem": 2, "kPltElemInd": "1,4"}),
+    scene("two hundred balls", BALL, "size: forty times the unknowns", {"nRe": 200, "pitchDia": 1.0, "rpm2": 500.0, "brgBore": 0.9, "brgOD": 1.1, "hsngOD": 1.2,
+          "shoulderDia1": 1.0063, "shoulderDia2": 0.994, "cageDia1": 1.006, "cageDia2": 0.998, "cageGsDia[1]": 1.006, "cageGsDia[2]": 1.006,
+          "kNumPltElem": 2, "kPltElemInd": "1,203"}, 0.01),
+    scene("no cage", BALL, "balls push each other round the ring", {**NO_CAGE, "nRe": 14, "kNumPltElem": 2, "kPltElemInd": "1,16"}),
+    scene("frictionless", BALL, "nothing decays: energy alone keeps the motion honest",
+          {"kTracType": 2, "reRaceTC1": 0.0, "reRaceTC2": 0.0, "reRaceTC3": 0.0, "reCageTC2": 0.0, "reCageTC3": 0.0, "cageRaceTC2": 0.0,
+                                                                                     "cageRaceTC3": 0.0}),
+    scene("sticky contacts", BALL, "full friction of 0.18 at 16 mm/s: stiff traction", {"reRaceTC2": 0.18, "reRaceTC3": 0.12, "reRaceTC4": 0.016}),
+    scene("friction at no slip", BALL, "a traction curve that does not start at zero", {"reRaceTC1": 0.02}),
+    scene("heavy cage", BALL, "a cage a thousand times the mass of its balls", {"kCageIP": 1, "cageMass": 8.4, "cageMIx": 7e-3, "cageMIy": 4e-3,
+                                                                            "cageMIz": 4e-3}),
+    scene("feather cage", BALL, "a cage of a millionth of its mass: stiffest pockets", {"kCageIP": 1, "cageMass": 3e-8, "cageMIx": 2.5e-11,
+                                                                                  "cageMIy": 1.4e-11, "cageMIz": 1.4e-11}, 0.01),
+    scene("gravity alone", BALL, "balls lie in the groove under their weight", {"appLoadX": 10.0, "gravityVecZ": -9.81, "rpm2": 1000.0}, 0.05),
+    scene("light load in balance", BALL, "elements are held and released again and again", {"qFac": 0.05, "appLoadX": 300.0, "appLoadZ": 2000.0}),
+    scene("held balls", BALL, "mode 1: equilibrium at every instant", {"mode": 1}),
+    scene("held balls and race", BALL, "mode 2: the race finds its place at every instant", {"mode": 2}),
+    scene("tilted races", BALL, "misaligned rings: every ball runs at its own angle", {"appMis12": 3e-3, "appMis22": 2e-3}),
+    scene("English units", "ball-english", "another system of units, the same bearing", {}),
+    scene("thrust bearing", "ball-thrust", "steep contact angle", {}),
+    scene("misaligned rollers", "cylindrical", "edge loads and skew of both signs", {"appMis22": 1e-3}),
+    scene("rollers at speed", "cylindrical", "rollers leave the inner race", {"rpm2": 30000.0, "appLoadZ": 500.0}),
+    scene("rollers under a heavy load", "cylindrical", "a few rollers carry it all", {"appLoadZ": 60000.0}),
+    scene("tapered under thrust", "tapered", "ribs carry the ends; skew is the weakest restoring motion", {"appLoadX": 20000.0}),
+    scene("tapered without a load", "tapered", "zero end play: nothing holds the rollers in place", {"appLoadX": 200.0, "appLoadZ": 0.0}),
+    scene("barrels, misaligned", "spherical", "barrels align themselves; their skew hardly has a spring", {"appMis22": 0.02}),
+    scene("barrels at speed", "spherical", "barrels fling outwards", {"rpm2": 15000.0}),
+    scene("spherical-tapered under thrust", "spherical-tapered", "barrels against a rib", {"appLoadX": 15000.0}),
+    scene("rollers in balance", "cylindrical", "mode 1 of rollers", {"mode": 1}),
+]
+
+
+def command(program, one, method, folder, turns, factor):
+    words = [program, "run", os.path.join(folder, "DATA.txt"), "--out", os.path.join(folder, method.replace("/", "-") + f"-{factor:.3g}"),
+             "--quiet", "--overwrite"]
+    for name, value in one["sets"].items():
+        words += ["--set", f"{name}={value}"]
+    if factor != 0:
+        load = float(one["sets"].get("appLoadX", one.get("own load", 0.0)))
+        words += ["--set", f"appLoadX={load * (1.0 + 1e-6 * factor) + 1e-6 * factor}"]
+    if method != OWN:
+        words += ["--integrator", method]
+    until = f"{one['turns'] * turns:g}rev" if one["turns"] else "0.002s"
+    return words + ["--until", until]
+
+
+def run(program, one, method, folder, turns, full, factor=0.0):
+    words = command(program, one, method, folder, turns, factor)
+    try:
+        done = subprocess.run(words, capture_output=True, text=True, timeout=LONGEST_RUN[full])
+    except subprocess.TimeoutExpired:
+        return {"outcome": "slow", "text": f"not done after {LONGEST_RUN[full]:g} s", "command": words}
+    said = [line for line in done.stderr.strip().splitlines() if ": note: " not in line and ": warning: " not in line]
+    text = said[-1] if said else ""
+    out = {"command": words, "text": text}
+    if done.returncode in (2, 3) and text:
+        return {**out, "outcome": "refused" if done.returncode == 2 else "gave up"}
+    if done.returncode != 0:
+        return {**out, "outcome": "FAILED", "text": f"exit {done.returncode}: {text}"}
+    with open(os.path.join(words[words.index("--out") + 1], "RUN.json"), encoding="utf-8") as file:
+        report = json.load(file)
+    shutil.rmtree(words[words.index("--out") + 1])
+    summary = report["summary"]
+    values = {k: v for k, v in summary.items() if isinstance(v, (int, float))}
+    broken = [k for k in MEANS if k not in values or not math.isfinite(values[k])]
+    if broken:
+        return {**out, "outcome": "FAILED", "text": f"{broken[0]} is no number"}
+    for key, (value, tolerance) in one["known"].items():
+        if abs(values[key] - value) > tolerance * abs(value):
+            return {**out, "outcome": "FAILED", "text": f"{key} is {values[key]:.6g}, known is {value:.6g}"}
+    return {**out, "outcome": "solved", "values": values}
+
+
+def judge_means(results, spread):
+    """Runs whose means lie outside the spread of the others."""
+    solved = {method: r for method, r in results.items() if r["outcome"] == "solved"}
+    for key in MEANS:
+        numbers = sorted(r["values"][key] for r in solved.values())
+        if not numbers:
+            return
+        middle = numbers[len(numbers) // 2]
+        size = max(abs(middle), max(abs(x) for x in numbers) * 1e-3)
+        allowed = max(LEAST_SPREAD * size, 3.0 * spread.get(key, 0.0))
+        for r in solved.values():
+            if abs(r["values"][key] - middle) > allowed and r["outcome"] == "solved":
+                r["outcome"] = "FAILED"
+                r["text"] = f"{key} = {r['values'][key]:.6g}, of the others {middle:.6g} (allowed {allowed:.2g})"
+
+
+def passes(results):
+    def any_of(names):
+        return any(results[m]["outcome"] == "solved" for m in names if m in results)
+    return (results[OWN]["outcome"] == "solved" and any_of(EXPLICIT) and any_of(IMPLICIT)
+            and all(r["outcome"] != "FAILED" for r in results.values()))
+
+
+def play(program, one, methods, turns, full):
+    with tempfile.TemporaryDirectory() as folder:
+        subprocess.run([program, "new", one["deck"], "--out", os.path.join(folder, "DATA.txt")], check=True, capture_output=True)
+        results = {method: run(program, one, method, folder, turns, full) for method in methods}
+        spread = {}
+        if full and results[OWN]["outcome"] == "solved":
+            one = {**one, "own load": results[OWN]["values"].get("mean_load_x_N", 0.0)}
+            others = [run(program, one, OWN, folder, turns, full, factor) for factor in (1, -1, 2, -2, 3)]
+            values = [r["values"] for r in others if r["outcome"] == "solved"]
+            for key in MEANS:
+                numbers = [v[key] for v in values]
+                if numbers:
+                    spread[key] = max(numbers) - min(numbers)
+        judge_means(results, spread)
+    return results
+
+
+SIGN = {"solved": "+", "refused": "r", "gave up": "u", "slow": "s", "FAILED": "F"}
+
+
+def table(scenes, methods):
+    lines = ["| scene | why it is hard | " + " | ".join(m if m == OWN else m.replace("arkode-", "ark-").replace("cvode-", "cv-")
+                                                     for m in methods) + " |",
+             "|---|---|" + "---|" * len(methods)]
+    for one, results in scenes:
+        lines.append(f"| {one['name']} | {one['why']} | " + " | ".join(SIGN[results[m]["outcome"]] for m in methods) + " |")
+    return "\n".join(lines)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("--full", action="store_true")
+    parser.add_argument("--turns", type=float, default=1.0, help="times the turns of each scene")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--only", help="one scene")
+    parser.add_argument("--report")
+    options = parser.parse_args()
+    program = os.path.abspath(options.program)
+    methods = [OWN] + EXPLICIT + IMPLICIT if options.full else QUICK
+    chosen = [s for s in SCENES if options.only in (None, s["name"])]
+    if not chosen:
+        sys.exit(f"no scene is named {options.only}; there are: " + ", ".join(s["name"] for s in SCENES))
+    turns = options.turns * (10.0 if options.full else 1.0)
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        results = list(pool.map(lambda one: play(program, one, methods, turns, options.full), chosen))
+    scenes = list(zip(chosen, results))
+    good = sum(passes(r) for _, r in scenes)
+    text = f"{good} of {len(scenes)} scenes pass.\n\n+ solved, r refused, u gave up with a diagnosis, s not done in time, F failed\n\n"
+    text += table(scenes, methods) + "\n"
+    said = []
+    for one, found in scenes:
+        for method, r in found.items():
+            if r["outcome"] != "solved":
+                said.append(f"- {one['name']}, {method}: {r['outcome']}: {r['text'][:300]}")
+    print(text)
+    print("\n".join(said))
+    if options.only:
+        for method, r in results[0].items():
+            print(method, r["outcome"], r.get("values", {}), " ".join(r["command"]))
+    if options.report:
+        with open(options.report, "w", encoding="utf-8") as file:
+            file.write(text)
+    return 0 if good == len(scenes) else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
