@@ -133,15 +133,21 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
   } else {
     const bool second = axial && (cage.pocket == bearing::PocketShape::Rectangular);
     const bool land = wall_of_worst == nullptr;
+    const bool uneven = std::any_of(cage.lands.begin(), cage.lands.end(),
+                                    [](const bearing::GuideLand& one) { return !one.ideal(); });
     issue.record = faces ? "7.3.i" : land ? "7.2.i" : "7.1";
     issue.variable = faces ? "bPocGsCen2" : land ? "cageGsCls" : second ? "bPocCls2" : "bPocCls1";
     issue.message = fmt::format(
-        "{}{}{}: the static solution has shifted or tilted the elements further than there is room",
-        found,
+        "{}{}{}: {}", found,
         pocket > 0.0 && wall_of_worst != nullptr
             ? fmt::format(", beyond the {} by which its pockets clamp them", length(pocket))
             : std::string(),
-        moved || turned ? ", which is not the doing of record 9.6" : " although it is centred");
+        moved || turned ? ", which is not the doing of record 9.6" : " although it is centred",
+        !land ? "the static solution has shifted or tilted the elements further than there is room"
+        : uneven
+            ? "the errors of records 7.5.i and 7.6.i take more than the play that statics leave it"
+            : "the static solution has moved the elements against the race further than there is "
+              "room");
     issue.remedy = faces ? fmt::format("put the guide faces at least {} further from the rollers",
                                        length(worst))
                          : fmt::format("give at least {} more clearance", length(2.0 * worst));

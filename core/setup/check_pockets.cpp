@@ -46,19 +46,29 @@ class PocketCheck {
   }
 
   void room(const PocketDeviation& own) {
+    opening("1", cage_.pocket_clearance_1 + own.clearance[0]);
+    // Of the pockets of balls that have one.
+    if (bearing_.rollers() == nullptr && deck_.integer("kPocType") >= 2)
+      opening("2", cage_.pocket_clearance_2 + own.clearance[1]);
+  }
+
+  /// @param which of clearance I and II
+  void opening(const std::string& which, double clearance) {
     const double D = bearing_.element_diameter(), pitch = bearing_.pitch_diameter();
-    const double opening = D + cage_.pocket_clearance_1 + own.clearance[0];
-    if (opening > 0.0 && opening < pitch) return;
+    const auto fits = [&](double c) { return D + c > 0.0 && D + c < pitch; };
+    if (fits(clearance)) return;
     const bool faces = !cage_.pocket_faces.empty();
-    const std::string variable = own.clearance[0] != 0.0 ? "bPocClsVar1"
-                                 : faces                 ? "bPocGsCen2"
-                                                         : "bPocCls1";
-    error(variable,
-          opening > 0.0 ? fmt::format("makes an opening of {}, wider than the pitch circle",
-                                      length_text(deck_, opening))
-                        : fmt::format("leaves no opening for an element {} in diameter",
-                                      length_text(deck_, D)),
-          faces && variable == "bPocGsCen2"
+    const std::string given = "bPocCls" + which, deviation = "bPocClsVar" + which;
+    const bool deviates =
+        deck_.has(deviation) && deck_.si(deviation) != 0.0 && (faces || fits(deck_.si(given)));
+    error(deviates ? deviation
+          : faces  ? std::string("bPocGsCen2")
+                   : given,
+          clearance > 0.0 ? fmt::format("makes an opening of {}, wider than the pitch circle",
+                                        length_text(deck_, D + clearance))
+                          : fmt::format("leaves no opening for an element {} in diameter",
+                                        length_text(deck_, D)),
+          faces && !deviates
               ? std::string("put the guide faces beside the roller, at about half its diameter")
               : fmt::format("give a clearance between {} and {}, best above 0",
                             length_text(deck_, -D), length_text(deck_, pitch - D)));

@@ -393,38 +393,6 @@ TEST_CASE(
     check_walk(fmt::format("{}, mode -1", type), lively(type, false));
 }
 
-TEST_CASE("every variable of a roller deck in motion acts, is refused, or is said to play no part",
-          "[validation][variables][slow]") {
-  for (const char* type : {"cylindrical", "spherical", "tapered", "spherical-tapered"}) {
-    Deck deck = lively(type, true);
-    deck.set_all(std::vector<std::pair<std::string, std::string>>{{"maxStps", "20"},
-                                                                  {"kPrtFreq", "10"},
-                                                                  {"kPltFreq", "10"},
-                                                                  {"kAGraf", "10"},
-                                                                  {"kLifeFreq", "10"}});
-    check_walk(fmt::format("{}, mode 0", type), deck);
-  }
-}
-
-TEST_CASE("every variable of a segmented cage acts, is refused, or is said to play no part",
-          "[validation][variables][slow]") {
-  for (const char* type : {"ball", "cylindrical"}) {
-    Deck deck = lively(type, true);
-    deck.set_all(std::vector<std::pair<std::string, std::string>>{{"nRe", "12"},
-                                                                  {"nCseg", "3"},
-                                                                  {"cageAngCut", "1"},
-                                                                  {"lSeg[1]", "2"},
-                                                                  {"lSeg[2]", "6"},
-                                                                  {"lSeg[3]", "10"},
-                                                                  {"avRatio[1]", "0.9"},
-                                                                  {"avRatio[2]", "1"},
-                                                                  {"avRatio[3]", "1.1"},
-                                                                  {"kNumPltElem", "2"},
-                                                                  {"kPltElemInd", "1,13"}});
-    check_walk(fmt::format("{}, three segments", type), deck, {"7", "9.6"});
-  }
-}
-
 TEST_CASE("every value of an example that plays no part has a reason, in both kinds of run",
           "[unit][variables]") {
   int decks = 0;
