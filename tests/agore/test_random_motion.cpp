@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QDialog>
+#include <QMenu>
 #include <QTest>
 #include <QWheelEvent>
 #include <catch2/catch.hpp>
