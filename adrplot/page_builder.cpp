@@ -79,6 +79,14 @@ void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Ab
                  const PageContext& context) {
   set_abscissa(chart, file, abscissa);
   add_panels(chart, file, page);
+  for (std::size_t p = 0; p < page.panels.size(); ++p)
+    for (std::size_t c = 0; c < page.panels[p].curves.size(); ++c) {
+      const auto band = context.bands.find(page.panels[p].curves[c].column);
+      if (band == context.bands.end() || band->second.low.size() != file.steps.size()) continue;
+      chart.panels[p].curves[c].low = band->second.low;
+      chart.panels[p].curves[c].high = band->second.high;
+      add_note(chart, "Pale: lowest and highest value between the stored steps.");
+    }
   const double aliased = alias_interval(file, context.fastest_frequency);
   if (aliased > 0.0)
     add_note(chart, fmt::format("Aliased: the fastest contact vibrates at {}, steps are stored at "
@@ -140,7 +148,10 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
       curve.low.clear(), curve.high.clear();
       curve.y.clear();
       if (!empty) add_note(chart, samples.note);
-      if (samples.values.empty()) continue;
+      if (samples.values.empty()) {
+        if (panel.message.empty()) panel.message = samples.note;
+        continue;
+      }
       Spectrum spectrum = amplitude_spectrum(samples.values, samples.step, options.window);
       if (std::all_of(spectrum.amplitude.begin(), spectrum.amplitude.end(),
                       [](double a) { return a == 0.0; })) {
@@ -160,7 +171,6 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
     else
       panel.title = "Amplitude " + panel.title,
       panel.unit = options.scale == SpectrumScale::Decibel ? "dB" : "";
-    if (panel.message.empty()) panel.message = chart.note;
   }
   chart.x = std::move(frequency);
   chart.x_title = "Frequency";

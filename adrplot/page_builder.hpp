@@ -5,6 +5,10 @@
 #include "adrplot/spectrum.hpp"
 #include "desktop/chart_page.hpp"
 
+#include <map>
+#include <string>
+#include <vector>
+
 namespace adore::adrplot {
 
 /// Which coordinates an orbit page shows: 0, 1, 2 = x, y, z. Z over Y at first.
@@ -22,11 +26,17 @@ struct PageOptions {
   Domain domain = Domain::History;
 };
 
+/// Extremes of a curve between its stored values, as long as it and in its unit.
+struct CurveBand {
+  std::vector<double> low, high;
+};
+
 /// What is known of a run beyond the file that is drawn.
 struct PageContext {
   std::vector<desktop::ChartMark> frequencies;  ///< shaft, FTF, BPFO ... [Hz]
   double fastest_frequency = 0.0;               ///< of a contact of the run [Hz]; 0: not known
   std::string fastest_contact;                  ///< "element 1 / outer race"
+  std::map<std::string, CurveBand> bands = {};  ///< by column
 };
 
 /// @throws InputError unless 1 <= number <= count.

@@ -1,5 +1,6 @@
 #include "adrplot/plot_document.hpp"
 
+#include "adrplot/run_beside.hpp"
 #include "adrplot/static_pages.hpp"
 #include "base/errors.hpp"
 #include "results/channels.hpp"
@@ -60,7 +61,7 @@ class StepPages {
     if (!file_.columns.empty() &&
         !std::includes(file_.columns.begin(), file_.columns.end(), wanted.begin(), wanted.end()))
       read(number);
-    desktop::ChartPage page = build_page(file_, pages_, number, options);
+    desktop::ChartPage page = build_page(file_, pages_, number, options, context_);
     const auto note = [&page](const std::string& text) {
       page.note += (page.note.empty() ? "" : " ") + text;
     };
@@ -99,6 +100,7 @@ class StepPages {
     file_ = {};  // its room is needed
     file_ = results::read_sol(path_, range);
     why_not_ = results::use_full_precision(file_);
+    context_ = context_of(file_);
   }
 
   std::filesystem::path path_;
@@ -106,6 +108,7 @@ class StepPages {
   std::size_t most_, steps_ = 0;
   std::vector<PageSpec> pages_;
   results::SolFile file_;
+  PageContext context_;
   std::string why_not_;
 };
 

@@ -1,14 +1,18 @@
 #pragma once
 
+#include "adrplot/own_chart.hpp"
 #include "adrplot/plot_document.hpp"
 
 #include <QMainWindow>
+#include <QStringList>
 
 #include <memory>
 #include <vector>
 
 class QComboBox;
 class QLabel;
+class QMenu;
+class QTimer;
 class QToolBar;
 class QTreeWidget;
 
@@ -32,15 +36,33 @@ class PlotWindow : public QMainWindow {
   /// The same for results in memory.
   void addFile(results::SolFile file, const results::SolRange& range = {});
 
+  /// Every plot file of a folder: SOL1 to SOL7, or those that RUN.json or SWEEP.csv hold.
+  void openFolder(const QString& folder);
+  /// Curves of open files as one chart of its own in the tree.
+  void addChart(const std::vector<CurvePick>& picks, Combine how);
+
   [[nodiscard]] int fileCount() const { return static_cast<int>(documents_.size()); }
   [[nodiscard]] int pageCount() const;
   [[nodiscard]] int currentPage() const { return page_; }  ///< 1-based; 0 while no file is open
   [[nodiscard]] desktop::ChartView& view() { return *view_; }
   void showPage(int number);
   void setAbscissa(Abscissa abscissa);
+  void setDomain(Domain domain);
+  void setLogAxes(bool abscissa, bool values);
+  /// Saves the page, or all pages of the file, by the name's suffix (desktop/page_export.hpp). Of
+  /// all pages PDF makes one file, others one for each, numbered. False after a message.
+  bool exportTo(const QString& path, bool all_pages);
 
  public slots:
   void askForFile();
+  void askForFolder();
+  void askForCurves();
+  void closeFile();
+  void copyPicture();
+  void exportPage();
+  void exportAll();
+  /// Reads the file again whenever it has grown.
+  void follow(bool on);
   void previousPage();
   void nextPage();
   void askForPage();
@@ -56,9 +78,17 @@ class PlotWindow : public QMainWindow {
  private:
   struct Document : PlotDocument {
     results::SolRange range;  ///< of the steps that were read
+    bool on_disk = true;      ///< else a chart of the user's own
+    std::uintmax_t bytes = 0;
   };
-  void addDocument(PlotDocument document, const results::SolRange& range);
+  void addDocument(PlotDocument document, const results::SolRange& range, bool on_disk = true);
+  void openSeveral(const QStringList& paths);
+  void makeMenus();
+  void makeChartMenu(QMenu* menu);
   void makeButtons();
+  void askForExport(bool all_pages);
+  void lookForGrowth();
+  [[nodiscard]] desktop::ChartPage currentPageChart();
   void makeChoices(QToolBar* bar);
   void fillTree();
   void showCurrent();
@@ -71,9 +101,14 @@ class PlotWindow : public QMainWindow {
   desktop::ChartView* view_;
   QTreeWidget* tree_;
   QLabel* note_;
+  QLabel* cursors_;
+  QTimer* growth_ = nullptr;
+  bool log_x_ = false, log_y_ = false;
   QComboBox* abscissa_ = nullptr;
   QComboBox* orbit_ = nullptr;
+  QComboBox* domain_ = nullptr;
   QAction* orbit_action_ = nullptr;
+  QAction* follow_ = nullptr;
 };
 
 }  // namespace adore::adrplot

@@ -1,24 +1,29 @@
 #include "agore/agore_window.hpp"
 
 #include "agore/render.hpp"
+#include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/mp4_writer.hpp"
 #include "desktop/window_place.hpp"
 
 #include <QAction>
 #include <QActionGroup>
 #include <QComboBox>
 #include <QDropEvent>
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QImage>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <utility>
 
 namespace adore::agore {
 namespace {
@@ -49,6 +54,12 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
     const auto after = std::lower_bound(time.begin(), time.end(), wanted);
     setFrame(static_cast<std::size_t>(
         std::min<std::ptrdiff_t>(after - time.begin(), std::ssize(time) - 1)));
+  });
+  connect(canvas_, &PictureWidget::soughtFrame, this, &AgoreWindow::setFrame);
+  connect(canvas_, &PictureWidget::viewMoved, this, [this](double zoom, QPointF pan) {
+    options_.zoom = zoom;
+    options_.pan = pan;
+    refresh();
   });
   refresh();
 }
@@ -81,11 +92,23 @@ QWidget* AgoreWindow::makeButtons() {
   layout->addWidget(new QLabel(tr("Frames/second"), column));
   speed_ = new QComboBox(column);
   speed_->setObjectName("speed");
+  speed_->setAccessibleName(tr("Frames per second"));
   speed_->setFocusPolicy(Qt::NoFocus);
   for (const int rate : {2, 5, 10, 25, 50, 100, 250, 1000})
     speed_->addItem(QString::number(rate), rate);
   speed_->setCurrentText("25");
   layout->addWidget(speed_);
+  layout->addWidget(new QLabel(tr("Slow motion"), column));
+  auto* slow = new QComboBox(column);
+  slow->setObjectName("slow");
+  slow->setAccessibleName(tr("Slow motion against real time"));
+  slow->setFocusPolicy(Qt::NoFocus);
+  slow->addItem(tr("by frames"), 0.0);
+  for (const int part : {10, 100, 1000, 5000, 20000})
+    slow->addItem(QString("1/%1").arg(part), 1.0 / part);
+  connect(slow, &QComboBox::currentIndexChanged, this,
+          [this, slow] { setSlowMotion(slow->currentData().toDouble()); });
+  layout->addWidget(slow);
   layout->addStretch(1);
   button(tr("Print"), "print", QKeySequence::Print, [this] { print(); });
   button(tr("Save"), "save", QKeySequence::Save, [this] { savePicture(); });
@@ -96,26 +119,85 @@ QWidget* AgoreWindow::makeButtons() {
 void AgoreWindow::makeMenus() {
   auto* file = menuBar()->addMenu(tr("&File"));
   file->addAction(tr("&Open..."), QKeySequence::Open, this, &AgoreWindow::askForFile);
+  desktop::add_recent_menu(*file, kApp,
+                           [this](const QString& name) { openFile(name.toStdString()); });
+  file->addSeparator();
+  file->addAction(tr("&Save Picture..."), this, &AgoreWindow::savePicture);
+  file->addAction(tr("Save &Film..."), Qt::CTRL | Qt::Key_E, this, &AgoreWindow::saveFilm);
+  file->addAction(tr("&Print..."), this, &AgoreWindow::print);
+  file->addSeparator();
   file->addAction(tr("&Quit"), this, &AgoreWindow::close);
   makeViewMenu(menuBar()->addMenu(tr("&View")));
-  auto* help = menuBar()->addMenu(tr("&Help"));
-  help->addAction(tr("&About AGORE"), this, &AgoreWindow::about);
+  auto* motion = menuBar()->addMenu(tr("&Motion"));
+  motion->addAction(tr("&First Frame"), Qt::Key_Home, this, [this] { setFrame(0); });
+  motion->addAction(tr("&Last Frame"), Qt::Key_End, this, [this] {
+    if (frameCount() > 0) setFrame(frameCount() - 1);
+  });
+  motion->addAction(tr("&Next Element"), Qt::Key_Up, this,
+                    [this] { setView(options_.view, options_.element + 1); });
+  motion->addAction(tr("&Previous Element"), Qt::Key_Down, this,
+                    [this] { setView(options_.view, std::max(1, options_.element - 1)); });
+  auto* loop = motion->addAction(tr("&Repeat"));
+  loop->setShortcut(Qt::Key_R);
+  loop->setCheckable(true);
+  connect(loop, &QAction::toggled, this, &AgoreWindow::setLoop);
+  desktop::add_help_menu(
+      *this, "AGORE",
+      tr("AGORE shows the motion of a bearing from SOL8 or RESULTS.h5.\nThe lowest program version "
+         "whose data sets are accepted is %1.")
+          .arg(kLowestVersion),
+      {{tr("Space, Shift+Space"), tr("play forward (again: pause), backward")},
+       {tr("Right, Left"), tr("one frame on, back")},
+       {tr("Home, End"), tr("first and last frame")},
+       {tr("Up, Down"), tr("next and previous element or pocket")},
+       {tr("R"), tr("repeats for ever")},
+       {tr("1 to 8"), tr("the views of the menu")},
+       {tr("click or drag in the time bar or a curve"), tr("goes to that moment")},
+       {tr("wheel, drag, double click on the picture"), tr("zooms, moves, shows all")},
+       {tr("Ctrl+E"), tr("saves a film")}});
 }
 
 void AgoreWindow::makeViewMenu(QMenu* menu) {
   menu->setObjectName("viewMenu");
-  menu->addAction(tr("&Bearing Motion"), this, [this] { setView(View::Bearing); });
-  menu->addAction(tr("&Cage Motion"), this, [this] { setView(View::Cage); });
-  menu->addAction(tr("&Pocket Interaction..."), this, [this] { askForElement(View::Pocket); });
-  menu->addAction(tr("&RE Motion..."), this, [this] { askForElement(View::Element); });
+  menu->addAction(tr("&Bearing Motion"), Qt::Key_1, this, [this] { setView(View::Bearing); });
+  menu->addAction(tr("&Cage Motion"), Qt::Key_2, this, [this] { setView(View::Cage); });
+  menu->addAction(tr("&Pocket Interaction..."), Qt::Key_3, this,
+                  [this] { askForElement(View::Pocket); });
+  menu->addAction(tr("&RE Motion..."), Qt::Key_4, this, [this] { askForElement(View::Element); });
   auto* race = menu->addMenu(tr("R&ace Motion"));
-  race->addAction(tr("&Outer"), this, [this] { setView(View::OuterRace); });
-  race->addAction(tr("&Inner"), this, [this] { setView(View::InnerRace); });
-  auto* flange = menu->addAction(tr("&Flange Interaction (rollers only)"));
+  race->addAction(tr("&Outer"), Qt::Key_5, this, [this] { setView(View::OuterRace); });
+  race->addAction(tr("&Inner"), Qt::Key_6, this, [this] { setView(View::InnerRace); });
+  auto* flange = menu->addMenu(tr("&Flange Interaction (rollers only)"));
   flange->setObjectName("flange");
-  flange->setEnabled(false);
-  flange->setToolTip(
-      tr("Needs a roller bearing, and roller ends and flanges, which SOL8 does not hold."));
+  for (const auto& [race_index, name] :
+       {std::pair<std::size_t, const char*>{0, "&Outer Race..."}, {1, "&Inner Race..."}})
+    flange->addAction(tr(name), this, [this, race_index = race_index] {
+      if (picture_ && !has_flange(picture_->animation(), race_index, 0) &&
+          !has_flange(picture_->animation(), race_index, 1) &&
+          why_not(View::Flange, picture_->animation()).empty())
+        return desktop::show_message(this, tr("This race has no flange; the other one has."));
+      options_.flange_race = race_index;
+      askForElement(View::Flange);
+    });
+  menu->addAction(tr("Axial &Section..."), Qt::Key_8, this,
+                  [this] { askForElement(View::Section); });
+  menu->addSeparator();
+  auto* colours = menu->addMenu(tr("C&olour Elements by"));
+  auto* colour_group = new QActionGroup(this);
+  for (const auto& [by, name] : {std::pair{ColourBy::None, "&Nothing"},
+                                 {ColourBy::Load, "Contact &Load"},
+                                 {ColourBy::Slip, "Largest &Slip"},
+                                 {ColourBy::Heat, "Contact &Heat"},
+                                 {ColourBy::Temperature, "Contact &Temperature"}}) {
+    auto* action = colours->addAction(tr(name), this, [this, by = by] { setColour(by); });
+    action->setCheckable(true);
+    action->setChecked(by == ColourBy::None);
+    colour_group->addAction(action);
+  }
+  auto* contacts = menu->addAction(tr("Race Loads on &All Elements"));
+  contacts->setCheckable(true);
+  contacts->setShortcut(Qt::Key_L);
+  connect(contacts, &QAction::toggled, this, &AgoreWindow::setContacts);
   menu->setToolTipsVisible(true);
   menu->addSeparator();
   auto* clearances = menu->addMenu(tr("C&learances"));
@@ -139,6 +221,7 @@ bool AgoreWindow::openFile(const std::filesystem::path& path, long most_frames) 
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
     return false;
   }
+  desktop::remember_file(kApp, QString::fromStdString(path.string()));
   const std::string& note = picture_->animation().file.note;
   if (!note.empty())
     desktop::show_message(this, tr("The file is incomplete: %1. Its %2 complete frames are shown.")
@@ -152,8 +235,8 @@ void AgoreWindow::setAnimation(Animation animation) {
   auto fresh = std::make_unique<MotionPicture>(std::move(animation));
   if (options_.element > fresh->animation().file.elements) options_.element = 1;
   if (!why_not(options_.view, fresh->animation()).empty()) options_.view = View::Bearing;
-  canvas_->show(fresh.get(), 0, options_);
-  picture_ = std::move(fresh);
+  // The canvas lets go of the old one before it dies.
+  const auto old = std::exchange(picture_, std::move(fresh));
   frame_ = 0;
   refresh();
 }
@@ -178,8 +261,26 @@ void AgoreWindow::setExaggeration(double factor) {
   refresh();
 }
 
+void AgoreWindow::setColour(ColourBy colour) {
+  options_.colour = colour;
+  refresh();
+}
+
+void AgoreWindow::setContacts(bool shown) {
+  options_.contacts = shown;
+  refresh();
+}
+
+void AgoreWindow::setSlowMotion(double rate) {
+  slow_ = rate;
+  speed_->setEnabled(rate == 0.0);
+  if (picture_) film_time_ = picture_->animation().time[frame_];
+}
+
 void AgoreWindow::askForElement(View view) {
   if (!picture_) return askForFile();
+  if (const std::string reason = why_not(view, picture_->animation()); !reason.empty())
+    return desktop::show_message(this, QString::fromStdString(reason));
   const int count = picture_->animation().file.elements;
   const QString what = view == View::Pocket ? tr("Pocket") : tr("Rolling element");
   desktop::ask_number(this, QString::fromStdString(view_title(view)),
@@ -193,7 +294,7 @@ void AgoreWindow::askForFile() {
       100'000'000, [this](int steps) {
         steps_ = steps;
         desktop::ask_file(
-            this, kApp, tr("Open animation file"), "SOL8*",
+            this, kApp, tr("Open animation file"), "SOL8* RESULTS.h5",
             [this, steps](const QString& name) { openFile(name.toStdString(), steps); });
       });
 }
@@ -208,20 +309,37 @@ void AgoreWindow::play(int direction) {
   if (direction > 0 && frame_ + 1 == frameCount()) setFrame(0);
   if (direction < 0 && frame_ == 0) setFrame(frameCount() - 1);
   pending_ = 0.0;
+  film_time_ = picture_->animation().time[frame_];
   clock_.start();
   timer_.start();
 }
 
 void AgoreWindow::advance() {
-  pending_ += static_cast<double>(clock_.restart()) * 1e-3 * speed_->currentData().toDouble();
-  const auto due = static_cast<std::size_t>(pending_);
-  if (due == 0) return;
-  pending_ -= static_cast<double>(due);
-  const std::size_t last = frameCount() - 1;
-  const std::size_t left = direction_ > 0 ? last - frame_ : frame_;
-  const std::size_t moved = std::min(due, left);
-  setFrame(direction_ > 0 ? frame_ + moved : frame_ - moved);
-  if (frame_ == (direction_ > 0 ? last : 0)) pause();
+  const double seconds = static_cast<double>(clock_.restart()) * 1e-3;
+  const std::size_t last = frameCount() - 1, end = direction_ > 0 ? last : 0;
+  if (slow_ > 0.0) {
+    // In the simulation's own time, however unequal the frames lie in it.
+    const auto& time = picture_->animation().time;
+    film_time_ += direction_ * slow_ * seconds;
+    const bool over = direction_ > 0 ? film_time_ >= time.back() : film_time_ <= time.front();
+    const auto after = std::upper_bound(time.begin(), time.end(), film_time_);
+    setFrame(over
+                 ? end
+                 : static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - time.begin() - 1)));
+  } else {
+    pending_ += seconds * speed_->currentData().toDouble();
+    const auto due = static_cast<std::size_t>(pending_);
+    if (due == 0) return;
+    pending_ -= static_cast<double>(due);
+    const std::size_t left = direction_ > 0 ? last - frame_ : frame_;
+    const std::size_t moved = std::min(due, left);
+    setFrame(direction_ > 0 ? frame_ + moved : frame_ - moved);
+  }
+  if (frame_ != end) return;
+  if (loop_ && last > 0)
+    play(direction_);
+  else
+    pause();
 }
 
 void AgoreWindow::frameForward() {
@@ -250,11 +368,45 @@ void AgoreWindow::savePicture() {
   desktop::save_picture(this, kApp, "bearing.jpg", [this] { return image(); });
 }
 
-void AgoreWindow::about() {
-  desktop::show_message(this, tr("AGORE shows the motion of a bearing from SOL8 files.\nThe lowest "
-                                 "program version whose data sets are accepted is %1.\n\n"
-                                 "Part of Adore, free software under the GPL, without warranty.")
-                                  .arg(kLowestVersion));
+void AgoreWindow::saveFilm() {
+  if (!picture_) return askForFile();
+  pause();
+  auto* dialog = new QFileDialog(this, tr("Save film"), "bearing.gif",
+                                 tr("GIF (*.gif);;AVI (*.avi)%1;;Numbered pictures, folder (*)")
+                                     .arg(desktop::ffmpeg_found() ? ";;MP4 (*.mp4)" : ""));
+  dialog->setObjectName("film");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->selectFile("bearing.gif");
+  connect(dialog, &QFileDialog::fileSelected, this, &AgoreWindow::writeFilm);
+  dialog->open();
+}
+
+bool AgoreWindow::writeFilm(const QString& path) {
+  RenderOptions render;
+  render.view = options_;
+  // As seen, but not larger than a film needs to be.
+  const QSize size = canvas_->size().boundedTo({1280, 800});
+  render.width = size.width() & ~1;
+  render.height = size.height() & ~1;
+  render.replace = true;
+  QProgressDialog progress(tr("Writing %1 ...").arg(path), tr("Cancel"), 0,
+                           static_cast<int>(frameCount()), this);
+  progress.setWindowModality(Qt::WindowModal);
+  progress.setMinimumDuration(500);
+  render.progress = [&progress](long done, long total) {
+    progress.setMaximum(static_cast<int>(total));
+    progress.setValue(static_cast<int>(done));
+  };
+  render.stop = [&progress] { return progress.wasCanceled(); };
+  try {
+    const int rate = std::clamp(speed_->currentData().toInt(), 1, 50);
+    render_movie(*picture_, 1, rate, path.toStdString(), render);
+    return true;
+  } catch (const std::exception& error) {
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    return false;
+  }
 }
 
 void AgoreWindow::switchTheme() {
@@ -279,6 +431,10 @@ void AgoreWindow::dropEvent(QDropEvent* event) {
 }
 
 void AgoreWindow::refresh() {
+  if (picture_ && options_.view == View::Flange &&
+      !has_flange(picture_->animation(), options_.flange_race, 0) &&
+      !has_flange(picture_->animation(), options_.flange_race, 1))
+    options_.flange_race = 1 - options_.flange_race;  // one of them has a flange
   canvas_->show(picture_.get(), frame_, options_);
   for (const char* name : {"play", "playBack", "frame", "frameBack", "pause", "print", "save"})
     findChild<QPushButton*>(name)->setEnabled(picture_ != nullptr);

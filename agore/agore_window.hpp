@@ -4,6 +4,7 @@
 
 #include <QElapsedTimer>
 #include <QMainWindow>
+#include <QPointF>
 #include <QTimer>
 
 #include <memory>
@@ -13,7 +14,8 @@ class QMenu;
 
 namespace adore::agore {
 
-/// The picture in the window; clicking or dragging in the time bar moves to that moment.
+/// The picture in the window; clicking or dragging in the time bar or in a curve moves to that
+/// moment. The wheel zooms the picture, dragging moves it, a double click shows all of it.
 class PictureWidget : public QWidget {
   Q_OBJECT
  public:
@@ -22,14 +24,19 @@ class PictureWidget : public QWidget {
 
  signals:
   void soughtTo(double progress);
+  void soughtFrame(std::size_t frame);
+  void viewMoved(double zoom, QPointF pan);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
 
  private:
-  void seek(QPointF position);
+  bool seek(QPointF position);
+  QPointF drag_from_, pan_from_;
   MotionPicture* picture_ = nullptr;
   std::size_t frame_ = 0;
   ViewOptions options_;
@@ -55,8 +62,16 @@ class AgoreWindow : public QMainWindow {
   void setFrame(std::size_t frame);
   void setView(View view, int element = 0);  ///< element 0: the one shown last
   void setExaggeration(double factor);
+  void setColour(ColourBy colour);
+  void setContacts(bool shown);
+  void setLoop(bool loop) { loop_ = loop; }
+  /// Simulated seconds per second of the clock; 0: frames per second, as chosen.
+  void setSlowMotion(double rate);
+  /// Writes a film of all frames; false, after a message with the reason, when it cannot.
+  bool writeFilm(const QString& path);
 
  public slots:
+  void saveFilm();
   void askForFile();
   void playForward();
   void playBackward();
@@ -65,7 +80,6 @@ class AgoreWindow : public QMainWindow {
   void pause();
   void print();
   void savePicture();
-  void about();
   void switchTheme();
 
  protected:
@@ -88,6 +102,9 @@ class AgoreWindow : public QMainWindow {
   QTimer timer_;
   QElapsedTimer clock_;
   double pending_ = 0.0;  ///< frames due but not yet shown
+  bool loop_ = false;
+  double slow_ = 0.0;       ///< simulated seconds per second
+  double film_time_ = 0.0;  ///< simulated time that slow motion has reached [s]
   int direction_ = 1;
   std::size_t frame_ = 0;
   int steps_ = 5000;  ///< number of time steps asked for last

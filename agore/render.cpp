@@ -2,7 +2,9 @@
 
 #include "base/errors.hpp"
 #include "desktop/avi_writer.hpp"
+#include "desktop/gif_writer.hpp"
 #include "desktop/image_export.hpp"
+#include "desktop/mp4_writer.hpp"
 
 #include <fmt/format.h>
 
@@ -69,16 +71,32 @@ void render_movie(MotionPicture& picture, int every, int frames_per_second, cons
     render_frames(picture, every, film, options);
     return;
   }
-  if (suffix != ".avi")
+  if (suffix != ".avi" && suffix != ".gif" && suffix != ".mp4")
     throw InputError("a film cannot be written as " + film.string() +
-                     "; give a name that ends in .avi, or a folder name for numbered pictures");
+                     "; give a name that ends in .avi, .gif or .mp4, or a folder name for numbered "
+                     "pictures");
   if (film.has_parent_path()) desktop::make_folder(film.parent_path());
-  desktop::AviWriter writer(film, {options.width, options.height}, frames_per_second);
-  for (std::size_t frame = 0; frame < picture.frames(); frame += static_cast<std::size_t>(every)) {
-    writer.add(picture.image({options.width, options.height}, frame, options.view));
-    tell(options, static_cast<int>(frame), every, picture.frames());
+  if (!options.replace) desktop::check_replaceable(film);
+  const QSize size(options.width, options.height);
+  const auto draw = [&](auto& writer) {
+    for (std::size_t frame = 0; frame < picture.frames();
+         frame += static_cast<std::size_t>(every)) {
+      if (options.stop && options.stop()) return;  // no film
+      writer.add(picture.image(size, frame, options.view));
+      tell(options, static_cast<int>(frame), every, picture.frames());
+    }
+    writer.finish();
+  };
+  if (suffix == ".avi") {
+    desktop::AviWriter writer(film, size, frames_per_second);
+    draw(writer);
+  } else if (suffix == ".gif") {
+    desktop::GifWriter writer(film, size, frames_per_second);
+    draw(writer);
+  } else {
+    desktop::Mp4Writer writer(film, size, frames_per_second);
+    draw(writer);
   }
-  writer.finish();
 }
 
 MotionPicture open_animation(const fs::path& sol8, long most_frames) {

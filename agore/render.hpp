@@ -14,6 +14,8 @@ struct RenderOptions {
   ViewOptions view;
   int width = 1280, height = 800;
   std::function<void(long done, long total)> progress;  ///< called after each picture; may be empty
+  std::function<bool()> stop = {};  ///< asked before each picture of a film; may be empty
+  bool replace = false;             ///< whatever has the film's name: somebody was asked
 };
 
 /// One picture; `frame` counts the file's frames from 1. PNG or JPEG by suffix.
@@ -28,8 +30,9 @@ std::vector<std::filesystem::path> render_frames(MotionPicture& picture, int eve
                                                  const std::filesystem::path& folder,
                                                  const RenderOptions& options);
 
-/// A film of every `every`-th frame: Motion-JPEG in AVI when `film` ends in .avi, else a folder of
-/// that name with numbered PNG files.
+/// A film of every `every`-th frame, by the name's ending: .avi (Motion-JPEG), .gif (256 colours a
+/// picture), .mp4 (H.264 by the program ffmpeg, which must be in the PATH); without an ending a
+/// folder of that name with numbered PNG files. @throws InputError saying what is missing
 void render_movie(MotionPicture& picture, int every, int frames_per_second,
                   const std::filesystem::path& film, const RenderOptions& options);
 

@@ -462,6 +462,7 @@ void ChartScene::addPoints(const Polyline& line, const QRectF& area, const AxisS
                                       (x_axis.max - x_axis.min) * area.width();
     const qreal y = area.bottom() - (y_axis.shown(line.y[i]) - y_axis.min) /
                                         (y_axis.max - y_axis.min) * area.height();
+    if (y < area.top() || y > area.bottom()) continue;  // beyond the chosen range
     addEllipse(QRectF(x - r, y - r, 2 * r, 2 * r), QPen(Qt::NoPen), fill)->setZValue(5);
   }
 }

@@ -2,11 +2,23 @@
 
 #include <QMouseEvent>
 #include <QPainter>
+#include <QRubberBand>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <cmath>
 
 namespace adore::desktop {
+namespace {
+
+constexpr std::size_t kMostViews = 100;
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+QString quantity(double value, const std::string& unit) {
+  return QString::fromStdString(pretty_quantity(value, unit, 5));
+}
+
+}  // namespace
 
 ChartView::ChartView(QWidget* parent)
     : QGraphicsView(parent), scene_(new ChartScene(ChartStyle::Page, this)) {
@@ -18,6 +30,103 @@ ChartView::ChartView(QWidget* parent)
   setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
   setMouseTracking(true);
   setMinimumSize(480, 360);
+  setAccessibleName(tr("Chart"));
+  band_ = new QRubberBand(QRubberBand::Rectangle, viewport());
+}
+
+void ChartView::showPage(ChartPage page) {
+  const bool same = page.x_unit == scene_->page().x_unit && page.x_title == scene_->page().x_title;
+  if (!same) cursors_ = {kNone, kNone};
+  scene_->setPage(std::move(page), true);
+  emit cursorsChanged();
+  viewport()->update();
+}
+
+void ChartView::remember() {
+  const ChartZoom now = scene_->zoom();
+  if (!back_.empty() && back_.back() == now) return;
+  back_.push_back(now);
+  if (back_.size() > kMostViews) back_.erase(back_.begin());
+  forward_.clear();
+}
+
+void ChartView::zoomBack() {
+  if (back_.empty()) return;
+  forward_.push_back(scene_->zoom());
+  const ChartZoom zoom = back_.back();
+  back_.pop_back();
+  scene_->setZoom(zoom);
+  viewport()->update();
+}
+
+void ChartView::zoomForward() {
+  if (forward_.empty()) return;
+  back_.push_back(scene_->zoom());
+  const ChartZoom zoom = forward_.back();
+  forward_.pop_back();
+  scene_->setZoom(zoom);
+  viewport()->update();
+}
+
+void ChartView::zoomAll() {
+  if (!scene_->zoomed()) return;
+  remember();
+  scene_->resetView();
+}
+
+void ChartView::setCursor(int which, double abscissa) {
+  const auto& x = scene_->page().x;
+  // On a stored value: what is read off is in the file.
+  cursors_.at(static_cast<std::size_t>(which)) =
+      x.empty() || !std::isfinite(abscissa) ? kNone : x[nearest_index(x, abscissa)];
+  emit cursorsChanged();
+  viewport()->update();
+}
+
+void ChartView::clearCursors() {
+  cursors_ = {kNone, kNone};
+  emit cursorsChanged();
+  viewport()->update();
+}
+
+QString ChartView::cursorReport() const {
+  const ChartPage& page = scene_->page();
+  const bool a = std::isfinite(cursors_[0]), b = std::isfinite(cursors_[1]);
+  if ((!a && !b) || page.equal_axes || page.x.empty()) return {};
+  QStringList lines;
+  QString head;
+  if (a) head += tr("A: %1").arg(quantity(cursors_[0], page.x_unit));
+  if (b) head += tr("%1B: %2").arg(a ? "   " : "", quantity(cursors_[1], page.x_unit));
+  if (a && b) {
+    const double gap = cursors_[1] - cursors_[0];
+    head += tr("   B − A: %1").arg(quantity(gap, page.x_unit));
+    if (page.x_unit == "s" && gap != 0.0)
+      head += tr("   1/(B − A): %1").arg(quantity(1.0 / std::abs(gap), "Hz"));
+  }
+  lines << head;
+  for (const ChartPanel& panel : page.panels)
+    for (const ChartCurve& curve : panel.curves) {
+      if (curve.hidden || curve.y.empty()) continue;
+      QString line = QString::fromStdString(curve.name.empty() ? panel.title
+                                                               : panel.title + ", " + curve.name) +
+                     ":";
+      const auto value = [&](double x) {
+        const std::size_t i = nearest_index(page.x, x);
+        return i < curve.y.size() ? curve.y[i] : kNone;
+      };
+      if (a) line += tr("  A %1").arg(quantity(value(cursors_[0]), panel.unit));
+      if (b) line += tr("  B %1").arg(quantity(value(cursors_[1]), panel.unit));
+      if (a && b) {
+        const CurveStatistics s = statistics_between(page.x, curve.y, cursors_[0], cursors_[1]);
+        line += tr("  B − A %1").arg(quantity(value(cursors_[1]) - value(cursors_[0]), panel.unit));
+        if (s.count > 0)
+          line += tr("  min %1  max %2  mean %3  RMS %4")
+                      .arg(quantity(s.lowest, panel.unit), quantity(s.highest, panel.unit),
+                           quantity(s.mean, panel.unit), quantity(s.rms, panel.unit));
+      }
+      lines << line;
+    }
+  return lines.join('\n');
 }
 
 void ChartView::resizeEvent(QResizeEvent* event) {
@@ -26,22 +135,65 @@ void ChartView::resizeEvent(QResizeEvent* event) {
 }
 
 void ChartView::wheelEvent(QWheelEvent* event) {
-  const double centre = scene_->abscissaAt(mapToScene(event->position().toPoint()).x());
-  const double factor = std::pow(0.8, event->angleDelta().y() / 120.0);
-  scene_->setView(centre - (centre - scene_->viewLow()) * factor,
-                  centre + (scene_->viewHigh() - centre) * factor);
+  const QPointF position = mapToScene(event->position().toPoint());
+  // A horizontal wheel, or Alt, turns the other way on some desktops.
+  const double turn =
+      event->angleDelta().y() != 0 ? event->angleDelta().y() : event->angleDelta().x();
+  const double factor = std::pow(0.8, turn / 120.0);
+  const auto panel = scene_->panelAt(position);
+  remember();
+  if ((event->modifiers() & Qt::ControlModifier) != 0 && panel && !scene_->page().equal_axes) {
+    const QRectF& area = scene_->plotAreas()[*panel];
+    // In pixels, so that a logarithmic axis zooms like any other.
+    const double low = position.y() + (area.bottom() - position.y()) * factor,
+                 high = position.y() - (position.y() - area.top()) * factor;
+    scene_->setPanelView(*panel,
+                         std::pair(scene_->valueAt(*panel, low), scene_->valueAt(*panel, high)));
+  } else if (!scene_->plotAreas().empty() && !scene_->page().equal_axes) {
+    const QRectF& area = scene_->plotAreas().front();
+    scene_->setView(scene_->abscissaAt(position.x() - (position.x() - area.left()) * factor),
+                    scene_->abscissaAt(position.x() + (area.right() - position.x()) * factor));
+  }
   event->accept();
+}
+
+bool ChartView::toggleLegend(QPointF position) {
+  for (const LegendEntry& entry : scene_->legend()) {
+    if (!entry.place.adjusted(-3, -3, 3, 3).contains(position)) continue;
+    const LegendEntry found = entry;  // the scene makes its legend anew
+    scene_->showCurve(found.panel, found.curve,
+                      scene_->page().panels[found.panel].curves[found.curve].hidden);
+    return true;
+  }
+  return false;
 }
 
 void ChartView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
+  const QPointF position = mapToScene(event->position().toPoint());
+  if (toggleLegend(position)) return;
+  if ((event->modifiers() & Qt::ControlModifier) != 0) {
+    if (scene_->panelAt(position) && !scene_->page().equal_axes)
+      setCursor((event->modifiers() & Qt::ShiftModifier) != 0 ? 1 : 0,
+                scene_->abscissaAt(position.x()));
+    return;
+  }
+  if ((event->modifiers() & Qt::ShiftModifier) != 0) {
+    boxing_ = true;
+    box_from_ = event->position().toPoint();
+    band_->setGeometry(QRect(box_from_, QSize()));
+    band_->show();
+    return;
+  }
   dragging_ = true;
-  drag_from_ = scene_->abscissaAt(mapToScene(event->position().toPoint()).x());
+  remember();
+  drag_from_ = scene_->abscissaAt(position.x());
 }
 
 void ChartView::mouseMoveEvent(QMouseEvent* event) {
   const QPointF position = mapToScene(event->position().toPoint());
-  if (dragging_) {
+  if (boxing_) band_->setGeometry(QRect(box_from_, event->position().toPoint()).normalized());
+  if (dragging_ && !scene_->page().log_x) {
     const double shift = drag_from_ - scene_->abscissaAt(position.x());
     const double low = scene_->viewLow() + shift, high = scene_->viewHigh() + shift;
     const auto& x = scene_->page().x;
@@ -54,9 +206,34 @@ void ChartView::mouseMoveEvent(QMouseEvent* event) {
   viewport()->update();
 }
 
-void ChartView::mouseReleaseEvent(QMouseEvent*) { dragging_ = false; }
+void ChartView::zoomBox(const QRectF& box) {
+  constexpr qreal kSmallest = 6.0;
+  if (scene_->page().equal_axes || box.width() < kSmallest || box.height() < kSmallest) return;
+  const auto panel = scene_->panelAt(box.center());
+  if (!panel) return;
+  const QRectF inside = box.intersected(scene_->plotAreas()[*panel]);
+  remember();
+  ChartZoom zoom = scene_->zoom();
+  zoom.low = scene_->abscissaAt(inside.left());
+  zoom.high = scene_->abscissaAt(inside.right());
+  zoom.panels.resize(scene_->page().panels.size());
+  zoom.panels[*panel] =
+      std::pair(scene_->valueAt(*panel, inside.bottom()), scene_->valueAt(*panel, inside.top()));
+  scene_->setZoom(zoom);
+}
 
-void ChartView::mouseDoubleClickEvent(QMouseEvent*) { scene_->resetView(); }
+void ChartView::mouseReleaseEvent(QMouseEvent* event) {
+  if (dragging_ && !back_.empty() && back_.back() == scene_->zoom()) back_.pop_back();
+  dragging_ = false;
+  if (!boxing_) return;
+  boxing_ = false;
+  band_->hide();
+  zoomBox(QRectF(mapToScene(box_from_), mapToScene(event->position().toPoint())).normalized());
+}
+
+void ChartView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->modifiers() == Qt::NoModifier) zoomAll();
+}
 
 void ChartView::leaveEvent(QEvent* event) {
   pointer_ = -1.0;
@@ -66,10 +243,23 @@ void ChartView::leaveEvent(QEvent* event) {
 }
 
 void ChartView::drawForeground(QPainter* painter, const QRectF&) {
-  if (pointer_ < 0.0) return;
-  painter->setPen(QPen(current_theme().accent, 1, Qt::DotLine));
-  for (const auto& area : scene_->plotAreas())
-    painter->drawLine(QLineF(pointer_, area.top(), pointer_, area.bottom()));
+  const auto line = [&](double x) {
+    for (const auto& area : scene_->plotAreas())
+      painter->drawLine(QLineF(x, area.top(), x, area.bottom()));
+  };
+  if (pointer_ >= 0.0) {
+    painter->setPen(QPen(current_theme().accent, 1, Qt::DotLine));
+    line(pointer_);
+  }
+  if (scene_->page().equal_axes || scene_->plotAreas().empty()) return;
+  for (std::size_t i = 0; i < cursors_.size(); ++i) {
+    if (!(cursors_[i] >= scene_->viewLow() && cursors_[i] <= scene_->viewHigh())) continue;
+    const double x = scene_->positionOf(cursors_[i]);
+    painter->setPen(QPen(current_theme().red, 1.2));
+    line(x);
+    painter->setFont(ui_font(12, true));
+    painter->drawText(QPointF(x + 4, scene_->plotAreas().front().top() + 13), i == 0 ? "A" : "B");
+  }
 }
 
 }  // namespace adore::desktop

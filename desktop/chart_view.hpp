@@ -4,18 +4,45 @@
 
 #include <QGraphicsView>
 
+#include <array>
+#include <limits>
+#include <vector>
+
+class QRubberBand;
+
 namespace adore::desktop {
 
-/// A ChartScene in a window: the wheel zooms along the abscissa, dragging moves, a double click
-/// shows everything again, and the values under the pointer are reported.
+/// A ChartScene in a window.
+/// - The wheel zooms along the abscissa, with Ctrl along a panel's own axis; dragging moves; with
+///   Shift a box is zoomed into. A double click shows everything again; earlier views come back by
+///   zoomBack(), also after other pages.
+/// - A click on a name in a legend hides its curve, or shows it again.
+/// - Ctrl and a click sets cursor A, with Shift cursor B: what lies between them is told.
 class ChartView : public QGraphicsView {
   Q_OBJECT
  public:
   explicit ChartView(QWidget* parent = nullptr);
   [[nodiscard]] ChartScene& chartScene() { return *scene_; }
+  /// Keeps zoom and cursors where the new page has the same abscissa.
+  void showPage(ChartPage page);
+
+  /// Abscissa of cursor 0 (A) or 1 (B); NaN takes it away.
+  void setCursor(int which, double abscissa);
+  [[nodiscard]] double cursorAt(int which) const {
+    return cursors_.at(static_cast<std::size_t>(which));
+  }
+  /// Values at the cursors and statistics between them, a line per curve; empty without cursors.
+  [[nodiscard]] QString cursorReport() const;
+
+ public slots:
+  void zoomBack();
+  void zoomForward();
+  void zoomAll();
+  void clearCursors();
 
  signals:
   void readoutChanged(const QString& text);
+  void cursorsChanged();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -28,10 +55,19 @@ class ChartView : public QGraphicsView {
   void leaveEvent(QEvent* event) override;
 
  private:
+  void remember();
+  void zoomBox(const QRectF& box);
+  bool toggleLegend(QPointF position);
+
   ChartScene* scene_;
-  bool dragging_ = false;
+  QRubberBand* band_;
+  bool dragging_ = false, boxing_ = false;
+  QPoint box_from_;
   double drag_from_ = 0.0;
   double pointer_ = -1.0;  ///< scene x of the pointer's line; negative = none
+  std::array<double, 2> cursors_{std::numeric_limits<double>::quiet_NaN(),
+                                 std::numeric_limits<double>::quiet_NaN()};
+  std::vector<ChartZoom> back_, forward_;
 };
 
 }  // namespace adore::desktop

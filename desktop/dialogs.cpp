@@ -7,6 +7,7 @@
 #include <QImage>
 #include <QInputDialog>
 #include <QMessageBox>
+#include <QPainter>
 #include <QPrintDialog>
 #include <QPrinter>
 #include <QSettings>
@@ -57,6 +58,24 @@ void ask_file(QWidget* parent, const QString& app, const QString& title, const Q
   dialog->open();
 }
 
+void ask_files(QWidget* parent, const QString& app, const QString& title, const QString& names,
+               std::function<void(QStringList)> answer) {
+  const QString folder = QSettings("Adore", app).value("open/folder").toString();
+  auto* dialog = new QFileDialog(parent, title, folder,
+                                 QObject::tr("Result files (%1);;All files (*)").arg(names));
+  dialog->setObjectName("open");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFiles);
+  QObject::connect(
+      dialog, &QFileDialog::filesSelected, parent,
+      [app, answer = std::move(answer)](const QStringList& chosen) {
+        if (chosen.isEmpty()) return;
+        QSettings("Adore", app).setValue("open/folder", QFileInfo(chosen.front()).absolutePath());
+        answer(chosen);
+      });
+  dialog->open();
+}
+
 void save_picture(QWidget* parent, const QString& app, const QString& fallback,
                   std::function<QImage()> picture) {
   auto* dialog = new QFileDialog(parent, QObject::tr("Save picture"), QString(),
@@ -74,6 +93,20 @@ void save_picture(QWidget* parent, const QString& app, const QString& fallback,
                      } catch (const std::exception& error) {
                        show_message(parent, error.what(), true);
                      }
+                   });
+  dialog->open();
+}
+
+void print_page(QWidget* parent, std::function<void(QPainter&, const QRectF&)> draw) {
+  auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
+  printer->setPageOrientation(QPageLayout::Landscape);
+  auto* dialog = new QPrintDialog(printer.get(), parent);
+  dialog->setObjectName("print");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  QObject::connect(dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), parent,
+                   [printer, draw = std::move(draw)](QPrinter*) {
+                     QPainter painter(printer.get());
+                     draw(painter, QRectF(painter.viewport()));
                    });
   dialog->open();
 }

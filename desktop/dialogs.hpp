@@ -1,11 +1,14 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 
 #include <functional>
 
-class QWidget;
 class QImage;
+class QPainter;
+class QRectF;
+class QWidget;
 
 /// The small questions that both viewers ask. None of them blocks: the answer arrives in the
 /// function given.
@@ -23,6 +26,10 @@ void ask_number(QWidget* parent, const QString& title, const QString& label, int
 void ask_file(QWidget* parent, const QString& app, const QString& title, const QString& names,
               std::function<void(QString)> answer);
 
+/// The same for several files at once.
+void ask_files(QWidget* parent, const QString& app, const QString& title, const QString& names,
+               std::function<void(QStringList)> answer);
+
 /// Where to save a picture: the remembered name with a running number, free to edit; then saves it
 /// and reports failure by message.
 void save_picture(QWidget* parent, const QString& app, const QString& fallback,
@@ -30,5 +37,7 @@ void save_picture(QWidget* parent, const QString& app, const QString& fallback,
 
 /// Printer selection, then one page.
 void print_picture(QWidget* parent, std::function<QImage()> picture);
+/// The same for what is drawn as lines and text: `draw` gets the paper in the printer's dots.
+void print_page(QWidget* parent, std::function<void(QPainter&, const QRectF&)> draw);
 
 }  // namespace adore::desktop

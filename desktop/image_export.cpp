@@ -28,8 +28,8 @@ void check_replaceable(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
-    const bool picture =
-        bytes.starts_with("\x89PNG") || bytes.starts_with("\xff\xd8") || bytes.starts_with("RIFF");
+    const bool picture = bytes.starts_with("\x89PNG") || bytes.starts_with("\xff\xd8") ||
+                         bytes.starts_with("RIFF") || bytes.starts_with("GIF89a");
     if (bytes.empty() || (picture && bytes.find("Adore ") != std::string::npos)) return;
   }
   throw InputError(path.string() +

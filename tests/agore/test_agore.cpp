@@ -1,7 +1,10 @@
 #include "agore/agore_window.hpp"
 #include "agore/pocket_outline.hpp"
 #include "agore/render.hpp"
+#include "agore/view_scene.hpp"
 #include "base/errors.hpp"
+#include "core/results/synthetic.hpp"
+#include "results/results_h5.hpp"
 #include "support/qt_app.hpp"
 #include "support/result_files.hpp"
 
@@ -17,6 +20,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QWheelEvent>
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -391,9 +395,13 @@ TEST_CASE("agore_window: views by menu, with numbers asked and remembered", "[gu
   question->reject();
   menu_action(window, "Outer")->trigger();
   CHECK(window.options().view == View::OuterRace);
-  auto* flange = window.findChild<QAction*>("flange");
-  CHECK_FALSE(flange->isEnabled());
-  CHECK(flange->toolTip().contains("roller"));
+  menu_action(window, "Inner Race...")->trigger();
+  CHECK(take_message(window).contains("no flanges"));  // balls
+  CHECK(window.options().view == View::OuterRace);
+  menu_action(window, "Axial Section...")->trigger();
+  CHECK(take_message(window).contains("RESULTS.h5"));
+  menu_action(window, "Contact Load")->trigger();
+  CHECK(window.options().colour == ColourBy::Load);
   menu_action(window, "About AGORE")->trigger();
   CHECK(take_message(window).contains("0.1"));
   menu_action(window, "× 10")->trigger();
@@ -497,7 +505,9 @@ TEST_CASE("render: pictures, numbered pictures and a film", "[gui]") {
   CHECK_THROWS_WITH(render_frame(picture, 31, base / "x.png", options), Catch::Contains("1 to 30"));
   render_movie(picture, 3, 25, base / "films" / "run.avi", options);
   CHECK(std::filesystem::file_size(base / "films" / "run.avi") > 10 * 5000);
-  CHECK_THROWS_AS(render_movie(picture, 1, 25, base / "run.gif", options), InputError);
+  CHECK_THROWS_AS(render_movie(picture, 1, 25, base / "run.mkv", options), InputError);
+  render_movie(picture, 15, 25, base / "run.gif", options);
+  CHECK(QImage(QString::fromStdString((base / "run.gif").string())).size() == QSize(640, 400));
   render_movie(picture, 15, 25, base / "stills", options);
   CHECK(std::filesystem::exists(base / "stills" / "SOL8-frame-00016.png"));
 }
@@ -524,4 +534,96 @@ TEST_CASE("pocket outlines have the clearances of their shape", "[unit][agore][p
   roller.roller_length = 14.0;
   CHECK(agore::pocket_hole(roller).contains(agore::roller_side(roller).boundingRect()));
   CHECK(agore::roller_side(roller).boundingRect().size() == QSizeF(10.0, 14.0));
+}
+
+TEST_CASE("views: RESULTS.h5 alone shows sections, colours and race loads", "[gui][h5]") {
+  using namespace adore::testing;
+  test::use_qt();
+  TemporaryFolder folder;
+  const bearing::Bearing bearing = make_bearing(8);
+  results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
+  results::H5Writer h5 = results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
+  for (long step = 0; step <= 30; ++step) h5.write(recorder.record(make_snapshot(bearing, step)));
+  h5.close();
+  MotionPicture picture = open_animation(folder / "RESULTS.h5");
+  const Animation& a = picture.animation();
+  REQUIRE(picture.frames() == 31);
+  CHECK(a.source.find("every stored step") == 0);
+  CHECK(a.guide == Guide::Outer);
+  CHECK(a.guide_clearance == Approx(0.0003));
+  CHECK(a.land[1]);
+  // Channels of the run, not differences: 400 + k rad/s of a shaft at 1000.
+  const History orbit = element_orbit(a, 2);
+  REQUIRE(orbit.value.size() == 31);
+  for (const double ratio : orbit.value) CHECK(ratio == Approx(0.403));
+  const Colouring load = colouring(a, 5, ColourBy::Load);
+  REQUIRE(load.value.size() == 8);
+  CHECK(load.value[2] == Approx(1300.0));  // the larger of both contacts: 100 (3 + 10)
+  CHECK(load.largest == Approx(1800.0));
+  CHECK(scale_colour(0.0) == QColor(68, 1, 84));
+  CHECK(scale_colour(1.0) == QColor(253, 231, 37));
+  ViewOptions options;
+  const QImage plain = picture.image({900, 600}, 3, options);
+  options.colour = ColourBy::Load;
+  options.contacts = true;
+  CHECK(picture.image({900, 600}, 3, options) != plain);
+  options = {};
+  options.view = View::Section;
+  options.element = 2;
+  const QImage section = picture.image({900, 600}, 3, options);
+  CHECK(pixels_of(section, {0, 60, 540, 460}, theme_of(options).curves[0]) > 20);
+  options.zoom = 4.0;
+  CHECK(picture.image({900, 600}, 3, options) != section);
+  options = {};
+  options.view = View::Flange;
+  CHECK_THROWS_WITH(picture.image({900, 600}, 3, options), Catch::Contains("no flanges"));
+}
+
+TEST_CASE("agore_window: slow motion follows the simulated time, and repeats when asked", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  auto file = test::synthetic_sol8(short_run(60));
+  const double span = file.frames.back().time;  // 18 ms
+  window.setAnimation(prepare(std::move(file)));
+  window.resize(900, 600);
+  window.show();
+  window.setSlowMotion(span / 0.4);  // the whole run in 0.4 s
+  window.playForward();
+  QTest::qWait(200);
+  CHECK(window.currentFrame() > 5);
+  for (int i = 0; i < 100 && window.playing(); ++i) QTest::qWait(50);
+  CHECK_FALSE(window.playing());
+  CHECK(window.currentFrame() == 59);
+  window.setLoop(true);
+  window.playForward();
+  QTest::qWait(900);
+  CHECK(window.playing());
+  window.pause();
+}
+
+TEST_CASE("agore_window: a click on the curve goes to that moment, the wheel zooms the picture",
+          "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  window.setAnimation(prepare(test::synthetic_sol8(short_run(61))));
+  window.resize(1100, 700);
+  window.show();
+  QCoreApplication::processEvents();
+  auto* canvas = window.findChild<PictureWidget*>();
+  canvas->grab();  // painted once: the curves have their place
+  const QRectF data = MotionPicture::dataArea(canvas->rect());
+  QTest::mouseClick(canvas, Qt::LeftButton, {},
+                    QPointF(data.center().x(), data.center().y()).toPoint());
+  const auto time = window.picture()->timeAt(canvas->rect(), data.center().toPoint());
+  REQUIRE(time);
+  CHECK(window.currentFrame() == window.picture()->frameAt(*time));
+  CHECK(window.currentFrame() > 15);
+  CHECK(window.currentFrame() < 45);
+  const QPointF middle = MotionPicture::pictureArea(canvas->rect()).center();
+  QWheelEvent wheel(middle, canvas->mapToGlobal(middle), {}, {0, 240}, Qt::NoButton, Qt::NoModifier,
+                    Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(canvas, &wheel);
+  CHECK(window.options().zoom == Approx(1.5625));
+  QTest::mouseDClick(canvas, Qt::LeftButton, {}, middle.toPoint());
+  CHECK(window.options().zoom == 1.0);
 }

@@ -1,0 +1,105 @@
+#include "adrplot/curve_dialog.hpp"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+namespace adore::adrplot {
+namespace {
+
+constexpr int kFile = Qt::UserRole, kPage = Qt::UserRole + 1, kPanel = Qt::UserRole + 2,
+              kCurve = Qt::UserRole + 3;
+
+/// Pages and curves of a file when its branch is opened: until then nothing is read.
+void fill(QTreeWidgetItem* root, const PlotDocument& file, int index, const PageOptions& options) {
+  for (std::size_t p = 0; p < file.pages.size(); ++p) {
+    if (file.pages[p].kind == PageKind::Orbit || file.pages[p].kind == PageKind::Spectrum) continue;
+    const desktop::ChartPage page = file.build(static_cast<int>(p + 1), options);
+    if (page.equal_axes) continue;
+    auto* branch = new QTreeWidgetItem(root, {QString::fromStdString(file.pages[p].title)});
+    for (std::size_t i = 0; i < page.panels.size(); ++i)
+      for (std::size_t c = 0; c < page.panels[i].curves.size(); ++c) {
+        const std::string& name = page.panels[i].curves[c].name;
+        auto* item = new QTreeWidgetItem(
+            branch,
+            {QString::fromStdString(page.panels[i].title + (name.empty() ? "" : ", " + name)),
+             QString::fromStdString(page.panels[i].unit)});
+        item->setCheckState(0, Qt::Unchecked);
+        item->setData(0, kFile, index);
+        item->setData(0, kPage, static_cast<int>(p + 1));
+        item->setData(0, kPanel, static_cast<int>(i));
+        item->setData(0, kCurve, static_cast<int>(c));
+      }
+  }
+}
+
+}  // namespace
+
+CurveDialog::CurveDialog(const std::vector<const PlotDocument*>& files, const PageOptions& options,
+                         QWidget* parent)
+    : QDialog(parent), files_(files) {
+  setWindowTitle(tr("Curves for one chart"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  resize(620, 520);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(new QLabel(
+      tr("Tick the curves. Those of one unit share a panel; files may be of different runs."),
+      this));
+  tree_ = new QTreeWidget(this);
+  tree_->setObjectName("curves");
+  tree_->setHeaderLabels({tr("Curve"), tr("Unit")});
+  tree_->setColumnWidth(0, 440);
+  column->addWidget(tree_, 1);
+  how_ = new QComboBox(this);
+  how_->setObjectName("how");
+  how_->addItems({tr("Draw them together"), tr("Draw the differences from the first")});
+  column->addWidget(how_);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  column->addWidget(buttons);
+  PageOptions history = options;
+  history.domain = Domain::History;
+  for (std::size_t f = 0; f < files_.size(); ++f) {
+    const PlotDocument& file = *files_[f];
+    auto* root = new QTreeWidgetItem(
+        tree_,
+        {QString::fromStdString(
+            (std::filesystem::absolute(file.path).parent_path().filename() / file.path.filename())
+                .string() +
+            " — " + file.subject)});
+    root->setToolTip(0, QString::fromStdString(file.path.string()));
+    root->setChildIndicatorPolicy(QTreeWidgetItem::ShowIndicator);
+  }
+  connect(tree_, &QTreeWidget::itemExpanded, this, [this, history](QTreeWidgetItem* item) {
+    const int index = tree_->indexOfTopLevelItem(item);
+    if (index >= 0 && item->childCount() == 0)
+      fill(item, *files_[static_cast<std::size_t>(index)], index, history);
+  });
+  if (tree_->topLevelItemCount() == 1) tree_->topLevelItem(0)->setExpanded(true);
+}
+
+std::vector<CurvePick> CurveDialog::picks() const {
+  std::vector<CurvePick> out;
+  for (int f = 0; f < tree_->topLevelItemCount(); ++f)
+    for (int p = 0; p < tree_->topLevelItem(f)->childCount(); ++p) {
+      const QTreeWidgetItem* branch = tree_->topLevelItem(f)->child(p);
+      for (int c = 0; c < branch->childCount(); ++c) {
+        const QTreeWidgetItem* item = branch->child(c);
+        if (item->checkState(0) != Qt::Checked) continue;
+        out.push_back({files_[static_cast<std::size_t>(item->data(0, kFile).toInt())],
+                       item->data(0, kPage).toInt(),
+                       static_cast<std::size_t>(item->data(0, kPanel).toInt()),
+                       static_cast<std::size_t>(item->data(0, kCurve).toInt())});
+      }
+    }
+  return out;
+}
+
+Combine CurveDialog::how() const {
+  return how_->currentIndex() == 1 ? Combine::Difference : Combine::Overlay;
+}
+
+}  // namespace adore::adrplot

@@ -1,0 +1,156 @@
+#include "adrplot/run_beside.hpp"
+
+#include "base/errors.hpp"
+#include "results/channels.hpp"
+#include "results/results_h5.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <unordered_map>
+
+namespace adore::adrplot {
+namespace {
+
+using results::H5Reader;
+constexpr double kTurn = 2.0 * std::numbers::pi;
+
+/// Rate of a continuous angle over the whole run [Hz].
+double turns_per_second(double first, double last, double seconds) {
+  return seconds > 0.0 ? (last - first) / kTurn / seconds : 0.0;
+}
+
+/// First and last row of a channel.
+std::pair<std::vector<double>, std::vector<double>> ends(const H5Reader& reader, const char* id) {
+  if (reader.find(id) == nullptr) return {};
+  return {reader.read(id, 0, 1), reader.read(id, reader.steps() - 1, 1)};
+}
+
+std::vector<desktop::ChartMark> frequencies(const H5Reader& reader) {
+  std::vector<desktop::ChartMark> out;
+  if (reader.steps() < 2) return out;
+  const std::vector<double> times = {reader.read("time", 0, 1).front(),
+                                     reader.read("time", reader.steps() - 1, 1).front()};
+  const double seconds = times[1] - times[0];
+  const auto add = [&out](double frequency, const std::string& label) {
+    if (std::isfinite(frequency) && std::abs(frequency) > 0.0)
+      out.push_back({std::abs(frequency), label});
+  };
+  const auto race = ends(reader, "race.rotation"), orbit = ends(reader, "element.orbital_position");
+  if (race.first.size() != 2 || orbit.first.empty()) return out;
+  double f_race[2];
+  for (std::size_t j = 0; j < 2; ++j)
+    f_race[j] = turns_per_second(race.first[j], race.second[j], seconds);
+  add(f_race[1] - f_race[0], "shaft");
+  const auto n = static_cast<double>(orbit.first.size());
+  double f_orbit = 0.0;
+  for (std::size_t k = 0; k < orbit.first.size(); ++k)
+    f_orbit += turns_per_second(orbit.first[k], orbit.second[k], seconds) / n;
+  add(f_orbit, "FTF");
+  // Mean over at most a few hundred steps: the spin hardly changes.
+  constexpr std::size_t kLooks = 200;
+  const std::size_t every = std::max<std::size_t>(1, reader.steps() / kLooks);
+  const std::size_t looks = (reader.steps() - 1) / every + 1;
+  if (reader.find("element.angular_velocity_vector") != nullptr) {
+    const auto omega = reader.read("element.angular_velocity_vector", 0, looks, every);
+    double spin = 0.0;
+    for (std::size_t i = 0; i + 2 < omega.size(); i += 3)
+      spin += std::hypot(omega[i] - kTurn * f_orbit, omega[i + 1], omega[i + 2]);
+    add(3.0 * spin / static_cast<double>(omega.size()) / kTurn, "BSF");
+  }
+  for (int harmonic = 1; harmonic <= 3; ++harmonic)
+    for (const auto& [race_index, name] : {std::pair{0, "BPFO"}, {1, "BPFI"}})
+      add(harmonic * n * (f_orbit - f_race[race_index]),
+          harmonic == 1 ? name : fmt::format("{} {}", harmonic, name));
+  const auto whirl = ends(reader, "cage.orbital_position");
+  if (whirl.first.size() == 1)
+    add(turns_per_second(whirl.first[0], whirl.second[0], seconds), "whirl");
+  return out;
+}
+
+void read_fastest(const std::filesystem::path& run_json, const std::string& run_id,
+                  PageContext& out) {
+  std::ifstream stream(run_json, std::ios::binary);
+  if (!stream) return;
+  const nlohmann::json run = nlohmann::json::parse(stream, nullptr, false);
+  if (!run.is_object() || run.value("run", nlohmann::json()) != run_id) return;
+  const auto plan = run.find("plan");
+  if (plan == run.end() || !plan->is_object()) return;
+  const auto estimates = plan->find("estimates");
+  if (estimates == plan->end() || !estimates->is_object()) return;
+  const auto frequency = estimates->find("fastest_frequency_Hz");
+  const auto contact = estimates->find("fastest_contact");
+  if (frequency != estimates->end() && frequency->is_number())
+    out.fastest_frequency = frequency->get<double>();
+  if (contact != estimates->end() && contact->is_string())
+    out.fastest_contact = contact->get<std::string>();
+}
+
+/// Lowest and highest load since the step stored before, for an element's file.
+void read_bands(const H5Reader& reader, const results::SolFile& file, PageContext& out) {
+  if (file.kind != results::SolKind::Element || file.header.index < 1) return;
+  const auto* low = reader.find("contact.load_low");
+  const auto* high = reader.find("contact.load_high");
+  if (low == nullptr || high == nullptr) return;
+  std::unordered_map<long, std::size_t> at;
+  const std::vector<long> numbers = reader.step_numbers();
+  for (std::size_t i = 0; i < numbers.size(); ++i) at[numbers[i]] = i;
+  const auto columns = results::sol_columns(file.header);
+  for (const auto& [race, id] :
+       {std::pair<std::size_t, const char*>{0, "contact.load.outer"}, {1, "contact.load.inner"}}) {
+    const auto column = std::find_if(columns.begin(), columns.end(),
+                                     [id = id](const auto& c) { return c.id == id; });
+    const std::size_t place = 2 * (static_cast<std::size_t>(file.header.index) - 1) + race;
+    if (column == columns.end() || place >= low->size() || place >= high->size()) continue;
+    const bool english = results::unit_of_column(file, *column) == results::unit::kForce.en;
+    const double unit = english ? results::unit::kForce.en_factor : results::unit::kForce.si_factor;
+    CurveBand band;
+    constexpr std::size_t kBlock = 4096;
+    std::vector<double> lows, highs;
+    for (std::size_t first = 0; first < reader.steps(); first += kBlock) {
+      const std::size_t count = std::min(kBlock, reader.steps() - first);
+      const auto a = reader.read("contact.load_low", first, count),
+                 b = reader.read("contact.load_high", first, count);
+      for (std::size_t i = 0; i < count; ++i) {
+        lows.push_back(a[i * low->size() + place] / unit);
+        highs.push_back(b[i * high->size() + place] / unit);
+      }
+    }
+    for (const auto& step : file.steps) {
+      const auto found = at.find(step.step);
+      const bool known = found != at.end() && found->second < lows.size();
+      band.low.push_back(known ? lows[found->second] : std::nan(""));
+      band.high.push_back(known ? highs[found->second] : std::nan(""));
+    }
+    out.bands.emplace(id, std::move(band));
+  }
+}
+
+}  // namespace
+
+std::vector<desktop::ChartMark> bearing_frequencies(const std::filesystem::path& results_h5) {
+  return frequencies(H5Reader(results_h5));
+}
+
+PageContext context_of(const results::SolFile& file) {
+  PageContext out;
+  const std::filesystem::path folder = file.path.parent_path();
+  try {
+    read_fastest(folder / "RUN.json", file.header.run_id, out);
+    std::error_code ignored;
+    if (!std::filesystem::exists(folder / "RESULTS.h5", ignored)) return out;
+    const H5Reader reader(folder / "RESULTS.h5");
+    if (reader.run_id() != file.header.run_id) return out;
+    out.frequencies = frequencies(reader);
+    read_bands(reader, file, out);
+  } catch (const std::exception&) {
+    // The plot file alone is enough.
+  }
+  return out;
+}
+
+}  // namespace adore::adrplot

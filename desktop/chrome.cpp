@@ -1,0 +1,74 @@
+#include "desktop/chrome.hpp"
+
+#include "base/version.hpp"
+#include "desktop/dialogs.hpp"
+
+#include <QFileInfo>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QSettings>
+
+#include <utility>
+
+namespace adore::desktop {
+namespace {
+constexpr const char* kRecent = "open/recent";
+constexpr qsizetype kMost = 10;
+}  // namespace
+
+QStringList recent_files(const QString& app) {
+  QStringList out;
+  for (const QString& name : QSettings("Adore", app).value(kRecent).toStringList())
+    if (QFileInfo::exists(name)) out << name;
+  return out;
+}
+
+void remember_file(const QString& app, const QString& path) {
+  const QString name = QFileInfo(path).absoluteFilePath();
+  QStringList names = QSettings("Adore", app).value(kRecent).toStringList();
+  names.removeAll(name);
+  names.prepend(name);
+  QSettings("Adore", app).setValue(kRecent, names.mid(0, kMost));
+}
+
+QMenu* add_recent_menu(QMenu& file, const QString& app, std::function<void(QString)> open) {
+  QMenu* menu = file.addMenu(QObject::tr("&Recent Files"));
+  menu->setObjectName("recent");
+  QObject::connect(menu, &QMenu::aboutToShow, menu, [menu, app, open = std::move(open)] {
+    menu->clear();
+    const QStringList names = recent_files(app);
+    for (qsizetype i = 0; i < names.size(); ++i)
+      menu->addAction(QString("&%1  %2").arg((i + 1) % 10).arg(names[i]), menu,
+                      [open, name = names[i]] { open(name); });
+    if (names.isEmpty()) menu->addAction(QObject::tr("None yet"))->setEnabled(false);
+  });
+  return menu;
+}
+
+QMenu* add_help_menu(QMainWindow& window, const QString& name, const QString& about,
+                     const QList<HelpLine>& lines) {
+  QMenu* menu = window.menuBar()->addMenu(QObject::tr("&Help"));
+  menu->addAction(QObject::tr("&Keys and Mouse"), Qt::Key_F1, &window, [&window, name, lines] {
+    QString text = "<table cellspacing=6>";
+    for (const HelpLine& line : lines)
+      text += "<tr><td><b>" + line.hand.toHtmlEscaped() + "</b></td><td>" +
+              line.effect.toHtmlEscaped() + "</td></tr>";
+    auto* box =
+        new QMessageBox(QMessageBox::NoIcon, name, text + "</table>", QMessageBox::Ok, &window);
+    box->setObjectName("message");
+    box->setTextFormat(Qt::RichText);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+  });
+  menu->addAction(QObject::tr("&About %1").arg(name), &window, [&window, about] {
+    show_message(&window, about + "\n\n" +
+                              QString::fromLatin1(kProgramVersion.data(),
+                                                  static_cast<qsizetype>(kProgramVersion.size())) +
+                              QObject::tr(", free software under the GPL, without warranty."));
+  });
+  return menu;
+}
+
+}  // namespace adore::desktop

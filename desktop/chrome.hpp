@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+#include <functional>
+
+class QMainWindow;
+class QMenu;
+class QMenuBar;
+
+/// What the menus of all windows have in common: files used last, help, about.
+namespace adore::desktop {
+
+/// Files opened last by an app, the newest first; at most ten, those that are gone left out.
+[[nodiscard]] QStringList recent_files(const QString& app);
+void remember_file(const QString& app, const QString& path);
+
+/// A submenu "Recent files" that is filled whenever it is opened.
+QMenu* add_recent_menu(QMenu& file, const QString& app, std::function<void(QString)> open);
+
+/// A line of the help: what the hand does, and what happens.
+struct HelpLine {
+  QString hand, effect;
+};
+
+/// The menu "Help" with "Keys and mouse" and "About". The boxes are children named "message".
+QMenu* add_help_menu(QMainWindow& window, const QString& name, const QString& about,
+                     const QList<HelpLine>& lines);
+
+}  // namespace adore::desktop

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QProcess>
+#include <QSize>
+
+#include <filesystem>
+
+class QImage;
+
+namespace adore::desktop {
+
+/// Is there a program ffmpeg in the PATH?
+[[nodiscard]] bool ffmpeg_found();
+
+/// An MP4 film (H.264) by the program ffmpeg, which gets the pictures through a pipe. The file
+/// appears under its name only when finish() succeeds.
+class Mp4Writer {
+ public:
+  /// @throws InputError when ffmpeg is not there or does not start
+  Mp4Writer(const std::filesystem::path& path, QSize size, int frames_per_second);
+  ~Mp4Writer();
+  /// @throws InputError with what ffmpeg says when it ended
+  void add(const QImage& image);
+  void finish();
+
+ private:
+  [[noreturn]] void fail();
+  std::filesystem::path path_, unfinished_;
+  QSize size_;
+  QProcess process_;
+};
+
+}  // namespace adore::desktop

@@ -1,0 +1,131 @@
+#include "desktop/page_export.hpp"
+
+#include "base/errors.hpp"
+#include "desktop/chart_scene.hpp"
+#include "desktop/image_export.hpp"
+#include "desktop/svg_writer.hpp"
+
+#include <QFileInfo>
+#include <QImage>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSaveFile>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::desktop {
+namespace {
+
+/// A field of a table: quoted where it holds what separates fields.
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return out + '"';
+}
+
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return field(unit.empty() ? name : name + " [" + unit + "]");
+}
+
+void write_bytes(const std::filesystem::path& path, const QByteArray& bytes) {
+  QSaveFile file(QString::fromStdString(path.string()));
+  if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+    throw InputError("cannot write " + path.string() + ": " + file.errorString().toStdString() +
+                     "; choose a folder that exists and is yours");
+}
+
+}  // namespace
+
+std::string page_csv(const ChartPage& page) {
+  struct Column {
+    std::string head;
+    const std::vector<double>* values;
+  };
+  std::vector<Column> columns;
+  if (!page.equal_axes) columns.push_back({with_unit(page.x_title, page.x_unit), &page.x});
+  for (const ChartPanel& panel : page.panels)
+    for (const ChartCurve& curve : panel.curves) {
+      const std::string name = curve.name.empty() ? panel.title : panel.title + ", " + curve.name;
+      if (page.equal_axes)
+        columns.push_back({with_unit(page.x_title + ", " + curve.name, panel.unit), &curve.x});
+      columns.push_back({with_unit(name, panel.unit), &curve.y});
+      if (curve.low.empty()) continue;
+      columns.push_back({with_unit(name + ", lowest since the last", panel.unit), &curve.low});
+      columns.push_back({with_unit(name + ", highest since the last", panel.unit), &curve.high});
+    }
+  std::string out;
+  std::size_t rows = 0;
+  for (const Column& column : columns) {
+    out += (out.empty() ? "" : ",") + column.head;
+    rows = std::max(rows, column.values->size());
+  }
+  out += '\n';
+  for (std::size_t i = 0; i < rows; ++i) {
+    bool first = true;
+    for (const Column& column : columns) {
+      if (!first) out += ',';
+      first = false;
+      if (i < column.values->size() && std::isfinite((*column.values)[i]))
+        fmt::format_to(std::back_inserter(out), "{:.17g}", (*column.values)[i]);
+    }
+    out += '\n';
+  }
+  return out;
+}
+
+void paint_vector(ChartScene& scene, QPainter& painter, const QRectF& target, QSizeF page) {
+  const QSizeF before = scene.sceneRect().size();
+  scene.setPageSize(page);
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setRenderHint(QPainter::TextAntialiasing);
+  scene.render(&painter, target, scene.sceneRect(), Qt::KeepAspectRatio);
+  painter.restore();
+  scene.setPageSize(before);
+}
+
+void save_pdf(ChartScene& scene, const std::filesystem::path& path, std::size_t pages, QSizeF size,
+              const std::function<void(std::size_t)>& show) {
+  QSaveFile file(QString::fromStdString(path.string()));
+  if (!file.open(QIODevice::WriteOnly))
+    throw InputError("cannot write " + path.string() + ": " + file.errorString().toStdString() +
+                     "; choose a folder that exists and is yours");
+  {
+    QPdfWriter pdf(&file);
+    pdf.setCreator("Adore");
+    constexpr int kDpi = 288;  // three to the pixel of a picture
+    pdf.setResolution(kDpi);
+    pdf.setPageSize(QPageSize(size * 72.0 / 96.0, QPageSize::Point));
+    pdf.setPageMargins(QMarginsF(0, 0, 0, 0));
+    QPainter painter(&pdf);
+    for (std::size_t i = 0; i < pages; ++i) {
+      if (i > 0) pdf.newPage();
+      show(i);
+      paint_vector(scene, painter, QRectF(0, 0, pdf.width(), pdf.height()), size);
+    }
+  }
+  if (!file.commit())
+    throw InputError("cannot write " + path.string() + ": " + file.errorString().toStdString());
+}
+
+void save_page(ChartScene& scene, const std::filesystem::path& path, QSizeF size) {
+  const QString suffix = QFileInfo(QString::fromStdString(path.string())).suffix().toLower();
+  if (suffix == "csv") return write_bytes(path, QByteArray::fromStdString(page_csv(scene.page())));
+  if (suffix == "pdf") return save_pdf(scene, path, 1, size, [](std::size_t) {});
+  if (suffix == "svg")
+    return write_bytes(path, svg_of(size, [&](QPainter& painter) {
+                         paint_vector(scene, painter, QRectF(QPointF(0, 0), size), size);
+                       }));
+  if (suffix != "png" && suffix != "jpg" && suffix != "jpeg")
+    throw InputError("a page cannot be saved as " + path.string() +
+                     "; give a name that ends in .png, .jpg, .svg, .pdf or .csv");
+  const QSizeF before = scene.sceneRect().size();
+  const QImage image = scene.image(size.toSize());
+  scene.setPageSize(before);
+  save_image(image, path, Replace::Anything);
+}
+
+}  // namespace adore::desktop

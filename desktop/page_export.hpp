@@ -1,0 +1,37 @@
+#pragma once
+
+#include "desktop/chart_page.hpp"
+
+#include <QSizeF>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+class QPainter;
+class QRectF;
+
+namespace adore::desktop {
+
+class ChartScene;
+
+/// Numbers of a page as a table: abscissa and curves with their units, one row per value. Curves of
+/// pages with equal axes have two columns each. Empty fields are missing values; 17 digits, so that
+/// the numbers come back as they are.
+[[nodiscard]] std::string page_csv(const ChartPage& page);
+
+/// Paints a page, laid out for `page` pixels, as lines and text into `target` of any device.
+void paint_vector(ChartScene& scene, QPainter& painter, const QRectF& target, QSizeF page);
+
+/// Several pages into one PDF file, each laid out for `size` pixels. `show(i)` puts page i into the
+/// scene. The file appears when it is complete.
+/// @throws InputError when it cannot be written
+void save_pdf(ChartScene& scene, const std::filesystem::path& path, std::size_t pages, QSizeF size,
+              const std::function<void(std::size_t)>& show);
+
+/// The scene's page by the name's suffix: .png, .jpg, .jpeg, .svg, .pdf or .csv.
+/// @throws InputError for another suffix, or when it cannot be written
+void save_page(ChartScene& scene, const std::filesystem::path& path, QSizeF size);
+
+}  // namespace adore::desktop

@@ -1,0 +1,187 @@
+#include "desktop/svg_writer.hpp"
+
+#include <QBrush>
+#include <QBuffer>
+#include <QFont>
+#include <QGradient>
+#include <QImage>
+#include <QPaintDevice>
+#include <QPaintEngine>
+#include <QPainter>
+#include <QPainterPath>
+#include <QPen>
+#include <QPixmap>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::desktop {
+namespace {
+
+QString number(double value) {
+  return QString::number(std::round(value * 1000.0) / 1000.0, 'g', 9);
+}
+
+class SvgEngine final : public QPaintEngine {
+ public:
+  SvgEngine() : QPaintEngine(AllFeatures) {}
+  bool begin(QPaintDevice*) override { return true; }
+  bool end() override { return true; }
+  Type type() const override { return User; }
+
+  void updateState(const QPaintEngineState& now) override {
+    if (now.state() & DirtyPen) pen_ = now.pen();
+    if (now.state() & DirtyBrush) brush_ = now.brush();
+    if (now.state() & DirtyTransform) transform_ = now.transform();
+    if (now.state() & DirtyFont) font_ = now.font();
+    if (now.state() & DirtyOpacity) opacity_ = now.opacity();
+  }
+  void drawPath(const QPainterPath& path) override {
+    const QPainterPath mapped = transform_.map(path);
+    if (mapped.isEmpty()) return;
+    QString d;
+    for (int i = 0; i < mapped.elementCount(); ++i) {
+      const QPainterPath::Element e = mapped.elementAt(i);
+      const char* letter = e.type == QPainterPath::MoveToElement    ? "M"
+                           : e.type == QPainterPath::LineToElement  ? "L"
+                           : e.type == QPainterPath::CurveToElement ? "C"
+                                                                    : " ";
+      d += letter + number(e.x) + ',' + number(e.y);
+    }
+    body += QString("<path d=\"%1\" %2%3%4/>\n")
+                .arg(d, fill(), stroke(),
+                     mapped.fillRule() == Qt::OddEvenFill ? " fill-rule=\"evenodd\"" : "");
+  }
+  void drawPolygon(const QPointF* points, int count, PolygonDrawMode mode) override {
+    QPainterPath path;
+    if (count < 1) return;
+    path.moveTo(points[0]);
+    for (int i = 1; i < count; ++i) path.lineTo(points[i]);
+    if (mode != PolylineMode) path.closeSubpath();
+    const QBrush brush = brush_;
+    if (mode == PolylineMode) brush_ = Qt::NoBrush;
+    drawPath(path);
+    brush_ = brush;
+  }
+  void drawTextItem(const QPointF& at, const QTextItem& item) override {
+    const QFont font = item.font();
+    const double size = font.pixelSize() > 0 ? font.pixelSize() : font.pointSizeF() * 96.0 / 72.0;
+    const QTransform t = QTransform::fromTranslate(at.x(), at.y()) * transform_;
+    body +=
+        QString(
+            "<text transform=\"matrix(%1 %2 %3 %4 %5 %6)\" font-family=\"%7\" "
+            "font-size=\"%8\"%9 fill=\"%10\" fill-opacity=\"%11\" "
+            "xml:space=\"preserve\">%12</text>\n")
+            .arg(number(t.m11()), number(t.m12()), number(t.m21()), number(t.m22()), number(t.dx()),
+                 number(t.dy()), font.family().toHtmlEscaped(), number(size))
+            .arg(font.bold() ? QString(" font-weight=\"bold\"") : QString(), pen_.color().name(),
+                 number(pen_.color().alphaF() * opacity_), item.text().toHtmlEscaped());
+  }
+  void drawPixmap(const QRectF& target, const QPixmap& pixmap, const QRectF& source) override {
+    drawImage(target, pixmap.toImage(), source, Qt::AutoColor);
+  }
+  void drawImage(const QRectF& target, const QImage& image, const QRectF& source,
+                 Qt::ImageConversionFlags) override {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    image.copy(source.toRect()).save(&buffer, "PNG");
+    const QRectF place = transform_.mapRect(target);
+    body += QString(
+                "<image x=\"%1\" y=\"%2\" width=\"%3\" height=\"%4\" "
+                "href=\"data:image/png;base64,%5\"/>\n")
+                .arg(number(place.x()), number(place.y()), number(place.width()),
+                     number(place.height()), QString::fromLatin1(bytes.toBase64()));
+  }
+  QString body;
+
+ private:
+  [[nodiscard]] QString fill() const {
+    if (brush_.style() == Qt::NoBrush) return "fill=\"none\" ";
+    QColor colour = brush_.color();
+    if (const QGradient* gradient = brush_.gradient()) {
+      const auto stops = gradient->stops();
+      if (!stops.isEmpty()) colour = stops[stops.size() / 2].second;
+    }
+    return QString("fill=\"%1\" fill-opacity=\"%2\" ")
+        .arg(colour.name(), number(colour.alphaF() * opacity_));
+  }
+  [[nodiscard]] QString stroke() const {
+    if (pen_.style() == Qt::NoPen) return {};
+    const double scale = pen_.isCosmetic() ? 1.0 : std::sqrt(std::abs(transform_.determinant()));
+    const double width = std::max(pen_.widthF(), 0.5) * scale;
+    QString text =
+        QString(
+            "stroke=\"%1\" stroke-opacity=\"%2\" stroke-width=\"%3\" "
+            "stroke-linejoin=\"round\"")
+            .arg(pen_.color().name(), number(pen_.color().alphaF() * opacity_), number(width));
+    if (pen_.style() != Qt::SolidLine) {
+      QStringList dashes;
+      for (const double dash : pen_.dashPattern()) dashes << number(dash * width);
+      text += " stroke-dasharray=\"" + dashes.join(' ') + '"';
+    }
+    return text;
+  }
+  QPen pen_;
+  QBrush brush_;
+  QFont font_;
+  QTransform transform_;
+  double opacity_ = 1.0;
+};
+
+class SvgDevice final : public QPaintDevice {
+ public:
+  explicit SvgDevice(QSizeF size) : size_(size) {}
+  QPaintEngine* paintEngine() const override { return &engine_; }
+  [[nodiscard]] QString body() const { return engine_.body; }
+
+ protected:
+  int metric(PaintDeviceMetric what) const override {
+    constexpr int kDpi = 96;
+    switch (what) {
+      case PdmWidth:
+        return static_cast<int>(size_.width());
+      case PdmHeight:
+        return static_cast<int>(size_.height());
+      case PdmWidthMM:
+        return static_cast<int>(size_.width() * 25.4 / kDpi);
+      case PdmHeightMM:
+        return static_cast<int>(size_.height() * 25.4 / kDpi);
+      case PdmNumColors:
+        return 1 << 24;
+      case PdmDepth:
+        return 32;
+      case PdmDpiX:
+      case PdmDpiY:
+      case PdmPhysicalDpiX:
+      case PdmPhysicalDpiY:
+        return kDpi;
+      case PdmDevicePixelRatio:
+        return 1;
+      default:
+        return QPaintDevice::metric(what);
+    }
+  }
+
+ private:
+  QSizeF size_;
+  mutable SvgEngine engine_;
+};
+
+}  // namespace
+
+QByteArray svg_of(QSizeF size, const std::function<void(QPainter&)>& draw) {
+  SvgDevice device(size);
+  {
+    QPainter painter(&device);
+    draw(painter);
+  }
+  const QString head = QString(
+                           "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                           "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%1\" "
+                           "height=\"%2\" viewBox=\"0 0 %1 %2\">\n"
+                           "<desc>Adore</desc>\n")
+                           .arg(number(size.width()), number(size.height()));
+  return (head + device.body() + "</svg>\n").toUtf8();
+}
+
+}  // namespace adore::desktop

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <QByteArray>
+#include <QSizeF>
+
+#include <functional>
+
+class QPainter;
+
+namespace adore::desktop {
+
+/// What a painter draws, as an SVG document: paths and text with plain colours, clips left out,
+/// gradients by their middle colour. Qt's own SVG writer is a module that not every system has.
+[[nodiscard]] QByteArray svg_of(QSizeF size, const std::function<void(QPainter&)>& draw);
+
+}  // namespace adore::desktop

@@ -1,0 +1,229 @@
+#include "adrplot/curve_dialog.hpp"
+#include "adrplot/own_chart.hpp"
+#include "adrplot/plot_window.hpp"
+#include "adrplot/run_beside.hpp"
+#include "base/errors.hpp"
+#include "core/results/synthetic.hpp"
+#include "desktop/chart_view.hpp"
+#include "results/results_h5.hpp"
+#include "results/sol_writer.hpp"
+#include "support/qt_app.hpp"
+#include "support/result_files.hpp"
+
+#include <QComboBox>
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QMessageBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeWidget>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+using namespace adore;
+using namespace adore::adrplot;
+using results::SolKind;
+
+namespace {
+
+/// A run whose power loss is `scale` times that of the other one, at other times.
+PlotDocument run(double scale, int steps, const char* folder) {
+  test::SyntheticRun made;
+  made.steps = steps;
+  results::SolFile file = test::synthetic_sol(SolKind::Power, made);
+  file.path = std::filesystem::path(folder) / "SOL7";
+  for (auto& step : file.steps) step.values[0] = scale * (100.0 + step.revolutions);
+  return make_document(std::move(file));
+}
+
+}  // namespace
+
+TEST_CASE("own charts: curves of two runs over one abscissa, and their difference", "[unit]") {
+  const PlotDocument first = run(1.0, 301, "first"), second = run(2.0, 201, "second");
+  const std::vector<CurvePick> picks{{&first, 1, 0, 0}, {&second, 1, 0, 0}};
+  const auto page = combine_curves(picks, Combine::Overlay, {});
+  REQUIRE(page.panels.size() == 1);
+  REQUIRE(page.panels[0].curves.size() == 2);
+  CHECK(page.panels[0].unit == "W");
+  CHECK(page.panels[0].curves[0].name.find("first/SOL7") != std::string::npos);
+  CHECK(page.panels[0].curves[1].name.find("second/SOL7") != std::string::npos);
+  CHECK(std::is_sorted(page.x.begin(), page.x.end()));
+  for (std::size_t i = 0; i < page.x.size(); ++i) {
+    CHECK(page.panels[0].curves[0].y[i] == Approx(100.0 + page.x[i]).epsilon(1e-9));
+    CHECK(page.panels[0].curves[1].y[i] == Approx(200.0 + 2.0 * page.x[i]).epsilon(1e-9));
+  }
+  const auto less = combine_curves(picks, Combine::Difference, {});
+  REQUIRE(less.panels.size() == 1);
+  REQUIRE(less.panels[0].curves.size() == 1);
+  for (std::size_t i = 0; i < less.x.size(); ++i)
+    CHECK(less.panels[0].curves[0].y[i] == Approx(100.0 + less.x[i]).epsilon(1e-9));
+  // Units that differ have panels of their own, and no difference.
+  const std::vector<CurvePick> mixed{{&first, 1, 0, 0}, {&first, 2, 0, 0}};
+  CHECK(combine_curves(mixed, Combine::Overlay, {}).panels.size() == 2);
+  CHECK_THROWS_WITH(combine_curves(mixed, Combine::Difference, {}),
+                    Catch::Contains("no difference"));
+  CHECK_THROWS_AS(combine_curves({}, Combine::Overlay, {}), InputError);
+}
+
+TEST_CASE("own charts: values between stored ones lie on straight lines, none outside", "[unit]") {
+  const std::vector<double> y =
+      read_off({1.0, 2.0, 4.0}, {10.0, 20.0, 0.0}, {0.5, 1.0, 1.25, 2.0, 3.0, 4.0, 4.1});
+  CHECK(std::isnan(y[0]));
+  CHECK(y[1] == 10.0);
+  CHECK(y[2] == Approx(12.5));
+  CHECK(y[3] == 20.0);
+  CHECK(y[4] == Approx(10.0));
+  CHECK(y[5] == 0.0);
+  CHECK(std::isnan(y[6]));
+}
+
+TEST_CASE("plot_window: chosen curves of two files become a chart that outlives its files",
+          "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  window.addFile(test::synthetic_sol(SolKind::Power));
+  window.addFile(test::synthetic_sol(SolKind::Race));
+  window.askForCurves();
+  auto* dialog = window.findChild<CurveDialog*>();
+  REQUIRE(dialog);
+  auto* tree = dialog->findChild<QTreeWidget*>("curves");
+  REQUIRE(tree->topLevelItemCount() == 2);
+  for (int f = 0; f < 2; ++f) {
+    tree->topLevelItem(f)->setExpanded(true);
+    REQUIRE(tree->topLevelItem(f)->childCount() > 0);
+    tree->topLevelItem(f)->child(1)->child(0)->setCheckState(0, Qt::Checked);
+  }
+  REQUIRE(dialog->picks().size() == 2);
+  dialog->accept();
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  REQUIRE(window.fileCount() == 3);
+  CHECK(window.view().chartScene().page().title == "Chosen curves");
+  CHECK(window.view().chartScene().page().panels.size() == 2);
+  auto* pages = window.findChild<QTreeWidget*>("pages");
+  pages->setCurrentItem(pages->topLevelItem(0)->child(0));
+  window.closeFile();
+  CHECK(window.fileCount() == 2);
+  pages->setCurrentItem(pages->topLevelItem(1)->child(0));
+  CHECK(window.view().chartScene().page().panels.size() == 2);
+  while (window.fileCount() > 0) window.closeFile();
+  CHECK(window.currentPage() == 0);
+  CHECK(window.view().chartScene().page().panels.empty());
+}
+
+TEST_CASE("plot_window: a folder opens all its plot files, two folders are told apart", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  test::SyntheticRun made;
+  made.steps = 30;
+  const QDir base(folder.path());
+  for (const char* run : {"slow", "fast"}) {
+    base.mkdir(run);
+    for (const auto& [name, kind] : {std::pair{"SOL1", SolKind::Element}, {"SOL7", SolKind::Power}})
+      test::write_text(base.filePath(QString("%1/%2").arg(run, name)).toStdString(),
+                       test::sol_text(test::synthetic_sol(kind, made)));
+  }
+  PlotWindow window;
+  window.openFolder(base.filePath("slow"));
+  window.openFolder(base.filePath("fast"));
+  CHECK(window.fileCount() == 4);
+  auto* tree = window.findChild<QTreeWidget*>("pages");
+  CHECK(tree->topLevelItem(0)->text(0).startsWith("slow/SOL1"));
+  CHECK(tree->topLevelItem(3)->text(0).startsWith("fast/SOL7"));
+  base.mkdir("empty");
+  window.openFolder(base.filePath("empty"));
+  auto* box = window.findChild<QMessageBox*>("message");
+  REQUIRE(box);
+  CHECK(box->text().contains("no plot file"));
+}
+
+TEST_CASE("plot_window: any history has a spectrum and a waterfall", "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  window.addFile(test::synthetic_sol(SolKind::Element));
+  window.showPage(6);
+  auto& scene = window.view().chartScene();
+  window.setDomain(Domain::Spectrum);
+  CHECK(scene.page().x_unit == "Hz");
+  REQUIRE(scene.page().panels.size() == 3);
+  // The outer load swings 160 N with the cage and 6 N at 17.3 times the shaft's frequency.
+  const auto& load = scene.page().panels[0].curves[0].y;
+  CHECK(*std::max_element(load.begin(), load.end()) == Approx(1.0));
+  window.setDomain(Domain::Waterfall);
+  REQUIRE(scene.page().panels.size() == 1);
+  CHECK(scene.page().panels[0].curves.size() > 10);
+  CHECK(scene.page().note.find("Contact load") != std::string::npos);
+  window.setDomain(Domain::History);
+  CHECK(scene.page().x_unit == "rev");
+}
+
+TEST_CASE("plot_window: pages are exported in every format, one or all", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  test::SyntheticRun made;
+  made.steps = 40;
+  PlotWindow window;
+  window.addFile(test::synthetic_sol(SolKind::Power, made));
+  for (const char* suffix : {"png", "svg", "pdf", "csv"}) {
+    const QString path = folder.filePath(QString("one.%1").arg(suffix));
+    CHECK(window.exportTo(path, false));
+    CHECK(QFile(path).size() > 1000);
+  }
+  CHECK(window.exportTo(folder.filePath("all.pdf"), true));
+  CHECK(QFile(folder.filePath("all.pdf")).size() > QFile(folder.filePath("one.pdf")).size());
+  CHECK(window.exportTo(folder.filePath("all.csv"), true));
+  for (int page = 1; page <= window.pageCount(); ++page)
+    CHECK(QFile::exists(folder.filePath(QString("all-%1.csv").arg(page, 2, 10, QChar('0')))));
+  CHECK(window.currentPage() == 1);
+  CHECK_FALSE(window.exportTo(folder.filePath("one.doc"), false));
+}
+
+TEST_CASE("plot_window: a growing file is read again while it is followed", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  test::SyntheticRun made;
+  made.steps = 60;
+  const auto whole = test::synthetic_sol(SolKind::Power, made);
+  auto part = whole;
+  part.steps.resize(20);
+  const std::filesystem::path path = folder.filePath("SOL7").toStdString();
+  test::write_text(path, test::sol_text(part));
+  PlotWindow window;
+  REQUIRE(window.openFile(path));
+  CHECK(window.view().chartScene().page().x.size() == 20);
+  window.follow(true);
+  test::write_text(path, test::sol_text(whole));
+  for (int i = 0; i < 60 && window.view().chartScene().page().x.size() < 60; ++i) QTest::qWait(100);
+  CHECK(window.view().chartScene().page().x.size() == 60);
+  window.follow(false);
+}
+
+TEST_CASE("run_beside: frequencies of a run are those of its mean speeds", "[unit][h5]") {
+  using namespace adore::testing;
+  TemporaryFolder folder;
+  const bearing::Bearing bearing = make_bearing();
+  results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
+  results::H5Writer h5 = results::H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  for (long step = 0; step <= 50; ++step) {
+    scene::Snapshot snapshot = make_snapshot(bearing, step);
+    snapshot.races[0].total_rotation = -100.0 * snapshot.time;  // [rad/s] x time
+    snapshot.races[1].total_rotation = 900.0 * snapshot.time;
+    for (auto& element : snapshot.elements)
+      element.omega = {400.0 + 3.0 * 500.0, 4.0 * 500.0, 0.0};  // spins at 2500 rad/s
+    h5.write(recorder.record(snapshot));
+  }
+  h5.close();
+  std::map<std::string, double> found;
+  for (const auto& mark : bearing_frequencies(folder / "RESULTS.h5")) found[mark.label] = mark.x;
+  CHECK(found["shaft"] == Approx(1000.0 / kTurn));
+  CHECK(found["FTF"] == Approx(400.0 / kTurn));
+  CHECK(found["BSF"] == Approx(2500.0 / kTurn));
+  CHECK(found["BPFO"] == Approx(3 * 500.0 / kTurn));
+  CHECK(found["BPFI"] == Approx(3 * 500.0 / kTurn));
+  CHECK(found["2 BPFO"] == Approx(6 * 500.0 / kTurn));
+}

@@ -1,0 +1,330 @@
+#include "base/errors.hpp"
+#include "desktop/chart_view.hpp"
+#include "desktop/chrome.hpp"
+#include "desktop/gif_writer.hpp"
+#include "desktop/mp4_writer.hpp"
+#include "desktop/page_export.hpp"
+#include "support/qt_app.hpp"
+
+#include <QChart>
+#include <QFile>
+#include <QImage>
+#include <QImageReader>
+#include <QLineSeries>
+#include <QSettings>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QXmlStreamReader>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace adore;
+using namespace adore::desktop;
+
+namespace {
+
+/// y = 2x and y = 100 - x over 0 .. 10 in one panel, 3 in another.
+ChartPage lines_page() {
+  ChartPage page;
+  page.title = "Lines";
+  page.x_title = "Time";
+  page.x_unit = "s";
+  ChartPanel force{"Force", "N", {{"rising", {}, {}}, {"falling", {}, {}}}, false};
+  ChartPanel still{"Length", "m", {{"", {}, {}}}, false};
+  for (int i = 0; i <= 100; ++i) {
+    const double x = 0.1 * i;
+    page.x.push_back(x);
+    force.curves[0].y.push_back(2.0 * x);
+    force.curves[1].y.push_back(100.0 - x);
+    still.curves[0].y.push_back(3e-18 * std::sin(x));
+  }
+  page.panels = {force, still};
+  return page;
+}
+
+void click(ChartView& view, QPointF place, Qt::KeyboardModifiers keys = Qt::NoModifier) {
+  QTest::mouseClick(view.viewport(), Qt::LeftButton, keys, view.mapFromScene(place));
+}
+
+}  // namespace
+
+TEST_CASE("statistics between two places have the values of a straight line", "[unit]") {
+  std::vector<double> x, y;
+  for (int i = 0; i <= 100; ++i) x.push_back(0.1 * i), y.push_back(6.0 * x.back());
+  const CurveStatistics s = statistics_between(x, y, 3.0, 1.0);
+  CHECK(s.count == 21);
+  CHECK(s.lowest == Approx(6.0));
+  CHECK(s.highest == Approx(18.0));
+  CHECK(s.mean == Approx(12.0));
+  // RMS of a trapezoidal sum: sqrt(36 (1/2) int x^2) + 36 h^2/6.
+  CHECK(s.rms == Approx(std::sqrt(36.0 * (27.0 - 1.0) / 6.0 + 36.0 * 0.01 / 6.0)).epsilon(1e-6));
+  // Unequal steps weigh by what they stand for.
+  CHECK(statistics_between({0.0, 1.0, 9.0, 10.0}, {0.0, 0.0, 1.0, 1.0}, 0.0, 10.0).mean ==
+        Approx(0.5));
+  CHECK(statistics_between(x, y, 20.0, 30.0).count == 0);
+  CHECK(nearest_index(x, 4.96) == 50);
+  CHECK(nearest_index(x, -5.0) == 0);
+}
+
+TEST_CASE("chart_view: cursors stand on stored values and tell what lies between", "[gui]") {
+  test::use_qt();
+  ChartView view;
+  view.resize(900, 600);
+  view.show();
+  view.showPage(lines_page());
+  ChartScene& scene = view.chartScene();
+  const QRectF area = scene.plotAreas()[0];
+  click(view, {scene.positionOf(2.0), area.center().y()}, Qt::ControlModifier);
+  click(view, {scene.positionOf(7.0), area.center().y()}, Qt::ControlModifier | Qt::ShiftModifier);
+  CHECK(view.cursorAt(0) == Approx(2.0));
+  CHECK(view.cursorAt(1) == Approx(7.0));
+  const QString report = view.cursorReport();
+  INFO(report.toStdString());
+  CHECK(report.contains("B − A: 5 s"));
+  CHECK(report.contains("rising:  A 4 N  B 14 N  B − A 10 N  min 4 N  max 14 N  mean 9 N"));
+  CHECK(report.contains("falling:  A 98 N"));
+  view.showPage(lines_page());  // the same abscissa: they stay
+  CHECK(view.cursorAt(0) == Approx(2.0));
+  ChartPage other = lines_page();
+  other.x_unit = "rev";
+  view.showPage(other);
+  CHECK(std::isnan(view.cursorAt(0)));
+}
+
+TEST_CASE("chart_view: a box zooms both ways, views come back, and outlive a change of page",
+          "[gui]") {
+  test::use_qt();
+  ChartView view;
+  view.resize(900, 600);
+  view.show();
+  view.showPage(lines_page());
+  ChartScene& scene = view.chartScene();
+  const auto place = [&](double x, double y) {
+    return view.mapFromScene(QPointF(scene.positionOf(x), scene.heightOf(0, y)));
+  };
+  const QPoint from = place(2.0, 80.0), to = place(6.0, 20.0);
+  QTest::mousePress(view.viewport(), Qt::LeftButton, Qt::ShiftModifier, from);
+  QTest::mouseMove(view.viewport(), to);
+  QTest::mouseRelease(view.viewport(), Qt::LeftButton, Qt::ShiftModifier, to);
+  CHECK(scene.viewLow() == Approx(2.0).margin(0.05));
+  CHECK(scene.viewHigh() == Approx(6.0).margin(0.05));
+  REQUIRE(scene.zoom().panels[0].has_value());
+  CHECK(scene.zoom().panels[0]->first == Approx(20.0).margin(1.0));
+  CHECK(scene.zoom().panels[0]->second == Approx(80.0).margin(1.0));
+  CHECK_FALSE(scene.zoom().panels[1].has_value());
+  CHECK(scene.valueAt(0, scene.heightOf(0, 50.0)) == Approx(50.0));
+  ChartPage next = lines_page();
+  next.panels.pop_back();
+  view.showPage(next);  // another page over the same time
+  CHECK(scene.viewLow() == Approx(2.0).margin(0.05));
+  view.zoomBack();
+  CHECK(scene.viewLow() == 0.0);
+  CHECK(scene.viewHigh() == Approx(10.0));
+  view.zoomForward();
+  CHECK(scene.viewHigh() == Approx(6.0).margin(0.05));
+  view.zoomAll();
+  CHECK_FALSE(scene.zoomed());
+}
+
+TEST_CASE("chart_view: a click in the legend hides a curve, and the axis follows the others",
+          "[gui]") {
+  test::use_qt();
+  ChartView view;
+  view.resize(900, 600);
+  view.show();
+  view.showPage(lines_page());
+  ChartScene& scene = view.chartScene();
+  REQUIRE(scene.legend().size() == 2);  // of the panel with two curves
+  const auto entry = [&](std::size_t curve) {
+    for (const LegendEntry& e : scene.legend())
+      if (e.curve == curve) return e.place.center();
+    return QPointF();
+  };
+  CHECK(scene.charts()[0]->series().size() == 2);
+  click(view, entry(1));
+  CHECK(scene.page().panels[0].curves[1].hidden);
+  CHECK(scene.charts()[0]->series().size() == 1);
+  const QRectF area = scene.plotAreas()[0];
+  CHECK(scene.valueAt(0, area.top()) < 25.0);  // the rising curve ends at 20
+  click(view, entry(1));
+  CHECK_FALSE(scene.page().panels[0].curves[1].hidden);
+}
+
+TEST_CASE("chart_scene: rounding below an atom's size fills no axis", "[gui]") {
+  test::use_qt();
+  ChartScene scene;
+  scene.setPageSize({900, 600});
+  scene.setPage(lines_page());
+  const QRectF area = scene.plotAreas()[1];
+  CHECK(scene.valueAt(1, area.top()) - scene.valueAt(1, area.bottom()) >= 1e-10);
+}
+
+TEST_CASE("chart_scene: a logarithmic axis has equal decades and no place for zero", "[gui]") {
+  test::use_qt();
+  ChartPage page = lines_page();
+  page.panels[0].log = true;
+  for (std::size_t i = 0; i < page.x.size(); ++i)
+    page.panels[0].curves[0].y[i] = i == 50 ? 0.0 : std::pow(10.0, 0.1 * static_cast<double>(i));
+  ChartScene scene;
+  scene.setPageSize({900, 600});
+  scene.setPage(page);
+  const double decade = scene.heightOf(0, 10.0) - scene.heightOf(0, 100.0);
+  CHECK(scene.heightOf(0, 1e4) - scene.heightOf(0, 1e5) == Approx(decade));
+  CHECK(scene.charts()[0]->series().size() == 3);  // broken at the zero, and the other curve
+  page.log_x = true;
+  scene.setPage(page);
+  CHECK(scene.positionOf(1.0) - scene.positionOf(0.1) ==
+        Approx(scene.positionOf(10.0) - scene.positionOf(1.0)));
+}
+
+TEST_CASE("axis_scale: logarithmic ticks are decades, with 2 and 5 where there is room", "[unit]") {
+  const AxisScale wide = log_axis(3e-9, 2.0, "m");
+  CHECK(wide.min == Approx(-9.0));
+  CHECK(wide.max == Approx(1.0));
+  CHECK(wide.value(wide.shown(3e-9)) == Approx(3e-9));
+  for (const AxisTick& tick : axis_ticks(wide)) CHECK(tick.at == Approx(std::round(tick.at)));
+  const std::vector<AxisTick> narrow = axis_ticks(log_axis(1.0, 80.0, "N"));
+  REQUIRE(narrow.size() == 7);
+  CHECK(narrow[1].text == "2");
+  CHECK(narrow[6].text == "100");
+}
+
+TEST_CASE("chart_scene: the extremes between stored values are a pale area", "[gui]") {
+  test::use_qt();
+  ChartPage page = lines_page();
+  page.panels.pop_back();
+  page.panels[0].curves.pop_back();
+  ChartCurve& curve = page.panels[0].curves[0];
+  for (const double y : curve.y) curve.low.push_back(y - 5.0), curve.high.push_back(y + 50.0);
+  ChartScene scene;
+  scene.setPageSize({900, 600});
+  scene.setPage(page);
+  const QRectF area = scene.plotAreas()[0];
+  CHECK(scene.valueAt(0, area.top()) >= 70.0);  // the axis has room for it
+  const QImage image = scene.image({900, 600});
+  const auto at = [&](double x, double y) {
+    return image.pixelColor(static_cast<int>(scene.positionOf(x)),
+                            static_cast<int>(scene.heightOf(0, y)));
+  };
+  CHECK(at(5.03, 35.0) != at(5.03, 68.0));
+  CHECK(at(5.03, 35.0).blue() > at(5.03, 35.0).red());
+}
+
+TEST_CASE("page_export: numbers come back from CSV as they were", "[unit]") {
+  ChartPage page = lines_page();
+  page.panels[0].curves[0].y[1] = 1.0 / 3.0;
+  page.panels[0].curves[1].y[1] = std::nan("");
+  page.panels[0].curves[0].name = "a, \"b\"";
+  const QStringList rows = QString::fromStdString(page_csv(page)).split('\n');
+  REQUIRE(rows.size() == 103);  // head, 101 rows, nothing behind the last line
+  CHECK(rows[0] == "Time [s],\"Force, a, \"\"b\"\" [N]\",\"Force, falling [N]\",Length [m]");
+  const QStringList row = rows[2].split(',');
+  CHECK(row[1].toDouble() == 1.0 / 3.0);
+  CHECK(row[2].isEmpty());
+}
+
+TEST_CASE("page_export: SVG and PDF hold lines and text, not pixels", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path base = folder.path().toStdString();
+  ChartScene scene;
+  scene.setPageSize({900, 600});
+  scene.setPage(lines_page());
+  save_page(scene, base / "page.svg", {900, 600});
+  QFile svg(folder.filePath("page.svg"));
+  REQUIRE(svg.open(QIODevice::ReadOnly));
+  const QByteArray text = svg.readAll();
+  QXmlStreamReader xml(text);
+  int paths = 0, words = 0, images = 0;
+  QString all;
+  while (!xml.atEnd()) {
+    xml.readNext();
+    if (!xml.isStartElement()) continue;
+    paths += xml.name() == QLatin1String("path");
+    images += xml.name() == QLatin1String("image");
+    if (xml.name() == QLatin1String("text")) {
+      ++words;
+      all += xml.readElementText() + "|";
+    }
+  }
+  CHECK_FALSE(xml.hasError());
+  CHECK(paths > 10);
+  CHECK(images == 0);
+  CHECK(all.contains("Lines|"));
+  CHECK(all.contains("rising|"));
+  CHECK(words > 15);
+  save_pdf(scene, base / "pages.pdf", 3, {900, 600}, [](std::size_t) {});
+  QFile pdf(folder.filePath("pages.pdf"));
+  REQUIRE(pdf.open(QIODevice::ReadOnly));
+  const QByteArray bytes = pdf.readAll();
+  CHECK(bytes.startsWith("%PDF"));
+  CHECK(bytes.count("/Type /Page\n") == 3);
+  save_page(scene, base / "page.png", {500, 400});
+  CHECK(QImage(folder.filePath("page.png")).size() == QSize(500, 400));
+  CHECK(scene.sceneRect().size() == QSizeF(900, 600));  // what is seen stays
+  CHECK_THROWS_WITH(save_page(scene, base / "page.gif", {500, 400}), Catch::Contains(".svg"));
+  CHECK_THROWS_AS(save_page(scene, base / "no" / "page.svg", {500, 400}), InputError);
+}
+
+TEST_CASE("gif_writer: pictures come back with their colours and pauses", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path path = folder.filePath("film.gif").toStdString();
+  GifWriter writer(path, {96, 64}, 20);
+  const QList<QColor> colours{Qt::red, Qt::green, Qt::blue};
+  for (const QColor& colour : colours) {
+    QImage image(96, 64, QImage::Format_RGB32);
+    image.fill(colour);
+    for (int x = 0; x < 96; ++x)  // noise, so that the table of codes fills up
+      for (int y = 0; y < 32; ++y)
+        image.setPixelColor(x, y, QColor::fromHsv((x * 37 + y * 91) % 360, 200, 200));
+    writer.add(image);
+  }
+  CHECK_FALSE(std::filesystem::exists(path));  // only a whole film
+  writer.finish();
+  QImageReader reader(folder.filePath("film.gif"));
+  REQUIRE(reader.canRead());
+  for (const QColor& colour : colours) {
+    const QImage image = reader.read();
+    INFO(reader.errorString().toStdString());
+    REQUIRE(image.size() == QSize(96, 64));
+    const QColor got = image.pixelColor(50, 50);
+    CHECK(std::abs(got.red() - colour.red()) + std::abs(got.green() - colour.green()) +
+              std::abs(got.blue() - colour.blue()) <
+          120);
+    CHECK(reader.nextImageDelay() == 50);
+  }
+  CHECK(reader.read().isNull());
+}
+
+TEST_CASE("mp4_writer: without ffmpeg the reason is a sentence", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  const std::filesystem::path path = folder.filePath("film.mp4").toStdString();
+  if (!ffmpeg_found()) {
+    CHECK_THROWS_WITH(Mp4Writer(path, {64, 64}, 25), Catch::Contains("ffmpeg"));
+    return;
+  }
+  Mp4Writer writer(path, {64, 64}, 25);
+  for (int i = 0; i < 10; ++i) writer.add(QImage(64, 64, QImage::Format_RGB32));
+  writer.finish();
+  CHECK(std::filesystem::file_size(path) > 100);
+}
+
+TEST_CASE("recent files: the newest first, each once, those that are gone left out", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  QSettings("Adore", "recent-test").clear();
+  for (const char* name : {"a", "b", "c"}) {
+    QFile file(folder.filePath(name));
+    REQUIRE(file.open(QIODevice::WriteOnly));
+    remember_file("recent-test", folder.filePath(name));
+  }
+  remember_file("recent-test", folder.filePath("a"));
+  CHECK(recent_files("recent-test") ==
+        QStringList{folder.filePath("a"), folder.filePath("c"), folder.filePath("b")});
+  QFile::remove(folder.filePath("c"));
+  CHECK(recent_files("recent-test").size() == 2);
+  QSettings("Adore", "recent-test").clear();
+}
