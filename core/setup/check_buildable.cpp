@@ -5,6 +5,7 @@
 #include "setup/deck_text.hpp"
 #include "setup/race_motions.hpp"
 #include "setup/read_cage.hpp"
+#include "tribology/film_law.hpp"
 
 #include <fmt/format.h>
 
@@ -303,6 +304,18 @@ void check_lubricant(const Deck& deck, Checker& check) {
   if (deck.integer("kTrac") < 0)
     check.error("kTrac", "asks for user routine ADRX7, which this version does not call yet",
                 "set kTrac to 0 or to a lubricant");
+  if (deck.integer("kTrac") <= 0) return;
+  const deck::ReportOnly quiet(deck);
+  if (deck.si("strParam") == 0.0)
+    check.note("strParam",
+               "leaves no oil before the contacts: they have no film, and the traction of record "
+               "10.1; 10 or more is flooded");
+  else if (deck.si("reRaceFilm") < tribology::kThinnestFilm)
+    check.note(
+        "reRaceFilm",
+        fmt::format("a film of a few molecules is no liquid: below {:g} nm contacts have the "
+                    "traction of record 10.1",
+                    1e9 * tribology::kThinnestFilm));
 }
 
 /// Which films of the pockets act.

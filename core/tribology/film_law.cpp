@@ -62,7 +62,7 @@ FilmOfContact film_of_contact(const Lubricant& oil, const bearing::Lubrication& 
   out.log_heating = std::log(std::max(mu * oil.base_beta(T) / oil.conductivity.at(T), 1e-30));
   constexpr double kDry = 1e-9;  // meniscus at the contact: no film
   out.meniscus = std::max(lubrication.meniscus, kDry);
-  out.critical = lubrication.critical_film;
+  out.critical = std::max(lubrication.critical_film, kThinnestFilm);
   return out;
 }
 

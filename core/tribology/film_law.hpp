@@ -19,6 +19,10 @@ struct FilmSurface {
   double width_over_pressure = 0.0;  ///< b/p0 of the contacts, read by visco-elastic films [m/Pa]
 };
 
+/// A few molecules: no liquid shears below that, and its traction would grow without bound [m].
+/// Critical films of motion are not taken thinner.
+inline constexpr double kThinnestFilm = 1e-9;
+
 [[nodiscard]] FilmOfContact film_of_contact(const Lubricant& lubricant,
                                             const bearing::Lubrication& lubrication,
                                             const FilmSurface& surface);
