@@ -1,7 +1,9 @@
 #include "adrplot/run_beside.hpp"
 
 #include "base/errors.hpp"
+#include "base/json_text.hpp"
 #include "results/channels.hpp"
+#include "results/growing_file.hpp"
 #include "results/results_h5.hpp"
 
 #include <fmt/format.h>
@@ -9,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <unordered_map>
 
@@ -74,9 +75,12 @@ std::vector<desktop::ChartMark> frequencies(const H5Reader& reader) {
 
 void read_fastest(const std::filesystem::path& run_json, const std::string& run_id,
                   PageContext& out) {
-  std::ifstream stream(run_json, std::ios::binary);
-  if (!stream) return;
-  const nlohmann::json run = nlohmann::json::parse(stream, nullptr, false);
+  nlohmann::json run;
+  try {
+    run = parse_json(results::read_text_file(run_json), run_json.string());
+  } catch (const InputError&) {
+    return;  // none, or not ours: the page goes without it
+  }
   if (!run.is_object() || run.value("run", nlohmann::json()) != run_id) return;
   const auto plan = run.find("plan");
   if (plan == run.end() || !plan->is_object()) return;

@@ -3,16 +3,17 @@
 #include "adrplot/render.hpp"
 #include "agore/render.hpp"
 #include "base/errors.hpp"
+#include "base/json_text.hpp"
 #include "cli/progress.hpp"
 #include "desktop/bootstrap.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/log_chart.hpp"
+#include "results/growing_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 
 namespace adore::cli {
 namespace {
@@ -67,8 +68,7 @@ void animate(const AnimateRequest& request) {
 PictureActions drawing_actions() { return {plot, animate}; }
 
 void draw_accuracy(const std::filesystem::path& table, const std::filesystem::path& picture) {
-  std::ifstream file(table);
-  const auto study = nlohmann::json::parse(file, nullptr, false);
+  const auto study = parse_json(results::read_text_file(table), table.string());
   if (!study.is_object() || !study.contains("finals"))
     throw InputError(fmt::format("{} is no table of `adore accuracy`", table.string()));
   desktop::ensure_headless_application();

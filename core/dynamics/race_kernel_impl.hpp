@@ -171,7 +171,7 @@ template <class Law, class S>
                                          const tribology::EllipseContact<V, S>& ellipse,
                                          tribology::EllipseSums<V>& sums) {
   sums = tribology::EllipseSum<V, Law, S>(in.nodes, ellipse, *static_cast<const Law*>(in.law),
-                                       in.slip_floor, in.slip_scale)
+                                          in.slip_floor, in.slip_scale)
              .run();
 }
 
@@ -184,7 +184,7 @@ template <class Law, class S>
     return sums;
   } else {
     return tribology::EllipseSum<V, Law, S>(in.nodes, ellipse, *static_cast<const Law*>(in.law),
-                                         in.slip_floor, in.slip_scale)
+                                            in.slip_floor, in.slip_scale)
         .run();
   }
 }
