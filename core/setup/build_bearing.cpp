@@ -104,8 +104,8 @@ bearing::Lubrication lubrication(const Deck& deck) {
   bearing::Lubrication out;
   out.code = static_cast<int>(deck.integer("kTrac"));
   constexpr int kUserLubricant = 9;
-  out.critical_film = deck.si("reRaceFilm");
   out.meniscus = deck.si("strParam");
+  out.critical_film = si_where(out.meniscus > 0.0, deck, "reRaceFilm");
   if (out.code != kUserLubricant) return out;
   bearing::UserLubricant user;
   user.name = deck.text("lubName");

@@ -82,9 +82,8 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
     return "the asymptotic law has three coefficients";
   if ((record.starts_with("10.2") || name == "kRFTracType") && scene.flanges && !scene.motion)
     return "without thrust no flange of cylindrical rollers carries a load at rest";
-  if (name == "reRaceFilm" && !scene.motion)
-    return "this lubricant's traction is not computed at rest: the curve of record 10.1 stands "
-           "for it at any film";
+  if (name == "reRaceFilm")
+    return "without oil before the contacts (strParam = 0) there is no film";
   if (record.starts_with("10") && !scene.motion)
     return "a quasi-static solution knows the friction of elements and races, but none of the cage";
   if (name == "iTherm")
