@@ -109,8 +109,10 @@ TEST_CASE("every lubricant moves every type of bearing", "[validation][film][slo
       if (code == 9) continue;  // needs records of its own
       const std::string name = type + std::to_string(code);
       INFO(name);
-      CHECK(fault_of(oiled(std::to_string(code).c_str(), {{"maxStps", "12"}}, type),
-                     folder / name) == "");
+      // So short a run moves about a millijoule: at the deck's 1e-6 thinning oils leave 1.6e-4 of
+      // it without account, here 2e-6.
+      const Sets short_run{{"maxStps", "12"}, {"tol", "1e-7"}};
+      CHECK(fault_of(oiled(std::to_string(code).c_str(), short_run, type), folder / name) == "");
     }
 }
 
