@@ -6,6 +6,7 @@
 #include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 /// Ball bearings that run in oil: record 10 acts on their motion.
@@ -94,9 +95,11 @@ std::string fault_of(const Deck& deck, const fs::path& folder) {
     return out;
   }
   if (ran.outcome.status != facade::RunStatus::Done) out += ran.outcome.message;
-  if (!(std::abs(ran.outcome.energy_residual) <= 1e-4 * ran.outcome.energy_scale))
-    out += "energy residual " + std::to_string(ran.outcome.energy_residual) + " of " +
-           std::to_string(ran.outcome.energy_scale) + "; ";
+  // Cold bearings hardly move; 1e-8 J are less than a millionth of their elastic energy.
+  constexpr double kLittle = 1e-8;
+  if (!(std::abs(ran.outcome.energy_residual) <= 1e-4 * ran.outcome.energy_scale + kLittle))
+    out += fmt::format("energy residual {:.2g} J of {:.2g} J; ", ran.outcome.energy_residual,
+                       ran.outcome.energy_scale);
   return out;
 }
 
@@ -137,6 +140,7 @@ TEST_CASE("hard states of lubricated bearings run without a number that is none"
       for (const Case& one : cases) {
         Sets sets = one.sets;
         sets.emplace_back("maxStps", "8");
+        sets.emplace_back("tol", "1e-7");  // such runs move next to nothing
         const std::string name = std::string(type) + " " + code + " " + one.name;
         INFO(name);
         CHECK(fault_of(oiled(code, sets, type), folder / name) == "");
