@@ -173,7 +173,8 @@ FACTORS = {
     "statics": [("loads", {}), ("displaced", {"kFS3": 1, "appDispZ": 1e-5})],
 }
 
-# What no record lets a deck say, or reading N10 refuses (a race that accelerates in modes 1 and 2): never in a row.
+# What no record lets a deck say, what contradicts itself, or what reading N10 refuses (a race that accelerates in modes 1
+# and 2): never in a row.
 IMPOSSIBLE = [
     lambda r: r.get("mode", "0") != "0" and r.get("races", "held") != "held",
     lambda r: r.get("cage") == "none" and (r.get("pocket", "0") != "0" or r.get("pocket errors", "0") != "0"
@@ -183,7 +184,11 @@ IMPOSSIBLE = [
     lambda r: r.get("type") in ROLLERS and r.get("pocket") == "4",
     lambda r: r.get("type") in ("ball", "spherical") and (r.get("outer flanges", "none") != "none" or r.get("inner flanges", "none") != "none"),
     lambda r: r.get("type") in ("tapered", "spherical-tapered") and r.get("inner flanges", "none") != "none",
-    lambda r: r.get("lands", "none") == "none" and r.get("land errors", "none") != "none",
+    # Two laws for one place or speed: free, or placed by its load, and moved by a law of the time.
+    lambda r: r.get("load") == "vibration" and (r.get("races") in ("inner free", "outer free") or r.get("mode") == "2"),
+    lambda r: r.get("speed", "steady") != "steady" and r.get("races") == "inner speed free",
+    # Nothing left to balance: kDOF 5 suppresses what modes 1 and 2 place.
+    lambda r: r.get("kDOF") == "5" and r.get("mode", "0") != "0",
 ]
 
 

@@ -4,15 +4,18 @@
 #include "dynamics/excitations.hpp"
 #include "scene/ledger_terms.hpp"
 
+#include <cmath>
 #include <optional>
 
-/// Races that move under what acts on them and under constant loads: Newton and Euler about the
-/// mass centre (free_body.hpp). Directions may be held: they keep the velocity of their start or
-/// follow the laws of records 9.3 and 9.4 (excitations.hpp), whose accelerations are prescribed
-/// there (rigid_body.hpp, race_accelerations); what holds them does work like a load. A race whose
-/// rotations across its axis are held turns about the axis that it has at the start. The contact
-/// kernel sees ω as spin about the race's axis and the rest across it. Limit: the groove stays one
-/// of revolution about the race's axis.
+/// Races that move under what acts on them and under their loads: Newton and Euler about the mass
+/// centre (free_body.hpp). A share of the radial load of a race that is free along y and z may turn
+/// about x (record 9.3A): F(t) = F + share (turn(ω t) - 1) F_radial; the rest is constant.
+/// Directions may be held: they keep the velocity of their start or follow the laws of records 9.3
+/// and 9.4 (excitations.hpp), whose accelerations are prescribed there (rigid_body.hpp,
+/// race_accelerations); what holds them does work like a load. A race whose rotations across its
+/// axis are held turns about the axis that it has at the start. The contact kernel sees ω as spin
+/// about the race's axis and the rest across it. Limit: the groove stays one of revolution about
+/// the race's axis.
 namespace adore::dynamics {
 namespace {
 
@@ -31,7 +34,9 @@ constexpr LedgerTerm kAngularImpulse{
 struct Loaded {
   FreeBody body;
   int race = 0;
-  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< applied at the race's centre [N, N m]
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< now, at the race's centre [N, N m]
+  Vec3 first_force = Vec3::Zero();                   ///< at t = 0 [N]
+  double turning_share = 0.0, turning_speed = 0.0;   ///< of the radial load [-, rad/s]
   std::optional<RaceLaws> laws;                      ///< of the held directions
   // Now, with what holds the held directions: power [W], about the base origin [N, N m].
   double power = 0.0;
@@ -57,15 +62,22 @@ class RaceKinematics final : public EffectBlock {
 
 class RaceLoad final : public EffectBlock {
  public:
-  explicit RaceLoad(const Loaded& loaded) : loaded_(loaded) {}
+  explicit RaceLoad(Loaded& loaded) : loaded_(loaded) {}
   void apply(Evaluation& e) noexcept override {
+    if (loaded_.turning_share != 0.0) {
+      const double turn = loaded_.turning_speed * e.t;
+      const double c = std::cos(turn) - 1.0, s = std::sin(turn);
+      const Vec3& F = loaded_.first_force;
+      loaded_.force =
+          F + loaded_.turning_share * Vec3(0.0, c * F[1] - s * F[2], s * F[1] + c * F[2]);
+    }
     RaceBody& race = e.race[static_cast<std::size_t>(loaded_.race)];
     race.add_force(loaded_.force, race.position);
     race.moment += loaded_.moment;
   }
 
  private:
-  const Loaded& loaded_;
+  Loaded& loaded_;
 };
 
 class HeldDirections final : public EffectBlock {
@@ -107,7 +119,12 @@ class FreeRaces final : public SceneEffect {
       Loaded& one = loaded_.emplace_back();
       const std::string name = j == 0 ? "outer race" : "inner race";
       one.race = static_cast<int>(j);
-      one.force = free[j]->force;
+      one.force = one.first_force = free[j]->force;
+      if (const auto& turning = scene.plan.race_motions.turning_load;
+          turning && !free[j]->translation_held[1] && !free[j]->translation_held[2]) {
+        one.turning_share = turning->fraction[j];
+        one.turning_speed = turning->speed[j];
+      }
       one.moment = free[j]->moment;
       one.body.declare(scene, {BodyId::Kind::Race, one.race}, name, scene.bearing.race_inertia[j]);
       RaceBody& start = start_.emplace_back(races.at_rest()[j]);

@@ -66,6 +66,10 @@ class RaceExcitations final : public SceneEffect {
     motions_ = scene.plan.race_motions;
     if (motions_.turning_load && scene.plan.has(Effect::RaceBalance))
       motions_.turning_load->fraction[1] = 0.0;  // the load itself turns (race_balance.hpp)
+    for (std::size_t j = 0; j < 2; ++j)          // and so does that of a free race (free_races.cpp)
+      if (const auto& free = motions_.free[j];
+          motions_.turning_load && free && !free->translation_held[1] && !free->translation_held[2])
+        motions_.turning_load->fraction[j] = 0.0;
     const Races& races = *scene.find<Races>();
     laws_.emplace(std::array<Vec3, 2>{races.at_rest()[0].position, races.at_rest()[1].position},
                   motions_);

@@ -95,6 +95,8 @@ TEST_CASE("every excitation and constraint of a ball deck runs and closes the en
                                    {"raceMIy2", "5e-4"},
                                    {"raceMIz2", "5e-4"},
                                    {"raceGeoCenZ2", "-2e-6"}})},
+      {"shaft under a load that turns",
+       with(kShaft, {{"kVarLoad", "1"}, {"rotLoadFrac2", "1"}, {"rotLoadRpm2", "10000"}})},
       {"run-up of a shaft",
        with(kShaft, {{"kVarSpeed", "1"}, {"raceAngAcc2", "1e6"}, {"endTime2", "1"}})},
       {"floating",
@@ -175,13 +177,50 @@ TEST_CASE("constraints, turning frame and given inertia of rollers close the ene
   }
 }
 
+TEST_CASE("the share of a free race's radial load turns at its speed", "[unit][motions]") {
+  constexpr double kShare = 0.4, kSpeed = 9000.0 * std::numbers::pi / 30.0, kMass = 0.8;
+  const facade::Prepared p = prepared(with(kShaft, {{"kRaceIP2", "1"},
+                                                    {"raceMass2", "0.8"},
+                                                    {"raceMIx2", "6e-4"},
+                                                    {"raceMIy2", "5e-4"},
+                                                    {"raceMIz2", "5e-4"},
+                                                    {"appLoadY", "300"},
+                                                    {"appLoadZ", "500"},
+                                                    {"kVarLoad", "1"},
+                                                    {"rotLoadFrac2", "0.4"},
+                                                    {"rotLoadRpm2", "9000"}}));
+  dynamics::System system = facade::make_system(p);
+  const std::vector<double> y = system.initial_state();
+  std::vector<double> at_start(y.size()), later(y.size());
+  system.set_start(0.0, y);
+  int first = -1;
+  for (const dynamics::StateLayout::Group& group : system.layout().groups())
+    if (group.name == "inner race.velocity") first = group.slice.first;
+  REQUIRE(first >= 0);
+  system.rhs(0.0, y.data(), at_start.data());
+  // The same state at another time: what differs is the load.
+  for (const double turn : {0.5, 2.0, 4.5}) {
+    system.rhs(turn / kSpeed, y.data(), later.data());
+    const auto change = [&](int k) {
+      const auto at = static_cast<std::size_t>(first + k);
+      return kMass * (later[at] - at_start[at]);
+    };
+    const double c = std::cos(turn) - 1.0, s = std::sin(turn);
+    CHECK(change(0) == Approx(0.0).margin(1e-6));
+    CHECK(change(1) == Approx(kShare * (c * 300.0 - s * 500.0)).epsilon(1e-9));
+    CHECK(change(2) == Approx(kShare * (s * 300.0 + c * 500.0)).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("what cannot act together is refused by variable, and what stays open is said",
           "[unit][motions]") {
   CHECK_THAT(refusal({{"kDOF", "6"}}), Catch::Contains("kDOF") && Catch::Contains("ADRX1"));
   const Sets vibrating = with(kShaft, {{"kVarLoad", "2"}, {"raceVibAmp32", "1e-6"}});
   CHECK_THAT(refusal(vibrating), Catch::Contains("raceVibAmp32") && Catch::Contains("kFD32"));
-  CHECK_THAT(refusal(with(kShaft, {{"kVarLoad", "1"}, {"rotLoadFrac2", "0.1"}})),
+  // A load turns where the race is free along y and z, a place where it is free along neither.
+  CHECK_THAT(refusal({{"kDCR", "1"}, {"kFD22", "0"}, {"kVarLoad", "1"}, {"rotLoadFrac2", "0.1"}}),
              Catch::Contains("rotLoadFrac2") && Catch::Contains("kFD22"));
+  CHECK(refusal(with(kShaft, {{"kVarLoad", "1"}, {"rotLoadFrac2", "0.1"}})) == "was accepted");
   CHECK_THAT(refusal({{"kDCR", "1"}, {"kMD12", "0"}, {"kVarSpeed", "1"}, {"raceAngAcc2", "1"}}),
              Catch::Contains("raceAngAcc2") && Catch::Contains("kMD12"));
   CHECK_THAT(warnings({{"kDCR", "1"}, {"kMD12", "0"}}),
