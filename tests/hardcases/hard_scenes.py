@@ -32,7 +32,8 @@ IMPLICIT = ["cvode-bdf", "arkode-dirk", "arkode-imex"]
 OWN = "own"
 QUICK = [OWN, "rkf7", "arkode-dirk"]
 LONGEST_RUN = {False: 60.0, True: 600.0}  # quick, full [s]
-LEAST_SPREAD = 0.02  # means of whole turns are not asked to agree better
+# Means are not asked to agree better than this; those of a fraction of a turn hang on its last steps.
+LEAST_SPREAD = {False: 0.05, True: 0.02}  # quick, full
 MEANS = ["mean_orbital_ratio", "mean_cage_ratio", "mean_largest_load_N", "mean_power_loss_W"]
 
 BALL, ROLLERS = "ball", ["cylindrical", "spherical", "tapered", "spherical-tapered"]
@@ -115,7 +116,7 @@ SCENES = [
 
 def command(program, one, method, folder, turns, factor):
     words = [program, "run", os.path.join(folder, "DATA.txt"), "--out", os.path.join(folder, method.replace("/", "-") + f"-{factor:.3g}"),
-             "--quiet", "--overwrite"]
+             "--quiet", "--overwrite", "--set", "nStps=1"]  # means of loads that vibrate want every step
     for name, value in one["sets"].items():
         words += ["--set", f"{name}={value}"]
     if factor != 0:
@@ -154,7 +155,7 @@ def run(program, one, method, folder, turns, full, factor=0.0):
     return {**out, "outcome": "solved", "values": values}
 
 
-def judge_means(results, spread):
+def judge_means(results, spread, full):
     """Runs whose means lie outside the spread of the others."""
     solved = {method: r for method, r in results.items() if r["outcome"] == "solved"}
     for key in MEANS:
@@ -163,7 +164,7 @@ def judge_means(results, spread):
             return
         middle = numbers[len(numbers) // 2]
         size = max(abs(middle), max(abs(x) for x in numbers) * 1e-3)
-        allowed = max(LEAST_SPREAD * size, 3.0 * spread.get(key, 0.0))
+        allowed = max(LEAST_SPREAD[full] * size, 3.0 * spread.get(key, 0.0))
         for r in solved.values():
             if abs(r["values"][key] - middle) > allowed and r["outcome"] == "solved":
                 r["outcome"] = "FAILED"
@@ -183,7 +184,9 @@ def play(program, one, methods, turns, full):
         results = {method: run(program, one, method, folder, turns, full) for method in methods}
         spread = {}
         if results[OWN]["outcome"] == "solved":
-            one = {**one, "own load": results[OWN]["values"].get("mean_load_x_N", 0.0)}
+            with open(os.path.join(folder, "DATA.txt"), encoding="utf-8") as deck:
+                loads = next(line for line in deck if line.startswith("'Rec 9.1.1'"))
+            one = {**one, "own load": float(loads.split(",")[1])}
             factors = (1, -1, 2, -2, 3) if full else (1, -1)
             others = [run(program, one, OWN, folder, turns, full, factor) for factor in factors]
             values = [r["values"] for r in [results[OWN]] + others if r["outcome"] == "solved"]
@@ -191,7 +194,7 @@ def play(program, one, methods, turns, full):
                 numbers = [v[key] for v in values]
                 if numbers:
                     spread[key] = max(numbers) - min(numbers)
-        judge_means(results, spread)
+        judge_means(results, spread, full)
     return results
 
 
