@@ -81,8 +81,9 @@ class System {
   [[nodiscard]] Snapshot snapshot(double t, std::span<const double> y);
   /// Turn of the inner race less that of the outer one, about their axes [rad].
   [[nodiscard]] double shaft_rotation(double t, std::span<const double> y) noexcept;
-  /// Largest error of the traction force by the run's ellipse rule against the converged integrals
-  /// over all loaded contacts of this state, relative to each contact's κ-weighted load κ̄ Q, κ̄ = ∫
+  /// Largest difference of the traction force by the run's ellipse rule to that by one of twice as
+  /// many nodes along both axes (where the rule converges, its error is that or a little more) over
+  /// all loaded contacts of this state, relative to each contact's κ-weighted load κ̄ Q, κ̄ = ∫
   /// κ p u dA / ∫ p u dA (dimensionless). 0 without traction.
   [[nodiscard]] double quadrature_error(double t, std::span<const double> y);
   [[nodiscard]] CostLedger& cost() noexcept;

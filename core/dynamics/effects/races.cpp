@@ -304,6 +304,9 @@ double Races::quadrature_error(const Evaluation& e) const {
   if (!in_contact_ || rollers_) return largest;  // slices have no rule
   for (std::size_t j = 0; j < 2; ++j) {
     if (!contacts_[j].traction) continue;
+    const tribology::EllipseRule& rule = contacts_[j].rule;
+    const tribology::EllipseRule twice =
+        tribology::make_split_ellipse_rule(2 * rule.major, 2 * rule.minor);
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       const RaceContactModel& model = contacts_[j].of(i);
       const RaceContactState contact = race_contact_state(model, e.elements, i, e.race[j].motion());
@@ -311,7 +314,7 @@ double Races::quadrature_error(const Evaluation& e) const {
       const auto fixed =
           tribology::ellipse_traction(model.law, contact.ellipse, contact.motion, model.rule);
       const auto exact =
-          tribology::ellipse_traction_converged(model.law, contact.ellipse, contact.motion);
+          tribology::ellipse_traction(model.law, contact.ellipse, contact.motion, twice);
       if (!(exact.heat > 0.0)) continue;
       const double friction = exact.heat * contact.ellipse.Q / exact.load_slip;
       largest =

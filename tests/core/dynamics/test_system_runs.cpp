@@ -183,7 +183,7 @@ TEST_CASE("the cost ledger adds up to the time of the right-hand sides", "[unit]
   CHECK(system.cost().calls() == batches * calls);
 }
 
-TEST_CASE("the run's ellipse rule is measured against the converged integrals",
+TEST_CASE("the run's ellipse rule is measured against one of twice as many nodes",
           "[physics][dynamics]") {
   const bearing::Bearing b = angular_contact();
   SystemOptions coarse, fine;
