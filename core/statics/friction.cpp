@@ -17,6 +17,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
 
 namespace adore::statics {
@@ -111,14 +112,15 @@ class Oil {
     point.half_minor = contact.half_width;
     point.entrainment = contact.speed;
     point.curvature = 1.0 / contact.radius;
-    return law.visit([&](const auto& one) -> std::function<double(double, double)> {
+    // A film points into its law, which therefore stays with the function.
+    const auto kept = std::make_shared<const tribology::TractionLaw>(law);
+    return kept->visit([&](const auto& one) -> std::function<double(double, double)> {
       if constexpr (tribology::kHasFilm<std::decay_t<decltype(one)>>) {
-        // What a film points at lives as long as the law.
-        return [here = one.at(point), law](double slip, double pressure) {
+        return [here = one.at(point), kept](double slip, double pressure) {
           return here.strip(pressure)(slip);
         };
       } else {
-        return [law](double slip, double) { return law.coefficient(slip); };
+        return [kept](double slip, double) { return kept->coefficient(slip); };
       }
     });
   }
