@@ -86,9 +86,8 @@ std::optional<ChartPage> heat_page(const StaticTables& all) {
   page.equal_axes = true;
   page.closed_outline = true;
   page.fitted = true;
-  page.x_title = "across";
+  page.schematic = true;
   desktop::ChartPanel panel;
-  panel.title = "along the radius";
   ChartCurve nodes{"nodes", {}, {}}, flows{"heat flow", {}, {}}, links{"connection", {}, {}, true};
   flows.heavy = true;
   for (const Place& place : kPlaces) {

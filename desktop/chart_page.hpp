@@ -53,6 +53,7 @@ struct ChartPage {
   bool points = false;             ///< each value is marked: there is nothing between them
   bool closed_outline = false;     ///< an orbit page whose curves are outlines, not paths
   bool fitted = false;             ///< an orbit page as wide and high as its curves, not square
+  bool schematic = false;          ///< an orbit page whose places mean nothing: without axes
   std::vector<ChartLabel> labels;  ///< of a page with equal axes
   double guide_radius = 0.0;       ///< circle about the origin of an orbit; 0 = none
   double view_low = 0.0, view_high = 0.0;  ///< first view of the abscissa; equal = all of it

@@ -19,6 +19,11 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
     for (const double x : curve.x) across.include(x);
     for (const double y : curve.y) up.include(y);
   }
+  for (const ChartLabel& label : page_.labels) {
+    if (!page_.schematic) break;
+    across.include(label.x);
+    up.include(label.y);
+  }
   for (const double r : {-page_.guide_radius, page_.guide_radius}) {
     if (page_.guide_radius <= 0.0) continue;
     across.include(r);
@@ -85,16 +90,27 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
       ++colour;
       continue;
     }
-    Polyline line;
+    Polyline line, piece;  // all that is drawn, and the part since the last gap
+    const auto draw_piece = [&] {
+      if (piece.x.empty()) return;
+      addSeries(chart, piece, x_axis, y_axis, text_of(curve.name), colour,
+                curve.heavy            ? 3.0 * m.line
+                : page_.closed_outline ? m.line
+                                       : m.thin_line);
+      piece = {};
+    };
     for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
-      if (!is_drawable(curve.x[i]) || !is_drawable(curve.y[i])) continue;
-      line.x.push_back(curve.x[i]);
-      line.y.push_back(curve.y[i]);
+      if (!is_drawable(curve.x[i]) || !is_drawable(curve.y[i])) {
+        draw_piece();
+        continue;
+      }
+      for (Polyline* to : {&line, &piece}) {
+        to->x.push_back(curve.x[i]);
+        to->y.push_back(curve.y[i]);
+      }
     }
-    addSeries(chart, line, x_axis, y_axis, text_of(curve.name), colour++,
-              curve.heavy            ? 3.0 * m.line
-              : page_.closed_outline ? m.line
-                                     : m.thin_line);
+    draw_piece();
+    ++colour;
     if (line.x.empty() || page_.closed_outline) continue;
     const auto dot = [&](std::size_t i, const QColor& fill) {
       const double px = area.left() + (x_axis.shown(line.x[i]) - x_axis.min) /

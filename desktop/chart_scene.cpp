@@ -365,6 +365,7 @@ QChart* ChartScene::addChart(const QRectF& area, const AxisScale& x_scale, const
     axis->setTitleText(title);
     axis->setTitleVisible(false);
     axis->setLabelsVisible(false);
+    axis->setVisible(!page_.schematic);
   };
   auto* x = new QValueAxis;
   auto* y = new QValueAxis;
@@ -377,7 +378,7 @@ QChart* ChartScene::addChart(const QRectF& area, const AxisScale& x_scale, const
   chart->layout()->invalidate();
   chart->layout()->activate();
   charts_.push_back(chart);
-  addLabels(area, x_scale, y_scale, x_title, y_title, x_labels, m);
+  if (!page_.schematic) addLabels(area, x_scale, y_scale, x_title, y_title, x_labels, m);
   return chart;
 }
 
