@@ -51,6 +51,7 @@ RunRequest run_of(const Subject& subject, const AccuracySetting& setting, double
 struct Trial {
   AccuracyRow row;
   results::KeyResults results;
+  bool refused = false;  ///< before anything ran: no tolerance changes that
   [[nodiscard]] bool good() const { return row.failure.empty(); }
 };
 
@@ -80,6 +81,7 @@ Trial try_setting(const Subject& subject, const AccuracySetting& setting, double
     }
   } catch (const InputError& error) {
     out.row.failure = error.what();
+    out.refused = true;
   } catch (const SolverError& error) {
     out.row.failure = error.what();
   }
@@ -247,9 +249,7 @@ class Study {
       Trial row = trial(earlier_.screening, setting, study_.short_turns, most);
       // So does a method that is refused, and one whose steps its stability bounds in any case.
       const bool twin = has_twin(row.row);
-      if (row.row.failure.find("is refused for this deck") != std::string::npos || twin ||
-          (row.good() && row.row.at_longest > kAtLongest))
-        settled = group;
+      if (row.refused || twin || (row.good() && row.row.at_longest > kAtLongest)) settled = group;
       if (!twin) add(study_.screening, row, study_.short_reference.results);
     }
     judge(study_.screening);
