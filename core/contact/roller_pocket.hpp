@@ -19,7 +19,11 @@
 ///   gap_k = |w_k - p_k| - r_k √(1 - (m_k·u)²),  contact X_k = p_k + r_k (m_k - (m_k·u) u)/√(1 -
 ///   (m_k·u)²)
 /// exact on a plane face, second order in the tilt at its edges and in a round pocket [derived].
-/// On a plane the force -Q m at X_k is minus the gradient of ∫Q dδ.
+/// Minus the gradient of ∫Q dδ is the force -Q m at X_k, and where m turns as the roller moves
+/// (around the wall of a round pocket or an edge, ∂m/∂p = c t tᵀ with t across m and the wall's
+/// line) besides it Q h at p_k, h = r_k (m·u)/√(1 - (m·u)²) c (t·u) t [derived]: a leaning disc
+/// touches beside the direction from the pocket's axis. Without h a roller that leans by λ in a
+/// play e takes Q λ² r/e of force from nowhere.
 /// Limit: the middle of the roller stays within the pocket.
 namespace adore::contact {
 
@@ -58,16 +62,19 @@ struct RoundPocket {
 };
 
 struct PocketSlice {
-  double gap = 0.0;           ///< negative in contact [m]
-  double fraction = 1.0;      ///< of the slice that lies beside the face
-  double position = 0.0;      ///< of the slice along the surface, from its centre [m]
-  Vec3 m = Vec3::Zero();      ///< unit, from the roller into the surface
-  Vec3 point = Vec3::Zero();  ///< X
+  double gap = 0.0;            ///< negative in contact [m]
+  double fraction = 1.0;       ///< of the slice that lies beside the face
+  double position = 0.0;       ///< of the slice along the surface, from its centre [m]
+  Vec3 m = Vec3::Zero();       ///< unit, from the roller into the surface
+  Vec3 point = Vec3::Zero();   ///< X
+  Vec3 middle = Vec3::Zero();  ///< p
+  Vec3 aside = Vec3::Zero();   ///< h
 };
 
 namespace detail {
-inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u,
-                  double radius) noexcept {
+/// @param line along the wall; turning: c, how m turns around it [1/m]
+inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u, double radius,
+                  const Vec3& line, double turning) noexcept {
   const Vec3 away = w - p;
   const double distance = away.norm();
   out.m = distance > 0.0 ? Vec3(away / distance) : Vec3::Zero();
@@ -75,6 +82,9 @@ inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u,
   const double across = std::sqrt(std::max(1.0 - lean * lean, 1e-12));
   out.gap = distance - radius * across;
   out.point = p + (radius / across) * (out.m - lean * u);
+  out.middle = p;
+  const Vec3 t = line.cross(out.m);
+  out.aside = (radius * lean / across * turning * t.dot(u)) * t;
 }
 }  // namespace detail
 
@@ -82,10 +92,12 @@ inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u,
 [[nodiscard]] inline PocketSlice slice_at_face(const PocketFace& face, const Vec3& p, const Vec3& u,
                                                double radius, double half_slice) noexcept {
   const Vec3 d = p - face.centre;
-  const double along = d.dot(face.along);
-  const double across = std::clamp(d.dot(face.across), -face.half_width, face.half_width);
+  const double along = d.dot(face.along), beside = d.dot(face.across);
+  const double across = std::clamp(beside, -face.half_width, face.half_width);
+  const Vec3 w = face.centre + along * face.along + across * face.across;
   PocketSlice out;
-  detail::touch(out, face.centre + along * face.along + across * face.across, p, u, radius);
+  const double turning = across == beside ? 0.0 : -1.0 / std::max((w - p).norm(), 1e-12);
+  detail::touch(out, w, p, u, radius, face.along, turning);
   out.position = (out.point - face.centre).dot(face.along);
   if (std::isfinite(face.half_length)) {
     const double half = half_slice * std::abs(u.dot(face.along));
@@ -100,18 +112,36 @@ inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u,
                                                 const Vec3& u, double radius) noexcept {
   const double from_axis = std::max(std::hypot(p[1], p[2]), 1e-12 * pocket.radius);
   // Foot of the normal from the middle of the slice.
-  const double x =
+  double x =
       p[0] + (pocket.radius_at(p[0]) - from_axis) * pocket.cosine * pocket.cosine * pocket.taper;
-  const double radius_2 = pocket.radius_at(x) * pocket.radius_at(x);
-  double z = std::clamp(pocket.radius_at(x) * p[2] / from_axis, pocket.z_low, pocket.z_high);
-  double y = std::copysign(std::sqrt(std::max(radius_2 - z * z, 0.0)), p[1]);
+  double reach = pocket.radius_at(x);
+  double z = reach * p[2] / from_axis;
+  bool edge = !(z >= pocket.z_low && z <= pocket.z_high);
+  z = std::clamp(z, pocket.z_low, pocket.z_high);
+  double y = std::copysign(std::sqrt(std::max(reach * reach - z * z, 0.0)), p[1]);
   if (pocket.half != 0 && pocket.half * y < pocket.cut) {  // the nearer edge of the cut
-    const double high = std::sqrt(std::max(radius_2 - pocket.cut * pocket.cut, 0.0));
+    const double high = std::sqrt(std::max(reach * reach - pocket.cut * pocket.cut, 0.0));
     z = std::clamp(std::copysign(high, p[2]), pocket.z_low, pocket.z_high);
-    y = pocket.half * std::sqrt(std::max(radius_2 - z * z, 0.0));
+    y = pocket.half * std::sqrt(std::max(reach * reach - z * z, 0.0));
+    edge = true;
   }
   PocketSlice out;
-  detail::touch(out, {x, y, z}, p, u, radius);
+  if (!edge) {
+    // m = cos ν e_r + sin ν x.
+    detail::touch(out, {x, y, z}, p, u, radius, Vec3::UnitX(), 1.0 / (from_axis * pocket.cosine));
+  } else {
+    // The edge at this z is a hyperbola, all but straight: Newton for its point nearest to p.
+    Vec3 line = Vec3::UnitX();
+    for (int pass = 0; pass < 2 && pocket.taper != 0.0 && y != 0.0; ++pass) {
+      line[1] = -reach * pocket.taper / y;
+      x += (p - Vec3(x, y, z)).dot(line) / line.squaredNorm();
+      reach = pocket.radius_at(x);
+      y = std::copysign(std::sqrt(std::max(reach * reach - z * z, 0.0)), y);
+    }
+    const Vec3 w(x, y, z);
+    const double turning = -1.0 / std::max((w - p).norm(), 1e-12);
+    detail::touch(out, w, p, u, radius, line.normalized(), turning);
+  }
   out.position = out.point[0];
   return out;
 }

@@ -6,6 +6,8 @@
 #include "contact/slice_traction.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -37,6 +39,8 @@ struct RollerRaceSlices {
   double E_star = 0.0;    ///< for the pressure, which only some laws of traction ask for [Pa]
   std::size_t count = 0;  ///< slices
   std::vector<double> s, radius, width;  ///< [m]
+  /// A cone about the roller that holds all slices: where it ends, and its radii there [m].
+  std::array<double, 2> end{}, around{};
 
   static constexpr std::size_t kPadding = 8;  ///< doubles of the widest vector
 };
@@ -44,7 +48,7 @@ struct RollerRaceSlices {
                                                          std::span<const RollerSlice> slices,
                                                          double width, const PowerLaw& law,
                                                          double E_star) {
-  RollerRaceSlices out{race, law, E_star, slices.size(), {}, {}, {}};
+  RollerRaceSlices out{race, law, E_star, slices.size(), {}, {}, {}, {}, {}};
   const std::size_t padded = (slices.size() + RollerRaceSlices::kPadding - 1) /
                              RollerRaceSlices::kPadding * RollerRaceSlices::kPadding;
   for (std::size_t k = 0; k < padded; ++k) {
@@ -53,6 +57,13 @@ struct RollerRaceSlices {
     out.radius.push_back(slice.radius);
     out.width.push_back(k < slices.size() ? width : 0.0);
   }
+  const RollerSlice &first = slices.front(), &last = slices.back();
+  const double rise = slices.size() > 1 ? (last.radius - first.radius) / (last.s - first.s) : 0.0;
+  double beyond = 0.0;
+  for (const RollerSlice& slice : slices)
+    beyond = std::max(beyond, slice.radius - first.radius - rise * (slice.s - first.s));
+  out.end = {first.s, last.s};
+  out.around = {first.radius + beyond, last.radius + beyond};
   return out;
 }
 
@@ -67,9 +78,34 @@ struct RollerRaceAction {
 };
 
 [[nodiscard]] inline RaceSlices view_of(const RollerRaceSlices& slices) noexcept {
-  return {
-      slices.race,     slices.law,      slices.E_star,        !std::isinf(slices.race.land_width),
-      slices.s.size(), slices.s.data(), slices.radius.data(), slices.width.data()};
+  return {slices.race,
+          slices.law,
+          slices.E_star,
+          !std::isinf(slices.race.land_width),
+          slices.s.size(),
+          slices.s.data(),
+          slices.radius.data(),
+          slices.width.data(),
+          {slices.end[0], slices.end[1]},
+          {slices.around[0], slices.around[1]}};
+}
+
+/// No slice can touch: a bound from the pose alone, for races along cones; of grooves never known.
+/// Depth grows by no more than the way, so that a slice about P is no deeper than φ(P) + ρ; along
+/// the roller axis that bound is convex with r (outer race) or with r's part in the meridian plane,
+/// which is no more (inner race), so that it is greatest at an end. Crowns recede from the cone.
+[[nodiscard]] inline bool surely_open(const RaceSlices& slices, double x, double r,
+                                      const Triple<double>& axis) noexcept {
+  const RaceSurface& race = slices.race;
+  if (race.shape == RaceSurface::Shape::Groove) return false;
+  for (int k = 0; k < 2; ++k) {
+    const double s = slices.end[k], z = r + s * axis.z, y = s * axis.y;
+    const double from_axis = race.side == 0 ? std::sqrt(y * y + z * z) : z;
+    const double depth = race.sigma() * ((from_axis - race.radius) * race.cos_angle +
+                                         (x + s * axis.x) * race.sin_angle);
+    if (!(depth + slices.around[k] < 0.0)) return false;
+  }
+  return true;
 }
 
 /// A roller as the sums read it, and the way back to the frame of its pose.

@@ -22,6 +22,8 @@ struct RaceSlices {
   bool limited = false;  ///< the land has an end
   std::size_t count = 0;
   const double *s = nullptr, *radius = nullptr, *width = nullptr;  ///< [m]
+  // A cone about the roller that holds all slices: where it ends, and its radii there [m].
+  double end[2] = {0.0, 0.0}, around[2] = {0.0, 0.0};
 };
 
 /// What a traction that knows a lubricant's film may know of a slice. SI.
@@ -43,6 +45,7 @@ struct RollerPose {
   SliceAxes axes;
   Triple<double> velocity{}, omega{};
   Triple<double> spin{};  ///< ω of the roller less that of its orbit, read by films only [rad/s]
+  bool open = false;      ///< surely_open (roller_race.hpp): not computed
 };
 
 template <class T>

@@ -2,11 +2,25 @@
 
 #include "base/symmetric_eigen.hpp"
 #include "contact/slice_circle.hpp"
+#include "dynamics/race_contacts.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace adore::dynamics {
+
+namespace {
+
+RollerSpringsKernel kernel_of(InstructionSet set) noexcept {
+#if defined(__x86_64__)
+  if (set == InstructionSet::Avx512) return roller_springs_avx512;
+  if (set == InstructionSet::Avx2) return roller_springs_avx2;
+#endif
+  (void)set;
+  return roller_springs_baseline;
+}
+
+}  // namespace
 
 /// One race with its flanges at a roller.
 struct HeldRollers::Contact {
@@ -44,12 +58,18 @@ struct HeldRollers::Contact {
 
 HeldRollers::HeldRollers(statics::RollerModel model, const bearing::Imperfections& errors,
                          ElementMasses masses)
-    : model_(std::move(model)), masses_(std::move(masses)) {
-  for (std::size_t j = 0; j < 2; ++j)
+    : model_(std::move(model)),
+      kernel_(kernel_of(chosen_instruction_set())),
+      masses_(std::move(masses)) {
+  for (std::size_t j = 0; j < 2; ++j) {
+    for (const statics::RollerBody& body : model_.bodies)
+      slices_[j].push_back(contact::roller_race_slices(
+          body.race[j], body.slices, model_.slicing.width, model_.law[j], model_.E_star[j]));
     if (!errors.race[j].ideal())
       wavy_[j] = contact::make_wavy_race(errors.race[j], model_.race[j],
                                          model_.rollers.race_radius(static_cast<int>(j)),
                                          model_.rollers.crown_radius);
+  }
 }
 
 HeldRollers::Contact HeldRollers::contact(const Evaluation& e, std::size_t i, std::size_t j,
@@ -61,18 +81,26 @@ HeldRollers::Contact HeldRollers::contact(const Evaluation& e, std::size_t i, st
   out.turn = contact::meridian_turn(C[1], C[2], out.r);
   out.axis = out.into(e.attitude[i].col(0));
   const statics::Vec4 p(C[0], out.r, out.axis[2], out.axis[1]);
-  if (wavy_[j]) {  // then each roller has a body of its own
-    model_.bodies[i].race[j] =
-        wavy_[j]
-            ->at(contact::azimuth_in_turned(out.turn, std::cos(race.turn_beyond),
-                                            std::sin(race.turn_beyond)))
-            .surface;
+  contact::RaceSlices slices = contact::view_of(slices_[j][slices_[j].size() == 1 ? 0 : i]);
+  if (wavy_[j])
+    slices.race = wavy_[j]
+                      ->at(contact::azimuth_in_turned(out.turn, std::cos(race.turn_beyond),
+                                                      std::sin(race.turn_beyond)))
+                      .surface;
+  const statics::SliceTurns axes = statics::slice_turns(p(2), p(3));
+  if (!contact::surely_open(slices, p(0), p(1), axes.a)) {
+    RollerSprings springs;
+    kernel_(slices, axes, p(0), p(1), springs);
+    using Rows = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
+    out.potential.gradient = Eigen::Map<const statics::Vec4>(springs.gradient);
+    out.potential.hessian = Eigen::Map<const Rows>(&springs.hessian[0][0]);
+    out.potential.total = springs.load;
+    out.potential.stiffness = springs.stiffness;
   }
-  const statics::RollerBody& body = model_.body(i);
-  statics::add_race(model_, body, j, p, out.potential);
-  for (const statics::FlangePair& flange : body.flanges)
+  // How a flange's gap curves is left out: 1/R of its contact against 1.5/δ.
+  for (const statics::FlangePair& flange : model_.body(i).flanges)
     if (flange.race == static_cast<int>(j) && !flange.surely_open(p))
-      statics::add_flange(flange, p, true, out.potential);
+      statics::add_flange(flange, p, false, out.potential);
   const statics::Vec4& g = out.potential.gradient;
   out.side = (g(2) * out.axis[1] - g(3) * out.axis[2]) / out.r;
   return out;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "contact/race_errors.hpp"
+#include "contact/roller_race.hpp"
 #include "dynamics/element_masses.hpp"
 #include "dynamics/held_contacts.hpp"
+#include "dynamics/roller_springs.hpp"
 #include "statics/roller_model.hpp"
 
 #include <array>
@@ -14,7 +16,8 @@
 /// ω of the roller, both relative to the race, with the axes (A, y', e) of statics/roller_pose.hpp,
 ///   ẋ' = v·A,  ṙ' = v·e,  ė = (v·y'/r') y',  ȧ = ω × a,  ṫ = ȧ·e + a·ė,  ḟ = ȧ·y' + a·ẏ',
 ///   ġ = H ṗ,  Ḟ = -(ġ_x A + ġ_r e + g_r ė + ṡ y' + s ẏ'),  s = (g_t f - g_f t)/r'   [derived].
-/// Limit: the springs leave out how a race with errors changes as it turns.
+/// Limit: the springs leave out how a race with errors changes as it turns, and how the gap of a
+/// flange curves (1/R of its contact against 1.5/δ): a matter of the way to balance alone.
 namespace adore::dynamics {
 
 class HeldRollers final : public HeldContacts {
@@ -37,7 +40,10 @@ class HeldRollers final : public HeldContacts {
   [[nodiscard]] Contact contact(const Evaluation& e, std::size_t i, std::size_t j,
                                 const Vec3& centre) const noexcept;
 
-  mutable statics::RollerModel model_;  ///< races with errors as they are at their rollers now
+  statics::RollerModel model_;
+  /// By race, one for all rollers or one by roller.
+  std::array<std::vector<contact::RollerRaceSlices>, 2> slices_;
+  RollerSpringsKernel kernel_;
   std::array<std::optional<contact::WavyRace>, 2> wavy_;
   ElementMasses masses_;
 };

@@ -33,6 +33,10 @@ template <class Traction>
 void evaluate_rollers(const RollerKernelInput& in, const Traction& traction) {
   if (in.slopes != nullptr) {
     for (std::size_t i = 0; i < in.n; ++i) {
+      if (in.rollers[i].open) {
+        in.out[i] = {};
+        continue;
+      }
       const auto sums =
           contact::roller_race_sums<V>(in.slices[i], in.rollers[i], traction, in.slopes[i]);
       put(sums, in.out[i]);
@@ -40,9 +44,13 @@ void evaluate_rollers(const RollerKernelInput& in, const Traction& traction) {
     }
     return;
   }
-  for (std::size_t i = 0; i < in.n; ++i)
-    put(contact::roller_race_sums<V>(in.slices[in.alike ? 0 : i], in.rollers[i], traction),
-        in.out[i]);
+  for (std::size_t i = 0; i < in.n; ++i) {
+    if (in.rollers[i].open)
+      in.out[i] = {};
+    else
+      put(contact::roller_race_sums<V>(in.slices[in.alike ? 0 : i], in.rollers[i], traction),
+          in.out[i]);
+  }
 }
 
 template <class Law>

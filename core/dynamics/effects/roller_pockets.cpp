@@ -274,8 +274,9 @@ class RollerPocketBlock final : public EffectBlock {
         if (!set_.is_there(i, k) || set_.surely_open(i, k, at)) continue;
         set_.for_slices(i, k, at,
                         [&](const contact::PocketSlice& slice, double load, double energy) {
-                          if (load > 0.0)
-                            push(friction, e, i, at, slice.m, slice.point, load, energy);
+                          if (!(load > 0.0)) return;
+                          push(friction, e, i, at, slice.m, slice.point, load, energy);
+                          if (!slice.aside.isZero(0.0)) lean(e, i, at, slice, load);
                         });
       }
       set_.for_ends(i, at, [&](const contact::EndTouch& touch, double load, double energy) {
@@ -288,6 +289,9 @@ class RollerPocketBlock final : public EffectBlock {
   void push(const Friction& friction, Evaluation& e, std::size_t i,
             const RollerPocketSet::Place& at, const Vec3& into, const Vec3& point, double load,
             double energy) noexcept;
+  /// What a leaning slice is pushed aside (contact/roller_pocket.hpp).
+  void lean(Evaluation& e, std::size_t i, const RollerPocketSet::Place& at,
+            const contact::PocketSlice& slice, double load) noexcept;
 
   const RollerPocketSet& set_;
   tribology::TractionLaw law_;
@@ -318,6 +322,19 @@ void RollerPocketBlock<Traction>::push(const Friction& friction, Evaluation& e, 
   e.add_moment(roller, e.to_cylindrical(roller, arm.cross(f)));
   cage.add_force(-f, X);
   e.elastic += energy;
+}
+
+template <bool Traction>
+void RollerPocketBlock<Traction>::lean(Evaluation& e, std::size_t i,
+                                       const RollerPocketSet::Place& at,
+                                       const contact::PocketSlice& slice, double load) noexcept {
+  const std::size_t roller = set_.element(i);
+  const Vec3 arm =
+      at.to_base * (slice.middle - at.q) - set_.mass_offset() * e.attitude[roller].col(0);
+  const Vec3 f = at.to_base * (load * slice.aside);
+  e.add_force(roller, e.to_cylindrical(roller, f));
+  e.add_moment(roller, e.to_cylindrical(roller, arm.cross(f)));
+  e.segments[set_.segment(i)].add_force(-f, e.element_centre(roller) + arm);
 }
 
 class RollerPockets final : public SceneEffect, public ElementSupport {

@@ -150,6 +150,10 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
     turns_[i] = in.turn;
   }
   if (!slopes_.empty()) form_race(race);
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    contact::RollerPose& at = poses_[i];
+    at.open = contact::surely_open(views_[views_.size() == 1 ? 0 : i], at.x, at.r, at.axes.a);
+  }
   kernel_({views_.data(), views_.size() == 1, poses_.size(), poses_.data(),
            slopes_.empty() ? nullptr : slopes_.data(), actions_.data(), model_.traction,
            model_.law.index(), model_.law.address(), model_.law.slip_floor()});

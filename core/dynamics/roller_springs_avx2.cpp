@@ -1,0 +1,13 @@
+// Compiled with the flags that core/CMakeLists.txt sets for this file on x86-64; empty elsewhere.
+#if defined(__x86_64__)
+#include "dynamics/roller_springs_impl.hpp"
+
+namespace adore::dynamics {
+
+void roller_springs_avx2(const contact::RaceSlices& slices, const statics::SliceTurns& axes,
+                         double x, double r, RollerSprings& out) noexcept {
+  sum_springs(slices, axes, x, r, out);
+}
+
+}  // namespace adore::dynamics
+#endif

@@ -1,0 +1,72 @@
+#include "contact/roller_pocket.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+/// The force of a pocket on a slice is the gradient of its gap, also where the roller leans.
+using namespace adore;
+using contact::PocketSlice;
+
+namespace {
+
+constexpr double kRadius = 4.75e-3;
+
+/// ∂gap/∂p told against differences, and against what the normal alone would be.
+struct Gradients {
+  double error = 0.0, of_normal = 0.0;
+};
+template <class Touch>
+Gradients compare(const Vec3& p, const Touch& touch) {
+  const PocketSlice here = touch(p);
+  Vec3 slope;
+  constexpr double kStep = 1e-9;
+  for (int k = 0; k < 3; ++k)
+    slope[k] = (touch(p + kStep * Vec3::Unit(k)).gap - touch(p - kStep * Vec3::Unit(k)).gap) /
+               (2.0 * kStep);
+  return {(slope - (here.aside - here.m)).norm(), (slope + here.m).norm()};
+}
+
+}  // namespace
+
+TEST_CASE("a slice that leans in a round pocket is pushed along the gradient of its gap",
+          "[unit][cage][pocket]") {
+  const double nu = 0.0336;
+  contact::RoundPocket pocket{kRadius + 1.25e-4, -3e-3, 3e-3, 0, 0.0, std::tan(nu), std::cos(nu)};
+  const Vec3 u = Vec3(1.0, 0.02, -0.07).normalized();
+  for (const double azimuth : {0.1, 0.4, -0.3, 2.9, 3.5}) {
+    const Vec3 p(2e-3, 1.3e-4 * std::cos(azimuth), 1.3e-4 * std::sin(azimuth));
+    const Gradients g =
+        compare(p, [&](const Vec3& at) { return contact::slice_in_round(pocket, at, u, kRadius); });
+    CAPTURE(azimuth, g.error, g.of_normal);
+    CHECK(g.error < 1e-6);
+    CHECK(g.of_normal > 1e-3);
+  }
+  SECTION("at the edge of the wall, and of a half that is cut away") {
+    for (const int half : {0, 1}) {
+      pocket.half = half;
+      pocket.cut = half == 0 ? 0.0 : 2e-3;
+      const Vec3 p(1e-3, half == 0 ? 2e-5 : -1.5e-4, 1.6e-4);
+      const Gradients g = compare(
+          p, [&](const Vec3& at) { return contact::slice_in_round(pocket, at, u, kRadius); });
+      CAPTURE(half, g.error, g.of_normal);
+      CHECK(g.error < 1e-5);  // the edge of a tapered wall is slightly curved, which is left out
+      CHECK(g.of_normal > 5e-4);
+    }
+  }
+}
+
+TEST_CASE("a slice that leans on the edge of a face is pushed along the gradient of its gap",
+          "[unit][cage][pocket]") {
+  contact::PocketFace face;
+  face.centre = {0.0, kRadius, 2e-3};
+  face.half_width = 1e-3;
+  const Vec3 u = Vec3(1.0, 0.05, 0.03).normalized();
+  for (const double z : {-2e-3, 0.0, 2e-3}) {
+    const Vec3 p(1e-3, 1e-4, z);
+    const Gradients g = compare(
+        p, [&](const Vec3& at) { return contact::slice_at_face(face, at, u, kRadius, 1e-4); });
+    CAPTURE(z, g.error, g.of_normal);
+    CHECK(g.error < 1e-6);
+  }
+}
