@@ -1,0 +1,86 @@
+"""Adore, a rolling-bearing dynamics suite, as a library.
+
+>>> import adore
+>>> deck = adore.new("ball")                  # or adore.read("DATA.txt")
+>>> deck.rpm2 = 12000
+>>> deck.statics().summary["largest_contact_load_N"]
+>>> run = deck.run("results", until="1rev")   # Ctrl-C leaves valid files
+>>> run["contact.load"]                       # steps, elements, races [N]
+
+Decks: :func:`new`, :func:`read`, :class:`Deck`. Runs: :meth:`Deck.run`, :func:`open_run`. Files: :func:`read_table`.
+Calculators: :mod:`adore.calc`. Errors: :mod:`adore.errors`. Code is never loaded because of what a deck or a file says.
+"""
+
+from __future__ import annotations
+
+from typing import Dict, Tuple
+
+from . import _core, calc, errors, pictures, schema, units
+from ._core import Issue, Progress
+from .deck import Deck, Record, check, examples, new, read
+from .errors import (
+    AdoreError,
+    DeckWarning,
+    InputError,
+    InternalError,
+    Interrupted,
+    PicturesMissingError,
+    ResultsExistError,
+    RunFailed,
+    SolverError,
+    UnitError,
+    UntrustedResult,
+)
+from .pictures import Picture, Pictures
+from .results import Channels, describe, read_table
+from .run import Plan, Run, Statics, open_run
+
+__version__: str = _core.__version__
+
+__all__ = [
+    "AdoreError",
+    "Channels",
+    "Deck",
+    "DeckWarning",
+    "InputError",
+    "InternalError",
+    "Interrupted",
+    "Issue",
+    "Picture",
+    "Pictures",
+    "PicturesMissingError",
+    "Plan",
+    "Progress",
+    "Record",
+    "ResultsExistError",
+    "Run",
+    "RunFailed",
+    "SolverError",
+    "Statics",
+    "UnitError",
+    "UntrustedResult",
+    "calc",
+    "check",
+    "describe",
+    "errors",
+    "examples",
+    "new",
+    "open_run",
+    "pictures",
+    "read",
+    "read_table",
+    "require_reproducible",
+    "run_options",
+    "schema",
+    "units",
+]
+
+
+def run_options() -> Dict[str, Tuple[str, str]]:
+    """Run options, which a deck cannot say: default and meaning by name."""
+    return {name: (default, meaning) for name, default, meaning in _core.run_options()}
+
+
+def require_reproducible() -> None:
+    """Every later run of this process gives the same bytes on any x86-64 processor; call it before the first run."""
+    _core.require_reproducible()

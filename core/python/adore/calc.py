@@ -1,0 +1,98 @@
+"""The component calculators of ``adore calc``: Hertz contacts, films, traction, life, fits ...
+
+>>> adore.calc.hertz.example()
+>>> adore.calc.material(code=100)["E"]
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+from typing import Any, Dict, List, Mapping, Optional
+
+from . import _core
+from .errors import InputError
+
+__all__ = ["Calculator", "Result", "calculate", "calculators"]
+
+
+class Result(Dict[str, Any]):
+    """The results of a calculator by name; ``units`` has the unit of each that has one."""
+
+    def __init__(self, values: Mapping[str, Any]) -> None:
+        super().__init__({k: v for k, v in values.items() if k != "units"})
+        #: Unit of each result, e.g. {"a": "m", "table[].Q": "N"}.
+        self.units: Dict[str, str] = dict(values.get("units", {}))
+
+    def __getattr__(self, name: str) -> Any:
+        if name in self:
+            return self[name]
+        raise AttributeError(f"there is no result {name}; there are {', '.join(self)}")
+
+    def __dir__(self) -> List[str]:
+        return [*super().__dir__(), *(k for k in self if k.isidentifier())]
+
+
+def _plain(value: Any) -> Any:
+    """NumPy numbers and arrays as JSON has them."""
+    return value.tolist() if hasattr(value, "tolist") else str(value)
+
+
+class Calculator:
+    """One calculator: call it with its inputs by name, or with a dictionary."""
+
+    def __init__(self, name: str, purpose: str) -> None:
+        self.name = name
+        self.purpose = purpose
+
+    @property
+    def __doc__(self) -> str:  # type: ignore[override]
+        return _core.describe_calculator(self.name)
+
+    def describe(self) -> str:
+        """Inputs and results with units, and an example, as text."""
+        return _core.describe_calculator(self.name)
+
+    def calculations(self) -> List[Dict[str, Any]]:
+        """The same as data: for each kind of calculation its inputs, results and an example."""
+        return list(json.loads(_core.describe_calculator_json(self.name))["calculations"])
+
+    def example(self, kind: Optional[str] = None) -> Dict[str, Any]:
+        """Inputs that it takes; of the first kind of calculation unless another is named."""
+        for calculation in self.calculations():
+            if kind is None or calculation.get("kind") == kind:
+                return dict(calculation["example"])
+        kinds = ", ".join(str(c.get("kind")) for c in self.calculations())
+        raise InputError(f"{self.name} has no calculation of kind {kind}; it has {kinds}")
+
+    def __call__(self, inputs: Optional[Mapping[str, Any]] = None, **more: Any) -> Result:
+        text = json.dumps({**(inputs or {}), **more}, default=_plain)
+        return Result(json.loads(_core.calculate(self.name, text)))
+
+    def __repr__(self) -> str:
+        return f"<adore.calc.{self.name}: {self.purpose}>"
+
+
+@functools.lru_cache(maxsize=None)
+def calculators() -> Dict[str, Calculator]:
+    """All of them by name."""
+    return {name: Calculator(name, purpose) for name, purpose in _core.calculator_list()}
+
+
+def calculate(name: str, inputs: Optional[Mapping[str, Any]] = None, **more: Any) -> Result:
+    """A calculator by its name, with dashes as ``adore calc --list`` has them."""
+    found = calculators().get(name)
+    if found is None:
+        raise InputError(f'there is no calculator named "{name}"; adore.calc.calculators() has them')
+    return found(inputs, **more)
+
+
+def __getattr__(name: str) -> Calculator:
+    found = calculators().get(name) or calculators().get(name.replace("_", "-"))
+    if found is None:
+        raise AttributeError(f"there is no calculator named {name}; dir(adore.calc) lists them")
+    return found
+
+
+def __dir__() -> List[str]:
+    return [*__all__, *(name.replace("-", "_") for name in calculators())]

@@ -1,0 +1,533 @@
+"""Decks as objects: the variables of the manual as attributes, with units, help and completion."""
+
+from __future__ import annotations
+
+import html
+import os
+import re
+import sys
+import tempfile
+import warnings
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Callable, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _core, schema, units
+from .errors import DeckWarning, InputError, UnitError
+from .variables import DeckVariables
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+    from .run import Plan, Run, Statics
+
+__all__ = ["Deck", "Record", "check", "examples", "new", "read"]
+
+PathLike = Union[str, "os.PathLike[str]"]
+#: A number, a text, or an array of them.
+Value = Any
+ProgressCallback = Callable[[_core.Progress], Optional[bool]]
+
+_TARGET = re.compile(r"^\s*(\w+)\s*((?:\[\s*\d+\s*\]\s*)*)$")
+
+
+def _split(name: str) -> Tuple[str, List[int]]:
+    """"cageGcPos[2][3]" -> ("cageGcPos", [2, 3]); counted from 1 as the manual does."""
+    match = _TARGET.match(name)
+    if match is None:
+        raise InputError(f"{name}: the index cannot be understood; write name[1] or name[instance][element], counting from 1")
+    return match.group(1), [int(n) for n in re.findall(r"\d+", match.group(2))]
+
+
+def _text(value: Any, whole: bool) -> str:
+    """A value as a deck says it. @param whole: of an integer variable"""
+    if isinstance(value, str):
+        return "'" + value.replace("'", "''") + "'"
+    if isinstance(value, (bool, np.bool_)):
+        return str(int(value))
+    if isinstance(value, (int, np.integer)):
+        return str(int(value))
+    number = float(value)
+    return str(int(number)) if whole and number.is_integer() else repr(number)
+
+
+def _flat(value: Any) -> List[Any]:
+    if isinstance(value, str) or np.ndim(value) == 0:
+        return [value]
+    return list(value)
+
+
+class Record:
+    """A record of one deck: its variables as attributes, in the deck's units.
+
+    >>> deck = adore.new("ball")
+    >>> deck.record("5A").title
+    'Ball bearing geometry'
+    """
+
+    __slots__ = ("_deck", "id", "instance", "_spec")
+
+    def __init__(self, deck: Deck, id: str, instance: int) -> None:
+        object.__setattr__(self, "_deck", deck)
+        object.__setattr__(self, "id", id)
+        object.__setattr__(self, "instance", instance)
+        object.__setattr__(self, "_spec", schema.records()[id])
+
+    @property
+    def title(self) -> str:
+        """The manual's title."""
+        return str(self._spec.title)
+
+    @property
+    def names(self) -> Tuple[str, ...]:
+        """Its variables, without the label."""
+        return tuple(v.name for v in self._spec.variables[1:])
+
+    def _values(self) -> List[List[Any]]:
+        values = self._deck._core.values(self.id, self.instance)
+        if values is None:
+            raise InputError(f"this deck has no record {self.id}, instance {self.instance}, any more")
+        return list(values)
+
+    def __getattr__(self, name: str) -> Value:
+        for spec, values in zip(self._spec.variables, self._values()):
+            if spec.name == name and name != "recID":
+                return _array(values) if spec.length != "1" else values[0]
+        raise AttributeError(f"record {self.id} has no variable {name}; it has {', '.join(self.names)}")
+
+    def __setattr__(self, name: str, value: Value) -> None:
+        if name not in self.names:
+            raise AttributeError(f"record {self.id} has no variable {name}; it has {', '.join(self.names)}")
+        self._deck[f"{name}[{self.instance}]" if self._spec.repeat else name] = value
+
+    def __dir__(self) -> List[str]:
+        return [*self.names, "id", "instance", "names", "title"]
+
+    def _ipython_key_completions_(self) -> List[str]:
+        return list(self.names)
+
+    __getitem__ = __getattr__
+    __setitem__ = __setattr__
+
+    def __iter__(self) -> Iterator[Tuple[str, Value]]:
+        return ((name, getattr(self, name)) for name in self.names)
+
+    def _heading(self) -> str:
+        number = f" ({self.instance})" if self._spec.repeat else ""
+        return f"record {self.id}{number}: {self.title}"
+
+    def __repr__(self) -> str:
+        lines = [self._heading()]
+        for name, value in self:
+            unit = self._deck._core.unit(name)
+            lines.append(f"  {name} = {value!r}{' ' + unit if unit else ''}")
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            f"<tr><th style='text-align:left'>{html.escape(name)}</th><td>{html.escape(str(value))}</td>"
+            f"<td>{html.escape(self._deck._core.unit(name))}</td>"
+            f"<td style='text-align:left'>{html.escape(schema.variable(name).help)}</td></tr>"
+            for name, value in self
+        )
+        return f"<details><summary>{html.escape(self._heading())}</summary><table>{rows}</table></details>"
+
+
+def _array(values: Sequence[Any]) -> Any:
+    """Numbers as an array that nobody can write into: a changed element would not reach the deck."""
+    if any(v is None or isinstance(v, str) for v in values):
+        return tuple(values)
+    out = np.array(values)
+    out.setflags(write=False)
+    return out
+
+
+class Deck(DeckVariables):
+    """A deck. Its variables are attributes with the manual's names and the deck's units.
+
+    >>> deck = adore.new("ball")
+    >>> deck.nRe
+    16
+    >>> deck["pitchDia"] = 60.5, "mm"
+    >>> deck.get("pitchDia", "in")
+    2.3818897637795278
+
+    ``dir(deck)`` (and completion by the Tab key) lists the variables that this deck has. An array comes as a
+    read-only array; an element is set by the manual's name and counted from 1: ``deck["iCageGuide[2]"] = 1``.
+    A variable of a record that occurs several times comes with the instances first.
+    """
+
+    __slots__ = ("_core", "_options", "_path", "__weakref__")
+
+    def __init__(self, core: _core.Deck, path: Optional[Path] = None, options: Optional[Mapping[str, str]] = None) -> None:
+        object.__setattr__(self, "_core", core)
+        object.__setattr__(self, "_path", path)
+        object.__setattr__(self, "_options", dict(options or {}))
+
+    # Reading and writing.
+
+    @classmethod
+    def from_text(cls, text: str, name: str = "deck") -> Deck:
+        """A deck from its text; ``name`` is what messages call it."""
+        return cls(_core.Deck.from_text(text, name))
+
+    @property
+    def path(self) -> Optional[Path]:
+        """The file that it was read from or saved to; None without one."""
+        return self._path
+
+    def source(self) -> str:
+        """The text of the deck. Where values alone have changed, the remarks, blanks and spelling of the original
+        stay; a change that adds or drops records gives the plain text of all values."""
+        return self._core.text()
+
+    def save(self, path: Optional[PathLike] = None, *, overwrite: bool = False) -> Path:
+        """Writes the text of :meth:`source` to a file, by default the one that the deck came from.
+
+        Another file that exists is replaced with ``overwrite=True`` only."""
+        target = Path(path) if path is not None else self._path
+        if target is None:
+            raise InputError("this deck came from no file; name one: deck.save('DATA.txt')")
+        if target.is_dir():
+            target = target / "DATA.txt"
+        same = self._path is not None and target.exists() and target.samefile(self._path)
+        if target.exists() and not same and not overwrite:
+            raise InputError(f"{target} exists already; name another file, or give overwrite=True")
+        handle, temporary = tempfile.mkstemp(prefix=".adore-", dir=target.parent or ".")
+        try:
+            with os.fdopen(handle, "w", encoding="utf-8", newline="") as file:
+                file.write(self.source())
+            mode = target.stat().st_mode & 0o777 if target.exists() else 0o666 & ~_umask()
+            os.chmod(temporary, mode)
+            os.replace(temporary, target)
+        except BaseException:
+            os.unlink(temporary)
+            raise
+        object.__setattr__(self, "_path", target)
+        self._core.name = str(target)
+        return target
+
+    def copy(self, **changes: Value) -> Deck:
+        """A deck of its own, with other values where they are given: ``deck.copy(rpm2=12000)``."""
+        out = Deck(self._core.copy(), self._path, self._options)
+        if changes:
+            out.update(**changes)
+        return out
+
+    def in_units(self, system: str) -> Deck:
+        """The same bearing in "SI" or "English" units."""
+        return Deck(self._core.in_units(system), None, self._options)
+
+    # Variables.
+
+    @property
+    def records(self) -> Tuple[Record, ...]:
+        """The records of this deck, in order."""
+        return tuple(Record(self, id, instance) for id, instance in self._core.records())
+
+    def record(self, id: str, instance: int = 1) -> Record:
+        """One record, e.g. ``deck.record("5A")``."""
+        if self._core.values(id, instance) is None:
+            known = schema.records().get(id)
+            raise InputError(
+                f"this deck has no record {id}" + (f", instance {instance}" if instance != 1 else "")
+                + (f"; it belongs to decks with {known.condition}" if known else "; len(adore.schema.records()) are known")
+            )
+        return Record(self, id, instance)
+
+    def variables(self) -> List[str]:
+        """Names of the variables that this deck has, in deck order."""
+        seen: dict[str, None] = {}
+        for record in self.records:
+            seen.update(dict.fromkeys(record.names))
+        return list(seen)
+
+    def _find(self, name: str) -> Tuple[schema.RecordSpec, int]:
+        found = self._core.record_of(name)
+        if found is None:
+            schema.variable(name)  # refuses an unknown one
+            where = [r for r in schema.records().values() if any(v.name == name for v in r.variables)]
+            raise InputError(
+                f"{name}: this deck has no such record; it belongs to "
+                + " or ".join(f"record {r.id} (needed when `{r.condition}`)" for r in where)
+            )
+        return schema.records()[found[0]], found[1]
+
+    def _get(self, name: str, indices: Sequence[int] = ()) -> Value:
+        record, place = self._find(name)
+        instances = [i for id, i in self._core.records() if id == record.id]
+        values = [(self._core.values(record.id, i) or [])[place] for i in instances]
+        left, label = list(indices), name
+        out: Any = values if record.repeat else values[0]
+        for level, present in (("instance", bool(record.repeat)), ("element", record.variables[place].length != "1")):
+            if not present:
+                if level == "element":
+                    out = [v[0] for v in out] if isinstance(out[0], list) else out[0]
+                continue
+            if left:
+                at = left.pop(0)
+                if not 1 <= at <= len(out):
+                    raise InputError(f"{label}[{at}]: there are {len(out)} of them, counted from 1")
+                out, label = out[at - 1], f"{label}[{at}]"
+        if left:
+            raise InputError(f"{label}: it is a single value; leave out the index")
+        if isinstance(out, list):
+            return tuple(_array(v) for v in out) if out and isinstance(out[0], list) else _array(out)
+        return out
+
+    def get(self, name: str, unit: Optional[str] = None) -> Value:
+        """A value by the manual's name, ``"cageGsCls[2]"`` for an instance or element, in the deck's unit or in
+        another one: ``deck.get("rpm2", "rad/s")``, ``deck.get("pitchDia", "SI")``."""
+        bare, indices = _split(name)
+        value = self._get(bare, indices)
+        if unit is None:
+            return value
+        own = self._core.unit(bare)
+        if unit == own:
+            return value
+        if not own:
+            raise UnitError(f"{bare} is a number without a unit here")
+        scale = self._core.si_factor(bare) if unit == "SI" else units.factor(own, unit)
+        return value * scale if not isinstance(value, tuple) else tuple(np.asarray(v) * scale for v in value)
+
+    def unit(self, name: str) -> str:
+        """Unit of a variable in this deck; empty for pure numbers, codes and texts."""
+        bare = _split(name)[0]
+        self._find(bare)
+        return self._core.unit(bare)
+
+    def help(self, name: str) -> str:
+        """What a variable means, its unit, its codes and its range."""
+        return schema.variable(_split(name)[0]).text()
+
+    def set(self, name: str, value: Value, unit: Optional[str] = None) -> None:
+        """Sets a value by the manual's name: ``deck.set("pitchDia", 60.5, "mm")``."""
+        self.update({name: value if unit is None else (value, unit)})
+
+    def update(self, changes: Optional[Mapping[str, Value]] = None, **more: Value) -> None:
+        """Sets several variables as one change: options act before the records that they decide.
+
+        >>> deck.update(rpm2=12000, appLoadX=(0.8, "kN"))
+
+        When one of them is wrong, the deck stays as it was and :class:`adore.InputError` names every mistake. Records
+        that changed options bring in come with default values, and a :class:`adore.DeckWarning` says so."""
+        sets: List[Tuple[str, str]] = []
+        for name, value in {**(changes or {}), **more}.items():
+            sets.append((name, self._value_text(name, value)))
+        for issue in self._core.set_all(sets):
+            warnings.warn(issue.text, DeckWarning, stacklevel=2)
+
+    def _value_text(self, name: str, value: Value) -> str:
+        bare = _split(name)[0]
+        spec = schema.known(bare)
+        if spec is None:  # the deck refuses it, with all other mistakes
+            return ",".join(_text(v, False) for v in _flat(value if not isinstance(value, tuple) else value[0]))
+        if isinstance(value, tuple) and len(value) == 2 and isinstance(value[1], str) and spec.type != "string":
+            number, unit = value
+            own = self._core.unit(bare) or (spec.unit if self._core.record_of(bare) is None else "")
+            if unit == "SI":
+                scale = 1.0 / self._core.si_factor(bare)
+            elif unit == own:
+                scale = 1.0
+            elif not own:
+                raise UnitError(f"{bare} is a number without a unit here")
+            else:
+                scale = units.factor(unit, own)
+            value = number if scale == 1.0 else [_rounded(float(v) * scale) for v in _flat(number)]
+        return ",".join(_text(v, spec.type == "int") for v in _flat(value))
+
+    def __getattr__(self, name: str) -> Value:
+        if name.startswith("_"):
+            raise AttributeError(name)
+        try:
+            return self._get(name)
+        except InputError as error:
+            raise AttributeError(str(error)) from None
+
+    def __setattr__(self, name: str, value: Value) -> None:
+        if hasattr(type(self), name) and name not in schema.variable_names():
+            raise AttributeError(f"{name} is no variable of a deck and cannot be set")
+        self.update({name: value})
+
+    def __getitem__(self, name: str) -> Value:
+        return self.get(name)
+
+    def __setitem__(self, name: str, value: Value) -> None:
+        self.update({name: value})
+
+    def __contains__(self, name: object) -> bool:
+        return isinstance(name, str) and self._core.record_of(name) is not None
+
+    def __dir__(self) -> List[str]:
+        return [*(n for n in object.__dir__(self) if n not in schema.variable_names()), *self.variables()]
+
+    def _ipython_key_completions_(self) -> List[str]:
+        return self.variables()
+
+    def __eq__(self, other: object) -> bool:
+        return self._core == other._core if isinstance(other, Deck) else NotImplemented
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def differences(self, other: Deck) -> List[str]:
+        """What differs from another deck, a sentence each ("here" is this deck)."""
+        return self._core.differences(other._core)
+
+    # Run options.
+
+    @property
+    def options(self) -> dict[str, str]:
+        """Run options, which a deck cannot say; those of an ADORE.json beside the deck are read with it.
+        ``adore.run_options()`` lists them."""
+        return self._options
+
+    def _request(self, options: Optional[Mapping[str, Any]] = None) -> Tuple[str, str, dict[str, str]]:
+        merged = {**self._options, **(options or {})}
+        texts = {k: str(int(v)) if isinstance(v, bool) else str(v) for k, v in merged.items()}
+        return self.source(), self._core.name, texts
+
+    # What can be done with it.
+
+    def check(self) -> List[_core.Issue]:
+        """Every error, warning and note; empty when there is nothing to say."""
+        return _core.check(*self._request())
+
+    def plan(self, **options: Any) -> Plan:
+        """What a run would simulate, why, and at what cost."""
+        from .run import Plan
+
+        return Plan(*_core.plan(*self._request(options)))
+
+    def statics(self, **options: Any) -> Statics:
+        """The quasi-static equilibrium: loads, displacements, stiffness, life. Nothing is written."""
+        from .run import Statics
+
+        return Statics(_core.equilibrium(*self._request(options)))
+
+    def run(
+        self,
+        out: Optional[PathLike] = None,
+        *,
+        until: Union[str, float, None] = None,
+        integrator: Optional[str] = None,
+        tol: Optional[float] = None,
+        options: Optional[Mapping[str, Any]] = None,
+        progress: Union[bool, None, ProgressCallback] = None,
+        overwrite: bool = False,
+        resume: bool = False,
+    ) -> Run:
+        """Runs the deck: ``deck.run("results", until="2rev")``.
+
+        out: folder of the files; without it they go into a temporary folder that lives as long as the result.
+        until: end, as "5rev", "0.02s" or a dimensionless time; the deck's own unless given.
+        integrator, tol: instead of the deck's; ``options``: run options of this run.
+        progress: True shows a line, a callable gets an :class:`adore.Progress` up to 20 times a second and ends the
+        run by returning False; by default a line is shown when there is a terminal.
+        overwrite: results of an earlier run in the folder may be replaced; ``resume`` goes on with them.
+
+        The interpreter's lock is free while it runs. Ctrl-C ends it with valid files and raises
+        :class:`adore.Interrupted`; a run whose numerics gave up raises :class:`adore.RunFailed`, one whose results
+        cannot be trusted :class:`adore.UntrustedResult`; all of them carry ``run``."""
+        from .run import start_run
+
+        return start_run(self, out, until, integrator, tol, options, progress, overwrite, resume)
+
+    def sweep(
+        self,
+        variable: str,
+        first: float,
+        last: float,
+        count: int,
+        out: PathLike,
+        *,
+        until: Union[str, float, None] = None,
+        integrator: Optional[str] = None,
+        tol: Optional[float] = None,
+        options: Optional[Mapping[str, Any]] = None,
+        threads: int = 0,
+        progress: Union[bool, None, ProgressCallback] = None,
+        overwrite: bool = False,
+        resume: bool = False,
+    ) -> pd.DataFrame:
+        """Runs the deck with ``count`` evenly spaced values of one variable on all cores (or so many threads): the
+        table SWEEP.csv as a data frame, a row for each run, whose files stand in a folder each below ``out``."""
+        from .run import start_sweep
+
+        return start_sweep(self, variable, first, last, count, out, until, integrator, tol, options, threads, progress,
+                           overwrite, resume)  # fmt: skip
+
+    # For people.
+
+    def story(self) -> str:
+        """What the deck is and what running it does, in a few lines."""
+        return "\n".join(self._core.story())
+
+    def __repr__(self) -> str:
+        return f"<adore.Deck {self._core.name}: {len(self._core.records())} records>\n{self.story()}"
+
+    def _repr_html_(self) -> str:
+        records = "".join(record._repr_html_() for record in self.records)
+        return f"<b>{html.escape(self._core.name)}</b><pre>{html.escape(self.story())}</pre>{records}"
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+def _rounded(value: float) -> float:
+    """Without the last digits that a change of units brings in: 60.5 mm is 0.0605 m."""
+    return float(f"{value:.15g}")
+
+
+def new(name: str) -> Deck:
+    """A complete example deck: "ball", "cylindrical", "spherical", "tapered", "spherical-tapered" or another name of
+    :func:`adore.examples`."""
+    return Deck(_core.Deck.example(name))
+
+
+def read(path: PathLike = ".") -> Deck:
+    """Reads a deck, or the DATA.txt of a folder; run options of an ADORE.json beside it come with it.
+
+    Every error of the deck is in the :class:`adore.InputError` that it raises; warnings become
+    :class:`adore.DeckWarning`."""
+    core = _core.Deck.read(os.fspath(path))
+    for issue in core.warnings:
+        if issue.severity == "warning":
+            warnings.warn(issue.text, DeckWarning, stacklevel=2)
+    return Deck(core, Path(core.name), _core.options_beside(core.name))
+
+
+def check(path: PathLike = ".") -> List[_core.Issue]:
+    """Every error, warning and note of a deck file, also of one that cannot be read as a deck."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", DeckWarning)
+            return read(path).check()
+    except InputError as error:
+        if not error.issues:
+            raise
+        return error.issues
+
+
+def examples() -> dict[str, str]:
+    """The example decks: name and description."""
+    return dict(_core.examples())
+
+
+def show_progress(progress: Union[bool, None, ProgressCallback]) -> Optional[ProgressCallback]:
+    """The callback that ``progress`` means: a line on a terminal, nothing, or the caller's own."""
+    if callable(progress):
+        return progress
+    if progress is False or (progress is None and not sys.stderr.isatty()):
+        return None
+
+    def line(at: _core.Progress) -> None:
+        what = f"{at.step} of {at.runs}" if at.runs else f"{at.revolutions:.3f} rev"
+        end = "\n" if at.fraction >= 1.0 else ""
+        sys.stderr.write(f"\r{100.0 * at.fraction:5.1f} %  {what}, {at.remaining:.0f} s left   {end}")
+        sys.stderr.flush()
+
+    return line

@@ -1,0 +1,1200 @@
+"""Written by write_stubs.py from the record schema; do not edit."""
+
+import numpy as np
+
+class DeckVariables:
+    """Every variable that a deck may have; a deck has those of its own records."""
+
+    mode: int
+    """Record 1. Kind of simulation. 0 integrates the motion of every body; 1 and 2 replace fast contact vibration by
+    equilibrium and so allow larger steps; any negative value stops after the static solution."""
+    kDCR: int
+    """Record 1. Where the dynamic constraints of the races come from. The built-in ones let both races keep the
+    position of the static solution and turn at their given speeds."""
+    kDOF: int
+    """Record 1. Degrees of freedom suppressed on top of mode. A suppressed one keeps its initial velocity: its
+    acceleration is zero, no force balance is solved."""
+    kIcOpt: int
+    """Record 1. Where a dynamic run starts. Use -1 for a fresh study from an old end state, 1 to append to a run
+    that was stopped."""
+    kFnOpt: int
+    """Record 1. Names of the data files. The defaults are MASTER, FINAL and SOL1 to SOL8."""
+    kPrtOpt: int
+    """Record 1. How much of each printed step goes to PRINT.txt. Its sections are 1 rolling elements, 2 races and
+    cage, 3 applied parameters, 4 summary of the step."""
+    kPrtFreq: int
+    """Record 1. Step interval of printed output; step 0 is time zero."""
+    kPltFreq: int
+    """Record 1. Step interval at which records are stored in the plot files SOL1 to SOL7."""
+    kAGraf: int
+    """Record 1. Whether and at which step interval animation data is stored in SOL8."""
+    kLifeFreq: int
+    """Record 1. Step interval at which fatigue life is computed."""
+    kTherm: int
+    """Record 1. Thermal analysis. When on, records 3.5 and 9.7 describe coolant and heat flow, and temperatures
+    follow the heat that the run generates."""
+    maxStps: int
+    """Record 1. Largest number of counted steps; the run ends at this or at fTime, whichever comes first."""
+    nStps: int
+    """Record 1. Integration steps inside one counted step, of which only the last is counted and stored. 0 and 1
+    mean that every step counts."""
+    intMet: int
+    """Record 1. Integration method. Order 5 of the explicit family suits most runs; codes above 18 are extensions
+    that the classic program does not know."""
+    stpInit: float
+    """Record 2.1. First trial step in dimensionless time (multiples of the time scale that PRINT.txt reports). 0 in
+    a continuation reuses the last step kept in MASTER."""
+    stpMin: float
+    """Record 2.1. Smallest step, dimensionless. A step of this size is accepted whatever its error and counted;
+    equal to stpMax it asks for a constant step."""
+    stpMax: float
+    """Record 2.1. Largest step, dimensionless. It bounds how coarse plots get."""
+    fTime: float
+    """Record 2.1. End time, dimensionless."""
+    tol: float
+    """Record 2.1. Error allowed per step, relative to the scales of the problem. Smaller is more accurate and
+    slower."""
+    qFac: float
+    """Record 2.1. Contact load over largest applied load at or below which an element is held in force balance
+    although mode is 0. 0 never does."""
+    kFD11: int
+    """Record 2.2. Translation constraint of the outer race along x. 0 sets the race free to move under its load."""
+    kFD21: int
+    """Record 2.2. Translation constraint of the outer race along y. 0 sets the race free to move under its load."""
+    kFD31: int
+    """Record 2.2. Translation constraint of the outer race along z. 0 sets the race free to move under its load."""
+    kFD12: int
+    """Record 2.2. Translation constraint of the inner race along x. 0 sets the race free to move under its load."""
+    kFD22: int
+    """Record 2.2. Translation constraint of the inner race along y. 0 sets the race free to move under its load."""
+    kFD32: int
+    """Record 2.2. Translation constraint of the inner race along z. 0 sets the race free to move under its load."""
+    kMD11: int
+    """Record 2.2. Rotation constraint of the outer race about x. 0 lets moments turn it; without ADRX1 the external
+    moment is zero."""
+    kMD21: int
+    """Record 2.2. Rotation constraint of the outer race about y. 0 lets moments turn it; without ADRX1 the external
+    moment is zero."""
+    kMD31: int
+    """Record 2.2. Rotation constraint of the outer race about z. 0 lets moments turn it; without ADRX1 the external
+    moment is zero."""
+    kMD12: int
+    """Record 2.2. Rotation constraint of the inner race about x. 0 lets moments turn it; without ADRX1 the external
+    moment is zero."""
+    kMD22: int
+    """Record 2.2. Rotation constraint of the inner race about y. 0 lets moments turn it; without ADRX1 the external
+    moment is zero."""
+    kMD32: int
+    """Record 2.2. Rotation constraint of the inner race about z. 0 lets moments turn it; without ADRX1 the external
+    moment is zero."""
+    masName: str
+    """Record 2.3. Master file with the bookkeeping of restarts, at most 10 characters."""
+    finName: str
+    """Record 2.3. File of the final state, at most 10 characters; also read as start state."""
+    pltNames1: str
+    """Record 2.3. Plot file of the monitored body 1, at most 10 characters."""
+    pltNames2: str
+    """Record 2.3. Plot file of the monitored body 2, at most 10 characters."""
+    pltNames3: str
+    """Record 2.3. Plot file of the monitored body 3, at most 10 characters."""
+    pltNames4: str
+    """Record 2.3. Plot file of the monitored body 4, at most 10 characters."""
+    pltNames5: str
+    """Record 2.3. Plot file of the monitored body 5, at most 10 characters."""
+    pltNames6: str
+    """Record 2.3. Plot file of the monitored body 6, at most 10 characters."""
+    pltNames7: str
+    """Record 2.3. File of power loss and life, at most 10 characters."""
+    pltNames8: str
+    """Record 2.3. File of animation data, at most 10 characters."""
+    runID: str
+    """Record 3.1. Bearing code or name of the run, at most 36 characters. It is printed on every page, stored in
+    every data file and must match when a run is continued."""
+    kUnit: int
+    """Record 3.2. Unit system of every dimensional value of the deck, also of the output files."""
+    kBrg: int
+    """Record 3.2. Bearing type. It decides which geometry record (5A to 5E) follows."""
+    nRe: int
+    """Record 3.2. Number of rolling elements. The classic limit of 40 does not apply, though some classic file
+    formats end at 88."""
+    nCseg: int
+    """Record 3.2. Number of cage segments: 0 no cage, 1 a one-piece cage, n a cage cut in n equal segments."""
+    kRaceFlex: int
+    """Record 3.2. Flexibility of the outer race. Only rigid races can be simulated."""
+    kReGeoImp: int
+    """Record 3.2. Geometry errors of the rolling elements. A list of diameters holds 40 elements."""
+    kRaceGeoImp1: int
+    """Record 3.2. Geometry errors of the outer race."""
+    kRaceGeoImp2: int
+    """Record 3.2. Geometry errors of the inner race."""
+    kFlngInd11: int
+    """Record 3.2. Roller guide flange on the outer race, negative x side. Ball and spherical roller bearings have
+    none."""
+    kFlngInd21: int
+    """Record 3.2. Roller guide flange on the outer race, positive x side. Ball and spherical roller bearings have
+    none."""
+    kFlngInd12: int
+    """Record 3.2. Roller guide flange on the inner race, negative x side. Ball and spherical roller bearings have
+    none."""
+    kFlngInd22: int
+    """Record 3.2. Roller guide flange on the inner race, positive x side. Ball and spherical roller bearings have
+    none."""
+    kFS1: int
+    """Record 3.3. Whether the static solution is given the force or the displacement along x, the bearing axis
+    (thrust is normally positive)."""
+    kFS2: int
+    """Record 3.3. Whether the static solution is given the force or the displacement along y."""
+    kFS3: int
+    """Record 3.3. Whether the static solution is given the force or the displacement along z, the usual radial load
+    axis."""
+    kFS4: int
+    """Record 3.3. Whether the static solution is given the moment or the tilt about y."""
+    kFS5: int
+    """Record 3.3. Whether the static solution is given the moment or the tilt about z."""
+    kAngVel: int
+    """Record 3.3. Rule for the direction of ball spin in the static solution. Race control suits fast bearings,
+    least heat the others."""
+    kStif: int
+    """Record 3.3. Number of speeds in the table of stiffness against speed; 0 for no table."""
+    kChrn: int
+    """Record 3.3. Medium that churns and drags on elements and cage."""
+    kReMat: int
+    """Record 3.3. Material of the rolling elements: 0 the usual one, 1 properties in the deck, or a code of the
+    material table."""
+    kRaceMat1: int
+    """Record 3.3. Material of the outer race: 0 the usual one, 1 properties in the deck, or a code of the material
+    table."""
+    kRaceMat2: int
+    """Record 3.3. Material of the inner race: 0 the usual one, 1 properties in the deck, or a code of the material
+    table."""
+    kHsngMat: int
+    """Record 3.3. Material of the housing: 0 the usual one, 1 properties in the deck, or a code of the material
+    table."""
+    kShftMat: int
+    """Record 3.3. Material of the shaft: 0 the usual one, 1 properties in the deck, or a code of the material table."""
+    kLifeCons: int
+    """Record 3.3. Where the constants of the fatigue life models come from."""
+    kVarLoad: int
+    """Record 3.4. How loads vary in time."""
+    kVarSpeed: int
+    """Record 3.4. How race speeds vary in time."""
+    kRotFrame: int
+    """Record 3.4. Whether the bearing as a whole is carried round, as in a planetary gear."""
+    kReIP: int
+    """Record 3.4. Where mass and inertia of the rolling elements come from."""
+    kRaceIP1: int
+    """Record 3.4. Where mass and inertia of the outer race come from; needed only when that race is free to move."""
+    kRaceIP2: int
+    """Record 3.4. Where mass and inertia of the inner race come from; needed only when that race is free to move."""
+    kNumPltElem: int
+    """Record 3.4. Number of bodies whose motion is stored for plots. The classic files SOL1 to SOL6 hold six."""
+    kPltElemInd: np.ndarray
+    """Record 3.4. Bodies whose motion is stored, in increasing order: 1 to nRe are rolling elements, then come the
+    nCseg cage segments, the outer race and the inner race."""
+    kCoolant: int
+    """Record 3.5. Coolant that carries the heat away; 0 for no circulating coolant."""
+    kBaseTemp: int
+    """Record 3.5. Place where the reference temperature of record 9.7 is known."""
+    kHTC: int
+    """Record 3.5. Where the convection coefficients of rolling elements and cage come from."""
+    kGeoMod: int
+    """Record 3.5. How often thermal growth changes the geometry."""
+    kMatPropMod: int
+    """Record 3.5. Whether material properties follow the temperature."""
+    brgBore: float
+    """Record 4 [m]. Bore diameter of the bearing."""
+    brgOD: float
+    """Record 4 [m]. Outside diameter of the bearing."""
+    shftID: float
+    """Record 4 [m]. Inside diameter of a hollow shaft, 0 for a solid one. Thermal analysis replaces 0 by a small
+    bore and says so."""
+    hsngOD: float
+    """Record 4 [m]. Outside diameter of the housing. It decides how far a fit shrinks the outer race."""
+    raceWidth1: float
+    """Record 4 [m]. Width of the outer race."""
+    raceWidth2: float
+    """Record 4 [m]. Width of the inner race."""
+    bReDia: float
+    """Record 5A [m]. Nominal ball diameter."""
+    pitchDia: float
+    """Record 5A [m]. Pitch diameter: the circle of the ball centres."""
+    freeConAng: float
+    """Record 5A [deg]. Free contact angle. When it is above 0 it rules and the clearance follows from it; 0 derives
+    it from freeIntCls."""
+    freeIntCls: float
+    """Record 5A [m]. Free internal diametral clearance, used when freeConAng is 0. Negative means interference."""
+    raceCurFac1: float
+    """Record 5A. Outer groove radius divided by ball diameter; above 0.5 and below 1, usually 0.515 to 0.53."""
+    raceCurFac2: float
+    """Record 5A. Inner groove radius divided by ball diameter; above 0.5 and below 1, usually 0.515 to 0.53."""
+    shoulderDia1: float
+    """Record 5A [m]. Shoulder diameter of the outer race; only tells how far the contact is from the edge."""
+    shoulderDia2: float
+    """Record 5A [m]. Shoulder diameter of the inner race; only tells how far the contact is from the edge."""
+    shimThickness1: float
+    """Record 5A [m]. Grinding shim of a split outer race (gothic arch); 0 when not split."""
+    shimThickness2: float
+    """Record 5A [m]. Grinding shim of a split inner race (gothic arch); 0 when not split."""
+    rmsAspHt1: float
+    """Record 5A [m]. Composite rms roughness of element and outer race: the root of the sum of both squares. It
+    decides how thin a film may get."""
+    rmsAspHt2: float
+    """Record 5A [m]. Composite rms roughness of element and inner race: the root of the sum of both squares. It
+    decides how thin a film may get."""
+    bReCrn: float
+    """Record 5B.1 [m]. Crown radius of the roller profile. 1.0e+10 together with bReCenLen equal to bReLen means no
+    crown."""
+    bReLen: float
+    """Record 5B.1 [m]. Roller length from end to end."""
+    bReCenLen: float
+    """Record 5B.1 [m]. Length of the uncrowned central land, at most the roller length."""
+    bReCorRad1: float
+    """Record 5B.1 [m]. Corner radius at the negative x end; it shortens the part of the roller that can touch."""
+    bReCorRad2: float
+    """Record 5B.1 [m]. Corner radius at the positive x end; it shortens the part of the roller that can touch."""
+    raceLandLmt1: float
+    """Record 5B.2 [m]. Usable surface width of the outer race along the roller, undercuts excluded."""
+    raceCenLen1: float
+    """Record 5B.2 [m]. Width of the flat land in the middle of a crowned outer race; counts with a crown only."""
+    raceCrn1: float
+    """Record 5B.2 [m]. Radius of the crown of the outer race beyond its flat land, receding from the rollers; 0
+    means no crown."""
+    raceLandLmt2: float
+    """Record 5B.2 [m]. Usable surface width of the inner race along the roller, undercuts excluded."""
+    raceCenLen2: float
+    """Record 5B.2 [m]. Width of the flat land in the middle of a crowned inner race; counts with a crown only."""
+    raceCrn2: float
+    """Record 5B.2 [m]. Radius of the crown of the inner race beyond its flat land, receding from the rollers; 0
+    means no crown."""
+    bReEndRad1: float
+    """Record 5D.1 [m]. Sphere radius of the large end of the roller, where it meets a flange."""
+    bReEndRad2: float
+    """Record 5D.1 [m]. Sphere radius of the small end of the roller, where it meets a flange."""
+    raceTaper1: float
+    """Record 5D.1 [deg]. Half cone angle of the outer race. The pitch diameter follows from both cones, which share
+    their apex."""
+    raceTaper2: float
+    """Record 5D.1 [deg]. Half cone angle of the inner race. The pitch diameter follows from both cones, which share
+    their apex."""
+    flngAng11: float
+    """Record 5F [deg]. Layback angle of the flange on the outer race, negative x side; used when kFlngInd11 is 1."""
+    flngAng21: float
+    """Record 5F [deg]. Layback angle of the flange on the outer race, positive x side; used when kFlngInd21 is 1."""
+    flngAng12: float
+    """Record 5F [deg]. Layback angle of the flange on the inner race, negative x side; used when kFlngInd12 is 1."""
+    flngAng22: float
+    """Record 5F [deg]. Layback angle of the flange on the inner race, positive x side; used when kFlngInd22 is 1."""
+    flngHt11: float
+    """Record 5F [m]. Height of the flange on the outer race, negative x side; used when kFlngInd11 is 1."""
+    flngHt21: float
+    """Record 5F [m]. Height of the flange on the outer race, positive x side; used when kFlngInd21 is 1."""
+    flngHt12: float
+    """Record 5F [m]. Height of the flange on the inner race, negative x side; used when kFlngInd12 is 1."""
+    flngHt22: float
+    """Record 5F [m]. Height of the flange on the inner race, positive x side; used when kFlngInd22 is 1."""
+    flngCls1: float
+    """Record 5F [m]. Total free axial travel of a roller between the two flanges of the outer race; used when
+    kFlngInd11 and kFlngInd21 are both 1."""
+    flngCls2: float
+    """Record 5F [m]. Total free axial travel of a roller between the two flanges of the inner race; used when
+    kFlngInd12 and kFlngInd22 are both 1."""
+    reDiaVar: float
+    """Record 5G.1A [m]. Root-mean-square deviation of the ball diameters; the random numbers have a fixed seed."""
+    reCrnVar: float
+    """Record 5G.1B [m]. Root-mean-square deviation of the crown radii."""
+    reLenVar: float
+    """Record 5G.1B [m]. Root-mean-square deviation of the roller lengths."""
+    reCLVar: float
+    """Record 5G.1B [m]. Root-mean-square deviation of the lengths of the central land."""
+    reCLOffset: float
+    """Record 5G.1B [m]. Root-mean-square axial offset of the central land."""
+    reDiaVar1: float
+    """Record 5G.1D.1 [m]. Diameter of rolling element 1 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar2: float
+    """Record 5G.1D.1 [m]. Diameter of rolling element 2 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar3: float
+    """Record 5G.1D.1 [m]. Diameter of rolling element 3 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar4: float
+    """Record 5G.1D.1 [m]. Diameter of rolling element 4 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar5: float
+    """Record 5G.1D.1 [m]. Diameter of rolling element 5 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar6: float
+    """Record 5G.1D.1 [m]. Diameter of rolling element 6 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar7: float
+    """Record 5G.1D.1 [m]. Diameter of rolling element 7 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar8: float
+    """Record 5G.1D.1 [m]. Diameter of rolling element 8 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar9: float
+    """Record 5G.1D.1 [m]. Diameter of rolling element 9 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar10: float
+    """Record 5G.1D.1 [m]. Diameter of rolling element 10 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar11: float
+    """Record 5G.1D.2 [m]. Diameter of rolling element 11 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar12: float
+    """Record 5G.1D.2 [m]. Diameter of rolling element 12 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar13: float
+    """Record 5G.1D.2 [m]. Diameter of rolling element 13 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar14: float
+    """Record 5G.1D.2 [m]. Diameter of rolling element 14 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar15: float
+    """Record 5G.1D.2 [m]. Diameter of rolling element 15 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar16: float
+    """Record 5G.1D.2 [m]. Diameter of rolling element 16 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar17: float
+    """Record 5G.1D.2 [m]. Diameter of rolling element 17 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar18: float
+    """Record 5G.1D.2 [m]. Diameter of rolling element 18 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar19: float
+    """Record 5G.1D.2 [m]. Diameter of rolling element 19 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar20: float
+    """Record 5G.1D.2 [m]. Diameter of rolling element 20 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar21: float
+    """Record 5G.1D.3 [m]. Diameter of rolling element 21 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar22: float
+    """Record 5G.1D.3 [m]. Diameter of rolling element 22 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar23: float
+    """Record 5G.1D.3 [m]. Diameter of rolling element 23 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar24: float
+    """Record 5G.1D.3 [m]. Diameter of rolling element 24 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar25: float
+    """Record 5G.1D.3 [m]. Diameter of rolling element 25 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar26: float
+    """Record 5G.1D.3 [m]. Diameter of rolling element 26 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar27: float
+    """Record 5G.1D.3 [m]. Diameter of rolling element 27 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar28: float
+    """Record 5G.1D.3 [m]. Diameter of rolling element 28 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar29: float
+    """Record 5G.1D.3 [m]. Diameter of rolling element 29 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar30: float
+    """Record 5G.1D.3 [m]. Diameter of rolling element 30 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar31: float
+    """Record 5G.1D.4 [m]. Diameter of rolling element 31 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar32: float
+    """Record 5G.1D.4 [m]. Diameter of rolling element 32 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar33: float
+    """Record 5G.1D.4 [m]. Diameter of rolling element 33 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar34: float
+    """Record 5G.1D.4 [m]. Diameter of rolling element 34 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar35: float
+    """Record 5G.1D.4 [m]. Diameter of rolling element 35 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar36: float
+    """Record 5G.1D.4 [m]. Diameter of rolling element 36 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar37: float
+    """Record 5G.1D.4 [m]. Diameter of rolling element 37 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar38: float
+    """Record 5G.1D.4 [m]. Diameter of rolling element 38 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar39: float
+    """Record 5G.1D.4 [m]. Diameter of rolling element 39 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    reDiaVar40: float
+    """Record 5G.1D.4 [m]. Diameter of rolling element 40 minus the nominal diameter; leave 0 when there is no such
+    element."""
+    rndVar11: float
+    """Record 5G.2.1A [m]. Half major axis minus nominal radius of the outer race."""
+    rndVar21: float
+    """Record 5G.2.1A [m]. Half minor axis minus nominal radius of the outer race."""
+    rndVar31: float
+    """Record 5G.2.1A [deg]. Angle of the major axis from the race-fixed z axis, positive about x."""
+    cFacVar11: float
+    """Record 5G.2.1A. Amplitude a of the curvature factor error, outer race, a sin(w theta + phi)."""
+    cFacVar21: float
+    """Record 5G.2.1A [cycle/rev]. Waves per turn w of the curvature factor error, outer race."""
+    cFacVar31: float
+    """Record 5G.2.1A [deg]. Phase phi of the curvature factor error, outer race."""
+    rlOffset11: float
+    """Record 5G.2.1C [m]. Amplitude a of the axial offset of the land, outer race, a sin(w theta + phi)."""
+    rlOffset21: float
+    """Record 5G.2.1C [cycle/rev]. Waves per turn w of the axial offset of the land, outer race."""
+    rlOffset31: float
+    """Record 5G.2.1C [deg]. Phase phi of the axial offset of the land, outer race."""
+    rlTaper11: float
+    """Record 5G.2.1C [rad]. Amplitude a of the taper of the land, outer race, a sin(w theta + phi)."""
+    rlTaper21: float
+    """Record 5G.2.1C [cycle/rev]. Waves per turn w of the taper of the land, outer race."""
+    rlTaper31: float
+    """Record 5G.2.1C [deg]. Phase phi of the taper of the land, outer race."""
+    rndVar12: float
+    """Record 5G.2.2A [m]. Half major axis minus nominal radius of the inner race."""
+    rndVar22: float
+    """Record 5G.2.2A [m]. Half minor axis minus nominal radius of the inner race."""
+    rndVar32: float
+    """Record 5G.2.2A [deg]. Angle of the major axis from the race-fixed z axis, positive about x."""
+    cFacVar12: float
+    """Record 5G.2.2A. Amplitude a of the curvature factor error, inner race, a sin(w theta + phi)."""
+    cFacVar22: float
+    """Record 5G.2.2A [cycle/rev]. Waves per turn w of the curvature factor error, inner race."""
+    cFacVar32: float
+    """Record 5G.2.2A [deg]. Phase phi of the curvature factor error, inner race."""
+    rlOffset12: float
+    """Record 5G.2.2C [m]. Amplitude a of the axial offset of the land, inner race, a sin(w theta + phi)."""
+    rlOffset22: float
+    """Record 5G.2.2C [cycle/rev]. Waves per turn w of the axial offset of the land, inner race."""
+    rlOffset32: float
+    """Record 5G.2.2C [deg]. Phase phi of the axial offset of the land, inner race."""
+    rlTaper12: float
+    """Record 5G.2.2C [rad]. Amplitude a of the taper of the land, inner race, a sin(w theta + phi)."""
+    rlTaper22: float
+    """Record 5G.2.2C [cycle/rev]. Waves per turn w of the taper of the land, inner race."""
+    rlTaper32: float
+    """Record 5G.2.2C [deg]. Phase phi of the taper of the land, inner race."""
+    bReMass: float
+    """Record 6.1 [kg]. Mass of the rolling element."""
+    bReMIx: float
+    """Record 6.1 [kg.m^2]. Principal moment of inertia of the rolling element about its polar x axis."""
+    bReMIy: float
+    """Record 6.1 [kg.m^2]. Principal moment of inertia of the rolling element about its transverse y axis."""
+    bReMIz: float
+    """Record 6.1 [kg.m^2]. Principal moment of inertia of the rolling element about its transverse z axis."""
+    bReGeoCenX: float
+    """Record 6.1 [m]. X component of the vector from the mass centre to the geometric centre of the rolling element,
+    in its geometric frame. Zero when the body is balanced."""
+    bReGeoCenY: float
+    """Record 6.1 [m]. Y component of the vector from the mass centre to the geometric centre of the rolling element,
+    in its geometric frame. Zero when the body is balanced."""
+    bReGeoCenZ: float
+    """Record 6.1 [m]. Z component of the vector from the mass centre to the geometric centre of the rolling element,
+    in its geometric frame. Zero when the body is balanced."""
+    bReFrameX: float
+    """Record 6.1 [deg]. X angle of the turn from the principal axes of inertia to the geometric frame of the rolling
+    element. Zero when both coincide."""
+    bReFrameY: float
+    """Record 6.1 [deg]. Y angle of the turn from the principal axes of inertia to the geometric frame of the rolling
+    element. Zero when both coincide."""
+    bReFrameZ: float
+    """Record 6.1 [deg]. Z angle of the turn from the principal axes of inertia to the geometric frame of the rolling
+    element. Zero when both coincide."""
+    raceMass1: float
+    """Record 6.2.1 [kg]. Mass of the outer race."""
+    raceMIx1: float
+    """Record 6.2.1 [kg.m^2]. Principal moment of inertia of the outer race about its polar x axis."""
+    raceMIy1: float
+    """Record 6.2.1 [kg.m^2]. Principal moment of inertia of the outer race about its transverse y axis."""
+    raceMIz1: float
+    """Record 6.2.1 [kg.m^2]. Principal moment of inertia of the outer race about its transverse z axis."""
+    raceGeoCenX1: float
+    """Record 6.2.1 [m]. X component of the vector from the mass centre to the geometric centre of the outer race, in
+    the race frame. Zero when the body is balanced."""
+    raceGeoCenY1: float
+    """Record 6.2.1 [m]. Y component of the vector from the mass centre to the geometric centre of the outer race, in
+    the race frame. Zero when the body is balanced."""
+    raceGeoCenZ1: float
+    """Record 6.2.1 [m]. Z component of the vector from the mass centre to the geometric centre of the outer race, in
+    the race frame. Zero when the body is balanced."""
+    raceFrameX1: float
+    """Record 6.2.1 [deg]. X angle of the turn from the principal axes of inertia to the geometric frame of the outer
+    race. Zero when both coincide."""
+    raceFrameY1: float
+    """Record 6.2.1 [deg]. Y angle of the turn from the principal axes of inertia to the geometric frame of the outer
+    race. Zero when both coincide."""
+    raceFrameZ1: float
+    """Record 6.2.1 [deg]. Z angle of the turn from the principal axes of inertia to the geometric frame of the outer
+    race. Zero when both coincide."""
+    raceMass2: float
+    """Record 6.2.2 [kg]. Mass of the inner race."""
+    raceMIx2: float
+    """Record 6.2.2 [kg.m^2]. Principal moment of inertia of the inner race about its polar x axis."""
+    raceMIy2: float
+    """Record 6.2.2 [kg.m^2]. Principal moment of inertia of the inner race about its transverse y axis."""
+    raceMIz2: float
+    """Record 6.2.2 [kg.m^2]. Principal moment of inertia of the inner race about its transverse z axis."""
+    raceGeoCenX2: float
+    """Record 6.2.2 [m]. X component of the vector from the mass centre to the geometric centre of the inner race, in
+    the race frame. Zero when the body is balanced."""
+    raceGeoCenY2: float
+    """Record 6.2.2 [m]. Y component of the vector from the mass centre to the geometric centre of the inner race, in
+    the race frame. Zero when the body is balanced."""
+    raceGeoCenZ2: float
+    """Record 6.2.2 [m]. Z component of the vector from the mass centre to the geometric centre of the inner race, in
+    the race frame. Zero when the body is balanced."""
+    raceFrameX2: float
+    """Record 6.2.2 [deg]. X angle of the turn from the principal axes of inertia to the geometric frame of the inner
+    race. Zero when both coincide."""
+    raceFrameY2: float
+    """Record 6.2.2 [deg]. Y angle of the turn from the principal axes of inertia to the geometric frame of the inner
+    race. Zero when both coincide."""
+    raceFrameZ2: float
+    """Record 6.2.2 [deg]. Z angle of the turn from the principal axes of inertia to the geometric frame of the inner
+    race. Zero when both coincide."""
+    kPocType: int
+    """Record 7.0. Shape of the pockets; what a code means depends on kBrg. For rollers a positive value is the
+    number of guide surface pairs on records 7.3.i."""
+    kCagePocImp: int
+    """Record 7.0. Geometry errors of the pockets."""
+    kCageGsImp: int
+    """Record 7.0. Geometry errors of the guide lands of the cage, used when nGL is above 0."""
+    kRaceGsImp: int
+    """Record 7.0. Geometry errors of the guide lands of the race, used when nGL is above 0."""
+    kPocHydro: int
+    """Record 7.0. Hydrodynamic film forces in the pockets; not with a segmented cage."""
+    kGsHydro: int
+    """Record 7.0. Hydrodynamic film forces at the guide lands; not with a segmented cage."""
+    kCageMat: int
+    """Record 7.0. Material of the cage: 0 mild steel, 1 properties in the deck, or a code of the material table."""
+    kCageIP: int
+    """Record 7.0. Where mass and inertia of the cage come from."""
+    nGL: int
+    """Record 7.0. Number of lands on which the cage is guided by a race, at most 4; 0 for none."""
+    iCageGuide: np.ndarray
+    """Record 7.0. Race that guides each land."""
+    lSeg: np.ndarray
+    """Record 7.0.1. Rolling element at the start of each segment. Positive cuts the cage just before that element,
+    negative cuts through its pocket; absolute values increase."""
+    cageDia1: float
+    """Record 7.1 [m]. Outer diameter of the cage."""
+    cageDia2: float
+    """Record 7.1 [m]. Inner diameter of the cage."""
+    cageWidth: float
+    """Record 7.1 [m]. Width of the cage."""
+    cageCls1: float
+    """Record 7.1 [m]. Diametral clearance between cage and outer race away from the guide lands; lands have their
+    own on records 7.2.i."""
+    cageCls2: float
+    """Record 7.1 [m]. Diametral clearance between cage and inner race away from the guide lands; lands have their
+    own on records 7.2.i."""
+    bPocCls1: float
+    """Record 7.1 [m]. Pocket clearance I: pocket size minus element diameter around the circumference; axial for
+    elongated ball pockets, inner opening minus ball diameter for conical ones. Unused for rollers with guide
+    surface pairs."""
+    bPocCls2: float
+    """Record 7.1 [m]. Pocket clearance II: centre offset of elongated, axial clearance of rectangular, outer opening
+    minus ball diameter of conical ball pockets. Zero for the others and for rollers."""
+    cageAngCut: float
+    """Record 7.1 [deg]. Angular width of the cut between two segments; 0 for a one-piece cage."""
+    cageConeAng: float
+    """Record 7.1 [deg]. Half cone angle of a conical cage; 0 for a cylindrical one."""
+    cageGsDia: np.ndarray
+    """Record 7.2.i [m]. Diameter of the land on the cage."""
+    cageGsWidth: np.ndarray
+    """Record 7.2.i [m]. Width of the land."""
+    cageGsPos: np.ndarray
+    """Record 7.2.i [m]. Axial distance from the cage centre to the outer edge of the land; negative on the negative
+    x side."""
+    cageGsCls: np.ndarray
+    """Record 7.2.i [m]. Diametral clearance between the land and the race that guides it."""
+    bPocGsAng1: np.ndarray
+    """Record 7.3.i [deg]. Rotation about x that turns the pocket frame into the frame of the guide surface."""
+    bPocGsAng2: np.ndarray
+    """Record 7.3.i [deg]. Rotation about y that turns the pocket frame into the frame of the guide surface."""
+    bPocGsAng3: np.ndarray
+    """Record 7.3.i [deg]. Rotation about z that turns the pocket frame into the frame of the guide surface."""
+    bPocGsCen1: np.ndarray
+    """Record 7.3.i [m]. x of the surface centre from the pocket centre."""
+    bPocGsCen2: np.ndarray
+    """Record 7.3.i [m]. y of the surface centre from the pocket centre, on the positive side; its mate is the mirror
+    image in the pocket's x-z plane."""
+    bPocGsCen3: np.ndarray
+    """Record 7.3.i [m]. z of the surface centre from the pocket centre."""
+    bPocGsLen1: np.ndarray
+    """Record 7.3.i [m]. Extent of the surface along z (width)."""
+    bPocGsLen2: np.ndarray
+    """Record 7.3.i [m]. Extent of the surface along x (length)."""
+    bPocClsVar1: float
+    """Record 7.4 [m]. Deviation of pocket clearance I; its rms value when kCagePocImp is 3."""
+    bPocClsVar2: float
+    """Record 7.4 [m]. Deviation of pocket clearance II; its rms value when kCagePocImp is 3."""
+    bPocThknsVar: float
+    """Record 7.4 [m]. Deviation of the pocket thickness from outer minus inner cage radius."""
+    bPocCenVar1: float
+    """Record 7.4 [m]. Axial shift of the pocket centre."""
+    bPocCenVar2: float
+    """Record 7.4 [deg]. Angular shift of the pocket centre along the pitch circle."""
+    bPocAngVar1: float
+    """Record 7.4 [deg]. Tilt of the pocket frame, first angle (about x)."""
+    bPocAngVar2: float
+    """Record 7.4 [deg]. Tilt of the pocket frame, second angle (about the new y)."""
+    bPocAngVar3: float
+    """Record 7.4 [deg]. Tilt of the pocket frame, third angle (about the newest z)."""
+    cageGsRadVar1: np.ndarray
+    """Record 7.5.i [m]. Cage land: half y axis minus nominal radius when kCageGsImp is 1, amplitude of the radius
+    wave when it is 2."""
+    cageGsRadVar2: np.ndarray
+    """Record 7.5.i [m]. Cage land: half z axis minus nominal radius when kCageGsImp is 1, number of waves per turn
+    (no unit) when it is 2."""
+    cageGsRadVar3: np.ndarray
+    """Record 7.5.i [deg]. Cage land: unused (0) when kCageGsImp is 1, phase of the radius wave when it is 2."""
+    raceGsRadVar1: np.ndarray
+    """Record 7.6.i [m]. Race land: half y axis minus nominal radius when kRaceGsImp is 1, amplitude of the radius
+    wave when it is 2."""
+    raceGsRadVar2: np.ndarray
+    """Record 7.6.i [m]. Race land: half z axis minus nominal radius when kRaceGsImp is 1, number of waves per turn
+    (no unit) when it is 2."""
+    raceGsRadVar3: np.ndarray
+    """Record 7.6.i [deg]. Race land: unused (0) when kRaceGsImp is 1, phase of the radius wave when it is 2."""
+    cageMass: float
+    """Record 7.7 [kg]. Mass of the cage."""
+    cageMIx: float
+    """Record 7.7 [kg.m^2]. Principal moment of inertia of the cage about its polar x axis."""
+    cageMIy: float
+    """Record 7.7 [kg.m^2]. Principal moment of inertia of the cage about its transverse y axis."""
+    cageMIz: float
+    """Record 7.7 [kg.m^2]. Principal moment of inertia of the cage about its transverse z axis."""
+    cageGeoCenX: float
+    """Record 7.7 [m]. X component of the vector from the mass centre to the geometric centre of the cage, in the
+    cage frame. Zero when the body is balanced."""
+    cageGeoCenY: float
+    """Record 7.7 [m]. Y component of the vector from the mass centre to the geometric centre of the cage, in the
+    cage frame. Zero when the body is balanced."""
+    cageGeoCenZ: float
+    """Record 7.7 [m]. Z component of the vector from the mass centre to the geometric centre of the cage, in the
+    cage frame. Zero when the body is balanced."""
+    cageFrameX: float
+    """Record 7.7 [deg]. X angle of the turn from the principal axes of inertia to the geometric frame of the cage.
+    Zero when both coincide."""
+    cageFrameY: float
+    """Record 7.7 [deg]. Y angle of the turn from the principal axes of inertia to the geometric frame of the cage.
+    Zero when both coincide."""
+    cageFrameZ: float
+    """Record 7.7 [deg]. Z angle of the turn from the principal axes of inertia to the geometric frame of the cage.
+    Zero when both coincide."""
+    reDen: float
+    """Record 8.1 [kg/m^3]. Density of the rolling elements."""
+    reEM: float
+    """Record 8.1 [N/m^2]. Elastic (Young's) modulus of the rolling elements."""
+    rePR: float
+    """Record 8.1. Poisson ratio of the rolling elements. About 0.3 for metals."""
+    reCTE: float
+    """Record 8.1 [1/K]. Linear thermal expansion coefficient of the rolling elements."""
+    reTC: float
+    """Record 8.1 [W/m/K]. Thermal conductivity of the rolling elements."""
+    reSH: float
+    """Record 8.1 [J/kg/K]. Specific heat of the rolling elements."""
+    reESL: float
+    """Record 8.1. Elastic strain limit of the rolling elements. Larger strains are reported as plastic."""
+    reH: float
+    """Record 8.1 [HRC]. Rockwell C hardness of the rolling elements. It becomes the indentation pressure of the wear
+    law."""
+    reWC: float
+    """Record 8.1. Wear coefficient K of the rolling elements. The worn volume is K times load times sliding distance
+    over hardness."""
+    reVM: float
+    """Record 8.1 [N/m^2]. Von Mises fatigue limit stress of the rolling elements. Below it the Ioannides-Harris life
+    is infinite."""
+    raceDen1: float
+    """Record 8.2.1 [kg/m^3]. Density of the outer race."""
+    raceEM1: float
+    """Record 8.2.1 [N/m^2]. Elastic (Young's) modulus of the outer race."""
+    racePR1: float
+    """Record 8.2.1. Poisson ratio of the outer race. About 0.3 for metals."""
+    raceCTE1: float
+    """Record 8.2.1 [1/K]. Linear thermal expansion coefficient of the outer race."""
+    raceTC1: float
+    """Record 8.2.1 [W/m/K]. Thermal conductivity of the outer race."""
+    raceSH1: float
+    """Record 8.2.1 [J/kg/K]. Specific heat of the outer race."""
+    raceESL1: float
+    """Record 8.2.1. Elastic strain limit of the outer race. Larger strains are reported as plastic."""
+    raceH1: float
+    """Record 8.2.1 [HRC]. Rockwell C hardness of the outer race. It becomes the indentation pressure of the wear
+    law."""
+    raceWC1: float
+    """Record 8.2.1. Wear coefficient K of the outer race. The worn volume is K times load times sliding distance
+    over hardness."""
+    raceVM1: float
+    """Record 8.2.1 [N/m^2]. Von Mises fatigue limit stress of the outer race. Below it the Ioannides-Harris life is
+    infinite."""
+    raceDen2: float
+    """Record 8.2.2 [kg/m^3]. Density of the inner race."""
+    raceEM2: float
+    """Record 8.2.2 [N/m^2]. Elastic (Young's) modulus of the inner race."""
+    racePR2: float
+    """Record 8.2.2. Poisson ratio of the inner race. About 0.3 for metals."""
+    raceCTE2: float
+    """Record 8.2.2 [1/K]. Linear thermal expansion coefficient of the inner race."""
+    raceTC2: float
+    """Record 8.2.2 [W/m/K]. Thermal conductivity of the inner race."""
+    raceSH2: float
+    """Record 8.2.2 [J/kg/K]. Specific heat of the inner race."""
+    raceESL2: float
+    """Record 8.2.2. Elastic strain limit of the inner race. Larger strains are reported as plastic."""
+    raceH2: float
+    """Record 8.2.2 [HRC]. Rockwell C hardness of the inner race. It becomes the indentation pressure of the wear
+    law."""
+    raceWC2: float
+    """Record 8.2.2. Wear coefficient K of the inner race. The worn volume is K times load times sliding distance
+    over hardness."""
+    raceVM2: float
+    """Record 8.2.2 [N/m^2]. Von Mises fatigue limit stress of the inner race. Below it the Ioannides-Harris life is
+    infinite."""
+    shftDen: float
+    """Record 8.3 [kg/m^3]. Density of the shaft."""
+    shftEM: float
+    """Record 8.3 [N/m^2]. Elastic (Young's) modulus of the shaft."""
+    shftPR: float
+    """Record 8.3. Poisson ratio of the shaft. About 0.3 for metals."""
+    shftCTE: float
+    """Record 8.3 [1/K]. Linear thermal expansion coefficient of the shaft."""
+    shftTC: float
+    """Record 8.3 [W/m/K]. Thermal conductivity of the shaft."""
+    hsngDen: float
+    """Record 8.4 [kg/m^3]. Density of the housing."""
+    hsngEM: float
+    """Record 8.4 [N/m^2]. Elastic (Young's) modulus of the housing."""
+    hsngPR: float
+    """Record 8.4. Poisson ratio of the housing. About 0.3 for metals."""
+    hsngCTE: float
+    """Record 8.4 [1/K]. Linear thermal expansion coefficient of the housing."""
+    hsngTC: float
+    """Record 8.4 [W/m/K]. Thermal conductivity of the housing."""
+    cageDen: float
+    """Record 8.5 [kg/m^3]. Density of the cage."""
+    cageEM: float
+    """Record 8.5 [N/m^2]. Elastic (Young's) modulus of the cage."""
+    cagePR: float
+    """Record 8.5. Poisson ratio of the cage. About 0.3 for metals."""
+    cageCTE: float
+    """Record 8.5 [1/K]. Linear thermal expansion coefficient of the cage."""
+    cageTC: float
+    """Record 8.5 [W/m/K]. Thermal conductivity of the cage."""
+    cageSH: float
+    """Record 8.5 [J/kg/K]. Specific heat of the cage."""
+    cageESL: float
+    """Record 8.5. Elastic strain limit of the cage. Larger strains are reported as plastic."""
+    cageH: float
+    """Record 8.5 [HRC]. Rockwell C hardness of the cage. It becomes the indentation pressure of the wear law."""
+    cageWC: float
+    """Record 8.5. Wear coefficient K of the cage. The worn volume is K times load times sliding distance over
+    hardness."""
+    sProb: float
+    """Record 8.6.0. Survival probability for which the life is computed; 0.9 gives L10."""
+    brgWbDis: float
+    """Record 8.6.0. Weibull slope of the bearing as a whole."""
+    fco1: float
+    """Record 8.6.1. Multiplier on the original Lundberg-Palmgren constant, outer race. 1 keeps the built-in value."""
+    fcLP1: float
+    """Record 8.6.1. Multiplier on the updated Lundberg-Palmgren constant, outer race. 1 keeps the built-in value."""
+    shExLP1: float
+    """Record 8.6.1. Shear stress exponent of the updated Lundberg-Palmgren model, outer race. 0 takes the built-in
+    exponents of the model."""
+    depExLP1: float
+    """Record 8.6.1. Depth exponent of the updated Lundberg-Palmgren model, outer race."""
+    fcGZ1: float
+    """Record 8.6.1. Multiplier on the Gupta-Zaretsky constant, outer race. 1 keeps the built-in value."""
+    shExGZ1: float
+    """Record 8.6.1. Shear stress exponent of the Gupta-Zaretsky model, outer race. 0 takes the built-in exponents of
+    the model."""
+    fcIH1: float
+    """Record 8.6.1. Multiplier on the updated Ioannides-Harris constant, outer race. 1 keeps the built-in value."""
+    shExIH1: float
+    """Record 8.6.1. Shear stress exponent of the updated Ioannides-Harris model, outer race. 0 takes the built-in
+    exponents of the model."""
+    depExIH1: float
+    """Record 8.6.1. Depth exponent of the updated Ioannides-Harris model, outer race."""
+    wbDis1: float
+    """Record 8.6.1. Weibull slope of the outer race."""
+    fco2: float
+    """Record 8.6.2. Multiplier on the original Lundberg-Palmgren constant, inner race. 1 keeps the built-in value."""
+    fcLP2: float
+    """Record 8.6.2. Multiplier on the updated Lundberg-Palmgren constant, inner race. 1 keeps the built-in value."""
+    shExLP2: float
+    """Record 8.6.2. Shear stress exponent of the updated Lundberg-Palmgren model, inner race. 0 takes the built-in
+    exponents of the model."""
+    depExLP2: float
+    """Record 8.6.2. Depth exponent of the updated Lundberg-Palmgren model, inner race."""
+    fcGZ2: float
+    """Record 8.6.2. Multiplier on the Gupta-Zaretsky constant, inner race. 1 keeps the built-in value."""
+    shExGZ2: float
+    """Record 8.6.2. Shear stress exponent of the Gupta-Zaretsky model, inner race. 0 takes the built-in exponents of
+    the model."""
+    fcIH2: float
+    """Record 8.6.2. Multiplier on the updated Ioannides-Harris constant, inner race. 1 keeps the built-in value."""
+    shExIH2: float
+    """Record 8.6.2. Shear stress exponent of the updated Ioannides-Harris model, inner race. 0 takes the built-in
+    exponents of the model."""
+    depExIH2: float
+    """Record 8.6.2. Depth exponent of the updated Ioannides-Harris model, inner race."""
+    wbDis2: float
+    """Record 8.6.2. Weibull slope of the inner race."""
+    fcLPre: float
+    """Record 8.6.3. Multiplier on the updated Lundberg-Palmgren constant, rolling elements. 1 keeps the built-in
+    value."""
+    shExLPre: float
+    """Record 8.6.3. Shear stress exponent of the updated Lundberg-Palmgren model, rolling elements. 0 takes the
+    built-in exponents of the model."""
+    depExLPre: float
+    """Record 8.6.3. Depth exponent of the updated Lundberg-Palmgren model, rolling elements."""
+    fcGZre: float
+    """Record 8.6.3. Multiplier on the Gupta-Zaretsky constant, rolling elements. 1 keeps the built-in value."""
+    shExGZre: float
+    """Record 8.6.3. Shear stress exponent of the Gupta-Zaretsky model, rolling elements. 0 takes the built-in
+    exponents of the model."""
+    fcIHre: float
+    """Record 8.6.3. Multiplier on the updated Ioannides-Harris constant, rolling elements. 1 keeps the built-in
+    value."""
+    shExIHre: float
+    """Record 8.6.3. Shear stress exponent of the updated Ioannides-Harris model, rolling elements. 0 takes the
+    built-in exponents of the model."""
+    depExIHre: float
+    """Record 8.6.3. Depth exponent of the updated Ioannides-Harris model, rolling elements."""
+    wbDisRe: float
+    """Record 8.6.3. Weibull slope of the rolling elements."""
+    rmsAspSlope1: float
+    """Record 8.6.4 [rad]. Composite rms asperity slope of the outer race contact, for the Tallian factors."""
+    aspTrac1: float
+    """Record 8.6.4. Asperity traction coefficient of the outer race contact, for the Tallian factors."""
+    facMat1: float
+    """Record 8.6.4. Tallian material factor, outer race. 52100 has 1.197, 8620 1.773, M50 2.267."""
+    facCont1: float
+    """Record 8.6.4. Tallian contamination factor, outer race. 1 is the standard; about 0.25, down to 0.10, for
+    aerospace use of VIMVAR steel."""
+    facProc1: float
+    """Record 8.6.4. Tallian process factor, outer race. CVD steel before 1975 has 2.58, from 1975 on 0.077,
+    carburizing CVD 4.85, VIMVAR 0.0050 down to 0.003. The spread of these published values is suspicious: check
+    before relying on it."""
+    facMatLF1: float
+    """Record 8.6.4. STLE material factor, outer race. 1 leaves the life as it is."""
+    facProcLF1: float
+    """Record 8.6.4. STLE process factor, outer race. 1 leaves the life as it is."""
+    hardnessLF1: float
+    """Record 8.6.4. STLE hardness factor, outer race. 1 leaves the life as it is."""
+    rmsAspSlope2: float
+    """Record 8.6.5 [rad]. Composite rms asperity slope of the inner race contact, for the Tallian factors."""
+    aspTrac2: float
+    """Record 8.6.5. Asperity traction coefficient of the inner race contact, for the Tallian factors."""
+    facMat2: float
+    """Record 8.6.5. Tallian material factor, inner race. 52100 has 1.197, 8620 1.773, M50 2.267."""
+    facCont2: float
+    """Record 8.6.5. Tallian contamination factor, inner race. 1 is the standard; about 0.25, down to 0.10, for
+    aerospace use of VIMVAR steel."""
+    facProc2: float
+    """Record 8.6.5. Tallian process factor, inner race. CVD steel before 1975 has 2.58, from 1975 on 0.077,
+    carburizing CVD 4.85, VIMVAR 0.0050 down to 0.003. The spread of these published values is suspicious: check
+    before relying on it."""
+    facMatLF2: float
+    """Record 8.6.5. STLE material factor, inner race. 1 leaves the life as it is."""
+    facProcLF2: float
+    """Record 8.6.5. STLE process factor, inner race. 1 leaves the life as it is."""
+    hardnessLF2: float
+    """Record 8.6.5. STLE hardness factor, inner race. 1 leaves the life as it is."""
+    facMatRe: float
+    """Record 8.6.6. Tallian material factor, rolling elements. 52100 has 1.197, 8620 1.773, M50 2.267."""
+    facContRe: float
+    """Record 8.6.6. Tallian contamination factor, rolling elements. 1 is the standard; about 0.25, down to 0.10, for
+    aerospace use of VIMVAR steel."""
+    facProcRe: float
+    """Record 8.6.6. Tallian process factor, rolling elements. CVD steel before 1975 has 2.58, from 1975 on 0.077,
+    carburizing CVD 4.85, VIMVAR 0.0050 down to 0.003. The spread of these published values is suspicious: check
+    before relying on it."""
+    facMatLFre: float
+    """Record 8.6.6. STLE material factor, rolling elements. 1 leaves the life as it is."""
+    facProcLFre: float
+    """Record 8.6.6. STLE process factor, rolling elements. 1 leaves the life as it is."""
+    hardnessLFre: float
+    """Record 8.6.6. STLE hardness factor, rolling elements. 1 leaves the life as it is."""
+    roomTemp: float
+    """Record 9.0 [K]. Room temperature (absolute), at which all dimensions and fits are given."""
+    raceFit1: float
+    """Record 9.0 [m]. Diametral fit of the outer race in the housing, mounted at room temperature; positive is
+    interference."""
+    raceFit2: float
+    """Record 9.0 [m]. Diametral fit of the inner race on the shaft, mounted at room temperature; positive is
+    interference."""
+    angVelOrient: float
+    """Record 9.0 [deg]. Angle from the x axis of the axis that a ball spins about, relative to its orbit, in the
+    plane through ball and bearing axis; used only when kAngVel is 2. The end of the axis towards -x rises
+    outwards when the angle is positive: at the contact angle the ball rolls without spin. With an inner race that
+    turns positively the spin points to -x, so that theta in the listing, of the whole angular velocity with the
+    orbit in it, is somewhat below 180 degrees less this angle."""
+    res1: float
+    """Record 9.0 [N/m^2]. Residual stress of the outer race in operation, tension positive; enters the STLE life
+    factor."""
+    res2: float
+    """Record 9.0 [N/m^2]. Residual stress of the inner race in operation, tension positive; enters the STLE life
+    factor."""
+    facStrLimit: float
+    """Record 9.0. Multiplier on the fatigue limit stress. 1 puts it at the octahedral shear stress that belongs to
+    the von Mises stress of the race material; 1.28 reproduces ISO 281 for AISI 52100."""
+    appLoadX: float
+    """Record 9.1.1 [N]. Force that the shaft applies to the inner race along x, used when kFS1 is 0."""
+    appLoadY: float
+    """Record 9.1.1 [N]. Force that the shaft applies to the inner race along y, used when kFS2 is 0."""
+    appLoadZ: float
+    """Record 9.1.1 [N]. Force that the shaft applies to the inner race along z, used when kFS3 is 0."""
+    appDispX: float
+    """Record 9.1.1 [m]. Displacement of the inner race relative to the outer along x when kFS1 is 1; first guess
+    when kFS1 is 0, where 0 asks for an estimate. Measured from where all balls just touch at freeConAng by +x, or
+    cones just touch, or else mid planes coincide, of the unmounted bearing at room temperature and rest: fits,
+    growth and speed act against it."""
+    appDispY: float
+    """Record 9.1.1 [m]. Displacement of the inner race relative to the outer along y when kFS2 is 1; first guess
+    when kFS2 is 0, where 0 asks for an estimate. Measured from the coaxial position of the unmounted bearing at
+    room temperature and rest: fits, growth and speed act against it."""
+    appDispZ: float
+    """Record 9.1.1 [m]. Displacement of the inner race relative to the outer along z when kFS3 is 1; first guess
+    when kFS3 is 0, where 0 asks for an estimate. Measured from the coaxial position of the unmounted bearing at
+    room temperature and rest: fits, growth and speed act against it."""
+    appMomY: float
+    """Record 9.1.2 [N.m]. Moment that the shaft applies to the inner race about y, used when kFS4 is 0."""
+    appMomZ: float
+    """Record 9.1.2 [N.m]. Moment that the shaft applies to the inner race about z, used when kFS5 is 0."""
+    appMis11: float
+    """Record 9.1.2 [rad]. Misalignment of the reference (outer) race about y."""
+    appMis21: float
+    """Record 9.1.2 [rad]. Misalignment of the reference (outer) race about z."""
+    appMis12: float
+    """Record 9.1.2 [rad]. Misalignment of the moving (inner) race about y when kFS4 is 1; otherwise a first guess."""
+    appMis22: float
+    """Record 9.1.2 [rad]. Misalignment of the moving (inner) race about z when kFS5 is 1; otherwise a first guess."""
+    rpm1: float
+    """Record 9.1.2 [rpm]. Speed of the outer race, positive about x."""
+    rpm2: float
+    """Record 9.1.2 [rpm]. Speed of the inner race, positive about x."""
+    hsngTemp: float
+    """Record 9.1.3 [K]. Temperature (absolute) of the housing; dimensions grow with its difference from room
+    temperature."""
+    shftTemp: float
+    """Record 9.1.3 [K]. Temperature (absolute) of the shaft; dimensions grow with its difference from room
+    temperature."""
+    raceTemp1: float
+    """Record 9.1.3 [K]. Temperature (absolute) of the outer race; dimensions grow with its difference from room
+    temperature."""
+    raceTemp2: float
+    """Record 9.1.3 [K]. Temperature (absolute) of the inner race; dimensions grow with its difference from room
+    temperature."""
+    reTemp: float
+    """Record 9.1.3 [K]. Temperature (absolute) of the rolling elements; dimensions grow with its difference from
+    room temperature."""
+    cageTemp: float
+    """Record 9.1.3 [K]. Temperature (absolute) of the cage; dimensions grow with its difference from room
+    temperature."""
+    pctDisp: float
+    """Record 9.2 [%]. Displacement increment for the stiffness, in percent of the contact deflection."""
+    rpmRange11: float
+    """Record 9.2 [rpm]. First outer race speed of the table."""
+    rpmRange21: float
+    """Record 9.2 [rpm]. Last outer race speed of the table."""
+    rpmRange12: float
+    """Record 9.2 [rpm]. First inner race speed of the table."""
+    rpmRange22: float
+    """Record 9.2 [rpm]. Last inner race speed of the table."""
+    rotLoadFrac1: float
+    """Record 9.3A. Orbit radius of the outer race divided by the relative radial deflection."""
+    rotLoadFrac2: float
+    """Record 9.3A. Orbit radius of the inner race divided by the relative radial deflection."""
+    rotLoadRpm1: float
+    """Record 9.3A [rpm]. Speed of the load that turns with the outer race."""
+    rotLoadRpm2: float
+    """Record 9.3A [rpm]. Speed of the load that turns with the inner race."""
+    raceVibAmp11: float
+    """Record 9.3B [m]. Outer race amplitude along x; the motion is A sin(2 pi f t)."""
+    raceVibAmp21: float
+    """Record 9.3B [m]. Outer race amplitude along y; the motion is A sin(2 pi f t)."""
+    raceVibAmp31: float
+    """Record 9.3B [m]. Outer race amplitude along z; the motion is A sin(2 pi f t)."""
+    raceVibAmp12: float
+    """Record 9.3B [m]. Inner race amplitude along x; the motion is A sin(2 pi f t)."""
+    raceVibAmp22: float
+    """Record 9.3B [m]. Inner race amplitude along y; the motion is A sin(2 pi f t)."""
+    raceVibAmp32: float
+    """Record 9.3B [m]. Inner race amplitude along z; the motion is A sin(2 pi f t)."""
+    raceVibFreq1: float
+    """Record 9.3B [Hz]. Outer race frequency."""
+    raceVibFreq2: float
+    """Record 9.3B [Hz]. Inner race frequency."""
+    raceAngAcc1: float
+    """Record 9.4A [rpm/s]. Angular acceleration of the outer race."""
+    raceAngAcc2: float
+    """Record 9.4A [rpm/s]. Angular acceleration of the inner race."""
+    startTime1: float
+    """Record 9.4A [s]. Time at which the outer race starts to accelerate."""
+    endTime1: float
+    """Record 9.4A [s]. Time at which the outer race stops accelerating."""
+    startTime2: float
+    """Record 9.4A [s]. Time at which the inner race starts to accelerate."""
+    endTime2: float
+    """Record 9.4A [s]. Time at which the inner race stops accelerating."""
+    raceSpeedAmp1: float
+    """Record 9.4B [rpm]. Amplitude of the outer race speed about rpm1: A sin(2 pi f t)."""
+    raceSpeedAmp2: float
+    """Record 9.4B [rpm]. Amplitude of the inner race speed about rpm2: A sin(2 pi f t)."""
+    raceSpeedFreq1: float
+    """Record 9.4B [Hz]. Frequency of the outer race speed."""
+    raceSpeedFreq2: float
+    """Record 9.4B [Hz]. Frequency of the inner race speed."""
+    brgOrbitRad: float
+    """Record 9.5 [m]. Orbit radius of the bearing centre."""
+    brgAngPos: float
+    """Record 9.5 [deg]. Angle of the bearing centre on its orbit at the start."""
+    brgAngVel: float
+    """Record 9.5 [rpm]. Orbit speed of the bearing centre."""
+    brgLoadFrac1: float
+    """Record 9.5. Part of the outer race's inertia load that the bearing carries."""
+    brgLoadFrac2: float
+    """Record 9.5. Part of the inner race's inertia load that the bearing carries."""
+    pocLubFilm: float
+    """Record 9.6 [m]. Largest lubricant film in the pockets; elements closer than this to the pocket wall feel the
+    film."""
+    wvRatio: float
+    """Record 9.6. Whirl speed of the cage mass centre at the start, divided by the cage's angular speed."""
+    avRatio: float
+    """Record 9.6. Angular speed of the cage at the start, divided by the epicyclic speed."""
+    cageGcPos: np.ndarray
+    """Record 9.6 [m]. x, y, z of the cage mass centre at the start, from the locus of element centres."""
+    cageAngPos: np.ndarray
+    """Record 9.6 [deg]. Three transformation angles of the cage from the inertial frame at the start."""
+    baseTemp: float
+    """Record 9.7 [K]. Reference temperature (absolute) at the place chosen by kBaseTemp."""
+    cFlowRate: float
+    """Record 9.7 [m^3/s]. Volume flow of the coolant; not used when kCoolant is 0."""
+    reHTC: float
+    """Record 9.7 [W/m^2/K]. Convection coefficient of the rolling elements; 0 when computed (kHTC 0)."""
+    cageHTC: float
+    """Record 9.7 [W/m^2/K]. Convection coefficient of the cage; 0 when computed (kHTC 0)."""
+    aveTime: float
+    """Record 9.7 [s]. Real time over which heat is averaged for one thermal step."""
+    skipTime: float
+    """Record 9.7 [s]. Real time at the start without thermal updates of the geometry."""
+    xRo: float
+    """Record 9.8 [kg/m^3]. Density of the coolant at base temperature."""
+    xMu: float
+    """Record 9.8 [N.s/m^2]. Viscosity of the coolant at base temperature."""
+    xCp: float
+    """Record 9.8 [J/kg/K]. Specific heat of the coolant."""
+    xK: float
+    """Record 9.8 [N/s/K]. Thermal conductivity of the coolant (the same as W/m/K)."""
+    kTrac: int
+    """Record 10.0. Traction model or lubricant between rolling elements and races."""
+    kTracType: int
+    """Record 10.0. Form of the hypothetical traction curve, element to race. It is always needed: it takes over
+    where the film is thinner than reRaceFilm."""
+    kCPTrac: int
+    """Record 10.0. Where the traction coefficient comes from, element to cage."""
+    kCPTracType: int
+    """Record 10.0. Form of the hypothetical traction curve, element to cage."""
+    kCRTrac: int
+    """Record 10.0. Where the traction coefficient comes from, cage to race."""
+    kCRTracType: int
+    """Record 10.0. Form of the hypothetical traction curve, cage to race."""
+    kRFTrac: int
+    """Record 10.0. Where the traction coefficient comes from, roller to flange."""
+    kRFTracType: int
+    """Record 10.0. Form of the hypothetical traction curve, roller to flange."""
+    kRRTrac: int
+    """Record 10.0. Where the traction coefficient comes from, element to element. Used without a cage."""
+    kRRTracType: int
+    """Record 10.0. Form of the hypothetical traction curve, element to element. Used without a cage."""
+    iTherm: int
+    """Record 10.0. Simplified thermal correction of the visco-elastic model; applies only to kTrac 12."""
+    reRaceTC1: float
+    """Record 10.1A. Coefficient A of k = (A + B u) exp(-C u) + D, element to race."""
+    reRaceTC2: float
+    """Record 10.1A [s/m]. Coefficient B of k = (A + B u) exp(-C u) + D, element to race."""
+    reRaceTC3: float
+    """Record 10.1A [s/m]. Coefficient C of k = (A + B u) exp(-C u) + D, element to race."""
+    reRaceTC4: float
+    """Record 10.1A. Coefficient D of k = (A + B u) exp(-C u) + D: the value at large slip, element to race."""
+    reFlngTC1: float
+    """Record 10.2A. Coefficient A of k = (A + B u) exp(-C u) + D, roller to flange."""
+    reFlngTC2: float
+    """Record 10.2A [s/m]. Coefficient B of k = (A + B u) exp(-C u) + D, roller to flange."""
+    reFlngTC3: float
+    """Record 10.2A [s/m]. Coefficient C of k = (A + B u) exp(-C u) + D, roller to flange."""
+    reFlngTC4: float
+    """Record 10.2A. Coefficient D of k = (A + B u) exp(-C u) + D: the value at large slip, roller to flange."""
+    reRaceFilm: float
+    """Record 10.3 [m]. Film thickness below which the hypothetical curve replaces the lubricant model."""
+    strParam: float
+    """Record 10.3. Distance of the oil meniscus from the contact edge over the contact half width: 10 or more is
+    flooded, 1 or less heavily starved."""
+    lubName: str
+    """Record 10.4.0. Name of the lubricant, at most 36 characters; for documentation only."""
+    refTemp: float
+    """Record 10.4.1 [K]. Reference temperature T0 (absolute) of the properties."""
+    refVis: float
+    """Record 10.4.1 [N.s/m^2]. Viscosity at the reference temperature and low pressure."""
+    prVisCoeff: float
+    """Record 10.4.1 [m^2/N]. Pressure-viscosity coefficient."""
+    tempVisCoeff: float
+    """Record 10.4.1 [K]. Temperature-viscosity coefficient b of the law exp(b (1/T - 1/T0))."""
+    lubTherCond: float
+    """Record 10.4.1 [W/m/K]. Thermal conductivity (a real, although its name starts with l)."""
+    lubDen: float
+    """Record 10.4.1 [kg/m^3]. Density (a real, although its name starts with l)."""
+    lubSpHeat: float
+    """Record 10.4.1 [J/kg/K]. Specific heat (a real, although its name starts with l)."""
+    refTracVis: float
+    """Record 10.4.4 [N.s/m^2]. Reference viscosity for traction in the contact."""
+    tracVisCoeff1: float
+    """Record 10.4.4 [m^2/N]. Pressure coefficient a of the law exp(a p + b (T0 - T))."""
+    tracVisCoeff2: float
+    """Record 10.4.4 [1/K]. Temperature coefficient b of the law exp(a p + b (T0 - T))."""
+    reCageTC1: float
+    """Record 10.5.1A. Coefficient A of k = (A + B u) exp(-C u) + D, element to cage."""
+    reCageTC2: float
+    """Record 10.5.1A [s/m]. Coefficient B of k = (A + B u) exp(-C u) + D, element to cage."""
+    reCageTC3: float
+    """Record 10.5.1A [s/m]. Coefficient C of k = (A + B u) exp(-C u) + D, element to cage."""
+    reCageTC4: float
+    """Record 10.5.1A. Coefficient D of k = (A + B u) exp(-C u) + D: the value at large slip, element to cage."""
+    cageRaceTC1: float
+    """Record 10.5.2A. Coefficient A of k = (A + B u) exp(-C u) + D, cage to race."""
+    cageRaceTC2: float
+    """Record 10.5.2A [s/m]. Coefficient B of k = (A + B u) exp(-C u) + D, cage to race."""
+    cageRaceTC3: float
+    """Record 10.5.2A [s/m]. Coefficient C of k = (A + B u) exp(-C u) + D, cage to race."""
+    cageRaceTC4: float
+    """Record 10.5.2A. Coefficient D of k = (A + B u) exp(-C u) + D: the value at large slip, cage to race."""
+    reReTC1: float
+    """Record 10.5.3A. Coefficient A of k = (A + B u) exp(-C u) + D, element to element."""
+    reReTC2: float
+    """Record 10.5.3A [s/m]. Coefficient B of k = (A + B u) exp(-C u) + D, element to element."""
+    reReTC3: float
+    """Record 10.5.3A [s/m]. Coefficient C of k = (A + B u) exp(-C u) + D, element to element."""
+    reReTC4: float
+    """Record 10.5.3A. Coefficient D of k = (A + B u) exp(-C u) + D: the value at large slip, element to element."""
+    pocVis: float
+    """Record 10.6 [N.s/m^2]. Effective viscosity of the oil in the pockets."""
+    gsVis: float
+    """Record 10.6 [N.s/m^2]. Effective viscosity of the oil at the guide lands."""
+    chnDen: float
+    """Record 10.7A [kg/m^3]. Effective density of the oil-air mixture that drags."""
+    chnVis: float
+    """Record 10.7A [N.s/m^2]. Effective viscosity of the oil-air mixture that drags."""
+    denRatio: float
+    """Record 10.7B. Effective density of the medium divided by its built-in value; an oil mist has far less than 1."""
+    visRatio: float
+    """Record 10.7B. Effective viscosity of the medium divided by its built-in value."""
+    gravityVecX: float
+    """Record 11 [m/s^2]. Gravity acceleration along x."""
+    gravityVecY: float
+    """Record 11 [m/s^2]. Gravity acceleration along y."""
+    gravityVecZ: float
+    """Record 11 [m/s^2]. Gravity acceleration along z. Negative points away from the usual radial load direction."""

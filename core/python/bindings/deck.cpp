@@ -1,0 +1,217 @@
+#include "deck/deck.hpp"
+
+#include "bindings.hpp"
+#include "deck/defaults.hpp"
+#include "deck/difference.hpp"
+#include "deck/keep_text.hpp"
+#include "deck/lookup.hpp"
+#include "deck/templates.hpp"
+#include "deck/unit_change.hpp"
+#include "facade/deck_request.hpp"
+#include "facade/deck_story.hpp"
+#include "results/growing_file.hpp"
+
+namespace adore::python {
+namespace {
+
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+/// A deck with the text that it came from.
+struct DeckObject {
+  deck::Deck deck, original;
+  std::string text;             ///< of `original`
+  std::vector<Issue> warnings;  ///< of the reader
+};
+
+DeckObject from_text(std::string text, const std::string& name) {
+  deck::ReadResult read = deck::read_deck_text(text, name);
+  if (!read.ok()) throw InputError(std::move(read.issues));
+  return {read.deck, read.deck, std::move(text), std::move(read.issues)};
+}
+
+/// The values in which `now` differs from `before`, as sets; records that only one of them has are
+/// left to whoever compares the outcome.
+Sets changes(const deck::Deck& before, const deck::Deck& now) {
+  Sets out;
+  for (const deck::RecordData& record : now.records) {
+    const deck::RecordData* was = deck::find_record_data(before, record.id, record.instance);
+    const deck::RecordSpec* spec = deck::find_record(record.id);
+    if (was == nullptr || spec == nullptr || was->values.size() != record.values.size()) continue;
+    for (std::size_t v = 1; v < record.values.size(); ++v)
+      for (std::size_t k = 0; k < record.values[v].size(); ++k) {
+        if (k < was->values[v].size() && was->values[v][k] == record.values[v][k]) continue;
+        std::string name(spec->variables[v].name);
+        if (!spec->repeat.empty()) name += "[" + std::to_string(record.instance) + "]";
+        if (spec->variables[v].length != "1") name += "[" + std::to_string(k + 1) + "]";
+        out.emplace_back(std::move(name), deck::value_text(record.values[v][k]));
+      }
+  }
+  return out;
+}
+
+/// The deck's text with the values of now: remarks and blanks stay where that is possible.
+std::string text_of(const DeckObject& self) {
+  if (self.deck == self.original) return self.text;
+  try {
+    const Sets sets = changes(self.original, self.deck);
+    deck::KeptText kept = deck::with_values(self.text, sets);
+    const deck::ReadResult again = deck::read_deck_text(kept.text, self.deck.file);
+    if (kept.kept && again.deck == self.deck) return std::move(kept.text);
+  } catch (const InputError&) {  // a value that no set can give: the writer can
+  }
+  return deck::write_deck(self.deck);
+}
+
+py::object to_python(const deck::Value& value) {
+  if (const auto* integer = std::get_if<long long>(&value)) return py::int_(*integer);
+  if (const auto* real = std::get_if<double>(&value)) return py::float_(*real);
+  if (const auto* text = std::get_if<std::string>(&value)) return py::str(*text);
+  return py::none();
+}
+
+py::list values_of(const deck::RecordData& record) {
+  py::list out;
+  for (const std::vector<deck::Value>& elements : record.values) {
+    py::list list;
+    for (const deck::Value& value : elements) list.append(to_python(value));
+    out.append(list);
+  }
+  return out;
+}
+
+const deck::VariableRef present(const DeckObject& self, const std::string& name) {
+  return deck::find_present(self.deck, name);
+}
+
+}  // namespace
+
+void bind_deck(py::module_& module) {
+  module.def("schema_json", &deck::schema_json, "The record schema as JSON text.");
+  module.def(
+      "similar_variables",
+      [](const std::string& name) {
+        std::vector<std::string> out;
+        for (const std::string_view similar : deck::similar_variables(name))
+          out.emplace_back(similar);
+        return out;
+      },
+      py::arg("name"), "Known variables that resemble a mistyped name, best first.");
+  module.def(
+      "examples",
+      [] {
+        py::list out;
+        for (const deck::TemplateInfo& info : deck::templates())
+          out.append(py::make_tuple(std::string(info.name), std::string(info.description)));
+        return out;
+      },
+      "Name and description of every example deck.");
+
+  py::class_<DeckObject>(module, "Deck", "A deck as data, with the text that it came from.")
+      .def_static(
+          "read",
+          [](const std::string& path) {
+            const std::filesystem::path file = facade::deck_path(std::filesystem::path(path));
+            deck::ReadResult read = deck::read_deck(file);
+            if (!read.ok()) throw InputError(std::move(read.issues));
+            return DeckObject{read.deck, read.deck, results::read_text_file(file),
+                              std::move(read.issues)};
+          },
+          py::arg("path"), "Reads a deck file, or DATA.txt of a folder.")
+      .def_static("from_text", &from_text, py::arg("text"), py::arg("name"),
+                  "A deck from its text; `name` is what messages call it.")
+      .def_static(
+          "example",
+          [](const std::string& name) {
+            return from_text(std::string(deck::template_text(name)), name);
+          },
+          py::arg("name"), "One of the example decks.")
+      .def(
+          "copy", [](const DeckObject& self) { return self; }, "A deck of its own.")
+      .def_property(
+          "name", [](const DeckObject& self) { return self.deck.file; },
+          [](DeckObject& self, const std::string& name) { self.deck.file = name; },
+          "What messages call the deck.")
+      .def_readonly("warnings", &DeckObject::warnings, "What the reader remarked.")
+      .def(
+          "records",
+          [](const DeckObject& self) {
+            py::list out;
+            for (const deck::RecordData& record : self.deck.records)
+              out.append(py::make_tuple(record.id, record.instance));
+            return out;
+          },
+          "Id and instance of every record, in deck order.")
+      .def(
+          "values",
+          [](const DeckObject& self, const std::string& id, int instance) -> py::object {
+            const deck::RecordData* record = deck::find_record_data(self.deck, id, instance);
+            return record == nullptr ? py::object(py::none()) : py::object(values_of(*record));
+          },
+          py::arg("record"), py::arg("instance"),
+          "The values of a record, a list for each variable, label first; None without it.")
+      .def(
+          "record_of",
+          [](const DeckObject& self, const std::string& name) -> py::object {
+            const deck::VariableRef ref = present(self, name);
+            if (ref.record == nullptr) return py::none();
+            return py::make_tuple(std::string(ref.record->id), ref.position);
+          },
+          py::arg("name"),
+          "Record that holds a variable in this deck and its place there; None when none does.")
+      .def(
+          "unit",
+          [](const DeckObject& self, const std::string& name) {
+            const deck::VariableRef ref = present(self, name);
+            return ref.record == nullptr ? std::string()
+                                         : std::string(deck::unit_name(self.deck, ref.spec()));
+          },
+          py::arg("name"), "Unit of a variable in this deck; empty for pure numbers and texts.")
+      .def(
+          "si_factor",
+          [](const DeckObject& self, const std::string& name) {
+            const deck::VariableRef ref = present(self, name);
+            if (ref.record == nullptr || deck::unit_name(self.deck, ref.spec()).empty()) return 1.0;
+            const deck::UnitPair& unit = ref.spec().unit;
+            return self.deck.units() == deck::UnitSystem::SI ? unit.si_factor : unit.en_factor;
+          },
+          py::arg("name"), "The deck's value times this is SI with radians.")
+      .def(
+          "set_all",
+          [](DeckObject& self, const Sets& sets) {
+            const deck::Deck before = self.deck;
+            self.deck.set_all(sets);
+            return deck::added_defaults(before, self.deck);
+          },
+          py::arg("sets"),
+          "Sets variables as one change, names and values as text; what options brought in with "
+          "default values is returned.")
+      .def("text", &text_of, "The deck's text; remarks and blanks of the original stay.")
+      .def(
+          "in_units",
+          [](const DeckObject& self, const std::string& system) {
+            if (system != "SI" && system != "English")
+              throw InputError("there is no system of units \"" + system +
+                               "\"; decks are in \"SI\" or \"English\" ones");
+            return from_text(
+                deck::write_deck(deck::in_units(
+                    self.deck, system == "SI" ? deck::UnitSystem::SI : deck::UnitSystem::English)),
+                self.deck.file);
+          },
+          py::arg("system"), "The same bearing in the other system of units.")
+      .def(
+          "differences",
+          [](const DeckObject& self, const DeckObject& other) {
+            std::vector<std::string> out;
+            for (const deck::Difference& difference : deck::differences(self.deck, other.deck))
+              if (!difference.label) out.push_back(difference.sentence);
+            return out;
+          },
+          py::arg("other"), "What differs between two decks, a sentence each.")
+      .def(
+          "story", [](const DeckObject& self) { return facade::deck_story(self.deck); },
+          "What the deck is and what running it does, in a few lines.")
+      .def("__eq__",
+           [](const DeckObject& self, const DeckObject& other) { return self.deck == other.deck; });
+}
+
+}  // namespace adore::python

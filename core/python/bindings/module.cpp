@@ -1,0 +1,117 @@
+#include "base/json_text.hpp"
+#include "base/version.hpp"
+#include "bindings.hpp"
+#include "calculators/calculator_inputs.hpp"
+#include "calculators/calculators.hpp"
+#include "facade/option_file.hpp"
+#include "facade/output_folder.hpp"
+#include "facade/reproducible.hpp"
+
+namespace adore::python {
+namespace {
+
+/// The classes are written in Python (adore/errors.py): raises one of them.
+void raise(const char* name, const char* text, const std::vector<Issue>& issues = {}) {
+  const py::object kind = py::module_::import("adore.errors").attr(name);
+  PyErr_SetObject(kind.ptr(), kind(text, issues).ptr());
+}
+
+void translate(std::exception_ptr error) {
+  if (!error) return;
+  try {
+    std::rethrow_exception(error);
+  } catch (const facade::ResultsExist& e) {
+    raise("ResultsExistError", e.what(), e.issues());
+  } catch (const InputError& e) {
+    raise("InputError", e.what(), e.issues());
+  } catch (const SolverError& e) {
+    raise("SolverError", e.what());
+  } catch (const Interrupted& e) {
+    raise("Interrupted", e.what());
+  } catch (const InternalError& e) {
+    raise("InternalError", e.what());
+  }
+}
+
+std::string severity(const Issue& issue) {
+  return issue.severity == Severity::Error     ? "error"
+         : issue.severity == Severity::Warning ? "warning"
+                                               : "note";
+}
+
+void bind_calculators(py::module_& module) {
+  module.def(
+      "calculator_list",
+      [] {
+        py::list out;
+        for (const calculators::CalculatorInfo& info : calculators::calculator_list())
+          out.append(py::make_tuple(info.name, info.help));
+        return out;
+      },
+      "Name and purpose of every component calculator.");
+  const auto find = [](const std::string& name) -> const calculators::CalculatorInfo& {
+    for (const calculators::CalculatorInfo& info : calculators::calculator_list())
+      if (info.name == name) return info;
+    throw InputError("there is no calculator named \"" + name + "\"; dir(adore.calc) lists them");
+  };
+  module.def(
+      "describe_calculator",
+      [find](const std::string& name) { return calculators::describe_calculator_text(find(name)); },
+      py::arg("name"), "Inputs and results of a calculator with units, and an example, as text.");
+  module.def(
+      "describe_calculator_json",
+      [find](const std::string& name) {
+        return calculators::describe_calculator(find(name)).dump();
+      },
+      py::arg("name"), "The same as JSON text.");
+  module.def(
+      "calculate",
+      [](const std::string& name, const std::string& input) {
+        const py::gil_scoped_release release;
+        return calculators::calculate(name, parse_json(input, "")).dump();
+      },
+      py::arg("name"), py::arg("input"), "Runs a calculator: JSON text in, JSON text out.");
+}
+
+}  // namespace
+
+void bind_errors(py::module_& module) {
+  py::class_<Issue>(module, "Issue", "One sentence about the user's input, and its parts.")
+      .def_property_readonly("severity", severity, "\"error\", \"warning\" or \"note\".")
+      .def_readonly("file", &Issue::file, "What the deck is called.")
+      .def_readonly("line", &Issue::line, "Line of the file from 1; 0 where none is meant.")
+      .def_readonly("record", &Issue::record, "Record of the deck, e.g. \"5A\".")
+      .def_readonly("variable", &Issue::variable, "Variable of the deck, e.g. \"pitchDia\".")
+      .def_readonly("value", &Issue::value, "What the deck says.")
+      .def_readonly("message", &Issue::message, "What is to be said of it.")
+      .def_readonly("remedy", &Issue::remedy, "What would be valid.")
+      .def_property_readonly("text", &Issue::text, "The whole sentence.")
+      .def("__str__", &Issue::text)
+      .def("__repr__",
+           [](const Issue& issue) { return "<" + severity(issue) + ": " + issue.text() + ">"; });
+  py::register_exception_translator(translate);
+}
+
+}  // namespace adore::python
+
+PYBIND11_MODULE(_core, module) {
+  using namespace adore;
+  module.doc() = "The solver behind the package adore; use the package.";
+  module.attr("__version__") = std::string(kVersionNumber);
+  python::bind_errors(module);
+  python::bind_deck(module);
+  python::bind_work(module);
+  python::bind_results(module);
+  python::bind_calculators(module);
+  module.def(
+      "run_options",
+      [] {
+        pybind11::list out;
+        for (const facade::RunOptionInfo& info : facade::run_options())
+          out.append(pybind11::make_tuple(info.name, info.default_value, info.meaning));
+        return out;
+      },
+      "Name, default and meaning of every run option.");
+  module.def("require_reproducible", &facade::require_reproducible,
+             "Every later run of this process gives the same bytes on any x86-64 processor.");
+}

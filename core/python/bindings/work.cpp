@@ -1,0 +1,286 @@
+#include "bindings.hpp"
+#include "facade/check.hpp"
+#include "facade/equilibrium.hpp"
+#include "facade/plan.hpp"
+#include "facade/run.hpp"
+#include "facade/sweep.hpp"
+#include "results/h5_reader.hpp"
+
+#include <map>
+
+/// What is done with a deck: check, plan, equilibrium, run, sweep.
+namespace adore::python {
+namespace {
+
+using Options = std::map<std::string, std::string>;
+
+facade::DeckRequest deck_request(const std::string& text, const std::string& name,
+                                 const Options& options) {
+  facade::DeckRequest out;
+  out.deck = name;
+  out.text = text;
+  out.in_memory = true;
+  out.options.assign(options.begin(), options.end());
+  return out;
+}
+
+const char* status_name(facade::RunStatus status) {
+  switch (status) {
+    case facade::RunStatus::Interrupted:
+      return "interrupted";
+    case facade::RunStatus::Failed:
+      return "failed";
+    case facade::RunStatus::Untrusted:
+      return "untrusted";
+    case facade::RunStatus::Done:
+      break;
+  }
+  return "done";
+}
+
+/// Hands the newest progress from the computing thread to the one that holds the interpreter.
+class ProgressDesk {
+ public:
+  explicit ProgressDesk(py::object callback) : callback_(std::move(callback)) {}
+
+  [[nodiscard]] facade::ProgressSink sink() {
+    if (callback_.is_none()) return {};
+    return [this](const facade::Progress& progress) {
+      const std::scoped_lock lock(mutex_);
+      newest_ = progress;
+    };
+  }
+
+  /// With the interpreter's lock. A callback that returns False asks for an end.
+  void deliver() {
+    std::optional<facade::Progress> progress;
+    {
+      const std::scoped_lock lock(mutex_);
+      std::swap(progress, newest_);
+    }
+    if (!progress || callback_.is_none()) return;
+    const py::object answer = callback_(*progress);
+    if (answer.ptr() == Py_False) throw StopAsked();
+  }
+
+  struct StopAsked {};
+
+ private:
+  py::object callback_;
+  std::mutex mutex_;
+  std::optional<facade::Progress> newest_;
+};
+
+/// What Python raised while the work was under way: (exception or None, whether a callback asked
+/// for the end).
+std::pair<py::object, bool> raised_of(const std::exception_ptr& raised) {
+  if (!raised) return {py::none(), false};
+  try {
+    std::rethrow_exception(raised);
+  } catch (const ProgressDesk::StopAsked&) {
+    return {py::none(), true};
+  } catch (py::error_already_set& error) {
+    return {error.value(), false};
+  }
+}
+
+struct RunRecord {
+  facade::RunOutcome outcome;
+  py::object raised = py::none();
+};
+
+facade::RunRequest run_request(const std::string& text, const std::string& name,
+                               const Options& options, const std::string& out,
+                               const std::string& until, const std::string& integrator,
+                               const std::optional<double>& tolerance, bool go_on, bool overwrite) {
+  facade::RunRequest request;
+  static_cast<facade::DeckRequest&>(request) = deck_request(text, name, options);
+  request.out = out;
+  request.until = until;
+  request.integrator = integrator;
+  request.tolerance = tolerance;
+  request.go_on = go_on;
+  request.overwrite = overwrite;
+  return request;
+}
+
+void bind_run(py::module_& module) {
+  using facade::Progress;
+  py::class_<Progress>(module, "Progress", "How far a run is; handed to progress callbacks.")
+      .def_readonly("fraction", &Progress::fraction, "Of the simulated span, 0 to 1.")
+      .def_readonly("revolutions", &Progress::revolutions, "Turns of the shaft.")
+      .def_readonly("time", &Progress::time, "Simulated time [s].")
+      .def_readonly("end_time", &Progress::end_time, "End of the run [s].")
+      .def_readonly("step", &Progress::step, "Counted steps; of a sweep, the runs that are done.")
+      .def_readonly("elapsed", &Progress::elapsed, "Computing time so far [s].")
+      .def_readonly("remaining", &Progress::remaining, "Estimate [s].")
+      .def_readonly("speed_up", &Progress::speed_up, "Simulated over computing time.")
+      .def_readonly("runs", &Progress::runs, "Of a sweep: how many there are; 0: one run.");
+
+  using Record = RunRecord;
+  py::class_<Record>(module, "RunOutcome", "What a run came to.")
+      .def_property_readonly(
+          "status", [](const Record& r) { return status_name(r.outcome.status); },
+          "\"done\", \"interrupted\", \"failed\" or \"untrusted\".")
+      .def_property_readonly(
+          "message", [](const Record& r) { return r.outcome.message; },
+          "Diagnosis and remedy; empty when there is nothing to say.")
+      .def_property_readonly(
+          "folder", [](const Record& r) { return r.outcome.folder.string(); },
+          "Folder of the files.")
+      .def_property_readonly(
+          "files",
+          [](const Record& r) {
+            std::vector<std::string> out;
+            for (const auto& file : r.outcome.files) out.push_back(file.string());
+            return out;
+          },
+          "Files that were written.")
+      .def_property_readonly(
+          "remarks", [](const Record& r) { return r.outcome.warnings; },
+          "Of the deck, and of the equilibrium.")
+      .def_property_readonly(
+          "lines", [](const Record& r) { return r.outcome.results; },
+          "A quasi-static run's results in a few sentences.")
+      .def_property_readonly(
+          "steps", [](const Record& r) { return r.outcome.steps; }, "Counted steps.")
+      .def_property_readonly(
+          "evaluations", [](const Record& r) { return r.outcome.evaluations; },
+          "Of the right-hand side.")
+      .def_property_readonly(
+          "time", [](const Record& r) { return r.outcome.time; }, "Simulated time [s].")
+      .def_property_readonly(
+          "revolutions", [](const Record& r) { return r.outcome.revolutions; },
+          "Turns of the shaft.")
+      .def_property_readonly(
+          "seconds", [](const Record& r) { return r.outcome.seconds; }, "Computing time [s].")
+      .def_property_readonly(
+          "energy_residual", [](const Record& r) { return r.outcome.energy_residual; },
+          "What the ledger of energy leaves open [J].")
+      .def_property_readonly(
+          "energy_scale", [](const Record& r) { return r.outcome.energy_scale; },
+          "Energy that moved [J].")
+      .def_property_readonly(
+          "results", [](const Record& r) { return to_list(r.outcome.summary); },
+          "Key results: id, label, unit, value in SI.")
+      .def_property_readonly(
+          "raised", [](const Record& r) { return r.raised; },
+          "What Python raised while the run was under way, or None.");
+
+  module.def(
+      "run",
+      [](const std::string& text, const std::string& name, const Options& options,
+         const std::string& out, const std::string& until, const std::string& integrator,
+         const std::optional<double>& tolerance, bool go_on, bool overwrite,
+         const py::object& progress) {
+        const facade::RunRequest request =
+            run_request(text, name, options, out, until, integrator, tolerance, go_on, overwrite);
+        ProgressDesk desk(progress);
+        const facade::ProgressSink sink = desk.sink();
+        auto done = in_background(
+            [&](std::stop_token stop) { return facade::run(request, sink, std::move(stop)); },
+            [&] { desk.deliver(); });
+        const auto [raised, stopped] = raised_of(done.raised);
+        if (done.error) {
+          if (!raised.is_none()) std::rethrow_exception(done.raised);
+          std::rethrow_exception(done.error);
+        }
+        return RunRecord{std::move(*done.value), raised};
+      },
+      py::arg("text"), py::arg("name"), py::arg("options"), py::arg("out"), py::arg("until"),
+      py::arg("integrator"), py::arg("tolerance"), py::arg("go_on"), py::arg("overwrite"),
+      py::arg("progress"), "Runs a deck. The interpreter's lock is free meanwhile.");
+
+  module.def(
+      "sweep",
+      [](const std::string& text, const std::string& name, const Options& options,
+         const std::string& out, const std::string& variable, const std::string& range,
+         const std::string& until, const std::string& integrator,
+         const std::optional<double>& tolerance, bool go_on, bool overwrite, int threads,
+         const py::object& progress) {
+        facade::RunRequest request =
+            run_request(text, name, options, out, until, integrator, tolerance, go_on, overwrite);
+        request.sets.emplace_back(variable, range);
+        ProgressDesk desk(progress);
+        const facade::ProgressSink sink = desk.sink();
+        auto done = in_background(
+            [&](std::stop_token stop) {
+              return facade::run_sweep(request, threads, sink, std::move(stop));
+            },
+            [&] { desk.deliver(); });
+        const auto [raised, stopped] = raised_of(done.raised);
+        if (!raised.is_none()) std::rethrow_exception(done.raised);
+        if (done.error) std::rethrow_exception(done.error);
+        return py::make_tuple(done.value->table.string(), done.value->exit_code,
+                              done.value->warnings);
+      },
+      py::arg("text"), py::arg("name"), py::arg("options"), py::arg("out"), py::arg("variable"),
+      py::arg("range"), py::arg("until"), py::arg("integrator"), py::arg("tolerance"),
+      py::arg("go_on"), py::arg("overwrite"), py::arg("threads"), py::arg("progress"),
+      "Runs a deck with evenly spaced values of one variable: table, worst exit code, remarks.");
+}
+
+}  // namespace
+
+void bind_work(py::module_& module) {
+  module.def(
+      "check",
+      [](const std::string& text, const std::string& name, const Options& options) {
+        const facade::DeckRequest request = deck_request(text, name, options);
+        return interruptible([&](const std::stop_token&) { return facade::check(request).issues; });
+      },
+      py::arg("text"), py::arg("name"), py::arg("options"),
+      "Everything that is to be said of a deck's text.");
+  module.def(
+      "options_beside",
+      [](const std::string& deck) { return facade::options_beside(facade::deck_path(deck)); },
+      py::arg("deck"), "Run options of the ADORE.json beside a deck.");
+  module.def(
+      "plan",
+      [](const std::string& text, const std::string& name, const Options& options) {
+        const facade::DeckRequest request = deck_request(text, name, options);
+        const facade::PlanReport report = interruptible(
+            [&](std::stop_token stop) { return facade::plan(request, std::move(stop)); });
+        return py::make_tuple(report.text, report.json.dump(), report.remarks);
+      },
+      py::arg("text"), py::arg("name"), py::arg("options"), "Plan as text and JSON, and remarks.");
+  module.def(
+      "equilibrium",
+      [](const std::string& text, const std::string& name, const Options& options) {
+        const facade::DeckRequest request = deck_request(text, name, options);
+        facade::Equilibrium solution = interruptible([&](std::stop_token stop) {
+          return facade::solve_equilibrium(request, std::move(stop));
+        });
+        py::dict tables;
+        for (results::StaticTable& table : solution.tables.tables) {
+          py::list columns;
+          for (results::StaticColumn& column : table.columns) {
+            const auto rows = static_cast<py::ssize_t>(column.values.size());
+            const deck::UnitPair* unit = column.unit;
+            columns.append(py::make_tuple(
+                column.name, std::string(unit != nullptr ? results::coherent_unit(*unit) : ""),
+                to_array(std::move(column.values), {rows})));
+          }
+          tables[py::str(table.name)] = columns;
+        }
+        std::vector<double> stiffness;
+        for (const auto& row : solution.stiffness)
+          stiffness.insert(stiffness.end(), row.begin(), row.end());
+        py::dict out;
+        out["bearing"] = solution.tables.bearing;
+        out["displacement"] = solution.displacement;
+        out["load"] = solution.load;
+        out["stiffness"] = to_array(std::move(stiffness), {5, 5});
+        out["results"] = to_list(solution.results);
+        out["tables"] = tables;
+        out["lines"] = solution.lines;
+        out["remarks"] = solution.remarks;
+        out["seconds"] = solution.seconds;
+        return out;
+      },
+      py::arg("text"), py::arg("name"), py::arg("options"),
+      "The quasi-static equilibrium: plain values, SI.");
+  bind_run(module);
+}
+
+}  // namespace adore::python
