@@ -93,8 +93,8 @@ std::vector<BallVibration> ball_vibrations(const bearing::Bearing& bearing,
   return out;
 }
 
-void estimate(ScenePlan& plan, const bearing::Bearing& bearing,
-              const statics::StaticSolution& statics, System& system) {
+void find_fastest(ScenePlan& plan, const bearing::Bearing& bearing,
+                  const statics::StaticSolution& statics) {
   BallVibration fastest;
   std::size_t element = 0;
   const std::vector<BallVibration> vibrations = ball_vibrations(bearing, statics);
@@ -103,13 +103,18 @@ void estimate(ScenePlan& plan, const bearing::Bearing& bearing,
     fastest = vibrations[i];
     element = i;
   }
+  if (!(fastest.along > 0.0)) return;
+  plan.fastest_frequency = fastest.along / (2.0 * std::numbers::pi);
+  plan.fastest_contact = fmt::format("element {} / {} race", element + 1,
+                                     fastest.stiffer_race == 0 ? "outer" : "inner");
+}
+
+void estimate(ScenePlan& plan, const bearing::Bearing& bearing,
+              const statics::StaticSolution& statics, System& system) {
+  find_fastest(plan, bearing, statics);
   plan.quadratures = system.layout().size() - system.layout().controlled_size();
   constexpr double kTurn = 2.0 * std::numbers::pi;
-  if (fastest.along > 0.0) {
-    plan.fastest_frequency = fastest.along / kTurn;
-    plan.fastest_contact = fmt::format("element {} / {} race", element + 1,
-                                       fastest.stiffer_race == 0 ? "outer" : "inner");
-  } else {
+  if (!(plan.fastest_frequency > 0.0)) {
     plan.fastest_frequency = 1.0 / (kTurn * system.scales().time);
     plan.fastest_contact = "no contact is loaded; a contact at 0.001 of the force scale";
   }

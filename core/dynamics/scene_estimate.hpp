@@ -29,6 +29,11 @@ struct BallVibration {
 [[nodiscard]] std::vector<BallVibration> ball_vibrations(const bearing::Bearing& bearing,
                                                          const statics::StaticSolution& statics);
 
+/// fastest_frequency and fastest_contact of the plan alone; both stay empty when no contact is
+/// loaded.
+void find_fastest(ScenePlan& plan, const bearing::Bearing& bearing,
+                  const statics::StaticSolution& statics);
+
 /// Fills the estimates of `plan` and its number of quadratures:
 /// fastest_frequency: the largest of ball_vibrations() [Hz]; fastest_contact names the stiffer
 /// contact of that ball. Without a loaded

@@ -101,6 +101,9 @@ System::System(System&&) noexcept = default;
 
 const StateLayout& System::layout() const noexcept { return impl_->parts.layout; }
 const Scales& System::scales() const noexcept { return impl_->scales; }
+std::span<const double> System::contact_loads(std::size_t race) const noexcept {
+  return impl_->e.load[race];
+}
 CostLedger& System::cost() noexcept { return impl_->parts.cost; }
 const bearing::Bearing& System::bearing() const noexcept { return impl_->bearing; }
 std::span<const int> System::coupling() const noexcept { return impl_->parts.owner; }

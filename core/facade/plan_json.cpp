@@ -16,12 +16,15 @@ nlohmann::ordered_json plan_json(const scene::ScenePlan& plan, const std::string
         {{"name", effect.name}, {"on", effect.on}, {"because", effect.because}});
   out["unknowns"] = plan.unknowns;
   out["quadratures"] = plan.quadratures;
-  if (plan.fastest_frequency > 0.0)
+  if (plan.fastest_frequency > 0.0) {
     out["estimates"] = {{"fastest_frequency_Hz", plan.fastest_frequency},
-                        {"fastest_contact", plan.fastest_contact},
-                        {"expected_step_s", plan.expected_step},
-                        {"steps_per_revolution", plan.steps_per_revolution},
-                        {"computing_s_per_revolution", plan.seconds_per_revolution}};
+                        {"fastest_contact", plan.fastest_contact}};
+    if (plan.expected_step > 0.0) {  // `adore plan`; a run has taken its steps
+      out["estimates"]["expected_step_s"] = plan.expected_step;
+      out["estimates"]["steps_per_revolution"] = plan.steps_per_revolution;
+      out["estimates"]["computing_s_per_revolution"] = plan.seconds_per_revolution;
+    }
+  }
   if (!stability.empty()) out["stability"] = stability;
   return out;
 }

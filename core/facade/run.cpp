@@ -427,6 +427,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
         h = stepper->step(span.end).h;
         ++substeps;
         if (substeps == prepared.control.substeps) break;
+        outputs.follow_loads(system);
         if (outputs.checkpoint_due()) checkpoint();
         meter.update(stepper->time(), step, start.step);
       }
@@ -435,6 +436,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
       ++step;
       const RunPoint point{step, stepper->time(), h, stepper->state()};
       system.check_state(point.time, point.y.data());
+      outputs.follow_loads(system);
       if (may_hold) update_held();
       if (thermal && thermal->due(stepper->time())) output(thermal_step);
       const RunPoint now{step, stepper->time(), h, stepper->state()};

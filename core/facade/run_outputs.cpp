@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "base/version.hpp"
 #include "dynamics/effect_catalogue.hpp"
+#include "dynamics/scene_estimate.hpp"
 #include "facade/cage_start.hpp"
 #include "facade/continued_deck.hpp"
 #include "facade/deck_summary.hpp"
@@ -36,6 +37,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using scene::Snapshot;
+
+std::vector<double> loads_of(const Snapshot& at, std::size_t race) {
+  std::vector<double> out;
+  for (const scene::ElementSnapshot& element : at.elements) out.push_back(element.race[race].load);
+  return out;
+}
 
 std::vector<std::string> component_names(const dynamics::System& system) {
   std::vector<std::string> out;
@@ -83,6 +90,7 @@ struct RunOutputs::Impl {
   deck::UnitSystem units;
   results::ChannelRecorder recorder;
   results::RunAverages averages;
+  results::LoadBand loads;  ///< since the step stored last
   LifeObserver life;
   MotionWatch watch;
   RunFiles files;
@@ -111,7 +119,10 @@ struct RunOutputs::Impl {
         life(p.bearing, p.life.parameters,
              {p.life.state.factors.film_parameter[0], p.life.state.factors.film_parameter[1]}),
         watch(p.bearing),
-        files(p, std::move(f)) {}
+        files(p, std::move(f)) {
+    // Plots compare it with the interval of the stored steps.
+    if (p.control.dynamic) dynamics::find_fastest(plan, p.bearing, p.start);
+  }
 
   [[nodiscard]] fs::path path(const std::string& name) const { return files.path(name); }
   void remark(std::string text, Severity severity = Severity::Note) {
@@ -185,6 +196,7 @@ void RunOutputs::Impl::write_restart(const dynamics::System& system, const Snaps
   master.last = final_state(system, at, y);
   if (thermal != nullptr) thermal->save(master.averages);
   averages.save(master.averages);
+  loads.save(master.averages);
   life.save(master.averages);
   recorder.save(master.averages);
   save_progress(master.averages, at, resume, files.steps, segment, control);
@@ -297,6 +309,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     s.averages.restore(master.averages);
     s.life.restore(master.averages);
     s.recorder.restore(master.averages);
+    s.loads.restore(master.averages);
     s.files.steps = restore_progress(master, s.control, s.path(s.control.master_file), out);
     s.ledger_start = LedgerStart::of(master);
     const results::MasterFile* listing = master.file("PRINT");
@@ -367,7 +380,10 @@ void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool alw
   if (where.life) s.life.observe(s.last);
   s.last.power.life_hours = s.life.hours();
   s.averages.add(s.last);
-  const results::StepRecord& record = s.recorder.record(s.last);
+  // What is stored is one of the looks.
+  s.loads.look(loads_of(s.last, 0), loads_of(s.last, 1));
+  const results::StepRecord& record = s.recorder.record(s.last, &s.loads);
+  s.loads.clear();
   s.files.store(where, s.last, record);
   if (where.print)
     s.files.print->step(s.last, record, s.prepared.bearing, s.averages.averages(),
@@ -383,6 +399,10 @@ void RunOutputs::follow(const RunPoint& point) {
     mean += scene::Vec3(c[0], c[1], c[2]) / static_cast<double>(s.cage_positions.size());
   }
   s.averages.add_cage_position(mean);
+}
+
+void RunOutputs::follow_loads(const dynamics::System& system) {
+  impl_->loads.look(system.contact_loads(0), system.contact_loads(1));
 }
 
 bool RunOutputs::checkpoint_due() const {

@@ -81,6 +81,8 @@ class RunOutputs {
   void store(dynamics::System& system, const RunPoint& point, bool always);
   /// Follows what averages need between stored points; after every counted step.
   void follow(const RunPoint& point);
+  /// Follows what is shown of the loads between stored points; after every integration step.
+  void follow_loads(const dynamics::System& system);
   /// Has the checkpoint interval of computing time passed?
   [[nodiscard]] bool checkpoint_due() const;
   /// FINAL and MASTER of this point, from where the run can be continued. Points stored later are

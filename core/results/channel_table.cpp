@@ -85,6 +85,12 @@ constexpr auto kTable = std::to_array<Channel>({
     // Element / race contacts, outer then inner.
     {"contact.load", "contact load", &unit::kForce, "-", Per::Contact, 1, false,
      [](const Source& s) { return s.contact().load; }, "normal load Q"},
+    {"contact.load_low", "lowest contact load", &unit::kForce, "-", Per::Contact, 1, false,
+     [](const Source& s) { return s.has_band() ? s.band->low(s.in_band()) : s.contact().load; }, "since the step stored before, one look per integration step"},
+    {"contact.load_high", "highest contact load", &unit::kForce, "-", Per::Contact, 1, false,
+     [](const Source& s) { return s.has_band() ? s.band->high(s.in_band()) : s.contact().load; }, "since the step stored before, one look per integration step"},
+    {"contact.load_mean", "mean contact load", &unit::kForce, "-", Per::Contact, 1, false,
+     [](const Source& s) { return s.has_band() ? s.band->mean(s.in_band()) : s.contact().load; }, "of the looks since the step stored before"},
     {"contact.angle", "contact angle", &unit::kAngle, "A", Per::Contact, 1, false,
      [](const Source& s) { return s.contact().angle; }, "0 when open"},
     {"contact.spin_to_roll", "spin to roll ratio", &unit::kPure, "-", Per::Contact, 1, false,

@@ -128,7 +128,7 @@ void ChannelRecorder::set_bearing(bearing::Bearing bearing) {
   bearing_ = std::move(bearing);
 }
 
-const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot) {
+const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot, const LoadBand* band) {
   const Shape& shape = record_.shape;
   demand(snapshot.elements.size() == static_cast<std::size_t>(shape.elements) &&
              snapshot.cages.size() == static_cast<std::size_t>(shape.cages),
@@ -154,6 +154,7 @@ const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot) {
   record_.shaft_rotation = snapshot.shaft_rotation;
   ChannelSource source;
   source.snapshot = &snapshot;
+  source.band = band;
   source.bearing = &bearing_;
   source.unit_length = unit_length_;
   for (std::size_t c = 0; c < record_.values.size(); ++c) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
+#include "results/load_band.hpp"
 #include "results/quantities.hpp"
 #include "results/sol_file.hpp"
 #include "scene/snapshot.hpp"
@@ -35,6 +36,8 @@ enum class Per : unsigned char {
 /// Where a channel's getter looks: one instant and the indices that its `Per` needs (all from 0).
 struct ChannelSource {
   const scene::Snapshot* snapshot = nullptr;
+  const LoadBand* band =
+      nullptr;  ///< since the step stored last; null or empty: this instant alone
   const bearing::Bearing* bearing = nullptr;
   double unit_length = 1.0;  ///< the deck's unit of length [m], see cage_clearance_scale()
   std::size_t element = 0, race = 0, side = 0, surface = 0, cage = 0, land = 0, component = 0;
@@ -42,6 +45,9 @@ struct ChannelSource {
 
   [[nodiscard]] const scene::ElementSnapshot& ball() const { return snapshot->elements[element]; }
   [[nodiscard]] const scene::RaceContactSnapshot& contact() const { return ball().race[race]; }
+  /// Place of the contact in the band.
+  [[nodiscard]] std::size_t in_band() const { return race * snapshot->elements.size() + element; }
+  [[nodiscard]] bool has_band() const { return band != nullptr && !band->empty(); }
   [[nodiscard]] const scene::FlangeContactSnapshot& flange() const {
     return ball().flange[race][side];
   }
@@ -127,7 +133,9 @@ class ChannelRecorder {
   ChannelRecorder(bearing::Bearing bearing, UnitSystem units, ChannelTable table);
   /// New temperatures and fits after a thermal step; the shape must stay.
   void set_bearing(bearing::Bearing bearing);
-  [[nodiscard]] const StepRecord& record(const scene::Snapshot& snapshot);
+  /// `band`: of the loads since the last record; null: none was kept.
+  [[nodiscard]] const StepRecord& record(const scene::Snapshot& snapshot,
+                                         const LoadBand* band = nullptr);
   [[nodiscard]] const bearing::Bearing& bearing() const noexcept { return bearing_; }
   [[nodiscard]] const Shape& shape() const noexcept { return record_.shape; }
   [[nodiscard]] const ChannelTable& table() const noexcept { return table_; }
