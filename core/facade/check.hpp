@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deck/deck.hpp"
+#include "deck/no_part.hpp"
 
 #include <vector>
 
@@ -12,5 +13,14 @@ namespace adore::facade {
 /// lose the clearance or overstress a ring.
 /// @throws SolverError when the operating state of the bearing cannot be found.
 [[nodiscard]] std::vector<Issue> check_model(const deck::Deck& deck);
+
+/// The same with what a form shows beside its fields.
+struct ModelCheck {
+  std::vector<Issue> issues;
+  std::vector<Issue> refusals;       ///< those of `issues` for which `adore run` refuses the deck
+  std::vector<deck::NoPart> unused;  ///< values that a run of this deck does not use, and why;
+                                     ///< empty when it cannot be run
+};
+[[nodiscard]] ModelCheck examine_model(const deck::Deck& deck);
 
 }  // namespace adore::facade

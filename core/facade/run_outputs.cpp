@@ -12,6 +12,7 @@
 #include "facade/output_folder.hpp"
 #include "facade/restart_progress.hpp"
 #include "facade/run_files.hpp"
+#include "facade/solution_tables.hpp"
 #include "listing/print_fits.hpp"
 #include "listing/print_heat.hpp"
 #include "listing/solution_tables.hpp"
@@ -488,21 +489,7 @@ std::vector<std::string> RunOutputs::write_quasi_static() {
   if (s.prepared.bearing.operating) add_fits(s.key_results, *s.prepared.bearing.operating);
   add_lives(s.key_results, s.prepared.life);
   run.summary = s.key_results;
-  results::StaticTables tables =
-      s.prepared.rollers ? listing::static_tables(*s.prepared.rollers, s.prepared.bearing, s.units)
-                         : listing::static_tables(s.prepared.statics, s.prepared.bearing, s.units);
-  if (s.prepared.rollers)
-    listing::add_cut(tables, *s.prepared.rollers, s.prepared.bearing);
-  else
-    listing::add_cut(tables, s.prepared.statics, s.prepared.bearing);
-  if (!s.prepared.stiffness.empty())
-    tables.tables.push_back(listing::stiffness_over_speed(s.prepared.stiffness));
-  if (s.prepared.friction) {
-    listing::add_friction_columns(tables.tables.front(), *s.prepared.friction);
-    tables.tables.push_back(listing::friction_table(*s.prepared.friction));
-  }
-  if (s.prepared.thermal) tables.tables.push_back(listing::network_table(s.prepared.thermal->heat));
-  run.quasi_static = results::to_json(tables);
+  run.quasi_static = results::to_json(solution_tables(s.prepared));
   s.close(run);
   std::vector<std::string> lines =
       listing::summary_lines(s.static_summary(false), s.prepared.bearing, s.prepared.life, s.units);

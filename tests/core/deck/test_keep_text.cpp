@@ -82,7 +82,7 @@ TEST_CASE("remarks stay when records come, go and grow", "[unit][deck]") {
   CHECK(with({{"kReGeoImp", "2"}, {"reDiaVar3", "1e-6"}}).find(remark) != std::string::npos);
   const std::string still = with({{"mode", "-1"}});
   CHECK(still.find(remark) == std::string::npos);
-  CHECK(still.find("pitchDia") != std::string::npos);
+  CHECK(still.find("D, dm, contact angle") != std::string::npos);
 }
 
 TEST_CASE("a record that is written anew keeps the remark behind it", "[unit][deck]") {
