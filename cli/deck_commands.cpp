@@ -3,6 +3,7 @@
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
+#include "deck/catalogue.hpp"
 #include "deck/templates.hpp"
 #include "facade/check.hpp"
 #include "facade/deck_story.hpp"
@@ -69,17 +70,28 @@ std::string text_of(const std::vector<std::string>& lines) {
   return out;
 }
 
-void new_deck(const std::string& type, const std::string& out) {
-  const std::string_view text = deck::template_text(type);
+/// Writes a new deck where nothing is yet; its file, or nothing when it went to standard output.
+std::string write_new(const std::string& out, std::string_view text) {
   std::filesystem::path path(out);
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) path /= "DATA.txt";
   if (!out.empty() && out != kStream && std::filesystem::exists(path))
     throw InputError(
         fmt::format("{} exists already; name another file, or remove it first", path.string()));
-  const std::string written = write_text(out, "DATA.txt", text);
+  return write_text(out, "DATA.txt", text);
+}
+
+void new_deck(const std::string& type, const std::string& out) {
+  const std::string written = write_new(out, deck::template_text(type));
   if (written.empty()) return;
   tell(fmt::format("wrote {}\n{}", written, text_of(facade::deck_story(deck::new_deck(type)))));
+}
+
+void new_from_catalogue(const std::string& designation, const std::string& out) {
+  const deck::CatalogueBearing bearing = deck::find_bearing(designation);
+  const std::string written = write_new(out, deck::catalogue_deck(bearing));
+  const std::string story = text_of(deck::catalogue_story(bearing));
+  tell(written.empty() ? story : fmt::format("wrote {}\n{}", written, story));
 }
 
 const deck::TemplateInfo& example(const std::string& name) {
@@ -169,18 +181,32 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
         app.add_subcommand("new", "write a complete, runnable deck and say what it does");
     auto type = std::make_shared<std::string>();
     auto out = std::make_shared<std::string>();
-    command_line::offer(
-        command
-            ->add_option("type", *type,
-                         "ball, cylindrical, spherical, tapered or spherical-tapered, or another "
-                         "name of `adore examples`")
-            ->required()
-            ->type_name("NAME"),
-        template_names());
+    auto designation = std::make_shared<std::string>();
+    CLI::Option* name = command->add_option(
+        "type", *type,
+        "ball, cylindrical, spherical, tapered or spherical-tapered, or another name of `adore "
+        "examples`");
+    command_line::offer(name->type_name("NAME"), template_names());
+    command
+        ->add_option("--catalogue", *designation,
+                     "a bearing by its designation (6205, 7208 B, NU209, 30208, 22210) or outside "
+                     "('deep-groove 25x52x15' in mm): standard boundary dimensions, the inside "
+                     "estimated")
+        ->type_name("BEARING")
+        ->excludes(name);
     command->add_option("--out", *out, "file or folder to write (standard output unless given)")
         ->type_name("FILE");
-    command->footer("Example\n  adore new ball --out DATA.txt");
-    command->callback([=] { new_deck(*type, *out); });
+    command->footer(
+        "Examples\n"
+        "  adore new ball --out DATA.txt\n"
+        "  adore new --catalogue 6205 --out DATA.txt");
+    command->callback([=] {
+      if (!designation->empty()) return new_from_catalogue(*designation, *out);
+      if (type->empty())
+        throw InputError(
+            "name an example (`adore examples` lists them), or a bearing with --catalogue");
+      new_deck(*type, *out);
+    });
   }
   {
     CLI::App* command =

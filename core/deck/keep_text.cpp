@@ -66,7 +66,120 @@ std::optional<std::string> exchanged(std::string_view text, const Deck& before, 
   return out;
 }
 
+/// The line of one record as the writer has it, without its end.
+std::string written(const RecordData& record) {
+  Deck alone;
+  alone.records.push_back(record);
+  std::string line = write_deck(alone);
+  line.pop_back();
+  return line;
+}
+
+/// Where the values of a record end: the line (0-based), and what stands behind them there.
+struct RecordEnd {
+  std::size_t line = 0;
+  std::string_view remark;
+};
+
+RecordEnd end_of(const Scanner& start, const RecordData& record) {
+  Scanner scanner = start;
+  scanner.go_to_line(static_cast<std::size_t>(record.line) - 1);
+  std::size_t values = 0;
+  for (const auto& elements : record.values) values += elements.size();
+  for (std::size_t taken = 0; taken < values;) {
+    const Token token = scanner.next();
+    if (token.kind == Token::Kind::Slash || token.kind == Token::Kind::End) break;
+    taken += static_cast<std::size_t>(std::max(1LL, token.repeat));
+  }
+  std::size_t line = std::min(scanner.position().line, scanner.lines().size() - 1);
+  return {line, scanner.position().line < scanner.lines().size() ? scanner.rest_of_line() : ""};
+}
+
+/// Text from the start of one line to the start of another (0-based), line ends included.
+std::string_view lines_between(std::string_view text, const Scanner& scanner, std::size_t first,
+                               std::size_t behind) {
+  const auto start = [&](std::size_t line) {
+    return line < scanner.lines().size()
+               ? static_cast<std::size_t>(scanner.lines()[line].data() - text.data())
+               : text.size();
+  };
+  return text.substr(start(first), start(behind) - start(first));
+}
+
+/// Record by record: its own text where it has one.
+std::optional<std::string> joined(std::string_view text, const Deck& before, const Deck& after) {
+  if (before.records.empty()) return std::nullopt;
+  const Scanner scanner(text);
+  const auto first_line = [&](std::size_t r) {
+    return static_cast<std::size_t>(before.records[r].line) - 1;
+  };
+  for (std::size_t r = 0; r < before.records.size(); ++r)
+    if (before.records[r].line == 0 || (r > 0 && first_line(r) <= first_line(r - 1)))
+      return std::nullopt;
+  std::string out(lines_between(text, scanner, 0, first_line(0)));
+  for (const RecordData& is : after.records) {
+    const auto was = std::find_if(
+        before.records.begin(), before.records.end(), [&](const RecordData& candidate) {
+          return candidate.id == is.id && candidate.instance == is.instance;
+        });
+    if (was == before.records.end()) {
+      out += written(is) + "\n";
+      continue;
+    }
+    const auto r = static_cast<std::size_t>(was - before.records.begin());
+    const RecordEnd end = end_of(scanner, *was);
+    const std::size_t behind = r + 1 < before.records.size()
+                                   ? first_line(r + 1)
+                                   : std::min(end.line + 1, scanner.lines().size());
+    if (behind <= first_line(r)) return std::nullopt;
+    std::string block(lines_between(text, scanner, first_line(r), behind));
+    if (!(*was == is)) {
+      const std::optional<std::vector<Exchange>> list =
+          was->values.size() == is.values.size() && !block.empty()
+              ? exchanges(text, scanner, *was, is)
+              : std::nullopt;
+      if (list) {
+        const auto from =
+            static_cast<std::size_t>(scanner.lines()[first_line(r)].data() - text.data());
+        for (auto e = list->rbegin(); e != list->rend(); ++e) {
+          if (e->at < from || e->at + e->length > from + block.size()) return std::nullopt;
+          block.replace(e->at - from, e->length, e->by);
+        }
+      } else {
+        const std::string_view after_it = lines_between(text, scanner, end.line + 1, behind);
+        std::string_view remark = end.remark;
+        const std::size_t said = remark.find_first_not_of(" \t,");
+        remark = said == std::string_view::npos ? "" : remark.substr(said);
+        // Behind a slash the writer's own line needs none.
+        block = written(is) + (remark.empty() ? "" : "  " + std::string(remark)) + "\n" +
+                std::string(after_it);
+      }
+    }
+    if (!block.empty() && block.back() != '\n' && block.back() != '\r') block += '\n';
+    out += block;
+  }
+  if (after.user_lines == before.user_lines) {
+    const RecordEnd end = end_of(scanner, before.records.back());
+    out += lines_between(text, scanner, end.line + 1, scanner.lines().size());
+  } else {
+    for (const std::string& line : after.user_lines) out += line + "\n";
+  }
+  return out;
+}
+
 }  // namespace
+
+KeptText with_deck(std::string_view text, const Deck& after) {
+  const Deck before = read_deck_text(text, "deck").deck;
+  for (const auto& make : {&exchanged, &joined}) {
+    if (make == &exchanged && before.user_lines != after.user_lines) continue;
+    const std::optional<std::string> kept = make(text, before, after);
+    if (!kept) continue;
+    const ReadResult again = read_deck_text(*kept, "deck");
+    if (again.deck == after) return {*kept, true};
+  }
+  return {write_deck(after), false};
+}
 
 KeptText with_values(std::string_view text,
                      std::span<const std::pair<std::string, std::string>> sets) {

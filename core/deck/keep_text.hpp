@@ -10,15 +10,23 @@
 namespace adore::deck {
 
 /// The text of a deck with other values, everything else as it stands: remarks behind the values,
-/// blanks, spelling of numbers. Values that cannot be exchanged one for one (left out, or repeated
-/// by "3*0.0") and changes that add or drop records make the writer's own text instead, which has
-/// no remarks.
-/// @param text of a deck without errors
-/// @throws InputError as Deck::set_all()
+/// blanks, spelling of numbers.
 struct KeptText {
   std::string text;
-  bool kept = true;  ///< false: the writer's own text
+  bool kept = true;  ///< false: the writer's own text, which has no remarks
 };
+
+/// The text of `after` made from that of another deck. A record whose values cannot be exchanged
+/// one for one (left out, repeated by "3*0.0", more or fewer of them) is written anew with its
+/// remark behind it; records that are new are written where they belong, and those that are gone
+/// take their remarks with them. When even that would not read back equal, the writer's own text.
+/// @param text of a deck, which may have errors
+[[nodiscard]] KeptText with_deck(std::string_view text, const Deck& after);
+
+/// The same with some values changed. Changes that need more than exchanging words make the
+/// writer's own text.
+/// @param text of a deck without errors
+/// @throws InputError as Deck::set_all()
 [[nodiscard]] KeptText with_values(std::string_view text,
                                    std::span<const std::pair<std::string, std::string>> sets);
 

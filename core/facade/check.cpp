@@ -38,20 +38,24 @@ void check_rest(const deck::Deck& deck, const bearing::Bearing& operating) {
 
 }  // namespace
 
-std::vector<Issue> check_model(const deck::Deck& deck) {
-  std::vector<Issue> issues = setup::check_buildable(deck);
+std::vector<Issue> check_model(const deck::Deck& deck) { return examine_model(deck).issues; }
+
+ModelCheck examine_model(const deck::Deck& deck) {
+  ModelCheck out;
+  std::vector<Issue>& issues = out.issues = setup::check_buildable(deck);
   const bool runs = !has_error(issues);
   for (Issue& issue : issues)
     if (issue.severity == Severity::Error) {
       issue.severity = Severity::Note;
       issue.message = "`adore run` will refuse this deck: " + issue.message;
+      out.refusals.push_back(issue);
     }
   deck::Deck model = deck;
   if (!runs) {
     // A motion that cannot be run has a geometry all the same.
     model.set("mode", "-1");
     model.complete();
-    if (has_error(setup::check_buildable(model))) return issues;
+    if (has_error(setup::check_buildable(model))) return out;
   }
   model.reads = std::make_shared<deck::ReadLog>();
   try {
@@ -59,10 +63,11 @@ std::vector<Issue> check_model(const deck::Deck& deck) {
     for (Issue& issue : operating_warnings(operating, deck.file))
       issues.push_back(std::move(issue));
     check_rest(model, operating);
-    if (runs)
-      if (std::optional<Issue> note =
-              setup::note_of(setup::values_without_part(model), model, issues))
+    if (runs) {
+      out.unused = setup::values_without_part(model);
+      if (std::optional<Issue> note = setup::note_of(out.unused, model, issues))
         issues.push_back(std::move(*note));
+    }
   } catch (const InputError& error) {
     for (Issue issue : error.issues()) {
       if (issue.file.empty()) issue.file = deck.file;
@@ -73,7 +78,7 @@ std::vector<Issue> check_model(const deck::Deck& deck) {
     issue.message = deck::message_in_units(issue.message, deck.units());
     issue.remedy = deck::message_in_units(issue.remedy, deck.units());
   }
-  return issues;
+  return out;
 }
 
 bool CheckReport::ok() const { return !has_error(issues); }

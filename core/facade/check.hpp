@@ -1,6 +1,7 @@
 #pragma once
 
 #include "deck/deck.hpp"
+#include "deck/no_part.hpp"
 #include "facade/deck_request.hpp"
 
 #include <string>
@@ -26,5 +27,14 @@ struct CheckReport {
 /// What a deck asks for that cannot run yet is a note here and an error of run().
 /// @throws InputError when the deck cannot be read, SolverError as check_model()
 [[nodiscard]] CheckReport check(const DeckRequest& request);
+
+/// The same with what a form shows beside its fields.
+struct ModelCheck {
+  std::vector<Issue> issues;
+  std::vector<Issue> refusals;       ///< those of `issues` for which `adore run` refuses the deck
+  std::vector<deck::NoPart> unused;  ///< values that a run of this deck does not use, and why;
+                                     ///< empty when it cannot be run
+};
+[[nodiscard]] ModelCheck examine_model(const deck::Deck& deck);
 
 }  // namespace adore::facade

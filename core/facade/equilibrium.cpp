@@ -1,33 +1,14 @@
 #include "facade/equilibrium.hpp"
 
 #include "facade/key_results.hpp"
+#include "facade/solution_tables.hpp"
 #include "listing/print_heat.hpp"
-#include "listing/solution_tables.hpp"
-#include "listing/static_cut.hpp"
 #include "listing/static_summary.hpp"
 
 #include <utility>
 
 namespace adore::facade {
 namespace {
-
-results::StaticTables tables_of(const Prepared& prepared, deck::UnitSystem units) {
-  results::StaticTables tables =
-      prepared.rollers ? listing::static_tables(*prepared.rollers, prepared.bearing, units)
-                       : listing::static_tables(prepared.statics, prepared.bearing, units);
-  if (prepared.rollers)
-    listing::add_cut(tables, *prepared.rollers, prepared.bearing);
-  else
-    listing::add_cut(tables, prepared.statics, prepared.bearing);
-  if (!prepared.stiffness.empty())
-    tables.tables.push_back(listing::stiffness_over_speed(prepared.stiffness));
-  if (prepared.friction) {
-    listing::add_friction_columns(tables.tables.front(), *prepared.friction);
-    tables.tables.push_back(listing::friction_table(*prepared.friction));
-  }
-  if (prepared.thermal) tables.tables.push_back(listing::network_table(prepared.thermal->heat));
-  return tables;
-}
 
 std::vector<std::string> lines_of(const Prepared& prepared, deck::UnitSystem units) {
   std::vector<std::string> lines =
@@ -58,7 +39,7 @@ Equilibrium equilibrium_of(const Prepared& prepared) {
   add_heat(out.results, prepared);
   if (prepared.bearing.operating) add_fits(out.results, *prepared.bearing.operating);
   add_lives(out.results, prepared.life);
-  out.tables = tables_of(prepared, units);
+  out.tables = solution_tables(prepared);
   out.lines = lines_of(prepared, units);
   out.seconds = prepared.solve_seconds;
   return out;

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
+#include "setup/option_choices.hpp"
 #include "setup/run_control.hpp"
 
 #include <nlohmann/json.hpp>
@@ -53,7 +54,8 @@ const std::vector<RunOptionInfo>& run_options() {
   static const std::vector<RunOptionInfo> list = [] {
     std::vector<RunOptionInfo> out;
     for (setup::OptionInfo& option : setup::run_option_list())
-      out.push_back({option.name, option.default_value, option.meaning});
+      out.push_back(
+          {option.name, option.default_value, option.meaning, setup::option_choices(option.name)});
     return out;
   }();
   return list;

@@ -11,6 +11,7 @@ namespace adore::facade {
 
 struct RunOptionInfo {
   std::string name, default_value, meaning;  ///< the meaning says which values are valid
+  std::vector<std::string> choices;  ///< words that it takes; empty when it takes numbers only
 };
 
 /// Every run option, in a fixed order; the list of `--opt`.

@@ -1,6 +1,7 @@
 #include "setup/run_control.hpp"
 
 #include "integrators/stepper.hpp"
+#include "setup/option_choices.hpp"
 #include "setup/race_motions.hpp"
 
 #include <fmt/format.h>
@@ -285,6 +286,25 @@ const std::vector<Option>& options() {
 }
 
 }  // namespace
+
+std::vector<std::string> option_choices(std::string_view name) {
+  std::vector<std::string> out;
+  if (name == "contactSurface")
+    for (const auto& [word, surface] : kSurfaces) out.emplace_back(word);
+  if (name == "sol7Life")
+    for (const auto& [suffix, suffix_code] : kLifeModifications)
+      for (const auto& [model, model_code] : kLifeModels)
+        out.push_back(std::string(model) + std::string(suffix));
+  if (name == "hertzConstants") return {"moving", "frozen"};
+  if (name == "rollerContact") return {"sliced", "point"};
+  if (name == "resultsH5" || name == "centrifugalGrowth") return {"1", "0"};
+  if (name == "lifeElements") return {"gz", "all", "none"};
+  if (name == "lifeElementTracks") return {"separate", "shared"};
+  if (name == "lifeLimitForm") return {"peak", "integral"};
+  for (const char* open : {"lifeLambda", "lifeFilter", "isoKappa", "isoContamination"})
+    if (name == open) return {"none"};
+  return out;
+}
 
 std::vector<OptionInfo> run_option_list() {
   std::vector<OptionInfo> out;

@@ -63,3 +63,61 @@ TEST_CASE("a value that shares its word with others makes the writer's own text"
   expected.set_all(Sets{{"rmsAspHt1", "2e-7"}});
   CHECK(deck::read_deck_text(other.text, "after").deck == expected);
 }
+
+TEST_CASE("remarks stay when records come, go and grow", "[unit][deck]") {
+  const std::string before = example();
+  const deck::Deck deck = deck::read_deck_text(before, "before").deck;
+  const auto with = [&](const Sets& sets) {
+    deck::Deck after = deck;
+    after.set_all(sets);
+    const deck::KeptText text = deck::with_deck(before, after);
+    CHECK(text.kept);
+    CHECK(deck::read_deck_text(text.text, "after").deck == after);
+    return text.text;
+  };
+  const std::string remark = "stpInit stpMin stpMax fTime tol qFac";
+  CHECK(with({}) == before);
+  CHECK(with({{"tol", "1e-4"}}).find(remark) != std::string::npos);
+  // Records that come: imperfections; records that go: everything that only a motion has.
+  CHECK(with({{"kReGeoImp", "2"}, {"reDiaVar3", "1e-6"}}).find(remark) != std::string::npos);
+  const std::string still = with({{"mode", "-1"}});
+  CHECK(still.find(remark) == std::string::npos);
+  CHECK(still.find("D, dm, contact angle") != std::string::npos);
+}
+
+TEST_CASE("a record that is written anew keeps the remark behind it", "[unit][deck]") {
+  std::string text = example();
+  const std::size_t at = text.find("1.0e-7, 1.0e-7");
+  REQUIRE(at != std::string::npos);
+  text.replace(at, 14, "2*1.0e-7");
+  deck::Deck after = deck::read_deck_text(text, "repeated").deck;
+  after.set("rmsAspHt1", "2e-7");
+  const deck::KeptText kept = deck::with_deck(text, after);
+  CHECK(kept.kept);
+  CHECK(deck::read_deck_text(kept.text, "after").deck == after);
+  const auto a = lines(text), b = lines(kept.text);
+  REQUIRE(a.size() == b.size());
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    if (a[k] == b[k]) continue;
+    const std::size_t remark = a[k].rfind("  ");
+    if (remark != std::string::npos) CHECK(b[k].find(a[k].substr(remark + 2)) != std::string::npos);
+  }
+}
+
+TEST_CASE("lines of user routines and line ends survive too", "[unit][deck]") {
+  std::string text = example();
+  text += "\n1.5 2.5 my routine\n\n3 4\n";
+  std::string dos;
+  for (const char c : text) dos += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  deck::Deck after = deck::read_deck_text(dos, "dos").deck;
+  REQUIRE(after.user_lines.size() == 2);
+  after.set("tol", "1e-4");
+  const deck::KeptText kept = deck::with_deck(dos, after);
+  CHECK(kept.kept);
+  CHECK(kept.text.find("my routine\r\n\r\n3 4\r\n") != std::string::npos);
+  after.user_lines = {"7 8"};
+  const deck::KeptText other = deck::with_deck(dos, after);
+  CHECK(other.kept);
+  CHECK(other.text.find("stpInit stpMin") != std::string::npos);
+  CHECK(deck::read_deck_text(other.text, "after").deck == after);
+}

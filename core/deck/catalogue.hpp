@@ -1,0 +1,68 @@
+#pragma once
+
+#include "deck/deck.hpp"
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// Bearings by designation: boundary dimensions of ISO 15 and ISO 355 (resources/catalogue.json),
+/// and what is proposed for the inside, which no maker publishes and which is an estimate.
+namespace adore::deck {
+
+enum class BearingType : unsigned char {
+  DeepGroove,      ///< 60, 62, 63
+  AngularContact,  ///< 70, 72, 73 with C (15 deg), AC (25 deg) or B (40 deg)
+  Cylindrical,     ///< NU10, NU2, NU3
+  Tapered,         ///< 302
+  Spherical        ///< 222; one row of it
+};
+
+/// Outside of a bearing [m].
+struct Envelope {
+  double bore = 0.0, outside = 0.0;
+  double width = 0.0;      ///< of the inner ring
+  double cup_width = 0.0;  ///< of the outer ring of a tapered bearing; else as width
+};
+
+struct CatalogueBearing {
+  std::string designation;  ///< "7208 B"
+  BearingType type = BearingType::DeepGroove;
+  Envelope envelope;
+  double angle = 0.0;  ///< contact angle, of a tapered bearing the cup half angle [deg]; 0: from
+                       ///< the clearance
+  bool angle_given = false;  ///< by the designation or a standard, not by a habit
+};
+
+/// "6205", "7208 B", "NU 209", "30208", "22210", with or without blanks; suffixes of cages, seals
+/// and tolerances ("6205-2RS C3") are left out. Also an outside without a number: "deep-groove
+/// 25x52x15", "angular-contact", "cylindrical", "tapered" or "spherical" with millimetres.
+/// @throws InputError naming what there is
+[[nodiscard]] CatalogueBearing find_bearing(std::string_view designation);
+
+/// Every designation that has a number, in order of type and size.
+[[nodiscard]] std::vector<std::string> catalogue_designations();
+
+/// A proposal for the inside of a bearing.
+struct InnerGeometry {
+  /// Variables in SI: elements and their number, grooves or lands, clearance, shoulders or flanges.
+  std::vector<std::pair<std::string, std::string>> sets;
+  std::string reasons;  ///< where the figures come from, in one sentence
+};
+/// @throws InputError when no elements fit between bore and outside
+[[nodiscard]] InnerGeometry propose_inner(BearingType type, const Envelope& envelope, double angle);
+
+/// The same for the bearing of a deck, from its own bore, outside diameter and race widths, in the
+/// deck's units. Contact or cup angles of the deck are kept. @throws InputError for
+/// spherical-tapered bearings, of which no proportions are known, and when nothing fits
+[[nodiscard]] InnerGeometry propose_inner(const Deck& deck);
+
+/// A runnable quasi-static deck in SI units, a record a line; the remarks say what is standard and
+/// what is an estimate. Load and speed are those of the example of the type, in proportion.
+[[nodiscard]] std::string catalogue_deck(const CatalogueBearing& bearing);
+
+/// Sentences for a person: dimensions, inside, and where both come from.
+[[nodiscard]] std::vector<std::string> catalogue_story(const CatalogueBearing& bearing);
+
+}  // namespace adore::deck

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Run options as choices, for forms.
+namespace adore::setup {
+
+/// Words that a run option takes, in the order of its meaning; "1" and "0" of a switch. Empty for
+/// an option that takes numbers only; one with "none" takes numbers besides.
+[[nodiscard]] std::vector<std::string> option_choices(std::string_view name);
+
+}  // namespace adore::setup

@@ -1,0 +1,122 @@
+#include "base/errors.hpp"
+#include "deck/catalogue.hpp"
+#include "deck/templates.hpp"
+#include "facade/check.hpp"
+#include "facade/prepare.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace adore;
+
+namespace {
+
+deck::Deck deck_of(std::string_view designation) {
+  return deck::read_deck_text(deck::catalogue_deck(deck::find_bearing(designation)),
+                              std::string(designation))
+      .deck;
+}
+
+}  // namespace
+
+TEST_CASE("a designation gives the standard outside and an estimated inside", "[unit][catalogue]") {
+  const deck::Deck ball = deck_of("6205");
+  CHECK(ball.real("brgBore") == 0.025);
+  CHECK(ball.real("brgOD") == 0.052);
+  CHECK(ball.real("raceWidth1") == 0.015);
+  CHECK(ball.integer("nRe") == 9);            // as every maker's 6205 has
+  CHECK(ball.real("bReDia") == 0.0079375);    // 5/16 in, likewise
+  CHECK(ball.real("freeIntCls") == 12.5e-6);  // middle of CN, 5 to 20 um
+  const deck::Deck angular = deck_of("7208");
+  CHECK(angular.real("brgBore") == 0.040);
+  CHECK(angular.real("brgOD") == 0.080);
+  CHECK(angular.real("freeConAng") == 40.0);
+  CHECK(deck_of("7208 ac").real("freeConAng") == 25.0);
+  CHECK(deck_of("7208C").real("freeConAng") == 15.0);
+  const deck::Deck roller = deck_of("nu 209");
+  CHECK(roller.real("brgOD") == 0.085);
+  CHECK(roller.integer("nRe") == 14);  // the textbooks' 209
+  CHECK(roller.real("bReDia") == 0.010);
+  const deck::Deck tapered = deck_of("30208");
+  CHECK(tapered.real("raceWidth1") == 0.016);
+  CHECK(tapered.real("raceWidth2") == 0.018);
+  CHECK(tapered.real("raceTaper1") == Approx(14.0 + 2.0 / 60.0 + 10.0 / 3600.0).epsilon(1e-7));
+  const deck::Deck spherical = deck_of("22210");
+  CHECK(spherical.real("brgBore") == 0.050);
+  CHECK(spherical.real("raceWidth1") == 0.0115);  // one of two rows
+  CHECK(deck_of("6205-2RS C3") == deck_of("6205"));
+}
+
+TEST_CASE("the estimates agree with the example decks of the same sizes", "[unit][catalogue]") {
+  // The examples were made from textbooks and catalogues: 6 % of a size, one element in fifteen.
+  for (const auto& [designation, example] : {std::pair{"6205", "deep-groove-6205"},
+                                             {"NU209", "cylindrical-nu209"},
+                                             {"30208", "tapered-30208"},
+                                             {"22210", "spherical-22210"}}) {
+    INFO(designation);
+    const deck::Deck mine = deck_of(designation), theirs = deck::new_deck(example);
+    CHECK(mine.real("bReDia") == Approx(theirs.real("bReDia")).epsilon(0.02));
+    CHECK(std::abs(mine.integer("nRe") - theirs.integer("nRe")) <= 1);
+    if (mine.has("bReLen"))
+      CHECK(mine.real("bReLen") == Approx(theirs.real("bReLen")).epsilon(0.06));
+    if (mine.has("raceTaper2"))
+      CHECK(mine.real("raceTaper2") == Approx(theirs.real("raceTaper2")).epsilon(0.01));
+    CHECK(mine.real("appLoadZ") == Approx(theirs.real("appLoadZ")).epsilon(0.1));
+  }
+}
+
+TEST_CASE("every bearing of the catalogue makes a deck without an error", "[unit][catalogue]") {
+  const std::vector<std::string> all = deck::catalogue_designations();
+  CHECK(all.size() > 250);
+  for (const std::string& designation : all) {
+    INFO(designation);
+    const deck::ReadResult read =
+        deck::read_deck_text(deck::catalogue_deck(deck::find_bearing(designation)), designation);
+    for (const Issue& issue : read.issues) {
+      INFO(issue.text());
+      CHECK(issue.severity != Severity::Error);
+    }
+    for (const Issue& issue : facade::check_model(read.deck)) {
+      INFO(issue.text());
+      CHECK(issue.severity != Severity::Error);
+    }
+    CHECK(deck::find_bearing(designation).designation == designation);
+  }
+}
+
+TEST_CASE("decks of the catalogue find their equilibrium", "[physics][catalogue]") {
+  for (const char* designation :
+       {"6205", "6316", "7208 B", "7020 C", "NU209", "NU320", "30208", "30216", "22210", "22220",
+        "deep-groove 25x52x15", "cylindrical 100x180x34"}) {
+    INFO(designation);
+    facade::DeckRequest request;
+    request.text = deck::catalogue_deck(deck::find_bearing(designation));
+    const facade::Prepared ready = facade::prepare(request);
+    CHECK(ready.race_result().max_load > 0.0);
+  }
+}
+
+TEST_CASE("remarks say what is standard and what is an estimate", "[unit][catalogue]") {
+  const std::string text = deck::catalogue_deck(deck::find_bearing("6308"));
+  CHECK(text.find("boundary dimensions of 6308: ISO 15") != std::string::npos);
+  CHECK(text.find("ESTIMATE of the inside") != std::string::npos);
+  CHECK(text.find("size 6205") == std::string::npos);
+  const auto story = deck::catalogue_story(deck::find_bearing("6308"));
+  REQUIRE(story.size() >= 2);
+  CHECK(story[0].find("bore 40 mm, outside diameter 90 mm, width 23 mm") != std::string::npos);
+}
+
+TEST_CASE("what the catalogue does not have is refused with what it has", "[unit][catalogue]") {
+  for (const char* unknown : {"", "6299", "1205", "7208 X", "NU", "NU200", "deep-groove 25x52",
+                              "deep-groove 52x25x15", "deep-groove axbxc", "62O5", "620512"}) {
+    INFO(unknown);
+    try {
+      (void)deck::find_bearing(unknown);
+      FAIL("found");
+    } catch (const InputError& error) {
+      REQUIRE_FALSE(error.issues().empty());
+      CHECK(error.issues()[0].remedy.find("6205") != std::string::npos);
+    }
+  }
+  CHECK_THROWS_AS(deck::propose_inner(deck::BearingType::DeepGroove, {0.05, 0.04, 0.01, 0.01}, 0.0),
+                  InputError);
+}
