@@ -14,6 +14,7 @@ packages=(
   pybind11-dev python3-dev python3-numpy python3-pandas python3-venv python3-setuptools python3-wheel
   # tests and benchmarks
   catch2 libbenchmark-dev
+  python3  # runs the hard scenes (tests/hardcases)
   clang-format  # test.sh checks the formatting; another version would format differently
 )
 

@@ -1,5 +1,6 @@
 #include "cli/commands.hpp"
 #include "cli/deck_options.hpp"
+#include "cli/signals.hpp"
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
@@ -8,6 +9,7 @@
 #include "facade/check.hpp"
 #include "facade/deck_story.hpp"
 #include "facade/plan.hpp"
+#include "facade/what_if.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -56,12 +58,34 @@ int check(const std::string& path, bool json) {
   return ok ? 0 : 2;
 }
 
-void plan(const DeckOptions& options, bool json) {
+struct PlanOptions : DeckOptions {
+  bool json = false, what_if = false;
+  double turns = 2.0;
+};
+
+std::string what_if_of(const PlanOptions& options, const facade::DeckRequest& request,
+                       nlohmann::ordered_json& json) {
+  facade::WhatIfRequest study;
+  static_cast<facade::DeckRequest&>(study) = request;
+  study.turns = options.turns;
+  const InterruptWatch watch;
+  const facade::WhatIf result = facade::what_if(study, {}, watch.token());
+  json["what_if"] = facade::what_if_json(result);
+  return facade::what_if_text(result);
+}
+
+void plan(const PlanOptions& options) {
   facade::DeckRequest request;
   options.fill(request);
-  const facade::PlanReport report = facade::plan(request);
+  facade::PlanReport report = facade::plan(request);
   print_warnings(report.remarks);
-  fmt::print("{}{}", json ? report.json.dump(2) : report.text, json ? "\n" : "");
+  if (!options.json) fmt::print("{}", report.text);
+  std::fflush(stdout);
+  const std::string differences = options.what_if ? what_if_of(options, request, report.json) : "";
+  if (options.json)
+    fmt::print("{}\n", report.json.dump(2));
+  else
+    fmt::print("{}", differences);
 }
 
 std::string text_of(const std::vector<std::string>& lines) {
@@ -148,15 +172,22 @@ void add_deck_commands(CLI::App& app, int& exit_code) {
   {
     CLI::App* command = app.add_subcommand(
         "plan", "show what a deck would simulate, why, and at what cost in time and disk");
-    auto options = std::make_shared<DeckOptions>();
-    auto json = std::make_shared<bool>(false);
+    auto options = std::make_shared<PlanOptions>();
     options->add_to(*command);
-    command->add_flag("--json", *json, "as JSON");
+    command->add_flag("--json", options->json, "as JSON");
+    CLI::Option* what_if = command->add_flag(
+        "--what-if", options->what_if,
+        "run a short span without each effect: what it changes, and its share of the cost");
+    command->add_option("--turns", options->turns, "turns of the shaft of these runs")
+        ->needs(what_if)
+        ->check(CLI::PositiveNumber)
+        ->capture_default_str();
     command->footer(
         "Examples\n"
         "  adore plan DATA.txt\n"
+        "  adore plan DATA.txt --what-if --turns 5\n"
         "  adore plan DATA.txt --set kTrac=0 --json");
-    command->callback([=] { plan(*options, *json); });
+    command->callback([=] { plan(*options); });
   }
   {
     CLI::App* command = app.add_subcommand("schema", "print the record schema of the deck");

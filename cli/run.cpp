@@ -115,7 +115,7 @@ void choose_settings(facade::RunRequest& request, const std::string& accuracy,
   facade::AccuracyRequest study;
   static_cast<facade::DeckRequest&>(study) = request;
   study.target = parse_percentage("--accuracy", accuracy);
-  study.methods = {"rkf3", "rkf4", "rkf5", "rkf7", "cvode-adams"};
+  study.methods = {"rk4", "rkf5", "rkf6", "rkf7", "pece2"};
   study.turns = 5.0;
   study.budget = 20.0;
   const facade::AccuracyStudy found = facade::study_accuracy(study, {}, std::move(stop));
@@ -204,12 +204,12 @@ void add_run(CLI::App& app, int& exit_code) {
   command_line::offer(
       command
           ->add_option("--integrator", options->integrator,
-                       "rkf1-7, pece1-8, cvode-adams, cvode-bdf, arkode-erk, "
+                       "rkf1-7, rk4, pece1-8, cvode-adams, cvode-bdf, arkode-erk, "
                        "arkode-dirk or arkode-imex; replaces intMet")
           ->type_name("NAME"),
-      {"rkf1",  "rkf2",        "rkf3",      "rkf4",       "rkf5",        "rkf6",       "rkf7",
-       "pece1", "pece2",       "pece3",     "pece4",      "pece5",       "pece6",      "pece7",
-       "pece8", "cvode-adams", "cvode-bdf", "arkode-erk", "arkode-dirk", "arkode-imex"});
+      {"rkf1",  "rkf2",        "rkf3",      "rkf4",       "rkf5",        "rkf6",        "rkf7",
+       "pece1", "pece2",       "pece3",     "pece4",      "pece5",       "pece6",       "pece7",
+       "pece8", "cvode-adams", "cvode-bdf", "arkode-erk", "arkode-dirk", "arkode-imex", "rk4"});
   CLI::Option* tolerance =
       command->add_option("--tol", options->tolerance, "local error limit; replaces tol");
   command

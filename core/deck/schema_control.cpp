@@ -105,7 +105,8 @@ RecordSpec run_mode() {
                {"22", "CVODE BDF (extension)"},
                {"31", "ARKODE explicit (extension)"},
                {"32", "ARKODE diagonally implicit (extension)"},
-               {"33", "ARKODE implicit-explicit (extension)"}},
+               {"33", "ARKODE implicit-explicit (extension)"},
+               {"41", "classical Runge-Kutta, order 4 (extension)"}},
               "Integration method. Order 5 of the explicit family suits most runs; codes above 18 "
               "are extensions that the "
               "classic program does not know.",

@@ -161,13 +161,17 @@ double System::shaft_rotation(double t, std::span<const double> y) noexcept {
   return s.e.race[1].angle - s.e.race[0].angle;
 }
 
+/// Rates follow a quaternion in proportion: a method that knows those of the end of its step need
+/// not ask for them again for less.
+constexpr double kUnitLength = 1e-10;
+
 bool System::project(double, double* y) const noexcept {
   bool changed = false;
   for (const Slice& slice : impl_->parts.quaternions) {
     const Quat unit = normalise(quaternion_at(y, slice));
     for (std::size_t k = 0; k < 4; ++k) {
       double& q = y[slice.first + static_cast<int>(k)];
-      changed = changed || q != unit[k];
+      changed = changed || std::abs(q - unit[k]) > kUnitLength;
       q = unit[k];
     }
   }

@@ -72,7 +72,7 @@ class System {
   /// of energy and momentum are booked in y.
   /// @throws SolverError when the state is not valid
   bool between_steps(double t, std::span<double> y);
-  /// Renormalises quaternions; true when y changed.
+  /// Renormalises quaternions; true when rates change.
   bool project(double t, double* y) const noexcept;
   /// Throws SolverError with a sentence when an accepted state is physically meaningless (ball
   /// outside its pocket ...).

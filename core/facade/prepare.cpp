@@ -8,6 +8,7 @@
 #include "dynamics/roller_start.hpp"
 #include "dynamics/scene_estimate.hpp"
 #include "facade/judge_steps.hpp"
+#include "facade/pilot.hpp"
 #include "facade/static_plan.hpp"
 #include "facade/stiffness.hpp"
 #include "life/contact_strength.hpp"
@@ -147,8 +148,9 @@ Prepared prepare_model(LoadedDeck input) {
   out.input.deck.reads.reset();  // the rest reads the deck for texts
   if (std::optional<Issue> note = setup::note_of(out.no_part, deck, out.input.warnings))
     out.input.warnings.push_back(std::move(*note));
-  out.plan = out.control.dynamic ? setup::make_scene_plan(deck, out.bearing, out.control)
-                                 : static_plan(out);
+  out.plan = out.control.dynamic
+                 ? setup::make_scene_plan(deck, out.bearing, out.control, out.options)
+                 : static_plan(out);
   out.stiffness_seconds = timed([&] { out.stiffness = stiffness_over_speed(out); });
   // The first speed at which the table's geometry gives way.
   for (const statics::StiffnessRow& row : out.stiffness) {
@@ -332,11 +334,18 @@ scene::ScenePlan plan_with_estimates(const Prepared& prepared) {
   dynamics::System system = make_system(prepared);
   dynamics::estimate(plan, prepared.bearing, prepared.start, system);
   const JudgedSteps steps = judge_steps(prepared, system.scales().time);
-  const double step = std::clamp(plan.expected_step, steps.limits.minimum, steps.limits.maximum);
+  if (steps.limits.action == StepAction::Refused) return plan;
+  constexpr double kBudget = 0.1;  // [s]
+  const Pilot pilot = run_pilot(prepared, system, steps.limits, steps.request.turn, kBudget);
+  const double step =
+      pilot.step > 0.0 ? pilot.step
+                       : std::clamp(plan.expected_step, steps.limits.minimum, steps.limits.maximum);
   const double more = plan.expected_step / step;
   plan.expected_step = step;
   plan.steps_per_revolution *= more;
-  plan.seconds_per_revolution *= more;
+  plan.seconds_per_revolution = pilot.step > 0.0
+                                    ? plan.steps_per_revolution * pilot.seconds_per_step
+                                    : plan.seconds_per_revolution * more;
   return plan;
 }
 

@@ -515,8 +515,8 @@ KeyResults RunOutputs::summary() const { return impl_->key_results; }
 
 results::EnergyJudgement RunOutputs::judge_energy() const {
   const bool vibrates = !impl_->prepared.plan.has(scene::Effect::ElementBalance);
-  return results::judge_energy(impl_->last.energy,
-                               vibrates ? static_elastic(impl_->prepared) : 0.0);
+  return results::judge_energy(impl_->last.energy, vibrates ? static_elastic(impl_->prepared) : 0.0,
+                               impl_->averages.averages().largest_residual);
 }
 
 std::string RunOutputs::load_warning() const {

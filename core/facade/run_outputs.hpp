@@ -95,7 +95,8 @@ class RunOutputs {
 
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
   [[nodiscard]] results::KeyResults summary() const;
-  /// Of the last stored instant, against the elastic energy of the quasi-static solution.
+  /// Of the last stored instant and the worst before, against the elastic energy of the
+  /// quasi-static solution.
   [[nodiscard]] results::EnergyJudgement judge_energy() const;
   /// A sentence when the elements carried another load than the deck asks; empty when not.
   [[nodiscard]] std::string load_warning() const;

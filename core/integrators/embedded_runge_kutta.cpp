@@ -28,10 +28,10 @@ void EmbeddedRungeKutta::restore(const Memory& memory) {
 
 const double* EmbeddedRungeKutta::end_derivative() const { return stages_.end_derivative(); }
 
-// h' = 0.9 h e^(-0.7/q) e_before^(0.4/q), q = p + 1: [gustafsson1991]; damps the saw-tooth of
-// contact vibration.
+// h' = 0.9 h e^(-0.7/q) e_before^(0.4/q), q: power of the estimate: [gustafsson1991]; damps the
+// saw-tooth of contact vibration.
 double EmbeddedRungeKutta::growth(double error) {
-  const double q = order() + 1;
+  const double q = tableau_.power_of_error();
   const double e = std::max(error, 1e-8);
   const double factor = 0.9 * std::pow(e, -0.7 / q) * std::pow(error_before_, 0.4 / q);
   error_before_ = std::min(e, 1.0);

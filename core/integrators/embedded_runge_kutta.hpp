@@ -5,9 +5,9 @@
 
 namespace adore::integrators {
 
-/// Explicit embedded Runge–Kutta method with a proportional-integral step size control. The
-/// lower-order solution is propagated, so the error estimate is that of the solution itself and the
-/// order is the one in the name.
+/// Explicit embedded Runge–Kutta method with a proportional-integral step size control. Of
+/// Fehlberg's pairs the lower-order solution is propagated, so the error estimate is that of the
+/// solution itself; of rk4 the higher one. The order is the one in the name.
 class EmbeddedRungeKutta final : public ExplicitStepper {
  public:
   EmbeddedRungeKutta(std::string name, const Tableau& tableau);

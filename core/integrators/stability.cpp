@@ -116,6 +116,7 @@ int number_at_end(std::string_view method) { return method.back() - '0'; }
 double amplification(std::string_view method, double phase, int order) {
   const Complex z(0.0, phase);
   if (method.starts_with("rkf")) return amplification_explicit(fehlberg(number_at_end(method)), z);
+  if (method == "rk4") return amplification_explicit(classical(), z);
   if (method.starts_with("pece")) return amplification_pece(number_at_end(method), z);
   if (method == "cvode-adams") return amplification_cvode_adams(order, z);
   if (method == "cvode-bdf") return amplification_bdf(order, z);

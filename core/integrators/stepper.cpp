@@ -13,11 +13,11 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::array kNames = {"rkf1"sv,      "rkf2"sv,       "rkf3"sv,        "rkf4"sv,
-                               "rkf5"sv,      "rkf6"sv,       "rkf7"sv,        "pece1"sv,
-                               "pece2"sv,     "pece3"sv,      "pece4"sv,       "pece5"sv,
-                               "pece6"sv,     "pece7"sv,      "pece8"sv,       "cvode-adams"sv,
-                               "cvode-bdf"sv, "arkode-erk"sv, "arkode-dirk"sv, "arkode-imex"sv};
+constexpr std::array kNames = {
+    "rkf1"sv,        "rkf2"sv,        "rkf3"sv,  "rkf4"sv,        "rkf5"sv,      "rkf6"sv,
+    "rkf7"sv,        "pece1"sv,       "pece2"sv, "pece3"sv,       "pece4"sv,     "pece5"sv,
+    "pece6"sv,       "pece7"sv,       "pece8"sv, "cvode-adams"sv, "cvode-bdf"sv, "arkode-erk"sv,
+    "arkode-dirk"sv, "arkode-imex"sv, "rk4"sv};
 constexpr int kFirstPece = 7;
 constexpr int kFirstSundials = 15;
 
@@ -51,6 +51,7 @@ std::unique_ptr<Stepper> make_stepper(std::string_view name) {
     throw std::invalid_argument("there is no integrator \"" + std::string(name) +
                                 "\"; valid names are " + valid);
   }
+  if (name == "rk4") return std::make_unique<EmbeddedRungeKutta>(std::string(name), classical());
   const int index = static_cast<int>(found - kNames.begin());
   if (index < kFirstPece) {
     return std::make_unique<EmbeddedRungeKutta>(std::string(name), fehlberg(index + 1));
@@ -79,6 +80,8 @@ std::string_view name_of_int_met(int int_met) noexcept {
       return "arkode-dirk";
     case 33:
       return "arkode-imex";
+    case 41:
+      return "rk4";
     default:
       return {};
   }

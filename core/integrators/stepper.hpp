@@ -62,7 +62,7 @@ class OdeSystem {
   /// not depend on blocks at all.
   virtual EvalStatus rhs_with_shares(RhsPart part, double t, const double* y, double* dydt,
                                      double* shares) noexcept;
-  /// Called on every accepted state (normalises quaternions). Returns true when it changed y.
+  /// Called on every accepted state (normalises quaternions). True when that changes its rates.
   virtual bool project(double t, double* y) noexcept {
     (void)t, (void)y;
     return false;
@@ -148,13 +148,13 @@ class Stepper {
 };
 
 /// All names in a fixed order: rkf1..rkf7, pece1..pece8, cvode-adams, cvode-bdf, arkode-erk,
-/// arkode-dirk, arkode-imex.
+/// arkode-dirk, arkode-imex, rk4.
 std::span<const std::string_view> stepper_names();
 
 /// @throws std::invalid_argument naming the valid names.
 std::unique_ptr<Stepper> make_stepper(std::string_view name);
 
-/// Name for the deck's intMet (1-7, 11-18; extensions 21, 22, 31, 32, 33); empty for any other
+/// Name for the deck's intMet (1-7, 11-18; extensions 21, 22, 31-33, 41); empty for any other
 /// code.
 std::string_view name_of_int_met(int int_met) noexcept;
 

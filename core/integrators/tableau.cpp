@@ -18,15 +18,25 @@ std::array<double, kMaxStages> quadrature_error_weights(const Tableau& tableau) 
   }
   if (!blind) return weights;
   // Divided difference over the nodes of b, scaled so that b - weights does not use the node at the
-  // end.
+  // end. Stages at one node share its weight, and count once.
   double scale = 0.0;
   for (int i = 0; i < tableau.stages; ++i) {
     if (tableau.b[i] == 0.0) continue;
     weights[i] = 1.0;
+    int here = 0;
     for (int j = 0; j < tableau.stages; ++j) {
-      if (j != i && tableau.b[j] != 0.0) weights[i] /= tableau.c[i] - tableau.c[j];
+      if (tableau.b[j] == 0.0) continue;
+      if (tableau.c[j] == tableau.c[i]) {
+        ++here;
+        continue;
+      }
+      bool seen = false;
+      for (int k = 0; k < j; ++k)
+        seen = seen || (tableau.b[k] != 0.0 && tableau.c[k] == tableau.c[j]);
+      if (!seen) weights[i] /= tableau.c[i] - tableau.c[j];
     }
     if (tableau.c[i] == 1.0) scale = tableau.b[i] / weights[i];
+    weights[i] /= here;
   }
   for (double& w : weights) w *= scale;
   return weights;

@@ -3,6 +3,7 @@
 #include "results/motion.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace adore::results {
 namespace {
@@ -41,6 +42,7 @@ void RunAverages::add(const scene::Snapshot& snapshot) {
   force_ = force;
   largest_ = largest;
   peak_ = std::max(peak_, largest);
+  residual_ = std::max(residual_, std::abs(snapshot.energy.residual()));
   loss_ = snapshot.power.total_loss;
   if (!started_) start_ = now_;
   started_ = true;
@@ -71,6 +73,7 @@ Averages RunAverages::averages() const {
   out.power_loss = out.time > 0.0 ? (now_.heat - start_.heat) / out.time : loss_;
   out.largest_load = out.time > 0.0 ? largest_impulse_ / out.time : largest_;
   out.peak_load = peak_;
+  out.largest_residual = residual_;
   out.load = out.time > 0.0 ? scene::Vec3(impulse_ / out.time) : force_;
   return out;
 }
@@ -100,6 +103,7 @@ void RunAverages::visit(Self& self, Visit visit) {
   visit("average largest load", self.largest_);
   visit("average largest impulse", self.largest_impulse_);
   visit("average peak load", self.peak_);
+  visit("average largest residual", self.residual_);
 }
 
 void RunAverages::save(std::map<std::string, double>& state) const {

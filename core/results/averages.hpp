@@ -17,6 +17,7 @@ struct Averages {
   double power_loss = 0.0;     ///< [W]
   double largest_load = 0.0;   ///< mean over time of the largest contact load at each instant [N]
   double peak_load = 0.0;      ///< the largest contact load at all instants [N]
+  double largest_residual = 0.0;           ///< of energy, in size, at all instants [J]
   scene::Vec3 load = scene::Vec3::Zero();  ///< what held the inner race against the elements
                                            ///< [N], base frame
 };
@@ -58,6 +59,7 @@ class RunAverages {
   double largest_ = 0.0;                       ///< contact load at the last snapshot [N]
   double largest_impulse_ = 0.0;               ///< its time integral [N s]
   double peak_ = 0.0;                          ///< [N]
+  double residual_ = 0.0;                      ///< [J]
 };
 
 }  // namespace adore::results

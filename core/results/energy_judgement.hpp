@@ -24,6 +24,9 @@ struct EnergyJudgement {
 /// A residual that is no number is never trusted.
 /// @param elastic elastic energy of the quasi-static solution [J]; 0 where there is none to measure
 /// by: nothing is loaded, or elements in balance (modes 1 and 2) do not vibrate
-[[nodiscard]] EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic);
+/// @param largest |residual| that the run had at any stored step [J]: one that comes and goes is no
+/// better than one that stays
+[[nodiscard]] EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic,
+                                           double largest = 0.0);
 
 }  // namespace adore::results

@@ -47,7 +47,7 @@ RunControl build_run_control(const deck::Deck& deck) {
   if (out.integrator.empty())
     throw InputError({deck.issue(Severity::Error, "intMet", "is no integrator",
                                  "use 1-7 (Runge-Kutta-Fehlberg), 11-18 (predictor-corrector), 21, "
-                                 "22 (CVODE), 31-33 (ARKODE)")});
+                                 "22 (CVODE), 31-33 (ARKODE), 41 (rk4)")});
   out.step_initial = deck.si("stpInit");
   out.step_minimum = deck.si("stpMin");
   out.step_maximum = deck.si("stpMax");
@@ -121,6 +121,20 @@ bool parse_stored_life(bearing::LifeChoices& life, std::string_view text) {
         return true;
       }
   return false;
+}
+
+/// "a, b" -> a and b.
+std::vector<std::string> names_of(std::string_view text) {
+  std::vector<std::string> out;
+  while (!text.empty()) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    std::string_view name = text.substr(0, comma);
+    while (name.starts_with(' ')) name.remove_prefix(1);
+    while (name.ends_with(' ')) name.remove_suffix(1);
+    if (!name.empty()) out.emplace_back(name);
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  return out;
 }
 
 /// A number above 0 (up to `most`), or "none".
@@ -267,6 +281,13 @@ const std::vector<Option>& options() {
            std::int64_t value = 0;
            if (!parse(v, value) || value < 0) return false;
            o.seed = static_cast<std::uint64_t>(value);
+           return true;
+         }},
+        {{"effectsOff", "",
+          "effects that the run leaves out, by their names in `adore plan`, with commas between: "
+          "gravity,momentum ledger"},
+         [](RunOptions& o, std::string_view v) {
+           o.effects_off = names_of(v);
            return true;
          }},
         {{"centrifugalGrowth", "1",

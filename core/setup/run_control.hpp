@@ -54,11 +54,12 @@ struct RunControl {
 struct RunOptions {
   scene::SystemOptions system;
   statics::RollerOptions rollers;
-  double checkpoint_seconds = 10.0;   ///< wall time between checkpoints of FINAL and MASTER
-  bool results_h5 = true;             ///< write RESULTS.h5
-  std::uint64_t seed = kDefaultSeed;  ///< of random imperfections (kReGeoImp 1)
-  bool centrifugal_growth = true;     ///< speeds widen the rings (bearing::Mounting)
-  bearing::LifeChoices life;          ///< fatigue life: what no record holds
+  double checkpoint_seconds = 10.0;      ///< wall time between checkpoints of FINAL and MASTER
+  bool results_h5 = true;                ///< write RESULTS.h5
+  std::uint64_t seed = kDefaultSeed;     ///< of random imperfections (kReGeoImp 1)
+  bool centrifugal_growth = true;        ///< speeds widen the rings (bearing::Mounting)
+  bearing::LifeChoices life;             ///< fatigue life: what no record holds
+  std::vector<std::string> effects_off;  ///< names of the plan's effects that are left out
 };
 
 struct OptionInfo {

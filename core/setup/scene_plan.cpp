@@ -55,8 +55,32 @@ bool moves_as_sphere(const bearing::Bearing& bearing) {
 
 }  // namespace
 
+bool can_be_left_out(const scene::ScenePlan& plan, Effect effect) {
+  switch (effect) {
+    case Effect::ElementOrientation:
+      return !plan.rollers && !plan.rigid_balls;
+    case Effect::RaceTraction:
+    case Effect::FlangeTraction:
+    case Effect::PocketTraction:
+    case Effect::ElementTraction:
+    case Effect::LandContact:
+    case Effect::LandTraction:
+    case Effect::PocketFilm:
+    case Effect::LandFilm:
+    case Effect::ElementDrag:
+    case Effect::CageDrag:
+    case Effect::Gravity:
+    case Effect::WearIntegrals:
+    case Effect::MomentumLedger:
+    case Effect::LightLoadBalance:
+      return true;
+    default:
+      return false;
+  }
+}
+
 scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing& bearing,
-                                 const RunControl& control) {
+                                 const RunControl& control, const RunOptions& options) {
   scene::ScenePlan plan;
   const int n = bearing.element_count();
   const std::string element = bearing.rollers() ? "roller" : "ball";
@@ -69,16 +93,30 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   plan.suppressed = {dof >= 1 && dof <= 4, dof == 2 || dof == 4, dof == 5,
                      cage && dof <= 2 && dof >= 1, cage && dof == 2};
 
+  plan.rollers = bearing.rollers() != nullptr;
+  plan.rigid_balls = !plan.rollers && !moves_as_sphere(bearing);
+  std::vector<std::string> left_out = options.effects_off;
   auto effect = [&](Effect id, const std::string& name, bool on, std::string because) {
+    if (std::erase(left_out, name) > 0) {
+      if (!can_be_left_out(plan, id))
+        throw InputError(fmt::format(
+            "run option effectsOff: {} cannot be left out of this scene by itself; it follows from "
+            "{}",
+            name, because));
+      because += on ? "; left out by run option effectsOff" : "";
+      on = false;
+    }
     plan.effects.push_back({id, name, on, std::move(because)});
   };
-  effect(Effect::RaceContact, element + " / race contact", true, mode);
+  effect(Effect::RaceContact, element + " / race contact", true,
+         mode + (deck.integer("mode") > 0
+                     ? ""
+                     : "; elastic, so that contact vibrations do not decay: their lines in a "
+                       "spectrum are as high as start, impacts and integrator leave them"));
   effect(Effect::RaceTraction, element + " / race traction",
          can_push(bearing.race_traction) || bearing.lubrication,
          bearing.lubrication ? film_reason(*bearing.lubrication)
                              : curve_reason(deck, "kTracType", bearing.race_traction));
-  plan.rollers = bearing.rollers() != nullptr;
-  plan.rigid_balls = !plan.rollers && !moves_as_sphere(bearing);
   if (bearing.flange_traction) {
     effect(Effect::FlangeContact, "roller / flange contact", true, flange_reason(deck));
     effect(Effect::FlangeTraction, "roller / flange traction", can_push(*bearing.flange_traction),
@@ -97,7 +135,8 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   effect(Effect::LandContact, "cage / race guide lands", guided,
          cage ? fmt::format("nGL = {}{}", deck.integer("nGL"), guided ? "" : ", no guided land")
               : cage_switch);
-  effect(Effect::LandTraction, "cage / race traction", guided && can_push(*bearing.land_traction),
+  const bool lands = plan.has(Effect::LandContact);
+  effect(Effect::LandTraction, "cage / race traction", lands && can_push(*bearing.land_traction),
          guided ? curve_reason(deck, "kCRTracType", *bearing.land_traction)
                 : std::string("no guided land"));
   const auto films = [&](const char* flag, bool on, double viscosity) {
@@ -112,7 +151,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
     const bearing::CageFilms oil = bearing.cage_films.value_or(bearing::CageFilms{});
     effect(Effect::PocketFilm, "pocket films", oil.pockets,
            films("kPocHydro", oil.pockets, oil.pocket_viscosity));
-    effect(Effect::LandFilm, "guide-land films", oil.lands && guided,
+    effect(Effect::LandFilm, "guide-land films", oil.lands && lands,
            films("kGsHydro", oil.lands && guided, oil.land_viscosity));
   }
   const std::string medium = bearing.churning
@@ -157,7 +196,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
     if (control.animate || monitored || (sections && i % control.print_option == 0))
       plan.oriented_elements.push_back(i);
   }
-  const int oriented = static_cast<int>(plan.oriented_elements.size());
+  int oriented = static_cast<int>(plan.oriented_elements.size());
   const bool rigid = plan.rollers || plan.rigid_balls;
   effect(
       Effect::ElementOrientation, element + " orientation", oriented > 0 || rigid,
@@ -169,6 +208,10 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
       : control.animate
           ? fmt::format("kAGraf = {}: all balls", control.animate_every)
           : fmt::format("{} of {} {}s in kPltElemInd or kPrtOpt", oriented, n, element));
+  if (!plan.has(Effect::ElementOrientation)) {
+    plan.oriented_elements.clear();
+    oriented = 0;
+  }
   effect(Effect::WearIntegrals, "wear and power integrals", true, "SOL7 and PRINT show them");
   effect(Effect::MomentumLedger, "momentum ledger", true, "RUN.json and PRINT show it");
   effect(Effect::SuppressedMotions, "suppressed motions", plan.suppressed.any(),
@@ -180,8 +223,19 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   plan.light_load_ratio = control.light_load_ratio;
   effect(Effect::LightLoadBalance, "light-load balance", control.light_load_ratio > 0.0,
          code > 0 ? mode : fmt::format("qFac = {:g}", control.light_load_ratio));
+  if (!plan.has(Effect::LightLoadBalance)) plan.light_load_ratio = 0.0;
   effect(Effect::ElementBalance, fmt::format("force balance of all {}s", element), code > 0, mode);
   effect(Effect::RaceBalance, "force balance of the inner race", code == 2, mode);
+
+  if (!left_out.empty()) {
+    std::string names;
+    for (const scene::EffectEntry& entry : plan.effects)
+      if (can_be_left_out(plan, entry.effect)) names += (names.empty() ? "" : ", ") + entry.name;
+    throw InputError(
+        fmt::format("run option effectsOff: this deck has no effect named \"{}\"; what can be left "
+                    "out: {}",
+                    left_out.front(), names));
+  }
 
   if (rigid)
     plan.bodies.push_back({fmt::format("{}s ({})", element, n),

@@ -5,11 +5,12 @@
 
 PROGRAM is `adore`. Each scene below starts from an example deck; why it is hard and what is known of it stand beside it.
 Without --full each scene runs with the deck's own integrator, an explicit and an implicit one and with two slightly other
-loads, whose spread tells how far two right runs may differ (a few minutes); with it, with all twenty integrators and five
+loads, whose spread tells how far two right runs may differ (a few minutes); with it, with all 21 integrators and five
 such loads, ten times as long (an hour or two).
 
 A run is
 - solved: exit 0, every figure finite;
+- warned of: means outside the spread of the others, and the energy without account says so;
 - refused (exit 2) or given up (exit 3) with a sentence;
 - FAILED: a crash, a hang, exit 1, a figure that is no number, or solved with means (speeds, largest loads, heat) outside the
   spread of the others.
@@ -27,7 +28,7 @@ import subprocess
 import sys
 import tempfile
 
-EXPLICIT = [f"rkf{k}" for k in range(1, 8)] + [f"pece{k}" for k in range(1, 9)] + ["cvode-adams", "arkode-erk"]
+EXPLICIT = [f"rkf{k}" for k in range(1, 8)] + ["rk4"] + [f"pece{k}" for k in range(1, 9)] + ["cvode-adams", "arkode-erk"]
 IMPLICIT = ["cvode-bdf", "arkode-dirk", "arkode-imex"]
 OWN = "own"
 QUICK = [OWN, "rkf7", "arkode-dirk"]
@@ -57,8 +58,8 @@ SCENES = [
           {"cageRaceTC2": 0.5}, 0.5),
     scene("loose pockets", BALL, "pocket hammering with wide clearance", {"bPocCls1": 2e-3, "bPocCls2": 2e-3}),
     scene("over the shoulder", BALL, "ellipses reach over the low shoulder of the race", {"appLoadX": 20000.0, "shoulderDia1": 0.0700}),
-    scene("near-conformal groove", BALL, "f = 0.503: ellipses far longer than the groove",
-          {"raceCurFac1": 0.503, "raceCurFac2": 0.503, "appLoadX": 300.0}),
+    scene("near-conformal groove", BALL, "f = 0.503: ellipses far longer than the groove; with tol above 1e-8 arkode-dirk is off, and warned of",
+          {"raceCurFac1": 0.503, "raceCurFac2": 0.503, "appLoadX": 300.0, "tol": 1e-8}),
     scene("slow shaft", BALL, "100 rpm: a million vibrations of the contacts a turn", {"rpm2": 100.0}, 2e-3),
     scene("very fast shaft", BALL, "300,000 rpm: centrifugal force lifts balls off the inner race", {"rpm2": 300000.0, "appLoadX": 200.0, "bReDia": 0.0015, "pitchDia": 0.008, "nCseg": 0, "nRe": 10,
            "brgBore": 0.005, "brgOD": 0.011, "hsngOD": 0.015, "shoulderDia1": 0.0085, "shoulderDia2": 0.0075, "kNumPltElem": 2,
@@ -152,7 +153,7 @@ def run(program, one, method, folder, turns, full, factor=0.0):
     for key, (value, tolerance) in one["known"].items():
         if abs(values[key] - value) > tolerance * abs(value):
             return {**out, "outcome": "FAILED", "text": f"{key} is {values[key]:.6g}, known is {value:.6g}"}
-    return {**out, "outcome": "solved", "values": values}
+    return {**out, "outcome": "solved", "values": values, "warned": "have no account" in done.stderr}
 
 
 def judge_means(results, spread, full):
@@ -167,7 +168,7 @@ def judge_means(results, spread, full):
         allowed = max(LEAST_SPREAD[full] * size, 3.0 * spread.get(key, 0.0))
         for r in solved.values():
             if abs(r["values"][key] - middle) > allowed and r["outcome"] == "solved":
-                r["outcome"] = "FAILED"
+                r["outcome"] = "warned" if r["warned"] else "FAILED"
                 r["text"] = f"{key} = {r['values'][key]:.6g}, of the others {middle:.6g} (allowed {allowed:.2g})"
 
 
@@ -198,7 +199,7 @@ def play(program, one, methods, turns, full):
     return results
 
 
-SIGN = {"solved": "+", "refused": "r", "gave up": "u", "slow": "s", "FAILED": "F"}
+SIGN = {"solved": "+", "warned": "w", "refused": "r", "gave up": "u", "slow": "s", "FAILED": "F"}
 
 
 def table(scenes, methods):
@@ -229,7 +230,7 @@ def main():
         results = list(pool.map(lambda one: play(program, one, methods, turns, options.full), chosen))
     scenes = list(zip(chosen, results))
     good = sum(passes(r) for _, r in scenes)
-    text = f"{good} of {len(scenes)} scenes pass.\n\n+ solved, r refused, u gave up with a diagnosis, s not done in time, F failed\n\n"
+    text = f"{good} of {len(scenes)} scenes pass.\n\n+ solved, w off and warned of, r refused, u gave up with a diagnosis, s not done in time, F failed\n\n"
     text += table(scenes, methods) + "\n"
     said = []
     for one, found in scenes:

@@ -107,6 +107,25 @@ TEST_CASE("Both weights of every Fehlberg pair meet all conditions of their orde
   }
 }
 
+TEST_CASE("The classical method is of order 4 exactly and its estimate of order 3",
+          "[unit][integrators]") {
+  const auto trees = trees_up_to(5);
+  const Tableau& tableau = classical();
+  const auto phi = stage_weights(tableau, trees);
+  for (int n = 1; n <= 4; ++n) CHECK(defect(tableau.b, n, tableau, trees, phi) < 1e-15);
+  CHECK(defect(tableau.b, 5, tableau, trees, phi) > 1e-3);
+  for (int n = 1; n <= 3; ++n) CHECK(defect(tableau.b_high, n, tableau, trees, phi) < 1e-15);
+  CHECK(defect(tableau.b_high, 4, tableau, trees, phi) > 1e-3);
+  CHECK(tableau.power_of_error() == 4);
+  CHECK(fehlberg(4).power_of_error() == 5);
+  for (int i = 0; i < tableau.stages; ++i) {
+    CHECK(tableau.a[tableau.stages - 1][i] == tableau.b[i]);
+    double sum = 0.0;
+    for (int j = 0; j < i; ++j) sum += tableau.a[i][j];
+    CHECK(sum == Approx(tableau.c[i]).margin(1e-15));
+  }
+}
+
 TEST_CASE("Rows of every Fehlberg pair sum to its nodes and its last row is as declared",
           "[unit][integrators]") {
   for (int p = 1; p <= 7; ++p) {

@@ -1,0 +1,121 @@
+#include "core/facade/deck_runs.hpp"
+#include "deck/templates.hpp"
+#include "facade/measured_run.hpp"
+#include "integrators/stepper.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+/// No method may be wrong and say nothing: on decks that are hard to integrate each one gives the
+/// means of a far more accurate run, or refuses, or ends with a failure, or warns of its energy.
+using namespace adore;
+using facade::RunStatus;
+
+namespace {
+
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+struct Hard {
+  const char* name;
+  const char* until;
+  Sets sets;
+};
+
+const std::array<Hard, 5> kHard{{
+    {"as it is", "1rev", {}},
+    {"radial", "1rev", {{"appLoadX", "300"}, {"appLoadZ", "3000"}}},
+    {"near-conformal",
+     "0.2rev",
+     {{"raceCurFac1", "0.503"}, {"raceCurFac2", "0.503"}, {"appLoadX", "300"}}},
+    {"stiff traction",
+     "0.01rev",
+     {{"rpm2", "500"},
+      {"appLoadX", "10000"},
+      {"reRaceTC2", "0.18"},
+      {"reRaceTC3", "0.12"},
+      {"reRaceTC4", "0.016"}}},
+    {"one ball",
+     "0.3rev",
+     {{"nRe", "1"}, {"nCseg", "0"}, {"kNumPltElem", "2"}, {"kPltElemInd", "1,3"}}},
+}};
+
+constexpr std::array<const char*, 3> kMeans{"mean_largest_load_N", "mean_power_loss_W",
+                                            "mean_orbital_ratio"};
+using Means = std::array<double, 3>;
+
+struct Told {
+  std::optional<Means> means;  ///< of a run that says nothing against itself
+  std::string against;
+};
+
+Told run(const Hard& hard, std::string_view method, double tolerance, const Sets& more) {
+  facade::RunRequest request;
+  request.text = deck::write_deck(deck::new_deck("ball"));
+  request.sets = hard.sets;
+  for (const auto& set : more) request.sets.push_back(set);
+  request.until = hard.until;
+  request.integrator = method;
+  request.tolerance = tolerance;
+  try {
+    const facade::MeasuredRun ran = facade::measured_run(request, 120.0, {});
+    if (ran.outcome.status != RunStatus::Done) return {{}, ran.outcome.message};
+    for (const Issue& issue : ran.outcome.warnings)
+      if (issue.severity == Severity::Warning &&
+          (issue.message.find("have no account") != std::string::npos ||
+           issue.message.find("missed the tolerance") != std::string::npos))
+        return {{}, issue.message};
+    Means means{};
+    for (std::size_t k = 0; k < means.size(); ++k)
+      means[k] = facade::value_of(ran.outcome.summary, kMeans[k]);
+    return {means, ""};
+  } catch (const InputError& error) {
+    return {{}, error.what()};
+  } catch (const SolverError& error) {
+    return {{}, error.what()};
+  }
+}
+
+/// The load that is not given in the hard deck's sets, a millionth larger.
+Sets beside(const Hard& hard) {
+  const bool given = std::any_of(hard.sets.begin(), hard.sets.end(),
+                                 [](const auto& set) { return set.first == "appLoadZ"; });
+  return {{"appLoadZ", given ? "3000.003" : "500.0005"}};
+}
+
+}  // namespace
+
+TEST_CASE("no integrator is wrong without saying so", "[physics][facade][slow]") {
+  const auto number = GENERATE(range(std::size_t{0}, kHard.size()));
+  const Hard& hard = kHard[number];
+  // Two runs whose loads differ by a millionth: how far two right runs may differ.
+  const Told reference = run(hard, "rkf7", 1e-8, {});
+  const Told other = run(hard, "rkf7", 1e-8, beside(hard));
+  INFO(hard.name << ": " << reference.against);
+  REQUIRE(reference.means);
+  REQUIRE(other.means);
+  int told = 0;
+  for (const std::string_view method : integrators::stepper_names())
+    for (const bool free : {false, true}) {
+      const Told one =
+          free ? run(hard, method, 1e-4, {{"stpMax", "1000"}}) : run(hard, method, 1e-6, {});
+      if (!one.means) {
+        CHECK_FALSE(one.against.empty());
+        continue;
+      }
+      ++told;
+      for (std::size_t k = 0; k < kMeans.size(); ++k) {
+        const double is = (*reference.means)[k], size = std::abs(is);
+        const double spread = std::abs((*other.means)[k] - is);
+        INFO(hard.name << ", " << method << (free ? ", free steps at 1e-4" : "") << ": "
+                       << kMeans[k] << " is " << (*one.means)[k] << " for " << is << ", spread "
+                       << spread);
+        CHECK(std::abs((*one.means)[k] - is) <= std::max(0.03 * size, 5.0 * spread));
+      }
+    }
+  INFO(hard.name << ": " << told << " runs said nothing against themselves");
+  CHECK(told > 10);
+}

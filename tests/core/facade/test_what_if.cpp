@@ -1,0 +1,104 @@
+#include "core/facade/deck_runs.hpp"
+#include "deck/templates.hpp"
+#include "facade/prepare.hpp"
+#include "facade/what_if.hpp"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace adore;
+using facade::DeckRequest;
+using scene::Effect;
+
+namespace {
+
+DeckRequest ball(std::vector<std::pair<std::string, std::string>> options = {}) {
+  DeckRequest request;
+  request.text = deck::write_deck(deck::new_deck("ball"));
+  request.options = std::move(options);
+  return request;
+}
+
+std::string refusal(const std::string& names) {
+  try {
+    (void)facade::prepare(ball({{"effectsOff", names}}));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "was accepted";
+}
+
+const scene::EffectEntry& entry(const facade::Prepared& prepared, const std::string& name) {
+  return *std::find_if(prepared.plan.effects.begin(), prepared.plan.effects.end(),
+                       [&](const scene::EffectEntry& one) { return one.name == name; });
+}
+
+}  // namespace
+
+TEST_CASE("effects are left out by the names of the plan, and are not built", "[unit][facade]") {
+  const facade::Prepared whole = facade::prepare(ball());
+  const facade::Prepared less = facade::prepare(
+      ball({{"effectsOff", "gravity, momentum ledger,wear and power integrals,ball orientation"}}));
+  CHECK(entry(whole, "gravity").on);
+  CHECK_FALSE(entry(less, "gravity").on);
+  CHECK(entry(less, "gravity").because.find("left out by run option effectsOff") !=
+        std::string::npos);
+  CHECK_FALSE(less.plan.has(Effect::MomentumLedger));
+  CHECK(less.plan.oriented_elements.empty());
+  // Seven integrals of load and slip and their likes, six of momentum, five for each orientation.
+  const dynamics::System with = facade::make_system(whole), without = facade::make_system(less);
+  CHECK(with.layout().controlled_size() - without.layout().controlled_size() ==
+        5 * static_cast<int>(whole.plan.oriented_elements.size()));
+  CHECK(with.layout().size() - without.layout().size() >
+        5 * static_cast<int>(whole.plan.oriented_elements.size()) + 6);
+}
+
+TEST_CASE("guide lands take their traction with them", "[unit][facade]") {
+  const facade::Prepared less = facade::prepare(ball({{"effectsOff", "cage / race guide lands"}}));
+  CHECK_FALSE(less.plan.has(Effect::LandContact));
+  CHECK_FALSE(less.plan.has(Effect::LandTraction));
+}
+
+TEST_CASE("what cannot be left out is refused with what decides it, and what can be",
+          "[unit][facade]") {
+  CHECK(refusal("cage motion").find("nCseg = 1") != std::string::npos);
+  CHECK(refusal("gravitation").find("momentum ledger") != std::string::npos);
+  CHECK(refusal("gravitation").find("\"gravitation\"") != std::string::npos);
+}
+
+TEST_CASE("what-if tells what each effect changes and costs", "[physics][facade]") {
+  facade::WhatIfRequest request;
+  static_cast<DeckRequest&>(request) = ball();
+  request.turns = 0.1;
+  std::size_t told = 0;
+  const facade::WhatIf result =
+      facade::what_if(request, [&](const facade::WhatIfRow&) { ++told; }, {});
+  CHECK(told == result.rows.size());
+  CHECK(result.seconds > 0.0);
+  const auto row = [&](const std::string& name) {
+    const auto found =
+        std::find_if(result.rows.begin(), result.rows.end(),
+                     [&](const facade::WhatIfRow& one) { return one.effect == name; });
+    REQUIRE(found != result.rows.end());
+    return *found;
+  };
+  // Ledgers change nothing; without traction at the races nearly all of the heat is gone.
+  const facade::WhatIfRow ledger = row("momentum ledger");
+  CHECK(ledger.change.speed == 0.0);
+  CHECK(ledger.change.load == 0.0);
+  CHECK(ledger.change.heat == Approx(0.0).margin(1e-12));
+  const facade::WhatIfRow traction = row("ball / race traction");
+  CHECK(traction.change.heat < -0.5);
+  CHECK(traction.share > 0.0);
+  // The millionth of the load that tells the noise changes loads by about as much.
+  CHECK(std::abs(result.noise.load) < 1e-3);
+  CHECK(row("cage motion, ball / pocket contact").without == "nCseg=0");
+  CHECK(facade::what_if_text(result).find("a millionth of the load") != std::string::npos);
+  const auto json = facade::what_if_json(result);
+  CHECK(json.at("rows").size() == result.rows.size());
+  request.sets.emplace_back("mode", "-1");
+  CHECK_THROWS_AS(facade::what_if(request, {}, {}), InputError);
+}
