@@ -4,6 +4,7 @@
 #include "adrinput/drawing_panel.hpp"
 #include "adrinput/evaluation.hpp"
 #include "adrinput/help_text.hpp"
+#include "adrinput/lubricant_panel.hpp"
 #include "adrinput/options_page.hpp"
 #include "adrinput/record_list.hpp"
 #include "adrinput/record_page.hpp"
@@ -155,6 +156,7 @@ void DeckWindow::makeCentre() {
 }
 
 void DeckWindow::makeDrawing() {
+  lubricant_ = LubricantPanel::inDockOf(this);
   drawing_ = new DrawingPanel(this);
   drawing_dock_ = new QDockWidget(tr("Drawing"), this);
   drawing_dock_->setObjectName("drawing-dock");
@@ -271,6 +273,7 @@ void DeckWindow::refresh() {
     original_->setPlainText(text_in(shown_original_));
   }
   drawing_->setDeck(document_.deck());
+  lubricant_->setDeck(document_.deck());
   const QString name = document_.path().empty()
                            ? tr("new deck")
                            : QString::fromStdString(document_.path().filename().string());

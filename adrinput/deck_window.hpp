@@ -21,6 +21,7 @@ namespace adore::adrinput {
 
 class CompareDialog;
 class DrawingPanel;
+class LubricantPanel;
 class EvaluationPanel;
 class FileWatch;
 class NoticeBar;
@@ -130,6 +131,7 @@ class DeckWindow : public QMainWindow {
   EvaluationPanel *plan_ = nullptr, *statics_ = nullptr;
   RunPanel* run_ = nullptr;
   DrawingPanel* drawing_ = nullptr;
+  LubricantPanel* lubricant_ = nullptr;
   QDockWidget* drawing_dock_ = nullptr;
   QMenu* recent_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr;

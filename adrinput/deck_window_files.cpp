@@ -93,6 +93,9 @@ void DeckWindow::makeOtherMenus() {
   drawing->setText(tr("Dra&wing"));
   drawing->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_G));
   view->addAction(drawing);
+  QAction* lubricant = findChild<QDockWidget*>("lubricant-dock")->toggleViewAction();
+  lubricant->setText(tr("&Lubricant"));
+  view->addAction(lubricant);
   view->addAction(tr("&Dark or light"), QKeySequence(Qt::CTRL | Qt::Key_D), this,
                   &DeckWindow::switchTheme);
   view->addSeparator();

@@ -6,6 +6,8 @@
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
+#include "facade/catalogue_torque.hpp"
+#include "facade/experiments.hpp"
 #include "reference/validate.hpp"
 
 #include <fmt/format.h>
@@ -86,6 +88,27 @@ int validate(const std::vector<std::string>& files, const std::string& report_fi
   return report.fail > 0 ? 1 : 0;
 }
 
+/// Exit 0 whatever the figures say: the page shows misses, it does not judge them.
+void experiments(const std::string& only, const std::string& report_file, bool json,
+                 bool markdown) {
+  const std::vector<facade::Experiment> all =
+      facade::run_experiments(only, [](const std::string& id) { tell(fmt::format("{}\n", id)); });
+  const std::string as_json = facade::experiments_json(all).dump(2) + "\n";
+  fmt::print("{}", json       ? as_json
+                   : markdown ? facade::experiments_markdown(all)
+                              : facade::experiments_text(all));
+  if (!report_file.empty()) write_text(report_file, "experiments.json", as_json);
+}
+
+void torque(const std::string& report_file, bool json, bool markdown) {
+  const std::vector<facade::TorqueTable> tables = facade::catalogue_torques();
+  const std::string as_json = facade::torque_json(tables).dump(2) + "\n";
+  fmt::print("{}", json       ? as_json
+                   : markdown ? facade::torque_markdown(tables)
+                              : facade::torque_text(tables));
+  if (!report_file.empty()) write_text(report_file, "torque.json", as_json);
+}
+
 }  // namespace
 
 void add_calc(CLI::App& app, int& exit_code) {
@@ -138,15 +161,42 @@ void add_calc(CLI::App& app, int& exit_code) {
     auto report = std::make_shared<std::string>();
     auto quiet = std::make_shared<bool>(false);
     auto json = std::make_shared<bool>(false);
-    command->add_option("files", *files, "case files, or - for standard input")
-        ->required()
-        ->type_name("FILE");
+    auto published = std::make_shared<bool>(false);
+    auto markdown = std::make_shared<bool>(false);
+    auto only = std::make_shared<std::string>();
+    command->add_option("files", *files, "case files, or - for standard input")->type_name("FILE");
+    CLI::Option* experiments_flag = command->add_flag(
+        "--experiments", *published, "instead: published experiments, our figures beside theirs");
+    command->add_option("--only", *only, "one of the experiments, by its id")
+        ->type_name("ID")
+        ->needs(experiments_flag);
+    auto torques = std::make_shared<bool>(false);
+    command
+        ->add_flag("--torque", *torques,
+                   "instead: friction torque of three bearings beside a catalogue formula")
+        ->excludes(experiments_flag);
+    command->add_flag("--markdown", *markdown, "experiments or torques as a page");
     command->add_option("--report", *report, "write the results as JSON to this file")
         ->type_name("FILE");
     command->add_flag("--json", *json, "the results as JSON on standard output");
     command->add_flag("--quiet", *quiet, "only the totals");
-    command->footer("Example\n  adore validate tests/reference/*.json --report report.json");
-    command->callback([=, &exit_code] { exit_code = validate(*files, *report, *quiet, *json); });
+    command->footer(
+        "Examples\n"
+        "  adore validate tests/reference/*.json --report report.json\n"
+        "  adore validate --experiments\n"
+        "  adore validate --torque");
+    command->callback([=, &exit_code] {
+      if (*published || *torques) {
+        if (!files->empty())
+          throw InputError("--experiments and --torque bring their own decks; give no files");
+        return *torques ? torque(*report, *json, *markdown)
+                        : experiments(*only, *report, *json, *markdown);
+      }
+      if (files->empty())
+        throw InputError("give files of reference cases, --experiments or --torque");
+      if (*markdown) throw InputError("--markdown belongs to --experiments or --torque");
+      exit_code = validate(*files, *report, *quiet, *json);
+    });
   }
 }
 

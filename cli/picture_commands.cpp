@@ -1,5 +1,6 @@
 #include "cli/picture_commands.hpp"
 
+#include "base/errors.hpp"
 #include "cli/option_ranges.hpp"
 #include "command_line/tree.hpp"
 
@@ -20,9 +21,24 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
       "plot", "draw the pages of SOL1-SOL7, a quasi-static RUN.json or SWEEP.csv as PNG files");
   auto request = std::make_shared<PlotRequest>();
   auto time = std::make_shared<bool>(false);
-  command->add_option("files", request->files, "SOL1-SOL7, RUN.json, SWEEP.csv")
-      ->required()
-      ->type_name("FILE");
+  command->add_option("files", request->files, "SOL1-SOL7, RUN.json, SWEEP.csv")->type_name("FILE");
+  CLI::Option* lubricant =
+      command
+          ->add_option("--lubricant", request->lubricant,
+                       "instead of files: traction, viscosity, film and lambda of this kTrac")
+          ->type_name("CODE");
+  CLI::Option* temperature =
+      command
+          ->add_option("--temperature", request->temperature,
+                       "of the lubricant and the surfaces in kelvin (350 unless given)")
+          ->type_name("K")
+          ->needs(lubricant);
+  command_line::one_of(
+      command->add_option("--format", request->format, "form of the lubricant's pictures")
+          ->capture_default_str()
+          ->type_name("FORM")
+          ->needs(lubricant),
+      {"png", "svg"});
   command->add_option("--out", request->out, "folder of the pictures")
       ->type_name("DIR")
       ->default_str("here");
@@ -40,8 +56,15 @@ void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw
   command->add_flag("--time", *time, "the same as --abscissa time")->group("");
   command->add_flag("--dark", request->dark, "dark theme");
   add_progress(*command, request->progress);
-  command->footer("Example\n  adore plot SOL1 SOL7 --page 1 --out pictures");
+  command->footer(
+      "Examples\n"
+      "  adore plot SOL1 SOL7 --page 1 --out pictures\n"
+      "  adore plot --lubricant 4 --temperature 394 --out pictures");
   command->callback([=] {
+    if ((lubricant->count() > 0) != request->files.empty())
+      throw InputError("give result files, or --lubricant with a code of kTrac");
+    if (lubricant->count() > 0) check_range("--lubricant", request->lubricant);
+    if (temperature->count() > 0) check_range("--temperature", request->temperature);
     if (page->count() > 0) check_range("--page", request->page);
     check_range("--from", static_cast<double>(request->range.from));
     if (to->count() > 0) check_range("--to", static_cast<double>(request->range.to));

@@ -16,7 +16,10 @@ namespace adore::cli {
 struct PlotRequest {
   std::vector<std::string> files;
   std::string out = ".", progress = "auto", abscissa = "rev";
-  int page = 0;  ///< 0: all
+  int page = 0;              ///< 0: all
+  int lubricant = 0;         ///< kTrac of the charts that are drawn instead of files; 0: none
+  double temperature = 0.0;  ///< of its charts [K]; 0: the usual one
+  std::string format = "png";
   results::SolRange range;
   bool dark = false;
 };

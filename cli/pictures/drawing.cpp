@@ -8,6 +8,8 @@
 #include "desktop/bootstrap.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/log_chart.hpp"
+#include "desktop/lubricant_pages.hpp"
+#include "desktop/page_export.hpp"
 #include "results/growing_file.hpp"
 
 #include <fmt/format.h>
@@ -22,8 +24,35 @@ void print_files(const std::vector<std::filesystem::path>& files) {
   for (const auto& file : files) fmt::print("{}\n", file.string());
 }
 
+void plot_lubricant(const PlotRequest& request) {
+  calculators::LubricantContact contact;
+  contact.code = request.lubricant;
+  if (request.temperature > 0.0) contact.temperature = request.temperature;
+  const std::filesystem::path folder(request.out);
+  desktop::make_folder(folder);
+  desktop::ChartScene scene;
+  scene.setTheme(
+      desktop::theme(request.dark ? desktop::ThemeKind::Dark : desktop::ThemeKind::Light));
+  constexpr double kWidth = 1280.0, kHeight = 800.0;
+  scene.setPageSize({kWidth, kHeight});
+  std::vector<desktop::ChartPage> pages = desktop::lubricant_pages(contact);
+  std::vector<std::filesystem::path> files;
+  for (std::size_t n = 0; n < pages.size(); ++n) {
+    if (request.page > 0 && static_cast<std::size_t>(request.page) != n + 1) continue;
+    scene.setPage(std::move(pages[n]));
+    files.push_back(folder / fmt::format("lubricant-{:02}-{}.{}", request.lubricant,
+                                         desktop::kLubricantPages[n], request.format));
+    desktop::save_page(scene, files.back(), {kWidth, kHeight});
+  }
+  if (files.empty())
+    throw InputError(fmt::format("--page {}: the charts of a lubricant are 1 to {}", request.page,
+                                 pages.size()));
+  print_files(files);
+}
+
 void plot(const PlotRequest& request) {
   desktop::ensure_headless_application();
+  if (request.lubricant != 0) return plot_lubricant(request);
   adrplot::RenderOptions options;
   options.folder = request.out;
   options.page = request.page;

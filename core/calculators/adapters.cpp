@@ -2,6 +2,7 @@
 
 #include "calculators/cage.hpp"
 #include "calculators/life.hpp"
+#include "calculators/lubricant_curves.hpp"
 #include "calculators/rigid_body.hpp"
 #include "calculators/roller_static.hpp"
 #include "calculators/rollers.hpp"
@@ -27,6 +28,7 @@ std::vector<Adapter> component_adapters() {
   add(network_adapters());
   add(traction_adapters());
   add(film_adapters());
+  add(lubricant_adapters());
   add(hydrodynamic_adapters());
   add(life_adapters());
   return all;

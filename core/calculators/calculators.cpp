@@ -50,6 +50,8 @@ const std::vector<CalculatorInfo>& calculator_list() {
       {"ball-statics", "C_ball_bearing", "ball_equilibrium",
        "ball bearing under load and speed: loads, angles, stiffness"},
       {"kinematics", "E_kinematics", "kinematics", "cage and ball speeds, defect frequencies"},
+      {"traction", "lubricant_traction", "",
+       "traction over slip, film and lambda of a lubricant by its code in a point contact"},
       {"traction-curve", "tribology_hypotheticalTraction", "",
        "traction coefficient over slip, four prescriptions"},
       {"ellipse-traction", "dynamics_contact_traction", "",

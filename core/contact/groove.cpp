@@ -4,21 +4,33 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace adore::contact {
 namespace {
 
 constexpr std::array<const char*, 2> kRaceName{"outer", "inner"};
+constexpr double kRightAngle = 1.5707963267948968;  // just above 90 degrees
 
-void check_groove_factor(double factor, int race) {
-  if (!(factor > 0.5 && factor < 1.0)) {
+constexpr double kWidest = 10.0;  // of grooves, as the deck allows
+
+/// 1/(f D) must exceed the curvature of the outer race along rolling, 2 cos α/(dm + D cos α); the
+/// inner race's bends the other way. Below 1 every angle will do.
+double largest_groove_factor(const bearing::BallGeometry& balls, int race, double angle) {
+  const double across = balls.diameter * std::cos(angle);
+  if (race == bearing::kInner || !(across > 0.0)) return kWidest;
+  return std::clamp((balls.pitch_diameter + across) / (2.0 * across), 1.0, kWidest);
+}
+
+void check_groove_factor(double factor, int race, double largest) {
+  if (!(factor > 0.5 && factor < largest)) {
     throw InputError(
         fmt::format("ball bearing: the {} groove factor is {}; the groove radius over the ball "
                     "diameter must lie above 0.5 "
-                    "(else the groove grips the ball) and below 1 (else the contact ellipse lies "
-                    "along the groove)",
-                    kRaceName[static_cast<std::size_t>(race)], factor));
+                    "(else the groove grips the ball) and below {:.4g} (else the contact ellipse "
+                    "lies along the groove)",
+                    kRaceName[static_cast<std::size_t>(race)], factor, largest));
   }
 }
 
@@ -32,13 +44,14 @@ void check(const bearing::BallGeometry& balls) {
         "ball bearing: the pitch diameter is {} m; it must be larger than the ball diameter, {} m",
         balls.pitch_diameter, balls.diameter));
   }
-  if (!(balls.contact_angle >= 0.0 && balls.contact_angle < 1.5707)) {
+  if (!(balls.contact_angle >= 0.0 && balls.contact_angle <= kRightAngle)) {
     throw InputError(fmt::format(
         "ball bearing: the free contact angle is {} rad; it must lie between 0 and 90 degrees",
         balls.contact_angle));
   }
   for (int race = 0; race < 2; ++race) {
-    check_groove_factor(balls.groove_factor[static_cast<std::size_t>(race)], race);
+    check_groove_factor(balls.groove_factor[static_cast<std::size_t>(race)], race,
+                        largest_groove_factor(balls, race, balls.contact_angle));
   }
 }
 
@@ -86,7 +99,8 @@ GrooveGeometry groove_of_ball(const GrooveGeometry& nominal, double growth) noex
 RelativeCurvature race_curvature(const bearing::BallGeometry& balls, int race,
                                  double contact_angle) {
   const auto j = static_cast<std::size_t>(race);
-  check_groove_factor(balls.groove_factor[j], race);
+  check_groove_factor(balls.groove_factor[j], race,
+                      largest_groove_factor(balls, race, contact_angle));
   const double D = balls.diameter;
   const double sign = race == bearing::kInner ? 1.0 : -1.0;
   const double c = std::cos(contact_angle);
@@ -113,7 +127,7 @@ FreeState free_state(double diameter, const std::array<double, 2>& groove_factor
                      const std::array<double, 2>& shim, double contact_angle,
                      double measured_clearance) {
   for (int race = 0; race < 2; ++race) {
-    check_groove_factor(groove_factor[static_cast<std::size_t>(race)], race);
+    check_groove_factor(groove_factor[static_cast<std::size_t>(race)], race, kWidest);
   }
   const double play_of_90_degrees = 2.0 * diameter * (groove_factor[0] + groove_factor[1] - 1.0);
   if (contact_angle > 0.0) {

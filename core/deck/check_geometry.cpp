@@ -102,6 +102,17 @@ void check_angle_and_clearance(Checker& c, double diameter) {
               "set it to 0, or freeConAng to 0");
 }
 
+/// Grooves as open as these are made for tests with balls smaller than the race was ground for.
+void check_open_grooves(Checker& c) {
+  constexpr double kOpen = 1.0;
+  for (const char* name : {"raceCurFac1", "raceCurFac2"}) {
+    const auto factor = c.raw(name);
+    if (factor && *factor >= kOpen)
+      c.warning(name, "the groove radius is larger than the ball: the contact is nearly round",
+                "bearings have 0.515 to 0.53; keep it when the race was ground for larger balls");
+  }
+}
+
 void check_shims(Checker& c, double diameter) {
   for (const int race : {1, 2}) {
     const auto factor = c.raw(fmt::format("raceCurFac{}", race));
@@ -273,6 +284,7 @@ void check_ball_geometry(Checker& c) {
       check_pitch_circle(c, *pitch, *diameter);
   }
   check_angle_and_clearance(c, *diameter);
+  check_open_grooves(c);
   check_shims(c, *diameter);
   const auto outer_shoulder = c.si("shoulderDia1");
   const auto inner_shoulder = c.si("shoulderDia2");

@@ -26,6 +26,15 @@ bool near(double value, double expected, double tolerance) {
   return std::abs(value - expected) <= tolerance * expected;
 }
 
+/// Liquefied gases as medium or coolant (codes 3 to 7): the deck means its temperatures.
+bool says_cryogenic(const Checker& c) {
+  for (const char* name : {"kChrn", "kCoolant"}) {
+    const auto code = c.integer(name);
+    if (code && *code >= 3 && *code <= 7) return true;
+  }
+  return false;
+}
+
 /// The temperatures below kColdest share one remark: whoever writes deg C writes it everywhere.
 void check_celsius(Checker& c) {
   std::string_view first;
@@ -38,7 +47,7 @@ void check_celsius(Checker& c) {
     else
       others += (others.empty() ? "" : ", ") + std::string(name);
   }
-  if (first.empty()) return;
+  if (first.empty() || says_cryogenic(c)) return;
   const double raw = *c.raw(first);
   const char* scale = english(c) ? "deg F" : "deg C";
   const double absolute = english(c) ? raw + 459.67 : raw + kFreezingPoint;

@@ -53,18 +53,20 @@ RecordSpec ball_geometry() {
       "5A", "Ball bearing geometry", "kBrg == 1",
       {real("bReDia", kLength, kPositive, "Nominal ball diameter."),
        real("pitchDia", kLength, kPositive, "Pitch diameter: the circle of the ball centres."),
-       real("freeConAng", kAngle, kContactAngle,
+       real("freeConAng", kAngle, range::kBallAngle,
             "Free contact angle. When it is above 0 it rules and the clearance follows from it; 0 "
-            "derives it from freeIntCls."),
+            "derives it from freeIntCls; 90 is a thrust bearing."),
        real("freeIntCls", kLength, kAny,
             "Free internal diametral clearance, used when freeConAng is 0. Negative means "
             "interference."),
-       real("raceCurFac1", kPure, kGroove,
-            "Outer groove radius divided by ball diameter; above 0.5 and below 1, usually 0.515 to "
-            "0.53."),
-       real("raceCurFac2", kPure, kGroove,
-            "Inner groove radius divided by ball diameter; above 0.5 and below 1, usually 0.515 to "
-            "0.53."),
+       real(
+           "raceCurFac1", kPure, kGroove,
+           "Outer groove radius divided by ball diameter; above 0.5 and below 10, usually 0.515 to "
+           "0.53."),
+       real(
+           "raceCurFac2", kPure, kGroove,
+           "Inner groove radius divided by ball diameter; above 0.5 and below 10, usually 0.515 to "
+           "0.53."),
        real(
            "shoulderDia1", kLength, kNotNegative,
            "Shoulder diameter of the outer race; only tells how far the contact is from the edge."),

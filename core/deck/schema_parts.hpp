@@ -17,14 +17,14 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr Range kAny{-kInfinity, kInfinity, false};
 inline constexpr Range kPositive{0.0, kInfinity, true};
 inline constexpr Range kNotNegative{0.0, kInfinity, false};
-inline constexpr Range kTilt{-90.0, 90.0, false};  ///< deg
-inline constexpr Range kContactAngle{0.0, 89.99,
-                                     false};         ///< deg; a right angle has no radial pitch
-inline constexpr Range kConeAngle{0.0, 89.9, true};  ///< deg
-inline constexpr Range kTaper{-0.1, 0.1, false};     ///< rad; small turns of a profile
+inline constexpr Range kTilt{-90.0, 90.0, false};         ///< deg
+inline constexpr Range kContactAngle{0.0, 89.99, false};  ///< deg; rows of barrels
+inline constexpr Range kBallAngle{0.0, 90.0, false};      ///< deg; 90: a thrust bearing
+inline constexpr Range kConeAngle{0.0, 89.9, true};       ///< deg
+inline constexpr Range kTaper{-0.1, 0.1, false};          ///< rad; small turns of a profile
 inline constexpr Range kProbability{0.0, 1.0, true, true};
 inline constexpr Range kPoisson{0.0, 0.5, false};
-inline constexpr Range kGroove{0.5, 1.0, true, true};  ///< groove radius over ball diameter
+inline constexpr Range kGroove{0.5, 10.0, true, true};  ///< groove radius over ball diameter
 inline constexpr Range kConformity{0.5, 100.0,
                                    true};             ///< groove radius over twice the crown radius
 inline constexpr Range kRockwell{0.0, 100.0, false};  ///< HRC

@@ -82,7 +82,7 @@ void check_grooves(const Deck& deck, const bearing::Bearing& b) {
   for (std::size_t k = 0; k < b.imperfections.ball_diameter.size(); ++k)
     for (std::size_t j = 0; j < 2; ++j) {
       const double ratio = b.balls().groove_factor[j] * D / (D + b.imperfections.ball_diameter[k]);
-      if (ratio > 0.5 && ratio < 1.0) continue;
+      if (ratio > 0.5 && (ratio < 1.0 || b.balls().groove_factor[j] >= 1.0)) continue;
       throw InputError({deck.issue(
           Severity::Error, diameter_variable(b.imperfections.elements, k),
           fmt::format("ball {} with its deviation of {} does not fit the {} groove: the groove "
@@ -99,7 +99,8 @@ void check_grooves(const Deck& deck, const bearing::Bearing& b) {
   for (std::size_t j = 0; j < 2; ++j) {
     const auto [low, high] = extremes(b.imperfections.race[j].curvature_factor);
     const double f = b.balls().groove_factor[j];
-    if ((f + low) * D > 0.5 * largest && (f + high) * D < smallest) continue;
+    // A groove that is open by itself (f >= 1) has its own limit: groove_geometry.
+    if ((f + low) * D > 0.5 * largest && (f >= 1.0 || (f + high) * D < smallest)) continue;
     throw InputError({deck.issue(
         Severity::Error, fmt::format("cFacVar1{}", j + 1),
         fmt::format("the groove factor raceCurFac{} = {:.6g} becomes {:.6g} to {:.6g} around the "

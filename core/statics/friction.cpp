@@ -28,6 +28,8 @@ using tribology::EllipseGeometry;
 using tribology::EllipseKinematics;
 
 constexpr double kStraight = 1e6;  ///< radius of a surface without curvature [m]
+/// τ <= 0.11 p also of the fluids whose law in motion has no limit (decision 330).
+constexpr double kLimitingRatio = 0.11;
 
 /// The root of an increasing function between two bounds by regula falsi with halving (Illinois).
 template <class F>
@@ -71,12 +73,25 @@ double free_heat(const tribology::TractionLaw& law, const EllipseGeometry& g, El
   return tribology::ellipse_traction(law, g, m, rule).heat;
 }
 
+/// Of the oil in the inlet of a point, on each surface; see the header.
+double point_rolling_force(double scale, double k, double U, double G, double W) {
+  const double rigid = 1.213 * std::pow(k, 0.358) * std::pow(U, 0.636) * std::pow(W, 0.364);
+  const double elastic =
+      2.86 * std::pow(k, 0.348) * std::pow(U, 0.66) * std::pow(G, 0.022) * std::pow(W, 0.47);
+  const double moes = W * std::pow(2.0 * U, -0.75);
+  return scale * (rigid + (elastic - rigid) / (1.0 + 6.6 / moes));
+}
+
 /// What a lubricant's law needs that all contacts of a race share.
 class Oil {
  public:
   explicit Oil(const Bearing& bearing) : bearing_(bearing) {
     if (!bearing.lubrication) return;
     oil_ = tribology::lubricant_of(*bearing.lubrication);
+    if (!(oil_->limiting_ratio > 0.0) && oil_->model != tribology::LubricantModel::ViscoElastic) {
+      oil_->limiting_ratio = kLimitingRatio;
+      held_ = true;
+    }
     for (std::size_t j = 0; j < 2; ++j) {
       temperature_[j] = 0.5 * (bearing.race_temperature[j] + bearing.element_temperature);
       inlet_[j] = tribology::inlet_oil(*oil_, temperature_[j], bearing.lubrication->meniscus);
@@ -138,16 +153,18 @@ class Oil {
       force = 4.318 * R * length / inlet.alpha * std::pow(G * U, 0.658) * std::pow(W, 0.0126);
     } else {
       const double W = std::max(contact.load / (E * R * R), 1e-9);
-      force = 2.86 * E * R * R * std::pow(contact.k, 0.348) * std::pow(U, 0.66) *
-              std::pow(G, 0.022) * std::pow(W, 0.47);
+      force = point_rolling_force(E * R * R, contact.k, U, G, W);
     }
     return 2.0 * force * film.thermal * film.starvation * u;
   }
   [[nodiscard]] const std::string& name() const { return oil_->name; }
+  /// Is its shear held to kLimitingRatio of the pressure here, other than in motion?
+  [[nodiscard]] bool held() const { return held_; }
 
  private:
   const Bearing& bearing_;
   std::optional<tribology::Lubricant> oil_;
+  bool held_ = false;
   std::array<tribology::InletOil, 2> inlet_;
   std::array<double, 2> temperature_{}, modulus_{};
   mutable std::array<std::optional<tribology::TractionLaw>, 2> kept_;
@@ -160,6 +177,11 @@ FrictionEstimate begin(const Bearing& bearing, const Oil& oil) {
                                         tribology::largest_traction(bearing.race_traction));
   if (oil.given()) {
     out.law = fmt::format("film of {}, below the critical film {}", oil.name(), curve);
+    if (oil.held())
+      out.notes.push_back(fmt::format(
+          "the shear of the film is held to {:g} of its pressure; the law of the lubricant has no "
+          "limit of its own, and in motion none is added",
+          kLimitingRatio));
   } else {
     out.law = curve;
   }

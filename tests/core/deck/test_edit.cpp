@@ -159,7 +159,7 @@ TEST_CASE("a count in a length field is no length", "[unit][deck]") {
 }
 
 TEST_CASE("example decks are clean, complete and named", "[unit][deck]") {
-  CHECK(templates().size() == 13);
+  CHECK(templates().size() == 14);
   for (const TemplateInfo& info : templates()) {
     INFO(info.name);
     const Deck deck = new_deck(info.name);

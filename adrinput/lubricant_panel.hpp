@@ -1,0 +1,51 @@
+#pragma once
+
+#include "calculators/lubricant_curves.hpp"
+#include "deck/deck.hpp"
+
+#include <QWidget>
+
+#include <optional>
+
+class QComboBox;
+class QMainWindow;
+class QTimer;
+namespace adore::desktop {
+class ChartView;
+}  // namespace adore::desktop
+
+namespace adore::adrinput {
+
+/// Charts of the deck's lubricant (record 10.0) at the deck's temperatures, roughness and records
+/// 10.1 and 10.3: traction over slip, viscosity over pressure, film and lambda over speed. Draws
+/// nothing while it is hidden.
+class LubricantPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit LubricantPanel(QWidget* parent = nullptr);
+  /// In a dock of `window`, closed at first.
+  static LubricantPanel* inDockOf(QMainWindow* window);
+
+  /// Draws after a short pause in typing.
+  void setDeck(const deck::Deck& deck);
+  /// Draws what was last given, without the pause.
+  void drawNow();
+  [[nodiscard]] desktop::ChartView& chart() { return *chart_; }
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void showPage();
+
+  deck::Deck deck_;
+  QComboBox* pages_ = nullptr;
+  desktop::ChartView* chart_ = nullptr;
+  QTimer* pause_ = nullptr;
+};
+
+/// The deck's lubricant in a contact of usual size; nothing without a lubricant of the table.
+[[nodiscard]] std::optional<calculators::LubricantContact> lubricant_contact(
+    const deck::Deck& deck);
+
+}  // namespace adore::adrinput

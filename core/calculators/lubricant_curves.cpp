@@ -1,0 +1,215 @@
+#include "calculators/lubricant_curves.hpp"
+
+#include "calculators/json_access.hpp"
+#include "contact/hertz.hpp"
+#include "tribology/contact_film.hpp"
+#include "tribology/ellipse_traction.hpp"
+#include "tribology/film_law.hpp"
+#include "tribology/traction_curve.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace adore::calculators {
+namespace {
+
+constexpr int kPoints = 61;
+
+/// `count` values from low to high, evenly in their logarithm.
+std::vector<double> logarithmic(double low, double high, int count = kPoints) {
+  std::vector<double> out;
+  for (int i = 0; i < count; ++i)
+    out.push_back(low * std::pow(high / low, static_cast<double>(i) / (count - 1)));
+  return out;
+}
+
+void check(const LubricantContact& c) {
+  const std::pair<const char*, double> positive[] = {{"T", c.temperature},
+                                                     {"radius", c.radius},
+                                                     {"across", c.across},
+                                                     {"Eprime", c.modulus},
+                                                     {"pressure", c.pressure}};
+  for (const auto& [name, value] : positive)
+    if (!(value > 0.0) || !std::isfinite(value))
+      throw InputError(fmt::format("{} is {:g}; give a number above 0", name, value));
+  const std::pair<const char*, double> not_negative[] = {{"speed", c.speed},
+                                                         {"roughness", c.roughness},
+                                                         {"criticalFilm", c.critical_film},
+                                                         {"meniscus", c.meniscus}};
+  for (const auto& [name, value] : not_negative)
+    if (!(value >= 0.0) || !std::isfinite(value))
+      throw InputError(fmt::format("{} is {:g}; give 0 or more", name, value));
+  if (c.radius > c.across)
+    throw InputError(fmt::format(
+        "radius is {:g} m and across {:g} m; rolling goes along the shorter axis of the contact: "
+        "give the smaller radius as radius",
+        c.radius, c.across));
+  if (c.metal.size() != 4) throw InputError("metal has four values, those of record 10.1C");
+}
+
+/// The contact at one load, with its oil.
+struct Point {
+  explicit Point(const LubricantContact& c) : contact(c), oil(tribology::lubricant(c.code)) {
+    const contact::RelativeCurvature rho{1.0 / c.across, 1.0 / c.radius};
+    const contact::HertzConstants hertz = contact::hertz_constants(rho, 0.5 * c.modulus);
+    // p0 = 3 Q/(2 π a b), a b = a_hat b_hat Q^(2/3).
+    load = std::pow(c.pressure * kPi * hertz.a_hat * hertz.b_hat / 1.5, 3.0);
+    a = hertz.a_hat * std::cbrt(load);
+    b = hertz.b_hat * std::cbrt(load);
+    inlet = tribology::inlet_oil(oil, c.temperature, c.meniscus);
+  }
+  [[nodiscard]] tribology::ContactFilm film(double speed, double slip) const {
+    tribology::FilmContact f;
+    f.load = load;
+    f.radius = contact.radius;
+    f.k = a / b;
+    f.half_width = b;
+    f.peak_pressure = contact.pressure;
+    f.speed = speed;
+    f.slip = slip;
+    f.modulus = contact.modulus;
+    return tribology::contact_film(inlet, f);
+  }
+  [[nodiscard]] tribology::TractionLaw law() const {
+    bearing::Lubrication lubrication;
+    lubrication.code = contact.code;
+    lubrication.critical_film = contact.critical_film;
+    lubrication.meniscus = contact.meniscus;
+    tribology::FilmSurface surface;
+    surface.radius = contact.radius;
+    surface.modulus = contact.modulus;
+    surface.wall_temperature = contact.temperature;
+    surface.race_speed = std::max(contact.speed, 1e-6);
+    surface.width_over_pressure = b / contact.pressure;
+    return tribology::film_law(tribology::traction_curve(1, {contact.metal[0], contact.metal[1],
+                                                             contact.metal[2], contact.metal[3]}),
+                               oil, lubrication, surface);
+  }
+  [[nodiscard]] double traction(const tribology::TractionLaw& law, double slip) const {
+    const tribology::EllipseGeometry g{load, a, b, 0.0, 0.0};
+    tribology::EllipseKinematics m{};
+    m.u_t = slip;
+    m.entrainment = contact.speed;
+    m.curvature = 1.0 / contact.radius;
+    static const tribology::EllipseRule rule = tribology::make_ellipse_rule(16, 8);
+    return tribology::ellipse_traction(law, g, m, rule).F_t / load;
+  }
+
+  LubricantContact contact;
+  const tribology::Lubricant& oil;
+  double load = 0.0, a = 0.0, b = 0.0;
+  tribology::InletOil inlet;
+};
+
+std::optional<Json> traction_case(const Json& the_case) {
+  const Json& in = the_case.at("inputs");
+  LubricantContact c;
+  constexpr int kMostCodes = 1000;
+  c.code = whole(in, "kTrac", 1, kMostCodes);
+  const auto take = [&](const char* key, double& value) {
+    if (in.contains(key)) value = get(in, key);
+  };
+  take("T", c.temperature);
+  take("radius", c.radius);
+  take("across", c.across);
+  take("Eprime", c.modulus);
+  take("pressure", c.pressure);
+  take("speed", c.speed);
+  take("roughness", c.roughness);
+  take("criticalFilm", c.critical_film);
+  take("meniscus", c.meniscus);
+  if (in.contains("metal")) c.metal = in.at("metal").get<std::vector<double>>();
+  const LubricatedPoint p = lubricated_point(c, in.at("slip").get<std::vector<double>>());
+  const tribology::Lubricant& oil = tribology::lubricant(c.code);
+  return Json{{"kappa", p.traction},         {"load", p.load},
+              {"halfWidth", p.half_width},   {"k", p.ratio},
+              {"mu", p.viscosity},           {"alpha", p.alpha},
+              {"hCentral", p.central},       {"hMin", p.minimum},
+              {"thermal", p.thermal},        {"starvation", p.starvation},
+              {"lambda", p.lambda},          {"name", oil.name},
+              {"provenance", oil.provenance}};
+}
+
+}  // namespace
+
+LubricatedPoint lubricated_point(const LubricantContact& contact,
+                                 const std::vector<double>& slips) {
+  check(contact);
+  const Point point(contact);
+  LubricatedPoint out;
+  out.load = point.load;
+  out.half_width = point.b;
+  out.ratio = point.a / point.b;
+  out.viscosity = point.inlet.viscosity;
+  out.alpha = point.inlet.alpha;
+  const tribology::ContactFilm film = point.film(contact.speed, 0.0);
+  out.central = film.central;
+  out.minimum = film.minimum;
+  out.thermal = film.thermal;
+  out.starvation = film.starvation;
+  out.lambda = contact.roughness > 0.0 ? film.minimum / contact.roughness : 0.0;
+  if (slips.empty()) return out;
+  const tribology::TractionLaw law = point.law();
+  for (const double slip : slips) out.traction.push_back(point.traction(law, slip));
+  return out;
+}
+
+LubricantCurves lubricant_curves(const LubricantContact& contact) {
+  check(contact);
+  const tribology::Lubricant& oil = tribology::lubricant(contact.code);
+  LubricantCurves out;
+  out.name = oil.name;
+  out.provenance = oil.provenance;
+  out.conditions = fmt::format(
+      "{:.0f} K; R {:.3g} mm along, {:.3g} mm across rolling; {:.2g} GPa and {:g} m/s where not "
+      "varied; roughness {:.2g} um",
+      contact.temperature, 1e3 * contact.radius, 1e3 * contact.across, 1e-9 * contact.pressure,
+      contact.speed, 1e6 * contact.roughness);
+
+  out.traction = {"Traction over slip", "Slip", "m/s", "Traction coefficient", "", true, false, {}};
+  const std::vector<double> slips = logarithmic(1e-3, 10.0);
+  for (const double pressure : {0.8e9, 1.2e9, 1.6e9, 2.0e9}) {
+    LubricantContact c = contact;
+    c.pressure = pressure;
+    out.traction.curves.push_back(
+        {fmt::format("{:g} GPa", 1e-9 * pressure), slips, lubricated_point(c, slips).traction});
+  }
+
+  const std::array<double, 3> temperatures{contact.temperature - 30.0, contact.temperature,
+                                           contact.temperature + 30.0};
+  out.viscosity = {
+      "Viscosity over pressure", "Pressure", "GPa", "Viscosity", "Pa s", false, true, {}};
+  out.film = {"Film in the middle over speed", "Mean speed", "m/s", "Film", "um", true, true, {}};
+  out.lambda = {"Film parameter over speed", "Mean speed", "m/s", "Lambda", "", true, true, {}};
+  const std::vector<double> speeds = logarithmic(0.1, 100.0);
+  for (const double T : temperatures) {
+    const std::string name = fmt::format("{:.0f} K", T);
+    NamedCurve viscosity{name, {}, {}}, film{name, speeds, {}}, lambda{name, speeds, {}};
+    constexpr double kMost = 2.0;  // GPa
+    for (int i = 0; i < kPoints; ++i) {
+      const double p = kMost * i / (kPoints - 1);
+      viscosity.x.push_back(p);
+      viscosity.y.push_back(oil.pressed_viscosity(1e9 * p, T));
+    }
+    LubricantContact c = contact;
+    c.temperature = T;
+    const Point point(c);
+    for (const double u : speeds) {
+      const tribology::ContactFilm h = point.film(u, 0.0);
+      film.y.push_back(1e6 * h.central);
+      lambda.y.push_back(contact.roughness > 0.0 ? h.minimum / contact.roughness : 0.0);
+    }
+    out.viscosity.curves.push_back(std::move(viscosity));
+    out.film.curves.push_back(std::move(film));
+    out.lambda.curves.push_back(std::move(lambda));
+  }
+  return out;
+}
+
+std::vector<Adapter> lubricant_adapters() { return {{"lubricant_traction", traction_case}}; }
+
+}  // namespace adore::calculators

@@ -1,0 +1,63 @@
+#include "desktop/lubricant_pages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <string>
+
+namespace adore::desktop {
+namespace {
+
+using calculators::CurveChart;
+using calculators::LubricantCurves;
+
+ChartPanel panel_of(const CurveChart& chart) {
+  ChartPanel panel;
+  panel.title = chart.y_title;
+  panel.unit = chart.y_unit;
+  panel.log = chart.log_y;
+  for (const calculators::NamedCurve& curve : chart.curves)
+    panel.curves.push_back({curve.name, curve.y, {}});
+  return panel;
+}
+
+ChartPage page_of(const LubricantCurves& all, std::initializer_list<const CurveChart*> charts) {
+  const CurveChart& first = **charts.begin();
+  ChartPage page;
+  page.title = fmt::format("{}: {}", all.name, first.title);
+  page.subtitle = all.conditions;
+  if (all.provenance == "estimated")
+    page.note = "some constants of this lubricant are estimates (resources/lubricants.json)";
+  page.x_title = first.x_title;
+  page.x_unit = first.x_unit;
+  page.log_x = first.log_x;
+  if (!first.curves.empty()) page.x = first.curves.front().x;
+  for (const CurveChart* chart : charts) page.panels.push_back(panel_of(*chart));
+  return page;
+}
+
+constexpr double kMeasured = 0.12;  ///< the most that disc machines read of any oil
+
+double largest(const CurveChart& chart) {
+  double out = 0.0;
+  for (const calculators::NamedCurve& curve : chart.curves)
+    for (const double y : curve.y) out = std::max(out, y);
+  return out;
+}
+
+}  // namespace
+
+std::vector<ChartPage> lubricant_pages(const calculators::LubricantContact& contact) {
+  const LubricantCurves all = calculators::lubricant_curves(contact);
+  std::vector<ChartPage> pages{page_of(all, {&all.traction}), page_of(all, {&all.viscosity}),
+                               page_of(all, {&all.film, &all.lambda})};
+  if (largest(all.traction) > kMeasured)
+    pages.front().note += (pages.front().note.empty() ? "" : "; ") +
+                          std::string(
+                              "coefficients above 0.12 are extrapolations: no disc machine "
+                              "has measured them, and this law has no limit");
+  return pages;
+}
+
+}  // namespace adore::desktop

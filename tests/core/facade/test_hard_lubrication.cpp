@@ -1,0 +1,119 @@
+#include "core/facade/deck_runs.hpp"
+#include "deck/templates.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Bearings in oil where it fails them, and elements that are held in balance in oil.
+using namespace adore;
+using deck::Deck;
+using testing::Ran;
+using testing::run_deck;
+
+namespace {
+
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+Deck in_oil(const char* name, const Sets& sets) {
+  Deck deck = deck::new_deck(name);
+  deck.set("kTrac", "3");
+  deck.complete();
+  deck.set("reRaceFilm", "1.0e-8");
+  deck.set("strParam", "10.0");
+  for (const auto& [variable, value] : sets) {
+    deck.set(variable, value);
+    deck.complete();
+  }
+  return deck;
+}
+
+double summary(const Ran& ran, const char* key) { return ran.report.at("summary").at(key); }
+
+void check_ledger(const Ran& ran) {
+  CHECK(ran.outcome.status == facade::RunStatus::Done);
+  CHECK(std::abs(ran.outcome.energy_residual) < 1e-4 * ran.outcome.energy_scale);
+}
+
+facade::Prepared equilibrium(const char* name, Sets sets) {
+  sets.insert(sets.begin(), {"kTracType", "1"});
+  facade::LoadedDeck input;
+  input.path = facade::kStandardInput;
+  input.deck = in_oil(name, sets);
+  return facade::prepare(std::move(input));
+}
+
+}  // namespace
+
+// Contact vibration carries next to no heat: elements in balance dissipate what free ones do.
+TEST_CASE("held balls run in oil: modes 1 and 2 and qFac make the heat of mode 0",
+          "[physics][film][slow]") {
+  const testing::TemporaryFolder folder;
+  const auto heat = [&](const char* name, Sets sets) {
+    sets.emplace_back("maxStps", "300");
+    sets.emplace_back("kPltFreq", "50");
+    const Ran ran = run_deck(in_oil("ball", sets), folder / name);
+    check_ledger(ran);
+    CHECK_THAT(ran.print, Catch::Contains("Lubricant films"));
+    return summary(ran, "mean_power_loss_W");
+  };
+  const double free = heat("free", {});
+  CAPTURE(free);
+  CHECK(heat("mode1", {{"mode", "1"}}) == Approx(free).epsilon(0.03));
+  CHECK(heat("mode2", {{"mode", "2"}}) == Approx(free).epsilon(0.15));  // the race floats
+  CHECK(heat("qfac", {{"qFac", "0.5"}}) == Approx(free).epsilon(0.03));
+}
+
+TEST_CASE("a film that collapses while the bearing stops is no end of the run",
+          "[validation][film][slow]") {
+  const testing::TemporaryFolder folder;
+  // 10000 rpm to nothing within 5 ms, then 1 ms at rest.
+  const Ran ran = run_deck(in_oil("ball", {{"kVarSpeed", "1"},
+                                           {"raceAngAcc2", "-2.0e6"},
+                                           {"startTime2", "0.0005"},
+                                           {"endTime2", "0.0055"},
+                                           {"maxStps", "1000"},
+                                           {"kPltFreq", "50"}}),
+                           folder / "stop");
+  check_ledger(ran);
+  CHECK(std::isfinite(summary(ran, "mean_power_loss_W")));
+  CHECK(ran.print.find("nan") == std::string::npos);
+}
+
+TEST_CASE("a starved bearing makes more sliding heat, and its films are thinner",
+          "[physics][film]") {
+  const auto solve = [](const char* meniscus) {
+    return equilibrium("angular-218", {{"strParam", meniscus},
+                                       {"reRaceTC2", "0.1"},
+                                       {"reRaceTC3", "0.08"},
+                                       {"reRaceTC4", "0.5"},
+                                       {"reRaceFilm", "1.5e-7"},
+                                       {"kStif", "0"}});
+  };
+  const facade::Prepared flooded = solve("10.0"), starved = solve("0.05");
+  const auto sliding = [](const facade::Prepared& p) {
+    const statics::FrictionOfContact outer = p.friction->of_race(0), inner = p.friction->of_race(1);
+    return outer.sliding + outer.spin + inner.sliding + inner.spin;
+  };
+  const auto thinnest = [](const facade::Prepared& p) {
+    return p.statics.films->race[1].front().film.minimum;
+  };
+  CHECK(thinnest(starved) < 0.5 * thinnest(flooded));
+  CHECK(sliding(starved) > 1.2 * sliding(flooded));
+}
+
+// The law of kTrac 1 has no limit: at 2.7 GPa its film would carry many times its load.
+TEST_CASE("the friction of an equilibrium is bounded at the highest pressures", "[physics][film]") {
+  for (const char* load : {"1400.0", "2800.0", "8000.0"}) {
+    CAPTURE(load);
+    const facade::Prepared p =
+        equilibrium("deep-groove-6205", {{"kTrac", "1"}, {"appLoadZ", load}, {"rpm2", "500.0"}});
+    double carried = 0.0;  // what all contacts would slide with, at the largest slip of each
+    for (const statics::StaticBall& ball : p.statics.balls) carried += ball.Q[0] + ball.Q[1];
+    CHECK(p.friction->torque() > 0.0);
+    CHECK(p.friction->torque() < 0.11 * carried * 0.5 * p.bearing.balls().diameter);
+  }
+}
