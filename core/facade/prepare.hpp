@@ -24,6 +24,11 @@
 #include <vector>
 
 /// From a deck file to everything a run starts from. Apps and CLI call this and nothing below it.
+namespace adore::user {
+struct PlugIn;
+class Session;
+}  // namespace adore::user
+
 namespace adore::facade {
 
 /// What the user asked for beyond the deck.
@@ -35,6 +40,10 @@ struct DeckRequest {
       sets;  ///< --set variable=value, in the deck's units
   std::vector<std::pair<std::string, std::string>>
       options;  ///< --opt name=value, over those of ADORE.json
+  /// --user: routines of the user, a shared object or a file of formulas (user/plug_in.hpp). The
+  /// one way to load code: neither deck nor ADORE.json can.
+  std::filesystem::path user;
+  std::shared_ptr<const user::PlugIn> routines;  ///< functions of the calling program, instead
 };
 
 struct LoadedDeck {
@@ -42,7 +51,9 @@ struct LoadedDeck {
   deck::Deck deck;             ///< with the sets applied
   std::vector<Issue> warnings;
   std::map<std::string, std::string> option_values;  ///< ADORE.json and --opt, as given
-  std::stop_token stop;                              ///< ends a long preparation (Interrupted)
+  std::filesystem::path user;                        ///< as in the request
+  std::shared_ptr<const user::PlugIn> routines;
+  std::stop_token stop;  ///< ends a long preparation (Interrupted)
   /// Called after each speed of the stiffness table; may be empty.
   std::function<void(long done, long total)> table_progress;
 };
@@ -68,6 +79,7 @@ struct Prepared {
   bearing::Bearing bearing;   ///< mounted and in operation; what statics and dynamics see
   setup::RunControl control;
   setup::RunOptions options;
+  std::shared_ptr<user::Session> user;  ///< routines of the user; null: none
   scene::ScenePlan plan;
   statics::StaticSolution statics;  ///< balls: actual curvature, the quasi-static page
   std::optional<statics::RollerSolution> rollers;             ///< roller bearings, instead of it

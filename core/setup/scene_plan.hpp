@@ -2,6 +2,7 @@
 
 #include "scene/plan.hpp"
 #include "setup/run_control.hpp"
+#include "setup/user_hooks.hpp"
 
 namespace adore::setup {
 
@@ -9,6 +10,7 @@ namespace adore::setup {
 /// switch that decides each.
 [[nodiscard]] scene::ScenePlan make_scene_plan(const deck::Deck& deck,
                                                const bearing::Bearing& bearing,
-                                               const RunControl& control);
+                                               const RunControl& control,
+                                               const UserHooks* user = nullptr);
 
 }  // namespace adore::setup
