@@ -118,34 +118,28 @@ TEST_CASE("a table is monotone where its points are, exact there, and constant b
 
 TEST_CASE("a formula gives the traction that it says, with numbers of records 12.x",
           "[user][unit]") {
-  const auto file = written("formula.json", R"({"version": "tanh 1", "adrx7": {
+  const auto file = written("formula.json", R"~({"version": "tanh 1", "adrx7": {
       "read": ["mu", "u1"], "constants": {"double_mu": "2*mu"},
-      "element_race": {"formula": "double_mu/2*tanh(u/u1)", "slip_scale": "u1"
-}
-}
-})");
+      "element_race": {"formula": "double_mu/2*tanh(u/u1)", "slip_scale": "u1"}}})~");
   const Asked found = ask(user::load_plug_in(file), {"0.06  0.2"});
-CHECK_FALSE(found.failed);
-for (int k = 0; k < 6; ++k)
-  CHECK(found.kappa[static_cast<std::size_t>(k)] ==
-        Approx(0.06 * std::tanh(0.1 * (k + 1) / 0.2)).epsilon(1e-14));
+  CHECK_FALSE(found.failed);
+  for (int k = 0; k < 6; ++k)
+    CHECK(found.kappa[static_cast<std::size_t>(k)] ==
+          Approx(0.06 * std::tanh(0.1 * (k + 1) / 0.2)).epsilon(1e-14));
 }
 
 TEST_CASE("what is wrong with a file of formulas is said with its place", "[user][unit]") {
-  CHECK_THAT(problem_of(R"({"adrx7": {"element_race": {"formula": "0.06*tanh(v1)"
-}
-}
-})"),
+  CHECK_THAT(problem_of(R"~({"adrx7": {"element_race": {"formula": "0.06*tanh(v1)"}}})~"),
              Catch::Contains("adrx7, element_race, formula") && Catch::Contains("known are"));
-CHECK_THAT(problem_of(R"({"adrx7": {"element_rase": {"formula": "1"}}})"),
-           Catch::Contains("element_rase") && Catch::Contains("element_race"));
-CHECK_THAT(problem_of(R"({"adrx7": {"read": ["u"], "element_race": {"formula": "u"}}})"),
-           Catch::Contains("another name"));
-CHECK_THAT(problem_of(R"({"adrx7": {"element_race": {"table": "nowhere.csv"}}})"),
-           Catch::Contains("nowhere.csv"));
-CHECK_THAT(problem_of(R"({"adrx12": {}})"), Catch::Contains("known are version, adrx0"));
-CHECK_THAT(problem_of(R"({"version": "1"})"), Catch::Contains("no routine"));
-CHECK_THAT(problem_of(R"([1])"), Catch::Contains("give an object"));
+  CHECK_THAT(problem_of(R"~({"adrx7": {"element_rase": {"formula": "1"}}})~"),
+             Catch::Contains("element_rase") && Catch::Contains("element_race"));
+  CHECK_THAT(problem_of(R"~({"adrx7": {"read": ["u"], "element_race": {"formula": "u"}}})~"),
+             Catch::Contains("another name"));
+  CHECK_THAT(problem_of(R"~({"adrx7": {"element_race": {"table": "nowhere.csv"}}})~"),
+             Catch::Contains("nowhere.csv"));
+  CHECK_THAT(problem_of(R"~({"adrx12": {}})~"), Catch::Contains("known are version, adrx0"));
+  CHECK_THAT(problem_of(R"~({"version": "1"})~"), Catch::Contains("no routine"));
+  CHECK_THAT(problem_of("[1]"), Catch::Contains("give an object"));
 }
 
 TEST_CASE("plug-ins that cannot be used are refused with the reason", "[user][unit]") {
@@ -174,7 +168,7 @@ TEST_CASE("every wrong answer is reported with routine, source and call", "[user
     for (std::int64_t k = 0; k < a.points * a.stride; ++k) a.kappa[k] = value;
   };
   const auto contact = [](const adore_adrx7& a) { return a.n == 3; };  // not the one at rest
-  const Catch::Matchers::StdString::ContainsMatcher named("user routine ADRX7 of the test, call ");
+  const auto named = Catch::Contains("user routine ADRX7 of the test, call ");
   SECTION("not a number") {
     const Asked found = ask(traction_of([&](adore_adrx7& a) {
                               fill(a, contact(a) ? std::nan("") : 0.0);

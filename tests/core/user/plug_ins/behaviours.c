@@ -23,8 +23,8 @@ int32_t adrx7(adore_adrx7* a) {
     srand((unsigned)seed);
     return 0;
   }
-  if (a->call.mode != ADORE_COMPUTE || ++calls < 2)
-    return 0; /* the first call asks for kappa at rest */
+  if (a->call.mode != ADORE_COMPUTE || ++calls < 3)
+    return 0; /* the first question, asked twice, is kappa at rest */
   for (k = 0; k < a->points * a->stride; ++k) a->kappa[k] = 0.05;
   switch ((int)what) {
     case 1:
