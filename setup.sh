@@ -6,14 +6,14 @@ packages=(
   # compiler and build
   g++ cmake ninja-build git ca-certificates
   # solver
-  libeigen3-dev libsundials-dev libhdf5-dev libfmt-dev nlohmann-json3-dev libcli11-dev
+  libeigen3-dev libsundials-dev libhdf5-dev libfmt-dev nlohmann-json3-dev libcli11-dev libmuparser-dev
   musl-dev  # its sin, exp, pow ... give the same digits on every x86-64
   # desktop apps and pictures; Qt Charts' CMake files also ask for OpenGL and xkbcommon
   qt6-base-dev qt6-charts-dev libqt6opengl6-dev libgl1-mesa-dev libxkbcommon-dev fontconfig fonts-dejavu-core
   # the Python module; venv, setuptools and wheel for pip install ./core/python
   pybind11-dev python3-dev python3-numpy python3-pandas python3-venv python3-setuptools python3-wheel
   # tests and benchmarks
-  catch2 libbenchmark-dev
+  catch2 libbenchmark-dev gfortran
   python3  # runs the hard scenes (tests/hardcases)
   clang-format  # test.sh checks the formatting; another version would format differently
 )

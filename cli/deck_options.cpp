@@ -67,6 +67,13 @@ void DeckOptions::add_to(CLI::App& command) {
           ->type_name("NAME=VALUE")
           ->allow_extra_args(false),
       option_words());
+  command
+      .add_option(
+          "--user", user,
+          "routines of the user: a shared object (`adore user new` writes an example), or a "
+          ".json file of formulas and tables; its code runs")
+      ->type_name("PLUG-IN")
+      ->allow_extra_args(false);
 }
 
 facade::DeckRequest deck_request(const std::string& deck) {
@@ -88,6 +95,7 @@ void DeckOptions::fill(facade::DeckRequest& request) const {
   const facade::DeckRequest source = deck_request(deck);
   request.deck = source.deck;
   request.text = source.text;
+  request.user = user;
   for (const std::string& text : sets) request.sets.push_back(split(text, "--set"));
   for (const std::string& text : options) request.options.push_back(split(text, "--opt"));
 }

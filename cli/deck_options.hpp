@@ -12,6 +12,7 @@ namespace adore::cli {
 /// The options that every command over a deck shares: DECK, --set, --opt.
 struct DeckOptions {
   std::string deck = ".";
+  std::string user;  ///< --user
   std::vector<std::string> sets, options;
 
   void add_to(CLI::App& command);

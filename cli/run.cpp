@@ -43,6 +43,7 @@ struct RunOptions : DeckOptions {
     add("--out", out);
     for (const std::string& text : sets) add("--set", text);
     for (const std::string& text : this->options) add("--opt", text);
+    add("--user", user);
     add("--until", to);
     add("--integrator", integrator);
     if (tolerance_given) add("--tol", fmt::format("{}", tolerance));

@@ -4,6 +4,7 @@
 #include "contact/make_angle_law.hpp"
 #include "contact/wavy_groove_model.hpp"
 #include "dynamics/race_kernel.hpp"
+#include "dynamics/user_points.hpp"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -91,6 +92,7 @@ RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const E
   in.slip_floor = model.law.slip_floor();
   in.slip_scale = model.law.slip_scale();
   in.nodes = model.rule.nodes();
+  in.points = model.points ? model.points->view() : nullptr;
   for (int i = 0; i < 3; ++i) {
     in.centre[i] = race.centre[i];
     in.axis[i] = race.axis[i];

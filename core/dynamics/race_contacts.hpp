@@ -54,6 +54,7 @@ struct RaceMotion {
 };
 
 struct OwnBalls;
+class UserScratch;
 
 /// Constants of the contacts with one race.
 struct RaceContactModel {
@@ -69,6 +70,7 @@ struct RaceContactModel {
   tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;
   tribology::EllipseRule rule;          ///< fixed quadrature rule of the run (make_ellipse_rule)
   std::shared_ptr<const OwnBalls> own;  ///< balls that differ; null: all are alike
+  std::shared_ptr<UserScratch> points;  ///< of a law of the user; else null
 
   /// Of one ball. What is here is that of the nominal one.
   [[nodiscard]] const RaceContactModel& of(std::size_t ball) const noexcept;

@@ -26,6 +26,18 @@ struct BallConstants {
   const contact::GrooveRatios<double>* ratios;  ///< of a race with errors; else null
 };
 
+/// Where the kernel collects the points of a law of the user, all contacts of the race, before it
+/// asks once, and reads κ afterwards. Sized at set-up (UserScratch in user_points.hpp).
+struct UserPoints {
+  double *slip, *pressure, *kappa;  ///< rows * stride each
+  /// Of each contact, stride values each: ContactPoint in the order of TractionPoints.
+  double* contact[7];
+  double* unread[9];   ///< where the first pass writes forces, n + 8 values each
+  int* rows_of;        ///< of each contact
+  std::size_t stride;  ///< >= n
+  int most_rows;
+};
+
 struct RaceKernelInput {
   // Groove, load and ellipse: Q = K δ^1.5, a = major sqrt(δ), b = minor sqrt(δ).
   double centre_radius, offset, K, major, minor;
@@ -40,6 +52,7 @@ struct RaceKernelInput {
   double slip_floor;  ///< ε² of the rounded slip sqrt(u² + ε²) [m²/s²], > 0
   double slip_scale;  ///< of the law, for the break points of a split rule [m/s]
   tribology::EllipseNodes nodes;
+  struct UserPoints* points;  ///< of a law of the user; else null
   // Race pose and motion, base frame.
   double centre[3], axis[3], velocity[3], speed;
   bool tilts;

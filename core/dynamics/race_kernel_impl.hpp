@@ -5,10 +5,12 @@
 #include "contact/wavy_groove.hpp"
 #include "dynamics/ball_race_motion.hpp"
 #include "dynamics/race_kernel.hpp"
+#include "dynamics/race_kernel_user.hpp"
 #include "tribology/ellipse_sum.hpp"
 #include "tribology/traction_laws.hpp"
 
 #include <cstddef>
+#include <type_traits>
 
 /// All contacts with one race, one ball per vector lane. Included by one translation unit per
 /// instruction set; see race_contacts.hpp for the equations' source, frames and signs.
@@ -253,6 +255,8 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
     ellipse.surface =
         tribology::ellipse_surface(in.place, balls.rho(), radius, ellipse.a, approach);
     ellipse.motion = ellipse_motion(pair, d, k, t, place, touch);
+    if constexpr (requires(const Law& law) { law.begin(at.first); })
+      static_cast<const Law*>(in.law)->begin(at.first);
     const tribology::EllipseSums<V> traction = traction_of<Law, S>(in, ellipse);
     meridian = contact::meridian_force(load, traction.F_c, touch.n_k, touch.n_e);
     force_t = traction.F_t;
@@ -371,11 +375,40 @@ RaceKernelSums evaluate_all(const RaceKernelInput& in) {
       stdx::reduce(totals.load_slip)};
 }
 
+/// Of a law of the user: both passes (race_kernel_user.hpp).
+template <class Race, class Balls>
+RaceKernelSums evaluate_asking(const RaceKernelInput& in) {
+  const auto& law = *static_cast<const tribology::UserLaw*>(in.law);
+  UserPoints& points = *in.points;
+  clear_points(points, in.n);
+  const CollectPoints collect(points, law.of->wants_pressure);
+  RaceKernelInput first = in;
+  first.law = &collect;
+  first.F_x = points.unread[0], first.F_r = points.unread[1], first.F_theta = points.unread[2];
+  first.M_x = points.unread[3], first.M_r = points.unread[4], first.M_theta = points.unread[5];
+  first.load = points.unread[6], first.heat = points.unread[7];
+  first.load_slip = points.unread[8];
+  (void)evaluate_all<CollectPoints, Race, Balls>(first);
+  ask_user(law, points, in.n);
+  const ReplayPoints replay(points);
+  RaceKernelInput second = in;
+  second.law = &replay;
+  return evaluate_all<ReplayPoints, Race, Balls>(second);
+}
+
+template <class Law, class Race, class Balls>
+RaceKernelSums evaluate_by(const RaceKernelInput& in) {
+  if constexpr (std::is_same_v<Law, tribology::UserLaw>)
+    return evaluate_asking<Race, Balls>(in);
+  else
+    return evaluate_all<Law, Race, Balls>(in);
+}
+
 template <class Race, class Balls, class... Laws>
 RaceKernelSums evaluate_race(const RaceKernelInput& in, tribology::TypeList<Laws...>) {
   RaceKernelSums sums{};
   std::size_t index = 0;
-  (void)((index++ == in.law_index && (sums = evaluate_all<Laws, Race, Balls>(in), true)) || ...);
+  (void)((index++ == in.law_index && (sums = evaluate_by<Laws, Race, Balls>(in), true)) || ...);
   return sums;
 }
 

@@ -4,6 +4,7 @@
 #include "base/rotation.hpp"
 #include "dynamics/state_access.hpp"
 #include "dynamics/system_impl.hpp"
+#include "scene/user_laws.hpp"
 
 #include <fmt/format.h>
 
@@ -14,18 +15,33 @@
 namespace adore::dynamics {
 
 bool System::Impl::evaluate_blocks(double t, const double* y, double* dydt) noexcept {
-  e.begin(t, y, dydt);
+  begin(t, y, dydt);
   for (const Assembly::Block& b : parts.blocks) {
     b.block->apply(e);
     if (!e.valid) return false;
   }
   for (const Integral& integral : integrals) dydt[integral.index] = *integral.rate;
-  return true;
+  return user == nullptr || !user_refuses();
+}
+
+bool System::Impl::user_refuses() const noexcept { return user->refused() || user->failed(); }
+
+void System::Impl::begin(double t, const double* y, double* dydt) noexcept {
+  if (user != nullptr) {
+    (void)user->refused();  // what an evaluation that ended early left
+    user->time = t;
+  }
+  e.begin(t, y, dydt);
+}
+
+RhsStatus System::Impl::status(bool valid) const noexcept {
+  if (valid) return RhsStatus::Ok;
+  return user != nullptr && user->failed() ? RhsStatus::Fail : RhsStatus::Retry;
 }
 
 bool System::Impl::evaluate_measured(double t, const double* y, double* dydt) noexcept {
   parts.cost.begin_sample();
-  e.begin(t, y, dydt);
+  begin(t, y, dydt);
   for (const Assembly::Block& b : parts.blocks) {
     const auto start = CostLedger::Clock::now();
     b.block->apply(e);
@@ -34,7 +50,7 @@ bool System::Impl::evaluate_measured(double t, const double* y, double* dydt) no
   }
   for (const Integral& integral : integrals) dydt[integral.index] = *integral.rate;
   parts.cost.end_sample();
-  return true;
+  return user == nullptr || !user_refuses();
 }
 
 /// What a block did to the elements is the difference of the forces on them.
@@ -43,7 +59,7 @@ bool System::Impl::evaluate_with_shares(double t, const double* y, double* dydt,
   const auto border = static_cast<std::size_t>(border_count);
   const std::size_t elements = e.sin_theta.size();
   std::fill_n(shares, border * elements, 0.0);
-  e.begin(t, y, dydt);
+  begin(t, y, dydt);
   for (std::size_t b = 0; b < parts.blocks.size(); ++b) {
     const std::vector<int>& partner = partner_of[b];
     if (!partner.empty())
@@ -62,7 +78,7 @@ bool System::Impl::evaluate_with_shares(double t, const double* y, double* dydt,
     }
   }
   for (const Integral& integral : integrals) dydt[integral.index] = *integral.rate;
-  return true;
+  return user == nullptr || !user_refuses();
 }
 
 const Evaluation& System::Impl::evaluate(double t, std::span<const double> y) {
@@ -81,6 +97,7 @@ std::string System::Impl::what_is_invalid(const double* y) const {
       return fmt::format(
           "the state is not finite ({} = {}); use a smaller tolerance or largest step",
           parts.layout.component_name(i), y[i]);
+  if (user != nullptr && user->failed()) return "a user routine failed";
   for (const auto& effect : parts.effects)
     if (std::string why = effect->why_invalid(e); !why.empty()) return why;
   return "an acceleration is not finite; use a smaller tolerance or largest step";
@@ -133,12 +150,12 @@ RhsStatus System::rhs(double t, const double* y, double* dydt) noexcept {
   Impl& s = *impl_;
   const bool valid =
       s.parts.cost.sample() ? s.evaluate_measured(t, y, dydt) : s.evaluate_blocks(t, y, dydt);
-  return valid ? RhsStatus::Ok : RhsStatus::Retry;
+  return s.status(valid);
 }
 
 RhsStatus System::rhs_with_shares(double t, const double* y, double* dydt,
                                   double* shares) noexcept {
-  return impl_->evaluate_with_shares(t, y, dydt, shares) ? RhsStatus::Ok : RhsStatus::Retry;
+  return impl_->status(impl_->evaluate_with_shares(t, y, dydt, shares));
 }
 
 bool System::has_stiff_part() const noexcept { return impl_->stiff != nullptr; }

@@ -33,6 +33,7 @@ struct System::Impl final : BetweenSteps {
   };
 
   const bearing::Bearing bearing;
+  const std::shared_ptr<scene::UserLaws> user;      ///< null: none
   std::shared_ptr<const RollerScene> roller_scene;  ///< of roller bearings
   Assembly parts;
   Scales scales;
@@ -66,6 +67,10 @@ struct System::Impl final : BetweenSteps {
 
   // For reports and between steps, into `rates`.
   const Evaluation& evaluate(double t, std::span<const double> y) override;
+  /// Did a routine of the user refuse what it was asked since the last call, or fail for good?
+  [[nodiscard]] bool user_refuses() const noexcept;
+  [[nodiscard]] RhsStatus status(bool valid) const noexcept;
+  void begin(double t, const double* y, double* dydt) noexcept;
   [[nodiscard]] bool is_valid(double t, std::span<const double> y) noexcept override;
   [[nodiscard]] double stored_energy() const override;
   [[nodiscard]] Momenta momenta() const override;

@@ -30,6 +30,7 @@ System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
                    const SystemOptions& options, const std::vector<EffectMaker>& more_effects,
                    std::shared_ptr<const RollerScene> rollers)
     : bearing(bearing_),
+      user(options.user),
       roller_scene(std::move(rollers)),
       e(static_cast<std::size_t>(bearing_.element_count())) {
   SceneBuilder scene(bearing, plan, statics, fixed_angle, options, roller_scene.get(), e, parts);

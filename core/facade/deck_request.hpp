@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
@@ -12,6 +13,10 @@
 #include <vector>
 
 /// What a deck is asked for, and reading it.
+namespace adore::user {
+struct PlugIn;
+}
+
 namespace adore::facade {
 
 /// What the user asked for beyond the deck.
@@ -26,6 +31,10 @@ struct DeckRequest {
       sets;  ///< --set variable=value, in the deck's units
   std::vector<std::pair<std::string, std::string>>
       options;  ///< --opt name=value, over those of ADORE.json
+  /// --user: routines of the user, a shared object or a file of formulas (user/plug_in.hpp). The
+  /// one way to load code: neither deck nor ADORE.json can.
+  std::filesystem::path user;
+  std::shared_ptr<const user::PlugIn> routines;  ///< functions of the calling program, instead
 };
 
 struct LoadedDeck {
@@ -33,7 +42,9 @@ struct LoadedDeck {
   deck::Deck deck;             ///< with the sets applied
   std::vector<Issue> warnings;
   std::map<std::string, std::string> option_values;  ///< ADORE.json and --opt, as given
-  std::stop_token stop;                              ///< ends a long preparation (Interrupted)
+  std::filesystem::path user;                        ///< as in the request
+  std::shared_ptr<const user::PlugIn> routines;
+  std::stop_token stop;  ///< ends a long preparation (Interrupted)
   /// Called after each speed of the stiffness table; may be empty.
   std::function<void(long done, long total)> table_progress;
 };

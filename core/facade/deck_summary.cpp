@@ -2,10 +2,13 @@
 
 #include "dynamics/race_contacts.hpp"
 #include "facade/plan_json.hpp"
+#include "facade/user_session.hpp"
 #include "listing/print_cage.hpp"
 #include "listing/print_fits.hpp"
 #include "listing/print_imperfections.hpp"
 #include "listing/print_life.hpp"
+
+#include <fmt/format.h>
 
 namespace adore::facade {
 
@@ -13,6 +16,15 @@ results::RunSummary summary_of_deck(const Prepared& prepared, const scene::Scene
                                     const std::string& request, const std::vector<Issue>& remarks) {
   results::RunSummary out;
   out.run_id = prepared.bearing.run_id;
+  if (prepared.user) {
+    std::string routines;
+    for (const user::Use& use : prepared.user->uses())
+      routines += fmt::format("{}{} ({} calls)", routines.empty() ? "" : ", ",
+                              user::hook_name(use.hook), use.calls);
+    out.options.emplace_back("--user", prepared.user->source());
+    out.options.emplace_back("user version", program_version(prepared.user.get()));
+    out.options.emplace_back("user routines", routines.empty() ? "none is active" : routines);
+  }
   out.deck_file = prepared.input.path.filename().string();
   out.plan = plan_json(plan, prepared.stability);
   out.stability = prepared.stability;

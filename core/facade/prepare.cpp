@@ -11,6 +11,7 @@
 #include "facade/pilot.hpp"
 #include "facade/static_plan.hpp"
 #include "facade/stiffness.hpp"
+#include "facade/user_session.hpp"
 #include "life/contact_strength.hpp"
 #include "listing/ball_warnings.hpp"
 #include "results/growing_file.hpp"
@@ -124,9 +125,13 @@ Prepared prepare_model(LoadedDeck input) {
   const deck::Deck& deck = out.input.deck;
   out.options = setup::build_run_options(out.input.option_values);
   out.input.deck.reads = std::make_shared<deck::ReadLog>();
-  out.as_built = setup::build_bearing(deck, out.options.seed);
+  out.user = open_session(out.input, out.options);
+  setup::UserHooks hooks = user_hooks(out.user);
+  const setup::UserHooks* const user = out.user ? &hooks : nullptr;
+  out.as_built = setup::build_bearing(deck, out.options.seed, user);
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
-  for (Issue& issue : setup::check_buildable(deck)) out.input.warnings.push_back(std::move(issue));
+  for (Issue& issue : setup::check_buildable(deck, user))
+    out.input.warnings.push_back(std::move(issue));
   if (out.as_built.thermal && deck.integer("mode") < 0) {
     out.thermal = thermal::solve_steady_state(out.as_built, out.options.rollers, [&] {
       if (out.input.stop.stop_requested())
@@ -148,8 +153,9 @@ Prepared prepare_model(LoadedDeck input) {
   out.input.deck.reads.reset();  // the rest reads the deck for texts
   if (std::optional<Issue> note = setup::note_of(out.no_part, deck, out.input.warnings))
     out.input.warnings.push_back(std::move(*note));
+  if (out.user && out.control.dynamic) start_session(out, hooks);
   out.plan = out.control.dynamic
-                 ? setup::make_scene_plan(deck, out.bearing, out.control, out.options)
+                 ? setup::make_scene_plan(deck, out.bearing, out.control, out.options, user)
                  : static_plan(out);
   out.stiffness_seconds = timed([&] { out.stiffness = stiffness_over_speed(out); });
   // The first speed at which the table's geometry gives way.
@@ -279,6 +285,8 @@ LoadedDeck load_deck(const DeckRequest& request) {
   out.warnings = std::move(issues);
   if (!request.in_memory) out.option_values = options_beside(out.path);
   for (const auto& [name, value] : request.options) out.option_values[name] = value;
+  out.user = request.user;
+  out.routines = request.routines;
   return out;
 }
 

@@ -21,6 +21,11 @@
 #include <vector>
 
 /// From a deck file to everything a run starts from. Apps and CLI call this and nothing below it.
+namespace adore::user {
+struct PlugIn;
+class Session;
+}  // namespace adore::user
+
 namespace adore::facade {
 
 /// A deck understood as a physical model with its plan.
@@ -30,6 +35,7 @@ struct Prepared {
   bearing::Bearing bearing;   ///< mounted and in operation; what statics and dynamics see
   setup::RunControl control;
   setup::RunOptions options;
+  std::shared_ptr<user::Session> user;  ///< routines of the user; null: none
   scene::ScenePlan plan;
   statics::StaticSolution statics;  ///< balls: actual curvature, the quasi-static page
   std::optional<statics::RollerSolution> rollers;             ///< roller bearings, instead of it

@@ -10,6 +10,7 @@
 #include "facade/system_ode.hpp"
 #include "facade/thermal_run.hpp"
 #include "facade/unused_request.hpp"
+#include "facade/user_session.hpp"
 #include "results/restart.hpp"
 
 #include <fmt/format.h>
@@ -56,7 +57,7 @@ void apply_overrides(const RunRequest& request, Prepared& prepared) {
 bool speeds_vary(const Prepared& prepared) {
   const bearing::RaceMotions& motions = prepared.plan.race_motions;
   for (std::size_t j = 0; j < 2; ++j)
-    if (motions.ramp[j] || motions.variation[j] ||
+    if (motions.ramp[j] || motions.variation[j] || (prepared.user && prepared.user->drives()[j]) ||
         (motions.free[j] && !motions.free[j]->rotation_held[0]))
       return true;
   return false;
@@ -442,6 +443,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
       const RunPoint now{step, stepper->time(), h, stepper->state()};
       if (outputs.wants(step)) output([&] { outputs.store(system, now, false); });
       outputs.follow(now);
+      if (prepared.user) output([&] { outputs.call_user(system, now); });
       if (outputs.checkpoint_due()) checkpoint();
       meter.update(stepper->time(), step, start.step);
     }
@@ -452,6 +454,8 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
     out.status = RunStatus::Failed;
     out.message = deck::message_in_units(failure.what(), prepared.input.deck.units());
   }
+  if (out.status == RunStatus::Failed && prepared.user)
+    out.message = user_message(*prepared.user, out.message);
   const RunPoint end{step, stepper->time(), h, stepper->state()};
   if (out.status != RunStatus::Failed)
     meter.finish(end.time, step, start.step, out.status == RunStatus::Done);
@@ -563,6 +567,7 @@ double parse_until(const std::string& text, double shaft_speed, double time_scal
 std::string request_digest(const RunRequest& request, const LoadedDeck& deck) {
   std::string text = fmt::format("{}\n{}\n", kProgramVersion, deck::write_deck(deck.deck));
   for (const auto& [name, value] : deck.option_values) text += fmt::format("{}={}\n", name, value);
+  if (!deck.user.empty()) text += fmt::format("user={}\n", deck.user.string());
   text += fmt::format("{}\n{}\n", request.until, request.integrator);
   if (request.tolerance) text += fmt::format("{}\n", *request.tolerance);
   std::uint64_t sum = 0xcbf29ce484222325U;  // Fowler, Noll and Vo's FNV-1a

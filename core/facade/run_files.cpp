@@ -1,6 +1,8 @@
 #include "facade/run_files.hpp"
 
+#include "base/version.hpp"
 #include "dynamics/effect_catalogue.hpp"
+#include "facade/user_session.hpp"
 
 #include <fmt/format.h>
 
@@ -37,6 +39,7 @@ Outputs RunFiles::outputs() const {
     out.names.push_back(control_.sol_files[k]);
   out.names.push_back(control_.sol_files[6]);
   if (writes_animation()) out.names.push_back(control_.sol_files[7]);
+  if (writes_sol9()) out.names.push_back("SOL9");
   if (prepared_.options.results_h5) out.names.push_back("RESULTS.h5");
   out.names.push_back(control_.final_file);
   out.names.push_back(control_.master_file);
@@ -57,6 +60,8 @@ void RunFiles::check() const {
   if (writes_animation()) results::Sol8Writer::check(sol_path(8), prepared_.bearing, units_);
 }
 
+bool RunFiles::writes_sol9() const { return prepared_.user && prepared_.user->active(9); }
+
 bool RunFiles::writes_animation() const {
   return control_.animate &&
          !results::sol8_refusal(prepared_.bearing.element_count(), cages(prepared_));
@@ -67,7 +72,8 @@ void RunFiles::open_listing() {
   print = listing::PrintFile::create(path("PRINT.txt"), prepared_.bearing.run_id, units_);
 }
 
-std::optional<std::string> RunFiles::open(bool continued, std::uintmax_t print_bytes) {
+std::optional<std::string> RunFiles::open(bool continued, std::uintmax_t print_bytes,
+                                          std::uintmax_t sol9_bytes) {
   written.push_back(path("PRINT.txt"));
   print = continued
               ? listing::PrintFile::continue_after(path("PRINT.txt"), prepared_.bearing.run_id,
@@ -88,6 +94,19 @@ std::optional<std::string> RunFiles::open(bool continued, std::uintmax_t print_b
     all = continued ? results::H5Writer::continue_after(path("RESULTS.h5"), prepared_.bearing,
                                                         channels_, steps.saved)
                     : results::H5Writer::create(path("RESULTS.h5"), prepared_.bearing, channels_);
+  }
+  if (prepared_.user && !prepared_.user->version().empty())
+    print->show_version(program_version(prepared_.user.get()));
+  if (writes_sol9()) {
+    written.push_back(path("SOL9"));
+    user = continued ? results::GrowingFile::append_after(path("SOL9"), sol9_bytes)
+                     : results::GrowingFile::create(path("SOL9"));
+    const std::string text = prepared_.user->take_written();
+    if (!continued)
+      user->append(fmt::format("  {}{}  SOL9, written by user routine ADRX9 of {}\n{}",
+                               kFileVersion,
+                               program_version(prepared_.user.get()).substr(kProgramVersion.size()),
+                               prepared_.user->source(), text));
   }
   if (!control_.animate) return {};
   if (auto refusal = results::sol8_refusal(prepared_.bearing.element_count(), cages(prepared_)))
@@ -137,6 +156,7 @@ std::vector<results::MasterFile> RunFiles::ends() const {
     add(fmt::format("SOL{}", k + 1), elements_[k].file());
   add("SOL7", power_->file());
   if (animation_) add("SOL8", animation_->file());
+  if (user) add("SOL9", *user);
   if (all) out.push_back({"RESULTS", "RESULTS.h5", 0});
   return out;
 }

@@ -32,7 +32,9 @@ class RunFiles {
   void open_listing();
   /// All of them; continued ones behind `steps` and the listing's `print_bytes`. @return why there
   /// is no animation although the deck asks for one
-  std::optional<std::string> open(bool continued, std::uintmax_t print_bytes);
+  /// @param sol9_bytes likewise
+  std::optional<std::string> open(bool continued, std::uintmax_t print_bytes,
+                                  std::uintmax_t sol9_bytes);
 
   /// The files that store a step.
   struct Wanted {
@@ -53,12 +55,14 @@ class RunFiles {
 
   FileSteps steps;
   std::optional<listing::PrintFile> print;
-  std::optional<results::H5Writer> all;  ///< RESULTS.h5
+  std::optional<results::H5Writer> all;      ///< RESULTS.h5
+  std::optional<results::GrowingFile> user;  ///< SOL9, of user routine ADRX9
   std::vector<std::filesystem::path> written;
 
  private:
   [[nodiscard]] std::filesystem::path sol_path(std::size_t number) const;
   [[nodiscard]] bool writes_animation() const;
+  [[nodiscard]] bool writes_sol9() const;
 
   const Prepared& prepared_;
   const setup::RunControl& control_;

@@ -14,6 +14,7 @@
 #include "facade/output_folder.hpp"
 #include "facade/restart_progress.hpp"
 #include "facade/run_files.hpp"
+#include "facade/user_session.hpp"
 #include "listing/print_fits.hpp"
 #include "listing/static_summary.hpp"
 #include "results/averages.hpp"
@@ -95,6 +96,7 @@ struct RunOutputs::Impl {
   MotionWatch watch;
   RunFiles files;
   std::uintmax_t print_bytes = 0;  ///< of a listing that is continued
+  std::uintmax_t sol9_bytes = 0;   ///< and of SOL9
   std::optional<LedgerStart> ledger_start;
   Snapshot last;  ///< last stored instant
   std::vector<double> last_y;
@@ -164,7 +166,7 @@ results::FinalState RunOutputs::Impl::final_state(const dynamics::System& system
                                                   const Snapshot& at,
                                                   std::span<const double> y) const {
   results::FinalState out;
-  out.version = kProgramVersion;
+  out.version = program_version(prepared.user.get());
   out.run_id = prepared.bearing.run_id;
   out.step = at.step;
   out.time = at.time;
@@ -232,6 +234,8 @@ void RunOutputs::Impl::print_front(const std::optional<scene::Scales>& scales) {
   if (prepared.bearing.operating) print.fits(prepared.bearing);
   if (control.stiffness) print.stiffness_table(prepared.stiffness, control.stiffness->share);
   print.life(prepared.life);
+  if (prepared.user && !prepared.user->documentation().empty())
+    print.texts("USER ROUTINES", prepared.user->documentation(), true);
 }
 
 void RunOutputs::Impl::close(results::RunSummary& run,
@@ -314,6 +318,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     s.ledger_start = LedgerStart::of(master);
     const results::MasterFile* listing = master.file("PRINT");
     if (listing != nullptr) s.print_bytes = listing->bytes;
+    if (const results::MasterFile* sol9 = master.file("SOL9")) s.sol9_bytes = sol9->bytes;
     out.complete = results::read_run_mark(s.path("RUN.json")).status == "done";
   }
   if (start == setup::StartState::Statics) {
@@ -339,7 +344,7 @@ void RunOutputs::open(dynamics::System& system, const StartPoint& start) {
     remove_leftovers(s.files.outputs());
   else
     s.make_room();
-  if (const auto no_animation = s.files.open(start.continued, s.print_bytes))
+  if (const auto no_animation = s.files.open(start.continued, s.print_bytes, s.sol9_bytes))
     s.remark(*no_animation);
   if (!start.continued) s.print_front(system.scales());
   for (const dynamics::StateLayout::Group& group : system.layout().groups())
@@ -388,6 +393,20 @@ void RunOutputs::store(dynamics::System& system, const RunPoint& point, bool alw
   if (where.print)
     s.files.print->step(s.last, record, s.prepared.bearing, s.averages.averages(),
                         s.control.print_option, s.life.step());
+  if (where.print && s.prepared.user)
+    if (const auto lines = s.prepared.user->print(point.step, point.time); !lines.empty())
+      s.files.print->texts("User routines", lines, false);
+}
+
+void RunOutputs::call_user(dynamics::System& system, const RunPoint& point) {
+  Impl& s = *impl_;
+  user::Session& session = *s.prepared.user;
+  if (!s.files.user) {
+    session.step(point.step, point.time);
+    return;
+  }
+  const std::string text = session.step(s.snapshot(system, point));
+  if (!text.empty()) s.files.user->append(text);
 }
 
 void RunOutputs::follow(const RunPoint& point) {

@@ -79,6 +79,9 @@ class RunOutputs {
   /// Stores a point in the files whose interval it meets; `always` in all of them (first and last
   /// step).
   void store(dynamics::System& system, const RunPoint& point, bool always);
+  /// Routines of the user at the end of a counted step; what they write goes to SOL9.
+  /// @throws SolverError
+  void call_user(dynamics::System& system, const RunPoint& point);
   /// Follows what averages need between stored points; after every counted step.
   void follow(const RunPoint& point);
   /// Follows what is shown of the loads between stored points; after every integration step.

@@ -59,7 +59,25 @@ PrintFile PrintFile::continue_after(const std::filesystem::path& path, std::stri
   return out;
 }
 
-void PrintFile::flush() { file_.append(report_.take()); }
+void PrintFile::flush() {
+  std::string text = report_.take();
+  constexpr std::size_t kColumn = 20;  // of the version at the head of a page
+  if (!version_.empty())
+    for (std::size_t page = text.find('\f'); page != std::string::npos;
+         page = text.find('\f', page + 1))
+      if (page + 1 + kColumn <= text.size())
+        text.replace(page + 1, kColumn, fmt::format("{:<20}", version_.substr(0, kColumn - 1)));
+  file_.append(text);
+}
+
+void PrintFile::texts(std::string_view title, const std::vector<std::string>& lines, bool page) {
+  if (page)
+    report_.new_page(title);
+  else
+    report_.heading(title);
+  for (const std::string& line : lines) report_.text(line);
+  flush();
+}
 
 void PrintFile::front(const PrintFront& front) {
   print_front(report_, front);

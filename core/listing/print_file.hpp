@@ -57,6 +57,12 @@ class PrintFile {
   /// The check of continue_after() alone; nothing is touched. @throws InputError
   static void check(const std::filesystem::path& path, const std::string& run_id);
 
+  /// On the headings of pages from now on, in the place of the program's version; cut at its
+  /// column.
+  void show_version(std::string version) { version_ = std::move(version); }
+  /// A page or part of one of texts, as user routines print them.
+  void texts(std::string_view title, const std::vector<std::string>& lines, bool page);
+
   /// Input echo, geometry, materials, inertia, traction, initial conditions, scales, output
   /// control.
   void front(const PrintFront& front);
@@ -97,6 +103,7 @@ class PrintFile {
   void flush();
   GrowingFile file_;
   Report report_;
+  std::string version_;  ///< empty: the program's own
 };
 
 // The parts, on any report.

@@ -2,7 +2,11 @@
 
 #include "tribology/ellipse_traction.hpp"
 
+#include <memory>
+
 namespace adore::scene {
+
+struct UserLaws;  // user_laws.hpp
 
 /// How finely contacts are integrated over their area.
 struct SystemOptions {
@@ -12,6 +16,8 @@ struct SystemOptions {
   /// Hertz constants of balls follow their contact angle (contact/angle_law.hpp); otherwise they
   /// are frozen at the mean angle of the static solution.
   bool moving_angle = true;
+  /// Laws of the user in the place of built-in ones; null: none.
+  std::shared_ptr<UserLaws> user;
 };
 
 }  // namespace adore::scene

@@ -37,8 +37,10 @@ double si_where(bool acts, const Deck& deck, std::string_view name) {
 /// Material of one part: its code, and for code 1 the deck's own record, whose variables share a
 /// prefix and a suffix.
 Material material(const Deck& deck, const char* code_variable, Part part, const std::string& prefix,
-                  const std::string& suffix) {
+                  const std::string& suffix, const UserHooks* user) {
   const int code = static_cast<int>(deck.integer(code_variable));
+  if (code == 2 && has_routine(user, 0))
+    return user->material(part, bearing::material_from_table(0, part));
   if (code != 1) return bearing::material_from_table(code, part);
   const bool contact =
       part == Part::RollingElement || part == Part::OuterRace || part == Part::InnerRace;
@@ -224,7 +226,7 @@ bearing::Inertia cage_mass(const Deck& deck, const Bearing& bearing, bool dynami
   }
 }
 
-bearing::Cage cage(const Deck& deck, const Bearing& bearing) {
+bearing::Cage cage(const Deck& deck, const Bearing& bearing, const UserHooks* user) {
   bearing::Cage out =
       read_cage(deck, [&](std::string_view variable, int i) { return deck.si(variable, i); });
   // Guide faces count as windows of their least play.
@@ -233,7 +235,7 @@ bearing::Cage cage(const Deck& deck, const Bearing& bearing) {
     out.pocket_clearance_1 =
         contact::roller_pocket_play(out.pocket_faces, contact::roller_profile(*bearing.rollers()));
   }
-  out.material = material(deck, "kCageMat", Part::Cage, "cage", "");
+  out.material = material(deck, "kCageMat", Part::Cage, "cage", "", user);
   if (deck.has("avRatio")) {
     const deck::ReportOnly quiet(deck, deck.integer("mode") < 0);  // statics moves no cage
     const auto start = [&deck](int piece) {
@@ -270,11 +272,11 @@ bearing::StaticConstraints constraints(const Deck& deck) {
   return out;
 }
 
-bearing::Mounting mounting(const Deck& deck) {
+bearing::Mounting mounting(const Deck& deck, const UserHooks* user) {
   bearing::Mounting out;
   out.fit = {deck.si("raceFit1"), deck.si("raceFit2")};
-  out.housing = material(deck, "kHsngMat", Part::Housing, "hsng", "");
-  out.shaft = material(deck, "kShftMat", Part::Shaft, "shft", "");
+  out.housing = material(deck, "kHsngMat", Part::Housing, "hsng", "", user);
+  out.shaft = material(deck, "kShftMat", Part::Shaft, "shft", "", user);
   out.housing_temperature = deck.si("hsngTemp");
   out.shaft_temperature = deck.si("shftTemp");
   out.material_laws = deck.has("kMatPropMod") && deck.integer("kMatPropMod") == 1;
@@ -337,16 +339,16 @@ bearing::BallGeometry build_balls(const Deck& deck) {
   return out;
 }
 
-Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
-  std::vector<Issue> issues = check_buildable(deck);
+Bearing build_bearing(const Deck& deck, std::uint64_t seed, const UserHooks* user) {
+  std::vector<Issue> issues = check_buildable(deck, user);
   std::erase_if(issues, [](const Issue& issue) { return issue.severity != Severity::Error; });
   if (!issues.empty()) throw InputError(std::move(issues));
 
   Bearing out;
   out.run_id = deck.text("runID");
-  out.element_material = material(deck, "kReMat", Part::RollingElement, "re", "");
-  out.race_material = {material(deck, "kRaceMat1", Part::OuterRace, "race", "1"),
-                       material(deck, "kRaceMat2", Part::InnerRace, "race", "2")};
+  out.element_material = material(deck, "kReMat", Part::RollingElement, "re", "", user);
+  out.race_material = {material(deck, "kRaceMat1", Part::OuterRace, "race", "1", user),
+                       material(deck, "kRaceMat2", Part::InnerRace, "race", "2", user)};
   out.type = static_cast<bearing::Type>(deck.integer("kBrg"));
   out.envelope = {deck.si("brgBore"),
                   deck.si("brgOD"),
@@ -381,7 +383,7 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   if (lubricated(deck)) out.lubrication = lubrication(deck);
   if (deck.integer("kChrn") > 0) out.churning = churning(deck);
   if (deck.integer("kTherm") > 0) out.thermal = thermal_inputs(deck);
-  if (deck.integer("nCseg") > 0) out.cage = cage(deck, out);
+  if (deck.integer("nCseg") > 0) out.cage = cage(deck, out, user);
   if (dynamic && deck.integer("nCseg") == 0)
     out.element_traction = curve(deck, "kRRTracType", "reReTC", true);
   if (dynamic && out.cage) {
@@ -420,8 +422,8 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed) {
   out.race_temperature = {deck.si("raceTemp1"), deck.si("raceTemp2")};
   out.element_temperature = deck.si("reTemp");
   out.cage_temperature = deck.si("cageTemp");
-  out.mounting = mounting(deck);
-  build_imperfections(deck, seed, out);
+  out.mounting = mounting(deck, user);
+  build_imperfections(deck, seed, out, user);
   if (out.cage) {
     check_pockets(deck, out);
     out.cage->inertia = cage_mass(deck, out, dynamic);

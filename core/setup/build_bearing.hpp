@@ -4,6 +4,7 @@
 #include "bearing/bearing.hpp"
 #include "deck/deck.hpp"
 #include "setup/build_imperfections.hpp"
+#include "setup/user_hooks.hpp"
 
 #include <vector>
 
@@ -13,14 +14,16 @@ namespace adore::setup {
 /// What this deck asks for that the program cannot simulate yet, as errors that name record and
 /// variable, and what it asks for that has no effect, as warnings. Empty when everything asked for
 /// will be simulated.
-[[nodiscard]] std::vector<Issue> check_buildable(const deck::Deck& deck);
+[[nodiscard]] std::vector<Issue> check_buildable(const deck::Deck& deck,
+                                                 const UserHooks* user = nullptr);
 
 /// The SI model of a deck that reads without errors. `seed`: of the random imperfections of rolling
 /// elements.
 /// @throws InputError with every reason at once: what is not built yet (check_buildable) and
 /// geometry that cannot close.
 [[nodiscard]] bearing::Bearing build_bearing(const deck::Deck& deck,
-                                             std::uint64_t seed = kDefaultSeed);
+                                             std::uint64_t seed = kDefaultSeed,
+                                             const UserHooks* user = nullptr);
 
 /// Record 5A alone, in the free state. @throws InputError when the grooves do not allow the
 /// clearance.

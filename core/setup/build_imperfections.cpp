@@ -221,11 +221,69 @@ void pocket_errors(const Deck& deck, std::uint64_t seed, bearing::Bearing& b) {
   }
 }
 
+/// ADRX8: one call for all that the deck asks it for.
+void user_errors(const Deck& deck, const UserHooks& user, bearing::Bearing& b) {
+  const auto count = static_cast<std::size_t>(b.element_count());
+  bearing::UserTables t(count);
+  t.elements = deck.integer("kReGeoImp") == 3;
+  t.pockets = b.cage && deck.has("kCagePocImp") && deck.integer("kCagePocImp") == 4;
+  t.inertia = deck.has("kReIP") && deck.integer("kReIP") == 3;
+  if (!t.elements && !t.pockets && !t.inertia) return;
+  const bearing::Inertia ideal = b.element_inertia;
+  t.mass = ideal.mass;
+  t.moments = ideal.moments;
+  t.geometric_centre = ideal.geometric_centre;
+  t.frame = ideal.frame;
+  user.imperfections(t);
+  if (t.elements) {
+    bearing::RollerGeometry* rollers = b.rollers();
+    b.imperfections.elements = ElementErrors::Listed;
+    if (rollers != nullptr) rollers->deviation.clear();
+    for (std::size_t k = 0; k < count; ++k) {
+      check_positive(deck, b.element_diameter() + t.diameter[k], "diameter", k, "kReGeoImp");
+      if (rollers == nullptr) {
+        b.imperfections.ball_diameter.push_back(t.diameter[k]);
+        continue;
+      }
+      bearing::RollerDeviation own;
+      own.diameter = t.diameter[k];
+      own.crown_radius = t.crown_radius[k];
+      own.length = t.length[k];
+      own.central_length = t.central_length[k];
+      own.land_offset = t.land_offset[k];
+      check_positive(deck, rollers->length + own.length, "length", k, "kReGeoImp");
+      check_positive(deck, rollers->crown_radius + own.crown_radius, "crown radius", k,
+                     "kReGeoImp");
+      rollers->deviation.push_back(own);
+    }
+    if (rollers != nullptr) check_roller_deviations(deck, *rollers);
+  }
+  if (t.pockets)
+    for (std::size_t k = 0; k < count; ++k) {
+      bearing::PocketDeviation own;
+      own.clearance = {t.pocket_clearance_1[k], t.pocket_clearance_2[k]};
+      own.thickness = t.pocket_thickness[k];
+      own.axial = t.pocket_axial[k];
+      own.angular = t.pocket_angular[k];
+      own.tilt = {t.pocket_tilt[3 * k], t.pocket_tilt[3 * k + 1], t.pocket_tilt[3 * k + 2]};
+      b.cage->pocket_deviation.push_back(own);
+    }
+  if (t.inertia) {
+    b.element_inertia.mass = t.mass;
+    b.element_inertia.moments = t.moments;
+    b.element_inertia.geometric_centre = t.geometric_centre;
+    b.element_inertia.frame = t.frame;
+    if (b.rollers() != nullptr) b.roller_mass_offset = -t.geometric_centre.x();
+  }
+}
+
 }  // namespace
 
-void build_imperfections(const Deck& deck, std::uint64_t seed, bearing::Bearing& bearing) {
+void build_imperfections(const Deck& deck, std::uint64_t seed, bearing::Bearing& bearing,
+                         const UserHooks* user) {
   element_errors(deck, seed, bearing);
   pocket_errors(deck, seed, bearing);
+  if (has_routine(user, 8)) user_errors(deck, *user, bearing);
   for (std::size_t race = 0; race < 2; ++race) {
     const long long code = deck.integer(fmt::format("kRaceGeoImp{}", race + 1));
     if (code != 1 && code != 2) continue;

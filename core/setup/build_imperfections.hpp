@@ -2,6 +2,7 @@
 
 #include "bearing/bearing.hpp"
 #include "deck/deck.hpp"
+#include "setup/user_hooks.hpp"
 
 #include <cstdint>
 
@@ -35,6 +36,8 @@ enum class RandomColumn : unsigned char {
 /// to the record's. The central land of a roller stays between nothing and the roller's length.
 /// Pockets: a quasi-static solution uses their clearances only, which the cage's play follows from.
 /// @throws InputError naming the element that the deviations leave without size.
-void build_imperfections(const deck::Deck& deck, std::uint64_t seed, bearing::Bearing& bearing);
+/// Codes that ask for routine ADRX8 get one call of it, inertia of elements included.
+void build_imperfections(const deck::Deck& deck, std::uint64_t seed, bearing::Bearing& bearing,
+                         const UserHooks* user = nullptr);
 
 }  // namespace adore::setup

@@ -32,14 +32,36 @@ struct Gate {
 constexpr Gate kAlways[] = {
     {"kRaceFlex", 0, "a flexible outer race (announced by the classic program, never available)"},
 };
-constexpr Gate kCage[] = {
-    {"kCPTrac", 0, "a user routine for element to cage traction"},
-    {"kCRTrac", 0, "a user routine for cage to race traction"},
+/// A code that hands a part of the physics to a routine of the user.
+struct Request {
+  std::string_view variable;
+  long long code;
+  int routine;  ///< ADRXn
+  const char* otherwise;
+  bool motion_only;
 };
 
-constexpr Gate kNoCage[] = {
-    {"kRRTrac", 0, "a user routine for element to element traction"},
+constexpr Request kRequests[] = {
+    {"kReMat", 2, 0, "0, 1 or a code of the material table", false},
+    {"kRaceMat1", 2, 0, "0, 1 or a code of the material table", false},
+    {"kRaceMat2", 2, 0, "0, 1 or a code of the material table", false},
+    {"kHsngMat", 2, 0, "0, 1 or a code of the material table", false},
+    {"kShftMat", 2, 0, "0, 1 or a code of the material table", false},
+    {"kCageMat", 2, 0, "0, 1 or a code of the material table", false},
+    {"kDOF", 6, 1, "0 to 5", true},
+    {"kRaceGeoImp1", 3, 6, "0, 1 or 2", false},
+    {"kRaceGeoImp2", 3, 6, "0, 1 or 2", false},
+    {"kTrac", -1, 7, "0 or a lubricant", true},
+    {"kCPTrac", -1, 7, "0", true},
+    {"kCRTrac", -1, 7, "0", true},
+    {"kRFTrac", -1, 7, "0", true},
+    {"kRRTrac", -1, 7, "0", true},
+    {"kReGeoImp", 3, 8, "0, 1 or 2", false},
+    {"kCagePocImp", 4, 8, "0, 1, 2 or 3", false},
+    {"kReIP", 3, 8, "0, 1 or 2", true},
 };
+/// Those that this version does not call.
+constexpr int kNotCalled[] = {5, 6};
 
 class Checker {
  public:
@@ -74,6 +96,30 @@ class Checker {
   const Deck& deck_;
   std::vector<Issue> issues_;
 };
+
+/// Code that asks for a routine needs a plug-in that has it. Code is loaded on the command line
+/// alone: the deck cannot say where it is.
+void check_requests(const Deck& deck, const UserHooks* user, Checker& check) {
+  const bool dynamic = deck.integer("mode") >= 0;
+  for (const Request& request : kRequests) {
+    const std::string variable(request.variable);
+    if (!deck.has(variable) || deck.integer(variable) != request.code) continue;
+    if ((request.motion_only && !dynamic) || has_routine(user, request.routine)) continue;
+    const std::string asks = fmt::format("asks for user routine ADRX{}", request.routine);
+    const std::string otherwise = fmt::format("set {} to {}", variable, request.otherwise);
+    if (std::find(std::begin(kNotCalled), std::end(kNotCalled), request.routine) !=
+        std::end(kNotCalled))
+      check.error(variable.c_str(), asks + ", which this version does not call yet", otherwise);
+    else
+      check.error(variable.c_str(),
+                  user == nullptr ? asks + ", and no plug-in was given"
+                                  : fmt::format("{}, which {} does not have, or does not activate",
+                                                asks, user->source),
+                  fmt::format("give one that has it with --user PLUG-IN (`adore user new adrx{}` "
+                              "writes an example), or {}",
+                              request.routine, otherwise));
+  }
+}
 
 /// A wave that does not close: allowed, but hardly meant. In motion no finite force lifts an
 /// element over its step.
@@ -277,12 +323,8 @@ void check_segments(const Deck& deck, Checker& check) {
 
 /// What the motion of unequal elements leaves out.
 void check_moving_elements(const Deck& deck, bool rollers, Checker& check) {
-  if (deck.integer("kReGeoImp") == 3)
-    check.error("kReGeoImp", "asks for user routine ADRX8, which this version does not call yet",
-                "use 0, 1 or 2");
-  else if (deck.integer("kReGeoImp") == 0)
-    return;
-  else if (rollers)
+  if (deck.integer("kReGeoImp") == 0) return;
+  if (rollers)
     check.note(
         "kReGeoImp",
         "the contacts of each roller are those of its own shape; mass and moments of inertia "
@@ -293,17 +335,7 @@ void check_moving_elements(const Deck& deck, bool rollers, Checker& check) {
                "traction of the lubricant's film are those on the nominal ball");
 }
 
-/// What the motion of rollers leaves out.
-void check_moving_rollers(const Deck& deck, Checker& check) {
-  if (deck.has("reFlngTC1") && deck.integer("kRFTrac") != 0)
-    check.error("kRFTrac", "asks for a user routine for roller to flange traction",
-                "set kRFTrac to 0");
-}
-
 void check_lubricant(const Deck& deck, Checker& check) {
-  if (deck.integer("kTrac") < 0)
-    check.error("kTrac", "asks for user routine ADRX7, which this version does not call yet",
-                "set kTrac to 0 or to a lubricant");
   if (deck.integer("kTrac") <= 0) return;
   const deck::ReportOnly quiet(deck);
   if (deck.si("strParam") == 0.0)
@@ -340,52 +372,29 @@ void check_pocket_films(const Deck& deck, bool rollers, Checker& check) {
 
 }  // namespace
 
-std::vector<Issue> check_buildable(const Deck& deck) {
+std::vector<Issue> check_buildable(const Deck& deck, const UserHooks* user) {
   Checker check(deck);
   const bool dynamic = deck.integer("mode") >= 0;
   check.gates(kAlways);
   const bool rollers = deck.integer("kBrg") != 1;
   if (dynamic) check_lubricant(deck, check);
   if (dynamic) check_moving_elements(deck, rollers, check);
-  if (dynamic && rollers) check_moving_rollers(deck, check);
   const long long segments = deck.integer("nCseg");
   if (dynamic && segments > 1) check_segments(deck, check);
-  if (dynamic && segments == 0) {
-    check.gates(kNoCage);
-  }
-  if (dynamic && segments > 0) {
-    check.gates(kCage);
-    check_land_errors(deck, check);
-  }
+  if (dynamic && segments > 0) check_land_errors(deck, check);
   if (dynamic && segments == 1 && deck.integer("kPocHydro") == 1)
     check_pocket_films(deck, rollers, check);
   for (Issue& issue : check_race_motions(deck)) check.add(std::move(issue));
   for (Issue& issue : check_element_inertia(deck)) check.add(std::move(issue));
-  for (const char* material :
-       {"kReMat", "kRaceMat1", "kRaceMat2", "kHsngMat", "kShftMat", "kCageMat"})
-    if (deck.integer(material) == 2)
-      check.error(material, "asks for user routine ADRX0, which this version does not call yet",
-                  "use 0, 1 or a code of the material table");
-  for (const auto& [code, routine] :
-       {std::pair{"kReGeoImp", "ADRX8"}, {"kRaceGeoImp1", "ADRX6"}, {"kRaceGeoImp2", "ADRX6"}})
-    if ((!dynamic || std::string_view(routine) == "ADRX6") && deck.integer(code) == 3)
-      check.error(
-          code,
-          fmt::format("asks for user routine {}, which this version does not call yet", routine),
-          "use 0, 1 or 2");
-  if (dynamic && deck.has("kCagePocImp") && deck.integer("kCagePocImp") == 4)
-    check.error("kCagePocImp", "asks for user routine ADRX8, which this version does not call yet",
-                "use 0, 1, 2 or 3");
-  if (dynamic && deck.integer("kDOF") == 6)
-    check.error("kDOF", "asks for user routine ADRX1, which this version does not call yet",
-                "use 0 to 5");
+  check_requests(deck, user, check);
   check_waves(deck, check);
   check_law_ranges(deck, check);
   check_pocket_errors(deck, check);
-  if (!deck.user_lines.empty())
+  if (!deck.user_lines.empty() && user == nullptr)
     check.warning("runID",
-                  "the deck has lines after its last record, for user routines that this version "
-                  "does not call");
+                  "the deck has lines after its last record, for user routines, and no plug-in was "
+                  "given",
+                  "give it with --user PLUG-IN, or remove the lines");
 
   if (deck.integer("kBrg") == 1)
     for (const char* flange : {"kFlngInd11", "kFlngInd21", "kFlngInd12", "kFlngInd22"})

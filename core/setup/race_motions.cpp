@@ -111,12 +111,6 @@ bearing::Inertia given_inertia(const Deck& deck, std::string_view prefix, std::s
 std::vector<Issue> check_element_inertia(const Deck& deck) {
   std::vector<Issue> out;
   const long long code = moves(deck) ? deck.integer("kReIP") : 0;
-  const auto refuse = [&](const char* name, std::string message, std::string remedy) {
-    out.push_back(deck.issue(Severity::Error, name, std::move(message), std::move(remedy)));
-  };
-  if (code == 3)
-    refuse("kReIP", "asks for user routine ADRX8, which this version does not call yet",
-           "use 0, 1 or 2");
   if (code == 1 && deck.integer("kBrg") != 1)
     out.push_back(deck.issue(Severity::Note, "kReIP",
                              "element 1 moves with an inertia of its own; the static solution at "
@@ -260,8 +254,14 @@ Vec3 frame_load(const Deck& deck, const std::array<bearing::Inertia, 2>& races) 
   return mass * speed * speed * radius * Vec3(0.0, -std::sin(angle), std::cos(angle));
 }
 
-void plan_race_motions(const Deck& deck, const bearing::Bearing& bearing, scene::ScenePlan& plan) {
+void plan_race_motions(const Deck& deck, const bearing::Bearing& bearing, scene::ScenePlan& plan,
+                       const std::array<bool, 2>& driven) {
   plan.race_motions = build_race_motions(deck);
+  for (std::size_t j = 0; j < 2; ++j)
+    if (driven[j] && !plan.race_motions.free[j]) {
+      bearing::FreeRace& held = plan.race_motions.free[j].emplace();
+      held.translation_held = held.rotation_held = {true, true, true};
+    }
   const bearing::RaceMotions& motions = plan.race_motions;
   const auto effect = [&](Effect id, const char* name, bool on, std::string because) {
     plan.effects.push_back({id, name, on, std::move(because)});
@@ -278,6 +278,8 @@ void plan_race_motions(const Deck& deck, const bearing::Bearing& bearing, scene:
       because += fmt::format(", {} {}", kRaces[j], free_text(*motions.free[j]));
       if (!held[0]) because += ", no moment about x";
     }
+  for (std::size_t j = 0; j < 2; ++j)
+    if (driven[j]) because += fmt::format(", {} driven by ADRX1", kRaces[j]);
   effect(Effect::FreeRaces, "races that move under loads", motions.any_free(), because);
   effect(Effect::TurningFrame, "turning base frame", motions.frame.has_value(),
          fmt::format("kRotFrame = {}", deck.integer("kRotFrame")));

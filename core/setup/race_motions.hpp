@@ -28,9 +28,11 @@ namespace adore::setup {
 [[nodiscard]] bearing::Vec3 frame_load(const deck::Deck& deck,
                                        const std::array<bearing::Inertia, 2>& races);
 
-/// Lists the bodies and effects in the plan and takes over the motions.
+/// Lists the bodies and effects in the plan and takes over the motions. @param driven races whose
+/// accelerations a routine of the user gives: bodies with states, held in all directions that the
+/// deck does not free
 void plan_race_motions(const deck::Deck& deck, const bearing::Bearing& bearing,
-                       scene::ScenePlan& plan);
+                       scene::ScenePlan& plan, const std::array<bool, 2>& driven = {});
 
 /// Ten variables of an inertia record, e.g. raceMass1, raceMIx1 ... raceFrameZ1 with the prefix
 /// "race" and the suffix "1".

@@ -290,6 +290,27 @@ const std::vector<Option>& options() {
            o.effects_off = names_of(v);
            return true;
          }},
+        {{"userProcess", "0",
+          "a plug-in of --user runs in a process of its own, so that its crash or endless loop "
+          "ends the run in order: 1 or 0"},
+         [](RunOptions& o, std::string_view v) {
+           int value = 0;
+           if (!parse_count(v, value, 0, 1)) return false;
+           o.user_process = value == 1;
+           return true;
+         }},
+        {{"userTimeout", fmt::format("{}", defaults.user_timeout),
+          "time after which a call of a plug-in in a process of its own counts as hanging [s], "
+          "above 0"},
+         [](RunOptions& o, std::string_view v) {
+           return parse(v, o.user_timeout) && o.user_timeout > 0.0 && o.user_timeout < 1e6;
+         }},
+        {{"userSample", fmt::format("{}", defaults.user_sample),
+          "one of so many calls of a user routine of the motion is asked twice, to find routines "
+          "that are no pure functions; 0: none, at most 1000000000"},
+         [](RunOptions& o, std::string_view v) {
+           return parse_count(v, o.user_sample, 0, 1'000'000'000);
+         }},
         {{"centrifugalGrowth", "1",
           "operating fits and clearances include the centrifugal growth of rings, shaft, housing "
           "and cage: 1 or 0"},

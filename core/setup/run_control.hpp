@@ -60,6 +60,9 @@ struct RunOptions {
   bool centrifugal_growth = true;        ///< speeds widen the rings (bearing::Mounting)
   bearing::LifeChoices life;             ///< fatigue life: what no record holds
   std::vector<std::string> effects_off;  ///< names of the plan's effects that are left out
+  bool user_process = false;             ///< a plug-in of --user runs in a process of its own
+  double user_timeout = 10.0;            ///< after which a call of it there counts as hanging [s]
+  int user_sample = 1024;                ///< one of so many calls is asked twice; 0: none
 };
 
 struct OptionInfo {

@@ -80,7 +80,8 @@ bool can_be_left_out(const scene::ScenePlan& plan, Effect effect) {
 }
 
 scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing& bearing,
-                                 const RunControl& control, const RunOptions& options) {
+                                 const RunControl& control, const RunOptions& options,
+                                 const UserHooks* user) {
   scene::ScenePlan plan;
   const int n = bearing.element_count();
   const std::string element = bearing.rollers() ? "roller" : "ball";
@@ -96,6 +97,21 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   plan.rollers = bearing.rollers() != nullptr;
   plan.rigid_balls = !plan.rollers && !moves_as_sphere(bearing);
   std::vector<std::string> left_out = options.effects_off;
+  if (dof == 6 && user != nullptr) {
+    plan.suppressed = user->suppressed;
+    plan.suppressed.cage_axial = plan.suppressed.cage_axial && cage;
+    plan.suppressed.cage_tilt = plan.suppressed.cage_tilt && cage;
+  }
+  // A routine of the user in the place of a curve.
+  const auto own_law = [&](const char* code) {
+    return has_routine(user, 7) && deck.has(code) && deck.integer(code) == -1;
+  };
+  const auto law_reason = [&](const char* code, const char* type,
+                              const bearing::TractionCurve& curve) {
+    return own_law(code) ? fmt::format("{} = -1, user routine ADRX7 of {}", code, user->source)
+                         : curve_reason(deck, type, curve);
+  };
+
   auto effect = [&](Effect id, const std::string& name, bool on, std::string because) {
     if (std::erase(left_out, name) > 0) {
       if (!can_be_left_out(plan, id))
@@ -114,30 +130,32 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
                      : "; elastic, so that contact vibrations do not decay: their lines in a "
                        "spectrum are as high as start, impacts and integrator leave them"));
   effect(Effect::RaceTraction, element + " / race traction",
-         can_push(bearing.race_traction) || bearing.lubrication,
+         can_push(bearing.race_traction) || bearing.lubrication || own_law("kTrac"),
          bearing.lubrication ? film_reason(*bearing.lubrication)
-                             : curve_reason(deck, "kTracType", bearing.race_traction));
+                             : law_reason("kTrac", "kTracType", bearing.race_traction));
   if (bearing.flange_traction) {
     effect(Effect::FlangeContact, "roller / flange contact", true, flange_reason(deck));
-    effect(Effect::FlangeTraction, "roller / flange traction", can_push(*bearing.flange_traction),
-           curve_reason(deck, "kRFTracType", *bearing.flange_traction));
+    effect(Effect::FlangeTraction, "roller / flange traction",
+           can_push(*bearing.flange_traction) || own_law("kRFTrac"),
+           law_reason("kRFTrac", "kRFTracType", *bearing.flange_traction));
   }
   effect(Effect::CageMotion, "cage motion", cage, cage_switch);
   effect(Effect::PocketContact, element + " / pocket contact", cage, cage_switch);
   effect(Effect::PocketTraction, element + " / pocket traction",
-         cage && can_push(*bearing.pocket_traction),
-         cage ? curve_reason(deck, "kCPTracType", *bearing.pocket_traction) : cage_switch);
+         cage && (can_push(*bearing.pocket_traction) || own_law("kCPTrac")),
+         cage ? law_reason("kCPTrac", "kCPTracType", *bearing.pocket_traction) : cage_switch);
   const bool ring = !cage && n >= 2;
   effect(Effect::ElementContact, element + " / " + element + " contact", ring, cage_switch);
   effect(Effect::ElementTraction, element + " / " + element + " traction",
-         ring && can_push(*bearing.element_traction),
-         ring ? curve_reason(deck, "kRRTracType", *bearing.element_traction) : cage_switch);
+         ring && (can_push(*bearing.element_traction) || own_law("kRRTrac")),
+         ring ? law_reason("kRRTrac", "kRRTracType", *bearing.element_traction) : cage_switch);
   effect(Effect::LandContact, "cage / race guide lands", guided,
          cage ? fmt::format("nGL = {}{}", deck.integer("nGL"), guided ? "" : ", no guided land")
               : cage_switch);
   const bool lands = plan.has(Effect::LandContact);
-  effect(Effect::LandTraction, "cage / race traction", lands && can_push(*bearing.land_traction),
-         guided ? curve_reason(deck, "kCRTracType", *bearing.land_traction)
+  effect(Effect::LandTraction, "cage / race traction",
+         lands && (can_push(*bearing.land_traction) || own_law("kCRTrac")),
+         guided ? law_reason("kCRTrac", "kCRTracType", *bearing.land_traction)
                 : std::string("no guided land"));
   const auto films = [&](const char* flag, bool on, double viscosity) {
     std::string because = fmt::format("{} = {}", flag, deck.integer(flag));
@@ -255,7 +273,11 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
                            "6 degrees of freedom and total rotation each", 14 * pieces});
   else if (cage)
     plan.bodies.push_back({"cage", "6 degrees of freedom and total rotation", 14});
-  plan_race_motions(deck, bearing, plan);
+  plan_race_motions(deck, bearing, plan, user != nullptr ? user->drives : std::array<bool, 2>{});
+  if (user != nullptr)
+    for (std::size_t k = 0; k < user->active.size(); ++k)
+      if (user->active[k])
+        effect(Effect::RaceContact, fmt::format("user routine ADRX{}", k), true, user->source);
   for (const scene::BodyEntry& body : plan.bodies) plan.unknowns += body.unknowns;
   return plan;
 }

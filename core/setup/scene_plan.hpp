@@ -2,6 +2,7 @@
 
 #include "scene/plan.hpp"
 #include "setup/run_control.hpp"
+#include "setup/user_hooks.hpp"
 
 namespace adore::setup {
 
@@ -10,8 +11,8 @@ namespace adore::setup {
 /// @throws InputError when an effect cannot be left out, or contacts cannot be damped
 [[nodiscard]] scene::ScenePlan make_scene_plan(const deck::Deck& deck,
                                                const bearing::Bearing& bearing,
-                                               const RunControl& control,
-                                               const RunOptions& options);
+                                               const RunControl& control, const RunOptions& options,
+                                               const UserHooks* user = nullptr);
 
 /// Can run option effectsOff leave it out? Not what bodies, modes and motions of a deck are made
 /// of: those have variables of their own.

@@ -25,6 +25,14 @@ TractionLaw::TractionLaw(const bearing::TractionCurve& c) noexcept {
     floor_ = kRegularisationSlip * kRegularisationSlip;
 }
 
+TractionLaw::TractionLaw(const UserTraction& routine, TractionKind kind, int race) noexcept
+    : law_(UserLaw{&routine, static_cast<int>(kind), race}) {
+  if (std::abs(routine.at_rest) > kZeroCoefficient)
+    floor_ = kRegularisationSlip * kRegularisationSlip;
+}
+
+bool TractionLaw::is_of_user() const noexcept { return std::holds_alternative<UserLaw>(law_); }
+
 bool TractionLaw::has_film() const noexcept {
   return visit([](const auto& law) { return kHasFilm<std::decay_t<decltype(law)>>; });
 }

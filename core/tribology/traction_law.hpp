@@ -17,6 +17,8 @@ class TractionLaw {
  public:
   TractionLaw() = default;                                    ///< frictionless
   TractionLaw(const bearing::TractionCurve& curve) noexcept;  // NOLINT: a curve is a law
+  /// A routine of the user, which outlives the law. @param race of contacts of one race, else -1
+  TractionLaw(const UserTraction& routine, TractionKind kind, int race = -1) noexcept;
   /// A lubricant's film, with the curve where it breaks down.
   /// @param table numbers that the film points at, kept as long as the law
   template <class Film>
@@ -64,6 +66,7 @@ class TractionLaw {
   [[nodiscard]] double slip_scale() const noexcept;
   [[nodiscard]] double kink() const noexcept;
   [[nodiscard]] bool has_film() const noexcept;
+  [[nodiscard]] bool is_of_user() const noexcept;
   /// The film of a contact; 0 without.
   [[nodiscard]] FilmHere<double> film(const ContactPoint<double>& contact) const;
 

@@ -6,6 +6,7 @@
 #include "tribology/laws/measured_film.hpp"
 #include "tribology/laws/thinning_film.hpp"
 #include "tribology/laws/two_slope.hpp"
+#include "tribology/laws/user_law.hpp"
 #include "tribology/laws/visco_elastic_film.hpp"
 
 /// The traction laws that the solver knows: their order is that of the alternatives of
@@ -19,7 +20,7 @@ using ViscoElasticFilmLaw = FilmLawOf<ViscoElasticFilm>;
 
 template <template <class...> class List>
 using TractionLawsIn = List<TwoSlopeLaw, ExponentialLaw, HeatedFilmLaw, MeasuredFilmLaw,
-                            ThinningFilmLaw, ViscoElasticFilmLaw>;
+                            ThinningFilmLaw, ViscoElasticFilmLaw, UserLaw>;
 
 template <class... Laws>
 struct TypeList {};

@@ -3,8 +3,11 @@
 #include "dynamics/effects/races.hpp"
 #include "dynamics/excitations.hpp"
 #include "scene/ledger_terms.hpp"
+#include "scene/user_laws.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 /// Races that move under what acts on them and under their loads: Newton and Euler about the mass
@@ -16,6 +19,8 @@
 /// axis are held turns about the axis that it has at the start. The contact kernel sees ω as spin
 /// about the race's axis and the rest across it. Limit: the groove stays one of revolution about
 /// the race's axis.
+/// Routine ADRX1 of the user adds to loads, and gives the accelerations of the held directions of
+/// races that it drives, in the place of those laws; it is asked once an evaluation.
 namespace adore::dynamics {
 namespace {
 
@@ -38,6 +43,8 @@ struct Loaded {
   Vec3 first_force = Vec3::Zero();                   ///< at t = 0 [N]
   double turning_share = 0.0, turning_speed = 0.0;   ///< of the radial load [-, rad/s]
   std::optional<RaceLaws> laws;                      ///< of the held directions
+  Vec3 free_along = Vec3::Zero(), free_about = Vec3::Zero();   ///< 1 where the race is free
+  Vec3 user_force = Vec3::Zero(), user_moment = Vec3::Zero();  ///< of ADRX1, now [N, N m]
   // Now, with what holds the held directions: power [W], about the base origin [N, N m].
   double power = 0.0;
   Vec3 outer_force = Vec3::Zero(), outer_moment = Vec3::Zero();
@@ -72,8 +79,8 @@ class RaceLoad final : public EffectBlock {
           F + loaded_.turning_share * Vec3(0.0, c * F[1] - s * F[2], s * F[1] + c * F[2]);
     }
     RaceBody& race = e.race[static_cast<std::size_t>(loaded_.race)];
-    race.add_force(loaded_.force, race.position);
-    race.moment += loaded_.moment;
+    race.add_force(loaded_.force + loaded_.user_force, race.position);
+    race.moment += loaded_.moment + loaded_.user_moment;
   }
 
  private:
@@ -97,8 +104,8 @@ class LoadAccount final : public EffectBlock {
   explicit LoadAccount(Loaded& loaded) : loaded_(loaded) {}
   void apply(Evaluation& e) noexcept override {
     const RaceBody& race = e.race[static_cast<std::size_t>(loaded_.race)];
-    const Vec3 force = loaded_.force + loaded_.body.holding_force();
-    const Vec3 moment = loaded_.moment + loaded_.body.holding_moment();
+    const Vec3 force = loaded_.force + loaded_.user_force + loaded_.body.holding_force();
+    const Vec3 moment = loaded_.moment + loaded_.user_moment + loaded_.body.holding_moment();
     loaded_.power = force.dot(race.velocity) + moment.dot(race.omega);
     loaded_.outer_force = force;
     loaded_.outer_moment = moment + race.position.cross(force);
@@ -108,12 +115,46 @@ class LoadAccount final : public EffectBlock {
   Loaded& loaded_;
 };
 
+/// Asks ADRX1 once all races have their motion, before loads act.
+class AskUser final : public EffectBlock {
+ public:
+  AskUser(scene::UserMotion& routine, std::vector<Loaded>& loaded,
+          const std::array<Vec3, 2>& free_centre)
+      : routine_(routine), loaded_(loaded), free_centre_(free_centre) {}
+  [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
+  void apply(Evaluation& e) noexcept override {
+    std::array<scene::UserMotion::Race, 2> races;
+    for (std::size_t j = 0; j < 2; ++j)
+      races[j] = {e.race[j].position - free_centre_[j], e.race[j].velocity, e.race[j].omega,
+                  e.race[j].angle};
+    scene::UserMotion::Actions actions;
+    e.valid = routine_.evaluate(e.t, races, actions) && e.valid;
+    const scene::UserMotion::Promise& promise = routine_.promise();
+    for (Loaded& one : loaded_) {
+      const auto j = static_cast<std::size_t>(one.race);
+      one.user_force = actions.force[j].cwiseProduct(one.free_along);
+      one.user_moment = actions.moment[j].cwiseProduct(one.free_about);
+      if (promise.drives[j])
+        one.body.prescribe(actions.acceleration[j], actions.angular_acceleration[j]);
+    }
+  }
+
+ private:
+  scene::UserMotion& routine_;
+  std::vector<Loaded>& loaded_;
+  std::array<Vec3, 2> free_centre_;
+};
+
 class FreeRaces final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
+    routine_ = scene.options.user ? scene.options.user->motion : nullptr;
     const Races& races = *scene.find<Races>();
     const auto& free = scene.plan.race_motions.free;
     loaded_.reserve(free.size());  // blocks and border know them by address
+    if (routine_ != nullptr)
+      scene.block<AskUser>(Phase::Force, "user routine ADRX1", {}, *routine_, loaded_,
+                           races.free_centres());
     for (std::size_t j = 0; j < free.size(); ++j) {
       if (!free[j]) continue;
       Loaded& one = loaded_.emplace_back();
@@ -134,7 +175,17 @@ class FreeRaces final : public SceneEffect {
       const auto held = [](const std::array<bool, 3>& flags) {
         return flags[0] || flags[1] || flags[2];
       };
-      if (held(translation) || held(rotation)) {
+      for (int k = 0; k < 3; ++k) {
+        one.free_along[k] = translation[static_cast<std::size_t>(k)] ? 0.0 : 1.0;
+        one.free_about[k] = rotation[static_cast<std::size_t>(k)] ? 0.0 : 1.0;
+      }
+      const bool driven = routine_ != nullptr && routine_->promise().drives[j];
+      if (driven) {
+        one.body.constrain({translation, rotation}, start.to_base);
+        start.velocity += routine_->promise().start_velocity[j];
+        start.speed += routine_->promise().start_spin[j];
+        start.settle();
+      } else if (held(translation) || held(rotation)) {
         one.body.constrain({translation, rotation}, start.to_base);
         if (scene.plan.race_motions.excited(one.race)) {
           one.laws.emplace(
@@ -184,12 +235,24 @@ class FreeRaces final : public SceneEffect {
       const Vec3 displacement = race.position;  // from its free position, not from the base origin
       one.body.report(e, race);
       race.position = displacement;
-      race.applied_force = one.force + one.body.holding_force();
-      race.applied_moment = one.moment + one.body.holding_moment();
+      race.applied_force = one.force + one.user_force + one.body.holding_force();
+      race.applied_moment = one.moment + one.user_moment + one.body.holding_moment();
     }
   }
 
+  /// What ADRX1 says of its laws.
+  [[nodiscard]] double longest_step(double t) const override {
+    double longest = std::numeric_limits<double>::infinity();
+    if (routine_ == nullptr) return longest;
+    const scene::UserMotion::Promise& promise = routine_->promise();
+    if (promise.longest_step > 0.0) longest = promise.longest_step;
+    for (const double kink : promise.kinks)
+      if (kink > t) longest = std::min(longest, kink - t);
+    return longest;
+  }
+
  private:
+  scene::UserMotion* routine_ = nullptr;  ///< ADRX1; null: none
   std::vector<Loaded> loaded_;
   std::vector<RaceBody> start_;
 };

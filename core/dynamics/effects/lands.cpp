@@ -204,8 +204,9 @@ class LandContact final : public SceneEffect {
     const auto add = [&]<bool Traction, bool Arcs>() {
       scene.block<LandBlock<Traction, Arcs>>(
           Phase::Force, "land contacts", {}, lands_, half_angle_,
-          Traction ? tribology::TractionLaw(*scene.bearing.land_traction)
-                   : tribology::TractionLaw(),
+          Traction
+              ? traction_of(scene, tribology::TractionKind::CageRace, *scene.bearing.land_traction)
+              : tribology::TractionLaw(),
           heat_);
     };
     if (cut.several())
@@ -215,9 +216,10 @@ class LandContact final : public SceneEffect {
     if (std::any_of(lands_.begin(), lands_.end(),
                     [](const LandModel& land) { return land.uneven.has_value(); })) {
       if (traction)
-        scene.block<UnevenLandBlock<true>>(Phase::Force, "land contacts", {}, lands_, middle_,
-                                           tribology::TractionLaw(*scene.bearing.land_traction),
-                                           heat_);
+        scene.block<UnevenLandBlock<true>>(
+            Phase::Force, "land contacts", {}, lands_, middle_,
+            traction_of(scene, tribology::TractionKind::CageRace, *scene.bearing.land_traction),
+            heat_);
       else
         scene.block<UnevenLandBlock<false>>(Phase::Force, "land contacts", {}, lands_, middle_,
                                             tribology::TractionLaw(), heat_);

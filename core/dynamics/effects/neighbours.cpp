@@ -4,6 +4,7 @@
 #include "bearing/element_inertia.hpp"
 #include "contact/conformal.hpp"
 #include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/scene_pieces.hpp"
 #include "tribology/traction_law.hpp"
 
 #include <fmt/format.h>
@@ -122,8 +123,7 @@ class Neighbours final : public SceneEffect, public ElementSupport {
     if (scene.plan.has(Effect::ElementTraction)) {
       demand(bearing.element_traction.has_value(),
              "traction between elements is on without a traction curve");
-      scene.block<PairBlock<true>>(Phase::Force, kCost, {}, pairs_, *bearing.element_traction,
-                                   heat_);
+      scene.block<PairBlock<true>>(Phase::Force, kCost, {}, pairs_, friction_of(scene), heat_);
       scene.energy("elements.heat", kElementHeat, &heat_);
     } else {
       scene.block<PairBlock<false>>(Phase::Force, kCost, {}, pairs_, tribology::TractionLaw(),
@@ -131,7 +131,12 @@ class Neighbours final : public SceneEffect, public ElementSupport {
     }
     scene.neighbours_meet();
     scene.supports(*this);
-    if (scene.plan.has(Effect::ElementTraction)) friction_.emplace(*bearing.element_traction);
+    if (scene.plan.has(Effect::ElementTraction)) friction_.emplace(friction_of(scene));
+  }
+
+  static tribology::TractionLaw friction_of(const SceneBuilder& scene) {
+    return traction_of(scene, tribology::TractionKind::ElementElement,
+                       *scene.bearing.element_traction);
   }
 
   /// N' n nᵀ - N/d (I - n nᵀ) while the other one stands still.

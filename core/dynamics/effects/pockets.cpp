@@ -211,6 +211,102 @@ void PocketBlock<Traction, Shaped>::apply_with(const Friction& friction, Evaluat
   }
 }
 
+/// ADRX3: every contact of the built-in law times the ratio of the routine's force to its own, so
+/// that friction goes with it. What the difference does along the normal,
+///   -(F - N) d(gap)/dt,
+/// has no potential that is known, and is booked with the pockets' heat: a damping law heats, an
+/// elastic one gives back what it took.
+class UserPocketBlock final : public EffectBlock {
+ public:
+  UserPocketBlock(PocketSet& set, const std::optional<tribology::TractionLaw>& friction,
+                  scene::UserForce& routine, double& heat)
+      : set_(set), friction_(friction), routine_(routine), heat_(heat) {
+    const std::size_t most = set.size() * kSurfaces;
+    touches_.reserve(most);
+    for (auto* values : {&gap_, &rate_, &built_in_, &force_}) values->reserve(most);
+    element_.reserve(most);
+    surface_.reserve(most);
+  }
+  void apply(Evaluation& e) noexcept override {
+    touches_.clear();
+    for (auto* values : {&gap_, &rate_, &built_in_, &force_}) values->clear();
+    element_.clear();
+    surface_.clear();
+    for (std::size_t i = 0; i < set_.size(); ++i) {
+      if (!set_.is_inside(i) || (!set_.shaped() && set_.surely_open(i))) continue;
+      const contact::WallPoints walls = set_.walls(i);
+      for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k)
+        if (walls.surface[k].gap < 0.0) collect(e, i, k, walls.surface[k]);
+    }
+    if (touches_.empty()) return;
+    const scene::UserForce::Contacts all{touches_.size(), element_.data(), surface_.data(),
+                                         gap_.data(),     rate_.data(),    built_in_.data(),
+                                         force_.data()};
+    if (!routine_.forces(e.t, all)) {
+      e.valid = false;
+      return;
+    }
+    for (std::size_t k = 0; k < touches_.size(); ++k) add(e, k);
+  }
+
+ private:
+  static constexpr std::size_t kSurfaces =
+      sizeof(contact::WallPoints::surface) / sizeof(contact::WallPoints::surface[0]);
+  struct Touch {
+    std::size_t pocket;
+    PocketAction action;
+  };
+  void collect(const Evaluation& e, std::size_t i, std::size_t k,
+               const contact::WallPoint& wall) noexcept {
+    const BodyState& cage = set_.body(e, i);
+    const Vec3 m = set_.to_base(i, wall.m, cage.to_base);
+    const std::size_t ball = set_.element(i);
+    Touch touch{i, {}};
+    const auto with = [&](const auto& friction) {
+      touch.action =
+          pocket_action(set_.law(i), friction, e, ball, cage, set_.ball_radius(i), m, -wall.gap);
+    };
+    if (friction_)
+      friction_->visit_rounded(with);
+    else
+      with(nullptr);
+    if (!(touch.action.N > 0.0)) return;
+    const Vec3 apart = cage.velocity_at(touch.action.point) - e.element_velocity(ball) -
+                       e.element_omega(ball).cross(touch.action.arm);
+    touches_.push_back(touch);
+    element_.push_back(static_cast<int>(ball));
+    surface_.push_back(static_cast<int>(k));
+    gap_.push_back(wall.gap);
+    rate_.push_back(apart.dot(m));
+    built_in_.push_back(touch.action.N);
+    force_.push_back(touch.action.N);
+  }
+  void add(Evaluation& e, std::size_t k) noexcept {
+    const Touch& touch = touches_[k];
+    const double more = force_[k] / built_in_[k] - 1.0;
+    if (more == 0.0) return;
+    const std::size_t ball = set_.element(touch.pocket);
+    BodyState& cage = set_.body(e, touch.pocket);
+    const Vec3 on_ball = more * touch.action.on_ball;
+    e.add_force(ball, e.to_cylindrical(ball, on_ball));
+    cage.add_force(-on_ball, touch.action.point);
+    if (friction_) {
+      const Vec3 friction = more * touch.action.friction;
+      e.add_moment(ball, e.to_cylindrical(ball, touch.action.arm.cross(friction)));
+      cage.load_slip += more * touch.action.N * touch.action.slip;
+    }
+    heat_ += more * touch.action.heat - (force_[k] - built_in_[k]) * rate_[k];
+  }
+
+  PocketSet& set_;
+  const std::optional<tribology::TractionLaw>& friction_;
+  scene::UserForce& routine_;
+  double& heat_;
+  std::vector<Touch> touches_;
+  std::vector<int> element_, surface_;
+  std::vector<double> gap_, rate_, built_in_, force_;
+};
+
 }  // namespace
 
 void PocketContact::add_block(SceneBuilder& scene, PocketSet& set, std::vector<BodyId> partners) {
@@ -230,9 +326,12 @@ void PocketContact::declare(SceneBuilder& scene) {
   if (scene.plan.has(Effect::PocketTraction)) {
     demand(scene.bearing.pocket_traction.has_value(),
            "pocket traction is on without a traction curve");
-    friction_.emplace(*scene.bearing.pocket_traction);
-    scene.block<NoHeatYet>(Phase::Force, "pocket contacts", {}, heat_);
+    friction_.emplace(
+        traction_of(scene, tribology::TractionKind::ElementCage, *scene.bearing.pocket_traction));
   }
+  scene::UserForce* const routine = scene.options.user ? scene.options.user->pocket : nullptr;
+  if (friction_ || routine != nullptr)
+    scene.block<NoHeatYet>(Phase::Force, "pocket contacts", {}, heat_);
   const contact::CagePieces pieces = pieces_of(scene);
   const auto add = [&](std::optional<PocketSet>& set,
                        const std::vector<contact::PlacedPocket>& pockets) {
@@ -240,11 +339,18 @@ void PocketContact::declare(SceneBuilder& scene) {
     std::vector<BodyId> partners(pieces.pockets.size(), BodyId{BodyId::Kind::Segment, -1});
     for (const contact::PlacedPocket& pocket : pockets)
       partners[pocket.element].index = pocket.piece;
-    add_block(scene, *set, std::move(partners));
+    if (routine != nullptr) {
+      Partners same{std::vector<BodyId>(partners)};
+      add_block(scene, *set, std::move(partners));
+      scene.block<UserPocketBlock>(Phase::Force, "user routine ADRX3", std::move(same), *set,
+                                   friction_, *routine, heat_);
+    } else {
+      add_block(scene, *set, std::move(partners));
+    }
   };
   add(set_, pieces.pockets);
   if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves);
-  if (friction_) scene.energy("pockets.heat", kPocketHeat, &heat_);
+  if (friction_ || routine != nullptr) scene.energy("pockets.heat", kPocketHeat, &heat_);
   scene.supports(*this);
 }
 

@@ -6,6 +6,8 @@
 #include "dynamics/effects/balls.hpp"
 #include "dynamics/effects/rigid_elements.hpp"
 #include "dynamics/rigid_body.hpp"
+#include "dynamics/user_points.hpp"
+#include "scene/user_laws.hpp"
 #include "tribology/contact_flash.hpp"
 #include "tribology/film_law.hpp"
 
@@ -165,9 +167,20 @@ void Races::set_up_balls(const SceneBuilder& scene) {
                                             model.effective_modulus);
     model.shoulder_radius = 0.5 * scene.bearing.balls().shoulder_diameter[j];
     model.traction = scene.plan.has(Effect::RaceTraction);
-    model.law = race_law(scene.bearing, model, scene.fixed_angle[j]);
     model.surface = scene.options.surface;
     model.rule = rule;
+    const tribology::UserTraction* routine =
+        scene.options.user ? scene.options.user->traction_of(tribology::TractionKind::ElementRace)
+                           : nullptr;
+    if (routine != nullptr) {
+      model.law = {*routine, tribology::TractionKind::ElementRace, static_cast<int>(j)};
+      const std::size_t pieces = rule.split ? tribology::kEllipsePieces : 1;
+      model.points =
+          std::make_shared<UserScratch>(static_cast<std::size_t>(scene.bearing.element_count()),
+                                        pieces * rule.s.size() * rule.v.size());
+    } else {
+      model.law = race_law(scene.bearing, model, scene.fixed_angle[j]);
+    }
     set_own_balls(model, scene.bearing.balls(), errors, scene.bearing.imperfections.ball_diameter,
                   scene.fixed_angle[j]);
   }

@@ -28,6 +28,8 @@ class Races final : public SceneEffect {
   [[nodiscard]] const std::array<RaceContactModel, 2>& contacts() const noexcept {
     return contacts_;
   }
+  /// Places of the race centres in the unloaded bearing [m].
+  [[nodiscard]] const std::array<Vec3, 2>& free_centres() const noexcept { return free_centre_; }
   /// Both at t = 0: static place, misalignment and spin.
   [[nodiscard]] const std::array<RaceBody, 2>& at_rest() const noexcept { return at_rest_; }
 

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "contact/roller_race.hpp"
 #include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/roller_start.hpp"
 #include "statics/roller_model.hpp"
 #include "tribology/traction_law.hpp"
@@ -151,7 +152,8 @@ class RollerFlanges final : public SceneEffect {
     if (traction) {
       demand(scene.bearing.flange_traction.has_value(),
              "flange traction is on without a traction curve");
-      friction_ = tribology::TractionLaw(*scene.bearing.flange_traction);
+      friction_ =
+          traction_of(scene, tribology::TractionKind::RollerFlange, *scene.bearing.flange_traction);
     }
     has_friction_ = traction;
     for (std::size_t j = 0; j < 2; ++j) {

@@ -4,6 +4,7 @@
 #include "contact/roller_shape.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/neighbours.hpp"
+#include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/roller_start.hpp"
 #include "tribology/traction_law.hpp"
 
@@ -164,8 +165,10 @@ class RollerNeighbours final : public SceneEffect, public ElementSupport {
     if (scene.plan.has(Effect::ElementTraction)) {
       demand(bearing.element_traction.has_value(),
              "traction between elements is on without a traction curve");
-      scene.block<RingBlock<true>>(Phase::Force, kCost, {}, model_, *bearing.element_traction,
-                                   heat_);
+      scene.block<RingBlock<true>>(
+          Phase::Force, kCost, {}, model_,
+          traction_of(scene, tribology::TractionKind::ElementElement, *bearing.element_traction),
+          heat_);
       scene.energy("elements.heat", kElementHeat, &heat_);
     } else {
       scene.block<RingBlock<false>>(Phase::Force, kCost, {}, model_, tribology::TractionLaw(),

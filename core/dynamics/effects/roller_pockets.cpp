@@ -357,7 +357,9 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
       if (traction)
         scene.block<RollerPocketBlock<true>>(
             Phase::Force, kCost, Partners(std::move(partners)), *set,
-            tribology::TractionLaw(*scene.bearing.pocket_traction), heat_);
+            traction_of(scene, tribology::TractionKind::ElementCage,
+                        *scene.bearing.pocket_traction),
+            heat_);
       else
         scene.block<RollerPocketBlock<false>>(Phase::Force, kCost, Partners(std::move(partners)),
                                               *set, tribology::TractionLaw(), heat_);

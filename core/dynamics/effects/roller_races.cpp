@@ -5,6 +5,7 @@
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/roller_start.hpp"
 #include "dynamics/slice_law.hpp"
+#include "scene/user_laws.hpp"
 #include "statics/roller_model.hpp"
 #include "tribology/film_law.hpp"
 
@@ -91,7 +92,13 @@ std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
     const double radius = 0.5 * scene.bearing.element_diameter();
     of.load_limit = contact::slice_load(model.law[j], model.slicing.effective_length, radius).load;
     of.traction = scene.plan.has(Effect::RaceTraction);
-    of.law = law_of(scene.bearing, j, model.E_star[j]);
+    const tribology::UserTraction* routine =
+        scene.options.user ? scene.options.user->traction_of(tribology::TractionKind::ElementRace)
+                           : nullptr;
+    of.law = routine != nullptr
+                 ? tribology::TractionLaw(*routine, tribology::TractionKind::ElementRace,
+                                          static_cast<int>(j))
+                 : law_of(scene.bearing, j, model.E_star[j]);
   }
   return out;
 }

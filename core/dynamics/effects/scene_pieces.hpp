@@ -2,6 +2,8 @@
 
 #include "contact/cage_pieces.hpp"
 #include "dynamics/effect.hpp"
+#include "scene/user_laws.hpp"
+#include "tribology/traction_law.hpp"
 
 #include <vector>
 
@@ -13,6 +15,16 @@ namespace adore::dynamics {
   for (const statics::StaticBall& element : scene.statics.balls)
     azimuths.push_back(element.azimuth);
   return contact::cage_pieces(*scene.bearing.cage, azimuths);
+}
+
+/// The deck's traction curve, or the routine of the user that takes its place.
+[[nodiscard]] inline tribology::TractionLaw traction_of(const SceneBuilder& scene,
+                                                        tribology::TractionKind kind,
+                                                        const bearing::TractionCurve& curve) {
+  if (scene.options.user)
+    if (const tribology::UserTraction* routine = scene.options.user->traction_of(kind))
+      return {*routine, kind};
+  return curve;
 }
 
 }  // namespace adore::dynamics

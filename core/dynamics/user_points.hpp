@@ -1,0 +1,37 @@
+#pragma once
+
+#include "dynamics/race_kernel.hpp"
+
+#include <vector>
+
+namespace adore::dynamics {
+
+/// The memory of UserPoints.
+class UserScratch {
+ public:
+  /// @param contacts of the race; points: the most that one contact has
+  UserScratch(std::size_t contacts, std::size_t points) {
+    constexpr std::size_t kWidest = 8;  // lanes of any vector unit
+    const std::size_t stride = (contacts + kWidest - 1) / kWidest * kWidest;
+    view_.stride = stride;
+    view_.most_rows = static_cast<int>(points);
+    const auto take = [&](double*& to, std::size_t count) {
+      to = memory_.emplace_back(count, 0.0).data();
+    };
+    take(view_.slip, stride * points);
+    take(view_.pressure, stride * points);
+    take(view_.kappa, stride * points);
+    for (double*& values : view_.contact) take(values, stride);
+    for (double*& values : view_.unread) take(values, stride);
+    rows_.assign(stride, 0);
+    view_.rows_of = rows_.data();
+  }
+  [[nodiscard]] UserPoints* view() noexcept { return &view_; }
+
+ private:
+  std::vector<std::vector<double>> memory_;
+  std::vector<int> rows_;
+  UserPoints view_{};
+};
+
+}  // namespace adore::dynamics

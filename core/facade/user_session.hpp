@@ -1,0 +1,28 @@
+#pragma once
+
+#include "facade/prepare.hpp"
+#include "setup/user_hooks.hpp"
+#include "user/session.hpp"
+
+#include <memory>
+#include <string>
+
+/// Routines of the user in a run: from the plug-in of the request to what setup and solver see.
+namespace adore::facade {
+
+/// Loads the request's plug-in and reads the lines of records 12.x; null: there is none.
+/// @throws InputError
+[[nodiscard]] std::shared_ptr<user::Session> open_session(const LoadedDeck& input,
+                                                          const setup::RunOptions& options);
+/// What setup may ask; the session lives as long.
+[[nodiscard]] setup::UserHooks user_hooks(const std::shared_ptr<user::Session>& session);
+/// Documentation calls of the routines of the motion; their laws go into prepared.options.
+/// @throws InputError
+void start_session(Prepared& prepared, setup::UserHooks& hooks);
+
+/// The program's version, with that of the user's routines: "Adore 0.1.0+my laws 1". Null: none.
+[[nodiscard]] std::string program_version(const user::Session* session);
+/// The message of a run that failed, with what routines said.
+[[nodiscard]] std::string user_message(const user::Session& session, const std::string& message);
+
+}  // namespace adore::facade

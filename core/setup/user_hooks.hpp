@@ -1,0 +1,32 @@
+#pragma once
+
+#include "bearing/material.hpp"
+#include "bearing/user_tables.hpp"
+#include "scene/plan.hpp"
+
+#include <array>
+#include <functional>
+#include <string>
+
+/// What routines of the user do while a deck becomes a model and a plan; nobody here knows where
+/// they come from. A null pointer to this: there is no plug-in.
+namespace adore::setup {
+
+struct UserHooks {
+  std::array<bool, 10> active{};  ///< ADRX0 to ADRX9
+  std::string source;             ///< the plug-in, for messages
+  /// ADRX0. @throws InputError
+  std::function<bearing::Material(bearing::Part, const bearing::Material&)> material;
+  /// ADRX8. @throws InputError
+  std::function<void(bearing::UserTables&)> imperfections;
+  // What ADRX1 has said of itself, known when the scene is planned.
+  std::array<bool, 2> drives{};         ///< races whose accelerations it gives
+  scene::SuppressedMotions suppressed;  ///< kDOF = 6
+};
+
+/// Does the plug-in take this routine's part?
+[[nodiscard]] inline bool has_routine(const UserHooks* user, int hook) {
+  return user != nullptr && user->active[static_cast<std::size_t>(hook)];
+}
+
+}  // namespace adore::setup

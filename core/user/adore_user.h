@@ -1,0 +1,262 @@
+/* adore_user.h: user routines ADRX0 to ADRX9 of Adore, one C interface for C, C++, Fortran and
+ * whatever makes shared objects. This header stands alone: it needs nothing else of Adore.
+ *
+ * A plug-in is a shared object that exports
+ *     int32_t     adore_user_abi(void);        must return ADORE_USER_ABI; without it nothing is
+ * loaded const char* adore_user_version(void);    optional: appended to the program's version in
+ * every file int32_t     adrx0(adore_adrx0*) ... int32_t adrx9(adore_adrx9*);   any of the ten, at
+ * least one and is loaded only with `adore run --user PLUG-IN`. `adore user new adrx7 --lang c`
+ * writes a complete one.
+ *
+ * Units are SI and radians throughout. Axes: x is the bearing axis, z radial up, right-handed; the
+ * azimuth theta is a rotation about +x from z, so that an element stands at y = -r sin(theta), z =
+ * r cos(theta). Race 0 is the outer race ("1" in decks), race 1 the inner one. Arrays of both races
+ * are [race][axis]: six numbers, x y z of the outer race first. Elements count from 0.
+ *
+ * Every routine is called with call.mode
+ *     ADORE_READ    (-1)  once, first, in the order of the routines' numbers: set call.active = 1
+ * to be called again; read your lines of records 12.x with services->read_numbers or read_line;
+ *     ADORE_START    (0)  once: documentation (services->print goes to the front part of
+ * PRINT.txt), constants, initial conditions. ADRX0 and ADRX8 get it before the bearing is built;
+ *     ADORE_COMPUTE  (1)  the routine's own work. Of ADRX1 to ADRX7 at every evaluation of the
+ * right-hand side: it must be a pure function of its arguments (steps are tried, rejected and
+ * repeated), must not keep anything from call to call, and does no input or output; ADORE_PRINT (2)
+ * whenever a step is printed: services->print goes to that page; ADORE_STEP     (3)  at the end of
+ * each counted step: services->write goes to SOL9 (ADRX9). It returns 0; 1 when the state is
+ * outside of what it knows (the step is tried again, smaller); any other number ends the run (say
+ * why with services->fail). Input arrays are read only. Outputs hold neutral values when a call
+ * begins (what is built in, or zero); those left alone change nothing. Not-a-number and infinity
+ * end the run.
+ *
+ * Version 1. Later versions only append members; call.size tells how long the structure is. */
+#ifndef ADORE_USER_H
+#define ADORE_USER_H
+
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#define ADORE_USER_ABI 1
+
+enum { ADORE_READ = -1, ADORE_START = 0, ADORE_COMPUTE = 1, ADORE_PRINT = 2, ADORE_STEP = 3 };
+
+/* What the program does for a routine. `host` is call.host. Texts end with a zero byte. */
+typedef struct adore_services {
+  /* The next `count` numbers of records 12.x as a list-directed read takes them: from as many lines
+   * as it needs, the rest of the last line is skipped. ADORE_READ only. Returns how many there
+   * were. */
+  int32_t (*read_numbers)(void* host, double* values, int32_t count);
+  /* The next line as it stands; 0: there is none. ADORE_READ only. */
+  int32_t (*read_line)(void* host, char* text, int32_t size);
+  void (*print)(void* host, const char* text); /* lines for PRINT.txt: ADORE_START, ADORE_PRINT */
+  void (*write)(void* host,
+                const char* text); /* to SOL9 as it is: ADRX9, ADORE_START and ADORE_STEP */
+  void (*fail)(void* host, const char* text); /* the reason of a return value other than 0 */
+} adore_services;
+
+/* The bearing that is simulated. */
+typedef struct adore_bearing {
+  int32_t elements;        /* number of rolling elements */
+  int32_t rollers;         /* 0 balls, 1 rollers */
+  double element_diameter; /* [m] */
+  double pitch_diameter;   /* [m] */
+  double element_mass;     /* [kg] */
+  double race_speed[2];    /* constant part of the races' speeds about x, record 9.1.2 [rad/s] */
+  double time_scale;       /* of the deck's dimensionless times [s]; 0 before it is known */
+} adore_bearing;
+
+typedef struct adore_call {
+  int32_t abi;    /* ADORE_USER_ABI of the program */
+  int32_t size;   /* of the whole structure that begins here [bytes] */
+  int32_t hook;   /* 0 to 9 */
+  int32_t mode;   /* ADORE_READ ... */
+  int32_t active; /* ADORE_READ: set it to 1 to be called */
+  int32_t unused;
+  int64_t step; /* counted steps so far */
+  double time;  /* [s] */
+  void* user;   /* yours: what you store in ADORE_READ or ADORE_START comes with each call */
+  void* host;   /* of the program, for the services */
+  const adore_services* services;
+  const adore_bearing* bearing; /* null in ADORE_READ, and for ADRX0 and ADRX8 */
+} adore_call;
+
+/* ADRX0: a material of the user's data base, for each part whose material code is 2. */
+enum {
+  ADORE_ELEMENT = 0,
+  ADORE_OUTER_RACE = 1,
+  ADORE_INNER_RACE = 2,
+  ADORE_HOUSING = 3,
+  ADORE_SHAFT = 4,
+  ADORE_CAGE = 5
+};
+typedef struct adore_adrx0 {
+  adore_call call;
+  int32_t part; /* ADORE_ELEMENT ... */
+  int32_t unused;
+  /* in and out; the program's default of the part when the call begins */
+  double density;              /* [kg/m^3] */
+  double elastic_modulus;      /* [Pa] */
+  double poisson_ratio;        /* [-] */
+  double thermal_expansion;    /* [1/K] */
+  double conductivity;         /* [W/(m K)] */
+  double specific_heat;        /* [J/(kg K)] */
+  double elastic_strain_limit; /* [-] */
+  double hardness;             /* indentation pressure [Pa] */
+  double wear_coefficient;     /* Archard's K [-] */
+  double fatigue_limit_stress; /* von Mises [Pa] */
+} adore_adrx0;
+
+/* ADRX1: loads, speeds, accelerations and moments that vary, suppressed motions, motion of the
+ * frame. */
+typedef struct adore_adrx1 {
+  adore_call call;
+  /* ADORE_START, out */
+  int32_t drives[2];   /* [race] 1: accelerations of this race are given here: its six velocities
+                          start at those   of the deck plus start_velocity and start_spin, and follow
+                          the accelerations */
+  int32_t moves_frame; /* 1: frame_acceleration is used */
+  int32_t suppress_element_axial; /* kDOF = 6: 1: accelerations that are zero, see kDOF 1 to 5 */
+  int32_t suppress_element_tilt;
+  int32_t suppress_element_all;
+  int32_t suppress_cage_axial;
+  int32_t suppress_cage_tilt;
+  double start_velocity[6]; /* [race][axis] [m/s] */
+  double start_spin[2];     /* about x, added to the deck's speed [rad/s] */
+  double longest_step;      /* that resolves what is prescribed [s]; 0: no limit */
+  double kinks[8];          /* times at which something jumps: steps end there [s] */
+  int32_t kink_count;
+  int32_t unused;
+  /* ADORE_COMPUTE, in */
+  double position[6]; /* displacement of the race from its place in the unloaded bearing
+                         [race][axis] [m] */
+  double velocity[6]; /* [m/s] */
+  double omega[6];    /* angular velocity [rad/s] */
+  double angle[2];    /* turned about its axis since the start [rad] */
+  /* ADORE_COMPUTE, out; zero when the call begins */
+  double force[6];  /* added to the load on a race that is free in that direction (kFD = 0) [N] */
+  double moment[6]; /* the same, about the race's centre (kMD = 0) [N m] */
+  double acceleration[6]; /* of the centre of a race that is driven, held directions [m/s^2] */
+  double angular_acceleration[6]; /* the same, about the race's axes at the start [rad/s^2] */
+  double frame_acceleration[3];   /* of the base frame, without turning: bodies feel the opposite
+                                     [m/s^2] */
+} adore_adrx1;
+
+/* ADRX2 flange, ADRX3 pocket, ADRX4 guide land: normal force over the gap. All contacts of the kind
+ * whose gap is negative come in one call; one that is open has no force. */
+typedef struct adore_force {
+  adore_call call;
+  int64_t n;              /* contacts */
+  const int32_t* element; /* [n] rolling element; ADRX4: guide land, from 0 */
+  const int32_t*
+      surface; /* [n] ADRX2: 2*race + side (0 at -x), ADRX3: surface of the pocket, ADRX4: race */
+  const double* gap;      /* [n] negative: overlap [m] */
+  const double* gap_rate; /* [n] its time derivative [m/s] */
+  const double* built_in; /* [n] force of the program's own law [N] */
+  double* force;          /* [n] out: >= 0 pushes apart; built_in when the call begins [N] */
+} adore_force;
+
+/* ADRX5 roller radius, ADRX6 race radius and groove curvature: deviations from the ideal surface,
+ * asked once at set-up over a grid and interpolated afterwards. */
+typedef struct adore_surface {
+  adore_call call;
+  int32_t race;             /* ADRX6; -1 for ADRX5 */
+  int32_t element;          /* ADRX5; -1 for ADRX6 */
+  int64_t n;                /* places */
+  const double* axial;      /* [n] along the element, from mid length; across the groove [m] */
+  const double* azimuth;    /* [n] around the body, from its z axis about +x [rad] */
+  double* radius;           /* [n] out: larger radius of the body [m] */
+  double* curvature_factor; /* [n] out, ADRX6 of balls: added to the groove factor [-] */
+} adore_surface;
+
+/* ADRX7: traction coefficient over slip. */
+enum {
+  ADORE_ELEMENT_RACE = 0,   /* kTrac = -1 */
+  ADORE_ELEMENT_CAGE = 1,   /* kCPTrac = -1 */
+  ADORE_CAGE_RACE = 2,      /* kCRTrac = -1 */
+  ADORE_ROLLER_FLANGE = 3,  /* kRFTrac = -1 */
+  ADORE_ELEMENT_ELEMENT = 4 /* kRRTrac = -1 */
+};
+typedef struct adore_adrx7 {
+  adore_call call;
+  int32_t kind; /* ADORE_ELEMENT_RACE ... */
+  int32_t race; /* of kinds 0, 2 and 3; -1: not known */
+  /* ADORE_START, in and out: once for each kind that the deck asks for */
+  double
+      slip_scale; /* slip over which kappa rises from 0: integrals are split there [m/s]; 0: none */
+  int32_t wants_points; /* 1: pressure is read; 0: it may be left out (faster) */
+  int32_t unused;
+  /* ADORE_COMPUTE, in. Contacts lie side by side: point k of contact i is at [k*stride + i] */
+  int64_t n;          /* contacts of this kind, open ones included (load 0) */
+  int64_t points;     /* points of each contact area; 1 where slip is taken at one point */
+  int64_t stride;     /* >= n */
+  const double* slip; /* [points*stride] size of the slip velocity, > 0 [m/s] */
+  const double*
+      pressure; /* [points*stride] of the contact at that point [Pa]; null unless wants_points */
+  const double* load;          /* [n] Q; of sliced lines per length [N, N/m] */
+  const double* peak_pressure; /* [n] of Hertz [Pa] */
+  const double* half_major;    /* [n] across rolling [m] */
+  const double* half_minor;    /* [n] along rolling [m] */
+  const double*
+      entrainment; /* [n] mean velocity of both surfaces along rolling, to the contact [m/s]; with
+                      the curvature, loads and widths what film formulas (EHD) need */
+  const double* curvature;   /* [n] of both bodies along rolling, 0 where not known [1/m] */
+  const double* middle_slip; /* [n] slip in the middle [m/s] */
+  /* ADORE_COMPUTE, out */
+  double* kappa; /* [points*stride] traction over pressure, >= 0 opposes slip [-] */
+} adore_adrx7;
+
+/* ADRX8: imperfections of elements (kReGeoImp = 3) and pockets (kCagePocImp = 4), inertia of
+ * elements (kReIP = 3). Called once, ADORE_COMPUTE, after the deck is read. Arrays hold zeros, or
+ * the ideal inertia, when it begins. */
+typedef struct adore_adrx8 {
+  adore_call call;
+  int32_t elements_wanted, pockets_wanted,
+      inertia_wanted; /* which of the three the deck asks for */
+  int32_t unused;
+  int64_t n;                  /* elements */
+  double* diameter;           /* [n] larger than nominal [m] */
+  double* crown_radius;       /* [n] rollers [m] */
+  double* length;             /* [n] rollers [m] */
+  double* central_length;     /* [n] rollers [m] */
+  double* land_offset;        /* [n] rollers [m] */
+  double* pocket_clearance1;  /* [n] diametral [m] */
+  double* pocket_clearance2;  /* [n] [m] */
+  double* pocket_thickness;   /* [n] of the wall [m] */
+  double* pocket_axial;       /* [n] [m] */
+  double* pocket_angular;     /* [n] [rad] */
+  double* pocket_tilt;        /* [3*n] about x, y, z; those of pocket i at [3*i] [rad] */
+  double mass;                /* of every element [kg] */
+  double moments[3];          /* principal [kg m^2] */
+  double geometric_centre[3]; /* from the mass centre [m] */
+  double frame[3];            /* angles from the principal to the geometric axes [rad] */
+} adore_adrx8;
+
+/* ADRX9: what was found, at the end of each counted step (ADORE_STEP): write it to SOL9. */
+typedef struct adore_adrx9 {
+  adore_call call;
+  double step_size;            /* [s] */
+  double total_heat;           /* all dissipation now: the sum of source_heat [W] */
+  int64_t n;                   /* elements */
+  const double* x;             /* [n] centre [m] */
+  const double* r;             /* [n] [m] */
+  const double* theta;         /* [n] accumulates turns [rad] */
+  const double* load;          /* [2*n] element/race, outer race first [N] */
+  const double* contact_angle; /* [2*n] [rad] */
+  int64_t sources;             /* places where heat arises */
+  const int32_t*
+      source_kind; /* [sources] kind of contact as for ADRX7; -1: of a whole effect, named below */
+  const int32_t* source_element; /* [sources] -1: none */
+  const int32_t* source_race;    /* [sources] 0, 1; -1: none */
+  const double* source_heat;     /* [sources] [W] */
+  const double*
+      source_place;          /* [3*sources] x, y, z of source i at [3*i]; 0 of a whole effect [m] */
+  const double* source_size; /* [2*sources] half axes: across and along rolling [m] */
+  const char* const* source_name; /* [sources] "outer race contacts" */
+} adore_adrx9;
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "user/adore_user.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// The other end of adore_services: what routines read, print and write passes through one block of
+/// memory, which a process of its own shares.
+namespace adore::user {
+
+/// Texts are cut at their room; `lost` says so.
+template <std::size_t Room>
+struct TextRoom {
+  std::size_t size = 0;
+  bool lost = false;
+  std::array<char, Room> text{};
+  void add(const char* more) noexcept;
+  [[nodiscard]] std::string take();
+};
+
+struct HostBlock {
+  std::size_t line = 0;  ///< the next of the lines
+  int mode = 0;
+  TextRoom<std::size_t{1} << 16> print;
+  TextRoom<std::size_t{1} << 20> write;
+  TextRoom<512> fail;
+};
+
+/// Lives as long as the calls. Its address is call.host.
+class Host {
+ public:
+  explicit Host(std::vector<std::string> lines);
+  ~Host();
+  Host(const Host&) = delete;
+  Host& operator=(const Host&) = delete;
+
+  HostBlock& block() noexcept { return *block_; }
+  [[nodiscard]] const std::vector<std::string>& lines() const noexcept { return lines_; }
+  [[nodiscard]] static const adore_services* services() noexcept;
+
+ private:
+  std::vector<std::string> lines_;
+  HostBlock* block_;  ///< shared memory
+};
+
+/// Numbers of a line as a list-directed read takes them: separated by blanks or commas, repeat
+/// counts 3*0.5, d exponents; ends at a slash or at what is no number.
+[[nodiscard]] std::vector<double> list_directed(const std::string& line);
+
+}  // namespace adore::user

@@ -1,0 +1,83 @@
+#pragma once
+
+#include "bearing/bearing.hpp"
+#include "bearing/user_tables.hpp"
+#include "scene/plan.hpp"
+#include "scene/snapshot.hpp"
+#include "scene/user_laws.hpp"
+#include "user/plug_in.hpp"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+/// The routines of the user in one run: who is active, the lines of records 12.x, checks of every
+/// answer, texts for PRINT.txt and SOL9, and the laws that the solver sees.
+namespace adore::user {
+
+struct SessionOptions {
+  /// One of so many calls of routines of the right-hand side is asked twice, and compared; 0: none.
+  long sample = 1024;
+};
+
+/// A hook's name, its calls and what they took, for RUN.json and the last page.
+struct Use {
+  int hook = 0;
+  long calls = 0;
+};
+
+class Session {
+ public:
+  /// Calls every routine in mode ADORE_READ, in the order of their numbers.
+  /// @param lines of records 12.x
+  /// @throws InputError naming routine and reason, or lines that no routine has read
+  Session(PlugIn plug_in, const std::vector<std::string>& lines,
+          const SessionOptions& options = {});
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  [[nodiscard]] bool active(int hook) const noexcept;
+  [[nodiscard]] const std::string& source() const noexcept;
+  [[nodiscard]] const std::string& version() const noexcept;  ///< of the user; may be empty
+
+  // Before the bearing is built.
+  /// ADRX0. @throws InputError
+  [[nodiscard]] bearing::Material material(bearing::Part part, const bearing::Material& fallback);
+  /// ADRX8. @throws InputError
+  void imperfections(bearing::UserTables& tables);
+
+  /// Mode ADORE_START of the routines of the motion. @param traction kinds that the deck asks for
+  /// @throws InputError
+  void start(const bearing::Bearing& bearing, const std::array<bool, 5>& traction);
+  /// kDOF = 6.
+  [[nodiscard]] const scene::SuppressedMotions& suppressed() const noexcept;
+  /// Races whose accelerations ADRX1 gives.
+  [[nodiscard]] const std::array<bool, 2>& drives() const noexcept;
+  /// What the solver calls; as long as the session.
+  [[nodiscard]] std::shared_ptr<scene::UserLaws> laws(std::shared_ptr<Session> self);
+
+  /// Texts of the documentation calls, line by line.
+  [[nodiscard]] const std::vector<std::string>& documentation() const noexcept;
+  /// Mode ADORE_PRINT of all. @throws SolverError
+  [[nodiscard]] std::vector<std::string> print(long step, double time);
+  /// Mode ADORE_STEP of all; what goes to SOL9. @throws SolverError
+  [[nodiscard]] std::string step(const scene::Snapshot& snapshot);
+  /// Mode ADORE_STEP of routines that need no snapshot. @throws SolverError
+  void step(long step, double time);
+  /// Text for SOL9 of the documentation call.
+  [[nodiscard]] std::string take_written();
+
+  /// Why a routine failed for good: one sentence; empty: none has.
+  [[nodiscard]] const std::string& failure() const noexcept;
+  /// Clause that says why routines refused states so far; empty: they did not.
+  [[nodiscard]] const std::string& refusal() const noexcept;
+  [[nodiscard]] std::vector<Use> uses() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace adore::user

@@ -1,0 +1,19 @@
+! ADRX8 for Adore: every second element is larger by the number of record 12.1 [m] (kReGeoImp = 3).
+module imperfections
+  use adore_user
+  implicit none
+  real(c_double), save :: larger(1)
+contains
+  integer(c_int32_t) function adrx8(a) bind(c)
+    type(adore_adrx8), intent(inout) :: a
+    real(c_double), pointer :: diameter(:)
+    adrx8 = 0
+    if (a%call%mode == ADORE_READ) then
+      a%call%active = 1
+      if (adore_numbers(a%call, larger) /= 1) adrx8 = 2
+    end if
+    if (a%call%mode /= ADORE_COMPUTE) return
+    call c_f_pointer(a%diameter, diameter, [a%n])
+    diameter(2::2) = larger(1)
+  end function
+end module

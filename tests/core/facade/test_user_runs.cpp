@@ -1,0 +1,268 @@
+#include "deck/templates.hpp"
+#include "facade/prepare.hpp"
+#include "facade/run.hpp"
+#include "results/restart.hpp"
+#include "support/paths.hpp"
+#include "tribology/traction_curve.hpp"
+#include "user/plug_in.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <numbers>
+#include <sstream>
+
+/// Whole runs with routines of the user: examples of `adore user new`, formulas, callbacks.
+using namespace adore;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+fs::path fresh_folder(const std::string& name) {
+  const fs::path out = fs::temp_directory_path() / ("adore-user-runs-" + name);
+  fs::remove_all(out);
+  fs::create_directories(out);
+  return out;
+}
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct Ran {
+  facade::RunOutcome outcome;
+  fs::path folder;
+  std::map<std::string, double> last;  ///< the last state by name
+};
+
+/// The ball deck with changes and lines of records 12.x.
+std::string deck_with(const Sets& sets, const std::string& lines) {
+  deck::Deck deck = deck::new_deck("ball");
+  Sets all{{"nStps", "1"}, {"maxStps", "100000"}, {"kAGraf", "0"}, {"kPrtFreq", "0"}};
+  all.insert(all.end(), sets.begin(), sets.end());
+  deck.set_all(all);
+  return deck::write_deck(deck) + lines;
+}
+
+facade::RunRequest request_of(const std::string& name, const std::string& deck,
+                              const std::string& until) {
+  facade::RunRequest request;
+  request.out = fresh_folder(name);
+  request.text = deck;
+  request.until = until;
+  request.options = {{"resultsH5", "0"}};
+  return request;
+}
+
+Ran run(const facade::RunRequest& request) {
+  Ran out;
+  out.outcome = facade::run(request);
+  out.folder = *request.out;
+  if (fs::exists(out.folder / "FINAL")) {
+    const results::FinalState state = results::read_final(out.folder / "FINAL");
+    for (std::size_t k = 0; k < state.components.size(); ++k)
+      out.last[state.components[k]] = state.state[k];
+  }
+  return out;
+}
+
+std::string library(const std::string& name) {
+  return (fs::path(USER_EXAMPLES) / ("lib" + name + ".so")).string();
+}
+
+fs::path json_file(const std::string& name, const std::string& text) {
+  const fs::path out = fs::temp_directory_path() / ("adore-user-runs-" + name + ".json");
+  std::ofstream(out) << text;
+  return out;
+}
+
+/// Record 10.1C of the ball deck as the coefficients of its curve.
+std::string own_curve() {
+  const bearing::TractionCurve c = tribology::traction_curve(1, {0.0, 0.06, 0.04, 0.5});
+  return fmt::format("{:.17g} {:.17g} {:.17g} {:.17g}\n", c.A, c.B, c.C, c.D);
+}
+
+/// The largest difference of any state, over the largest size of its kind.
+double difference(const Ran& a, const Ran& b) {
+  std::map<std::string, double> size, worst;
+  for (const auto& [name, value] : a.last) {
+    const std::string kind = name.substr(0, name.find('['));
+    REQUIRE(b.last.count(name) == 1);
+    size[kind] = std::max(size[kind], std::abs(value));
+    worst[kind] = std::max(worst[kind], std::abs(value - b.last.at(name)));
+  }
+  double out = 0.0;
+  for (const auto& [kind, value] : worst)
+    if (size[kind] > 1e-12) out = std::max(out, value / size[kind]);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a routine that restates the built-in traction gives the same motion",
+          "[user][physics]") {
+  const std::string until = "2e-4s";
+  const Ran built_in = run(request_of("built-in", deck_with({}, ""), until));
+  auto request = request_of("adrx7-c", deck_with({{"kTrac", "-1"}}, own_curve()), until);
+  request.user = library("adrx7");
+  const Ran in_c = run(request);
+  REQUIRE(in_c.outcome.status == facade::RunStatus::Done);
+  CHECK(in_c.outcome.evaluations == built_in.outcome.evaluations);
+  // Two functions exp differ in the last bit; the motion of a lightly loaded cage doubles such
+  // differences, in so short a run a few times.
+  CHECK(difference(built_in, in_c) < 1e-10);
+
+  auto formula = request_of("adrx7-formula", deck_with({{"kTrac", "-1"}}, own_curve()), until);
+  formula.user = json_file("adrx7", R"~({"version": "f1", "adrx7": {"read": ["A", "B", "C", "D"],
+      "element_race": {"formula": "(A+B*u)*exp(-C*u)+D", "slip_scale": "1/C"}}})~");
+  CHECK(difference(built_in, run(formula)) < 1e-10);
+
+  auto alone = request_of("adrx7-alone", deck_with({{"kTrac", "-1"}}, own_curve()), "2e-5s");
+  alone.user = library("adrx7");
+  const Ran here = run(alone);
+  alone.out = fresh_folder("adrx7-process");
+  alone.options.emplace_back("userProcess", "1");
+  CHECK(difference(here, run(alone)) == 0.0);
+}
+
+TEST_CASE("an inner race that ADRX1 accelerates has the speed and turn of the closed form",
+          "[user][physics]") {
+  const std::string lines = "1e-4 4e-4 10000 10300\n0 0\n";
+  auto request = request_of("accelerate", deck_with({}, lines), "5e-4s");
+  request.user = library("adrx1");
+  const Ran ran = run(request);
+  REQUIRE(ran.outcome.status == facade::RunStatus::Done);
+  const double first = 10000.0 * std::numbers::pi / 30.0, last = 10300.0 * std::numbers::pi / 30.0;
+  CHECK(ran.last.at("inner race.omega[1] [rad/s]") == Approx(last).epsilon(1e-9));
+  const double turn = first * 1e-4 + 0.5 * (first + last) * 3e-4 + last * 1e-4;
+  CHECK(ran.last.at("inner race.rotation [rad]") == Approx(turn).epsilon(1e-7));
+  CHECK_THAT(text_of(ran.folder / "PRINT.txt"), Catch::Contains("ADRX1: inner race from 10000"));
+  CHECK_THAT(text_of(ran.folder / "PRINT.txt"), Catch::Contains("Adore 0.1.0+motion"));
+
+  auto formula = request_of("accelerate-formula", deck_with({}, lines), "5e-4s");
+  formula.user = json_file("adrx1", R"~({"adrx1": {
+      "read": ["t1", "t2", "rpm1", "rpm2", "A", "f"],
+      "inner_race": {"angular_acceleration":
+                     "t >= t1 && t < t2 ? (rpm2-rpm1)*pi/30/(t2-t1) : 0"},
+      "kinks": ["t1", "t2"]}})~");
+  CHECK(difference(ran, run(formula)) < 1e-9);
+}
+
+TEST_CASE("a housing that ADRX1 shakes moves as A sin wt", "[user][physics]") {
+  const double A = 2e-6, f = 2000.0, end = 6e-4;
+  auto request = request_of("shake", deck_with({}, fmt::format("0 0 0 0\n{} {}\n", A, f)),
+                            fmt::format("{}s", end));
+  request.user = library("adrx1");
+  const Ran ran = run(request);
+  REQUIRE(ran.outcome.status == facade::RunStatus::Done);
+  const double w = 2.0 * std::numbers::pi * f;
+  CHECK(ran.last.at("outer race.position[3] [m]") ==
+        Approx(A * std::sin(w * end)).margin(1e-6 * A));
+  CHECK(ran.last.at("outer race.velocity[3] [m/s]") ==
+        Approx(A * w * std::cos(w * end)).epsilon(1e-6));
+  CHECK(std::abs(ran.outcome.energy_residual) < 1e-3 * ran.outcome.energy_scale);
+}
+
+TEST_CASE("the heat map of ADRX9 adds up to the heat of the ledger", "[user][physics]") {
+  auto request = request_of("heat", deck_with({}, ""), "2e-4s");
+  double worst = 0.0, before = 0.0, at = 0.0, sum = 0.0;
+  int steps = 0;
+  auto watch = std::make_shared<user::PlugIn>();
+  watch->source = "the test";
+  watch->hooks[9] = [&](adore_call& call) {
+    call.active = 1;
+    if (call.mode != ADORE_STEP) return 0;
+    const auto& a = reinterpret_cast<adore_adrx9&>(call);
+    double heat = 0.0;
+    for (std::int64_t k = 0; k < a.sources; ++k) heat += a.source_heat[k];
+    worst = std::max(worst, std::abs(heat / a.total_heat - 1.0));
+    if (steps++ > 0) sum += 0.5 * (heat + before) * (call.time - at);
+    before = heat;
+    at = call.time;
+    return 0;
+  };
+  request.routines = watch;
+  const Ran ran = run(request);
+  REQUIRE(ran.outcome.status == facade::RunStatus::Done);
+  CHECK(steps > 20);
+  CHECK(worst < 1e-12);
+  // Over time as the ledger has it; the trapezoidal rule leaves a part in a hundred.
+  CHECK(sum == Approx(ran.outcome.energy_scale).epsilon(0.03));
+
+  auto in_c = request_of("heat-c", deck_with({}, ""), "2e-5s");
+  in_c.user = library("adrx9");
+  const std::string first = text_of(run(in_c).folder / "SOL9");
+  CHECK_THAT(first, Catch::StartsWith("  Adore0.1.0+heat map 1  SOL9"));
+  auto formula = request_of("heat-json", deck_with({}, ""), "2e-5s");
+  formula.user = json_file("adrx9", R"~({"version": "heat map 1", "adrx9": {"heat_map": true}})~");
+  const std::string second = text_of(run(formula).folder / "SOL9");
+  CHECK(first.substr(first.find('\n')) == second.substr(second.find('\n')));
+}
+
+TEST_CASE("decks that ask for a routine are refused without a plug-in, and told how to give one",
+          "[user][unit]") {
+  for (const auto& [variable, code, routine] : {std::tuple{"kTrac", "-1", "ADRX7"},
+                                                {"kCPTrac", "-1", "ADRX7"},
+                                                {"kCRTrac", "-1", "ADRX7"},
+                                                {"kDOF", "6", "ADRX1"},
+                                                {"kReMat", "2", "ADRX0"},
+                                                {"kReGeoImp", "3", "ADRX8"}}) {
+    facade::DeckRequest request;
+    request.text = deck_with({{variable, code}}, "");
+    CHECK_THROWS_WITH(facade::prepare(request),
+                      Catch::Contains(routine) && Catch::Contains("--user PLUG-IN"));
+  }
+}
+
+TEST_CASE("a routine that answers not-a-number ends the run with its name, and files stay valid",
+          "[user][unit]") {
+  auto bad = std::make_shared<user::PlugIn>();
+  bad->source = "the test";
+  bad->hooks[7] = [](adore_call& call) {
+    call.active = 1;
+    if (call.mode != ADORE_COMPUTE) return 0;
+    auto& a = reinterpret_cast<adore_adrx7&>(call);
+    for (std::int64_t k = 0; k < a.points * a.stride; ++k)
+      a.kappa[k] = call.time > 5e-5 ? std::nan("") : 0.05;
+    return 0;
+  };
+  auto request = request_of("nan", deck_with({{"kTrac", "-1"}}, ""), "2e-4s");
+  request.routines = bad;
+  const Ran ran = run(request);
+  CHECK(ran.outcome.status == facade::RunStatus::Failed);
+  CHECK_THAT(ran.outcome.message, Catch::Contains("user routine ADRX7 of the test, call") &&
+                                      Catch::Contains("nan") && Catch::Contains("files are valid"));
+  CHECK_THAT(text_of(ran.folder / "RUN.json"), Catch::Contains("\"failed\""));
+}
+
+TEST_CASE("materials, imperfections and pockets of the user take their place", "[user][physics]") {
+  facade::DeckRequest request;
+  request.text = deck_with({{"kReMat", "2"}, {"kReGeoImp", "3"}}, "");
+  request.user = json_file("adrx08", R"~({"adrx0": {"element": {"density": 3200,
+      "elastic_modulus": 310e9, "poisson_ratio": 0.27}},
+      "adrx8": {"diameter": "1e-7*i"}})~");
+  const facade::Prepared prepared = facade::prepare(request);
+  CHECK(prepared.as_built.element_material.density == 3200.0);
+  CHECK(prepared.as_built.element_inertia.mass ==
+        Approx(3200.0 * std::numbers::pi / 6.0 * std::pow(0.0127, 3)));
+  CHECK(prepared.as_built.imperfections.ball_diameter.at(3) == Approx(3e-7));
+
+  // The built-in force of a pocket, restated, changes nothing; a stiffer one does.
+  const std::string until = "2e-4s";
+  const Ran built_in = run(request_of("pocket", deck_with({}, ""), until));
+  auto same = request_of("pocket-same", deck_with({}, ""), until);
+  same.user = json_file("adrx3", R"~({"adrx3": {"force": "built_in"}})~");
+  CHECK(difference(built_in, run(same)) == 0.0);
+  auto stiff = request_of("pocket-stiff", deck_with({}, ""), until);
+  stiff.user = json_file("adrx3b", R"~({"adrx3": {"force": "1.5*built_in"}})~");
+  const Ran other = run(stiff);
+  CHECK(difference(built_in, other) > 1e-9);
+  CHECK(std::abs(other.outcome.energy_residual) < 1e-3 * other.outcome.energy_scale);
+}

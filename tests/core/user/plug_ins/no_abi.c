@@ -1,0 +1,4 @@
+int adrx7(void* a) {
+  (void)a;
+  return 0;
+}

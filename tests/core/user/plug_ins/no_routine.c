@@ -1,0 +1,1 @@
+int adore_user_abi(void) { return 1; }
