@@ -1,11 +1,12 @@
 """Builds the module with the project's own CMake: pip install --no-build-isolation ./core/python.
 
-ADORE_BUILD_FOLDER names a CMake build folder to use, e.g. build/release, so that what is compiled there is not compiled
-again; otherwise one of its own is made in build/python of the source tree.
+ADORE_BUILD_FOLDER names a CMake build folder of the source tree to use, e.g. build/release, so that what is compiled there
+is not compiled again; otherwise one of its own is made in build/python, with what CMAKE_ARGS says beside our own.
 """
 
 import os
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -20,12 +21,12 @@ SOURCE = Path(__file__).resolve().parents[2]
 class CMakeModule(build_ext):
     def build_extension(self, ext):
         given = os.environ.get("ADORE_BUILD_FOLDER")
-        folder = Path(given).resolve() if given else SOURCE / "build" / "python"
+        folder = SOURCE / given if given else SOURCE / "build" / "python"
         if not given:
             subprocess.run(
                 ["cmake", "-S", SOURCE, "-B", folder, "-DCMAKE_BUILD_TYPE=Release", "-DADORE_WITH_QT=OFF",
                  "-DADORE_BUILD_TESTS=OFF", f"-DPython_EXECUTABLE={sys.executable}"]
-                + (["-G", "Ninja"] if shutil.which("ninja") else []),
+                + (["-G", "Ninja"] if shutil.which("ninja") else []) + shlex.split(os.environ.get("CMAKE_ARGS", "")),
                 check=True, stdout=subprocess.DEVNULL,
             )  # fmt: skip
         subprocess.run(["cmake", "--build", folder, "--target", "adore_python", "--parallel", str(os.cpu_count() or 1)], check=True)

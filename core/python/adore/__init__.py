@@ -1,11 +1,13 @@
 """Adore, a rolling-bearing dynamics suite, as a library.
 
 >>> import adore
->>> deck = adore.new("ball")                  # or adore.read("DATA.txt")
+>>> deck = adore.new("ball")                         # or adore.read("DATA.txt")
 >>> deck.rpm2 = 12000
->>> deck.statics().summary["largest_contact_load_N"]
->>> run = deck.run("results", until="1rev")   # Ctrl-C leaves valid files
->>> run["contact.load"]                       # steps, elements, races [N]
+>>> round(deck.statics().summary["largest_contact_load_N"])
+402
+>>> run = deck.run(until="0.02rev", progress=False)  # Ctrl-C leaves valid files
+>>> run["contact.load"].shape[1:]                    # behind the steps: elements, races [N]
+(12, 2)
 
 Decks: :func:`new`, :func:`read`, :class:`Deck`. Runs: :meth:`Deck.run`, :func:`open_run`. Files: :func:`read_table`.
 Calculators: :mod:`adore.calc`. Errors: :mod:`adore.errors`. Code is never loaded because of what a deck or a file says.

@@ -1,7 +1,10 @@
 """The component calculators of ``adore calc``: Hertz contacts, films, traction, life, fits ...
 
->>> adore.calc.hertz.example()
->>> adore.calc.material(code=100)["E"]
+>>> ball = {"Rx": 0.01, "Ry": 0.01, "E": 2.06e11, "nu": 0.3}
+>>> plane = {"Rx": "inf", "Ry": "inf", "E": 2.06e11, "nu": 0.3}
+>>> result = adore.calc.hertz(body1=ball, body2=plane, load=100, stress_poisson=0.3)
+>>> f"{result.a:.4g} {result.units['a']}"
+'0.0001878 m'
 """
 
 from __future__ import annotations

@@ -148,7 +148,7 @@ class Deck(DeckVariables):
 
     >>> deck = adore.new("ball")
     >>> deck.nRe
-    16
+    12
     >>> deck["pitchDia"] = 60.5, "mm"
     >>> deck.get("pitchDia", "in")
     2.3818897637795278
@@ -308,7 +308,10 @@ class Deck(DeckVariables):
     def update(self, changes: Optional[Mapping[str, Value]] = None, **more: Value) -> None:
         """Sets several variables as one change: options act before the records that they decide.
 
+        >>> deck = adore.new("ball")
         >>> deck.update(rpm2=12000, appLoadX=(0.8, "kN"))
+        >>> deck.appLoadX
+        800.0
 
         When one of them is wrong, the deck stays as it was and :class:`adore.InputError` names every mistake. Records
         that changed options bring in come with default values, and a :class:`adore.DeckWarning` says so."""

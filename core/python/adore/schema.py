@@ -106,7 +106,7 @@ def known(name: str) -> Optional[VariableSpec]:
 def variable(name: str) -> VariableSpec:
     """A variable by the manual's name.
 
-    >>> variable("pitchDia").unit
+    >>> adore.schema.variable("pitchDia").unit
     'm'
     """
     found = known(name)

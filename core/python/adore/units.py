@@ -74,7 +74,7 @@ def _parse(unit: str) -> tuple[float, tuple[float, ...]]:
 def factor(unit: str, to: str) -> float:
     """What a value in ``unit`` has to be multiplied with to be one in ``to``.
 
-    >>> factor("mm", "m")
+    >>> adore.units.factor("mm", "m")
     0.001
     """
     a, dimension_a = _parse(unit)
@@ -87,7 +87,7 @@ def factor(unit: str, to: str) -> float:
 def convert(value: float, unit: str, to: str) -> float:
     """A value in another unit.
 
-    >>> convert(3000.0, "rpm", "rad/s")
+    >>> adore.units.convert(3000.0, "rpm", "rad/s")
     314.1592653589793
     """
     return value if unit == to else value * factor(unit, to)

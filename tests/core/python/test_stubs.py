@@ -1,6 +1,7 @@
 """The stubs match the module; everything public is documented and typed."""
 
 import ast
+import doctest
 import importlib.util
 import inspect
 import pkgutil
@@ -107,6 +108,16 @@ class Documented(unittest.TestCase):
                             self.assertIn(parameter.name, annotations, label)
                     checked += 1
         self.assertGreater(checked, 60)
+
+    def test_examples_in_docstrings_give_what_they_say(self):
+        tried = 0
+        for module in [adore] + [importlib.import_module(f"adore.{i.name}") for i in pkgutil.iter_modules([str(PACKAGE)])]:
+            found = doctest.DocTestFinder().find(module, extraglobs={"adore": adore})
+            for example in found:
+                result = doctest.DocTestRunner().run(example)
+                self.assertEqual(result.failed, 0, example.name)
+                tried += result.attempted
+        self.assertGreater(tried, 20)
 
     def test_all_names_what_the_package_offers(self):
         for name in adore.__all__:
