@@ -166,12 +166,10 @@ void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOp
       any = true;
     }
     panel.wraps = false;
-    if (options.scale == SpectrumScale::Units)
-      panel.title += " amplitude";
-    else
-      panel.title = "Amplitude " + panel.title,
+    if (options.scale != SpectrumScale::Units)
       panel.unit = options.scale == SpectrumScale::Decibel ? "dB" : "";
   }
+  if (chart.title.find("pectrum") == std::string::npos) chart.title += ": amplitude spectrum";
   chart.x = std::move(frequency);
   chart.x_title = "Frequency";
   chart.x_unit = "Hz";

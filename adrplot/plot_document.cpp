@@ -1,5 +1,6 @@
 #include "adrplot/plot_document.hpp"
 
+#include "adrplot/accuracy_page.hpp"
 #include "adrplot/run_beside.hpp"
 #include "adrplot/static_pages.hpp"
 #include "base/errors.hpp"
@@ -38,8 +39,9 @@ PlotDocument document_of(const std::filesystem::path& path, std::string subject,
 /// from the asked one on are read, as many as there is room for.
 class StepPages {
  public:
-  StepPages(std::filesystem::path path, const results::SolRange& range, std::size_t most_values)
-      : path_(std::move(path)), range_(range), most_(most_values) {
+  StepPages(std::filesystem::path path, const results::SolRange& range, std::size_t most_values,
+            results::ReadWatch watch)
+      : path_(std::move(path)), range_(range), most_(most_values), watch_(std::move(watch)) {
     results::SolRange one = range;
     one.to = one.from;
     file_ = results::read_sol(path_, one);
@@ -58,8 +60,9 @@ class StepPages {
   desktop::ChartPage build(int number, const PageOptions& options) {
     check_page_number(path_, number, pages_.size());
     const std::set<std::size_t> wanted = columns_of(number);
-    if (!file_.columns.empty() &&
-        !std::includes(file_.columns.begin(), file_.columns.end(), wanted.begin(), wanted.end()))
+    if (!whole_ ||
+        (!file_.columns.empty() &&
+         !std::includes(file_.columns.begin(), file_.columns.end(), wanted.begin(), wanted.end())))
       read(number);
     desktop::ChartPage page = build_page(file_, pages_, number, options, context_);
     const auto note = [&page](const std::string& text) {
@@ -97,8 +100,11 @@ class StepPages {
       }
       range.columns.assign(columns.begin(), columns.end());
     }
-    file_ = {};  // its room is needed
-    file_ = results::read_sol(path_, range);
+    whole_ = false;
+    file_.steps = {};  // their room is needed
+    file_.columns = {};
+    file_ = results::read_sol(path_, range, watch_);
+    whole_ = true;
     why_not_ = results::use_full_precision(file_);
     context_ = context_of(file_);
   }
@@ -106,6 +112,8 @@ class StepPages {
   std::filesystem::path path_;
   results::SolRange range_;
   std::size_t most_, steps_ = 0;
+  results::ReadWatch watch_;
+  bool whole_ = false;  ///< else reading was stopped
   std::vector<PageSpec> pages_;
   results::SolFile file_;
   PageContext context_;
@@ -133,7 +141,8 @@ PlotDocument make_document(results::SolFile file) {
 }
 
 PlotDocument open_document(const std::filesystem::path& path, const results::SolRange& range,
-                           std::size_t most_values) {
+                           std::size_t most_values, const results::ReadWatch& watch) {
+  if (is_accuracy(path)) return document_of(path, "accuracy study", accuracy_pages(path));
   if (path.extension() == ".json")
     return document_of(path, "quasi-static solution",
                        static_pages(results::read_static_tables(path)));
@@ -141,7 +150,7 @@ PlotDocument open_document(const std::filesystem::path& path, const results::Sol
     const results::SweepTable sweep = results::read_sweep(path);
     return document_of(path, "sweep of " + sweep.variable, sweep_pages(sweep));
   }
-  const auto steps = std::make_shared<StepPages>(path, range, most_values);
+  const auto steps = std::make_shared<StepPages>(path, range, most_values, watch);
   PlotDocument out;
   out.path = path;
   out.subject = subject(steps->file().kind, steps->file().header);

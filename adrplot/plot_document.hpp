@@ -1,6 +1,7 @@
 #pragma once
 
 #include "adrplot/page_builder.hpp"
+#include "results/read_watch.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -29,10 +30,13 @@ inline constexpr std::size_t kMostValues = 12'000'000;
 
 /// SOL1-SOL7 (with all digits where RESULTS.h5 of the same run lies beside the file), the RUN.json
 /// of a quasi-static run, or a SWEEP.csv, told apart by their names' endings (.json, .csv) and else
-/// by content. @throws InputError for a file that is none of these.
+/// by content. `watch` is asked whenever steps are read, also later for other pages; a page whose
+/// reading was stopped is read again when it is built again.
+/// @throws InputError for a file that is none of these; results::ReadStopped
 [[nodiscard]] PlotDocument open_document(const std::filesystem::path& path,
                                          const results::SolRange& range = {},
-                                         std::size_t most_values = kMostValues);
+                                         std::size_t most_values = kMostValues,
+                                         const results::ReadWatch& watch = {});
 [[nodiscard]] PlotDocument make_document(results::SolFile file);
 
 /// Is the file read step by step, so that a range of steps can be asked for?

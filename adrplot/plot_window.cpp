@@ -22,6 +22,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QProgressDialog>
 #include <QSettings>
 #include <QSplitter>
 #include <QStatusBar>
@@ -255,12 +256,36 @@ int PlotWindow::pageCount() const {
              : 0;
 }
 
+bool PlotWindow::watchReading(double part) {
+  if (part >= 1.0) {
+    reading_.reset();
+    return true;
+  }
+  if (!reading_) {
+    reading_ = std::make_unique<QProgressDialog>(tr("Reading ..."), tr("Stop"), 0, 1000, this);
+    reading_->setObjectName("reading");
+    reading_->setWindowModality(Qt::WindowModal);
+    reading_->setMinimumDuration(400);
+    reading_->setAutoClose(false);
+    reading_->setAutoReset(false);
+  }
+  reading_->setValue(static_cast<int>(1000.0 * part));  // lets the window live
+  if (!reading_ || !reading_->wasCanceled()) return true;
+  reading_.reset();
+  return false;
+}
+
 bool PlotWindow::openFile(const std::filesystem::path& path, const results::SolRange& range) {
   try {
-    addDocument(open_document(path, range), range);
+    addDocument(
+        open_document(path, range, kMostValues, [this](double part) { return watchReading(part); }),
+        range);
     desktop::remember_file(kApp, QString::fromStdString(path.string()));
     return true;
+  } catch (const results::ReadStopped&) {
+    return false;  // as was asked for
   } catch (const std::exception& error) {
+    reading_.reset();
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
     return false;
   }
@@ -382,6 +407,7 @@ void PlotWindow::showCurrent() {
       chart = {};
       chart.title = doc->pages[static_cast<std::size_t>(page_ - 1)].title;
       chart.note = error.what();
+      reading_.reset();
     }
     const PageKind kind = doc->pages[static_cast<std::size_t>(page_ - 1)].kind;
     orbit_action_->setVisible(kind == PageKind::Orbit);
@@ -396,7 +422,8 @@ void PlotWindow::showCurrent() {
                        .arg(pageCount()));
   } else {
     chart.title = "AdrPlot";
-    chart.note = "Open a plot file (SOL1 to SOL7, RUN.json, SWEEP.csv), or drop one here.";
+    chart.note =
+        "Open a plot file (SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json), or drop one here.";
     orbit_action_->setVisible(false);
   }
   note_->setVisible(!note_->text().isEmpty());
@@ -404,7 +431,7 @@ void PlotWindow::showCurrent() {
 }
 
 void PlotWindow::askForFile() {
-  desktop::ask_files(this, kApp, tr("Open plot files"), "SOL* RUN.json SWEEP.csv",
+  desktop::ask_files(this, kApp, tr("Open plot files"), "SOL* RUN.json SWEEP.csv ACCURACY.json",
                      [this](const QStringList& names) { openSeveral(names); });
 }
 
@@ -553,7 +580,7 @@ void PlotWindow::follow(bool on) {
 
 void PlotWindow::lookForGrowth() {
   Document* doc = document();
-  if (!doc || !doc->on_disk) return;
+  if (!doc || !doc->on_disk || reading_) return;
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(doc->path, error);
   if (error || bytes == doc->bytes) return;
@@ -606,7 +633,8 @@ void PlotWindow::reload() {
   try {
     std::error_code ignored;
     doc->bytes = std::filesystem::file_size(doc->path, ignored);
-    static_cast<PlotDocument&>(*doc) = open_document(doc->path, doc->range);
+    static_cast<PlotDocument&>(*doc) = open_document(
+        doc->path, doc->range, kMostValues, [this](double part) { return watchReading(part); });
     page_ = std::min(page_, pageCount());
     fillTree();
   } catch (const std::exception& error) {

@@ -12,6 +12,7 @@
 class QComboBox;
 class QLabel;
 class QMenu;
+class QProgressDialog;
 class QTimer;
 class QToolBar;
 class QTreeWidget;
@@ -94,6 +95,8 @@ class PlotWindow : public QMainWindow {
   void showCurrent();
   void askForRange(const QString& path);
   [[nodiscard]] Document* document();
+  /// Shows how far a long reading is, with a button that stops it. False: it was pressed.
+  bool watchReading(double part);
 
   std::vector<std::unique_ptr<Document>> documents_;
   int current_ = -1, page_ = 0;
@@ -103,6 +106,7 @@ class PlotWindow : public QMainWindow {
   QLabel* note_;
   QLabel* cursors_;
   QTimer* growth_ = nullptr;
+  std::unique_ptr<QProgressDialog> reading_;
   bool log_x_ = false, log_y_ = false;
   QComboBox* abscissa_ = nullptr;
   QComboBox* orbit_ = nullptr;

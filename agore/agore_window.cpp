@@ -28,7 +28,7 @@
 namespace adore::agore {
 namespace {
 const QString kApp = "agore";
-constexpr int kTick = 25;  // [ms] between pictures: 40 a second
+constexpr int kTick = 16;  // [ms] between pictures: 60 a second
 }  // namespace
 
 AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
@@ -56,10 +56,21 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
         std::min<std::ptrdiff_t>(after - time.begin(), std::ssize(time) - 1)));
   });
   connect(canvas_, &PictureWidget::soughtFrame, this, &AgoreWindow::setFrame);
-  connect(canvas_, &PictureWidget::viewMoved, this, [this](double zoom, QPointF pan) {
-    options_.zoom = zoom;
-    options_.pan = pan;
-    refresh();
+  connect(canvas_, &PictureWidget::viewMoved, this,
+          [this](std::size_t tile, double zoom, QPointF pan) {
+            if (tile == 0) {
+              options_.zoom = zoom;
+              options_.pan = pan;
+            } else if (tile <= options_.beside.size()) {
+              options_.beside[tile - 1].zoom = zoom;
+              options_.beside[tile - 1].pan = pan;
+            }
+            showFrame();
+          });
+  connect(canvas_, &PictureWidget::eyeMoved, this, [this](double yaw, double elevation) {
+    options_.yaw = yaw;
+    options_.elevation = elevation;
+    showFrame();
   });
   refresh();
 }
@@ -151,9 +162,12 @@ void AgoreWindow::makeMenus() {
        {tr("Home, End"), tr("first and last frame")},
        {tr("Up, Down"), tr("next and previous element or pocket")},
        {tr("R"), tr("repeats for ever")},
-       {tr("1 to 8"), tr("the views of the menu")},
+       {tr("1 to 9"), tr("the views of the menu")},
+       {tr("V"), tr("four views side by side, and one again")},
+       {tr("L, T"), tr("race loads and ways of all elements")},
        {tr("click or drag in the time bar or a curve"), tr("goes to that moment")},
-       {tr("wheel, drag, double click on the picture"), tr("zooms, moves, shows all")},
+       {tr("wheel, drag, double click on a picture"), tr("zooms, moves, shows all")},
+       {tr("drag, Shift+drag in the 3D view"), tr("turns it, moves it")},
        {tr("Ctrl+E"), tr("saves a film")}});
 }
 
@@ -181,6 +195,8 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
     });
   menu->addAction(tr("Axial &Section..."), Qt::Key_8, this,
                   [this] { askForElement(View::Section); });
+  menu->addAction(tr("&3D View..."), Qt::Key_9, this, [this] { askForElement(View::Solid); });
+  makeBesideMenu(menu->addMenu(tr("Bes&ide")));
   menu->addSeparator();
   auto* colours = menu->addMenu(tr("C&olour Elements by"));
   auto* colour_group = new QActionGroup(this);
@@ -198,6 +214,10 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
   contacts->setCheckable(true);
   contacts->setShortcut(Qt::Key_L);
   connect(contacts, &QAction::toggled, this, &AgoreWindow::setContacts);
+  auto* trails = menu->addAction(tr("&Ways of the Elements"));
+  trails->setCheckable(true);
+  trails->setShortcut(Qt::Key_T);
+  connect(trails, &QAction::toggled, this, &AgoreWindow::setTrails);
   menu->setToolTipsVisible(true);
   menu->addSeparator();
   auto* clearances = menu->addMenu(tr("C&learances"));
@@ -212,6 +232,53 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
     group->addAction(action);
   }
   menu->addAction(tr("&Dark/Light"), Qt::CTRL | Qt::Key_D, this, &AgoreWindow::switchTheme);
+}
+
+void AgoreWindow::makeBesideMenu(QMenu* menu) {
+  menu->setObjectName("besideMenu");
+  for (const View view : {View::Bearing, View::Cage, View::Pocket, View::Element, View::OuterRace,
+                          View::InnerRace, View::Flange, View::Section, View::Solid}) {
+    auto* action = menu->addAction(QString::fromStdString(view_title(view)));
+    action->setCheckable(true);
+    action->setData(static_cast<int>(view));
+    connect(action, &QAction::triggered, this,
+            [this, view](bool shown) { setBeside(view, shown); });
+  }
+  menu->addSeparator();
+  menu->addAction(tr("&Four Views, or One"), Qt::Key_V, this, [this] {
+    if (!picture_) return askForFile();
+    const bool one = options_.beside.empty();
+    options_.beside.clear();
+    if (one)
+      for (const View view :
+           {View::Bearing, View::Solid, View::Section, View::Pocket, View::Element})
+        if (view != options_.view && options_.beside.size() < 3 &&
+            why_not(view, picture_->animation()).empty())
+          options_.beside.push_back({view});
+    refresh();
+  });
+}
+
+void AgoreWindow::setBeside(View view, bool shown) {
+  if (!picture_) return askForFile();
+  std::erase_if(options_.beside, [view](const SideView& side) { return side.view == view; });
+  if (shown) {
+    constexpr std::size_t kMost = 5;
+    const std::string reason = why_not(view, picture_->animation());
+    if (!reason.empty())
+      desktop::show_message(this, QString::fromStdString(reason));
+    else if (options_.beside.size() >= kMost)
+      desktop::show_message(this, tr("Six views are the most at a time; take one away first."));
+    else
+      options_.beside.push_back({view});
+  }
+  refresh();
+}
+
+bool AgoreWindow::shows(View view) const {
+  return options_.view == view ||
+         std::any_of(options_.beside.begin(), options_.beside.end(),
+                     [view](const SideView& side) { return side.view == view; });
 }
 
 bool AgoreWindow::openFile(const std::filesystem::path& path, long most_frames) {
@@ -235,6 +302,9 @@ void AgoreWindow::setAnimation(Animation animation) {
   auto fresh = std::make_unique<MotionPicture>(std::move(animation));
   if (options_.element > fresh->animation().file.elements) options_.element = 1;
   if (!why_not(options_.view, fresh->animation()).empty()) options_.view = View::Bearing;
+  std::erase_if(options_.beside, [&fresh](const SideView& side) {
+    return !why_not(side.view, fresh->animation()).empty();
+  });
   // The canvas lets go of the old one before it dies.
   const auto old = std::exchange(picture_, std::move(fresh));
   frame_ = 0;
@@ -244,7 +314,7 @@ void AgoreWindow::setAnimation(Animation animation) {
 void AgoreWindow::setFrame(std::size_t frame) {
   if (!picture_) return;
   frame_ = std::min(frame, frameCount() - 1);
-  refresh();
+  showFrame();
 }
 
 void AgoreWindow::setView(View view, int element) {
@@ -268,6 +338,11 @@ void AgoreWindow::setColour(ColourBy colour) {
 
 void AgoreWindow::setContacts(bool shown) {
   options_.contacts = shown;
+  refresh();
+}
+
+void AgoreWindow::setTrails(bool shown) {
+  options_.trails = shown;
   refresh();
 }
 
@@ -352,9 +427,17 @@ void AgoreWindow::frameBackward() {
   if (frame_ > 0) setFrame(frame_ - 1);
 }
 
-void AgoreWindow::pause() { timer_.stop(); }
+void AgoreWindow::pause() {
+  const bool was = playing();
+  timer_.stop();
+  if (was) showFrame();  // the finer picture
+}
 
-QImage AgoreWindow::image() { return picture_->image(canvas_->size(), frame_, options_); }
+QImage AgoreWindow::image() {
+  ViewOptions still = options_;
+  still.moving = false;
+  return picture_->image(canvas_->size(), frame_, still);
+}
 
 void AgoreWindow::print() {
   if (!picture_) return askForFile();
@@ -385,6 +468,7 @@ void AgoreWindow::saveFilm() {
 bool AgoreWindow::writeFilm(const QString& path) {
   RenderOptions render;
   render.view = options_;
+  render.view.moving = false;
   // As seen, but not larger than a film needs to be.
   const QSize size = canvas_->size().boundedTo({1280, 800});
   render.width = size.width() & ~1;
@@ -430,12 +514,24 @@ void AgoreWindow::dropEvent(QDropEvent* event) {
   openFile(urls.front().toLocalFile().toStdString());
 }
 
+void AgoreWindow::showFrame() {
+  options_.moving = playing();
+  canvas_->show(picture_.get(), frame_, options_);
+}
+
 void AgoreWindow::refresh() {
-  if (picture_ && options_.view == View::Flange &&
+  if (picture_ && shows(View::Flange) &&
       !has_flange(picture_->animation(), options_.flange_race, 0) &&
       !has_flange(picture_->animation(), options_.flange_race, 1))
     options_.flange_race = 1 - options_.flange_race;  // one of them has a flange
-  canvas_->show(picture_.get(), frame_, options_);
+  showFrame();
+  if (auto* beside = findChild<QMenu*>("besideMenu"))
+    for (QAction* action : beside->actions())
+      if (action->isCheckable()) {
+        const auto view = static_cast<View>(action->data().toInt());
+        action->setChecked(std::any_of(options_.beside.begin(), options_.beside.end(),
+                                       [view](const SideView& side) { return side.view == view; }));
+      }
   for (const char* name : {"play", "playBack", "frame", "frameBack", "pause", "print", "save"})
     findChild<QPushButton*>(name)->setEnabled(picture_ != nullptr);
   if (picture_)

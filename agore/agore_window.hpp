@@ -8,6 +8,7 @@
 #include <QTimer>
 
 #include <memory>
+#include <optional>
 
 class QComboBox;
 class QMenu;
@@ -15,7 +16,8 @@ class QMenu;
 namespace adore::agore {
 
 /// The picture in the window; clicking or dragging in the time bar or in a curve moves to that
-/// moment. The wheel zooms the picture, dragging moves it, a double click shows all of it.
+/// moment. The wheel zooms the picture under the pointer, dragging moves it (with Shift where it
+/// is the 3D view, whose eye dragging turns), a double click shows all of it.
 class PictureWidget : public QWidget {
   Q_OBJECT
  public:
@@ -25,18 +27,25 @@ class PictureWidget : public QWidget {
  signals:
   void soughtTo(double progress);
   void soughtFrame(std::size_t frame);
-  void viewMoved(double zoom, QPointF pan);
+  void viewMoved(std::size_t tile, double zoom, QPointF pan);
+  void eyeMoved(double yaw, double elevation);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 
  private:
   bool seek(QPointF position);
+  /// The picture of one of the views at a position; none: beside them all.
+  [[nodiscard]] std::optional<std::size_t> tileAt(QPointF position) const;
   QPointF drag_from_, pan_from_;
+  std::optional<std::size_t> drag_tile_;
+  double yaw_from_ = 0.0, elevation_from_ = 0.0;
+  bool turning_ = false;  ///< the eye of a 3D view follows the pointer
   MotionPicture* picture_ = nullptr;
   std::size_t frame_ = 0;
   ViewOptions options_;
@@ -64,6 +73,9 @@ class AgoreWindow : public QMainWindow {
   void setExaggeration(double factor);
   void setColour(ColourBy colour);
   void setContacts(bool shown);
+  void setTrails(bool shown);
+  /// A further view beside the first, or none of that kind.
+  void setBeside(View view, bool shown);
   void setLoop(bool loop) { loop_ = loop; }
   /// Simulated seconds per second of the clock; 0: frames per second, as chosen.
   void setSlowMotion(double rate);
@@ -89,12 +101,15 @@ class AgoreWindow : public QMainWindow {
  private:
   void makeMenus();
   void makeViewMenu(QMenu* menu);
+  void makeBesideMenu(QMenu* menu);
   QWidget* makeButtons();
   void askForElement(View view);
   void play(int direction);
   void advance();
   void refresh();
+  void showFrame();
   QImage image();
+  [[nodiscard]] bool shows(View view) const;
 
   std::unique_ptr<MotionPicture> picture_;
   PictureWidget* canvas_;

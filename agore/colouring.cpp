@@ -77,11 +77,12 @@ void draw_scale(const Sketch& sketch, const Colouring& colours) {
   const QRectF& area = sketch.area();
   p.setFont(desktop::ui_font(12));
   const QFontMetricsF metrics(p.font());
-  const qreal width = 150.0, left = area.right() - width - 6.0, top = area.bottom() - 26.0;
+  const qreal width = area.width() < 480.0 ? 104.0 : 150.0, left = area.right() - width - 6.0,
+              top = area.top() + 20.0;
   p.setPen(sketch.theme().muted);
   if (colours.value.empty() || !(colours.largest > 0.0)) {
     const QString why = QString::fromStdString(colours.why_none);
-    p.drawText(QPointF(area.right() - metrics.horizontalAdvance(why) - 6.0, area.bottom() - 8.0),
+    p.drawText(QPointF(area.right() - metrics.horizontalAdvance(why) - 6.0, area.top() + 14.0),
                why);
     return;
   }

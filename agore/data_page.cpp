@@ -33,7 +33,8 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
   switch (options.view) {
     case View::Bearing:
     case View::Section:
-      if (options.view == View::Section && animation.contacts) {
+    case View::Solid:
+      if (options.view != View::Bearing && animation.contacts) {
         page.title = fmt::format("Contact loads of element {}", options.element);
         for (const auto& [race, name] :
              {std::pair<std::size_t, const char*>{0, "outer race"}, {1, "inner race"}}) {
@@ -68,7 +69,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       add(page, "Force", "", pocket_force(animation, k), exact);
       break;
     case View::Element:
-      page.title = fmt::format("Speeds of element {} over shaft speed", options.element);
+      page.title = fmt::format("Element {} over shaft speed", options.element);
       add(page, "Orbit", "", element_orbit(animation, k), exact, true);
       add(page, "Rotation", "", element_spin(animation, k), exact, true);
       break;
@@ -83,7 +84,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
     }
     case View::Flange: {
       const std::size_t r = options.flange_race;
-      page.title = fmt::format("Element {} at the {} race's flanges", options.element,
+      page.title = fmt::format("Flanges of element {}, {} race", options.element,
                                r == 0 ? "outer" : "inner");
       for (const auto& [what, title] :
            {std::pair<const char*, const char*>{"force", "Load"}, {"gap", "Gap"}})

@@ -16,9 +16,13 @@ using namespace adore;
 
 namespace {
 
+const std::vector<std::string> kViews{"bearing", "cage",   "pocket",  "element",
+                                      "race",    "flange", "section", "3d"};
+
 struct Request {
   std::filesystem::path file, folder;
   std::string view = "bearing", race = "inner", size = "1280x800", film, colour = "none";
+  std::vector<std::string> beside;
   int frame = 0, every = 0, rate = 25;
   agore::RenderOptions options;
 };
@@ -59,8 +63,11 @@ int show(int& argc, char** argv, const Request& request) {
   window.show();
   if (request.file.empty())
     QTimer::singleShot(0, &window, &agore::AgoreWindow::askForFile);
-  else if (window.openFile(request.file))
+  else if (window.openFile(request.file)) {
     window.setView(request.options.view.view, request.options.view.element);
+    for (const agore::SideView& side : request.options.view.beside)
+      window.setBeside(side.view, true);
+  }
   return QApplication::exec();
 }
 
@@ -80,7 +87,11 @@ int main(int argc, char** argv) {
   command_line::one_of(cli.add_option("--view", request.view, "what is looked at")
                            ->capture_default_str()
                            ->type_name("VIEW"),
-                       {"bearing", "cage", "pocket", "element", "race", "flange", "section"});
+                       kViews);
+  command_line::one_of(
+      cli.add_option("--beside", request.beside, "further views beside it, at the same frame")
+          ->type_name("VIEW"),
+      kViews);
   command_line::one_of(cli.add_option("--race", request.race, "race of the race view")
                            ->capture_default_str()
                            ->type_name("RACE"),
@@ -118,10 +129,13 @@ int main(int argc, char** argv) {
                        {"none", "load", "slip", "heat", "temperature"});
   cli.add_flag("--contacts", request.options.view.contacts,
                "arrows of the race loads on all elements");
+  cli.add_flag("--trails", request.options.view.trails, "the way of every element so far");
   cli.add_flag("--dark", request.options.view.dark, "dark colours")->needs(folder);
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("agore", [&] {
     request.options.view.view = agore::view_named(request.view, request.race);
+    for (const std::string& view : request.beside)
+      request.options.view.beside.push_back({agore::view_named(view, request.race)});
     request.options.view.flange_race = request.race == "outer" ? 0 : 1;
     request.options.view.colour = agore::colour_named(request.colour);
     const auto pixels = desktop::parse_size(request.size);

@@ -14,18 +14,27 @@ namespace {
 
 constexpr double kHeading = 58, kBarSpace = 58, kMargin = 22;
 
-/// Value of each curve nearest to a time, as text under the data area's title.
-QString present_values(const desktop::ChartPage& page, double time) {
-  QStringList parts;
+/// Value of each curve nearest to a time, as text under the data area's title; where there is no
+/// room for the names, the values in the order of the legends.
+QString present_values(const desktop::ChartPage& page, double time, double width) {
+  QStringList parts, values;
   const std::size_t at = desktop::nearest_index(page.x, time);
   for (const auto& panel : page.panels)
     for (const auto& curve : panel.curves) {
       if (at >= curve.y.size()) continue;
       const std::string& name = curve.name.empty() ? panel.title : curve.name;
-      parts << QString::fromStdString(name + " " +
-                                      desktop::pretty_quantity(curve.y[at], panel.unit, 3));
+      // Below an atom's size stands rounding.
+      const bool nothing = std::abs(curve.y[at]) < desktop::least_span_of(panel.unit);
+      const std::string value =
+          desktop::pretty_quantity(nothing ? 0.0 : curve.y[at], panel.unit, 3);
+      parts << QString::fromStdString(name + " " + value);
+      values << QString::fromStdString(value);
     }
-  return parts.join("   ");
+  const QFontMetricsF metrics(desktop::ui_font(12));
+  const QString whole = parts.join("   ");
+  return metrics.horizontalAdvance(whole) <= width
+             ? whole
+             : metrics.elidedText(values.join(" · "), Qt::ElideRight, width);
 }
 
 }  // namespace
@@ -46,10 +55,29 @@ QRectF MotionPicture::dataArea(const QRectF& area) {
           std::min(bottom - area.top() - kHeading, 1.25 * width)};
 }
 
-QRectF MotionPicture::pictureArea(const QRectF& area) {
+std::vector<QRectF> MotionPicture::pictureAreas(const QRectF& area, std::size_t views) {
   const QRectF data = dataArea(area);
-  return {area.left() + kMargin, area.top() + kHeading, data.left() - 10 - area.left() - kMargin,
-          area.height() - kHeading - kBarSpace};
+  const QRectF all(area.left() + kMargin, area.top() + kHeading,
+                   data.left() - 10 - area.left() - kMargin, area.height() - kHeading - kBarSpace);
+  if (views <= 1) return {all};
+  // The number of columns that leaves the largest squares.
+  int columns = 1;
+  double best = 0.0;
+  const int n = static_cast<int>(views);
+  for (int c = 1; c <= n; ++c) {
+    const int rows = (n + c - 1) / c;
+    const double side = std::min(all.width() / c, all.height() / rows);
+    if (side > best) best = side, columns = c;
+  }
+  const int rows = (n + columns - 1) / columns;
+  const QSizeF size(all.width() / columns, all.height() / rows);
+  std::vector<QRectF> out;
+  for (int i = 0; i < n; ++i)
+    out.emplace_back(QPointF(all.left() + size.width() * (i % columns),
+                             all.top() + size.height() * static_cast<double>(i / columns)),
+                     size);
+  for (QRectF& tile : out) tile.adjust(3.0, 3.0, -3.0, -3.0);
+  return out;
 }
 
 std::optional<double> MotionPicture::timeAt(const QRectF& area, QPointF position) const {
@@ -69,7 +97,7 @@ QRectF MotionPicture::timeBar(const QRectF& area) {
 
 void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t frame,
                           const ViewOptions& options) {
-  check_view(animation_, options);
+  for (std::size_t i = 0; i <= options.beside.size(); ++i) check_view(animation_, options.tile(i));
   const desktop::Theme& t = theme_of(options);
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
@@ -86,11 +114,31 @@ void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t fra
       QString::fromStdString(run + "   ·   " + animation_.file.path.filename().string() +
                              "   ·   " + animation_.source));
 
-  const QRectF picture = pictureArea(area), data = dataArea(area);
-  paint_picture(painter, picture, animation_, frame, options);
-  paintDataArea(painter, data, frame, options);
+  paintViews(painter, area, frame, options);
+  paintDataArea(painter, dataArea(area), frame, options);
   paintTimeBar(painter, timeBar(area), frame, t);
   painter.restore();
+}
+
+void MotionPicture::paintViews(QPainter& painter, const QRectF& area, std::size_t frame,
+                               const ViewOptions& options) {
+  const std::vector<QRectF> tiles = pictureAreas(area, 1 + options.beside.size());
+  kept_.resize(std::max(kept_.size(), tiles.size()));
+  const desktop::Theme& t = theme_of(options);
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    QRectF tile = tiles[i];
+    if (tiles.size() > 1) {
+      painter.setPen(QPen(t.grid, 1.0));
+      painter.setBrush(Qt::NoBrush);
+      painter.drawRect(tile);
+      painter.setFont(desktop::ui_font(12, true));
+      painter.setPen(t.text);
+      painter.drawText(tile.adjusted(8.0, 4.0, -8.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
+                       QString::fromStdString(view_title(options.tile(i).view)));
+      tile.adjust(4.0, 20.0, -4.0, -2.0);
+    }
+    paint_picture(painter, tile, animation_, frame, options.tile(i), &kept_[i]);
+  }
 }
 
 void MotionPicture::paintDataArea(QPainter& painter, const QRectF& area, std::size_t frame,
@@ -116,13 +164,17 @@ void MotionPicture::paintDataArea(QPainter& painter, const QRectF& area, std::si
   const desktop::Theme& t = theme_of(options);
   painter.setPen(QPen(t.red, 1.4));
   const double x = area.left() + data_.positionOf(animation_.time.at(frame));
-  for (const auto& plot : data_.plotAreas())
+  const auto& plots = data_.plotAreas();
+  for (std::size_t p = 0; p < plots.size(); ++p) {
+    const QRectF& plot = plots[p];
+    if (p < data_.page().panels.size() && !data_.page().panels[p].message.empty()) continue;
     painter.drawLine(QPointF(x, area.top() + plot.top()), QPointF(x, area.top() + plot.bottom()));
+  }
   painter.setFont(desktop::ui_font(12));
   painter.setPen(t.muted);
   painter.drawText(QRectF(area.left() + 12, area.top() + 26, area.width() - 20, 18),
                    Qt::AlignLeft | Qt::AlignVCenter,
-                   present_values(data_.page(), animation_.time.at(frame)));
+                   present_values(data_.page(), animation_.time.at(frame), area.width() - 20));
 }
 
 void MotionPicture::paintTimeBar(QPainter& painter, const QRectF& bar, std::size_t frame,

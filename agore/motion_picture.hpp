@@ -1,5 +1,6 @@
 #pragma once
 
+#include "agore/kept.hpp"
 #include "agore/views.hpp"
 #include "desktop/chart_scene.hpp"
 
@@ -7,6 +8,7 @@
 #include <QPainter>
 
 #include <optional>
+#include <vector>
 
 namespace adore::agore {
 
@@ -24,14 +26,16 @@ class MotionPicture {
   [[nodiscard]] double progress(std::size_t frame) const;
   /// The time bar inside `area`, so that a window can be clicked there.
   [[nodiscard]] static QRectF timeBar(const QRectF& area);
-  /// Places of the picture and of the curves inside `area`.
-  [[nodiscard]] static QRectF pictureArea(const QRectF& area);
+  /// Places of the pictures (one for each view) and of the curves inside `area`.
+  [[nodiscard]] static std::vector<QRectF> pictureAreas(const QRectF& area, std::size_t views);
   [[nodiscard]] static QRectF dataArea(const QRectF& area);
   /// Time at a position on one of the curves' panels, as painted last; none beside them.
   [[nodiscard]] std::optional<double> timeAt(const QRectF& area, QPointF position) const;
   [[nodiscard]] std::size_t frameAt(double time) const;  ///< the nearest one
 
  private:
+  void paintViews(QPainter& painter, const QRectF& area, std::size_t frame,
+                  const ViewOptions& options);
   void paintDataArea(QPainter& painter, const QRectF& area, std::size_t frame,
                      const ViewOptions& options);
   void paintTimeBar(QPainter& painter, const QRectF& bar, std::size_t frame,
@@ -41,6 +45,7 @@ class MotionPicture {
   desktop::ChartScene data_{desktop::ChartStyle::Compact};
   QImage data_image_;
   ViewOptions data_options_;
+  std::vector<Kept> kept_;  ///< of each view
 };
 
 }  // namespace adore::agore

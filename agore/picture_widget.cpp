@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace adore::agore {
 
@@ -25,7 +26,9 @@ void PictureWidget::show(MotionPicture* picture, std::size_t frame, const ViewOp
 void PictureWidget::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   if (picture_) {
-    picture_->paint(painter, rect(), frame_, options_);
+    ViewOptions now = options_;
+    now.moving = now.moving || turning_;
+    picture_->paint(painter, rect(), frame_, now);
     return;
   }
   const auto& t = theme_of(options_);
@@ -37,35 +40,72 @@ void PictureWidget::paintEvent(QPaintEvent*) {
       tr("Open an animation file (SOL8 or RESULTS.h5) with File > Open, or drop one here."));
 }
 
+std::optional<std::size_t> PictureWidget::tileAt(QPointF position) const {
+  if (!picture_) return std::nullopt;
+  const auto tiles = MotionPicture::pictureAreas(rect(), 1 + options_.beside.size());
+  for (std::size_t i = 0; i < tiles.size(); ++i)
+    if (tiles[i].contains(position)) return i;
+  return std::nullopt;
+}
+
 void PictureWidget::mousePressEvent(QMouseEvent* event) {
   drag_from_ = event->position();
-  pan_from_ = options_.pan;
+  drag_tile_ = tileAt(drag_from_);
+  turning_ = false;
+  if (drag_tile_) {
+    const ViewOptions tile = options_.tile(*drag_tile_);
+    pan_from_ = tile.pan;
+    turning_ = tile.view == View::Solid && !(event->modifiers() & Qt::ShiftModifier);
+    yaw_from_ = options_.yaw, elevation_from_ = options_.elevation;
+  }
   seek(event->position());
 }
 
 void PictureWidget::mouseMoveEvent(QMouseEvent* event) {
-  if (!picture_ || !(event->buttons() & Qt::LeftButton) || seek(event->position())) return;
-  const QRectF area = MotionPicture::pictureArea(rect());
-  if (!area.contains(drag_from_)) return;
+  if (!picture_ || !(event->buttons() & Qt::LeftButton)) return;
+  if (!drag_tile_) {
+    seek(event->position());
+    return;
+  }
+  const auto tiles = MotionPicture::pictureAreas(rect(), 1 + options_.beside.size());
+  if (*drag_tile_ >= tiles.size()) return;
+  const QRectF& area = tiles[*drag_tile_];
   const QPointF way = event->position() - drag_from_;
-  emit viewMoved(options_.zoom,
+  if (turning_) {
+    constexpr double kPerPixel = 0.4;  // [degrees]
+    emit eyeMoved(std::remainder(yaw_from_ - kPerPixel * way.x(), 360.0),
+                  std::clamp(elevation_from_ + kPerPixel * way.y(), -89.0, 89.0));
+    return;
+  }
+  emit viewMoved(*drag_tile_, options_.tile(*drag_tile_).zoom,
                  pan_from_ + QPointF(way.x() / area.width(), way.y() / area.height()));
 }
 
+void PictureWidget::mouseReleaseEvent(QMouseEvent*) {
+  const bool was = std::exchange(turning_, false);
+  if (was) update();  // the finer picture
+}
+
 void PictureWidget::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (MotionPicture::pictureArea(rect()).contains(event->position())) emit viewMoved(1.0, {0, 0});
+  const auto tile = tileAt(event->position());
+  if (!tile) return;
+  if (options_.tile(*tile).view == View::Solid)
+    emit eyeMoved(ViewOptions{}.yaw, ViewOptions{}.elevation);
+  emit viewMoved(*tile, 1.0, {0, 0});
 }
 
 void PictureWidget::wheelEvent(QWheelEvent* event) {
-  const QRectF area = MotionPicture::pictureArea(rect());
-  if (!picture_ || !area.contains(event->position())) return event->ignore();
+  const auto number = tileAt(event->position());
+  if (!number) return event->ignore();
+  const QRectF area = MotionPicture::pictureAreas(rect(), 1 + options_.beside.size()).at(*number);
+  const ViewOptions tile = options_.tile(*number);
   const double zoom =
-      std::clamp(options_.zoom * std::pow(1.25, event->angleDelta().y() / 120.0), 1.0, 200.0);
+      std::clamp(tile.zoom * std::pow(1.25, event->angleDelta().y() / 120.0), 1.0, 200.0);
   // What lies under the pointer stays there.
-  const QPointF from = event->position() - area.center();
+  const QPointF from = event->position() - picture_middle(picture_->animation(), tile, area);
   const QPointF here(from.x() / area.width(), from.y() / area.height());
-  const QPointF pan = here + (options_.pan - here) * (zoom / options_.zoom);
-  emit viewMoved(zoom, zoom == 1.0 ? QPointF(0.0, 0.0) : pan);
+  const QPointF pan = here + (tile.pan - here) * (zoom / tile.zoom);
+  emit viewMoved(*number, zoom, zoom == 1.0 ? QPointF(0.0, 0.0) : pan);
   event->accept();
 }
 

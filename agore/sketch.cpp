@@ -3,6 +3,7 @@
 #include "desktop/picture_marks.hpp"
 
 #include <QFontMetricsF>
+#include <QTransform>
 
 #include <cmath>
 #include <numbers>
@@ -10,12 +11,13 @@
 namespace adore::agore {
 
 Sketch::Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme,
-               QPointF pan)
+               QPointF pan, double foot)
     : painter_(painter),
       area_(area),
       theme_(theme),
-      centre_(area.center() + QPointF(pan.x() * area.width(), pan.y() * area.height())),
-      scale_(0.5 * std::min(area.width(), area.height()) / radius) {}
+      centre_(area.center() - QPointF(0.0, 0.5 * foot) +
+              QPointF(pan.x() * area.width(), pan.y() * area.height())),
+      scale_(0.5 * std::min(area.width(), area.height() - foot) / radius) {}
 
 QPointF Sketch::around(QPointF centre, double radius, double angle) const {
   return at(centre.x() - radius * std::sin(angle), centre.y() + radius * std::cos(angle));
@@ -91,15 +93,25 @@ void Sketch::cage_rail(QPointF centre, const Animation& animation) const {
   ring(centre, g.cage_inner_radius, g.cage_outer_radius, light, dark);
 }
 
-void Sketch::cage(QPointF centre, double angle, const Animation& animation, double pocket_radius,
-                  int segment) const {
-  const auto& g = animation.file.geometry;
+namespace {
+
+constexpr double kOutlineRadius = 1000.0;  // of the cage outside, in its outline
+
+QPointF polar(double radius, double angle) {
+  return {-radius * std::sin(angle), radius * std::cos(angle)};
+}
+
+QPainterPath cage_outline(const Animation& animation, double pocket_radius, int segment) {
+  // Cutting works to absolute distances, made for pixels: so in thousands of them.
+  auto g = animation.file.geometry;
+  const double enlargement = kOutlineRadius / g.cage_outer_radius;
+  for (double* length : {&g.cage_outer_radius, &g.cage_inner_radius, &g.pitch_diameter})
+    *length *= enlargement;
+  pocket_radius *= enlargement;
   const double pitch_radius = 0.5 * g.pitch_diameter;
   QPainterPath body;
-  body.addEllipse(at(centre.x(), centre.y()), g.cage_outer_radius * scale_,
-                  g.cage_outer_radius * scale_);
-  body.addEllipse(at(centre.x(), centre.y()), g.cage_inner_radius * scale_,
-                  g.cage_inner_radius * scale_);
+  body.addEllipse(QPointF(0, 0), g.cage_outer_radius, g.cage_outer_radius);
+  body.addEllipse(QPointF(0, 0), g.cage_inner_radius, g.cage_inner_radius);
   QPainterPath holes;
   holes.setFillRule(Qt::WindingFill);
   double first = 0.0, last = 0.0, reference = 0.0;
@@ -107,8 +119,7 @@ void Sketch::cage(QPointF centre, double angle, const Animation& animation, doub
   for (std::size_t k = 0; k < animation.pocket_angle.size(); ++k) {
     if (animation.pocket_part[k] != segment) continue;
     const double pocket = animation.pocket_angle[k];
-    holes.addEllipse(around(centre, pitch_radius, angle + pocket), pocket_radius * scale_,
-                     pocket_radius * scale_);
+    holes.addEllipse(polar(pitch_radius, pocket), pocket_radius, pocket_radius);
     if (!any) reference = pocket;
     any = true;
     const double beside = std::remainder(pocket - reference, 2.0 * std::numbers::pi);
@@ -118,21 +129,45 @@ void Sketch::cage(QPointF centre, double angle, const Animation& animation, doub
     // From the middle between two pockets to the next such middle, with a gap that can be seen.
     constexpr double kGap = 0.012;
     const double half = std::numbers::pi / animation.file.elements - kGap;
-    QPolygonF sector{at(centre.x(), centre.y())};
-    const double begin = angle + reference + first - half, end = angle + reference + last + half;
+    QPolygonF sector{QPointF(0, 0)};
+    const double begin = reference + first - half, end = reference + last + half;
     constexpr int kParts = 90;
     for (int i = 0; i <= kParts; ++i)
-      sector.append(around(centre, 2.0 * g.cage_outer_radius, begin + (end - begin) * i / kParts));
+      sector.append(polar(2.0 * g.cage_outer_radius, begin + (end - begin) * i / kParts));
     QPainterPath arc;
     arc.addPolygon(sector);
     arc.closeSubpath();
     body = body.intersected(arc);
   }
+  return body.subtracted(holes);
+}
+
+}  // namespace
+
+const QPainterPath& CageOutlines::of(const Animation& animation, double pocket_radius,
+                                     int segment) {
+  if (animation_ != &animation || pocket_radius_ != pocket_radius) {
+    parts_.clear();
+    animation_ = &animation;
+    pocket_radius_ = pocket_radius;
+  }
+  const auto found = parts_.find(segment);
+  if (found != parts_.end()) return found->second;
+  return parts_.emplace(segment, cage_outline(animation, pocket_radius, segment)).first->second;
+}
+
+void Sketch::cage(QPointF centre, double angle, double outer_radius,
+                  const QPainterPath& outline) const {
+  const QPointF middle = at(centre.x(), centre.y());
+  QTransform turn = QTransform::fromTranslate(middle.x(), middle.y());
+  const double unit = scale_ * outer_radius / kOutlineRadius;
+  turn.scale(unit, -unit);
+  turn.rotateRadians(angle);
   painter_.setPen(QPen(theme_.cage.darker(145), 1.2));
   QColor fill = theme_.cage;
   fill.setAlpha(225);
   painter_.setBrush(fill);
-  painter_.drawPath(body.subtracted(holes));
+  painter_.drawPath(turn.map(outline));
 }
 
 void Sketch::frame(QPointF centre, double angle, double length, const QColor& colour) const {

@@ -6,16 +6,31 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <map>
+
 /// Drawing in the plane of the bearing, seen from +X: y to the right, z up, lengths in the file's
 /// unit.
 namespace adore::agore {
 
+/// The cage between its pockets, or a segment of it, where it stands at angle 0: y to the right, z
+/// up. Made once, drawn turned: cutting forty pockets takes longer than all else of a picture.
+class CageOutlines {
+ public:
+  const QPainterPath& of(const Animation& animation, double pocket_radius, int segment);
+
+ private:
+  const Animation* animation_ = nullptr;
+  double pocket_radius_ = -1.0;
+  std::map<int, QPainterPath> parts_;
+};
+
 class Sketch {
  public:
   /// Fits a circle of `radius` around the origin into `area`.
-  /// `pan`: how far its middle is moved, in parts of the area.
+  /// `pan`: how far its middle is moved, in parts of the area. `foot`: height at the bottom that
+  /// the circle leaves free [pixels].
   Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme,
-         QPointF pan = {0.0, 0.0});
+         QPointF pan = {0.0, 0.0}, double foot = 0.0);
 
   [[nodiscard]] QPainter& painter() const { return painter_; }
   [[nodiscard]] const desktop::Theme& theme() const { return theme_; }
@@ -39,10 +54,9 @@ class Sketch {
   /// The cage's side ring, pale, to lie behind the elements; and the ring between the pockets, to
   /// lie before them.
   void cage_rail(QPointF centre_yz, const Animation& animation) const;
-  /// Ring with holes of `pocket_radius` at the pocket angles, turned by `angle`; of a cage in
-  /// segments the arc of the given one.
-  void cage(QPointF centre_yz, double angle, const Animation& animation, double pocket_radius,
-            int segment = 0) const;
+  /// An outline of CageOutlines, turned by `angle`, as large as `outer_radius` says.
+  void cage(QPointF centre_yz, double angle, double outer_radius,
+            const QPainterPath& outline) const;
   /// Two arms along the body's y and z axes.
   void frame(QPointF centre_yz, double angle, double length, const QColor& colour) const;
   void arrow(QPointF from, QPointF to, const QColor& colour,

@@ -23,8 +23,20 @@ View view_named(const std::string& name, const std::string& race) {
   }
   if (name == "flange") return View::Flange;
   if (name == "section") return View::Section;
+  if (name == "3d") return View::Solid;
   throw InputError("there is no view '" + name +
-                   "'; use bearing, cage, pocket, element, race, flange or section");
+                   "'; use bearing, cage, pocket, element, race, flange, section or 3d");
+}
+
+ViewOptions ViewOptions::tile(std::size_t number) const {
+  ViewOptions out = *this;
+  out.beside.clear();
+  if (number == 0) return out;
+  const SideView& side = beside.at(number - 1);
+  out.view = side.view;
+  out.zoom = side.zoom;
+  out.pan = side.pan;
+  return out;
 }
 
 ColourBy colour_named(const std::string& name) {
@@ -55,6 +67,8 @@ std::string view_title(View view) {
       return "Flange interaction";
     case View::Section:
       return "Axial section";
+    case View::Solid:
+      return "3D view";
   }
   return {};
 }
@@ -71,9 +85,9 @@ std::string why_not(View view, const Animation& animation) {
       for (std::size_t side = 0; side < 2; ++side) any = any || has_flange(animation, race, side);
     if (!any) return "This bearing has no flange.";
   }
-  if (view == View::Section && !animation.motion)
-    return "The axial section needs the sizes of RESULTS.h5 beside the file: " +
-           animation.no_contacts + ".";
+  if ((view == View::Section || view == View::Solid) && !animation.motion)
+    return fmt::format("The {} needs the sizes of RESULTS.h5 beside the file: {}.",
+                       view == View::Section ? "axial section" : "3D view", animation.no_contacts);
   return {};
 }
 

@@ -5,6 +5,7 @@
 #include <QPointF>
 
 #include <string>
+#include <vector>
 
 namespace adore::agore {
 
@@ -16,11 +17,20 @@ enum class View : unsigned char {
   OuterRace,
   InnerRace,
   Flange,
-  Section  ///< the cut through one element and the bearing's axis
+  Section,  ///< the cut through one element and the bearing's axis
+  Solid     ///< in space
 };
 
 /// By what the elements of the bearing view are coloured: the larger of both contacts.
 enum class ColourBy : unsigned char { None, Load, Slip, Heat, Temperature };
+
+/// A further view, with its own zoom.
+struct SideView {
+  View view = View::Section;
+  double zoom = 1.0;
+  QPointF pan{0.0, 0.0};
+  bool operator==(const SideView&) const = default;
+};
 
 struct ViewOptions {
   View view = View::Bearing;
@@ -31,12 +41,19 @@ struct ViewOptions {
   std::size_t flange_race = 1;  ///< of the flange view: 0 outer, 1 inner
   ColourBy colour = ColourBy::None;
   bool contacts = false;  ///< arrows of the race loads on all elements
+  bool trails = false;    ///< the way of the elements so far
   double zoom = 1.0;
-  QPointF pan{0.0, 0.0};  ///< of the picture, in parts of its size
+  QPointF pan{0.0, 0.0};                ///< of the picture, in parts of its size
+  double yaw = 32.0, elevation = 18.0;  ///< of the 3D view's eye [degrees], from +X
+  bool moving = false;                  ///< a quick picture of the 3D view is enough
+  std::vector<SideView> beside = {};    ///< drawn beside the first, at the same frame
+
+  /// The options of one of the pictures: 0 is the first view, others are those beside it.
+  [[nodiscard]] ViewOptions tile(std::size_t number) const;
 };
 
-/// "bearing", "cage", "pocket", "element", "section", "flange", "race" (with `race` outer or
-/// inner).
+/// "bearing", "cage", "pocket", "element", "section", "3d", "flange", "race" (with `race` outer
+/// or inner).
 /// @throws InputError with the list of names.
 View view_named(const std::string& name, const std::string& race = "inner");
 

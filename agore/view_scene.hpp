@@ -25,6 +25,7 @@ struct Scene {
   const results::Sol8Frame& frame;
   double factor;  ///< exaggeration
   const ViewOptions& options;
+  CageOutlines& cages;
 
   [[nodiscard]] const results::Sol8Geometry& geometry() const { return animation.file.geometry; }
   [[nodiscard]] double pitch_radius() const { return 0.5 * geometry().pitch_diameter; }
@@ -52,7 +53,20 @@ void draw_key(const Sketch& sketch, const std::vector<KeyEntry>& entries, const 
 [[nodiscard]] std::array<double, 3> mark_from_outside(const results::Sol8Element& element,
                                                       double angle);
 
+/// Element centre (y, z) as drawn: its pocket's centre plus the exaggerated way out of it, or its
+/// own place when there is no cage.
+[[nodiscard]] QPointF element_centre(const Scene& scene, std::size_t k);
+/// The way of an element's centre as drawn, from now back over nearly a pitch; x along the axis.
+struct TrailPoint {
+  QPointF centre;
+  double x = 0.0;
+};
+[[nodiscard]] std::vector<TrailPoint> element_trail(const Scene& scene, std::size_t k);
+
+class SolidLayer;
+
 /// Views with sources of their own.
+void solid_view(const Scene& scene, SolidLayer& layer);
 void pocket_view(const Scene& scene);
 void section_view(const Scene& scene);
 void flange_view(const Scene& scene);
@@ -60,6 +74,7 @@ void flange_view(const Scene& scene);
 [[nodiscard]] double pocket_picture_radius(const Animation& animation);
 [[nodiscard]] double section_picture_radius(const Animation& animation);
 [[nodiscard]] double flange_picture_radius(const Animation& animation);
+[[nodiscard]] double solid_picture_radius(const Animation& animation);
 
 /// A quantity of an element as a colour: what the value is, between 0 and the largest of the run.
 struct Colouring {
@@ -71,7 +86,7 @@ struct Colouring {
 [[nodiscard]] Colouring colouring(const Animation& animation, std::size_t frame, ColourBy by);
 /// Dark blue over green to yellow (after viridis), even in lightness; `part` 0 to 1.
 [[nodiscard]] QColor scale_colour(double part);
-/// Bar with its ends, at the right end of the picture.
+/// Bar with its ends, in the upper right corner of the picture.
 void draw_scale(const Sketch& sketch, const Colouring& colouring);
 
 }  // namespace adore::agore

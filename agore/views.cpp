@@ -1,5 +1,6 @@
 #include "agore/views.hpp"
 
+#include "agore/kept.hpp"
 #include "agore/sketch.hpp"
 #include "agore/view_scene.hpp"
 #include "base/errors.hpp"
@@ -23,18 +24,45 @@ std::array<double, 3> mark_from_outside(const results::Sol8Element& element, dou
           -y * std::sin(angle) + z * std::cos(angle)};
 }
 
-void draw_key(const Sketch& sketch, const std::vector<KeyEntry>& entries, const QString& remark) {
+namespace {
+
+constexpr double kKeyIndent = 26.0;
+constexpr double kTooLow = 200.0;  ///< for more than the remark [pixels]
+
+double key_line() { return QFontMetricsF(desktop::ui_font(12)).height() + 2.0; }
+
+/// A remark in lines that fit, broken between its parts.
+QStringList wrapped(const QString& remark, double width) {
+  const QFontMetricsF metrics(desktop::ui_font(12));
+  QStringList out;
+  for (const QString& part : remark.split("  ·  ", Qt::SkipEmptyParts)) {
+    const QString longer = out.isEmpty() ? part : out.back() + "  ·  " + part;
+    if (!out.isEmpty() && metrics.horizontalAdvance(longer) <= width)
+      out.back() = longer;
+    else
+      out << part;
+  }
+  return out;
+}
+
+}  // namespace
+
+void draw_key(const Sketch& sketch, const std::vector<KeyEntry>& all, const QString& remark) {
+  const std::vector<KeyEntry> entries =
+      sketch.area().height() < kTooLow ? std::vector<KeyEntry>{} : all;
   QPainter& p = sketch.painter();
   const auto& area = sketch.area();
   p.setFont(desktop::ui_font(12));
   const QFontMetricsF metrics(p.font());
-  const double line = metrics.height() + 2, x = area.left() + 4;
-  double width = metrics.horizontalAdvance(remark);
+  const double line = key_line(), x = area.left() + 4;
+  const QStringList remarks = wrapped(remark, area.width() - 12.0);
+  double width = 0.0;
+  for (const QString& text : remarks) width = std::max(width, metrics.horizontalAdvance(text));
   for (const auto& entry : entries)
-    width = std::max(width, metrics.horizontalAdvance(entry.text) + 26);
+    width = std::max(width, metrics.horizontalAdvance(entry.text) + kKeyIndent);
   width = std::min(width, area.width() - 8);
   const double height =
-      line * (static_cast<double>(entries.size()) + (remark.isEmpty() ? 0.0 : 1.0));
+      line * (static_cast<double>(entries.size()) + static_cast<double>(remarks.size()));
   // What stands below stays readable and does not disturb.
   QColor paper = sketch.theme().surface;
   paper.setAlpha(215);
@@ -46,28 +74,19 @@ void draw_key(const Sketch& sketch, const std::vector<KeyEntry>& entries, const 
     p.setPen(sketch.theme().muted);
     p.drawText(QPointF(left, y), metrics.elidedText(text, Qt::ElideRight, area.right() - left - 4));
   };
-  if (!remark.isEmpty()) {
-    write(remark, x);
+  for (auto text = remarks.rbegin(); text != remarks.rend(); ++text) {
+    write(*text, x);
     y -= line;
   }
   for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry) {
-    write(entry->text, x + 26);
+    write(entry->text, x + kKeyIndent);
     p.setPen(QPen(entry->colour, 3));
     p.drawLine(QPointF(x, y - 4), QPointF(x + 18, y - 4));
     y -= line;
   }
 }
 
-namespace {
-
-/// Outer radius of the picture's outer race: a little beyond its groove where the file gives none.
-double outer_rim(const results::Sol8Geometry& g) {
-  return std::max(g.outer_race_outer_radius, 1.06 * g.outer_race_inner_radius);
-}
-
-/// Ball centre (y, z): its pocket's centre plus the exaggerated way out of it, or its own place
-/// when there is no cage.
-QPointF ball_centre(const Scene& s, std::size_t k) {
+QPointF element_centre(const Scene& s, std::size_t k) {
   const auto& element = s.frame.elements[k];
   const auto polar = [](double r, double a) { return QPointF(-r * std::sin(a), r * std::cos(a)); };
   if (!s.animation.has_cage) return polar(element.r, element.theta);
@@ -76,6 +95,30 @@ QPointF ball_centre(const Scene& s, std::size_t k) {
                 across(std::cos(a), std::sin(a));  // z and y axes of the pocket
   return s.place(s.animation.cage_of(s.index, k)) + radial * s.pitch_radius() +
          (across * element.pocket_vector[1] + radial * element.pocket_vector[2]) * s.factor;
+}
+
+std::vector<TrailPoint> element_trail(const Scene& s, std::size_t k) {
+  constexpr std::size_t kMost = 400;
+  const double pitch = 2.0 * kPi / std::max(1, s.animation.file.elements);
+  std::vector<TrailPoint> out;
+  double swept = 0.0;
+  for (std::size_t i = s.index; out.size() < kMost; --i) {
+    const Scene then{s.sketch, s.animation, i, s.animation.frame(i), s.factor, s.options, s.cages};
+    const auto& element = then.frame.elements.at(k);
+    out.push_back({element_centre(then, k), element.x});
+    if (i == 0) break;
+    swept += std::abs(
+        std::remainder(element.theta - s.animation.frame(i - 1).elements.at(k).theta, 2.0 * kPi));
+    if (swept > 0.8 * pitch) break;
+  }
+  return out;
+}
+
+namespace {
+
+/// Outer radius of the picture's outer race: a little beyond its groove where the file gives none.
+double outer_rim(const results::Sol8Geometry& g) {
+  return std::max(g.outer_race_outer_radius, 1.06 * g.outer_race_inner_radius);
 }
 
 /// Direction of an element's orientation mark, its body's z axis: right, up, towards the viewer,
@@ -91,9 +134,9 @@ void draw_element(const Scene& s, std::size_t k, const QColor& tint = {}) {
   const auto mark = mark_from_axis(s.frame.elements.at(k));
   const double radius = s.animation.file.geometry.element_radius;
   if (s.animation.file.bearing_type == 1)
-    s.sketch.ball(ball_centre(s, k), radius, mark, tint);
+    s.sketch.ball(element_centre(s, k), radius, mark, tint);
   else
-    s.sketch.roller_end(ball_centre(s, k), radius, mark, tint);
+    s.sketch.roller_end(element_centre(s, k), radius, mark, tint);
 }
 
 /// All of them, coloured as the options ask, with the scale.
@@ -111,7 +154,7 @@ void draw_elements(const Scene& s) {
 void draw_cage(const Scene& s) {
   for (int part = 0; part < s.animation.segments; ++part)
     s.sketch.cage(s.place(s.animation.part(s.index, part)), s.animation.part_angle(s.index, part),
-                  s.animation, s.pocket_radius(), part);
+                  s.geometry().cage_outer_radius, s.cages.of(s.animation, s.pocket_radius(), part));
 }
 
 QString exaggeration_remark(double factor) {
@@ -121,7 +164,7 @@ QString exaggeration_remark(double factor) {
 void draw_contact_marks(const Scene& s, bool numbers) {
   const auto& t = s.sketch.theme();
   for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
-    const QPointF centre = ball_centre(s, k);
+    const QPointF centre = element_centre(s, k);
     const bool contact = s.frame.elements[k].pocket_force > 0.0;
     if (s.animation.has_cage && contact)
       s.sketch.asterisk(
@@ -150,13 +193,25 @@ void draw_land_arrow(const Scene& s) {
                  s.sketch.theme().red, 3.2);
 }
 
+void draw_trails(const Scene& s) {
+  QPainter& p = s.sketch.painter();
+  p.setBrush(Qt::NoBrush);
+  p.setPen(QPen(s.sketch.theme().accent, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
+    QPolygonF line;
+    for (const TrailPoint& point : element_trail(s, k))
+      line.append(s.sketch.at(point.centre.x(), point.centre.y()));
+    p.drawPolyline(line);
+  }
+}
+
 /// Forces of both races on every element, the largest of the run as long as an element's radius.
 void draw_all_loads(const Scene& s) {
   if (!s.animation.contacts || !(s.animation.contacts->largest_load > 0.0)) return;
   const auto& contacts = s.animation.contacts->frames.at(s.index);
   const double radius = s.geometry().element_radius;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const QPointF centre = ball_centre(s, k);
+    const QPointF centre = element_centre(s, k);
     const double distance = std::hypot(centre.x(), centre.y());
     if (!(distance > 0.0)) continue;
     for (std::size_t j = 0; j < 2; ++j) {
@@ -206,6 +261,7 @@ void bearing_view(const Scene& s) {
   s.sketch.frame({0, 0}, s.animation.race_angle[1][s.index], 0.62 * bore, t.blue);
   if (s.animation.has_cage) s.sketch.frame({0, 0}, s.cage_angle(), 0.46 * bore, t.green);
   draw_land_arrow(s);
+  if (s.options.trails) draw_trails(s);
   if (s.options.contacts) draw_all_loads(s);
   draw_contact_marks(s, true);
   std::vector<KeyEntry> key{{t.light_blue, "outer race frame"}, {t.blue, "inner race frame"}};
@@ -350,7 +406,7 @@ void element_view(const Scene& s) {
   s.sketch.painter().setPen(QPen(t.accent, 2.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   s.sketch.painter().setBrush(Qt::NoBrush);
   s.sketch.painter().drawPolyline(trail);
-  const QPointF centre = ball_centre(s, k);
+  const QPointF centre = element_centre(s, k);
   draw_element(s, k);
   s.sketch.frame({0, 0}, s.animation.race_angle[1][s.index], 0.62 * g.inner_race_inner_radius,
                  t.blue);
@@ -413,6 +469,8 @@ double picture_radius(const Animation& animation, const ViewOptions& options, QS
       return pocket_picture_radius(animation);
     case View::Section:
       return section_picture_radius(animation);
+    case View::Solid:
+      return solid_picture_radius(animation);
     case View::Flange:
       return flange_picture_radius(animation);
     case View::InnerRace:
@@ -421,24 +479,70 @@ double picture_radius(const Animation& animation, const ViewOptions& options, QS
   return outer_rim(g);
 }
 
+/// Lines that the key of a view has at most, about 260 pixels wide.
+int key_lines(const Animation& animation, const ViewOptions& options) {
+  const int loads = options.contacts ? 1 : 0;
+  switch (options.view) {
+    case View::Bearing:
+      return 3 + (animation.has_cage ? 2 : 0) + loads;
+    case View::Solid:
+      return 3 + 2 * loads;
+    case View::Cage:
+    case View::Element:
+      return 4;
+    case View::Pocket:
+    case View::Section:
+    case View::Flange:
+    case View::OuterRace:
+    case View::InnerRace:
+      return 3;
+  }
+  return 0;
+}
+
+/// Height at the bottom of a picture that belongs to its key: none where the corner beside a round
+/// picture has room for it.
+double key_foot(const Animation& animation, const ViewOptions& options, QSizeF size) {
+  constexpr double kKeyWidth = 270.0, kWide = 520.0;
+  const double lines = size.height() < kTooLow
+                           ? 2.0
+                           : key_lines(animation, options) + (size.width() < kWide ? 1 : 0);
+  const double height = lines * key_line() + 4.0;
+  const bool round =
+      options.view != View::Pocket && options.view != View::Section && options.view != View::Flange;
+  const double radius = 0.5 * std::min(size.width(), size.height());
+  const double corner = std::hypot(std::max(0.0, 0.5 * size.width() - kKeyWidth),
+                                   std::max(0.0, 0.5 * size.height() - height));
+  if (round && corner > radius) return 0.0;
+  return std::min(height, 0.35 * size.height());
+}
+
 }  // namespace
+
+QPointF picture_middle(const Animation& animation, const ViewOptions& options, const QRectF& area) {
+  return area.center() - QPointF(0.0, 0.5 * key_foot(animation, options, area.size()));
+}
 
 const desktop::Theme& theme_of(const ViewOptions& options) {
   return desktop::theme(options.dark ? desktop::ThemeKind::Dark : desktop::ThemeKind::Light);
 }
 
 void paint_picture(QPainter& painter, const QRectF& area, const Animation& animation,
-                   std::size_t index, const ViewOptions& options) {
+                   std::size_t index, const ViewOptions& options, Kept* kept) {
   check_view(animation, options);
+  Kept once;
+  if (kept == nullptr) kept = &once;
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  if (options.zoom != 1.0) painter.setClipRect(area);
-  const Sketch sketch(
-      painter, area, picture_radius(animation, options, area.size()) / std::max(options.zoom, 1e-3),
-      theme_of(options), options.pan);
+  if (options.zoom != 1.0 || !options.pan.isNull()) painter.setClipRect(area);
+  const double foot = key_foot(animation, options, area.size());
+  const QSizeF room(area.width(), area.height() - foot);
+  const Sketch sketch(painter, area,
+                      picture_radius(animation, options, room) / std::max(options.zoom, 1e-3),
+                      theme_of(options), options.pan, foot);
   const Scene scene{
-      sketch, animation, index, animation.frame(index), used_exaggeration(animation, options),
-      options};
+      sketch,  animation,  index, animation.frame(index), used_exaggeration(animation, options),
+      options, kept->cages};
   switch (options.view) {
     case View::Bearing:
       bearing_view(scene);
@@ -451,6 +555,9 @@ void paint_picture(QPainter& painter, const QRectF& area, const Animation& anima
       break;
     case View::Section:
       section_view(scene);
+      break;
+    case View::Solid:
+      solid_view(scene, kept->solid);
       break;
     case View::Flange:
       flange_view(scene);

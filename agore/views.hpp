@@ -9,9 +9,14 @@
 /// The pictures and their data curves, as functions of a frame: no state, no window.
 namespace adore::agore {
 
-/// Draws the picture area of one frame into `area`.
+struct Kept;
+
+/// Draws the picture area of one frame into `area`. `kept` may be nothing: then all is made anew.
 void paint_picture(QPainter& painter, const QRectF& area, const Animation& animation,
-                   std::size_t frame, const ViewOptions& options);
+                   std::size_t frame, const ViewOptions& options, Kept* kept = nullptr);
+
+/// Where in `area` the middle of the picture is drawn that is neither zoomed nor moved.
+QPointF picture_middle(const Animation& animation, const ViewOptions& options, const QRectF& area);
 
 /// What the data area beside the picture plots over time.
 desktop::ChartPage data_page(const Animation& animation, const ViewOptions& options);

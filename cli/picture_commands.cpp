@@ -9,6 +9,10 @@
 namespace adore::cli {
 namespace {
 
+std::vector<std::string> view_names() {
+  return {"bearing", "cage", "pocket", "element", "race", "flange", "section", "3d"};
+}
+
 void add_progress(CLI::App& command, std::string& style) {
   command_line::one_of(command.add_option("--progress", style, "how progress is shown on stderr")
                            ->capture_default_str()
@@ -83,7 +87,18 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
   command_line::one_of(command->add_option("--view", request->view, "what is looked at")
                            ->capture_default_str()
                            ->type_name("VIEW"),
-                       {"bearing", "cage", "pocket", "element", "race", "flange", "section"});
+                       view_names());
+  command_line::one_of(
+      command->add_option("--beside", request->beside, "further views beside it, at the same frame")
+          ->type_name("VIEW"),
+      view_names());
+  command
+      ->add_option(
+          "--eye", request->eye,
+          "where the 3d view is seen from: yaw and elevation in degrees; 0 0 is on the +X side")
+      ->expected(2)
+      ->capture_default_str()
+      ->type_name("DEG");
   command_line::one_of(
       command->add_option("--race", request->race, "race of the race and the flange view")
           ->capture_default_str()
@@ -112,12 +127,14 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
                            ->type_name("WHAT"),
                        {"none", "load", "slip", "heat", "temperature"});
   command->add_flag("--contacts", request->contacts, "arrows of the race loads on all elements");
+  command->add_flag("--trails", request->trails, "the way of every element so far");
   command->add_flag("--dark", request->dark, "dark theme");
   add_progress(*command, request->progress);
   command->footer(
       "Examples\n"
       "  adore animate SOL8 --frame 1 --out pictures\n"
-      "  adore animate SOL8 --view cage --every 5 --movie cage.avi");
+      "  adore animate SOL8 --view cage --every 5 --movie cage.avi\n"
+      "  adore animate SOL8 --view 3d --beside bearing section --contacts --frame 1");
   command->callback([=] {
     if (frame->count() > 0) check_range("--frame", request->frame);
     check_range("--every", request->every);
@@ -127,11 +144,32 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
   });
 }
 
+void add_gallery(CLI::App& app, const std::function<void(const GalleryRequest&)>& draw) {
+  CLI::App* command = app.add_subcommand(
+      "gallery", "draw every page and every view of runs as PNG files, with a list of them");
+  auto request = std::make_shared<GalleryRequest>();
+  command
+      ->add_option("runs", request->runs,
+                   "folders of runs; without any, the example decks of all types are run")
+      ->type_name("FOLDER");
+  command->add_option("--out", request->out, "folder of the pictures")
+      ->capture_default_str()
+      ->type_name("DIR");
+  command->add_option("--size", request->size, "picture size in pixels, WIDTHxHEIGHT")
+      ->capture_default_str()
+      ->type_name("SIZE");
+  command->add_flag("--dark", request->dark, "dark theme");
+  add_progress(*command, request->progress);
+  command->footer("Example\n  adore gallery --out gallery");
+  command->callback([=] { draw(*request); });
+}
+
 }  // namespace
 
 void add_picture_commands(CLI::App& app, const PictureActions& actions) {
   add_plot(app, actions.plot);
   add_animate(app, actions.animate);
+  add_gallery(app, actions.gallery);
 }
 
 }  // namespace adore::cli

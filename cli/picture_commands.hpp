@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-/// The commands `plot` and `animate`: their options, without what draws. Two programs have them:
-/// `adore`, which hands them over, and `adore-pictures`, which links Qt and draws. To link Qt's
-/// seventy libraries takes longer than all else that most commands do.
+/// The commands `plot`, `animate` and `gallery`: their options, without what draws. Two programs
+/// have them: `adore`, which hands them over, and `adore-pictures`, which links Qt and draws. To
+/// link Qt's seventy libraries takes longer than all else that most commands do.
 namespace adore::cli {
 
 struct PlotRequest {
@@ -27,13 +27,22 @@ struct PlotRequest {
 struct AnimateRequest {
   std::string file, out = ".", view = "bearing", race = "inner", colour = "none", movie,
                     progress = "auto";
+  std::vector<std::string> beside;
+  std::vector<double> eye{32.0, 18.0};
   int frame = 0, every = 1, frames_per_second = 25, element = 1;
-  bool dark = false, contacts = false;
+  bool dark = false, contacts = false, trails = false;
+};
+
+struct GalleryRequest {
+  std::vector<std::string> runs;  ///< folders; none: those of the example decks
+  std::string out = "gallery", size = "1280x800", progress = "auto";
+  bool dark = false;
 };
 
 struct PictureActions {
   std::function<void(const PlotRequest&)> plot;
   std::function<void(const AnimateRequest&)> animate;
+  std::function<void(const GalleryRequest&)> gallery;
 };
 
 void add_picture_commands(CLI::App& app, const PictureActions& actions);

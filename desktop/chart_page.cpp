@@ -3,6 +3,7 @@
 #include "desktop/axis_scale.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace adore::desktop {
@@ -36,8 +37,71 @@ Polyline thinned(const Polyline& line, double low, double high, int columns) {
 
 }  // namespace
 
+CurveBlocks blocks_of(const std::vector<double>& y, bool wraps) {
+  CurveBlocks out;
+  out.blocks.resize(y.size() / CurveBlocks::kLength);
+  for (std::size_t b = 0; b < out.blocks.size(); ++b) {
+    CurveBlocks::Block& block = out.blocks[b];
+    const std::size_t begin = b * CurveBlocks::kLength, end = begin + CurveBlocks::kLength;
+    block = {begin, begin, true};
+    for (std::size_t i = begin; i < end; ++i) {
+      block.whole = block.whole && is_drawable(y[i]);
+      if (y[i] < y[block.lowest]) block.lowest = i;
+      if (y[i] > y[block.highest]) block.highest = i;
+    }
+    if (!wraps || !block.whole) continue;
+    const double before = begin > 0 && is_drawable(y[begin - 1]) ? y[begin - 1] : y[begin];
+    block.whole = std::max(y[block.highest], before) - std::min(y[block.lowest], before) <= 180.0;
+  }
+  return out;
+}
+
+std::pair<std::size_t, std::size_t> places_between(const std::vector<double>& x, double low,
+                                                   double high) {
+  const auto first = std::lower_bound(x.begin(), x.end(), low);
+  return {static_cast<std::size_t>(first - x.begin()),
+          static_cast<std::size_t>(std::upper_bound(first, x.end(), high) - x.begin())};
+}
+
+namespace {
+
+/// The values from `first` to before `last`, of whole blocks only the ends and the extremes.
+Polyline reduced(const std::vector<double>& x, const std::vector<double>& y, std::size_t first,
+                 std::size_t last, const CurveBlocks& blocks) {
+  Polyline out;
+  const auto take = [&](std::size_t i) {
+    out.x.push_back(x[i]);
+    out.y.push_back(y[i]);
+  };
+  for (std::size_t i = first; i < last;) {
+    const std::size_t b = i / CurveBlocks::kLength, end = i + CurveBlocks::kLength;
+    if (i % CurveBlocks::kLength != 0 || end > last || b >= blocks.blocks.size() ||
+        !blocks.blocks[b].whole) {
+      take(i++);
+      continue;
+    }
+    std::array<std::size_t, 4> keep{i, blocks.blocks[b].lowest, blocks.blocks[b].highest, end - 1};
+    std::sort(keep.begin(), keep.end());
+    take(keep[0]);
+    for (std::size_t k = 1; k < keep.size(); ++k)
+      if (keep[k] != keep[k - 1]) take(keep[k]);
+    i = end;
+  }
+  return out;
+}
+
+}  // namespace
+
 std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::vector<double>& y,
-                                      double low, double high, int columns, bool wraps) {
+                                      double low, double high, int columns, bool wraps,
+                                      const CurveBlocks* blocks) {
+  if (blocks != nullptr && x.size() == y.size() && !x.empty()) {
+    auto [first, last] = places_between(x, low, high);
+    first -= first > 0 ? 1 : 0;
+    last = std::min(last + 1, x.size());
+    const Polyline few = reduced(x, y, first, last, *blocks);
+    return drawable_pieces(few.x, few.y, low, high, columns, wraps);
+  }
   std::vector<Polyline> pieces;
   const std::size_t count = std::min(x.size(), y.size());
   bool open = false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 /// A page of charts as plain data: up to three panels stacked over a common abscissa, or one panel
@@ -80,7 +81,26 @@ struct CurveStatistics {
 struct Polyline {
   std::vector<double> x, y;
 };
+/// With the `blocks` of a long curve over a rising x only as many values are looked at as matter.
+struct CurveBlocks;
 std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::vector<double>& y,
-                                      double low, double high, int columns, bool wraps);
+                                      double low, double high, int columns, bool wraps,
+                                      const CurveBlocks* blocks = nullptr);
+
+/// Places of the lowest and the highest of every kLength values of a long curve: made once, so that
+/// moving along a million of them is quick and hides no peak.
+struct CurveBlocks {
+  static constexpr std::size_t kLength = 256;
+  struct Block {
+    std::size_t lowest = 0, highest = 0;
+    bool whole = false;  ///< neither a gap in it nor a wrap, nor one to the value before
+  };
+  std::vector<Block> blocks;  ///< of whole lengths; values behind the last have none
+};
+[[nodiscard]] CurveBlocks blocks_of(const std::vector<double>& y, bool wraps);
+
+/// Places of the values with low <= x <= high, [first, second). `x` rises.
+[[nodiscard]] std::pair<std::size_t, std::size_t> places_between(const std::vector<double>& x,
+                                                                 double low, double high);
 
 }  // namespace adore::desktop

@@ -4,7 +4,6 @@
 #include <QChart>
 #include <QFontMetricsF>
 #include <QGraphicsTextItem>
-#include <QLineSeries>
 
 #include <numbers>
 
@@ -68,8 +67,8 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
   x_axis.min = x_axis.shown(middle_x - half_x), x_axis.max = x_axis.shown(middle_x + half_x);
   y_axis.min = y_axis.shown(middle_y - half_y), y_axis.max = y_axis.shown(middle_y + half_y);
   x_axis_ = x_axis;
-  QChart* chart = addChart(area, x_axis, y_axis, with_unit(text_of(page_.x_title), x_axis),
-                           with_unit(text_of(panel.title), y_axis), true, m);
+  addChart(area, x_axis, y_axis, with_unit(text_of(page_.x_title), x_axis),
+           with_unit(text_of(panel.title), y_axis), true, m);
   if (page_.guide_radius > 0.0) {
     Polyline circle;
     constexpr int kPoints = 180;
@@ -78,11 +77,9 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
       circle.x.push_back(page_.guide_radius * std::cos(a));
       circle.y.push_back(page_.guide_radius * std::sin(a));
     }
-    addSeries(chart, circle, x_axis, y_axis, "clearance", 1, m.thin_line);
-    auto* series = qobject_cast<QLineSeries*>(chart->series().back());
-    QPen pen = series->pen();
+    QPen pen = penOf(1, m.thin_line);
     pen.setStyle(Qt::DashLine);
-    series->setPen(pen);
+    addCurve(circle, area, x_axis, y_axis, pen);
   }
   int colour = 0;
   for (const auto& curve : panel.curves) {
@@ -93,10 +90,10 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
     Polyline line, piece;  // all that is drawn, and the part since the last gap
     const auto draw_piece = [&] {
       if (piece.x.empty()) return;
-      addSeries(chart, piece, x_axis, y_axis, text_of(curve.name), colour,
-                curve.heavy            ? 3.0 * m.line
-                : page_.closed_outline ? m.line
-                                       : m.thin_line);
+      addCurve(piece, area, x_axis, y_axis,
+               penOf(colour, curve.heavy            ? 3.0 * m.line
+                             : page_.closed_outline ? m.line
+                                                    : m.thin_line));
       piece = {};
     };
     for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) {
@@ -129,7 +126,7 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
                                        (x_axis.max - x_axis.min) * area.width(),
                      area.bottom() - (y_axis.shown(label.y) - y_axis.min) /
                                          (y_axis.max - y_axis.min) * area.height());
-    addRemark(label, at, m);
+    addRemark(label, at, area, m);
   }
   if (page_.closed_outline) {
     addLegend(panel, area, m);
@@ -149,7 +146,8 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
               area.top() - key->boundingRect().height());
 }
 
-void ChartScene::addRemark(const ChartLabel& label, QPointF at, const Metrics& m) {
+void ChartScene::addRemark(const ChartLabel& label, QPointF at, const QRectF& area,
+                           const Metrics& m) {
   constexpr qreal kLeader = 26.0, kDot = 3.0;
   const QFont font = ui_font(m.text_font);
   const QFontMetricsF metrics(font);
@@ -165,8 +163,12 @@ void ChartScene::addRemark(const ChartLabel& label, QPointF at, const Metrics& m
                                              : end.x() - 0.5 * width;
   auto* item = addSimpleText(text, font);
   item->setBrush(theme_->text);
-  item->setPos(std::clamp(left, 4.0, std::max(4.0, size_.width() - width - 4.0)),
-               end.y() - 0.5 * height * (1.0 + label.towards_y));
+  // Not over what stands around the picture.
+  const qreal most_left = std::max(4.0, area.right() - width - 4.0),
+              lowest = std::max(area.top(), area.bottom() - height - 2.0);
+  item->setPos(std::clamp(left, std::min(area.left() + 4.0, most_left), most_left),
+               std::clamp(end.y() - 0.5 * height * (1.0 + label.towards_y),
+                          std::min(area.top() + 2.0, lowest), lowest));
   item->setZValue(6);
 }
 

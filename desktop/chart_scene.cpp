@@ -4,11 +4,11 @@
 
 #include <QChart>
 #include <QFontMetricsF>
+#include <QGraphicsItem>
 #include <QGraphicsLayout>
 #include <QGraphicsLineItem>
 #include <QGraphicsTextItem>
 #include <QImage>
-#include <QLineSeries>
 #include <QPainter>
 #include <QTextDocument>
 #include <QValueAxis>
@@ -55,6 +55,7 @@ void ChartScene::setPage(ChartPage page, bool keep_view) {
   const double low = low_, high = high_;
   page_ = std::move(page);
   panel_views_.assign(page_.panels.size(), std::nullopt);
+  studyCurves();
   const auto [first, last] = wholeRange();
   if (same && low < last && high > first) {
     low_ = std::max(low, first);
@@ -77,7 +78,23 @@ void ChartScene::setPageSize(QSizeF size) {
   rebuild();
 }
 
+void ChartScene::studyCurves() {
+  constexpr std::size_t kLong = 8192;
+  const std::vector<double>& x = page_.x;
+  blocks_.clear();
+  rising_ = !page_.equal_axes && !x.empty() && std::is_sorted(x.begin(), x.end()) &&
+            std::all_of(x.begin(), x.end(), [](double value) { return is_drawable(value); });
+  if (!rising_ || x.size() < kLong) return;
+  for (const ChartPanel& panel : page_.panels) {
+    auto& of_panel = blocks_.emplace_back();
+    for (const ChartCurve& curve : panel.curves)
+      of_panel.push_back(curve.y.size() == x.size() ? blocks_of(curve.y, panel.wraps)
+                                                    : CurveBlocks{});
+  }
+}
+
 std::pair<double, double> ChartScene::wholeRange() const {
+  if (rising_ && !page_.log_x) return {page_.x.front(), page_.x.back()};
   Extent extent;
   for (const double x : page_.x)
     if (!page_.log_x || x > 0.0) extent.include(x);
@@ -179,6 +196,7 @@ QString ChartScene::readout(QPointF position) const {
 void ChartScene::rebuild() {
   clear();
   charts_.clear();
+  lines_.clear();
   areas_.clear();
   y_axes_.clear();
   legend_.clear();
@@ -235,13 +253,28 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   const ChartPanel& panel = page_.panels[index];
   Extent extent;
   bool any = false;
-  for (const auto& curve : panel.curves)
-    for (std::size_t i = 0; i < std::min(curve.y.size(), page_.x.size()); ++i) {
-      any = any || is_drawable(curve.y[i]);
-      if (curve.hidden || page_.x[i] < low_ || page_.x[i] > high_) continue;
-      for (const auto* values : {&curve.y, &curve.low, &curve.high})
-        if (i < values->size() && (!panel.log || (*values)[i] > 0.0)) extent.include((*values)[i]);
-    }
+  const auto [from, to] = rising_ ? places_between(page_.x, low_, high_)
+                                  : std::pair<std::size_t, std::size_t>(0, page_.x.size());
+  for (std::size_t c = 0; c < panel.curves.size(); ++c) {
+    const ChartCurve& curve = panel.curves[c];
+    any = any || std::any_of(curve.y.begin(), curve.y.end(), is_drawable);
+    if (curve.hidden) continue;
+    const CurveBlocks* blocks = blocks_.empty() || panel.log ? nullptr : &blocks_[index][c];
+    for (const auto* values : {&curve.y, &curve.low, &curve.high})
+      for (std::size_t i = from; i < std::min(to, values->size()); ++i) {
+        if (!rising_ && (page_.x[i] < low_ || page_.x[i] > high_)) continue;
+        const std::size_t b = i / CurveBlocks::kLength;
+        if (values == &curve.y && blocks != nullptr && i % CurveBlocks::kLength == 0 &&
+            i + CurveBlocks::kLength <= to && b < blocks->blocks.size() &&
+            blocks->blocks[b].whole) {
+          extent.include((*values)[blocks->blocks[b].lowest]);
+          extent.include((*values)[blocks->blocks[b].highest]);
+          i += CurveBlocks::kLength - 1;
+        } else if (!panel.log || (*values)[i] > 0.0) {
+          extent.include((*values)[i]);
+        }
+      }
+  }
   const double least = std::max(panel.least_span, least_span_of(panel.unit));
   if (!panel.log && !extent.empty() && extent.high - extent.low < least) {
     // Beside a larger value such noise is a constant; about zero the axis shows how small it is.
@@ -257,8 +290,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
                            : chosen  ? tight_axis(low, high, panel.unit, parts)
                                      : value_axis(low, high, panel.unit, parts);
   const QString x_title = bottom ? with_unit_and_base(text_of(page_.x_title), x_axis_) : QString();
-  QChart* chart =
-      addChart(area, x_axis_, y_axis, x_title, with_unit(text_of(panel.title), y_axis), bottom, m);
+  addChart(area, x_axis_, y_axis, x_title, with_unit(text_of(panel.title), y_axis), bottom, m);
   int colour = -1;
   for (const auto& curve : panel.curves) {
     colour = panel.one_colour ? 0 : colour + 1;
@@ -270,10 +302,14 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
       for (double& value : positive)
         if (!(value > 0.0)) value = std::numeric_limits<double>::quiet_NaN();
     }
-    const auto pieces = drawable_pieces(page_.x, panel.log ? positive : curve.y, low_, high_,
-                                        static_cast<int>(area.width()), panel.wraps);
+    const auto pieces = drawable_pieces(
+        page_.x, panel.log ? positive : curve.y, low_, high_, static_cast<int>(area.width()),
+        panel.wraps,
+        blocks_.empty() || panel.log
+            ? nullptr
+            : &blocks_[index][static_cast<std::size_t>(&curve - panel.curves.data())]);
     for (const auto& piece : pieces) {
-      addSeries(chart, piece, x_axis_, y_axis, text_of(curve.name), colour, m.line, curve.dashed);
+      addCurve(piece, area, x_axis_, y_axis, penOf(colour, m.line, curve.dashed));
       // A value between gaps has no line: it is a point.
       if (page_.points || piece.x.size() == 1)
         addPoints(piece, area, x_axis_, y_axis, colour, m.line);
@@ -281,16 +317,19 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   }
   if (!any)
     addMessage(area, panel.message.empty() ? "no values in the file" : text_of(panel.message), m);
+  const qreal legend = addLegend(panel, area, m);
   if (!y_axis.offset_text.empty()) {
     auto* base =
         addSimpleText("difference from " + text_of(y_axis.offset_text), ui_font(m.tick_font));
     base->setBrush(theme_->accent);
-    base->setPos(area.left(), area.top() - base->boundingRect().height() - 3);
+    // Beside the legend, or below it where that needs the width.
+    const bool beside = area.left() + base->boundingRect().width() + 8.0 < legend;
+    base->setPos(area.left() + (beside ? 0.0 : 4.0),
+                 area.top() + (beside ? -base->boundingRect().height() - 3.0 : 2.0));
   }
-  addMarks(area, index == 0, m);
+  addMarks(area, index == 0, legend, m);
   areas_.push_back(area);
   y_axes_.push_back(y_axis);
-  addLegend(panel, area, m);
 }
 
 /// The extremes between the values, as a pale area that the lowest and highest value of each column
@@ -378,6 +417,7 @@ QChart* ChartScene::addChart(const QRectF& area, const AxisScale& x_scale, const
   chart->layout()->invalidate();
   chart->layout()->activate();
   charts_.push_back(chart);
+  lines_.push_back(0);
   if (!page_.schematic) addLabels(area, x_scale, y_scale, x_title, y_title, x_labels, m);
   return chart;
 }
@@ -435,22 +475,53 @@ void ChartScene::addLabels(const QRectF& area, const AxisScale& x_scale, const A
   write(y_title.mid(unit + 1), area.left() - m.left + 1 + title_metrics.height() - 2);
 }
 
-void ChartScene::addSeries(QChart* chart, const Polyline& line, const AxisScale& x_axis,
-                           const AxisScale& y_axis, const QString& name, int colour, qreal width,
-                           bool dashed) {
-  auto* series = new QLineSeries;
-  QList<QPointF> points;
-  points.reserve(static_cast<qsizetype>(line.x.size()));
-  for (std::size_t i = 0; i < line.x.size(); ++i)
-    points.append({x_axis.shown(line.x[i]), y_axis.shown(line.y[i])});
-  series->replace(points);
-  series->setName(name);
+namespace {
+
+/// A line of a chart, not beyond its area.
+class LineItem : public QGraphicsItem {
+ public:
+  LineItem(QPolygonF line, const QRectF& area, QPen pen)
+      : line_(std::move(line)), area_(area), pen_(std::move(pen)) {}
+  [[nodiscard]] QRectF boundingRect() const override { return area_; }
+  void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
+    painter->save();
+    painter->setClipRect(area_, Qt::IntersectClip);
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(pen_);
+    painter->setBrush(Qt::NoBrush);
+    painter->drawPolyline(line_);
+    painter->restore();
+  }
+
+ private:
+  QPolygonF line_;
+  QRectF area_;
+  QPen pen_;
+};
+
+}  // namespace
+
+QPen ChartScene::penOf(int colour, qreal width, bool dashed) const {
   QPen pen(theme_->curves[static_cast<std::size_t>(colour) % theme_->curves.size()], width);
-  pen.setJoinStyle(Qt::RoundJoin);
+  pen.setJoinStyle(Qt::BevelJoin);  // a round one takes five times as long
   if (dashed) pen.setDashPattern({4.0, 4.0});
-  series->setPen(pen);
-  chart->addSeries(series);
-  for (auto* axis : chart->axes()) series->attachAxis(axis);
+  return pen;
+}
+
+void ChartScene::addCurve(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
+                          const AxisScale& y_axis, QPen pen) {
+  QPolygonF points;
+  points.reserve(static_cast<qsizetype>(line.x.size()));
+  // Far outside a picture numbers are too large for the painter.
+  constexpr double kFar = 1e5;
+  for (std::size_t i = 0; i < line.x.size(); ++i) {
+    const double x = (x_axis.shown(line.x[i]) - x_axis.min) / (x_axis.max - x_axis.min),
+                 y = (y_axis.shown(line.y[i]) - y_axis.min) / (y_axis.max - y_axis.min);
+    points.append({area.left() + std::clamp(x * area.width(), -kFar, kFar),
+                   area.bottom() - std::clamp(y * area.height(), -kFar, kFar)});
+  }
+  addItem(new LineItem(std::move(points), area.adjusted(-1, -1, 1, 1), std::move(pen)));
+  if (!lines_.empty()) ++lines_.back();
 }
 
 void ChartScene::addPoints(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
@@ -468,8 +539,8 @@ void ChartScene::addPoints(const Polyline& line, const QRectF& area, const AxisS
   }
 }
 
-void ChartScene::addLegend(const ChartPanel& panel, const QRectF& area, const Metrics& m) {
-  if (panel.curves.size() < 2 || panel.one_colour) return;
+qreal ChartScene::addLegend(const ChartPanel& panel, const QRectF& area, const Metrics& m) {
+  if (panel.curves.size() < 2 || panel.one_colour) return area.right();
   const QFont font = ui_font(m.text_font);
   const QFontMetricsF metrics(font);
   constexpr qreal kLine = 24.0, kGap = 16.0;
@@ -478,8 +549,8 @@ void ChartScene::addLegend(const ChartPanel& panel, const QRectF& area, const Me
   qreal wanted = 0.0;
   for (const auto& curve : panel.curves)
     wanted += metrics.horizontalAdvance(text_of(curve.name)) + kLine + kGap;
-  const qreal most =
-      wanted <= area.width() ? area.width() : std::max(0.0, area.width() / count - kLine - kGap);
+  const qreal room = area.right() - 8.0;  // also over the labels of the axis
+  const qreal most = wanted <= room ? room : std::max(0.0, room / count - kLine - kGap);
   const auto index = static_cast<std::size_t>(&panel - page_.panels.data());
   qreal x = area.right();
   for (std::size_t i = panel.curves.size(); i-- > 0;) {
@@ -499,9 +570,10 @@ void ChartScene::addLegend(const ChartPanel& panel, const QRectF& area, const Me
                        index, i});
     x -= kLine + kGap;
   }
+  return x;
 }
 
-void ChartScene::addMarks(const QRectF& area, bool label, const Metrics& m) {
+void ChartScene::addMarks(const QRectF& area, bool label, qreal free_until, const Metrics& m) {
   std::vector<ChartMark> marks = page_.marks;
   std::stable_sort(marks.begin(), marks.end(),
                    [](const ChartMark& a, const ChartMark& b) { return a.x < b.x; });
@@ -522,7 +594,9 @@ void ChartScene::addMarks(const QRectF& area, bool label, const Metrics& m) {
     free_from = left + width + 8.0;
     auto* item = addSimpleText(text, font);
     item->setBrush(theme_->muted);
-    item->setPos(left, area.top() - metrics.height() - 3);
+    const bool beside = free_until >= area.right() || left + width + 8.0 < free_until;
+    item->setPos(left + (beside ? 0.0 : -0.5 * width - 3.0),
+                 area.top() + (beside ? -metrics.height() - 3.0 : 2.0));
   }
 }
 

@@ -64,6 +64,8 @@ class ChartScene : public QGraphicsScene {
   /// Drawing area of each panel in scene coordinates, from top to bottom.
   [[nodiscard]] const std::vector<QRectF>& plotAreas() const { return areas_; }
   [[nodiscard]] const std::vector<QChart*>& charts() const { return charts_; }
+  /// Connected lines that are drawn in a panel.
+  [[nodiscard]] int linesOf(std::size_t panel) const { return lines_.at(panel); }
   /// Abscissa value at a scene position, and back.
   [[nodiscard]] double abscissaAt(double scene_x) const;
   [[nodiscard]] double positionOf(double abscissa) const;
@@ -87,18 +89,23 @@ class ChartScene : public QGraphicsScene {
   void addPanel(std::size_t index, const QRectF& area, bool bottom, const Metrics& m);
   void addBand(const ChartCurve& curve, const QRectF& area, const AxisScale& y_axis, int colour);
   void addOrbit(const QRectF& space, const Metrics& m);
-  void addRemark(const ChartLabel& label, QPointF at, const Metrics& m);
-  void addLegend(const ChartPanel& panel, const QRectF& area, const Metrics& m);
-  void addMarks(const QRectF& area, bool label, const Metrics& m);
+  void addRemark(const ChartLabel& label, QPointF at, const QRectF& area, const Metrics& m);
+  /// Returns its left end.
+  qreal addLegend(const ChartPanel& panel, const QRectF& area, const Metrics& m);
+  /// `free_until`: where the names, if any, meet the legend.
+  void addMarks(const QRectF& area, bool label, qreal free_until, const Metrics& m);
   [[nodiscard]] std::pair<double, double> wholeRange() const;
   void addMessage(const QRectF& area, const QString& text, const Metrics& m);
   QChart* addChart(const QRectF& area, const AxisScale& x_axis, const AxisScale& y_axis,
                    const QString& x_title, const QString& y_title, bool x_labels, const Metrics& m);
   void addLabels(const QRectF& area, const AxisScale& x_scale, const AxisScale& y_scale,
                  const QString& x_title, const QString& y_title, bool x_labels, const Metrics& m);
-  void addSeries(QChart* chart, const Polyline& line, const AxisScale& x_axis,
-                 const AxisScale& y_axis, const QString& name, int colour, qreal width,
-                 bool dashed = false);
+  /// A line inside `area`, drawn by ourselves: Qt Charts makes an outline of every line for the
+  /// mouse, which takes most of the time of moving along a long run.
+  void addCurve(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
+                const AxisScale& y_axis, QPen pen);
+  [[nodiscard]] QPen penOf(int colour, qreal width, bool dashed = false) const;
+  void studyCurves();
   void addPoints(const Polyline& line, const QRectF& area, const AxisScale& x_axis,
                  const AxisScale& y_axis, int colour, qreal width);
 
@@ -113,6 +120,9 @@ class ChartScene : public QGraphicsScene {
   std::vector<LegendEntry> legend_;
   std::vector<QRectF> areas_;
   std::vector<QChart*> charts_;
+  std::vector<int> lines_;
+  bool rising_ = false;                           ///< the abscissa
+  std::vector<std::vector<CurveBlocks>> blocks_;  ///< of long curves: by panel and curve
 };
 
 }  // namespace adore::desktop

@@ -4,6 +4,7 @@
 #include "agore/render.hpp"
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
+#include "cli/pictures/gallery.hpp"
 #include "cli/progress.hpp"
 #include "desktop/bootstrap.hpp"
 #include "desktop/image_export.hpp"
@@ -71,6 +72,11 @@ void animate(const AnimateRequest& request) {
   render.view.flange_race = request.race == "outer" ? 0 : 1;
   render.view.colour = agore::colour_named(request.colour);
   render.view.contacts = request.contacts;
+  render.view.trails = request.trails;
+  for (const std::string& view : request.beside)
+    render.view.beside.push_back({agore::view_named(view, request.race)});
+  render.view.yaw = request.eye.at(0);
+  render.view.elevation = request.eye.at(1);
   render.view.dark = request.dark;
   render.progress = make_count_progress("frame", request.progress);
   agore::MotionPicture picture = agore::open_animation(request.file);
@@ -94,7 +100,7 @@ void animate(const AnimateRequest& request) {
 
 }  // namespace
 
-PictureActions drawing_actions() { return {plot, animate}; }
+PictureActions drawing_actions() { return {plot, animate, draw_gallery}; }
 
 void draw_accuracy(const std::filesystem::path& table, const std::filesystem::path& picture) {
   const auto study = parse_json(results::read_text_file(table), table.string());

@@ -1,6 +1,7 @@
 #include "results/sol_file.hpp"
 
 #include "base/errors.hpp"
+#include "results/read_watch.hpp"
 #include "results/sol_parser.hpp"
 
 #include <fmt/format.h>
@@ -115,7 +116,10 @@ std::size_t SolFile::place(std::size_t column) const {
              : std::string::npos;
 }
 
-SolFile read_sol(std::istream& stream, const std::string& name, const SolRange& range) {
+namespace {
+
+SolFile read_steps(std::istream& stream, const std::string& name, const SolRange& range,
+                   const ReadWatch& watch, std::uintmax_t bytes) {
   check(range);
   SolParser parser(stream, name);
   if (parser.kind() == SolKind::Animation)
@@ -128,7 +132,11 @@ SolFile read_sol(std::istream& stream, const std::string& name, const SolRange& 
   file.kind = parser.kind();
   file.header = parser.header();
   file.columns = range.columns;
+  constexpr std::size_t kLook = 1000;  // steps
   file.note = for_each_step(parser, name, range, [&](SolStep& step) {
+    if (watch && bytes > 0 && file.steps.size() % kLook == 0 &&
+        !watch(static_cast<double>(parser.good_bytes()) / static_cast<double>(bytes)))
+      throw ReadStopped(fmt::format("reading {} was stopped", name));
     if (file.columns.empty()) {
       file.steps.push_back(std::move(step));
       return;
@@ -141,7 +149,14 @@ SolFile read_sol(std::istream& stream, const std::string& name, const SolRange& 
   });
   SolStep behind;
   file.more = file.note.empty() && parser.next(behind, false) == BlockStatus::Complete;
+  if (watch) (void)watch(1.0);
   return file;
+}
+
+}  // namespace
+
+SolFile read_sol(std::istream& stream, const std::string& name, const SolRange& range) {
+  return read_steps(stream, name, range, {}, 0);
 }
 
 Sol8File read_sol8(std::istream& stream, const std::string& name, const SolRange& range) {
@@ -167,6 +182,13 @@ Sol8File read_sol8(std::istream& stream, const std::string& name, const SolRange
 SolFile read_sol(const std::filesystem::path& path, const SolRange& range) {
   std::ifstream stream = open_file(path);
   return read_sol(stream, path.string(), range);
+}
+
+SolFile read_sol(const std::filesystem::path& path, const SolRange& range, const ReadWatch& watch) {
+  std::ifstream stream = open_file(path);
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+  return read_steps(stream, path.string(), range, watch, error ? 0 : bytes);
 }
 
 Sol8File read_sol8(const std::filesystem::path& path, const SolRange& range) {

@@ -411,7 +411,8 @@ TEST_CASE("plot_window: pages turn to both ends with a message there", "[gui]") 
     CHECK(window.currentPage() == page);
     CHECK(take_message(window).isEmpty());
     CHECK_FALSE(window.view().chartScene().charts().empty());
-    for (auto* chart : window.view().chartScene().charts()) CHECK_FALSE(chart->series().isEmpty());
+    for (std::size_t i = 0; i < window.view().chartScene().charts().size(); ++i)
+      CHECK(window.view().chartScene().linesOf(i) > 0);
   }
   press(window, "Next Plot");
   CHECK(take_message(window) == "This is the last plot.");

@@ -2,6 +2,7 @@
 #include "desktop/chart_view.hpp"
 #include "support/qt_app.hpp"
 #include "support/synthetic_results.hpp"
+#include "support/walk.hpp"
 
 #include <QAction>
 #include <QComboBox>
@@ -27,7 +28,7 @@ void act(PlotWindow& window, std::mt19937& random) {
   const QPoint place(any(view.viewport()->width()), any(view.viewport()->height()));
   const Qt::KeyboardModifiers keys[] = {Qt::NoModifier, Qt::ShiftModifier, Qt::ControlModifier,
                                         Qt::ShiftModifier | Qt::ControlModifier};
-  switch (any(14)) {
+  switch (any(16)) {
     case 0:
     case 1:
       window.showPage(1 + any(std::max(1, window.pageCount())));
@@ -80,9 +81,23 @@ void act(PlotWindow& window, std::mt19937& random) {
         window.addFile(test::synthetic_sol(static_cast<results::SolKind>(any(4)), run));
       }
       break;
+    case 14: {
+      QList<QAction*> actions;
+      const QStringList left_out{"Quit", "Print..."};
+      for (auto* action : window.findChildren<QAction*>())
+        if (!action->menu() && !action->isSeparator() && action->isEnabled() &&
+            !left_out.contains(action->text().remove('&')))
+          actions << action;
+      actions[any(static_cast<int>(actions.size()))]->trigger();
+      break;
+    }
+    case 15:
+      window.resize(500 + any(900), 380 + any(500));
+      break;
     default:
       break;
   }
+  if (window.fileCount() == 0) window.addFile(test::synthetic_sol(results::SolKind::Cage));
   for (auto* dialog : window.findChildren<QDialog*>()) dialog->reject();
   QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
 }
@@ -96,9 +111,9 @@ TEST_CASE("plot_window: a random walk over everything that a hand can do leaves 
   window.resize(900, 600);
   window.show();
   window.addFile(test::synthetic_sol(results::SolKind::Cage));
-  std::mt19937 random(15);
-  constexpr int kActions = 3000;
-  for (int i = 0; i < kActions; ++i) {
+  std::mt19937 random = test::walk_random();
+  const int actions_to_do = test::walk_actions();
+  for (int i = 0; i < actions_to_do; ++i) {
     INFO("action " << i);
     act(window, random);
     auto& scene = window.view().chartScene();

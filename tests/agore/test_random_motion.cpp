@@ -1,6 +1,9 @@
 #include "agore/agore_window.hpp"
+#include "core/results/synthetic.hpp"
+#include "results/results_h5.hpp"
 #include "support/qt_app.hpp"
 #include "support/synthetic_results.hpp"
+#include "support/walk.hpp"
 
 #include <QAction>
 #include <QDialog>
@@ -14,6 +17,32 @@
 using namespace adore;
 using namespace adore::agore;
 
+namespace {
+
+/// What can be shown: a lone SOL8 of some balls, or RESULTS.h5, which has sections and the 3D view.
+Animation any_animation(const std::filesystem::path& folder, int number) {
+  using namespace adore::testing;
+  if (number % 3 == 0) {
+    test::SyntheticRun run;
+    run.steps = 1 + number % 60;
+    run.balls = 3 + number % 20;
+    return prepare(test::synthetic_sol8(run));
+  }
+  const int balls = 3 + number % 12;
+  const bool with_cage = number % 4 != 1;
+  const auto path = folder / "RESULTS.h5";
+  std::filesystem::remove(path);
+  const bearing::Bearing bearing = make_bearing(balls, with_cage);
+  results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, channel_table());
+  results::H5Writer h5 = results::H5Writer::create(path, bearing, channel_table());
+  for (long step = 0; step <= number % 40; ++step)
+    h5.write(recorder.record(make_snapshot(bearing, step)));
+  h5.close();
+  return open_motion(path);
+}
+
+}  // namespace
+
 TEST_CASE("agore_window: a random walk over everything that a hand can do leaves it alive",
           "[gui][slow]") {
   test::use_qt();
@@ -23,16 +52,18 @@ TEST_CASE("agore_window: a random walk over everything that a hand can do leaves
   window.setAnimation(prepare(test::synthetic_sol8(run)));
   window.resize(900, 600);
   window.show();
-  std::mt19937 random(15);
+  const testing::TemporaryFolder folder;
+  std::mt19937 random = test::walk_random();
   const auto any = [&](int count) {
     return static_cast<int>(random() % static_cast<unsigned>(count));
   };
   auto* canvas = window.findChild<PictureWidget*>();
   const QStringList left_out{"Quit", "Print...", "Save Picture...", "Save Film...", "Open..."};
-  constexpr int kActions = 3000;
-  for (int i = 0; i < kActions; ++i) {
+  const int actions_to_do = test::walk_actions();
+  for (int i = 0; i < actions_to_do; ++i) {
     INFO("action " << i);
     const QPoint place(any(canvas->width()), any(canvas->height()));
+    if (any(60) == 0) window.setAnimation(any_animation(folder / "", any(1000)));
     switch (any(6)) {
       case 0: {
         QList<QAction*> actions;
@@ -61,7 +92,8 @@ TEST_CASE("agore_window: a random walk over everything that a hand can do leaves
         break;
       }
       case 4:
-        window.setView(static_cast<View>(any(6)), 1 + any(20));
+        window.setView(static_cast<View>(any(9)), 1 + any(20));
+        if (any(2) == 0) window.setBeside(static_cast<View>(any(9)), any(3) > 0);
         break;
       default:
         any(2) == 0 ? window.frameForward() : window.frameBackward();

@@ -159,7 +159,7 @@ TEST_CASE("chart_scene: panels stand over one abscissa with a series per curve",
   REQUIRE(scene.charts().size() == 3);
   REQUIRE(scene.plotAreas().size() == 3);
   for (std::size_t i = 0; i < 3; ++i) {
-    CHECK(scene.charts()[i]->series().size() == 2);
+    CHECK(scene.linesOf(i) == 2);
     CHECK(scene.plotAreas()[i].left() == scene.plotAreas()[0].left());
     CHECK(scene.plotAreas()[i].width() == scene.plotAreas()[0].width());
     CHECK(scene.sceneRect().contains(scene.plotAreas()[i]));

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QColor>
+#include <QImage>
+
+#include <array>
+#include <vector>
+
+/// A picture with depth: of triangles and spheres the nearest surface wins at every pixel. Plain
+/// arithmetic on arrays, without a graphics driver: the same picture with and without a screen.
+namespace adore::agore {
+
+/// A colour from shadow (0) over itself (about 190) to its highlight (255).
+using Shades = std::array<QRgb, 256>;
+[[nodiscard]] Shades shades_of(const QColor& colour);
+
+/// Light of a surface with this unit normal towards the viewer (x right, y up, z to the viewer), 0
+/// to 255: a lamp over the viewer's left shoulder.
+[[nodiscard]] float light_of(float x, float y, float z);
+
+class DepthCanvas {
+ public:
+  /// In pixels, y downwards; nearer is larger in depth.
+  struct Point {
+    float x = 0, y = 0, depth = 0, light = 0;
+  };
+  /// What is drawn on a sphere so that its turning is seen: a spot at the pole and a line around it
+  /// half way. In the viewer's axes; 0: nothing.
+  struct Pole {
+    float x = 0, y = 0, z = 0;
+  };
+
+  void reset(QSize size, QRgb paper);
+  [[nodiscard]] QSize size() const { return {width_, height_}; }
+  void triangle(const Point& a, const Point& b, const Point& c, const Shades& shades);
+  void quad(const Point& a, const Point& b, const Point& c, const Point& d, const Shades& shades) {
+    triangle(a, b, c, shades);
+    triangle(a, c, d, shades);
+  }
+  void sphere(const Point& centre, float radius, const Pole& pole, const Shades& shades, QRgb mark);
+  /// Every pixel the mean of `shrink` by `shrink` of them.
+  [[nodiscard]] QImage image(int shrink) const;
+
+ private:
+  int width_ = 0, height_ = 0;
+  std::vector<QRgb> colour_;
+  std::vector<float> depth_;
+};
+
+}  // namespace adore::agore

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "agore/sketch.hpp"
+#include "agore/solid_view.hpp"
+
+namespace adore::agore {
+
+/// What a view keeps from frame to frame, because it does not change.
+struct Kept {
+  SolidLayer solid;
+  CageOutlines cages;
+};
+
+}  // namespace adore::agore

@@ -1,0 +1,199 @@
+#include "agore/ring_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::agore {
+
+double length_unit(const Animation& animation) {
+  return animation.file.units[0] == "in" ? 0.0254 : 1.0;
+}
+
+double size_number(const Animation& animation, const char* name, double otherwise) {
+  if (!animation.motion) return otherwise;
+  const auto found = animation.motion->geometry().find(name);
+  return found == animation.motion->geometry().end() || !std::isfinite(found->second)
+             ? otherwise
+             : found->second;
+}
+
+double size_length(const Animation& animation, const char* name, double otherwise) {
+  const double value = size_number(animation, name, -1.0);
+  return value > 0.0 ? value / length_unit(animation) : otherwise;
+}
+
+double RollerProfile::side(double u) const {
+  const double drop =
+      crown > half ? crown - std::sqrt(crown * crown - std::min(u * u, 0.99 * crown * crown)) : 0.0;
+  return radius + u * slope - drop;
+}
+
+QPointF leaned(double x, double r, double lean, double u, double v) {
+  return {x + u * std::cos(lean) - v * std::sin(lean), r + u * std::sin(lean) + v * std::cos(lean)};
+}
+
+AxisAngles axis_angles(const results::Sol8Element& element) {
+  const Vec3 axis = rotation(element.angles).col(0);
+  const double sine = std::sin(element.theta), cosine = std::cos(element.theta);
+  const double along = std::abs(axis.x()) > 1e-9 ? axis.x() : 1.0;
+  // y = -r sin, z = r cos: outwards is (-sin, cos), increasing azimuth (-cos, -sin).
+  return {std::atan((-axis.y() * sine + axis.z() * cosine) / along),
+          std::atan((-axis.y() * cosine - axis.z() * sine) / along)};
+}
+
+double nominal_lean(const Animation& animation) {
+  if (animation.file.bearing_type == 1) return 0.0;
+  return axis_angles(animation.frame(0).elements.at(0)).lean;
+}
+
+RollerProfile roller_profile(const Animation& animation) {
+  const auto& g = animation.file.geometry;
+  const bool tapered = animation.file.bearing_type >= 4;
+  const double sign =
+      nominal_lean(animation) * size_number(animation, "contact_angle") < 0.0 ? -1.0 : 1.0;
+  RollerProfile out;
+  out.half = 0.5 * size_length(animation, "roller_length", 2.0 * g.element_radius);
+  out.radius = g.element_radius;
+  if (tapered) out.slope = std::tan(sign * size_number(animation, "roller_half_angle"));
+  // What a crown of metres takes away cannot be seen.
+  const double crown = size_length(animation, "roller_crown_radius");
+  if (crown < 40.0 * out.half) out.crown = crown;
+  out.mass_centre = size_number(animation, "roller_mass_offset") / length_unit(animation);
+  return out;
+}
+
+namespace {
+
+std::vector<RingColumn> ball_ring(const Animation& animation, std::size_t race, double half,
+                                  double far) {
+  const auto& g = animation.file.geometry;
+  const bool outer = race == 0;
+  const double depth = 0.5 * g.element_radius;
+  const double groove = size_length(
+      animation, outer ? "outer_groove_radius" : "inner_groove_radius", 1.04 * g.element_radius);
+  const double centre_x =
+      size_number(animation, outer ? "outer_race_centre_x" : "inner_race_centre_x") /
+      length_unit(animation);
+  const double centre_r =
+      outer ? g.outer_race_inner_radius - groove : g.inner_race_outer_radius + groove;
+  const double shoulder =
+      outer ? size_length(animation, "outer_shoulder_radius", g.outer_race_inner_radius - depth)
+            : size_length(animation, "inner_shoulder_radius", g.inner_race_outer_radius + depth);
+  const auto near = [&](double x) {
+    const double inside = groove * groove - (x - centre_x) * (x - centre_x);
+    const double bow = inside > 0.0 ? std::sqrt(inside) : 0.0;
+    // An outer groove is cut from the shoulder outwards, no deeper than the ring.
+    if (outer) return std::min(far, inside > 0.0 ? std::max(shoulder, centre_r + bow) : shoulder);
+    return std::max(far, inside > 0.0 ? std::min(shoulder, centre_r - bow) : shoulder);
+  };
+  std::vector<double> places;
+  constexpr int kParts = 40;
+  for (int i = 0; i <= kParts; ++i) places.push_back(half * (2.0 * i / kParts - 1.0));
+  // The edges of the groove are points of their own.
+  const double reach = groove * groove - (shoulder - centre_r) * (shoulder - centre_r);
+  if (reach > 0.0)
+    for (const double side : {-1.0, 1.0}) {
+      const double edge = centre_x + side * std::sqrt(reach);
+      if (std::abs(edge) < half) places.push_back(edge);
+    }
+  std::sort(places.begin(), places.end());
+  std::vector<RingColumn> out;
+  for (const double x : places) out.push_back({x, near(x), far});
+  return out;
+}
+
+std::vector<RingColumn> roller_ring(const Animation& animation, std::size_t race, double half,
+                                    double far) {
+  const auto& g = animation.file.geometry;
+  const RollerProfile roller = roller_profile(animation);
+  const double lean = nominal_lean(animation);
+  const double middle_r = 0.5 * (g.outer_race_inner_radius + g.inner_race_outer_radius);
+  const double middle_x = animation.frame(0).elements.at(0).x - roller.mass_centre * std::cos(lean);
+  const double up = race == 0 ? 1.0 : -1.0;
+  const auto height = [&](std::size_t side) {
+    if (!has_flange(animation, race, side)) return 0.0;
+    return size_length(
+        animation,
+        race == 0 ? (side == 0 ? "outer_flange_minus_x_height" : "outer_flange_plus_x_height")
+                  : (side == 0 ? "inner_flange_minus_x_height" : "inner_flange_plus_x_height"),
+        0.2 * roller.radius);
+  };
+  // Across the axis, from the roller's middle: the raceway, and beyond its ends the flanges.
+  std::vector<QPointF> line;
+  const auto add = [&](double u, double lower) {
+    line.push_back(leaned(middle_x, middle_r, lean, u, up * (roller.side(u) - lower)));
+  };
+  const double reach = roller.crown > 0.0
+                           ? 0.9 * roller.crown
+                           : 2.0 * half / std::max(0.3, std::cos(lean)) + roller.half;
+  constexpr int kParts = 60;
+  for (int i = 0; i <= kParts; ++i) {
+    const double u = reach * (2.0 * i / kParts - 1.0);
+    if (std::abs(u) <= roller.half || !(height(u < 0.0 ? 0 : 1) > 0.0)) add(u, 0.0);
+  }
+  // A flange stands at the roller's end and goes on as high to the ring's face.
+  for (const std::size_t side : {0U, 1U}) {
+    if (!(height(side) > 0.0)) continue;
+    const double end = side == 0 ? -roller.half : roller.half;
+    const double lower = roller.side(end) - height(side);
+    std::vector<QPointF> flange;
+    for (const auto& [u, v] : {std::pair{end, roller.side(end)},
+                               {1.0001 * end, lower},
+                               {side == 0 ? -reach : reach, lower}})
+      flange.push_back(leaned(middle_x, middle_r, lean, u, up * v));
+    if (side == 0)
+      line.insert(line.begin(), flange.rbegin(), flange.rend());
+    else
+      line.insert(line.end(), flange.begin(), flange.end());
+  }
+  // Between the ring's faces.
+  const auto at = [&](double x) {
+    for (std::size_t i = 1; i < line.size(); ++i)
+      if ((line[i - 1].x() <= x) != (line[i].x() <= x)) {
+        const double part = (x - line[i - 1].x()) / (line[i].x() - line[i - 1].x());
+        return line[i - 1].y() + part * (line[i].y() - line[i - 1].y());
+      }
+    return x < line.front().x() ? line.front().y() : line.back().y();
+  };
+  // No nearer to the far side than a sliver of metal.
+  const auto limited = [&](double r) { return race == 0 ? std::min(r, far) : std::max(r, far); };
+  std::vector<RingColumn> out{{-half, limited(at(-half)), far}};
+  for (const QPointF& p : line)
+    if (std::abs(p.x()) < half) out.push_back({p.x(), limited(p.y()), far});
+  out.push_back({half, limited(at(half)), far});
+  return out;
+}
+
+}  // namespace
+
+std::vector<RingColumn> ring_profile(const Animation& animation, std::size_t race) {
+  const auto& g = animation.file.geometry;
+  const bool balls = animation.file.bearing_type == 1;
+  const double far = race == 0
+                         ? std::max(g.outer_race_outer_radius, 1.06 * g.outer_race_inner_radius)
+                         : g.inner_race_inner_radius;
+  const double half =
+      0.5 * size_length(animation, race == 0 ? "outer_race_width" : "inner_race_width",
+                        balls ? 2.2 * g.element_radius : 2.6 * roller_profile(animation).half);
+  return balls ? ball_ring(animation, race, half, far) : roller_ring(animation, race, half, far);
+}
+
+CageProfile cage_profile(const Animation& animation) {
+  CageProfile out;
+  if (!animation.has_cage) return out;
+  const auto& g = animation.file.geometry;
+  const bool balls = animation.file.bearing_type == 1;
+  const double cone = size_number(animation, "pocket_cone_angle");
+  if (!balls) out.lean = nominal_lean(animation) < 0.0 ? -std::abs(cone) : std::abs(cone);
+  const double hole = balls
+                          ? g.element_radius
+                          : 0.53 * size_length(animation, "roller_length", 2.0 * g.element_radius);
+  out.half_width = std::max(0.5 * size_length(animation, "cage_width"), 0.0);
+  if (!(out.half_width > 0.0)) out.half_width = 1.2 * hole;
+  out.half_hole = std::min(hole, 0.96 * out.half_width);
+  out.low = g.cage_inner_radius - 0.5 * g.pitch_diameter;
+  out.high = g.cage_outer_radius - 0.5 * g.pitch_diameter;
+  return out;
+}
+
+}  // namespace adore::agore

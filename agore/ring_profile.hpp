@@ -1,0 +1,55 @@
+#pragma once
+
+#include "agore/animation.hpp"
+
+#include <QPointF>
+
+#include <vector>
+
+/// Cuts through the bodies along the bearing's axis, in the file's length: (x, r). They need the
+/// sizes of RESULTS.h5.
+namespace adore::agore {
+
+/// A size of RESULTS.h5 as it stands there (SI), or `otherwise` where it is not.
+[[nodiscard]] double size_number(const Animation& animation, const char* name,
+                                 double otherwise = 0.0);
+/// A length of RESULTS.h5 in the file's unit; `otherwise` where it is not above 0.
+[[nodiscard]] double size_length(const Animation& animation, const char* name,
+                                 double otherwise = 0.0);
+/// [m] per unit of length of the file.
+[[nodiscard]] double length_unit(const Animation& animation);
+
+/// A ring at one place of its width: from the side of the elements to the far one.
+struct RingColumn {
+  double x = 0.0, near = 0.0, far = 0.0;
+};
+/// Race 0 (outer) or 1 (inner) where it stands without displacement, from -x to +x.
+[[nodiscard]] std::vector<RingColumn> ring_profile(const Animation& animation, std::size_t race);
+
+/// A roller along its axis u from mid length: half length, radius at mid length, taper, crown.
+struct RollerProfile {
+  double half = 0.0, radius = 0.0, slope = 0.0, crown = 0.0, mass_centre = 0.0;
+  [[nodiscard]] double side(double u) const;  ///< its radius there
+};
+[[nodiscard]] RollerProfile roller_profile(const Animation& animation);
+
+/// Lean of the rollers' axes outwards [rad] as the run began; 0 for balls.
+[[nodiscard]] double nominal_lean(const Animation& animation);
+/// Of one roller at a frame: lean outwards and skew (turned towards increasing azimuth) [rad].
+struct AxisAngles {
+  double lean = 0.0, skew = 0.0;
+};
+[[nodiscard]] AxisAngles axis_angles(const results::Sol8Element& element);
+
+/// (u, v) of a body at (x, r) whose axis leans outwards by `lean`.
+[[nodiscard]] QPointF leaned(double x, double r, double lean, double u, double v);
+
+/// The cut through the cage, its corners in turn about (0, pitch radius); a conical cage leans as
+/// its rollers do. Empty without a cage.
+struct CageProfile {
+  double lean = 0.0, half_width = 0.0, half_hole = 0.0;
+  double low = 0.0, high = 0.0;  ///< from the pitch radius, across
+};
+[[nodiscard]] CageProfile cage_profile(const Animation& animation);
+
+}  // namespace adore::agore

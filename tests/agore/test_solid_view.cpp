@@ -1,0 +1,162 @@
+#include "agore/depth_canvas.hpp"
+#include "agore/motion_picture.hpp"
+#include "agore/ring_profile.hpp"
+#include "agore/solid_view.hpp"
+#include "core/results/synthetic.hpp"
+#include "results/results_h5.hpp"
+#include "support/qt_app.hpp"
+#include "support/synthetic_results.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace adore;
+using namespace adore::agore;
+
+namespace {
+
+/// Eight balls as RESULTS.h5 has them.
+MotionPicture picture_of_run(const testing::TemporaryFolder& folder, bool with_cage = true) {
+  const bearing::Bearing bearing = testing::make_bearing(8, with_cage);
+  results::ChannelRecorder recorder(bearing, deck::UnitSystem::SI, testing::channel_table());
+  results::H5Writer h5 =
+      results::H5Writer::create(folder / "RESULTS.h5", bearing, testing::channel_table());
+  for (long step = 0; step <= 10; ++step)
+    h5.write(recorder.record(testing::make_snapshot(bearing, step)));
+  h5.close();
+  return MotionPicture(open_motion(folder / "RESULTS.h5"));
+}
+
+}  // namespace
+
+TEST_CASE("depth_canvas: the nearest surface wins, whatever is drawn first", "[unit][agore]") {
+  const Shades red = shades_of(QColor(200, 0, 0)), blue = shades_of(QColor(0, 0, 200));
+  constexpr float kLight = 190.0F;
+  const auto triangle = [&](DepthCanvas& canvas, float depth, const Shades& shades) {
+    canvas.triangle({0, 0, depth, kLight}, {40, 0, depth, kLight}, {0, 40, depth, kLight}, shades);
+  };
+  for (const bool near_first : {true, false}) {
+    DepthCanvas canvas;
+    canvas.reset({40, 40}, qRgb(255, 255, 255));
+    triangle(canvas, near_first ? 2.0F : 1.0F, near_first ? red : blue);
+    triangle(canvas, near_first ? 1.0F : 2.0F, near_first ? blue : red);
+    canvas.sphere({30, 30, 0, 0}, 5.0F, {}, blue, 0);
+    const QImage image = canvas.image(1);
+    CHECK(image.pixel(5, 5) == qRgb(200, 0, 0));
+    CHECK(qBlue(image.pixel(30, 30)) > 100);
+    CHECK(image.pixel(39, 5) == qRgb(255, 255, 255));  // right of the slanting side
+    CHECK(image.pixel(24, 24) == qRgb(255, 255, 255));
+  }
+  // A sphere stands before a plane through its middle, and hides what lies behind.
+  DepthCanvas canvas;
+  canvas.reset({40, 40}, 0xff000000);
+  canvas.sphere({10, 10, 0, 0}, 8.0F, {0, 0, 1}, blue, qRgb(1, 2, 3));
+  triangle(canvas, 0.0F, red);
+  CHECK(canvas.image(1).pixel(10, 10) == qRgb(1, 2, 3));  // the pole looks at us
+  CHECK(qRed(canvas.image(1).pixel(1, 1)) > 100);
+  CHECK(canvas.image(2).size() == QSize(20, 20));
+  // What a damaged file puts far away draws nothing and does no harm.
+  canvas.triangle({1e30F, 0, 0, 0}, {0, 1e30F, 0, 0}, {0, 0, 1e30F, 0}, red);
+  canvas.sphere({std::nanf(""), 0, 0, 0}, 5.0F, {}, red, 0);
+}
+
+TEST_CASE("solid_view: the eye of 0, 0 looks as the flat views do", "[unit][agore]") {
+  const Eye front(0.0, 0.0), side(90.0, 0.0), above(0.0, 90.0);
+  CHECK((front.toward - Vec3(1, 0, 0)).norm() < 1e-12);
+  CHECK((front.right - Vec3(0, 1, 0)).norm() < 1e-12);
+  CHECK((front.up - Vec3(0, 0, 1)).norm() < 1e-12);
+  CHECK((side.toward - Vec3(0, 1, 0)).norm() < 1e-12);
+  CHECK((side.right - Vec3(-1, 0, 0)).norm() < 1e-12);
+  CHECK((above.toward - Vec3(0, 0, 1)).norm() < 1e-12);
+}
+
+TEST_CASE("ring_profile: lean and skew of an axis are told apart", "[unit][agore]") {
+  results::Sol8Element roller;
+  roller.angles = {0.0, -0.1, 0.0};  // the axis points to (cos 0.1, 0, sin 0.1)
+  roller.theta = 0.0;                // at the top, outwards is +z
+  CHECK(axis_angles(roller).lean == Approx(0.1));
+  CHECK(axis_angles(roller).skew == Approx(0.0).margin(1e-15));
+  roller.theta = kPi / 2.0;  // at -y, where increasing azimuth is -z
+  CHECK(axis_angles(roller).lean == Approx(0.0).margin(1e-15));
+  CHECK(axis_angles(roller).skew == Approx(-0.1));
+}
+
+TEST_CASE("ring_profile: a groove has its bottom and its shoulders where the file says",
+          "[unit][agore]") {
+  test::use_qt();
+  const testing::TemporaryFolder folder;
+  const MotionPicture picture = picture_of_run(folder);
+  const Animation& a = picture.animation();
+  const auto outer = ring_profile(a, 0), inner = ring_profile(a, 1);
+  const auto lowest = [](const auto& ring, double sign) {
+    double best = -1e9;
+    for (const RingColumn& c : ring) best = std::max(best, sign * c.near);
+    return sign * best;
+  };
+  const auto& g = a.file.geometry;
+  // 40 columns: between two of them a groove of radius R dips by R (w/80R)^2/2, below 1e-4 of R.
+  CHECK(lowest(outer, 1.0) == Approx(g.outer_race_inner_radius).epsilon(1e-3));
+  CHECK(lowest(inner, -1.0) == Approx(g.inner_race_outer_radius).epsilon(1e-3));
+  CHECK(outer.front().near == Approx(size_length(a, "outer_shoulder_radius")));
+  CHECK(outer.back().x - outer.front().x == Approx(size_length(a, "outer_race_width")));
+  for (const RingColumn& c : outer) CHECK(c.near <= c.far);
+  for (const RingColumn& c : inner) CHECK(c.near >= c.far);
+}
+
+TEST_CASE("solid_view: seen from the front, balls are where the data say", "[gui][agore]") {
+  test::use_qt();
+  for (const bool with_cage : {true, false}) {
+    const testing::TemporaryFolder folder;
+    MotionPicture picture = picture_of_run(folder, with_cage);
+    ViewOptions options;
+    options.view = View::Solid;
+    options.yaw = options.elevation = 0.0;
+    options.exaggeration = 1.0;
+    const QRectF area(0, 0, 600, 600);
+    QImage image(600, 600, QImage::Format_RGB32);
+    image.fill(theme_of(options).surface);
+    QPainter painter(&image);
+    paint_picture(painter, area, picture.animation(), 4, options);
+    painter.end();
+    const QPointF middle = picture_middle(picture.animation(), options, area);
+    const double scale = 2.0 * middle.y() / 2.0 / solid_picture_radius(picture.animation());
+    for (const auto& e : picture.animation().frame(4).elements) {
+      // y to the right, z up: y = -r sin, z = r cos.
+      const QPoint at =
+          (middle + scale * QPointF(-e.r * std::sin(e.theta), -e.r * std::cos(e.theta))).toPoint();
+      INFO(at.x() << ", " << at.y() << " cage " << with_cage);
+      CHECK(image.pixelColor(at) != theme_of(options).surface);
+    }
+    CHECK(image.pixelColor(middle.toPoint()) == theme_of(options).surface);  // the bore
+    // Turned, the picture is another; while it plays, a quicker one of the same size.
+    const QImage before = picture.image({700, 500}, 4, options);
+    options.yaw = 40.0;
+    const QImage turned = picture.image({700, 500}, 4, options);
+    CHECK(turned != before);
+    options.moving = true;
+    CHECK(picture.image({700, 500}, 4, options).size() == turned.size());
+    options.contacts = options.trails = true;
+    options.moving = false;
+    CHECK(picture.image({700, 500}, 4, options) != turned);
+  }
+}
+
+TEST_CASE("motion_picture: several views stand beside each other", "[gui][agore]") {
+  const QRectF area(0, 0, 1280, 800);
+  CHECK(MotionPicture::pictureAreas(area, 1).size() == 1);
+  for (const std::size_t views : {2U, 3U, 4U, 6U}) {
+    const auto tiles = MotionPicture::pictureAreas(area, views);
+    REQUIRE(tiles.size() == views);
+    for (std::size_t i = 0; i < views; ++i) {
+      CHECK(MotionPicture::pictureAreas(area, 1).front().contains(tiles[i]));
+      for (std::size_t k = i + 1; k < views; ++k) CHECK_FALSE(tiles[i].intersects(tiles[k]));
+    }
+  }
+  ViewOptions options;
+  options.zoom = 3.0;
+  options.beside = {{View::Section, 2.0, {0.1, 0.0}}};
+  CHECK(options.tile(0).view == View::Bearing);
+  CHECK(options.tile(0).zoom == 3.0);
+  CHECK(options.tile(1).view == View::Section);
+  CHECK(options.tile(1).zoom == 2.0);
+  CHECK(options.tile(1).beside.empty());
+}

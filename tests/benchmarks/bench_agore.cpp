@@ -1,0 +1,86 @@
+#include "agore/motion_picture.hpp"
+#include "desktop/bootstrap.hpp"
+#include "tests/support/synthetic_results.hpp"
+
+#include <QApplication>
+#include <QPainter>
+#include <benchmark/benchmark.h>
+
+#include <cstdlib>
+#include <memory>
+
+/// Frames of AGORE at 1920 x 1080, on one core. Aim: 60 a second with 40 elements (16.7 ms).
+/// With ADORE_BENCH_RUN=FOLDER the pictures rest on that run's RESULTS.h5, which sections and the
+/// 3D view need; else on 40 balls made up.
+using namespace adore;
+using agore::View;
+
+namespace {
+
+int zero = 0;
+std::unique_ptr<QApplication> application;
+
+agore::MotionPicture& picture() {
+  if (!application)
+    application = desktop::make_application(zero, nullptr, "agore", desktop::Display::Headless);
+  // Never taken down: it would outlive the application.
+  static auto& made = *new agore::MotionPicture([] {
+    if (const char* run = std::getenv("ADORE_BENCH_RUN"))
+      return agore::open_motion(std::filesystem::path(run) / "RESULTS.h5");
+    test::SyntheticRun run;
+    run.steps = 300;
+    run.balls = 40;
+    run.ball_radius = 0.0022;
+    return agore::prepare(test::synthetic_sol8(run));
+  }());
+  return made;
+}
+
+void frames(benchmark::State& state, agore::ViewOptions options) {
+  agore::MotionPicture& shown = picture();
+  if (!agore::why_not(options.view, shown.animation()).empty()) {
+    state.SkipWithError("not in this run; name one in ADORE_BENCH_RUN");
+    return;
+  }
+  options.moving = true;
+  QImage image(1920, 1080, QImage::Format_RGB32);
+  std::size_t frame = 0;
+  for (auto _ : state) {
+    QPainter painter(&image);
+    shown.paint(painter, QRectF(0, 0, 1920, 1080), frame, options);
+    frame = (frame + 1) % shown.frames();
+  }
+}
+
+agore::ViewOptions plain(View view) {
+  agore::ViewOptions options;
+  options.view = view;
+  return options;
+}
+
+agore::ViewOptions all_marks() {
+  agore::ViewOptions options;
+  options.contacts = options.trails = true;
+  options.colour = agore::ColourBy::Load;
+  return options;
+}
+
+agore::ViewOptions four() {
+  agore::ViewOptions options;
+  options.beside = {{View::Solid}, {View::Section}, {View::Pocket}};
+  return options;
+}
+
+BENCHMARK_CAPTURE(frames, bearing, plain(View::Bearing))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frames, bearing_loads_ways_colours, all_marks())->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frames, cage, plain(View::Cage))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frames, pocket, plain(View::Pocket))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frames, element, plain(View::Element))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frames, inner_race, plain(View::InnerRace))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frames, section, plain(View::Section))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frames, solid, plain(View::Solid))->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(frames, four_views, four())->Unit(benchmark::kMillisecond);
+
+}  // namespace
+
+BENCHMARK_MAIN();

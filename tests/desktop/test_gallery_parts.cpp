@@ -1,0 +1,60 @@
+#include "desktop/few_colours.hpp"
+#include "desktop/text_faults.hpp"
+#include "support/qt_app.hpp"
+
+#include <QGraphicsSimpleTextItem>
+#include <QPainter>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace adore;
+
+TEST_CASE("few_colours: a picture of few colours stays as it is, others nearly", "[gui]") {
+  test::use_qt();
+  QImage plain(40, 30, QImage::Format_RGB32);
+  plain.fill(QColor(250, 251, 252));
+  for (int x = 0; x < 20; ++x) plain.setPixelColor(x, 3, QColor(10, 200, 30));
+  const QImage few = desktop::in_few_colours(plain);
+  CHECK(few.format() == QImage::Format_Indexed8);
+  CHECK(few.convertToFormat(QImage::Format_RGB32) == plain);
+  QImage many(256, 256, QImage::Format_RGB32);
+  for (int y = 0; y < 256; ++y)
+    for (int x = 0; x < 256; ++x) many.setPixelColor(x, y, QColor(x, y, 100));
+  const QImage less = desktop::in_few_colours(many);
+  CHECK(less.colorCount() == 256);
+  int worst = 0;
+  for (int y = 0; y < 256; y += 5)
+    for (int x = 0; x < 256; x += 5)
+      worst = std::max(worst, std::abs(less.pixelColor(x, y).red() - x));
+  CHECK(worst < 48);  // 256 colours for 1,024 boxes of 8: a few boxes off
+}
+
+TEST_CASE("text_faults: words over each other and beyond the edge are named", "[gui]") {
+  test::use_qt();
+  desktop::ChartScene scene;
+  scene.setPageSize(QSizeF(700, 450));
+  desktop::ChartPage page;
+  page.title = "A page";
+  page.x_title = "Time";
+  page.x_unit = "s";
+  for (int i = 0; i < 50; ++i) page.x.push_back(i);
+  page.panels.push_back({"Load", "N", {{"outer race", page.x, {}}}});
+  scene.setPage(page);
+  CHECK(desktop::text_faults(scene).empty());
+  scene.addSimpleText("beyond")->setPos(690, 100);
+  auto* first = scene.addSimpleText("first");
+  first->setPos(300, 200);
+  scene.addSimpleText("second")->setPos(305, 202);
+  const auto faults = desktop::text_faults(scene);
+  REQUIRE(faults.size() == 2);
+  bool edge = false, over = false;
+  for (const std::string& fault : faults) {
+    edge = edge || fault == "\"beyond\" is cut off at the page's edge";
+    over = over || fault.find("lies over") != std::string::npos;
+  }
+  CHECK(edge);
+  CHECK(over);
+  first->setVisible(false);
+  CHECK(desktop::text_faults(scene).size() == 1);
+}

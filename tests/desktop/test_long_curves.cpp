@@ -1,0 +1,120 @@
+#include "desktop/chart_page.hpp"
+#include "desktop/chart_scene.hpp"
+#include "support/qt_app.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <random>
+
+using namespace adore::desktop;
+
+namespace {
+
+constexpr std::size_t kSteps = 100'000;
+
+struct Curve {
+  std::vector<double> x, y;
+};
+
+/// A wave with a single high step, a single low one, and gaps.
+Curve long_curve() {
+  Curve out;
+  std::mt19937 random(15);
+  double x = 0.0;
+  for (std::size_t i = 0; i < kSteps; ++i) {
+    x += 1e-6 * (1.0 + static_cast<double>(random() % 100U) / 100.0);
+    out.x.push_back(x);
+    out.y.push_back(std::sin(1e-3 * static_cast<double>(i)));
+  }
+  out.y[51'234] = 7.0;
+  out.y[60'001] = -9.0;
+  for (std::size_t i = 70'000; i < 70'300; ++i) out.y[i] = std::numeric_limits<double>::quiet_NaN();
+  return out;
+}
+
+/// Lowest and highest y of each of so many columns of the view.
+std::map<int, std::pair<double, double>> columns_of(const std::vector<Polyline>& pieces, double low,
+                                                    double high, int columns) {
+  std::map<int, std::pair<double, double>> out;
+  for (const Polyline& piece : pieces)
+    for (std::size_t i = 0; i < piece.x.size(); ++i) {
+      if (piece.x[i] < low || piece.x[i] > high) continue;
+      const int c = static_cast<int>(std::floor((piece.x[i] - low) / (high - low) * columns));
+      const auto [at, fresh] = out.try_emplace(c, piece.y[i], piece.y[i]);
+      at->second.first = std::min(at->second.first, piece.y[i]);
+      at->second.second = std::max(at->second.second, piece.y[i]);
+    }
+  return out;
+}
+
+double extreme(const std::vector<Polyline>& pieces, bool highest) {
+  double out = 0.0;
+  for (const Polyline& piece : pieces)
+    for (const double y : piece.y) out = highest ? std::max(out, y) : std::min(out, y);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("chart_page: a long curve drawn by its blocks hides no peak and keeps its gaps",
+          "[unit][desktop]") {
+  const Curve curve = long_curve();
+  const CurveBlocks blocks = blocks_of(curve.y, false);
+  constexpr int kColumns = 500;
+  for (const auto& [from, to] :
+       {std::pair{0.0, 1.0}, {0.31, 0.72}, {0.512, 0.5126}, {0.69, 0.71}}) {
+    const double low = from * curve.x.back(), high = to * curve.x.back();
+    INFO(from << " to " << to);
+    const auto quick = drawable_pieces(curve.x, curve.y, low, high, kColumns, false, &blocks);
+    const auto exact = drawable_pieces(curve.x, curve.y, low, high, kColumns, false);
+    CHECK(quick.size() == exact.size());
+    CHECK(extreme(quick, true) == extreme(exact, true));
+    CHECK(extreme(quick, false) == extreme(exact, false));
+    // Values of a column may lie beside it by a block at most, where the wave changes by 0.26.
+    const auto a = columns_of(quick, low, high, kColumns),
+               b = columns_of(exact, low, high, kColumns);
+    for (const auto& [column, range] : a) {
+      const auto found = b.find(column);
+      if (found == b.end()) continue;
+      CHECK(range.first >= found->second.first - 0.26);
+      CHECK(range.second <= found->second.second + 0.26);
+    }
+  }
+}
+
+TEST_CASE("chart_page: angles that wrap are broken where they wrap, also in blocks",
+          "[unit][desktop]") {
+  std::vector<double> x, y;
+  for (std::size_t i = 0; i < 20'000; ++i) {
+    x.push_back(static_cast<double>(i));
+    y.push_back(std::remainder(0.1 * static_cast<double>(i), 360.0));  // wraps every 3,600
+  }
+  const CurveBlocks blocks = blocks_of(y, true);
+  const auto quick = drawable_pieces(x, y, 0.0, 20'000.0, 300, true, &blocks);
+  CHECK(quick.size() == drawable_pieces(x, y, 0.0, 20'000.0, 300, true).size());
+  for (const Polyline& piece : quick)
+    for (std::size_t i = 1; i < piece.y.size(); ++i) CHECK(piece.y[i] >= piece.y[i - 1]);
+}
+
+TEST_CASE("chart_scene: the axis of a long curve reaches its only peak", "[gui]") {
+  adore::test::use_qt();
+  const Curve curve = long_curve();
+  ChartPage page;
+  page.x = curve.x;
+  page.panels.push_back({"Load", "N", {{"", curve.y, {}}}});
+  ChartScene scene;
+  scene.setPageSize({900, 600});
+  scene.setPage(page);
+  const auto top = [&] { return scene.valueAt(0, scene.plotAreas()[0].top()); };
+  CHECK(top() >= 7.0);
+  CHECK(scene.valueAt(0, scene.plotAreas()[0].bottom()) <= -9.0);
+  CHECK(scene.linesOf(0) == 2);
+  scene.setView(0.0, 0.5 * curve.x.back());  // before the peak at half of it
+  CHECK(top() < 2.0);
+  scene.setView(0.5 * curve.x.back(), 0.52 * curve.x.back());
+  CHECK(top() >= 7.0);
+}
