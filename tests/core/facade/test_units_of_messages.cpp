@@ -23,8 +23,10 @@ std::vector<std::string> all_texts(const Deck& deck) {
   for (const Issue& issue : deck::check_deck(deck)) out.push_back(issue.text());
   for (const Issue& issue : facade::check_model(deck)) out.push_back(issue.text());
   try {
-    const facade::Prepared p =
-        facade::prepare(facade::LoadedDeck{"DATA.txt", deck, {}, {}, {}, {}});
+    facade::LoadedDeck input;
+    input.path = "DATA.txt";
+    input.deck = deck;
+    const facade::Prepared p = facade::prepare(std::move(input));
     for (const Issue& issue : p.input.warnings) out.push_back(issue.text());
     for (const Issue& issue : facade::solution_notes(p)) out.push_back(issue.text());
     out.insert(out.end(), p.life.notes.begin(), p.life.notes.end());
