@@ -61,7 +61,7 @@ facade::RunRequest request_of(const std::string& name, const std::string& deck,
   return request;
 }
 
-Ran run(const facade::RunRequest& request) {
+Ran ran_with(const facade::RunRequest& request) {
   Ran out;
   out.outcome = facade::run(request);
   out.folder = *request.out;
@@ -109,10 +109,10 @@ double difference(const Ran& a, const Ran& b) {
 TEST_CASE("a routine that restates the built-in traction gives the same motion",
           "[user][physics]") {
   const std::string until = "2e-4s";
-  const Ran built_in = run(request_of("built-in", deck_with({}, ""), until));
+  const Ran built_in = ran_with(request_of("built-in", deck_with({}, ""), until));
   auto request = request_of("adrx7-c", deck_with({{"kTrac", "-1"}}, own_curve()), until);
   request.user = library("adrx7");
-  const Ran in_c = run(request);
+  const Ran in_c = ran_with(request);
   REQUIRE(in_c.outcome.status == facade::RunStatus::Done);
   CHECK(in_c.outcome.evaluations == built_in.outcome.evaluations);
   // Two functions exp differ in the last bit; the motion of a lightly loaded cage doubles such
@@ -122,14 +122,14 @@ TEST_CASE("a routine that restates the built-in traction gives the same motion",
   auto formula = request_of("adrx7-formula", deck_with({{"kTrac", "-1"}}, own_curve()), until);
   formula.user = json_file("adrx7", R"~({"version": "f1", "adrx7": {"read": ["A", "B", "C", "D"],
       "element_race": {"formula": "(A+B*u)*exp(-C*u)+D", "slip_scale": "1/C"}}})~");
-  CHECK(difference(built_in, run(formula)) < 1e-10);
+  CHECK(difference(built_in, ran_with(formula)) < 1e-10);
 
   auto alone = request_of("adrx7-alone", deck_with({{"kTrac", "-1"}}, own_curve()), "2e-5s");
   alone.user = library("adrx7");
-  const Ran here = run(alone);
+  const Ran here = ran_with(alone);
   alone.out = fresh_folder("adrx7-process");
   alone.options.emplace_back("userProcess", "1");
-  CHECK(difference(here, run(alone)) == 0.0);
+  CHECK(difference(here, ran_with(alone)) == 0.0);
 }
 
 TEST_CASE("an inner race that ADRX1 accelerates has the speed and turn of the closed form",
@@ -137,7 +137,7 @@ TEST_CASE("an inner race that ADRX1 accelerates has the speed and turn of the cl
   const std::string lines = "1e-4 4e-4 10000 10300\n0 0\n";
   auto request = request_of("accelerate", deck_with({}, lines), "5e-4s");
   request.user = library("adrx1");
-  const Ran ran = run(request);
+  const Ran ran = ran_with(request);
   REQUIRE(ran.outcome.status == facade::RunStatus::Done);
   const double first = 10000.0 * std::numbers::pi / 30.0, last = 10300.0 * std::numbers::pi / 30.0;
   CHECK(ran.last.at("inner race.omega[1] [rad/s]") == Approx(last).epsilon(1e-9));
@@ -152,7 +152,7 @@ TEST_CASE("an inner race that ADRX1 accelerates has the speed and turn of the cl
       "inner_race": {"angular_acceleration":
                      "t >= t1 && t < t2 ? (rpm2-rpm1)*pi/30/(t2-t1) : 0"},
       "kinks": ["t1", "t2"]}})~");
-  CHECK(difference(ran, run(formula)) < 1e-9);
+  CHECK(difference(ran, ran_with(formula)) < 1e-9);
 }
 
 TEST_CASE("a housing that ADRX1 shakes moves as A sin wt", "[user][physics]") {
@@ -160,7 +160,7 @@ TEST_CASE("a housing that ADRX1 shakes moves as A sin wt", "[user][physics]") {
   auto request = request_of("shake", deck_with({}, fmt::format("0 0 0 0\n{} {}\n", A, f)),
                             fmt::format("{}s", end));
   request.user = library("adrx1");
-  const Ran ran = run(request);
+  const Ran ran = ran_with(request);
   REQUIRE(ran.outcome.status == facade::RunStatus::Done);
   const double w = 2.0 * std::numbers::pi * f;
   CHECK(ran.last.at("outer race.position[3] [m]") ==
@@ -189,7 +189,7 @@ TEST_CASE("the heat map of ADRX9 adds up to the heat of the ledger", "[user][phy
     return 0;
   };
   request.routines = watch;
-  const Ran ran = run(request);
+  const Ran ran = ran_with(request);
   REQUIRE(ran.outcome.status == facade::RunStatus::Done);
   CHECK(steps > 20);
   CHECK(worst < 1e-12);
@@ -198,11 +198,11 @@ TEST_CASE("the heat map of ADRX9 adds up to the heat of the ledger", "[user][phy
 
   auto in_c = request_of("heat-c", deck_with({}, ""), "2e-5s");
   in_c.user = library("adrx9");
-  const std::string first = text_of(run(in_c).folder / "SOL9");
+  const std::string first = text_of(ran_with(in_c).folder / "SOL9");
   CHECK_THAT(first, Catch::StartsWith("  Adore0.1.0+heat map 1  SOL9"));
   auto formula = request_of("heat-json", deck_with({}, ""), "2e-5s");
   formula.user = json_file("adrx9", R"~({"version": "heat map 1", "adrx9": {"heat_map": true}})~");
-  const std::string second = text_of(run(formula).folder / "SOL9");
+  const std::string second = text_of(ran_with(formula).folder / "SOL9");
   CHECK(first.substr(first.find('\n')) == second.substr(second.find('\n')));
 }
 
@@ -235,7 +235,7 @@ TEST_CASE("a routine that answers not-a-number ends the run with its name, and f
   };
   auto request = request_of("nan", deck_with({{"kTrac", "-1"}}, ""), "2e-4s");
   request.routines = bad;
-  const Ran ran = run(request);
+  const Ran ran = ran_with(request);
   CHECK(ran.outcome.status == facade::RunStatus::Failed);
   CHECK_THAT(ran.outcome.message, Catch::Contains("user routine ADRX7 of the test, call") &&
                                       Catch::Contains("nan") && Catch::Contains("files are valid"));
@@ -256,13 +256,13 @@ TEST_CASE("materials, imperfections and pockets of the user take their place", "
 
   // The built-in force of a pocket, restated, changes nothing; a stiffer one does.
   const std::string until = "2e-4s";
-  const Ran built_in = run(request_of("pocket", deck_with({}, ""), until));
+  const Ran built_in = ran_with(request_of("pocket", deck_with({}, ""), until));
   auto same = request_of("pocket-same", deck_with({}, ""), until);
   same.user = json_file("adrx3", R"~({"adrx3": {"force": "built_in"}})~");
-  CHECK(difference(built_in, run(same)) == 0.0);
+  CHECK(difference(built_in, ran_with(same)) == 0.0);
   auto stiff = request_of("pocket-stiff", deck_with({}, ""), until);
   stiff.user = json_file("adrx3b", R"~({"adrx3": {"force": "1.5*built_in"}})~");
-  const Ran other = run(stiff);
+  const Ran other = ran_with(stiff);
   CHECK(difference(built_in, other) > 1e-9);
   CHECK(std::abs(other.outcome.energy_residual) < 1e-3 * other.outcome.energy_scale);
 }
