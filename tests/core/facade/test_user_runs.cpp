@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -140,9 +141,19 @@ TEST_CASE("an inner race that ADRX1 accelerates has the speed and turn of the cl
   const Ran ran = ran_with(request);
   REQUIRE(ran.outcome.status == facade::RunStatus::Done);
   const double first = 10000.0 * std::numbers::pi / 30.0, last = 10300.0 * std::numbers::pi / 30.0;
-  CHECK(ran.last.at("inner race.omega[1] [rad/s]") == Approx(last).epsilon(1e-9));
+  // The method takes the jumps at t1 and t2 with its tolerance of 1e-6 a step (7e-6 measured).
+  CHECK(ran.last.at("inner race.omega[1] [rad/s]") == Approx(last).epsilon(2e-5));
   const double turn = first * 1e-4 + 0.5 * (first + last) * 3e-4 + last * 1e-4;
-  CHECK(ran.last.at("inner race.rotation [rad]") == Approx(turn).epsilon(1e-7));
+  CHECK(ran.last.at("inner race.rotation [rad]") == Approx(turn).epsilon(4e-5));
+
+  // Without jumps to rounding.
+  auto even = request_of("even", deck_with({}, "0 1 10000 1010000\n0 0\n"), "2e-4s");
+  even.user = library("adrx1");
+  const Ran evenly = ran_with(even);
+  const double a = 1e6 * std::numbers::pi / 30.0, end = 2e-4;
+  CHECK(evenly.last.at("inner race.omega[1] [rad/s]") == Approx(first + a * end).epsilon(1e-11));
+  CHECK(evenly.last.at("inner race.rotation [rad]") ==
+        Approx(first * end + 0.5 * a * end * end).epsilon(1e-11));
   CHECK_THAT(text_of(ran.folder / "PRINT.txt"), Catch::Contains("ADRX1: inner race from 10000"));
   CHECK_THAT(text_of(ran.folder / "PRINT.txt"), Catch::Contains("Adore 0.1.0+motion"));
 
@@ -193,8 +204,12 @@ TEST_CASE("the heat map of ADRX9 adds up to the heat of the ledger", "[user][phy
   REQUIRE(ran.outcome.status == facade::RunStatus::Done);
   CHECK(steps > 20);
   CHECK(worst < 1e-12);
-  // Over time as the ledger has it; the trapezoidal rule leaves a part in a hundred.
-  CHECK(sum == Approx(ran.outcome.energy_scale).epsilon(0.03));
+  // Over time as the ledger has it; the trapezoidal rule leaves 2e-3 of it.
+  double heat = 0.0;
+  const auto report = nlohmann::json::parse(text_of(ran.folder / "RUN.json"));
+  for (const auto& [name, value] : report.at("conservation").at("energy").items())
+    if (name.starts_with("heat, ")) heat += value.get<double>();
+  CHECK(sum == Approx(heat).epsilon(0.01));
 
   auto in_c = request_of("heat-c", deck_with({}, ""), "2e-5s");
   in_c.user = library("adrx9");
@@ -254,13 +269,15 @@ TEST_CASE("materials, imperfections and pockets of the user take their place", "
         Approx(3200.0 * std::numbers::pi / 6.0 * std::pow(0.0127, 3)));
   CHECK(prepared.as_built.imperfections.ball_diameter.at(3) == Approx(3e-7));
 
+  // A fast cage meets its balls soon.
+  const Sets kFastCage{{"avRatio", "1.2"}};
   // The built-in force of a pocket, restated, changes nothing; a stiffer one does.
   const std::string until = "2e-4s";
-  const Ran built_in = ran_with(request_of("pocket", deck_with({}, ""), until));
-  auto same = request_of("pocket-same", deck_with({}, ""), until);
+  const Ran built_in = ran_with(request_of("pocket", deck_with(kFastCage, ""), until));
+  auto same = request_of("pocket-same", deck_with(kFastCage, ""), until);
   same.user = json_file("adrx3", R"~({"adrx3": {"force": "built_in"}})~");
   CHECK(difference(built_in, ran_with(same)) == 0.0);
-  auto stiff = request_of("pocket-stiff", deck_with({}, ""), until);
+  auto stiff = request_of("pocket-stiff", deck_with(kFastCage, ""), until);
   stiff.user = json_file("adrx3b", R"~({"adrx3": {"force": "1.5*built_in"}})~");
   const Ran other = ran_with(stiff);
   CHECK(difference(built_in, other) > 1e-9);
