@@ -287,6 +287,8 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
       }
     }
   };
+  // Static variables of a plug-in would serve several runs at once.
+  if (!request.user.empty()) threads = 1;
   const unsigned cores = threads > 0 ? static_cast<unsigned>(threads)
                                      : std::max(1U, std::thread::hardware_concurrency());
   {

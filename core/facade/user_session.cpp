@@ -64,6 +64,16 @@ void start_session(Prepared& prepared, setup::UserHooks& hooks) {
                                                "user routine ADRX1 of {} drives a race",
                                                session.source()),
                                    "set mode to 0")});
+  const auto law_of_time = [&](const char* variable) {
+    return prepared.input.deck.integer(variable) != 0;
+  };
+  for (const char* variable : {"kVarLoad", "kVarSpeed"})
+    if ((hooks.drives[0] || hooks.drives[1]) && law_of_time(variable))
+      throw InputError({prepared.input.deck.issue(
+          Severity::Error, variable,
+          fmt::format("moves races by a law of the time, and user routine ADRX1 of {} drives one",
+                      session.source()),
+          fmt::format("set {} to 0, or leave the race to the deck", variable))});
   prepared.options.system.user = session.laws(prepared.user);
 }
 

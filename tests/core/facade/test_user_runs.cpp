@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <filesystem>
@@ -61,7 +62,7 @@ facade::RunRequest request_of(const std::string& name, const std::string& deck,
   return request;
 }
 
-Ran run_it(const facade::RunRequest& request) {
+Ran ran_with(const facade::RunRequest& request) {
   Ran out;
   out.outcome = facade::run(request);
   out.folder = *request.out;
@@ -109,10 +110,10 @@ double difference(const Ran& a, const Ran& b) {
 TEST_CASE("a routine that restates the built-in traction gives the same motion",
           "[user][physics]") {
   const std::string until = "2e-4s";
-  const Ran built_in = run_it(request_of("built-in", deck_with({}, ""), until));
+  const Ran built_in = ran_with(request_of("built-in", deck_with({}, ""), until));
   auto request = request_of("adrx7-c", deck_with({{"kTrac", "-1"}}, own_curve()), until);
   request.user = library("adrx7");
-  const Ran in_c = run_it(request);
+  const Ran in_c = ran_with(request);
   REQUIRE(in_c.outcome.status == facade::RunStatus::Done);
   CHECK(in_c.outcome.evaluations == built_in.outcome.evaluations);
   // Two functions exp differ in the last bit; the motion of a lightly loaded cage doubles such
@@ -122,14 +123,14 @@ TEST_CASE("a routine that restates the built-in traction gives the same motion",
   auto formula = request_of("adrx7-formula", deck_with({{"kTrac", "-1"}}, own_curve()), until);
   formula.user = json_file("adrx7", R"~({"version": "f1", "adrx7": {"read": ["A", "B", "C", "D"],
       "element_race": {"formula": "(A+B*u)*exp(-C*u)+D", "slip_scale": "1/C"}}})~");
-  CHECK(difference(built_in, run_it(formula)) < 1e-10);
+  CHECK(difference(built_in, ran_with(formula)) < 1e-10);
 
   auto alone = request_of("adrx7-alone", deck_with({{"kTrac", "-1"}}, own_curve()), "2e-5s");
   alone.user = library("adrx7");
-  const Ran here = run_it(alone);
+  const Ran here = ran_with(alone);
   alone.out = fresh_folder("adrx7-process");
   alone.options.emplace_back("userProcess", "1");
-  CHECK(difference(here, run_it(alone)) == 0.0);
+  CHECK(difference(here, ran_with(alone)) == 0.0);
 }
 
 TEST_CASE("an inner race that ADRX1 accelerates has the speed and turn of the closed form",
@@ -137,12 +138,22 @@ TEST_CASE("an inner race that ADRX1 accelerates has the speed and turn of the cl
   const std::string lines = "1e-4 4e-4 10000 10300\n0 0\n";
   auto request = request_of("accelerate", deck_with({}, lines), "5e-4s");
   request.user = library("adrx1");
-  const Ran ran = run_it(request);
+  const Ran ran = ran_with(request);
   REQUIRE(ran.outcome.status == facade::RunStatus::Done);
   const double first = 10000.0 * std::numbers::pi / 30.0, last = 10300.0 * std::numbers::pi / 30.0;
-  CHECK(ran.last.at("inner race.omega[1] [rad/s]") == Approx(last).epsilon(1e-9));
+  // The method takes the jumps at t1 and t2 with its tolerance of 1e-6 a step (7e-6 measured).
+  CHECK(ran.last.at("inner race.omega[1] [rad/s]") == Approx(last).epsilon(2e-5));
   const double turn = first * 1e-4 + 0.5 * (first + last) * 3e-4 + last * 1e-4;
-  CHECK(ran.last.at("inner race.rotation [rad]") == Approx(turn).epsilon(1e-7));
+  CHECK(ran.last.at("inner race.rotation [rad]") == Approx(turn).epsilon(4e-5));
+
+  // Without jumps to rounding.
+  auto even = request_of("even", deck_with({}, "0 1 10000 1010000\n0 0\n"), "2e-4s");
+  even.user = library("adrx1");
+  const Ran evenly = ran_with(even);
+  const double a = 1e6 * std::numbers::pi / 30.0, end = 2e-4;
+  CHECK(evenly.last.at("inner race.omega[1] [rad/s]") == Approx(first + a * end).epsilon(1e-11));
+  CHECK(evenly.last.at("inner race.rotation [rad]") ==
+        Approx(first * end + 0.5 * a * end * end).epsilon(1e-11));
   CHECK_THAT(text_of(ran.folder / "PRINT.txt"), Catch::Contains("ADRX1: inner race from 10000"));
   CHECK_THAT(text_of(ran.folder / "PRINT.txt"), Catch::Contains("Adore 0.1.0+motion"));
 
@@ -152,7 +163,7 @@ TEST_CASE("an inner race that ADRX1 accelerates has the speed and turn of the cl
       "inner_race": {"angular_acceleration":
                      "t >= t1 && t < t2 ? (rpm2-rpm1)*pi/30/(t2-t1) : 0"},
       "kinks": ["t1", "t2"]}})~");
-  CHECK(difference(ran, run_it(formula)) < 1e-9);
+  CHECK(difference(ran, ran_with(formula)) < 1e-9);
 }
 
 TEST_CASE("a housing that ADRX1 shakes moves as A sin wt", "[user][physics]") {
@@ -160,7 +171,7 @@ TEST_CASE("a housing that ADRX1 shakes moves as A sin wt", "[user][physics]") {
   auto request = request_of("shake", deck_with({}, fmt::format("0 0 0 0\n{} {}\n", A, f)),
                             fmt::format("{}s", end));
   request.user = library("adrx1");
-  const Ran ran = run_it(request);
+  const Ran ran = ran_with(request);
   REQUIRE(ran.outcome.status == facade::RunStatus::Done);
   const double w = 2.0 * std::numbers::pi * f;
   CHECK(ran.last.at("outer race.position[3] [m]") ==
@@ -189,20 +200,24 @@ TEST_CASE("the heat map of ADRX9 adds up to the heat of the ledger", "[user][phy
     return 0;
   };
   request.routines = watch;
-  const Ran ran = run_it(request);
+  const Ran ran = ran_with(request);
   REQUIRE(ran.outcome.status == facade::RunStatus::Done);
   CHECK(steps > 20);
   CHECK(worst < 1e-12);
-  // Over time as the ledger has it; the trapezoidal rule leaves a part in a hundred.
-  CHECK(sum == Approx(ran.outcome.energy_scale).epsilon(0.03));
+  // Over time as the ledger has it; the trapezoidal rule leaves 2e-3 of it.
+  double heat = 0.0;
+  const auto report = nlohmann::json::parse(text_of(ran.folder / "RUN.json"));
+  for (const auto& [name, value] : report.at("conservation").at("energy").items())
+    if (name.starts_with("heat, ")) heat += value.get<double>();
+  CHECK(sum == Approx(heat).epsilon(0.01));
 
   auto in_c = request_of("heat-c", deck_with({}, ""), "2e-5s");
   in_c.user = library("adrx9");
-  const std::string first = text_of(run_it(in_c).folder / "SOL9");
+  const std::string first = text_of(ran_with(in_c).folder / "SOL9");
   CHECK_THAT(first, Catch::StartsWith("  Adore0.1.0+heat map 1  SOL9"));
   auto formula = request_of("heat-json", deck_with({}, ""), "2e-5s");
   formula.user = json_file("adrx9", R"~({"version": "heat map 1", "adrx9": {"heat_map": true}})~");
-  const std::string second = text_of(run_it(formula).folder / "SOL9");
+  const std::string second = text_of(ran_with(formula).folder / "SOL9");
   CHECK(first.substr(first.find('\n')) == second.substr(second.find('\n')));
 }
 
@@ -235,7 +250,7 @@ TEST_CASE("a routine that answers not-a-number ends the run with its name, and f
   };
   auto request = request_of("nan", deck_with({{"kTrac", "-1"}}, ""), "2e-4s");
   request.routines = bad;
-  const Ran ran = run_it(request);
+  const Ran ran = ran_with(request);
   CHECK(ran.outcome.status == facade::RunStatus::Failed);
   CHECK_THAT(ran.outcome.message, Catch::Contains("user routine ADRX7 of the test, call") &&
                                       Catch::Contains("nan") && Catch::Contains("files are valid"));
@@ -254,15 +269,17 @@ TEST_CASE("materials, imperfections and pockets of the user take their place", "
         Approx(3200.0 * std::numbers::pi / 6.0 * std::pow(0.0127, 3)));
   CHECK(prepared.as_built.imperfections.ball_diameter.at(3) == Approx(3e-7));
 
+  // A fast cage meets its balls soon.
+  const Sets kFastCage{{"avRatio", "1.2"}};
   // The built-in force of a pocket, restated, changes nothing; a stiffer one does.
   const std::string until = "2e-4s";
-  const Ran built_in = run_it(request_of("pocket", deck_with({}, ""), until));
-  auto same = request_of("pocket-same", deck_with({}, ""), until);
+  const Ran built_in = ran_with(request_of("pocket", deck_with(kFastCage, ""), until));
+  auto same = request_of("pocket-same", deck_with(kFastCage, ""), until);
   same.user = json_file("adrx3", R"~({"adrx3": {"force": "built_in"}})~");
-  CHECK(difference(built_in, run_it(same)) == 0.0);
-  auto stiff = request_of("pocket-stiff", deck_with({}, ""), until);
+  CHECK(difference(built_in, ran_with(same)) == 0.0);
+  auto stiff = request_of("pocket-stiff", deck_with(kFastCage, ""), until);
   stiff.user = json_file("adrx3b", R"~({"adrx3": {"force": "1.5*built_in"}})~");
-  const Ran other = run_it(stiff);
+  const Ran other = ran_with(stiff);
   CHECK(difference(built_in, other) > 1e-9);
   CHECK(std::abs(other.outcome.energy_residual) < 1e-3 * other.outcome.energy_scale);
 }
