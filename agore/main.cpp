@@ -22,7 +22,7 @@ const std::vector<std::string> kViews{"bearing", "cage",   "pocket",  "element",
 struct Request {
   std::filesystem::path file, folder;
   std::string view = "bearing", race = "inner", size = "1280x800", film, colour = "none";
-  std::vector<std::string> beside;
+  std::string beside;
   int frame = 0, every = 0, rate = 25;
   agore::RenderOptions options;
 };
@@ -88,10 +88,8 @@ int main(int argc, char** argv) {
                            ->capture_default_str()
                            ->type_name("VIEW"),
                        kViews);
-  command_line::one_of(
-      cli.add_option("--beside", request.beside, "further views beside it, at the same frame")
-          ->type_name("VIEW"),
-      kViews);
+  cli.add_option("--beside", request.beside, "further views at the same frame, separated by commas")
+      ->type_name("LIST");
   command_line::one_of(cli.add_option("--race", request.race, "race of the race view")
                            ->capture_default_str()
                            ->type_name("RACE"),
@@ -134,8 +132,7 @@ int main(int argc, char** argv) {
   if (const auto over = command_line::parse(cli, argc, argv)) return *over;
   return desktop::guarded("agore", [&] {
     request.options.view.view = agore::view_named(request.view, request.race);
-    for (const std::string& view : request.beside)
-      request.options.view.beside.push_back({agore::view_named(view, request.race)});
+    request.options.view.beside = agore::views_beside(request.beside, request.race);
     request.options.view.flange_race = request.race == "outer" ? 0 : 1;
     request.options.view.colour = agore::colour_named(request.colour);
     const auto pixels = desktop::parse_size(request.size);

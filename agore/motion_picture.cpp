@@ -135,7 +135,7 @@ void MotionPicture::paintViews(QPainter& painter, const QRectF& area, std::size_
       painter.setPen(t.text);
       painter.drawText(tile.adjusted(8.0, 4.0, -8.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
                        QString::fromStdString(view_title(options.tile(i).view)));
-      tile.adjust(4.0, 20.0, -4.0, -2.0);
+      tile.adjust(4.0, 28.0, -4.0, -2.0);
     }
     paint_picture(painter, tile, animation_, frame, options.tile(i), &kept_[i]);
   }

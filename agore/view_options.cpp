@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <sstream>
 
 namespace adore::agore {
 
@@ -26,6 +27,13 @@ View view_named(const std::string& name, const std::string& race) {
   if (name == "3d") return View::Solid;
   throw InputError("there is no view '" + name +
                    "'; use bearing, cage, pocket, element, race, flange, section or 3d");
+}
+
+std::vector<SideView> views_beside(const std::string& names, const std::string& race) {
+  std::vector<SideView> out;
+  std::istringstream list(names);
+  for (std::string name; std::getline(list, name, ',');) out.push_back({view_named(name, race)});
+  return out;
 }
 
 ViewOptions ViewOptions::tile(std::size_t number) const {

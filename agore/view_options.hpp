@@ -57,6 +57,9 @@ struct ViewOptions {
 /// @throws InputError with the list of names.
 View view_named(const std::string& name, const std::string& race = "inner");
 
+/// "3d,section": of several, separated by commas; empty: none. @throws InputError as view_named()
+std::vector<SideView> views_beside(const std::string& names, const std::string& race = "inner");
+
 /// "none", "load", "slip", "heat", "temperature". @throws InputError with the list of names.
 ColourBy colour_named(const std::string& name);
 

@@ -503,7 +503,8 @@ int key_lines(const Animation& animation, const ViewOptions& options) {
 /// Height at the bottom of a picture that belongs to its key: none where the corner beside a round
 /// picture has room for it.
 double key_foot(const Animation& animation, const ViewOptions& options, QSizeF size) {
-  constexpr double kKeyWidth = 270.0, kWide = 520.0;
+  constexpr double kWide = 520.0, kRim = 44.0;  // of the circle, where only a rim is crossed
+  const double key_width = options.view == View::Solid ? 270.0 : 190.0;
   const double lines = size.height() < kTooLow
                            ? 2.0
                            : key_lines(animation, options) + (size.width() < kWide ? 1 : 0);
@@ -511,9 +512,9 @@ double key_foot(const Animation& animation, const ViewOptions& options, QSizeF s
   const bool round =
       options.view != View::Pocket && options.view != View::Section && options.view != View::Flange;
   const double radius = 0.5 * std::min(size.width(), size.height());
-  const double corner = std::hypot(std::max(0.0, 0.5 * size.width() - kKeyWidth),
+  const double corner = std::hypot(std::max(0.0, 0.5 * size.width() - key_width),
                                    std::max(0.0, 0.5 * size.height() - height));
-  if (round && corner > radius) return 0.0;
+  if (round && corner > radius - kRim) return 0.0;
   return std::min(height, 0.35 * size.height());
 }
 

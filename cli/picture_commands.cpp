@@ -22,10 +22,12 @@ void add_progress(CLI::App& command, std::string& style) {
 
 void add_plot(CLI::App& app, const std::function<void(const PlotRequest&)>& draw) {
   CLI::App* command = app.add_subcommand(
-      "plot", "draw the pages of SOL1-SOL7, a quasi-static RUN.json or SWEEP.csv as PNG files");
+      "plot",
+      "draw the pages of SOL1-SOL7, a quasi-static RUN.json, SWEEP.csv or ACCURACY.json as PNG");
   auto request = std::make_shared<PlotRequest>();
   auto time = std::make_shared<bool>(false);
-  command->add_option("files", request->files, "SOL1-SOL7, RUN.json, SWEEP.csv")->type_name("FILE");
+  command->add_option("files", request->files, "SOL1-SOL7, RUN.json, SWEEP.csv, ACCURACY.json")
+      ->type_name("FILE");
   CLI::Option* lubricant =
       command
           ->add_option("--lubricant", request->lubricant,
@@ -88,17 +90,18 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
                            ->capture_default_str()
                            ->type_name("VIEW"),
                        view_names());
-  command_line::one_of(
-      command->add_option("--beside", request->beside, "further views beside it, at the same frame")
-          ->type_name("VIEW"),
-      view_names());
   command
-      ->add_option(
-          "--eye", request->eye,
-          "where the 3d view is seen from: yaw and elevation in degrees; 0 0 is on the +X side")
-      ->expected(2)
+      ->add_option("--beside", request->beside,
+                   "further views at the same frame, separated by commas")
+      ->type_name("LIST");
+  command->add_option("--yaw", request->yaw, "where the 3d view is seen from, in degrees from +X")
       ->capture_default_str()
-      ->type_name("DEG");
+      ->type_name("NUMBER");
+  command
+      ->add_option("--elevation", request->elevation,
+                   "the same, in degrees above the bearing's plane")
+      ->capture_default_str()
+      ->type_name("NUMBER");
   command_line::one_of(
       command->add_option("--race", request->race, "race of the race and the flange view")
           ->capture_default_str()
@@ -134,7 +137,7 @@ void add_animate(CLI::App& app, const std::function<void(const AnimateRequest&)>
       "Examples\n"
       "  adore animate SOL8 --frame 1 --out pictures\n"
       "  adore animate SOL8 --view cage --every 5 --movie cage.avi\n"
-      "  adore animate SOL8 --view 3d --beside bearing section --contacts --frame 1");
+      "  adore animate SOL8 --view 3d --beside bearing,section --contacts --frame 1");
   command->callback([=] {
     if (frame->count() > 0) check_range("--frame", request->frame);
     check_range("--every", request->every);

@@ -27,8 +27,8 @@ struct PlotRequest {
 struct AnimateRequest {
   std::string file, out = ".", view = "bearing", race = "inner", colour = "none", movie,
                     progress = "auto";
-  std::vector<std::string> beside;
-  std::vector<double> eye{32.0, 18.0};
+  std::string beside;
+  double yaw = 32.0, elevation = 18.0;
   int frame = 0, every = 1, frames_per_second = 25, element = 1;
   bool dark = false, contacts = false, trails = false;
 };

@@ -73,10 +73,9 @@ void animate(const AnimateRequest& request) {
   render.view.colour = agore::colour_named(request.colour);
   render.view.contacts = request.contacts;
   render.view.trails = request.trails;
-  for (const std::string& view : request.beside)
-    render.view.beside.push_back({agore::view_named(view, request.race)});
-  render.view.yaw = request.eye.at(0);
-  render.view.elevation = request.eye.at(1);
+  render.view.beside = agore::views_beside(request.beside, request.race);
+  render.view.yaw = request.yaw;
+  render.view.elevation = request.elevation;
   render.view.dark = request.dark;
   render.progress = make_count_progress("frame", request.progress);
   agore::MotionPicture picture = agore::open_animation(request.file);

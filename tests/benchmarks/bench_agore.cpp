@@ -18,11 +18,15 @@ using agore::View;
 namespace {
 
 int zero = 0;
-std::unique_ptr<QApplication> application;
+/// Never taken down: what Qt keeps of its own ends later.
+void need_application() {
+  static const auto* application =
+      desktop::make_application(zero, nullptr, "agore", desktop::Display::Headless).release();
+  (void)application;
+}
 
 agore::MotionPicture& picture() {
-  if (!application)
-    application = desktop::make_application(zero, nullptr, "agore", desktop::Display::Headless);
+  need_application();
   // Never taken down: it would outlive the application.
   static auto& made = *new agore::MotionPicture([] {
     if (const char* run = std::getenv("ADORE_BENCH_RUN"))
