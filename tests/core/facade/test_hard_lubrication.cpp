@@ -109,8 +109,12 @@ TEST_CASE("a starved bearing makes more sliding heat, and its films are thinner"
 TEST_CASE("the friction of an equilibrium is bounded at the highest pressures", "[physics][film]") {
   for (const char* load : {"1400.0", "2800.0", "8000.0"}) {
     CAPTURE(load);
-    const facade::Prepared p =
-        equilibrium("deep-groove-6205", {{"kTrac", "1"}, {"appLoadZ", load}, {"rpm2", "500.0"}});
+    const facade::Prepared p = equilibrium("deep-groove-6205", {{"kTrac", "1"},
+                                                                {"appLoadZ", load},
+                                                                {"rpm2", "500.0"},
+                                                                {"reRaceTC2", "0.1"},
+                                                                {"reRaceTC3", "0.08"},
+                                                                {"reRaceTC4", "0.5"}});
     double carried = 0.0;  // what all contacts would slide with, at the largest slip of each
     for (const statics::StaticBall& ball : p.statics.balls) carried += ball.Q[0] + ball.Q[1];
     CHECK(p.friction->torque() > 0.0);

@@ -1,0 +1,83 @@
+#include "base/errors.hpp"
+#include "facade/catalogue_torque.hpp"
+#include "facade/experiments.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <set>
+
+using namespace adore;
+using facade::Experiment;
+using facade::ExperimentRow;
+
+TEST_CASE("every experiment has a figure in every row, its kind and its certainty",
+          "[validation][experiments]") {
+  const std::vector<Experiment> all = facade::run_experiments();
+  CHECK(all.size() == 8);
+  const std::set<std::string> kinds{"calibration", "prediction", "part", "bound"};
+  for (const Experiment& one : all) {
+    CAPTURE(one.id);
+    CHECK((!one.rows.empty() || !one.open.empty()));  // a figure, or why there is none
+    for (const ExperimentRow& row : one.rows) {
+      CAPTURE(row.condition, row.what, row.failed);
+      REQUIRE(row.ours);
+      CHECK(std::isfinite(*row.ours));
+      CHECK(kinds.count(row.kind) == 1);
+      CHECK_FALSE(row.certainty.empty());
+    }
+    for (const facade::ExperimentParameter& p : one.parameters) {
+      CAPTURE(p.name);
+      CHECK(p.value >= p.low);
+      CHECK(p.value <= p.high);
+    }
+  }
+}
+
+TEST_CASE("the large bearing is predicted with the parameters of the small one, untouched",
+          "[validation][experiments]") {
+  const Experiment small = facade::run_experiments("NASA-35").front();
+  const Experiment large = facade::run_experiments("NASA-120").front();
+  REQUIRE(small.parameters.size() == large.parameters.size());
+  for (std::size_t n = 0; n < small.parameters.size(); ++n) {
+    CHECK(large.parameters[n].name == small.parameters[n].name);
+    CHECK(large.parameters[n].value == small.parameters[n].value);
+  }
+  for (const ExperimentRow& row : small.rows) CHECK(row.kind == "calibration");
+  for (const ExperimentRow& row : large.rows) {
+    CHECK(row.kind == "prediction");
+    CHECK_FALSE(row.theirs);
+    CHECK_FALSE(row.deviation());
+  }
+  CHECK_THROWS_AS(facade::run_experiments("NASA-1"), InputError);
+}
+
+TEST_CASE("a deviation counts from the nearer end of a range", "[unit][experiments]") {
+  ExperimentRow row;
+  row.ours = 0.7;
+  CHECK_FALSE(row.deviation());
+  row.theirs = 0.5;
+  CHECK(*row.deviation() == Approx(0.4));
+  row.theirs_to = 0.8;
+  CHECK(*row.deviation() == 0.0);
+  row.ours = 1.0;
+  CHECK(*row.deviation() == Approx(0.25));
+  row.kind = "bound";
+  CHECK_FALSE(row.deviation());
+}
+
+TEST_CASE("friction torques grow with speed and load and lie in the range of the catalogue",
+          "[validation][experiments]") {
+  for (const facade::TorqueTable& table : facade::catalogue_torques()) {
+    CAPTURE(table.bearing);
+    CHECK(table.lines.size() == 12);
+    for (std::size_t n = 0; n < table.lines.size(); ++n) {
+      const facade::TorqueLine& line = table.lines[n];
+      CAPTURE(line.rpm, line.radial);
+      CHECK(line.rolling > 0.3 * line.catalogue_rolling);  // 0.38 to 1.39, the page says why
+      CHECK(line.rolling < 1.6 * line.catalogue_rolling);
+      if (n % 4 > 0) CHECK(line.rolling > table.lines[n - 1].rolling);
+      if (n >= 4) CHECK(line.total() > table.lines[n - 4].total());
+    }
+  }
+}
