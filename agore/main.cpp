@@ -7,10 +7,13 @@
 #include "desktop/command_line.hpp"
 #include "desktop/disclaimer.hpp"
 #include "desktop/image_export.hpp"
+#include "desktop/one_window.hpp"
 #include "desktop/window_place.hpp"
 
 #include <QTimer>
 #include <fmt/core.h>
+
+#include <optional>
 
 using namespace adore;
 
@@ -61,6 +64,14 @@ int show(int& argc, char** argv, const Request& request) {
     QTimer::singleShot(0, &window, &agore::AgoreWindow::askForFile);
   else if (window.openFile(request.file))
     window.setView(request.options.view.view, request.options.view.element);
+  std::optional<desktop::OneWindow> one;
+  if (!request.file.empty())
+    one.emplace("agore", desktop::folder_of(request.file), nullptr,
+                [&window](const QStringList& names) {
+                  window.openFile(names.front().toStdString());
+                  window.raise();
+                  window.activateWindow();
+                });
   return QApplication::exec();
 }
 
