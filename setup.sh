@@ -12,6 +12,7 @@ packages=(
   qt6-base-dev qt6-charts-dev libqt6opengl6-dev libgl1-mesa-dev libxkbcommon-dev fontconfig fonts-dejavu-core
   # tests and benchmarks
   catch2 libbenchmark-dev
+  xvfb openbox xdotool  # real windows
   clang-format  # test.sh checks the formatting; another version would format differently
 )
 
