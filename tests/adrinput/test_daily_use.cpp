@@ -111,7 +111,7 @@ TEST_CASE("a deck with an error is parked as a draft and comes back as it was",
     CHECK(window.windowTitle().contains("half.draft"));
     CHECK_THROWS_AS(window.document().save(folder.filePath("DATA.txt").toStdString()), InputError);
   }
-  CHECK_FALSE(deck::read_deck(draft.toStdString()).ok());  // no run takes it
+  CHECK_THROWS_AS(deck::read_deck(draft.toStdString()), InputError);  // no run takes it
   DeckWindow window;
   window.show();
   REQUIRE(window.openFile(draft.toStdString()));
