@@ -15,6 +15,7 @@ packages=(
   # tests and benchmarks
   catch2 libbenchmark-dev gfortran
   python3  # runs the hard scenes (tests/hardcases)
+  xvfb openbox xdotool  # real windows
   clang-format  # test.sh checks the formatting; another version would format differently
 )
 

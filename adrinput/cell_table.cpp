@@ -2,7 +2,9 @@
 
 #include "adrinput/record_page.hpp"
 #include "adrinput/typed.hpp"
+#include "adrinput/unit_choice.hpp"
 #include "adrinput/unit_view.hpp"
+#include "deck/element_names.hpp"
 #include "deck/lookup.hpp"
 #include "desktop/theme.hpp"
 
@@ -13,6 +15,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPainter>
+#include <QRegularExpression>
 #include <QScrollBar>
 #include <QStyledItemDelegate>
 
@@ -46,9 +49,10 @@ class CellDelegate : public QStyledItemDelegate {
     const QRect rect = option.rect.adjusted(5, 4, -2, -4);
     painter->save();
     painter->setFont(option.font);
-    painter->setPen(selected ? QColor(Qt::white) : theme.text);
+    const QColor chosen = table_->palette().color(QPalette::HighlightedText);
+    painter->setPen(selected ? chosen : theme.text);
     painter->drawText(rect, Qt::AlignLeft | Qt::AlignTop, text);
-    painter->setPen(selected ? QColor(Qt::white) : theme.accent);
+    painter->setPen(selected ? chosen : theme.accent);
     painter->drawText(rect, Qt::AlignLeft | Qt::AlignBottom, other);
     painter->restore();
   }
@@ -73,7 +77,7 @@ class CellDelegate : public QStyledItemDelegate {
     return combo;
   }
   void setEditorData(QWidget* editor, const QModelIndex& index) const override {
-    const QString text = QString::fromStdString(document_.text(at(index)));
+    const QString text = shown_value(document_, at(index));
     if (auto* combo = qobject_cast<QComboBox*>(editor))
       combo->setCurrentIndex(combo->findData(text));
     else
@@ -85,6 +89,7 @@ class CellDelegate : public QStyledItemDelegate {
     const QString text = combo != nullptr ? combo->currentData().toString()
                                           : qobject_cast<QLineEdit*>(editor)->text();
     const Cell cell = at(index);
+    if (text == shown_value(document_, cell)) return;
     document_.end_step();
     document_.edit(cell, text.toStdString());
     document_.end_step();
@@ -103,7 +108,7 @@ class CellDelegate : public QStyledItemDelegate {
 CellTable::CellTable(Document& document, const std::string& record, std::size_t variable,
                      QWidget* parent)
     : QTableWidget(parent), document_(document), record_(record) {
-  lines_.push_back({variable, 0});
+  lines_.push_back({variable, 0, {}});
   setUp();
 }
 
@@ -113,9 +118,21 @@ CellTable::CellTable(Document& document, const std::string& record, QWidget* par
   for (std::size_t v = 0; v < spec.variables.size(); ++v) {
     const auto length =
         static_cast<std::size_t>(deck::array_length(document.deck(), spec.variables[v]));
-    for (std::size_t k = 0; k < length; ++k) lines_.push_back({v, k});
+    for (std::size_t k = 0; k < length; ++k) lines_.push_back({v, k, {}});
   }
   setUp();
+}
+
+CellTable::CellTable(Document& document, QWidget* parent)
+    : QTableWidget(parent), document_(document) {}
+
+CellTable* CellTable::ofListedDiameters(Document& document, QWidget* parent) {
+  auto* table = new CellTable(document, parent);
+  for (const char* record : {"5G.1D.1", "5G.1D.2", "5G.1D.3", "5G.1D.4"})
+    table->lines_.push_back({1, 0, record});
+  table->record_ = table->lines_.front().record;
+  table->setUp();
+  return table;
 }
 
 void CellTable::setUp() {
@@ -134,13 +151,19 @@ void CellTable::setUp() {
   for (const Line& line : lines_) {
     const deck::VariableSpec& variable = spec.variables[line.variable];
     QString name = QString::fromStdString(std::string(variable.name));
-    if (repeated_ && variable.length != "1") name += QString(" %1").arg(line.element + 1);
+    if (severalRecords()) {
+      const auto first = 10 * names.size() + 1;
+      names << tr("%1 to %2").arg(first).arg(first + 9);
+      continue;
+    }
+    if (repeated_ && variable.length != "1")
+      name += " " + QString::fromStdString(deck::element_name(variable, line.element));
     const std::string unit = unit_of(document_.deck(), variable);
     if (!unit.empty()) name += QString(" [%1]").arg(QString::fromStdString(unit));
     names << name;
   }
   setVerticalHeaderLabels(names);
-  verticalHeader()->setVisible(repeated_);
+  verticalHeader()->setVisible(repeated_ || severalRecords());
   sync();
 }
 
@@ -149,6 +172,11 @@ Cell CellTable::cellAt(int row, int column) const {
   Cell cell;
   cell.record = record_;
   cell.variable = line.variable;
+  if (severalRecords()) {
+    cell.record = line.record;
+    cell.variable += static_cast<std::size_t>(column);
+    return cell;
+  }
   cell.instance = repeated_ ? column + 1 : 1;
   cell.element = repeated_ ? line.element : static_cast<std::size_t>(column);
   return cell;
@@ -157,8 +185,13 @@ Cell CellTable::cellAt(int row, int column) const {
 void CellTable::fillCell(int row, int column) {
   const Cell cell = cellAt(row, column);
   const std::string code = document_.text(cell);
-  const std::string meaning = meaning_of(*variable_of(cell), code);
-  const QString text = meaning.empty() ? QString::fromStdString(code) : choice_text(code, meaning);
+  const deck::VariableSpec& variable = *variable_of(cell);
+  std::string meaning = meaning_of(variable, code);
+  const deck::Value* value = value_at(document_.deck(), cell);
+  if (const auto* body = value == nullptr ? nullptr : std::get_if<long long>(value);
+      body != nullptr && variable.name == "kPltElemInd" && !document_.is_draft(cell))
+    meaning = deck::body_name(document_.deck(), *body);
+  const QString text = meaning.empty() ? shown_value(document_, cell) : choice_text(code, meaning);
   QTableWidgetItem* old = item(row, column);
   if (old == nullptr)
     setItem(row, column, new QTableWidgetItem(text));
@@ -177,18 +210,37 @@ void CellTable::setOtherUnits(bool shown) {
 
 void CellTable::sync() {
   const QSignalBlocker quiet(this);
-  const int columns = repeated_ ? document_.instances(record_)
-                                : deck::array_length(document_.deck(), *variable_of(cellAt(0, 0)));
-  if (columnCount() != columns) setColumnCount(columns);
+  constexpr int kListed = 10;  // deviations in a record
+  const int columns = severalRecords() ? kListed
+                      : repeated_
+                          ? document_.instances(record_)
+                          : deck::array_length(document_.deck(), *variable_of(cellAt(0, 0)));
+  if (columnCount() != columns) {
+    setColumnCount(columns);
+    QStringList names;
+    for (int column = 0; column < columns; ++column)
+      names << (repeated_ || severalRecords()
+                    ? QString::number(column + 1)
+                    : QString::fromStdString(deck::element_name(*variable_of(cellAt(0, 0)),
+                                                                static_cast<std::size_t>(column))));
+    setHorizontalHeaderLabels(names);
+  }
   std::set<Cell> wrong;
   for (const Problem& problem : document_.problems())
-    if (problem.cell && problem.page == record_ && problem.issue.severity == Severity::Error)
+    if (problem.cell && (severalRecords() || problem.page == record_) &&
+        problem.issue.severity == Severity::Error)
       wrong.insert(*problem.cell);
   QColor mark = desktop::current_theme().red;
   mark.setAlpha(70);
   for (int row = 0; row < rowCount(); ++row)
     for (int column = 0; column < columns; ++column) {
       fillCell(row, column);
+      const bool used = document_.unused_because(cellAt(row, column)).empty();
+      const desktop::Theme& theme = desktop::current_theme();
+      item(row, column)->setForeground(used ? theme.text : theme.muted);
+      QFont font = item(row, column)->font();
+      font.setItalic(!used);
+      item(row, column)->setFont(font);
       item(row, column)
           ->setBackground(wrong.count(cellAt(row, column)) > 0 ? QBrush(mark) : QBrush());
     }
@@ -204,7 +256,8 @@ void CellTable::sync() {
   // A wide table scrolls; a narrow one is as wide as its cells.
   constexpr int kFits = 6;
   const bool narrow = columns <= kFits;
-  int width = 2 * frameWidth() + (repeated_ ? verticalHeader()->sizeHint().width() : 0) + 2;
+  const bool named = repeated_ || severalRecords();
+  int width = 2 * frameWidth() + (named ? verticalHeader()->sizeHint().width() : 0) + 2;
   for (int column = 0; column < columns; ++column) width += columnWidth(column);
   setMaximumWidth(narrow ? width : QWIDGETSIZE_MAX);
   setMinimumWidth(narrow ? width : 0);
@@ -224,8 +277,26 @@ bool CellTable::focusCell(const Cell& cell) {
   return false;
 }
 
+/// Values in their order, whatever stands between them: for tables that are one list.
+void CellTable::pasteInOrder(const QString& text) {
+  const bool cells = text.contains('\t') || text.trimmed().contains('\n');
+  const QString between = cells                ? "[\\t\\r\\n]+"
+                          : text.contains(';') ? "\\s*;\\s*"
+                                               : "[\\s]+|,\\s+";
+  const QStringList values = text.trimmed().split(QRegularExpression(between), Qt::SkipEmptyParts);
+  int at = std::max(currentRow(), 0) * columnCount() + std::max(currentColumn(), 0);
+  for (const QString& value : values) {
+    if (at >= rowCount() * columnCount()) break;
+    document_.end_step();
+    document_.edit(cellAt(at / columnCount(), at % columnCount()), value.toStdString());
+    ++at;
+  }
+  document_.end_step();
+}
+
 /// Cells of a spreadsheet are taken over from the current cell on.
 void CellTable::paste() {
+  if (!repeated_) return pasteInOrder(QApplication::clipboard()->text());
   const int top = std::max(currentRow(), 0), left = std::max(currentColumn(), 0);
   QStringList lines = QApplication::clipboard()->text().split('\n');
   if (!lines.isEmpty() && lines.back().isEmpty()) lines.removeLast();

@@ -17,6 +17,9 @@ class CellTable : public QTableWidget {
   /// A repeated record.
   CellTable(Document& document, const std::string& record, QWidget* parent = nullptr);
 
+  /// The four records of ten listed diameter deviations, as one table.
+  static CellTable* ofListedDiameters(Document& document, QWidget* parent);
+
   void sync();
   /// Shows below each value what it is in the other system of units.
   void setOtherUnits(bool shown);
@@ -32,11 +35,15 @@ class CellTable : public QTableWidget {
  private:
   struct Line {
     std::size_t variable = 0, element = 0;
+    std::string record;  ///< of a table of several records: a column per variable
   };
+  explicit CellTable(Document& document, QWidget* parent);
   void setUp();
   void fillCell(int row, int column);
   [[nodiscard]] bool atEnd(bool next) const;
   void paste();
+  void pasteInOrder(const QString& text);
+  [[nodiscard]] bool severalRecords() const { return !lines_.front().record.empty(); }
 
   Document& document_;
   std::string record_;

@@ -1,5 +1,6 @@
 #include "adrinput/deck_window.hpp"
 
+#include "adrinput/accuracy_panel.hpp"
 #include "adrinput/compare_dialog.hpp"
 #include "adrinput/drawing_panel.hpp"
 #include "adrinput/evaluation.hpp"
@@ -9,8 +10,11 @@
 #include "adrinput/record_list.hpp"
 #include "adrinput/record_page.hpp"
 #include "adrinput/run_panel.hpp"
+#include "adrinput/solution_charts.hpp"
+#include "adrinput/time_scale.hpp"
 #include "deck/lookup.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/menu_keys.hpp"
 #include "desktop/theme.hpp"
 #include "desktop/window_place.hpp"
 
@@ -18,6 +22,7 @@
 #include <QBoxLayout>
 #include <QDockWidget>
 #include <QFontDatabase>
+#include <QInputDialog>
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -28,6 +33,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <exception>
 
 namespace adore::adrinput {
 namespace {
@@ -52,10 +58,17 @@ DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
   check_->setSingleShot(true);
   check_->setInterval(kCheckPause);
   connect(check_, &QTimer::timeout, this, &DeckWindow::checkNow);
+  scale_ = new TimeScale(this);
+  scale_->found = [this](const deck::Deck& of, const std::optional<facade::RunScales>& scales) {
+    document_.set_scales(of, scales);
+    check_->stop();  // nothing of the deck changed
+  };
   makeCentre();
   makeDrawing();
   makeFileMenu();
   makeOtherMenus();
+  makeToolBar();
+  new desktop::MenuKeys(*this);
   document_.changed = [this] {
     check_->start();
     refresh();
@@ -66,6 +79,7 @@ DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
 }
 
 DeckWindow::~DeckWindow() {
+  scale_->found = nullptr;
   document_.changed = nullptr;
   delete compare_;
   delete centralWidget();  // its fields speak to the document when they lose the focus
@@ -99,6 +113,12 @@ void DeckWindow::makeCentre() {
   statics_->setObjectName("statics");
   run_ = new RunPanel(this);
   connect(run_, &RunPanel::wanted, this, &DeckWindow::runDeck);
+  connect(run_, &RunPanel::newFolderWanted, this, &DeckWindow::runInNewFolder);
+  connect(run_, &RunPanel::continueWanted, this, &DeckWindow::continueRun);
+  connect(run_, &RunPanel::sweepWanted, this, &DeckWindow::askForSweep);
+  accuracy_ = new AccuracyPanel(this);
+  connect(accuracy_, &AccuracyPanel::wanted, this, &DeckWindow::studyAccuracy);
+  connect(accuracy_, &AccuracyPanel::applyWanted, this, &DeckWindow::applyAccuracy);
   original_ = new QPlainTextEdit(this);
   original_->setObjectName("original");
   original_->setReadOnly(true);
@@ -113,6 +133,7 @@ void DeckWindow::makeCentre() {
   tabs_->addTab(plan_, tr("Plan"));
   tabs_->addTab(statics_, tr("Quasi-static"));
   tabs_->addTab(run_, tr("Run"));
+  tabs_->addTab(accuracy_, tr("Accuracy"));
   tabs_->addTab(original_, tr("File as opened"));
 
   auto* form = new QWidget(this);
@@ -143,16 +164,14 @@ void DeckWindow::makeCentre() {
     Cell cell;
     cell.record = record.toStdString();
     cell.variable = static_cast<std::size_t>(variable);
-    if (document_.instances(cell.record) == 0) {
-      const deck::RecordSpec& spec = *deck::find_record(cell.record);
-      desktop::show_message(
-          this, tr("Record %1 is not part of this deck. It is there when %2.")
-                    .arg(record_number(spec), QString::fromStdString(std::string(spec.condition))));
-      return;
-    }
-    showRecord(cell.record);
-    page_->focusCell(cell);
+    goTo(cell);
   });
+}
+
+void DeckWindow::goTo(const Cell& cell) {
+  if (document_.instances(cell.record) == 0) return goToOptionOf(cell);
+  showRecord(cell.record);
+  page_->focusCell(cell);
 }
 
 void DeckWindow::makeDrawing() {
@@ -164,6 +183,15 @@ void DeckWindow::makeDrawing() {
   drawing_dock_->setWidget(drawing_);
   addDockWidget(Qt::RightDockWidgetArea, drawing_dock_);
   resizeDocks({drawing_dock_}, {kDrawingWidth}, Qt::Horizontal);
+  charts_ = new SolutionCharts(this);
+  charts_dock_ = new QDockWidget(tr("Solution"), this);
+  charts_dock_->setObjectName("solution-dock");
+  charts_dock_->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
+  charts_dock_->setWidget(charts_);
+  addDockWidget(Qt::RightDockWidgetArea, charts_dock_);
+  tabifyDockWidget(drawing_dock_, charts_dock_);
+  drawing_dock_->raise();
+  connect(statics_, &EvaluationPanel::finished, this, &DeckWindow::showCharts);
   connect(
       drawing_, &DrawingPanel::fieldWanted, this,
       [this](const QString& name, int instance, int index) {
@@ -212,6 +240,7 @@ void DeckWindow::showRecord(const std::string& record) {
   connect(page_, &RecordPage::focusMoved, this,
           [this](QWidget* field) { scroll_->ensureWidgetVisible(field, 20, 60); });
   connect(page_, &RecordPage::otherUnitsWanted, other_units_, &QAction::setChecked);
+  connect(page_, &RecordPage::unitChosen, this, [this] { page_->sync(true); });
   page_->setOtherUnits(other_units_->isChecked());
   connect(page_, &RecordPage::cellFocused, this, [this](const Cell& cell) {
     drawing_->setFocusOn({cell.record, std::string(variable_of(cell)->name), cell.instance,
@@ -223,6 +252,7 @@ void DeckWindow::showRecord(const std::string& record) {
   list_->setCurrent(record);
   page_->focusFirst();
   scroll_->ensureVisible(0, 0);
+  askForScales();
   emit pageShown();
 }
 
@@ -268,15 +298,18 @@ void DeckWindow::refresh() {
   plan_->setDeck(document_.deck(), document_.options());
   statics_->setDeck(document_.deck(), document_.options());
   run_->setDeck(document_.deck(), document_.options());
+  accuracy_->setDeck(document_.deck());
+  charts_->setStale(statics_->stale());
   if (shown_original_ != document_.original()) {
     shown_original_ = document_.original();
     original_->setPlainText(text_in(shown_original_));
   }
   drawing_->setDeck(document_.deck());
   lubricant_->setDeck(document_.deck());
-  const QString name = document_.path().empty()
-                           ? tr("new deck")
-                           : QString::fromStdString(document_.path().filename().string());
+  const std::filesystem::path& shown =
+      document_.draft().empty() ? document_.path() : document_.draft();
+  const QString name =
+      shown.empty() ? tr("new deck") : QString::fromStdString(shown.filename().string());
   setWindowTitle(name + "[*] — AdrInput");
   setWindowModified(document_.modified());
   refreshNotices();
@@ -308,7 +341,9 @@ void DeckWindow::refreshProblems() {
         text, problems_);
     item->setForeground(error ? theme.red : theme.text);
   }
-  if (problems_->count() == 0) {
+  if (problems_->count() == 0 && document_.is_refused()) {
+    // Said by the notes; never "complete".
+  } else if (problems_->count() == 0) {
     auto* item = new QListWidgetItem(state_icon(RecordState::Complete),
                                      tr("The deck is complete and has no problem."), problems_);
     item->setFlags(Qt::ItemIsEnabled);
@@ -347,6 +382,13 @@ void DeckWindow::checkNow() {
   check_->stop();
   document_.check_model();
   check_->stop();  // what was just found is no change
+  askForScales();
+}
+
+void DeckWindow::askForScales() {
+  if (current_ != "2.1" || document_.typing() || document_.has_errors() || document_.scales())
+    return;
+  scale_->ask(document_.deck(), document_.options());
 }
 
 void DeckWindow::goBack() {
@@ -383,29 +425,98 @@ void DeckWindow::redo() {
   page_->sync(true);
 }
 
+bool DeckWindow::readyToCompute() {
+  document_.end_step();  // what is being typed counts
+  if (!document_.has_errors()) return true;
+  desktop::show_message(this, tr("The deck has errors; mend them first (F8)."), true);
+  return false;
+}
+
 void DeckWindow::showPlan() {
   tabs_->setCurrentWidget(plan_);
-  if (document_.has_errors())
-    return desktop::show_message(this, tr("The deck has errors; mend them first (F8)."), true);
+  if (!readyToCompute()) return;
   plan_->start(document_.deck(), document_.path(), document_.options());
 }
 
 void DeckWindow::runQuasiStatic() {
   tabs_->setCurrentWidget(statics_);
-  if (document_.has_errors())
-    return desktop::show_message(this, tr("The deck has errors; mend them first (F8)."), true);
+  if (!readyToCompute()) return;
   statics_->start(document_.deck(), document_.path(), document_.options());
+}
+
+void DeckWindow::showCharts() {
+  if (statics_->tables() == nullptr) return;
+  charts_->setSolution(*statics_->tables());
+  charts_->setStale(statics_->stale());
+  if (!drawing_dock_->isHidden() || !charts_dock_->isHidden()) {
+    charts_dock_->show();
+    charts_dock_->raise();
+  }
+}
+
+void DeckWindow::studyAccuracy() {
+  tabs_->setCurrentWidget(accuracy_);
+  if (accuracy_->busy() || !readyToCompute()) return;
+  accuracy_->start(document_.deck(), document_.options());
+}
+
+void DeckWindow::applyAccuracy() {
+  try {
+    document_.change(accuracy_->recommended());
+    page_->sync(true);
+  } catch (const std::exception& error) {
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+  }
 }
 
 void DeckWindow::runDeck() {
   tabs_->setCurrentWidget(run_);
-  if (run_->busy()) return;
-  if (document_.has_errors())
-    return desktop::show_message(this, tr("The deck has errors; mend them first (F8)."), true);
-  const auto run = [this] { run_->start(document_.path(), document_.deck(), document_.options()); };
-  if (document_.path().empty()) return askForName(run);
-  if (document_.modified()) return saveTo(document_.path(), run);
-  run();
+  if (run_->busy() || !readyToCompute()) return;
+  withSavedDeck([this] { run_->start(document_.path(), document_.deck(), document_.options()); });
+}
+
+void DeckWindow::withSavedDeck(std::function<void()> then) {
+  if (document_.path().empty()) return askForName(std::move(then));
+  if (document_.modified()) return saveTo(document_.path(), std::move(then));
+  then();
+}
+
+void DeckWindow::runInNewFolder() {
+  tabs_->setCurrentWidget(run_);
+  if (run_->busy() || !readyToCompute()) return;
+  withSavedDeck(
+      [this] { run_->startInNewFolder(document_.path(), document_.deck(), document_.options()); });
+}
+
+void DeckWindow::continueRun() {
+  tabs_->setCurrentWidget(run_);
+  if (run_->busy() || !readyToCompute()) return;
+  withSavedDeck(
+      [this] { run_->continueRun(document_.path(), document_.deck(), document_.options()); });
+}
+
+void DeckWindow::askForSweep() {
+  tabs_->setCurrentWidget(run_);
+  if (run_->busy() || !readyToCompute()) return;
+  auto* dialog = new QInputDialog(this);
+  dialog->setObjectName("sweep");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Sweep"));
+  dialog->setLabelText(
+      tr("Variable, first and last value and number of runs, as in\n"
+         "appLoadZ=500:1500:5 (values in the deck's units):"));
+  connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& range) {
+    if (range.count('=') != 1 || range.count(':') != 2)
+      return desktop::show_message(
+          this,
+          tr("%1 is no sweep: write variable=first:last:runs, such as appLoadZ=500:1500:5")
+              .arg(range),
+          true);
+    withSavedDeck([this, range] {
+      run_->sweep(document_.path(), document_.deck(), document_.options(), range);
+    });
+  });
+  dialog->open();
 }
 
 void DeckWindow::switchTheme() {

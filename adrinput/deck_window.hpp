@@ -19,6 +19,7 @@ class QTimer;
 
 namespace adore::adrinput {
 
+class AccuracyPanel;
 class CompareDialog;
 class DrawingPanel;
 class LubricantPanel;
@@ -28,6 +29,8 @@ class NoticeBar;
 class RecordList;
 class RecordPage;
 class RunPanel;
+class SolutionCharts;
+class TimeScale;
 
 /// AdrInput's window: the records on the left, the form of one of them, and below it what is wrong,
 /// the plan and the quasi-static solution.
@@ -48,6 +51,11 @@ class DeckWindow : public QMainWindow {
   [[nodiscard]] EvaluationPanel& planPanel() { return *plan_; }
   [[nodiscard]] EvaluationPanel& staticsPanel() { return *statics_; }
   [[nodiscard]] RunPanel& runPanel() { return *run_; }
+  [[nodiscard]] AccuracyPanel& accuracyPanel() { return *accuracy_; }
+  [[nodiscard]] SolutionCharts& solutionCharts() { return *charts_; }
+  /// Goes to a value. One that the deck does not have: to the option that would show it, and says
+  /// which.
+  void goTo(const Cell& cell);
   /// Shows a page if the deck has it.
   void showPage(const std::string& record);
   /// Where a session asks about decks that were left unsaved.
@@ -65,7 +73,13 @@ class DeckWindow : public QMainWindow {
   void nextRecord();
   void newDeck(const QString& template_name);
   void askForFile();
+  void newFromCatalogue();
+  /// Puts a proposal for the inside into the deck, from its bore, outside diameter and widths.
+  void proposeInside();
   void save();
+  /// Parks the deck with its errors in a file that AdrInput opens again.
+  void parkDraft();
+  void studyAccuracy();
   void saveAs();
   void saveAndExit();
   void undo();
@@ -76,6 +90,9 @@ class DeckWindow : public QMainWindow {
   void runQuasiStatic();
   /// Saves the deck where that is needed, then runs it whole.
   void runDeck();
+  void runInNewFolder();
+  void continueRun();
+  void askForSweep();
   void switchTheme();
   void compareWithSaved();
   void askForComparison();
@@ -100,10 +117,20 @@ class DeckWindow : public QMainWindow {
   void makeNotices(QBoxLayout* column);
   void makeCompareMenu(QMenu* file);
   void makeUnitsMenu(QMenu* view);
+  void makeUnitChoices(QMenu* view);
+  void applyAccuracy();
+  void showCharts();
+  /// Has what stands beside the times of a run found out, where they are shown.
+  void askForScales();
+  void goToOptionOf(const Cell& cell);
+  /// True when the deck can be computed; else a message says why not.
+  bool readyToCompute();
   void refreshNotices();
   void checkFile();
   void compareWithFile(const std::filesystem::path& path, const QString& name);
-  void fillRecent();
+  void makeToolBar();
+  /// Goes on with a deck that has no errors and is saved.
+  void withSavedDeck(std::function<void()> then);
   void orderTabs();
   void refresh();
   void refreshProblems();
@@ -130,13 +157,17 @@ class DeckWindow : public QMainWindow {
   QPlainTextEdit* original_ = nullptr;
   EvaluationPanel *plan_ = nullptr, *statics_ = nullptr;
   RunPanel* run_ = nullptr;
+  AccuracyPanel* accuracy_ = nullptr;
+  SolutionCharts* charts_ = nullptr;
+  QDockWidget* charts_dock_ = nullptr;
   DrawingPanel* drawing_ = nullptr;
   LubricantPanel* lubricant_ = nullptr;
   QDockWidget* drawing_dock_ = nullptr;
-  QMenu* recent_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr;
   QTimer* check_ = nullptr;
-  NoticeBar *session_notice_ = nullptr, *file_notice_ = nullptr, *units_notice_ = nullptr;
+  TimeScale* scale_ = nullptr;
+  NoticeBar *session_notice_ = nullptr, *file_notice_ = nullptr, *units_notice_ = nullptr,
+            *search_notice_ = nullptr;
   FileWatch* watch_ = nullptr;
   QPointer<CompareDialog> compare_;
   QAction* other_units_ = nullptr;

@@ -1,10 +1,15 @@
+#include "adrinput/accuracy_panel.hpp"
+#include "adrinput/catalogue_dialog.hpp"
 #include "adrinput/deck_window.hpp"
 #include "adrinput/help_text.hpp"
 #include "adrinput/options_page.hpp"
 #include "adrinput/record_list.hpp"
+#include "adrinput/record_page.hpp"
 #include "adrinput/run_panel.hpp"
 #include "base/version.hpp"
+#include "deck/catalogue.hpp"
 #include "deck/templates.hpp"
+#include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
 #include "facade/prepare.hpp"
 
@@ -23,6 +28,7 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTextBrowser>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include <exception>
@@ -32,7 +38,7 @@
 namespace adore::adrinput {
 namespace {
 
-constexpr int kMostRecent = 10;
+const QString kApp = "adrinput";
 
 QSettings settings() { return QSettings("Adore", "adrinput"); }
 
@@ -52,15 +58,19 @@ void DeckWindow::makeFileMenu() {
     action->setData(name);
     connect(action, &QAction::triggered, this, [this, name] { newDeck(name); });
   }
+  fresh->addSeparator();
+  fresh->addAction(tr("From the &catalogue …"), QKeySequence::New, this,
+                   &DeckWindow::newFromCatalogue);
   file->addAction(tr("&Open …"), QKeySequence::Open, this, &DeckWindow::askForFile);
-  recent_ = file->addMenu(tr("&Recent"));
-  recent_->setObjectName("recent");
-  connect(recent_, &QMenu::aboutToShow, this, &DeckWindow::fillRecent);
+  desktop::add_recent_menu(*file, kApp, [this](const QString& name) {
+    leaveDeck([this, name] { openFile(name.toStdString()); });
+  });
   makeCompareMenu(file);
   file->addSeparator();
   file->addAction(tr("&Save"), QKeySequence::Save, this, &DeckWindow::save);
   file->addAction(tr("Save &As …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), this,
                   &DeckWindow::saveAs);
+  file->addAction(tr("Park as a &draft …"), this, &DeckWindow::parkDraft);
   file->addAction(tr("Decks left &unsaved …"), this, &DeckWindow::unsavedWanted);
   file->addSeparator();
   file->addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), this, &DeckWindow::close);
@@ -72,6 +82,8 @@ void DeckWindow::makeOtherMenus() {
   redo_ = edit->addAction(tr("&Redo"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), this,
                           &DeckWindow::redo);
   edit->addSeparator();
+  edit->addAction(tr("Propose the &inside from bore, outside diameter and width"), this,
+                  &DeckWindow::proposeInside);
   edit->addAction(tr("&Find variable"), QKeySequence::Find, this, [this] { list_->startSearch(); });
 
   QMenu* go = menuBar()->addMenu(tr("&Go"));
@@ -89,6 +101,12 @@ void DeckWindow::makeOtherMenus() {
   view->addAction(tr("&Quasi-static solution"), QKeySequence(Qt::Key_F6), this,
                   &DeckWindow::runQuasiStatic);
   view->addAction(tr("&Run"), QKeySequence(Qt::Key_F7), this, &DeckWindow::runDeck);
+  view->addAction(tr("Run into a &new folder"), QKeySequence(Qt::SHIFT | Qt::Key_F7), this,
+                  &DeckWindow::runInNewFolder);
+  view->addAction(tr("&Continue the run"), this, &DeckWindow::continueRun);
+  view->addAction(tr("S&weep a variable …"), this, &DeckWindow::askForSweep);
+  view->addAction(tr("Study &accuracy"), QKeySequence(Qt::Key_F9), this,
+                  &DeckWindow::studyAccuracy);
   QAction* drawing = drawing_dock_->toggleViewAction();
   drawing->setText(tr("Dra&wing"));
   drawing->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_G));
@@ -96,10 +114,15 @@ void DeckWindow::makeOtherMenus() {
   QAction* lubricant = findChild<QDockWidget*>("lubricant-dock")->toggleViewAction();
   lubricant->setText(tr("&Lubricant"));
   view->addAction(lubricant);
+  QAction* charts = charts_dock_->toggleViewAction();
+  charts->setText(tr("Charts of the &solution"));
+  charts->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
+  view->addAction(charts);
   view->addAction(tr("&Dark or light"), QKeySequence(Qt::CTRL | Qt::Key_D), this,
                   &DeckWindow::switchTheme);
   view->addSeparator();
   makeUnitsMenu(view);
+  makeUnitChoices(view);
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   help->setObjectName("help");
@@ -109,7 +132,8 @@ void DeckWindow::makeOtherMenus() {
   });
   help->addAction(tr("How a &deck is written"), this,
                   [this] { showHelp(tr("How a deck is written"), format_help()); });
-  help->addAction(tr("&Keyboard"), this, [this] { showHelp(tr("Keyboard"), keyboard_help()); });
+  help->addAction(tr("&Keys and Mouse"), this,
+                  [this] { showHelp(tr("Keys and Mouse"), keyboard_help()); });
   help->addAction(tr("&About AdrInput"), this, [this] {
     showHelp(
         tr("About AdrInput"),
@@ -160,10 +184,40 @@ void DeckWindow::newDeck(const QString& template_name) {
   });
 }
 
+void DeckWindow::newFromCatalogue() {
+  auto* dialog = new CatalogueDialog(this);
+  connect(dialog, &CatalogueDialog::chosen, this, [this](const QString& text) {
+    leaveDeck([this, text] {
+      document_.start_with(text.toStdString());
+      checkNow();
+      current_.clear();
+      showRecord(document_.pages().front());
+      showPage("4");
+    });
+  });
+  dialog->open();
+}
+
+void DeckWindow::proposeInside() {
+  document_.end_step();
+  try {
+    const deck::Deck& deck = document_.deck();
+    const deck::InnerGeometry inner = deck::propose_inner(deck);
+    document_.change(inner.sets);
+    page_->sync(true);
+    desktop::show_message(this, tr("An estimate, in place of what the deck had; Ctrl+Z takes it "
+                                   "back.\n\n%1.")
+                                    .arg(QString::fromStdString(inner.reasons)));
+  } catch (const std::exception& error) {
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+  }
+}
+
 void DeckWindow::askForFile() {
   leaveDeck([this] {
-    auto* dialog = new QFileDialog(this, tr("Open deck"), settings().value("folder").toString(),
-                                   tr("Decks (*.txt *.TXT *.dat *.DAT);;All files (*)"));
+    auto* dialog =
+        new QFileDialog(this, tr("Open deck"), settings().value("folder").toString(),
+                        tr("Decks and drafts (*.txt *.TXT *.dat *.DAT *.draft);;All files (*)"));
     dialog->setObjectName("open");
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
@@ -175,22 +229,33 @@ void DeckWindow::askForFile() {
 
 void DeckWindow::remember(const std::filesystem::path& path) {
   const QString name = QFileInfo(QString::fromStdString(path.string())).absoluteFilePath();
-  QSettings store = settings();
-  QStringList names = store.value("recent").toStringList();
-  names.removeAll(name);
-  names.prepend(name);
-  while (names.size() > kMostRecent) names.removeLast();
-  store.setValue("recent", names);
-  store.setValue("folder", QFileInfo(name).absolutePath());
+  desktop::remember_file(kApp, name);
+  settings().setValue("folder", QFileInfo(name).absolutePath());
 }
 
-void DeckWindow::fillRecent() {
-  recent_->clear();
-  const QStringList names = settings().value("recent").toStringList();
-  for (const QString& name : names)
-    recent_->addAction(name, this,
-                       [this, name] { leaveDeck([this, name] { openFile(name.toStdString()); }); });
-  if (names.isEmpty()) recent_->addAction(tr("No deck was opened yet"))->setEnabled(false);
+/// The same row of buttons as the other programs have.
+void DeckWindow::makeToolBar() {
+  QToolBar* bar = addToolBar(tr("Buttons"));
+  bar->setObjectName("buttons");
+  bar->setMovable(false);
+  bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  const auto button = [&](const QString& text, const QString& help, auto slot) {
+    QAction* action = bar->addAction(text, this, slot);
+    action->setToolTip(help);
+  };
+  button(tr("Open Deck"), tr("Open a deck or a draft (Ctrl+O)"), &DeckWindow::askForFile);
+  button(tr("Save"), tr("Save the deck (Ctrl+S)"), &DeckWindow::save);
+  bar->addAction(undo_);
+  bar->addAction(redo_);
+  bar->addSeparator();
+  button(tr("Plan"), tr("What this deck would simulate and why (F5)"), &DeckWindow::showPlan);
+  button(tr("Quasi-static"), tr("Equilibrium, contacts and life (F6)"),
+         &DeckWindow::runQuasiStatic);
+  button(tr("Run"), tr("Save the deck and run it whole (F7)"), &DeckWindow::runDeck);
+  button(tr("Accuracy"), tr("What accuracy costs for this deck (F9)"), &DeckWindow::studyAccuracy);
+  bar->addSeparator();
+  button(tr("Dark/Light"), tr("Change the colours (Ctrl+D)"), &DeckWindow::switchTheme);
+  button(tr("Quit"), tr("End AdrInput (Ctrl+Q)"), &DeckWindow::close);
 }
 
 /// Saves and goes on, unless the deck is refused or the user does not want it.
@@ -223,7 +288,16 @@ bool DeckWindow::writeTo(const std::filesystem::path& path) {
     QString text = tr("The deck was not saved.");
     for (const Issue& issue : error.issues()) text += "\n\n" + QString::fromStdString(issue.text());
     if (error.issues().empty()) text += "\n\n" + QString::fromUtf8(error.what());
-    desktop::show_message(this, text, true);
+    auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput", text, QMessageBox::Ok, this);
+    box->setObjectName("message");
+    box->setTextFormat(Qt::PlainText);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    QPushButton* park = box->addButton(tr("Park as a draft …"), QMessageBox::ActionRole);
+    park->setObjectName("park-draft");
+    connect(box, &QMessageBox::buttonClicked, this, [this, park](QAbstractButton* button) {
+      if (button == park) parkDraft();
+    });
+    box->open();
   } catch (const std::exception& error) {
     desktop::show_message(
         this, tr("The deck was not saved.\n\n%1").arg(QString::fromUtf8(error.what())), true);
@@ -246,7 +320,35 @@ void DeckWindow::askForName(std::function<void()> then) {
   dialog->open();
 }
 
+void DeckWindow::parkDraft() {
+  document_.end_step();
+  auto* dialog =
+      new QFileDialog(this, tr("Park the deck as a draft"), settings().value("folder").toString(),
+                      tr("Drafts of AdrInput (*.draft);;All files (*)"));
+  dialog->setObjectName("save-draft");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix("draft");
+  std::filesystem::path name = document_.draft();
+  if (name.empty())
+    name = document_.path().empty()
+               ? std::filesystem::path("DATA.draft")
+               : std::filesystem::path(document_.path()).replace_extension("draft");
+  dialog->selectFile(QString::fromStdString(name.string()));
+  connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& file) {
+    try {
+      document_.save_draft(file.toStdString());
+      statusBar()->showMessage(tr("Parked as %1; no run takes it before it is saved").arg(file),
+                               8000);
+    } catch (const std::exception& error) {
+      desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    }
+  });
+  dialog->open();
+}
+
 void DeckWindow::save() {
+  document_.end_step();
   if (document_.path().empty()) return askForName(nullptr);
   saveTo(document_.path());
 }
@@ -259,6 +361,7 @@ void DeckWindow::saveAndExit() {
 }
 
 void DeckWindow::leaveDeck(std::function<void()> then) {
+  document_.end_step();
   if (!document_.modified()) return then();
   auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput",
                               tr("The deck has changes that are not saved; they will be lost."),
@@ -292,8 +395,10 @@ void DeckWindow::leaveRun(std::function<void()> then) {
 }
 
 void DeckWindow::closeEvent(QCloseEvent* event) {
+  document_.end_step();
   if (std::exchange(leaving_, false) || (!document_.modified() && !run_->busy())) {
     run_->cancel();
+    accuracy_->cancel();
     return event->accept();
   }
   event->ignore();

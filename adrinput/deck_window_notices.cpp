@@ -1,10 +1,15 @@
 #include "adrinput/compare_dialog.hpp"
 #include "adrinput/deck_window.hpp"
 #include "adrinput/file_watch.hpp"
+#include "adrinput/help_text.hpp"
 #include "adrinput/notice_bar.hpp"
 #include "adrinput/options_page.hpp"
 #include "adrinput/record_page.hpp"
+#include "adrinput/search.hpp"
+#include "adrinput/typed.hpp"
+#include "adrinput/unit_choice.hpp"
 #include "adrinput/unit_view.hpp"
+#include "deck/quantity.hpp"
 #include "deck/templates.hpp"
 #include "desktop/dialogs.hpp"
 
@@ -24,7 +29,9 @@ void DeckWindow::makeNotices(QBoxLayout* column) {
   session_notice_ = new NoticeBar("session-notice", this);
   file_notice_ = new NoticeBar("file-notice", this);
   units_notice_ = new NoticeBar("units-notice", this);
-  for (NoticeBar* bar : {session_notice_, file_notice_, units_notice_}) column->addWidget(bar);
+  search_notice_ = new NoticeBar("search-notice", this);
+  for (NoticeBar* bar : {session_notice_, file_notice_, units_notice_, search_notice_})
+    column->addWidget(bar);
   watch_ = new FileWatch(this);
   connect(watch_, &FileWatch::touched, this, &DeckWindow::checkFile);
 }
@@ -58,6 +65,71 @@ void DeckWindow::makeUnitsMenu(QMenu* view) {
   reopen->setChecked(QSettings("Adore", "adrinput").value("session/reopen", true).toBool());
   connect(reopen, &QAction::toggled, this,
           [](bool on) { QSettings("Adore", "adrinput").setValue("session/reopen", on); });
+}
+
+/// For each kind of quantity the unit that its values are shown in; beside each field a button does
+/// the same.
+void DeckWindow::makeUnitChoices(QMenu* view) {
+  QMenu* choices = view->addMenu(tr("Show &values in"));
+  choices->setObjectName("unit-choices");
+  for (const Quantity& quantity : quantities_with_a_choice()) {
+    QMenu* menu = choices->addMenu(quantity.name);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu, si = quantity.si] {
+      menu->clear();
+      const auto add = [&](const QString& text, const QString& unit) {
+        QAction* action = menu->addAction(text, this, [this, si, unit] {
+          choose_unit(si, unit);
+          page_->sync(true);
+        });
+        action->setCheckable(true);
+        action->setChecked(chosen_unit(si) == unit);
+      };
+      add(tr("as in the deck"), {});
+      for (const std::string_view unit : deck::usual_units({si, si})) {
+        const QString name = QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
+        add(name, name);
+      }
+    });
+  }
+}
+
+/// To the option that would bring the value's record in, with the offer to set it.
+void DeckWindow::goToOptionOf(const Cell& cell) {
+  const deck::RecordSpec& spec = *page_record(cell.record);
+  const QString name = QString::fromStdString(std::string(variable_of(cell)->name));
+  const std::optional<OptionWay> way = way_to(document_.deck(), cell.record);
+  if (!way) {
+    desktop::show_message(
+        this,
+        tr("%1 is on record %2, which is not part of this deck. It is there "
+           "when %3.")
+            .arg(name, record_number(spec), QString::fromStdString(std::string(spec.condition))));
+    return;
+  }
+  const deck::VariableSpec& option = *variable_of(way->option);
+  const QString option_name = QString::fromStdString(std::string(option.name));
+  const QString code = QString::fromStdString(way->code);
+  const QString meaning = QString::fromStdString(meaning_of(option, way->code));
+  showRecord(way->option.record);
+  page_->focusCell(way->option);
+  search_notice_->ask(
+      (way->enough ? tr("%1 is on record %2, which this deck has with %3 = %4%5.")
+                   : tr("%1 is on record %2, which this deck does not have; %3 = %4%5 is the first "
+                        "step to it."))
+          .arg(name, record_number(spec), option_name, code,
+               meaning.isEmpty() ? QString() : " (" + meaning + ")"),
+      {{"set-option", tr("&Set %1 = %2").arg(option_name, code),
+        [this, way = *way, cell] {
+          document_.end_step();
+          document_.edit(way.option, way.code);
+          document_.end_step();
+          page_->sync(true);
+          if (way.enough || document_.instances(cell.record) > 0)
+            goTo(cell);
+          else
+            goToOptionOf(cell);
+        }},
+       {"leave-option", tr("&Leave it"), nullptr}});
 }
 
 void DeckWindow::showPage(const std::string& record) {

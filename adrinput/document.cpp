@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 namespace adore::adrinput {
 namespace {
@@ -36,6 +37,11 @@ void Document::start(State state) {
   undo_.clear();
   redo_.clear();
   step_cell_.reset();
+  typing_.reset();
+  draft_.clear();
+  foreign_ = false;
+  refusals_.clear();
+  unused_.clear();
   numbers_in_.reset();
   model_issues_.clear();
   settle();
@@ -51,9 +57,44 @@ void Document::start_new(std::string_view template_name) {
   path_.clear();
   original_.clear();
   original_kept_ = true;
+  broken_ = false;
   option_file_ = {};
   file_issues_.clear();
   start(std::move(state));
+  notify();
+}
+
+void Document::start_with(const std::string& text) {
+  deck::ReadResult read = deck::read_deck_text(text, "new deck");
+  if (!read.ok()) throw InputError(std::move(read.issues));
+  start_new("ball");  // what a new deck is in every other respect
+  State state;
+  state.deck = std::move(read.deck);
+  state.deck.file.clear();
+  original_ = text;
+  original_kept_ = true;  // nobody's file
+  start(std::move(state));
+  notify();
+}
+
+void Document::change(const std::vector<std::pair<std::string, std::string>>& sets) {
+  end_step();
+  deck::Deck changed_deck = state_.deck;
+  changed_deck.set_all(sets);
+  if (changed_deck == state_.deck) return;
+  Cell cell;
+  for (const deck::RecordData& record : changed_deck.records)
+    if (const deck::RecordData* old =
+            deck::find_record_data(state_.deck, record.id, record.instance);
+        cell.record.empty() && (old == nullptr || !(*old == record)))
+      cell.record = record.id;
+  begin_step(cell);
+  numbers_in_.reset();
+  state_.drafts.clear();
+  state_.deck = std::move(changed_deck);
+  settle();
+  step_cell_.reset();
+  find_problems();
   notify();
 }
 
@@ -86,6 +127,11 @@ std::string Document::text(const Cell& cell) const {
   return value == nullptr ? std::string() : shown_text(*value);
 }
 
+std::string Document::unused_because(const Cell& cell) const {
+  const auto found = unused_.find(cell);
+  return found == unused_.end() ? std::string() : found->second;
+}
+
 void Document::begin_step(const Cell& cell) {
   redo_.clear();
   if (step_cell_ == cell) return;
@@ -94,12 +140,53 @@ void Document::begin_step(const Cell& cell) {
   if (undo_.size() > kMostSteps) undo_.erase(undo_.begin());
 }
 
+void Document::type(const Cell& cell, std::string_view typed) {
+  if (typing_ && *typing_ != cell) end_step();
+  if (cell.record == kOptionsPage) return edit(cell, typed);
+  if (text(cell) == typed || value_at(state_.deck, cell) == nullptr) return;
+  begin_step(cell);
+  numbers_in_.reset();
+  state_.drafts[cell] = typed;
+  typing_ = cell;
+  find_problems();
+  notify();
+}
+
+/// What is being typed becomes the value; the step is one for undo, and none when nothing changed.
+void Document::end_step() {
+  if (typing_) {
+    const Cell cell = *std::exchange(typing_, std::nullopt);
+    const auto draft = state_.drafts.find(cell);
+    if (draft != state_.drafts.end()) {
+      const std::string typed = draft->second;
+      const State& before = undo_.back().state;
+      const auto held = before.drafts.find(cell);  // what the field held before it was typed in
+      state_.drafts.erase(draft);
+      if (held != before.drafts.end()) state_.drafts[cell] = held->second;
+      edit(cell, typed);
+      if (state_.deck == before.deck && state_.drafts == before.drafts &&
+          state_.options == before.options) {
+        undo_.pop_back();
+        find_problems();
+        notify();
+      }
+    }
+  }
+  step_cell_.reset();
+}
+
 void Document::edit(const Cell& cell, std::string_view typed) {
+  if (typing_ && *typing_ != cell) end_step();
+  if (typing_) {
+    typing_.reset();
+    state_.drafts.erase(cell);
+  }
   if (cell.record == kOptionsPage) return edit_option(cell, typed);
   const deck::Value* old = value_at(state_.deck, cell);
-  if (old == nullptr || text(cell) == typed) return;
+  if (old == nullptr) return;
   const deck::VariableSpec& variable = *variable_of(cell);
-  Typed value = parse_typed(variable, typed);
+  Typed value = parse(cell, typed);
+  if (text(cell) == typed && (value.problem || state_.drafts.count(cell) == 0)) return;
   if (!value.problem && value.value == *old && state_.drafts.count(cell) == 0) return;
   begin_step(cell);
   const deck::UnitSystem units = state_.deck.units();
@@ -122,6 +209,7 @@ void Document::edit(const Cell& cell, std::string_view typed) {
 }
 
 void Document::set_user_lines(std::vector<std::string> lines) {
+  if (typing_) end_step();
   if (lines == state_.deck.user_lines) return;
   Cell cell;
   cell.record = kUserLines;
@@ -170,15 +258,22 @@ std::string Document::travel(std::vector<Step>& from, std::vector<Step>& to) {
   from.pop_back();
   to.push_back({std::move(state_), step.page});
   state_ = std::move(step.state);
-  end_step();
+  step_cell_.reset();
   numbers_in_.reset();
   find_problems();
   notify();
   return step.page;
 }
 
-std::string Document::undo() { return travel(undo_, redo_); }
-std::string Document::redo() { return travel(redo_, undo_); }
+std::string Document::undo() {
+  end_step();
+  return travel(undo_, redo_);
+}
+
+std::string Document::redo() {
+  end_step();
+  return travel(redo_, undo_);
+}
 
 void Document::add_problem(Issue issue) {
   Problem problem;
@@ -197,9 +292,11 @@ void Document::add_problem(Issue issue) {
 void Document::find_problems() {
   problems_.clear();
   for (const auto& [cell, typed] : state_.drafts) {
-    if (value_at(state_.deck, cell) == nullptr) continue;
+    if (value_at(state_.deck, cell) == nullptr || typing_ == cell) continue;
     const deck::VariableSpec& variable = *variable_of(cell);
-    const deck::NumberProblem problem = parse_typed(variable, typed).problem;
+    deck::NumberProblem problem = parse(cell, typed).problem;
+    if (!problem)  // of a session that was cut off
+      problem = {"was typed, but not yet taken as the value", "press Enter in its field"};
     Issue issue;
     issue.record = cell.record;
     issue.variable = variable.name;
@@ -219,7 +316,10 @@ void Document::find_problems() {
     if (!said) add_problem(std::move(issue));
   }
   find_option_problems();
-  if (has_error(problems_)) model_issues_.clear();
+  if (has_error(problems_)) {
+    model_issues_.clear();
+    refusals_.clear();
+  }
   for (const Issue& issue : model_issues_) add_problem(issue);
   const std::vector<Problem> live = problems_;
   for (const Issue& from_file : file_issues_) {
@@ -241,17 +341,25 @@ void Document::find_problems() {
 }
 
 void Document::check_model() {
-  std::vector<Issue> found;
+  facade::ModelCheck found;
   model_issues_.clear();
   find_problems();
   if (!has_error(problems_)) try {
-      found = facade::check_model(state_.deck);
+      found = facade::examine_model(state_.deck);
     } catch (const std::exception& error) {
       Issue issue;
       issue.message = error.what();
-      found.push_back(std::move(issue));
+      found.issues.push_back(std::move(issue));
     }
-  model_issues_ = std::move(found);
+  model_issues_ = std::move(found.issues);
+  refusals_ = std::move(found.refusals);
+  unused_.clear();
+  for (const deck::NoPart& value : found.unused) {
+    Issue named;
+    named.record = value.record;
+    named.variable = value.variable;
+    if (const std::optional<Cell> cell = cell_of(named)) unused_[*cell] = value.because;
+  }
   find_problems();
   notify();
 }
@@ -262,6 +370,8 @@ RecordState Document::state_of(std::string_view record) const {
   RecordState state = RecordState::Complete;
   for (const deck::RecordData& data : state_.deck.records)
     if (data.id == record && !data.defaulted.empty()) state = RecordState::Untouched;
+  for (const Issue& refusal : refusals_)
+    if (refusal.record == record) state = RecordState::Doubtful;
   for (const Problem& problem : problems_) {
     if (problem.page != record) continue;
     if (problem.issue.severity == Severity::Error) return RecordState::Wrong;

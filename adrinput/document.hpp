@@ -1,7 +1,9 @@
 #pragma once
 
 #include "adrinput/cell.hpp"
+#include "adrinput/typed.hpp"
 #include "facade/option_file.hpp"
+#include "facade/run_scales.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -39,15 +41,24 @@ class Document {
 
   /// A new data set from an example deck (deck/templates.hpp). @throws InputError
   void start_new(std::string_view template_name);
+  /// A new data set from the text of a deck without errors, whose remarks the saved file keeps.
+  /// @throws InputError
+  void start_with(const std::string& text);
   /// A broken deck is taken as far as it can be understood: texts that are no values stay in their
   /// fields, and everything that the reader remarked is among the problems.
   /// @throws InputError when there is no such file or it is no text; the document stays as it was.
   void open(const std::filesystem::path& path);
-  /// Writes the deck when `adore check` accepts it and it reads back equal. The first save over a
-  /// file with comments or lines that the deck does not keep leaves the old file beside it as
-  /// NAME.bak. Run options go into the ADORE.json beside it when they differ from what it says.
+  /// Writes the deck when `adore check` accepts it and it reads back equal, in the text of the file
+  /// that it was opened from with the file's own remarks (deck/keep_text.hpp). Where that text
+  /// cannot be kept, the first save leaves the old file beside it as NAME.bak. Run options go into
+  /// the ADORE.json beside it when they differ from what it says.
   /// @throws InputError with every reason against it; no file is touched then.
   void save(const std::filesystem::path& path);
+  /// Parks the document, whatever is wrong with it, in a file that only AdrInput reads: open()
+  /// takes it back as it stands here. It counts as saved. @throws InputError
+  void save_draft(const std::filesystem::path& path);
+  /// The draft that holds this document; empty when none does.
+  [[nodiscard]] const std::filesystem::path& draft() const { return draft_; }
 
   [[nodiscard]] const deck::Deck& deck() const { return state_.deck; }
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }  ///< empty: not named
@@ -69,6 +80,13 @@ class Document {
   /// Run options as the page shows them, those that differ from their defaults.
   [[nodiscard]] std::map<std::string, std::string> options() const;
 
+  /// What the deck's dimensionless times are, as far as somebody found out for the deck as it is
+  /// (step control and name apart).
+  void set_scales(const deck::Deck& of, const std::optional<facade::RunScales>& scales);
+  [[nodiscard]] std::optional<facade::RunScales> scales() const;
+  /// A text of a field as a value: also "5 rev" and "0.02 s" for times of a run.
+  [[nodiscard]] Typed parse(const Cell& cell, std::string_view text) const;
+
   /// The system of units that the numbers were given in, directly after kUnit was changed.
   [[nodiscard]] std::optional<deck::UnitSystem> numbers_in() const { return numbers_in_; }
   /// After such a change: turns every number into the new units, as part of the same step.
@@ -82,13 +100,26 @@ class Document {
   [[nodiscard]] int instances(std::string_view record) const;
   /// What the field of a cell shows: the value, or the text that is none.
   [[nodiscard]] std::string text(const Cell& cell) const;
+  /// Does the field hold a text that is no value, or not yet?
+  [[nodiscard]] bool is_draft(const Cell& cell) const { return state_.drafts.count(cell) > 0; }
+  /// Why a run of this deck does not use a value, as a clause; empty when it does, and when nobody
+  /// knows because the deck cannot be run.
+  [[nodiscard]] std::string unused_because(const Cell& cell) const;
 
   /// Takes what was typed. Options and counts make records and array elements come and go; values
   /// typed before come back with them. Changes of the same cell are one step for undo until
   /// end_step().
   void edit(const Cell& cell, std::string_view typed);
+  /// The same while a person is still typing: the text is shown and kept, but the deck keeps its
+  /// value until end_step() takes the text, so that the "12.7" of "12.7 mm" is never a value.
+  void type(const Cell& cell, std::string_view typed);
+  /// Is there a text that is being typed?
+  [[nodiscard]] const std::optional<Cell>& typing() const { return typing_; }
+  /// Sets several variables as one step of undo (deck::Deck::set_all). @throws InputError; the
+  /// document stays as it was.
+  void change(const std::vector<std::pair<std::string, std::string>>& sets);
   void set_user_lines(std::vector<std::string> lines);
-  void end_step() { step_cell_.reset(); }
+  void end_step();
   /// The user looked at the record and goes on: its defaults count as given.
   void accept_defaults(std::string_view record);
 
@@ -101,6 +132,8 @@ class Document {
   [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }
   [[nodiscard]] RecordState state_of(std::string_view record) const;
   [[nodiscard]] bool has_errors() const;
+  /// Does `adore run` refuse the deck as it stands, errors apart?
+  [[nodiscard]] bool is_refused() const { return !refusals_.empty(); }
   /// Builds the model of a deck without errors and adds what shows only there; some milliseconds.
   void check_model();
 
@@ -137,11 +170,18 @@ class Document {
   std::optional<deck::UnitSystem> numbers_in_;
   std::filesystem::path path_;
   std::string original_;
-  bool original_kept_ = false;  ///< beside the file, or nothing of it would be lost
+  bool original_kept_ = false;  ///< the deck alone makes the same text
+  bool foreign_ = false;        ///< the file holds what another program wrote
+  bool broken_ = false;         ///< the file has errors: reading it was a guess
   std::vector<Issue> file_issues_, model_issues_;
+  std::vector<Issue> refusals_;         ///< of the model issues those that no run accepts
+  std::map<Cell, std::string> unused_;  ///< values without a part, and why
   std::vector<Problem> problems_;
   std::vector<Step> undo_, redo_;
-  std::optional<Cell> step_cell_;
+  std::optional<Cell> step_cell_, typing_;
+  std::filesystem::path draft_;
+  std::optional<facade::RunScales> scales_;
+  std::vector<deck::RecordData> scaled_;  ///< records that the scales are of
 };
 
 }  // namespace adore::adrinput

@@ -1,11 +1,13 @@
 #include "adrinput/document.hpp"
 #include "adrinput/typed.hpp"
 #include "base/atomic_file.hpp"
+#include "deck/keep_text.hpp"
 #include "deck/lookup.hpp"
 #include "facade/check.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -51,20 +53,25 @@ bool is_utf8(std::string_view text) {
 }
 
 /// Fields and files hold UTF-8: letters of an old code page would be lost in them.
-deck::ReadResult read_as_latin1(std::string_view bytes, const fs::path& path) {
+std::string utf8_of_latin1(std::string_view bytes) {
   std::string text;
-  int line = 1, first_line = 0;
   for (const char c : bytes) {
     const auto byte = static_cast<unsigned char>(c);
-    if (c == '\n') ++line;
     if (byte < 0x80) {
       text += c;
     } else {
-      if (first_line == 0) first_line = line;
       text += static_cast<char>(0xc0U | (byte >> 6U));
       text += static_cast<char>(0x80U | (byte & 0x3fU));
     }
   }
+  return text;
+}
+
+deck::ReadResult read_as_latin1(std::string_view bytes, const fs::path& path) {
+  const std::string text = utf8_of_latin1(bytes);
+  const auto foreign = std::find_if(bytes.begin(), bytes.end(),
+                                    [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
+  const int first_line = 1 + static_cast<int>(std::count(bytes.begin(), foreign, '\n'));
   deck::ReadResult read = deck::read_deck_text(text, path.string());
   Issue issue;
   issue.severity = Severity::Note;
@@ -76,6 +83,16 @@ deck::ReadResult read_as_latin1(std::string_view bytes, const fs::path& path) {
   return read;
 }
 
+/// Drafts begin with this line; what follows are the bytes of Document::snapshot().
+constexpr std::string_view kDraftHead =
+    "AdrInput draft: a deck that is not ready to be run. Open it with AdrInput.\n";
+
+bool holds_draft(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string head(kDraftHead.size(), '\0');
+  return file.read(head.data(), static_cast<std::streamsize>(head.size())) && head == kDraftHead;
+}
+
 void take_errors(std::vector<Issue>& reasons, const std::vector<Issue>& issues) {
   for (const Issue& issue : issues)
     if (issue.severity == Severity::Error) reasons.push_back(issue);
@@ -84,6 +101,15 @@ void take_errors(std::vector<Issue>& reasons, const std::vector<Issue>& issues) 
 }  // namespace
 
 void Document::open(const fs::path& path) {
+  if (holds_draft(path)) {
+    const std::string bytes = bytes_of(path);
+    (void)restore(std::string_view(bytes).substr(kDraftHead.size()));
+    draft_ = path;
+    saved_deck_ = state_.deck;
+    saved_drafts_ = state_.drafts;
+    saved_options_ = state_.options;
+    return notify();
+  }
   deck::ReadResult read = deck::read_deck(path);
   std::string bytes = bytes_of(path);
   if (!is_utf8(bytes)) read = read_as_latin1(bytes, path);
@@ -95,6 +121,7 @@ void Document::open(const fs::path& path) {
   original_ = std::move(bytes);
   original_kept_ = deck::write_deck(state.deck) == original_;
   file_issues_ = read.issues;
+  broken_ = !read.ok();
   std::swap(state_, state);
   state_.shelf.clear();
   keep_unread_values(read.issues);
@@ -140,7 +167,11 @@ void Document::save(const fs::path& path) {
   std::vector<Issue> reasons;
   for (const Problem& problem : problems_)
     if (problem.issue.severity == Severity::Error) reasons.push_back(problem.issue);
-  const std::string text = deck::write_deck(state_.deck);
+  // The file's own text goes on, as far as it can; foreign letters as UTF-8.
+  deck::KeptText kept{deck::write_deck(state_.deck), original_.empty()};
+  if (!original_.empty())
+    kept = deck::with_deck(is_utf8(original_) ? original_ : utf8_of_latin1(original_), state_.deck);
+  const std::string& text = kept.text;
   if (reasons.empty()) {
     const deck::ReadResult back = deck::read_deck_text(text, path.string());
     take_errors(reasons, back.issues);
@@ -156,18 +187,24 @@ void Document::save(const fs::path& path) {
     }
   }
   if (!reasons.empty()) throw InputError(std::move(reasons));
-  if (!original_kept_ && same_file(path, path_)) {
+  const bool lost = foreign_ || (!original_kept_ && (broken_ || !kept.kept));
+  if (lost && same_file(path, path_)) {
     fs::path backup = path;
     backup += ".bak";
     write_file_atomically(backup, original_);
-    original_kept_ = true;
   }
   save_options(path);
   write_file_atomically(path, text);
   path_ = path;
   original_ = text;
-  original_kept_ = true;
+  original_kept_ = text == deck::write_deck(state_.deck);
+  foreign_ = broken_ = false;
   file_issues_.clear();
+  if (!draft_.empty()) {  // it became this deck
+    std::error_code ignored;
+    fs::remove(draft_, ignored);
+    draft_.clear();
+  }
   saved_deck_ = state_.deck;
   saved_drafts_ = state_.drafts;
   saved_options_ = state_.options;
@@ -175,10 +212,21 @@ void Document::save(const fs::path& path) {
   notify();
 }
 
+void Document::save_draft(const fs::path& path) {
+  end_step();
+  write_file_atomically(path, std::string(kDraftHead) + snapshot(""));
+  draft_ = path;
+  saved_deck_ = state_.deck;
+  saved_drafts_ = state_.drafts;
+  saved_options_ = state_.options;
+  notify();
+}
+
 void Document::keep_mine() {
   if (path_.empty()) return;
   original_ = bytes_of(path_);
   original_kept_ = original_.empty();
+  foreign_ = !original_kept_;
   saved_deck_ = deck::read_deck_text(original_, path_.string()).deck;
   saved_drafts_.clear();
   notify();

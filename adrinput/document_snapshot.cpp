@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <exception>
 
 /// A document as bytes (CBOR, so that numbers and foreign letters come back exactly), for the day
@@ -171,6 +172,8 @@ std::string Document::restore(std::string_view bytes) {
     original_kept_ = kept;
     option_file_ =
         has_options ? facade::OptionFile::from_text(std::move(option_text)) : facade::OptionFile();
+    broken_ = std::any_of(issues.begin(), issues.end(),
+                          [](const Issue& issue) { return issue.severity == Severity::Error; });
     file_issues_ = std::move(issues);
     start(std::move(state));
     saved_deck_ = std::move(saved_deck);

@@ -2,7 +2,9 @@
 
 #include "desktop/axis_scale.hpp"
 #include "desktop/listing_view.hpp"
+#include "facade/effect_costs.hpp"
 #include "facade/prepare.hpp"
+#include "facade/solution_tables.hpp"
 #include "listing/print_file.hpp"
 #include "listing/print_life.hpp"
 
@@ -49,7 +51,10 @@ std::string key_results(const facade::Prepared& ready, deck::UnitSystem units) {
 Evaluation plan_of(const deck::Deck& deck, const std::filesystem::path& path,
                    const RunOptionValues& options) {
   const facade::Prepared ready = prepared(deck, path, options);
-  return {{}, facade::plan_text(ready, facade::plan_with_estimates(ready))};
+  std::string text = facade::plan_text(ready, facade::plan_with_estimates(ready));
+  const std::string costs = facade::effect_costs_text(ready);
+  if (!costs.empty()) text += "\n" + costs;
+  return {{}, std::move(text)};
 }
 
 Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& path,
@@ -66,7 +71,7 @@ Evaluation quasi_static_of(const deck::Deck& deck, const std::filesystem::path& 
   listing::print_life(report, ready.life);
   std::string text = report.take();
   std::replace(text.begin(), text.end(), '\f', '\n');
-  return {key_results(ready, deck.units()), std::move(text)};
+  return {key_results(ready, deck.units()), std::move(text), facade::solution_tables(ready)};
 }
 
 EvaluationPanel::EvaluationPanel(Function function, const QString& invitation, QWidget* parent)
@@ -104,6 +109,7 @@ void EvaluationPanel::showNote() {
 void EvaluationPanel::show(const Evaluation& result, bool failed) {
   headline_ =
       failed ? tr("There is no result, for this reason:") : QString::fromStdString(result.headline);
+  tables_ = result.tables;
   view_->setPlainText(QString::fromStdString(result.text));
   view_->show();
   showNote();

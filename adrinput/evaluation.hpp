@@ -1,11 +1,13 @@
 #pragma once
 
 #include "deck/deck.hpp"
+#include "results/static_tables.hpp"
 
 #include <QWidget>
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 
 class QLabel;
@@ -19,6 +21,7 @@ using RunOptionValues = std::map<std::string, std::string>;
 struct Evaluation {
   std::string headline;  ///< key results in one sentence, or empty
   std::string text;
+  std::optional<results::StaticTables> tables = std::nullopt;  ///< of a quasi-static solution
 };
 
 /// What this deck would simulate and why; its quasi-static equilibrium as PRINT.txt has it. Both
@@ -45,6 +48,11 @@ class EvaluationPanel : public QWidget {
   [[nodiscard]] QString headline() const;
   [[nodiscard]] bool busy() const { return thread_ != nullptr; }
   [[nodiscard]] QString text() const;
+  /// Tables of what was computed last; nullptr when there are none.
+  [[nodiscard]] const results::StaticTables* tables() const {
+    return tables_ ? &*tables_ : nullptr;
+  }
+  [[nodiscard]] bool stale() const { return stale_; }
 
  signals:
   void finished();
@@ -60,6 +68,7 @@ class EvaluationPanel : public QWidget {
   deck::Deck evaluated_;
   RunOptionValues evaluated_options_;
   QString headline_;
+  std::optional<results::StaticTables> tables_;
   bool stale_ = false;
 };
 

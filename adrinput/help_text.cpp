@@ -112,9 +112,15 @@ QString format_help() {
          "<p>All values are in SI units or all in English units, as kUnit on record 3.2 says. "
          "Changing kUnit changes what the numbers mean; AdrInput then offers to convert them.</p>"
          "<p>A deck is written only when it has no error, with a decimal point whatever your "
-         "language uses. You may type a decimal comma.</p>"
-         "<p>Remarks behind the values of a deck that you open are not kept in the deck that is "
-         "saved; the first time, the old file stays beside it with .bak behind its name.</p>";
+         "language uses. You may type a decimal comma. A deck with errors can be parked as a draft "
+         "(File), which no run takes and which AdrInput opens again as it was.</p>"
+         "<p>Numbers may be typed with a unit and with arithmetic: 12.7 mm, 1/2 in, 80 °C, 206 "
+         "GPa, "
+         "3*0.005, 1 in + 2 mm. The deck gets the number in its own unit when you leave the field. "
+         "The button behind a field chooses the unit that values of its kind are shown in.</p>"
+         "<p>Remarks behind the values of a deck that you open stay in the deck that is saved. "
+         "Where that is impossible, and when the file had errors, the old file stays beside it "
+         "with .bak behind its name.</p>";
 }
 
 QString keyboard_help() {
@@ -130,13 +136,22 @@ QString keyboard_help() {
       {"F1", "help on this record"},
       {"F5", "plan of this deck"},
       {"F6", "quasi-static solution of this deck"},
-      {"F7", "save and run this deck"},
+      {"F7, Shift+F7", "save and run this deck; the same into a new folder"},
+      {"F9", "what accuracy costs for this deck"},
+      {"Ctrl+N", "a new deck from the catalogue of bearings"},
       {"Ctrl+U", "values also in the other system of units"},
       {"Ctrl+K", "compare with another deck"},
-      {"Ctrl+G", "show or hide the drawing"},
+      {"Ctrl+G, Ctrl+T", "show or hide the drawing, the charts of the solution"},
       {"Ctrl+D", "dark or light"},
-      {"Ctrl+Q", "quit"}};
-  QString out = "<h2>Keyboard</h2><table cellpadding='3'>";
+      {"Ctrl+Q", "quit"},
+      {"wheel over the form", "scrolls; it changes no field"},
+      {"wheel over the drawing", "zooms about the pointer"},
+      {"drag in the drawing", "moves it; a double click shows all again"},
+      {"click on a measure", "goes to its field"},
+      {"wheel over a chart", "zooms along the abscissa; with Ctrl along a panel's own axis"},
+      {"drag in a chart", "moves; with Shift zooms into a box; a double click shows everything"},
+      {"dropping a file", "opens the deck"}};
+  QString out = "<h2>Keys and mouse</h2><table cellpadding='3'>";
   for (const auto& [key, what] : keys)
     out += QString("<tr><td><b>%1</b>&nbsp;&nbsp;&nbsp;</td><td>%2</td></tr>").arg(key, what);
   return out + "</table>";

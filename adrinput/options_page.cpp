@@ -48,7 +48,10 @@ const deck::RecordSpec& options_record() {
     out.title = "Run options, kept beside the deck";
     out.condition = "true";
     static std::vector<std::string> sentences;  // the specs refer to them
-    sentences.reserve(facade::run_options().size());
+    std::size_t texts = 0;
+    for (const facade::RunOptionInfo& option : facade::run_options())
+      texts += 1 + option.choices.size();
+    sentences.reserve(texts);
     for (const facade::RunOptionInfo& option : facade::run_options()) {
       sentences.push_back(sentence(option.meaning));
       deck::VariableSpec variable;
@@ -56,6 +59,15 @@ const deck::RecordSpec& options_record() {
       variable.type = deck::VarType::String;
       variable.default_value = option.default_value;
       variable.help = sentences.back();
+      for (const std::string& choice : option.choices) {
+        std::string meaning = choice == option.default_value ? "the default" : "";
+        if (option.choices.size() == 2 && choice.size() == 1)
+          meaning =
+              std::string(choice == "1" ? "yes" : "no") + (meaning.empty() ? "" : ", " + meaning);
+        sentences.push_back(std::move(meaning));
+        variable.options.push_back({choice, sentences.back()});
+      }
+      if (option.choices.size() == 1) variable.options.push_back({"n", "a number"});
       out.variables.push_back(variable);
     }
     return out;

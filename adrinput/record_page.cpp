@@ -4,7 +4,10 @@
 #include "adrinput/help_text.hpp"
 #include "adrinput/options_page.hpp"
 #include "adrinput/typed.hpp"
+#include "adrinput/unit_choice.hpp"
 #include "adrinput/unit_view.hpp"
+#include "deck/quantity.hpp"
+#include "deck/unit_change.hpp"
 #include "desktop/theme.hpp"
 
 #include <QComboBox>
@@ -13,8 +16,10 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -55,12 +60,15 @@ QString open_codes(const deck::VariableSpec& variable) {
   return text;
 }
 
+bool is_diameter_record(const std::string& record) { return record.starts_with("5G.1D."); }
+
 /// Shows a text that is longer than its field from its beginning.
 void combo_home(QComboBox* combo) { combo->lineEdit()->setCursorPosition(0); }
 
 }  // namespace
 
 QString choice_text(std::string_view code, std::string_view meaning) {
+  if (meaning.empty()) return text_of(code);
   return QString("%1 — %2").arg(text_of(code), text_of(meaning));
 }
 
@@ -73,6 +81,8 @@ RecordPage::RecordPage(Document& document, const std::string& record, QWidget* p
   addHeading(layout);
   if (spec_.id == "12") {
     addUserLines(layout);
+  } else if (is_diameter_record(record_)) {
+    addListedDiameters(layout);
   } else if (!spec_.repeat.empty()) {
     addInstances(layout);
   } else {
@@ -117,7 +127,7 @@ QLineEdit* RecordPage::makeLine(const Cell& cell) {
   line->setFixedWidth(text ? 330 : 200);
   connect(line, &QLineEdit::textEdited, this, [this, cell, line](const QString& typed) {
     line->setProperty("typing", true);
-    document_.edit(cell, typed.toStdString());
+    document_.type(cell, typed.toStdString());
   });
   connect(line, &QLineEdit::editingFinished, this, [this, line] {
     line->setProperty("typing", false);
@@ -156,7 +166,7 @@ QComboBox* RecordPage::makeCombo(const Cell& cell) {
     combo->setMinimumWidth(widest);
     connect(combo->lineEdit(), &QLineEdit::textEdited, this, [this, combo, cell](const QString& t) {
       combo->lineEdit()->setProperty("typing", true);
-      document_.edit(cell, t.section(QChar(0x2014), 0, 0).trimmed().toStdString());
+      document_.type(cell, t.section(QChar(0x2014), 0, 0).trimmed().toStdString());
     });
     connect(combo->lineEdit(), &QLineEdit::editingFinished, this, [this, combo] {
       combo->lineEdit()->setProperty("typing", false);
@@ -174,7 +184,7 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   const desktop::Theme& theme = desktop::current_theme();
   Row row;
   row.variable = v;
-  auto* name = new QLabel(text_of(variable.name), this);
+  auto* name = row.name = new QLabel(text_of(variable.name), this);
   name->setFont(desktop::ui_font(13, true));
   auto* side = new QHBoxLayout;
   side->setSpacing(10);
@@ -198,6 +208,8 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   side->addWidget(field, row.table != nullptr ? 100 : 0);
   if (variable.name == "kUnit") side->addWidget(other_units_ = makeUnitsButton());
   row.unit->setWordWrap(true);
+  if (row.line != nullptr && !deck::usual_units(variable.unit).empty())
+    side->addWidget(row.choice = makeUnitChoice(variable));
   side->addWidget(row.unit, 1000);
   row.other = new QLabel(this);
   row.other->setTextFormat(Qt::PlainText);
@@ -214,8 +226,40 @@ void RecordPage::addVariable(QGridLayout* grid, std::size_t v) {
   grid->addWidget(row.other, at + 1, 1);
   grid->addWidget(row.problem, at + 2, 1);
   grid->addWidget(make_text(help, theme.muted, this), at + 3, 1);
-  grid->setRowMinimumHeight(at + 4, 8);
+  row.unused = make_text({}, theme.muted, this);
+  row.unused->setObjectName("unused-" + text_of(variable.name));
+  grid->addWidget(row.unused, at + 4, 1);
+  grid->setRowMinimumHeight(at + 5, 8);
   rows_.push_back(row);
+}
+
+/// By mouse; by keyboard under View. Tab goes from value to value.
+QToolButton* RecordPage::makeUnitChoice(const deck::VariableSpec& variable) {
+  auto* button = new QToolButton(this);
+  button->setObjectName("unit-" + text_of(variable.name));
+  button->setFocusPolicy(Qt::NoFocus);
+  button->setAutoRaise(true);
+  button->setPopupMode(QToolButton::InstantPopup);
+  button->setToolTip(tr("Unit in which values of this kind are shown; the deck keeps its own"));
+  button->setAccessibleName(tr("Unit of %1").arg(text_of(variable.name)));
+  auto* menu = new QMenu(button);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu, &variable] {
+    menu->clear();
+    const auto add = [&](const QString& text, const QString& unit) {
+      QAction* action = menu->addAction(text);
+      action->setCheckable(true);
+      action->setChecked(chosen_unit(variable.unit.si) == unit);
+      connect(action, &QAction::triggered, this, [this, &variable, unit] {
+        choose_unit(variable.unit.si, unit);
+        emit unitChosen();
+      });
+    };
+    add(tr("%1, as in the deck").arg(text_of(deck::unit_name(document_.deck(), variable))), {});
+    for (const std::string_view unit : deck::usual_units(variable.unit))
+      if (unit != deck::unit_name(document_.deck(), variable)) add(text_of(unit), text_of(unit));
+  });
+  button->setMenu(menu);
+  return button;
 }
 
 QPushButton* RecordPage::makeUnitsButton() {
@@ -264,6 +308,53 @@ void RecordPage::addInstances(QVBoxLayout* layout) {
     grid->addWidget(row.unit, at + 1, 1);
     grid->addWidget(row.problem, at + 2, 1);
     grid->setRowMinimumHeight(at + 3, 6);
+    rows_.push_back(row);
+  }
+  layout->addLayout(grid);
+}
+
+/// The four records of listed deviations as one table of 40 elements.
+void RecordPage::addListedDiameters(QVBoxLayout* layout) {
+  const desktop::Theme& theme = desktop::current_theme();
+  auto* table = CellTable::ofListedDiameters(document_, this);
+  table->setObjectName("deviations");
+  table->setAccessibleName(tr("Diameter deviations of rolling elements 1 to 40"));
+  table->installEventFilter(this);
+  connect(table, &QTableWidget::currentCellChanged, this, [this, table] { announce(table); });
+  layout->addWidget(make_text(tr("Diameter of each rolling element minus the nominal diameter, all "
+                                 "40 of the four records. A row or column copied from a "
+                                 "spreadsheet and pasted here fills the elements from the current "
+                                 "one on; elements that this bearing does not have are pale."),
+                              theme.muted, this));
+  auto* label = new QLabel(tr("Label of this record"), this);
+  auto* line = makeLine(cellOf(0));
+  line->setObjectName("recID");
+  line->setAccessibleName(tr("Label of this record"));
+  label->setBuddy(line);
+  auto* first = new QHBoxLayout;
+  first->addWidget(label);
+  first->addWidget(line);
+  first->addStretch(1);
+  layout->addLayout(first);
+  layout->addWidget(table);
+  auto* grid = new QGridLayout;
+  grid->setColumnStretch(0, 1);
+  for (std::size_t v = 0; v < spec_.variables.size(); ++v) {
+    Row row;
+    row.variable = v;
+    if (v == 0)
+      row.line = line;
+    else
+      row.table = table;
+    row.unit = new QLabel(this);
+    row.unit->setTextFormat(Qt::PlainText);
+    row.problem = make_text({}, theme.red, this);
+    row.problem->setObjectName("problem-" + text_of(spec_.variables[v].name));
+    if (v == 1)
+      grid->addWidget(row.unit, 0, 0);
+    else
+      row.unit->hide();
+    grid->addWidget(row.problem, static_cast<int>(v) + 1, 0);
     rows_.push_back(row);
   }
   layout->addLayout(grid);
@@ -351,56 +442,94 @@ void RecordPage::showProblems(Row& row) {
               : QString());
 }
 
+void RecordPage::syncCombo(Row& row, const QString& value, bool all) {
+  const deck::VariableSpec& variable = spec_.variables[row.variable];
+  if (all && row.combo->lineEdit() != nullptr) row.combo->lineEdit()->setProperty("typing", false);
+  const bool typing =
+      row.combo->lineEdit() != nullptr && row.combo->lineEdit()->property("typing").toBool();
+  if (all || !typing) {
+    const QSignalBlocker quiet(row.combo);
+    int index = row.combo->findData(value);
+    const std::string any = value.startsWith('-') ? "-n" : "n";
+    if (index < 0 && row.combo->isEditable()) {
+      row.combo->setCurrentIndex(-1);
+      const std::string meaning = meaning_of(variable, any);
+      const bool known = !parse_typed(variable, value.toStdString()).problem;
+      row.combo->setEditText(known && !meaning.empty() ? choice_text(value.toStdString(), meaning)
+                                                       : value);
+      combo_home(row.combo);
+    } else {
+      // A code of the file that does not exist is shown as what it is.
+      if (index < 0 && !value.isEmpty()) {
+        row.combo->addItem(value + " — no such code", value);
+        index = row.combo->count() - 1;
+      }
+      row.combo->setCurrentIndex(index);
+      if (row.combo->isEditable()) {
+        row.combo->setEditText(row.combo->itemText(index));
+        combo_home(row.combo);
+      }
+    }
+  }
+}
+
 void RecordPage::syncRow(Row& row, bool all) {
   const deck::VariableSpec& variable = spec_.variables[row.variable];
-  const QString value = QString::fromStdString(document_.text(cellOf(row.variable)));
+  const QString value = shown_value(document_, cellOf(row.variable));
   if (row.line != nullptr) {
     if (all) row.line->setProperty("typing", false);
     const bool typing = row.line->property("typing").toBool();
     if ((all || !typing) && row.line->text() != value) row.line->setText(value);
   }
-  if (row.combo != nullptr) {
-    if (all && row.combo->lineEdit() != nullptr)
-      row.combo->lineEdit()->setProperty("typing", false);
-    const bool typing =
-        row.combo->lineEdit() != nullptr && row.combo->lineEdit()->property("typing").toBool();
-    if (all || !typing) {
-      const QSignalBlocker quiet(row.combo);
-      int index = row.combo->findData(value);
-      const std::string any = value.startsWith('-') ? "-n" : "n";
-      if (index < 0 && row.combo->isEditable()) {
-        row.combo->setCurrentIndex(-1);
-        const std::string meaning = meaning_of(variable, any);
-        const bool known = !parse_typed(variable, value.toStdString()).problem;
-        row.combo->setEditText(known && !meaning.empty() ? choice_text(value.toStdString(), meaning)
-                                                         : value);
-        combo_home(row.combo);
-      } else {
-        // A code of the file that does not exist is shown as what it is.
-        if (index < 0 && !value.isEmpty()) {
-          row.combo->addItem(value + " — no such code", value);
-          index = row.combo->count() - 1;
-        }
-        row.combo->setCurrentIndex(index);
-        if (row.combo->isEditable()) {
-          row.combo->setEditText(row.combo->itemText(index));
-          combo_home(row.combo);
-        }
-      }
-    }
-  }
+  if (row.combo != nullptr) syncCombo(row, value, all);
   QString unit = QString::fromStdString(unit_of(document_.deck(), variable));
   const QString limits = QString::fromStdString(limits_of(document_.deck(), variable));
+  if (row.choice != nullptr) {
+    const QString chosen = chosen_unit(variable.unit.si);
+    row.choice->setText(chosen.isEmpty() || unit.isEmpty() ? unit : chosen);
+    row.choice->setVisible(!unit.isEmpty());
+    unit.clear();
+  }
   if (!limits.isEmpty()) unit += (unit.isEmpty() ? "" : "   ") + QString("(%1)").arg(limits);
   row.unit->setText(unit);
-  row.unit->setVisible(!unit.isEmpty());
-  if (row.other != nullptr) {
-    const bool shown = shows_other_units_ && row.table == nullptr;
-    const QString other = shown ? in_other_units(document_, cellOf(row.variable)) : QString();
-    row.other->setText(other.isEmpty() ? other : "= " + other);
-    row.other->setVisible(!other.isEmpty());
-  }
+  const bool told_once = is_diameter_record(record_) && row.variable != 1;
+  row.unit->setVisible(!unit.isEmpty() && !told_once);
+  showAside(row);
   showProblems(row);
+}
+
+/// What a text being typed will be, the value in the other system of units, and whether anything
+/// uses it.
+void RecordPage::showAside(Row& row) {
+  const Cell cell = cellOf(row.variable);
+  if (row.other != nullptr) {
+    QStringList texts;
+    if (row.table == nullptr) texts << typed_value(document_, cell);
+    if (shows_other_units_ && row.table == nullptr) texts << in_other_units(document_, cell);
+    texts << run_time(document_, cell);
+    texts.removeAll(QString());
+    row.other->setText(texts.isEmpty() ? QString() : "= " + texts.join(" = "));
+    row.other->setVisible(!texts.isEmpty());
+  }
+  if (row.unused == nullptr || row.name == nullptr) return;
+  const std::string because = document_.unused_because(cell);
+  const bool unused = !because.empty();
+  const desktop::Theme& theme = desktop::current_theme();
+  row.unused->setText(unused ? tr("Not used now: %1.").arg(QString::fromStdString(because))
+                             : QString());
+  row.unused->setVisible(unused);
+  row.name->setStyleSheet(unused ? QString("color: %1").arg(theme.muted.name()) : QString());
+  QFont font = row.name->font();
+  font.setBold(!unused);
+  font.setItalic(unused);
+  row.name->setFont(font);
+  QWidget* field = row.line != nullptr ? static_cast<QWidget*>(row.line) : row.combo;
+  if (field == nullptr) return;
+  QPalette palette = field->palette();
+  const QColor colour = unused ? theme.muted : theme.text;
+  if (palette.color(QPalette::Text) == colour) return;
+  for (const auto role : {QPalette::Text, QPalette::ButtonText}) palette.setColor(role, colour);
+  field->setPalette(palette);
 }
 
 void RecordPage::sync(bool all) {
@@ -421,7 +550,9 @@ void RecordPage::sync(bool all) {
   }
   if (count == 0) return;  // about to be left
   for (Row& row : rows_) {
-    if (row.table != nullptr && (spec_.repeat.empty() || row.variable == 0)) row.table->sync();
+    const bool one_table = !spec_.repeat.empty() || is_diameter_record(record_);
+    if (row.table != nullptr && (!one_table || row.variable == (spec_.repeat.empty() ? 1U : 0U)))
+      row.table->sync();
     syncRow(row, all);
   }
 }

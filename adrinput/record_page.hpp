@@ -13,6 +13,7 @@ class QLineEdit;
 class QComboBox;
 class QPlainTextEdit;
 class QPushButton;
+class QToolButton;
 class QVBoxLayout;
 
 namespace adore::adrinput {
@@ -40,6 +41,8 @@ class RecordPage : public QWidget {
 
  signals:
   void otherUnitsWanted(bool shown);
+  /// A kind of quantity is to be shown in another unit from now on.
+  void unitChosen();
   /// A field got the focus and should be in view.
   void focusMoved(QWidget* field);
   /// The same, as the value that is worked on.
@@ -55,18 +58,25 @@ class RecordPage : public QWidget {
     QComboBox* combo = nullptr;
     CellTable* table = nullptr;
     QLabel* unit = nullptr;
-    QLabel* other = nullptr;  ///< the value in the other system of units
+    QToolButton* choice = nullptr;  ///< of the unit that the value is shown in
+    QLabel* name = nullptr;
+    QLabel* other = nullptr;   ///< the value in other units, and what it stands for
+    QLabel* unused = nullptr;  ///< why nothing uses the value
     QLabel* problem = nullptr;
   };
   void addHeading(QVBoxLayout* layout);
   void addVariable(QGridLayout* grid, std::size_t variable);
   void addInstances(QVBoxLayout* layout);
+  void addListedDiameters(QVBoxLayout* layout);
   void addUserLines(QVBoxLayout* layout);
   QLineEdit* makeLine(const Cell& cell);
   QComboBox* makeCombo(const Cell& cell);
   QPushButton* makeUnitsButton();
+  QToolButton* makeUnitChoice(const deck::VariableSpec& variable);
   void finish(QWidget* field);
   void syncRow(Row& row, bool all);
+  void syncCombo(Row& row, const QString& value, bool all);
+  void showAside(Row& row);
   void showProblems(Row& row);
   void announce(const QWidget* field);
   [[nodiscard]] Cell cellOf(std::size_t variable) const;

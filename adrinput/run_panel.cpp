@@ -4,6 +4,7 @@
 #include "desktop/dialogs.hpp"
 #include "desktop/launch.hpp"
 #include "desktop/listing_view.hpp"
+#include "desktop/one_window.hpp"
 #include "desktop/window_place.hpp"
 
 #include <QBoxLayout>
@@ -13,11 +14,13 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
+#include <QMenu>
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
+#include <QToolButton>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -64,6 +67,15 @@ QString headline_of(const facade::RunOutcome& outcome) {
   return from("The run gave up: " + outcome.message + " The files are valid up to then. " + done);
 }
 
+/// The first folder "<stem>-001" and on that is not there yet.
+std::filesystem::path free_folder(const std::filesystem::path& beside, const std::string& stem) {
+  std::error_code ignored;
+  for (int number = 1;; ++number) {
+    const auto folder = beside / fmt::format("{}-{:03d}", stem, number);
+    if (!std::filesystem::exists(folder, ignored)) return folder;
+  }
+}
+
 QSettings settings() { return QSettings("Adore", "adrinput"); }
 
 }  // namespace
@@ -84,6 +96,18 @@ RunPanel::RunPanel(QWidget* parent) : QWidget(parent), launch(&desktop::start_pr
     return push;
   };
   start_ = button(first, tr("Run"), "run", tr("Save the deck and run it (F7)"), &RunPanel::wanted);
+  more_ = new QToolButton(this);
+  more_->setObjectName("more-runs");
+  more_->setText(tr("More"));
+  more_->setToolTip(tr("Run into a new folder, go on with a run, or run a sweep"));
+  more_->setAccessibleName(tr("More ways to run"));
+  more_->setPopupMode(QToolButton::InstantPopup);
+  auto* ways = new QMenu(more_);
+  ways->addAction(tr("Run into a &new folder"), this, &RunPanel::newFolderWanted);
+  ways->addAction(tr("&Continue the run"), this, &RunPanel::continueWanted);
+  ways->addAction(tr("&Sweep a variable …"), this, &RunPanel::sweepWanted);
+  more_->setMenu(ways);
+  first->addWidget(more_);
   cancel_ = button(first, tr("&Cancel"), "cancel", tr("End the run after the present step"),
                    &RunPanel::cancel);
   bar_ = new QProgressBar(this);
@@ -131,8 +155,9 @@ QString RunPanel::text() const { return view_->toPlainText(); }
 
 void RunPanel::enableButtons() {
   start_->setEnabled(!busy());
+  more_->setEnabled(!busy());
   cancel_->setEnabled(busy());
-  plots_->setEnabled(!busy() && !plotFiles().isEmpty());
+  plots_->setEnabled(!plotFiles().isEmpty());
   animation_->setEnabled(!busy() && !fileNamed("SOL8").isEmpty());
   listing_->setEnabled(!busy() && !fileNamed("PRINT.txt").isEmpty());
 }
@@ -140,31 +165,78 @@ void RunPanel::enableButtons() {
 void RunPanel::start(const std::filesystem::path& file, const deck::Deck& deck,
                      const RunOptionValues& options) {
   if (busy()) return;
+  if (file_ != file || !out_.empty()) own_report_.reset();
+  begin(file, deck, options);
+  launchRun(own_report_ && own_report_ == reportTime());
+}
+
+void RunPanel::begin(const std::filesystem::path& file, const deck::Deck& deck,
+                     const RunOptionValues& options) {
   computed_ = deck;
   computed_options_ = options;
   stale_ = false;
   files_.clear();
-  if (file_ != file) own_report_.reset();
   file_ = file;
-  launchRun(own_report_ && own_report_ == reportTime());
+  out_.clear();
+}
+
+void RunPanel::startInNewFolder(const std::filesystem::path& file, const deck::Deck& deck,
+                                const RunOptionValues& options) {
+  if (busy()) return;
+  begin(file, deck, options);
+  out_ = free_folder(file.parent_path(), "run");
+  launchRun(false);
+}
+
+void RunPanel::continueRun(const std::filesystem::path& file, const deck::Deck& deck,
+                           const RunOptionValues& options) {
+  if (busy()) return;
+  begin(file, deck, options);
+  facade::RunRequest request;
+  request.deck = file_;
+  request.go_on = true;
+  launchRequest(std::move(request));
+}
+
+void RunPanel::sweep(const std::filesystem::path& file, const deck::Deck& deck,
+                     const RunOptionValues& options, const QString& range) {
+  if (busy()) return;
+  begin(file, deck, options);
+  out_ = free_folder(file.parent_path(), "sweep");
+  facade::RunRequest request;
+  request.deck = file_;
+  request.out = out_;
+  request.sets.emplace_back(range.section('=', 0, 0).trimmed().toStdString(),
+                            range.section('=', 1).trimmed().toStdString());
+  launchRequest(std::move(request));
+}
+
+std::filesystem::path RunPanel::resultFolder() const {
+  return out_.empty() ? file_.parent_path() : out_;
 }
 
 void RunPanel::launchRun(bool overwrite) {
+  facade::RunRequest request;
+  request.deck = file_;
+  if (!out_.empty()) request.out = out_;
+  request.overwrite = overwrite;
+  launchRequest(std::move(request));
+}
+
+void RunPanel::launchRequest(facade::RunRequest request) {
+  began_ = std::filesystem::file_time_type::clock::now();
   view_->hide();
   view_->clear();
   bar_->setValue(0);
   headline_ = tr("Finding the equilibrium that the run starts from …");
   showNote();
-  facade::RunRequest request;
-  request.deck = file_;
-  request.overwrite = overwrite;
   run_.start(std::move(request));
   enableButtons();
 }
 
 std::optional<std::filesystem::file_time_type> RunPanel::reportTime() const {
   std::error_code error;
-  const auto time = std::filesystem::last_write_time(file_.parent_path() / "RUN.json", error);
+  const auto time = std::filesystem::last_write_time(resultFolder() / "RUN.json", error);
   if (error) return {};
   return time;
 }
@@ -190,6 +262,12 @@ void RunPanel::cancel() {
 
 void RunPanel::show(const facade::Progress& progress) {
   bar_->setValue(static_cast<int>(std::lround(kBarSteps * progress.fraction)));
+  if (progress.runs > 0) {
+    headline_ = from(fmt::format("{} of {} {}s done. Remaining: {}.", progress.step, progress.runs,
+                                 progress.piece, duration_text(progress.remaining)));
+    return showNote();
+  }
+  plots_->setEnabled(!plotFiles().isEmpty());  // a viewer follows a run that goes on
   headline_ = from(fmt::format("Step {}, {:.3f} revolutions, {:.4g} of {:.4g} s. Remaining: {}.",
                                progress.step, progress.revolutions, progress.time,
                                progress.end_time, duration_text(progress.remaining)));
@@ -203,6 +281,15 @@ void RunPanel::show(const RunEnd& end) {
     own_report_ = reportTime();
     view_->setPlainText(report(*end.outcome));
     if (end.outcome->status == facade::RunStatus::Done) bar_->setValue(kBarSteps);
+  } else if (end.sweep) {
+    files_ << from(end.sweep->table.string());
+    bar_->setValue(kBarSteps);
+    headline_ = end.sweep->exit_code == 0
+                    ? tr("The sweep is done.")
+                    : tr("The sweep is over; some of its runs have no result.");
+    QString text = tr("Table: %1\n").arg(from(end.sweep->table.string()));
+    for (const Issue& issue : end.sweep->warnings) text += from(issue.text()) + "\n";
+    view_->setPlainText(text);
   } else {
     headline_ = tr("The deck was not run, for this reason:");
     view_->setPlainText(from(end.reason));
@@ -232,6 +319,12 @@ void RunPanel::setDeck(const deck::Deck& deck, const RunOptionValues& options) {
 }
 
 QString RunPanel::fileNamed(const QString& name) const {
+  if (busy()) {  // what this run has written so far
+    const std::filesystem::path file = resultFolder() / name.toStdString();
+    std::error_code error;
+    const auto time = std::filesystem::last_write_time(file, error);
+    return !error && time >= began_ ? from(file.string()) : QString();
+  }
   for (const QString& file : files_)
     if (QFileInfo(file).fileName() == name && QFileInfo::exists(file)) return file;
   return {};
@@ -244,19 +337,27 @@ QStringList RunPanel::plotFiles() const {
     if (const QString file = fileNamed(QString("SOL%1").arg(number)); !file.isEmpty())
       found << file;
   if (found.isEmpty())
-    if (const QString file = fileNamed("RUN.json"); !file.isEmpty()) found << file;
+    for (const char* table : {"RUN.json", "SWEEP.csv"})
+      if (const QString file = fileNamed(table); !file.isEmpty()) found << file;
   return found;
 }
 
 void RunPanel::view(const QString& program, const QStringList& files) {
   try {
+    QStringList names = files;
+    names.removeAll("--follow");
+    if (desktop::hand_over(program, names)) return;  // the project has its window already
     launch(program, files);
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
   }
 }
 
-void RunPanel::openPlots() { view("adrplot", plotFiles()); }
+void RunPanel::openPlots() {
+  QStringList arguments = plotFiles();
+  if (busy()) arguments.prepend("--follow");
+  view("adrplot", arguments);
+}
 
 void RunPanel::openAnimation() { view("agore", {fileNamed("SOL8")}); }
 

@@ -16,6 +16,7 @@ class QLabel;
 class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
+class QToolButton;
 
 namespace adore::adrinput {
 
@@ -34,6 +35,15 @@ class RunPanel : public QWidget {
   /// replaced only after a question (a box named "replace-results").
   void start(const std::filesystem::path& file, const deck::Deck& deck,
              const RunOptionValues& options);
+  /// The same into a folder of its own below the deck's, "run-001" and on.
+  void startInNewFolder(const std::filesystem::path& file, const deck::Deck& deck,
+                        const RunOptionValues& options);
+  /// Goes on with the run whose MASTER and FINAL stand beside the deck, up to its end.
+  void continueRun(const std::filesystem::path& file, const deck::Deck& deck,
+                   const RunOptionValues& options);
+  /// Runs the deck for each value of `range`, "appLoadZ=500:1500:5", a folder each.
+  void sweep(const std::filesystem::path& file, const deck::Deck& deck,
+             const RunOptionValues& options, const QString& range);
   /// The deck is this one now: results of an older one say so.
   void setDeck(const deck::Deck& deck, const RunOptionValues& options);
   [[nodiscard]] bool busy() const { return run_.busy(); }
@@ -46,15 +56,22 @@ class RunPanel : public QWidget {
   void showListing();
 
  signals:
-  /// The Run button was pressed.
+  /// The Run button was pressed, or an entry of the menu beside it.
   void wanted();
+  void newFolderWanted();
+  void continueWanted();
+  void sweepWanted();
   void finished();
 
  private:
   void show(const facade::Progress& progress);
   void show(const RunEnd& end);
   void showNote();
+  void begin(const std::filesystem::path& file, const deck::Deck& deck,
+             const RunOptionValues& options);
   void launchRun(bool overwrite);
+  void launchRequest(facade::RunRequest request);
+  [[nodiscard]] std::filesystem::path resultFolder() const;
   void askToReplace();
   /// The report that stands beside the deck, as far as it can be told from another one.
   [[nodiscard]] std::optional<std::filesystem::file_time_type> reportTime() const;
@@ -64,13 +81,16 @@ class RunPanel : public QWidget {
   [[nodiscard]] QString fileNamed(const QString& name) const;
 
   QPushButton *start_, *cancel_, *plots_, *animation_, *listing_;
+  QToolButton* more_;
   QCheckBox *plots_at_end_, *animation_at_end_;
   QProgressBar* bar_;
   QLabel* note_;
   QPlainTextEdit* view_;
   QString headline_;
   QStringList files_;
-  std::filesystem::path file_;                                 ///< the deck that runs
+  std::filesystem::path file_;  ///< the deck that runs
+  std::filesystem::path out_;   ///< where its results go; empty: beside it
+  std::filesystem::file_time_type began_;
   std::optional<std::filesystem::file_time_type> own_report_;  ///< of the last run made here
   deck::Deck computed_;
   RunOptionValues computed_options_;

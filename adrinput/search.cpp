@@ -1,6 +1,8 @@
 #include "adrinput/search.hpp"
 
 #include "adrinput/options_page.hpp"
+#include "deck/condition.hpp"
+#include "deck/lookup.hpp"
 
 #include <algorithm>
 #include <array>
@@ -75,7 +77,102 @@ int score_of(const deck::RecordSpec& record, const deck::VariableSpec& variable,
   return total;
 }
 
+/// Codes to try, the smallest change first.
+std::vector<std::string> codes_of(const deck::VariableSpec& option) {
+  std::vector<std::string> out;
+  for (const deck::OptionSpec& code : option.options)
+    if (code.code != "n" && code.code != "-n") out.emplace_back(code.code);
+  for (const char* more : {"1", "2", "3", "0", "-1"})
+    if (std::find(out.begin(), out.end(), more) == out.end() &&
+        deck::is_valid_code(option, std::stoll(more)) &&
+        deck::in_range(option.range, std::stod(more)))
+      out.emplace_back(more);
+  return out;
+}
+
+/// Does a changed deck ask for the record?
+bool asks_for(const deck::Deck& deck, const deck::RecordSpec& spec) {
+  return deck::evaluate(spec.condition, deck::scope_of(deck)) && deck::repeat_count(deck, spec) > 0;
+}
+
+std::optional<deck::Deck> with(const deck::Deck& deck, std::string_view name,
+                               const std::string& code) {
+  deck::Deck changed = deck;
+  try {
+    changed.set(name, code);
+    changed.complete();
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+  return changed;
+}
+
+/// The first of two options of a condition that must both change.
+std::optional<OptionWay> first_of_two(const deck::Deck& deck, const deck::RecordSpec& spec,
+                                      const std::vector<std::string_view>& names) {
+  for (const std::string_view name : names) {
+    const deck::VariableRef ref = deck::find_present(deck, name);
+    if (ref.record == nullptr) continue;
+    for (const std::string& code : codes_of(ref.spec())) {
+      const std::optional<deck::Deck> changed = with(deck, name, code);
+      if (!changed) continue;
+      for (const std::string_view other : names) {
+        const deck::VariableRef second = deck::find_present(*changed, other);
+        if (other == name || second.record == nullptr) continue;
+        for (const std::string& last : codes_of(second.spec()))
+          if (const auto both = with(*changed, other, last); both && asks_for(*both, spec)) {
+            Cell option;
+            option.record = ref.record->id;
+            option.variable = ref.position;
+            return OptionWay{option, code, false};
+          }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+constexpr int kDeepest = 4;  // options that decide whether other options are there
+
+std::optional<OptionWay> find_way(const deck::Deck& deck, std::string_view record, int depth) {
+  const deck::RecordSpec* spec = deck::find_record(record);
+  if (spec == nullptr || depth > kDeepest) return std::nullopt;
+  std::vector<std::string_view> names = deck::names_in(spec->condition);
+  if (!spec->repeat.empty()) names.push_back(spec->repeat);
+  std::optional<OptionWay> first_step;
+  for (const std::string_view name : names) {
+    const deck::VariableRef ref = deck::find_present(deck, name);
+    if (ref.record == nullptr) {
+      for (const deck::VariableRef& elsewhere : deck::find_variable(name)) {
+        if (first_step || elsewhere.record->id == record) continue;
+        first_step = find_way(deck, elsewhere.record->id, depth + 1);
+        if (first_step) first_step->enough = false;
+      }
+      continue;
+    }
+    for (const std::string& code : codes_of(ref.spec())) {
+      const std::optional<deck::Deck> changed = with(deck, name, code);
+      if (!changed) continue;
+      Cell option;
+      option.record = ref.record->id;
+      option.variable = ref.position;
+      if (asks_for(*changed, *spec)) return OptionWay{option, code, true};
+      // Not enough alone: does it make another option of the condition available?
+      if (first_step) continue;
+      for (const std::string_view other : names)
+        if (other != name && deck::find_present(deck, other).record == nullptr &&
+            deck::find_present(*changed, other).record != nullptr)
+          first_step = OptionWay{option, code, false};
+    }
+  }
+  return first_step ? first_step : first_of_two(deck, *spec, names);
+}
+
 }  // namespace
+
+std::optional<OptionWay> way_to(const deck::Deck& deck, std::string_view record) {
+  return find_way(deck, record, 0);
+}
 
 std::vector<Found> search_variables(std::string_view query, std::size_t most) {
   std::vector<Found> found;

@@ -2,6 +2,7 @@
 
 #include "adrinput/cell.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,5 +18,16 @@ struct Found {
 /// Best first, at most `most`. Every word of the query that says something must occur; words like
 /// "where" and "is" say nothing.
 [[nodiscard]] std::vector<Found> search_variables(std::string_view query, std::size_t most = 60);
+
+/// An option whose other code brings a record into a deck.
+struct OptionWay {
+  Cell option;
+  std::string code;
+  bool enough = true;  ///< false: only the first of several options that must change
+};
+
+/// The way to a record that the deck does not have; nothing for an unknown one, and when no code
+/// of a present option leads there.
+[[nodiscard]] std::optional<OptionWay> way_to(const deck::Deck& deck, std::string_view record);
 
 }  // namespace adore::adrinput

@@ -110,6 +110,7 @@ void Session::rememberPlace() {
   QSettings store = settings();
   const fs::path& path = window_.document().path();
   store.setValue("session/geometry", window_.saveGeometry());
+  store.setValue("session/docks", window_.saveState());
   store.setValue("session/deck",
                  path.empty()
                      ? QString()
@@ -120,6 +121,7 @@ void Session::rememberPlace() {
 void Session::begin(bool deck_named) {
   const QByteArray geometry = settings().value("session/geometry").toByteArray();
   if (!geometry.isEmpty()) window_.restoreGeometry(geometry);
+  window_.restoreState(settings().value("session/docks").toByteArray());
   if (!deck_named && settings().value("session/reopen", true).toBool()) reopen();
   lookForOrphans();
   offerNext();

@@ -32,7 +32,10 @@ void SolverRun::start(facade::RunRequest request) {
   };
   thread_ = QThread::create([request = std::move(request), report, token = stop_.get_token(), end] {
     try {
-      end->outcome = facade::run(request, report, token);
+      if (facade::is_sweep(request))
+        end->sweep = facade::run_sweep(request, 0, report, token);
+      else
+        end->outcome = facade::run(request, report, token);
     } catch (const facade::ResultsExist& found) {
       end->reason = found.what();
       end->results_exist = true;

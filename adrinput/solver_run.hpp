@@ -1,6 +1,7 @@
 #pragma once
 
 #include "facade/run.hpp"
+#include "facade/sweep.hpp"
 
 #include <QObject>
 
@@ -16,7 +17,8 @@ namespace adore::adrinput {
 /// How a run ended: with an outcome, or before it had any with the reason.
 struct RunEnd {
   std::optional<facade::RunOutcome> outcome;
-  std::string reason;  ///< input wrong, no start state
+  std::optional<facade::SweepOutcome> sweep;  ///< of a request with a range
+  std::string reason;                         ///< input wrong, no start state
   bool results_exist =
       false;  ///< the reason: results of an earlier run, which may be allowed to go
 };

@@ -1,6 +1,7 @@
 #include "adrinput/typed.hpp"
 
 #include "deck/lookup.hpp"
+#include "deck/quantity.hpp"
 #include "deck/unit_change.hpp"
 
 #include <fmt/format.h>
@@ -38,6 +39,12 @@ Typed parse_string(std::string_view text) {
   return {std::string(text), {}};
 }
 
+/// Digits, a sign, digits: an exponent without its letter, or a difference.
+bool could_be_difference(std::string_view number) {
+  const std::size_t sign = number.find_first_of("+-", 1);
+  return sign != std::string_view::npos && number.find_first_of("eEdD*/() ") == std::string::npos;
+}
+
 std::string ending_of(const deck::VariableSpec& variable) {
   const std::string codes = deck::describe_codes(variable);
   return codes.empty() ? "" : "valid are " + codes;
@@ -63,6 +70,32 @@ Typed parse_typed(const deck::VariableSpec& variable, std::string_view text) {
   if (!deck::in_range(variable.range, static_cast<double>(value)))
     return {{}, {"is out of range", "give a value of " + deck::describe_range(variable.range, {})}};
   return {value, {}};
+}
+
+Typed parse_typed(const deck::Deck& deck, const deck::VariableSpec& variable,
+                  std::string_view text) {
+  if (variable.type != deck::VarType::Real) return parse_typed(variable, text);
+  const std::string number = plain_number(text);
+  double value = 0.0;
+  const bool plain = !deck::parse_real(number, value);
+  const bool words = number.find_first_of("0123456789") == std::string::npos;
+  if (words || (plain && !could_be_difference(number))) return parse_typed(variable, text);
+  if (plain) {
+    const std::size_t sign = number.find_first_of("+-", 1);
+    return {{},
+            {"can be read as a power of ten or as a sum",
+             fmt::format("write {}e{} or {} {} {}", number.substr(0, sign), number.substr(sign),
+                         number.substr(0, sign), number[sign], number.substr(sign + 1))}};
+  }
+  const bool pure = unit_of(deck, variable).empty();  // by the deck's codes, or always
+  const deck::UnitPair unit = pure ? deck::UnitPair{"-", "-"} : variable.unit;
+  deck::NumberProblem problem = deck::parse_quantity(number, unit, deck.units(), value);
+  return {value, std::move(problem)};
+}
+
+bool is_run_time(const deck::VariableSpec& variable) {
+  return variable.name == "fTime" || variable.name == "stpInit" || variable.name == "stpMin" ||
+         variable.name == "stpMax";
 }
 
 std::string plain_text(std::string_view typed) {

@@ -20,6 +20,14 @@ struct Typed {
 /// range is a value, which the deck's checks judge.
 [[nodiscard]] Typed parse_typed(const deck::VariableSpec& variable, std::string_view text);
 
+/// The same for a field of a deck, which also takes quantities with units and their arithmetic
+/// (deck/quantity.hpp): "12.7 mm", "3*0.005". "5-3", which Fortran reads as 5e-3, is refused.
+[[nodiscard]] Typed parse_typed(const deck::Deck& deck, const deck::VariableSpec& variable,
+                                std::string_view text);
+
+/// Is it a time of a run, in units of the time scale: fTime, stpInit, stpMin, stpMax?
+[[nodiscard]] bool is_run_time(const deck::VariableSpec& variable);
+
 /// A text without blanks around it; a number in it gets a plain minus sign and a decimal point.
 [[nodiscard]] std::string plain_text(std::string_view typed);
 

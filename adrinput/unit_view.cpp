@@ -11,7 +11,7 @@ QString in_other_units(const Document& document, const Cell& cell) {
   const deck::VariableSpec* variable = variable_of(cell);
   const deck::Deck& deck = document.deck();
   if (variable == nullptr || !deck::depends_on_units(deck, *variable)) return {};
-  const Typed typed = parse_typed(*variable, document.text(cell));
+  const Typed typed = parse_typed(deck, *variable, document.text(cell));
   const double* value = std::get_if<double>(&typed.value);
   if (typed.problem || value == nullptr) return {};
   const deck::UnitSystem other = deck::other_system(deck.units());

@@ -6,10 +6,13 @@
 #include "desktop/bootstrap.hpp"
 #include "desktop/command_line.hpp"
 #include "desktop/disclaimer.hpp"
+#include "desktop/one_window.hpp"
 #include "desktop/window_place.hpp"
 
 #include <QTimer>
 #include <fmt/core.h>
+
+#include <optional>
 
 using namespace adore;
 
@@ -26,7 +29,7 @@ int render(int& argc, char** argv, const std::vector<std::filesystem::path>& fil
 }
 
 int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files,
-         const results::SolRange& range, adrplot::Abscissa abscissa) {
+         const results::SolRange& range, adrplot::Abscissa abscissa, bool follow) {
   const auto app = desktop::make_application(argc, argv, "adrplot", desktop::Display::Window);
   if (!desktop::ask_for_disclaimer("AdrPlot")) return 0;
   adrplot::PlotWindow window;
@@ -34,6 +37,11 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
   const desktop::WindowMemory memory(window, "adrplot");
   window.show();
   for (const auto& file : files) window.openFile(file, range);
+  if (follow) window.follow(true);
+  std::optional<desktop::OneWindow> one;
+  if (!files.empty())
+    one.emplace("adrplot", desktop::folder_of(files.front()), nullptr,
+                [&window](const QStringList& names) { window.showFiles(names); });
   if (files.empty()) QTimer::singleShot(0, &window, &adrplot::PlotWindow::askForFile);
   return QApplication::exec();
 }
@@ -69,6 +77,8 @@ int main(int argc, char** argv) {
       ->capture_default_str()
       ->type_name("SIZE")
       ->needs(folder);
+  bool follow = false;
+  cli.add_flag("--follow", follow, "read the files again while a run goes on")->excludes(folder);
   cli.add_flag("--dark", options.dark, "dark colours")->needs(folder);
   command_line::one_of(cli.add_option("--abscissa", abscissa, "revolutions or time")
                            ->capture_default_str()
@@ -82,6 +92,6 @@ int main(int argc, char** argv) {
     options.view.abscissa =
         abscissa == "time" ? adrplot::Abscissa::Time : adrplot::Abscissa::Revolutions;
     if (!options.folder.empty()) return render(argc, argv, files, options);
-    return show(argc, argv, files, options.range, options.view.abscissa);
+    return show(argc, argv, files, options.range, options.view.abscissa, follow);
   });
 }

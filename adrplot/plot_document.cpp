@@ -2,8 +2,8 @@
 
 #include "adrplot/accuracy_page.hpp"
 #include "adrplot/run_beside.hpp"
-#include "adrplot/static_pages.hpp"
 #include "base/errors.hpp"
+#include "desktop/static_pages.hpp"
 #include "results/channels.hpp"
 #include "results/full_precision.hpp"
 
@@ -145,10 +145,10 @@ PlotDocument open_document(const std::filesystem::path& path, const results::Sol
   if (is_accuracy(path)) return document_of(path, "accuracy study", accuracy_pages(path));
   if (path.extension() == ".json")
     return document_of(path, "quasi-static solution",
-                       static_pages(results::read_static_tables(path)));
+                       desktop::static_pages(results::read_static_tables(path)));
   if (path.extension() == ".csv") {
     const results::SweepTable sweep = results::read_sweep(path);
-    return document_of(path, "sweep of " + sweep.variable, sweep_pages(sweep));
+    return document_of(path, "sweep of " + sweep.variable, desktop::sweep_pages(sweep));
   }
   const auto steps = std::make_shared<StepPages>(path, range, most_values, watch);
   PlotDocument out;

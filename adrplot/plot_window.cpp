@@ -31,6 +31,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <set>
@@ -640,6 +641,24 @@ void PlotWindow::reload() {
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
   }
+}
+
+void PlotWindow::showFiles(const QStringList& paths) {
+  for (const QString& name : paths) {
+    const std::filesystem::path path = name.toStdString();
+    std::error_code ignored;
+    const auto open = std::find_if(documents_.begin(), documents_.end(), [&](const auto& doc) {
+      return doc->on_disk && std::filesystem::equivalent(doc->path, path, ignored);
+    });
+    if (open == documents_.end()) {
+      openFile(path, {});
+      continue;
+    }
+    current_ = static_cast<int>(open - documents_.begin());
+    reload();
+  }
+  raise();
+  activateWindow();
 }
 
 void PlotWindow::print() {

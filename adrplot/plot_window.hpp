@@ -39,6 +39,9 @@ class PlotWindow : public QMainWindow {
 
   /// Every plot file of a folder: SOL1 to SOL7, or those that RUN.json or SWEEP.csv hold.
   void openFolder(const QString& folder);
+  /// Files that another program wants shown: read again where they are open, and brought to the
+  /// front.
+  void showFiles(const QStringList& paths);
   /// Curves of open files as one chart of its own in the tree.
   void addChart(const std::vector<CurvePick>& picks, Combine how);
 

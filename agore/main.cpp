@@ -7,10 +7,13 @@
 #include "desktop/command_line.hpp"
 #include "desktop/disclaimer.hpp"
 #include "desktop/image_export.hpp"
+#include "desktop/one_window.hpp"
 #include "desktop/window_place.hpp"
 
 #include <QTimer>
 #include <fmt/core.h>
+
+#include <optional>
 
 using namespace adore;
 
@@ -68,6 +71,14 @@ int show(int& argc, char** argv, const Request& request) {
     for (const agore::SideView& side : request.options.view.beside)
       window.setBeside(side.view, true);
   }
+  std::optional<desktop::OneWindow> one;
+  if (!request.file.empty())
+    one.emplace("agore", desktop::folder_of(request.file), nullptr,
+                [&window](const QStringList& names) {
+                  window.openFile(names.front().toStdString());
+                  window.raise();
+                  window.activateWindow();
+                });
   return QApplication::exec();
 }
 

@@ -82,7 +82,8 @@ void apply_theme(ThemeKind kind) {
        {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
     palette.setColor(role, t.text);
   palette.setColor(QPalette::PlaceholderText, t.muted);
-  palette.setColor(QPalette::Highlight, t.accent);
+  // White on the bright accent of the dark theme would have a contrast of 2.8; of this one 5.6.
+  palette.setColor(QPalette::Highlight, kind == ThemeKind::Dark ? QColor("#2b6ca6") : t.accent);
   palette.setColor(QPalette::HighlightedText, QColor(Qt::white));
   palette.setColor(QPalette::Link, t.accent);
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})

@@ -51,6 +51,14 @@ QLineEdit* line_of(DeckWindow& window, const Cell& at) {
   return line;
 }
 
+void choose(DeckWindow& window, const Cell& at, const QString& code) {
+  window.showRecord(at.record);
+  auto* combo = qobject_cast<QComboBox*>(window.page()->fieldOf(at.variable));
+  REQUIRE(combo != nullptr);
+  REQUIRE(combo->findData(code) >= 0);
+  emit combo->activated(combo->findData(code));
+}
+
 QString beside(DeckWindow& window, const std::string& variable) {
   auto* label = window.page()->findChild<QLabel*>("other-" + QString::fromStdString(variable));
   REQUIRE(label != nullptr);
@@ -222,7 +230,13 @@ TEST_CASE("run options: a page, a file beside the deck, unknown names kept", "[g
     CHECK(window.document().pages().back() == kOptionsPage);
     window.showRecord(std::string(kOptionsPage));
     for (const facade::RunOptionInfo& info : facade::run_options()) {
-      auto* line = qobject_cast<QLineEdit*>(window.page()->fieldOf(option(info.name).variable));
+      QWidget* field = window.page()->fieldOf(option(info.name).variable);
+      if (const auto* combo = qobject_cast<QComboBox*>(field)) {
+        CHECK_FALSE(info.choices.empty());
+        CHECK(combo->currentData().toString().toStdString() == info.default_value);
+        continue;
+      }
+      auto* line = qobject_cast<QLineEdit*>(field);
       REQUIRE(line != nullptr);
       CHECK(line->text().toStdString() == info.default_value);
     }
@@ -244,7 +258,7 @@ TEST_CASE("run options: a page, a file beside the deck, unknown names kept", "[g
     window.undo();
     CHECK_FALSE(window.document().modified());
     window.redo();
-    replace_text(line_of(window, option("contactSurface")), "flat_edge");
+    choose(window, option("contactSurface"), "flat_edge");
     replace_text(line_of(window, option("seed")), "");  // the default
     CHECK(line_of(window, option("seed"))->text() == "1");
     window.document().save(path);

@@ -1,4 +1,4 @@
-#include "adrplot/heat_page.hpp"
+#include "desktop/heat_page.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -42,8 +42,8 @@ bool says(const desktop::ChartPage& page, const std::string& text) {
 
 TEST_CASE("the picture of the network has each node with its temperature, each flow with its heat",
           "[unit][plots]") {
-  CHECK_FALSE(adrplot::heat_page({"none", "ball", results::UnitSystem::SI, {}}));
-  const auto page = adrplot::heat_page(network(results::UnitSystem::SI));
+  CHECK_FALSE(desktop::heat_page({"none", "ball", results::UnitSystem::SI, {}}));
+  const auto page = desktop::heat_page(network(results::UnitSystem::SI));
   REQUIRE(page);
   CHECK(page->equal_axes);
   CHECK(says(*page, "rolling elements 330 K"));
@@ -56,7 +56,7 @@ TEST_CASE("the picture of the network has each node with its temperature, each f
     CHECK(curve.x.size() == curve.y.size());
   // Ten squares of six entries each, the last of them a gap; no cage, so none for it.
   CHECK(page->panels[0].curves[0].x.size() == 60);
-  const auto english = adrplot::heat_page(network(results::UnitSystem::English));
+  const auto english = desktop::heat_page(network(results::UnitSystem::English));
   REQUIRE(english);
   CHECK(says(*english, "rolling elements 594 R"));
 }

@@ -1,9 +1,9 @@
 #include "adrplot/plot_document.hpp"
 #include "adrplot/render.hpp"
-#include "adrplot/static_pages.hpp"
 #include "base/atomic_file.hpp"
 #include "base/errors.hpp"
 #include "desktop/chart_scene.hpp"
+#include "desktop/static_pages.hpp"
 #include "desktop/theme.hpp"
 #include "support/qt_app.hpp"
 
@@ -96,7 +96,7 @@ TEST_CASE("a RUN.json without a quasi-static solution is refused by name", "[uni
 }
 
 TEST_CASE("load rose: every load stands in the direction of its element", "[unit]") {
-  const auto pages = adrplot::static_pages(four_elements(results::UnitSystem::SI));
+  const auto pages = desktop::static_pages(four_elements(results::UnitSystem::SI));
   REQUIRE(pages.size() == 3);
   const auto& outer = pages[0].panels.at(0).curves.at(0);
   REQUIRE(outer.x.size() == 5);  // closed
@@ -120,7 +120,7 @@ TEST_CASE("load rose: every load stands in the direction of its element", "[unit
 }
 
 TEST_CASE("English decks are drawn in English units", "[unit]") {
-  const auto pages = adrplot::static_pages(four_elements(results::UnitSystem::English));
+  const auto pages = desktop::static_pages(four_elements(results::UnitSystem::English));
   CHECK(pages[1].panels[0].unit == "lbf");
   CHECK(pages[1].panels[0].curves[0].y[2] == Approx(400.0 / 4.4482216152605).epsilon(1e-12));
   CHECK(pages[2].x_unit == "rpm");
@@ -138,7 +138,7 @@ TEST_CASE("sweep pages: quantities of one kind share a panel, missing runs are g
   const results::SweepTable sweep = results::read_sweep(path);
   CHECK(sweep.values == std::vector<double>{500.0, 750.0, 1000.0});
   CHECK(sweep.failed == 1);
-  const auto pages = adrplot::sweep_pages(sweep);
+  const auto pages = desktop::sweep_pages(sweep);
   REQUIRE(pages.size() == 2);
   CHECK(pages[0].x_title == "appLoadX");
   CHECK(pages[0].x_unit == "lbf");
@@ -186,7 +186,7 @@ results::StaticTables with_cut(results::UnitSystem units) {
 }  // namespace
 
 TEST_CASE("the cut page labels every edge of the contacts with its distance", "[unit]") {
-  const auto pages = adrplot::static_pages(with_cut(results::UnitSystem::SI));
+  const auto pages = desktop::static_pages(with_cut(results::UnitSystem::SI));
   const auto page = std::find_if(pages.begin(), pages.end(), [](const auto& p) {
     return p.title == "Contact ellipses against the groove edges";
   });
@@ -203,7 +203,7 @@ TEST_CASE("the cut page labels every edge of the contacts with its distance", "[
   CHECK(page->labels[3].text == "reaches the edge");
   CHECK_THAT(page->note, Catch::Contains("number 3") && Catch::Contains("1.234 kN"));
   // English decks in inches.
-  for (const auto& p : adrplot::static_pages(with_cut(results::UnitSystem::English)))
+  for (const auto& p : desktop::static_pages(with_cut(results::UnitSystem::English)))
     if (!p.labels.empty()) {
       CHECK(p.panels[0].unit == "in");
       CHECK(p.panels[0].curves[0].x[1] == Approx(0.006 / 0.0254));

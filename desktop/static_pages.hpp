@@ -8,13 +8,13 @@
 
 /// Pages of what is no time history: the quasi-static solution in a RUN.json, and the key results
 /// of a sweep.
-namespace adore::adrplot {
+namespace adore::desktop {
 
 /// Load around the bearing, loads and angles of the elements, contact ellipses against the groove's
 /// edges, pressure along the roller, stiffness over speed: those of them that the run has.
-std::vector<desktop::ChartPage> static_pages(const results::StaticTables& tables);
+std::vector<ChartPage> static_pages(const results::StaticTables& tables);
 
 /// Every key result over the variable that was swept; quantities of one kind share a panel.
-std::vector<desktop::ChartPage> sweep_pages(const results::SweepTable& sweep);
+std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep);
 
-}  // namespace adore::adrplot
+}  // namespace adore::desktop

@@ -1,4 +1,4 @@
-#include "adrplot/heat_page.hpp"
+#include "desktop/heat_page.hpp"
 
 #include <fmt/format.h>
 
@@ -7,11 +7,9 @@
 #include <string>
 #include <vector>
 
-namespace adore::adrplot {
+namespace adore::desktop {
 namespace {
 
-using desktop::ChartCurve;
-using desktop::ChartPage;
 using results::StaticColumn;
 using results::StaticTable;
 using results::StaticTables;
@@ -87,7 +85,7 @@ std::optional<ChartPage> heat_page(const StaticTables& all) {
   page.closed_outline = true;
   page.fitted = true;
   page.schematic = true;
-  desktop::ChartPanel panel;
+  ChartPanel panel;
   ChartCurve nodes{"nodes", {}, {}}, flows{"heat flow", {}, {}}, links{"connection", {}, {}, true};
   flows.heavy = true;
   for (const Place& place : kPlaces) {
@@ -124,4 +122,4 @@ std::optional<ChartPage> heat_page(const StaticTables& all) {
   return page;
 }
 
-}  // namespace adore::adrplot
+}  // namespace adore::desktop

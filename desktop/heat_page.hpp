@@ -7,9 +7,9 @@
 
 /// The thermal network of a quasi-static solution as a picture: nodes with their temperatures,
 /// links with the heat that flows through them.
-namespace adore::adrplot {
+namespace adore::desktop {
 
 /// Nothing without the table "thermal network".
-[[nodiscard]] std::optional<desktop::ChartPage> heat_page(const results::StaticTables& all);
+[[nodiscard]] std::optional<ChartPage> heat_page(const results::StaticTables& all);
 
-}  // namespace adore::adrplot
+}  // namespace adore::desktop

@@ -1,7 +1,7 @@
-#include "adrplot/static_pages.hpp"
+#include "desktop/static_pages.hpp"
 
-#include "adrplot/heat_page.hpp"
 #include "desktop/axis_scale.hpp"
+#include "desktop/heat_page.hpp"
 
 #include <fmt/format.h>
 
@@ -11,12 +11,9 @@
 #include <numeric>
 #include <optional>
 
-namespace adore::adrplot {
+namespace adore::desktop {
 namespace {
 
-using desktop::ChartCurve;
-using desktop::ChartPage;
-using desktop::ChartPanel;
 using results::StaticColumn;
 using results::StaticTable;
 using results::StaticTables;
@@ -197,8 +194,8 @@ std::optional<ChartPage> cut_page(const StaticTables& all) {
   if (cut == nullptr) return std::nullopt;
   const bool ball = all.bearing == "ball";
   const auto quantity = [&](double value, const results::UnitPair& unit, int digits) {
-    return desktop::pretty_quantity(results::from_si(value, unit, all.units),
-                                    results::unit_name(unit, all.units), digits);
+    return pretty_quantity(results::from_si(value, unit, all.units),
+                           results::unit_name(unit, all.units), digits);
   };
   ChartPage page;
   page.title = "Contact ellipses against the groove edges";
@@ -221,7 +218,7 @@ std::optional<ChartPage> cut_page(const StaticTables& all) {
       if (contact.x.empty()) continue;
       const bool low = std::string_view(side) == "-x";
       const double margin = only(*cut, fmt::format("{} {} margin", race, side));
-      desktop::ChartLabel label;
+      ChartLabel label;
       label.x = low ? contact.x.front() : contact.x.back();
       label.y = low ? contact.y.front() : contact.y.back();
       // Away from the contact, but well out on a ball away from the ball.
@@ -374,4 +371,4 @@ std::vector<ChartPage> sweep_pages(const results::SweepTable& sweep) {
   return pages;
 }
 
-}  // namespace adore::adrplot
+}  // namespace adore::desktop

@@ -1,0 +1,189 @@
+#include "adrinput/accuracy_panel.hpp"
+
+#include "desktop/listing_view.hpp"
+
+#include <QBoxLayout>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QThread>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <exception>
+
+namespace adore::adrinput {
+namespace {
+
+constexpr int kBarSteps = 1000;
+
+QString row_text(const facade::AccuracyRow& row) {
+  return QString::fromStdString(
+      row.failure.empty() ? fmt::format("{:<40} {:.3g} s, error {:.2g} %", row.setting.name,
+                                        row.seconds, 100.0 * row.errors.largest())
+                          : fmt::format("{:<40} {}", row.setting.name, row.failure));
+}
+
+}  // namespace
+
+AccuracyPanel::AccuracyPanel(QWidget* parent)
+    : QWidget(parent),
+      study([](const facade::AccuracyRequest& request, const facade::AccuracySink& row,
+               std::stop_token stop) {
+        return facade::study_accuracy(request, row, std::move(stop));
+      }) {
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 6, 8, 6);
+  auto* row = new QHBoxLayout;
+  const auto button = [&](const QString& text, const char* name, const QString& help, auto act) {
+    auto* push = new QPushButton(text, this);
+    push->setObjectName(name);
+    push->setToolTip(help);
+    push->setAutoDefault(true);
+    connect(push, &QPushButton::clicked, this, act);
+    row->addWidget(push);
+    return push;
+  };
+  const auto number = [&](const QString& text, const char* name, double value, double low,
+                          double high, const QString& unit) {
+    auto* label = new QLabel(text, this);
+    auto* box = new QDoubleSpinBox(this);
+    box->setObjectName(name);
+    box->setAccessibleName(text);
+    box->setRange(low, high);
+    box->setDecimals(unit == " s" ? 0 : 2);
+    box->setSuffix(unit);
+    box->setValue(value);
+    label->setBuddy(box);
+    row->addWidget(label);
+    row->addWidget(box);
+    return box;
+  };
+  start_ = button(tr("Study acc&uracy"), "study-accuracy",
+                  tr("Run this deck with other integrators, tolerances and steps, and compare"),
+                  &AccuracyPanel::wanted);
+  cancel_ = button(tr("Cancel"), "cancel-study", tr("End the study; what it found stays"),
+                   &AccuracyPanel::cancel);
+  target_ = number(tr("asked"), "accuracy-target", 1.0, 0.01, 50.0, " %");
+  budget_ = number(tr("at most"), "accuracy-budget", 120.0, 1.0, 100000.0, " s");
+  bar_ = new QProgressBar(this);
+  bar_->setObjectName("study-progress");
+  bar_->setRange(0, kBarSteps);
+  row->addWidget(bar_, 1);
+  apply_ = button(tr("Put into the deck"), "apply-accuracy",
+                  tr("Write the recommended settings into this deck"), &AccuracyPanel::applyWanted);
+  note_ = new QLabel(tr("What accuracy costs: this deck's own run with every integrator, tolerance "
+                        "and longest step, as `adore accuracy` does it. No file is written."),
+                     this);
+  note_->setObjectName("study-note");
+  note_->setWordWrap(true);
+  view_ = desktop::make_listing_view(this);
+  view_->setObjectName("study-text");
+  view_->hide();
+  layout->addLayout(row);
+  layout->addWidget(note_);
+  layout->addWidget(view_, 1);
+  layout->addStretch(0);
+  enableButtons();
+}
+
+AccuracyPanel::~AccuracyPanel() {
+  cancel();
+  if (thread_ != nullptr) thread_->wait();
+}
+
+QString AccuracyPanel::text() const { return view_->toPlainText(); }
+
+void AccuracyPanel::enableButtons() {
+  start_->setEnabled(!busy());
+  cancel_->setEnabled(busy());
+  apply_->setEnabled(!busy() && !sets_.empty());
+}
+
+void AccuracyPanel::cancel() { stop_.request_stop(); }
+
+void AccuracyPanel::start(const deck::Deck& deck, const RunOptionValues& options) {
+  if (busy()) return;
+  studied_ = deck;
+  sets_.clear();
+  stop_ = {};
+  view_->clear();
+  view_->show();
+  bar_->setValue(0);
+  headline_ = tr("Computing the accurate run that the others are compared with …");
+  note_->setText(headline_);
+  facade::AccuracyRequest request;
+  request.text = deck::write_deck(deck);
+  for (const auto& [name, value] : options) request.options.emplace_back(name, value);
+  request.target = target_->value() / 100.0;
+  request.budget = budget_->value();
+  struct End {
+    facade::AccuracyStudy study;
+    std::string failure;
+  };
+  auto end = std::make_shared<End>();
+  const auto row_done = [this](const facade::AccuracyRow& row,
+                               const facade::AccuracyStudy& so_far) {
+    const double used = so_far.seconds;
+    QMetaObject::invokeMethod(
+        this, [this, line = row_text(row), used] { showRow(line, used); }, Qt::QueuedConnection);
+  };
+  thread_ = QThread::create(
+      [function = study, request = std::move(request), row_done, token = stop_.get_token(), end] {
+        try {
+          end->study = function(request, row_done, token);
+        } catch (const std::exception& error) {
+          end->failure = error.what();
+        }
+      });
+  thread_->setParent(this);
+  connect(thread_, &QThread::finished, this, [this, end] {
+    std::exchange(thread_, nullptr)->deleteLater();
+    show(end->study, QString::fromStdString(end->failure));
+  });
+  thread_->start();
+  enableButtons();
+}
+
+void AccuracyPanel::showRow(const QString& line, double used) {
+  if (!busy()) return;
+  const double share = used / std::max(budget_->value(), 1.0);
+  bar_->setValue(
+      std::max(bar_->value(), static_cast<int>(std::lround(kBarSteps * std::min(share, 1.0)))));
+  view_->appendPlainText(line);
+  note_->setText(tr("Studying: %1 s of at most %2 s of computing time used.")
+                     .arg(used, 0, 'f', 0)
+                     .arg(budget_->value(), 0, 'f', 0));
+}
+
+void AccuracyPanel::show(const facade::AccuracyStudy& study_made, const QString& failure) {
+  if (!failure.isEmpty()) {
+    headline_ = tr("There is no study, for this reason: %1").arg(failure);
+  } else if (!study_made.complete) {
+    headline_ = tr("The study was ended before it was complete.");
+  } else {
+    bar_->setValue(kBarSteps);
+    sets_ = facade::recommended_sets(study_made);
+    headline_ = QString::fromStdString(facade::recommendation(study_made));
+    QStringList changes;
+    for (const auto& [name, value] : sets_)
+      changes << QString::fromStdString(fmt::format("{} = {}", name, value));
+    if (!changes.isEmpty())
+      headline_ += tr(" \"Put into the deck\" sets %1.").arg(changes.join(", "));
+    view_->setPlainText(QString::fromStdString(facade::accuracy_table(study_made)));
+  }
+  note_->setText(headline_);
+  enableButtons();
+  emit finished();
+}
+
+void AccuracyPanel::setDeck(const deck::Deck& deck) {
+  if (studied_.records.empty() || busy()) return;
+  note_->setText(deck == studied_
+                     ? headline_
+                     : tr("Of the deck as it was before the last change. ") + headline_);
+}
+
+}  // namespace adore::adrinput

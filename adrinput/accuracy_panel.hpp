@@ -1,0 +1,76 @@
+#pragma once
+
+#include "adrinput/evaluation.hpp"
+#include "deck/deck.hpp"
+#include "facade/accuracy.hpp"
+
+#include <QWidget>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
+
+class QDoubleSpinBox;
+class QLabel;
+class QPlainTextEdit;
+class QProgressBar;
+class QPushButton;
+class QThread;
+
+namespace adore::adrinput {
+
+/// What `adore accuracy` does, for the deck in the form: the study with its progress, its table and
+/// its recommendation, which a button puts into the deck.
+class AccuracyPanel : public QWidget {
+  Q_OBJECT
+ public:
+  using Sets = std::vector<std::pair<std::string, std::string>>;
+  explicit AccuracyPanel(QWidget* parent = nullptr);
+  ~AccuracyPanel() override;
+
+  /// The study; facade::study_accuracy unless a test looks on.
+  std::function<facade::AccuracyStudy(const facade::AccuracyRequest&, const facade::AccuracySink&,
+                                      std::stop_token)>
+      study;
+
+  /// Studies a deck without errors as it stands in the form.
+  void start(const deck::Deck& deck, const RunOptionValues& options);
+  /// The deck is this one now: a study of an older one says so.
+  void setDeck(const deck::Deck& deck);
+  [[nodiscard]] bool busy() const { return thread_ != nullptr; }
+  [[nodiscard]] QString text() const;
+  /// What is recommended; empty before, or when nothing is.
+  [[nodiscard]] const Sets& recommended() const { return sets_; }
+
+ public slots:
+  void cancel();
+
+ signals:
+  /// The button to start was pressed.
+  void wanted();
+  void finished();
+  /// The recommended settings are to be put into the deck.
+  void applyWanted();
+
+ private:
+  void showRow(const QString& line, double used);
+  void show(const facade::AccuracyStudy& study, const QString& failure);
+  void enableButtons();
+
+  QPushButton *start_, *cancel_, *apply_;
+  QDoubleSpinBox *target_, *budget_;
+  QProgressBar* bar_;
+  QLabel* note_;
+  QPlainTextEdit* view_;
+  QThread* thread_ = nullptr;
+  std::stop_source stop_;
+  deck::Deck studied_;
+  Sets sets_;
+  QString headline_;
+};
+
+}  // namespace adore::adrinput

@@ -1,0 +1,82 @@
+#include "adrinput/catalogue_dialog.hpp"
+
+#include "base/errors.hpp"
+#include "deck/catalogue.hpp"
+
+#include <QBoxLayout>
+#include <QCompleter>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+namespace adore::adrinput {
+
+CatalogueDialog::CatalogueDialog(QWidget* parent)
+    : QDialog(parent), name_(new QLineEdit(this)), story_(new QLabel(this)) {
+  setObjectName("catalogue");
+  setAttribute(Qt::WA_DeleteOnClose);
+  setWindowTitle(tr("New deck from the catalogue"));
+  auto* label =
+      new QLabel(tr("&Bearing, such as 6205, 7208 B, NU209, 30208 or 22210; or an outside "
+                    "such as deep-groove 25x52x15:"),
+                 this);
+  label->setWordWrap(true);
+  label->setBuddy(name_);
+  name_->setObjectName("designation");
+  name_->setAccessibleName(tr("Designation of the bearing"));
+  QStringList all;
+  for (const std::string& designation : deck::catalogue_designations())
+    all << QString::fromStdString(designation);
+  auto* completer = new QCompleter(all, this);
+  completer->setCaseSensitivity(Qt::CaseInsensitive);
+  name_->setCompleter(completer);
+  story_->setObjectName("story");
+  story_->setWordWrap(true);
+  story_->setTextFormat(Qt::PlainText);
+  story_->setMinimumSize(460, 150);
+  story_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+  take_ = buttons->addButton(tr("&Make the deck"), QDialogButtonBox::AcceptRole);
+  take_->setObjectName("take");
+  take_->setDefault(true);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(label);
+  layout->addWidget(name_);
+  layout->addWidget(story_, 1);
+  layout->addWidget(buttons);
+  connect(name_, &QLineEdit::textChanged, this, &CatalogueDialog::look);
+  connect(buttons, &QDialogButtonBox::accepted, this, &CatalogueDialog::take);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  look({});
+}
+
+QString CatalogueDialog::story() const { return story_->text(); }
+
+void CatalogueDialog::look(const QString& designation) {
+  take_->setEnabled(false);
+  try {
+    const deck::CatalogueBearing found = deck::find_bearing(designation.toStdString());
+    QStringList lines;
+    for (const std::string& line : deck::catalogue_story(found))
+      lines << QString::fromStdString(line);
+    story_->setText(lines.join("\n\n"));
+    take_->setEnabled(true);
+  } catch (const InputError& error) {
+    const Issue issue = error.issues().empty() ? Issue{} : error.issues().front();
+    QString text = QString::fromStdString(issue.remedy);
+    if (!text.isEmpty()) text[0] = text[0].toUpper();
+    if (!designation.trimmed().isEmpty())
+      text = designation.trimmed() + " " + QString::fromStdString(issue.message) + ". " + text;
+    story_->setText(error.issues().empty() ? QString::fromUtf8(error.what()) : text + ".");
+  }
+}
+
+void CatalogueDialog::take() {
+  const QString text =
+      QString::fromStdString(deck::catalogue_deck(deck::find_bearing(name_->text().toStdString())));
+  accept();
+  emit chosen(text);
+}
+
+}  // namespace adore::adrinput

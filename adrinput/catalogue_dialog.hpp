@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QDialog>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace adore::adrinput {
+
+/// Type 6205, 7208 B, NU209, 30208 or 22210 and get a deck: what is standard in it and what is an
+/// estimate is said before it is taken.
+class CatalogueDialog : public QDialog {
+  Q_OBJECT
+ public:
+  explicit CatalogueDialog(QWidget* parent = nullptr);
+  [[nodiscard]] QString story() const;
+
+ signals:
+  /// The text of the deck.
+  void chosen(const QString& text);
+
+ private:
+  void look(const QString& designation);
+  void take();
+
+  QLineEdit* name_;
+  QLabel* story_;
+  QPushButton* take_;
+};
+
+}  // namespace adore::adrinput

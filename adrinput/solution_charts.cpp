@@ -1,0 +1,73 @@
+#include "adrinput/solution_charts.hpp"
+
+#include "desktop/chart_view.hpp"
+#include "desktop/static_pages.hpp"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QLabel>
+
+namespace adore::adrinput {
+
+SolutionCharts::SolutionCharts(QWidget* parent)
+    : QWidget(parent),
+      choice_(new QComboBox(this)),
+      note_(new QLabel(tr("Run the quasi-static solution (F6) to see its charts here."), this)),
+      view_(new desktop::ChartView(this)) {
+  choice_->setObjectName("solution-page");
+  choice_->setAccessibleName(tr("Chart of the quasi-static solution"));
+  choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  choice_->setMinimumContentsLength(18);
+  note_->setWordWrap(true);
+  note_->setMargin(6);
+  view_->setObjectName("solution-chart");
+  view_->setAccessibleName(tr("Chart of the quasi-static solution"));
+  view_->setMinimumHeight(160);
+  choice_->hide();
+  view_->hide();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->addWidget(choice_);
+  layout->addWidget(note_);
+  layout->addWidget(view_, 1);
+  layout->addStretch(0);
+  connect(choice_, &QComboBox::activated, this, &SolutionCharts::showPage);
+}
+
+QStringList SolutionCharts::pages() const {
+  QStringList out;
+  for (int i = 0; i < choice_->count(); ++i) out << choice_->itemText(i);
+  return out;
+}
+
+void SolutionCharts::choosePage(int index) {
+  choice_->setCurrentIndex(index);
+  showPage(index);
+}
+
+void SolutionCharts::setSolution(const results::StaticTables& tables) {
+  tables_ = tables;
+  const QString before = choice_->currentText();
+  choice_->clear();
+  for (const desktop::ChartPage& page : desktop::static_pages(tables_))
+    choice_->addItem(QString::fromStdString(page.title));
+  const bool any = choice_->count() > 0;
+  choice_->setVisible(any);
+  view_->setVisible(any);
+  setStale(false);
+  if (any) choosePage(std::max(choice_->findText(before), 0));
+}
+
+void SolutionCharts::setStale(bool stale) {
+  if (choice_->count() == 0) return;
+  note_->setText(tr("Of the deck as it was before the last change."));
+  note_->setVisible(stale);
+}
+
+void SolutionCharts::showPage(int index) {
+  const std::vector<desktop::ChartPage> pages = desktop::static_pages(tables_);
+  if (index >= 0 && index < static_cast<int>(pages.size()))
+    view_->showPage(pages[static_cast<std::size_t>(index)]);
+}
+
+}  // namespace adore::adrinput

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "results/static_tables.hpp"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+
+namespace adore::desktop {
+class ChartView;
+}
+
+namespace adore::adrinput {
+
+/// Charts of a quasi-static solution beside the form: load around the bearing, contact ellipses in
+/// the grooves, and what else AdrPlot shows of it.
+class SolutionCharts : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SolutionCharts(QWidget* parent = nullptr);
+
+  /// Keeps the page that was shown where the new solution has it too.
+  void setSolution(const results::StaticTables& tables);
+  /// The deck changed since.
+  void setStale(bool stale);
+  [[nodiscard]] QStringList pages() const;
+  void choosePage(int index);
+  [[nodiscard]] desktop::ChartView& view() { return *view_; }
+
+ private:
+  void showPage(int index);
+
+  QComboBox* choice_;
+  QLabel* note_;
+  desktop::ChartView* view_;
+  results::StaticTables tables_;
+};
+
+}  // namespace adore::adrinput

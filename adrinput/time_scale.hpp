@@ -1,0 +1,34 @@
+#pragma once
+
+#include "adrinput/evaluation.hpp"
+#include "facade/run_scales.hpp"
+
+#include <QObject>
+
+#include <functional>
+#include <optional>
+
+class QThread;
+
+namespace adore::adrinput {
+
+/// Finds in the background what a deck's dimensionless time is in seconds and turns.
+class TimeScale : public QObject {
+  Q_OBJECT
+ public:
+  explicit TimeScale(QObject* parent = nullptr) : QObject(parent) {}
+  ~TimeScale() override;
+
+  /// Called in the thread of this object with the deck that was asked about; without scales when
+  /// it has none.
+  std::function<void(const deck::Deck&, std::optional<facade::RunScales>)> found;
+
+  /// Does nothing while an earlier question is open.
+  void ask(const deck::Deck& deck, const RunOptionValues& options);
+  [[nodiscard]] bool busy() const { return thread_ != nullptr; }
+
+ private:
+  QThread* thread_ = nullptr;
+};
+
+}  // namespace adore::adrinput

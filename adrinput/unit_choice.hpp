@@ -1,0 +1,36 @@
+#pragma once
+
+#include "adrinput/document.hpp"
+
+#include <QString>
+
+#include <string_view>
+#include <vector>
+
+/// Which unit a person wants to read each kind of quantity in. The deck keeps its own.
+namespace adore::adrinput {
+
+/// A kind of quantity that has more than one usual unit.
+struct Quantity {
+  std::string_view si;  ///< the deck's unit in SI, which names the kind
+  QString name;         ///< "Lengths"
+};
+[[nodiscard]] const std::vector<Quantity>& quantities_with_a_choice();
+
+/// The unit chosen for a kind; empty for the deck's own.
+[[nodiscard]] QString chosen_unit(std::string_view si);
+void choose_unit(std::string_view si, const QString& unit);
+
+/// What a field shows: "12.7 mm" where millimetres are chosen, else the deck's number, or the text
+/// that is none.
+[[nodiscard]] QString shown_value(const Document& document, const Cell& cell);
+
+/// Of a time of a run what it is in seconds and turns: "0.0256 s = 4.27 revolutions"; empty while
+/// nobody knows.
+[[nodiscard]] QString run_time(const Document& document, const Cell& cell);
+
+/// Of a text that is being typed and is no plain number: what it will be in the deck, "0.0127 m".
+/// Empty while it cannot be understood.
+[[nodiscard]] QString typed_value(const Document& document, const Cell& cell);
+
+}  // namespace adore::adrinput

@@ -1,0 +1,62 @@
+#include "desktop/one_window.hpp"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFileInfo>
+#include <QLocalServer>
+#include <QLocalSocket>
+
+namespace adore::desktop {
+namespace {
+
+constexpr int kPatience = 500;  // ms for a window that is busy drawing
+
+/// The same for every spelling of a folder.
+QString server_name(const QString& program, const QString& folder) {
+  const QByteArray path = QDir(folder).canonicalPath().toUtf8();
+  const QByteArray user = QDir::homePath().toUtf8();
+  return "adore-" + program + "-" +
+         QCryptographicHash::hash(user + '\n' + path, QCryptographicHash::Sha1).toHex().left(20);
+}
+
+}  // namespace
+
+OneWindow::OneWindow(const QString& program, const QString& folder, QObject* parent,
+                     std::function<void(const QStringList&)> show)
+    : QObject(parent), server_(new QLocalServer(this)) {
+  const QString name = server_name(program, folder);
+  server_->setSocketOptions(QLocalServer::UserAccessOption);
+  QLocalSocket other;
+  other.connectToServer(name);
+  if (other.waitForConnected(kPatience)) return;  // that window goes on being the one
+  QLocalServer::removeServer(name);               // of a program that was cut off
+  if (!server_->listen(name)) return;
+  connect(server_, &QLocalServer::newConnection, this, [this, show = std::move(show)] {
+    QLocalSocket* asking = server_->nextPendingConnection();
+    connect(asking, &QLocalSocket::disconnected, asking, [asking, show] {
+      const QString text = QString::fromUtf8(asking->readAll());
+      asking->deleteLater();
+      const QStringList files = text.split('\n', Qt::SkipEmptyParts);
+      if (!files.isEmpty()) show(files);
+    });
+  });
+}
+
+bool OneWindow::listens() const { return server_->isListening(); }
+
+QString folder_of(const std::filesystem::path& file) {
+  return QFileInfo(QString::fromStdString(file.string())).absolutePath();
+}
+
+bool hand_over(const QString& program, const QStringList& files) {
+  if (files.isEmpty()) return false;
+  QLocalSocket socket;
+  socket.connectToServer(server_name(program, QFileInfo(files.front()).absolutePath()));
+  if (!socket.waitForConnected(kPatience)) return false;
+  socket.write(files.join('\n').toUtf8());
+  const bool written = socket.waitForBytesWritten(kPatience);
+  socket.disconnectFromServer();
+  return written;
+}
+
+}  // namespace adore::desktop

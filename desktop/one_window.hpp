@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+
+#include <filesystem>
+#include <functional>
+
+class QLocalServer;
+
+/// One window of a viewer per project: a program that wants files shown asks a window that shows
+/// the project already, before it starts another one.
+namespace adore::desktop {
+
+/// Listens for files of the project in a folder. The first window of a folder gets them; when it
+/// is closed, nobody does until the next one opens. Lives as long as its parent.
+class OneWindow : public QObject {
+ public:
+  /// @param program "adrplot" or "agore"
+  /// @param show gets the files that are wanted; the window should come to the front
+  OneWindow(const QString& program, const QString& folder, QObject* parent,
+            std::function<void(const QStringList&)> show);
+  /// Is this the window of its folder?
+  [[nodiscard]] bool listens() const;
+
+ private:
+  QLocalServer* server_;
+};
+
+/// The folder of a file as an absolute path.
+QString folder_of(const std::filesystem::path& file);
+
+/// Gives files of one folder to the window that shows the folder. False when there is none.
+bool hand_over(const QString& program, const QStringList& files);
+
+}  // namespace adore::desktop

@@ -1,0 +1,364 @@
+#include "adrinput/accuracy_panel.hpp"
+#include "adrinput/catalogue_dialog.hpp"
+#include "adrinput/cell_table.hpp"
+#include "adrinput/deck_window.hpp"
+#include "adrinput/driver.hpp"
+#include "adrinput/evaluation.hpp"
+#include "adrinput/notice_bar.hpp"
+#include "adrinput/record_page.hpp"
+#include "adrinput/search.hpp"
+#include "adrinput/solution_charts.hpp"
+#include "adrinput/unit_choice.hpp"
+#include "deck/templates.hpp"
+#include "support/qt_app.hpp"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTabWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <catch2/catch.hpp>
+
+#include <fstream>
+
+using namespace adore;
+using namespace adore::adrinput;
+namespace fs = std::filesystem;
+
+namespace {
+
+QLineEdit* line_of(DeckWindow& window, const char* name) {
+  window.showRecord(cell(name).record);
+  auto* line = qobject_cast<QLineEdit*>(window.page()->fieldOf(cell(name).variable));
+  REQUIRE(line != nullptr);
+  return line;
+}
+
+QString beside(DeckWindow& window, const char* name) {
+  auto* label = window.page()->findChild<QLabel*>(QString("other-") + name);
+  REQUIRE(label != nullptr);
+  return label->text();
+}
+
+}  // namespace
+
+TEST_CASE("a half-typed quantity is never a value; the whole one is, in the deck's unit",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  QLineEdit* line = line_of(window, "bReDia");
+  line->selectAll();
+  QTest::keyClicks(line, "12.8");
+  CHECK(window.document().deck().real("bReDia") == 0.0127);
+  QTest::keyClicks(line, " m");
+  CHECK(beside(window, "bReDia") == "= 12.8 m");  // what it would be is seen before it is taken
+  QTest::keyClicks(line, "m");
+  CHECK(beside(window, "bReDia") == "= 0.0128 m");
+  CHECK(window.document().deck().real("bReDia") == 0.0127);
+  QTest::keyClick(line, Qt::Key_Return);
+  CHECK(window.document().deck().real("bReDia") == 0.0128);
+  CHECK(line->text() == "0.0128");
+  window.undo();
+  CHECK(line->text() == "0.0127");
+  CHECK_FALSE(window.document().can_undo());
+  replace_text(line, "1/2 in");
+  CHECK(window.document().deck().real("bReDia") == 0.0127);
+  CHECK_FALSE(window.document().can_undo());  // the same as before: no step
+  replace_text(line, "5-3");
+  CHECK(window.document().has_errors());
+  CHECK(window.page()->findChild<QLabel*>("problem-bReDia")->text().contains("5e-3 or 5 - 3"));
+}
+
+TEST_CASE("values are shown in a unit of choice, and the deck keeps its own",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  const deck::Deck before = window.document().deck();
+  choose_unit("m", "mm");
+  choose_unit("K", "°C");
+  QLineEdit* line = line_of(window, "bReDia");
+  CHECK(line->text() == "12.7 mm");
+  QTest::keyClick(line, Qt::Key_End);
+  CHECK(line_of(window, "roomTemp")->text() == "20 °C");
+  CHECK(window.document().deck() == before);
+  line = line_of(window, "bReDia");
+  replace_text(line, "13 mm");
+  CHECK(window.document().deck().real("bReDia") == 0.013);
+  CHECK(line->text() == "13 mm");
+  replace_text(line, "0.0127");  // without a unit: the deck's
+  CHECK(line->text() == "12.7 mm");
+  choose_unit("m", {});
+  choose_unit("K", {});
+}
+
+TEST_CASE("a deck with an error is parked as a draft and comes back as it was",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const QString draft = folder.filePath("half.draft");
+  {
+    DeckWindow window;
+    window.show();
+    replace_text(line_of(window, "bReDia"), "unknown");
+    replace_text(line_of(window, "pitchDia"), "61 mm");
+    window.document().save_draft(draft.toStdString());
+    CHECK_FALSE(window.document().modified());
+    CHECK(window.windowTitle().contains("half.draft"));
+    CHECK_THROWS_AS(window.document().save(folder.filePath("DATA.txt").toStdString()), InputError);
+  }
+  CHECK_THROWS_AS(deck::read_deck(draft.toStdString()), InputError);  // no run takes it
+  DeckWindow window;
+  window.show();
+  REQUIRE(window.openFile(draft.toStdString()));
+  CHECK(window.document().deck().real("pitchDia") == 0.061);
+  CHECK(line_of(window, "bReDia")->text() == "unknown");
+  CHECK_FALSE(window.document().modified());
+  replace_text(line_of(window, "bReDia"), "12.7 mm");
+  window.document().save(folder.filePath("DATA.txt").toStdString());
+  CHECK_FALSE(fs::exists(draft.toStdString()));  // it became the deck
+  CHECK(deck::read_deck(folder.filePath("DATA.txt").toStdString()).deck.real("pitchDia") == 0.061);
+  // The refused save offers to park it.
+  replace_text(line_of(window, "bReDia"), "unknown");
+  window.save();
+  auto* box = window.findChild<QMessageBox*>("message");
+  REQUIRE(box != nullptr);
+  REQUIRE(box->findChild<QPushButton*>("park-draft") != nullptr);
+  box->close();
+}
+
+TEST_CASE("a deck's remarks survive a save that changes options", "[gui][adrinput][daily]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("DATA.txt").toStdString();
+  std::ofstream(path) << deck::template_text("ball");
+  DeckWindow window;
+  window.show();
+  REQUIRE(window.openFile(path));
+  window.document().edit(cell("kReGeoImp"), "2");  // four records come
+  window.document().edit(cell("reDiaVar7"), "1e-6");
+  window.document().save(path);
+  const std::string text = bytes_of(path);
+  CHECK(text.find("stpInit stpMin stpMax fTime tol qFac") != std::string::npos);
+  CHECK(text.find("D, dm, contact angle") != std::string::npos);
+  CHECK_FALSE(fs::exists(path.string() + ".bak"));
+  CHECK(deck::read_deck(path).deck == window.document().deck());
+}
+
+TEST_CASE("forty deviations are one table, and a pasted row or column fills it",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.document().edit(cell("kReGeoImp"), "2");
+  window.showRecord("5G.1D.1");
+  auto* table = window.page()->findChild<CellTable*>("deviations");
+  REQUIRE(table != nullptr);
+  CHECK(table->rowCount() * table->columnCount() == 40);
+  QStringList row, column;
+  for (int k = 1; k <= 40; ++k) row << QString("%1e-7").arg(k);
+  QApplication::clipboard()->setText(row.join('\t') + "\n");
+  table->setFocus();
+  table->setCurrentCell(0, 0);
+  QTest::keyClick(table, Qt::Key_V, Qt::ControlModifier);
+  CHECK(window.document().deck().real("reDiaVar1") == 1e-7);
+  CHECK(window.document().deck().real("reDiaVar12") == 12e-7);
+  CHECK(window.document().deck().real("reDiaVar40") == 40e-7);
+  QApplication::clipboard()->setText("0,5 µm\n-0,25 µm\r\n");
+  table->setCurrentCell(1, 1);  // element 12
+  QTest::keyClick(table, Qt::Key_V, Qt::ControlModifier);
+  CHECK(window.document().deck().real("reDiaVar12") == 0.5e-6);
+  CHECK(window.document().deck().real("reDiaVar13") == -0.25e-6);
+  CHECK(window.document().deck().real("reDiaVar14") == 14e-7);
+}
+
+TEST_CASE("bodies and vectors have names", "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.showRecord("3.4");
+  auto* bodies = qobject_cast<CellTable*>(window.page()->fieldOf(cell("kPltElemInd").variable));
+  REQUIRE(bodies != nullptr);
+  CHECK(bodies->item(0, 2)->text() == QString("13 — cage"));
+  CHECK(bodies->item(0, 3)->text() == QString("15 — inner race"));
+  window.showRecord("9.6");
+  auto* place = qobject_cast<CellTable*>(window.page()->fieldOf(cell("cageGcPos").variable));
+  REQUIRE(place != nullptr);
+  CHECK(place->horizontalHeaderItem(0)->text() == "x");
+  CHECK(place->horizontalHeaderItem(2)->text() == "z");
+}
+
+TEST_CASE("what a deck's options leave unused looks unused, with the reason",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.document().edit(cell("mode"), "-1");
+  window.checkNow();
+  const Cell steps = cell("maxStps");
+  CHECK_FALSE(window.document().unused_because(steps).empty());
+  window.showRecord("1");
+  auto* said = window.page()->findChild<QLabel*>("unused-maxStps");
+  REQUIRE(said != nullptr);
+  CHECK(said->text().startsWith("Not used now"));
+  CHECK(said->isVisibleTo(window.page()));
+  window.document().edit(cell("mode"), "0");
+  window.checkNow();
+  CHECK(window.document().unused_because(steps).empty());
+  CHECK_FALSE(said->isVisibleTo(window.page()));
+}
+
+TEST_CASE("search goes to the option that would show a field, and can set it",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.document().edit(cell("nCseg"), "0");
+  CHECK(window.document().instances("7.1") == 0);
+  window.goTo(cell("cageDia1"));
+  CHECK(window.currentRecord() == "3.2");
+  auto* notice = window.findChild<NoticeBar*>("search-notice");
+  REQUIRE(notice != nullptr);
+  CHECK(notice->text().contains("nCseg = 1"));
+  press(window, "set-option");
+  CHECK(window.currentRecord() == "7.1");
+  CHECK(window.document().deck().integer("nCseg") == 1);
+  // The way that is named leads there; nearly every record has one.
+  int ways = 0, none = 0;
+  for (const deck::RecordSpec& spec : deck::schema()) {
+    if (window.document().instances(spec.id) > 0 || spec.id == "12") continue;
+    INFO(spec.id);
+    const std::optional<OptionWay> way = way_to(window.document().deck(), spec.id);
+    ++(way ? ways : none);
+    if (!way) continue;
+    deck::Deck changed = window.document().deck();
+    changed.set(variable_of(way->option)->name, way->code);
+    changed.complete();
+    CHECK((!way->enough || changed.has_record(spec.id)));
+  }
+  CHECK(ways > 15);
+  CHECK(none <= 3);
+}
+
+TEST_CASE("times of a run are shown and typed in seconds and turns", "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.showRecord("2.1");
+  REQUIRE(QTest::qWaitFor([&] { return window.document().scales().has_value(); }, 60000));
+  CHECK(beside(window, "fTime").contains("revolutions"));
+  const facade::RunScales scales = *window.document().scales();
+  CHECK(scales.turns_per_second == Approx(10000.0 / 60.0));
+  QLineEdit* line = line_of(window, "fTime");
+  replace_text(line, "5 rev");
+  CHECK(window.document().deck().real("fTime") * scales.time * scales.turns_per_second ==
+        Approx(5.0).epsilon(1e-12));
+  CHECK(beside(window, "fTime").contains("= 5 revolutions"));
+  replace_text(line, "20 ms");
+  CHECK(window.document().deck().real("fTime") * scales.time == Approx(0.02).epsilon(1e-12));
+  replace_text(line, "3 mm");
+  CHECK(window.document().has_errors());
+}
+
+TEST_CASE("a designation makes a deck, with what is standard and what is estimated said",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  DeckWindow window;
+  window.show();
+  window.newFromCatalogue();
+  auto* dialog = window.findChild<CatalogueDialog*>("catalogue");
+  REQUIRE(dialog != nullptr);
+  auto* name = dialog->findChild<QLineEdit*>("designation");
+  auto* take = dialog->findChild<QPushButton*>("take");
+  CHECK_FALSE(take->isEnabled());
+  QTest::keyClicks(name, "62055");
+  CHECK_FALSE(take->isEnabled());
+  name->setText("NU209");
+  CHECK(take->isEnabled());
+  CHECK(dialog->story().contains("ISO 15"));
+  CHECK(dialog->story().contains("ESTIMATE"));
+  QTest::mouseClick(take, Qt::LeftButton);
+  CHECK(window.document().deck().real("brgOD") == 0.085);
+  CHECK(window.currentRecord() == "4");
+  CHECK_FALSE(window.document().has_errors());
+  const fs::path path = folder.filePath("DATA.txt").toStdString();
+  window.document().save(path);
+  CHECK(bytes_of(path).find("ESTIMATE of the inside") != std::string::npos);
+  // The inside of another size, from bore, outside diameter and widths.
+  window.document().change({{"brgBore", "0.05"}, {"brgOD", "0.09"}});
+  window.proposeInside();
+  CHECK(take_message(window).contains("estimate"));
+  CHECK(window.document().deck().real("pitchDia") == Approx(0.07));
+  window.undo();
+  CHECK(window.document().deck().real("pitchDia") == 0.065);
+}
+
+TEST_CASE("the solution has its charts beside the form", "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.resize(1280, 800);
+  window.show();
+  CHECK(window.solutionCharts().pages().isEmpty());
+  window.runQuasiStatic();
+  REQUIRE(QTest::qWaitFor([&] { return !window.staticsPanel().busy(); }, 60000));
+  const QStringList pages = window.solutionCharts().pages();
+  CHECK(pages.contains("Load around the bearing"));
+  CHECK(pages.contains("Contact ellipses around the bearing"));
+  CHECK(window.solutionCharts().isVisible());
+  window.document().edit(cell("bReDia"), "0.0126");
+  window.checkNow();
+  bool stale = false;
+  for (const QLabel* label : window.solutionCharts().findChildren<QLabel*>())
+    stale = stale || (label->isVisible() && label->text().contains("before the last change"));
+  CHECK(stale);
+}
+
+TEST_CASE("the plan says what each effect costs", "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  window.showPlan();
+  REQUIRE(QTest::qWaitFor([&] { return !window.planPanel().busy(); }, 60000));
+  const QString text = window.planPanel().text();
+  CHECK(text.contains("cost of the effects"));
+  CHECK(text.contains("%"));
+  CHECK(text.contains("kTracType"));  // why an effect is on
+}
+
+TEST_CASE("an accuracy study shows its rows, and its advice goes into the deck",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  AccuracyPanel& panel = window.accuracyPanel();
+  panel.study = [](const facade::AccuracyRequest& request, const facade::AccuracySink& row_done,
+                   std::stop_token) {
+    CHECK(request.text.has_value());
+    facade::AccuracyStudy study;
+    facade::AccuracyRow row;
+    row.setting.name = "rkf6, tol 1e-05";
+    row.setting.method = "rkf6";
+    row.setting.tolerance = 1e-5;
+    row.seconds = 1.5;
+    row.turns = 10.0;
+    study.finals.push_back(row);
+    study.recommended = 0;
+    study.target = request.target;
+    study.complete = true;
+    row_done(row, study);
+    return study;
+  };
+  window.studyAccuracy();
+  REQUIRE(QTest::qWaitFor([&] { return !panel.busy() && !panel.recommended().empty(); }, 10000));
+  CHECK(panel.text().contains("rkf6"));
+  press(window, "apply-accuracy");
+  CHECK(window.document().deck().integer("intMet") == 6);
+  CHECK(window.document().deck().real("tol") == 1e-5);
+  window.undo();
+  CHECK(window.document().deck().integer("intMet") == 5);
+}

@@ -1,0 +1,200 @@
+#include "support/paths.hpp"
+#include "support/qt_app.hpp"
+
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QProcessEnvironment>
+#include <QRegularExpression>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QTest>
+#include <catch2/catch.hpp>
+
+#include <memory>
+#include <string>
+
+/// The programs in real windows: a display of their own (Xvfb) with a window manager (openbox), and
+/// a hand that types (xdotool). Where one of them is missing the tests say so and end.
+namespace {
+
+class Desk {
+ public:
+  /// nullptr, after a sentence, where the machine cannot do it.
+  static std::unique_ptr<Desk> make(const QString& screen) {
+    for (const char* tool : {"Xvfb", "openbox", "xdotool"})
+      if (QStandardPaths::findExecutable(tool).isEmpty()) {
+        WARN("skipped: " << tool << " is not installed (setup.sh installs it)");
+        return nullptr;
+      }
+    auto desk = std::unique_ptr<Desk>(new Desk);
+    desk->server_.start("Xvfb", {"-displayfd", "1", "-screen", "0", screen, "-nolisten", "tcp"});
+    REQUIRE(desk->server_.waitForStarted());
+    QByteArray number;
+    while (!number.contains('\n') && desk->server_.waitForReadyRead(20000))
+      number += desk->server_.readAllStandardOutput();
+    REQUIRE(!number.trimmed().isEmpty());
+    desk->environment_ = QProcessEnvironment::systemEnvironment();
+    desk->environment_.remove("QT_QPA_PLATFORM");
+    desk->environment_.remove("WAYLAND_DISPLAY");
+    desk->environment_.insert("DISPLAY", ":" + QString::fromUtf8(number.trimmed()));
+    desk->environment_.insert("HOME", desk->home_.path());
+    desk->environment_.insert("XDG_CONFIG_HOME", desk->home_.path());
+    desk->environment_.insert("XDG_DATA_HOME", desk->home_.path());
+    desk->environment_.insert("XDG_RUNTIME_DIR", desk->home_.path());
+    QDir(desk->home_.path()).mkpath("Adore");
+    QFile accepted(desk->home_.filePath("Adore/Adore.conf"));
+    REQUIRE(accepted.open(QIODevice::WriteOnly));
+    accepted.write("[disclaimer]\naccepted=1\n");
+    accepted.close();
+    desk->manager_.setProcessEnvironment(desk->environment_);
+    desk->manager_.start("openbox", {});
+    REQUIRE(desk->manager_.waitForStarted());
+    QTest::qWait(500);
+    return desk;
+  }
+  ~Desk() {
+    for (QProcess* process : {&program_, &manager_, &server_}) {
+      process->terminate();
+      if (!process->waitForFinished(5000)) process->kill();
+      process->waitForFinished(5000);
+    }
+  }
+
+  void scaleBy(int factor) { environment_.insert("QT_SCALE_FACTOR", QString::number(factor)); }
+
+  void start(const char* name, const QStringList& arguments) {
+    program_.setProcessEnvironment(environment_);
+    program_.setProcessChannelMode(QProcess::MergedChannels);
+    program_.start(QString::fromStdString(adore::test::program(name).string()), arguments);
+    REQUIRE(program_.waitForStarted());
+  }
+
+  QString xdotool(const QStringList& arguments) {
+    QProcess hand;
+    hand.setProcessEnvironment(environment_);
+    hand.start("xdotool", arguments);
+    hand.waitForFinished(30000);
+    return QString::fromUtf8(hand.readAllStandardOutput()).trimmed();
+  }
+
+  /// The window whose title holds a text, once it is there.
+  QString window(const QString& title) {
+    for (int wait = 0; wait < 150; ++wait) {
+      const QString id = xdotool({"search", "--onlyvisible", "--name", title}).section('\n', -1);
+      if (!id.isEmpty()) return id;
+      QTest::qWait(200);
+    }
+    FAIL("no window named " << title.toStdString() << ": " << program_.readAll().toStdString());
+    return {};
+  }
+
+  void keys(const QStringList& names) {
+    for (const QString& name : names) {
+      xdotool({"key", "--clearmodifiers", name});
+      QTest::qWait(200);
+    }
+  }
+  void type(const QString& text) {
+    xdotool({"type", "--delay", "30", text});
+    QTest::qWait(300);
+  }
+
+  /// Left, top, width and height of a window on its screen.
+  QRect place(const QString& id) {
+    const QString text = xdotool({"getwindowgeometry", "--shell", id});
+    const auto value = [&](const QString& name) {
+      return QRegularExpression(name + "=(-?\\d+)").match(text).captured(1).toInt();
+    };
+    return {value("X"), value("Y"), value("WIDTH"), value("HEIGHT")};
+  }
+
+  bool ends() { return program_.waitForFinished(20000) && program_.exitCode() == 0; }
+
+ private:
+  Desk() = default;
+  QTemporaryDir home_;
+  QProcessEnvironment environment_;
+  QProcess server_, manager_, program_;
+};
+
+/// Deck and results of a short run, made once.
+const QString& results() {
+  static QTemporaryDir folder;
+  static const bool done = [] {
+    const auto adore = [](const QStringList& arguments) {
+      return QProcess::execute(QString::fromStdString(adore::test::program("adore").string()),
+                               arguments) == 0;
+    };
+    REQUIRE(adore({"new", "ball", "--out", folder.filePath("DATA.txt")}));
+    REQUIRE(adore({"run", folder.path(), "--until", "40", "--set", "kPltFreq=1", "--set",
+                   "kAGraf=1", "--quiet"}));
+    return true;
+  }();
+  (void)done;
+  static const QString path = folder.path();
+  return path;
+}
+
+std::string text_of(const QString& path) {
+  QFile file(path);
+  REQUIRE(file.open(QIODevice::ReadOnly));
+  return file.readAll().toStdString();
+}
+
+}  // namespace
+
+TEST_CASE("a real window of AdrInput: a size in millimetres is typed, Ctrl+U empties nothing",
+          "[gui][apps][window][slow]") {
+  adore::test::use_qt();
+  const auto desk = Desk::make("1280x800x24");
+  if (!desk) return;
+  const QTemporaryDir folder;
+  const QString deck = folder.filePath("DATA.txt");
+  REQUIRE(QFile::copy(results() + "/DATA.txt", deck));
+  desk->start("adrinput", {deck});
+  const QString window = desk->window("AdrInput");
+  desk->xdotool({"windowactivate", "--sync", window});
+  const QRect place = desk->place(window);
+  CHECK(QRect(0, 0, 1280, 800).contains(place));
+  desk->keys({"ctrl+f"});
+  desk->type("bReDia");
+  desk->keys({"Return"});
+  desk->type("12.8 mm");
+  desk->keys({"Tab", "shift+Tab", "ctrl+u", "ctrl+k", "Escape", "ctrl+s"});
+  QTest::qWait(1000);
+  const std::string saved = text_of(deck);
+  CHECK(saved.find("0.0128") != std::string::npos);
+  CHECK(saved.find("stpInit stpMin stpMax") != std::string::npos);  // its remarks
+  desk->keys({"ctrl+q"});
+  CHECK(desk->ends());
+}
+
+TEST_CASE("real windows of all three programs open within a small screen and end on Ctrl+Q",
+          "[gui][apps][window][slow]") {
+  adore::test::use_qt();
+  struct Program {
+    const char *name, *title, *file;
+  };
+  for (const auto& [screen, factor] : {std::pair{QSize(1280, 800), 1}, {QSize(1920, 1080), 2}}) {
+    const auto desk = Desk::make(QString("%1x%2x24").arg(screen.width()).arg(screen.height()));
+    if (!desk) return;
+    desk->scaleBy(factor);
+    for (const Program& program : {Program{"adrinput", "AdrInput", "DATA.txt"},
+                                   {"adrplot", "AdrPlot", "SOL1"},
+                                   {"agore", "AGORE", "SOL8"}}) {
+      INFO(program.name << " at scale " << factor);
+      desk->start(program.name, {results() + "/" + program.file});
+      const QString window = desk->window(program.title);
+      desk->xdotool({"windowactivate", "--sync", window});
+      QTest::qWait(800);
+      const QRect place = desk->place(window);
+      INFO(place.x() << " " << place.y() << " " << place.width() << " " << place.height());
+      CHECK(QRect(QPoint(0, 0), screen).contains(place));
+      CHECK(place.width() > screen.width() / 3);
+      desk->keys({"ctrl+q"});
+      CHECK(desk->ends());
+    }
+  }
+}

@@ -1,0 +1,91 @@
+#include "desktop/menu_keys.hpp"
+#include "desktop/one_window.hpp"
+#include "desktop/theme.hpp"
+#include "support/qt_app.hpp"
+
+#include <QAction>
+#include <QApplication>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QMenuBar>
+#include <QPalette>
+#include <QTemporaryDir>
+#include <QTest>
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+using namespace adore;
+
+namespace {
+
+/// Contrast of two colours as WCAG 2 defines it, 1 to 21.
+double contrast(const QColor& a, const QColor& b) {
+  const auto luminance = [](const QColor& colour) {
+    const auto linear = [](double v) {
+      return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+  };
+  const double x = luminance(a) + 0.05, y = luminance(b) + 0.05;
+  return x > y ? x / y : y / x;
+}
+
+}  // namespace
+
+TEST_CASE("keys of the menu go before the editing keys of a field", "[gui][desktop]") {
+  test::use_qt();
+  QMainWindow window;
+  auto* line = new QLineEdit("0.0127", &window);
+  window.setCentralWidget(line);
+  QMenu* menu = window.menuBar()->addMenu("View");
+  menu->addAction("Units", QKeySequence(Qt::CTRL | Qt::Key_U), &window, [] {});
+  menu->addAction("Copy picture", QKeySequence::Copy, &window, [] {});
+  new desktop::MenuKeys(window);
+  const auto taken_by_field = [&](int key, Qt::KeyboardModifiers modifiers) {
+    QKeyEvent event(QEvent::ShortcutOverride, key, modifiers);
+    event.setAccepted(false);
+    // As Qt asks before it acts; under X11 a field would accept Ctrl+U.
+    event.accept();
+    QApplication::sendEvent(line, &event);
+    return event.isAccepted();
+  };
+  CHECK_FALSE(taken_by_field(Qt::Key_U, Qt::ControlModifier));
+  CHECK(taken_by_field(Qt::Key_C, Qt::ControlModifier));  // copying stays with the field
+}
+
+TEST_CASE("files go to the window that shows their folder, and to no other", "[gui][desktop]") {
+  test::use_qt();
+  const QTemporaryDir project, other;
+  QStringList shown;
+  const QStringList files{project.filePath("SOL1"), project.filePath("SOL2")};
+  CHECK_FALSE(desktop::hand_over("adrplot", files));
+  {
+    const desktop::OneWindow window("adrplot", project.path(), nullptr,
+                                    [&](const QStringList& names) { shown = names; });
+    REQUIRE(window.listens());
+    const desktop::OneWindow second("adrplot", project.path(), nullptr, [](const QStringList&) {});
+    CHECK_FALSE(second.listens());
+    CHECK(desktop::hand_over("adrplot", files));
+    CHECK(QTest::qWaitFor([&] { return shown == files; }, 5000));
+    CHECK_FALSE(desktop::hand_over("adrplot", {other.filePath("SOL1")}));
+    CHECK_FALSE(desktop::hand_over("agore", files));
+  }
+  CHECK_FALSE(desktop::hand_over("adrplot", files));
+}
+
+TEST_CASE("selected text stands out from its background in both themes", "[gui][desktop]") {
+  test::use_qt();
+  for (const auto kind : {desktop::ThemeKind::Light, desktop::ThemeKind::Dark}) {
+    desktop::apply_theme(kind);
+    const QPalette palette = QApplication::palette();
+    // 4.5: what WCAG 2 asks of text.
+    CHECK(contrast(palette.color(QPalette::Highlight), palette.color(QPalette::HighlightedText)) >
+          4.5);
+    CHECK(contrast(palette.color(QPalette::Window), palette.color(QPalette::WindowText)) > 4.5);
+    CHECK(contrast(palette.color(QPalette::Window), desktop::current_theme().muted) > 4.5);
+  }
+  desktop::apply_theme(desktop::ThemeKind::Light);
+}
