@@ -7,11 +7,8 @@
 #include "deck/templates.hpp"
 #include "facade/check.hpp"
 #include "facade/deck_story.hpp"
-#include "facade/disk_use.hpp"
-#include "facade/plan_json.hpp"
-#include "facade/prepare.hpp"
+#include "facade/plan.hpp"
 #include "facade/what_if.hpp"
-#include "setup/run_control.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -32,21 +29,12 @@ const char* word(Severity severity) {
 /// error of `run`.
 int check(const std::string& path, bool json) {
   const facade::DeckRequest request = deck_request(path);
-  const deck::ReadResult read = facade::read_deck(request);
-  std::vector<Issue> issues = read.issues;
-  if (read.ok())
-    for (Issue& issue : facade::check_model(read.deck)) issues.push_back(std::move(issue));
-  try {
-    (void)setup::build_run_options(facade::options_beside(facade::deck_path(request)));
-  } catch (const InputError& error) {  // the run would end with it
-    issues.insert(issues.end(), error.issues().begin(), error.issues().end());
-  }
-  const bool ok = std::none_of(issues.begin(), issues.end(), [](const Issue& issue) {
-    return issue.severity == Severity::Error;
-  });
+  const facade::CheckReport report = facade::check(request);
+  const std::vector<Issue>& issues = report.issues;
+  const bool ok = report.ok();
   if (json) {
     nlohmann::ordered_json out;
-    out["file"] = read.deck.file;
+    out["file"] = report.file;
     out["ok"] = ok;
     out["issues"] = nlohmann::ordered_json::array();
     for (const Issue& issue : issues)
@@ -62,8 +50,8 @@ int check(const std::string& path, bool json) {
     for (const Issue& issue : issues) fmt::print("{}\n", issue.text());
     std::size_t errors = 0;
     for (const Issue& issue : issues) errors += issue.severity == Severity::Error ? 1 : 0;
-    fmt::print("{}: {} records, {} error{}, {} other remark{}\n", read.deck.file,
-               read.deck.records.size(), errors, errors == 1 ? "" : "s", issues.size() - errors,
+    fmt::print("{}: {} records, {} error{}, {} other remark{}\n", report.file, report.records,
+               errors, errors == 1 ? "" : "s", issues.size() - errors,
                issues.size() - errors == 1 ? "" : "s");
   }
   return ok ? 0 : 2;
@@ -88,20 +76,12 @@ std::string what_if_of(const PlanOptions& options, const facade::DeckRequest& re
 void plan(const PlanOptions& options) {
   facade::DeckRequest request;
   options.fill(request);
-  const facade::Prepared prepared = facade::prepare(request);
-  print_warnings(prepared.input.warnings);
-  const scene::ScenePlan scene = facade::plan_with_estimates(prepared);
-  const facade::DiskUse disk = facade::disk_use(prepared, scene);
-  nlohmann::ordered_json out = facade::plan_json(scene, facade::stability_text(prepared));
-  out["disk"] = facade::disk_use_json(disk);
-  if (!options.json)
-    fmt::print("{}{}", facade::plan_text(prepared, scene), facade::disk_use_text(disk));
+  facade::PlanReport report = facade::plan(request);
+  print_warnings(report.remarks);
+  if (!options.json) fmt::print("{}", report.text);
   std::fflush(stdout);
-  const std::string differences = options.what_if ? what_if_of(options, request, out) : "";
-  if (options.json)
-    fmt::print("{}\n", out.dump(2));
-  else
-    fmt::print("{}", differences);
+  const std::string differences = options.what_if ? what_if_of(options, request, report.json) : "";
+  fmt::print("{}{}", options.json ? report.json.dump(2) : differences, options.json ? "\n" : "");
 }
 
 std::string text_of(const std::vector<std::string>& lines) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "facade/accuracy.hpp"
+#include "facade/prepare.hpp"
 
 /// What an accuracy study tries for a deck.
 namespace adore::facade {

@@ -76,4 +76,32 @@ std::vector<Issue> check_model(const deck::Deck& deck) {
   return issues;
 }
 
+bool CheckReport::ok() const { return !has_error(issues); }
+
+CheckReport check(const DeckRequest& request) {
+  deck::ReadResult read = read_deck(request);
+  CheckReport out{read.deck.file, read.deck.records.size(), read.issues};
+  if (read.ok() && !request.sets.empty()) {
+    try {
+      const LoadedDeck loaded = load_deck(request);
+      read.deck = loaded.deck;
+      out.issues = loaded.warnings;
+    } catch (const InputError& error) {
+      out.issues = error.issues();
+      return out;
+    }
+  }
+  if (read.ok())
+    for (Issue& issue : check_model(read.deck)) out.issues.push_back(std::move(issue));
+  try {
+    std::map<std::string, std::string> options;
+    if (!request.in_memory) options = options_beside(deck_path(request));
+    for (const auto& [name, value] : request.options) options[name] = value;
+    (void)setup::build_run_options(options);
+  } catch (const InputError& error) {  // the run would end with it
+    out.issues.insert(out.issues.end(), error.issues().begin(), error.issues().end());
+  }
+  return out;
+}
+
 }  // namespace adore::facade

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "deck/deck.hpp"
+#include "facade/deck_request.hpp"
 
+#include <string>
 #include <vector>
 
 namespace adore::facade {
@@ -12,5 +14,17 @@ namespace adore::facade {
 /// lose the clearance or overstress a ring.
 /// @throws SolverError when the operating state of the bearing cannot be found.
 [[nodiscard]] std::vector<Issue> check_model(const deck::Deck& deck);
+
+/// `adore check`: everything that is to be said of a deck and its run options.
+struct CheckReport {
+  std::string file;               ///< what messages call the deck
+  std::size_t records = 0;        ///< in it
+  std::vector<Issue> issues;      ///< errors, warnings, notes
+  [[nodiscard]] bool ok() const;  ///< no error among them
+};
+
+/// What a deck asks for that cannot run yet is a note here and an error of run().
+/// @throws InputError when the deck cannot be read, SolverError as check_model()
+[[nodiscard]] CheckReport check(const DeckRequest& request);
 
 }  // namespace adore::facade

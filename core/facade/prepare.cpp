@@ -253,12 +253,13 @@ fs::path deck_path(const fs::path& path) {
 }
 
 fs::path deck_path(const DeckRequest& request) {
-  return request.text ? fs::path(kStandardInput) : deck_path(request.deck);
+  if (!request.text) return deck_path(request.deck);
+  return request.in_memory ? request.deck : fs::path(kStandardInput);
 }
 
 deck::ReadResult read_deck(const DeckRequest& request) {
-  return request.text ? deck::read_deck_text(*request.text, kStandardInput)
-                      : deck::read_deck(deck_path(request.deck));
+  const fs::path path = deck_path(request);
+  return request.text ? deck::read_deck_text(*request.text, path.string()) : deck::read_deck(path);
 }
 
 LoadedDeck load_deck(const DeckRequest& request) {
@@ -276,7 +277,7 @@ LoadedDeck load_deck(const DeckRequest& request) {
   for (const Issue& issue : issues) wrong = wrong || issue.severity == Severity::Error;
   if (wrong) throw InputError(std::move(issues));
   out.warnings = std::move(issues);
-  out.option_values = options_beside(out.path);
+  if (!request.in_memory) out.option_values = options_beside(out.path);
   for (const auto& [name, value] : request.options) out.option_values[name] = value;
   return out;
 }
@@ -296,9 +297,11 @@ std::vector<Issue> solution_notes(const Prepared& prepared) {
   return out;
 }
 
-Prepared prepare(const DeckRequest& request) {
+Prepared prepare(const DeckRequest& request, std::stop_token stop) {
   dynamics::check_instruction_set_request();
-  return prepare(load_deck(request));
+  LoadedDeck input = load_deck(request);
+  input.stop = std::move(stop);
+  return prepare(std::move(input));
 }
 
 Prepared prepare(LoadedDeck input) {

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
-#include "deck/deck.hpp"
 #include "deck/no_part.hpp"
 #include "dynamics/system.hpp"
+#include "facade/deck_request.hpp"
 #include "life/bearing_life.hpp"
 #include "scene/plan.hpp"
 #include "setup/run_control.hpp"
@@ -13,53 +13,15 @@
 #include "statics/stiffness_table.hpp"
 #include "thermal/steady_state.hpp"
 
-#include <filesystem>
-#include <functional>
-#include <map>
+#include <array>
 #include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
-#include <utility>
 #include <vector>
 
 /// From a deck file to everything a run starts from. Apps and CLI call this and nothing below it.
 namespace adore::facade {
-
-/// What the user asked for beyond the deck.
-struct DeckRequest {
-  std::filesystem::path deck = ".";  ///< the deck, or a folder that holds DATA.txt
-  std::optional<std::string> text;   ///< the deck itself, in place of the file; its outputs go to
-                                     ///< the current folder
-  std::vector<std::pair<std::string, std::string>>
-      sets;  ///< --set variable=value, in the deck's units
-  std::vector<std::pair<std::string, std::string>>
-      options;  ///< --opt name=value, over those of ADORE.json
-};
-
-struct LoadedDeck {
-  std::filesystem::path path;  ///< the deck file
-  deck::Deck deck;             ///< with the sets applied
-  std::vector<Issue> warnings;
-  std::map<std::string, std::string> option_values;  ///< ADORE.json and --opt, as given
-  std::stop_token stop;                              ///< ends a long preparation (Interrupted)
-  /// Called after each speed of the stiffness table; may be empty.
-  std::function<void(long done, long total)> table_progress;
-};
-
-/// The deck file that a path means: itself, or DATA.txt in it. @throws InputError when there is
-/// none.
-[[nodiscard]] std::filesystem::path deck_path(const std::filesystem::path& path);
-
-/// What messages call a deck that came as text.
-inline constexpr const char* kStandardInput = "standard input";
-/// The deck file of the request, or kStandardInput. @throws InputError when there is none.
-[[nodiscard]] std::filesystem::path deck_path(const DeckRequest& request);
-/// The request's deck before any of its sets. @throws InputError when it cannot be read.
-[[nodiscard]] deck::ReadResult read_deck(const DeckRequest& request);
-
-/// Reads, applies the sets, checks again. @throws InputError with every error of the deck.
-[[nodiscard]] LoadedDeck load_deck(const DeckRequest& request);
 
 /// A deck understood as a physical model with its plan.
 struct Prepared {
@@ -100,13 +62,8 @@ struct Prepared {
 /// notes on the deck.
 [[nodiscard]] std::vector<Issue> solution_notes(const Prepared& prepared);
 
-/// The run options of the ADORE.json beside a deck, as given; empty when there is none.
-/// @throws InputError when the file is no object of named values.
-[[nodiscard]] std::map<std::string, std::string> options_beside(
-    const std::filesystem::path& deck_file);
-
 /// @throws InputError, SolverError (no equilibrium).
-[[nodiscard]] Prepared prepare(const DeckRequest& request);
+[[nodiscard]] Prepared prepare(const DeckRequest& request, std::stop_token stop = {});
 /// The same for a deck in memory that has no errors.
 [[nodiscard]] Prepared prepare(LoadedDeck input);
 

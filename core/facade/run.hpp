@@ -1,6 +1,6 @@
 #pragma once
 
-#include "facade/prepare.hpp"
+#include "facade/deck_request.hpp"
 #include "results/key_results.hpp"
 
 #include <filesystem>

@@ -6,6 +6,7 @@
 #include "facade/cage_start.hpp"
 #include "facade/continued_deck.hpp"
 #include "facade/deck_summary.hpp"
+#include "facade/equilibrium.hpp"
 #include "facade/key_results.hpp"
 #include "facade/life_observer.hpp"
 #include "facade/motion_watch.hpp"
@@ -13,9 +14,6 @@
 #include "facade/restart_progress.hpp"
 #include "facade/run_files.hpp"
 #include "listing/print_fits.hpp"
-#include "listing/print_heat.hpp"
-#include "listing/solution_tables.hpp"
-#include "listing/static_cut.hpp"
 #include "listing/static_summary.hpp"
 #include "results/averages.hpp"
 #include "results/channels.hpp"
@@ -483,34 +481,12 @@ std::vector<std::string> RunOutputs::write_quasi_static() {
   s.print_front(std::nullopt);
   results::RunSummary run = s.summary();
   run.status = "done";
-  s.key_results = static_results(s.prepared);
-  add_heat(s.key_results, s.prepared);
-  if (s.prepared.bearing.operating) add_fits(s.key_results, *s.prepared.bearing.operating);
-  add_lives(s.key_results, s.prepared.life);
+  Equilibrium solution = equilibrium_of(s.prepared);
+  s.key_results = solution.results;
   run.summary = s.key_results;
-  results::StaticTables tables =
-      s.prepared.rollers ? listing::static_tables(*s.prepared.rollers, s.prepared.bearing, s.units)
-                         : listing::static_tables(s.prepared.statics, s.prepared.bearing, s.units);
-  if (s.prepared.rollers)
-    listing::add_cut(tables, *s.prepared.rollers, s.prepared.bearing);
-  else
-    listing::add_cut(tables, s.prepared.statics, s.prepared.bearing);
-  if (!s.prepared.stiffness.empty())
-    tables.tables.push_back(listing::stiffness_over_speed(s.prepared.stiffness));
-  if (s.prepared.friction) {
-    listing::add_friction_columns(tables.tables.front(), *s.prepared.friction);
-    tables.tables.push_back(listing::friction_table(*s.prepared.friction));
-  }
-  if (s.prepared.thermal) tables.tables.push_back(listing::network_table(s.prepared.thermal->heat));
-  run.quasi_static = results::to_json(tables);
+  run.quasi_static = results::to_json(solution.tables);
   s.close(run);
-  std::vector<std::string> lines =
-      listing::summary_lines(s.static_summary(false), s.prepared.bearing, s.prepared.life, s.units);
-  if (s.prepared.friction)
-    for (std::string& line : listing::heat_lines(
-             *s.prepared.friction, s.prepared.thermal ? &*s.prepared.thermal : nullptr, s.units))
-      lines.push_back(std::move(line));
-  return lines;
+  return solution.lines;
 }
 
 std::vector<fs::path> RunOutputs::files() const { return impl_->files.written; }

@@ -228,7 +228,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
     return one;
   };
   const bool keep = !request.overwrite && !request.go_on;
-  check_room({folder, {"SWEEP.csv"}, {deck_path(request.deck)}}, true);
+  check_room({folder, {"SWEEP.csv"}, {deck_path(request)}}, true);
   if (keep && std::filesystem::exists(out.table)) throw ResultsExist(folder, {"SWEEP.csv"});
   for (std::size_t k = 0; keep && k < count; ++k)
     if (const auto place = *one_request(k).out; std::filesystem::exists(place))

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "facade/prepare.hpp"
 #include "facade/run.hpp"
 
 #include <vector>

@@ -1,5 +1,7 @@
 #include "facade/verify.hpp"
 
+#include "facade/prepare.hpp"
+
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "deck/deck.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// What a deck is asked for, and reading it.
+namespace adore::facade {
+
+/// What the user asked for beyond the deck.
+struct DeckRequest {
+  std::filesystem::path deck = ".";  ///< the deck, or a folder that holds DATA.txt
+  std::optional<std::string> text;   ///< the deck itself, in place of the file; its outputs go to
+                                     ///< the current folder
+  /// With `text`: a program holds the deck. `deck` is what messages call it, whether there is such
+  /// a file or not, and run options are those of the request alone: no ADORE.json is read.
+  bool in_memory = false;
+  std::vector<std::pair<std::string, std::string>>
+      sets;  ///< --set variable=value, in the deck's units
+  std::vector<std::pair<std::string, std::string>>
+      options;  ///< --opt name=value, over those of ADORE.json
+};
+
+struct LoadedDeck {
+  std::filesystem::path path;  ///< the deck file
+  deck::Deck deck;             ///< with the sets applied
+  std::vector<Issue> warnings;
+  std::map<std::string, std::string> option_values;  ///< ADORE.json and --opt, as given
+  std::stop_token stop;                              ///< ends a long preparation (Interrupted)
+  /// Called after each speed of the stiffness table; may be empty.
+  std::function<void(long done, long total)> table_progress;
+};
+
+/// The deck file that a path means: itself, or DATA.txt in it. @throws InputError when there is
+/// none.
+[[nodiscard]] std::filesystem::path deck_path(const std::filesystem::path& path);
+
+/// What messages call a deck that came as text.
+inline constexpr const char* kStandardInput = "standard input";
+/// The deck file of the request, or kStandardInput. @throws InputError when there is none.
+[[nodiscard]] std::filesystem::path deck_path(const DeckRequest& request);
+/// The request's deck before any of its sets. @throws InputError when it cannot be read.
+[[nodiscard]] deck::ReadResult read_deck(const DeckRequest& request);
+
+/// Reads, applies the sets, checks again. @throws InputError with every error of the deck.
+[[nodiscard]] LoadedDeck load_deck(const DeckRequest& request);
+
+/// The run options of the ADORE.json beside a deck, as given; empty when there is none.
+/// @throws InputError when the file is no object of named values.
+[[nodiscard]] std::map<std::string, std::string> options_beside(
+    const std::filesystem::path& deck_file);
+
+}  // namespace adore::facade
