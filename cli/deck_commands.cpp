@@ -82,10 +82,7 @@ void plan(const PlanOptions& options) {
   if (!options.json) fmt::print("{}", report.text);
   std::fflush(stdout);
   const std::string differences = options.what_if ? what_if_of(options, request, report.json) : "";
-  if (options.json)
-    fmt::print("{}\n", report.json.dump(2));
-  else
-    fmt::print("{}", differences);
+  fmt::print("{}{}", options.json ? report.json.dump(2) : differences, options.json ? "\n" : "");
 }
 
 std::string text_of(const std::vector<std::string>& lines) {

@@ -15,27 +15,48 @@ Trust judge(double ratio, double warning, double limit) {
   return ratio <= warning ? Trust::Full : Trust::Warned;
 }
 
+struct Shares {
+  double over_moved = 0.0, over_elastic = 0.0;
+  Shares(double residual, double moved, double elastic) {
+    if (!(moved <= 0.0)) over_moved = residual / moved;
+    if (elastic > 0.0) over_elastic = residual / elastic;
+  }
+  [[nodiscard]] Trust by_moved() const { return judge(over_moved, kMovedWarning, kMovedLimit); }
+  [[nodiscard]] Trust by_elastic() const {
+    return judge(over_elastic, kElasticWarning, kElasticLimit);
+  }
+  [[nodiscard]] Trust trust() const { return std::max(by_moved(), by_elastic()); }
+};
+
 }  // namespace
 
 EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic, double largest) {
   EnergyJudgement out;
-  const double at_end = std::abs(energy.residual()), moved = energy_scale(energy);
-  const double residual = at_end < largest ? largest : at_end;  // no number stays none
-  if (!(moved <= 0.0)) out.over_moved = residual / moved;
-  if (elastic > 0.0) out.over_elastic = residual / elastic;
-  const Trust by_moved = judge(out.over_moved, kMovedWarning, kMovedLimit);
-  const Trust by_elastic = judge(out.over_elastic, kElasticWarning, kElasticLimit);
-  out.trust = std::max(by_moved, by_elastic);
+  double residual = std::abs(energy.residual());
+  const double moved = energy_scale(energy);
+  Shares shares(residual, moved, elastic);
+  out.trust = shares.trust();
+  const bool earlier = out.trust != Trust::None && largest > residual;
+  if (earlier) {
+    residual = largest;
+    shares = Shares(residual, moved, elastic);
+    out.trust = std::min(shares.trust(), Trust::Warned);
+  }
+  out.over_moved = shares.over_moved;
+  out.over_elastic = shares.over_elastic;
   if (out.trust == Trust::Full) return out;
+  const bool none = out.trust == Trust::None;
+  const auto limit = [none](Trust trust, double value) {
+    return none && trust == Trust::None ? fmt::format(" (limit {:g})", value) : "";
+  };
   out.text =
       fmt::format("{:.3g} J of energy have no account{}: {:.2g} of the {:.3g} J that moved{}",
-                  residual, at_end < residual ? " at some time of the run" : "", out.over_moved,
-                  moved, by_moved == Trust::None ? fmt::format(" (limit {:g})", kMovedLimit) : "");
+                  residual, earlier ? " at some time of the run" : "", out.over_moved, moved,
+                  limit(shares.by_moved(), kMovedLimit));
   if (elastic > 0.0)
     out.text +=
         fmt::format(", {:.2g} of the {:.3g} J of elastic energy in the quasi-static solution{}",
-                    out.over_elastic, elastic,
-                    by_elastic == Trust::None ? fmt::format(" (limit {:g})", kElasticLimit) : "");
+                    out.over_elastic, elastic, limit(shares.by_elastic(), kElasticLimit));
   out.text += ". ";
   out.text += out.trust == Trust::None
                   ? "The results of this run cannot be trusted. Lower the tolerance (tol on record "

@@ -24,8 +24,8 @@ struct EnergyJudgement {
 /// A residual that is no number is never trusted.
 /// @param elastic elastic energy of the quasi-static solution [J]; 0 where there is none to measure
 /// by: nothing is loaded, or elements in balance (modes 1 and 2) do not vibrate
-/// @param largest |residual| that the run had at any stored step [J]: one that comes and goes is no
-/// better than one that stays
+/// @param largest |residual| that the run had at any stored step [J]: one that comes and goes is
+/// warned of (contacts that open and close take energy and give it back within a vibration)
 [[nodiscard]] EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic,
                                            double largest = 0.0);
 

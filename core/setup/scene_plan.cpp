@@ -124,11 +124,11 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
     }
     plan.effects.push_back({id, name, on, std::move(because)});
   };
-  effect(Effect::RaceContact, element + " / race contact", true,
-         mode + (deck.integer("mode") > 0
-                     ? ""
-                     : "; elastic, so that contact vibrations do not decay: their lines in a "
-                       "spectrum are as high as start, impacts and integrator leave them"));
+  effect(
+      Effect::RaceContact, element + " / race contact", true,
+      mode + (deck.integer("mode") > 0
+                  ? ""
+                  : "; undamped: contact vibrations stay, their heights in spectra mean little"));
   effect(Effect::RaceTraction, element + " / race traction",
          can_push(bearing.race_traction) || bearing.lubrication || own_law("kTrac"),
          bearing.lubrication ? film_reason(*bearing.lubrication)

@@ -97,8 +97,8 @@ TEST_CASE("The methods that damp at the usual step keep it", "[unit][facade]") {
   const auto action = [](const char* method) {
     return stable_steps(request_of(method, 1e-3, 0.7)).action;
   };
-  for (const char* method : {"rkf2", "rkf5", "rkf6", "rkf7", "rk4", "pece1", "pece2",
-                             "arkode-erk", "arkode-dirk", "arkode-imex"}) {
+  for (const char* method : {"rkf2", "rkf5", "rkf6", "rkf7", "rk4", "pece1", "pece2", "arkode-erk",
+                             "arkode-dirk", "arkode-imex"}) {
     INFO(method);
     CHECK(action(method) == StepAction::Kept);
   }
