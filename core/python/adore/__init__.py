@@ -17,7 +17,7 @@ from __future__ import annotations
 
 from typing import Dict, Tuple
 
-from . import _core, calc, errors, pictures, schema, units
+from . import _core, calc, errors, pictures, routines, schema, units
 from ._core import Issue, Progress
 from .deck import Deck, Record, check, examples, new, read
 from .errors import (
@@ -35,6 +35,7 @@ from .errors import (
 )
 from .pictures import Picture, Pictures
 from .results import Channels, describe, read_table
+from .routines import Routines
 from .run import Plan, Run, Statics, open_run
 
 __version__: str = _core.__version__
@@ -55,6 +56,7 @@ __all__ = [
     "Progress",
     "Record",
     "ResultsExistError",
+    "Routines",
     "Run",
     "RunFailed",
     "SolverError",
@@ -72,6 +74,7 @@ __all__ = [
     "read",
     "read_table",
     "require_reproducible",
+    "routines",
     "run_options",
     "schema",
     "units",

@@ -15,6 +15,7 @@ import numpy as np
 
 from . import _core, schema, units
 from .errors import DeckWarning, InputError, UnitError
+from .routines import Routines, routines_of
 from .variables import DeckVariables
 
 if TYPE_CHECKING:
@@ -27,6 +28,7 @@ __all__ = ["Deck", "Record", "check", "examples", "new", "read"]
 PathLike = Union[str, "os.PathLike[str]"]
 #: A number, a text, or an array of them.
 Value = Any
+User = Union[Routines, PathLike, None]
 ProgressCallback = Callable[[_core.Progress], Optional[bool]]
 
 _TARGET = re.compile(r"^\s*(\w+)\s*((?:\[\s*\d+\s*\]\s*)*)$")
@@ -396,17 +398,18 @@ class Deck(DeckVariables):
         """Every error, warning and note; empty when there is nothing to say."""
         return _core.check(*self._request())
 
-    def plan(self, **options: Any) -> Plan:
-        """What a run would simulate, why, and at what cost."""
+    def plan(self, *, user: User = None, **options: Any) -> Plan:
+        """What a run would simulate, why, and at what cost. ``user`` as in :meth:`run`."""
         from .run import Plan
 
-        return Plan(*_core.plan(*self._request(options)))
+        return Plan(*_core.plan(*self._request(options), routines_of(user)))
 
-    def statics(self, **options: Any) -> Statics:
-        """The quasi-static equilibrium: loads, displacements, stiffness, life. Nothing is written."""
+    def statics(self, *, user: User = None, **options: Any) -> Statics:
+        """The quasi-static equilibrium: loads, displacements, stiffness, life. Nothing is written. ``user`` as in
+        :meth:`run`."""
         from .run import Statics
 
-        return Statics(_core.equilibrium(*self._request(options)))
+        return Statics(_core.equilibrium(*self._request(options), routines_of(user)))
 
     def run(
         self,
@@ -416,6 +419,7 @@ class Deck(DeckVariables):
         integrator: Optional[str] = None,
         tol: Optional[float] = None,
         options: Optional[Mapping[str, Any]] = None,
+        user: User = None,
         progress: Union[bool, None, ProgressCallback] = None,
         overwrite: bool = False,
         resume: bool = False,
@@ -425,6 +429,8 @@ class Deck(DeckVariables):
         out: folder of the files; without it they go into a temporary folder that lives as long as the result.
         until: end, as "5rev", "0.02s" or a dimensionless time; the deck's own unless given.
         integrator, tol: instead of the deck's; ``options``: run options of this run.
+        user: routines of the user, as :class:`adore.Routines` or as the path of a shared object or a file of formulas, whose
+        code runs. This argument is the only way to load any.
         progress: True shows a line, a callable gets an :class:`adore.Progress` up to 20 times a second and ends the
         run by returning False; by default a line is shown when there is a terminal.
         overwrite: results of an earlier run in the folder may be replaced; ``resume`` goes on with them.
@@ -434,7 +440,7 @@ class Deck(DeckVariables):
         cannot be trusted :class:`adore.UntrustedResult`; all of them carry ``run``."""
         from .run import start_run
 
-        return start_run(self, out, until, integrator, tol, options, progress, overwrite, resume)
+        return start_run(self, out, until, integrator, tol, options, user, progress, overwrite, resume)
 
     def sweep(
         self,
@@ -448,6 +454,7 @@ class Deck(DeckVariables):
         integrator: Optional[str] = None,
         tol: Optional[float] = None,
         options: Optional[Mapping[str, Any]] = None,
+        user: User = None,
         threads: int = 0,
         progress: Union[bool, None, ProgressCallback] = None,
         overwrite: bool = False,
@@ -457,7 +464,7 @@ class Deck(DeckVariables):
         table SWEEP.csv as a data frame, a row for each run, whose files stand in a folder each below ``out``."""
         from .run import start_sweep
 
-        return start_sweep(self, variable, first, last, count, out, until, integrator, tol, options, threads, progress,
+        return start_sweep(self, variable, first, last, count, out, until, integrator, tol, options, user, threads, progress,
                            overwrite, resume)  # fmt: skip
 
     # For people.

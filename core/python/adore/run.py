@@ -16,11 +16,12 @@ import numpy as np
 from . import _core, pictures
 from .errors import AdoreError, InputError, Interrupted, RunFailed, UntrustedResult
 from .results import Channels, _pandas, read_table
+from .routines import routines_of
 
 if TYPE_CHECKING:
     import pandas as pd
 
-    from .deck import Deck, ProgressCallback
+    from .deck import Deck, ProgressCallback, User
 
 __all__ = ["Plan", "Run", "Statics", "open_run"]
 
@@ -259,6 +260,7 @@ def start_run(
     integrator: Optional[str],
     tol: Optional[float],
     options: Optional[Mapping[str, Any]],
+    user: User,
     progress: Union[bool, None, ProgressCallback],
     overwrite: bool,
     resume: bool,
@@ -273,7 +275,7 @@ def start_run(
     folder = Path(tempfile.mkdtemp(prefix="adore-run-")) if out is None else Path(out)
     keep = _Folder(folder) if out is None else None
     try:
-        outcome = _core.run(*deck._request(options), str(folder), _until(until), integrator or "", tol, resume, overwrite,
+        outcome = _core.run(*deck._request(options), routines_of(user), str(folder), _until(until), integrator or "", tol, resume, overwrite,
                             show_progress(progress))  # fmt: skip
     except Interrupted:
         raise
@@ -302,6 +304,7 @@ def start_sweep(
     integrator: Optional[str],
     tol: Optional[float],
     options: Optional[Mapping[str, Any]],
+    user: User,
     threads: int,
     progress: Union[bool, None, ProgressCallback],
     overwrite: bool,
@@ -312,7 +315,7 @@ def start_sweep(
 
     pandas = _pandas()
     table, code, remarks = _core.sweep(
-        *deck._request(options), os.fspath(out), variable, f"{float(first)!r}:{float(last)!r}:{int(count)}", _until(until),
+        *deck._request(options), routines_of(user), os.fspath(out), variable, f"{float(first)!r}:{float(last)!r}:{int(count)}", _until(until),
         integrator or "", tol, resume, overwrite, threads, show_progress(progress),
     )  # fmt: skip
     frame = pandas.read_csv(table)

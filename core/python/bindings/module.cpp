@@ -6,6 +6,7 @@
 #include "facade/option_file.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/reproducible.hpp"
+#include "routines.hpp"
 
 namespace adore::python {
 namespace {
@@ -100,6 +101,7 @@ PYBIND11_MODULE(_core, module) {
   module.attr("__version__") = std::string(kVersionNumber);
   python::bind_errors(module);
   python::bind_deck(module);
+  python::bind_routines(module);
   python::bind_work(module);
   python::bind_results(module);
   python::bind_calculators(module);

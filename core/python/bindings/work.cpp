@@ -5,6 +5,7 @@
 #include "facade/run.hpp"
 #include "facade/sweep.hpp"
 #include "results/h5_reader.hpp"
+#include "routines.hpp"
 
 #include <map>
 
@@ -15,12 +16,16 @@ namespace {
 using Options = std::map<std::string, std::string>;
 
 facade::DeckRequest deck_request(const std::string& text, const std::string& name,
-                                 const Options& options) {
+                                 const Options& options, const py::object& user) {
   facade::DeckRequest out;
   out.deck = name;
   out.text = text;
   out.in_memory = true;
   out.options.assign(options.begin(), options.end());
+  if (py::isinstance<Routines>(user))
+    out.routines = user.cast<const Routines&>().plug_in();
+  else if (!user.is_none())
+    out.user = user.cast<std::string>();
   return out;
 }
 
@@ -90,11 +95,12 @@ struct RunRecord {
 };
 
 facade::RunRequest run_request(const std::string& text, const std::string& name,
-                               const Options& options, const std::string& out,
-                               const std::string& until, const std::string& integrator,
+                               const Options& options, const py::object& user,
+                               const std::string& out, const std::string& until,
+                               const std::string& integrator,
                                const std::optional<double>& tolerance, bool go_on, bool overwrite) {
   facade::RunRequest request;
-  static_cast<facade::DeckRequest&>(request) = deck_request(text, name, options);
+  static_cast<facade::DeckRequest&>(request) = deck_request(text, name, options, user);
   request.out = out;
   request.until = until;
   request.integrator = integrator;
@@ -170,11 +176,11 @@ void bind_run(py::module_& module) {
   module.def(
       "run",
       [](const std::string& text, const std::string& name, const Options& options,
-         const std::string& out, const std::string& until, const std::string& integrator,
-         const std::optional<double>& tolerance, bool go_on, bool overwrite,
-         const py::object& progress) {
-        const facade::RunRequest request =
-            run_request(text, name, options, out, until, integrator, tolerance, go_on, overwrite);
+         const py::object& user, const std::string& out, const std::string& until,
+         const std::string& integrator, const std::optional<double>& tolerance, bool go_on,
+         bool overwrite, const py::object& progress) {
+        const facade::RunRequest request = run_request(text, name, options, user, out, until,
+                                                       integrator, tolerance, go_on, overwrite);
         ProgressDesk desk(progress);
         const facade::ProgressSink sink = desk.sink();
         auto done = in_background(
@@ -187,19 +193,20 @@ void bind_run(py::module_& module) {
         }
         return RunRecord{std::move(*done.value), raised};
       },
-      py::arg("text"), py::arg("name"), py::arg("options"), py::arg("out"), py::arg("until"),
-      py::arg("integrator"), py::arg("tolerance"), py::arg("go_on"), py::arg("overwrite"),
-      py::arg("progress"), "Runs a deck. The interpreter's lock is free meanwhile.");
+      py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user"), py::arg("out"),
+      py::arg("until"), py::arg("integrator"), py::arg("tolerance"), py::arg("go_on"),
+      py::arg("overwrite"), py::arg("progress"),
+      "Runs a deck. The interpreter's lock is free meanwhile.");
 
   module.def(
       "sweep",
       [](const std::string& text, const std::string& name, const Options& options,
-         const std::string& out, const std::string& variable, const std::string& range,
-         const std::string& until, const std::string& integrator,
+         const py::object& user, const std::string& out, const std::string& variable,
+         const std::string& range, const std::string& until, const std::string& integrator,
          const std::optional<double>& tolerance, bool go_on, bool overwrite, int threads,
          const py::object& progress) {
-        facade::RunRequest request =
-            run_request(text, name, options, out, until, integrator, tolerance, go_on, overwrite);
+        facade::RunRequest request = run_request(text, name, options, user, out, until, integrator,
+                                                 tolerance, go_on, overwrite);
         request.sets.emplace_back(variable, range);
         ProgressDesk desk(progress);
         const facade::ProgressSink sink = desk.sink();
@@ -214,9 +221,10 @@ void bind_run(py::module_& module) {
         return py::make_tuple(done.value->table.string(), done.value->exit_code,
                               done.value->warnings);
       },
-      py::arg("text"), py::arg("name"), py::arg("options"), py::arg("out"), py::arg("variable"),
-      py::arg("range"), py::arg("until"), py::arg("integrator"), py::arg("tolerance"),
-      py::arg("go_on"), py::arg("overwrite"), py::arg("threads"), py::arg("progress"),
+      py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user"), py::arg("out"),
+      py::arg("variable"), py::arg("range"), py::arg("until"), py::arg("integrator"),
+      py::arg("tolerance"), py::arg("go_on"), py::arg("overwrite"), py::arg("threads"),
+      py::arg("progress"),
       "Runs a deck with evenly spaced values of one variable: table, worst exit code, remarks.");
 }
 
@@ -226,7 +234,7 @@ void bind_work(py::module_& module) {
   module.def(
       "check",
       [](const std::string& text, const std::string& name, const Options& options) {
-        const facade::DeckRequest request = deck_request(text, name, options);
+        const facade::DeckRequest request = deck_request(text, name, options, py::none());
         return interruptible([&](const std::stop_token&) { return facade::check(request).issues; });
       },
       py::arg("text"), py::arg("name"), py::arg("options"),
@@ -237,17 +245,20 @@ void bind_work(py::module_& module) {
       py::arg("deck"), "Run options of the ADORE.json beside a deck.");
   module.def(
       "plan",
-      [](const std::string& text, const std::string& name, const Options& options) {
-        const facade::DeckRequest request = deck_request(text, name, options);
+      [](const std::string& text, const std::string& name, const Options& options,
+         const py::object& user) {
+        const facade::DeckRequest request = deck_request(text, name, options, user);
         const facade::PlanReport report = interruptible(
             [&](std::stop_token stop) { return facade::plan(request, std::move(stop)); });
         return py::make_tuple(report.text, report.json.dump(), report.remarks);
       },
-      py::arg("text"), py::arg("name"), py::arg("options"), "Plan as text and JSON, and remarks.");
+      py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user"),
+      "Plan as text and JSON, and remarks.");
   module.def(
       "equilibrium",
-      [](const std::string& text, const std::string& name, const Options& options) {
-        const facade::DeckRequest request = deck_request(text, name, options);
+      [](const std::string& text, const std::string& name, const Options& options,
+         const py::object& user) {
+        const facade::DeckRequest request = deck_request(text, name, options, user);
         facade::Equilibrium solution = interruptible([&](std::stop_token stop) {
           return facade::solve_equilibrium(request, std::move(stop));
         });
@@ -278,7 +289,7 @@ void bind_work(py::module_& module) {
         out["seconds"] = solution.seconds;
         return out;
       },
-      py::arg("text"), py::arg("name"), py::arg("options"),
+      py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user"),
       "The quasi-static equilibrium: plain values, SI.");
   bind_run(module);
 }

@@ -1,0 +1,155 @@
+"""Routines of the user in Python: physics of your own in the place of Adore's, over NumPy arrays in SI.
+
+>>> import numpy as np
+>>> routines = adore.Routines()
+>>> @routines.traction("element_race", table=True, slip_scale=0.2)
+... def law(slip):
+...     return 0.06 * np.tanh(slip / 0.2)
+>>> routines.errors["element_race"] < 1e-6
+True
+
+``deck.run(user=routines)`` runs with them; ``kTrac = -1`` asks for the law. A table is built once, here, and costs no call
+of Python while the run computes; a function without one is called at every evaluation, and ``routines.cost()`` says what
+that came to. Functions must be pure: the same arguments give the same answer, for steps are tried and repeated.
+"""
+
+from __future__ import annotations
+
+import os
+from types import SimpleNamespace
+from typing import Any, Callable, Dict, Tuple, TypeVar, Union
+
+import numpy as np
+
+from . import _core
+from .errors import InputError
+
+__all__ = ["Routines", "routines_of"]
+
+_Function = TypeVar("_Function", bound=Callable[..., Any])
+_BODIES = {"flange": 2, "pocket": 3, "land": 4}
+
+
+class Routines:
+    """Python functions as user routines ADRX0 to ADRX9; each decorator below names what its function gets and gives.
+
+    version: appended to the program's version in every file."""
+
+    def __init__(self, version: str = "") -> None:
+        self._core = _core.Routines(version)
+        #: Of each tabulated law: the largest difference of the table to the function, over the largest value.
+        self.errors: Dict[str, float] = {}
+        self._names: list[str] = []
+
+    def traction(
+        self,
+        kind: str = "element_race",
+        *,
+        table: bool = False,
+        slip_scale: float = 0.0,
+        points: bool = False,
+        largest_slip: float = 100.0,
+        tolerance: float = 1e-7,
+    ) -> Callable[[_Function], _Function]:
+        """ADRX7, the traction coefficient over the slip, >= 0, of one kind of contact: "element_race" (kTrac = -1),
+        "element_cage" (kCPTrac), "cage_race" (kCRTrac), "roller_flange" (kRFTrac) or "element_element" (kRRTrac).
+
+        With ``table=True`` the function is ``law(slip)`` and is asked here, for slips up to ``largest_slip`` [m/s], until a
+        monotone table is within ``tolerance`` of it, over its largest value; the error that is left stands in ``errors``.
+        Otherwise it is ``law(slip, contact)``: slip has a row for each point of the contacts and a column for each contact;
+        ``contact`` has ``time``, ``race`` (0 outer), ``pressure`` (as slip, None unless ``points``), and, one value for each
+        contact, ``load``, ``peak_pressure``, ``half_major``, ``half_minor``, ``entrainment``, ``curvature``, ``middle_slip``.
+        slip_scale: slip over which the law rises from zero; integrals over the contact are split there [m/s]."""
+
+        def decorate(law: _Function) -> _Function:
+            slip, kappa = np.empty(0), np.empty(0)
+            if table:
+                slip, kappa, self.errors[kind] = _tabulated(law, slip_scale, largest_slip, tolerance)
+            self._core.set_traction(kind, lambda given: law(given.pop("slip"), SimpleNamespace(**given)), slip, kappa,
+                                    slip_scale, points)  # fmt: skip
+            self._names.append(f"traction {kind}" + (f", table of {len(slip)} points" if table else ""))
+            return law
+
+        return decorate
+
+    def force(self, body: str) -> Callable[[_Function], _Function]:
+        """ADRX2 to ADRX4, the normal force of "flange", "pocket" or "land" contacts that overlap: ``law(contacts)`` gives
+        one force for each [N]. ``contacts`` has ``time``, ``element``, ``surface``, ``gap`` (negative) [m], ``gap_rate``
+        [m/s] and ``built_in``, the force of the built-in law."""
+        if body not in _BODIES:
+            raise InputError(f'force of "{body}": give "flange", "pocket" or "land"')
+        return self._decorator(_BODIES[body], f"force {body}")
+
+    def motion(self, law: _Function) -> _Function:
+        """ADRX1, loads and accelerations of the races: ``law(now)`` gives a dictionary, and is called first with
+        ``now.start`` true.
+
+        At the start it may give ``drives`` (two truths: this race moves by the accelerations given here), ``start_velocity``
+        (2 x 3), ``start_spin`` (2), ``moves_frame``, ``longest_step`` and ``kinks`` (times). Later ``now`` has ``time``,
+        ``position``, ``velocity``, ``omega`` (2 x 3: outer, inner race; x, y, z) and ``angle``, and it may give ``force``, ``moment``,
+        ``acceleration``, ``angular_acceleration`` (2 x 3) and ``frame_acceleration`` (3)."""
+        return self._decorator(1, "motion")(law)
+
+    def material(self, law: _Function) -> _Function:
+        """ADRX0, materials of code 2: ``law(part)`` gives a dictionary of what differs from the values in ``part``: ``density``,
+        ``elastic_modulus``, ``poisson_ratio`` ...; ``part.part`` is "element", "outer_race", "inner_race", ..."""
+        return self._decorator(0, "material")(law)
+
+    def results(self, law: _Function) -> _Function:
+        """ADRX9, after every counted step: ``law(step)`` gives the text that goes to SOL9, or None; it is called first with
+        ``step.start`` true. ``step`` has ``time``, ``step``, ``x``, ``r``, ``theta``, ``load``, ``contact_angle`` of the elements and
+        ``source_heat``, ``source_place``, ``source_name`` of every place where heat arises."""
+        return self._decorator(9, "results")(law)
+
+    def _decorator(self, hook: int, name: str) -> Callable[[_Function], _Function]:
+        def decorate(law: _Function) -> _Function:
+            self._core.set(hook, lambda given: law(SimpleNamespace(**given)))
+            self._names.append(name)
+            return law
+
+        return decorate
+
+    def cost(self) -> str:
+        """What the functions that are called while a run computes came to so far."""
+        calls, seconds = self._core.direct_cost
+        if calls == 0:
+            return "no call of Python while computing"
+        return f"{calls} calls of Python while computing, {1e6 * seconds / calls:.1f} us each, {seconds:.3g} s together"
+
+    def __repr__(self) -> str:
+        errors = "".join(f"; table of {kind} within {error:.1e}" for kind, error in self.errors.items())
+        return f"<adore.Routines {', '.join(self._names) or 'without functions'}{errors}; {self.cost()}>"
+
+
+def routines_of(user: Union[Routines, str, "os.PathLike[str]", None]) -> Union[_core.Routines, str, None]:
+    """What the solver gets of the argument ``user``."""
+    return user._core if isinstance(user, Routines) else None if user is None else os.fspath(user)
+
+
+def _tabulated(law: Callable[..., Any], slip_scale: float, largest: float, tolerance: float) -> Tuple[np.ndarray, np.ndarray, float]:
+    """Slips and values of a monotone table of a law, and its error: looked for at seven places of each interval."""
+
+    def values(slip: np.ndarray) -> np.ndarray:
+        out = np.broadcast_to(np.asarray(law(slip), dtype=float), slip.shape)
+        wrong = ~np.isfinite(out) | (out < 0.0)
+        if wrong.any():
+            raise InputError(f"the law gives {out[wrong][0]:g} at a slip of {slip[wrong][0]:g} m/s; give a finite coefficient >= 0")
+        return out
+
+    smallest = 1e-4 * (slip_scale or 1.0)
+    slip = np.concatenate(([0.0], np.geomspace(smallest, largest, 65)))
+    fractions = np.linspace(0.0, 1.0, 9)[1:-1]
+    error = np.inf
+    for _ in range(12):
+        kappa = values(slip)
+        probes = slip[:-1, None] + np.diff(slip)[:, None] * fractions
+        exact = values(probes.ravel()).reshape(probes.shape)
+        scale = max(float(np.abs(kappa).max()), float(exact.max()), 1e-300)
+        table = _core.interpolate(slip, kappa, probes.ravel()).reshape(probes.shape)
+        errors = np.abs(table - exact).max(axis=1) / scale
+        error = float(errors.max())
+        bad = np.flatnonzero(errors > tolerance)
+        if not len(bad) or len(slip) + len(bad) > 20000:
+            break
+        slip = np.sort(np.concatenate((slip, 0.5 * (slip[bad] + slip[bad + 1]))))
+    return slip, kappa, error

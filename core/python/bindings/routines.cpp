@@ -1,0 +1,319 @@
+#include "routines.hpp"
+
+#include "user/table.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstring>
+#include <map>
+#include <stdexcept>
+#include <string>
+
+namespace adore::python {
+namespace {
+
+constexpr std::array<const char*, 5> kKinds{"element_race", "element_cage", "cage_race",
+                                            "roller_flange", "element_element"};
+
+/// Arrays are copies: the solver's own memory is gone when the call ends, and a routine may keep
+/// what it gets.
+py::array_t<double> copied(const double* values, std::vector<py::ssize_t> shape) {
+  py::array_t<double> out(std::move(shape));
+  std::copy_n(values, out.size(), out.mutable_data());
+  return out;
+}
+
+/// What a routine returned for an output, in the shape of that output or one that NumPy spreads
+/// over it.
+void take(const py::handle& value, double* to, std::size_t count, const char* name) {
+  const auto values = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(value);
+  if (!values) {
+    PyErr_Clear();
+    throw std::runtime_error(std::string(name) + " is no array of numbers");
+  }
+  if (values.size() == 1)
+    std::fill_n(to, count, *values.data());
+  else if (static_cast<std::size_t>(values.size()) == count)
+    std::copy_n(values.data(), count, to);
+  else
+    throw std::runtime_error(std::string(name) + " has " + std::to_string(values.size()) +
+                             " values; give " + std::to_string(count) + ", or one for all");
+}
+
+void take(const py::dict& answer, const char* name, double* to, std::size_t count) {
+  if (answer.contains(name)) take(answer[name], to, count, name);
+}
+
+void take(const py::dict& answer, const char* name, std::int32_t& to) {
+  if (answer.contains(name)) to = answer[name].cast<bool>() ? 1 : 0;
+}
+
+/// Calls a function of the user. @throws std::runtime_error with what Python raised
+py::object ask(const py::object& function, const py::dict& values) {
+  try {
+    return function(values);
+  } catch (const py::error_already_set& error) {
+    throw std::runtime_error(error.what());
+  }
+}
+
+py::dict answer_of(const py::object& function, const py::dict& values) {
+  const py::object answer = ask(function, values);
+  return answer.is_none() ? py::dict() : answer.cast<py::dict>();
+}
+
+void material(const py::object& function, adore_adrx0& a) {
+  constexpr std::array kParts{"element", "outer_race", "inner_race", "housing", "shaft", "cage"};
+  constexpr std::array kNames{
+      "density",          "elastic_modulus",     "poisson_ratio",        "thermal_expansion",
+      "conductivity",     "specific_heat",       "elastic_strain_limit", "hardness",
+      "wear_coefficient", "fatigue_limit_stress"};
+  double* const values[] = {
+      &a.density,          &a.elastic_modulus,     &a.poisson_ratio,        &a.thermal_expansion,
+      &a.conductivity,     &a.specific_heat,       &a.elastic_strain_limit, &a.hardness,
+      &a.wear_coefficient, &a.fatigue_limit_stress};
+  py::dict given;
+  given["part"] = kParts[static_cast<std::size_t>(a.part)];
+  for (std::size_t k = 0; k < kNames.size(); ++k) given[kNames[k]] = *values[k];
+  const py::dict answer = answer_of(function, given);
+  for (std::size_t k = 0; k < kNames.size(); ++k) take(answer, kNames[k], values[k], 1);
+}
+
+void motion(const py::object& function, adore_adrx1& a) {
+  py::dict given;
+  given["start"] = a.call.mode == ADORE_START;
+  given["time"] = a.call.time;
+  if (a.call.mode == ADORE_START) {
+    const py::dict answer = answer_of(function, given);
+    if (answer.contains("drives")) {
+      const auto drives = answer["drives"].cast<std::array<bool, 2>>();
+      for (std::size_t j = 0; j < 2; ++j) a.drives[j] = drives[j] ? 1 : 0;
+    }
+    take(answer, "moves_frame", a.moves_frame);
+    take(answer, "suppress_element_axial", a.suppress_element_axial);
+    take(answer, "suppress_element_tilt", a.suppress_element_tilt);
+    take(answer, "suppress_element_all", a.suppress_element_all);
+    take(answer, "suppress_cage_axial", a.suppress_cage_axial);
+    take(answer, "suppress_cage_tilt", a.suppress_cage_tilt);
+    take(answer, "start_velocity", a.start_velocity, 6);
+    take(answer, "start_spin", a.start_spin, 2);
+    take(answer, "longest_step", &a.longest_step, 1);
+    if (answer.contains("kinks")) {
+      const auto kinks = answer["kinks"].cast<std::vector<double>>();
+      if (kinks.size() > std::size(a.kinks))
+        throw std::runtime_error("kinks has more than 8 times");
+      std::copy(kinks.begin(), kinks.end(), a.kinks);
+      a.kink_count = static_cast<std::int32_t>(kinks.size());
+    }
+    return;
+  }
+  given["position"] = copied(a.position, {2, 3});
+  given["velocity"] = copied(a.velocity, {2, 3});
+  given["omega"] = copied(a.omega, {2, 3});
+  given["angle"] = copied(a.angle, {2});
+  const py::dict answer = answer_of(function, given);
+  take(answer, "force", a.force, 6);
+  take(answer, "moment", a.moment, 6);
+  take(answer, "acceleration", a.acceleration, 6);
+  take(answer, "angular_acceleration", a.angular_acceleration, 6);
+  take(answer, "frame_acceleration", a.frame_acceleration, 3);
+}
+
+void force(const py::object& function, adore_force& a) {
+  const auto n = static_cast<py::ssize_t>(a.n);
+  py::dict given;
+  given["time"] = a.call.time;
+  given["element"] = py::array_t<std::int32_t>({n}, a.element);
+  given["surface"] = py::array_t<std::int32_t>({n}, a.surface);
+  given["gap"] = copied(a.gap, {n});
+  given["gap_rate"] = copied(a.gap_rate, {n});
+  given["built_in"] = copied(a.built_in, {n});
+  take(ask(function, given), a.force, static_cast<std::size_t>(a.n), "force");
+}
+
+void traction(const py::object& function, adore_adrx7& a) {
+  const auto n = static_cast<py::ssize_t>(a.n), points = static_cast<py::ssize_t>(a.points);
+  const auto rows = [&](const double* values) {
+    py::array_t<double> out({points, n});
+    for (py::ssize_t k = 0; k < points; ++k)
+      std::copy_n(values + k * a.stride, n, out.mutable_data(k, 0));
+    return out;
+  };
+  py::dict given;
+  given["time"] = a.call.time;
+  given["kind"] = kKinds[static_cast<std::size_t>(a.kind)];
+  given["race"] = a.race;
+  given["slip"] = rows(a.slip);
+  given["pressure"] = a.pressure == nullptr ? py::object(py::none()) : py::object(rows(a.pressure));
+  const std::pair<const char*, const double*> of_contact[] = {{"load", a.load},
+                                                              {"peak_pressure", a.peak_pressure},
+                                                              {"half_major", a.half_major},
+                                                              {"half_minor", a.half_minor},
+                                                              {"entrainment", a.entrainment},
+                                                              {"curvature", a.curvature},
+                                                              {"middle_slip", a.middle_slip}};
+  for (const auto& [name, values] : of_contact) given[name] = copied(values, {n});
+  std::vector<double> kappa(static_cast<std::size_t>(n * points));
+  take(ask(function, given), kappa.data(), kappa.size(), "kappa");
+  for (py::ssize_t k = 0; k < points; ++k)
+    std::copy_n(kappa.data() + k * n, n, a.kappa + k * a.stride);
+}
+
+void results(const py::object& function, adore_adrx9& a) {
+  const auto n = static_cast<py::ssize_t>(a.n), sources = static_cast<py::ssize_t>(a.sources);
+  py::dict given;
+  given["start"] = a.call.mode == ADORE_START;
+  if (a.call.mode == ADORE_STEP) {
+    given["time"] = a.call.time;
+    given["step"] = a.call.step;
+    given["step_size"] = a.step_size;
+    given["total_heat"] = a.total_heat;
+    given["x"] = copied(a.x, {n});
+    given["r"] = copied(a.r, {n});
+    given["theta"] = copied(a.theta, {n});
+    given["load"] = copied(a.load, {n, 2});
+    given["contact_angle"] = copied(a.contact_angle, {n, 2});
+    given["source_kind"] = py::array_t<std::int32_t>({sources}, a.source_kind);
+    given["source_element"] = py::array_t<std::int32_t>({sources}, a.source_element);
+    given["source_race"] = py::array_t<std::int32_t>({sources}, a.source_race);
+    given["source_heat"] = copied(a.source_heat, {sources});
+    given["source_place"] = copied(a.source_place, {sources, 3});
+    given["source_size"] = copied(a.source_size, {sources, 2});
+    py::list names;
+    for (py::ssize_t k = 0; k < sources; ++k) names.append(py::str(a.source_name[k]));
+    given["source_name"] = names;
+  }
+  const py::object text = ask(function, given);
+  if (!text.is_none()) a.call.services->write(a.call.host, text.cast<std::string>().c_str());
+}
+
+}  // namespace
+
+Routines::Routines(std::string version) : state_(std::make_shared<State>()) {
+  state_->version = std::move(version);
+}
+
+void Routines::set(int hook, py::object function) { state_->functions[hook] = std::move(function); }
+
+void Routines::set_traction(const std::string& kind, py::object function, std::vector<double> slip,
+                            std::vector<double> kappa, double slip_scale, bool points) {
+  Traction law;
+  law.function = std::move(function);
+  if (!slip.empty())
+    law.table = std::make_shared<user::MonotoneTable>(std::move(slip), std::move(kappa));
+  law.slip_scale = slip_scale;
+  law.points = points;
+  const auto at = std::find(kKinds.begin(), kKinds.end(), kind);
+  if (at == kKinds.end())
+    throw InputError("there is no kind of contact \"" + kind +
+                     "\"; give element_race, element_cage, cage_race, roller_flange or "
+                     "element_element");
+  state_->traction[static_cast<std::size_t>(at - kKinds.begin())] = std::move(law);
+}
+
+std::pair<long, double> Routines::direct_cost() const {
+  return {state_->direct_calls, state_->direct_seconds};
+}
+
+std::shared_ptr<const user::PlugIn> Routines::plug_in() const {
+  auto out = std::make_shared<user::PlugIn>();
+  out->source = "functions of this Python program";
+  out->version = state_->version;
+  const std::shared_ptr<State> state = state_;
+  /// Everything of Python happens with its lock, and is timed.
+  const auto in_python = [](State& s, const auto& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    const py::gil_scoped_acquire lock;
+    work();
+    ++s.direct_calls;
+    s.direct_seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  const auto one = [&](int hook, auto work, std::initializer_list<int> modes) {
+    const auto found = state->functions.find(hook);
+    if (found == state->functions.end()) return;
+    out->hooks[static_cast<std::size_t>(hook)] = [state, in_python, work, function = &found->second,
+                                                  list =
+                                                      std::vector<int>(modes)](adore_call& call) {
+      if (call.mode == ADORE_READ) call.active = 1;
+      if (std::find(list.begin(), list.end(), call.mode) == list.end()) return 0;
+      in_python(*state, [&] { work(*function, call); });
+      return 0;
+    };
+  };
+  one(0, [](const py::object& f, adore_call& c) { material(f, reinterpret_cast<adore_adrx0&>(c)); },
+      {ADORE_COMPUTE});
+  one(1, [](const py::object& f, adore_call& c) { motion(f, reinterpret_cast<adore_adrx1&>(c)); },
+      {ADORE_START, ADORE_COMPUTE});
+  for (const int hook : {2, 3, 4})
+    one(hook,
+        [](const py::object& f, adore_call& c) { force(f, reinterpret_cast<adore_force&>(c)); },
+        {ADORE_COMPUTE});
+  one(9, [](const py::object& f, adore_call& c) { results(f, reinterpret_cast<adore_adrx9&>(c)); },
+      {ADORE_START, ADORE_STEP});
+  bool any = false, direct = false;
+  for (const Traction& law : state->traction) {
+    any = any || law.table || law.function;
+    direct = direct || (law.function && !law.table);
+  }
+  out->pure = !direct && state->functions.empty();
+  if (!any) return out;
+  out->hooks[7] = [state, in_python](adore_call& call) {
+    if (call.mode == ADORE_READ) call.active = 1;
+    if (call.mode != ADORE_START && call.mode != ADORE_COMPUTE) return 0;
+    auto& a = reinterpret_cast<adore_adrx7&>(call);
+    const Traction& law = state->traction[static_cast<std::size_t>(a.kind)];
+    if (!law.table && !law.function)
+      throw std::runtime_error(std::string("the deck asks for a law of ") +
+                               kKinds[static_cast<std::size_t>(a.kind)] +
+                               ", and the program gave none");
+    if (call.mode == ADORE_START) {
+      a.slip_scale = law.slip_scale;
+      a.wants_points = law.points ? 1 : 0;
+      return 0;
+    }
+    if (law.table) {
+      for (std::int64_t k = 0; k < a.points; ++k)
+        for (std::int64_t i = k * a.stride; i < k * a.stride + a.n; ++i)
+          a.kappa[i] = (*law.table)(a.slip[i]);
+      return 0;
+    }
+    in_python(*state, [&] { traction(law.function, a); });
+    return 0;
+  };
+  return out;
+}
+
+Routines::State::~State() {
+  const py::gil_scoped_acquire lock;
+  functions.clear();
+  for (Traction& law : traction) law.function = py::object();
+}
+
+void bind_routines(py::module_& module) {
+  py::class_<Routines>(module, "Routines",
+                       "Functions of the program as user routines ADRX0 to ADRX9.")
+      .def(py::init<std::string>(), py::arg("version"))
+      .def("set", &Routines::set, py::arg("hook"), py::arg("function"),
+           "A function that gets a dictionary of what the routine knows.")
+      .def("set_traction", &Routines::set_traction, py::arg("kind"), py::arg("function"),
+           py::arg("slip"), py::arg("kappa"), py::arg("slip_scale"), py::arg("points"),
+           "A law of traction: a table, or a function when the table is empty.")
+      .def_property_readonly("direct_cost", &Routines::direct_cost,
+                             "Calls of Python functions so far, and the seconds that they took.");
+  module.def(
+      "interpolate",
+      [](std::vector<double> x, std::vector<double> y, const std::vector<double>& at) {
+        const user::MonotoneTable table(std::move(x), std::move(y));
+        std::vector<double> out;
+        out.reserve(at.size());
+        for (const double value : at) out.push_back(table(value));
+        const auto count = static_cast<py::ssize_t>(out.size());
+        return to_array(std::move(out), {count});
+      },
+      py::arg("x"), py::arg("y"), py::arg("at"),
+      "Values of a monotone table as the solver reads it.");
+}
+
+}  // namespace adore::python
