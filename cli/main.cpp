@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
     cli::add_calc(*app, exit_code);
     cli::add_accuracy(*app, exit_code);
     cli::add_user(*app, exit_code);
+    cli::add_study(*app, exit_code);
     cli::add_file_commands(*app, exit_code);
     cli::add_picture_commands(*app, cli::handed_over(argv));
     return command_line::parse(*app, argc, argv).value_or(exit_code);

@@ -19,6 +19,7 @@ inline constexpr std::array kOptionRanges{
     OptionRange{"--threads", 0, 1024, "0: all cores"},
     OptionRange{"--lubricant", 1, 20, "kTrac of record 10.0"},
     OptionRange{"--temperature", 150, 800, "kelvin"},
+    OptionRange{"--workers", 0, 1024, "0: as many as cores and memory allow"},
     OptionRange{"--page", 1, 10'000, ""},
     OptionRange{"--from", 1, 1e15, "steps are counted from 1"},
     OptionRange{"--to", 1, 1e15, "steps are counted from 1"},

@@ -1,6 +1,7 @@
 #include "base/errors.hpp"
 #include "base/interrupted.hpp"
 #include "cli/pictures/drawing.hpp"
+#include "cli/pictures/study_charts.hpp"
 #include "cli/streams.hpp"
 #include "cli/whole_program.hpp"
 #include "command_line/program.hpp"
@@ -20,6 +21,10 @@ int main(int argc, char** argv) {
     chart->add_option("table", *table, "ACCURACY.json")->required();
     chart->add_option("picture", *picture, "PNG file to write")->required();
     chart->callback([=] { adore::cli::draw_accuracy(*table, *picture); });
+    CLI::App* study = app->add_subcommand("study-charts", "curves, maps and bars of a study");
+    study->add_option("charts", *table, "CHARTS.json")->required();
+    study->add_option("folder", *picture, "folder of the PNG files")->required();
+    study->callback([=] { adore::cli::draw_study(*table, *picture); });
     return adore::command_line::parse(*app, argc, argv).value_or(0);
   });
 }

@@ -1,42 +1,12 @@
 #include "facade/measured_run.hpp"
 
-#include "base/errors.hpp"
 #include "base/interrupted.hpp"
+#include "facade/passing_folder.hpp"
 #include "scene/cost_ledger.hpp"
 
-#include <cerrno>
-#include <cstdlib>
-#include <cstring>
 #include <limits>
 
 namespace adore::facade {
-namespace fs = std::filesystem;
-namespace {
-
-/// A new folder for files that nobody wants to keep, gone with this object.
-class PassingFolder {
- public:
-  PassingFolder() {
-    std::string pattern = (fs::temp_directory_path() / "adore-XXXXXX").string();
-    if (mkdtemp(pattern.data()) == nullptr)
-      throw InputError("no folder for passing files can be made in " +
-                       fs::temp_directory_path().string() + ": " + std::strerror(errno) +
-                       "; name another place in the environment variable TMPDIR");
-    path_ = pattern;
-  }
-  ~PassingFolder() {
-    std::error_code error;
-    fs::remove_all(path_, error);
-  }
-  PassingFolder(const PassingFolder&) = delete;
-  PassingFolder& operator=(const PassingFolder&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-}  // namespace
 
 MeasuredRun measured_run(RunRequest request, double most_seconds, std::stop_token stop) {
   const PassingFolder folder;

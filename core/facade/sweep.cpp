@@ -1,11 +1,9 @@
 #include "facade/sweep.hpp"
 
 #include "base/atomic_file.hpp"
-#include "base/interrupted.hpp"
 #include "base/json_text.hpp"
-#include "deck/reader.hpp"
-#include "deck/schema.hpp"
 #include "facade/output_folder.hpp"
+#include "facade/run_ending.hpp"
 #include "results/run_json.hpp"
 
 #include <fmt/format.h>
@@ -56,24 +54,9 @@ Range parse_range(const std::string& name, const std::string& value) {
 }
 
 /// One run of the sweep and how it ended.
-struct Row {
+struct Row : RunEnding {
   std::string value;
-  RunOutcome outcome;
-  std::string failure;  ///< input or solver error: the run has no outcome
-  int exit_code = 0;
 };
-
-/// Unit of the deck variable in the deck's system; empty for a pure number, or where the runs will
-/// say what is wrong with deck or name.
-std::string unit_of(const RunRequest& request, const std::string& variable) {
-  const auto found = deck::find_variable(variable.substr(0, variable.find('[')));
-  if (found.empty()) return {};
-  const deck::ReadResult read = read_deck(request);
-  if (!read.ok()) return {};
-  const deck::UnitPair& unit = found.front().spec().unit;
-  const std::string_view name = read.deck.units() == deck::UnitSystem::SI ? unit.si : unit.en;
-  return name == "-" ? std::string() : std::string(name);
-}
 
 /// The variable with its unit, then key results by id, in SI whatever the deck's units.
 std::string sweep_csv(const std::string& variable, const std::string& unit,
@@ -93,33 +76,13 @@ std::string sweep_csv(const std::string& variable, const std::string& unit,
                                       [&](const auto& item) { return item.of.id == column; });
       out += found == row.outcome.summary.end() ? "," : fmt::format(",{}", found->value);
     }
-    std::string message = row.failure.empty() ? row.outcome.message : row.failure;
-    std::replace(message.begin(), message.end(), '"', '\'');
-    std::replace(message.begin(), message.end(), '\n', ' ');
-    out += fmt::format(",\"{}\"\n", message);
+    out += fmt::format(",{}\n", message_field(row.message()));
   }
   return out;
 }
 
-Row run_one(const RunRequest& request, std::string value, std::stop_token stop) {
-  Row row;
-  row.value = std::move(value);
-  try {
-    row.outcome = run(request, {}, stop);
-    row.exit_code = row.outcome.status == RunStatus::Done          ? 0
-                    : row.outcome.status == RunStatus::Interrupted ? 130
-                                                                   : 3;
-  } catch (const InputError& error) {
-    row.failure = error.what();
-    row.exit_code = 2;
-  } catch (const SolverError& error) {
-    row.failure = error.what();
-    row.exit_code = 3;
-  } catch (const Interrupted& error) {
-    row.failure = error.what();
-    row.exit_code = 130;
-  }
-  return row;
+Row run_one(const RunRequest& request, std::string value, const std::stop_token& stop) {
+  return {end_of_run(request, stop), std::move(value)};
 }
 
 /// The row of a run that an earlier, broken-off sweep completed: the same deck, options and end.
@@ -217,13 +180,9 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   out.table = folder / "SWEEP.csv";
   const auto one_request = [&](std::size_t k) {
     RunRequest one = request;
-    // Integer variables take whole values: to_string of a whole double is written without a
-    // point.
     const double value =
         range.first + (range.last - range.first) * static_cast<double>(k) / (range.count - 1);
-    one.sets[swept].second = value == std::round(value) && std::abs(value) < 1e15
-                                 ? fmt::format("{:.0f}", value)
-                                 : fmt::format("{}", value);
+    one.sets[swept].second = value_text(value);
     one.out = folder / fmt::format("{}-{}", variable, k + 1);
     return one;
   };
@@ -244,7 +203,7 @@ SweepOutcome run_sweep(const RunRequest& request, int threads, const ProgressSin
   const auto begin = Clock::now();
   std::mutex mutex;
   std::exception_ptr bug;
-  const std::string unit = unit_of(request, variable);
+  const std::string unit = variable_unit(request, variable);
   const auto write_table = [&] {
     std::vector<Row> finished = rows;
     std::erase_if(finished, [](const Row& row) { return row.value.empty(); });

@@ -1,0 +1,284 @@
+#include "base/atomic_file.hpp"
+#include "base/duration.hpp"
+#include "cli/commands.hpp"
+#include "cli/option_ranges.hpp"
+#include "cli/picture_program.hpp"
+#include "cli/signals.hpp"
+#include "cli/streams.hpp"
+#include "cli/text_io.hpp"
+#include "command_line/tree.hpp"
+#include "studies/campaign.hpp"
+#include "studies/report.hpp"
+#include "studies/study_table.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <memory>
+#include <unistd.h>
+
+namespace adore::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct StudyOptions {
+  std::string file, engine = "local", progress = "auto", out, kind;
+  int workers = 0;
+  bool retry_failed = false, over_budget = false, json = false, quiet = false;
+};
+
+studies::CampaignRequest request_of(const StudyOptions& options) {
+  check_range("--workers", options.workers);
+  studies::CampaignRequest request;
+  request.study = studies::open_study(options.file);
+  request.engine = options.engine;
+  request.program = fs::read_symlink("/proc/self/exe");
+  request.workers = options.workers;
+  request.retry_failed = options.retry_failed;
+  request.over_budget = options.over_budget;
+  return request;
+}
+
+/// One line that is written over at a terminal, plain lines at every tenth elsewhere.
+class ProgressLine {
+ public:
+  explicit ProgressLine(const std::string& style)
+      : style_(style), terminal_(isatty(STDERR_FILENO) != 0 && style == "auto") {}
+  ~ProgressLine() {
+    if (terminal_ && shown_) tell("\n", false);
+  }
+  void operator()(const studies::StudyProgress& p) {
+    if (style_ == "none") return;
+    if (style_ == "json") {
+      const nlohmann::ordered_json line{{"done", p.done},       {"total", p.total},
+                                        {"failed", p.failed},   {"workers", p.workers},
+                                        {"elapsed", p.elapsed}, {"remaining", p.remaining},
+                                        {"note", p.note}};
+      tell(line.dump() + "\n", false);
+      return;
+    }
+    const long tenth = p.total > 0 ? 10 * p.done / p.total : 0;
+    if (!terminal_ && tenth == tenth_ && shown_) return;
+    tenth_ = tenth;
+    shown_ = true;
+    const std::string text =
+        fmt::format("run {} of {}, {} failed, {} at work, {} left{}{}", p.done, p.total, p.failed,
+                    p.workers, p.remaining >= 0.0 ? duration_text(p.remaining) : "unknown time",
+                    p.note.empty() ? "" : "; ", p.note);
+    tell(terminal_ ? fmt::format("\r\x1b[K{}", text.substr(0, 110)) : text + "\n", false);
+  }
+
+ private:
+  std::string style_;
+  bool terminal_ = false, shown_ = false;
+  long tenth_ = -1;
+};
+
+int new_study(const StudyOptions& options) {
+  const std::string text = studies::example_study(options.kind);
+  const std::string name = write_text(options.out, options.kind + ".json", text);
+  if (!name.empty()) fmt::print("wrote {}\n", name);
+  return 0;
+}
+
+int plan(const StudyOptions& options) {
+  const studies::CampaignRequest request = request_of(options);
+  InterruptWatch watch;
+  const studies::Plan plan = studies::make_plan(request, watch.token());
+  if (options.json)
+    write_text("", "",
+               nlohmann::ordered_json{{"runs", plan.runs},
+                                      {"known", plan.known},
+                                      {"seconds_each", plan.pilot.wall},
+                                      {"processor_seconds_each", plan.pilot.processor},
+                                      {"memory_megabytes_each", plan.pilot.memory_megabytes},
+                                      {"workers", plan.workers},
+                                      {"hours", plan.hours},
+                                      {"disk_megabytes", plan.disk_megabytes},
+                                      {"free_disk_megabytes", plan.free_disk_megabytes},
+                                      {"over_budget", plan.over_budget}}
+                       .dump(2) +
+                   "\n");
+  else
+    write_text("", "", studies::plan_text(request, plan));
+  return 0;
+}
+
+/// Tables, report and pictures of what is there.
+void write_results(const studies::Study& study, bool quiet) {
+  const studies::Results results = studies::read_results(study);
+  const studies::StudyTable table = studies::write_tables(study, results);
+  const studies::Report report = studies::make_report(study, results, table);
+  const fs::path folder = study.folder();
+  write_file_atomically(folder / "REPORT.txt", report.text);
+  write_file_atomically(folder / "CHARTS.json", report.charts);
+  if (!quiet) write_text("", "", report.text);
+  if (has_pictures())
+    (void)run_picture_program({"study-charts", (folder / "CHARTS.json").string(), folder.string()});
+  if (!quiet)
+    for (const char* name : {"RUNS.csv", "STUDY.h5", "TIMES.csv", "REPORT.txt"})
+      fmt::print("{}\n", (folder / name).string());
+}
+
+std::string command_of(const char* word, const StudyOptions& options) {
+  return fmt::format("adore study {} {}{}", word, options.file,
+                     options.engine == "local" ? "" : " --engine " + options.engine);
+}
+
+int run(const StudyOptions& options, bool resume) {
+  const studies::CampaignRequest request = request_of(options);
+  if (resume) (void)studies::study_status(request.study);  // says when it was never started
+  InterruptWatch watch;
+  studies::CampaignOutcome outcome;
+  try {
+    ProgressLine line(options.quiet ? "none" : options.progress);
+    outcome = studies::run_campaign(
+        request, [&](const studies::StudyProgress& p) { line(p); }, watch.token());
+  } catch (const InputError& error) {
+    if (const std::string text = error.what(); text.find("disk space") != std::string::npos)
+      throw InputError(
+          fmt::format("{}\nFinished runs are recorded; when there is room, go on with\n  {}", text,
+                      command_of("resume", options)));
+    throw;
+  }
+  write_results(request.study, options.quiet);
+  if (!options.quiet)
+    fmt::print("{} runs: {} done, {} of them failed; {} computed now in {}, {} known before{}{}\n",
+               outcome.runs, outcome.done, outcome.failed, outcome.computed,
+               duration_text(outcome.seconds), outcome.known, outcome.note.empty() ? "" : "; ",
+               outcome.note);
+  if (!outcome.complete) {
+    tell(fmt::format("\ninterrupted; finished runs are recorded. Go on with\n  {}\n",
+                     command_of("resume", options)));
+    return 130;
+  }
+  return outcome.failed > 0 ? 3 : 0;
+}
+
+int status(const StudyOptions& options) {
+  const studies::Study study = studies::open_study(options.file);
+  const studies::Status status = studies::study_status(study);
+  if (options.json) {
+    write_text("", "",
+               nlohmann::ordered_json{{"runs", status.runs},
+                                      {"done", status.done},
+                                      {"failed", status.failed},
+                                      {"at_work", status.at_work},
+                                      {"diagnoses", status.diagnoses}}
+                       .dump(2) +
+                   "\n");
+    return 0;
+  }
+  fmt::print("{} of {} runs done, {} of them failed; {}\n", status.done, status.runs, status.failed,
+             status.at_work               ? "at work"
+             : status.done == status.runs ? "complete"
+                                          : "stopped: go on with " + command_of("resume", options));
+  for (const std::string& text : status.diagnoses) fmt::print("  {}\n", text);
+  return 0;
+}
+
+void add_file(CLI::App& command, StudyOptions& options) {
+  command.add_option("file", options.file, "study file")->required()->type_name("FILE");
+}
+
+void add_engine(CLI::App& command, StudyOptions& options) {
+  command_line::one_of(
+      command.add_option("--engine", options.engine, "who computes: processes here, or a cluster")
+          ->capture_default_str()
+          ->type_name("ENGINE"),
+      {"local", "slurm"});
+  command.add_option("--workers", options.workers,
+                     "runs at a time (as many as cores and memory allow unless given)");
+}
+
+void add_run_like(CLI::App& study, const char* name, const char* text, bool resume,
+                  const std::shared_ptr<StudyOptions>& options, int& exit_code) {
+  CLI::App* command = study.add_subcommand(name, text);
+  add_file(*command, *options);
+  add_engine(*command, *options);
+  command->add_flag("--retry-failed", options->retry_failed, "run those again that failed");
+  command->add_flag("--over-budget", options->over_budget,
+                    "start although the plan exceeds the study's budget");
+  command_line::one_of(
+      command->add_option("--progress", options->progress, "how progress is shown on stderr")
+          ->capture_default_str()
+          ->type_name("STYLE"),
+      {"auto", "plain", "json", "none"});
+  command->add_flag("--quiet", options->quiet, "no progress and no report");
+  command->callback([=, &exit_code] { exit_code = run(*options, resume); });
+}
+
+/// What engines start; nobody types it.
+void add_work(CLI::App& study, int& exit_code) {
+  CLI::App* command = study.add_subcommand("work", "the worker's side of an engine");
+  command->group("");
+  auto folder = std::make_shared<std::string>(), tasks = std::make_shared<std::string>();
+  auto first = std::make_shared<long>(0), count = std::make_shared<long>(0);
+  command->add_option("folder", *folder, "folder of the study")->required();
+  command->add_option("--tasks", *tasks, "file of tasks");
+  command->add_option("--first", *first, "first line, from 0");
+  command->add_option("--count", *count, "lines");
+  command->callback([=, &exit_code] {
+    InterruptWatch watch;
+    exit_code = tasks->empty()
+                    ? studies::work_from_stream(*folder, watch.token())
+                    : studies::work_through_file(*folder, *tasks, *first, *count, watch.token());
+  });
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, int& exit_code) {
+  CLI::App* study = app.add_subcommand(
+      "study", "many runs: sweeps, tolerances, cage maps, sensitivities, worst cases, what-if");
+  study->require_subcommand(1);
+  auto options = std::make_shared<StudyOptions>();
+
+  CLI::App* make = study->add_subcommand("new", "write a complete, explained study file");
+  command_line::one_of(make->add_option("kind", options->kind, "what is studied")->required(),
+                       {"sweep", "tolerance", "cage-map", "sensitivity", "worst-case", "what-if"});
+  make->add_option("--out", options->out, "file to write, - for standard output")
+      ->type_name("FILE");
+  make->callback([=, &exit_code] { exit_code = new_study(*options); });
+
+  CLI::App* look = study->add_subcommand(
+      "plan", "how many runs, how long, how much disk: from a few pilot runs, which are kept");
+  add_file(*look, *options);
+  add_engine(*look, *options);
+  look->add_flag("--json", options->json, "as JSON");
+  look->callback([=, &exit_code] { exit_code = plan(*options); });
+
+  add_run_like(*study, "run", "make all runs that have no result yet; then tables and report",
+               false, options, exit_code);
+  add_run_like(*study, "resume", "go on with a study that was broken off", true, options,
+               exit_code);
+
+  CLI::App* state = study->add_subcommand("status", "how far it is, and what failed");
+  add_file(*state, *options);
+  state->add_flag("--json", options->json, "as JSON");
+  state->callback([=, &exit_code] { exit_code = status(*options); });
+
+  CLI::App* report =
+      study->add_subcommand("report", "tables, report and pictures of the runs that are finished");
+  add_file(*report, *options);
+  report->callback([=, &exit_code] {
+    write_results(studies::open_study(options->file), false);
+    exit_code = 0;
+  });
+  add_work(*study, exit_code);
+
+  study->footer(
+      "Results are in the folder NAME.study beside NAME.json: RUNS.csv, STUDY.h5, REPORT.txt and "
+      "pictures.\n"
+      "\n"
+      "Examples\n"
+      "  adore new ball --out DATA.txt\n"
+      "  adore study new sweep --out sweep.json\n"
+      "  adore study plan sweep.json\n"
+      "  adore study run sweep.json\n"
+      "  adore study resume sweep.json --engine slurm");
+}
+
+}  // namespace adore::cli

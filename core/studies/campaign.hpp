@@ -1,0 +1,71 @@
+#pragma once
+
+#include "studies/engine.hpp"
+
+/// A whole study: points, engines, records, rounds.
+namespace adore::studies {
+
+/// read_study(), its lots with an element for each of the first deck. @throws InputError
+[[nodiscard]] Study open_study(const std::filesystem::path& file);
+
+struct CampaignRequest {
+  Study study;                    ///< of open_study()
+  std::string engine = "local";   ///< or "slurm"
+  std::filesystem::path program;  ///< see EngineWork
+  int workers = 0;
+  bool retry_failed = false;  ///< runs whose record says that they failed are made again
+  bool over_budget = false;   ///< the user has seen the plan and wants it all the same
+};
+
+struct CampaignOutcome {
+  long runs = 0, done = 0, failed = 0;  ///< of the table; done includes failed
+  long computed = 0, known = 0;         ///< now; of earlier starts or of equal runs
+  double seconds = 0.0;
+  bool complete = false;
+  std::string note;  ///< worst case: how the search ended
+};
+
+/// The first run of each deck, and its cost. It is a record like any other, so it is not lost.
+struct Pilot {
+  double wall = 0.0, processor = 0.0;  ///< [s]
+  double memory_megabytes = 0.0;
+  double disk_megabytes = 0.0;     ///< that stay: the record, and the files if they are kept
+  double passing_megabytes = 0.0;  ///< of one run while it is under way
+  std::string trouble;             ///< why it failed; empty: it did not
+};
+
+struct Plan {
+  long runs = 0, known = 0;  ///< all; that have their record already
+  Pilot pilot;
+  int workers = 1;
+  double hours = 0.0, disk_megabytes = 0.0, free_disk_megabytes = 0.0;
+  std::string over_budget;  ///< what exceeds the study's budget, or the disk; empty: nothing
+};
+
+/// Measures the pilot (in the middle of the points: neither the easiest nor the hardest corner) in
+/// this process and says what the study takes. @throws InputError, Interrupted
+[[nodiscard]] Plan make_plan(const CampaignRequest& request, const std::stop_token& stop);
+[[nodiscard]] std::string plan_text(const CampaignRequest& request, const Plan& plan);
+
+/// Runs what has no record yet. Interrupted studies come back `complete` false.
+/// @throws InputError (over budget, wrong pilot, engine), WriteError (disk full)
+CampaignOutcome run_campaign(const CampaignRequest& request, const StudySink& progress,
+                             const std::stop_token& stop);
+
+/// What the folder holds. @throws InputError when the study was never started.
+struct Status {
+  long runs = 0, done = 0, failed = 0;
+  bool at_work = false;                ///< a driver is running
+  std::vector<std::string> diagnoses;  ///< of failed runs, with number; those alike once
+};
+[[nodiscard]] Status study_status(const Study& study);
+
+/// All tasks and their records, in the order of the table.
+struct Results {
+  std::vector<Task> tasks;
+  std::vector<std::optional<Record>> records;
+};
+/// @throws InputError when the study was never started.
+[[nodiscard]] Results read_results(const Study& study);
+
+}  // namespace adore::studies

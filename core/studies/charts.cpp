@@ -1,0 +1,94 @@
+#include "studies/charts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace adore::studies {
+namespace {
+
+Chart numbers(const std::vector<double>& values) {
+  Chart out = Chart::array();
+  for (const double value : values) out.push_back(std::isfinite(value) ? Chart(value) : Chart());
+  return out;
+}
+
+Chart grid(const std::vector<std::vector<double>>& values) {
+  Chart out = Chart::array();
+  for (const auto& row : values) out.push_back(numbers(row));
+  return out;
+}
+
+std::string heading(const TableColumn& column) {
+  return column.unit.empty() || column.unit == "-"
+             ? column.name
+             : fmt::format("{} [{}]", column.name, column.unit);
+}
+
+std::string unit(const TableColumn& column) { return column.unit == "-" ? "" : column.unit; }
+
+}  // namespace
+
+Chart curves_chart(const std::string& name, const TableColumn& x, const TableColumn& y,
+                   const std::vector<ChartLine>& lines) {
+  Chart out{{"kind", "curves"},
+            {"name", name},
+            {"title", y.name + " over " + x.name},
+            {"x_title", x.name},
+            {"y_title", y.name},
+            {"x_unit", unit(x)},
+            {"y_unit", unit(y)},
+            {"curves", Chart::array()}};
+  for (const ChartLine& line : lines)
+    out["curves"].push_back({{"name", line.name},
+                             {"x", numbers(line.x)},
+                             {"y", numbers(line.y)},
+                             {"low", numbers(line.low)},
+                             {"high", numbers(line.high)}});
+  return out;
+}
+
+Chart heat_map(const std::string& name, const TableColumn& x, const TableColumn& y,
+               const TableColumn& of, const std::vector<double>& xs, const std::vector<double>& ys,
+               const std::vector<std::vector<double>>& values,
+               const std::vector<std::vector<std::string>>& marks) {
+  return {{"kind", "heat-map"},
+          {"name", name},
+          {"title", fmt::format("{} over {} and {}", of.name, x.name, y.name)},
+          {"x_title", heading(x)},
+          {"y_title", heading(y)},
+          {"legend", of.name},
+          {"unit", unit(of)},
+          {"x", numbers(xs)},
+          {"y", numbers(ys)},
+          {"values", grid(values)},
+          {"marks", marks}};
+}
+
+Chart parallel_chart(const std::string& name, const std::vector<const TableColumn*>& columns,
+                     long heavy) {
+  Chart out{{"kind", "parallel"}, {"name", name},           {"title", "all runs"},
+            {"heavy", heavy},     {"axes", Chart::array()}, {"columns", Chart::array()}};
+  for (const TableColumn* column : columns) {
+    out["axes"].push_back(heading(*column));
+    out["columns"].push_back(numbers(column->values));
+  }
+  return out;
+}
+
+Chart tornado(const std::string& name, const std::string& title, const std::string& x_title,
+              const std::vector<Bar>& bars) {
+  Chart out{{"kind", "tornado"},
+            {"name", name},
+            {"title", title},
+            {"x_title", x_title},
+            {"bars", Chart::array()}};
+  for (const Bar& bar : bars)
+    if (std::isfinite(bar.value))
+      out["bars"].push_back({{"name", bar.name},
+                             {"value", bar.value},
+                             {"doubt", std::isfinite(bar.doubt) ? bar.doubt : 0.0}});
+  return out;
+}
+
+}  // namespace adore::studies

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "studies/study_table.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+/// Charts as plain data, for the picture program. Values that are no finite numbers become null.
+namespace adore::studies {
+
+using Chart = nlohmann::ordered_json;
+
+struct ChartLine {
+  std::string name;
+  std::vector<double> x, y, low, high;
+};
+[[nodiscard]] Chart curves_chart(const std::string& name, const TableColumn& x,
+                                 const TableColumn& y, const std::vector<ChartLine>& lines);
+/// values[y][x], marks alike or empty.
+[[nodiscard]] Chart heat_map(const std::string& name, const TableColumn& x, const TableColumn& y,
+                             const TableColumn& of, const std::vector<double>& xs,
+                             const std::vector<double>& ys,
+                             const std::vector<std::vector<double>>& values,
+                             const std::vector<std::vector<std::string>>& marks);
+/// Columns that vary. @param heavy a row that stands out; negative: none
+[[nodiscard]] Chart parallel_chart(const std::string& name,
+                                   const std::vector<const TableColumn*>& columns, long heavy);
+struct Bar {
+  std::string name;
+  double value = 0.0, doubt = 0.0;
+};
+[[nodiscard]] Chart tornado(const std::string& name, const std::string& title,
+                            const std::string& x_title, const std::vector<Bar>& bars);
+
+}  // namespace adore::studies

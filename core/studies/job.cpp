@@ -1,0 +1,401 @@
+#include "studies/job.hpp"
+
+#include "base/atomic_file.hpp"
+#include "base/errors.hpp"
+#include "base/json_text.hpp"
+#include "base/version.hpp"
+#include "base/write_error.hpp"
+#include "facade/passing_folder.hpp"
+#include "facade/run_ending.hpp"
+#include "results/growing_file.hpp"
+#include "scene/cost_ledger.hpp"
+#include "studies/quantities.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace adore::studies {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLargestFile = std::size_t{4} << 30;
+
+/// Content hash of 128 bits: Fowler, Noll and Vo's FNV-1a twice, from different offsets, the second
+/// over mixed bytes. No defence against malice: a key that collides gives a wrong row, so that 1e5
+/// runs meet with probability 1e-29.
+class Hash {
+ public:
+  void add(std::string_view text) {
+    for (const char c : text) byte(static_cast<unsigned char>(c));
+    byte(0);  // "ab", "c" is not "a", "bc"
+  }
+  [[nodiscard]] std::string text() const { return fmt::format("{:016x}{:016x}", a_, b_); }
+
+ private:
+  void byte(unsigned char c) {
+    a_ = (a_ ^ c) * 0x100000001b3U;
+    b_ = (b_ ^ (c * 0x9E3779B97F4A7C15ULL >> 56)) * 0x100000001b3U;
+    b_ ^= b_ >> 29;
+  }
+  std::uint64_t a_ = 0xcbf29ce484222325U, b_ = 0x84222325cbf29ce4U;
+};
+
+Json to_json(const Settings& settings) {
+  Json out = Json::array();
+  for (const auto& [name, value] : settings) out.push_back({name, value});
+  return out;
+}
+
+Settings settings_of(const Json& json) {
+  Settings out;
+  for (const Json& row : json)
+    out.emplace_back(row.at(0).get<std::string>(), row.at(1).get<std::string>());
+  return out;
+}
+
+/// Infinite lives and missing values have no number in JSON.
+Json number(double value) {
+  if (std::isfinite(value)) return value;
+  return std::isnan(value) ? Json() : Json(value > 0.0 ? "inf" : "-inf");
+}
+
+double number_of(const Json& json) {
+  if (json.is_number()) return json.get<double>();
+  if (json.is_null()) return std::numeric_limits<double>::quiet_NaN();
+  return (json == "inf" ? 1.0 : -1.0) * std::numeric_limits<double>::infinity();
+}
+
+Json to_json(const Quantity& q) {
+  return {
+      {"name", q.name},       {"channel", q.channel}, {"statistic", static_cast<int>(q.statistic)},
+      {"percent", q.percent}, {"from", q.from},       {"to", q.to},
+      {"places", q.places},   {"unit", q.unit}};
+}
+
+Quantity quantity_of(const Json& json) {
+  Quantity q;
+  q.name = json.at("name").get<std::string>();
+  q.channel = json.at("channel").get<std::string>();
+  q.statistic = static_cast<Statistic>(json.at("statistic").get<int>());
+  q.percent = json.at("percent").get<double>();
+  q.from = json.at("from").get<double>();
+  q.to = json.at("to").get<double>();
+  q.places = json.at("places").get<std::vector<std::size_t>>();
+  q.unit = json.at("unit").get<std::string>();
+  return q;
+}
+
+Json to_json(const Job& job, const fs::path& folder) {
+  Json out;
+  out["adore_job"] = 1;
+  out["program"] = kProgramVersion;
+  out["decks"] = Json::array();
+  for (const Job::Base& base : job.decks)
+    out["decks"].push_back(
+        {{"deck", fs::relative(base.deck, folder).string()}, {"options", to_json(base.options)}});
+  out["sets"] = to_json(job.sets);
+  out["options"] = to_json(job.options);
+  out["until"] = job.until;
+  out["integrator"] = job.integrator;
+  out["tolerance"] = job.tolerance ? Json(*job.tolerance) : Json();
+  out["keep_files"] = job.keep_files;
+  out["quantities"] = Json::array();
+  for (const Quantity& q : job.quantities) out["quantities"].push_back(to_json(q));
+  return out;
+}
+
+double megabytes_in(const fs::path& folder) {
+  double bytes = 0.0;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.is_regular_file(error)) bytes += static_cast<double>(entry.file_size(error));
+  return bytes / 1e6;
+}
+
+double peak_megabytes() {
+  struct rusage self {
+  }, children{};
+  getrusage(RUSAGE_SELF, &self);
+  getrusage(RUSAGE_CHILDREN, &children);
+  return static_cast<double>(self.ru_maxrss + children.ru_maxrss) * 1024.0 / 1e6;
+}
+
+std::string host_name() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+/// What run_task() and the key see of a task, in one order: base, study, point.
+Settings options_of(const Job& job, const Task& task) {
+  Settings out = job.decks.at(task.point.deck).options;
+  const auto over = [&](const Settings& more) {
+    for (const auto& [name, value] : more) {
+      std::erase_if(out, [&](const auto& old) { return old.first == name; });
+      out.emplace_back(name, value);
+    }
+  };
+  over(job.options);
+  over(task.point.options);
+  return out;
+}
+
+/// A case replaces what the study sets for all runs.
+Settings sets_of(const Job& job, const Task& task) {
+  Settings out = job.sets;
+  for (const auto& [name, value] : task.point.sets) {
+    std::erase_if(out, [&](const auto& old) { return old.first == name; });
+    out.emplace_back(name, value);
+  }
+  return out;
+}
+
+[[noreturn]] void damaged(const fs::path& file) {
+  throw InputError(fmt::format(
+      "{} is damaged; remove it and start the study again with `adore study run`: finished runs "
+      "are kept",
+      file.string()));
+}
+
+}  // namespace
+
+Job prepare_job(const Study& study, const fs::path& folder) {
+  Job job;
+  std::error_code error;
+  fs::create_directories(folder / "runs", error);
+  if (error)
+    throw WriteError(
+        fmt::format("{}: this folder cannot be made ({}); choose another place for "
+                    "the study file",
+                    folder.string(), error.message()));
+  for (std::size_t k = 0; k < study.decks.size(); ++k) {
+    const fs::path original = facade::deck_path(study.decks[k]);
+    Job::Base base;
+    base.deck = folder / "decks" / std::to_string(k + 1) / original.filename();
+    fs::create_directories(base.deck.parent_path(), error);
+    const std::string text = results::read_text_file(original);
+    if (!fs::exists(base.deck, error) || results::read_text_file(base.deck) != text)
+      write_file_atomically(base.deck, text);
+    for (const auto& [name, value] : facade::options_beside(original))
+      base.options.emplace_back(name, value);
+    job.decks.push_back(std::move(base));
+  }
+  job.sets = study.sets;
+  job.options = study.options;
+  job.until = study.until;
+  job.integrator = study.integrator;
+  job.tolerance = study.tolerance;
+  job.quantities = study.quantities;
+  job.keep_files = study.keep_files;
+  write_file_atomically(folder / "job.json", to_json(job, folder).dump(1) + "\n");
+  return job;
+}
+
+Job read_job(const fs::path& folder) {
+  const fs::path file = folder / "job.json";
+  const Json json = parse_json<Json>(results::read_text_file(file), file.string());
+  try {
+    Job job;
+    for (const Json& deck : json.at("decks"))
+      job.decks.push_back(
+          {folder / deck.at("deck").get<std::string>(), settings_of(deck.at("options"))});
+    job.sets = settings_of(json.at("sets"));
+    job.options = settings_of(json.at("options"));
+    job.until = json.at("until").get<std::string>();
+    job.integrator = json.at("integrator").get<std::string>();
+    if (!json.at("tolerance").is_null()) job.tolerance = json.at("tolerance").get<double>();
+    job.keep_files = json.at("keep_files").get<bool>();
+    for (const Json& q : json.at("quantities")) job.quantities.push_back(quantity_of(q));
+    return job;
+  } catch (const nlohmann::json::exception&) {
+    damaged(file);
+  }
+}
+
+std::vector<Task> make_tasks(const Job& job, const std::vector<Point>& points, long first_number) {
+  Hash common;
+  common.add(kProgramVersion);
+  common.add(job.until);
+  common.add(job.integrator);
+  common.add(job.tolerance ? fmt::format("{}", *job.tolerance) : "");
+  for (const Quantity& q : job.quantities) common.add(to_json(q).dump());
+  std::vector<std::optional<deck::ReadResult>> bases(job.decks.size());
+  std::vector<Task> out;
+  out.reserve(points.size());
+  for (const Point& point : points) {
+    Task task{first_number + static_cast<long>(out.size()), {}, point};
+    std::optional<deck::ReadResult>& base = bases.at(point.deck);
+    if (!base) base = deck::read_deck(job.decks[point.deck].deck);
+    Hash hash = common;
+    deck::Deck deck = base->deck;
+    try {
+      deck.set_all(sets_of(job, task));
+      hash.add(deck::write_deck(deck));
+    } catch (const InputError& error) {
+      hash.add(error.what());  // the run will be refused with the same sentence
+    }
+    for (const auto& [name, value] : [&] {
+           const Settings options = options_of(job, task);
+           return std::map<std::string, std::string>(options.begin(), options.end());
+         }()) {
+      hash.add(name);
+      hash.add(value);
+    }
+    task.key = hash.text();
+    out.push_back(std::move(task));
+  }
+  return out;
+}
+
+std::string task_line(const Task& task) {
+  Json out;
+  out["run"] = task.number;
+  out["key"] = task.key;
+  out["deck"] = task.point.deck;
+  out["sets"] = to_json(task.point.sets);
+  out["options"] = to_json(task.point.options);
+  out["values"] = task.point.values;
+  out["label"] = task.point.label;
+  return out.dump() + "\n";
+}
+
+Task parse_task(const std::string& line, const std::string& name) {
+  const Json json = parse_json<Json>(line, name);
+  try {
+    Task task;
+    task.number = json.at("run").get<long>();
+    task.key = json.at("key").get<std::string>();
+    task.point.deck = json.at("deck").get<std::size_t>();
+    task.point.sets = settings_of(json.at("sets"));
+    task.point.options = settings_of(json.at("options"));
+    task.point.values = json.at("values").get<std::vector<double>>();
+    task.point.label = json.at("label").get<std::string>();
+    return task;
+  } catch (const nlohmann::json::exception&) {
+    damaged(name);
+  }
+}
+
+void write_tasks(const fs::path& file, const std::vector<Task>& tasks) {
+  write_file_atomically(file, [&](const TextSink& sink) {
+    for (const Task& task : tasks) sink(task_line(task));
+  });
+}
+
+std::vector<Task> read_tasks(const fs::path& file) {
+  std::istringstream lines(results::read_text_file(file, kLargestFile));
+  std::vector<Task> out;
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty()) out.push_back(parse_task(line, file.string()));
+  return out;
+}
+
+fs::path record_file(const fs::path& folder, const std::string& key) {
+  return folder / "runs" / key.substr(0, 2) / (key + ".json");
+}
+
+std::optional<Record> read_record(const fs::path& folder, const std::string& key) {
+  const fs::path file = record_file(folder, key);
+  std::error_code error;
+  if (!fs::exists(file, error)) return {};
+  try {
+    const Json json = parse_json<Json>(results::read_text_file(file), file.string());
+    Record out;
+    out.key = json.at("key").get<std::string>();
+    if (out.key != key) return {};
+    out.exit_code = json.at("exit").get<int>();
+    for (const Json& value : json.at("values")) out.values.push_back(number_of(value));
+    out.message = json.at("message").get<std::string>();
+    const Json& measured = json.at("measured");
+    out.processor = measured.at("processor").get<double>();
+    out.wall = measured.at("wall").get<double>();
+    out.memory_megabytes = measured.at("memory_megabytes").get<double>();
+    out.disk_megabytes = measured.at("disk_megabytes").get<double>();
+    out.host = measured.at("host").get<std::string>();
+    return out;
+  } catch (const InputError&) {
+    return {};
+  } catch (const nlohmann::json::exception&) {
+    return {};
+  }
+}
+
+void write_record(const fs::path& folder, const Record& record) {
+  const fs::path file = record_file(folder, record.key);
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  Json json;
+  json["adore_run"] = 1;
+  json["key"] = record.key;
+  json["exit"] = record.exit_code;
+  json["values"] = Json::array();
+  for (const double value : record.values) json["values"].push_back(number(value));
+  json["message"] = record.message;
+  json["measured"] = {{"processor", record.processor},
+                      {"wall", record.wall},
+                      {"memory_megabytes", record.memory_megabytes},
+                      {"disk_megabytes", record.disk_megabytes},
+                      {"host", record.host}};
+  write_file_atomically(file, json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+std::optional<Record> run_task(const Job& job, const Task& task, const fs::path& folder,
+                               const std::stop_token& stop) {
+  const auto begin = std::chrono::steady_clock::now();
+  const double processor = scene::processor_seconds();
+  std::optional<facade::PassingFolder> passing;
+  facade::RunRequest request;
+  request.deck = job.decks.at(task.point.deck).deck;
+  request.sets = sets_of(job, task);
+  request.options = options_of(job, task);
+  request.until = job.until;
+  request.integrator = job.integrator;
+  request.tolerance = job.tolerance;
+  request.overwrite = true;
+  if (job.keep_files) {
+    request.out = folder / "files" / task.key;
+  } else {
+    passing.emplace();
+    request.out = passing->path();
+    if (!needs_channels(job.quantities)) {
+      std::erase_if(request.options, [](const auto& set) { return set.first == "resultsH5"; });
+      request.options.emplace_back("resultsH5", "0");
+    }
+  }
+  facade::RunEnding ending;
+  try {
+    ending = facade::end_of_run(request, stop);
+  } catch (const std::logic_error& bug) {
+    ending.failure = bug.what();
+    ending.exit_code = 1;
+  }
+  if (ending.not_written) throw WriteError(ending.failure);
+  if (ending.exit_code == 130) return {};
+  Record out;
+  out.key = task.key;
+  out.exit_code = ending.exit_code;
+  out.message = ending.message();
+  // A run that failed half-way has no results: means over what it reached are not comparable.
+  out.values.assign(job.quantities.size(), std::numeric_limits<double>::quiet_NaN());
+  if (ending.exit_code == 0) {
+    Answers answers = answer(job.quantities, ending.outcome.summary, *request.out);
+    out.values = std::move(answers.values);
+    out.message = std::move(answers.missing);
+  }
+  out.disk_megabytes = megabytes_in(*request.out);
+  out.processor = scene::processor_seconds() - processor;
+  out.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  out.memory_megabytes = peak_megabytes();
+  out.host = host_name();
+  return out;
+}
+
+}  // namespace adore::studies

@@ -1,0 +1,272 @@
+#include "base/write_error.hpp"
+#include "studies/engine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <deque>
+#include <fcntl.h>
+#include <map>
+#include <memory>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/// One process per core. A process that dies takes its run with it and nothing else: the run is
+/// made again by another one. The system kills processes when memory ends (SIGKILL), so that such
+/// an end is met with fewer processes; a run whose process crashes by itself gets a record of that.
+namespace adore::studies {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int kCrashes = 2;        ///< by itself (SIGSEGV ...): then the run has its record
+constexpr int kKills = 20;         ///< from outside: then too, so that no study runs for ever
+constexpr double kOfMemory = 0.8;  ///< of what is free may be planned for
+constexpr double kLeastMegabytes = 64.0;
+
+class Worker {
+ public:
+  explicit Worker(const EngineWork& work) {
+    std::array<int, 2> in{}, out{};
+    if (pipe2(in.data(), O_CLOEXEC) != 0) refuse();
+    if (pipe2(out.data(), O_CLOEXEC) != 0) {
+      close(in[0]);
+      close(in[1]);
+      refuse();
+    }
+    const std::string program = work.program.string(), folder = work.folder.string();
+    const std::array<const char*, 5> argv{program.c_str(), "study", "work", folder.c_str(),
+                                          nullptr};
+    const pid_t parent = getpid();
+    pid_ = fork();
+    if (pid_ == 0) {
+      prctl(PR_SET_PDEATHSIG, SIGTERM);
+      if (getppid() != parent) _exit(130);  // it died before that line
+      // Ctrl-C goes to everybody at the terminal: the driver alone decides.
+      setpgid(0, 0);
+      dup2(in[0], STDIN_FILENO);
+      dup2(out[1], STDOUT_FILENO);
+      execv(program.c_str(), const_cast<char* const*>(argv.data()));
+      _exit(127);
+    }
+    const int reason = errno;
+    close(in[0]);
+    close(out[1]);
+    in_ = in[1];
+    out_ = out[0];
+    if (pid_ < 0) {
+      errno = reason;
+      refuse();
+    }
+  }
+  ~Worker() {
+    if (in_ >= 0) close(in_);
+    if (out_ >= 0) close(out_);
+    if (pid_ > 0) {
+      kill(pid_, SIGTERM);
+      (void)wait();
+    }
+  }
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+
+  [[nodiscard]] int out() const { return out_; }
+  [[nodiscard]] const Task* task() const { return task_; }
+
+  /// False when it is dead. SIGPIPE is ignored by the program.
+  bool give(const Task& task) {
+    task_ = &task;
+    const std::string line = task_line(task);
+    std::size_t sent = 0;
+    while (sent < line.size()) {
+      const ssize_t n = write(in_, line.data() + sent, line.size() - sent);
+      if (n < 0 && errno == EINTR) continue;
+      if (n <= 0) return false;
+      sent += static_cast<std::size_t>(n);
+    }
+    return true;
+  }
+
+  /// Whole lines that it said since; `gone` when its end of the pipe is closed.
+  std::vector<std::string> lines(bool& gone) {
+    std::array<char, 4096> block{};
+    const ssize_t n = read(out_, block.data(), block.size());
+    gone = n == 0 || (n < 0 && errno != EINTR && errno != EAGAIN);
+    if (n > 0) said_.append(block.data(), static_cast<std::size_t>(n));
+    std::vector<std::string> out;
+    for (std::size_t end = said_.find('\n'); end != std::string::npos; end = said_.find('\n')) {
+      out.push_back(said_.substr(0, end));
+      said_.erase(0, end + 1);
+    }
+    return out;
+  }
+  void is_free() { task_ = nullptr; }
+
+  /// How it ended, as waitpid tells.
+  int wait() {
+    int status = 0;
+    while (waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+    }
+    pid_ = -1;
+    return status;
+  }
+
+ private:
+  [[noreturn]] static void refuse() {
+    throw WriteError(
+        fmt::format("no further process can be started: {}; raise the limit of "
+                    "processes and files (ulimit -u, -n), or give fewer --workers",
+                    std::strerror(errno)));
+  }
+  pid_t pid_ = -1;
+  int in_ = -1, out_ = -1;
+  const Task* task_ = nullptr;
+  std::string said_;
+};
+
+struct Deaths {
+  int crashes = 0, kills = 0;
+};
+
+class LocalEngine {
+ public:
+  LocalEngine(const EngineWork& work, const TaskDone& done, const EngineNews& news)
+      : work_(work), done_(done), news_(news), megabytes_(work.megabytes_each) {
+    for (const Task& task : work.tasks) waiting_.push_back(&task);
+    most_ = work.workers > 0 ? work.workers : usable_cores();
+  }
+
+  void run(const std::stop_token& stop) {
+    while (!stop.stop_requested() && (!waiting_.empty() || busy() > 0)) {
+      hand_out();
+      listen();
+    }
+  }
+
+ private:
+  [[nodiscard]] int busy() const {
+    return static_cast<int>(std::count_if(workers_.begin(), workers_.end(),
+                                          [](const auto& w) { return w->task() != nullptr; }));
+  }
+
+  /// One more only where it finds its memory; one always works.
+  [[nodiscard]] bool room_for_another() const {
+    if (static_cast<int>(workers_.size()) >= most_) return false;
+    return workers_.empty() || free_megabytes() * kOfMemory > std::max(megabytes_, kLeastMegabytes);
+  }
+
+  void hand_out() {
+    for (const auto& worker : workers_) {
+      if (waiting_.empty()) break;
+      if (worker->task() == nullptr) give(*worker);
+    }
+    while (!waiting_.empty() && room_for_another()) {
+      workers_.push_back(std::make_unique<Worker>(work_));
+      give(*workers_.back());
+    }
+    const bool held = !waiting_.empty() && static_cast<int>(workers_.size()) < most_;
+    news_(busy(), held ? fmt::format("memory allows {} processes", workers_.size()) : "");
+  }
+
+  void give(Worker& worker) {
+    const Task* task = waiting_.front();
+    waiting_.pop_front();
+    (void)worker.give(*task);  // a dead one is found by listen()
+  }
+
+  void listen() {
+    std::vector<pollfd> files;
+    for (const auto& worker : workers_) files.push_back({worker->out(), POLLIN, 0});
+    constexpr int kPatience = 200;  // [ms]
+    if (poll(files.data(), files.size(), kPatience) <= 0) return;
+    std::vector<std::size_t> dead;
+    for (std::size_t k = 0; k < files.size(); ++k) {
+      if (files[k].revents == 0) continue;
+      bool gone = false;
+      for (const std::string& line : workers_[k]->lines(gone)) heard(*workers_[k], line);
+      if (gone) dead.push_back(k);
+    }
+    for (auto k = dead.rbegin(); k != dead.rend(); ++k) {
+      const auto at = workers_.begin() + static_cast<long>(*k);
+      std::unique_ptr<Worker> worker = std::move(*at);
+      workers_.erase(at);
+      bury(*worker);
+    }
+  }
+
+  void heard(Worker& worker, const std::string& line) {
+    if (line.starts_with("halt ")) throw WriteError(line.substr(5));
+    if (!line.starts_with("done ") || worker.task() == nullptr) return;
+    const std::optional<Record> record = read_record(work_.folder, worker.task()->key);
+    if (!record)
+      throw WriteError(fmt::format("{}: this record was written and cannot be read",
+                                   record_file(work_.folder, worker.task()->key).string()));
+    megabytes_ = std::max(megabytes_, record->memory_megabytes);
+    worker.is_free();
+    done_(*record);
+  }
+
+  void bury(Worker& worker) {
+    const Task* task = worker.task();
+    const int status = worker.wait();
+    if (WIFEXITED(status) && WEXITSTATUS(status) == 127)
+      throw InputError(fmt::format("{} cannot be started", work_.program.string()));
+    if (task == nullptr) return;
+    // Its record may have been written before it died.
+    if (const std::optional<Record> record = read_record(work_.folder, task->key)) {
+      done_(*record);
+      return;
+    }
+    Deaths& deaths = deaths_[task->key];
+    const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    const bool outside = signal == SIGKILL || signal == SIGTERM || signal == SIGINT ||
+                         signal == SIGHUP || (signal == 0 && WEXITSTATUS(status) == 130);
+    ++(outside ? deaths.kills : deaths.crashes);
+    // Memory may have been the reason: one fewer as long as there are several.
+    if (signal == SIGKILL && free_megabytes() * kOfMemory < std::max(megabytes_, kLeastMegabytes) &&
+        most_ > 1)
+      --most_;
+    if (deaths.crashes < kCrashes && deaths.kills < kKills) {
+      waiting_.push_front(task);
+      return;
+    }
+    Record record;
+    record.key = task->key;
+    record.exit_code = 1;
+    record.values.assign(read_job(work_.folder).quantities.size(),
+                         std::numeric_limits<double>::quiet_NaN());
+    record.message = fmt::format(
+        "the process that computed it ended by {}, {} times; a bug of the program unless memory or "
+        "somebody else ended it; try it again with --retry-failed",
+        signal != 0 ? fmt::format("signal {} ({})", signal, strsignal(signal))
+                    : fmt::format("exit code {}", WEXITSTATUS(status)),
+        deaths.crashes + deaths.kills);
+    write_record(work_.folder, record);
+    done_(record);
+  }
+
+  const EngineWork& work_;
+  const TaskDone& done_;
+  const EngineNews& news_;
+  std::deque<const Task*> waiting_;
+  std::vector<std::unique_ptr<Worker>> workers_;
+  std::map<std::string, Deaths> deaths_;
+  int most_ = 1;
+  double megabytes_;
+};
+
+}  // namespace
+
+void run_local(const EngineWork& work, const TaskDone& done, const EngineNews& news,
+               const std::stop_token& stop) {
+  LocalEngine(work, done, news).run(stop);
+}
+
+}  // namespace adore::studies

@@ -1,0 +1,295 @@
+#include "base/atomic_file.hpp"
+#include "base/errors.hpp"
+#include "base/json_text.hpp"
+#include "base/write_error.hpp"
+#include "results/growing_file.hpp"
+#include "studies/engine.hpp"
+#include "studies/slurm.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <limits>
+#include <map>
+#include <set>
+#include <thread>
+
+/// Job arrays: each element computes a piece of the list, run by run, and skips what has a record.
+/// So a piece that Slurm requeues (node failure) or that is submitted again (time limit, memory)
+/// loses at most its run in flight. What is done is seen by the records, never by what Slurm says;
+/// Slurm's word is asked for why a piece ended without them.
+namespace adore::studies {
+namespace fs = std::filesystem;
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Json = nlohmann::ordered_json;
+
+constexpr int kTryAgain = 75;            ///< of a worker that could not write
+constexpr int kCrashes = 2;              ///< of one run, before it gets a record of that
+constexpr int kKills = 20;               ///< of one run from outside
+constexpr int kFruitless = 5;            ///< submissions in a row that gave no record
+constexpr double kPieceSeconds = 120.0;  ///< of computing in an element: its start costs about one
+constexpr double kOfTime = 4.0;          ///< time limit over what the pilot says
+constexpr int kLeastMinutes = 2;
+constexpr double kOfMemory = 2.0;
+constexpr double kLeastMegabytes = 256.0;
+
+std::string quoted(const std::string& text) {
+  std::string out = "'";
+  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return out + "'";
+}
+
+class SlurmEngine {
+ public:
+  SlurmEngine(const EngineWork& work, const TaskDone& done, const EngineNews& news,
+              const std::stop_token& stop)
+      : work_(work), done_(done), news_(news), stop_(stop), folder_(work.folder / "slurm") {
+    for (const Task& task : work.tasks) left_.insert(&task);
+    cores_ = slurm_cores();
+    std::error_code error;
+    fs::create_directories(folder_, error);
+    megabytes_ = std::max(kLeastMegabytes, kOfMemory * work.megabytes_each);
+  }
+
+  void run() {
+    if (take_over()) watch();  // a job of a driver that was killed
+    while (!left_.empty() && !stop_.stop_requested()) {
+      const std::size_t before = left_.size();
+      submit();
+      watch();
+      if (stop_.stop_requested()) break;
+      fruitless_ = left_.size() < before ? 0 : fruitless_ + 1;
+      if (!left_.empty()) find_reasons();
+      forget_job();
+      if (fruitless_ >= kFruitless)
+        throw InputError(fmt::format(
+            "--engine slurm: {} submissions in a row gave no result; {}; what the jobs said is in "
+            "{}",
+            kFruitless, reason_.empty() ? "Slurm does not say why" : reason_, folder_.string()));
+    }
+    if (stop_.stop_requested()) cancel();
+  }
+
+ private:
+  [[nodiscard]] fs::path current() const { return folder_ / "current.json"; }
+
+  bool take_over() {
+    std::error_code error;
+    if (!fs::exists(current(), error)) return false;
+    try {
+      const Json json = parse_json<Json>(results::read_text_file(current()), current().string());
+      job_ = json.at("job").get<std::string>();
+      piece_ = json.at("piece").get<long>();
+      batch_ = read_tasks(json.at("tasks").get<std::string>());
+    } catch (const std::exception&) {
+      forget_job();
+      return false;
+    }
+    return true;
+  }
+
+  void forget_job() {
+    std::error_code error;
+    fs::remove(current(), error);
+    job_.clear();
+  }
+
+  void submit() {
+    batch_.clear();
+    for (const Task& task : work_.tasks)
+      if (left_.contains(&task)) batch_.push_back(task);
+    const auto n = static_cast<double>(batch_.size());
+    // Pieces long enough that their start does not matter, and four to a core, so that all end at
+    // nearly the same time; no more of them than an array may have.
+    const double by_time = kPieceSeconds / std::max(1e-3, work_.seconds_each);
+    const double by_share = n / (4.0 * cores_);
+    const double by_array = n / static_cast<double>(slurm_largest_array() - 1);
+    piece_ = static_cast<long>(std::ceil(std::max({1.0, std::min(by_time, by_share), by_array})));
+    const long elements = (static_cast<long>(batch_.size()) + piece_ - 1) / piece_;
+    const int minutes =
+        minutes_ + static_cast<int>(std::ceil(more_time_ * kOfTime * static_cast<double>(piece_) *
+                                              std::max(0.05, work_.seconds_each) / 60.0));
+    int number = 1;
+    std::error_code error;
+    while (fs::exists(folder_ / fmt::format("tasks-{}.jsonl", number), error)) ++number;
+    const fs::path tasks = folder_ / fmt::format("tasks-{}.jsonl", number);
+    const fs::path script = folder_ / fmt::format("job-{}.sh", number);
+    write_tasks(tasks, batch_);
+    write_file_atomically(script,
+                          fmt::format("#!/bin/sh\nexec {} study work {} --tasks {} --first "
+                                      "$((SLURM_ARRAY_TASK_ID * {})) --count {}\n",
+                                      quoted(work_.program.string()), quoted(work_.folder.string()),
+                                      quoted(tasks.string()), piece_, piece_));
+    std::string array = fmt::format("--array=0-{}", elements - 1);
+    if (work_.workers > 0) array += fmt::format("%{}", work_.workers);
+    std::string said;
+    const auto answer =
+        command_output({"sbatch", "--parsable", array, "--requeue", "--open-mode=append",
+                        "--ntasks=1", "--cpus-per-task=1", fmt::format("--time={}", minutes),
+                        fmt::format("--mem={:.0f}M", std::ceil(more_memory_ * megabytes_)),
+                        "--job-name=adore-" + work_.folder.stem().string(),
+                        "--output=" + (folder_ / "said-%A_%a.txt").string(),
+                        "--chdir=" + work_.folder.string(), script.string()},
+                       &said);
+    if (!answer || answer->empty())
+      throw InputError(fmt::format("--engine slurm: sbatch refuses the job: {}",
+                                   said.substr(0, said.find('\n'))));
+    job_ = answer->substr(0, answer->find_first_of(";\n"));
+    write_file_atomically(
+        current(),
+        Json({{"job", job_}, {"piece", piece_}, {"tasks", tasks.string()}}).dump() + "\n");
+  }
+
+  /// Records that are new.
+  void collect() {
+    for (auto task = left_.begin(); task != left_.end();) {
+      std::error_code error;
+      const auto record = fs::exists(record_file(work_.folder, (*task)->key), error)
+                              ? read_record(work_.folder, (*task)->key)
+                              : std::nullopt;
+      if (!record) {
+        ++task;
+        continue;
+      }
+      task = left_.erase(task);
+      done_(*record);
+    }
+  }
+
+  /// Until the job is over.
+  void watch() {
+    constexpr double kShortest = 0.5, kOfTimeForLooking = 20.0;  // [s], [-]
+    while (!stop_.stop_requested()) {
+      const auto begin = Clock::now();
+      const auto queue = slurm_queue(job_);
+      collect();
+      if (left_.empty() && (!queue || queue->empty())) return;
+      if (queue && queue->empty()) return;
+      if (!queue) {
+        news_(0, "Slurm does not answer; waiting for it");
+      } else {
+        int running = 0, waiting = 0;
+        for (const auto& [state, count] : *queue)
+          (state == "RUNNING" || state == "COMPLETING" ? running : waiting) += count;
+        news_(running, waiting > 0 ? fmt::format("job {}, {} pieces wait", job_, waiting)
+                                   : fmt::format("job {}", job_));
+      }
+      const double looked = std::chrono::duration<double>(Clock::now() - begin).count();
+      const auto until = Clock::now() + std::chrono::duration<double>(
+                                            std::max(kShortest, kOfTimeForLooking * looked));
+      while (Clock::now() < until && !stop_.stop_requested())
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+  }
+
+  [[nodiscard]] std::string said(long element) const {
+    try {
+      return results::read_text_file(folder_ / fmt::format("said-{}_{}.txt", job_, element));
+    } catch (const InputError&) {
+      return {};
+    }
+  }
+
+  /// Why pieces of the job that is over have no record for all their runs.
+  void find_reasons() {
+    const std::map<long, SlurmEnd> ends = slurm_ends(job_);
+    std::map<std::string, const Task*> open;
+    for (const Task* task : left_) open[task->key] = task;
+    for (const auto& [element, end] : ends) {
+      // The first run of the piece without a record was under way.
+      const Task* culprit = nullptr;
+      for (long i = element * piece_;
+           i < (element + 1) * piece_ && i < static_cast<long>(batch_.size()); ++i)
+        if (const auto found = open.find(batch_[static_cast<std::size_t>(i)].key);
+            found != open.end()) {
+          culprit = found->second;
+          break;
+        }
+      if (culprit == nullptr || end.state == "COMPLETED") continue;
+      reason_ = fmt::format("the last piece ended {}", end.state);
+      if (end.exit_code == kTryAgain) {
+        const std::string text = said(element);
+        const std::size_t at = text.rfind("halt ");
+        forget_job();
+        throw WriteError(at == std::string::npos
+                             ? "a worker could not write its record"
+                             : text.substr(at + 5, text.find('\n', at) - at - 5));
+      }
+      if (end.state == "TIMEOUT" || end.state == "DEADLINE") {
+        more_time_ = std::min(64.0, 2.0 * more_time_);
+        minutes_ = std::min(1440, 2 * minutes_);
+      } else if (end.state == "OUT_OF_MEMORY") {
+        more_memory_ = std::min(64.0, 2.0 * more_memory_);
+      } else if (end.state == "CANCELLED") {
+        forget_job();
+        throw InputError(
+            "somebody cancelled the job in Slurm; what is finished is recorded, go on with "
+            "`adore study resume`");
+      } else if (end.state == "FAILED" &&
+                 ++deaths_[culprit->key] >=
+                     (end.signal == SIGKILL || end.signal == SIGTERM || end.exit_code == 130
+                          ? kKills
+                          : kCrashes)) {
+        record_crash(*culprit, end, said(element));
+        left_.erase(culprit);
+        open.erase(culprit->key);
+      }
+    }
+  }
+
+  void record_crash(const Task& task, const SlurmEnd& end, const std::string& text) {
+    Record record;
+    record.key = task.key;
+    record.exit_code = 1;
+    record.values.assign(read_job(work_.folder).quantities.size(),
+                         std::numeric_limits<double>::quiet_NaN());
+    constexpr std::size_t kTail = 200;
+    record.message = fmt::format(
+        "the process that computed it ended with {} (exit code {}, signal {}), {} times; {}; try "
+        "it again "
+        "with --retry-failed",
+        end.state, end.exit_code, end.signal, deaths_[task.key],
+        text.empty() ? "it said nothing" : text.substr(text.size() - std::min(kTail, text.size())));
+    write_record(work_.folder, record);
+    done_(record);
+  }
+
+  void cancel() {
+    (void)command_output({"scancel", job_});
+    constexpr int kPatience = 100;  // of 100 ms: the runs under way end at once
+    for (int i = 0; i < kPatience; ++i) {
+      const auto queue = slurm_queue(job_);
+      if (!queue || queue->empty()) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    collect();
+    forget_job();
+  }
+
+  const EngineWork& work_;
+  const TaskDone& done_;
+  const EngineNews& news_;
+  std::stop_token stop_;
+  fs::path folder_;
+  std::set<const Task*> left_;
+  std::vector<Task> batch_;
+  std::string job_, reason_;
+  long piece_ = 1;
+  int cores_ = 1, minutes_ = kLeastMinutes, fruitless_ = 0;
+  double more_time_ = 1.0, more_memory_ = 1.0, megabytes_ = 0.0;
+  std::map<std::string, int> deaths_;
+};
+
+}  // namespace
+
+void run_slurm(const EngineWork& work, const TaskDone& done, const EngineNews& news,
+               const std::stop_token& stop) {
+  SlurmEngine(work, done, news, stop).run();
+}
+
+}  // namespace adore::studies

@@ -1,0 +1,177 @@
+#include "cli/driver.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+using namespace adore;
+using namespace adore::test;
+using nlohmann::json;
+
+namespace {
+
+/// A study of `loads` quasi-static runs of the example.
+std::string small_study(int loads) {
+  return R"({"adore_study": 1, "kind": "sweep", "deck": "DATA.txt", "set": {"mode": -1},
+    "variables": [{"name": "appLoadX", "grid": [500, 3000, )" +
+         std::to_string(loads) + R"(]}],
+    "quantities": ["largest_contact_load_N", "stiffness_x_N_per_m", "life_lp_hours"]})";
+}
+
+std::size_t lines_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+std::size_t records_in(const fs::path& study) {
+  std::size_t count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(study / "runs"))
+    if (entry.path().extension() == ".json") ++count;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a study is planned, run, reported, and nothing is computed twice", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  write(folder / "a.json", small_study(6));
+  const std::string file = (folder / "a.json").string();
+  const Result before = run_adore("study status " + file);
+  CHECK(before.code == 2);
+  CHECK(contains(before.out, "never started"));
+  const Result plan = run_adore("study plan " + file);
+  INFO(plan.out);
+  REQUIRE(plan.code == 0);
+  CHECK(contains(plan.out, "runs:      6"));
+  CHECK(contains(plan.out, "disk:"));
+  const Result run = run_adore("study run " + file + " --progress plain");
+  INFO(run.out);
+  REQUIRE(run.code == 0);
+  CHECK(contains(run.out, "run 6 of 6, 0 failed"));
+  CHECK(contains(run.out, "3 computed now"));  // the pilots were there
+  const std::string table = read(folder / "a.study" / "RUNS.csv");
+  CHECK(lines_of(table) == 7);
+  CHECK(table.rfind("run,exit,appLoadX [N],largest_contact_load_N [N],", 0) == 0);
+  CHECK(fs::file_size(folder / "a.study" / "STUDY.h5") > 2000);
+  const Result again = run_adore("study resume " + file);
+  REQUIRE(again.code == 0);
+  CHECK(contains(again.out, "0 computed now"));
+  CHECK(read(folder / "a.study" / "RUNS.csv") == table);
+
+  // A finer grid that contains the old points: only the new ones are made.
+  write(folder / "a.json", small_study(11));
+  const Result finer = run_adore("study run " + file);
+  INFO(finer.out);
+  REQUIRE(finer.code == 0);
+  CHECK(records_in(folder / "a.study") == 11);
+
+  // Another deck: nothing of the old one is taken.
+  const std::string deck = read(folder / "DATA.txt");
+  const std::size_t at = deck.find("25.0, 0.0, 0.520");
+  REQUIRE(at != std::string::npos);
+  write(folder / "DATA.txt", std::string(deck).replace(at, 4, "26.0"));
+  REQUIRE(run_adore("study run " + file).code == 0);
+  CHECK(records_in(folder / "a.study") == 22);
+}
+
+TEST_CASE("the table has the values that single runs have", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  write(folder / "a.json", small_study(3));
+  REQUIRE(run_adore("study run " + (folder / "a.json").string()).code == 0);
+  REQUIRE(run_adore("run " + (folder / "DATA.txt").string() +
+                    " --set mode=-1 --set appLoadX=1750 --quiet --out " + (folder / "one").string())
+              .code == 0);
+  const json one = json::parse(read(folder / "one" / "RUN.json"));
+  std::istringstream table(read(folder / "a.study" / "RUNS.csv"));
+  std::string line;
+  for (int i = 0; i < 3; ++i) std::getline(table, line);
+  CHECK(contains(
+      line, fmt::format("1750,{},{},{}", one["summary"]["largest_contact_load_N"].get<double>(),
+                        one["summary"]["stiffness_x_N_per_m"].get<double>(),
+                        one["summary"]["life_lp_hours"].get<double>())));
+}
+
+TEST_CASE("failed runs keep their diagnosis in the table, and the others go on", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  write(folder / "a.json", R"({"adore_study": 1, "kind": "sweep", "deck": "DATA.txt",
+    "set": {"mode": -1}, "variables": [{"name": "raceCurFac1", "list": [0.52, 0.515, 0.4, 0.53]}],
+    "quantities": ["largest_contact_load_N"]})");
+  const Result run = run_adore("study run " + (folder / "a.json").string());
+  INFO(run.out);
+  CHECK(run.code == 3);
+  CHECK(contains(run.out, "raceCurFac1 = 0.4"));
+  const std::string table = read(folder / "a.study" / "RUNS.csv");
+  CHECK(contains(table, "3,2,0.4,,\""));
+  const Result status = run_adore("study status " + (folder / "a.json").string());
+  CHECK(contains(status.out, "4 of 4 runs done, 1 of them failed"));
+  CHECK(contains(status.out, "run 3:"));
+}
+
+TEST_CASE("a study that asks for what runs do not have, or for too much, does not start", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string file = (folder / "a.json").string();
+  std::string text = small_study(500);
+  write(file, std::string(text).replace(text.find("life_lp_hours"), 13, "power_loss_W"));
+  const Result missing = run_adore("study run " + file);
+  CHECK(missing.code == 2);
+  CHECK(contains(missing.out, "power_loss_W: the run has no such key result"));
+  write(file, std::string(text).insert(text.find("\"deck\""), "\"budget\": {\"runs\": 100}, "));
+  const Result large = run_adore("study run " + file);
+  CHECK(large.code == 2);
+  CHECK(contains(large.out, "500 runs, and the budget has 100"));
+  CHECK(records_in(folder / "a.study") <= 6);
+}
+
+TEST_CASE("drivers and workers are killed at random, and the table is the same", "[cli][slow]") {
+  const Folder folder, whole;
+  new_ball_deck(folder);
+  new_ball_deck(whole);
+  const std::string study = R"({"adore_study": 1, "kind": "tolerance", "deck": "DATA.txt",
+    "until": "0.5rev", "variables": [{"name": "freeConAng", "normal": [25, 0.5]},
+      {"name": "mode", "list": [-1, 0]}],
+    "sampling": {"runs": 12}, "quantities": ["largest_contact_load_N"]})";
+  write(folder / "a.json", study);
+  write(whole / "a.json", study);
+  REQUIRE(run_adore("study run " + (whole / "a.json").string() + " --workers 1").code == 0);
+  // `timeout -s KILL` ends the driver; its workers end with it.
+  Result last{};
+  for (int i = 1; i <= 40; ++i) {
+    last = run_as_given("study run " + (folder / "a.json").string() + " --workers 2 --quiet",
+                        fmt::format("timeout -s KILL {}", 0.2 + 0.1 * i));
+    if (last.code == 0) break;
+  }
+  INFO(last.out);
+  REQUIRE(last.code == 0);
+  CHECK(read(folder / "a.study" / "RUNS.csv") == read(whole / "a.study" / "RUNS.csv"));
+  CHECK(read(folder / "a.study" / "STUDY.h5") == read(whole / "a.study" / "STUDY.h5"));
+}
+
+TEST_CASE("percentiles of a tolerance of the applied load are those of the load", "[cli]") {
+  // The load on the race is what is applied: a linear quantity with a known law.
+  const Folder folder;
+  new_ball_deck(folder);
+  write(folder / "a.json", R"({"adore_study": 1, "kind": "tolerance", "deck": "DATA.txt",
+    "set": {"mode": -1}, "variables": [{"name": "appLoadX", "normal": [1500, 50]}],
+    "sampling": {"method": "random", "runs": 60, "seed": 3}, "quantities": ["load_x_N"]})");
+  REQUIRE(run_adore("study run " + (folder / "a.json").string()).code == 0);
+  std::istringstream table(read(folder / "a.study" / "RUNS.csv"));
+  std::string line;
+  std::getline(table, line);
+  std::vector<double> scores;
+  while (std::getline(table, line)) {
+    std::istringstream fields(line);
+    std::string field;
+    for (int k = 0; k < 4; ++k) std::getline(fields, field, ',');
+    scores.push_back((std::stod(field) - 1500.0) / 50.0);
+  }
+  REQUIRE(scores.size() == 60);
+  std::sort(scores.begin(), scores.end());
+  // Standard error of a percentile: √(p (1 - p) / n) / φ(z); three of them.
+  const auto percentile = [&](double p) { return scores[static_cast<std::size_t>(p * 60.0)]; };
+  CHECK(percentile(0.5) == Approx(0.0).margin(3 * 0.162));
+  CHECK(percentile(0.1) == Approx(-1.2816).margin(3 * 0.221));
+  CHECK(percentile(0.9) == Approx(1.2816).margin(3 * 0.221));
+}

@@ -1,0 +1,148 @@
+#include "base/errors.hpp"
+#include "studies/points.hpp"
+#include "studies/study.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+
+using namespace adore;
+using namespace adore::studies;
+using Catch::Contains;
+
+namespace {
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+const std::string kSmall = R"({"adore_study": 1, "kind": "sweep", "deck": "DATA.txt",
+  "variables": [{"name": "appLoadX", "grid": [500, 1500, 3]}],
+  "quantities": ["largest_contact_load_N"]})";
+
+}  // namespace
+
+TEST_CASE("every example study is read, and says how many runs it has", "[unit][studies]") {
+  const std::pair<const char*, long> expected[] = {{"sweep", 18},       {"tolerance", 600},
+                                                   {"cage-map", 25},    {"sensitivity", 25},
+                                                   {"worst-case", 145}, {"what-if", 4}};
+  for (const auto& [kind, runs] : expected) {
+    INFO(kind);
+    Study study = parse_study(example_study(kind), "study.json");
+    CHECK(kind_name(study.kind) == kind);
+    expand_lots(study, 12);
+    CHECK(count_points(study) == runs);
+  }
+  CHECK_THROWS_WITH(example_study("swep"), Contains("sweep, tolerance, cage-map"));
+}
+
+TEST_CASE("a mistake in a study file is a sentence with file, key, value and what is valid",
+          "[unit][studies]") {
+  const auto refused = [](const std::string& from, const std::string& to) {
+    try {
+      (void)parse_study(replaced(kSmall, from, to), "a.json");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  CHECK_THAT(refused("\"sweep\"", "\"swep\""),
+             Contains("a.json: kind = \"swep\"") && Contains("nearest is \"sweep\""));
+  CHECK_THAT(refused("appLoadX", "apLoadX"),
+             Contains("a.json: variables[1].name = \"apLoadX\"") && Contains("\"appLoadX\""));
+  CHECK_THAT(refused("[500, 1500, 3]", "[500, 1500]"),
+             Contains("variables[1].grid = [500,1500]") && Contains("[first, last, count]"));
+  CHECK_THAT(refused("[500, 1500, 3]", "[500, 1500, 2.5]"), Contains("count from 2"));
+  CHECK_THAT(refused("\"grid\": [500, 1500, 3]", "\"grd\": [500, 1500, 3]"),
+             Contains("exactly one of grid, list, uniform and normal"));
+  CHECK_THAT(refused("largest_contact_load_N", "largest_contact_load"),
+             Contains("quantities[1] = \"largest_contact_load\"") &&
+                 Contains("nearest is \"largest_contact_load_N\""));
+  CHECK_THAT(refused("\"deck\": \"DATA.txt\",", "\"deck\": \"DATA.txt\", \"untill\": \"5rev\","),
+             Contains("a.json: untill plays no part") && Contains("do you mean \"until\""));
+  CHECK_THAT(refused("\"deck\": \"DATA.txt\",", ""), Contains("a.json: deck is missing"));
+  CHECK_THAT(refused("\"grid\": [500, 1500, 3]", "\"normal\": [500, -1]"),
+             Contains("variables[1].normal = [500,-1]") && Contains("above 0"));
+  CHECK_THAT(refused("\"grid\": [500, 1500, 3]", "\"uniform\": [500, 600]"),
+             Contains("sampling.runs is missing"));
+  CHECK_THAT(refused("\"adore_study\": 1", "\"adore_study\": 2"), Contains("adore_study = 2"));
+  CHECK_THAT(refused("[\"largest_contact_load_N\"]",
+                     R"([{"channel": "contact.lod", "statistic": "mean"}])"),
+             Contains("channel = \"contact.lod\"") && Contains("\"contact.load\""));
+  CHECK_THAT(refused("[\"largest_contact_load_N\"]",
+                     R"([{"channel": "contact.load", "statistic": "median"}])"),
+             Contains("statistic = \"median\"") && Contains("percentile"));
+  CHECK_THAT(refused("[\"largest_contact_load_N\"]",
+                     R"([{"channel": "contact.load", "statistic": "mean", "window": [0.5, 1.5]}])"),
+             Contains("window = [0.5,1.5]") && Contains("from 0 to 1"));
+  CHECK_THAT(refused("{\"adore_study\"", "{{"), Contains("a.json") && Contains("JSON"));
+}
+
+TEST_CASE("grids run through all pairs, the last one fastest, and samples at each",
+          "[unit][studies]") {
+  Study study = parse_study(
+      R"({"adore_study": 1, "kind": "tolerance", "deck": "DATA.txt",
+      "variables": [{"name": "appLoadX", "list": [1, 2]}, {"name": "freeConAng", "normal": [25, 1]},
+                    {"name": "rpm2", "list": [10, 20, 30]}],
+      "sampling": {"runs": 2}, "bearing_seeds": [4, 5],
+      "quantities": ["largest_contact_load_N"]})",
+      "a.json");
+  const auto points = make_points(study);
+  REQUIRE(points.size() == 24);
+  CHECK(columns_of(study).names ==
+        std::vector<std::string>{"appLoadX", "rpm2", "freeConAng", "seed"});
+  CHECK(points[0].values[1] == 10.0);
+  CHECK(points[4].values[1] == 20.0);
+  CHECK(points[12].values[0] == 2.0);
+  // The same samples everywhere: differences between grid points are not scatter.
+  CHECK(points[0].values[2] == points[4].values[2]);
+  CHECK(points[0].values[2] != points[2].values[2]);
+  CHECK(points[1].options == Settings{{"seed", "5"}});
+  CHECK(points[0].sets.front() == std::pair<std::string, std::string>{"appLoadX", "1"});
+}
+
+TEST_CASE("lots scatter by the law that is asked for, correlated as asked", "[unit][studies]") {
+  Study study = parse_study(
+      R"({"adore_study": 1, "kind": "tolerance", "deck": "DATA.txt",
+      "variables": [{"name": "reDiaVar#", "normal": [1e-6, 2e-7], "common": 0.4},
+                    {"name": "freeConAng", "normal": [25, 1], "within": [24, 26]},
+                    {"name": "raceCurFac1", "uniform": [0.51, 0.53]}],
+      "correlation": [["freeConAng", "raceCurFac1", 0.7]],
+      "sampling": {"method": "random", "runs": 4000},
+      "quantities": ["largest_contact_load_N"]})",
+      "a.json");
+  expand_lots(study, 4);
+  const auto points = make_points(study);
+  const auto n = static_cast<double>(points.size());
+  const auto mean = [&](auto&& f) {
+    double sum = 0.0;
+    for (const Point& point : points) sum += f(point.values) / n;
+    return sum;
+  };
+  using V = std::vector<double>;
+  const auto score = [](double v) { return (v - 1e-6) / 2e-7; };
+  // Standard errors: 1/√n = 0.016 of a mean, √(2/n) = 0.022 of a variance; four of them.
+  CHECK(mean([&](const V& v) { return score(v[0]); }) == Approx(0.0).margin(0.063));
+  CHECK(mean([&](const V& v) { return score(v[3]) * score(v[3]); }) == Approx(1.0).margin(0.089));
+  CHECK(mean([&](const V& v) { return score(v[1]) * score(v[2]); }) == Approx(0.4).margin(0.068));
+  // Cut at one deviation to both sides: variance 1 - 2 φ(1)/(2Φ(1) - 1) = 0.29112509.
+  CHECK(mean([&](const V& v) { return v[4] - 25.0; }) == Approx(0.0).margin(0.034));
+  CHECK(mean([&](const V& v) { return (v[4] - 25.0) * (v[4] - 25.0); }) ==
+        Approx(0.29112509).margin(0.02));
+  // Rank correlation of a Gaussian copula: 6/π asin(ρ/2) = 0.6829; here by shares of both.
+  const auto uniform = [](double v) { return (v - 0.51) / 0.02; };
+  CHECK(mean([&](const V& v) { return uniform(v[5]); }) == Approx(0.5).margin(0.018));
+  double least = 1.0, largest = 0.0, low = 25.0, high = 25.0;
+  for (const Point& point : points) {
+    least = std::min(least, point.values[5]);
+    largest = std::max(largest, point.values[5]);
+    low = std::min(low, point.values[4]);
+    high = std::max(high, point.values[4]);
+  }
+  CHECK(low >= 24.0);
+  CHECK(high <= 26.0);
+  CHECK(least >= 0.51);
+  CHECK(largest <= 0.53);
+}
