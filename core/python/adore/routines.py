@@ -140,7 +140,7 @@ def _tabulated(law: Callable[..., Any], slip_scale: float, largest: float, toler
     slip = np.concatenate(([0.0], np.geomspace(smallest, largest, 65)))
     fractions = np.linspace(0.0, 1.0, 9)[1:-1]
     error = np.inf
-    for _ in range(12):
+    for left in reversed(range(25)):
         kappa = values(slip)
         probes = slip[:-1, None] + np.diff(slip)[:, None] * fractions
         exact = values(probes.ravel()).reshape(probes.shape)
@@ -149,7 +149,8 @@ def _tabulated(law: Callable[..., Any], slip_scale: float, largest: float, toler
         errors = np.abs(table - exact).max(axis=1) / scale
         error = float(errors.max())
         bad = np.flatnonzero(errors > tolerance)
-        if not len(bad) or len(slip) + len(bad) > 20000:
+        if not len(bad) or left == 0 or len(slip) + len(bad) > 50000:
             break
+        bad = np.unique(np.clip(np.concatenate((bad - 1, bad, bad + 1)), 0, len(slip) - 2))  # slopes come from neighbours
         slip = np.sort(np.concatenate((slip, 0.5 * (slip[bad] + slip[bad + 1]))))
     return slip, kappa, error

@@ -220,13 +220,13 @@ class DeckVariables:
     """Record 5A [m]. Pitch diameter: the circle of the ball centres."""
     freeConAng: float
     """Record 5A [deg]. Free contact angle. When it is above 0 it rules and the clearance follows from it; 0 derives
-    it from freeIntCls."""
+    it from freeIntCls; 90 is a thrust bearing."""
     freeIntCls: float
     """Record 5A [m]. Free internal diametral clearance, used when freeConAng is 0. Negative means interference."""
     raceCurFac1: float
-    """Record 5A. Outer groove radius divided by ball diameter; above 0.5 and below 1, usually 0.515 to 0.53."""
+    """Record 5A. Outer groove radius divided by ball diameter; above 0.5 and below 10, usually 0.515 to 0.53."""
     raceCurFac2: float
-    """Record 5A. Inner groove radius divided by ball diameter; above 0.5 and below 1, usually 0.515 to 0.53."""
+    """Record 5A. Inner groove radius divided by ball diameter; above 0.5 and below 10, usually 0.515 to 0.53."""
     shoulderDia1: float
     """Record 5A [m]. Shoulder diameter of the outer race; only tells how far the contact is from the edge."""
     shoulderDia2: float

@@ -3,6 +3,7 @@
 import tempfile
 import time
 import unittest
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -10,58 +11,60 @@ import numpy as np
 import adore
 
 
+def value(slip):
+    """The program's own curve of record 10.1A: (A + B u) exp(-C u) + D."""
+    return -0.06 * np.exp(-5.0 * slip) + 0.06
+
+
 def traction(table=False):
-    """The hypothetical curve of the example, as a function of the user."""
-    routines = adore.Routines("tanh 1")
-
-    if table:
-
-        @routines.traction("element_race", table=True, slip_scale=0.2)
-        def law(slip):
-            return 0.06 * np.tanh(slip / 0.2)
-
-    else:
-
-        @routines.traction("element_race", slip_scale=0.2)
-        def law(slip, contact):
-            return 0.06 * np.tanh(slip / 0.2)
-
+    """The same as a routine of the user."""
+    routines = adore.Routines("exp 1")
+    how = {"table": True} if table else {}
+    law = value if table else lambda slip, contact: value(slip)
+    routines.traction("element_race", slip_scale=0.2, **how)(law)
     return routines
 
 
 def formula(folder):
-    """The same law through the solver's own formulas."""
+    """The same through the solver's own formulas."""
     file = Path(folder) / "law.json"
-    file.write_text('{"version": "tanh 1", "adrx7": {"element_race": {"formula": "0.06*tanh(u/0.2)", "slip_scale": "0.2"}}}')
+    file.write_text('{"version": "exp 1", "adrx7": {"element_race": {"formula": "0.06-0.06*exp(-5*u)", "slip_scale": "0.2"}}}')
     return file
 
 
+def built_in():
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return adore.new("ball").copy(kTracType=-1, reRaceTC1=-0.06, reRaceTC2=0, reRaceTC3=5, reRaceTC4=0.06)
+
+
 def deck():
-    out = adore.new("ball")
-    out.kTrac = -1
-    return out
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return built_in().copy(kTrac=-1)
 
 
 class Traction(unittest.TestCase):
-    def test_function_table_and_formula_give_the_same_trajectory(self):
+    def test_function_table_and_formula_give_the_trajectory_of_the_built_in_law(self):
+        own = built_in().run(until="0.1rev", progress=False)
         with tempfile.TemporaryDirectory() as folder:
             runs = [deck().run(until="0.1rev", progress=False, user=user) for user in (formula(folder), traction(), traction(True))]
-        theirs, direct, tabulated = (r["contact.heat"] for r in runs)
-        scale = theirs.max()
-        # NumPy's tanh and muParser's differ by roundings, which the control of steps lets grow.
-        np.testing.assert_allclose(direct, theirs, atol=1e-6 * scale)
-        # The table is within 1e-7 of the law, and so is its heat, to what the motion makes of it.
-        np.testing.assert_allclose(tabulated, theirs, atol=1e-4 * scale)
+        # The same law to rounding. The table is within 1e-7 of it, and the control of steps answers that with stored times
+        # that differ by 4e-4 of the span, where loads differ by 1.5e-4 and heats by 4e-4 of their largest values.
+        for run, least in zip(runs, (1e-9, 1e-9, 2e-3)):
+            for channel in ("contact.load", "contact.heat", "element.orbital_velocity"):
+                scale = np.abs(own[channel]).max()
+                self.assertLess(np.abs(run[channel] - own[channel]).max() / scale, least, channel)
 
     def test_the_table_states_its_error_and_keeps_to_it(self):
         routines = traction(True)
         self.assertLess(routines.errors["element_race"], 1e-7)
         self.assertIn("table of element_race within", repr(routines))
         slip = np.geomspace(1e-6, 50.0, 777)
-        x, y, error = adore.routines._tabulated(lambda u: 0.06 * np.tanh(u / 0.2), 0.2, 100.0, 1e-7)
+        x, y, error = adore.routines._tabulated(value, 0.2, 100.0, 1e-7)
         found = adore._core.interpolate(x, y, slip)
         # Probes stand at seven places of each interval: elsewhere the table is hardly worse.
-        self.assertLess(np.abs(found - 0.06 * np.tanh(slip / 0.2)).max() / 0.06, 1.5e-7)
+        self.assertLess(np.abs(found - value(slip)).max() / 0.06, 1.5e-7)
 
     def test_a_table_costs_less_than_three_times_the_built_in_law_and_the_direct_cost_is_printed(self):
         def seconds(d, user):
@@ -73,7 +76,7 @@ class Traction(unittest.TestCase):
             return best
 
         tabulated = traction(True)
-        self.assertLess(seconds(deck(), tabulated), 3.0 * seconds(adore.new("ball"), None))
+        self.assertLess(seconds(deck(), tabulated), 3.0 * seconds(built_in(), None))
         self.assertEqual(tabulated.cost(), "no call of Python while computing")
         direct = traction()
         deck().run(until="0.05rev", progress=False, user=direct)
@@ -81,7 +84,7 @@ class Traction(unittest.TestCase):
 
     def test_the_version_of_the_user_is_in_the_report(self):
         run = deck().run(until="0.01rev", progress=False, user=traction())
-        self.assertIn("tanh 1", str(run.report))
+        self.assertIn("exp 1", str(run.report))
 
 
 class Others(unittest.TestCase):
