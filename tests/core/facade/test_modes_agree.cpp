@@ -1,0 +1,104 @@
+#include "core/facade/deck_runs.hpp"
+#include "deck/templates.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+/// Under a steady load mode 1, which leaves out the inertia that contacts vibrate with, has the
+/// means of mode 0 over the same whole turns.
+using namespace adore;
+using nlohmann::json;
+
+namespace {
+
+/// Over whole turns.
+struct Means {
+  double race[2] = {0.0, 0.0}, cage = 0.0, total = 0.0;  ///< heat [J]
+  double cage_ratio = 0.0;
+};
+
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+Means means_of(const std::string& type, const Sets& own, int turns, int mode, double share) {
+  deck::Deck deck = deck::new_deck(type);
+  Sets sets = own;
+  const double seconds = 60.0 * turns / deck.real("rpm2");
+  for (const auto& [name, value] :
+       Sets{{"mode", fmt::format("{}", mode)},
+            {"kPrtOpt", "0"},
+            {"kPltFreq", "1000"},
+            {"kAGraf", "0"},
+            {"kLifeFreq", "0"},
+            {"appLoadZ", fmt::format("{}", share * deck.real("appLoadZ"))}})
+    sets.emplace_back(name, value);
+  deck.set_all(sets);
+  testing::TemporaryFolder folder;
+  deck::write_deck(deck, folder / "DATA.txt");
+  facade::RunRequest request;
+  request.deck = folder / "DATA.txt";
+  request.until = fmt::format("{}s", seconds);
+  facade::run(request);
+  const json report = json::parse(testing::read_bytes(folder / "RUN.json"));
+  Means out;
+  out.cage_ratio = report.at("summary").at("mean_cage_ratio").get<double>();
+  for (const auto& [name, value] : report.at("conservation").at("energy").items()) {
+    if (!name.starts_with("heat, ")) continue;
+    const double heat = value.get<double>();
+    out.total += heat;
+    if (name.find("outer race contacts") != std::string::npos) out.race[0] += heat;
+    if (name.find("inner race contacts") != std::string::npos) out.race[1] += heat;
+    if (name.find("cage") != std::string::npos || name.find("guide") != std::string::npos)
+      out.cage += heat;
+  }
+  return out;
+}
+
+Means check(const std::string& type, const Sets& own, int turns, const Means& free) {
+  const Means held = means_of(type, own, turns, 1, 1.0);
+  INFO(type << ": heat of the races " << free.race[0] << " " << free.race[1] << " J, mode 1 "
+            << held.race[0] << " " << held.race[1] << "; total " << free.total << ", " << held.total
+            << "; cage " << free.cage << ", " << held.cage);
+  REQUIRE(free.race[0] > 0.0);
+  CHECK(held.cage_ratio == Approx(free.cage_ratio).epsilon(0.01));
+  for (const int j : {0, 1}) CHECK(held.race[j] == Approx(free.race[j]).epsilon(0.01));
+  CHECK(held.total == Approx(free.total).epsilon(0.02));
+  return held;
+}
+
+/// Cage heat: no further from the mean of five runs of mode 0 under loads that differ by up to 2e-4
+/// than three times their standard deviation; where they agree to six digits, a thousandth.
+void check_with_spread(const std::string& type, const Sets& own, int turns) {
+  std::vector<Means> free;
+  for (const double share : {1.0, 1.0001, 0.9999, 1.0002, 0.9998})
+    free.push_back(means_of(type, own, turns, 0, share));
+  const Means held = check(type, own, turns, free.front());
+  double mean = 0.0, square = 0.0;
+  for (const Means& one : free) mean += one.cage / 5.0;
+  for (const Means& one : free) square += (one.cage - mean) * (one.cage - mean) / 4.0;
+  INFO("cage heat " << mean << " +- " << std::sqrt(square) << " J, mode 1 " << held.cage);
+  CHECK(std::abs(held.cage - mean) < std::max(3.0 * std::sqrt(square), 1e-3 * mean));
+}
+
+}  // namespace
+
+TEST_CASE("mode 1 of the ball example has the heat and the cage speed of mode 0 over three turns",
+          "[physics][facade][constrained][slow]") {
+  check_with_spread("ball", {}, 3);
+}
+
+TEST_CASE("mode 1 of a preloaded cylindrical bearing has the heat and the cage speed of mode 0",
+          "[physics][facade][constrained][slow]") {
+  // With play rollers skew in the unloaded zone, and no two runs have the same heat (decision 321).
+  check_with_spread("cylindrical", {{"freeIntCls", "-1e-5"}}, 2);
+}
+
+TEST_CASE("mode 1 of the tapered example has the heat and the cage speed of mode 0 over a turn",
+          "[physics][facade][constrained][slow]") {
+  // Cage heat: 9.12, 9.25, 9.21, 9.22, 9.23 mJ in mode 0, 8.99 in mode 1; after two and three turns
+  // 8 % less and 2 % more: outside of this narrow spread, 0.7 % of all heat.
+  const Means free = means_of("tapered", {}, 1, 0, 1.0), held = check("tapered", {}, 1, free);
+  CHECK(held.cage == Approx(free.cage).epsilon(0.1));
+}
