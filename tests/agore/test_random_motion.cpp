@@ -24,7 +24,7 @@ Animation any_animation(const std::filesystem::path& folder, int number) {
   using namespace adore::testing;
   if (number % 3 == 0) {
     test::SyntheticRun run;
-    run.steps = 1 + number % 60;
+    run.steps = 2 + number % 60;
     run.balls = 3 + number % 20;
     return prepare(test::synthetic_sol8(run));
   }
