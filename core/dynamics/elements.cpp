@@ -1,5 +1,7 @@
 #include "dynamics/elements.hpp"
 
+#include "base/sine_cosine.hpp"
+
 #include <cmath>
 
 namespace adore::dynamics {
@@ -9,13 +11,9 @@ bool view_elements(const double* y, const ElementSlices& slices, double* sin, do
   out.n = slices.elements();
   for (std::size_t q = 0; q < kQuantities.size(); ++q)
     out.*kQuantities[q].view = y + slices[static_cast<Quantity>(q)].first;
-  const double *theta = out.theta, *r = out.r;
+  sines_and_cosines(out.theta, static_cast<int>(out.n), sin, cos);
   bool valid = true;
-  for (std::size_t i = 0, n = out.n; i < n; ++i) {
-    sin[i] = std::sin(theta[i]);
-    cos[i] = std::cos(theta[i]);
-    valid = valid && r[i] > 0.0;
-  }
+  for (std::size_t i = 0, n = out.n; i < n; ++i) valid = valid && out.r[i] > 0.0;
   out.sin_theta = sin;
   out.cos_theta = cos;
   return valid;

@@ -8,54 +8,6 @@
 
 namespace adore::integrators {
 
-void combine(double* out, const double* base, double h, const double* weights,
-             const double* const* vectors, int count, int n_padded) noexcept {
-  const double* used[16];
-  double factor[16];
-  int terms = 0;
-  for (int j = 0; j < count; ++j) {
-    if (weights[j] != 0.0) {
-      used[terms] = vectors[j];
-      factor[terms++] = h * weights[j];
-    }
-  }
-  for (int i = 0; i < n_padded; i += kBlock) {
-    double sum[kBlock] = {};
-    for (int j = 0; j < terms; ++j) {
-      const double* v = used[j] + i;
-      for (int k = 0; k < kBlock; ++k) sum[k] += factor[j] * v[k];
-    }
-    if (base) {
-      for (int k = 0; k < kBlock; ++k) out[i + k] = base[i + k] + sum[k];
-    } else {
-      for (int k = 0; k < kBlock; ++k) out[i + k] = sum[k];
-    }
-  }
-}
-
-double weighted_maximum(const double* values, const double* weights, int n) noexcept {
-  double worst[kBlock] = {};
-  int i = 0;
-  for (; i + kBlock <= n; i += kBlock) {
-    for (int k = 0; k < kBlock; ++k) {
-      const double e = std::abs(values[i + k]) * weights[i + k];
-      worst[k] = e > worst[k] ? e : worst[k];
-    }
-  }
-  for (; i < n; ++i) worst[0] = std::max(worst[0], std::abs(values[i]) * weights[i]);
-  return *std::max_element(worst, worst + kBlock);
-}
-
-bool all_finite(const double* values, int n) noexcept {
-  double sum[kBlock] = {};  // 0 * x is 0 for every finite x and NaN otherwise
-  int i = 0;
-  for (; i + kBlock <= n; i += kBlock) {
-    for (int k = 0; k < kBlock; ++k) sum[k] += 0.0 * values[i + k];
-  }
-  for (; i < n; ++i) sum[0] += 0.0 * values[i];
-  return std::all_of(sum, sum + kBlock, [](double s) { return s == 0.0; });
-}
-
 int worst_index(const double* values, const double* weights, int n) noexcept {
   int worst = 0;
   double most = -1.0;

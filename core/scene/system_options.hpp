@@ -6,7 +6,7 @@ namespace adore::scene {
 
 /// How finely contacts are integrated over their area.
 struct SystemOptions {
-  int ellipse_major = 15, ellipse_minor = 4;  ///< nodes of the run's split ellipse rule
+  int ellipse_major = 15, ellipse_minor = 2;  ///< nodes of the run's split ellipse rule
   tribology::ContactSurface surface = tribology::ContactSurface::CurvedEdge;
   int land_slices = 3;
   /// Hertz constants of balls follow their contact angle (contact/angle_law.hpp); otherwise they

@@ -25,12 +25,17 @@ class OrientationMotion final : public EffectBlock {
   const std::vector<OrientedElement>& elements_;
 };
 
+/// q̇ = ½ (0, ω) ⊗ q with ω on the base frame, and ω·(body x axis), for q of any length.
 void OrientationMotion::apply(Evaluation& e) noexcept {
   for (const OrientedElement& element : elements_) {
     const Quat q = quaternion_at(e.y, element.orientation);
-    const Vec3 omega = rotation_matrix(normalise(q)).transpose() * e.element_omega(element.element);
-    store_at(e.dydt, element.orientation, quaternion_rate(q, omega));
-    e.dydt[element.rotation.first] = omega[0];
+    const Vec3 omega = e.element_omega(element.element), half = 0.5 * omega;
+    store_at(e.dydt, element.orientation, multiply({0.0, half[0], half[1], half[2]}, q));
+    const double w = q[0] * q[0], x = q[1] * q[1], y = q[2] * q[2], z = q[3] * q[3];
+    e.dydt[element.rotation.first] =
+        (omega[0] * (w + x - y - z) + 2.0 * omega[1] * (q[1] * q[2] + q[0] * q[3]) +
+         2.0 * omega[2] * (q[1] * q[3] - q[0] * q[2])) /
+        (w + x + y + z);
   }
 }
 

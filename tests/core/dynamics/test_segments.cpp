@@ -167,13 +167,22 @@ TEST_CASE("segments conserve energy and momentum through their collisions",
       b.cage->later_starts[1].start_angles = {0.0, 5e-4, -3e-4};
       b.cage->later_starts[1].speed_ratio = 1.03;
       double previous = 1e300;
-      for (const double tolerance : {1e-6, 1e-9}) {
+      for (const double tolerance : {1e-6, 1e-11}) {
         System system = make_system(b, segment_plan(friction));
         const double end = 2e-3;
         const RunResult result = fixture::run(system, system.initial_state(), end, tolerance);
         const Snapshot at = system.snapshot(end, result.y);
-        const double residual =
-            std::abs(at.energy.residual()) / at.energy.sum(scene::LedgerKind::Start);
+        // The largest of several times: one by itself may be small by chance.
+        double residual = std::abs(at.energy.residual());
+        for (const double earlier : {1.2e-3, 1.4e-3, 1.6e-3, 1.8e-3})
+          residual = std::max(
+              residual,
+              std::abs(
+                  system
+                      .snapshot(earlier,
+                                fixture::run(system, system.initial_state(), earlier, tolerance).y)
+                      .energy.residual()));
+        residual /= at.energy.sum(scene::LedgerKind::Start);
         double land = 0.0;
         for (const scene::CageSnapshot& segment : at.cages)
           for (const scene::LandSnapshot& one : segment.lands) land += one.force;
@@ -182,7 +191,7 @@ TEST_CASE("segments conserve energy and momentum through their collisions",
                                 << land);
         if (friction) CHECK(at.energy.value("land_heat") > 1e-7);
         CHECK(residual < 0.5 * previous);
-        if (tolerance == 1e-9) {
+        if (tolerance < 1e-6) {
           CHECK(residual < 1e-6);
           CHECK(at.momentum->linear.residual().norm() < 1e-6 * at.momentum->linear_size);
           CHECK(at.momentum->angular.residual().norm() < 1e-6 * at.momentum->angular_size);
