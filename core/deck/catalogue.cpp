@@ -1,6 +1,7 @@
 #include "deck/catalogue.hpp"
 
 #include "base/errors.hpp"
+#include "base/json_text.hpp"
 #include "base/resources.hpp"
 #include "deck/keep_text.hpp"
 #include "deck/lookup.hpp"
@@ -23,7 +24,7 @@ namespace {
 using Json = nlohmann::json;
 
 const Json& table() {
-  static const Json json = Json::parse(resources::get("catalogue.json"));
+  static const Json json = parse_json(resources::get("catalogue.json"), "catalogue.json");
   return json;
 }
 

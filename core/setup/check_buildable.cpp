@@ -57,7 +57,7 @@ constexpr Request kRequests[] = {
     {"kRFTrac", -1, 7, "0", true},
     {"kRRTrac", -1, 7, "0", true},
     {"kReGeoImp", 3, 8, "0, 1 or 2", false},
-    {"kCagePocImp", 4, 8, "0, 1, 2 or 3", false},
+    {"kCagePocImp", 4, 8, "0, 1, 2 or 3", true},
     {"kReIP", 3, 8, "0, 1 or 2", true},
 };
 /// Those that this version does not call.
@@ -100,6 +100,7 @@ class Checker {
 /// Code that asks for a routine needs a plug-in that has it. Code is loaded on the command line
 /// alone: the deck cannot say where it is.
 void check_requests(const Deck& deck, const UserHooks* user, Checker& check) {
+  const deck::ReportOnly quiet(deck);  // to be asked about is no part in the run
   const bool dynamic = deck.integer("mode") >= 0;
   for (const Request& request : kRequests) {
     const std::string variable(request.variable);

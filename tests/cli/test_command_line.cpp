@@ -68,7 +68,7 @@ TEST_CASE("mistakes on the command line are met with what was probably meant", "
       {"convert " + deck, "`adore convert` needs --to"},
       {"convert " + deck + " --to cvs", "did you mean csv? Give csv or json"},
       {"convert " + deck + " --to xml", "give csv or json"},
-      {"new", "`adore new` needs type"},
+      {"new", "name an example (`adore examples` lists them), or a bearing with --catalogue"},
       {"new bal", "bal"},
   };
   for (const Case& one : cases) {

@@ -353,7 +353,9 @@ TEST_CASE("every calculator runs its own examples, and every number it returns h
 TEST_CASE("every input of the reference cases is known to its calculator", "[unit][calc]") {
   std::set<std::string> families;
   for (const CalculatorInfo& info : calculator_list()) families.insert(info.family);
+  families.erase("lubricant_traction");  // made of the others, without cases of its own
   for (const std::string& family : families) {
+    INFO(family);
     std::ifstream stream(kReference / (family + ".json"));
     REQUIRE(stream);
     for (const Json& one : Json::parse(stream).at("cases")) {
