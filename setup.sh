@@ -16,6 +16,7 @@ packages=(
   catch2 libbenchmark-dev gfortran
   python3  # runs the hard scenes (tests/hardcases)
   xvfb openbox xdotool  # real windows
+  slurm-wlm munge  # a cluster of one node (tests/slurm)
   clang-format  # test.sh checks the formatting; another version would format differently
 )
 
