@@ -8,6 +8,7 @@
 #include "facade/passing_folder.hpp"
 #include "facade/run_ending.hpp"
 #include "results/growing_file.hpp"
+#include "results/reader_killed.hpp"
 #include "scene/cost_ledger.hpp"
 #include "studies/quantities.hpp"
 
@@ -386,9 +387,13 @@ std::optional<Record> run_task(const Job& job, const Task& task, const fs::path&
   // A run that failed half-way has no results: means over what it reached are not comparable.
   out.values.assign(job.quantities.size(), std::numeric_limits<double>::quiet_NaN());
   if (ending.exit_code == 0) {
-    Answers answers = answer(job.quantities, ending.outcome.summary, *request.out);
-    out.values = std::move(answers.values);
-    out.message = std::move(answers.missing);
+    try {
+      Answers answers = answer(job.quantities, ending.outcome.summary, *request.out);
+      out.values = std::move(answers.values);
+      out.message = std::move(answers.missing);
+    } catch (const results::ReaderKilled&) {
+      return {};
+    }
   }
   out.disk_megabytes = megabytes_in(*request.out);
   out.processor = scene::processor_seconds() - processor;
