@@ -114,6 +114,11 @@ Json to_json(const Job& job, const fs::path& folder) {
   return out;
 }
 
+void leave_out(std::string& text, const std::string& part) {
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at))
+    text.erase(at, part.size());
+}
+
 double megabytes_in(const fs::path& folder) {
   double bytes = 0.0;
   std::error_code error;
@@ -395,6 +400,9 @@ std::optional<Record> run_task(const Job& job, const Task& task, const fs::path&
       return {};
     }
   }
+  // The same sentence wherever the study's folder is: tables are compared.
+  leave_out(out.message, request.out->string() + "/");
+  leave_out(out.message, folder.string() + "/");
   out.disk_megabytes = megabytes_in(*request.out);
   out.processor = scene::processor_seconds() - processor;
   out.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
