@@ -80,6 +80,9 @@ class Killer(threading.Thread):
 
 def run(adore, folder, kind, runs, arguments, every=None, node=None, environment=None):
     """The study in a folder of its own. Returns elapsed seconds, kills, and the table's rows."""
+    if (folder / "a.study" / "STUDY.h5").exists():
+        print(f"{kind:9} {runs:5} runs  {folder.name} is there already", flush=True)
+        return folder / "a.study"
     folder.mkdir(parents=True)
     subprocess.run([adore, "new", "ball", "--out", "DATA.txt"], cwd=folder, check=True, stdout=subprocess.DEVNULL,
                    stderr=subprocess.DEVNULL)
@@ -106,6 +109,13 @@ def run(adore, folder, kind, runs, arguments, every=None, node=None, environment
     return folder / "a.study"
 
 
+def slow_enough(study_folder, every):
+    """Seconds between kills: some runs must come through, however busy the machine is."""
+    rows = csv.DictReader((study_folder / "TIMES.csv").open())
+    walls = sorted(float(row["wall [s]"]) for row in rows)
+    return max(every, 4 * walls[len(walls) * 9 // 10])
+
+
 def same(a, b):
     for name in ("RUNS.csv", "STUDY.h5"):
         if (a / name).read_bytes() != (b / name).read_bytes():
@@ -118,16 +128,17 @@ def main():
     parser.add_argument("adore")
     parser.add_argument("--statics", type=int, default=40)
     parser.add_argument("--dynamics", type=int, default=6)
-    parser.add_argument("--every", type=float, default=0.3, help="seconds between kills, on average")
+    parser.add_argument("--every", type=float, default=0.3, help="seconds between kills, on average (at least)")
     parser.add_argument("--engines", default="local,slurm")
-    parser.add_argument("--keep", type=pathlib.Path)
+    parser.add_argument("--keep", type=pathlib.Path, help="folder that stays; studies that are whole there are not run again")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(prefix="adore-same-", ignore_cleanup_errors=True) as passing:
         root = (options.keep or pathlib.Path(passing)).resolve()
         sizes = {"statics": options.statics, "dynamics": options.dynamics}
         whole = {kind: run(options.adore, root / f"{kind}-whole", kind, runs, ["--workers", "1"]) for kind, runs in sizes.items()}
         for kind, runs in sizes.items():
-            same(whole[kind], run(options.adore, root / f"{kind}-local", kind, runs, ["--workers", "2"], options.every))
+            same(whole[kind], run(options.adore, root / f"{kind}-local", kind, runs, ["--workers", "2"],
+                                  slow_enough(whole[kind], options.every)))
         if "slurm" not in options.engines:
             return 0
         cluster = ["bash", str(HERE / "one_node_cluster.sh")]
@@ -145,7 +156,7 @@ def main():
 
             for kind, runs in sizes.items():
                 same(whole[kind], run(options.adore, root / f"{kind}-slurm", kind, runs, ["--engine", "slurm"],
-                                      options.every, restart_node, environment))
+                                      slow_enough(whole[kind], options.every), restart_node, environment))
         finally:
             subprocess.run([*cluster, "stop", folder], check=False)
     return 0
