@@ -68,6 +68,9 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
                    &AccuracyPanel::cancel);
   target_ = number(tr("asked"), "accuracy-target", 1.0, 0.01, 50.0, " %");
   budget_ = number(tr("at most"), "accuracy-budget", 120.0, 1.0, 100000.0, " s");
+  row->addStretch(1);
+  layout->addLayout(row);
+  row = new QHBoxLayout;  // two short rows: one long one would widen the whole window
   bar_ = new QProgressBar(this);
   bar_->setObjectName("study-progress");
   bar_->setRange(0, kBarSteps);

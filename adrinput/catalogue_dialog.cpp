@@ -34,7 +34,7 @@ CatalogueDialog::CatalogueDialog(QWidget* parent)
   story_->setObjectName("story");
   story_->setWordWrap(true);
   story_->setTextFormat(Qt::PlainText);
-  story_->setMinimumSize(460, 150);
+  story_->setMinimumSize(480, 240);
   story_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
   take_ = buttons->addButton(tr("&Make the deck"), QDialogButtonBox::AcceptRole);

@@ -47,6 +47,7 @@ QString text_in(const std::string& bytes) {
 }
 
 constexpr int kDrawingWidth = 368;  // of the drawing beside the form
+constexpr int kListWidth = 150;     // of the records, at least
 constexpr int kCheckPause = 200;    // ms without a change before the model is built
 
 }  // namespace
@@ -91,7 +92,7 @@ void DeckWindow::makeCentre() {
   scroll_->setObjectName("form");
   scroll_->setWidgetResizable(true);
   scroll_->setFrameShape(QFrame::NoFrame);
-  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);  // below 1000 pixels
   problems_ = new QListWidget(this);
   problems_->setObjectName("problems");
   problems_->setAccessibleName(tr("Problems"));
@@ -143,6 +144,7 @@ void DeckWindow::makeCentre() {
   makeNotices(column);
   column->addWidget(scroll_, 1);
   column->addWidget(makeButtons());
+  list_->setMinimumWidth(kListWidth);
   auto* right = new QSplitter(Qt::Vertical, this);
   right->addWidget(form);
   right->addWidget(tabs_);
@@ -153,7 +155,7 @@ void DeckWindow::makeCentre() {
   splitter->addWidget(list_);
   splitter->addWidget(right);
   splitter->setStretchFactor(1, 1);
-  splitter->setSizes({256, 980});
+  splitter->setSizes({222, 1010});
   splitter->setChildrenCollapsible(false);
   setCentralWidget(splitter);
   connect(list_, &RecordList::recordChosen, this, [this](const QString& record) {
@@ -206,7 +208,7 @@ void DeckWindow::makeDrawing() {
 QWidget* DeckWindow::makeButtons() {
   auto* bar = new QWidget(this);
   auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(20, 8, 20, 8);
+  row->setContentsMargins(12, 8, 12, 8);
   const auto button = [&](const QString& text, const QString& name, const QString& help,
                           auto slot) {
     auto* push = new QPushButton(text, bar);

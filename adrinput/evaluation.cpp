@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <memory>
 
@@ -34,8 +35,11 @@ std::string key_results(const facade::Prepared& ready, deck::UnitSystem units) {
   namespace unit = results::unit;
   const auto& found = ready.race_result();
   const auto text = [&](double value, const deck::UnitPair& pair) {
-    return desktop::pretty_quantity(results::from_si(value, pair, units),
-                                    results::unit_name(pair, units));
+    const std::string name(results::unit_name(pair, units));
+    const double shown = results::from_si(value, pair, units);
+    // Below an atom's size stands rounding.
+    return desktop::pretty_quantity(std::abs(shown) < desktop::least_span_of(name) ? 0.0 : shown,
+                                    name);
   };
   return fmt::format(
       "Inner race moves {} axially, {} along y and {} along z. Largest contact load {}, closest "

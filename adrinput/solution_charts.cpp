@@ -22,7 +22,7 @@ SolutionCharts::SolutionCharts(QWidget* parent)
   note_->setMargin(6);
   view_->setObjectName("solution-chart");
   view_->setAccessibleName(tr("Chart of the quasi-static solution"));
-  view_->setMinimumHeight(160);
+  view_->setMinimumSize(200, 160);
   choice_->hide();
   view_->hide();
   auto* layout = new QVBoxLayout(this);

@@ -67,6 +67,8 @@ KnownValues KnownColumns::values(const std::string& id) const {
     if (zero(out.values)) nothing("No film was computed: the traction law of this run has none.");
   } else if (is("contact.temperature_rise.")) {
     if (zero(out.values)) nothing("No temperature rise in the contacts was computed in this run.");
+  } else if (id == "power.churning_fraction") {
+    if (zero(out.values)) nothing("No churning was computed in this run.");
   } else if (is("contact.angle.") || is("contact.spin_to_roll.") || is("contact.slip.")) {
     for (const std::string_view channel : {"contact.angle", "contact.spin_to_roll", "contact.slip"})
       if (is(std::string(channel) + ".") && has("contact.load" + behind(id, channel)))

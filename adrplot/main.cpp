@@ -36,7 +36,12 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
   window.setAbscissa(abscissa);
   const desktop::WindowMemory memory(window, "adrplot");
   window.show();
-  for (const auto& file : files) window.openFile(file, range);
+  for (const auto& file : files) {
+    if (std::filesystem::is_directory(file))
+      window.openFolder(QString::fromStdString(file.string()), range);
+    else
+      window.openFile(file, range);
+  }
   if (follow) window.follow(true);
   std::optional<desktop::OneWindow> one;
   if (!files.empty())
@@ -58,7 +63,9 @@ int main(int argc, char** argv) {
   std::vector<std::filesystem::path> files;
   adrplot::RenderOptions options;
   std::string size = "1280x800", abscissa = "rev";
-  cli.add_option("FILE", files, "result files: SOL1 to SOL7, RUN.json, SWEEP.csv")
+  cli.add_option(
+         "FILE", files,
+         "result files: SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json; in a window, folders too")
       ->type_name("FILE");
   auto* folder =
       cli.add_option("--render", options.folder,

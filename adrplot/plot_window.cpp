@@ -443,25 +443,28 @@ void PlotWindow::askForFolder() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::Directory);
   dialog->setOption(QFileDialog::ShowDirsOnly);
-  connect(dialog, &QFileDialog::fileSelected, this, &PlotWindow::openFolder);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& folder) { openFolder(folder); });
   dialog->open();
 }
 
-void PlotWindow::openFolder(const QString& folder) {
+void PlotWindow::openFolder(const QString& folder, const results::SolRange& range) {
   QStringList names;
   const QDir dir(folder);
   for (const QString& name : dir.entryList({"SOL1", "SOL2", "SOL3", "SOL4", "SOL5", "SOL6", "SOL7"},
                                            QDir::Files, QDir::Name))
     names << dir.filePath(name);
-  // A quasi-static run, or a sweep, has no step files.
+  // A quasi-static run, a sweep or a study has no step files.
   if (names.isEmpty())
-    for (const QString& name : dir.entryList({"RUN.json", "SWEEP.csv"}, QDir::Files, QDir::Name))
+    for (const QString& name :
+         dir.entryList({"RUN.json", "SWEEP.csv", "ACCURACY.json"}, QDir::Files, QDir::Name))
       names << dir.filePath(name);
   if (names.isEmpty())
     return desktop::show_message(
-        this,
-        tr("%1 holds no plot file: neither SOL1 to SOL7 nor RUN.json nor SWEEP.csv.").arg(folder));
-  for (const QString& name : names) openFile(name.toStdString());
+        this, tr("%1 holds no plot file: neither SOL1 to SOL7 nor RUN.json, SWEEP.csv or "
+                 "ACCURACY.json.")
+                  .arg(folder));
+  for (const QString& name : names) openFile(name.toStdString(), range);
 }
 
 void PlotWindow::openSeveral(const QStringList& paths) {

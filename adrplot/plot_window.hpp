@@ -38,7 +38,7 @@ class PlotWindow : public QMainWindow {
   void addFile(results::SolFile file, const results::SolRange& range = {});
 
   /// Every plot file of a folder: SOL1 to SOL7, or those that RUN.json or SWEEP.csv hold.
-  void openFolder(const QString& folder);
+  void openFolder(const QString& folder, const results::SolRange& range = {});
   /// Files that another program wants shown: read again where they are open, and brought to the
   /// front.
   void showFiles(const QStringList& paths);

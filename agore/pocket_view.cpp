@@ -95,7 +95,9 @@ void pocket_view(const Scene& s) {
   const double top = high + 0.3 * g.element_radius;
   s.sketch.arrow(s.sketch.at(-direction * g.element_radius, top),
                  s.sketch.at(direction * g.element_radius, top), t.red, 7.0);
-  s.sketch.label(s.sketch.at(0, top + 22.0 / s.sketch.scale()), "cage rotation", t.muted, 13);
+  // A small picture has no room for it below the view's title.
+  const QPointF above = s.sketch.at(0, top) - QPointF(0.0, 22.0);
+  if (above.y() > s.sketch.area().top() - 2.0) s.sketch.label(above, "cage rotation", t.muted, 13);
   if (element.pocket_force > 0.0) {
     const double way = std::hypot(centre.x(), centre.y());
     // The wall that is touched lies where the element has gone; without a way out, the stored angle

@@ -427,7 +427,7 @@ void solid_view(const Scene& s, SolidLayer& layer) {
                                             : std::string("to scale");
   const double factor = layer.roller_factor(s.animation);
   if (s.animation.file.bearing_type != 1)
-    remark += !(factor > 0.0) ? std::string("  ·  the rollers neither skew nor tilt")
+    remark += !(factor > 0.0) ? std::string("  ·  no skew, no tilt")
               : factor == 1.0
                   ? std::string("  ·  skew and tilt to scale")
                   : fmt::format("  ·  skew and tilt × {}", desktop::pretty_number(factor, 4));

@@ -500,22 +500,43 @@ int key_lines(const Animation& animation, const ViewOptions& options) {
   return 0;
 }
 
-/// Height at the bottom of a picture that belongs to its key: none where the corner beside a round
-/// picture has room for it.
+/// Width of a view's key [pixels], as its longest line needs it.
+double key_width(const ViewOptions& options) {
+  switch (options.view) {
+    case View::Solid:
+      return 290.0;
+    case View::Element:
+      return 350.0;
+    case View::OuterRace:
+    case View::InnerRace:
+      return 400.0;
+    default:
+      return options.contacts ? 240.0 : 210.0;
+  }
+}
+
+/// Height at the bottom of a picture that it leaves to its key: as little as lifts a round picture
+/// out of the key's corner, and all of the key where the picture is not round.
 double key_foot(const Animation& animation, const ViewOptions& options, QSizeF size) {
-  constexpr double kWide = 520.0, kRim = 44.0;  // of the circle, where only a rim is crossed
-  const double key_width = options.view == View::Solid ? 270.0 : 190.0;
-  const double lines = size.height() < kTooLow
-                           ? 2.0
-                           : key_lines(animation, options) + (size.width() < kWide ? 1 : 0);
-  const double height = lines * key_line() + 4.0;
+  constexpr double kWide = 520.0;
+  const bool low = size.height() < kTooLow;
   const bool round =
       options.view != View::Pocket && options.view != View::Section && options.view != View::Flange;
-  const double radius = 0.5 * std::min(size.width(), size.height());
-  const double corner = std::hypot(std::max(0.0, 0.5 * size.width() - key_width),
-                                   std::max(0.0, 0.5 * size.height() - height));
-  if (round && corner > radius - kRim) return 0.0;
-  return std::min(height, 0.35 * size.height());
+  double lines = key_lines(animation, options) + (size.width() < kWide ? 1 : 0);
+  if (low) lines = options.view == View::Bearing ? 1.0 : round || size.width() > 260.0 ? 2.0 : 3.0;
+  const double height = std::min(lines * key_line() + 4.0, 0.45 * size.height());
+  if (!round) return height;
+  const double beside = std::max(0.0, 0.5 * size.width() - key_width(options));
+  // Rings end a margin before the picture does; the numbers of elements stand in it.
+  const double half = 0.5 * std::min(size.width(), size.height());
+  const bool numbers = options.view == View::Bearing || options.view == View::Cage;
+  const double rim = options.view == View::Solid ? 0.13 * half : numbers ? 0.0 : 20.0;
+  for (double foot = 0.0; foot < height; foot += 4.0) {
+    const double radius = 0.5 * std::min(size.width(), size.height() - foot);
+    const double below = std::max(0.0, size.height() - height - 0.5 * (size.height() - foot));
+    if (std::hypot(beside, below) > radius - rim) return foot;
+  }
+  return height;
 }
 
 }  // namespace

@@ -279,8 +279,11 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   if (!panel.log && !extent.empty() && extent.high - extent.low < least) {
     // Beside a larger value such noise is a constant; about zero the axis shows how small it is.
     const double middle = 0.5 * (extent.low + extent.high);
+    const bool nothing = std::max(std::abs(extent.low), std::abs(extent.high)) < 1e-3 * least;
     const double half = std::abs(middle) > 500.0 * least ? 0.0 : 0.5 * least;
     extent = {middle - half, middle + half};
+    // What is 0 but for rounding gets a scale that bearings have, not one of atoms.
+    if (nothing) extent = {-1e4 * least, 1e4 * least};
   }
   const int parts = std::clamp(static_cast<int>(area.height() / 38), 2, 8);
   const auto& chosen = panel_views_[index];
@@ -326,6 +329,12 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
     const bool beside = area.left() + base->boundingRect().width() + 8.0 < legend;
     base->setPos(area.left() + (beside ? 0.0 : 4.0),
                  area.top() + (beside ? -base->boundingRect().height() - 3.0 : 2.0));
+    if (!beside) {  // readable above a curve that passes there
+      QColor paper = theme_->surface;
+      paper.setAlpha(215);
+      base->setZValue(1.0);
+      addRect(base->sceneBoundingRect(), Qt::NoPen, paper);
+    }
   }
   addMarks(area, index == 0, legend, m);
   areas_.push_back(area);

@@ -30,7 +30,7 @@ int apart(QRgb a, QRgb b) {
 
 }  // namespace
 
-QImage in_few_colours(const QImage& picture) {
+QImage in_few_colours(const QImage& picture, std::size_t most) {
   const QImage image = picture.convertToFormat(QImage::Format_RGB32);
   std::vector<Box> boxes(std::size_t{1} << (3 * kBits));
   for (int y = 0; y < image.height(); ++y) {
@@ -51,9 +51,8 @@ QImage in_few_colours(const QImage& picture) {
   std::vector<Used> used;
   for (std::size_t i = 0; i < boxes.size(); ++i)
     if (boxes[i].count > 0) used.push_back({i, boxes[i].mean(), 1e9, 0});
-  constexpr std::size_t kColours = 256;
   QList<QRgb> table;
-  while (static_cast<std::size_t>(table.size()) < std::min(kColours, used.size())) {
+  while (static_cast<std::size_t>(table.size()) < std::min(most, used.size())) {
     const auto next = std::max_element(used.begin(), used.end(), [&](const Used& a, const Used& b) {
       return a.away * static_cast<double>(boxes[a.box].count) <
              b.away * static_cast<double>(boxes[b.box].count);

@@ -26,6 +26,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Of a gallery's pictures: a third fewer bytes than with 256, and no eye sees the difference.
+constexpr std::size_t kColoursOfPages = 32, kColoursOfViews = 96;
+
 /// Draws into one folder and remembers what the pictures are.
 class Gallery {
  public:
@@ -68,7 +71,8 @@ class Gallery {
       const fs::path path = folder_ / ("view-" + name + ".png");
       desktop::save_image(
           desktop::in_few_colours(picture.image({size_.width, size_.height},
-                                                static_cast<std::size_t>(frame - 1), options)),
+                                                static_cast<std::size_t>(frame - 1), options),
+                                  kColoursOfViews),
           path);
       list_.emplace_back(path.filename().string(), agore::view_title(options.view));
     };
@@ -116,8 +120,9 @@ class Gallery {
     scene_.setPage(document.build(number, options));
     const fs::path path = folder_ / fmt::format("{}-page-{:02}{}.png",
                                                 document.path.filename().string(), number, ending);
-    desktop::save_image(desktop::in_few_colours(scene_.image(QSize(size_.width, size_.height))),
-                        path);
+    desktop::save_image(
+        desktop::in_few_colours(scene_.image(QSize(size_.width, size_.height)), kColoursOfPages),
+        path);
     for (const std::string& fault : desktop::text_faults(scene_))
       fmt::print(stderr, "adore: note: {}: {}\n", path.string(), fault);
     list_.emplace_back(path.filename().string(),

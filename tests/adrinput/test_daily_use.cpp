@@ -310,6 +310,9 @@ TEST_CASE("the solution has its charts beside the form", "[gui][adrinput][daily]
   CHECK(pages.contains("Load around the bearing"));
   CHECK(pages.contains("Contact ellipses around the bearing"));
   CHECK(window.solutionCharts().isVisible());
+  // With them it still fits 1920 x 1080 pixels at a scale factor of 2, frame included.
+  CHECK(window.minimumSizeHint().width() <= 944);
+  CHECK(window.minimumSizeHint().height() <= 492);
   window.document().edit(cell("bReDia"), "0.0126");
   window.checkNow();
   bool stale = false;

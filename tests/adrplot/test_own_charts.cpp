@@ -134,6 +134,8 @@ TEST_CASE("plot_window: a folder opens all its plot files, two folders are told 
   auto* tree = window.findChild<QTreeWidget*>("pages");
   CHECK(tree->topLevelItem(0)->text(0).startsWith("slow/SOL1"));
   CHECK(tree->topLevelItem(3)->text(0).startsWith("fast/SOL7"));
+  window.openFolder(base.filePath("fast"), {.from = 2, .to = 11});
+  CHECK(window.findChild<desktop::ChartView*>()->chartScene().page().x.size() == 10);
   base.mkdir("empty");
   window.openFolder(base.filePath("empty"));
   auto* box = window.findChild<QMessageBox*>("message");

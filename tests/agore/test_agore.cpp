@@ -271,6 +271,20 @@ TEST_CASE("views: an arrow appears exactly where the land contact is", "[gui]") 
   CHECK(pixels_of(image, QRect(200, 380, 110, 40), red) < 20);   // not left of it
 }
 
+TEST_CASE("views: a round picture leaves the corner to its key, and no more than that", "[gui]") {
+  test::use_qt();
+  const Animation animation = prepare(test::synthetic_sol8());
+  ViewOptions options;
+  for (const View view : {View::Bearing, View::Element, View::OuterRace, View::InnerRace}) {
+    options.view = view;
+    const QRectF narrow(0, 0, 700, 684), wide(0, 0, 1500, 600);
+    INFO(view_title(view));
+    CHECK(picture_middle(animation, options, narrow).y() < narrow.center().y());
+    CHECK(picture_middle(animation, options, narrow).y() > 0.43 * narrow.height());
+    CHECK(picture_middle(animation, options, wide) == wide.center());
+  }
+}
+
 TEST_CASE("views: each view has its data curves", "[gui]") {
   test::use_qt();
   const Animation a = prepare(test::synthetic_sol8(short_run()));

@@ -158,6 +158,9 @@ TEST_CASE("chart_scene: rounding below an atom's size fills no axis", "[gui]") {
   scene.setPage(lines_page());
   const QRectF area = scene.plotAreas()[1];
   CHECK(scene.valueAt(1, area.top()) - scene.valueAt(1, area.bottom()) >= 1e-10);
+  // Zero, and zero but for rounding: a micrometre and the axis' margin, no picometres.
+  CHECK(scene.valueAt(1, area.top()) == Approx(1.06e-6));
+  CHECK(scene.valueAt(1, area.bottom()) == Approx(-1.06e-6));
 }
 
 TEST_CASE("chart_scene: a logarithmic axis has equal decades and no place for zero", "[gui]") {

@@ -22,6 +22,7 @@ TEST_CASE("few_colours: a picture of few colours stays as it is, others nearly",
   for (int y = 0; y < 256; ++y)
     for (int x = 0; x < 256; ++x) many.setPixelColor(x, y, QColor(x, y, 100));
   const QImage less = desktop::in_few_colours(many);
+  CHECK(desktop::in_few_colours(many, 32).colorCount() == 32);
   CHECK(less.colorCount() == 256);
   int worst = 0;
   for (int y = 0; y < 256; y += 5)
