@@ -115,8 +115,12 @@ void write_results(const studies::Study& study, bool quiet) {
   write_file_atomically(folder / "REPORT.txt", report.text);
   write_file_atomically(folder / "CHARTS.json", report.charts);
   if (!quiet) write_text("", "", report.text);
-  if (has_pictures())
-    (void)run_picture_program({"study-charts", (folder / "CHARTS.json").string(), folder.string()});
+  if (has_pictures()) {
+    std::vector<std::string> words{"study-charts", (folder / "CHARTS.json").string(),
+                                   folder.string()};
+    if (quiet) words.emplace_back("--quiet");
+    (void)run_picture_program(words);
+  }
   if (!quiet)
     for (const char* name : {"RUNS.csv", "STUDY.h5", "TIMES.csv", "REPORT.txt"})
       fmt::print("{}\n", (folder / name).string());

@@ -24,7 +24,9 @@ int main(int argc, char** argv) {
     CLI::App* study = app->add_subcommand("study-charts", "curves, maps and bars of a study");
     study->add_option("charts", *table, "CHARTS.json")->required();
     study->add_option("folder", *picture, "folder of the PNG files")->required();
-    study->callback([=] { adore::cli::draw_study(*table, *picture); });
+    auto quiet = std::make_shared<bool>(false);
+    study->add_flag("--quiet", *quiet, "say no names");
+    study->callback([=] { adore::cli::draw_study(*table, *picture, *quiet); });
     return adore::command_line::parse(*app, argc, argv).value_or(0);
   });
 }

@@ -75,13 +75,14 @@ bool draw(const Json& chart, const std::filesystem::path& file) {
 
 }  // namespace
 
-void draw_study(const std::filesystem::path& charts, const std::filesystem::path& folder) {
+void draw_study(const std::filesystem::path& charts, const std::filesystem::path& folder,
+                bool quiet) {
   const Json list = parse_json(results::read_text_file(charts), charts.string());
   desktop::ensure_headless_application();
   try {
     for (const Json& chart : list) {
       const std::filesystem::path file = folder / (chart.at("name").get<std::string>() + ".png");
-      if (draw(chart, file)) fmt::print("{}\n", file.string());
+      if (draw(chart, file) && !quiet) fmt::print("{}\n", file.string());
     }
   } catch (const Json::exception&) {
     throw InputError(fmt::format("{} holds no charts of `adore study`", charts.string()));

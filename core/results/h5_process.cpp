@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "results/hdf5_handle.hpp"
+#include "results/reader_killed.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -174,7 +175,7 @@ Process::Process(std::filesystem::path path, Limits limits)
     : path_(std::move(path)), limits_(limits) {
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
-    fail(fmt::format("no process can be started to read it ({})", std::strerror(errno)));
+    fail_outside(fmt::format("no process can be started to read it ({})", std::strerror(errno)));
   {
     const std::scoped_lock nobody_inside(library_mutex());
     child_ = ::fork();
@@ -190,7 +191,7 @@ Process::Process(std::filesystem::path path, Limits limits)
   ::close(ends[1]);
   socket_ = ends[0];
   if (child_ < 0)
-    fail(fmt::format("no process can be started to read it ({})", std::strerror(reason)));
+    fail_outside(fmt::format("no process can be started to read it ({})", std::strerror(reason)));
   try {
     content_ = from_json(Json::from_cbor(answer(kLargestContent)));
   } catch (const nlohmann::json::exception&) {
@@ -218,6 +219,30 @@ void Process::fail(std::string_view why) {
   throw InputError(fmt::format("{}: {}", path_.string(), why));
 }
 
+void Process::fail_outside(std::string_view why) {
+  end();
+  throw ReaderKilled(fmt::format("{}: {}", path_.string(), why));
+}
+
+void Process::child_gone() {
+  ::close(socket_);  // should it live after all, it ends now
+  socket_ = -1;
+  int status = 0;
+  pid_t gone = 0;
+  while ((gone = ::waitpid(child_, &status, 0)) < 0 && errno == EINTR) {
+  }
+  child_ = -1;
+  const int signal = gone > 0 && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  if (signal == SIGXCPU)
+    fail(fmt::format("reading it came to no end in {} s of processor time; the file is damaged",
+                     limits_.cpu.count()));
+  if (signal == SIGKILL)  // somebody, or the system when memory ends; our limits do not
+    fail_outside("the process that read it was killed from outside; try again");
+  fail(signal != 0 ? fmt::format("the HDF5 library failed on it ({}); the file is damaged",
+                                 ::strsignal(signal))
+                   : std::string("the HDF5 library failed on it; the file is damaged"));
+}
+
 void Process::receive(char* bytes, std::size_t count) {
   using Clock = std::chrono::steady_clock;
   auto patience = Clock::now() + limits_.silence;
@@ -230,26 +255,13 @@ void Process::receive(char* bytes, std::size_t count) {
     const int any = ::poll(&ready, 1, static_cast<int>(std::max<long>(left, 0)));
     if (any < 0 && errno == EINTR) continue;
     if (any == 0)
-      fail(
+      fail_outside(
           fmt::format("reading it came to no end in {} s; the file is damaged, or its disk does "
                       "not answer",
                       limits_.silence.count()));
     const ssize_t got = ::recv(socket_, bytes, count, 0);
     if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) {
-      int status = 0;
-      pid_t gone = 0;
-      while ((gone = ::waitpid(child_, &status, 0)) < 0 && errno == EINTR) {
-      }
-      child_ = -1;
-      if (gone > 0 && WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-        fail(fmt::format("reading it came to no end in {} s of processor time; the file is damaged",
-                         limits_.cpu.count()));
-      fail(gone > 0 && WIFSIGNALED(status)
-               ? fmt::format("the HDF5 library failed on it ({}); the file is damaged",
-                             ::strsignal(WTERMSIG(status)))
-               : std::string("the HDF5 library failed on it; the file is damaged"));
-    }
+    if (got <= 0) child_gone();
     bytes += got;
     count -= static_cast<std::size_t>(got);
     patience = Clock::now() + limits_.silence;
@@ -276,7 +288,7 @@ std::vector<double> Process::read(const std::string& id, std::size_t width, std:
   for (std::size_t done = 0; done < count; done += rows) {
     const Request request{first + done * every, std::min(rows, count - done), every, id.size()};
     if (!send_all(socket_, &request, sizeof request) || !send_all(socket_, id.data(), id.size()))
-      fail("the HDF5 library failed on it; the file is damaged");
+      child_gone();
     const std::string bytes = answer(request.count * width * sizeof(double));
     if (bytes.size() != request.count * width * sizeof(double)) fail("the file is damaged");
     const std::size_t old = values.size();

@@ -20,7 +20,7 @@ struct Limits {
 class Process {
  public:
   /// Opens the file in a new process. @throws InputError naming it: what is wrong with it, or how
-  /// the process ended.
+  /// the process ended; ReaderKilled when that says nothing about the file.
   explicit Process(std::filesystem::path path, Limits limits = {});
   Process(const Process&) = delete;
   Process& operator=(const Process&) = delete;
@@ -35,6 +35,9 @@ class Process {
   [[nodiscard]] std::string answer(std::size_t most);
   void receive(char* bytes, std::size_t count);
   [[noreturn]] void fail(std::string_view why);
+  [[noreturn]] void fail_outside(std::string_view why);  ///< @throws ReaderKilled
+  /// Its end of the socket is closed: says how it ended.
+  [[noreturn]] void child_gone();
   void end();
 
   std::filesystem::path path_;

@@ -8,6 +8,7 @@
 #include "facade/passing_folder.hpp"
 #include "facade/run_ending.hpp"
 #include "results/growing_file.hpp"
+#include "results/reader_killed.hpp"
 #include "scene/cost_ledger.hpp"
 #include "studies/quantities.hpp"
 
@@ -111,6 +112,11 @@ Json to_json(const Job& job, const fs::path& folder) {
   out["quantities"] = Json::array();
   for (const Quantity& q : job.quantities) out["quantities"].push_back(to_json(q));
   return out;
+}
+
+void leave_out(std::string& text, const std::string& part) {
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at))
+    text.erase(at, part.size());
 }
 
 double megabytes_in(const fs::path& folder) {
@@ -386,10 +392,17 @@ std::optional<Record> run_task(const Job& job, const Task& task, const fs::path&
   // A run that failed half-way has no results: means over what it reached are not comparable.
   out.values.assign(job.quantities.size(), std::numeric_limits<double>::quiet_NaN());
   if (ending.exit_code == 0) {
-    Answers answers = answer(job.quantities, ending.outcome.summary, *request.out);
-    out.values = std::move(answers.values);
-    out.message = std::move(answers.missing);
+    try {
+      Answers answers = answer(job.quantities, ending.outcome.summary, *request.out);
+      out.values = std::move(answers.values);
+      out.message = std::move(answers.missing);
+    } catch (const results::ReaderKilled&) {
+      return {};
+    }
   }
+  // The same sentence wherever the study's folder is: tables are compared.
+  leave_out(out.message, request.out->string() + "/");
+  leave_out(out.message, folder.string() + "/");
   out.disk_megabytes = megabytes_in(*request.out);
   out.processor = scene::processor_seconds() - processor;
   out.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -74,7 +74,8 @@ void write_tasks(const std::filesystem::path& file, const std::vector<Task>& tas
 /// @throws WriteError
 void write_record(const std::filesystem::path& folder, const Record& record);
 
-/// Computes one run. Nothing when it was interrupted. @throws WriteError when the disk is full:
+/// Computes one run. Nothing when it was interrupted, or a process that it needs was killed.
+/// @throws WriteError when the disk is full:
 /// that is no result of the run.
 [[nodiscard]] std::optional<Record> run_task(const Job& job, const Task& task,
                                              const std::filesystem::path& folder,

@@ -19,15 +19,17 @@
 #include <unistd.h>
 
 /// One process per core. A process that dies takes its run with it and nothing else: the run is
-/// made again by another one. The system kills processes when memory ends (SIGKILL), so that such
-/// an end is met with fewer processes; a run whose process crashes by itself gets a record of that.
+/// made again by another one. A run whose process crashes by itself gets a record of that. A death
+/// from outside (SIGKILL, SIGTERM ...) says nothing about the run and never becomes a record: it is
+/// made again after the others, and one that is killed over and over stays unfinished. The system
+/// kills processes when memory ends, so that SIGKILL is met with fewer of them.
 namespace adore::studies {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kCrashes = 2;        ///< by itself (SIGSEGV ...): then the run has its record
-constexpr int kKills = 20;         ///< from outside: then too, so that no study runs for ever
+constexpr int kCrashes = 2;  ///< by itself (SIGSEGV ...): then the run has its record
+constexpr int kKills = 20;   ///< from outside: then it is left, so that no study runs for ever
 constexpr double kOfMemory = 0.8;  ///< of what is free may be planned for
 constexpr double kLeastMegabytes = 64.0;
 
@@ -148,6 +150,12 @@ class LocalEngine {
       hand_out();
       listen();
     }
+    if (left_ > 0 && !stop.stop_requested())
+      throw InputError(fmt::format(
+          "{} runs have no result: the process that computed each of them was killed from outside "
+          "{} times, as somebody does, or the system when memory ends; all others are recorded, go "
+          "on with `adore study resume`, if memory is short with --workers 1",
+          left_, kKills));
   }
 
  private:
@@ -172,7 +180,11 @@ class LocalEngine {
       give(*workers_.back());
     }
     const bool held = !waiting_.empty() && static_cast<int>(workers_.size()) < most_;
-    news_(busy(), held ? fmt::format("memory allows {} processes", workers_.size()) : "");
+    std::string note = held ? fmt::format("memory allows {} processes", workers_.size()) : "";
+    if (kills_ > 0)
+      note +=
+          fmt::format("{}{} killed from outside and made again", note.empty() ? "" : ", ", kills_);
+    news_(busy(), note);
   }
 
   void give(Worker& worker) {
@@ -229,11 +241,19 @@ class LocalEngine {
     const bool outside = signal == SIGKILL || signal == SIGTERM || signal == SIGINT ||
                          signal == SIGHUP || (signal == 0 && WEXITSTATUS(status) == 130);
     ++(outside ? deaths.kills : deaths.crashes);
+    if (outside) ++kills_;
     // Memory may have been the reason: one fewer as long as there are several.
     if (signal == SIGKILL && free_megabytes() * kOfMemory < std::max(megabytes_, kLeastMegabytes) &&
         most_ > 1)
       --most_;
-    if (deaths.crashes < kCrashes && deaths.kills < kKills) {
+    if (outside) {
+      if (deaths.kills < kKills)
+        waiting_.push_back(task);
+      else
+        ++left_;
+      return;
+    }
+    if (deaths.crashes < kCrashes) {
       waiting_.push_front(task);
       return;
     }
@@ -243,11 +263,11 @@ class LocalEngine {
     record.values.assign(read_job(work_.folder).quantities.size(),
                          std::numeric_limits<double>::quiet_NaN());
     record.message = fmt::format(
-        "the process that computed it ended by {}, {} times; a bug of the program unless memory or "
-        "somebody else ended it; try it again with --retry-failed",
+        "the process that computed it ended by {}, {} times, a bug of the program; try it again "
+        "with --retry-failed",
         signal != 0 ? fmt::format("signal {} ({})", signal, strsignal(signal))
                     : fmt::format("exit code {}", WEXITSTATUS(status)),
-        deaths.crashes + deaths.kills);
+        deaths.crashes);
     write_record(work_.folder, record);
     done_(record);
   }
@@ -259,6 +279,7 @@ class LocalEngine {
   std::vector<std::unique_ptr<Worker>> workers_;
   std::map<std::string, Deaths> deaths_;
   int most_ = 1;
+  long kills_ = 0, left_ = 0;  ///< deaths from outside; runs given up for them
   double megabytes_;
 };
 

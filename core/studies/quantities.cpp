@@ -1,6 +1,7 @@
 #include "studies/quantities.hpp"
 
 #include "base/errors.hpp"
+#include "results/reader_killed.hpp"
 #include "results/results_h5.hpp"
 #include "studies/cage_whirl.hpp"
 
@@ -222,6 +223,8 @@ Answers answer(const std::vector<Quantity>& quantities, const results::KeyResult
         value = found == summary.end() ? miss(quantity, "the run has no such key result")
                                        : found->value;
       }
+    } catch (const results::ReaderKilled&) {
+      throw;
     } catch (const InputError& error) {
       value = miss(quantity, error.what());
     }

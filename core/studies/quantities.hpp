@@ -18,7 +18,7 @@ struct Answers {
   std::string missing;         ///< a sentence that names what it does not say; empty: nothing
 };
 
-/// @param folder of the run's files
+/// @param folder of the run's files @throws results::ReaderKilled, which says nothing about the run
 [[nodiscard]] Answers answer(const std::vector<Quantity>& quantities,
                              const results::KeyResults& summary,
                              const std::filesystem::path& folder);

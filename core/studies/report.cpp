@@ -258,16 +258,23 @@ class Reporter {
           name += " (mean of the lot)";
         }
         double sum = 0.0;
-        for (const auto& rows : groups)
-          sum += rank_correlation(picked({{}, {}, values}, rows), picked(quantity, rows));
-        bars.push_back({name, sum / static_cast<double>(groups.size()), 0.0});
+        int known = 0;  // a point whose runs all failed says nothing
+        for (const auto& rows : groups) {
+          const double one =
+              rank_correlation(picked({{}, {}, values}, rows), picked(quantity, rows));
+          if (std::isnan(one)) continue;
+          sum += one;
+          ++known;
+        }
+        if (known > 0) bars.push_back({name, sum / known, 0.0});
       }
       std::stable_sort(bars.begin(), bars.end(), [](const Bar& a, const Bar& b) {
         return std::abs(a.value) > std::abs(b.value);
       });
       text_ += fmt::format("  {}:", quantity.name);
       for (const Bar& bar : bars) text_ += fmt::format("  {} {:.2f}", bar.name, bar.value);
-      text_ += "\n";
+      text_ += bars.empty() ? "  too few results\n" : "\n";
+      if (bars.empty()) continue;
       charts_.push_back(tornado("influence-" + file_name(quantity.name),
                                 "what scatters " + quantity.name, "rank correlation", bars));
     }

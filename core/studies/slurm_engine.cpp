@@ -30,7 +30,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kTryAgain = 75;            ///< of a worker that could not write
 constexpr int kCrashes = 2;              ///< of one run, before it gets a record of that
-constexpr int kKills = 20;               ///< of one run from outside
+constexpr int kKills = 20;               ///< of one run from outside, before it is left without
 constexpr int kFruitless = 5;            ///< submissions in a row that gave no record
 constexpr double kPieceSeconds = 120.0;  ///< of computing in an element: its start costs about one
 constexpr double kOfTime = 4.0;          ///< time limit over what the pilot says
@@ -42,6 +42,15 @@ std::string quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return out + "'";
+}
+
+/// A death that says nothing about the run: it is no reason for a record. A shell says a signal as
+/// exit code 128 + signal.
+bool from_outside(const SlurmEnd& end) {
+  constexpr int kOfShell = 128;
+  for (const int signal : {SIGKILL, SIGTERM, SIGINT, SIGHUP})
+    if (end.signal == signal || end.exit_code == kOfShell + signal) return true;
+  return false;
 }
 
 class SlurmEngine {
@@ -64,7 +73,9 @@ class SlurmEngine {
       watch();
       if (stop_.stop_requested()) break;
       fruitless_ = left_.size() < before ? 0 : fruitless_ + 1;
+      killed_ = 0;
       if (!left_.empty()) find_reasons();
+      if (killed_ > 0) fruitless_ = 0;  // bounded by kKills
       forget_job();
       if (fruitless_ >= kFruitless)
         throw InputError(fmt::format(
@@ -72,7 +83,13 @@ class SlurmEngine {
             "{}",
             kFruitless, reason_.empty() ? "Slurm does not say why" : reason_, folder_.string()));
     }
-    if (stop_.stop_requested()) cancel();
+    if (stop_.stop_requested())
+      cancel();
+    else if (given_up_ > 0)
+      throw InputError(fmt::format(
+          "{} runs have no result: the process that computed each of them was killed from outside "
+          "{} times; all others are recorded, go on with `adore study resume --engine slurm`",
+          given_up_, kKills));
   }
 
  private:
@@ -230,11 +247,13 @@ class SlurmEngine {
         throw InputError(
             "somebody cancelled the job in Slurm; what is finished is recorded, go on with "
             "`adore study resume`");
-      } else if (end.state == "FAILED" &&
-                 ++deaths_[culprit->key] >=
-                     (end.signal == SIGKILL || end.signal == SIGTERM || end.exit_code == 130
-                          ? kKills
-                          : kCrashes)) {
+      } else if (end.state == "FAILED" && from_outside(end)) {
+        ++killed_;
+        if (++kills_[culprit->key] < kKills) continue;
+        ++given_up_;
+        left_.erase(culprit);
+        open.erase(culprit->key);
+      } else if (end.state == "FAILED" && ++deaths_[culprit->key] >= kCrashes) {
         record_crash(*culprit, end, said(element));
         left_.erase(culprit);
         open.erase(culprit->key);
@@ -282,7 +301,8 @@ class SlurmEngine {
   long piece_ = 1;
   int cores_ = 1, minutes_ = kLeastMinutes, fruitless_ = 0;
   double more_time_ = 1.0, more_memory_ = 1.0, megabytes_ = 0.0;
-  std::map<std::string, int> deaths_;
+  std::map<std::string, int> deaths_, kills_;
+  long killed_ = 0, given_up_ = 0;  ///< pieces of the last job, and runs left for it
 };
 
 }  // namespace

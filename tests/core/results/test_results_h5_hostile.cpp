@@ -3,12 +3,15 @@
 #include "results/convert.hpp"
 #include "results/full_precision.hpp"
 #include "results/h5_process.hpp"
+#include "results/reader_killed.hpp"
 #include "results/results_h5.hpp"
 #include "results/sol_writer.hpp"
 #include "synthetic.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <csignal>
+#include <fstream>
 #include <map>
 #include <random>
 #include <sstream>
@@ -149,6 +152,32 @@ TEST_CASE("a child that falls silent ends in a sentence", "[unit][h5]") {
   CHECK_THAT(message_of([&] { h5::Process process(path, limits); }),
              Contains("came to no end in 0 s"));
   CHECK(h5::Process(path).content().steps == 4);
+}
+
+TEST_CASE("a reader that is killed from outside says so, and does not call the file damaged",
+          "[unit][h5]") {
+  const bearing::Bearing bearing = make_bearing(3);
+  TemporaryFolder folder;
+  const auto path = folder / "RESULTS.h5";
+  (void)file_of_steps(bearing, path, 4);
+  const auto last_child = [] {
+    std::ifstream children("/proc/thread-self/children");
+    pid_t child = 0, last = 0;
+    while (children >> child) last = child;
+    return last;
+  };
+  for (const int signal : {SIGKILL, SIGSEGV}) {
+    h5::Process process(path);
+    const pid_t child = last_child();
+    REQUIRE(child > 0);
+    REQUIRE(kill(child, signal) == 0);
+    const auto read = [&] { (void)process.read("time", 1, 0, 4, 1); };
+    if (signal == SIGKILL) {
+      CHECK_THROWS_AS(read(), ReaderKilled);
+    } else {
+      CHECK_THAT(message_of(read), Contains("the file is damaged"));
+    }
+  }
 }
 
 TEST_CASE("steps that a file cannot hold, and step numbers that are none, are refused",

@@ -1,4 +1,6 @@
+#include "base/errors.hpp"
 #include "studies/cage_whirl.hpp"
+#include "studies/engine.hpp"
 #include "studies/job.hpp"
 #include "studies/quantities.hpp"
 #include "studies/sensitivity.hpp"
@@ -149,4 +151,92 @@ TEST_CASE("a record comes back to the last bit, and a damaged one is none", "[un
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   CHECK_FALSE(read_record(folder, record.key));
   std::filesystem::remove_all(folder);
+}
+
+namespace {
+
+/// The local engine with a stand-in for the worker: a shell script that gets KEY of its task.
+struct StandIn {
+  std::filesystem::path folder;
+  EngineWork work;
+  std::vector<Record> done;
+  std::string note;
+
+  StandIn(const std::string& name, const std::string& body)
+      : folder(std::filesystem::temp_directory_path() / ("adore-test-" + name)) {
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    work.folder = folder;
+    work.program = folder / "worker.sh";
+    work.workers = 2;
+    work.seconds_each = 0.01;
+    work.megabytes_each = 1.0;
+    for (const char c : {'a', 'b'}) {
+      Task task;
+      task.number = static_cast<long>(work.tasks.size()) + 1;
+      task.key = std::string(32, c);
+      work.tasks.push_back(task);
+      std::filesystem::create_directories(record_file(folder, task.key).parent_path());
+    }
+    // $3 is the study's folder, as the worker is told.
+    std::ofstream(work.program) << "#!/bin/sh\ncd \"$3\"\nwhile read -r line; do\n"
+                                   "case $line in *aaaaaaaaaaaaaaaa*) key=" +
+                                       work.tasks[0].key + ";; *) key=" + work.tasks[1].key +
+                                       ";; esac\n" + body + "\ndone\n";
+    std::filesystem::permissions(work.program, std::filesystem::perms::owner_all);
+  }
+  ~StandIn() { std::filesystem::remove_all(folder); }
+  StandIn(const StandIn&) = delete;
+  StandIn& operator=(const StandIn&) = delete;
+
+  void run() {
+    run_local(
+        work, [&](const Record& record) { done.push_back(record); },
+        [&](int, const std::string& said) {
+          if (!said.empty()) note = said;
+        },
+        {});
+  }
+  [[nodiscard]] std::size_t starts(std::size_t task) const {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(folder / work.tasks[task].key, error);
+    return error ? 0 : static_cast<std::size_t>(size);
+  }
+};
+
+/// One character a start of that run.
+const std::string kCount = "printf x >>$key\n";
+const std::string kAnswer =
+    R"(printf '{"adore_run":1,"key":"%s","exit":0,"values":[1],"message":"","measured":{"processor":1,"wall":1,"memory_megabytes":1,"disk_megabytes":1,"host":"h"}}\n' $key >next_$key
+mv next_$key runs/$(printf %.2s $key)/$key.json
+echo done $key
+)";
+
+}  // namespace
+
+TEST_CASE("a run whose process is killed from outside again and again is made in the end",
+          "[unit][studies]") {
+  StandIn engine("kills", kCount + "[ $(wc -c <$key) -gt 12 ] || kill -KILL $$\n" + kAnswer);
+  engine.run();
+  REQUIRE(engine.done.size() == 2);
+  for (std::size_t k = 0; k < 2; ++k) {
+    CHECK(engine.done[k].exit_code == 0);
+    CHECK(engine.done[k].values == std::vector<double>{1.0});
+    CHECK(engine.starts(k) == 13);
+  }
+  CHECK(engine.note.find("24 killed from outside") != std::string::npos);
+}
+
+TEST_CASE("a run that is always killed from outside stays unfinished, without a record of failure",
+          "[unit][studies]") {
+  for (const char* signal : {"KILL", "TERM"}) {
+    StandIn engine("always-killed",
+                   kCount + "case $key in a*) kill -" + signal + " $$;; esac\n" + kAnswer);
+    CHECK_THROWS_WITH(engine.run(), Catch::Contains("1 runs have no result") &&
+                                        Catch::Contains("killed from outside 20 times"));
+    REQUIRE(engine.done.size() == 1);
+    CHECK(engine.done[0].key == engine.work.tasks[1].key);
+    CHECK(engine.starts(0) == 20);
+    CHECK_FALSE(read_record(engine.folder, engine.work.tasks[0].key));
+  }
 }
