@@ -46,7 +46,7 @@ QString text_in(const std::string& bytes) {
                            : text;
 }
 
-constexpr int kDrawingWidth = 368;  // of the drawing beside the form
+constexpr int kDrawingWidth = 300;  // of the drawing beside the form
 constexpr int kListWidth = 150;     // of the records, at least
 constexpr int kCheckPause = 200;    // ms without a change before the model is built
 
@@ -155,7 +155,7 @@ void DeckWindow::makeCentre() {
   splitter->addWidget(list_);
   splitter->addWidget(right);
   splitter->setStretchFactor(1, 1);
-  splitter->setSizes({222, 1010});
+  splitter->setSizes({200, 1032});
   splitter->setChildrenCollapsible(false);
   setCentralWidget(splitter);
   connect(list_, &RecordList::recordChosen, this, [this](const QString& record) {
@@ -192,6 +192,7 @@ void DeckWindow::makeDrawing() {
   charts_dock_->setWidget(charts_);
   addDockWidget(Qt::RightDockWidgetArea, charts_dock_);
   tabifyDockWidget(drawing_dock_, charts_dock_);
+  charts_dock_->hide();  // until there is a solution
   drawing_dock_->raise();
   connect(statics_, &EvaluationPanel::finished, this, &DeckWindow::showCharts);
   connect(

@@ -26,8 +26,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of a gallery's pictures: a third fewer bytes than with 256, and no eye sees the difference.
-constexpr std::size_t kColoursOfPages = 32, kColoursOfViews = 96;
+/// Of a gallery's pictures: a third fewer bytes than with 256, and no eye sees the difference; a
+/// scale of colours needs them all.
+constexpr std::size_t kColoursOfPages = 24, kColoursOfViews = 64, kColoursOfScales = 256;
 
 /// Draws into one folder and remembers what the pictures are.
 class Gallery {
@@ -70,9 +71,10 @@ class Gallery {
       if (!agore::why_not(options.view, animation).empty()) return;
       const fs::path path = folder_ / ("view-" + name + ".png");
       desktop::save_image(
-          desktop::in_few_colours(picture.image({size_.width, size_.height},
-                                                static_cast<std::size_t>(frame - 1), options),
-                                  kColoursOfViews),
+          desktop::in_few_colours(
+              picture.image({size_.width, size_.height}, static_cast<std::size_t>(frame - 1),
+                            options),
+              options.colour == agore::ColourBy::None ? kColoursOfViews : kColoursOfScales),
           path);
       list_.emplace_back(path.filename().string(), agore::view_title(options.view));
     };
