@@ -1,5 +1,7 @@
 #!/usr/bin/env bash
 # Installs what Adore needs to build and run on Debian 12: packages only, from the distribution. Safe to run again.
+#   ./setup.sh           what building and running need
+#   ./setup.sh --tests   and what only tests use: without it they skip with a sentence
 set -euo pipefail
 
 packages=(
@@ -13,11 +15,13 @@ packages=(
   # the Python module; venv, setuptools and wheel for pip install ./core/python
   pybind11-dev python3-dev python3-numpy python3-pandas python3-venv python3-setuptools python3-wheel
   # tests and benchmarks
-  catch2 libbenchmark-dev gfortran
-  python3  # runs the hard scenes (tests/hardcases)
-  xvfb openbox xdotool  # real windows
-  slurm-wlm munge  # a cluster of one node (tests/slurm)
+  catch2 libbenchmark-dev
   clang-format  # test.sh checks the formatting; another version would format differently
+)
+[ "${1:-}" = --tests ] && packages+=(
+  gfortran               # user routines in Fortran
+  xvfb openbox xdotool   # real windows
+  slurm-wlm munge        # a cluster of one node (tests/slurm)
 )
 
 missing=()

@@ -4,6 +4,7 @@
 set -euo pipefail
 cd "$(dirname "$0")"
 
+./setup.sh --tests
 ./run.sh
 
 git ls-files -z '*.cpp' '*.hpp' '*.c' '*.h' | xargs -0 -n 100 -P "$(nproc)" clang-format --dry-run -Werror

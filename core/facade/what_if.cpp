@@ -35,6 +35,13 @@ std::string switch_of(const std::string& because) {
   return word && (is_switch || name == "nCseg" || name == "qFac" || name == "mode") ? name : "";
 }
 
+/// Records that name bodies of the cage name none of a bearing without it: the first element alone.
+void leave_out_the_cage(std::vector<std::pair<std::string, std::string>>& sets) {
+  sets.emplace_back("nCseg", "0");
+  sets.emplace_back("kNumPltElem", "1");
+  sets.emplace_back("kPltElemInd", "1");
+}
+
 std::vector<LeftOut> ways_of(const scene::ScenePlan& plan) {
   std::vector<LeftOut> out;
   for (const scene::EffectEntry& entry : plan.effects) {
@@ -132,7 +139,10 @@ WhatIf what_if(const WhatIfRequest& request, const std::function<void(const What
       names += (names.empty() ? "" : ",") + way.option;
       row.without = "effectsOff=" + way.option;
     } else {
-      without.sets.emplace_back(way.variable, "0");
+      if (way.variable == "nCseg")
+        leave_out_the_cage(without.sets);
+      else
+        without.sets.emplace_back(way.variable, "0");
       row.without = way.variable + "=0";
     }
     try {

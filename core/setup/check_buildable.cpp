@@ -100,8 +100,8 @@ class Checker {
 /// Code that asks for a routine needs a plug-in that has it. Code is loaded on the command line
 /// alone: the deck cannot say where it is.
 void check_requests(const Deck& deck, const UserHooks* user, Checker& check) {
-  const deck::ReportOnly quiet(deck);  // to be asked about is no part in the run
   const bool dynamic = deck.integer("mode") >= 0;
+  const deck::ReportOnly quiet(deck, !dynamic);  // to be asked about is no part in an equilibrium
   for (const Request& request : kRequests) {
     const std::string variable(request.variable);
     if (!deck.has(variable) || deck.integer(variable) != request.code) continue;

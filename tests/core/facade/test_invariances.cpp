@@ -20,7 +20,7 @@
 /// What may not depend on where azimuth 0 is, on the names of the elements, on which way things
 /// turn, on the units of a deck, or on the step: random decks of all types, each followed from its
 /// equilibrium through some hundred evaluations. ADORE_INVARIANCE_DECKS: how many of each type
-/// (30); a campaign of 2,500, that is 50,000 comparisons, is in resources/docs/hard-scenes.md.
+/// (30); campaigns are in resources/docs/hard-scenes.md.
 using namespace adore;
 
 namespace {

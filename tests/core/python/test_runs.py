@@ -81,7 +81,7 @@ class Files(Folder):
 class Progress(Folder):
     def test_progress_comes_live_and_rises_to_one(self):
         seen = []
-        run = adore.new("ball").run(until="0.5rev", progress=seen.append)
+        run = adore.new("ball").run(until="5rev", progress=seen.append)  # a few tenths of a second, 20 looks each
         self.assertGreater(len(seen), 2)
         fractions = [p.fraction for p in seen]
         self.assertEqual(fractions, sorted(fractions))
