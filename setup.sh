@@ -20,7 +20,7 @@ packages=(
 )
 [ "${1:-}" = --tests ] && packages+=(
   gfortran               # user routines in Fortran
-  xvfb openbox xdotool   # real windows
+  xvfb openbox xdotool x11-utils  # real windows
   slurm-wlm munge        # a cluster of one node (tests/slurm)
 )
 

@@ -23,7 +23,7 @@ class Desk {
  public:
   /// nullptr, after a sentence, where the machine cannot do it.
   static std::unique_ptr<Desk> make(const QString& screen) {
-    for (const char* tool : {"Xvfb", "openbox", "xdotool"})
+    for (const char* tool : {"Xvfb", "openbox", "xdotool", "xwininfo"})
       if (QStandardPaths::findExecutable(tool).isEmpty()) {
         WARN("skipped: " << tool << " is not installed (setup.sh installs it)");
         return nullptr;
@@ -71,13 +71,7 @@ class Desk {
     REQUIRE(program_.waitForStarted());
   }
 
-  QString xdotool(const QStringList& arguments) {
-    QProcess hand;
-    hand.setProcessEnvironment(environment_);
-    hand.start("xdotool", arguments);
-    hand.waitForFinished(30000);
-    return QString::fromUtf8(hand.readAllStandardOutput()).trimmed();
-  }
+  QString xdotool(const QStringList& arguments) { return said_by("xdotool", arguments); }
 
   /// The window whose title holds a text, once it is there.
   QString window(const QString& title) {
@@ -101,19 +95,30 @@ class Desk {
     QTest::qWait(300);
   }
 
-  /// Left, top, width and height of a window on its screen.
+  /// Left, top, width and height of a window with its frame on its screen.
   QRect place(const QString& id) {
-    const QString text = xdotool({"getwindowgeometry", "--shell", id});
+    const QString text = said_by("xwininfo", {"-id", id, "-frame"});
     const auto value = [&](const QString& name) {
-      return QRegularExpression(name + "=(-?\\d+)").match(text).captured(1).toInt();
+      return QRegularExpression(name + ":\\s*(-?\\d+)").match(text).captured(1).toInt();
     };
-    return {value("X"), value("Y"), value("WIDTH"), value("HEIGHT")};
+    return {value("Absolute upper-left X"), value("Absolute upper-left Y"), value("Width"),
+            value("Height")};
   }
 
-  bool ends() { return program_.waitForFinished(20000) && program_.exitCode() == 0; }
+  bool ends() {
+    return (program_.state() == QProcess::NotRunning || program_.waitForFinished(20000)) &&
+           program_.exitStatus() == QProcess::NormalExit && program_.exitCode() == 0;
+  }
 
  private:
   Desk() = default;
+  QString said_by(const char* tool, const QStringList& arguments) {
+    QProcess hand;
+    hand.setProcessEnvironment(environment_);
+    hand.start(tool, arguments);
+    hand.waitForFinished(30000);
+    return QString::fromUtf8(hand.readAllStandardOutput()).trimmed();
+  }
   QTemporaryDir home_;
   QProcessEnvironment environment_;
   QProcess server_, manager_, program_;
