@@ -17,7 +17,7 @@ std::string Issue::text() const {
   std::string place;
   if (!record.empty()) place = "record " + record;
   if (!variable.empty()) place += (place.empty() ? "" : ", ") + variable;
-  if (!value.empty()) place += (variable.empty() ? ": " : " = ") + value;
+  if (!value.empty()) place += (place.empty() ? "" : variable.empty() ? ": " : " = ") + value;
   if (!place.empty()) out += place + ": ";
   out += message;
   if (!remedy.empty()) out += "; " + remedy;

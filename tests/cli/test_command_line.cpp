@@ -70,6 +70,7 @@ TEST_CASE("mistakes on the command line are met with what was probably meant", "
       {"convert " + deck + " --to xml", "give csv or json"},
       {"new", "name an example (`adore examples` lists them), or a bearing with --catalogue"},
       {"new bal", "bal"},
+      {"new --catalogue 9999", "adore: 9999: is not in the catalogue"},
   };
   for (const Case& one : cases) {
     const Result result = run_as_given(one.arguments);
