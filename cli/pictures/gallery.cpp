@@ -11,9 +11,9 @@
 #include "desktop/few_colours.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/text_faults.hpp"
+#include "facade/passing_folder.hpp"
 #include "facade/run.hpp"
 
-#include <QTemporaryDir>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -171,7 +171,7 @@ void draw_gallery(const GalleryRequest& request) {
   const fs::path out(request.out);
   desktop::make_folder(out);
   std::vector<std::pair<std::string, fs::path>> runs;
-  const QTemporaryDir temporary;
+  const facade::PassingFolder temporary;
   constexpr std::array<const char*, 9> kExamples{"ball",
                                                  "cylindrical",
                                                  "spherical",
@@ -182,7 +182,7 @@ void draw_gallery(const GalleryRequest& request) {
                                                  "spherical-22210",
                                                  "tapered-30208"};
   if (request.runs.empty()) {
-    const fs::path folder(temporary.path().toStdString());
+    const fs::path& folder = temporary.path();
     for (const char* name : kExamples) runs.emplace_back(name, folder / name);
   } else {
     for (const std::string& run : request.runs)

@@ -120,6 +120,15 @@ NumberProblem parse_real(std::string_view text, double& value) {
   return {};
 }
 
+double rounded_to_digits(double value, int digits) {
+  std::array<char, 48> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), value,
+                                     std::chars_format::scientific, digits - 1);
+  double out = value;
+  std::from_chars(text.data(), written.ptr, out);
+  return out;
+}
+
 std::string format_real(double value) {
   if (!std::isfinite(value))
     return fmt::format("{}", value);  // cannot be read back; only in messages

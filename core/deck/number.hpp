@@ -21,6 +21,9 @@ NumberProblem parse_integer(std::string_view text, long long& value);
 /// told from zero become zero.
 NumberProblem parse_real(std::string_view text, double& value);
 
+/// The nearest double with so many decimal digits, 1 to 17.
+[[nodiscard]] double rounded_to_digits(double value, int digits);
+
 /// Shortest text that reads back to the same double; always with a decimal point.
 std::string format_real(double value);
 

@@ -1,6 +1,7 @@
 #include "deck/quantity.hpp"
 
 #include "base/errors.hpp"
+#include "deck/number.hpp"
 #include "deck/units.hpp"
 
 #include <fmt/format.h>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -128,15 +128,6 @@ Unit product(const Unit& a, const Unit& b, int sign) {
   Unit out = power(b, sign);
   out.factor *= a.factor;
   for (std::size_t k = 0; k < out.dimension.size(); ++k) out.dimension[k] += a.dimension[k];
-  return out;
-}
-
-double rounded(double value, int digits) {
-  std::array<char, 48> text{};
-  const auto written = std::to_chars(text.data(), text.data() + text.size(), value,
-                                     std::chars_format::scientific, digits - 1);
-  double out = value;
-  std::from_chars(text.data(), written.ptr, out);
   return out;
 }
 
@@ -390,7 +381,7 @@ NumberProblem parse_quantity(std::string_view text, const UnitPair& unit, UnitSy
       value = amount.value;
     }
     if (!std::isfinite(value)) return {"is too large for a number", "give a value below 1.0e+308"};
-    value = rounded(value, kDigits);
+    value = rounded_to_digits(value, kDigits);
     return {};
   } catch (Failure& failure) {
     return std::move(failure.problem);
@@ -411,9 +402,9 @@ std::string number_in(double value, const UnitPair& unit, UnitSystem system,
   const double si = value * factor_of(unit, system);
   const double exact = (si - to.offset) / to.factor;
   for (int digits = 1; digits <= kDigits; ++digits) {
-    const double candidate = rounded(exact, digits);
+    const double candidate = rounded_to_digits(exact, digits);
     const double back =
-        rounded((candidate * to.factor + to.offset) / factor_of(unit, system), kDigits);
+        rounded_to_digits((candidate * to.factor + to.offset) / factor_of(unit, system), kDigits);
     if (back == value) return fmt::format("{}", candidate);
   }
   return fmt::format("{}", exact);

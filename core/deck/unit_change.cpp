@@ -1,10 +1,9 @@
 #include "deck/unit_change.hpp"
 
 #include "deck/lookup.hpp"
+#include "deck/number.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 
 namespace adore::deck {
@@ -22,16 +21,7 @@ double factor(const UnitPair& unit, UnitSystem system) {
   return system == UnitSystem::English ? unit.en_factor : unit.si_factor;
 }
 
-double rounded(double value, int digits) {
-  std::array<char, 48> text{};
-  const auto written = std::to_chars(text.data(), text.data() + text.size(), value,
-                                     std::chars_format::scientific, digits - 1);
-  double out = value;
-  std::from_chars(text.data(), written.ptr, out);
-  return out;
-}
-
-bool has_digits(double value, int digits) { return rounded(value, digits) == value; }
+bool has_digits(double value, int digits) { return rounded_to_digits(value, digits) == value; }
 
 }  // namespace
 
@@ -55,12 +45,12 @@ double convert_value(double value, const UnitPair& unit, UnitSystem from, UnitSy
   if (a == b || value == 0.0 || !std::isfinite(exact) || exact == 0.0) return value;
   // A short number whose conversion is `value`: what was typed in the other system.
   for (int digits = 1; digits <= kShort; ++digits) {
-    const double candidate = rounded(exact, digits);
-    if (rounded(candidate * b / a, kConverted) == value) return candidate;
+    const double candidate = rounded_to_digits(exact, digits);
+    if (rounded_to_digits(candidate * b / a, kConverted) == value) return candidate;
   }
-  if (has_digits(value, kShort)) return rounded(exact, kConverted);
+  if (has_digits(value, kShort)) return rounded_to_digits(exact, kConverted);
   for (int digits = kShort + 1; digits <= kMostDigits; ++digits) {
-    const double candidate = rounded(exact, digits);
+    const double candidate = rounded_to_digits(exact, digits);
     if (candidate * b / a == value) return candidate;
   }
   return exact;
