@@ -6,6 +6,7 @@
 #include "base/interrupted.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/prepare.hpp"
+#include "results/growing_file.hpp"
 #include "studies/slurm.hpp"
 #include "studies/study_check.hpp"
 #include "studies/worst_case.hpp"
@@ -338,7 +339,11 @@ void require_started(const fs::path& folder) {
 }  // namespace
 
 Study open_study(const fs::path& file) {
-  Study study = read_study(file);
+  return open_study_text(results::read_text_file(file), file);
+}
+
+Study open_study_text(const std::string& text, const fs::path& file) {
+  Study study = parse_study(text, file);
   if (std::any_of(study.variables.begin(), study.variables.end(),
                   [](const Variable& v) { return v.lot(); })) {
     facade::DeckRequest request;

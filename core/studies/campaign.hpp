@@ -6,8 +6,10 @@
 /// A whole study: points, engines, records, rounds.
 namespace adore::studies {
 
-/// read_study(), its lots with an element for each of the first deck. @throws InputError
+/// parse_study() of a file, its lots with an element for each of the first deck. @throws InputError
 [[nodiscard]] Study open_study(const std::filesystem::path& file);
+/// The same for a text that is not saved; `file` names it, and its decks are beside that.
+[[nodiscard]] Study open_study_text(const std::string& text, const std::filesystem::path& file);
 
 /// The plan exceeds the budget of the study, or the disk.
 class OverBudget : public InputError {

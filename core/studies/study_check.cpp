@@ -49,6 +49,7 @@ void check_decks(const Study& study, const std::vector<Point>& points) {
     request.deck = path;
     decks.push_back(facade::read_deck(request).deck);
   }
+  if (points.empty()) return;
   std::string first;
   const std::set<std::size_t> places{0, points.size() / 2, points.size() - 1};
   for (const std::size_t at : places) {

@@ -12,6 +12,7 @@ namespace adore::studies {
 
 /// Reads each deck as it is, and puts the sets of its first, middle and last run into it, as far as
 /// names, values and ranges of variables go; run options alike. Milliseconds.
+/// Without points the decks alone.
 /// @throws InputError for a deck that is not there or not valid, and when a run that is tried first
 /// is the same for all of them: refused.
 void check_decks(const Study& study, const std::vector<Point>& points);

@@ -3,7 +3,6 @@
 #include "base/spelling.hpp"
 #include "deck/schema.hpp"
 #include "results/channels.hpp"
-#include "results/growing_file.hpp"
 #include "results/key_results.hpp"
 #include "setup/run_control.hpp"
 #include "studies/cage_whirl.hpp"
@@ -521,10 +520,6 @@ Study parse_study(const std::string& text, const std::filesystem::path& file) {
     if (read.lines.empty()) throw;
     throw InputError(with_line(error.what(), file.string(), read.lines));
   }
-}
-
-Study read_study(const std::filesystem::path& file) {
-  return parse_study(results::read_text_file(file), file);
 }
 
 std::string example_study(const std::string& kind) {
