@@ -101,6 +101,9 @@ class PlotWindow : public QMainWindow {
   /// Shows how far a long reading is, with a button that stops it. False: it was pressed.
   bool watchReading(double part);
 
+  static constexpr const char* kApp = "adrplot";  ///< whose settings and recent files
+  enum TreeRole { kPageRole = Qt::UserRole, kFileRole };
+
   std::vector<std::unique_ptr<Document>> documents_;
   int current_ = -1, page_ = 0;
   PageOptions options_;

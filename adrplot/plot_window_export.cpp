@@ -1,0 +1,107 @@
+#include "adrplot/plot_window.hpp"
+#include "desktop/chart_view.hpp"
+#include "desktop/dialogs.hpp"
+#include "desktop/page_export.hpp"
+#include "desktop/theme.hpp"
+
+#include <QClipboard>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGuiApplication>
+#include <QImage>
+
+#include <exception>
+
+/// Pages of the window as files, on paper and in the clipboard.
+namespace adore::adrplot {
+
+bool PlotWindow::exportTo(const QString& path, bool all_pages) {
+  Document* doc = document();
+  if (!doc) return false;
+  desktop::ChartScene scene;  // of its own: what is seen stays as it is
+  scene.setTheme(desktop::current_theme());
+  const QSizeF size = view_->viewport()->size();
+  const int shown = page_;
+  const auto show = [&](int page) {
+    page_ = page;
+    scene.setPage(currentPageChart());
+    page_ = shown;
+  };
+  try {
+    if (!all_pages) {
+      show(shown);
+      scene.setZoom(view_->chartScene().zoom());
+      desktop::save_page(scene, path.toStdString(), size);
+    } else if (QFileInfo(path).suffix().toLower() == "pdf") {
+      desktop::save_pdf(scene, path.toStdString(), doc->pages.size(), size,
+                        [&](std::size_t i) { show(static_cast<int>(i) + 1); });
+    } else {
+      const QFileInfo info(path);
+      for (int page = 1; page <= pageCount(); ++page) {
+        show(page);
+        desktop::save_page(scene,
+                           info.dir()
+                               .filePath(QString("%1-%2.%3")
+                                             .arg(info.completeBaseName())
+                                             .arg(page, 2, 10, QChar('0'))
+                                             .arg(info.suffix()))
+                               .toStdString(),
+                           size);
+      }
+    }
+    return true;
+  } catch (const std::exception& error) {
+    page_ = shown;
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    return false;
+  }
+}
+
+void PlotWindow::askForExport(bool all_pages) {
+  Document* doc = document();
+  if (!doc) return askForFile();
+  auto* dialog =
+      new QFileDialog(this, all_pages ? tr("Export all pages") : tr("Export page"), QString(),
+                      tr("PDF (*.pdf);;SVG (*.svg);;PNG (*.png);;JPEG (*.jpg);;Numbers (*.csv)"));
+  dialog->setObjectName("export");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix("pdf");
+  connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
+    dialog->setDefaultSuffix(filter.section("*.", 1).section(')', 0, 0));
+  });
+  const QString name = QString::fromStdString(doc->path.filename().string());
+  dialog->selectFile(all_pages ? name : QString("%1-page-%2").arg(name).arg(page_));
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this, all_pages](const QString& path) { exportTo(path, all_pages); });
+  dialog->open();
+}
+
+void PlotWindow::exportPage() { askForExport(false); }
+
+void PlotWindow::exportAll() { askForExport(true); }
+
+void PlotWindow::copyPicture() {
+  if (!document()) return;
+  QGuiApplication::clipboard()->setImage(view_->chartScene().image(view_->viewport()->size()));
+}
+
+void PlotWindow::print() {
+  if (!document()) return askForFile();
+  desktop::print_page(this, [this](QPainter& painter, const QRectF& paper) {
+    const QSizeF page = view_->viewport()->size();
+    desktop::paint_vector(view_->chartScene(), painter, paper, page);
+  });
+}
+
+void PlotWindow::savePicture() {
+  Document* doc = document();
+  if (!doc) return askForFile();
+  const QString fallback = QString("%1-page-%2.jpg")
+                               .arg(QString::fromStdString(doc->path.filename().string()))
+                               .arg(page_);
+  desktop::save_picture(this, kApp, fallback,
+                        [this] { return view_->chartScene().image(view_->viewport()->size()); });
+}
+
+}  // namespace adore::adrplot

@@ -1,0 +1,193 @@
+#include "adrplot/plot_window.hpp"
+#include "desktop/chrome.hpp"
+#include "desktop/dialogs.hpp"
+#include "desktop/window_place.hpp"
+
+#include <QAction>
+#include <QDir>
+#include <QFileInfo>
+#include <QProgressDialog>
+#include <QTimer>
+#include <QTreeWidget>
+
+#include <algorithm>
+#include <exception>
+#include <set>
+
+/// Files of the window: read, listed in the tree, read again, closed.
+namespace adore::adrplot {
+
+bool PlotWindow::watchReading(double part) {
+  if (part >= 1.0) {
+    reading_.reset();
+    return true;
+  }
+  if (!reading_) {
+    reading_ = std::make_unique<QProgressDialog>(tr("Reading ..."), tr("Stop"), 0, 1000, this);
+    reading_->setObjectName("reading");
+    reading_->setWindowModality(Qt::WindowModal);
+    reading_->setMinimumDuration(400);
+    reading_->setAutoClose(false);
+    reading_->setAutoReset(false);
+  }
+  reading_->setValue(static_cast<int>(1000.0 * part));  // lets the window live
+  if (!reading_ || !reading_->wasCanceled()) return true;
+  reading_.reset();
+  return false;
+}
+
+bool PlotWindow::openFile(const std::filesystem::path& path, const results::SolRange& range) {
+  try {
+    addDocument(
+        open_document(path, range, kMostValues, [this](double part) { return watchReading(part); }),
+        range);
+    desktop::remember_file(kApp, QString::fromStdString(path.string()));
+    return true;
+  } catch (const results::ReadStopped&) {
+    return false;  // as was asked for
+  } catch (const std::exception& error) {
+    reading_.reset();
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+    return false;
+  }
+}
+
+void PlotWindow::addFile(results::SolFile file, const results::SolRange& range) {
+  addDocument(make_document(std::move(file)), range);
+}
+
+void PlotWindow::addDocument(PlotDocument document, const results::SolRange& range, bool on_disk) {
+  std::error_code ignored;
+  const std::uintmax_t bytes = on_disk ? std::filesystem::file_size(document.path, ignored) : 0;
+  documents_.push_back(std::make_unique<Document>(
+      Document{std::move(document), range, on_disk, ignored ? 0 : bytes}));
+  current_ = fileCount() - 1;
+  page_ = 1;
+  fillTree();
+}
+
+void PlotWindow::fillTree() {
+  const int file = current_, page = page_;
+  std::set<std::filesystem::path> folders;
+  for (const auto& doc : documents_)
+    if (doc->on_disk) folders.insert(doc->path.parent_path());
+  {
+    const QSignalBlocker quiet(tree_);
+    tree_->clear();
+    for (int d = 0; d < fileCount(); ++d) {
+      const Document& doc = *documents_[static_cast<std::size_t>(d)];
+      QString name = QString::fromStdString(doc.path.filename().string());
+      if (folders.size() > 1 && doc.on_disk)  // runs told apart
+        name = QString::fromStdString(
+                   std::filesystem::absolute(doc.path).parent_path().filename().string()) +
+               "/" + name;
+      auto* root = new QTreeWidgetItem(tree_, {name + " — " + QString::fromStdString(doc.subject)});
+      root->setToolTip(0, QString::fromStdString(doc.path.string()));
+      root->setFlags(Qt::ItemIsEnabled);
+      for (std::size_t p = 0; p < doc.pages.size(); ++p) {
+        auto* item = new QTreeWidgetItem(
+            root, {QString("%1  %2").arg(p + 1).arg(QString::fromStdString(doc.pages[p].title))});
+        item->setData(0, kPageRole, static_cast<int>(p + 1));
+        item->setData(0, kFileRole, d);
+      }
+      root->setExpanded(d == file);
+    }
+  }
+  current_ = file;
+  showPage(page);
+}
+
+void PlotWindow::closeFile() {
+  if (!document()) return;
+  documents_.erase(documents_.begin() + current_);
+  current_ = std::min(current_, fileCount() - 1);
+  page_ = current_ >= 0 ? 1 : 0;
+  if (current_ < 0) {
+    const QSignalBlocker quiet(tree_);
+    tree_->clear();
+  } else {
+    fillTree();
+  }
+  showCurrent();
+}
+
+void PlotWindow::openFolder(const QString& folder, const results::SolRange& range) {
+  QStringList names;
+  const QDir dir(folder);
+  for (const QString& name : dir.entryList({"SOL1", "SOL2", "SOL3", "SOL4", "SOL5", "SOL6", "SOL7"},
+                                           QDir::Files, QDir::Name))
+    names << dir.filePath(name);
+  // A quasi-static run, a sweep or a study has no step files.
+  if (names.isEmpty())
+    for (const QString& name :
+         dir.entryList({"RUN.json", "SWEEP.csv", "ACCURACY.json"}, QDir::Files, QDir::Name))
+      names << dir.filePath(name);
+  if (names.isEmpty())
+    return desktop::show_message(
+        this, tr("%1 holds no plot file: neither SOL1 to SOL7 nor RUN.json, SWEEP.csv or "
+                 "ACCURACY.json.")
+                  .arg(folder));
+  for (const QString& name : names) openFile(name.toStdString(), range);
+}
+
+void PlotWindow::openSeveral(const QStringList& paths) {
+  if (paths.size() == 1) {
+    if (QFileInfo(paths.front()).isDir()) return openFolder(paths.front());
+    return askForRange(paths.front());
+  }
+  for (const QString& path : paths) {
+    if (QFileInfo(path).isDir())
+      openFolder(path);
+    else
+      openFile(path.toStdString());
+  }
+}
+
+void PlotWindow::showFiles(const QStringList& paths) {
+  for (const QString& name : paths) {
+    const std::filesystem::path path = name.toStdString();
+    std::error_code ignored;
+    const auto open = std::find_if(documents_.begin(), documents_.end(), [&](const auto& doc) {
+      return doc->on_disk && std::filesystem::equivalent(doc->path, path, ignored);
+    });
+    if (open == documents_.end()) {
+      openFile(path, {});
+      continue;
+    }
+    current_ = static_cast<int>(open - documents_.begin());
+    reload();
+  }
+  raise();
+  activateWindow();
+}
+
+void PlotWindow::reload() {
+  Document* doc = document();
+  if (!doc || !doc->on_disk) return;
+  try {
+    std::error_code ignored;
+    doc->bytes = std::filesystem::file_size(doc->path, ignored);
+    static_cast<PlotDocument&>(*doc) = open_document(
+        doc->path, doc->range, kMostValues, [this](double part) { return watchReading(part); });
+    page_ = std::min(page_, pageCount());
+    fillTree();
+  } catch (const std::exception& error) {
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+  }
+}
+
+void PlotWindow::follow(bool on) {
+  if (follow_->isChecked() != on) follow_->setChecked(on);
+  on ? growth_->start() : growth_->stop();
+}
+
+void PlotWindow::lookForGrowth() {
+  Document* doc = document();
+  if (!doc || !doc->on_disk || reading_) return;
+  std::error_code error;
+  const std::uintmax_t bytes = std::filesystem::file_size(doc->path, error);
+  if (error || bytes == doc->bytes) return;
+  reload();
+}
+
+}  // namespace adore::adrplot

@@ -1,0 +1,163 @@
+#include "adrplot/plot_window.hpp"
+#include "desktop/chart_view.hpp"
+#include "desktop/chrome.hpp"
+
+#include <QAction>
+#include <QActionGroup>
+#include <QComboBox>
+#include <QMenu>
+#include <QMenuBar>
+#include <QToolBar>
+
+#include <array>
+
+/// Menus, buttons and choices of the window.
+namespace adore::adrplot {
+namespace {
+
+struct PairChoice {
+  const char* text;
+  OrbitPair pair;
+};
+constexpr std::array<PairChoice, 3> kPairs{
+    {{"Z over Y", {1, 2}}, {"Z over X", {0, 2}}, {"Y over X", {0, 1}}}};
+
+}  // namespace
+
+void PlotWindow::makeButtons() {
+  auto* bar = addToolBar(tr("Plots"));
+  bar->setObjectName("buttons");
+  bar->setMovable(false);
+  bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  const auto button = [&](const QString& text, const QList<QKeySequence>& keys, auto slot,
+                          const QString& help) {
+    auto* action = bar->addAction(text);
+    action->setShortcuts(keys);
+    action->setToolTip(help + " (" + keys.front().toString(QKeySequence::NativeText) + ")");
+    connect(action, &QAction::triggered, this, slot);
+  };
+  button(tr("Open Plot File"), {QKeySequence::Open}, &PlotWindow::askForFile,
+         tr("Choose a file SOL1 to SOL7"));
+  button(tr("Prev Plot"), {Qt::Key_PageUp}, &PlotWindow::previousPage, tr("One page back"));
+  button(tr("Next Plot"), {Qt::Key_PageDown}, &PlotWindow::nextPage, tr("One page on"));
+  button(tr("Plot Number"), {Qt::CTRL | Qt::Key_G}, &PlotWindow::askForPage,
+         tr("Go to a page by its number"));
+  button(tr("Print"), {QKeySequence::Print}, &PlotWindow::print, tr("Print this page"));
+  button(tr("Save JPG"), {QKeySequence::Save}, &PlotWindow::savePicture,
+         tr("Save this page as JPEG or PNG"));
+  button(tr("Reload"), {Qt::Key_F5}, &PlotWindow::reload,
+         tr("Read the file again, for a run that goes on"));
+  button(tr("Dark/Light"), {Qt::CTRL | Qt::Key_D}, &PlotWindow::switchTheme,
+         tr("Change the colours"));
+  button(tr("Quit"), {Qt::CTRL | Qt::Key_Q}, &PlotWindow::close, tr("End AdrPlot"));
+  bar->addSeparator();
+  makeChoices(bar);
+}
+
+void PlotWindow::makeMenus() {
+  auto* file = menuBar()->addMenu(tr("&File"));
+  file->addAction(tr("&Open..."), this, &PlotWindow::askForFile);
+  file->addAction(tr("Open &Folder..."), Qt::CTRL | Qt::SHIFT | Qt::Key_O, this,
+                  &PlotWindow::askForFolder);
+  desktop::add_recent_menu(*file, kApp, [this](const QString& name) { askForRange(name); });
+  file->addAction(tr("&Close File"), QKeySequence::Close, this, &PlotWindow::closeFile);
+  file->addSeparator();
+  file->addAction(tr("&Reload"), this, &PlotWindow::reload);
+  follow_ = file->addAction(tr("&Follow a Running Solver"));
+  follow_->setCheckable(true);
+  connect(follow_, &QAction::toggled, this, &PlotWindow::follow);
+  file->addSeparator();
+  file->addAction(tr("&Export Page..."), Qt::CTRL | Qt::Key_E, this, &PlotWindow::exportPage);
+  file->addAction(tr("Export &All Pages..."), Qt::CTRL | Qt::SHIFT | Qt::Key_E, this,
+                  &PlotWindow::exportAll);
+  file->addAction(tr("Cop&y Picture"), QKeySequence::Copy, this, &PlotWindow::copyPicture);
+  file->addAction(tr("&Print..."), this, &PlotWindow::print);
+  file->addSeparator();
+  file->addAction(tr("&Quit"), this, &PlotWindow::close);
+
+  auto* view = menuBar()->addMenu(tr("&View"));
+  view->addAction(tr("Zoom &Back"), Qt::ALT | Qt::Key_Left, view_, &desktop::ChartView::zoomBack);
+  view->addAction(tr("Zoom &Forward"), Qt::ALT | Qt::Key_Right, view_,
+                  &desktop::ChartView::zoomForward);
+  view->addAction(tr("Show &Everything"), Qt::Key_Home, view_, &desktop::ChartView::zoomAll);
+  view->addAction(tr("&Take Cursors Away"), Qt::Key_Escape, view_,
+                  &desktop::ChartView::clearCursors);
+  view->addSeparator();
+  auto* log_x = view->addAction(tr("Logarithmic &Abscissa"));
+  auto* log_y = view->addAction(tr("Logarithmic &Values"), Qt::CTRL | Qt::Key_L, this, [] {});
+  for (QAction* action : {log_x, log_y}) {
+    action->setCheckable(true);
+    connect(action, &QAction::toggled, this,
+            [this, log_x, log_y] { setLogAxes(log_x->isChecked(), log_y->isChecked()); });
+  }
+  view->addAction(tr("&Dark/Light"), this, &PlotWindow::switchTheme);
+  makeChartMenu(menuBar()->addMenu(tr("&Chart")));
+  desktop::add_help_menu(
+      *this, "AdrPlot", tr("AdrPlot draws what a run of Adore stored."),
+      {{tr("Page Up, Page Down"), tr("one page back, on")},
+       {tr("Ctrl+G"), tr("a page by its number")},
+       {tr("wheel"), tr("zooms along the abscissa; with Ctrl along a panel's own axis")},
+       {tr("drag"), tr("moves; with Shift zooms into a box")},
+       {tr("double click, Home"), tr("shows everything")},
+       {tr("Alt+Left, Alt+Right"), tr("earlier and later views")},
+       {tr("click on a name in a legend"), tr("hides its curve, or shows it")},
+       {tr("Ctrl+click, Ctrl+Shift+click"), tr("cursor A, cursor B; Esc takes them away")}});
+}
+
+void PlotWindow::makeChartMenu(QMenu* menu) {
+  menu->addAction(tr("&Curves for One Chart..."), Qt::CTRL | Qt::Key_K, this,
+                  &PlotWindow::askForCurves);
+  menu->addSeparator();
+  const auto choices = [this, menu](const QString& title, const QStringList& names, auto set) {
+    auto* sub = menu->addMenu(title);
+    auto* group = new QActionGroup(sub);
+    for (int i = 0; i < names.size(); ++i) {
+      auto* action = sub->addAction(names[i], this, [this, set, i] {
+        set(options_, i);
+        showCurrent();
+      });
+      action->setCheckable(true);
+      action->setChecked(i == 0);
+      group->addAction(action);
+    }
+  };
+  choices(tr("Spectrum: &Amplitude"), {tr("over the largest"), tr("in units"), tr("in dB")},
+          [](PageOptions& o, int i) { o.spectrum.scale = static_cast<SpectrumScale>(i); });
+  choices(tr("Spectrum: &Window"), {tr("Hann"), tr("flat top"), tr("none")},
+          [](PageOptions& o, int i) {
+            constexpr std::array kWindows{Window::Hann, Window::FlatTop, Window::None};
+            o.spectrum.window = kWindows.at(static_cast<std::size_t>(i));
+          });
+}
+
+void PlotWindow::makeChoices(QToolBar* bar) {
+  abscissa_ = new QComboBox(this);
+  abscissa_->setObjectName("abscissa");
+  abscissa_->setAccessibleName(tr("Abscissa"));
+  abscissa_->addItems({tr("over revolutions"), tr("over time"), tr("over steps")});
+  connect(abscissa_, &QComboBox::currentIndexChanged, this, [this](int index) {
+    options_.abscissa = static_cast<Abscissa>(index);
+    showCurrent();
+  });
+  domain_ = new QComboBox(this);
+  domain_->setObjectName("domain");
+  domain_->setAccessibleName(tr("History or frequencies"));
+  domain_->addItems({tr("history"), tr("spectrum"), tr("waterfall")});
+  connect(domain_, &QComboBox::currentIndexChanged, this, [this](int index) {
+    options_.domain = static_cast<Domain>(index);
+    showCurrent();
+  });
+  orbit_ = new QComboBox(this);
+  orbit_->setObjectName("orbit");
+  orbit_->setAccessibleName(tr("Coordinates of the orbit"));
+  for (const auto& choice : kPairs) orbit_->addItem(choice.text);
+  connect(orbit_, &QComboBox::currentIndexChanged, this, [this](int index) {
+    options_.orbit = kPairs.at(static_cast<std::size_t>(index)).pair;
+    showCurrent();
+  });
+  bar->addWidget(abscissa_);
+  bar->addWidget(domain_);
+  orbit_action_ = bar->addWidget(orbit_);
+}
+
+}  // namespace adore::adrplot
