@@ -139,6 +139,14 @@ class EllipseSum {
     return 1.5 * e.load / (std::numbers::pi * ScalarMath<T>::max(e.a * e.b, T(1e-30)));
   }
 
+  /// Whether κ is a number of the slip, and nothing else is asked of the law.
+  static constexpr bool of_slip_alone() {
+    if constexpr (requires { Law::kOfSlipAlone; })
+      return Law::kOfSlipAlone;
+    else
+      return false;
+  }
+
   [[gnu::always_inline]] void product_rule() {
     for (int i = 0; i < nodes_.major; ++i) {
       add_row(nodes_.s[i] * e_.a, T(nodes_.chord[i]), nodes_.chord[i] * e_.b,
@@ -171,6 +179,23 @@ class EllipseSum {
     const T mean = m.u_c + m.W_t * h;
     const T swing = m.W_n * half_width;
     const T fixed = u_t * u_t + law_.floor;
+    if constexpr (of_slip_alone()) {
+      if (nodes_.minor == 2) {  // ±v of half the weight each: moments are sums and differences
+        const T q = swing * nodes_.v[1], half = 0.5 * load;
+        const RowOfTwo at = row_of_two(mean - q, mean + q, fixed);
+        const T f_t = half * (at.sum * u_t);
+        const T f_c = half * (mean * at.sum - q * at.difference);
+        const T f_cv = half * (mean * at.difference - q * at.sum);
+        sum_.F_c += f_c;
+        sum_.F_t += f_t;
+        sum_.M_c -= h * f_t;
+        sum_.M_t += h * f_c;
+        sum_.M_n += xi * f_t - (half_width * nodes_.v[1]) * f_cv;
+        sum_.heat += u_t * f_t + mean * f_c - q * f_cv;
+        sum_.load_slip += half * at.slips;
+        return;
+      }
+    }
     T g0 = 0.0, g1 = 0.0, g2 = 0.0, speed = 0.0;
     const auto along_row = [&](const auto& law) {
       for (int j = 0; j < nodes_.minor; ++j) {
@@ -222,6 +247,18 @@ class EllipseSum {
     sum_.M_n += xi * f_t - half_width * f_cv;
     sum_.heat += u_t * f_t + mean * f_c - swing * f_cv;
     sum_.load_slip += load * speed;
+  }
+
+  /// Σ of κ/s at two points of a row, its difference, and the sum of their slips.
+  struct RowOfTwo {
+    T sum, difference, slips;
+  };
+  [[gnu::always_inline]] RowOfTwo row_of_two(const T& ahead, const T& behind,
+                                             const T& fixed) const {
+    T slip_ahead, slip_behind;
+    const T g_ahead = law_.of_rounded(ahead * ahead + fixed, T(0.0), slip_ahead);
+    const T g_behind = law_.of_rounded(behind * behind + fixed, T(0.0), slip_behind);
+    return {g_ahead + g_behind, g_ahead - g_behind, slip_ahead + slip_behind};
   }
 
   static constexpr int kBlock = 4;  ///< points of a row that laws take at once

@@ -10,6 +10,7 @@ struct TwoSlopeLaw {
   double A = 0.0, B = 0.0, C = 0.0, u0 = 0.0;
 
   static constexpr bool kOfPressure = false;
+  static constexpr bool kOfSlipAlone = true;
 
   template <class T>
   struct Here {
