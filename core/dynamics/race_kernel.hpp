@@ -29,14 +29,17 @@ struct BallConstants {
 /// Where the kernel collects the points of a law of the user, all contacts of the race, before it
 /// asks once, and reads κ afterwards. Sized at set-up (UserScratch in user_points.hpp).
 struct UserPoints {
-  double *slip, *pressure, *kappa;  ///< rows * stride each
+  double *slip, *inverse, *pressure, *kappa;  ///< of each point, stride values each
+  double* row;                                ///< four numbers of each row of the rule, likewise
   /// Of each contact, stride values each: ContactPoint in the order of TractionPoints.
   double* contact[7];
-  double* unread[9];   ///< where the first pass writes forces, n + 8 values each
-  int* rows_of;        ///< of each contact
+  /// The contacts of a vector of balls between the passes, kKeptValues numbers a ball; aligned.
+  double* kept;
+  int* rows_of;        ///< of the vector whose first ball it is; -1: all are open
   std::size_t stride;  ///< >= n
-  int most_rows;
 };
+/// Most numbers a ball that its contact keeps.
+inline constexpr std::size_t kKeptValues = 64;
 
 struct RaceKernelInput {
   // Groove, load and ellipse: Q = K δ^1.5, a = major sqrt(δ), b = minor sqrt(δ).

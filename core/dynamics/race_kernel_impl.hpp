@@ -10,6 +10,7 @@
 #include "tribology/traction_laws.hpp"
 
 #include <cstddef>
+#include <new>
 #include <type_traits>
 
 /// All contacts with one race, one ball per vector lane. Included by one translation unit per
@@ -191,6 +192,158 @@ template <class Law, class S>
   }
 }
 
+/// The contacts of one vector of balls: what forces are made of once traction is known. Of a law of
+/// the user alone: evaluate() below says the same in one piece, and the compiler fuses its
+/// multiplications otherwise when it is cut in two, by which the built-in motion would change
+/// (decision 365).
+template <class Race, class Balls>
+class Contacts {
+ public:
+  using S = typename Balls::Scalar;
+
+  [[gnu::always_inline]] Contacts(const RaceKernelInput& in, const Lanes& at, const Balls& balls)
+      : s_(get(at.sin_theta)),
+        c_(get(at.cos_theta)),
+        r_(get(at.r)),
+        k_(to_azimuth(in.axis, s_, c_)),
+        d_(from_centre(in, at, s_, c_, r_)),
+        place_(contact::groove_place(d_, k_, in.centre_radius)),
+        groove_(in, balls, k_, place_, s_, c_),
+        approach_(groove_.touch().approach) {
+    if (at.used < static_cast<int>(V::size())) {
+      const V lane([](auto i) { return static_cast<double>(i); });
+      stdx::where(lane >= static_cast<double>(at.used), approach_) = -1.0;
+    }
+  }
+  [[gnu::always_inline]] bool open() const { return stdx::none_of(approach_ > 0.0); }
+  /// Load, and the ellipse where there is traction.
+  [[gnu::always_inline]] void press(const RaceKernelInput& in, const Lanes& at, const Balls& balls);
+  [[nodiscard]] const tribology::EllipseContact<V, S>& ellipse() const { return ellipse_; }
+  [[gnu::always_inline]] void add_to(const RaceKernelInput& in, const Lanes& at,
+                                     const tribology::EllipseSums<V>& traction,
+                                     Totals& totals) const;
+  /// Of an open vector.
+  [[gnu::always_inline]] static void put_open(const Lanes& at) {
+    put(at.load, 0.0);
+    put(at.heat, 0.0);
+    if (at.load_slip != nullptr) put(at.load_slip, 0.0);
+  }
+
+ private:
+  /// Ball centre from P_j.
+  [[gnu::always_inline]] static Vec from_centre(const RaceKernelInput& in, const Lanes& at, V s,
+                                                V c, V r) {
+    const Vec centre = to_azimuth(in.centre, s, c);
+    return {get(at.x) - centre.x, r - centre.y, -centre.z};
+  }
+
+  V s_, c_, r_;
+  Vec k_, d_;
+  contact::GroovePlace<V> place_;
+  Race groove_;
+  V approach_, load_ = 0.0, leaning_ = 0.0;
+  tribology::EllipseContact<V, S> ellipse_{};
+};
+
+template <class Race, class Balls>
+inline void Contacts<Race, Balls>::press(const RaceKernelInput& in, const Lanes& at,
+                                         const Balls& balls) {
+  const auto& touch = groove_.touch();
+  approach_ = stdx::max(approach_, V(0.0));
+  const V root_approach = stdx::sqrt(approach_);
+  V K = balls.K(), major = balls.major(), minor = balls.minor();
+  if (in.follow != nullptr) {
+    const auto at_angle =
+        contact::polynomial_with_slope(balls.follow(&contact::AngleLaw::K).c, touch.n_e);
+    K = at_angle.value;
+    leaning_ =
+        contact::leaning_force(at_angle.slope, approach_, root_approach, touch.n_k, touch.length);
+    if (in.traction) {
+      major = contact::polynomial(balls.follow(&contact::AngleLaw::major).c, touch.n_e);
+      minor = contact::polynomial(balls.follow(&contact::AngleLaw::minor).c, touch.n_e);
+    }
+  }
+  if constexpr (Race::kWavy) groove_.scale(K, leaning_, major, minor);
+  load_ = contact::point_load(K, approach_, root_approach);
+  if (!in.traction) return;
+  const V theta_dot = get(at.theta_dot);
+  const S radius = balls.radius();
+  const RacePairMotion<V, S> pair{to_azimuth(in.velocity, s_, c_),
+                                  in.tilts ? to_azimuth(in.tilt, s_, c_) : Vec{},
+                                  in.speed,
+                                  in.tilts,
+                                  {get(at.x_dot), get(at.r_dot), r_ * theta_dot},
+                                  {get(at.omega_x), get(at.omega_r), get(at.omega_theta)},
+                                  theta_dot,
+                                  radius};
+  ellipse_.load = load_;
+  ellipse_.a = major * root_approach;
+  ellipse_.b = minor * root_approach;
+  ellipse_.surface =
+      tribology::ellipse_surface(in.place, balls.rho(), radius, ellipse_.a, approach_);
+  ellipse_.motion = ellipse_motion(pair, d_, k_, cross(k_, place_.e), place_, touch);
+}
+
+template <class Race, class Balls>
+inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes& at,
+                                          const tribology::EllipseSums<V>& traction,
+                                          Totals& totals) const {
+  const auto& touch = groove_.touch();
+  const V R = place_.distance, s = s_, c = c_;
+  const Vec &e = place_.e, &k = k_;
+  const Vec t = cross(k, e);
+  contact::MeridianForce<V> meridian{-load_ * touch.n_k, -load_ * touch.n_e};
+  V force_t = 0.0, heat = 0.0, load_slip = 0.0;
+  V moment_k = 0.0, moment_e = 0.0, moment_t = 0.0;
+  if (in.traction) {
+    meridian = contact::meridian_force(load_, traction.F_c, touch.n_k, touch.n_e);
+    force_t = traction.F_t;
+    moment_k = traction.M_n * touch.n_k - traction.M_c * touch.n_e;
+    moment_e = traction.M_n * touch.n_e + traction.M_c * touch.n_k;
+    moment_t = traction.M_t;
+    const Vec moment{moment_k * k.x + moment_e * e.x + moment_t * t.x,
+                     moment_k * k.y + moment_e * e.y + moment_t * t.y,
+                     moment_k * k.z + moment_e * e.z + moment_t * t.z};
+    heat = traction.heat;
+    load_slip = traction.load_slip;
+    add(at.M_x, moment.x);
+    add(at.M_r, moment.y);
+    add(at.M_theta, moment.z);
+  }
+  if (in.follow != nullptr) {
+    meridian.along -= leaning_ * touch.n_e;
+    meridian.outward += leaning_ * touch.n_k;
+  }
+  if constexpr (Race::kWavy) force_t += groove_.push(load_, leaning_, approach_);
+  const V force_k = meridian.along, force_e = meridian.outward;
+  const Vec force{force_k * k.x + force_e * e.x + force_t * t.x,
+                  force_k * k.y + force_e * e.y + force_t * t.y,
+                  force_k * k.z + force_e * e.z + force_t * t.z};
+  add(at.F_x, force.x);
+  add(at.F_r, force.y);
+  add(at.F_theta, force.z);
+  put(at.load, load_);
+  put(at.heat, heat);
+  if (at.load_slip != nullptr) put(at.load_slip, load_slip);
+
+  // On the race about P_j: -(d × F + M), d = ξ k + R e.
+  const V about_k = R * force_t + moment_k;
+  const V about_e = moment_e - place_.axial * force_t;
+  const V about_t = place_.axial * force_e - R * force_k + moment_t;
+  const Vec about{about_k * k.x + about_e * e.x + about_t * t.x,
+                  about_k * k.y + about_e * e.y + about_t * t.y,
+                  about_k * k.z + about_e * e.z + about_t * t.z};
+  totals.force_x -= force.x;
+  totals.force_y += s * force.y + c * force.z;
+  totals.force_z -= c * force.y - s * force.z;
+  totals.moment_x -= about.x;
+  totals.moment_y += s * about.y + c * about.z;
+  totals.moment_z -= c * about.y - s * about.z;
+  totals.elastic_energy += contact::point_energy(load_, approach_);
+  totals.heat += heat;
+  totals.load_slip += load_slip;
+}
+
 template <class Law, class Race, class Balls>
 void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
   using S = typename Balls::Scalar;
@@ -255,8 +408,6 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
     ellipse.surface =
         tribology::ellipse_surface(in.place, balls.rho(), radius, ellipse.a, approach);
     ellipse.motion = ellipse_motion(pair, d, k, t, place, touch);
-    if constexpr (requires(const Law& law) { law.begin(at.first); })
-      static_cast<const Law*>(in.law)->begin(at.first);
     const tribology::EllipseSums<V> traction = traction_of<Law, S>(in, ellipse);
     meridian = contact::meridian_force(load, traction.F_c, touch.n_k, touch.n_e);
     force_t = traction.F_t;
@@ -306,67 +457,70 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
   totals.load_slip += load_slip;
 }
 
+/// What is done with the arrays of a vector.
+enum class Use : unsigned char { Read, Write, Both };
+
 /// The last, incomplete vector works on copies: no lane reads or writes beyond the arrays.
-template <class Law, class Race, class Balls>
-void evaluate_tail(const RaceKernelInput& in, std::size_t first, int used, Totals& totals) {
+template <Use kUse, class Visit>
+void visit_tail(const RaceKernelInput& in, std::size_t first, int used, const Visit& visit) {
   constexpr int kLanes = static_cast<int>(V::size());
   double copies[19][kLanes];
   const double* sources[10] = {in.x,     in.r,         in.sin_theta, in.cos_theta, in.x_dot,
                                in.r_dot, in.theta_dot, in.omega_x,   in.omega_r,   in.omega_theta};
   double* targets[9] = {in.F_x,     in.F_r,  in.F_theta, in.M_x,      in.M_r,
                         in.M_theta, in.load, in.heat,    in.load_slip};
-  for (int array = 0; array < 10; ++array) {
+  for (int array = 0; kUse != Use::Write && array < 10; ++array) {
     for (int i = 0; i < kLanes; ++i) {
       copies[array][i] = sources[array][first + static_cast<std::size_t>(i < used ? i : used - 1)];
     }
   }
-  for (int array = 0; array < 9; ++array) {
+  for (int array = 0; kUse != Use::Read && array < 9; ++array) {
     for (int i = 0; i < kLanes; ++i) {
       const bool add_to = array < 6 && i < used;
       copies[10 + array][i] = add_to ? targets[array][first + static_cast<std::size_t>(i)] : 0.0;
     }
   }
-  Lanes at{first,      copies[0],  copies[1],  copies[2],  copies[3],  copies[4],  copies[5],
-           copies[6],  copies[7],  copies[8],  copies[9],  copies[10], copies[11], copies[12],
-           copies[13], copies[14], copies[15], copies[16], copies[17], copies[18], used};
-  evaluate<Law, Race, Balls>(in, at, totals);
-  for (int array = 0; array < 9; ++array) {
+  visit(Lanes{first,      copies[0],  copies[1],  copies[2],  copies[3],  copies[4],  copies[5],
+              copies[6],  copies[7],  copies[8],  copies[9],  copies[10], copies[11], copies[12],
+              copies[13], copies[14], copies[15], copies[16], copies[17], copies[18], used});
+  for (int array = 0; kUse != Use::Read && array < 9; ++array) {
     if (targets[array] == nullptr) continue;
     for (int i = 0; i < used; ++i)
       targets[array][first + static_cast<std::size_t>(i)] = copies[10 + array][i];
   }
 }
 
-template <class Law, class Race, class Balls>
-RaceKernelSums evaluate_all(const RaceKernelInput& in) {
+template <Use kUse, class Visit>
+void for_vectors(const RaceKernelInput& in, const Visit& visit) {
   constexpr std::size_t kLanes = V::size();
-  Totals totals;
   std::size_t i = 0;
   for (; i + kLanes <= in.n; i += kLanes) {
-    const Lanes at{i,
-                   in.x + i,
-                   in.r + i,
-                   in.sin_theta + i,
-                   in.cos_theta + i,
-                   in.x_dot + i,
-                   in.r_dot + i,
-                   in.theta_dot + i,
-                   in.omega_x + i,
-                   in.omega_r + i,
-                   in.omega_theta + i,
-                   in.F_x + i,
-                   in.F_r + i,
-                   in.F_theta + i,
-                   in.M_x + i,
-                   in.M_r + i,
-                   in.M_theta + i,
-                   in.load + i,
-                   in.heat + i,
-                   in.load_slip == nullptr ? nullptr : in.load_slip + i,
-                   static_cast<int>(kLanes)};
-    evaluate<Law, Race, Balls>(in, at, totals);
+    visit(Lanes{i,
+                in.x + i,
+                in.r + i,
+                in.sin_theta + i,
+                in.cos_theta + i,
+                in.x_dot + i,
+                in.r_dot + i,
+                in.theta_dot + i,
+                in.omega_x + i,
+                in.omega_r + i,
+                in.omega_theta + i,
+                in.F_x + i,
+                in.F_r + i,
+                in.F_theta + i,
+                in.M_x + i,
+                in.M_r + i,
+                in.M_theta + i,
+                in.load + i,
+                in.heat + i,
+                in.load_slip == nullptr ? nullptr : in.load_slip + i,
+                static_cast<int>(kLanes)});
   }
-  if (i < in.n) evaluate_tail<Law, Race, Balls>(in, i, static_cast<int>(in.n - i), totals);
+  if (i < in.n) visit_tail<kUse>(in, i, static_cast<int>(in.n - i), visit);
+}
+
+inline RaceKernelSums sums_of(const Totals& totals) {
   return {
       {stdx::reduce(totals.force_x), stdx::reduce(totals.force_y), stdx::reduce(totals.force_z)},
       {stdx::reduce(totals.moment_x), stdx::reduce(totals.moment_y), stdx::reduce(totals.moment_z)},
@@ -375,25 +529,48 @@ RaceKernelSums evaluate_all(const RaceKernelInput& in) {
       stdx::reduce(totals.load_slip)};
 }
 
+template <class Law, class Race, class Balls>
+RaceKernelSums evaluate_all(const RaceKernelInput& in) {
+  Totals totals;
+  for_vectors<Use::Both>(in, [&](const Lanes& at) { evaluate<Law, Race, Balls>(in, at, totals); });
+  return sums_of(totals);
+}
+
 /// Of a law of the user: both passes (race_kernel_user.hpp).
 template <class Race, class Balls>
 RaceKernelSums evaluate_asking(const RaceKernelInput& in) {
+  using S = typename Balls::Scalar;
+  using Kept = Contacts<Race, Balls>;
+  static_assert(sizeof(Kept) <= kKeptValues * sizeof(V));
   const auto& law = *static_cast<const tribology::UserLaw*>(in.law);
   UserPoints& points = *in.points;
-  clear_points(points, in.n);
-  const CollectPoints collect(points, law.of->wants_pressure);
-  RaceKernelInput first = in;
-  first.law = &collect;
-  first.F_x = points.unread[0], first.F_r = points.unread[1], first.F_theta = points.unread[2];
-  first.M_x = points.unread[3], first.M_r = points.unread[4], first.M_theta = points.unread[5];
-  first.load = points.unread[6], first.heat = points.unread[7];
-  first.load_slip = points.unread[8];
-  (void)evaluate_all<CollectPoints, Race, Balls>(first);
-  ask_user(law, points, in.n);
-  const ReplayPoints replay(points);
-  RaceKernelInput second = in;
-  second.law = &replay;
-  return evaluate_all<ReplayPoints, Race, Balls>(second);
+  for_vectors<Use::Read>(in, [&](const Lanes& at) {
+    const Balls balls(in, at);
+    Kept& contacts = *new (points.kept + at.first * kKeptValues) Kept(in, at, balls);
+    if (contacts.open()) {
+      leave_open(points, at.first);
+      return;
+    }
+    contacts.press(in, at, balls);
+    if (in.traction)
+      collect_points<S>(in, contacts.ellipse(), law.of->wants_pressure, points, at.first);
+    else
+      points.rows_of[at.first] = 0;
+  });
+  ask_user(law, points, in.n, in.nodes.minor);
+  Totals totals;
+  for_vectors<Use::Write>(in, [&](const Lanes& at) {
+    if (points.rows_of[at.first] < 0) {
+      Kept::put_open(at);
+      return;
+    }
+    const Kept& contacts =
+        *std::launder(reinterpret_cast<const Kept*>(points.kept + at.first * kKeptValues));
+    tribology::EllipseSums<V> traction;
+    if (in.traction) traction = replay_points<S>(in, contacts.ellipse(), points, at.first);
+    contacts.add_to(in, at, traction, totals);
+  });
+  return sums_of(totals);
 }
 
 template <class Law, class Race, class Balls>

@@ -7,95 +7,136 @@
 #include <cstddef>
 
 /// Laws of the race kernels for a routine of the user: the contacts of a race are gone through
-/// twice, once to collect where κ is wanted, and once with what the routine answered to all of it
-/// in one call. Both passes take the same points in the same order.
+/// once to collect where κ is wanted, and once more with what the routine answered to all of it
+/// in one call. Contacts, rows and 1/slip are kept, so that the second pass takes no roots; both
+/// take the same points in the same order as a built-in law.
 namespace adore::dynamics {
 namespace {
 
-class CollectPoints {
+inline constexpr std::size_t kKeptOfRow = 4;  ///< ξ, half width, load, height
+
+/// Nothing is loaded, no point is wanted.
+inline void leave_open(UserPoints& points, std::size_t column) {
+  points.rows_of[column] = -1;
+  for (double* values : points.contact)
+    SimdReal(0.0).copy_to(values + column, stdx::element_aligned);
+}
+
+class CollectedLaw {
  public:
   static constexpr bool kOfPressure = true;
-  CollectPoints(UserPoints& points, bool pressure) : to_(points), pressure_(pressure) {}
-  /// The vector whose first lane is this contact comes next.
-  void begin(std::size_t contact) const { column_ = contact; }
-
+  CollectedLaw(UserPoints& points, std::size_t column) : to_(points), column_(column) {}
+  struct Here {};
   template <class T>
-  struct Here {
-    double *slip, *pressure;
-    std::size_t stride;
-    int* rows;
-    [[gnu::always_inline]] T operator()(const T& s, const T& p) const {
-      const std::size_t at = static_cast<std::size_t>((*rows)++) * stride;
-      s.copy_to(slip + at, stdx::element_aligned);
-      if (pressure != nullptr) p.copy_to(pressure + at, stdx::element_aligned);
-      return 0.0;
-    }
-  };
-  template <class T>
-  [[gnu::always_inline]] Here<T> at(const tribology::ContactPoint<T>& c) const {
+  [[gnu::always_inline]] Here at(const tribology::ContactPoint<T>& c) const {
     const T* values[7] = {&c.load,        &c.peak_pressure, &c.half_major, &c.half_minor,
                           &c.entrainment, &c.curvature,     &c.slip};
     for (int k = 0; k < 7; ++k) values[k]->copy_to(to_.contact[k] + column_, stdx::element_aligned);
-    return {to_.slip + column_, pressure_ ? to_.pressure + column_ : nullptr, to_.stride,
-            to_.rows_of + column_};
+    return {};
   }
 
  private:
   UserPoints& to_;
-  bool pressure_;
-  mutable std::size_t column_ = 0;
+  std::size_t column_;
 };
 
-class ReplayPoints {
- public:
+struct ReplayedLaw {
   static constexpr bool kOfPressure = false;
-  explicit ReplayPoints(const UserPoints& points) : from_(points) {}
-  void begin(std::size_t contact) const { column_ = contact; }
-
+  struct Here {};
   template <class T>
-  struct Here {
-    mutable const double* kappa;
-    std::size_t stride;
-    [[gnu::always_inline]] T operator()(const T&, const T&) const {
-      const T out(kappa, stdx::element_aligned);
-      kappa += stride;
-      return out;
-    }
-  };
-  template <class T>
-  [[gnu::always_inline]] Here<T> at(const tribology::ContactPoint<T>&) const {
-    return {from_.kappa + column_, from_.stride};
+  [[gnu::always_inline]] Here at(const tribology::ContactPoint<T>&) const {
+    return {};
   }
-
- private:
-  const UserPoints& from_;
-  mutable std::size_t column_ = 0;
 };
 
-/// Nothing is loaded, no point is wanted.
-inline void clear_points(UserPoints& points, std::size_t n) {
-  for (std::size_t i = 0; i < n; ++i) {
-    points.rows_of[i] = 0;
-    for (double* values : points.contact) values[i] = 0.0;
+/// First pass of one vector, whose first lane is the contact `column`.
+template <class S>
+[[gnu::always_inline]] inline void collect_points(
+    const RaceKernelInput& in, const tribology::EllipseContact<SimdReal, S>& ellipse, bool pressure,
+    UserPoints& points, std::size_t column) {
+  using T = SimdReal;
+  const CollectedLaw law(points, column);
+  const tribology::EllipseSum<T, CollectedLaw, S> sum(in.nodes, ellipse, law, in.slip_floor,
+                                                      in.slip_scale);
+  const std::size_t stride = points.stride;
+  double *slip = points.slip + column, *inverse = points.inverse + column,
+         *pressures = points.pressure + column, *row = points.row + column;
+  int rows = 0;
+  sum.for_rows([&](const T& xi, const T& chord, const T& half_width, const T& load)
+                   __attribute__((always_inline)) {
+                     const auto r = sum.row(xi, half_width, load);
+                     const T* kept[kKeptOfRow] = {&r.xi, &r.half_width, &r.load, &r.h};
+                     for (const T* one : kept) {
+                       one->copy_to(row, stdx::element_aligned);
+                       row += stride;
+                     }
+                     for (int j = 0; j < in.nodes.minor; ++j) {
+                       const T u_c = sum.cross_slip(r, j);
+                       T over;
+                       ScalarMath<T>::root_and_inverse(u_c * u_c + r.fixed, over)
+                           .copy_to(slip, stdx::element_aligned);
+                       over.copy_to(inverse, stdx::element_aligned);
+                       if (pressure)
+                         sum.pressure(chord, j).copy_to(pressures, stdx::element_aligned);
+                       slip += stride;
+                       inverse += stride;
+                       pressures += stride;
+                     }
+                     ++rows;
+                   });
+  points.rows_of[column] = rows;
+}
+
+/// Second pass.
+template <class S>
+[[gnu::always_inline]] inline tribology::EllipseSums<SimdReal> replay_points(
+    const RaceKernelInput& in, const tribology::EllipseContact<SimdReal, S>& ellipse,
+    const UserPoints& points, std::size_t column) {
+  using T = SimdReal;
+  const ReplayedLaw law;
+  tribology::EllipseSum<T, ReplayedLaw, S> sum(in.nodes, ellipse, law, in.slip_floor,
+                                               in.slip_scale);
+  const std::size_t stride = points.stride;
+  const double *slip = points.slip + column, *inverse = points.inverse + column,
+               *kappa = points.kappa + column, *row = points.row + column;
+  const auto next = [stride](const double*& from) {
+    const T out(from, stdx::element_aligned);
+    from += stride;
+    return out;
+  };
+  for (int i = points.rows_of[column]; i > 0; --i) {
+    const T xi = next(row), half_width = next(row), load = next(row), h = next(row);
+    T g0 = 0.0, g1 = 0.0, g2 = 0.0, speed = 0.0;
+    for (int j = 0; j < in.nodes.minor; ++j) {
+      const T s = next(slip);
+      const T g = ScalarMath<T>::over(next(kappa), s, next(inverse));
+      g0 += g * in.nodes.weight_v[j];
+      g1 += g * in.nodes.weight_v1[j];
+      g2 += g * in.nodes.weight_v2[j];
+      speed += s * in.nodes.weight_v[j];
+    }
+    sum.add_moments(sum.row(xi, half_width, load, h), g0, g1, g2, speed);
   }
+  return sum.sums();
 }
 
 /// Asks for what was collected. Contacts of fewer points than others get points without load.
-inline void ask_user(const tribology::UserLaw& law, UserPoints& points, std::size_t n) {
+inline void ask_user(const tribology::UserLaw& law, UserPoints& points, std::size_t n, int minor) {
   constexpr std::size_t kLanes = SimdReal::size();
-  int rows = 0;
+  int most = 0;
   for (std::size_t i = 0; i < n; i += kLanes)
-    rows = points.rows_of[i] > rows ? points.rows_of[i] : rows;
-  if (rows == 0) return;
+    most = points.rows_of[i] > most ? points.rows_of[i] : most;
+  if (most == 0) return;
+  const int wanted = most * minor;
   const SimdReal slow = 1e-3, none = 0.0;
   for (std::size_t i = 0; i < n; i += kLanes)
-    for (int row = points.rows_of[i]; row < rows; ++row) {
-      const std::size_t at = static_cast<std::size_t>(row) * points.stride + i;
+    for (int k = (points.rows_of[i] > 0 ? points.rows_of[i] : 0) * minor; k < wanted; ++k) {
+      const std::size_t at = static_cast<std::size_t>(k) * points.stride + i;
       slow.copy_to(points.slip + at, stdx::element_aligned);
       none.copy_to(points.pressure + at, stdx::element_aligned);
     }
   law.of->ask(law.of->routine,
-              {law.kind, law.race, static_cast<long>(n), rows, static_cast<long>(points.stride),
+              {law.kind, law.race, static_cast<long>(n), wanted, static_cast<long>(points.stride),
                points.slip, law.of->wants_pressure ? points.pressure : nullptr, points.contact[0],
                points.contact[1], points.contact[2], points.contact[3], points.contact[4],
                points.contact[5], points.contact[6], points.kappa});

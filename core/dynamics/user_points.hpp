@@ -2,6 +2,8 @@
 
 #include "dynamics/race_kernel.hpp"
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace adore::dynamics {
@@ -14,15 +16,20 @@ class UserScratch {
     constexpr std::size_t kWidest = 8;  // lanes of any vector unit
     const std::size_t stride = (contacts + kWidest - 1) / kWidest * kWidest;
     view_.stride = stride;
-    view_.most_rows = static_cast<int>(points);
     const auto take = [&](double*& to, std::size_t count) {
       to = memory_.emplace_back(count, 0.0).data();
     };
     take(view_.slip, stride * points);
+    take(view_.inverse, stride * points);
     take(view_.pressure, stride * points);
     take(view_.kappa, stride * points);
+    constexpr std::size_t kKeptOfRow = 4;
+    take(view_.row, kKeptOfRow * stride * points);
     for (double*& values : view_.contact) take(values, stride);
-    for (double*& values : view_.unread) take(values, stride);
+    take(view_.kept, stride * kKeptValues + kWidest);
+    constexpr std::size_t kAlign = kWidest * sizeof(double);
+    const auto beyond = reinterpret_cast<std::uintptr_t>(view_.kept) % kAlign;
+    if (beyond != 0) view_.kept += (kAlign - beyond) / sizeof(double);
     rows_.assign(stride, 0);
     view_.rows_of = rows_.data();
   }

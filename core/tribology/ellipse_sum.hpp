@@ -103,13 +103,65 @@ class EllipseSum {
         slip_scale_(slip_scale) {}
 
   [[gnu::always_inline]] EllipseSums<T> run() {
-    if (nodes_.split) {
-      split_rule();
-    } else {
-      product_rule();
-    }
+    for_rows([this](const T& xi, const T& chord, const T& half_width, const T& load)
+                 __attribute__((always_inline)) { add_row(xi, chord, half_width, load); });
     return sum_;
   }
+
+  /// visit(ξ, chord, half width, load of the row) in the order in which rows are summed.
+  template <class Visit>
+  [[gnu::always_inline]] void for_rows(const Visit& visit) const {
+    if (nodes_.split) {
+      split_rule(visit);
+    } else {
+      product_rule(visit);
+    }
+  }
+
+  /// What is the same at all points of a row.
+  struct Row {
+    T xi, half_width, load, h, u_t, mean, swing, fixed;
+  };
+  [[gnu::always_inline]] Row row(const T& xi, const T& half_width, const T& load) const {
+    return row(xi, half_width, load, e_.surface.height(xi));
+  }
+  /// @param h height of the surface at ξ
+  [[gnu::always_inline]] Row row(const T& xi, const T& half_width, const T& load,
+                                 const T& h) const {
+    const EllipseMotion<T>& m = e_.motion;
+    const T u_t = m.u_t + m.W_n * xi - m.W_c * h;
+    return {xi,
+            half_width,
+            load,
+            h,
+            u_t,
+            m.u_c + m.W_t * h,
+            m.W_n * half_width,
+            u_t * u_t + law_.floor};
+  }
+  /// u_c at point j of a row.
+  [[gnu::always_inline]] T cross_slip(const Row& r, int j) const {
+    return r.mean - r.swing * nodes_.v[j];
+  }
+  /// Pressure at point j of a row of that chord; of laws of pressure only.
+  [[gnu::always_inline]] T pressure(const T& chord, int j) const {
+    return peak_pressure_ * chord * nodes_.chord_v[j];
+  }
+  /// Adds a row from g_k = Σ (κ/s) v^k and Σ s, with weights.
+  [[gnu::always_inline]] void add_moments(const Row& r, const T& g0, const T& g1, const T& g2,
+                                          const T& speed) {
+    const T f_t = r.load * (g0 * r.u_t);
+    const T f_c = r.load * (r.mean * g0 - r.swing * g1);
+    const T f_cv = r.load * (r.mean * g1 - r.swing * g2);
+    sum_.F_c += f_c;
+    sum_.F_t += f_t;
+    sum_.M_c -= r.h * f_t;
+    sum_.M_t += r.h * f_c;
+    sum_.M_n += r.xi * f_t - r.half_width * f_cv;
+    sum_.heat += r.u_t * f_t + r.mean * f_c - r.swing * f_cv;
+    sum_.load_slip += r.load * speed;
+  }
+  [[nodiscard]] const EllipseSums<T>& sums() const { return sum_; }
 
   /// u_t at ξ.
   [[gnu::always_inline]] T rolling_slip(const T& xi) const {
@@ -147,14 +199,16 @@ class EllipseSum {
       return false;
   }
 
-  [[gnu::always_inline]] void product_rule() {
+  template <class Visit>
+  [[gnu::always_inline]] void product_rule(const Visit& visit) const {
     for (int i = 0; i < nodes_.major; ++i) {
-      add_row(nodes_.s[i] * e_.a, T(nodes_.chord[i]), nodes_.chord[i] * e_.b,
-              nodes_.weight_s[i] * e_.load);
+      visit(nodes_.s[i] * e_.a, T(nodes_.chord[i]), nodes_.chord[i] * e_.b,
+            nodes_.weight_s[i] * e_.load);
     }
   }
 
-  [[gnu::always_inline]] void split_rule() {
+  template <class Visit>
+  [[gnu::always_inline]] void split_rule(const Visit& visit) const {
     using M = ScalarMath<T>;
     const EllipseBreaks<T> at = breaks();
     const T ends[kEllipsePieces + 1] = {T(-1.0), at.s1, at.s2, at.s3, at.s4, T(1.0)};
@@ -166,32 +220,27 @@ class EllipseSum {
         const T s = ends[piece] + length * nodes_.s[i];
         const T outside = M::max(1.0 - s * s, T(0.0));
         const T chord = M::root(outside);
-        add_row(s * e_.a, chord, chord * e_.b, nodes_.weight_s[i] * outside * load);
+        visit(s * e_.a, chord, chord * e_.b, nodes_.weight_s[i] * outside * load);
       }
     }
   }
 
   [[gnu::always_inline]] void add_row(const T& xi, const T& chord, const T& half_width,
                                       const T& load) {
-    const EllipseMotion<T>& m = e_.motion;
-    const T h = e_.surface.height(xi);
-    const T u_t = m.u_t + m.W_n * xi - m.W_c * h;
-    const T mean = m.u_c + m.W_t * h;
-    const T swing = m.W_n * half_width;
-    const T fixed = u_t * u_t + law_.floor;
+    const Row r = row(xi, half_width, load);
     if constexpr (of_slip_alone()) {
       if (nodes_.minor == 2) {  // ±v of half the weight each: moments are sums and differences
-        const T q = swing * nodes_.v[1], half = 0.5 * load;
-        const RowOfTwo at = row_of_two(mean - q, mean + q, fixed);
-        const T f_t = half * (at.sum * u_t);
-        const T f_c = half * (mean * at.sum - q * at.difference);
-        const T f_cv = half * (mean * at.difference - q * at.sum);
+        const T q = r.swing * nodes_.v[1], half = 0.5 * r.load;
+        const RowOfTwo at = row_of_two(r.mean - q, r.mean + q, r.fixed);
+        const T f_t = half * (at.sum * r.u_t);
+        const T f_c = half * (r.mean * at.sum - q * at.difference);
+        const T f_cv = half * (r.mean * at.difference - q * at.sum);
         sum_.F_c += f_c;
         sum_.F_t += f_t;
-        sum_.M_c -= h * f_t;
-        sum_.M_t += h * f_c;
-        sum_.M_n += xi * f_t - (half_width * nodes_.v[1]) * f_cv;
-        sum_.heat += u_t * f_t + mean * f_c - q * f_cv;
+        sum_.M_c -= r.h * f_t;
+        sum_.M_t += r.h * f_c;
+        sum_.M_n += r.xi * f_t - (r.half_width * nodes_.v[1]) * f_cv;
+        sum_.heat += r.u_t * f_t + r.mean * f_c - q * f_cv;
         sum_.load_slip += half * at.slips;
         return;
       }
@@ -199,11 +248,11 @@ class EllipseSum {
     T g0 = 0.0, g1 = 0.0, g2 = 0.0, speed = 0.0;
     const auto along_row = [&](const auto& law) {
       for (int j = 0; j < nodes_.minor; ++j) {
-        const T u_c = mean - swing * nodes_.v[j];
-        const T square = u_c * u_c + fixed;
-        T pressure = 0.0, slip;
-        if constexpr (Law::kOfPressure) pressure = peak_pressure_ * chord * nodes_.chord_v[j];
-        const T g = law.of_rounded(square, pressure, slip);
+        const T u_c = cross_slip(r, j);
+        const T square = u_c * u_c + r.fixed;
+        T p = 0.0, slip;
+        if constexpr (Law::kOfPressure) p = pressure(chord, j);
+        const T g = law.of_rounded(square, p, slip);
         g0 += g * nodes_.weight_v[j];
         g1 += g * nodes_.weight_v1[j];
         g2 += g * nodes_.weight_v2[j];
@@ -214,14 +263,14 @@ class EllipseSum {
                     here.template several<kBlock>(at, at, at);
                   }) {
       for (int first = 0; first < nodes_.minor; first += kBlock) {
-        T u_c[kBlock], slip[kBlock], inverse[kBlock], pressure[kBlock], kappa[kBlock];
+        T slip[kBlock], inverse[kBlock], p[kBlock], kappa[kBlock];
         for (int k = 0; k < kBlock; ++k) {
           const int j = first + k < nodes_.minor ? first + k : nodes_.minor - 1;
-          u_c[k] = mean - swing * nodes_.v[j];
-          slip[k] = ScalarMath<T>::root_and_inverse(u_c[k] * u_c[k] + fixed, inverse[k]);
-          pressure[k] = peak_pressure_ * chord * nodes_.chord_v[j];
+          const T u_c = cross_slip(r, j);
+          slip[k] = ScalarMath<T>::root_and_inverse(u_c * u_c + r.fixed, inverse[k]);
+          p[k] = pressure(chord, j);
         }
-        law_.law.template several<kBlock>(slip, pressure, kappa);
+        law_.law.template several<kBlock>(slip, p, kappa);
         for (int k = 0; k < kBlock && first + k < nodes_.minor; ++k) {
           const int j = first + k;
           const T g = ScalarMath<T>::over(kappa[k], slip[k], inverse[k]);
@@ -237,16 +286,7 @@ class EllipseSum {
     } else {
       along_row(law_);
     }
-    const T f_t = load * (g0 * u_t);
-    const T f_c = load * (mean * g0 - swing * g1);
-    const T f_cv = load * (mean * g1 - swing * g2);
-    sum_.F_c += f_c;
-    sum_.F_t += f_t;
-    sum_.M_c -= h * f_t;
-    sum_.M_t += h * f_c;
-    sum_.M_n += xi * f_t - half_width * f_cv;
-    sum_.heat += u_t * f_t + mean * f_c - swing * f_cv;
-    sum_.load_slip += load * speed;
+    add_moments(r, g0, g1, g2, speed);
   }
 
   /// Σ of κ/s at two points of a row, its difference, and the sum of their slips.
