@@ -8,49 +8,81 @@
 
 namespace adore::dynamics {
 
+namespace {
+
+using contact::Triple;
+
+/// Where one ball meets one race, in the azimuth frame of the ball.
+struct Meeting {
+  double s, c;
+  Triple<double> k, d;  ///< race axis, ball centre from P_j
+  contact::GroovePlace<double> place;
+  contact::WavyTouch<double> wavy;  ///< of a race of revolution: without its change
+
+  [[nodiscard]] Triple<double> to_azimuth(const Vec3& v) const {
+    return contact::to_azimuth(Triple<double>{v[0], v[1], v[2]}, s, c);
+  }
+  [[nodiscard]] Vec3 to_base(const Triple<double>& v) const {
+    const Triple<double> base = contact::from_azimuth(v, s, c);
+    return {base.x, base.y, base.z};
+  }
+  [[nodiscard]] Triple<double> n() const { return wavy.touch.n_k * k + wavy.touch.n_e * place.e; }
+  [[nodiscard]] Triple<double> t() const { return cross(k, place.e); }
+};
+
+Meeting meeting_of(const RaceContactModel& model, const ElementViews& balls, std::size_t index,
+                   const RaceMotion& race) noexcept {
+  const auto j = static_cast<std::size_t>(model.race);
+  Meeting out{balls.sin_theta[index], balls.cos_theta[index], {}, {}, {}, {{}, 0.0, 0.0}};
+  out.k = out.to_azimuth(race.axis);
+  const Triple<double> centre = out.to_azimuth(race.centre);
+  out.d = {balls.x[index] - centre.x, balls.r[index] - centre.y, -centre.z};
+  out.place = contact::groove_place(out.d, out.k, model.groove.centre_radius[j]);
+  if (model.wavy)
+    out.wavy = contact::wavy_touch(
+        *model.wavy, model.wavy->ratios,
+        contact::azimuth_in_race(out.k, out.place.e, out.to_azimuth(race.zero())), out.place.axial,
+        out.place.lift, model.groove.offset[j]);
+  else
+    out.wavy.touch = contact::groove_touch(out.place.axial, out.place.lift, model.groove.offset[j]);
+  return out;
+}
+
+}  // namespace
+
+Vec3 approach_gradient(const RaceContactModel& model, const ElementViews& balls, std::size_t index,
+                       const RaceMotion& race) noexcept {
+  const Meeting at = meeting_of(model, balls, index, race);
+  return at.to_base(at.n() + (at.wavy.turn / at.place.distance) * at.t());
+}
+
 RaceContactState race_contact_state(const RaceContactModel& model, const ElementViews& balls,
                                     std::size_t index, const RaceMotion& race) {
-  using contact::Triple;
   const auto j = static_cast<std::size_t>(model.race);
-  const double s = balls.sin_theta[index], c = balls.cos_theta[index], r = balls.r[index];
-  const auto to_azimuth = [&](const Vec3& v) {
-    return contact::to_azimuth(Triple<double>{v[0], v[1], v[2]}, s, c);
-  };
-  const auto to_base = [&](const Triple<double>& v) {
-    const Triple<double> base = contact::from_azimuth(v, s, c);
-    return Vec3(base.x, base.y, base.z);
-  };
-  const Triple<double> k = to_azimuth(race.axis), centre = to_azimuth(race.centre);
-  const Triple<double> d{balls.x[index] - centre.x, r - centre.y, -centre.z};
-  const auto place = contact::groove_place(d, k, model.groove.centre_radius[j]);
-  contact::WavyTouch<double> wavy{
-      contact::groove_touch(place.axial, place.lift, model.groove.offset[j]), 0.0, 0.0};
-  if (model.wavy)
-    wavy = contact::wavy_touch(*model.wavy, model.wavy->ratios,
-                               contact::azimuth_in_race(k, place.e, to_azimuth(race.zero())),
-                               place.axial, place.lift, model.groove.offset[j]);
+  const Meeting at = meeting_of(model, balls, index, race);
+  const double s = at.s, c = at.c, r = balls.r[index];
+  const contact::WavyTouch<double>& wavy = at.wavy;
   const contact::GrooveTouch<double>& touch = wavy.touch;
-  const Triple<double> n = touch.n_k * k + touch.n_e * place.e;
-  const Triple<double> t = cross(k, place.e);
+  const Triple<double> n = at.n(), t = at.t();
 
   RaceContactState state;
   state.arm = Vec3(balls.x[index], -r * s, r * c) - race.centre;
   state.approach = touch.approach;
-  state.n = to_base(n);
-  state.t = to_base(t);
-  state.c = to_base(cross(t, n));
+  state.n = at.to_base(n);
+  state.t = at.to_base(t);
+  state.c = at.to_base(cross(t, n));
   state.angle = contact::contact_angle(model.race, touch.n_k, touch.n_e);
   const double theta_dot = balls.theta_dot[index];
   const RacePairMotion<double> pair{
-      to_azimuth(race.velocity),
-      to_azimuth(race.tilt),
+      at.to_azimuth(race.velocity),
+      at.to_azimuth(race.tilt),
       race.speed,
       true,
       {balls.x_dot[index], balls.r_dot[index], r * theta_dot},
       {balls.omega_x[index], balls.omega_r[index], balls.omega_theta[index]},
       theta_dot,
       model.groove.ball_radius};
-  state.motion = ellipse_motion(pair, d, k, t, place, touch);
+  state.motion = ellipse_motion(pair, at.d, at.k, t, at.place, touch);
   if (state.approach > 0.0) {
     if (model.angle.follows) {
       const double root = std::sqrt(state.approach);

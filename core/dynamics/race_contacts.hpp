@@ -131,6 +131,12 @@ struct RaceContactState {
 RaceContactState race_contact_state(const RaceContactModel& model, const ElementViews& balls,
                                     std::size_t index, const RaceMotion& race);
 
+/// How the approach of a contact grows with the place of the ball centre in the race, base frame:
+/// n, and where the race has errors (D/R) t (contact/wavy_groove.hpp), dimensionless. Its product
+/// with the velocity of the ball's centre relative to the race there is dδ/dt.
+Vec3 approach_gradient(const RaceContactModel& model, const ElementViews& balls, std::size_t index,
+                       const RaceMotion& race) noexcept;
+
 /// Error of model.rule against the converged integrals over the loaded contacts of one race, for
 /// reports (milliseconds per contact). Root mean squares in units of full traction κ(u_max) Q and
 /// of that times a; heat of the race relative.

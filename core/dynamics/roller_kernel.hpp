@@ -29,12 +29,32 @@ struct RollerKernelInput {
   double slip_floor;  ///< ε² of the rounded slip sqrt(u² + ε²) [m²/s²], > 0
 };
 
+/// Material damping of the same contacts (contact/roller_race_damping.hpp).
+struct RollerDampingAction {
+  double force[3], moment[3];  ///< on one roller, in its meridian frame, about its middle
+  double heat;                 ///< [W]
+};
+
+struct RollerDampingInput {
+  const contact::RaceSlices* slices;  ///< as in RollerKernelInput
+  bool alike;
+  std::size_t n;
+  const contact::RollerPose* rollers;  ///< open: no load
+  const contact::RaceSlope* slopes;
+  RollerDampingAction* out;
+  double damping;  ///< d [s/m]
+};
+
 using RollerKernel = void (*)(const RollerKernelInput&) noexcept;
+using RollerDampingKernel = void (*)(const RollerDampingInput&) noexcept;
 
 void roller_kernel_baseline(const RollerKernelInput& in) noexcept;
+void roller_damping_baseline(const RollerDampingInput& in) noexcept;
 #if defined(__x86_64__)
 void roller_kernel_avx2(const RollerKernelInput& in) noexcept;
+void roller_damping_avx2(const RollerDampingInput& in) noexcept;
 void roller_kernel_avx512(const RollerKernelInput& in) noexcept;
+void roller_damping_avx512(const RollerDampingInput& in) noexcept;
 #endif
 
 }  // namespace adore::dynamics

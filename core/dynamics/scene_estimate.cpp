@@ -20,7 +20,8 @@ namespace {
 BallVibration ball_vibration(const statics::StaticBall& ball, const contact::GrooveGeometry& groove,
                              double mass) {
   BallVibration result;
-  double xx = 0.0, xr = 0.0, rr = 0.0;  // the symmetric 2 x 2 matrix
+  double xx = 0.0, xr = 0.0, rr = 0.0;                 // the symmetric 2 x 2 matrix
+  double load_xx = 0.0, load_xr = 0.0, load_rr = 0.0;  // Σ Q n nᵀ
   std::array<double, 2> normal{};
   for (std::size_t j = 0; j < 2; ++j) {
     if (!(ball.Q[j] > 0.0) || !(ball.delta[j] > 0.0)) continue;
@@ -31,10 +32,22 @@ BallVibration ball_vibration(const statics::StaticBall& ball, const contact::Gro
     xx += s.normal * nx * nx + s.across * nr * nr;
     xr += (s.normal - s.across) * nx * nr;
     rr += s.normal * nr * nr + s.across * nx * nx;
+    load_xx += ball.Q[j] * nx * nx;
+    load_xr += ball.Q[j] * nx * nr;
+    load_rr += ball.Q[j] * nr * nr;
   }
   const double mean = 0.5 * (xx + rr), half = std::hypot(0.5 * (xx - rr), xr);
   result.along = std::sqrt((mean + half) / mass);
   result.across = std::sqrt(std::max(mean - half, 0.0) / mass);
+  // Principal directions: (cos β, sin β) of x and r, and across it.
+  const double twice = std::atan2(2.0 * xr, xx - rr), c = std::cos(twice), s = std::sin(twice);
+  const double load_mean = 0.5 * (load_xx + load_rr),
+               load_half = 0.5 * (load_xx - load_rr) * c + load_xr * s;
+  const auto ratio = [&](double load, double frequency) {
+    return frequency > 0.0 ? std::max(load, 0.0) / (2.0 * mass * frequency) : 0.0;
+  };
+  result.along_damping = ratio(load_mean + load_half, result.along);
+  result.across_damping = ratio(load_mean - load_half, result.across);
   result.stiffer_race = normal[1] > normal[0] ? 1 : 0;
   return result;
 }
@@ -52,6 +65,13 @@ BallVibration roller_vibration(const statics::StaticBall& roller, const bearing:
   result.along = std::sqrt(stiffness / bearing.element_inertia.mass);
   result.across =
       std::sqrt(stiffness * length * length / 12.0 / bearing.element_inertia.moments[1]);
+  // Tilt is damped by the loads spread over the length, too.
+  const double load = roller.Q[0] + roller.Q[1];
+  if (result.along > 0.0) {
+    result.along_damping = load / (2.0 * bearing.element_inertia.mass * result.along);
+    result.across_damping =
+        load * length * length / (24.0 * bearing.element_inertia.moments[1] * result.across);
+  }
   result.stiffer_race = normal[1] > normal[0] ? 1 : 0;
   return result;
 }

@@ -21,7 +21,9 @@ inline constexpr int kEvaluationsPerStep = 8;
 /// stiffer principal direction (near the contact normals), and across it. 0: nothing pulls it back.
 struct BallVibration {
   double along = 0.0, across = 0.0;  ///< angular frequency [rad/s]
-  int stiffer_race = 0;              ///< whose contact is the stiffer one
+  /// vᵀ Σ Q n nᵀ v/(2 m ω) of both: the damping ratio is 1.5 α times it (contact_damping.cpp) [m/s]
+  double along_damping = 0.0, across_damping = 0.0;
+  int stiffer_race = 0;  ///< whose contact is the stiffer one
 };
 
 /// One per ball of the static solution: √(λ/m) of the two eigenvalues λ of its contact stiffness

@@ -11,26 +11,42 @@
 namespace adore::facade {
 namespace {
 
-void widen(VibrationBand& band, double frequency) {
+void widen(VibrationBand& band, double frequency, double damping) {
   if (!(frequency > 0.0)) return;
+  band.damping = std::max(band.damping, damping * kVibrationMargin);
   band.lowest = band.highest > 0.0 ? std::min(band.lowest, frequency) : frequency;
   band.highest = std::max(band.highest, frequency * kVibrationMargin);
 }
+
+/// Between undamped and the most damped vibration of a band.
+constexpr int kDampingSteps = 4;
 
 std::vector<VibrationBand> bands_of(const Prepared& prepared, double time_scale) {
   // Elements in force balance do not vibrate along their contacts; rollers still tilt on them.
   const bool balanced = prepared.plan.has(scene::Effect::ElementBalance);
   if (balanced && prepared.bearing.rollers() == nullptr) return {};
+  const double per_load = prepared.plan.has(scene::Effect::ContactDamping)
+                              ? 1.5 * prepared.options.system.contact_damping
+                              : 0.0;
   VibrationBand along{"elements along their race contacts"},
       across{"elements across their race contacts"};
   for (const auto& ball : dynamics::ball_vibrations(prepared.bearing, prepared.start)) {
-    if (!balanced) widen(along, ball.along);
-    widen(across, ball.across);
+    if (!balanced) widen(along, ball.along, per_load * ball.along_damping);
+    widen(across, ball.across, per_load * ball.across_damping);
   }
-  if (!balanced && !(along.highest > 0.0)) widen(along, 1.0 / time_scale);
+  if (!balanced && !(along.highest > 0.0)) widen(along, 1.0 / time_scale, 0.0);
   std::vector<VibrationBand> out;
-  if (along.highest > 0.0) out.push_back(along);
-  if (across.highest > 0.0) out.push_back(across);
+  for (const VibrationBand& band : {along, across}) {
+    if (!(band.highest > 0.0)) continue;
+    // Elements that are hardly loaded are hardly damped.
+    const int steps = band.damping > 0.0 ? kDampingSteps : 0;
+    for (int k = 0; k <= steps; ++k) {
+      out.push_back(band);
+      out.back().damping = k == 0 ? 0.0 : band.damping * k / steps;
+      if (k > 0)
+        out.back().name += fmt::format(", damped to {:.2g} of critical", out.back().damping);
+    }
+  }
   return out;
 }
 

@@ -188,11 +188,70 @@ StepLimits settle_steps(Prepared& prepared, double time_scale) {
   return steps.limits;
 }
 
+/// Ends a run whose steps are all too long for its tolerance and may not be shorter: what it
+/// computes has no known error, and waiting for its end tells nobody.
+class StepWatch {
+ public:
+  StepWatch(const setup::RunControl& control, double time_scale)
+      : control_(control),
+        constant_(control.step_minimum == control.step_maximum),
+        minimum_(control.step_minimum * time_scale) {}
+  /// @throws SolverError
+  void look(const integrators::Stepper& stepper) {
+    const integrators::Counters& now = stepper.counters();
+    if (now.steps - now.at_minimum != kept_ || now.steps < since_) {
+      kept_ = now.steps - now.at_minimum;
+      since_ = now.steps;
+    }
+    if (constant_ || now.steps - since_ < kPatience) return;
+    throw SolverError(fmt::format(
+        "at t = {:.9g} s: each of the last {} steps of {} missed the tolerance of {:g} although it "
+        "was "
+        "the smallest that record 2.1 allows (stpMin {:g}, {:.3g} s): nothing is known of the "
+        "error. "
+        "Something decays or vibrates faster than that step, often a film or friction whose slope "
+        "is steep under a high pressure. Make stpMin smaller; where that takes too long, an "
+        "implicit "
+        "method (arkode-dirk, cvode-bdf) may go on, or a law that is less steep there",
+        stepper.time(), now.steps - since_, control_.integrator, control_.tolerance,
+        control_.step_minimum, minimum_));
+  }
+
+ private:
+  static constexpr long kPatience = 10000;
+  const setup::RunControl& control_;
+  bool constant_;
+  double minimum_;             ///< [s]
+  long kept_ = 0, since_ = 0;  ///< steps that kept the tolerance; how many there were at the last
+};
+
+/// What is not valid a little further on: the sentence of the first such state on the way that the
+/// rates point, up to some steps of h [s] from (t, y). Empty: none found.
+std::string invalid_beyond(dynamics::System& system, double t, std::span<const double> y,
+                           double h) {
+  std::vector<double> rates(y.size()), there(y.size());
+  if (system.rhs(t, y.data(), rates.data()) != dynamics::RhsStatus::Ok) return {};
+  for (double way = 0.25 * h; way <= 1e3 * h; way *= 2.0) {
+    for (std::size_t i = 0; i < y.size(); ++i) there[i] = y[i] + way * rates[i];
+    try {
+      system.check_state(t + way, there.data());
+    } catch (const SolverError& error) {
+      return error.what();
+    }
+  }
+  return {};
+}
+
 /// The deck's integrator. @throws InputError when it cannot do what the deck asks of it.
 std::unique_ptr<integrators::Stepper> make_checked_stepper(const setup::RunControl& control,
                                                            const SystemOde& ode, bool held,
-                                                           bool rollers) {
+                                                           bool rollers, bool damped) {
   auto stepper = integrators::make_stepper(control.integrator);
+  if (stepper->name() == "arkode-imex" && damped)
+    throw InputError(
+        "arkode-imex takes the elastic part of the normal contacts implicitly, and run option "
+        "contactDamping adds a part that it does not split off; use arkode-dirk (intMet 32) or "
+        "arkode-erk (intMet 31), or leave the option out");
   if (stepper->name() == "arkode-imex" && rollers)
     throw InputError(
         "arkode-imex takes the normal contacts of balls and races implicitly; those of rollers are "
@@ -259,7 +318,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   const auto stepper = make_checked_stepper(
       prepared.control, ode,
       prepared.plan.light_load_ratio > 0.0 || prepared.plan.has(scene::Effect::ElementBalance),
-      prepared.plan.rollers);
+      prepared.plan.rollers, prepared.plan.has(scene::Effect::ContactDamping));
   // Everything is checked before a file of an earlier run is touched.
   (void)run_span(request, prepared, system.scales().time);
   const StepLimits limits = settle_steps(prepared, system.scales().time);
@@ -330,6 +389,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   long step = start.step;
   long substeps = start.resume.substeps;  // done of the counted step under way
   double h = start.step_size;
+  StepWatch step_watch(prepared.control, system.scales().time);
   double output_seconds = 0.0;  // of the processor, as all of the ledger
   auto output = [&](auto&& action) {
     const double at = scene::processor_seconds();
@@ -437,6 +497,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
       ++step;
       const RunPoint point{step, stepper->time(), h, stepper->state()};
       system.check_state(point.time, point.y.data());
+      step_watch.look(*stepper);
       outputs.follow_loads(system);
       if (may_hold) update_held();
       if (thermal && thermal->due(stepper->time())) output(thermal_step);
@@ -450,6 +511,12 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   } catch (const integrators::StepFailure& failure) {
     out.status = RunStatus::Failed;
     out.message = failure.what();
+    const double least =
+        std::max(prepared.control.step_minimum * system.scales().time, 1e-3 * std::abs(h));
+    if (const std::string why = invalid_beyond(system, stepper->time(), stepper->state(), least);
+        !why.empty())
+      out.message +=
+          " What is not valid there: " + deck::message_in_units(why, prepared.input.deck.units());
   } catch (const SolverError& failure) {
     out.status = RunStatus::Failed;
     out.message = deck::message_in_units(failure.what(), prepared.input.deck.units());

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <memory>
 #include <numbers>
 
 namespace adore::facade {
@@ -31,7 +33,7 @@ int orders_of(const std::string& method) {
 /// the largest of all orders up to a bound.
 class Curve {
  public:
-  Curve(const std::string& method, double highest_phase)
+  Curve(const std::string& method, double highest_phase, double damping)
       : value_(static_cast<std::size_t>(orders_of(method))) {
     const bool own = value_.size() == 1;
     for (double phase = kLowestPhase;; phase *= kStride) {
@@ -39,13 +41,12 @@ class Curve {
       double largest = 0.0;
       for (std::size_t k = 0; k < value_.size(); ++k) {
         const int order = own ? integrators::kOwnOrder : static_cast<int>(k) + 1;
-        largest = std::max(largest, integrators::amplification(method, phase, order));
+        largest = std::max(largest, integrators::amplification(method, phase, order, damping));
         value_[k].push_back(std::log(std::max(largest, 1e-300)));
       }
       if (phase > highest_phase) break;
     }
   }
-  [[nodiscard]] int orders() const { return static_cast<int>(value_.size()); }
   struct Peak {
     double value = -std::numeric_limits<double>::infinity(), phase = 0.0;
   };
@@ -67,6 +68,24 @@ class Curve {
   std::vector<std::vector<double>> value_;  ///< [order - 1][phase]
 };
 
+/// One for each band; those of equal damping share it.
+class Curves {
+ public:
+  Curves(const StepRequest& request, double highest_phase) {
+    for (const VibrationBand& band : request.bands) {
+      auto& curve = by_damping_[band.damping];
+      if (!curve)
+        curve = std::make_shared<const Curve>(request.method, highest_phase, band.damping);
+      of_.push_back(curve);
+    }
+  }
+  [[nodiscard]] const Curve& operator[](std::size_t band) const { return *of_[band]; }
+
+ private:
+  std::map<double, std::shared_ptr<const Curve>> by_damping_;
+  std::vector<std::shared_ptr<const Curve>> of_;
+};
+
 struct Growth {
   double per_turn = -std::numeric_limits<double>::infinity();  ///< ln of the factor
   double frequency = 0.0;
@@ -75,8 +94,8 @@ struct Growth {
 
 class Judge {
  public:
-  Judge(const StepRequest& request, const Curve& curve, int order)
-      : request_(request), curve_(curve), order_(order) {}
+  Judge(const StepRequest& request, const Curves& curves, int order)
+      : request_(request), curves_(curves), order_(order) {}
 
   static double highest_frequency(const StepRequest& request) {
     double highest = 0.0;
@@ -88,7 +107,7 @@ class Judge {
     Growth out;
     for (std::size_t b = 0; b < request_.bands.size(); ++b) {
       const VibrationBand& band = request_.bands[b];
-      const auto peak = curve_.largest(order_, h * band.lowest, h * band.highest);
+      const auto peak = curves_[b].largest(order_, h * band.lowest, h * band.highest);
       const double per_turn = peak.value * request_.turn / h;
       if (per_turn > out.per_turn)
         out = {per_turn, std::clamp(peak.phase / h, band.lowest, band.highest), b};
@@ -127,7 +146,7 @@ class Judge {
 
  private:
   const StepRequest& request_;
-  const Curve& curve_;
+  const Curves& curves_;
   int order_ = 1;
 };
 
@@ -171,21 +190,22 @@ StepLimits stable_steps(const StepRequest& request) {
   out.maximum = request.maximum;
   if (request.bands.empty() || !(request.turn > 0.0)) return out;
   const double highest = Judge::highest_frequency(request);
-  const Curve curve(request.method, kLengthening * request.maximum * highest);
-  const Judge free(request, curve, curve.orders());
-  if (curve.orders() == 1) {
+  const Curves curves(request, kLengthening * request.maximum * highest);
+  const int orders = orders_of(request.method);
+  const Judge free(request, curves, orders);
+  if (orders == 1) {
     move_steps(out, request, free);
     set_growth(out, request, free, free);
     return out;
   }
   double longest = 0.0;
-  for (int order = curve.orders(); order >= 1 && longest < request.maximum; --order) {
-    const double step = Judge(request, curve, order).good_below(request.maximum);
+  for (int order = orders; order >= 1 && longest < request.maximum; --order) {
+    const double step = Judge(request, curves, order).good_below(request.maximum);
     if (step <= longest * kStride) continue;
     longest = step;
     out.highest_order = order;
   }
-  if (out.highest_order == curve.orders() && longest >= request.maximum) {
+  if (out.highest_order == orders && longest >= request.maximum) {
     out.highest_order = 0;
     set_growth(out, request, free, free);
     return out;
@@ -193,7 +213,7 @@ StepLimits stable_steps(const StepRequest& request) {
   out.action = longest * highest < kLeastPhase ? StepAction::Refused : StepAction::OrderHeld;
   out.maximum = std::max(longest, kLowestPhase / highest);
   out.minimum = std::min(request.minimum, out.maximum);
-  set_growth(out, request, free, Judge(request, curve, std::max(out.highest_order, 1)));
+  set_growth(out, request, free, Judge(request, curves, std::max(out.highest_order, 1)));
   return out;
 }
 

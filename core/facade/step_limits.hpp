@@ -16,6 +16,7 @@ namespace adore::facade {
 struct VibrationBand {
   std::string name;                    ///< "along the contact normals"
   double lowest = 0.0, highest = 0.0;  ///< [rad/s], > 0
+  double damping = 0.0;                ///< ratio to the critical one; 0: undamped
 };
 
 struct StepRequest {
@@ -49,8 +50,10 @@ inline constexpr double kLeastPhase = 0.01;
 /// A variable step may take any size below its longest, so that is lowered until every shorter step
 /// is good too; a constant step, or one that may not go below what is good, moves to the nearest
 /// good size, up or down: some methods damp in a band only. CVODE is held at the order that allows
-/// the longest steps. Limits: linear vibrations of the quasi-static solution's stiffness; contacts
-/// that open and close are left to the error control and the judgement of the energy.
+/// the longest steps. A band of damped vibrations is one band more, for its largest damping ratio:
+/// the real part that it adds has to lie in the method's region, too. Limits: linear vibrations of
+/// the quasi-static solution's stiffness; contacts that open and close are left to the error
+/// control and the judgement of the energy.
 [[nodiscard]] StepLimits stable_steps(const StepRequest& request);
 
 /// One sentence of what was done and why. `time_scale` [s]: unit of the deck's step sizes.

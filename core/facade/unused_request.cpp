@@ -9,9 +9,9 @@
 namespace adore::facade {
 namespace {
 
-constexpr std::array<std::string_view, 7> kOfMotion = {
+constexpr std::array<std::string_view, 8> kOfMotion = {
     "ellipseMajor", "ellipseMinor",      "contactSurface", "hertzConstants",
-    "landSlices",   "checkpointSeconds", "resultsH5"};
+    "landSlices",   "checkpointSeconds", "resultsH5",      "contactDamping"};
 constexpr std::array<std::string_view, 4> kOfBallsInMotion = {"ellipseMajor", "ellipseMinor",
                                                               "contactSurface", "hertzConstants"};
 constexpr std::array<std::string_view, 2> kOfRollers = {"rollerSlices", "rollerContact"};

@@ -8,6 +8,7 @@
 #include <arkode/arkode_arkstep.h>
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <stdexcept>
 #include <string>
@@ -113,8 +114,10 @@ int number_at_end(std::string_view method) { return method.back() - '0'; }
 
 }  // namespace
 
-double amplification(std::string_view method, double phase, int order) {
-  const Complex z(0.0, phase);
+double amplification(std::string_view method, double phase, int order, double damping) {
+  const Complex z = damping < 1.0
+                        ? Complex(-damping * phase, std::sqrt(1.0 - damping * damping) * phase)
+                        : Complex(-(damping + std::sqrt(damping * damping - 1.0)) * phase, 0.0);
   if (method.starts_with("rkf")) return amplification_explicit(fehlberg(number_at_end(method)), z);
   if (method == "rk4") return amplification_explicit(classical(), z);
   if (method.starts_with("pece")) return amplification_pece(number_at_end(method), z);

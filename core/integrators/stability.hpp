@@ -3,10 +3,11 @@
 #include <string_view>
 #include <vector>
 
-/// What a method does to a vibration that it does not resolve. The test equation is y' = iω y: an
-/// undamped contact vibration. A method multiplies its amplitude by some factor per step that
-/// depends on hω alone; above 1 the vibration grows out of rounding until the error control sees
-/// it, far below the loads that it then carries.
+/// What a method does to a vibration that it does not resolve. The test equation is y' = λ y with
+/// λ = (-ζ + √(ζ² - 1)) ω: a contact vibration of damping ratio ζ, y' = iω y without damping. A
+/// method multiplies its amplitude by some factor per step that depends on hω alone; above 1 the
+/// vibration grows out of rounding until the error control sees it, far below the loads that it
+/// then carries.
 namespace adore::integrators {
 
 /// Which of its steps a method is asked about: the methods of fixed order have one.
@@ -28,7 +29,9 @@ inline constexpr int kOwnOrder = 0;
 /// Sources: [hairer1993] II.2, III.3-5; [hairer1996] IV.2-3, V.1; [hindmarsh2005] for CVODE's mode.
 /// Limits: linear, equal steps. Unequal steps of an explicit one-step method multiply their own
 /// factors; for the multistep methods see history_amplification().
+/// @param damping ζ >= 0; above 1 the faster of the two decays, λ = -(ζ + √(ζ² - 1)) ω
 /// @throws std::invalid_argument for an unknown method, or an order that it does not have.
-[[nodiscard]] double amplification(std::string_view method, double phase, int order = kOwnOrder);
+[[nodiscard]] double amplification(std::string_view method, double phase, int order = kOwnOrder,
+                                   double damping = 0.0);
 
 }  // namespace adore::integrators

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <functional>
 
 namespace adore::listing {
@@ -95,13 +96,17 @@ std::vector<std::string> ball_warnings(const bearing::Bearing& bearing,
     const double radius = 0.5 * bearing.balls().diameter;
     const Offenders wide =
         offenders(balls, 0.5 * radius, [j](const StaticBall& b) { return b.a[j]; });
-    if (!wide.numbers.empty())
+    if (!wide.numbers.empty()) {
+      const StaticBall& worst = balls[wide.worst];
       out.push_back(fmt::format(
           "{}: half the length of the contact ellipse at the {} race, {}, is more than half the "
           "ball radius of {}; Hertz's theory takes both bodies for flat there, so that deflection "
-          "and pressure are approximate (groove factor {:.5g})",
-          wide.text(), kRace[j], quantity(balls[wide.worst].a[j], unit::kLength, units),
-          quantity(radius, unit::kLength, units), bearing.balls().groove_factor[j]));
+          "and pressure are approximate (groove factor {:.5g}). It grows with the cube root of the "
+          "load and reaches the radius at {}: a motion ends where a contact comes to that",
+          wide.text(), kRace[j], quantity(worst.a[j], unit::kLength, units),
+          quantity(radius, unit::kLength, units), bearing.balls().groove_factor[j],
+          quantity(worst.Q[j] * std::pow(radius / worst.a[j], 3), unit::kForce, units)));
+    }
   }
   return out;
 }

@@ -427,6 +427,21 @@ void summary(Report& report, const scene::Snapshot& snapshot, const StepRecord& 
   report.item("Energy residual", snapshot.energy.residual(), unit::kEnergy);
 }
 
+constexpr std::size_t kBecause = 88;  ///< columns of a reason in the plan
+
+/// Cuts off what of `text` goes into a line of `width` columns, at a blank where there is one.
+std::string_view take_line(std::string_view& text, std::size_t width) {
+  std::size_t end = text.size();
+  if (end > width) {
+    end = text.rfind(' ', width);
+    if (end == std::string_view::npos || end == 0) end = width;
+  }
+  const std::string_view line = text.substr(0, end);
+  text.remove_prefix(end);
+  while (text.starts_with(' ')) text.remove_prefix(1);
+  return line;
+}
+
 }  // namespace
 
 void print_step(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
@@ -482,8 +497,16 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
   report.heading("Plan: what was simulated and why");
   std::vector<std::vector<std::string>> rows;
   for (const scene::EffectEntry& effect : plan.effects)
-    rows.push_back({effect.name, effect.on ? "on" : "off", effect.because});
-  report.text_table({{"effect", 30}, {"", 4}, {"because", 88}}, rows);
+    for (std::string_view rest = effect.because, first = effect.name;;) {
+      rows.push_back({std::string(first),
+                      first.empty() ? ""
+                      : effect.on   ? "on"
+                                    : "off",
+                      std::string(take_line(rest, kBecause))});
+      first = {};
+      if (rest.empty()) break;
+    }
+  report.text_table({{"effect", 30}, {"", 4}, {"because", kBecause}}, rows);
   report.blank();
   rows.clear();
   for (const scene::BodyEntry& body : plan.bodies)

@@ -36,7 +36,8 @@ enum class Effect : unsigned char {
   CageDrag,            ///< and on the cage
   PocketFilm,          ///< oil films in the pockets (kPocHydro)
   LandFilm,            ///< and at the guide lands (kGsHydro)
-  ThermalSteps         ///< temperatures and geometry change between steps (kTherm)
+  ThermalSteps,        ///< temperatures and geometry change between steps (kTherm)
+  ContactDamping       ///< material damping of the race contacts (run option contactDamping)
 };
 
 /// Accelerations that are zero (kDOF, reading N9): their velocities keep the values of the start.

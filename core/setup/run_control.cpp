@@ -244,6 +244,17 @@ const std::vector<Option>& options() {
            o.system.moving_angle = v == "moving";
            return true;
          }},
+        {{"contactDamping", "0",
+          "material damping of balls and rollers on their races after Hunt and Crossley: alpha in "
+          "s/m, 0 (elastic) to 100; an element that hits a race at a small speed v leaves it at "
+          "(1 - alpha v) v. Dry steel has 0.08 to 0.32. Pockets, guide lands, flanges and "
+          "neighbours stay elastic"},
+         [](RunOptions& o, std::string_view v) {
+           double value = 0.0;
+           if (!parse(v, value) || !(value >= 0.0 && value <= 100.0)) return false;
+           o.system.contact_damping = value;
+           return true;
+         }},
         {{"landSlices", fmt::format("{}", defaults.system.land_slices),
           "slices along each cage guide land, 1 to 99"},
          [](RunOptions& o, std::string_view v) {

@@ -53,6 +53,18 @@ bool moves_as_sphere(const bearing::Bearing& bearing) {
          one.moments.maxCoeff() - one.moments.minCoeff() <= 1e-9 * one.moments.maxCoeff();
 }
 
+/// Which contacts are damped, and what it means for vibrations where they are not.
+std::string damping_reason(double alpha, const std::string& element) {
+  if (!(alpha > 0.0))
+    return "run option contactDamping = 0: contacts are elastic, so that contact vibrations do not "
+           "decay by themselves; the heights of their peaks in spectra come from the start and "
+           "from the integrator";
+  return fmt::format(
+      "run option contactDamping = {:g} s/m: {}s on both races; pockets, guide lands, flanges and "
+      "neighbours stay elastic",
+      alpha, element);
+}
+
 }  // namespace
 
 bool can_be_left_out(const scene::ScenePlan& plan, Effect effect) {
@@ -73,6 +85,7 @@ bool can_be_left_out(const scene::ScenePlan& plan, Effect effect) {
     case Effect::WearIntegrals:
     case Effect::MomentumLedger:
     case Effect::LightLoadBalance:
+    case Effect::ContactDamping:
       return true;
     default:
       return false;
@@ -124,11 +137,19 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
     }
     plan.effects.push_back({id, name, on, std::move(because)});
   };
-  effect(
-      Effect::RaceContact, element + " / race contact", true,
-      mode + (deck.integer("mode") > 0
-                  ? ""
-                  : "; undamped: contact vibrations stay, their heights in spectra mean little"));
+  effect(Effect::RaceContact, element + " / race contact", true, mode);
+  const double alpha = options.system.contact_damping;
+  const bool held = deck.integer("mode") > 0 || control.light_load_ratio > 0.0;
+  if (alpha > 0.0 && held)
+    throw InputError(fmt::format(
+        "run option contactDamping = {:g}: damping acts on elements that vibrate on their races, "
+        "and {} holds elements in balance, without a rate of approach. Use mode = 0 and qFac = 0 "
+        "on record 2.1, or leave the option out",
+        alpha,
+        deck.integer("mode") > 0 ? mode : fmt::format("qFac = {:g}", control.light_load_ratio)));
+  if (!held)
+    effect(Effect::ContactDamping, element + " / race damping", alpha > 0.0,
+           damping_reason(alpha, element));
   effect(Effect::RaceTraction, element + " / race traction",
          can_push(bearing.race_traction) || bearing.lubrication || own_law("kTrac"),
          bearing.lubrication ? film_reason(*bearing.lubrication)

@@ -28,6 +28,10 @@ class Races final : public SceneEffect {
   [[nodiscard]] const std::array<RaceContactModel, 2>& contacts() const noexcept {
     return contacts_;
   }
+  /// Of rollers; null: the elements are balls.
+  [[nodiscard]] const std::array<RollerRaceModel, 2>* roller_contacts() const noexcept {
+    return rollers_ ? &*rollers_ : nullptr;
+  }
   /// Places of the race centres in the unloaded bearing [m].
   [[nodiscard]] const std::array<Vec3, 2>& free_centres() const noexcept { return free_centre_; }
   /// Both at t = 0: static place, misalignment and spin.

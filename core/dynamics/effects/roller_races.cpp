@@ -25,6 +25,15 @@ RollerKernel kernel_of(InstructionSet set) noexcept {
   return roller_kernel_baseline;
 }
 
+RollerDampingKernel damping_kernel_of(InstructionSet set) noexcept {
+#if defined(__x86_64__)
+  if (set == InstructionSet::Avx512) return roller_damping_avx512;
+  if (set == InstructionSet::Avx2) return roller_damping_avx2;
+#endif
+  (void)set;
+  return roller_damping_baseline;
+}
+
 contact::RacePose pose_of(const RaceBody& race) { return {race.position, race.to_base}; }
 contact::RigidMotion motion_of(const RaceBody& race) {
   return {race.position, race.velocity, race.omega};
@@ -111,16 +120,8 @@ double line_stiffness(const RollerRaceModel& model, double load) noexcept {
   return (10.0 / 9.0) * load / std::pow(load / constant, 0.9);
 }
 
-RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, std::size_t rollers, bool load_slip,
-                                 RaceAccount& sums)
-    : model_(model),
-      load_slip_(load_slip),
-      sums_(sums),
-      has_film_(model.law.has_film()),
-      kernel_(kernel_of(chosen_instruction_set())),
-      poses_(rollers),
-      turns_(rollers),
-      actions_(rollers) {
+RollersOnRace::RollersOnRace(const RollerRaceModel& model, std::size_t rollers)
+    : model_(model), has_film_(model.law.has_film()), poses_(rollers), turns_(rollers) {
   for (const contact::RollerRaceSlices& slices : model.slices)
     views_.push_back(contact::view_of(slices));
   if (!model.wavy) return;
@@ -128,7 +129,7 @@ RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, std::size_t rolle
   while (views_.size() < rollers) views_.push_back(views_.front());  // each with a race of its own
 }
 
-void RollerRaceBlock::form_race(const RaceBody& race) noexcept {
+void RollersOnRace::form_race(const RaceBody& race) noexcept {
   const double cosine = std::cos(race.turn_beyond), sine = std::sin(race.turn_beyond);
   for (std::size_t i = 0; i < slopes_.size(); ++i) {
     const auto here = model_.wavy->at(contact::azimuth_in_turned(turns_[i], cosine, sine));
@@ -137,22 +138,15 @@ void RollerRaceBlock::form_race(const RaceBody& race) noexcept {
   }
 }
 
-/// Growing ψ is -y of the meridian frame.
-void RollerRaceBlock::lean() noexcept {
-  for (std::size_t i = 0; i < slopes_.size(); ++i)
-    actions_[i].force[1] += actions_[i].turning / poses_[i].r;
-}
-
-void RollerRaceBlock::apply(Evaluation& e) noexcept {
-  const auto j = static_cast<std::size_t>(model_.race);
-  RaceBody& race = e.race[j];
-  const contact::RacePose pose = pose_of(race);
+void RollersOnRace::place(const Evaluation& e) noexcept {
+  const RaceBody& race = e.race[static_cast<std::size_t>(model_.race)];
+  pose_ = pose_of(race);
   const contact::RigidMotion motion = motion_of(race);
   for (std::size_t i = 0; i < poses_.size(); ++i) {
     const RollerPlace roller = place_of(e, i, model_.mass_offset);
     contact::RollerInMeridian in =
-        contact::roller_in_meridian(pose, motion, roller.centre, roller.axis, roller.motion);
-    if (has_film_) in.roller.spin = spin_of(e, i, roller, pose, in.turn);
+        contact::roller_in_meridian(pose_, motion, roller.centre, roller.axis, roller.motion);
+    if (has_film_) in.roller.spin = spin_of(e, i, roller, pose_, in.turn);
     poses_[i] = in.roller;
     turns_[i] = in.turn;
   }
@@ -161,10 +155,44 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
     contact::RollerPose& at = poses_[i];
     at.open = contact::surely_open(views_[views_.size() == 1 ? 0 : i], at.x, at.r, at.axes.a);
   }
-  kernel_({views_.data(), views_.size() == 1, poses_.size(), poses_.data(),
-           slopes_.empty() ? nullptr : slopes_.data(), actions_.data(), model_.traction,
-           model_.law.index(), model_.law.address(), model_.law.slip_floor()});
-  if (!slopes_.empty()) lean();
+}
+
+void RollersOnRace::act(Evaluation& e, std::size_t i, const double (&force_on)[3],
+                        const double (&moment_on)[3]) const noexcept {
+  RaceBody& race = e.race[static_cast<std::size_t>(model_.race)];
+  const contact::RollerInMeridian in{{}, turns_[i]};
+  const Vec3 force = in.back(pose_, {force_on[0], force_on[1], force_on[2]});
+  const Vec3 moment = in.back(pose_, {moment_on[0], moment_on[1], moment_on[2]});
+  const Vec3 from_mass_centre = -model_.mass_offset * e.attitude[i].col(0);
+  const Vec3 C = e.element_centre(i) + from_mass_centre;
+  e.add_force(i, e.to_cylindrical(i, force));
+  e.add_moment(i, e.to_cylindrical(i, moment + from_mass_centre.cross(force)));
+  race.force -= force;
+  race.moment -= moment + (C - race.position).cross(force);
+}
+
+RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, std::size_t rollers, bool load_slip,
+                                 RaceAccount& sums)
+    : model_(model),
+      load_slip_(load_slip),
+      sums_(sums),
+      kernel_(kernel_of(chosen_instruction_set())),
+      rollers_(model, rollers),
+      actions_(rollers) {}
+
+/// Growing ψ is -y of the meridian frame.
+void RollerRaceBlock::lean() noexcept {
+  for (std::size_t i = 0; i < actions_.size(); ++i)
+    actions_[i].force[1] += actions_[i].turning / rollers_.poses()[i].r;
+}
+
+void RollerRaceBlock::apply(Evaluation& e) noexcept {
+  const auto j = static_cast<std::size_t>(model_.race);
+  rollers_.place(e);
+  kernel_({rollers_.views(), rollers_.alike(), rollers_.count(), rollers_.poses().data(),
+           rollers_.slopes(), actions_.data(), model_.traction, model_.law.index(),
+           model_.law.address(), model_.law.slip_floor()});
+  if (rollers_.slopes() != nullptr) lean();
   sums_.heat = sums_.load_slip = 0.0;
   for (std::size_t i = 0; i < actions_.size(); ++i) {
     const RollerKernelAction& a = actions_[i];
@@ -173,20 +201,33 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
     if (load_slip_) e.load_slip[j][i] = a.load_slip;
     e.valid = e.valid && a.load <= model_.load_limit;  // false for a NaN
     if (!(a.load > 0.0)) continue;
-    const contact::RollerInMeridian in{{}, turns_[i]};
-    const Vec3 force = in.back(pose, {a.force[0], a.force[1], a.force[2]});
-    const Vec3 moment = in.back(pose, {a.moment[0], a.moment[1], a.moment[2]});
-    const Vec3 from_mass_centre = -model_.mass_offset * e.attitude[i].col(0);
-    const Vec3 C = e.element_centre(i) + from_mass_centre;
-    e.add_force(i, e.to_cylindrical(i, force));
-    e.add_moment(i, e.to_cylindrical(i, moment + from_mass_centre.cross(force)));
-    race.force -= force;
-    race.moment -= moment + (C - race.position).cross(force);
+    rollers_.act(e, i, a.force, a.moment);
     e.elastic += a.energy;
     sums_.heat += a.heat;
     sums_.load_slip += a.load_slip;
   }
   sums_.load_slip_element1 = actions_.front().load_slip;
+}
+
+RollerRaceDamping::RollerRaceDamping(const RollerRaceModel& model, std::size_t rollers,
+                                     double damping, double& heat)
+    : model_(model),
+      damping_(damping),
+      heat_(heat),
+      kernel_(damping_kernel_of(chosen_instruction_set())),
+      rollers_(model, rollers),
+      actions_(rollers) {}
+
+void RollerRaceDamping::apply(Evaluation& e) noexcept {
+  rollers_.place(e);
+  kernel_({rollers_.views(), rollers_.alike(), rollers_.count(), rollers_.poses().data(),
+           rollers_.slopes(), actions_.data(), damping_});
+  heat_ = 0.0;
+  for (std::size_t i = 0; i < actions_.size(); ++i) {
+    if (!(e.load[static_cast<std::size_t>(model_.race)][i] > 0.0)) continue;
+    rollers_.act(e, i, actions_[i].force, actions_[i].moment);
+    heat_ += actions_[i].heat;
+  }
 }
 
 RaceContactSnapshot roller_race_detail(const RollerRaceModel& model, const Evaluation& e,

@@ -50,6 +50,37 @@ struct RollerRaceModel {
 [[nodiscard]] RaceContactSnapshot roller_race_detail(const RollerRaceModel& model,
                                                      const Evaluation& e, std::size_t i);
 
+/// All rollers as the kernels of one race read them.
+class RollersOnRace {
+ public:
+  RollersOnRace(const RollerRaceModel& model, std::size_t rollers);
+  /// Poses of this evaluation, and the race as each roller meets it.
+  void place(const Evaluation& e) noexcept;
+  /// Adds force and moment of a kernel on roller i to it, and what is opposite to the race.
+  void act(Evaluation& e, std::size_t i, const double (&force)[3],
+           const double (&moment)[3]) const noexcept;
+
+  [[nodiscard]] std::size_t count() const noexcept { return poses_.size(); }
+  [[nodiscard]] bool alike() const noexcept { return views_.size() == 1; }
+  [[nodiscard]] const contact::RaceSlices* views() const noexcept { return views_.data(); }
+  [[nodiscard]] const std::vector<contact::RollerPose>& poses() const noexcept { return poses_; }
+  /// By roller where the race has errors, else null.
+  [[nodiscard]] const contact::RaceSlope* slopes() const noexcept {
+    return slopes_.empty() ? nullptr : slopes_.data();
+  }
+
+ private:
+  void form_race(const RaceBody& race) noexcept;
+
+  const RollerRaceModel& model_;
+  bool has_film_;
+  contact::RacePose pose_;
+  std::vector<contact::RaceSlices> views_;
+  std::vector<contact::RollerPose> poses_;
+  std::vector<contact::MeridianTurn> turns_;
+  std::vector<contact::RaceSlope> slopes_;
+};
+
 class RollerRaceBlock final : public EffectBlock {
  public:
   /// @param load_slip it is wanted: by the wear integrals, or by elements in balance
@@ -58,19 +89,31 @@ class RollerRaceBlock final : public EffectBlock {
   void apply(Evaluation& e) noexcept override;
 
  private:
-  void form_race(const RaceBody& race) noexcept;
   void lean() noexcept;
 
   const RollerRaceModel& model_;
   bool load_slip_;
   RaceAccount& sums_;
-  bool has_film_;
   RollerKernel kernel_;
-  std::vector<contact::RaceSlices> views_;
-  std::vector<contact::RollerPose> poses_;
-  std::vector<contact::MeridianTurn> turns_;
-  std::vector<contact::RaceSlope> slopes_;  ///< by roller where the race has errors, else none
+  RollersOnRace rollers_;
   std::vector<RollerKernelAction> actions_;
+};
+
+/// Material damping of the same contacts (contact_damping.cpp); after RollerRaceBlock.
+class RollerRaceDamping final : public EffectBlock {
+ public:
+  /// @param damping d [s/m]; heat on all rollers now [W]
+  RollerRaceDamping(const RollerRaceModel& model, std::size_t rollers, double damping,
+                    double& heat);
+  void apply(Evaluation& e) noexcept override;
+
+ private:
+  const RollerRaceModel& model_;
+  double damping_;
+  double& heat_;
+  RollerDampingKernel kernel_;
+  RollersOnRace rollers_;
+  std::vector<RollerDampingAction> actions_;
 };
 
 }  // namespace adore::dynamics

@@ -1,4 +1,5 @@
 #include "facade/step_limits.hpp"
+#include "integrators/stability.hpp"
 #include "integrators/stepper.hpp"
 
 #include <catch2/catch.hpp>
@@ -91,6 +92,32 @@ TEST_CASE(
     if (method.starts_with("cvode") || method == "pece3") continue;
     CHECK(growth_by_stepper(method, asked, limits.frequency) > kGrowthPerTurn);
   }
+}
+
+TEST_CASE("Damping that a method cannot follow shortens its steps", "[physics][facade][damping]") {
+  // λ = (-ζ ± √(ζ² - 1)) ω for ζ = 2: the fast decay is 3.73 times as fast as ω.
+  const auto limits_of = [](const char* method, double damping) {
+    StepRequest request = request_of(method, 1e-3, 1.7);
+    request.bands = {{"along", 0.9 * kOmega, kOmega}};
+    if (damping > 0.0) request.bands.push_back({"along, damped", 0.9 * kOmega, kOmega, damping});
+    return stable_steps(request);
+  };
+  const double fast = 2.0 + std::sqrt(3.0);
+  for (const auto& [method, reach] : {std::pair{"rk4", 2.785}, {"rkf5", 0.0}, {"pece2", 0.0}}) {
+    INFO(method);
+    const StepLimits elastic = limits_of(method, 0.0), damped = limits_of(method, 2.0);
+    CHECK(damped.action == StepAction::Shortened);
+    CHECK(damped.maximum < elastic.maximum);
+    CHECK(damped.growth <= kGrowthPerTurn);
+    if (reach > 0.0) CHECK(damped.maximum * kOmega * fast == Approx(reach).epsilon(0.07));
+    // What the limits allow does not grow, what is above does.
+    const double phase = damped.maximum * kOmega;
+    CHECK(integrators::amplification(method, phase, integrators::kOwnOrder, 2.0) <= 1.0);
+    CHECK(integrators::amplification(method, 1.7, integrators::kOwnOrder, 2.0) > 1.0);
+  }
+  CHECK(limits_of("arkode-dirk", 2.0).action == StepAction::Kept);
+  // Weak damping changes nothing for a method that reaches far to the left, too.
+  CHECK(limits_of("rk4", 0.2).action == StepAction::Kept);
 }
 
 TEST_CASE("The methods that damp at the usual step keep it", "[unit][facade]") {

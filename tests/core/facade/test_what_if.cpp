@@ -107,3 +107,32 @@ TEST_CASE("what-if tells what each effect changes and costs", "[physics][facade]
   request.sets.emplace_back("mode", "-1");
   CHECK_THROWS_AS(facade::what_if(request, {}, {}), InputError);
 }
+
+TEST_CASE(
+    "contact damping is asked for by an option, shown by plan and ledger, and refused where "
+    "nothing vibrates",
+    "[unit][facade][damping]") {
+  const facade::Prepared elastic = facade::prepare(ball());
+  CHECK_FALSE(elastic.plan.has(Effect::ContactDamping));
+  const std::string says = entry(elastic, "ball / race damping").because;
+  CHECK(says.find("do not decay") != std::string::npos);
+  CHECK(says.find("spectra") != std::string::npos);
+  CHECK(entry(facade::prepare(ball({{"contactDamping", "0.2"}})), "ball / race damping")
+            .because.find("pockets, guide lands, flanges and neighbours stay elastic") !=
+        std::string::npos);
+  const auto said = [](DeckRequest request) -> std::string {
+    try {
+      (void)facade::prepare(request);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "was accepted";
+  };
+  for (const char* value : {"-0.1", "101", "nan", "much", ""})
+    CHECK(said(ball({{"contactDamping", value}})).find("contactDamping") != std::string::npos);
+  for (const auto& [variable, value] : {std::pair{"mode", "1"}, {"mode", "2"}, {"qFac", "0.05"}}) {
+    DeckRequest request = ball({{"contactDamping", "0.2"}});
+    request.sets.emplace_back(variable, value);
+    CHECK(said(request).find(std::string(variable) + " = " + value) != std::string::npos);
+  }
+}

@@ -1,0 +1,280 @@
+#include "contact/race_errors.hpp"
+#include "core/dynamics/allocation_counter.hpp"
+#include "core/dynamics/roller_scene.hpp"
+#include "core/dynamics/system_fixture.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+
+/// Material damping of the race contacts (dynamics/effects/contact_damping.cpp).
+using namespace adore;
+using namespace adore::dynamics;
+using namespace adore::fixture;
+
+namespace {
+
+/// Out of d v (1 + e) = ln((1 + d v)/(1 - d e v)), d = 1.5 α: by bisection.
+double restitution(double alpha, double speed) {
+  const double v = 1.5 * alpha * speed;
+  double low = 0.0, high = std::min(1.0, 1.0 / v);
+  for (int k = 0; k < 200; ++k) {
+    const double e = 0.5 * (low + high);
+    const double gap = v * (1.0 + e) - std::log((1.0 + v) / (1.0 - v * e));
+    (gap > 0.0 ? low : high) = e;
+  }
+  return 0.5 * (low + high);
+}
+
+std::size_t place_of(const System& system, const std::string& name) {
+  for (const auto& group : system.layout().groups())
+    if (group.name == name) return static_cast<std::size_t>(group.slice.first);
+  FAIL("no state " << name);
+  return 0;
+}
+
+/// Speed at which an element that flies outwards comes back from the outer race.
+double bounce(System& system, std::vector<double> y, double speed, double contact_time,
+              Snapshot& after) {
+  y[place_of(system, "element.r_dot")] = speed;
+  double end = contact_time;
+  for (int k = 0; k < 100; ++k, end += contact_time) {
+    const RunResult result = run(system, y, end, 1e-12, "rkf7");
+    after = system.snapshot(end, result.y);
+    if (after.elements[0].vr < 0.0 && after.elements[0].race[0].load == 0.0)
+      return -after.elements[0].vr;
+  }
+  FAIL("the element did not come back");
+  return 0.0;
+}
+
+double power(const Snapshot& s) {
+  return s.energy.rate("contact_damping", 0) + s.energy.rate("contact_damping", 1);
+}
+
+SystemOptions damped(double alpha) {
+  SystemOptions options;
+  options.contact_damping = alpha;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("a ball that meets a race comes back as Hunt and Crossley's law has it",
+          "[physics][dynamics][damping]") {
+  bearing::Bearing b = angular_contact(1);
+  b.cage.reset();
+  b.speed = {0.0, 0.0};
+  b.constraints.load = {};
+  b.constraints.displacement = {};
+  b.constraints.displacement_given = {true, true, true, true, true};
+  const auto groove = contact::groove_geometry(b.balls());
+  statics::StaticSolution solution = statics_of(b, b.balls().contact_angle);
+  // Both grooves in one plane: the ball has its clearance to fly in.
+  solution.displacement[0] = groove.centre_x[0] - groove.centre_x[1];
+  double before = 1.0;
+  for (const double alpha : {0.1, 0.3, 2.0})
+    for (const double speed : {0.02, 0.1, 0.5, 2.0}) {
+      System system = make_system(b, plan_with({Effect::RaceContact, Effect::ContactDamping}),
+                                  solution, damped(alpha));
+      std::vector<double> y = system.initial_state();
+      std::fill(y.begin(), y.end(), 0.0);
+      y[place_of(system, "element.x")] = groove.centre_x[0];
+      y[place_of(system, "element.r")] = groove.centre_radius[0] + groove.offset[0] - 1e-9;
+      Snapshot after;
+      const double back = bounce(system, y, speed, 4e-5 / std::pow(speed, 0.2), after);
+      const double e = restitution(alpha, speed);
+      INFO("alpha " << alpha << " s/m, " << speed << " m/s: " << back / speed << " for " << e);
+      CHECK(back / speed == Approx(e).epsilon(2e-6));
+      if (alpha * speed < 0.02) CHECK(1.0 - e == Approx(alpha * speed).epsilon(0.02));
+      const double m = b.element_inertia.mass, lost = 0.5 * m * speed * speed * (1.0 - e * e);
+      CHECK(after.energy.value("contact_damping", 0) == Approx(lost).epsilon(1e-5));
+      CHECK(std::abs(after.energy.residual()) < 5e-6 * 0.5 * m * speed * speed);
+      before = e;
+    }
+  CHECK(before < 0.3);
+}
+
+TEST_CASE("a roller that meets a race comes back as a ball does", "[physics][rollers][damping]") {
+  bearing::Bearing b = roller_bearings::cylindrical(0.0, 4e-4);
+  b.rollers()->count = 1;
+  b.constraints.load = {};
+  b.constraints.displacement = {};
+  b.constraints.displacement_given = {true, true, true, true, true};
+  scene::ScenePlan plan = roller_scene::races_only();
+  plan.effects.push_back({Effect::ContactDamping, "", true, "test"});
+  auto rollers = std::make_shared<RollerScene>();
+  rollers->options.slices = 9;
+  rollers->solution = statics::solve_roller_statics(b, rollers->options);
+  for (const double speed : {0.1, 1.0}) {
+    System system(b, plan, static_start(*rollers, b), {}, damped(0.3), {}, rollers);
+    std::vector<double> y = system.initial_state();
+    Snapshot after;
+    const double r = y[place_of(system, "element.r")];
+    REQUIRE(r > 0.02);
+    y[place_of(system, "element.r")] = r + 9.9e-5;  // a micrometre from the race
+    const double back = bounce(system, y, speed, 2e-5, after);
+    INFO(speed << " m/s: " << back / speed);
+    CHECK(back / speed == Approx(restitution(0.3, speed)).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("a free race on its balls vibrates and decays as the linearised equations have it",
+          "[physics][dynamics][races][damping]") {
+  bearing::Bearing b = angular_contact(12);
+  b.cage.reset();
+  b.speed = {0.0, 0.0};
+  b.constraints.load = {2000.0, 0.0, 0.0, 0.0, 0.0};
+  b.constraints.displacement_given = {false, true, true, true, true};
+  b.race_inertia[1] = {0.5, {5e-4, 4e-4, 4e-4}, Vec3::Zero()};
+  scene::ScenePlan plan = plan_with({Effect::RaceContact, Effect::ContactDamping});
+  plan.race_motions.free[1].emplace().force = {2000.0, 0.0, 0.0};
+  SystemOptions options = damped(0.1);
+  options.moving_angle = false;
+  const double angle = b.balls().contact_angle, d = 1.5 * options.contact_damping;
+  statics::StaticsOptions frozen;
+  frozen.curvature = statics::Curvature::Fixed;
+  frozen.fixed_angle = {angle, angle};
+  const auto solution = statics::solve_ball_statics(b, frozen);
+  System system = make_system(b, plan, solution, options);
+
+  // Race X, ball x and r, by one of 12 equal balls. u: X, x, r and their velocities.
+  const auto groove = contact::groove_geometry(b.balls());
+  const statics::StaticBall& ball = solution.balls[0];
+  Eigen::Matrix3d K = Eigen::Matrix3d::Zero(), C = K;
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double nx = std::sin(ball.alpha[j]), nr = std::cos(ball.alpha[j]);
+    Eigen::Matrix<double, 2, 3> way;  // of the ball in the race
+    way << (j == 1 ? -1.0 : 0.0), 1.0, 0.0, 0.0, 0.0, 1.0;
+    const Eigen::Vector2d n(nx, nr), c(nr, -nx);
+    const double normal = 1.5 * ball.Q[j] / ball.delta[j],
+                 across = ball.Q[j] / (groove.offset[j] + ball.delta[j]);
+    K += way.transpose() * (normal * n * n.transpose() + across * c * c.transpose()) * way;
+    C += way.transpose() * (d * ball.Q[j] * n * n.transpose()) * way;
+  }
+  const Eigen::Vector3d mass(0.5 / 12.0, b.element_inertia.mass, b.element_inertia.mass);
+  Eigen::Matrix<double, 6, 6> A = Eigen::Matrix<double, 6, 6>::Zero();
+  A.topRightCorner<3, 3>().setIdentity();
+  A.bottomLeftCorner<3, 3>() = -(mass.cwiseInverse().asDiagonal() * K);
+  A.bottomRightCorner<3, 3>() = -(mass.cwiseInverse().asDiagonal() * C);
+  const Eigen::EigenSolver<Eigen::Matrix<double, 6, 6>> modes(A);
+  // The slowest one is the race on all its balls.
+  int slow = 0;
+  for (int k = 1; k < 6; ++k)
+    if (std::abs(modes.eigenvalues()[k]) < std::abs(modes.eigenvalues()[slow])) slow = k;
+  const std::complex<double> lambda = modes.eigenvalues()[slow];
+  REQUIRE(lambda.real() < -20.0);
+  REQUIRE(std::abs(lambda.imag()) > 10.0 * -lambda.real());
+
+  const std::vector<double> y0 = system.initial_state();
+  std::vector<double> y = y0;
+  const std::size_t X = place_of(system, "inner race.position"),
+                    V = place_of(system, "inner race.velocity"), x = place_of(system, "element.x"),
+                    r = place_of(system, "element.r"), vx = place_of(system, "element.x_dot"),
+                    vr = place_of(system, "element.r_dot");
+  const double size = 1e-4 * ball.delta[0];
+  const Eigen::Matrix<double, 6, 1> shape =
+      (modes.eigenvectors().col(slow) / modes.eigenvectors()(0, slow)).real();
+  y[X] += size * shape[0], y[V] += size * shape[3];
+  for (std::size_t i = 0; i < 12; ++i) {
+    y[x + i] += size * shape[1], y[r + i] += size * shape[2];
+    y[vx + i] += size * shape[4], y[vr + i] += size * shape[5];
+  }
+  const double period = 2.0 * std::numbers::pi / std::abs(lambda.imag());
+  for (const double periods : {1.25, 5.0}) {
+    const double t = periods * period;
+    const RunResult end = run(system, y, t, 1e-12, "rkf7");
+    const RunResult rest = run(system, y0, t, 1e-12, "rkf7");
+    const double expected = size * std::exp(lambda * t).real();
+    INFO(periods << " periods of " << 1.0 / period << " Hz, decay " << -lambda.real() << " 1/s");
+    CHECK(end.y[X] - rest.y[X] == Approx(expected).margin(3e-4 * size));
+  }
+  CHECK(std::exp(lambda.real() * 5.0 * period) < 0.95);
+}
+
+TEST_CASE("what damping takes is in the energy ledger, on perfect and on wavy races",
+          "[physics][dynamics][energy][damping]") {
+  for (const bool wavy : {false, true}) {
+    bearing::Bearing b = angular_contact();
+    if (wavy)
+      for (bearing::RaceErrors& e : b.imperfections.race) {
+        e.roundness = bearing::RaceErrors::Roundness::Sinusoidal;
+        e.variation = {2e-6, 11.0, 0.4};
+      }
+    scene::ScenePlan plan = full_plan();
+    plan.effects.push_back({Effect::ContactDamping, "", true, "test"});
+    std::vector<double> residual;
+    for (const double tolerance : {1e-5, 1e-8}) {
+      System system = make_system(b, plan, damped(0.3));
+      const double end = 5e-4;
+      std::vector<double> y = system.initial_state();
+      for (std::size_t i = 0; i < 18; ++i) y[place_of(system, "element.r_dot") + i] += 0.2;
+      const RunResult result = run(system, y, end, tolerance);
+      const Snapshot s = system.snapshot(end, result.y);
+      const double heat =
+          s.energy.value("contact_damping", 0) + s.energy.value("contact_damping", 1);
+      CHECK(heat > 0.0);
+      CHECK(power(s) >= 0.0);
+      residual.push_back(std::abs(s.energy.residual()));
+      INFO((wavy ? "wavy" : "perfect") << " races, tolerance " << tolerance << ": heat " << heat
+                                       << " J, residual " << residual.back() << " J");
+      if (tolerance < 1e-6) CHECK(residual.back() < 1e-3 * heat);
+    }
+    CHECK(residual[1] < residual[0]);
+  }
+}
+
+TEST_CASE("rollers: what damping takes is in the energy ledger, on perfect and on wavy races",
+          "[physics][rollers][energy][damping]") {
+  for (const bool wavy : {false, true})
+    for (bearing::Bearing b :
+         {roller_bearings::cylindrical(3000.0), roller_bearings::tapered(3000.0)}) {
+      roller_scene::add_friction(b);
+      if (wavy)
+        for (bearing::RaceErrors& e : b.imperfections.race) {
+          e.roundness = bearing::RaceErrors::Roundness::Sinusoidal;
+          e.variation = {1e-6, 7.0, 0.3};
+        }
+      scene::ScenePlan plan = roller_scene::races_only();
+      plan.effects.push_back({Effect::ContactDamping, "", true, "test"});
+      if (!b.rollers()->has_flange(0) && !b.rollers()->has_flange(1)) plan.effects[1].on = false;
+      auto rollers = std::make_shared<RollerScene>();
+      rollers->options.slices = 9;
+      rollers->solution = statics::solve_roller_statics(b, rollers->options);
+      System system(b, plan, static_start(*rollers, b), {}, damped(0.3), {}, rollers);
+      std::vector<double> y = system.initial_state();
+      const auto n = static_cast<std::size_t>(b.element_count());
+      for (std::size_t i = 0; i < n; ++i) y[place_of(system, "element.r_dot") + i] += 0.05;
+      const RunResult result = run(system, y, 1e-3, 1e-8, "rkf5");
+      const Snapshot s = system.snapshot(1e-3, result.y);
+      const double heat =
+          s.energy.value("contact_damping", 0) + s.energy.value("contact_damping", 1);
+      INFO("type " << static_cast<int>(b.type) << (wavy ? ", wavy" : "") << ": heat " << heat
+                   << " J, residual " << s.energy.residual() << " J");
+      CHECK(heat > 0.0);
+      CHECK(std::abs(s.energy.residual()) < std::max(2e-3 * heat, 1e-10));
+    }
+}
+
+TEST_CASE("damping allocates nothing and is not there when it is off",
+          "[unit][dynamics][damping][allocation]") {
+  const bearing::Bearing b = angular_contact();
+  scene::ScenePlan plan = full_plan();
+  System elastic = make_system(b, plan);
+  plan.effects.push_back({Effect::ContactDamping, "", true, "test"});
+  System system = make_system(b, plan, damped(0.2));
+  CHECK(system.layout().size() == elastic.layout().size() + 2);  // two items of the ledger
+  for (const auto& row : elastic.cost().rows())
+    CHECK(row.name.find("damping") == std::string::npos);
+  const std::vector<double> y = system.initial_state();
+  std::vector<double> rates(y.size());
+  REQUIRE(system.rhs(0.0, y.data(), rates.data()) == RhsStatus::Ok);
+  const auto before = test::allocation_count();
+  REQUIRE(system.rhs(0.0, y.data(), rates.data()) == RhsStatus::Ok);
+  CHECK(test::allocation_count() == before);
+}

@@ -1,0 +1,80 @@
+#include "core/facade/deck_runs.hpp"
+#include "deck/templates.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <string>
+
+/// Runs that come to no good end say why.
+using namespace adore;
+using testing::Ran;
+using testing::run_deck;
+
+namespace {
+
+deck::Deck conformal(const char* load) {
+  deck::Deck deck = deck::new_deck("ball");
+  for (const auto& [variable, value] : {std::pair{"raceCurFac1", "0.5005"},
+                                        {"raceCurFac2", "0.5005"},
+                                        {"appLoadX", load},
+                                        {"nStps", "1"}})
+    deck.set(variable, value);
+  return deck;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "A groove that fits its balls too closely is refused by its ellipse, warned of before "
+    "the motion, or ends it with the contact that left Hertz's theory",
+    "[physics][facade]") {
+  const testing::TemporaryFolder folder;
+  // 20 kN: the ellipse of the equilibrium would be longer than the ball.
+  facade::DeckRequest request;
+  request.text = deck::write_deck(conformal("20000.0"));
+  try {
+    (void)facade::prepare(request);
+    FAIL("an equilibrium was found");
+  } catch (const SolverError& error) {
+    CHECK_THAT(error.what(), Catch::Contains("reaches the ball radius"));
+    CHECK_THAT(error.what(), Catch::Contains("groove factor 0.5005"));
+  }
+  // 300 N: 4.5 times its load is enough, and impacts bring that.
+  const Ran ran = run_deck(conformal("300.0"), folder / "300");
+  CHECK(ran.outcome.status == facade::RunStatus::Failed);
+  CHECK_THAT(ran.outcome.message, Catch::Contains("What is not valid there"));
+  CHECK_THAT(ran.outcome.message,
+             Catch::Contains("an ellipse whose half length reaches the radius of the element"));
+  CHECK_THAT(ran.report.at("notes").dump(), Catch::Contains("a motion ends where a contact comes"));
+  // 1 kN keeps all balls in place.
+  CHECK(run_deck(
+            [] {
+              deck::Deck deck = conformal("1000.0");
+              deck.set("maxStps", "400");
+              return deck;
+            }(),
+            folder / "1000")
+            .outcome.status == facade::RunStatus::Done);
+}
+
+TEST_CASE("A run whose steps all miss the tolerance at stpMin ends with that",
+          "[physics][facade]") {
+  const testing::TemporaryFolder folder;
+  // The film law of kTrac 1 has no limit: at 3 GPa its slope is beyond any explicit step.
+  deck::Deck deck = deck::new_deck("ball");
+  deck.set("kTrac", "1");
+  deck.complete();
+  for (const auto& [variable, value] : {std::pair{"reRaceFilm", "1.0e-8"},
+                                        {"strParam", "10.0"},
+                                        {"appLoadX", "45000.0"},
+                                        {"kPltFreq", "100"},
+                                        {"maxStps", "100000"}})
+    deck.set(variable, value);
+  deck.complete();
+  const Ran ran = run_deck(deck, folder / "steep");
+  CHECK(ran.outcome.status == facade::RunStatus::Failed);
+  CHECK_THAT(ran.outcome.message, Catch::Contains("each of the last"));
+  CHECK_THAT(ran.outcome.message, Catch::Contains("missed the tolerance of 1e-06"));
+  CHECK_THAT(ran.outcome.message, Catch::Contains("stpMin 0.0005"));
+  CHECK(ran.report.at("counters").at("steps") < 11000);
+}
