@@ -154,6 +154,9 @@ Prepared prepare_model(LoadedDeck input) {
   if (std::optional<Issue> note = setup::note_of(out.no_part, deck, out.input.warnings))
     out.input.warnings.push_back(std::move(*note));
   if (out.user && out.control.dynamic) start_session(out, hooks);
+  if (out.user)
+    for (const std::string& text : idle_routines(out))
+      out.input.warnings.push_back(remark(Severity::Note, out.input.path.string(), text));
   out.plan = out.control.dynamic
                  ? setup::make_scene_plan(deck, out.bearing, out.control, out.options, user)
                  : static_plan(out);

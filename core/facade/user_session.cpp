@@ -4,6 +4,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 namespace adore::facade {
 namespace {
 
@@ -27,13 +30,12 @@ std::shared_ptr<user::Session> open_session(const LoadedDeck& input,
                              : user::load_plug_in(input.user);
   auto session = std::make_shared<user::Session>(std::move(plug_in), input.deck.user_lines,
                                                  user::SessionOptions{options.user_sample});
-  const bool balls = input.deck.integer("kBrg") == 1;
-  for (const int hook : {2, 3, 4, 5, 6})
-    if (session->active(hook) && !(hook == 3 && balls))
+  for (const int hook : {5, 6})
+    if (session->active(hook))
       throw InputError(
-          fmt::format("{} activates user routine {}, which this version does not call yet{}; leave "
+          fmt::format("{} activates user routine {}, which this version does not call yet; leave "
                       "it out, or let it leave call.active at 0",
-                      session->source(), user::hook_name(hook), hook == 3 ? " for rollers" : ""));
+                      session->source(), user::hook_name(hook)));
   return session;
 }
 
@@ -64,6 +66,26 @@ void start_session(Prepared& prepared, setup::UserHooks& hooks) {
                                                "user routine ADRX1 of {} drives a race",
                                                session.source()),
                                    "set mode to 0")});
+  // Held rollers know springs of flanges of their own (held_rollers.hpp).
+  if (session.active(2) && prepared.bearing.rollers() != nullptr &&
+      (mode > 0 || prepared.control.light_load_ratio > 0.0))
+    throw InputError({prepared.input.deck.issue(
+        Severity::Error, mode > 0 ? "mode" : "qFac",
+        fmt::format("holds rollers in the balance of forces with the built-in law of flanges, and "
+                    "user routine ADRX2 of {} gives another",
+                    session.source()),
+        mode > 0 ? "set mode to 0" : "set qFac to 0")});
+  if (session.active(4) && prepared.bearing.cage) {
+    const auto& lands = prepared.bearing.cage->lands;
+    if (std::any_of(lands.begin(), lands.end(),
+                    [](const bearing::GuideLand& land) { return !land.ideal(); }))
+      throw InputError({prepared.input.deck.issue(
+          Severity::Error, "kCageGsImp",
+          fmt::format("or kRaceGsImp gives guide lands shape errors: they press along an arc that "
+                      "has no gap, which user routine ADRX4 of {} is asked for",
+                      session.source()),
+          "set kCageGsImp and kRaceGsImp to 0, or leave the routine out")});
+  }
   const auto law_of_time = [&](const char* variable) {
     return prepared.input.deck.integer(variable) != 0;
   };
@@ -75,6 +97,34 @@ void start_session(Prepared& prepared, setup::UserHooks& hooks) {
                       session.source()),
           fmt::format("set {} to 0, or leave the race to the deck", variable))});
   prepared.options.system.user = session.laws(prepared.user);
+}
+
+std::vector<std::string> idle_routines(const Prepared& prepared) {
+  const user::Session& session = *prepared.user;
+  std::vector<std::string> out;
+  const auto idle = [&](int hook, const std::string& why) {
+    if (session.active(hook))
+      out.push_back(fmt::format("user routine {} of {} is active and does nothing here: {}",
+                                user::hook_name(hook), session.source(), why));
+  };
+  if (!prepared.control.dynamic) {
+    for (const int hook : {1, 2, 3, 4, 7, 9})
+      idle(hook, "it acts in motion, and mode = -1 ends with the equilibrium");
+    return out;
+  }
+  const bearing::RollerGeometry* const rollers = prepared.bearing.rollers();
+  if (rollers == nullptr || (!rollers->has_flange(0) && !rollers->has_flange(1)))
+    idle(2, "the bearing has no flanges");
+  if (!prepared.bearing.cage) {
+    idle(3, "the bearing has no cage");
+    idle(4, "the bearing has no cage");
+  } else if (prepared.bearing.cage->lands.empty()) {
+    idle(4, "no race guides the cage");
+  }
+  const std::array<bool, 5> traction = own_traction(prepared.input.deck);
+  if (std::none_of(traction.begin(), traction.end(), [](bool asked) { return asked; }))
+    idle(7, "the deck asks for no traction of the user (kTrac = -1, kCPTrac = -1 ...)");
+  return out;
 }
 
 std::string program_version(const user::Session* session) {

@@ -4,6 +4,7 @@
 #include "contact/guide_land.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
+#include "dynamics/effects/user_forces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,11 +99,12 @@ std::vector<LandModel> make_lands(const bearing::Bearing& bearing, int slices, d
 }
 
 /// Force, least gap over the slices and its azimuth in the frame of the cage or segment.
+/// @param more force beyond the built-in one [N]
 LandSnapshot report_of(const LandModel& land, const Evaluation& e, const BodyState& cage,
-                       double half_angle) {
+                       double half_angle, const Vec3& more) {
   LandSnapshot result;
   const RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
-  Vec3 force = Vec3::Zero();
+  Vec3 force = more;
   double largest = -std::numeric_limits<double>::infinity();
   for (const double x : land.slice_x) {
     const Vec3 eccentricity = locate(x, cage, race).eccentricity;
@@ -188,6 +190,88 @@ void LandBlock<Traction, Arcs>::apply_with([[maybe_unused]] const Friction& fric
   }
 }
 
+/// A slice of a round land that ADRX4 is asked for.
+struct UserLandTouch {
+  std::size_t segment = 0, land = 0;
+  Vec3 direction, acts_at, point;
+  Vec3 friction = Vec3::Zero();  ///< on the cage, of the built-in force [N]
+  double slip = 0.0, heat = 0.0;
+};
+using UserLandForces = UserForces<UserLandTouch>;
+
+/// ADRX4 (user_forces.hpp).
+class UserLandBlock final : public EffectBlock {
+ public:
+  UserLandBlock(const std::vector<LandModel>& lands, double half_angle, bool traction,
+                const tribology::TractionLaw& law, UserLandForces& forces, double& heat)
+      : lands_(lands),
+        half_angle_(half_angle),
+        traction_(traction),
+        law_(law),
+        forces_(forces),
+        heat_(heat) {}
+  [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
+  void apply(Evaluation& e) noexcept override {
+    forces_.clear();
+    for (std::size_t i = 0; i < e.segments.size(); ++i)
+      for (std::size_t k = 0; k < lands_.size(); ++k)
+        for (const double x : lands_[k].slice_x) collect(e, i, k, x);
+    const bool valid = forces_.ask(
+        e.t, [&](const UserLandTouch& touch, double more, double difference, double rate) {
+          BodyState& cage = e.segments[touch.segment];
+          RaceBody& race = e.race[static_cast<std::size_t>(lands_[touch.land].race)];
+          const Vec3 normal = -difference * touch.direction, friction = more * touch.friction;
+          cage.add_force(normal, touch.acts_at);
+          race.add_force(-normal, touch.acts_at);
+          cage.add_force(friction, touch.point);
+          race.add_force(-friction, touch.point);
+          cage.load_slip += difference * touch.slip;
+          heat_ += more * touch.heat - difference * rate;
+        });
+    if (!valid) e.valid = false;
+  }
+
+ private:
+  void collect(const Evaluation& e, std::size_t i, std::size_t k, double x) noexcept {
+    const LandModel& land = lands_[k];
+    const BodyState& cage = e.segments[i];
+    const RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
+    const SliceAt slice = locate(x, cage, race);
+    const Nearest at =
+        nearest_on_arc(slice.eccentricity, land.side, half_angle_, cage, race.axis());
+    const double c = land.law.clearance;
+    if (c > 0.0 ? at.size <= c : at.size <= 0.0) return;
+    const double N = contact::land_load_per_length(land.law, at.size) * land.slice_length;
+    if (!(N > 0.0)) return;
+    UserLandTouch touch;
+    touch.segment = i;
+    touch.land = k;
+    touch.direction = at.direction;
+    touch.acts_at = slice.centre;
+    if (half_angle_ < std::numbers::pi) touch.acts_at -= slice.eccentricity;
+    touch.point = slice.centre + (land.side * land.cage_radius) * at.direction;
+    if (traction_) {
+      Vec3 slip = race.velocity_at(touch.point) - cage.velocity_at(touch.point);
+      slip -= slip.dot(at.direction) * at.direction;
+      const double square = slip.squaredNorm();
+      touch.friction =
+          law_.visit_rounded([&](const auto& friction) { return N * friction(square); }) * slip;
+      touch.slip = std::sqrt(square);
+      touch.heat = touch.friction.dot(slip);
+    }
+    const Vec3 apart = cage.velocity_at(touch.acts_at) - race.velocity_at(touch.acts_at);
+    forces_.collect(touch, k, static_cast<std::size_t>(land.race), c - at.size,
+                    -apart.dot(at.direction), N);
+  }
+
+  const std::vector<LandModel>& lands_;
+  double half_angle_;
+  bool traction_;
+  tribology::TractionLaw law_;
+  UserLandForces& forces_;
+  double& heat_;
+};
+
 class LandContact final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
@@ -201,46 +285,66 @@ class LandContact final : public SceneEffect {
     const bool traction = scene.plan.has(Effect::LandTraction);
     demand(!traction || scene.bearing.land_traction.has_value(),
            "land traction is on without a traction curve");
+    const tribology::TractionLaw law =
+        traction
+            ? traction_of(scene, tribology::TractionKind::CageRace, *scene.bearing.land_traction)
+            : tribology::TractionLaw();
+    scene::UserForce* const routine = scene.options.user ? scene.options.user->land : nullptr;
+    if (routine != nullptr && !traction)
+      scene.block<NoHeatYet>(Phase::Force, "land contacts", {}, heat_);
+    const bool any_uneven = std::any_of(lands_.begin(), lands_.end(), [](const LandModel& land) {
+      return land.uneven.has_value();
+    });
     const auto add = [&]<bool Traction, bool Arcs>() {
-      scene.block<LandBlock<Traction, Arcs>>(
-          Phase::Force, "land contacts", {}, lands_, half_angle_,
-          Traction
-              ? traction_of(scene, tribology::TractionKind::CageRace, *scene.bearing.land_traction)
-              : tribology::TractionLaw(),
-          heat_);
+      scene.block<LandBlock<Traction, Arcs>>(Phase::Force, "land contacts", {}, lands_, half_angle_,
+                                             law, heat_);
     };
     if (cut.several())
       traction ? add.operator()<true, true>() : add.operator()<false, true>();
     else
       traction ? add.operator()<true, false>() : add.operator()<false, false>();
-    if (std::any_of(lands_.begin(), lands_.end(),
-                    [](const LandModel& land) { return land.uneven.has_value(); })) {
+    if (any_uneven) {
       if (traction)
-        scene.block<UnevenLandBlock<true>>(
-            Phase::Force, "land contacts", {}, lands_, middle_,
-            traction_of(scene, tribology::TractionKind::CageRace, *scene.bearing.land_traction),
-            heat_);
+        scene.block<UnevenLandBlock<true>>(Phase::Force, "land contacts", {}, lands_, middle_, law,
+                                           heat_);
       else
-        scene.block<UnevenLandBlock<false>>(Phase::Force, "land contacts", {}, lands_, middle_,
-                                            tribology::TractionLaw(), heat_);
+        scene.block<UnevenLandBlock<false>>(Phase::Force, "land contacts", {}, lands_, middle_, law,
+                                            heat_);
     }
-    if (traction) scene.energy("lands.heat", kHeat, &heat_);
+    if (routine != nullptr) {
+      demand(!any_uneven, "ADRX4 knows no lands with shape errors");
+      std::size_t most = 0;
+      for (const LandModel& land : lands_)
+        most += land.slice_x.size() * static_cast<std::size_t>(cut.count);
+      forces_.emplace(*routine, most);
+      scene.block<UserLandBlock>(Phase::Force, "user routine ADRX4", {}, lands_, half_angle_,
+                                 traction, law, *forces_, heat_);
+    }
+    if (traction || routine != nullptr) scene.energy("lands.heat", kHeat, &heat_);
   }
 
   void report(const Evaluation& e, Snapshot& snapshot) const override {
     snapshot.cages.resize(e.segments.size());
     for (std::size_t k = 0; k < e.segments.size(); ++k)
-      for (const LandModel& land : lands_)
-        snapshot.cages[k].lands.push_back(land.uneven
-                                              ? report_of_uneven(land, e, e.segments[k], middle_[k])
-                                              : report_of(land, e, e.segments[k], half_angle_));
+      for (std::size_t i = 0; i < lands_.size(); ++i) {
+        const LandModel& land = lands_[i];
+        Vec3 more = Vec3::Zero();
+        if (forces_)
+          forces_->for_differences([&](const UserLandTouch& touch, std::size_t, double difference) {
+            if (touch.segment == k && touch.land == i) more -= difference * touch.direction;
+          });
+        snapshot.cages[k].lands.push_back(
+            land.uneven ? report_of_uneven(land, e, e.segments[k], middle_[k])
+                        : report_of(land, e, e.segments[k], half_angle_, more));
+      }
   }
 
  private:
   double half_angle_ = std::numbers::pi;  ///< of a segment [rad]
   std::vector<LandModel> lands_;
-  std::vector<double> middle_;  ///< azimuth of each segment in the cage [rad]
-  double heat_ = 0.0;           ///< now [W]
+  std::vector<double> middle_;            ///< azimuth of each segment in the cage [rad]
+  std::optional<UserLandForces> forces_;  ///< ADRX4
+  double heat_ = 0.0;                     ///< now [W]
 };
 
 }  // namespace

@@ -211,57 +211,44 @@ void PocketBlock<Traction, Shaped>::apply_with(const Friction& friction, Evaluat
   }
 }
 
-/// ADRX3: every contact of the built-in law times the ratio of the routine's force to its own, so
-/// that friction goes with it. What the difference does along the normal,
-///   -(F - N) d(gap)/dt,
-/// has no potential that is known, and is booked with the pockets' heat: a damping law heats, an
-/// elastic one gives back what it took.
+/// ADRX3 (user_forces.hpp).
 class UserPocketBlock final : public EffectBlock {
  public:
   UserPocketBlock(PocketSet& set, const std::optional<tribology::TractionLaw>& friction,
-                  scene::UserForce& routine, double& heat)
-      : set_(set), friction_(friction), routine_(routine), heat_(heat) {
-    const std::size_t most = set.size() * kSurfaces;
-    touches_.reserve(most);
-    for (auto* values : {&gap_, &rate_, &built_in_, &force_}) values->reserve(most);
-    element_.reserve(most);
-    surface_.reserve(most);
-  }
+                  UserPocketForces& forces, double& heat)
+      : set_(set), friction_(friction), forces_(forces), heat_(heat) {}
   void apply(Evaluation& e) noexcept override {
-    touches_.clear();
-    for (auto* values : {&gap_, &rate_, &built_in_, &force_}) values->clear();
-    element_.clear();
-    surface_.clear();
+    forces_.clear();
     for (std::size_t i = 0; i < set_.size(); ++i) {
       if (!set_.is_inside(i) || (!set_.shaped() && set_.surely_open(i))) continue;
       const contact::WallPoints walls = set_.walls(i);
       for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k)
         if (walls.surface[k].gap < 0.0) collect(e, i, k, walls.surface[k]);
     }
-    if (touches_.empty()) return;
-    const scene::UserForce::Contacts all{touches_.size(), element_.data(), surface_.data(),
-                                         gap_.data(),     rate_.data(),    built_in_.data(),
-                                         force_.data()};
-    if (!routine_.forces(e.t, all)) {
-      e.valid = false;
-      return;
-    }
-    for (std::size_t k = 0; k < touches_.size(); ++k) add(e, k);
+    const bool valid = forces_.ask(
+        e.t, [&](const UserPocketTouch& touch, double more, double difference, double rate) {
+          const std::size_t ball = set_.element(touch.pocket);
+          BodyState& cage = set_.body(e, touch.pocket);
+          const Vec3 on_ball = more * touch.action.on_ball;
+          e.add_force(ball, e.to_cylindrical(ball, on_ball));
+          cage.add_force(-on_ball, touch.action.point);
+          if (friction_) {
+            const Vec3 friction = more * touch.action.friction;
+            e.add_moment(ball, e.to_cylindrical(ball, touch.action.arm.cross(friction)));
+            cage.load_slip += difference * touch.action.slip;
+          }
+          heat_ += more * touch.action.heat - difference * rate;
+        });
+    if (!valid) e.valid = false;
   }
 
  private:
-  static constexpr std::size_t kSurfaces =
-      sizeof(contact::WallPoints::surface) / sizeof(contact::WallPoints::surface[0]);
-  struct Touch {
-    std::size_t pocket;
-    PocketAction action;
-  };
   void collect(const Evaluation& e, std::size_t i, std::size_t k,
                const contact::WallPoint& wall) noexcept {
     const BodyState& cage = set_.body(e, i);
     const Vec3 m = set_.to_base(i, wall.m, cage.to_base);
     const std::size_t ball = set_.element(i);
-    Touch touch{i, {}};
+    UserPocketTouch touch{i, {}};
     const auto with = [&](const auto& friction) {
       touch.action =
           pocket_action(set_.law(i), friction, e, ball, cage, set_.ball_radius(i), m, -wall.gap);
@@ -273,38 +260,13 @@ class UserPocketBlock final : public EffectBlock {
     if (!(touch.action.N > 0.0)) return;
     const Vec3 apart = cage.velocity_at(touch.action.point) - e.element_velocity(ball) -
                        e.element_omega(ball).cross(touch.action.arm);
-    touches_.push_back(touch);
-    element_.push_back(static_cast<int>(ball));
-    surface_.push_back(static_cast<int>(k));
-    gap_.push_back(wall.gap);
-    rate_.push_back(apart.dot(m));
-    built_in_.push_back(touch.action.N);
-    force_.push_back(touch.action.N);
-  }
-  void add(Evaluation& e, std::size_t k) noexcept {
-    const Touch& touch = touches_[k];
-    const double more = force_[k] / built_in_[k] - 1.0;
-    if (more == 0.0) return;
-    const std::size_t ball = set_.element(touch.pocket);
-    BodyState& cage = set_.body(e, touch.pocket);
-    const Vec3 on_ball = more * touch.action.on_ball;
-    e.add_force(ball, e.to_cylindrical(ball, on_ball));
-    cage.add_force(-on_ball, touch.action.point);
-    if (friction_) {
-      const Vec3 friction = more * touch.action.friction;
-      e.add_moment(ball, e.to_cylindrical(ball, touch.action.arm.cross(friction)));
-      cage.load_slip += more * touch.action.N * touch.action.slip;
-    }
-    heat_ += more * touch.action.heat - (force_[k] - built_in_[k]) * rate_[k];
+    forces_.collect(touch, ball, k, wall.gap, apart.dot(m), touch.action.N);
   }
 
   PocketSet& set_;
   const std::optional<tribology::TractionLaw>& friction_;
-  scene::UserForce& routine_;
+  UserPocketForces& forces_;
   double& heat_;
-  std::vector<Touch> touches_;
-  std::vector<int> element_, surface_;
-  std::vector<double> gap_, rate_, built_in_, force_;
 };
 
 }  // namespace
@@ -334,22 +296,21 @@ void PocketContact::declare(SceneBuilder& scene) {
     scene.block<NoHeatYet>(Phase::Force, "pocket contacts", {}, heat_);
   const contact::CagePieces pieces = pieces_of(scene);
   const auto add = [&](std::optional<PocketSet>& set,
-                       const std::vector<contact::PlacedPocket>& pockets) {
+                       const std::vector<contact::PlacedPocket>& pockets,
+                       std::optional<UserPocketForces>& forces) {
     set.emplace(scene.bearing, pockets);
     std::vector<BodyId> partners(pieces.pockets.size(), BodyId{BodyId::Kind::Segment, -1});
     for (const contact::PlacedPocket& pocket : pockets)
       partners[pocket.element].index = pocket.piece;
-    if (routine != nullptr) {
-      Partners same{std::vector<BodyId>(partners)};
-      add_block(scene, *set, std::move(partners));
-      scene.block<UserPocketBlock>(Phase::Force, "user routine ADRX3", std::move(same), *set,
-                                   friction_, *routine, heat_);
-    } else {
-      add_block(scene, *set, std::move(partners));
-    }
+    if (routine == nullptr) return add_block(scene, *set, std::move(partners));
+    Partners same{std::vector<BodyId>(partners)};
+    add_block(scene, *set, std::move(partners));
+    forces.emplace(*routine, set->size() * kMostSurfaces);
+    scene.block<UserPocketBlock>(Phase::Force, "user routine ADRX3", std::move(same), *set,
+                                 friction_, *forces, heat_);
   };
-  add(set_, pieces.pockets);
-  if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves);
+  add(set_, pieces.pockets, forces_[0]);
+  if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves, forces_[1]);
   if (friction_ || routine != nullptr) scene.energy("pockets.heat", kPocketHeat, &heat_);
   scene.supports(*this);
 }
@@ -421,11 +382,22 @@ void PocketContact::report(const Evaluation& e, Snapshot& snapshot) const {
     snapshot.elements[i].pocket = set_->report(i);
     snapshot.elements[i].pocket_to_centre = set_->centre(i);
   }
+  const auto add_user = [](const std::optional<UserPocketForces>& forces, const auto& pocket) {
+    if (forces)
+      forces->for_differences(
+          [&](const UserPocketTouch& touch, std::size_t surface, double difference) {
+            pocket(touch.pocket).at(surface).force += difference;
+          });
+  };
+  add_user(
+      forces_[0], [&](std::size_t i) -> auto& { return snapshot.elements[i].pocket; });
   if (!last_halves_) return;
   snapshot.cages.resize(last_halves_->size());
-  for (std::size_t i = 0; i < last_halves_->size(); ++i)
-    snapshot.cages[static_cast<std::size_t>(last_halves_->segment(i))].last_half =
-        last_halves_->report(i);
+  const auto last_half = [&](std::size_t i) -> auto& {
+    return snapshot.cages[static_cast<std::size_t>(last_halves_->segment(i))].last_half;
+  };
+  for (std::size_t i = 0; i < last_halves_->size(); ++i) last_half(i) = last_halves_->report(i);
+  add_user(forces_[1], last_half);
 }
 
 std::unique_ptr<SceneEffect> make_pocket_contact(const ScenePlan& plan) {

@@ -4,8 +4,11 @@
 #include "contact/cage_pieces.hpp"
 #include "contact/conformal.hpp"
 #include "dynamics/effect.hpp"
+#include "dynamics/effects/scene_pieces.hpp"
+#include "dynamics/effects/user_forces.hpp"
 #include "tribology/traction_law.hpp"
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <type_traits>
@@ -30,17 +33,6 @@ inline constexpr LedgerTerm kPocketHeat{LedgerKind::Heat,
                                         "heat in the pockets",
                                         {"cage pockets"},
                                         "dissipated since the start"};
-
-/// Sets the heat of pockets to zero before the blocks that add to it.
-class NoHeatYet final : public EffectBlock {
- public:
-  explicit NoHeatYet(double& heat) : heat_(heat) {}
-  [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
-  void apply(Evaluation&) noexcept override { heat_ = 0.0; }
-
- private:
-  double& heat_;
-};
 
 /// Epicyclic speed of the cage at the free contact angle, or of the rollers' axes, signed [rad/s].
 [[nodiscard]] double nominal_cage_speed(const bearing::Bearing& bearing) noexcept;
@@ -172,6 +164,13 @@ template <class Friction>
   return a;
 }
 
+/// One contact that ADRX3 is asked for, of a pocket of a set.
+struct UserPocketTouch {
+  std::size_t pocket;
+  PocketAction action;
+};
+using UserPocketForces = UserForces<UserPocketTouch>;
+
 /// Effects "pocket contact" and "pocket traction", of balls. Not valid when a ball's centre left
 /// the hole.
 class PocketContact final : public SceneEffect, public ElementSupport {
@@ -200,7 +199,10 @@ class PocketContact final : public SceneEffect, public ElementSupport {
   std::optional<PocketSet> set_;
   std::optional<PocketSet> last_halves_;  ///< of segments that are cut through their pockets
   std::optional<tribology::TractionLaw> friction_;
-  double heat_ = 0.0;  ///< now [W]
+  std::array<std::optional<UserPocketForces>, 2> forces_;  ///< ADRX3 of both sets
+  double heat_ = 0.0;                                      ///< now [W]
+  static constexpr std::size_t kMostSurfaces =
+      std::tuple_size_v<decltype(contact::WallPoints::surface)>;
 };
 
 }  // namespace adore::dynamics

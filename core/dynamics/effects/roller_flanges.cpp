@@ -4,12 +4,14 @@
 #include "contact/roller_race.hpp"
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
+#include "dynamics/effects/user_forces.hpp"
 #include "dynamics/roller_start.hpp"
 #include "statics/roller_model.hpp"
 #include "tribology/traction_law.hpp"
 
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -140,6 +142,74 @@ class FlangeBlock final : public EffectBlock {
   FlangeAccount& account_;
 };
 
+/// A contact that ADRX2 is asked for.
+struct UserFlangeTouch {
+  std::size_t roller = 0;
+  int side = 0;
+  FlangeAction action;
+};
+using UserFlangeForces = UserForces<UserFlangeTouch>;
+
+/// ADRX2 (user_forces.hpp), of the flanges of one race.
+class UserFlangeBlock final : public EffectBlock {
+ public:
+  UserFlangeBlock(const std::vector<std::vector<statics::FlangePair>>& pairs, std::size_t race,
+                  double mass_offset, const tribology::TractionLaw* friction,
+                  UserFlangeForces& forces, FlangeAccount& account)
+      : pairs_(pairs),
+        race_(race),
+        mass_offset_(mass_offset),
+        friction_(friction),
+        forces_(forces),
+        account_(account) {}
+  void apply(Evaluation& e) noexcept override {
+    forces_.clear();
+    RaceBody& race = e.race[race_];
+    for (std::size_t i = 0; i < e.elements.n; ++i) {
+      const SeenRoller roller = seen(e, i, race, mass_offset_);
+      for (const statics::FlangePair& pair : pairs_[pairs_.size() == 1 ? 0 : i])
+        if (static_cast<std::size_t>(pair.race) == race_ && !pair.surely_open(roller.p))
+          collect(pair, roller, e, i, race);
+    }
+    const bool valid = forces_.ask(
+        e.t, [&](const UserFlangeTouch& touch, double more, double difference, double rate) {
+          const FlangeAction& a = touch.action;
+          const std::size_t i = touch.roller;
+          const Vec3 force = more * a.force;
+          e.add_force(i, e.to_cylindrical(i, force));
+          e.add_moment(i, e.to_cylindrical(i, (a.point - e.element_centre(i)).cross(force)));
+          race.add_force(-force, a.point);
+          account_.heat += more * a.heat - difference * rate;
+          account_.load_slip += difference * a.slip;
+        });
+    if (!valid) e.valid = false;
+  }
+
+ private:
+  void collect(const statics::FlangePair& pair, const SeenRoller& roller, const Evaluation& e,
+               std::size_t i, const RaceBody& race) noexcept {
+    const FlangeAction a = friction_ != nullptr
+                               ? friction_->visit_rounded([&](const auto& friction) {
+                                   return act(pair, roller, e, i, race, friction);
+                                 })
+                               : act(pair, roller, e, i, race, nullptr);
+    if (!(a.load > 0.0)) return;
+    const Vec3 apart = e.element_velocity(i) +
+                       e.element_omega(i).cross(a.point - e.element_centre(i)) -
+                       race.velocity_at(a.point);
+    forces_.collect({i, static_cast<int>(pair.side), a}, i,
+                    2 * race_ + static_cast<std::size_t>(pair.side), a.contact.gap,
+                    apart.dot(roller.to_base(a.contact.normal)), a.load);
+  }
+
+  const std::vector<std::vector<statics::FlangePair>>& pairs_;
+  std::size_t race_;
+  double mass_offset_;
+  const tribology::TractionLaw* friction_;
+  UserFlangeForces& forces_;
+  FlangeAccount& account_;
+};
+
 class RollerFlanges final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
@@ -156,14 +226,24 @@ class RollerFlanges final : public SceneEffect {
           traction_of(scene, tribology::TractionKind::RollerFlange, *scene.bearing.flange_traction);
     }
     has_friction_ = traction;
+    scene::UserForce* const routine = scene.options.user ? scene.options.user->flange : nullptr;
     for (std::size_t j = 0; j < 2; ++j) {
       if (!scene.bearing.rollers()->has_flange(static_cast<int>(j))) continue;
       const std::string name = j == 0 ? "outer race flanges" : "inner race flanges";
       scene.block<FlangeBlock>(Phase::Force, name, BodyId{BodyId::Kind::Race, static_cast<int>(j)},
                                pairs_, j, mass_offset_, traction ? &friction_ : nullptr,
                                account_[j]);
+      if (routine != nullptr) {
+        constexpr std::size_t kFlanges = 2;  // of a race
+        forces_[j].emplace(*routine,
+                           kFlanges * static_cast<std::size_t>(scene.bearing.element_count()));
+        scene.block<UserFlangeBlock>(
+            Phase::Force, "user routine ADRX2", BodyId{BodyId::Kind::Race, static_cast<int>(j)},
+            pairs_, j, mass_offset_, traction ? &friction_ : nullptr, *forces_[j], account_[j]);
+      }
+      if (traction || routine != nullptr)
+        scene.energy(name + ".heat", kHeat, &account_[j].heat, static_cast<int>(j));
       if (!traction) continue;
-      scene.energy(name + ".heat", kHeat, &account_[j].heat, static_cast<int>(j));
       if (scene.plan.has(Effect::WearIntegrals))
         scene.integral(load_slip_[j], name + ".load_slip", "J", &account_[j].load_slip);
     }
@@ -183,6 +263,18 @@ class RollerFlanges final : public SceneEffect {
         snapshot.elements[i].flange[j][static_cast<std::size_t>(pair.side)] = {
             true, a.load, a.contact.gap, a.contact.height, a.slip, a.heat, a.load * a.slip};
       }
+    for (std::size_t j = 0; j < 2; ++j) {
+      if (!forces_[j]) continue;
+      forces_[j]->for_differences(
+          [&](const UserFlangeTouch& touch, std::size_t, double difference) {
+            auto& flange =
+                snapshot.elements[touch.roller].flange[j][static_cast<std::size_t>(touch.side)];
+            const double ratio = 1.0 + difference / touch.action.load;
+            flange.force *= ratio;
+            flange.heat *= ratio;
+            flange.load_slip *= ratio;
+          });
+    }
   }
 
  private:
@@ -191,7 +283,8 @@ class RollerFlanges final : public SceneEffect {
   tribology::TractionLaw friction_;
   bool has_friction_ = false;
   std::array<FlangeAccount, 2> account_;
-  std::array<int, 2> load_slip_{-1, -1};  ///< in the state
+  std::array<std::optional<UserFlangeForces>, 2> forces_;  ///< ADRX2 by race
+  std::array<int, 2> load_slip_{-1, -1};                   ///< in the state
 };
 
 }  // namespace

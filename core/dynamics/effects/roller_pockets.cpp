@@ -93,6 +93,12 @@ class RollerPocketSet {
   [[nodiscard]] std::size_t surfaces(std::size_t i) const noexcept {
     return pockets_[i].round ? 1 : pockets_[i].faces.size();
   }
+  /// Slices on all surfaces, and both ends, of all pockets.
+  [[nodiscard]] std::size_t most_contacts() const noexcept {
+    std::size_t out = 0;
+    for (std::size_t i = 0; i < size(); ++i) out += surfaces(i) * roller_of(i).slices.size() + 2;
+    return out;
+  }
   /// Does the cut leave surface k?
   [[nodiscard]] bool is_there(std::size_t i, std::size_t k) const noexcept {
     const RollerPocket& pocket = pockets_[i];
@@ -337,6 +343,113 @@ void RollerPocketBlock<Traction>::lean(Evaluation& e, std::size_t i,
   e.segments[set_.segment(i)].add_force(-f, e.element_centre(roller) + arm);
 }
 
+/// A contact that ADRX3 is asked for: one slice, or one end of a pocket.
+struct UserTouch {
+  std::size_t pocket = 0, roller = 0;
+  bool at_end = false;
+  Vec3 point, normal;  ///< into the wall
+  Vec3 middle, aside;  ///< of a leaning slice, per newton; zero
+  Vec3 friction, arm;  ///< on the roller; from its mass centre to the point
+  double slip = 0.0, heat = 0.0;
+};
+using UserTouches = UserForces<UserTouch>;
+
+/// ADRX3 (user_forces.hpp): every slice, and both ends of a pocket, whose surfaces are numbered
+/// behind those of its wall.
+class UserRollerPocketBlock final : public EffectBlock {
+ public:
+  UserRollerPocketBlock(const RollerPocketSet& set, const tribology::TractionLaw* friction,
+                        UserTouches& forces, double& heat)
+      : set_(set), forces_(forces), heat_(heat) {
+    if (friction != nullptr) friction_ = *friction;
+  }
+  void apply(Evaluation& e) noexcept override {
+    forces_.clear();
+    if (friction_)
+      friction_->visit_rounded([&](const auto& friction) { collect_all(friction, e); });
+    else
+      collect_all(nullptr, e);
+    const bool valid =
+        forces_.ask(e.t, [&](const UserTouch& touch, double more, double difference, double rate) {
+          BodyState& cage = e.segments[set_.segment(touch.pocket)];
+          const Vec3 f = more * touch.friction - difference * touch.normal;
+          add(e, cage, touch.roller, f, touch.arm);
+          if (!touch.aside.isZero(0.0))
+            add(e, cage, touch.roller, difference * touch.aside, touch.middle);
+          cage.load_slip += difference * touch.slip;
+          heat_ += more * touch.heat - difference * rate;
+        });
+    if (!valid) e.valid = false;
+  }
+
+ private:
+  static void add(Evaluation& e, BodyState& cage, std::size_t roller, const Vec3& f,
+                  const Vec3& arm) noexcept {
+    e.add_force(roller, e.to_cylindrical(roller, f));
+    e.add_moment(roller, e.to_cylindrical(roller, arm.cross(f)));
+    cage.add_force(-f, e.element_centre(roller) + arm);
+  }
+  template <class Friction>
+  void collect_all(const Friction& friction, const Evaluation& e) noexcept {
+    for (std::size_t i = 0; i < set_.size(); ++i) {
+      const RollerPocketSet::Place at = set_.locate(e, i);
+      if (!set_.is_inside(i, at.q)) continue;
+      for (std::size_t k = 0; k < set_.surfaces(i); ++k) {
+        if (!set_.is_there(i, k) || set_.surely_open(i, k, at)) continue;
+        set_.for_slices(i, k, at, [&](const contact::PocketSlice& slice, double load, double) {
+          if (load > 0.0 && slice.gap < 0.0)
+            collect(friction, e, i, at, k, slice.m, slice.point, slice.middle, slice.aside,
+                    slice.gap, load);
+        });
+      }
+      set_.for_ends(i, at, [&](const contact::EndTouch& touch, double load, double) {
+        const std::size_t surface = set_.surfaces(i) + (touch.out[0] > 0.0 ? 1 : 0);
+        collect(friction, e, i, at, surface, touch.out, touch.point, Vec3::Zero(), Vec3::Zero(),
+                touch.gap, load);
+      });
+    }
+  }
+  /// Geometry in the pocket frame.
+  template <class Friction>
+  void collect(const Friction& friction, const Evaluation& e, std::size_t i,
+               const RollerPocketSet::Place& at, std::size_t surface, const Vec3& into,
+               const Vec3& point, const Vec3& middle, const Vec3& aside, double gap,
+               double load) noexcept {
+    const BodyState& cage = e.segments[set_.segment(i)];
+    const std::size_t roller = set_.element(i);
+    const Vec3 to_mass = set_.mass_offset() * e.attitude[roller].col(0);
+    UserTouch t;
+    t.pocket = i;
+    t.roller = roller;
+    t.at_end = surface >= set_.surfaces(i);
+    t.normal = at.to_base * into;
+    t.arm = at.to_base * (point - at.q) - to_mass;
+    t.middle = at.to_base * (middle - at.q) - to_mass;
+    t.aside = at.to_base * aside;
+    t.friction.setZero();
+    const auto apart = [&](const Vec3& arm) -> Vec3 {  // cage - roller velocity
+      return cage.velocity_at(e.element_centre(roller) + arm) - e.element_velocity(roller) -
+             e.element_omega(roller).cross(arm);
+    };
+    const Vec3 u = apart(t.arm);
+    double rate = u.dot(t.normal);
+    if (!aside.isZero(0.0)) rate -= apart(t.middle).dot(t.aside);
+    if constexpr (!std::is_null_pointer_v<Friction>) {
+      const Vec3 slip = u - u.dot(t.normal) * t.normal;
+      const double square = slip.squaredNorm(), per_slip = load * friction(square);
+      t.friction = per_slip * slip;
+      t.slip = std::sqrt(square);
+      t.heat = per_slip * square;
+    }
+    forces_.collect(t, roller, surface, gap, rate, load);
+  }
+
+  const RollerPocketSet& set_;
+  std::optional<tribology::TractionLaw> friction_;
+  UserTouches& forces_;
+  double& heat_;
+};
+
 class RollerPockets final : public SceneEffect, public ElementSupport {
  public:
   void declare(SceneBuilder& scene) override {
@@ -346,27 +459,36 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
     demand(!traction || scene.bearing.pocket_traction.has_value(),
            "pocket traction is on without a traction curve");
     constexpr std::string_view kCost = "pocket contacts";
-    if (traction) scene.block<NoHeatYet>(Phase::Force, kCost, {}, heat_);
+    scene::UserForce* const routine = scene.options.user ? scene.options.user->pocket : nullptr;
+    if (traction || routine != nullptr) scene.block<NoHeatYet>(Phase::Force, kCost, {}, heat_);
+    std::optional<tribology::TractionLaw> friction;
+    if (traction)
+      friction =
+          traction_of(scene, tribology::TractionKind::ElementCage, *scene.bearing.pocket_traction);
     const contact::CagePieces pieces = pieces_of(scene);
     const auto add = [&](std::optional<RollerPocketSet>& set,
-                         const std::vector<contact::PlacedPocket>& pockets) {
+                         const std::vector<contact::PlacedPocket>& pockets,
+                         std::optional<UserTouches>& forces) {
       set.emplace(scene, pockets);
       std::vector<BodyId> partners(pieces.pockets.size(), BodyId{BodyId::Kind::Segment, -1});
       for (const contact::PlacedPocket& pocket : pockets)
         partners[pocket.element].index = pocket.piece;
-      if (traction)
-        scene.block<RollerPocketBlock<true>>(
-            Phase::Force, kCost, Partners(std::move(partners)), *set,
-            traction_of(scene, tribology::TractionKind::ElementCage,
-                        *scene.bearing.pocket_traction),
-            heat_);
+      std::vector<BodyId> same = partners;
+      if (friction)
+        scene.block<RollerPocketBlock<true>>(Phase::Force, kCost, Partners(std::move(partners)),
+                                             *set, *friction, heat_);
       else
         scene.block<RollerPocketBlock<false>>(Phase::Force, kCost, Partners(std::move(partners)),
                                               *set, tribology::TractionLaw(), heat_);
+      if (routine == nullptr) return;
+      forces.emplace(*routine, set->most_contacts());
+      scene.block<UserRollerPocketBlock>(Phase::Force, "user routine ADRX3",
+                                         Partners(std::move(same)), *set,
+                                         friction ? &*friction : nullptr, *forces, heat_);
     };
-    add(set_, pieces.pockets);
-    if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves);
-    if (traction) scene.energy("pockets.heat", kPocketHeat, &heat_);
+    add(set_, pieces.pockets, forces_[0]);
+    if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves, forces_[1]);
+    if (traction || routine != nullptr) scene.energy("pockets.heat", kPocketHeat, &heat_);
     scene.supports(*this);
   }
 
@@ -399,11 +521,23 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
       snapshot.elements[i].pocket = set_->report(i, at);
       snapshot.elements[i].pocket_to_centre = at.q;
     }
+    const auto add_user = [](const std::optional<UserTouches>& forces, const auto& pocket) {
+      if (forces)
+        forces->for_differences(
+            [&](const UserTouch& touch, std::size_t surface, double difference) {
+              if (!touch.at_end) pocket(touch.pocket).at(surface).force += difference;
+            });
+    };
+    add_user(
+        forces_[0], [&](std::size_t i) -> auto& { return snapshot.elements[i].pocket; });
     if (!last_halves_) return;
     snapshot.cages.resize(last_halves_->size());
+    const auto last_half = [&](std::size_t i) -> auto& {
+      return snapshot.cages[last_halves_->segment(i)].last_half;
+    };
     for (std::size_t i = 0; i < last_halves_->size(); ++i)
-      snapshot.cages[last_halves_->segment(i)].last_half =
-          last_halves_->report(i, last_halves_->locate(e, i));
+      last_half(i) = last_halves_->report(i, last_halves_->locate(e, i));
+    add_user(forces_[1], last_half);
   }
 
  private:
@@ -428,7 +562,8 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
 
   std::optional<RollerPocketSet> set_;
   std::optional<RollerPocketSet> last_halves_;  ///< of segments that are cut through their pockets
-  double heat_ = 0.0;                           ///< now [W]
+  std::array<std::optional<UserTouches>, 2> forces_;  ///< ADRX3 of both sets
+  double heat_ = 0.0;                                 ///< now [W]
 };
 
 }  // namespace

@@ -27,4 +27,15 @@ namespace adore::dynamics {
   return curve;
 }
 
+/// Sets the heat of a kind of contacts to zero before the blocks that add to it.
+class NoHeatYet final : public EffectBlock {
+ public:
+  explicit NoHeatYet(double& heat) : heat_(heat) {}
+  [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
+  void apply(Evaluation&) noexcept override { heat_ = 0.0; }
+
+ private:
+  double& heat_;
+};
+
 }  // namespace adore::dynamics

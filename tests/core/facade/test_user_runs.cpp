@@ -13,7 +13,9 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <sstream>
 
@@ -43,13 +45,17 @@ struct Ran {
   std::map<std::string, double> last;  ///< the last state by name
 };
 
-/// The ball deck with changes and lines of records 12.x.
-std::string deck_with(const Sets& sets, const std::string& lines) {
-  deck::Deck deck = deck::new_deck("ball");
+/// A deck of a type with changes and lines of records 12.x.
+std::string deck_of(const std::string& type, const Sets& sets, const std::string& lines) {
+  deck::Deck deck = deck::new_deck(type);
   Sets all{{"nStps", "1"}, {"maxStps", "100000"}, {"kAGraf", "0"}, {"kPrtFreq", "0"}};
   all.insert(all.end(), sets.begin(), sets.end());
   deck.set_all(all);
   return deck::write_deck(deck) + lines;
+}
+
+std::string deck_with(const Sets& sets, const std::string& lines) {
+  return deck_of("ball", sets, lines);
 }
 
 facade::RunRequest request_of(const std::string& name, const std::string& deck,
@@ -102,6 +108,21 @@ double difference(const Ran& a, const Ran& b) {
   double out = 0.0;
   for (const auto& [kind, value] : worst)
     if (size[kind] > 1e-12) out = std::max(out, value / size[kind]);
+  return out;
+}
+
+/// A plug-in of one force law: F of a contact k.
+using Force = std::function<double(const adore_force&, std::int64_t k)>;
+std::shared_ptr<user::PlugIn> force_law(int hook, const Force& law) {
+  auto out = std::make_shared<user::PlugIn>();
+  out->source = "the test";
+  out->hooks[static_cast<std::size_t>(hook)] = [law](adore_call& call) {
+    call.active = 1;
+    if (call.mode != ADORE_COMPUTE) return 0;
+    auto& a = reinterpret_cast<adore_force&>(call);
+    for (std::int64_t k = 0; k < a.n; ++k) a.force[k] = law(a, k);
+    return 0;
+  };
   return out;
 }
 
@@ -282,4 +303,86 @@ TEST_CASE("materials, imperfections and pockets of the user take their place", "
   const Ran other = ran_with(stiff);
   CHECK(difference(built_in, other) > 1e-9);
   CHECK(std::abs(other.outcome.energy_residual) < 1e-3 * other.outcome.energy_scale);
+}
+
+TEST_CASE("force laws of flanges, pockets and lands: restated they change nothing, others act",
+          "[user][physics]") {
+  struct Case {
+    const char* name;
+    int hook;
+    const char* type;
+    Sets sets;
+    double power;  ///< n of N = K overlap^n; 0: not a power
+    const char* until;
+  };
+  const Sets fast_cage{{"avRatio", "1.2"}}, none;
+  for (const Case& c :
+       {Case{"flange", 2, "tapered", none, 1.5, "1e-4s"},
+        Case{"roller pocket", 3, "cylindrical", fast_cage, 0.0, "2e-4s"},
+        Case{"tapered pocket", 3, "tapered", fast_cage, 0.0, "2e-4s"},
+        Case{"land", 4, "cylindrical", {{"cageGsCls[1]", "1.0e-08"}}, 0.0, "2e-4s"}}) {
+    CAPTURE(c.name);
+    const auto with = [&](const Force& law) {
+      auto request = request_of("force", deck_of(c.type, c.sets, ""), c.until);
+      if (law) request.routines = force_law(c.hook, law);
+      return ran_with(request);
+    };
+    const Ran built_in = with(nullptr);
+    REQUIRE(built_in.outcome.status == facade::RunStatus::Done);
+    CHECK(difference(built_in, with([](const adore_force& a, std::int64_t k) {
+                       return a.built_in[k];
+                     })) == 0.0);
+    std::int64_t asked = 0;
+    double least = 1e300, most = 0.0;
+    const Ran counted = with([&](const adore_force& a, std::int64_t k) {
+      ++asked;
+      const double K = a.built_in[k] / std::pow(-a.gap[k], c.power);
+      least = std::min(least, K);
+      most = std::max(most, K);
+      return a.built_in[k];
+    });
+    CHECK(asked > 100);
+    if (c.power > 0.0) {
+      // The same law in other words: one constant, and the same motion to rounding.
+      CHECK(most / least - 1.0 < 1e-12);
+      const Ran restated = with([&](const adore_force& a, std::int64_t k) {
+        return most * std::pow(-a.gap[k], c.power);
+      });
+      // pow and d sqrt(d) differ in the last bit; control of steps makes 1.5e-8 of it.
+      CHECK(difference(built_in, restated) < 1e-7);
+    }
+    // Stiffer, and damped by the rate: both move otherwise, and the ledger closes.
+    const Ran stiff =
+        with([](const adore_force& a, std::int64_t k) { return 1.5 * a.built_in[k]; });
+    const Ran damped = with([](const adore_force& a, std::int64_t k) {
+      return std::max(0.0, a.built_in[k] * (1.0 - 5.0 * a.gap_rate[k]));
+    });
+    for (const Ran* ran : {&stiff, &damped}) {
+      REQUIRE(ran->outcome.status == facade::RunStatus::Done);
+      CHECK(difference(built_in, *ran) > 1e-9);
+      CHECK(std::abs(ran->outcome.energy_residual) <
+            std::max(1e-5 * ran->outcome.energy_scale,
+                     3.0 * std::abs(built_in.outcome.energy_residual)));
+    }
+  }
+}
+
+TEST_CASE("force laws that have nothing to act on, or cannot act, are named", "[user][unit]") {
+  const auto says = [](int hook, const std::string& type, const Sets& sets) {
+    facade::DeckRequest request;
+    request.text = deck_of(type, sets, "");
+    request.routines =
+        force_law(hook, [](const adore_force& a, std::int64_t k) { return a.built_in[k]; });
+    std::string out;
+    for (const Issue& issue : facade::prepare(request).input.warnings) out += issue.text() + "\n";
+    return out;
+  };
+  CHECK_THAT(says(2, "ball", {}), Catch::Contains("ADRX2") && Catch::Contains("no flanges"));
+  CHECK_THAT(says(3, "ball", {{"mode", "-1"}}), Catch::Contains("ADRX3 of the test is active and "
+                                                                "does nothing here"));
+  CHECK_THROWS_WITH(says(2, "tapered", {{"mode", "1"}}),
+                    Catch::Contains("ADRX2") && Catch::Contains("balance"));
+  CHECK_THROWS_WITH(
+      says(4, "ball", {{"kCageGsImp", "2"}, {"nGL", "1"}, {"cageGsRadVar1[1]", "1e-6"}}),
+      Catch::Contains("ADRX4") && Catch::Contains("arc"));
 }
