@@ -106,6 +106,14 @@ template <class S>
   };
   for (int i = points.rows_of[column]; i > 0; --i) {
     const T xi = next(row), half_width = next(row), load = next(row), h = next(row);
+    const auto r = sum.row(xi, half_width, load, h);
+    if (in.nodes.minor == 2) {
+      const T s_behind = next(slip), s_ahead = next(slip);
+      const T g_behind = ScalarMath<T>::over(next(kappa), s_behind, next(inverse));
+      const T g_ahead = ScalarMath<T>::over(next(kappa), s_ahead, next(inverse));
+      sum.add_row_of_two(r, {g_ahead + g_behind, g_ahead - g_behind, s_ahead + s_behind});
+      continue;
+    }
     T g0 = 0.0, g1 = 0.0, g2 = 0.0, speed = 0.0;
     for (int j = 0; j < in.nodes.minor; ++j) {
       const T s = next(slip);
@@ -115,7 +123,7 @@ template <class S>
       g2 += g * in.nodes.weight_v2[j];
       speed += s * in.nodes.weight_v[j];
     }
-    sum.add_moments(sum.row(xi, half_width, load, h), g0, g1, g2, speed);
+    sum.add_moments(r, g0, g1, g2, speed);
   }
   return sum.sums();
 }

@@ -161,6 +161,25 @@ class EllipseSum {
     sum_.heat += r.u_t * f_t + r.mean * f_c - r.swing * f_cv;
     sum_.load_slip += r.load * speed;
   }
+  /// κ/s at the two points of a row, sum and difference (second less first), and Σ s.
+  struct RowOfTwo {
+    T sum, difference, slips;
+  };
+  /// Adds a row of a rule with two minor nodes ±v of half the weight each: with q = swing v,
+  /// u_c = mean ∓ q, F_c = ½ load (mean sum - q difference).
+  [[gnu::always_inline]] void add_row_of_two(const Row& r, const RowOfTwo& at) {
+    const T q = r.swing * nodes_.v[1], half = 0.5 * r.load;
+    const T f_t = half * (at.sum * r.u_t);
+    const T f_c = half * (r.mean * at.sum - q * at.difference);
+    const T f_cv = half * (r.mean * at.difference - q * at.sum);
+    sum_.F_c += f_c;
+    sum_.F_t += f_t;
+    sum_.M_c -= r.h * f_t;
+    sum_.M_t += r.h * f_c;
+    sum_.M_n += r.xi * f_t - (r.half_width * nodes_.v[1]) * f_cv;
+    sum_.heat += r.u_t * f_t + r.mean * f_c - q * f_cv;
+    sum_.load_slip += half * at.slips;
+  }
   [[nodiscard]] const EllipseSums<T>& sums() const { return sum_; }
 
   /// u_t at ξ.
@@ -229,19 +248,8 @@ class EllipseSum {
                                       const T& load) {
     const Row r = row(xi, half_width, load);
     if constexpr (of_slip_alone()) {
-      if (nodes_.minor == 2) {  // ±v of half the weight each: moments are sums and differences
-        const T q = r.swing * nodes_.v[1], half = 0.5 * r.load;
-        const RowOfTwo at = row_of_two(r.mean - q, r.mean + q, r.fixed);
-        const T f_t = half * (at.sum * r.u_t);
-        const T f_c = half * (r.mean * at.sum - q * at.difference);
-        const T f_cv = half * (r.mean * at.difference - q * at.sum);
-        sum_.F_c += f_c;
-        sum_.F_t += f_t;
-        sum_.M_c -= r.h * f_t;
-        sum_.M_t += r.h * f_c;
-        sum_.M_n += r.xi * f_t - (r.half_width * nodes_.v[1]) * f_cv;
-        sum_.heat += r.u_t * f_t + r.mean * f_c - q * f_cv;
-        sum_.load_slip += half * at.slips;
+      if (nodes_.minor == 2) {
+        add_row_of_two(r, row_of_two(r));
         return;
       }
     }
@@ -289,15 +297,11 @@ class EllipseSum {
     add_moments(r, g0, g1, g2, speed);
   }
 
-  /// Σ of κ/s at two points of a row, its difference, and the sum of their slips.
-  struct RowOfTwo {
-    T sum, difference, slips;
-  };
-  [[gnu::always_inline]] RowOfTwo row_of_two(const T& ahead, const T& behind,
-                                             const T& fixed) const {
-    T slip_ahead, slip_behind;
-    const T g_ahead = law_.of_rounded(ahead * ahead + fixed, T(0.0), slip_ahead);
-    const T g_behind = law_.of_rounded(behind * behind + fixed, T(0.0), slip_behind);
+  [[gnu::always_inline]] RowOfTwo row_of_two(const Row& r) const {
+    const T behind = cross_slip(r, 0), ahead = cross_slip(r, 1);
+    T slip_behind, slip_ahead;
+    const T g_behind = law_.of_rounded(behind * behind + r.fixed, T(0.0), slip_behind);
+    const T g_ahead = law_.of_rounded(ahead * ahead + r.fixed, T(0.0), slip_ahead);
     return {g_ahead + g_behind, g_ahead - g_behind, slip_ahead + slip_behind};
   }
 

@@ -199,34 +199,37 @@ TEST_CASE("a free race on its balls vibrates and decays as the linearised equati
 
 TEST_CASE("what damping takes is in the energy ledger, on perfect and on wavy races",
           "[physics][dynamics][energy][damping]") {
-  for (const bool wavy : {false, true}) {
-    bearing::Bearing b = angular_contact();
-    if (wavy)
-      for (bearing::RaceErrors& e : b.imperfections.race) {
-        e.roundness = bearing::RaceErrors::Roundness::Sinusoidal;
-        e.variation = {2e-6, 11.0, 0.4};
+  for (const bool whole : {false, true})
+    for (const bool wavy : {false, true}) {
+      bearing::Bearing b = angular_contact();
+      if (wavy)
+        for (bearing::RaceErrors& e : b.imperfections.race) {
+          e.roundness = bearing::RaceErrors::Roundness::Sinusoidal;
+          e.variation = {2e-6, 11.0, 0.4};
+        }
+      // Whole, what is left at any tolerance are bends of the traction, met by a ball at a time.
+      scene::ScenePlan plan = whole ? full_plan() : plan_with({Effect::RaceContact});
+      plan.effects.push_back({Effect::ContactDamping, "", true, "test"});
+      std::vector<double> residual;
+      for (const double tolerance : {1e-5, 1e-8}) {
+        System system = make_system(b, plan, damped(0.3));
+        const double end = 5e-4;
+        std::vector<double> y = system.initial_state();
+        for (std::size_t i = 0; i < 18; ++i) y[place_of(system, "element.r_dot") + i] += 0.2;
+        const RunResult result = run(system, y, end, tolerance);
+        const Snapshot s = system.snapshot(end, result.y);
+        const double heat =
+            s.energy.value("contact_damping", 0) + s.energy.value("contact_damping", 1);
+        CHECK(heat > 0.0);
+        CHECK(power(s) >= 0.0);
+        residual.push_back(std::abs(s.energy.residual()));
+        INFO((whole ? "whole, " : "races only, ")
+             << (wavy ? "wavy" : "perfect") << " races, tolerance " << tolerance << ": heat "
+             << heat << " J, residual " << residual.back() << " J");
+        if (tolerance < 1e-6) CHECK(residual.back() < (whole ? 1e-3 : 1e-6) * heat);
       }
-    scene::ScenePlan plan = full_plan();
-    plan.effects.push_back({Effect::ContactDamping, "", true, "test"});
-    std::vector<double> residual;
-    for (const double tolerance : {1e-5, 1e-8}) {
-      System system = make_system(b, plan, damped(0.3));
-      const double end = 5e-4;
-      std::vector<double> y = system.initial_state();
-      for (std::size_t i = 0; i < 18; ++i) y[place_of(system, "element.r_dot") + i] += 0.2;
-      const RunResult result = run(system, y, end, tolerance);
-      const Snapshot s = system.snapshot(end, result.y);
-      const double heat =
-          s.energy.value("contact_damping", 0) + s.energy.value("contact_damping", 1);
-      CHECK(heat > 0.0);
-      CHECK(power(s) >= 0.0);
-      residual.push_back(std::abs(s.energy.residual()));
-      INFO((wavy ? "wavy" : "perfect") << " races, tolerance " << tolerance << ": heat " << heat
-                                       << " J, residual " << residual.back() << " J");
-      if (tolerance < 1e-6) CHECK(residual.back() < 1e-3 * heat);
+      if (!whole) CHECK(residual[1] < 0.1 * residual[0]);
     }
-    CHECK(residual[1] < residual[0]);
-  }
 }
 
 TEST_CASE("rollers: what damping takes is in the energy ledger, on perfect and on wavy races",

@@ -118,3 +118,8 @@ TEST_CASE("mode 1 of the tapered example has the heat and the cage speed of mode
   // by 0.5 %; cages that start elsewhere spread by 6 %, 18.7 to 22.2 mJ over two turns.
   check_with_spread("tapered", {}, 2, kCages);
 }
+
+TEST_CASE("mode 1 of the spherical-tapered example has the heat and the cage speed of mode 0",
+          "[physics][facade][constrained][slow]") {
+  check_with_spread("spherical-tapered", {}, 2, kCages);
+}
