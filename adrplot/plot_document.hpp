@@ -26,7 +26,7 @@ struct PlotDocument {
 
 /// Numbers of a file that are held at a time [values]; of longer ones those of a few pages, and the
 /// file is read again for others.
-inline constexpr std::size_t kMostValues = 12'000'000;
+inline constexpr std::size_t kMostValues = 9'000'000;
 
 /// SOL1-SOL7 (with all digits where RESULTS.h5 of the same run lies beside the file), the RUN.json
 /// of a quasi-static run, or a SWEEP.csv, told apart by their names' endings (.json, .csv) and else

@@ -91,7 +91,7 @@ void flange_view(const Scene& s) {
                                                     : std::string("no contact"),
                                         desktop::pretty_quantity(gap, unit, 3))))});
   }
-  draw_key(s.sketch, key,
+  draw_key(s, key,
            QString::fromStdString(fmt::format(
                "roller {} at the {} race  ·  gaps × {}  ·  skew {:.3f}°, to scale  ·  seen from "
                "outside, +x to the right",

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "agore/picture_key.hpp"
 #include "agore/sketch.hpp"
 #include "agore/solid_view.hpp"
 
@@ -9,6 +10,7 @@ namespace adore::agore {
 struct Kept {
   SolidLayer solid;
   CageOutlines cages;
+  KeyPicture key;
 };
 
 }  // namespace adore::agore

@@ -98,10 +98,77 @@ QRectF MotionPicture::timeBar(const QRectF& area) {
 void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t frame,
                           const ViewOptions& options) {
   for (std::size_t i = 0; i <= options.beside.size(); ++i) check_view(animation_, options.tile(i));
-  const desktop::Theme& t = theme_of(options);
+  const std::vector<QRectF> tiles = innerAreas(area, 1 + options.beside.size());
+  kept_.resize(std::max(kept_.size(), tiles.size()));
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(area, t.surface);
+  if (on_pixels(painter)) {
+    const double ratio = painter.device()->devicePixelRatioF();
+    painter.drawImage(area.topLeft(), backdrop(area, ratio, frame, options));
+  } else {
+    painter.fillRect(area, theme_of(options).surface);
+    paintSetting(painter, area, options);
+    for (std::size_t i = 0; i < tiles.size(); ++i)
+      paint_picture(painter, tiles[i], animation_, frame, options.tile(i), &kept_[i],
+                    Layers::Still);
+  }
+  for (std::size_t i = 0; i < tiles.size(); ++i)
+    paint_picture(painter, tiles[i], animation_, frame, options.tile(i), &kept_[i], Layers::Moving);
+  paintMoment(painter, dataArea(area), frame, options);
+  paintTimeBar(painter, timeBar(area), frame, theme_of(options));
+  painter.restore();
+}
+
+std::vector<QRectF> MotionPicture::innerAreas(const QRectF& area, std::size_t views) {
+  std::vector<QRectF> tiles = pictureAreas(area, views);
+  if (tiles.size() > 1)
+    for (QRectF& tile : tiles) tile.adjust(4.0, 28.0, -4.0, -2.0);
+  return tiles;
+}
+
+MotionPicture::Setting MotionPicture::setting(QSizeF size, double ratio,
+                                              const ViewOptions& options) {
+  Setting out{size, ratio, options.view, options.element, options.flange_race, options.dark, {}};
+  for (const SideView& side : options.beside) out.beside.push_back(side.view);
+  return out;
+}
+
+const QImage& MotionPicture::backdrop(const QRectF& area, double ratio, std::size_t frame,
+                                      const ViewOptions& options) {
+  const desktop::Theme& t = theme_of(options);
+  const Setting now = setting(area.size(), ratio, options);
+  const QRectF all(QPointF(0.0, 0.0), area.size());
+  const auto draw = [&](const auto& what) {
+    QPainter once(&backdrop_);
+    once.setRenderHint(QPainter::Antialiasing);
+    what(once);
+  };
+  if (!(now == setting_) || backdrop_.isNull()) {
+    backdrop_ = QImage((area.size() * ratio).toSize(), QImage::Format_RGB32);
+    backdrop_.setDevicePixelRatio(ratio);
+    backdrop_.fill(t.surface);
+    draw([&](QPainter& once) { paintSetting(once, all, options); });
+    setting_ = now;
+    still_.clear();
+  }
+  const std::vector<QRectF> tiles = innerAreas(all, 1 + options.beside.size());
+  still_.resize(tiles.size());
+  for (std::size_t i = 0; i < tiles.size(); ++i) {
+    const ViewOptions own = options.tile(i);
+    const StillKey key = still_key(tiles[i], animation_, frame, own);
+    if (key == still_[i]) continue;
+    still_[i] = key;
+    draw([&](QPainter& once) {
+      once.fillRect(tiles[i], t.surface);
+      paint_picture(once, tiles[i], animation_, frame, own, &kept_[i], Layers::Still);
+    });
+  }
+  return backdrop_;
+}
+
+void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
+                                 const ViewOptions& options) {
+  const desktop::Theme& t = theme_of(options);
   painter.setFont(desktop::ui_font(18, true));
   painter.setPen(t.text);
   painter.drawText(QPointF(area.left() + kMargin, area.top() + 30),
@@ -113,54 +180,36 @@ void MotionPicture::paint(QPainter& painter, const QRectF& area, std::size_t fra
       QPointF(area.left() + kMargin, area.top() + 50),
       QString::fromStdString(run + "   ·   " + animation_.file.path.filename().string() +
                              "   ·   " + animation_.source));
-
-  paintViews(painter, area, frame, options);
-  paintDataArea(painter, dataArea(area), frame, options);
-  paintTimeBar(painter, timeBar(area), frame, t);
+  const std::vector<QRectF> tiles = pictureAreas(area, 1 + options.beside.size());
+  for (std::size_t i = 0; i < tiles.size() && tiles.size() > 1; ++i) {
+    painter.setPen(QPen(t.grid, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(tiles[i]);
+    painter.setFont(desktop::ui_font(12, true));
+    painter.setPen(t.text);
+    painter.drawText(tiles[i].adjusted(8.0, 4.0, -8.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
+                     QString::fromStdString(view_title(options.tile(i).view)));
+  }
+  const QRectF data = dataArea(area);
+  makeDataPage(data.size(), options);
+  painter.save();
+  data_.paintPage(painter, data);
   painter.restore();
 }
 
-void MotionPicture::paintViews(QPainter& painter, const QRectF& area, std::size_t frame,
-                               const ViewOptions& options) {
-  const std::vector<QRectF> tiles = pictureAreas(area, 1 + options.beside.size());
-  kept_.resize(std::max(kept_.size(), tiles.size()));
-  const desktop::Theme& t = theme_of(options);
-  for (std::size_t i = 0; i < tiles.size(); ++i) {
-    QRectF tile = tiles[i];
-    if (tiles.size() > 1) {
-      painter.setPen(QPen(t.grid, 1.0));
-      painter.setBrush(Qt::NoBrush);
-      painter.drawRect(tile);
-      painter.setFont(desktop::ui_font(12, true));
-      painter.setPen(t.text);
-      painter.drawText(tile.adjusted(8.0, 4.0, -8.0, 0.0), Qt::AlignLeft | Qt::AlignTop,
-                       QString::fromStdString(view_title(options.tile(i).view)));
-      tile.adjust(4.0, 28.0, -4.0, -2.0);
-    }
-    paint_picture(painter, tile, animation_, frame, options.tile(i), &kept_[i]);
-  }
+void MotionPicture::makeDataPage(QSizeF size, const ViewOptions& options) {
+  Setting now = setting(size, 1.0, options);
+  now.beside.clear();
+  if (now == data_setting_) return;
+  data_.setTheme(theme_of(options));
+  data_.setPageSize(size);
+  data_.setPage(data_page(animation_, options));
+  data_setting_ = now;
 }
 
-void MotionPicture::paintDataArea(QPainter& painter, const QRectF& area, std::size_t frame,
-                                  const ViewOptions& options) {
-  const double ratio = painter.device()->devicePixelRatioF();
-  const QSize pixels = (area.size() * ratio).toSize();
-  const bool fresh =
-      !data_image_.isNull() && data_image_.size() == pixels && data_options_.view == options.view &&
-      data_options_.element == options.element &&
-      data_options_.flange_race == options.flange_race && data_options_.dark == options.dark;
-  if (!fresh) {
-    data_.setTheme(theme_of(options));
-    data_.setPageSize(area.size());
-    data_.setPage(data_page(animation_, options));
-    data_image_ = QImage(pixels, QImage::Format_RGB32);
-    data_image_.setDevicePixelRatio(ratio);
-    data_image_.fill(theme_of(options).surface);
-    QPainter once(&data_image_);
-    data_.paintPage(once, QRectF(QPointF(0, 0), area.size()));
-    data_options_ = options;
-  }
-  painter.drawImage(area.topLeft(), data_image_);
+/// The present moment on the curves, and their values there.
+void MotionPicture::paintMoment(QPainter& painter, const QRectF& area, std::size_t frame,
+                                const ViewOptions& options) {
   const desktop::Theme& t = theme_of(options);
   painter.setPen(QPen(t.red, 1.4));
   const double x = area.left() + data_.positionOf(animation_.time.at(frame));

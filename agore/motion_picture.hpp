@@ -13,7 +13,8 @@
 namespace adore::agore {
 
 /// A whole frame: heading, picture area, data area with the present moment marked, and the time bar
-/// that fills. The data area's curves are drawn once per size and view, so that a frame is quick.
+/// that fills. On a screen everything that stands still (headings, curves, rings of the races) is
+/// drawn once into a backdrop, which every frame copies, so that a frame is quick.
 class MotionPicture {
  public:
   explicit MotionPicture(Animation animation);
@@ -34,18 +35,38 @@ class MotionPicture {
   [[nodiscard]] std::size_t frameAt(double time) const;  ///< the nearest one
 
  private:
-  void paintViews(QPainter& painter, const QRectF& area, std::size_t frame,
-                  const ViewOptions& options);
-  void paintDataArea(QPainter& painter, const QRectF& area, std::size_t frame,
-                     const ViewOptions& options);
+  /// Where the pictures themselves are drawn; beside their frames and titles, if several.
+  [[nodiscard]] static std::vector<QRectF> innerAreas(const QRectF& area, std::size_t views);
+  void makeDataPage(QSizeF size, const ViewOptions& options);
+  /// Headings, titles of several views, the data area's curves.
+  void paintSetting(QPainter& painter, const QRectF& area, const ViewOptions& options);
+  /// The backdrop for this frame, with as little drawn anew as its key says.
+  const QImage& backdrop(const QRectF& area, double ratio, std::size_t frame,
+                         const ViewOptions& options);
+  void paintMoment(QPainter& painter, const QRectF& data, std::size_t frame,
+                   const ViewOptions& options);
   void paintTimeBar(QPainter& painter, const QRectF& bar, std::size_t frame,
                     const desktop::Theme& theme) const;
 
   Animation animation_;
   desktop::ChartScene data_{desktop::ChartStyle::Compact};
-  QImage data_image_;
-  ViewOptions data_options_;
-  std::vector<Kept> kept_;  ///< of each view
+  /// What a part of the window that stands still depends on.
+  struct Setting {
+    QSizeF size;
+    double ratio = 0.0;
+    View view{};
+    int element = 0;
+    std::size_t flange_race = 0;
+    bool dark = false;
+    std::vector<View> beside;
+    bool operator==(const Setting&) const = default;
+  };
+  [[nodiscard]] static Setting setting(QSizeF size, double ratio, const ViewOptions& options);
+
+  QImage backdrop_;
+  Setting setting_, data_setting_;
+  std::vector<StillKey> still_;  ///< of each view
+  std::vector<Kept> kept_;       ///< of each view
 };
 
 }  // namespace adore::agore

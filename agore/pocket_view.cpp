@@ -112,7 +112,7 @@ void pocket_view(const Scene& s) {
   }
   const std::string force =
       desktop::pretty_quantity(element.pocket_force, s.animation.file.units[2], 3);
-  draw_key(s.sketch,
+  draw_key(s,
            {{t.red, element.pocket_force > 0.0
                         ? QString::fromStdString(fmt::format("contact: {} at {:.0f}°", force,
                                                              element.pocket_angle * 180.0 / kPi))

@@ -146,7 +146,7 @@ void section_view(const Scene& s) {
                                                              s.animation.contacts->load_unit, 4),
                                     angle * 180.0 / kPi))});
   }
-  draw_key(s.sketch, key,
+  draw_key(s, key,
            QString::fromStdString(
                fmt::format("element {} at {:.1f}°, to scale  ·  +x to the right, outwards up",
                            k + 1, std::remainder(e.theta, 2.0 * kPi) * 180.0 / kPi)));

@@ -3,12 +3,17 @@
 #include "desktop/picture_marks.hpp"
 
 #include <QFontMetricsF>
+#include <QPaintEngine>
 #include <QTransform>
 
 #include <cmath>
 #include <numbers>
 
 namespace adore::agore {
+
+bool on_pixels(const QPainter& painter) {
+  return painter.paintEngine() != nullptr && painter.paintEngine()->type() == QPaintEngine::Raster;
+}
 
 Sketch::Sketch(QPainter& painter, const QRectF& area, double radius, const desktop::Theme& theme,
                QPointF pan, double foot)
@@ -33,7 +38,7 @@ void Sketch::ring(QPointF centre, double inner, double outer, const QColor& ligh
                         middle + QPointF(outer, outer) * scale_ * 0.7);
   shade.setColorAt(0, light);
   shade.setColorAt(1, dark);
-  painter_.setPen(QPen(dark.darker(125), 1.2));
+  painter_.setPen(QPen(dark.darker(125), 1.0));
   painter_.setBrush(shade);
   painter_.drawPath(path);
 }
@@ -42,6 +47,26 @@ void Sketch::circle(QPointF centre, double radius, const QPen& pen) const {
   painter_.setPen(pen);
   painter_.setBrush(Qt::NoBrush);
   painter_.drawEllipse(at(centre.x(), centre.y()), radius * scale_, radius * scale_);
+}
+
+void Sketch::dashed_circle(QPointF centre, double radius, const QColor& colour,
+                           double width) const {
+  const QPointF middle = at(centre.x(), centre.y());
+  const double r = radius * scale_;
+  if (!(r > 0.0)) return;
+  const int count =
+      std::max(8, static_cast<int>(std::lround(2.0 * std::numbers::pi * r / (6.0 * width))));
+  const double step = 2.0 * std::numbers::pi / count;
+  QVector<QLineF> dashes;
+  for (int i = 0; i < count; ++i) {
+    const auto end = [&](double part) {
+      return middle + r * QPointF(std::sin((i + part) * step), -std::cos((i + part) * step));
+    };
+    const QLineF dash(end(0.0), end(2.0 / 3.0));
+    if (area_.contains(dash.p1()) || area_.contains(dash.p2())) dashes.append(dash);
+  }
+  painter_.setPen(QPen(colour, width, Qt::SolidLine, Qt::FlatCap));
+  painter_.drawLines(dashes);
 }
 
 void Sketch::ball(QPointF centre, double radius, const std::array<double, 3>& mark,
@@ -87,10 +112,16 @@ void Sketch::orientation_mark(QPointF middle, double r, const std::array<double,
 
 void Sketch::cage_rail(QPointF centre, const Animation& animation) const {
   const auto& g = animation.file.geometry;
-  QColor light = theme_.cage.lighter(112), dark = theme_.cage;
-  light.setAlpha(110);
-  dark.setAlpha(110);
-  ring(centre, g.cage_inner_radius, g.cage_outer_radius, light, dark);
+  // One colour: it is drawn in every frame.
+  QColor colour = theme_.cage.lighter(106), rim = theme_.cage.darker(125);
+  colour.setAlpha(110), rim.setAlpha(110);
+  const QPointF middle = at(centre.x(), centre.y());
+  QPainterPath path;
+  for (const double radius : {g.cage_outer_radius, g.cage_inner_radius})
+    path.addEllipse(middle, radius * scale_, radius * scale_);
+  painter_.setPen(QPen(rim, 1.0));
+  painter_.setBrush(colour);
+  painter_.drawPath(path);
 }
 
 namespace {
@@ -163,7 +194,7 @@ void Sketch::cage(QPointF centre, double angle, double outer_radius,
   const double unit = scale_ * outer_radius / kOutlineRadius;
   turn.scale(unit, -unit);
   turn.rotateRadians(angle);
-  painter_.setPen(QPen(theme_.cage.darker(145), 1.2));
+  painter_.setPen(QPen(theme_.cage.darker(145), 1.0));
   QColor fill = theme_.cage;
   fill.setAlpha(225);
   painter_.setBrush(fill);

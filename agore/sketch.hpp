@@ -24,6 +24,9 @@ class CageOutlines {
   std::map<int, QPainterPath> parts_;
 };
 
+/// Is drawn on pixels, where an image of a part may stand for its drawing? Else on paper.
+bool on_pixels(const QPainter& painter);
+
 class Sketch {
  public:
   /// Fits a circle of `radius` around the origin into `area`.
@@ -44,6 +47,8 @@ class Sketch {
   void ring(QPointF centre_yz, double inner, double outer, const QColor& light,
             const QColor& dark) const;
   void circle(QPointF centre_yz, double radius, const QPen& pen) const;
+  /// As straight dashes, and only those in the area: quick at any size.
+  void dashed_circle(QPointF centre_yz, double radius, const QColor& colour, double width) const;
   /// `mark` is the direction of the orientation mark: right, up, towards the viewer; zero: none.
   /// An invalid `tint` is steel.
   void ball(QPointF centre_yz, double radius, const std::array<double, 3>& mark,

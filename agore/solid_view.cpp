@@ -431,7 +431,7 @@ void solid_view(const Scene& s, SolidLayer& layer) {
               : factor == 1.0
                   ? std::string("  ·  skew and tilt to scale")
                   : fmt::format("  ·  skew and tilt × {}", desktop::pretty_number(factor, 4));
-  draw_key(s.sketch, key, QString::fromStdString(remark));
+  draw_key(s, key, QString::fromStdString(remark));
 }
 
 }  // namespace adore::agore

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "agore/picture_key.hpp"
 #include "agore/sketch.hpp"
 #include "agore/view_options.hpp"
 
@@ -12,11 +13,6 @@ namespace adore::agore {
 
 inline constexpr double kPi = std::numbers::pi;
 
-struct KeyEntry {
-  QColor colour;
-  QString text;
-};
-
 /// Everything that the views of one frame share.
 struct Scene {
   const Sketch& sketch;
@@ -26,6 +22,7 @@ struct Scene {
   double factor;  ///< exaggeration
   const ViewOptions& options;
   CageOutlines& cages;
+  KeyPicture& key;
 
   [[nodiscard]] const results::Sol8Geometry& geometry() const { return animation.file.geometry; }
   [[nodiscard]] double pitch_radius() const { return 0.5 * geometry().pitch_diameter; }
@@ -46,7 +43,7 @@ struct Scene {
   }
 };
 
-void draw_key(const Sketch& sketch, const std::vector<KeyEntry>& entries, const QString& remark);
+void draw_key(const Scene& scene, const std::vector<KeyEntry>& entries, const QString& remark);
 
 /// Direction of an element's orientation mark seen from outside along the pocket axis at azimuth
 /// `angle`: right is increasing azimuth, up is X.
@@ -63,9 +60,28 @@ struct TrailPoint {
 };
 [[nodiscard]] std::vector<TrailPoint> element_trail(const Scene& scene, std::size_t k);
 
+/// Seen along the bearing axis; `tint` invalid: steel.
+void draw_element(const Scene& scene, std::size_t k, const QColor& tint = {});
+/// All of them, coloured as the options ask, with the scale.
+void draw_elements(const Scene& scene);
+/// Marks where the cage touches them, and their numbers.
+void draw_contact_marks(const Scene& scene);
+/// Orbit of a body's centre, enlarged to `radius` of the picture's lengths; returns the
+/// enlargement. Without a reference length it is drawn about its middle, which is not magnified:
+/// only motion is. A body that moves less than an atom's size stands still: 0.
+double draw_orbit(const Scene& scene, double radius, double reference, std::vector<QPointF> orbit);
+
 class SolidLayer;
 
-/// Views with sources of their own.
+/// What stands still from frame to frame while the races do, under the rest of a view.
+void bearing_rings(const Scene& scene);
+void element_rings(const Scene& scene);
+void race_ring(const Scene& scene);
+
+void bearing_view(const Scene& scene);
+void cage_view(const Scene& scene);
+void element_view(const Scene& scene);
+void race_view(const Scene& scene);
 void solid_view(const Scene& scene, SolidLayer& layer);
 void pocket_view(const Scene& scene);
 void section_view(const Scene& scene);

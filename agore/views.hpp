@@ -6,14 +6,34 @@
 
 #include <QPainter>
 
+#include <array>
+
 /// The pictures and their data curves, as functions of a frame: no state, no window.
 namespace adore::agore {
 
 struct Kept;
 
+/// Of a picture: what lies below and stays as it is from frame to frame while the races do not
+/// move, and what moves over it.
+enum class Layers : unsigned char { All, Still, Moving };
+
 /// Draws the picture area of one frame into `area`. `kept` may be nothing: then all is made anew.
 void paint_picture(QPainter& painter, const QRectF& area, const Animation& animation,
-                   std::size_t frame, const ViewOptions& options, Kept* kept = nullptr);
+                   std::size_t frame, const ViewOptions& options, Kept* kept = nullptr,
+                   Layers layers = Layers::All);
+
+/// What the still layer of a picture depends on; the places of the races to a quarter of a pixel.
+struct StillKey {
+  QRectF area;
+  View view{};
+  double zoom = 0.0, factor = 0.0;
+  QPointF pan;
+  bool dark = false, contacts = false;
+  std::array<long, 4> races{};
+  bool operator==(const StillKey&) const = default;
+};
+StillKey still_key(const QRectF& area, const Animation& animation, std::size_t frame,
+                   const ViewOptions& options);
 
 /// Where in `area` the middle of the picture is drawn that is neither zoomed nor moved.
 QPointF picture_middle(const Animation& animation, const ViewOptions& options, const QRectF& area);

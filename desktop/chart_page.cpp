@@ -65,27 +65,40 @@ std::pair<std::size_t, std::size_t> places_between(const std::vector<double>& x,
 
 namespace {
 
-/// The values from `first` to before `last`, of whole blocks only the ends and the extremes.
+/// The values from `first` to before `last`; of whole blocks only the ends and the extremes of as
+/// many together as are no wider than `width`: of a wider one every peak is seen. Blocks of what
+/// `wraps` stay apart, since a turn over several of them may be as wide as a wrap.
 Polyline reduced(const std::vector<double>& x, const std::vector<double>& y, std::size_t first,
-                 std::size_t last, const CurveBlocks& blocks) {
+                 std::size_t last, double width, bool wraps, const CurveBlocks& blocks) {
   Polyline out;
   const auto take = [&](std::size_t i) {
     out.x.push_back(x[i]);
     out.y.push_back(y[i]);
   };
-  for (std::size_t i = first; i < last;) {
+  /// Is the block that begins at `i` one of those, in a group that begins at `from`?
+  const auto fits = [&](std::size_t i, std::size_t from) {
     const std::size_t b = i / CurveBlocks::kLength, end = i + CurveBlocks::kLength;
-    if (i % CurveBlocks::kLength != 0 || end > last || b >= blocks.blocks.size() ||
-        !blocks.blocks[b].whole) {
+    return end <= last && b < blocks.blocks.size() && blocks.blocks[b].whole &&
+           !(x[end - 1] - x[from] > width);
+  };
+  for (std::size_t i = first; i < last;) {
+    if (i % CurveBlocks::kLength != 0 || !fits(i, i)) {
       take(i++);
       continue;
     }
-    std::array<std::size_t, 4> keep{i, blocks.blocks[b].lowest, blocks.blocks[b].highest, end - 1};
+    const std::size_t from = i;
+    std::size_t lowest = i, highest = i;
+    do {
+      const CurveBlocks::Block& block = blocks.blocks[i / CurveBlocks::kLength];
+      if (y[block.lowest] < y[lowest]) lowest = block.lowest;
+      if (y[block.highest] > y[highest]) highest = block.highest;
+      i += CurveBlocks::kLength;
+    } while (!wraps && fits(i, from));
+    std::array<std::size_t, 4> keep{from, lowest, highest, i - 1};
     std::sort(keep.begin(), keep.end());
     take(keep[0]);
     for (std::size_t k = 1; k < keep.size(); ++k)
       if (keep[k] != keep[k - 1]) take(keep[k]);
-    i = end;
   }
   return out;
 }
@@ -99,7 +112,8 @@ std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::v
     auto [first, last] = places_between(x, low, high);
     first -= first > 0 ? 1 : 0;
     last = std::min(last + 1, x.size());
-    const Polyline few = reduced(x, y, first, last, *blocks);
+    const Polyline few =
+        reduced(x, y, first, last, (high - low) / std::max(columns, 1), wraps, *blocks);
     return drawable_pieces(few.x, few.y, low, high, columns, wraps);
   }
   std::vector<Polyline> pieces;

@@ -90,7 +90,7 @@ std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::v
 /// Places of the lowest and the highest of every kLength values of a long curve: made once, so that
 /// moving along a million of them is quick and hides no peak.
 struct CurveBlocks {
-  static constexpr std::size_t kLength = 256;
+  static constexpr std::size_t kLength = 32;
   struct Block {
     std::size_t lowest = 0, highest = 0;
     bool whole = false;  ///< neither a gap in it nor a wrap, nor one to the value before

@@ -1,6 +1,7 @@
 #include "desktop/chart_scene.hpp"
 
 #include "desktop/chart_scene_parts.hpp"
+#include "desktop/dense_line.hpp"
 
 #include <QChart>
 #include <QFontMetricsF>
@@ -493,13 +494,7 @@ class LineItem : public QGraphicsItem {
       : line_(std::move(line)), area_(area), pen_(std::move(pen)) {}
   [[nodiscard]] QRectF boundingRect() const override { return area_; }
   void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override {
-    painter->save();
-    painter->setClipRect(area_, Qt::IntersectClip);
-    painter->setRenderHint(QPainter::Antialiasing);
-    painter->setPen(pen_);
-    painter->setBrush(Qt::NoBrush);
-    painter->drawPolyline(line_);
-    painter->restore();
+    draw_line(*painter, line_, area_, pen_);
   }
 
  private:

@@ -1,0 +1,162 @@
+#include "agore/view_layout.hpp"
+#include "agore/view_scene.hpp"
+#include "desktop/axis_scale.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+/// The bearing and its cage, seen along the axis.
+namespace adore::agore {
+
+namespace {
+
+void draw_cage(const Scene& s) {
+  for (int part = 0; part < s.animation.segments; ++part)
+    s.sketch.cage(s.place(s.animation.part(s.index, part)), s.animation.part_angle(s.index, part),
+                  s.geometry().cage_outer_radius, s.cages.of(s.animation, s.pocket_radius(), part));
+}
+
+QString exaggeration_remark(double factor) {
+  return factor == 1.0 ? QString("clearances to scale") : QString("clearances × %1").arg(factor);
+}
+
+/// Arrow from the cage centre to where the busier land touches the race.
+void draw_land_arrow(const Scene& s) {
+  const int land = s.busier_land();
+  if (!s.animation.has_cage || !(s.frame.land_force.at(static_cast<std::size_t>(land)) > 0.0))
+    return;
+  const double angle = s.cage_angle() + s.frame.land_angle.at(static_cast<std::size_t>(land));
+  const double reach = s.animation.guide == Guide::Outer ? s.geometry().cage_outer_radius
+                                                         : s.geometry().cage_inner_radius;
+  const QPointF cage = s.place(s.frame.cage);
+  s.sketch.arrow(s.sketch.at(cage.x(), cage.y()), s.sketch.around(cage, reach, angle),
+                 s.sketch.theme().red, 3.2);
+}
+
+void draw_trails(const Scene& s) {
+  QPainter& p = s.sketch.painter();
+  p.setBrush(Qt::NoBrush);
+  p.setPen(QPen(s.sketch.theme().accent, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
+    QPolygonF line;
+    for (const TrailPoint& point : element_trail(s, k))
+      line.append(s.sketch.at(point.centre.x(), point.centre.y()));
+    p.drawPolyline(line);
+  }
+}
+
+/// Forces of both races on every element, the largest of the run as long as an element's radius.
+void draw_all_loads(const Scene& s) {
+  if (!s.animation.contacts || !(s.animation.contacts->largest_load > 0.0)) return;
+  const auto& contacts = s.animation.contacts->frames.at(s.index);
+  const double radius = s.geometry().element_radius;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const QPointF centre = element_centre(s, k);
+    const double distance = std::hypot(centre.x(), centre.y());
+    if (!(distance > 0.0)) continue;
+    for (std::size_t j = 0; j < 2; ++j) {
+      const double part = contacts[k].load[j] / s.animation.contacts->largest_load;
+      if (!(part > 0.0)) continue;
+      const QPointF outward = (j == 0 ? 1.0 : -1.0) / distance * centre;
+      const QPointF tip = centre + radius * outward, tail = tip + part * radius * outward;
+      s.sketch.arrow(s.sketch.at(tail.x(), tail.y()), s.sketch.at(tip.x(), tip.y()),
+                     s.sketch.theme().curves[0], 2.6);
+    }
+  }
+}
+
+/// The guiding surface is drawn at the exaggerated clearance, so that the cage touches it in the
+/// picture when it does in the bearing; 0: no race guides.
+double drawn_guide_radius(const Scene& s) {
+  const auto& g = s.geometry();
+  return s.animation.guide == Guide::Inner
+             ? g.cage_inner_radius - s.factor * s.animation.guide_clearance
+         : s.animation.guide == Guide::Outer
+             ? g.cage_outer_radius + s.factor * s.animation.guide_clearance
+             : 0.0;
+}
+
+}  // namespace
+
+void bearing_rings(const Scene& s) {
+  const auto& g = s.geometry();
+  const auto& t = s.sketch.theme();
+  const QPointF outer = s.place(s.frame.races[0]), inner = s.place(s.frame.races[1]);
+  s.sketch.ring(outer, g.outer_race_inner_radius, outer_rim(g), t.steel_light, t.steel_dark);
+  s.sketch.ring(inner, g.inner_race_inner_radius, g.inner_race_outer_radius, t.steel_light,
+                t.steel_dark);
+  // The shoulder that carries the guide land, behind the elements.
+  const double guide_radius = drawn_guide_radius(s);
+  QColor pale_light = t.steel_light, pale_dark = t.steel_dark;
+  pale_light.setAlpha(120);
+  pale_dark.setAlpha(120);
+  if (s.animation.guide == Guide::Inner && guide_radius > g.inner_race_outer_radius)
+    s.sketch.ring(inner, g.inner_race_outer_radius, guide_radius, pale_light, pale_dark);
+  if (s.animation.guide == Guide::Outer && guide_radius < g.outer_race_inner_radius)
+    s.sketch.ring(outer, guide_radius, g.outer_race_inner_radius, pale_light, pale_dark);
+}
+
+void bearing_view(const Scene& s) {
+  const auto& g = s.geometry();
+  const auto& t = s.sketch.theme();
+  const QPointF cage = s.place(s.frame.cage);
+  const double guide_radius = drawn_guide_radius(s);
+  if (s.animation.segments == 1) s.sketch.cage_rail(cage, s.animation);
+  draw_elements(s);
+  if (s.animation.has_cage) {
+    draw_cage(s);
+    if (guide_radius > 0.0)
+      s.sketch.dashed_circle(s.place(s.frame.races[s.animation.guide == Guide::Outer ? 0 : 1]),
+                             guide_radius, t.red, 1.6);
+  }
+  const double bore = g.inner_race_inner_radius;
+  s.sketch.frame({0, 0}, s.animation.race_angle[0][s.index], 0.78 * bore, t.light_blue);
+  s.sketch.frame({0, 0}, s.animation.race_angle[1][s.index], 0.62 * bore, t.blue);
+  if (s.animation.has_cage) s.sketch.frame({0, 0}, s.cage_angle(), 0.46 * bore, t.green);
+  draw_land_arrow(s);
+  if (s.options.trails) draw_trails(s);
+  if (s.options.contacts) draw_all_loads(s);
+  draw_contact_marks(s);
+  std::vector<KeyEntry> key{{t.light_blue, "outer race frame"}, {t.blue, "inner race frame"}};
+  if (s.animation.has_cage) {
+    key.push_back({t.green, s.animation.segments > 1 ? "frame of segment 1" : "cage frame"});
+    key.push_back({t.red, "contacts of the cage"});
+  }
+  if (s.options.contacts && s.animation.contacts) {
+    key.push_back(
+        {t.curves[0], QString::fromStdString(fmt::format(
+                          "race loads, longest arrow {}",
+                          desktop::pretty_quantity(s.animation.contacts->largest_load,
+                                                   s.animation.contacts->load_unit, 3)))});
+  } else if (s.options.contacts) {
+    key.push_back({t.muted, QString::fromStdString("no race loads: " + s.animation.no_contacts)});
+  }
+  draw_key(s, key, s.animation.has_cage ? exaggeration_remark(s.factor) : QString());
+}
+
+void cage_view(const Scene& s) {
+  const auto& g = s.geometry();
+  const auto& t = s.sketch.theme();
+  const QPointF cage = s.place(s.frame.cage);
+  if (s.animation.segments == 1) s.sketch.cage_rail(cage, s.animation);
+  draw_cage(s);
+  std::vector<QPointF> orbit;
+  for (const auto& frame : s.animation.file.frames)
+    orbit.emplace_back(frame.cage.position[1], frame.cage.position[2]);
+  const double enlargement =
+      draw_orbit(s, 0.42 * g.cage_inner_radius, s.animation.guide_clearance, orbit);
+  s.sketch.frame(cage, s.cage_angle(), 0.66 * g.cage_inner_radius, t.green);
+  draw_land_arrow(s);
+  draw_contact_marks(s);
+  std::vector<KeyEntry> key{{t.green, "cage frame"},
+                            {t.red, "contacts; dashed: guide clearance"},
+                            {t.curves[0], "orbit of the mass centre"}};
+  const QString scale = enlargement > 0.0
+                            ? QString::fromStdString(
+                                  fmt::format("orbit × {}", desktop::pretty_number(enlargement, 3)))
+                            : QString("no orbit");
+  draw_key(s, key, scale + "  ·  " + exaggeration_remark(s.factor));
+}
+
+}  // namespace adore::agore

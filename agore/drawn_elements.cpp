@@ -1,0 +1,97 @@
+#include "agore/view_layout.hpp"
+#include "agore/view_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+/// Where elements are drawn, how they look, and what is written beside them.
+namespace adore::agore {
+
+std::array<double, 3> mark_from_outside(const results::Sol8Element& element, double angle) {
+  if (element.angles == std::array<double, 3>{}) return {};
+  const Vec3 axis = rotation(element.angles).col(2);
+  const double x = axis.x(), y = axis.y(), z = axis.z();
+  return {-y * std::cos(angle) - z * std::sin(angle), x,
+          -y * std::sin(angle) + z * std::cos(angle)};
+}
+
+QPointF element_centre(const Scene& s, std::size_t k) {
+  const auto& element = s.frame.elements[k];
+  const auto polar = [](double r, double a) { return QPointF(-r * std::sin(a), r * std::cos(a)); };
+  if (!s.animation.has_cage) return polar(element.r, element.theta);
+  const double a = s.pocket_azimuth(k);
+  const QPointF radial = polar(1.0, a),
+                across(std::cos(a), std::sin(a));  // z and y axes of the pocket
+  return s.place(s.animation.cage_of(s.index, k)) + radial * s.pitch_radius() +
+         (across * element.pocket_vector[1] + radial * element.pocket_vector[2]) * s.factor;
+}
+
+std::vector<TrailPoint> element_trail(const Scene& s, std::size_t k) {
+  constexpr std::size_t kMost = 400;
+  const double pitch = 2.0 * kPi / std::max(1, s.animation.file.elements);
+  std::vector<TrailPoint> out;
+  double swept = 0.0;
+  for (std::size_t i = s.index; out.size() < kMost; --i) {
+    const Scene then{s.sketch, s.animation, i,       s.animation.frame(i),
+                     s.factor, s.options,   s.cages, s.key};
+    const auto& element = then.frame.elements.at(k);
+    out.push_back({element_centre(then, k), element.x});
+    if (i == 0) break;
+    swept += std::abs(
+        std::remainder(element.theta - s.animation.frame(i - 1).elements.at(k).theta, 2.0 * kPi));
+    if (swept > 0.8 * pitch) break;
+  }
+  return out;
+}
+
+namespace {
+
+/// Direction of an element's orientation mark, its body's z axis: right, up, towards the viewer,
+/// seen from +X.
+std::array<double, 3> mark_from_axis(const results::Sol8Element& element) {
+  if (element.angles == std::array<double, 3>{}) return {};  // its turning was not followed
+  const Vec3 z = rotation(element.angles).col(2);
+  return {z.y(), z.z(), z.x()};
+}
+
+}  // namespace
+
+void draw_element(const Scene& s, std::size_t k, const QColor& tint) {
+  const auto mark = mark_from_axis(s.frame.elements.at(k));
+  const double radius = s.animation.file.geometry.element_radius;
+  if (s.animation.file.bearing_type == 1)
+    s.sketch.ball(element_centre(s, k), radius, mark, tint);
+  else
+    s.sketch.roller_end(element_centre(s, k), radius, mark, tint);
+}
+
+void draw_elements(const Scene& s) {
+  const Colouring colours = colouring(s.animation, s.index, s.options.colour);
+  for (std::size_t k = 0; k < s.frame.elements.size(); ++k)
+    draw_element(
+        s, k,
+        k < colours.value.size() && colours.largest > 0.0 && std::isfinite(colours.value[k])
+            ? scale_colour(colours.value[k] / colours.largest)
+            : QColor());
+  if (s.options.colour != ColourBy::None) draw_scale(s.sketch, colours);
+}
+
+void draw_contact_marks(const Scene& s) {
+  const auto& t = s.sketch.theme();
+  for (std::size_t k = 0; k < s.frame.elements.size(); ++k) {
+    const QPointF centre = element_centre(s, k);
+    const bool contact = s.frame.elements[k].pocket_force > 0.0;
+    if (s.animation.has_cage && contact)
+      s.sketch.asterisk(
+          s.sketch.at(centre.x(), centre.y()),
+          std::clamp(0.42 * s.geometry().element_radius * s.sketch.scale(), 5.0, 13.0), t.red);
+    const double angle = std::atan2(-centre.x(), centre.y());
+    const double outside = s.options.view == View::Cage
+                               ? s.geometry().cage_outer_radius + s.geometry().element_radius * 0.55
+                               : outer_rim(s.geometry()) + 14.0 / s.sketch.scale();
+    s.sketch.label(s.sketch.around({0, 0}, outside, angle), QString::number(k + 1),
+                   contact && s.animation.has_cage ? t.red : t.muted, 12, contact);
+  }
+}
+
+}  // namespace adore::agore

@@ -1,0 +1,91 @@
+#include "agore/view_layout.hpp"
+#include "agore/view_scene.hpp"
+#include "desktop/axis_scale.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+/// One element on its way, with the loads of both races.
+namespace adore::agore {
+
+namespace {
+
+/// Forces of the two races on element k as arrows on its surface, as long as its diameter for the
+/// largest load of the file, with load and slip in the key.
+void draw_contact_loads(const Scene& s, std::size_t k, QPointF centre, std::vector<KeyEntry>& key) {
+  const ContactFrames& all = *s.animation.contacts;
+  const ContactFrame& contact = all.frames.at(s.index).at(k);
+  const double distance = std::hypot(centre.x(), centre.y());
+  if (!(distance > 0.0)) return;
+  const QPointF outward = centre / distance;
+  const double radius = s.geometry().element_radius;
+  const std::array<const char*, 2> names{"outer race", "inner race"};
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double side = j == 0 ? 1.0 : -1.0;  // the outer race presses from outside
+    const QColor colour = s.sketch.theme().curves[j];
+    if (contact.load[j] > 0.0 && all.largest_load > 0.0) {
+      const double length = 2.0 * radius * contact.load[j] / all.largest_load;
+      const QPointF tip = centre + side * radius * outward;
+      const QPointF tail = tip + side * length * outward;
+      s.sketch.arrow(s.sketch.at(tail.x(), tail.y()), s.sketch.at(tip.x(), tip.y()), colour, 3.0);
+    }
+    key.push_back(
+        {colour, QString::fromStdString(
+                     contact.load[j] > 0.0
+                         ? fmt::format("{}: load {}, slip {}", names[j],
+                                       desktop::pretty_quantity(contact.load[j], all.load_unit, 4),
+                                       desktop::pretty_quantity(contact.slip[j], all.slip_unit, 3))
+                         : fmt::format("{}: no contact", names[j]))});
+  }
+}
+
+}  // namespace
+
+void element_rings(const Scene& s) {
+  const auto& g = s.geometry();
+  const auto& t = s.sketch.theme();
+  s.sketch.ring(s.place(s.frame.races[0]), g.outer_race_inner_radius, g.outer_race_outer_radius,
+                t.steel_light, t.steel_dark);
+  s.sketch.ring(s.place(s.frame.races[1]), g.inner_race_inner_radius, g.inner_race_outer_radius,
+                t.steel_light, t.steel_dark);
+  s.sketch.circle({0, 0}, s.pitch_radius(), QPen(t.frame, 1.2, Qt::DotLine));
+}
+
+void element_view(const Scene& s) {
+  const auto& g = s.geometry();
+  const auto& t = s.sketch.theme();
+  const auto k = static_cast<std::size_t>(s.options.element - 1);
+  // The way of the element so far, half a turn at most.
+  const auto& way = s.animation.file.frames;
+  QPolygonF trail;
+  double swept = 0.0;
+  for (std::size_t i = s.index;; --i) {
+    const auto& e = way[i].elements.at(k);
+    trail.append(s.sketch.around({0, 0}, e.r, e.theta));
+    if (i == 0 || swept > kPi) break;
+    swept += std::abs(std::remainder(e.theta - way[i - 1].elements.at(k).theta, 2.0 * kPi));
+  }
+  s.sketch.painter().setPen(QPen(t.accent, 2.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  s.sketch.painter().setBrush(Qt::NoBrush);
+  s.sketch.painter().drawPolyline(trail);
+  const QPointF centre = element_centre(s, k);
+  draw_element(s, k);
+  s.sketch.frame({0, 0}, s.animation.race_angle[1][s.index], 0.62 * g.inner_race_inner_radius,
+                 t.blue);
+  // Beside the arrow of the outer race, where there is one.
+  const double rim = outer_rim(g) + 14.0 / s.sketch.scale();
+  const double aside = s.animation.contacts ? 24.0 / (rim * s.sketch.scale()) : 0.0;
+  s.sketch.label(s.sketch.around({0, 0}, rim, std::atan2(-centre.x(), centre.y()) + aside),
+                 QString::number(k + 1), t.text, 13, true);
+  std::vector<KeyEntry> key{{t.blue, "inner race frame"}};
+  QString remark = QString::fromStdString("no contact loads: " + s.animation.no_contacts);
+  if (s.animation.contacts) {
+    draw_contact_loads(s, k, centre, key);
+    remark = "loads and largest slip in the contacts, from RESULTS.h5";
+  }
+  draw_key(s, key, remark);
+}
+
+}  // namespace adore::agore

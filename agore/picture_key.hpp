@@ -1,0 +1,42 @@
+#pragma once
+
+#include "desktop/theme.hpp"
+
+#include <QColor>
+#include <QImage>
+#include <QRectF>
+#include <QString>
+
+#include <vector>
+
+class QPainter;
+
+namespace adore::agore {
+
+class Sketch;
+
+struct KeyEntry {
+  QColor colour;
+  QString text;
+  bool operator==(const KeyEntry&) const = default;
+};
+
+/// The key in a picture's lower left corner. Setting its lines takes longer than all else of a
+/// quick picture, so on a screen they are kept as an image until they say something else.
+class KeyPicture {
+ public:
+  void draw(const Sketch& sketch, const std::vector<KeyEntry>& entries, const QString& remark);
+
+ private:
+  /// Returns the box that the key fills.
+  static QRectF paint(QPainter& painter, const QRectF& area, const desktop::Theme& theme,
+                      const std::vector<KeyEntry>& entries, const QString& remark);
+  std::vector<KeyEntry> entries_;
+  QString remark_;
+  QRectF area_, place_;
+  double ratio_ = 0.0;
+  desktop::ThemeKind kind_{};
+  QImage image_;
+};
+
+}  // namespace adore::agore

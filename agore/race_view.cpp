@@ -1,0 +1,60 @@
+#include "agore/view_layout.hpp"
+#include "agore/view_scene.hpp"
+#include "desktop/axis_scale.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+/// One race and the path of its centre.
+namespace adore::agore {
+
+namespace {
+
+/// Lengths below an atom's size are rounding.
+double atoms(double length, const Scene& s) {
+  return std::abs(length) < desktop::least_span_of(s.animation.file.units[0]) ? 0.0 : length;
+}
+
+struct Radii {
+  double low, high;
+};
+Radii radii_of(const Scene& s) {
+  const auto& g = s.geometry();
+  return s.options.view == View::OuterRace
+             ? Radii{g.outer_race_inner_radius, outer_rim(g)}
+             : Radii{g.inner_race_inner_radius, g.inner_race_outer_radius};
+}
+
+}  // namespace
+
+void race_ring(const Scene& s) {
+  const auto& t = s.sketch.theme();
+  const auto [low, high] = radii_of(s);
+  s.sketch.ring({0, 0}, low, high, t.steel_light, t.steel_dark);
+}
+
+void race_view(const Scene& s) {
+  const std::string& unit = s.animation.file.units[0];
+  const auto& t = s.sketch.theme();
+  const std::size_t r = s.options.view == View::OuterRace ? 0 : 1;
+  const auto [low, high] = radii_of(s);
+  // A bright spot on the ring shows its rotation even when the frame is hidden by the orbit.
+  s.sketch.asterisk(s.sketch.around({0, 0}, 0.5 * (low + high), s.animation.race_angle[r][s.index]),
+                    6.0, t.blue);
+  std::vector<QPointF> orbit;
+  for (const auto& frame : s.animation.file.frames)
+    orbit.emplace_back(frame.races.at(r).position[1], frame.races.at(r).position[2]);
+  const double enlargement = draw_orbit(s, 0.45 * low, 0.0, orbit);
+  s.sketch.frame({0, 0}, s.animation.race_angle[r][s.index], 0.7 * low, t.blue);
+  draw_key(s, {{t.blue, "frame of the race"}, {t.curves[0], "path of the race centre"}},
+           QString::fromStdString(
+               (enlargement > 0.0 ? fmt::format("path about its middle × {}",
+                                                desktop::pretty_number(enlargement, 3))
+                                  : std::string("the race centre does not move")) +
+               fmt::format("  ·  it stands at y = {}, z = {}",
+                           desktop::pretty_quantity(atoms(orbit[s.index].x(), s), unit, 3),
+                           desktop::pretty_quantity(atoms(orbit[s.index].y(), s), unit, 3))));
+}
+
+}  // namespace adore::agore

@@ -1,0 +1,109 @@
+#include "agore/view_layout.hpp"
+
+#include "agore/view_scene.hpp"
+#include "agore/views.hpp"
+
+#include <QFontMetricsF>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::agore {
+
+double key_line() { return QFontMetricsF(desktop::ui_font(12)).height() + 2.0; }
+
+double outer_rim(const results::Sol8Geometry& g) {
+  return std::max(g.outer_race_outer_radius, 1.06 * g.outer_race_inner_radius);
+}
+
+double picture_radius(const Animation& animation, const ViewOptions& options, QSizeF size) {
+  const auto& g = animation.file.geometry;
+  const double margin = 26.0 / (0.5 * std::min(size.width(), size.height()));
+  switch (options.view) {
+    case View::Bearing:
+    case View::Element:
+    case View::OuterRace:
+      return outer_rim(g) * (1.0 + margin);
+    case View::Cage:
+      return (g.cage_outer_radius + g.element_radius) * (1.0 + margin);
+    case View::Pocket:
+      return pocket_picture_radius(animation);
+    case View::Section:
+      return section_picture_radius(animation);
+    case View::Solid:
+      return solid_picture_radius(animation);
+    case View::Flange:
+      return flange_picture_radius(animation);
+    case View::InnerRace:
+      return g.inner_race_outer_radius * (1.0 + margin);
+  }
+  return outer_rim(g);
+}
+
+namespace {
+
+/// Lines that the key of a view has at most, about 260 pixels wide.
+int key_lines(const Animation& animation, const ViewOptions& options) {
+  const int loads = options.contacts ? 1 : 0;
+  switch (options.view) {
+    case View::Bearing:
+      return 3 + (animation.has_cage ? 2 : 0) + loads;
+    case View::Solid:
+      return 3 + 2 * loads;
+    case View::Cage:
+    case View::Element:
+      return 4;
+    case View::Pocket:
+    case View::Section:
+    case View::Flange:
+    case View::OuterRace:
+    case View::InnerRace:
+      return 3;
+  }
+  return 0;
+}
+
+/// Width of a view's key [pixels], as its longest line needs it.
+double key_width(const ViewOptions& options) {
+  switch (options.view) {
+    case View::Solid:
+      return 290.0;
+    case View::Element:
+      return 350.0;
+    case View::OuterRace:
+    case View::InnerRace:
+      return 400.0;
+    default:
+      return options.contacts ? 240.0 : 210.0;
+  }
+}
+
+}  // namespace
+
+double key_foot(const Animation& animation, const ViewOptions& options, QSizeF size) {
+  constexpr double kWide = 520.0;
+  const bool low = size.height() < kTooLow;
+  const bool round =
+      options.view != View::Pocket && options.view != View::Section && options.view != View::Flange;
+  double lines = key_lines(animation, options) + (size.width() < kWide ? 1 : 0);
+  if (low) lines = options.view == View::Bearing ? 1.0 : round || size.width() > 260.0 ? 2.0 : 3.0;
+  const double height = std::min(lines * key_line() + 4.0, 0.45 * size.height());
+  if (!round) return height;
+  const double beside = std::max(0.0, 0.5 * size.width() - key_width(options));
+  // Rings end a margin before the picture does; the numbers of elements stand in it.
+  const double half = 0.5 * std::min(size.width(), size.height());
+  const bool numbers = options.view == View::Bearing || options.view == View::Cage;
+  const double rim = options.view == View::Solid ? 0.13 * half : numbers ? 0.0 : 20.0;
+  for (double foot = 0.0; foot < height; foot += 4.0) {
+    const double radius = 0.5 * std::min(size.width(), size.height() - foot);
+    const double below = std::max(0.0, size.height() - height - 0.5 * (size.height() - foot));
+    if (std::hypot(beside, below) > radius - rim) return foot;
+  }
+  return height;
+}
+
+QPointF picture_middle(const Animation& animation, const ViewOptions& options, const QRectF& area) {
+  return area.center() - QPointF(0.0, 0.5 * key_foot(animation, options, area.size()));
+}
+
+}  // namespace adore::agore

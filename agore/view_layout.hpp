@@ -1,0 +1,27 @@
+#pragma once
+
+#include "agore/view_options.hpp"
+
+#include <QRectF>
+
+/// How much of a picture's area belongs to the bodies and how much to the key below them.
+namespace adore::agore {
+
+inline constexpr double kTooLow =
+    200.0;  ///< height that is too little for a key of several lines [pixels]
+
+/// Height of a line of the key [pixels].
+double key_line();
+
+/// Outer radius of the picture's outer race: a little beyond its groove where the file gives none.
+double outer_rim(const results::Sol8Geometry& geometry);
+
+/// Radius of the circle about the picture's middle that must be seen, in the file's length, in
+/// `size` pixels.
+double picture_radius(const Animation& animation, const ViewOptions& options, QSizeF size);
+
+/// Height at the bottom of a picture that it leaves to its key: as little as lifts a round picture
+/// out of the key's corner, and all of the key where the picture is not round.
+double key_foot(const Animation& animation, const ViewOptions& options, QSizeF size);
+
+}  // namespace adore::agore

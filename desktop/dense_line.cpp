@@ -1,0 +1,77 @@
+#include "desktop/dense_line.hpp"
+
+#include <QPaintDevice>
+#include <QPaintEngine>
+#include <QPainter>
+#include <QPen>
+
+#include <algorithm>
+#include <cmath>
+
+namespace adore::desktop {
+
+std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double right, double scale) {
+  std::vector<ColumnBar> out;
+  const auto pass = [&out](int column, double y1, double y2) {
+    if (out.empty() || out.back().column != column)
+      out.push_back({column, std::min(y1, y2), std::max(y1, y2)});
+    out.back().top = std::min({out.back().top, y1, y2});
+    out.back().bottom = std::max({out.back().bottom, y1, y2});
+  };
+  const auto column_of = [scale](double x) { return static_cast<int>(std::floor(x * scale)); };
+  const int first = column_of(left), last = column_of(right);
+  for (qsizetype i = 0; i + 1 < line.size(); ++i) {
+    const QPointF &p = line[i], &q = line[i + 1];
+    if (q.x() < left || p.x() > right) continue;
+    const int from = std::max(column_of(p.x()), first), to = std::min(column_of(q.x()), last);
+    if (column_of(p.x()) == column_of(q.x())) {
+      pass(from, p.y(), q.y());
+      continue;
+    }
+    const double slope = (q.y() - p.y()) / (q.x() - p.x());
+    const auto at = [&](double x) { return p.y() + slope * (std::clamp(x, p.x(), q.x()) - p.x()); };
+    for (int column = from; column <= to; ++column)
+      pass(column, at(column / scale), at((column + 1) / scale));
+  }
+  return out;
+}
+
+bool drawn_as_bars(const QPainter& painter, const QPolygonF& line, const QRectF& area,
+                   const QPen& pen) {
+  constexpr double kPointsPerColumn = 0.7;
+  const QTransform& placed = painter.deviceTransform();
+  return painter.paintEngine() != nullptr &&
+         painter.paintEngine()->type() == QPaintEngine::Raster &&
+         placed.type() <= QTransform::TxScale && placed.m11() > 0.0 &&
+         pen.style() == Qt::SolidLine &&
+         static_cast<double>(line.size()) > kPointsPerColumn * area.width() * placed.m11() &&
+         std::is_sorted(line.begin(), line.end(),
+                        [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
+}
+
+void draw_line(QPainter& painter, const QPolygonF& line, const QRectF& area, const QPen& pen) {
+  painter.save();
+  painter.setClipRect(area, Qt::IntersectClip);
+  painter.setRenderHint(QPainter::Antialiasing);
+  if (drawn_as_bars(painter, line, area, pen)) {
+    const double half = 0.5 * pen.widthF();
+    // Columns are those of the device: a fraction of a pixel to the side would be grey.
+    const double scale = painter.deviceTransform().m11(), shift = painter.deviceTransform().dx();
+    const QPolygonF on_device = line.translated(shift / scale, 0.0);
+    const double left = area.left() + shift / scale, right = area.right() + shift / scale;
+    for (const ColumnBar& bar : column_bars(on_device, left, right, scale)) {
+      const double top = std::max(bar.top - half, area.top()),
+                   bottom = std::min(bar.bottom + half, area.bottom());
+      if (bottom > top)
+        painter.fillRect(QRectF(bar.column / scale - shift / scale, top, 1.0 / scale, bottom - top),
+                         pen.color());
+    }
+  } else {
+    painter.setPen(pen);
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(line);
+  }
+  painter.restore();
+}
+
+}  // namespace adore::desktop

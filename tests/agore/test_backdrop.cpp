@@ -1,0 +1,81 @@
+#include "agore/motion_picture.hpp"
+#include "support/qt_app.hpp"
+#include "support/synthetic_results.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+/// What a picture keeps from frame to frame must not be seen: a picture that has shown others
+/// before is the picture of one that shows this frame first.
+using namespace adore;
+using namespace adore::agore;
+
+namespace {
+
+constexpr QSize kSize(900, 600);
+
+/// Whose inner race moves by `move` in the last frame.
+Animation run_with_race_at(double move) {
+  test::SyntheticRun run;
+  run.steps = 6;
+  run.balls = 9;
+  Animation animation = prepare(test::synthetic_sol8(run));
+  animation.file.frames.back().races[1].position[1] += move;
+  return animation;
+}
+
+/// The largest difference of any colour of any pixel.
+int difference(const QImage& a, const QImage& b) {
+  REQUIRE(a.size() == b.size());
+  int most = 0;
+  for (int y = 0; y < a.height(); ++y)
+    for (int x = 0; x < a.width(); ++x) {
+      const QRgb p = a.pixel(x, y), q = b.pixel(x, y);
+      most = std::max({most, std::abs(qRed(p) - qRed(q)), std::abs(qGreen(p) - qGreen(q)),
+                       std::abs(qBlue(p) - qBlue(q))});
+    }
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("backdrop: a frame looks the same whatever was shown before", "[gui]") {
+  test::use_qt();
+  MotionPicture used(run_with_race_at(0.0));
+  ViewOptions before;
+  before.view = View::Cage;
+  before.dark = true;
+  (void)used.image({700, 500}, 0, before);
+  for (const View view :
+       {View::Bearing, View::Cage, View::Element, View::InnerRace, View::OuterRace, View::Pocket})
+    for (const bool dark : {false, true})
+      for (const std::size_t frame : {0U, 3U, 5U}) {
+        ViewOptions options;
+        options.view = view;
+        options.dark = dark;
+        options.element = 1 + static_cast<int>(frame);
+        if (frame == 3) options.beside = {{View::Pocket}}, options.zoom = 2.0;
+        if (view == View::Pocket) options.beside.clear();
+        INFO(view_title(view) << (dark ? ", dark" : ", light") << ", frame " << frame);
+        MotionPicture fresh(run_with_race_at(0.0));
+        CHECK(difference(used.image(kSize, frame, options), fresh.image(kSize, frame, options)) ==
+              0);
+      }
+}
+
+TEST_CASE("backdrop: a race that moves is drawn where it is", "[gui]") {
+  test::use_qt();
+  ViewOptions options;
+  options.exaggeration = 1.0;
+  for (const double part : {0.004, 0.05}) {  // of the bearing: pixels, and many of them
+    const double move = part * run_with_race_at(0.0).file.geometry.outer_race_outer_radius;
+    MotionPicture used(run_with_race_at(move)), fresh(run_with_race_at(move)),
+        unmoved(run_with_race_at(0.0));
+    for (std::size_t frame = 0; frame < 5; ++frame) (void)used.image(kSize, frame, options);
+    const QImage shown = used.image(kSize, 5, options);
+    CHECK(difference(shown, fresh.image(kSize, 5, options)) == 0);
+    CHECK(difference(shown, unmoved.image(kSize, 5, options)) > 30);
+  }
+}

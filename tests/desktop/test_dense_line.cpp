@@ -1,0 +1,102 @@
+#include "desktop/chart_page.hpp"
+#include "desktop/dense_line.hpp"
+#include "support/qt_app.hpp"
+
+#include <QImage>
+#include <QPainter>
+#include <QPen>
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace adore::desktop;
+
+namespace {
+
+constexpr int kWidth = 300, kHeight = 200;
+
+/// Ten points for each pixel over half of the height, and one spike to 5 from the top.
+QPolygonF zigzag_with_spike(double spike_x) {
+  QPolygonF line;
+  for (int i = 0; i < 10 * kWidth; ++i) line.append({0.1 * i, 100.0 + (i % 2 == 0 ? 50.0 : -10.0)});
+  line[static_cast<qsizetype>(10.0 * spike_x)].setY(5.0);
+  return line;
+}
+
+QImage drawn(const QPolygonF& line, double ratio = 1.0) {
+  QImage image(QSize(kWidth, kHeight) * ratio, QImage::Format_RGB32);
+  image.setDevicePixelRatio(ratio);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  draw_line(painter, line, QRectF(0, 0, kWidth, kHeight), QPen(Qt::black, 1.6));
+  return image;
+}
+
+}  // namespace
+
+TEST_CASE("dense_line: bars reach every point of the line and no further", "[unit][desktop]") {
+  QPolygonF line;
+  for (int i = 0; i < 500; ++i)
+    line.append({0.37 * i, 50.0 + 40.0 * std::sin(0.9 * i) * std::cos(0.013 * i)});
+  const auto bars = column_bars(line, 0.0, 180.0, 1.0);
+  REQUIRE(bars.size() == 181);
+  for (const QPointF& p : line) {
+    if (p.x() > 180.0) continue;
+    const ColumnBar& bar = bars.at(static_cast<std::size_t>(p.x()));
+    CHECK(bar.top <= p.y());
+    CHECK(bar.bottom >= p.y());
+  }
+  // No further: a bar ends on the line.
+  for (const ColumnBar& bar : bars) {
+    if (bar.column == 180) continue;  // only its left edge is in the range
+    double low = 1e9, high = -1e9;
+    for (int part = 0; part <= 2000; ++part) {
+      const double x = bar.column + part / 2000.0;
+      const auto i = static_cast<qsizetype>(x / 0.37);
+      if (i + 1 >= line.size()) continue;
+      const double t = (x - line[i].x()) / 0.37;
+      const double y = line[i].y() + t * (line[i + 1].y() - line[i].y());
+      low = std::min(low, y), high = std::max(high, y);
+    }
+    CHECK(bar.top == Approx(low).margin(0.3));
+    CHECK(bar.bottom == Approx(high).margin(0.3));
+  }
+}
+
+TEST_CASE("dense_line: the only spike of a thousand points is seen, and stays where it is",
+          "[gui]") {
+  adore::test::use_qt();
+  for (const double ratio : {1.0, 2.0})
+    for (const double spike : {0.0, 77.7, 250.2}) {
+      INFO("scale " << ratio << ", spike at " << spike);
+      const QImage image = drawn(zigzag_with_spike(spike), ratio);
+      const int row = static_cast<int>(20.0 * ratio);
+      int first = -1, last = -1;
+      for (int x = 0; x < image.width(); ++x)
+        if (qGray(image.pixel(x, row)) < 200) first = first < 0 ? x : first, last = x;
+      REQUIRE(first >= 0);
+      CHECK(first / ratio >= spike - 1.5);
+      CHECK(last / ratio <= spike + 1.5);
+    }
+}
+
+TEST_CASE("dense_line: a wave of ten pixels in a long curve keeps every one of its peaks",
+          "[unit][desktop]") {
+  // 100,000 values, of which 20,000 are seen on 1,000 columns; 200 values to a wave.
+  std::vector<double> x, y;
+  for (std::size_t i = 0; i < 100'000; ++i) {
+    x.push_back(static_cast<double>(i));
+    y.push_back(std::sin(2.0 * 3.14159265358979 * static_cast<double>(i) / 200.0));
+  }
+  const CurveBlocks blocks = blocks_of(y, false);
+  const auto pieces = drawable_pieces(x, y, 30'000.0, 50'000.0, 1000, false, &blocks);
+  REQUIRE(pieces.size() == 1);
+  int peaks = 0;
+  for (std::size_t i = 1; i + 1 < pieces[0].y.size(); ++i)
+    peaks += pieces[0].y[i] > 0.99 && pieces[0].y[i] >= pieces[0].y[i - 1] &&
+                     pieces[0].y[i] > pieces[0].y[i + 1]
+                 ? 1
+                 : 0;
+  CHECK(peaks == 100);
+}
