@@ -1,5 +1,7 @@
 #include "results/fortran_format.hpp"
 
+#include "results/decimal_digits.hpp"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -27,6 +29,29 @@ std::string_view special_word(double value, int width) {
   return width >= 9 ? "-Infinity" : "-Inf";
 }
 
+/// The first `count` significant digits of a value >= 0, and the power of ten of the first one.
+void write_digits(double value, int count, char* out, int& exponent) {
+  DecimalDigits found;
+  if (count >= 1 && count <= 9 && std::isnormal(value) && decimal_digits(value, count, found)) {
+    exponent = found.exponent;
+    for (int k = count; k-- > 0; found.digits /= 10)
+      out[k] = static_cast<char>('0' + found.digits % 10);
+    return;
+  }
+  // "d.ddde±XX"
+  std::array<char, 64> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                 std::chars_format::scientific, count - 1)
+                       .ptr;
+  const std::string_view scientific(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
+  const std::size_t letter = scientific.find('e');
+  exponent = 0;
+  std::from_chars(scientific.data() + letter + (scientific[letter + 1] == '+' ? 2 : 1), end,
+                  exponent);
+  *out++ = scientific[0];
+  if (letter > 2) std::copy(scientific.begin() + 2, scientific.begin() + letter, out);
+}
+
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -51,17 +76,12 @@ void append_real(std::string& out, double value, int width, int digits, Scale sc
     append_right(out, special_word(value, width), width);
     return;
   }
-  // Scientific form "d.ddde±XX" of |value| with as many significant digits as the descriptor shows.
-  const int precision = scale == Scale::One ? digits : digits - 1;
+  // As many significant digits of |value| as the descriptor shows, and the place of the first.
+  const int count = scale == Scale::One ? digits + 1 : digits;
   std::array<char, 64> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::abs(value),
-                                 std::chars_format::scientific, precision)
-                       .ptr;
-  const std::string_view scientific(buffer.data(), static_cast<std::size_t>(end - buffer.data()));
-  const std::size_t letter = scientific.find('e');
   int exponent = 0;
-  std::from_chars(scientific.data() + letter + (scientific[letter + 1] == '+' ? 2 : 1), end,
-                  exponent);
+  write_digits(std::abs(value), count, buffer.data(), exponent);
+  const std::string_view figures(buffer.data(), static_cast<std::size_t>(count));
 
   std::array<char, 80> field{};
   char* at = field.data();
@@ -69,12 +89,12 @@ void append_real(std::string& out, double value, int width, int digits, Scale sc
   if (value < 0.0) *at++ = '-';
   char* const lead = at;
   if (scale == Scale::One) {
-    put(scientific.substr(0, letter));
-    if (digits == 0) *at++ = '.';
+    *at++ = figures[0];
+    *at++ = '.';
+    put(figures.substr(1));
   } else {
     put("0.");
-    *at++ = scientific[0];
-    if (letter > 2) put(scientific.substr(2, letter - 2));
+    put(figures);
     if (value != 0.0) ++exponent;
   }
   const int size = std::abs(exponent);

@@ -311,14 +311,18 @@ struct H5Writer::Impl {
     if (broken)
       throw InputError(fmt::format(
           "{}: the file could not be written earlier and takes no more steps", path.string()));
+    // Every other dataset is on its way to the disk before /step, written last, counts the rows.
+    const Series* const counts = &series.back();
     for (Series& one : series) {
+      const bool is_last = &one == counts;
       std::vector<hsize_t> start{written}, count{waiting}, size{written + waiting};
       for (hsize_t dim : one.dims) {
         start.push_back(0);
         count.push_back(dim);
         size.push_back(dim);
       }
-      bool ok = H5Dset_extent(one.dataset, size.data()) >= 0;
+      bool ok = (!is_last || H5Fflush(file, H5F_SCOPE_LOCAL) >= 0) &&
+                H5Dset_extent(one.dataset, size.data()) >= 0;
       if (ok) {
         const Handle target(H5Dget_space(one.dataset));
         const Handle source(
@@ -327,7 +331,7 @@ struct H5Writer::Impl {
                                  nullptr) >= 0 &&
              H5Dwrite(one.dataset, H5T_NATIVE_DOUBLE, source, target, H5P_DEFAULT,
                       one.waiting.data()) >= 0 &&
-             H5Dflush(one.dataset) >= 0;
+             (!is_last || H5Dflush(one.dataset) >= 0);
       }
       const int error = write_error(file);
       if (!ok || error != 0) {

@@ -53,11 +53,14 @@ void add_minor_nodes(EllipseRule& rule, int minor) {
 template <class Sum>
 double largest_edge_slip(const Sum& sum, const EllipseRule& rule, const EllipseGeometry& g,
                          const EllipseKinematics& m) {
-  double fastest = 0.0;
+  double fastest = 0.0, surely_less = -1.0;  // [m/s, m²/s²]
   const auto note = [&](double s, double chord) {
     const double mean = m.u_c + m.W_t * g.height(s * g.a);
     const double fastest_c = std::abs(mean) + std::abs(m.W_n * g.b * chord);
-    fastest = std::max(fastest, std::hypot(fastest_c, sum.rolling_slip(s * g.a)));
+    const double rolling = sum.rolling_slip(s * g.a);
+    if (fastest_c * fastest_c + rolling * rolling < surely_less) return;
+    fastest = std::max(fastest, std::hypot(fastest_c, rolling));
+    surely_less = (1.0 - 1e-12) * fastest * fastest;
   };
   note(-1.0, 0.0);
   note(1.0, 0.0);
