@@ -22,6 +22,7 @@ packages=(
   gfortran               # user routines in Fortran
   xvfb openbox xdotool x11-utils  # real windows
   slurm-wlm munge        # a cluster of one node (tests/slurm)
+  python3-h5py           # tables of studies (tests/cli/open_tables.py)
 )
 
 missing=()

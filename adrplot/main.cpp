@@ -22,7 +22,9 @@ int render(int& argc, char** argv, const std::vector<std::filesystem::path>& fil
            const adrplot::RenderOptions& options) {
   if (files.empty())
     throw InputError(
-        "--render needs at least one result file (SOL1 to SOL7, RUN.json or SWEEP.csv) to draw");
+        "--render needs at least one result file (SOL1 to SOL7, RUN.json or SWEEP.csv), or a "
+        "study's "
+        "folder, to draw");
   const auto app = desktop::make_application(argc, argv, "adrplot", desktop::Display::Headless);
   for (const auto& path : adrplot::render_plots(files, options)) fmt::print("{}\n", path.string());
   return 0;
@@ -63,9 +65,10 @@ int main(int argc, char** argv) {
   std::vector<std::filesystem::path> files;
   adrplot::RenderOptions options;
   std::string size = "1280x800", abscissa = "rev";
-  cli.add_option(
-         "FILE", files,
-         "result files: SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json; in a window, folders too")
+  cli.add_option("FILE", files,
+                 "result files: SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json; a study's "
+                 "folder, RUNS.csv "
+                 "or STUDY.h5; in a window, folders of runs too")
       ->type_name("FILE");
   auto* folder =
       cli.add_option("--render", options.folder,

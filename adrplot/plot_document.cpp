@@ -2,6 +2,7 @@
 
 #include "adrplot/accuracy_page.hpp"
 #include "adrplot/run_beside.hpp"
+#include "adrplot/study_document.hpp"
 #include "base/errors.hpp"
 #include "desktop/static_pages.hpp"
 #include "results/channels.hpp"
@@ -123,7 +124,7 @@ class StepPages {
 }  // namespace
 
 bool has_steps(const std::filesystem::path& path) {
-  return path.extension() != ".json" && path.extension() != ".csv";
+  return path.extension() != ".json" && path.extension() != ".csv" && !is_study(path);
 }
 
 PlotDocument make_document(results::SolFile file) {
@@ -142,6 +143,7 @@ PlotDocument make_document(results::SolFile file) {
 
 PlotDocument open_document(const std::filesystem::path& path, const results::SolRange& range,
                            std::size_t most_values, const results::ReadWatch& watch) {
+  if (is_study(path)) return open_study(path);
   if (is_accuracy(path)) return document_of(path, "accuracy study", accuracy_pages(path));
   if (path.extension() == ".json")
     return document_of(path, "quasi-static solution",

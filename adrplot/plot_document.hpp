@@ -22,6 +22,9 @@ struct PlotDocument {
   std::vector<Entry> pages;
   /// The chart of page 1 .. pages.size(). @throws InputError for another number
   std::function<desktop::ChartPage(int number, const PageOptions& options)> build;
+  /// Of a study: a run in words, and the folder of its files (empty: not kept).
+  std::function<std::string(long run)> about_run;
+  std::function<std::filesystem::path(long run)> files_of_run;
 };
 
 /// Numbers of a file that are held at a time [values]; of longer ones those of a few pages, and the
@@ -29,9 +32,9 @@ struct PlotDocument {
 inline constexpr std::size_t kMostValues = 9'000'000;
 
 /// SOL1-SOL7 (with all digits where RESULTS.h5 of the same run lies beside the file), the RUN.json
-/// of a quasi-static run, or a SWEEP.csv, told apart by their names' endings (.json, .csv) and else
-/// by content. `watch` is asked whenever steps are read, also later for other pages; a page whose
-/// reading was stopped is read again when it is built again.
+/// of a quasi-static run, a SWEEP.csv, or a study (study_document.hpp), told apart by their names'
+/// endings (.json, .csv) and else by content. `watch` is asked whenever steps are read, also later
+/// for other pages; a page whose reading was stopped is read again when it is built again.
 /// @throws InputError for a file that is none of these; results::ReadStopped
 [[nodiscard]] PlotDocument open_document(const std::filesystem::path& path,
                                          const results::SolRange& range = {},

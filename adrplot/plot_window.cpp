@@ -69,6 +69,7 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
     page_ = item->data(0, kPageRole).toInt();
     showCurrent();
   });
+  connect(view_, &desktop::ChartView::runsChosen, this, &PlotWindow::showRuns);
   connect(view_, &desktop::ChartView::readoutChanged, this,
           [this](const QString& text) { statusBar()->showMessage(text); });
   showCurrent();
@@ -144,7 +145,8 @@ void PlotWindow::showCurrent() {
   } else {
     chart.title = "AdrPlot";
     chart.note =
-        "Open a plot file (SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json), or drop one here.";
+        "Open a plot file (SOL1 to SOL7, RUN.json, SWEEP.csv, ACCURACY.json) or a study's folder, "
+        "or drop one here.";
     orbit_action_->setVisible(false);
   }
   note_->setVisible(!note_->text().isEmpty());

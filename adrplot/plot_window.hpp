@@ -87,6 +87,7 @@ class PlotWindow : public QMainWindow {
   };
   void addDocument(PlotDocument document, const results::SolRange& range, bool on_disk = true);
   void openSeveral(const QStringList& paths);
+  void showRuns(const std::vector<long>& runs);
   void makeMenus();
   void makeChartMenu(QMenu* menu);
   void makeButtons();

@@ -1,4 +1,6 @@
 #include "adrplot/plot_window.hpp"
+#include "adrplot/run_dialog.hpp"
+#include "adrplot/study_document.hpp"
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/window_place.hpp"
@@ -112,6 +114,10 @@ void PlotWindow::closeFile() {
 }
 
 void PlotWindow::openFolder(const QString& folder, const results::SolRange& range) {
+  if (is_study(folder.toStdString())) {
+    openFile(folder.toStdString(), range);
+    return;
+  }
   QStringList names;
   const QDir dir(folder);
   for (const QString& name : dir.entryList({"SOL1", "SOL2", "SOL3", "SOL4", "SOL5", "SOL6", "SOL7"},
@@ -188,6 +194,15 @@ void PlotWindow::lookForGrowth() {
   const std::uintmax_t bytes = std::filesystem::file_size(doc->path, error);
   if (error || bytes == doc->bytes) return;
   reload();
+}
+
+void PlotWindow::showRuns(const std::vector<long>& runs) {
+  Document* doc = document();
+  if (!doc || !doc->about_run) return;
+  auto* dialog = new RunDialog(runs, doc->about_run, doc->files_of_run, this);
+  connect(dialog, &RunDialog::filesWanted, this,
+          [this](const QString& folder) { openFolder(folder); });
+  dialog->show();
 }
 
 }  // namespace adore::adrplot

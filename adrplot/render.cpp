@@ -44,7 +44,9 @@ std::vector<fs::path> render_plots(const std::vector<fs::path>& files,
                         return other.filename() == path.filename();
                       }) > 1;
     const std::string folder = fs::absolute(path).parent_path().filename().string();
-    const std::string stem = (twin ? folder + "-" : "") + path.filename().string();
+    fs::path name = path.filename();
+    if (name.empty()) name = path.parent_path().filename();  // "clearance.study/"
+    const std::string stem = (twin ? folder + "-" : "") + name.string();
     const auto pictures = render_document(document, stem, options);
     written.insert(written.end(), pictures.begin(), pictures.end());
     if (options.progress)

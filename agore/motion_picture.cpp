@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace adore::agore {
 namespace {
@@ -35,6 +36,14 @@ QString present_values(const desktop::ChartPage& page, double time, double width
   return metrics.horizontalAdvance(whole) <= width
              ? whole
              : metrics.elidedText(values.join(" · "), Qt::ElideRight, width);
+}
+
+/// The run's own speed: the name of a deck may say that of another one.
+std::string speed_text(const Animation& animation) {
+  constexpr double kRpm = 30.0 / std::numbers::pi;
+  const double speed = kRpm * std::abs(shaft_speed(animation));
+  if (!(speed > 0.0)) return {};
+  return "   ·   runs at " + desktop::pretty_number(speed, 3) + " rpm";
 }
 
 }  // namespace
@@ -176,10 +185,10 @@ void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
   painter.setFont(desktop::ui_font(13));
   painter.setPen(t.muted);
   const std::string run = animation_.file.run_id.empty() ? "(no run name)" : animation_.file.run_id;
-  painter.drawText(
-      QPointF(area.left() + kMargin, area.top() + 50),
-      QString::fromStdString(run + "   ·   " + animation_.file.path.filename().string() +
-                             "   ·   " + animation_.source));
+  painter.drawText(QPointF(area.left() + kMargin, area.top() + 50),
+                   QString::fromStdString(run + speed_text(animation_) + "   ·   " +
+                                          animation_.file.path.filename().string() + "   ·   " +
+                                          animation_.source));
   const std::vector<QRectF> tiles = pictureAreas(area, 1 + options.beside.size());
   for (std::size_t i = 0; i < tiles.size() && tiles.size() > 1; ++i) {
     painter.setPen(QPen(t.grid, 1.0));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -43,7 +44,11 @@ struct ChartLabel {
   std::string text;
 };
 
+struct StudyChart;
+
 struct ChartPage {
+  /// A picture of a study in place of everything else (study_chart.hpp).
+  std::shared_ptr<const StudyChart> study = nullptr;
   std::string title, subtitle;
   std::string note;  ///< a sentence below the title, or, without panels, instead of them
   std::string x_title, x_unit;

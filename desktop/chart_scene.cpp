@@ -2,6 +2,7 @@
 
 #include "desktop/chart_scene_parts.hpp"
 #include "desktop/dense_line.hpp"
+#include "desktop/study_picture.hpp"
 
 #include <QChart>
 #include <QFontMetricsF>
@@ -179,7 +180,16 @@ std::optional<std::size_t> ChartScene::panelAt(QPointF position) const {
   return std::nullopt;
 }
 
+std::vector<long> ChartScene::runsAt(QPointF position) const {
+  return page_.study ? runs_at(*page_.study, size_, position) : std::vector<long>();
+}
+
 QString ChartScene::readout(QPointF position) const {
+  if (const std::vector<long> runs = runsAt(position); !runs.empty())
+    return (
+        runs.size() == 1
+            ? tr("run %1: a click shows it").arg(runs.front())
+            : tr("%1 runs, %2 the first: a click shows them").arg(runs.size()).arg(runs.front()));
   if (page_.equal_axes || page_.x.empty() || !panelAt(position)) return {};
   const std::size_t i = nearest_index(page_.x, abscissaAt(position.x()));
   QString text = text_of(pretty_quantity(page_.x[i], page_.x_unit, 5)) + ":";
@@ -203,6 +213,10 @@ void ChartScene::rebuild() {
   legend_.clear();
   setSceneRect(QRectF(QPointF(0, 0), size_));
   setBackgroundBrush(theme_->surface);
+  if (page_.study) {
+    addItem(new StudyPicture(page_.study, *theme_, size_));
+    return;
+  }
   const Metrics m = metrics();
   addHeading(m);
   const QRectF space(m.left, m.top, size_.width() - m.left - m.right,

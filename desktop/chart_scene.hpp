@@ -77,6 +77,9 @@ class ChartScene : public QGraphicsScene {
   /// "12.3 rev: outer 412 N, inner 398 N" for a scene position, empty outside the panels.
   [[nodiscard]] QString readout(QPointF scene_position) const;
 
+  /// Numbers of the runs behind a place in a picture of a study; empty: none.
+  [[nodiscard]] std::vector<long> runsAt(QPointF scene_position) const;
+
   void paintPage(QPainter& painter, const QRectF& target);
   [[nodiscard]] QImage image(QSize size);
 

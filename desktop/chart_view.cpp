@@ -171,6 +171,11 @@ bool ChartView::toggleLegend(QPointF position) {
 void ChartView::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   const QPointF position = mapToScene(event->position().toPoint());
+  if (scene_->page().study) {
+    if (const std::vector<long> runs = scene_->runsAt(position); !runs.empty())
+      emit runsChosen(runs);
+    return;
+  }
   if (toggleLegend(position)) return;
   if ((event->modifiers() & Qt::ControlModifier) != 0) {
     if (scene_->panelAt(position) && !scene_->page().equal_axes)

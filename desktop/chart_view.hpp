@@ -43,6 +43,8 @@ class ChartView : public QGraphicsView {
  signals:
   void readoutChanged(const QString& text);
   void cursorsChanged();
+  /// A point, cell or line in a picture of a study was clicked.
+  void runsChosen(const std::vector<long>& runs);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

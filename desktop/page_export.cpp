@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "desktop/chart_scene.hpp"
 #include "desktop/image_export.hpp"
+#include "desktop/study_chart.hpp"
 #include "desktop/svg_writer.hpp"
 
 #include <QFileInfo>
@@ -40,6 +41,7 @@ void write_bytes(const std::filesystem::path& path, const QByteArray& bytes) {
 }  // namespace
 
 std::string page_csv(const ChartPage& page) {
+  if (page.study) return study_chart_csv(*page.study);
   struct Column {
     std::string head;
     const std::vector<double>* values;

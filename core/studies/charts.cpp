@@ -44,14 +44,16 @@ Chart curves_chart(const std::string& name, const TableColumn& x, const TableCol
                              {"x", numbers(line.x)},
                              {"y", numbers(line.y)},
                              {"low", numbers(line.low)},
-                             {"high", numbers(line.high)}});
+                             {"high", numbers(line.high)},
+                             {"runs", line.runs}});
   return out;
 }
 
 Chart heat_map(const std::string& name, const TableColumn& x, const TableColumn& y,
                const TableColumn& of, const std::vector<double>& xs, const std::vector<double>& ys,
                const std::vector<std::vector<double>>& values,
-               const std::vector<std::vector<std::string>>& marks) {
+               const std::vector<std::vector<std::string>>& marks,
+               const std::vector<std::vector<std::vector<long>>>& runs) {
   return {{"kind", "heat-map"},
           {"name", name},
           {"title", fmt::format("{} over {} and {}", of.name, x.name, y.name)},
@@ -62,13 +64,15 @@ Chart heat_map(const std::string& name, const TableColumn& x, const TableColumn&
           {"x", numbers(xs)},
           {"y", numbers(ys)},
           {"values", grid(values)},
-          {"marks", marks}};
+          {"marks", marks},
+          {"runs", runs}};
 }
 
 Chart parallel_chart(const std::string& name, const std::vector<const TableColumn*>& columns,
-                     long heavy) {
+                     long heavy, const std::vector<long>& runs) {
   Chart out{{"kind", "parallel"}, {"name", name},           {"title", "all runs"},
             {"heavy", heavy},     {"axes", Chart::array()}, {"columns", Chart::array()}};
+  out["runs"] = runs;
   for (const TableColumn* column : columns) {
     out["axes"].push_back(heading(*column));
     out["columns"].push_back(numbers(column->values));

@@ -15,6 +15,7 @@ using Chart = nlohmann::ordered_json;
 struct ChartLine {
   std::string name;
   std::vector<double> x, y, low, high;
+  std::vector<std::vector<long>> runs = {};  ///< behind each x
 };
 [[nodiscard]] Chart curves_chart(const std::string& name, const TableColumn& x,
                                  const TableColumn& y, const std::vector<ChartLine>& lines);
@@ -23,10 +24,12 @@ struct ChartLine {
                              const TableColumn& of, const std::vector<double>& xs,
                              const std::vector<double>& ys,
                              const std::vector<std::vector<double>>& values,
-                             const std::vector<std::vector<std::string>>& marks);
-/// Columns that vary. @param heavy a row that stands out; negative: none
+                             const std::vector<std::vector<std::string>>& marks,
+                             const std::vector<std::vector<std::vector<long>>>& runs);
+/// Columns that vary. @param heavy a row that stands out; negative: none; runs: numbers of the rows
 [[nodiscard]] Chart parallel_chart(const std::string& name,
-                                   const std::vector<const TableColumn*>& columns, long heavy);
+                                   const std::vector<const TableColumn*>& columns, long heavy,
+                                   const std::vector<long>& runs);
 struct Bar {
   std::string name;
   double value = 0.0, doubt = 0.0;

@@ -122,6 +122,11 @@ class Reporter {
         out.push_back(i);
     return out;
   }
+  [[nodiscard]] std::vector<long> numbers_of(const std::vector<std::size_t>& rows) const {
+    std::vector<long> out;
+    for (const std::size_t i : rows) out.push_back(table_.run[i]);
+    return out;
+  }
   static std::vector<double> picked(const TableColumn& column,
                                     const std::vector<std::size_t>& rows) {
     std::vector<double> out;
@@ -158,13 +163,14 @@ class Reporter {
 
   /// Share of the runs below each value.
   void distribution(const TableColumn& column) {
-    std::vector<double> values;
-    for (const double value : column.values)
-      if (std::isfinite(value)) values.push_back(value);
+    std::vector<std::pair<double, long>> values;
+    for (std::size_t i = 0; i < table_.rows(); ++i)
+      if (std::isfinite(column.values[i])) values.emplace_back(column.values[i], table_.run[i]);
     std::sort(values.begin(), values.end());
     ChartLine line;
     for (std::size_t i = 0; i < values.size(); ++i) {
-      line.x.push_back(values[i]);
+      line.x.push_back(values[i].first);
+      line.runs.push_back({values[i].second});
       line.y.push_back((static_cast<double>(i) + 0.5) / static_cast<double>(values.size()));
     }
     charts_.push_back(curves_chart("distribution-" + file_name(column.name), column,
@@ -192,6 +198,7 @@ class Reporter {
     for (const TableColumn& quantity : table_.quantities) {
       std::vector<ChartLine> lines;
       std::vector<std::vector<double>> map;
+      std::vector<std::vector<std::vector<long>>> runs;
       if (band)
         text_ += fmt::format("{} over {}: {:g}, 50 and {:g} %\n", label(quantity), label(x),
                              study_.percentiles.front(), study_.percentiles.back());
@@ -201,8 +208,10 @@ class Reporter {
         for (const double at : xs) {
           std::vector<std::pair<const TableColumn*, double>> where{{&x, at}};
           if (second != nullptr) where.emplace_back(second, other);
+          const std::vector<std::size_t> rows = rows_at(where);
+          line.runs.push_back(numbers_of(rows));
           const Summary summary =
-              summarise(picked(quantity, rows_at(where)),
+              summarise(picked(quantity, rows),
                         {study_.percentiles.front(), 50.0, study_.percentiles.back()});
           const auto value = [&](std::size_t k) {
             return summary.count > 0 ? summary.percentiles[k].value : kNone;
@@ -217,12 +226,13 @@ class Reporter {
                                number(value(0)), number(value(1)), number(value(2)));
         }
         map.push_back(line.y);
+        runs.push_back(line.runs);
         lines.push_back(std::move(line));
       }
       charts_.push_back(curves_chart("curves-" + file_name(quantity.name), x, quantity, lines));
       if (second != nullptr && xs.size() > 1 && others.size() > 1)
-        charts_.push_back(
-            heat_map("map-" + file_name(quantity.name), x, *second, quantity, xs, others, map, {}));
+        charts_.push_back(heat_map("map-" + file_name(quantity.name), x, *second, quantity, xs,
+                                   others, map, {}, runs));
     }
     if (band) text_ += "\n";
   }
@@ -290,7 +300,7 @@ class Reporter {
         if (sorted_values(column.values).size() > 1 && columns.size() < kMost)
           columns.push_back(&column);
     if (columns.size() > 2 && table_.rows() > 2)
-      charts_.push_back(parallel_chart("parallel", columns, heavy));
+      charts_.push_back(parallel_chart("parallel", columns, heavy, table_.run));
   }
 
   void cage_map() {
@@ -312,15 +322,18 @@ class Reporter {
     for (const TableColumn& quantity : table_.quantities) {
       if (&quantity == &kind) continue;
       std::vector<std::vector<double>> values;
+      std::vector<std::vector<std::vector<long>>> runs;
       for (const double b : ys) {
         values.emplace_back();
+        runs.emplace_back();
         for (const double a : xs) {
           const auto rows = rows_at({{&x, a}, {&y, b}});
+          runs.back().push_back(numbers_of(rows));
           values.back().push_back(rows.empty() ? kNone : quantity.values[rows.front()]);
         }
       }
       charts_.push_back(
-          heat_map("map-" + file_name(quantity.name), x, y, quantity, xs, ys, values, marks));
+          heat_map("map-" + file_name(quantity.name), x, y, quantity, xs, ys, values, marks, runs));
       text_ +=
           fmt::format("{}, {} across, {} down\n{:>14}", label(quantity), label(x), label(y), "");
       for (const double a : xs) text_ += fmt::format(" {:>12g}", a);
@@ -430,7 +443,7 @@ class Reporter {
     for (const TableColumn& column : table_.quantities)
       if (&column != &objective) columns.push_back(&column);
     columns.push_back(&objective);
-    charts_.push_back(parallel_chart("parallel", columns, best));
+    charts_.push_back(parallel_chart("parallel", columns, best, table_.run));
   }
 
   void what_if() {

@@ -2,7 +2,7 @@
 # A Slurm cluster of one node with two processors in a folder of its own, for tests of `--engine slurm`. Needs root and the packages
 # slurm-wlm and munge; nothing outside the folder is touched, no service of the machine is used.
 #
-#   one_node_cluster.sh start FOLDER   prints what to set: export SLURM_CONF=...
+#   one_node_cluster.sh start FOLDER [LINE ...]   lines for slurm.conf; prints what to set: export SLURM_CONF=...
 #   one_node_cluster.sh stop FOLDER
 #   one_node_cluster.sh stop-node FOLDER, start-node FOLDER   slurmd alone
 #
@@ -54,7 +54,7 @@ CryptoType=crypto/munge
 ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none
 SelectType=select/cons_tres
-SelectTypeParameters=CR_Core
+SelectTypeParameters=CR_Core_Memory
 SchedulerType=sched/backfill
 SchedulerParameters=batch_sched_delay=0,sched_interval=1,sched_min_interval=1000000
 JobRequeue=1
@@ -74,6 +74,7 @@ SlurmdLogFile=$folder/slurmd.log
 NodeName=$(hostname -s) NodeAddr=127.0.0.1 CPUs=2 RealMemory=2000 State=UNKNOWN
 PartitionName=test Nodes=$(hostname -s) Default=YES MaxTime=INFINITE State=UP OverSubscribe=NO
 CONF
+    for line in "${@:3}"; do echo "$line" >>"$folder/slurm.conf"; done
     export SLURM_CONF=$folder/slurm.conf
     slurmctld -i
     start_node

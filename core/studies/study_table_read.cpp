@@ -1,0 +1,371 @@
+#include "studies/study_table_read.hpp"
+
+#include "base/errors.hpp"
+#include "deck/schema.hpp"
+#include "results/growing_file.hpp"
+#include "results/hdf5_handle.hpp"
+#include "setup/run_control.hpp"
+#include "studies/charts.hpp"
+#include "studies/statistics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+#include <set>
+
+namespace adore::studies {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kLargestFile = std::size_t{4} << 30;
+
+[[noreturn]] void no_table(const fs::path& file, const std::string& why) {
+  throw InputError(
+      fmt::format("{} is no table of `adore study`: {}; give the RUNS.csv or STUDY.h5 "
+                  "that it wrote, or its folder",
+                  file.string(), why));
+}
+
+/// Fields of one line, quotes taken away.
+std::vector<std::string> fields_of(const std::string& line) {
+  std::vector<std::string> out(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"')
+      out.back() += line[++i];
+    else if (c == '"')
+      quoted = !quoted;
+    else if (c == ',' && !quoted)
+      out.emplace_back();
+    else if (c != '\r')
+      out.back() += c;
+  }
+  return out;
+}
+
+double number_of(const std::string& text) {
+  if (text.empty()) return kNone;
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  return end == text.c_str() + text.size() ? value : kNone;
+}
+
+bool is_varied(const std::string& name) {
+  const std::string bare = name.substr(0, name.find('['));
+  if (!deck::find_variable(bare).empty()) return true;
+  const auto& options = setup::run_option_list();
+  return std::any_of(options.begin(), options.end(),
+                     [&](const auto& option) { return option.name == bare; });
+}
+
+TableColumn column_of(const std::string& heading) {
+  const std::size_t bracket = heading.rfind(" [");
+  if (bracket == std::string::npos || !heading.ends_with(']')) return {heading, "", {}};
+  return {
+      heading.substr(0, bracket), heading.substr(bracket + 2, heading.size() - bracket - 3), {}};
+}
+
+StudyTable read_csv(const fs::path& file) {
+  const std::string text = results::read_text_file(file, kLargestFile);
+  StudyTable out;
+  std::vector<std::string> head;
+  // Where a column's values go: run, exit, deck, case, message, or a number of a column.
+  std::vector<TableColumn*> places;
+  std::size_t from = 0;
+  while (from < text.size()) {
+    const std::size_t end = std::min(text.find('\n', from), text.size());
+    const std::vector<std::string> fields = fields_of(text.substr(from, end - from));
+    from = end + 1;
+    if (head.empty()) {
+      head = fields;
+      if (head.size() < 3 || head[0] != "run" || head[1] != "exit" || head.back() != "message")
+        no_table(file, "its first line is not run,exit,...,message");
+      out.variables.reserve(head.size());
+      out.quantities.reserve(head.size());
+      for (const std::string& heading : head) {
+        places.push_back(nullptr);
+        if (heading == "run" || heading == "exit" || heading == "message" || heading == "deck" ||
+            heading == "case")
+          continue;
+        TableColumn column = column_of(heading);
+        auto& group = is_varied(column.name) ? out.variables : out.quantities;
+        group.push_back(std::move(column));
+        places.back() = &group.back();
+      }
+      continue;
+    }
+    if (fields.size() != head.size())
+      no_table(file, fmt::format("line {} has {} fields, and the first {}", out.rows() + 2,
+                                 fields.size(), head.size()));
+    for (std::size_t k = 0; k < head.size(); ++k) {
+      if (places[k] != nullptr)
+        places[k]->values.push_back(number_of(fields[k]));
+      else if (head[k] == "run")
+        out.run.push_back(std::atol(fields[k].c_str()));
+      else if (head[k] == "exit")
+        out.exit.push_back(fields[k].empty() ? -1 : std::atol(fields[k].c_str()));
+      else if (head[k] == "deck")
+        out.deck.push_back(fields[k]);
+      else if (head[k] == "case")
+        out.label.push_back(fields[k]);
+      else
+        out.message.push_back(fields[k]);
+    }
+  }
+  if (head.empty()) no_table(file, "it is empty");
+  return out;
+}
+
+using results::h5::Handle;
+
+hsize_t rows_of(hid_t set) {
+  const Handle space(H5Dget_space(set));
+  std::array<hsize_t, H5S_MAX_RANK> size{};
+  return H5Sget_simple_extent_ndims(space) == 1 &&
+                 H5Sget_simple_extent_dims(space, size.data(), nullptr) == 1
+             ? size[0]
+             : 0;
+}
+
+class H5Table {
+ public:
+  explicit H5Table(const fs::path& file)
+      : path_(file), file_(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {
+    if (!file_.valid()) no_table(path_, "it is no HDF5 file");
+  }
+  StudyTable read() const {
+    StudyTable out;
+    out.run = whole("run");
+    out.exit = whole("exit");
+    if (out.exit.size() != out.run.size()) no_table(path_, "run and exit differ in length");
+    out.variables = group("variables", out.rows());
+    out.quantities = group("quantities", out.rows());
+    out.message = texts("message", out.rows());
+    out.label = texts("case", out.rows());
+    out.deck = texts("deck", out.rows());
+    if (out.message.empty()) out.message.resize(out.rows());
+    return out;
+  }
+
+ private:
+  [[nodiscard]] Handle open(const std::string& name) const {
+    if (H5Lexists(file_, name.c_str(), H5P_DEFAULT) <= 0) return {};
+    return Handle(H5Dopen2(file_, name.c_str(), H5P_DEFAULT));
+  }
+  [[nodiscard]] std::vector<long> whole(const std::string& name) const {
+    const Handle set = open(name);
+    if (!set.valid()) no_table(path_, "it has no " + name);
+    std::vector<long> out(rows_of(set));
+    if (!out.empty() &&
+        H5Dread(set, H5T_NATIVE_LONG, H5S_ALL, H5S_ALL, H5P_DEFAULT, out.data()) < 0)
+      no_table(path_, name + " cannot be read");
+    return out;
+  }
+  [[nodiscard]] std::vector<std::string> texts(const std::string& name, std::size_t rows) const {
+    const Handle set = open(name);
+    if (!set.valid() || rows_of(set) != rows || rows == 0) return {};
+    const Handle type(H5Dget_type(set));
+    const std::size_t width = H5Tget_size(type);
+    if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 ||
+        width > kLargestFile / rows)
+      return {};
+    std::string all(width * rows, '\0');
+    if (H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()) < 0) return {};
+    std::vector<std::string> out;
+    for (std::size_t i = 0; i < rows; ++i)
+      out.emplace_back(all.substr(i * width, width).c_str());  // up to the padding
+    return out;
+  }
+  [[nodiscard]] std::vector<TableColumn> group(const char* name, std::size_t rows) const {
+    std::vector<TableColumn> out;
+    if (H5Lexists(file_, name, H5P_DEFAULT) <= 0) return out;
+    const Handle in(H5Gopen2(file_, name, H5P_DEFAULT));
+    if (!in.valid()) return out;
+    std::vector<std::string> names;
+    H5Literate(
+        in, H5_INDEX_NAME, H5_ITER_INC, nullptr,
+        [](hid_t, const char* link, const H5L_info_t*, void* to) -> herr_t {
+          static_cast<std::vector<std::string>*>(to)->emplace_back(link);
+          return 0;
+        },
+        &names);
+    for (const std::string& column : names) {
+      const Handle set(H5Dopen2(in, column.c_str(), H5P_DEFAULT));
+      if (!set.valid() || rows_of(set) != rows) no_table(path_, column + " has another length");
+      TableColumn next{column, unit_of(set), std::vector<double>(rows)};
+      if (rows > 0 &&
+          H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, next.values.data()) < 0)
+        no_table(path_, column + " cannot be read");
+      out.push_back(std::move(next));
+    }
+    return out;
+  }
+  static std::string unit_of(hid_t set) {
+    if (H5Aexists(set, "unit") <= 0) return {};
+    const Handle attribute(H5Aopen(set, "unit", H5P_DEFAULT));
+    const Handle type(H5Aget_type(attribute));
+    constexpr std::size_t kLongest = 200;
+    const std::size_t size = H5Tget_size(type);
+    if (H5Tget_class(type) != H5T_STRING || H5Tis_variable_str(type) > 0 || size > kLongest)
+      return {};
+    std::string out(size, '\0');
+    if (H5Aread(attribute, type, out.data()) < 0) return {};
+    return out.c_str();
+  }
+
+  fs::path path_;
+  Handle file_;
+};
+
+std::string file_name(std::string text) {
+  for (char& c : text)
+    if (c == '/' || c == ' ' || c == '[' || c == ']') c = '_';
+  return text;
+}
+
+bool varies(const TableColumn& column) {
+  std::set<double> seen;
+  for (const double value : column.values)
+    if (!std::isnan(value)) seen.insert(value);
+  return seen.size() > 1;
+}
+
+std::string shown(const TableColumn& column, std::size_t row) {
+  const std::string unit = column.unit.empty() || column.unit == "-" ? "" : " " + column.unit;
+  const double value = column.values.at(row);
+  return fmt::format("  {:<34} {}\n", column.name,
+                     std::isnan(value) ? "none" : fmt::format("{:.10g}{}", value, unit));
+}
+
+Task task_of(const fs::path& folder, long run) {
+  for (Task& task : read_tasks(folder / "tasks.jsonl"))
+    if (task.number == run) return std::move(task);
+  throw InputError(fmt::format("{}: the study has no run {}", folder.string(), run));
+}
+
+}  // namespace
+
+bool is_study_table(const fs::path& file) {
+  if (file.extension() == ".h5") return file.filename() != "RESULTS.h5";
+  if (file.extension() != ".csv") return false;
+  std::ifstream in(file);
+  std::string start(9, '\0');
+  in.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start == "run,exit,";
+}
+
+StudyTable read_study_table(const fs::path& file) {
+  if (file.extension() != ".h5") return read_csv(file);
+  const results::h5::Quiet quiet;
+  return H5Table(file).read();
+}
+
+std::string charts_of_table(const StudyTable& table) {
+  Chart charts = Chart::array();
+  constexpr std::size_t kMostColumns = 12, kMostValues = 200;
+  std::vector<const TableColumn*> columns;
+  for (const auto* group : {&table.variables, &table.quantities})
+    for (const TableColumn& column : *group)
+      if (varies(column) && columns.size() < kMostColumns) columns.push_back(&column);
+  if (columns.size() > 1 && table.rows() > 1)
+    charts.push_back(parallel_chart("parallel", columns, -1, table.run));
+  for (const TableColumn& x : table.variables) {
+    const std::set<double> values(x.values.begin(), x.values.end());
+    if (values.size() < 2 || values.size() > kMostValues) continue;
+    for (const TableColumn& y : table.quantities) {
+      ChartLine line;
+      bool band = false;
+      for (const double at : values) {
+        std::vector<double> here;
+        line.runs.emplace_back();
+        for (std::size_t i = 0; i < table.rows(); ++i) {
+          if (x.values[i] != at) continue;
+          here.push_back(y.values[i]);
+          line.runs.back().push_back(table.run[i]);
+        }
+        const Summary summary = summarise(here, {5.0, 50.0, 95.0});
+        const auto value = [&](std::size_t k) {
+          return summary.count > 0 ? summary.percentiles[k].value : kNone;
+        };
+        line.x.push_back(at);
+        line.low.push_back(value(0));
+        line.y.push_back(value(1));
+        line.high.push_back(value(2));
+        band = band || summary.count > 1;
+      }
+      if (!band) {
+        line.low.clear();
+        line.high.clear();
+      }
+      charts.push_back(curves_chart(
+          fmt::format("curves-{}-over-{}", file_name(y.name), file_name(x.name)), x, y, {line}));
+    }
+  }
+  return charts.dump(1) + "\n";
+}
+
+std::string run_text(const StudyTable& table, long run) {
+  const auto found = std::find(table.run.begin(), table.run.end(), run);
+  if (found == table.run.end()) return fmt::format("The table has no run {}.\n", run);
+  const auto row = static_cast<std::size_t>(found - table.run.begin());
+  const long exit = table.exit[row];
+  std::string out = fmt::format("Run {}: {}\n", run,
+                                exit < 0    ? "not finished"
+                                : exit == 0 ? "done"
+                                            : fmt::format("failed (exit {})", exit));
+  if (!table.message[row].empty()) out += table.message[row] + "\n";
+  if (!table.deck.empty()) out += fmt::format("  {:<34} {}\n", "deck", table.deck[row]);
+  if (!table.label.empty()) out += fmt::format("  {:<34} {}\n", "case", table.label[row]);
+  out += "\n";
+  for (const TableColumn& column : table.variables) out += shown(column, row);
+  out += "\n";
+  for (const TableColumn& column : table.quantities) out += shown(column, row);
+  return out;
+}
+
+std::string run_text(const fs::path& folder, long run) {
+  const Job job = read_job(folder);
+  const Task task = task_of(folder, run);
+  const std::optional<Record> record = read_record(folder, task.key);
+  std::string out;
+  if (std::error_code error; fs::exists(folder / "RUNS.csv", error))
+    out = run_text(read_study_table(folder / "RUNS.csv"), run);
+  if (record)
+    out += fmt::format("\ncost: {:.3g} s of the processor, {:.3g} MB, on {}\n", record->processor,
+                       record->memory_megabytes, record->host);
+  // As run_task() makes it.
+  std::string command = fmt::format("adore run {}", job.decks.at(task.point.deck).deck.string());
+  const auto add = [&](const char* option, const Settings& base, const Settings& over) {
+    Settings all = base;
+    for (const auto& [name, value] : over) {
+      std::erase_if(all, [&](const auto& old) { return old.first == name; });
+      all.emplace_back(name, value);
+    }
+    for (const auto& [name, value] : all)
+      command += fmt::format(" {} '{}={}'", option, name, value);
+  };
+  add("--set", job.sets, task.point.sets);
+  Settings options = job.decks.at(task.point.deck).options;
+  options.insert(options.end(), job.options.begin(), job.options.end());
+  add("--opt", options, task.point.options);
+  if (!job.until.empty()) command += " --until " + job.until;
+  if (!job.integrator.empty()) command += " --integrator " + job.integrator;
+  if (job.tolerance) command += fmt::format(" --tol {}", *job.tolerance);
+  out += fmt::format("\nthe same run with all its files:\n{} --out RUN-{}\n", command, run);
+  return out;
+}
+
+fs::path run_files(const fs::path& folder, long run) {
+  const fs::path files = folder / "files" / task_of(folder, run).key;
+  std::error_code error;
+  return fs::is_directory(files, error) ? files : fs::path();
+}
+
+}  // namespace adore::studies
