@@ -36,7 +36,7 @@ constexpr CatalogueLine kCatalogue[] = {
      land_terms},
     {"guide-land films", "kGsHydro", "oil films between cage and races", make_land_film,
      land_film_terms},
-    {"pocket films", "kPocHydro, pocLubFilm", "oil films between balls and cage", make_pocket_film,
+    {"pocket films", "kPocHydro, pocLubFilm", "oil films between elements and cage", make_pocket_film,
      pocket_film_terms},
     {"element drag", "kChrn", "drag and churning of elements in the medium of the cavity",
      make_element_drag, element_drag_terms},
