@@ -31,7 +31,7 @@ double solve_atanh(double e, double r) {
   for (int i = 0; i < 100; ++i) {
     const double t = std::tanh(w), step = (t + e * w - r) / (1.0 - t * t + e);
     w -= step;
-    if (std::abs(step) <= 1e-13 * (1.0 + w)) break;
+    if (!(step < -1e-13 * (1.0 + w))) break;  // at the root, or past it by rounding
   }
   return std::tanh(w);
 }
