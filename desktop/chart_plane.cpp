@@ -50,8 +50,13 @@ void ChartScene::addOrbit(const QRectF& space, const Metrics& m) {
   const QSizeF most(space.width(), space.height() - m.legend);
   const qreal scale = std::min(most.width() / half_x, most.height() / half_y);
   if (page_.fitted) {  // remarks beside the curves, as far as there is room
-    constexpr qreal kRemark = 180.0;
-    const double wanted = half_x / 1.24 + 2.0 * kRemark / scale;
+    constexpr qreal kRemark = 180.0, kBeside = 45.0;  // dot, leader and gaps
+    qreal remark = kRemark;
+    const QFontMetricsF metrics(ui_font(m.text_font));
+    for (const ChartLabel& label : page_.labels)
+      if (label.towards_x != 0.0)
+        remark = std::max(remark, kBeside + metrics.horizontalAdvance(text_of(label.text)));
+    const double wanted = half_x / 1.24 + 2.0 * remark / scale;
     half_x = std::clamp(wanted, half_x, most.width() / scale);
   }
   const QSizeF size(half_x * scale, half_y * scale);

@@ -20,6 +20,10 @@ struct Lubrication {
   double critical_film = 0.0;  ///< reRaceFilm: thinner films are metal contacts [m]
   double meniscus = 0.0;       ///< strParam: its distance from the contact over the half width
   std::optional<UserLubricant> user;  ///< kTrac 9
+  bool hot_walls = false;             ///< iTherm: walls of visco-elastic films have a flash
+  // Run options and tolerance, not the deck.
+  bool direct_strips = false;  ///< integrate the stress of every strip, no surface (kTrac 8, 12)
+  double tolerance = 1e-6;     ///< of the run, for the error of the surface
 };
 
 /// What churns in the cavity of the bearing (kChrn, records 10.7A and 10.7B).

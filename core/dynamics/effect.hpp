@@ -136,6 +136,8 @@ class SceneEffect {
   virtual void store(const Evaluation& e, EnergyLedger& energy) const { (void)e, (void)energy; }
   virtual void carry(const Evaluation& e, Momenta& momenta) const { (void)e, (void)momenta; }
   virtual void report(const Evaluation& e, Snapshot& snapshot) const { (void)e, (void)snapshot; }
+  /// What stands in for an integral that is too dear, with its error; empty: nothing.
+  [[nodiscard]] virtual std::string stated() const { return {}; }
   /// System::quadrature_error of its contacts.
   [[nodiscard]] virtual double quadrature_error(const Evaluation& e) const { return (void)e, 0.0; }
 

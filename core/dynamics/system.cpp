@@ -222,6 +222,15 @@ Snapshot System::snapshot(double t, std::span<const double> y) {
   return snapshot;
 }
 
+std::string System::stated() const {
+  std::string out;
+  for (const auto& effect : impl_->parts.effects) {
+    const std::string one = effect->stated();
+    if (!one.empty()) out += (out.empty() ? "" : "; ") + one;
+  }
+  return out;
+}
+
 double System::quadrature_error(double t, std::span<const double> y) {
   Impl& s = *impl_;
   s.evaluate(t, y);

@@ -86,6 +86,8 @@ class System {
   /// all loaded contacts of this state, relative to each contact's κ-weighted load κ̄ Q, κ̄ = ∫
   /// κ p u dA / ∫ p u dA (dimensionless). 0 without traction.
   [[nodiscard]] double quadrature_error(double t, std::span<const double> y);
+  /// What stands in for integrals that are too dear, with its error; empty: nothing.
+  [[nodiscard]] std::string stated() const;
   /// Normal loads of all elements at a race, of the evaluation that was made last [N].
   [[nodiscard]] std::span<const double> contact_loads(std::size_t race) const noexcept;
   [[nodiscard]] CostLedger& cost() noexcept;

@@ -19,7 +19,8 @@ constexpr double kShortTurns = 2.0;   ///< of the first round, at most
 constexpr double kShortShare = 0.35;  ///< of the budget
 constexpr double kLongShare = 0.6;
 constexpr double kLongestRow = 5.0;  ///< times the cost of the deck's own run; slower ones are cut
-constexpr std::size_t kFinalists = 8;  ///< beside the deck's own settings
+constexpr std::size_t kFinalists = 8;                  ///< beside the deck's own settings
+constexpr double kDearTurns = 0.05, kDearShare = 0.5;  ///< of models that are far dearer
 constexpr double kReferenceTolerance = 1e-9;
 constexpr double kAtLongest = 0.98;  ///< mean step over longest: it never took another
 constexpr double kUnlimited = std::numeric_limits<double>::infinity();
@@ -326,6 +327,15 @@ class Study {
     for (AccuracySetting setting : models_) {
       setting.method = own.method;
       setting.tolerance = own.tolerance;
+      if (setting.dear) {
+        const double turns = std::min(study_.short_turns, kDearTurns);
+        const Trial beside = try_setting(subject_, own, turns, kUnlimited, stop_);
+        study_.seconds += beside.row.seconds;
+        if (!beside.good()) continue;
+        Trial row = trial(earlier_.models, setting, turns, kDearShare * request_.budget);
+        add(study_.models, row, beside.results);
+        continue;
+      }
       Trial row = trial(earlier_.models, setting, study_.short_turns,
                         start_cost_ + 0.5 + 30.0 * turn_cost_ * study_.short_turns);
       add(study_.models, row, base.results);

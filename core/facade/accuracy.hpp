@@ -43,6 +43,8 @@ struct AccuracySetting {
   bool own = false;                ///< what the deck itself asks for
   /// Other values of deck variables or run options than the deck's: resolutions of the model.
   std::vector<std::pair<std::string, std::string>> sets, options;
+  bool dear =
+      false;  ///< a model that takes thousands of times longer: over a short span of its own
   /// "rkf5, tol 1e-06, stpMax 0.5", "hertzConstants frozen"
   std::string name;
 };

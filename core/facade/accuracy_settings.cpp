@@ -1,6 +1,7 @@
 #include "facade/accuracy_settings.hpp"
 
 #include "integrators/stepper.hpp"
+#include "tribology/lubricant.hpp"
 
 #include <fmt/format.h>
 
@@ -78,6 +79,11 @@ std::vector<AccuracySetting> models_of(const Prepared& prepared) {
       out.push_back(std::move(next));
     }
     option("hertzConstants", prepared.options.system.moving_angle ? "frozen" : "moving");
+  }
+  if (const auto& oil = prepared.bearing.lubrication;
+      oil && tribology::lubricant_of(*oil).model == tribology::LubricantModel::ViscoElastic) {
+    option("filmStress", prepared.options.direct_strips ? "surface" : "direct");
+    out.back().dear = true;
   }
   const auto mode = prepared.input.deck.integer("mode");
   for (const int other : {0, 1, 2})

@@ -130,6 +130,7 @@ Prepared prepare_model(LoadedDeck input) {
   const setup::UserHooks* const user = out.user ? &hooks : nullptr;
   out.as_built = setup::build_bearing(deck, out.options.seed, user);
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
+  if (out.as_built.lubrication) out.as_built.lubrication->direct_strips = out.options.direct_strips;
   for (Issue& issue : setup::check_buildable(deck, user))
     out.input.warnings.push_back(std::move(issue));
   if (out.as_built.thermal && deck.integer("mode") < 0) {
@@ -148,6 +149,9 @@ Prepared prepare_model(LoadedDeck input) {
   for (Issue& issue : operating_warnings(out.bearing, out.input.path.string()))
     out.input.warnings.push_back(std::move(issue));
   out.control = setup::build_run_control(deck);
+  if (out.control.dynamic)
+    for (bearing::Bearing* one : {&out.as_built, &out.bearing})
+      if (one->lubrication) one->lubrication->tolerance = out.control.tolerance;
   const bearing::LifeInputs life_inputs = setup::build_life(deck, out.options.life);
   out.no_part = setup::values_without_part(deck);
   out.input.deck.reads.reset();  // the rest reads the deck for texts
@@ -339,10 +343,18 @@ dynamics::System make_system(const Prepared& prepared) {
                           prepared.options.system, {}, prepared.roller_scene);
 }
 
+void state_in(scene::ScenePlan& plan, const dynamics::System& system) {
+  const std::string stated = system.stated();
+  if (stated.empty()) return;
+  for (scene::EffectEntry& effect : plan.effects)
+    if (effect.effect == scene::Effect::RaceTraction) effect.because += "; " + stated;
+}
+
 scene::ScenePlan plan_with_estimates(const Prepared& prepared) {
   scene::ScenePlan plan = prepared.plan;
   if (!prepared.control.dynamic) return plan;
   dynamics::System system = make_system(prepared);
+  state_in(plan, system);
   dynamics::estimate(plan, prepared.bearing, prepared.start, system);
   const JudgedSteps steps = judge_steps(prepared, system.scales().time);
   if (steps.limits.action == StepAction::Refused) return plan;

@@ -76,6 +76,9 @@ struct Prepared {
 /// The equations of motion of a prepared dynamic deck.
 [[nodiscard]] dynamics::System make_system(const Prepared& prepared);
 
+/// Adds to the plan what stands in for integrals that are too dear.
+void state_in(scene::ScenePlan& plan, const dynamics::System& system);
+
 /// Plan with its estimates (frequencies, step, cost) as text or JSON.
 [[nodiscard]] scene::ScenePlan plan_with_estimates(const Prepared& prepared);
 /// What the integrator's steps do to contact vibrations, and what is done about it; empty for a

@@ -50,6 +50,8 @@ void apply_overrides(const RunRequest& request, Prepared& prepared) {
           fmt::format("--tol {} is no local error limit; give a number between 0 and 1, e.g. 1e-6",
                       *request.tolerance));
     prepared.control.tolerance = *request.tolerance;
+    for (bearing::Bearing* one : {&prepared.as_built, &prepared.bearing})
+      if (one->lubrication) one->lubrication->tolerance = *request.tolerance;
   }
 }
 
@@ -313,6 +315,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   const bool thermal_goes_on =
       thermal && how == setup::StartState::Continue && restore_thermal(*thermal, prepared, master);
   std::optional<dynamics::System> at_present(make_system(prepared));
+  state_in(prepared.plan, *at_present);
   dynamics::System& system = *at_present;  // thermal steps put another one into its place
   SystemOde ode(system);
   const auto stepper = make_checked_stepper(

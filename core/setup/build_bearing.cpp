@@ -105,7 +105,8 @@ bearing::TractionCurve curve(const Deck& deck, const char* type_variable, const 
 bearing::Lubrication lubrication(const Deck& deck) {
   bearing::Lubrication out;
   out.code = static_cast<int>(deck.integer("kTrac"));
-  constexpr int kUserLubricant = 9;
+  constexpr int kUserLubricant = 9, kHotWalls = 12;
+  if (out.code == kHotWalls) out.hot_walls = deck.integer("iTherm") == 1;
   out.meniscus = deck.si("strParam");
   out.critical_film = si_where(out.meniscus > 0.0, deck, "reRaceFilm");
   if (out.code != kUserLubricant) return out;

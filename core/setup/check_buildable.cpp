@@ -352,19 +352,9 @@ void check_lubricant(const Deck& deck, Checker& check) {
 }
 
 /// Which films of the pockets act.
-void check_pocket_films(const Deck& deck, bool rollers, Checker& check) {
+void check_pocket_films(const Deck& deck, Checker& check) {
   const deck::ReportOnly quiet(deck);
-  if (rollers)
-    check.error("kPocHydro",
-                "asks for hydrodynamics in the pockets of rollers, which this version does not "
-                "simulate yet (guide lands of all types and pockets of balls are)",
-                "set kPocHydro to 0");
-  else if (deck.real("qFac") > 0.0 || deck.integer("mode") > 0)
-    check.error("kPocHydro",
-                "asks for films in the pockets of balls that are held in force balance, which "
-                "knows the contact with the pockets alone",
-                "set kPocHydro to 0, or qFac and mode to 0");
-  else if (!(deck.si("pocLubFilm") > 0.0))
+  if (!(deck.si("pocLubFilm") > 0.0))
     check.error("pocLubFilm",
                 "leaves the pockets no film, which kPocHydro = 1 asks for: walls farther than this "
                 "feel none",
@@ -383,8 +373,7 @@ std::vector<Issue> check_buildable(const Deck& deck, const UserHooks* user) {
   const long long segments = deck.integer("nCseg");
   if (dynamic && segments > 1) check_segments(deck, check);
   if (dynamic && segments > 0) check_land_errors(deck, check);
-  if (dynamic && segments == 1 && deck.integer("kPocHydro") == 1)
-    check_pocket_films(deck, rollers, check);
+  if (dynamic && segments == 1 && deck.integer("kPocHydro") == 1) check_pocket_films(deck, check);
   for (Issue& issue : check_race_motions(deck)) check.add(std::move(issue));
   for (Issue& issue : check_element_inertia(deck)) check.add(std::move(issue));
   check_requests(deck, user, check);

@@ -255,6 +255,15 @@ const std::vector<Option>& options() {
            o.system.contact_damping = value;
            return true;
          }},
+        {{"filmStress", "surface",
+          "stress of visco-elastic films (kTrac 8, 12): surface (splines made at set-up, their "
+          "error by the run's tolerance), or direct (integrated along every strip at every "
+          "evaluation, thousands of times dearer)"},
+         [](RunOptions& o, std::string_view v) {
+           if (v != "surface" && v != "direct") return false;
+           o.direct_strips = v == "direct";
+           return true;
+         }},
         {{"landSlices", fmt::format("{}", defaults.system.land_slices),
           "slices along each cage guide land, 1 to 99"},
          [](RunOptions& o, std::string_view v) {

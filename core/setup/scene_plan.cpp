@@ -33,16 +33,11 @@ std::string flange_reason(const deck::Deck& deck) {
   return out;
 }
 
-/// The lubricant, and what stands in for an integral that is too dear.
 std::string film_reason(const bearing::Lubrication& lubrication) {
   const tribology::Lubricant oil = tribology::lubricant_of(lubrication);
-  std::string out = fmt::format("kTrac = {}, {}", lubrication.code, oil.name);
-  if (oil.model == tribology::LubricantModel::ViscoElastic)
-    out +=
-        "; stress along each strip read from splines over pressure (to 5 GPa), slip and transit "
-        "(0.003 to 2 of the race speed), 0.2 % from the integral in the mean and 3 % at most, "
-        "made at set-up";
-  return out;
+  return fmt::format(
+      "kTrac = {}, {}{}", lubrication.code, oil.name,
+      lubrication.hot_walls ? "; iTherm = 1: walls have the flash of each strip" : "");
 }
 
 /// Does a ball need no orientation to move: equal moments, mass centre in its middle?

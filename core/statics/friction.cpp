@@ -115,6 +115,8 @@ class Oil {
     surface.wall_temperature = temperature_[j];
     surface.race_speed = std::max(race_speed, 1e-6);
     surface.width_over_pressure = width_over_pressure;
+    surface.walls = {tribology::film_wall(bearing_.race_material[j]),
+                     tribology::film_wall(bearing_.element_material)};
     kept = tribology::film_law(bearing_.race_traction, *oil_, *bearing_.lubrication, surface);
     return *kept;
   }

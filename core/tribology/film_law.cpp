@@ -4,6 +4,8 @@
 #include "tribology/pressure_fits.hpp"
 #include "tribology/visco_elastic_surface.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -107,9 +109,34 @@ TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,
       break;
   }
   constexpr double kLeastRaceSpeed = 0.1;  // m/s, for the range of a bearing that stands
-  const ViscoElasticSurface surface = visco_elastic_surface(
-      oil, s.wall_temperature, s.width_over_pressure, std::max(s.race_speed, kLeastRaceSpeed));
+  const double T = s.wall_temperature, speed = std::max(s.race_speed, kLeastRaceSpeed);
+  ViscoElasticSurface surface;
+  if (lubrication.direct_strips) {
+    surface.film = visco_elastic_direct(oil, T);
+    surface.film.start_slip = visco_elastic_start(surface.film, s.width_over_pressure, speed);
+  } else {
+    surface = visco_elastic_surface(oil, T, s.width_over_pressure, speed,
+                                    surface_error_of(lubrication.tolerance));
+  }
+  if (lubrication.hot_walls) heat_film(surface.film, oil, T, s.walls);
   return {metal, film, surface.film, surface.table};
+}
+
+std::string strips_of(const Lubricant& oil, const bearing::Lubrication& lubrication,
+                      const FilmSurface& s) {
+  if (oil.model != LubricantModel::ViscoElastic) return {};
+  if (lubrication.direct_strips) return "stress integrated along each strip";
+  constexpr double kLeastRaceSpeed = 0.1;
+  const ViscoElasticSurface at = visco_elastic_surface(
+      oil, s.wall_temperature, s.width_over_pressure, std::max(s.race_speed, kLeastRaceSpeed),
+      surface_error_of(lubrication.tolerance));
+  return fmt::format(
+      "stress along each strip from a surface of {} x {} x {} values (pressure to {:g} GPa, slip, "
+      "transit at {:.3g} to {:.3g} m/s; beyond it integrated): {:.2g} % root mean square, {:.2g} % "
+      "at most on {} hold-out points, {:.2g} % wanted for this tolerance{}",
+      at.size[1], at.size[2], at.size[0], 1e-9 * kSurfacePressure[1], at.speed[0], at.speed[1],
+      100.0 * at.error[1], 100.0 * at.error[0], at.held_out, 100.0 * at.wanted,
+      at.error[1] > at.wanted ? ", which the finest does not reach" : "");
 }
 
 }  // namespace adore::tribology

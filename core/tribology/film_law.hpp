@@ -3,7 +3,9 @@
 #include "bearing/bearing.hpp"
 #include "tribology/lubricant.hpp"
 #include "tribology/traction_law.hpp"
+#include "tribology/visco_elastic_surface.hpp"
 
+#include <array>
 #include <string>
 
 /// From a deck's lubricant to the law of traction of one race.
@@ -17,7 +19,11 @@ struct FilmSurface {
   double wall_temperature = 0.0;  ///< mean of both bodies' bulk temperatures [K]
   double race_speed = 0.0;        ///< scale of the surface speeds [m/s]
   double width_over_pressure = 0.0;  ///< b/p0 of the contacts, read by visco-elastic films [m/Pa]
+  std::array<FilmWall, 2> walls{};   ///< race and element, read by films that heat them
 };
+[[nodiscard]] inline FilmWall film_wall(const bearing::Material& m) {
+  return {m.conductivity, m.density * m.specific_heat};
+}
 
 /// A few molecules: no liquid shears below that, and its traction would grow without bound [m].
 /// Critical films of motion are not taken thinner.
@@ -36,5 +42,9 @@ inline constexpr double kThinnestFilm = 1e-9;
 [[nodiscard]] TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& lubricant,
                                    const bearing::Lubrication& lubrication,
                                    const FilmSurface& surface);
+/// How a visco-elastic film has its stress, with the error of its surface; empty of other films.
+[[nodiscard]] std::string strips_of(const Lubricant& lubricant,
+                                    const bearing::Lubrication& lubrication,
+                                    const FilmSurface& surface);
 
 }  // namespace adore::tribology

@@ -17,6 +17,15 @@ double sphere_squeeze(double viscosity, double radius, double gap, double gap_ra
   return 6.0 * std::numbers::pi * viscosity * radius * radius * std::max(0.0, -gap_rate) / gap;
 }
 
+double line_wedge(double viscosity, double speed, double radius, double length, double gap) {
+  return 4.896 * viscosity * speed * radius * length / gap;
+}
+
+double line_shear(double viscosity, double slip, double radius, double length, double gap) {
+  return std::numbers::pi * std::numbers::sqrt2 * viscosity * slip * length *
+         std::sqrt(radius / gap);
+}
+
 double cylinder_squeeze(double viscosity, double radius, double length, double gap,
                         double gap_rate) {
   const double ratio = radius / gap;

@@ -19,17 +19,19 @@ double solve_sinh(double e, double r) {
   return X;
 }
 
-/// X = tanh w of tanh w + e w = r: rises in w, concave for w > 0; bracketed Newton.
+/// X = tanh w of tanh w + e w = r: rises in w and is concave for w > 0, so that Newton from the
+/// left of the root never passes it. Left of it are r/(1 + e), (r - 1)/e and, as e w <= e atanh r,
+/// atanh(r - e atanh r).
 double solve_atanh(double e, double r) {
-  double low = 0.0, high = r / e, w = std::min(high, r < 0.5 ? r : r / e);
+  double w = std::max(r / (1.0 + e), (r - 1.0) / e);
+  if (r < 1.0) {
+    const double known = r - e * std::atanh(r);
+    if (known > 0.0) w = std::max(w, std::atanh(known));
+  }
   for (int i = 0; i < 100; ++i) {
-    const double t = std::tanh(w), miss = t + e * w - r;
-    (miss > 0.0 ? high : low) = w;
-    double next = w - miss / (1.0 - t * t + e);
-    if (!(next > low && next < high)) next = 0.5 * (low + high);
-    const bool done = std::abs(next - w) <= 1e-15 * (1.0 + w);
-    w = next;
-    if (done) break;
+    const double t = std::tanh(w), step = (t + e * w - r) / (1.0 - t * t + e);
+    w -= step;
+    if (!(step < -1e-13 * (1.0 + w))) break;  // at the root, or past it by rounding
   }
   return std::tanh(w);
 }

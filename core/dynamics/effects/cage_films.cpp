@@ -11,7 +11,8 @@
 #include <numbers>
 #include <vector>
 
-/// Oil films between the cage and races (kGsHydro) or balls (kPocHydro). Two effects.
+/// Oil films between the cage and races (kGsHydro) or balls (kPocHydro). Two effects; those in the
+/// pockets of rollers are in roller_pockets.cpp.
 ///
 /// Guide land: the short journal bearing of tribology/journal_film.hpp, one film for each land at
 /// its middle plane; the cage is the journal on the outer race, the race on the inner. Force at the
@@ -180,63 +181,77 @@ struct PocketOil {
   double around = 0.0, along = 0.0;  ///< relative curvature around and along the pocket axis [1/m]
 };
 
+/// The film between a ball and one wall.
+struct PocketFilmAction {
+  Vec3 m, arm, point, slip;           ///< base axes; slip with its part along m
+  Vec3 force;                         ///< on the ball [N]
+  double stiffness = 0.0;             ///< -∂F/∂h of wedge and squeeze [N/m]
+  double squeeze = 0.0, shear = 0.0;  ///< force over closing and sliding speed [N s/m]
+};
+
+PocketFilmAction film_action(const PocketSet& set, const PocketOil& oil, const Evaluation& e,
+                             std::size_t i, const contact::WallPoint& wall) noexcept {
+  PocketFilmAction out;
+  const BodyState& cage = set.body(e, i);
+  const std::size_t ball = set.element(i);
+  const double R = set.ball_radius(i);
+  const double h = smooth_max(wall.gap, oil.critical, 0.5 * oil.critical);
+  const double s = std::clamp(2.0 * (1.0 - wall.gap / oil.largest), 0.0, 1.0);
+  const double fade = s * s * (3.0 - 2.0 * s);
+  out.m = set.to_base(i, wall.m, cage.to_base);
+  const Vec3& m = out.m;
+  const Vec3 z = set.to_base(i, Vec3::UnitZ(), cage.to_base);
+  out.arm = R * m;
+  out.point = e.element_centre(ball) + out.arm;
+  const Vec3 of_wall = cage.velocity_at(out.point);
+  out.slip = e.element_velocity(ball) + e.element_omega(ball).cross(out.arm) - of_wall;
+  const double closing = (e.element_velocity(ball) - of_wall).dot(m);  // -dh/dt
+  const Vec3 sliding = out.slip - out.slip.dot(m) * m;
+  const double u = sliding.norm();
+  const double lengthwise = u > 0.0 ? std::pow(sliding.dot(z) / u, 2) : 1.0;
+  const double k_along = lengthwise * oil.along + (1.0 - lengthwise) * oil.around;
+  const double k_across = lengthwise * oil.around + (1.0 - lengthwise) * oil.along;
+  const double wedge =
+      tribology::pocket_wedge(oil.viscosity, 0.5 * u, 1.0 / k_along, 1.0 / k_across, h);
+  const double reduced = 1.0 / std::sqrt(k_along * k_across);
+  const double squeeze = tribology::sphere_squeeze(oil.viscosity, reduced, h, -closing);
+  out.shear = fade * 6.0 * std::numbers::pi * oil.viscosity * R *
+              std::max(0.0, 8.0 / 15.0 * std::log(R / h) + 0.9588);
+  out.squeeze = fade * tribology::sphere_squeeze(oil.viscosity, reduced, h, -1.0);
+  const double fade_slope = 12.0 * s * (1.0 - s) / oil.largest;
+  out.stiffness = fade * (0.5 * wedge + squeeze) / h + fade_slope * (wedge + squeeze);
+  out.force = -out.shear * sliding - fade * (wedge + squeeze) * m;
+  return out;
+}
+
 class PocketFilmBlock final : public EffectBlock {
  public:
   PocketFilmBlock(PocketSet& set, const PocketOil& oil, double& heat)
       : set_(set), oil_(oil), heat_(heat) {}
-  void apply(Evaluation& e) noexcept override;
+  void apply(Evaluation& e) noexcept override {
+    heat_ = 0.0;
+    set_.locate(e);
+    for (std::size_t i = 0; i < set_.size(); ++i) {
+      const contact::WallPoints walls = set_.walls(i);
+      for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k) {
+        if (!(walls.surface[k].gap < oil_.largest)) continue;
+        const PocketFilmAction a = film_action(set_, oil_, e, i, walls.surface[k]);
+        const std::size_t ball = set_.element(i);
+        e.add_force(ball, e.to_cylindrical(ball, a.force));
+        e.add_moment(ball, e.to_cylindrical(ball, a.arm.cross(a.force)));
+        set_.body(e, i).add_force(-a.force, a.point);
+        heat_ -= a.force.dot(a.slip);
+      }
+    }
+  }
 
  private:
-  void film(Evaluation& e, std::size_t i, const contact::WallPoint& wall) noexcept;
-
   PocketSet& set_;
   PocketOil oil_;
   double& heat_;
 };
 
-void PocketFilmBlock::apply(Evaluation& e) noexcept {
-  heat_ = 0.0;
-  set_.locate(e);
-  for (std::size_t i = 0; i < set_.size(); ++i) {
-    const contact::WallPoints walls = set_.walls(i);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k)
-      if (walls.surface[k].gap < oil_.largest) film(e, i, walls.surface[k]);
-  }
-}
-
-void PocketFilmBlock::film(Evaluation& e, std::size_t i, const contact::WallPoint& wall) noexcept {
-  BodyState& cage = set_.body(e, i);
-  const std::size_t ball = set_.element(i);
-  const double R = set_.ball_radius(i);
-  const double h = smooth_max(wall.gap, oil_.critical, 0.5 * oil_.critical);
-  const double s = std::clamp(2.0 * (1.0 - wall.gap / oil_.largest), 0.0, 1.0);
-  const double fade = s * s * (3.0 - 2.0 * s);
-  const Vec3 m = set_.to_base(i, wall.m, cage.to_base);
-  const Vec3 z = set_.to_base(i, Vec3::UnitZ(), cage.to_base);
-  const Vec3 arm = R * m, point = e.element_centre(ball) + arm;
-  const Vec3 of_wall = cage.velocity_at(point);
-  const Vec3 slip = e.element_velocity(ball) + e.element_omega(ball).cross(arm) - of_wall;
-  const double closing = (e.element_velocity(ball) - of_wall).dot(m);  // -dh/dt
-  const Vec3 sliding = slip - slip.dot(m) * m;
-  const double u = sliding.norm();
-  const double lengthwise = u > 0.0 ? std::pow(sliding.dot(z) / u, 2) : 1.0;
-  const double k_along = lengthwise * oil_.along + (1.0 - lengthwise) * oil_.around;
-  const double k_across = lengthwise * oil_.around + (1.0 - lengthwise) * oil_.along;
-  const double wedge =
-      tribology::pocket_wedge(oil_.viscosity, 0.5 * u, 1.0 / k_along, 1.0 / k_across, h);
-  const double squeeze =
-      tribology::sphere_squeeze(oil_.viscosity, 1.0 / std::sqrt(k_along * k_across), h, -closing);
-  const double shear = 6.0 * std::numbers::pi * oil_.viscosity * R *
-                       std::max(0.0, 8.0 / 15.0 * std::log(R / h) + 0.9588);
-  const Vec3 tangential = -fade * shear * sliding;
-  const Vec3 force = tangential - fade * (wedge + squeeze) * m;
-  e.add_force(ball, e.to_cylindrical(ball, force));
-  e.add_moment(ball, e.to_cylindrical(ball, arm.cross(force)));
-  cage.add_force(-force, point);
-  heat_ -= force.dot(slip);
-}
-
-class PocketFilm final : public SceneEffect {
+class PocketFilm final : public SceneEffect, public ElementSupport {
  public:
   void declare(SceneBuilder& scene) override {
     const bearing::Bearing& bearing = scene.bearing;
@@ -247,18 +262,43 @@ class PocketFilm final : public SceneEffect {
     const double r = 0.5 * bearing.balls().diameter;
     const double wall = 1.0 / (r + 0.5 * std::max(bearing.cage->pocket_clearance_1, 1e-3 * r));
     const auto shape = bearing.cage->pocket;
-    PocketOil oil;
-    oil.viscosity = tribology::film_viscosity(bearing, films.pocket_viscosity);
-    oil.largest = films.largest_pocket_film;
-    oil.critical = std::min(films.critical_film, 0.25 * films.largest_pocket_film);
-    oil.around = 1.0 / r - (shape == bearing::PocketShape::Rectangular ? 0.0 : wall);
-    oil.along = 1.0 / r - (shape == bearing::PocketShape::Spherical ? wall : 0.0);
+    oil_.viscosity = tribology::film_viscosity(bearing, films.pocket_viscosity);
+    oil_.largest = films.largest_pocket_film;
+    oil_.critical = std::min(films.critical_film, 0.25 * films.largest_pocket_film);
+    oil_.around = 1.0 / r - (shape == bearing::PocketShape::Rectangular ? 0.0 : wall);
+    oil_.along = 1.0 / r - (shape == bearing::PocketShape::Spherical ? wall : 0.0);
+    set_ = &pockets->set();
     scene.block<PocketFilmBlock>(Phase::Force, "films of the cage",
-                                 BodyId{BodyId::Kind::Segment, 0}, pockets->set(), oil, heat_);
+                                 BodyId{BodyId::Kind::Segment, 0}, *set_, oil_, heat_);
     scene.energy("pocket films.heat", kPocketFilmHeat, &heat_);
+    scene.supports(*this);
+  }
+  void resist(const Evaluation& e, std::size_t i, Mat3& stiffness) noexcept override {
+    for_films(e, i, [&](const PocketFilmAction& a) {
+      const Vec3 m = e.to_cylindrical(i, a.m);
+      stiffness += a.stiffness * m * m.transpose();
+    });
+  }
+  /// Squeeze also where the film opens and has none: what stands for it may be larger.
+  void damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& damping) noexcept override {
+    for_films(e, i, [&](const PocketFilmAction& a) {
+      const Eigen::Vector2d m = e.to_cylindrical(i, a.m).head<2>();
+      damping += a.shear * Eigen::Matrix2d::Identity() + a.squeeze * m * m.transpose();
+    });
   }
 
  private:
+  template <class Visit>
+  void for_films(const Evaluation& e, std::size_t i, const Visit& visit) noexcept {
+    set_->locate(e, i);
+    const contact::WallPoints walls = set_->walls(i);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k)
+      if (walls.surface[k].gap < oil_.largest)
+        visit(film_action(*set_, oil_, e, i, walls.surface[k]));
+  }
+
+  PocketSet* set_ = nullptr;
+  PocketOil oil_;
   double heat_ = 0.0;  ///< now [W]
 };
 
@@ -271,7 +311,7 @@ std::unique_ptr<SceneEffect> make_land_film(const ScenePlan& plan) {
 std::span<const LedgerTerm* const> land_film_terms() { return kLandTerms; }
 
 std::unique_ptr<SceneEffect> make_pocket_film(const ScenePlan& plan) {
-  if (!plan.has(Effect::PocketFilm)) return nullptr;
+  if (!plan.has(Effect::PocketFilm) || plan.rollers) return nullptr;  // theirs: roller_pockets.cpp
   return std::make_unique<PocketFilm>();
 }
 std::span<const LedgerTerm* const> pocket_film_terms() { return kPocketTerms; }

@@ -33,11 +33,9 @@ constexpr LedgerTerm kHeat{LedgerKind::Heat,
                            "dissipated since the start"};
 constexpr const LedgerTerm* kTerms[] = {&kWork, &kHeat};
 
-/// The deck's curve, or its lubricant's film with the curve where it breaks down. Walls have the
-/// mean bulk temperature of race and ball for the run.
-tribology::TractionLaw race_law(const bearing::Bearing& bearing, const RaceContactModel& model,
-                                double contact_angle) {
-  if (!bearing.lubrication) return bearing.race_traction;
+/// What films of one race read. Walls have the mean bulk temperature of race and ball for the run.
+tribology::FilmSurface film_surface(const bearing::Bearing& bearing, const RaceContactModel& model,
+                                    double contact_angle) {
   const auto j = static_cast<std::size_t>(model.race);
   tribology::FilmSurface surface;
   surface.radius =
@@ -50,8 +48,17 @@ tribology::TractionLaw race_law(const bearing::Bearing& bearing, const RaceConta
   // b/p0: both go with the cube root of the load.
   surface.width_over_pressure =
       std::numbers::pi / 1.5 * model.hertz.a_hat * model.hertz.b_hat * model.hertz.b_hat;
+  surface.walls = {tribology::film_wall(bearing.race_material[j]),
+                   tribology::film_wall(bearing.element_material)};
+  return surface;
+}
+
+/// The deck's curve, or its lubricant's film with the curve where it breaks down.
+tribology::TractionLaw race_law(const bearing::Bearing& bearing, const RaceContactModel& model,
+                                double contact_angle) {
+  if (!bearing.lubrication) return bearing.race_traction;
   return tribology::film_law(bearing.race_traction, tribology::lubricant_of(*bearing.lubrication),
-                             *bearing.lubrication, surface);
+                             *bearing.lubrication, film_surface(bearing, model, contact_angle));
 }
 
 class RaceBlock final : public EffectBlock {
@@ -180,6 +187,10 @@ void Races::set_up_balls(const SceneBuilder& scene) {
                                         pieces * rule.s.size() * rule.v.size());
     } else {
       model.law = race_law(scene.bearing, model, scene.fixed_angle[j]);
+      if (j == 0 && scene.bearing.lubrication)
+        stated_ = tribology::strips_of(tribology::lubricant_of(*scene.bearing.lubrication),
+                                       *scene.bearing.lubrication,
+                                       film_surface(scene.bearing, model, scene.fixed_angle[j]));
     }
     set_own_balls(model, scene.bearing.balls(), errors, scene.bearing.imperfections.ball_diameter,
                   scene.fixed_angle[j]);
@@ -204,6 +215,7 @@ void Races::declare_contact(SceneBuilder& scene, std::size_t j) {
 void Races::declare(SceneBuilder& scene) {
   if (scene.rollers != nullptr) {
     rollers_ = roller_race_models(scene);
+    stated_ = (*rollers_)[0].stated;
     place(scene, {});  // their reference point is the middle of the bearing
   } else {
     set_up_balls(scene);

@@ -18,6 +18,7 @@ class Races final : public SceneEffect {
   [[nodiscard]] double stiffness(double force) const override;
   [[nodiscard]] std::string why_invalid(const Evaluation& e) const override;
   void report(const Evaluation& e, Snapshot& snapshot) const override;
+  [[nodiscard]] std::string stated() const override { return stated_; }
   [[nodiscard]] double quadrature_error(const Evaluation& e) const override;
   [[nodiscard]] bool has_stiff_part() const noexcept override { return normal_.has_value(); }
   bool stiff_part(const Evaluation& e, const double* y, double* dydt, int size) noexcept override {
@@ -46,6 +47,7 @@ class Races final : public SceneEffect {
   std::optional<std::array<RollerRaceModel, 2>> rollers_;  ///< else
   std::array<Vec3, 2> free_centre_;  ///< free positions of the race centres [m]
   std::array<RaceBody, 2> at_rest_;  ///< at t = 0: they stand still but for their spin
+  std::string stated_;               ///< of the outer race's films
   std::array<double, 2> temperature_{}, roughness_{};
   std::array<bearing::Material, 3> material_;  ///< of races and elements
   bool in_contact_ = false;

@@ -11,6 +11,8 @@
 #include "dynamics/effects/pockets.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/roller_start.hpp"
+#include "tribology/cage_oil.hpp"
+#include "tribology/pocket_film.hpp"
 #include "tribology/traction_law.hpp"
 
 #include <fmt/format.h>
@@ -104,12 +106,24 @@ class RollerPocketSet {
     const RollerPocket& pocket = pockets_[i];
     return pocket.half == 0 || pocket.round || pocket.half * pocket.faces[k].normal[1] > 0.0;
   }
-  /// Can surface k touch?
-  [[nodiscard]] bool surely_open(std::size_t i, std::size_t k, const Place& at) const noexcept {
+  /// Is surface k farther than `reach` from the roller, whatever its slices?
+  [[nodiscard]] bool surely_open(std::size_t i, std::size_t k, const Place& at,
+                                 double reach = 0.0) const noexcept {
     const RollerPocket& pocket = pockets_[i];
     const PocketRoller& roller = roller_of(i);
     return (pocket.round ? contact::gap_bound(*pocket.round, at.q, at.u, roller.bounds)
-                         : contact::gap_bound(pocket.faces[k], at.q, at.u, roller.bounds)) > 0.0;
+                         : contact::gap_bound(pocket.faces[k], at.q, at.u, roller.bounds)) > reach;
+  }
+  /// Of the roller against the wall, and the width of a slice [m].
+  [[nodiscard]] double reduced_radius(std::size_t i) const noexcept {
+    const RollerPocket& pocket = pockets_[i];
+    constexpr double kMostConforming = 100.0;
+    if (!pocket.round) return radius_;
+    return std::min(1.0 / std::max(1.0 / radius_ - 1.0 / pocket.round->radius, 1e-30),
+                    kMostConforming * radius_);
+  }
+  [[nodiscard]] double slice_width(std::size_t i) const noexcept {
+    return roller_of(i).slice_width;
   }
   /// visit(slice, load [N], energy [J]) of every slice of a surface.
   template <class Visit>
@@ -450,6 +464,84 @@ class UserRollerPocketBlock final : public EffectBlock {
   double& heat_;
 };
 
+/// Films in the pockets of rollers (kPocHydro), slice by slice: wedge of a line contact, entrained
+/// with half the slip, squeeze of a cylinder and shear (tribology/pocket_film.hpp), with the reach,
+/// fading and least film of those of balls (cage_films.cpp, decision 304). The ends of the pockets
+/// have none.
+struct RollerPocketOil {
+  double viscosity = 0.0, largest = 0.0, critical = 0.0;
+
+  struct Action {
+    Vec3 m, arm, point, slip, force;  ///< base axes; force on the roller
+    double stiffness = 0.0, squeeze = 0.0, shear = 0.0;
+  };
+  [[nodiscard]] Action at(const RollerPocketSet& set, const Evaluation& e, std::size_t i,
+                          const RollerPocketSet::Place& place,
+                          const contact::PocketSlice& slice) const noexcept {
+    Action out;
+    const BodyState& cage = e.segments[set.segment(i)];
+    const std::size_t roller = set.element(i);
+    const double width = slice.fraction * set.slice_width(i), R = set.reduced_radius(i);
+    const double above = slice.gap - critical, half = 0.5 * critical;
+    const double h = above >= half    ? slice.gap
+                     : above <= -half ? critical
+                                      : critical + (above + half) * (above + half) / (4.0 * half);
+    const double s = std::clamp(2.0 * (1.0 - slice.gap / largest), 0.0, 1.0);
+    const double fade = s * s * (3.0 - 2.0 * s), fade_slope = 12.0 * s * (1.0 - s) / largest;
+    out.m = place.to_base * slice.m;
+    out.arm =
+        place.to_base * (slice.point - place.q) - set.mass_offset() * e.attitude[roller].col(0);
+    out.point = e.element_centre(roller) + out.arm;
+    out.slip = e.element_velocity(roller) + e.element_omega(roller).cross(out.arm) -
+               cage.velocity_at(out.point);
+    const double closing = out.slip.dot(out.m);  // -dh/dt, a roller's own spin is across m
+    const Vec3 sliding = out.slip - closing * out.m;
+    const double wedge = tribology::line_wedge(viscosity, 0.5 * sliding.norm(), R, width, h);
+    const double squeeze = tribology::cylinder_squeeze(viscosity, R, width, h, -closing);
+    out.shear = fade * tribology::line_shear(viscosity, 1.0, R, width, h);
+    out.squeeze = fade * tribology::cylinder_squeeze(viscosity, R, width, h, -1.0);
+    out.stiffness = fade * (wedge + 1.5 * squeeze) / h + fade_slope * (wedge + squeeze);
+    out.force = -out.shear * sliding - fade * (wedge + squeeze) * out.m;
+    return out;
+  }
+  /// visit(action) of all slices that are near enough.
+  template <class Visit>
+  void for_films(const RollerPocketSet& set, const Evaluation& e, std::size_t i,
+                 const Visit& visit) const {
+    const RollerPocketSet::Place place = set.locate(e, i);
+    if (!set.is_inside(i, place.q)) return;
+    for (std::size_t k = 0; k < set.surfaces(i); ++k) {
+      if (!set.is_there(i, k) || set.surely_open(i, k, place, largest)) continue;
+      set.for_slices(i, k, place, [&](const contact::PocketSlice& slice, double, double) {
+        if (slice.gap < largest && slice.fraction > 0.0) visit(at(set, e, i, place, slice));
+      });
+    }
+  }
+};
+
+class RollerPocketFilmBlock final : public EffectBlock {
+ public:
+  RollerPocketFilmBlock(const RollerPocketSet& set, const RollerPocketOil& oil, double& heat)
+      : set_(set), oil_(oil), heat_(heat) {}
+  void apply(Evaluation& e) noexcept override {
+    heat_ = 0.0;
+    for (std::size_t i = 0; i < set_.size(); ++i) {
+      const std::size_t roller = set_.element(i);
+      oil_.for_films(set_, e, i, [&](const RollerPocketOil::Action& a) {
+        e.add_force(roller, e.to_cylindrical(roller, a.force));
+        e.add_moment(roller, e.to_cylindrical(roller, a.arm.cross(a.force)));
+        e.segments[set_.segment(i)].add_force(-a.force, a.point);
+        heat_ -= a.force.dot(a.slip);
+      });
+    }
+  }
+
+ private:
+  const RollerPocketSet& set_;
+  const RollerPocketOil& oil_;
+  double& heat_;
+};
+
 class RollerPockets final : public SceneEffect, public ElementSupport {
  public:
   void declare(SceneBuilder& scene) override {
@@ -489,6 +581,17 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
     add(set_, pieces.pockets, forces_[0]);
     if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves, forces_[1]);
     if (traction || routine != nullptr) scene.energy("pockets.heat", kPocketHeat, &heat_);
+    if (scene.plan.has(Effect::PocketFilm)) {  // of a cage of one piece
+      const bearing::CageFilms& films = *scene.bearing.cage_films;
+      oil_.emplace();
+      oil_->viscosity = tribology::film_viscosity(scene.bearing, films.pocket_viscosity);
+      oil_->largest = films.largest_pocket_film;
+      oil_->critical = std::min(films.critical_film, 0.25 * films.largest_pocket_film);
+      scene.block<RollerPocketFilmBlock>(Phase::Force, "films of the cage",
+                                         BodyId{BodyId::Kind::Segment, 0}, *set_, *oil_,
+                                         film_heat_);
+      scene.energy("pocket films.heat", *pocket_film_terms()[0], &film_heat_);
+    }
     scene.supports(*this);
   }
 
@@ -513,6 +616,19 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
     resist(*set_, i, e, stiffness);
     for (std::size_t k = 0; last_halves_ && k < last_halves_->size(); ++k)
       if (last_halves_->element(k) == i) resist(*last_halves_, k, e, stiffness);
+    if (!oil_) return;
+    oil_->for_films(*set_, e, i, [&](const RollerPocketOil::Action& a) {
+      const Vec3 m = e.to_cylindrical(i, a.m);
+      stiffness += a.stiffness * m * m.transpose();
+    });
+  }
+  /// Of the films.
+  void damp(const Evaluation& e, std::size_t i, Eigen::Matrix2d& damping) noexcept override {
+    if (!oil_) return;
+    oil_->for_films(*set_, e, i, [&](const RollerPocketOil::Action& a) {
+      const Eigen::Vector2d m = e.to_cylindrical(i, a.m).head<2>();
+      damping += a.shear * Eigen::Matrix2d::Identity() + a.squeeze * m * m.transpose();
+    });
   }
 
   void report(const Evaluation& e, Snapshot& snapshot) const override {
@@ -563,7 +679,8 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
   std::optional<RollerPocketSet> set_;
   std::optional<RollerPocketSet> last_halves_;  ///< of segments that are cut through their pockets
   std::array<std::optional<UserTouches>, 2> forces_;  ///< ADRX3 of both sets
-  double heat_ = 0.0;                                 ///< now [W]
+  std::optional<RollerPocketOil> oil_;                ///< kPocHydro
+  double heat_ = 0.0, film_heat_ = 0.0;               ///< now [W]
 };
 
 }  // namespace

@@ -56,10 +56,10 @@ contact::Triple<double> spin_of(const Evaluation& e, std::size_t i, const Roller
   return turn.into({spin[0], spin[1], spin[2]});
 }
 
-/// The deck's curve, or its lubricant's film with the curve where it breaks down. Inlets and walls
-/// have the mean bulk temperature of race and rollers for the run.
-tribology::TractionLaw law_of(const bearing::Bearing& bearing, std::size_t race, double E_star) {
-  if (!bearing.lubrication) return bearing.race_traction;
+/// What films of one race read. Inlets and walls have the mean bulk temperature of race and rollers
+/// for the run.
+tribology::FilmSurface film_surface(const bearing::Bearing& bearing, std::size_t race,
+                                    double E_star) {
   const bearing::RollerGeometry& g = *bearing.rollers();
   const double roller = 0.5 * bearing.element_diameter(),
                of_race = g.race_radius(static_cast<int>(race));
@@ -71,8 +71,16 @@ tribology::TractionLaw law_of(const bearing::Bearing& bearing, std::size_t race,
   surface.race_speed = 0.5 * bearing.pitch_diameter() *
                        std::max(std::abs(bearing.speed[0]), std::abs(bearing.speed[1]));
   surface.width_over_pressure = 2.0 * surface.radius / E_star;
+  surface.walls = {tribology::film_wall(bearing.race_material[race]),
+                   tribology::film_wall(bearing.element_material)};
+  return surface;
+}
+
+/// The deck's curve, or its lubricant's film with the curve where it breaks down.
+tribology::TractionLaw law_of(const bearing::Bearing& bearing, std::size_t race, double E_star) {
+  if (!bearing.lubrication) return bearing.race_traction;
   return tribology::film_law(bearing.race_traction, tribology::lubricant_of(*bearing.lubrication),
-                             *bearing.lubrication, surface);
+                             *bearing.lubrication, film_surface(bearing, race, E_star));
 }
 
 }  // namespace
@@ -108,6 +116,10 @@ std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
                  ? tribology::TractionLaw(*routine, tribology::TractionKind::ElementRace,
                                           static_cast<int>(j))
                  : law_of(scene.bearing, j, model.E_star[j]);
+    if (routine == nullptr && scene.bearing.lubrication)
+      of.stated = tribology::strips_of(tribology::lubricant_of(*scene.bearing.lubrication),
+                                       *scene.bearing.lubrication,
+                                       film_surface(scene.bearing, j, model.E_star[j]));
   }
   return out;
 }

@@ -9,6 +9,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 /// Rollers on their races, slice by slice (contact/roller_race.hpp): surfaces, slices and constants
@@ -33,6 +34,7 @@ struct RollerRaceModel {
   double load_limit = 0.0;                        ///< [N]
   bool traction = true;
   tribology::TractionLaw law;
+  std::string stated;  ///< SceneEffect::stated of its films
 
   [[nodiscard]] const contact::RollerRaceSlices& of(std::size_t roller) const {
     return slices[slices.size() == 1 ? 0 : roller];

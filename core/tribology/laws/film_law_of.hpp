@@ -19,6 +19,7 @@
 ///       rolling in which the point lies, gives the mean over the strip at that slip, and has
 ///       row(peak) -> T operator()(const T& slip), the same with the strip's part done once
 ///   double start() const;
+/// where its points are dear, wanted(share) of the functor: 0 for those that are not read;
 /// and, where it is a long chain of dependent sums, several<N>(slip, pressure, kappa) for N points
 /// at once, whose chains overlap. Slip is rounded over kRegularisationSlip by all of them (decision
 /// 275).
@@ -118,7 +119,9 @@ struct FilmLawOf {
   template <class T>
   [[gnu::always_inline]] Here<T> at(const ContactPoint<T>& c) const {
     const FilmHere<T> here = film.at(c);
-    return {metal.at(c), here, fluid.at(c, ScalarMath<T>::max(here.thickness, T(1e-12)))};
+    Here<T> out{metal.at(c), here, fluid.at(c, ScalarMath<T>::max(here.thickness, T(1e-12)))};
+    if constexpr (requires { out.fluid.wanted(here.share); }) out.fluid.wanted(here.share);
+    return out;
   }
   [[nodiscard]] double kink() const { return metal.kink(); }
   [[nodiscard]] double start() const { return fluid.start(); }

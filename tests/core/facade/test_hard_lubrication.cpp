@@ -1,9 +1,11 @@
 #include "core/facade/deck_runs.hpp"
 #include "deck/templates.hpp"
+#include "results/sol_file.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -103,6 +105,76 @@ TEST_CASE("a starved bearing makes more sliding heat, and its films are thinner"
   };
   CHECK(thinnest(starved) < 0.5 * thinnest(flooded));
   CHECK(sliding(starved) > 1.2 * sliding(flooded));
+}
+
+TEST_CASE("a starved bearing heats: the thermal steady state of mode -1 finds it warmer",
+          "[physics][film][thermal]") {
+  const auto settled = [](const char* meniscus) {
+    return equilibrium("angular-218", {{"kTherm", "1"},
+                                       {"kCoolant", "14"},
+                                       {"kBaseTemp", "3"},
+                                       {"kHTC", "0"},
+                                       {"kGeoMod", "1"},
+                                       {"kMatPropMod", "0"},
+                                       {"baseTemp", "320.0"},
+                                       {"cFlowRate", "2.0e-5"},
+                                       {"reHTC", "0.0"},
+                                       {"cageHTC", "0.0"},
+                                       {"aveTime", "2.0e-4"},
+                                       {"skipTime", "0.0"},
+                                       {"strParam", meniscus},
+                                       {"reRaceTC2", "0.1"},
+                                       {"reRaceTC3", "0.08"},
+                                       {"reRaceTC4", "0.5"},
+                                       {"reRaceFilm", "1.5e-7"},
+                                       {"kStif", "0"}});
+  };
+  const facade::Prepared flooded = settled("10.0"), starved = settled("0.05");
+  REQUIRE(flooded.thermal);
+  REQUIRE(starved.thermal);
+  CHECK(starved.thermal->friction.power() > 1.2 * flooded.thermal->friction.power());
+  CHECK(starved.bearing.element_temperature > flooded.bearing.element_temperature + 2.0);
+  CHECK(starved.bearing.race_temperature[0] > flooded.bearing.race_temperature[0] + 2.0);
+}
+
+// Steel balls that liquid oxygen brakes, on a solid film: 50 N of thrust let them lag, 1500 N drive
+// them.
+TEST_CASE("a skidding bearing recovers when its load rises", "[physics][film]") {
+  const testing::TemporaryFolder folder;
+  const auto skid = [&](const char* name, const char* first, const char* then) {
+    Deck deck = deck::new_deck("lox-turbopump");
+    for (const auto& [variable, value] : Sets{{"kReMat", "103"},
+                                              {"appLoadX", first},
+                                              {"appLoadZ", "0.0"},
+                                              {"denRatio", "0.5"},
+                                              {"kPltFreq", "20"}})
+      deck.set(variable, value);
+    const auto orbit = [&](const char* thrust, const char* until, bool go_on) {
+      deck.set("appLoadX", thrust);
+      std::filesystem::create_directories(folder / name);
+      deck::write_deck(deck, folder / name / "DATA.txt");
+      facade::RunRequest request;
+      request.deck = folder / name / "DATA.txt";
+      request.until = until;
+      request.go_on = go_on;
+      const facade::RunOutcome out = facade::run(request);
+      INFO(out.message);
+      CHECK(out.status == facade::RunStatus::Done);
+      CHECK(std::abs(out.energy_residual) < 1e-3 * out.energy_scale);
+      constexpr std::size_t kOrbital = 3;  // orbital velocity of ball 1 [rpm]
+      return results::read_sol(folder / name / "SOL1").steps.back().values[kOrbital];
+    };
+    const double before = orbit(first, "8rev", false);
+    return std::pair(before, orbit(then, "16rev", true));
+  };
+  const auto [light, still_light] = skid("light", "50.0", "50.0");
+  const auto [lagging, driven] = skid("rises", "50.0", "1500.0");
+  const double rolling = skid("heavy", "1500.0", "1500.0").second;
+  CAPTURE(light, still_light, lagging, driven, rolling);
+  CHECK(lagging == light);
+  CHECK(lagging < 0.97 * rolling);
+  CHECK(still_light < 0.97 * rolling);
+  CHECK(driven == Approx(rolling).epsilon(0.01));
 }
 
 // The law of kTrac 1 has no limit: at 2.7 GPa its film would carry many times its load.

@@ -1,3 +1,4 @@
+#include "base/errors.hpp"
 #include "tribology/film_law.hpp"
 #include "tribology/newton_film.hpp"
 #include "tribology/shear_thinning_film.hpp"
@@ -6,8 +7,10 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 /// The films of all lubricants as laws of traction, and what no state may do to them.
 using namespace adore;
@@ -92,7 +95,7 @@ TEST_CASE("films of measured viscosity: the law is the formula on a dense grid",
 }
 
 TEST_CASE("visco-elastic surface: its error is what a hold-out grid of others finds",
-          "[physics][film_law][slow]") {
+          "[physics][film_law]") {
   for (const int code : {8, 12})
     for (const double T : {300.0, 400.0}) {
       const Lubricant& oil = lubricant(code);
@@ -115,6 +118,88 @@ TEST_CASE("visco-elastic surface: its error is what a hold-out grid of others fi
       CAPTURE(largest);
       CHECK(largest < std::max(1.5 * surface.error[0], 0.01));
     }
+}
+
+TEST_CASE("visco-elastic surface: finer for a tighter tolerance, made once, integrated beyond it",
+          "[physics][film_law]") {
+  CHECK(surface_error_of(1e-6) == Approx(kSurfaceError));
+  CHECK(surface_error_of(1e-9) == 1e-3);
+  CHECK(surface_error_of(1e-2) == 1e-2);
+  const Lubricant& oil = lubricant(12);
+  constexpr double T = 350.0, h = 2e-7;
+  const auto made = [&](double tolerance) {
+    return visco_elastic_surface(oil, T, kWidthOverPressure, 30.0, surface_error_of(tolerance));
+  };
+  const ViscoElasticSurface coarse = made(1e-4), fine = made(1e-7);
+  CAPTURE(coarse.error[1], coarse.evaluations, fine.error[1], fine.evaluations);
+  CHECK(coarse.error[1] <= coarse.wanted);
+  CHECK(fine.error[1] <= fine.wanted);
+  CHECK(coarse.wanted > fine.wanted);
+  CHECK(coarse.evaluations < fine.evaluations);
+  CHECK(made(1e-7).table == fine.table);  // kept by the process
+
+  const ViscoElasticFilm direct = visco_elastic_direct(oil, T);
+  const auto exact = [&](double p, double u, double slip) {
+    return visco_elastic_strip(oil, T, p, slip / h, kWidthOverPressure * p / u);
+  };
+  const auto of = [&](const ViscoElasticFilm& film, double p, double u, double slip) {
+    const auto here = film.at(point(p, u, slip), h);
+    return here(slip, p);
+  };
+  // Out of the range of pressure or of speed: the integral itself, where the edge would be held.
+  for (const auto& [p, u] : {std::pair{5.5e9, 20.0}, {8e3, 20.0}, {1e9, 1e-4}, {1e9, 1e4}})
+    for (const double slip : {1e-4, 0.1, 10.0}) {
+      CAPTURE(p, u, slip);
+      CHECK(of(coarse.film, p, u, slip) == Approx(exact(p, u, slip)).epsilon(1e-9));
+    }
+  for (const double slip : {1e-4, 0.1, 10.0}) {
+    CHECK(of(direct, 1e9, 20.0, slip) == Approx(exact(1e9, 20.0, slip)).epsilon(1e-9));
+    CHECK(of(coarse.film, 1e9, 20.0, slip) ==
+          Approx(exact(1e9, 20.0, slip)).epsilon(3.0 * coarse.error[0]));
+  }
+  // What nobody reads is not integrated: contacts of metal, and open ones.
+  auto unread = direct.at(point(1e9, 20.0, 0.1), h);
+  unread.wanted(0.0);
+  CHECK(unread(0.1, 1e9) == 0.0);
+}
+
+// iTherm against the strip with its own temperature, found to the end.
+TEST_CASE("visco-elastic film with hot walls: the flash is that of the heat that it leaves",
+          "[physics][film_law]") {
+  const Lubricant& oil = lubricant(12);
+  constexpr double T = 350.0, h = 2e-7, k = 46.0, capacity = 7800.0 * 460.0;
+  const FilmWall steel{k, capacity};
+  ViscoElasticFilm cold = visco_elastic_surface(oil, T, kWidthOverPressure, 30.0, 1e-3).film,
+                   hot = cold, hot_direct = visco_elastic_direct(oil, T);
+  heat_film(hot, oil, T, {steel, steel});
+  heat_film(hot_direct, oil, T, {steel, steel});
+  double hottest = 0.0;
+  for (const double p : {0.6e9, 1.2e9, 2.0e9})
+    for (const double u : {5.0, 20.0, 50.0})
+      for (const double slip : {1e-4, 1e-2, 0.3, 1.0, 5.0}) {
+        const double b = kWidthOverPressure * p, mean = 0.25 * 3.14159265358979 * p;
+        const double peclet = 0.5 * u * b * capacity / k;
+        const double conductance =
+            2.0 * 0.75 * k * std::sqrt(3.14159265358979 * (1.273 + peclet)) / b;
+        double low = 0.0, high = 2000.0, kappa = 0.0;
+        for (int i = 0; i < 60; ++i) {
+          const double rise = 0.5 * (low + high);
+          kappa = visco_elastic_strip(oil, T + rise, p, slip / h, kWidthOverPressure * p / u);
+          (kappa * mean * slip / conductance > rise ? low : high) = rise;
+        }
+        const auto of = [&](const ViscoElasticFilm& film) {
+          const auto here = film.at(point(p, u, slip), h);
+          return here(slip, p);
+        };
+        CAPTURE(p, u, slip, low, kappa, of(cold), of(hot), of(hot_direct));
+        CHECK(of(hot) <= of(cold));
+        CHECK(of(hot) == Approx(kappa).epsilon(low < 150.0 ? 0.03 : 0.15));
+        CHECK(of(hot) == Approx(of(hot_direct)).epsilon(0.03));
+        if (slip < 1e-3) CHECK(of(hot) == Approx(of(cold)).epsilon(1e-2));
+        hottest = std::max(hottest, low);
+      }
+  CHECK(hottest > 50.0);  // the correction matters somewhere
+  CHECK_THROWS_AS(heat_film(cold, oil, T, {FilmWall{}, FilmWall{}}), InputError);
 }
 
 TEST_CASE("all lubricants: no state makes a film or a traction that is no number",
