@@ -8,7 +8,7 @@ packages=(
   # compiler and build
   g++ cmake ninja-build git ca-certificates
   # solver
-  libeigen3-dev libsundials-dev libhdf5-dev libfmt-dev nlohmann-json3-dev libcli11-dev libmuparser-dev
+  libeigen3-dev libsundials-dev libhdf5-dev libfmt-dev nlohmann-json3-dev libcli11-dev libmuparser-dev libtomlplusplus-dev
   musl-dev  # its sin, exp, pow ... give the same digits on every x86-64
   # desktop apps and pictures; Qt Charts' CMake files also ask for OpenGL and xkbcommon
   qt6-base-dev qt6-charts-dev libqt6opengl6-dev libgl1-mesa-dev libxkbcommon-dev fontconfig fonts-dejavu-core

@@ -72,6 +72,7 @@ class DeckWindow : public QMainWindow {
   void goBack();
   void nextRecord();
   void newDeck(const QString& template_name);
+  void openStudyFile(const std::filesystem::path& file);
   void askForFile();
   void newFromCatalogue();
   /// Puts a proposal for the inside into the deck, from its bore, outside diameter and widths.
@@ -94,6 +95,9 @@ class DeckWindow : public QMainWindow {
   void continueRun();
   void askForSweep();
   void switchTheme();
+  /// A window of its own for a study of this deck, once that has a name.
+  void newStudy(const QString& kind);
+  void openStudy();
   void compareWithSaved();
   void askForComparison();
 
@@ -116,6 +120,7 @@ class DeckWindow : public QMainWindow {
   void makeOtherMenus();
   void makeNotices(QBoxLayout* column);
   void makeCompareMenu(QMenu* file);
+  void makeStudyMenu(QMenu* file);
   void makeUnitsMenu(QMenu* view);
   void makeUnitChoices(QMenu* view);
   void applyAccuracy();

@@ -6,6 +6,7 @@
 #include "adrinput/record_list.hpp"
 #include "adrinput/record_page.hpp"
 #include "adrinput/run_panel.hpp"
+#include "adrinput/study_menu.hpp"
 #include "base/version.hpp"
 #include "deck/catalogue.hpp"
 #include "deck/templates.hpp"
@@ -66,6 +67,7 @@ void DeckWindow::makeFileMenu() {
     leaveDeck([this, name] { openFile(name.toStdString()); });
   });
   makeCompareMenu(file);
+  makeStudyMenu(file);
   file->addSeparator();
   file->addAction(tr("&Save"), QKeySequence::Save, this, &DeckWindow::save);
   file->addAction(tr("Save &As …"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), this,
@@ -419,6 +421,7 @@ void DeckWindow::dropEvent(QDropEvent* event) {
   if (urls.isEmpty()) return;
   event->acceptProposedAction();
   const QString name = urls.front().toLocalFile();
+  if (is_study(name.toStdString())) return openStudyFile(name.toStdString());
   leaveDeck([this, name] { openFile(name.toStdString()); });
 }
 

@@ -1,6 +1,8 @@
 #include "adrinput/deck_window.hpp"
 #include "adrinput/render.hpp"
 #include "adrinput/session.hpp"
+#include "adrinput/study_menu.hpp"
+#include "adrinput/study_window.hpp"
 #include "base/errors.hpp"
 #include "command_line/program.hpp"
 #include "command_line/tree.hpp"
@@ -18,13 +20,21 @@ int render(int& argc, char** argv, const std::filesystem::path& deck,
            const adrinput::RenderOptions& options) {
   if (deck.empty()) throw InputError("--render needs a deck whose pages are to be drawn");
   const auto app = desktop::make_application(argc, argv, "adrinput", desktop::Display::Headless);
-  for (const auto& path : adrinput::render_pages(deck, options)) fmt::print("{}\n", path.string());
+  const auto pages = adrinput::is_study(deck) ? adrinput::render_study(deck, options)
+                                              : adrinput::render_pages(deck, options);
+  for (const auto& path : pages) fmt::print("{}\n", path.string());
   return 0;
 }
 
 int show(int& argc, char** argv, const std::filesystem::path& deck) {
   const auto app = desktop::make_application(argc, argv, "adrinput", desktop::Display::Window);
   if (!desktop::ask_for_disclaimer("AdrInput")) return 0;
+  if (adrinput::is_study(deck)) {
+    adrinput::StudyWindow window;
+    window.show();
+    window.openFile(deck);
+    return QApplication::exec();
+  }
   adrinput::DeckWindow window;
   adrinput::Session session(window);
   window.show();
@@ -44,7 +54,9 @@ int main(int argc, char** argv) {
   std::filesystem::path deck;
   adrinput::RenderOptions options;
   std::string size = "1280x800";
-  cli.add_option("DECK", deck, "deck file, or a folder that holds DATA.txt")->type_name("DECK");
+  cli.add_option("DECK", deck,
+                 "deck file, a folder that holds DATA.txt, or a study file (.json, .toml)")
+      ->type_name("DECK");
   auto* folder =
       cli.add_option("--render", options.folder,
                      "write every page as PNG into this folder instead of opening a window")

@@ -4,9 +4,11 @@
 #include "adrinput/deck_window.hpp"
 #include "adrinput/drawing_panel.hpp"
 #include "adrinput/record_page.hpp"
+#include "adrinput/study_window.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/theme.hpp"
 #include "facade/prepare.hpp"
+#include "results/growing_file.hpp"
 
 #include <QApplication>
 #include <QScrollArea>
@@ -78,6 +80,29 @@ std::vector<fs::path> render_pages(const fs::path& deck, const RenderOptions& op
       bar->setValue(bar->minimum());
     }
   }
+  return written;
+}
+
+std::vector<fs::path> render_study(const fs::path& file, const RenderOptions& options) {
+  (void)results::read_text_file(file);  // throws for what cannot be read, before a window asks
+  desktop::make_folder(options.folder);
+  desktop::apply_theme(options.dark ? desktop::ThemeKind::Dark : desktop::ThemeKind::Light);
+  StudyWindow window;
+  window.resize(options.width, options.height);
+  window.show();
+  window.openFile(file);
+  std::vector<fs::path> written;
+  const auto draw = [&](const std::string& name) {
+    settle();
+    written.push_back(options.folder / name);
+    desktop::save_image(window.grab().toImage(), written.back());
+  };
+  settle();
+  int part = 0;
+  scroll_through(*window.formArea().verticalScrollBar(), kOverlap,
+                 [&] { draw(fmt::format("study-form-{}.png", ++part)); });
+  window.showText(true);
+  draw("study-file.png");
   return written;
 }
 

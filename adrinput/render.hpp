@@ -19,4 +19,9 @@ struct RenderOptions {
 std::vector<std::filesystem::path> render_pages(const std::filesystem::path& deck,
                                                 const RenderOptions& options);
 
+/// The same of a study file: its form, piece by piece, its text, and beside them what the check
+/// says.
+std::vector<std::filesystem::path> render_study(const std::filesystem::path& file,
+                                                const RenderOptions& options);
+
 }  // namespace adore::adrinput

@@ -1,5 +1,3 @@
-#include "base/atomic_file.hpp"
-#include "base/duration.hpp"
 #include "cli/commands.hpp"
 #include "cli/option_ranges.hpp"
 #include "cli/picture_program.hpp"
@@ -9,7 +7,7 @@
 #include "command_line/tree.hpp"
 #include "studies/campaign.hpp"
 #include "studies/report.hpp"
-#include "studies/study_table.hpp"
+#include "studies/study_text.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -55,7 +53,7 @@ class ProgressLine {
       const nlohmann::ordered_json line{{"done", p.done},       {"total", p.total},
                                         {"failed", p.failed},   {"workers", p.workers},
                                         {"elapsed", p.elapsed}, {"remaining", p.remaining},
-                                        {"note", p.note}};
+                                        {"note", p.note},       {"last_failure", p.last_failure}};
       tell(line.dump() + "\n", false);
       return;
     }
@@ -63,10 +61,7 @@ class ProgressLine {
     if (!terminal_ && tenth == tenth_ && shown_) return;
     tenth_ = tenth;
     shown_ = true;
-    const std::string text =
-        fmt::format("run {} of {}, {} failed, {} at work, {} left{}{}", p.done, p.total, p.failed,
-                    p.workers, p.remaining >= 0.0 ? duration_text(p.remaining) : "unknown time",
-                    p.note.empty() ? "" : "; ", p.note);
+    const std::string text = studies::progress_text(p);
     tell(terminal_ ? fmt::format("\r\x1b[K{}", text.substr(0, 110)) : text + "\n", false);
   }
 
@@ -77,7 +72,9 @@ class ProgressLine {
 };
 
 int new_study(const StudyOptions& options) {
-  const std::string text = studies::example_study(options.kind);
+  std::string text = studies::example_study(options.kind);
+  if (studies::is_toml(options.out))
+    text = studies::write_study_text(studies::read_study_text(text, "example.json").json, true);
   const std::string name = write_text(options.out, options.kind + ".json", text);
   if (!name.empty()) fmt::print("wrote {}\n", name);
   return 0;
@@ -108,12 +105,8 @@ int plan(const StudyOptions& options) {
 
 /// Tables, report and pictures of what is there.
 void write_results(const studies::Study& study, bool quiet) {
-  const studies::Results results = studies::read_results(study);
-  const studies::StudyTable table = studies::write_tables(study, results);
-  const studies::Report report = studies::make_report(study, results, table);
+  const studies::Report report = studies::write_report(study);
   const fs::path folder = study.folder();
-  write_file_atomically(folder / "REPORT.txt", report.text);
-  write_file_atomically(folder / "CHARTS.json", report.charts);
   if (!quiet) write_text("", "", report.text);
   if (has_pictures()) {
     std::vector<std::string> words{"study-charts", (folder / "CHARTS.json").string(),
@@ -148,11 +141,7 @@ int run(const StudyOptions& options, bool resume) {
     throw;
   }
   write_results(request.study, options.quiet);
-  if (!options.quiet)
-    fmt::print("{} runs: {} done, {} of them failed; {} computed now in {}, {} known before{}{}\n",
-               outcome.runs, outcome.done, outcome.failed, outcome.computed,
-               duration_text(outcome.seconds), outcome.known, outcome.note.empty() ? "" : "; ",
-               outcome.note);
+  if (!options.quiet) fmt::print("{}\n", studies::outcome_text(outcome));
   if (!outcome.complete) {
     tell(fmt::format("\ninterrupted; finished runs are recorded. Go on with\n  {}\n",
                      command_of("resume", options)));
@@ -243,7 +232,7 @@ void add_study(CLI::App& app, int& exit_code) {
   CLI::App* make = study->add_subcommand("new", "write a complete, explained study file");
   command_line::one_of(make->add_option("kind", options->kind, "what is studied")->required(),
                        {"sweep", "tolerance", "cage-map", "sensitivity", "worst-case", "what-if"});
-  make->add_option("--out", options->out, "file to write, - for standard output")
+  make->add_option("--out", options->out, "file to write, NAME.json or NAME.toml; - for standard output")
       ->type_name("FILE");
   make->callback([=, &exit_code] { exit_code = new_study(*options); });
 
@@ -274,8 +263,8 @@ void add_study(CLI::App& app, int& exit_code) {
   add_work(*study, exit_code);
 
   study->footer(
-      "Results are in the folder NAME.study beside NAME.json: RUNS.csv, STUDY.h5, REPORT.txt and "
-      "pictures.\n"
+      "A study file is JSON, or TOML when its name ends in .toml. Results are in the folder\n"
+      "NAME.study beside it: RUNS.csv, STUDY.h5, REPORT.txt and pictures.\n"
       "\n"
       "Examples\n"
       "  adore new ball --out DATA.txt\n"

@@ -67,7 +67,8 @@ void HeldElements::estimate(const Evaluation& e, std::size_t k) noexcept {
   const double floor = kSoft * mass * td * td + kNoStiffness * (1.0 + std::abs(B.trace()));
   const Mat2 square = B * B + floor * floor * Mat2::Identity();
   est.damping = 2.0 * std::sqrt(mass) * square_root(square_root(square));
-  est.inverse = B * square.inverse();
+  const Mat2 first = B * square.inverse();  // off by (floor / B)²; one step of Newton squares that
+  est.inverse = first * (2.0 * Mat2::Identity() - B * first);
   if (!scene_.axial) est.inverse.row(0).setZero();
   est.per_orbit = Vec2(0.0, 2.0 * td / r);
 }

@@ -25,8 +25,9 @@
 /// stiffness of [B -B; -B B] <= 2 diag(B, B), and rub with [C -C; -C C] <= 2 diag(C, C), of which
 /// 2C is taken. A departure from balance decays like that of a critically damped element without
 /// inertia, at half its natural frequency: not faster than the element itself would move, and
-/// without vibration; where friction is stronger than that, friction alone sets the rates. B is
-/// taken as √(B² + (kSoft m θ̇²)²), so that an element without contact keeps finite rates, and an
+/// without vibration; where friction is stronger than that, friction alone sets the rates. B⁻¹ is
+/// taken as Newton's step from B (B² + f²)⁻¹, f = kSoft m θ̇²: an element without contact keeps
+/// finite rates, and (f/B)⁴ is far below rounding under load. An
 /// element nears its balance no faster than by free fall from rest through
 /// HeldContacts::free_path(). Without `axial` (kDOF 1 to 4, and barrels) only r is in balance. A
 /// barrel turns about the centre of its groove: x and tilt are one motion, whose inertia is that of

@@ -107,14 +107,14 @@ bool matches(const std::string& name, const std::string& pattern) {
 
 }  // namespace
 
-FolderLock::FolderLock(const fs::path& folder) : path_(folder / kName) {
+FolderLock::FolderLock(const fs::path& folder, std::string_view elsewhere) : path_(folder / kName) {
   for (;;) {
     const int descriptor = ::open(path_.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (descriptor < 0)
       throw InputError(fmt::format(
           "{}: nothing can be written into this folder ({}); make it writable, free some disk "
-          "space, or choose another one with --out",
-          folder.string(), std::generic_category().message(errno)));
+          "space, or {}",
+          folder.string(), std::generic_category().message(errno), elsewhere));
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
       const int error = errno;
       if (error == EINTR) {
@@ -128,9 +128,8 @@ FolderLock::FolderLock(const fs::path& folder) : path_(folder / kName) {
         who = who.substr(0, who.find('\n'));
         ::close(descriptor);
         throw InputError(fmt::format(
-            "{}: another run is writing into this folder ({}); wait for its end, or "
-            "choose another folder with --out",
-            folder.string(), who.empty() ? "a process that has not named itself" : who));
+            "{}: another run is writing into this folder ({}); wait for its end, or {}",
+            folder.string(), who.empty() ? "a process that has not named itself" : who, elsewhere));
       }
       ::close(descriptor);  // a file system without locks
       return;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// The folder of a run's files: who writes there, and what may be replaced (decision 160).
@@ -14,7 +15,9 @@ namespace adore::facade {
 class FolderLock {
  public:
   /// @throws InputError naming the process that is at work there; or when nothing can be written.
-  explicit FolderLock(const std::filesystem::path& folder);
+  /// `elsewhere`: how this command takes another folder, for the sentence.
+  explicit FolderLock(const std::filesystem::path& folder,
+                      std::string_view elsewhere = "choose another folder with --out");
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
   FolderLock& operator=(const FolderLock&) = delete;

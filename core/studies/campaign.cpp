@@ -6,7 +6,9 @@
 #include "base/interrupted.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/prepare.hpp"
+#include "results/growing_file.hpp"
 #include "studies/slurm.hpp"
+#include "studies/study_check.hpp"
 #include "studies/worst_case.hpp"
 
 #include <fmt/format.h>
@@ -25,6 +27,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kTasks = "tasks.jsonl";
+constexpr const char* kElsewhere =
+    "copy the study file under another name: its results go beside the copy";
 constexpr double kRecordMegabytes = 0.0041;  ///< a block of the disk
 constexpr double kEnoughPilot = 20.0;        ///< [s]; after that no further pilot run
 
@@ -84,7 +88,9 @@ Pilot measure(const CampaignRequest& request, const fs::path& folder,
     out.wall += record->wall;
     if (out.wall > kEnoughPilot) break;
   }
-  if (records.empty()) throw InputError(fmt::format("nothing was started: {}", refused));
+  if (records.empty())
+    throw InputError(
+        fmt::format("{}: nothing was started: {}", request.study.file.string(), refused));
   const auto n = static_cast<double>(records.size());
   out.wall /= n;
   for (const Record& record : records) {
@@ -162,7 +168,10 @@ class Meter {
   void count(const Record& record, long rows) {
     state_.done += rows;
     computed_ += rows;
-    if (record.exit_code != 0) state_.failed += rows;
+    if (record.exit_code != 0) {
+      state_.failed += rows;
+      state_.last_failure = record.message;
+    }
     send(true);
   }
   void news(int workers, const std::string& note) {
@@ -203,17 +212,17 @@ class Campaign {
   CampaignOutcome run() {
     const auto begin = Clock::now();
     // Mistakes of the study file come before anything is made.
-    std::vector<Point> points =
-        study_.kind == Kind::WorstCase ? first_round(study_) : make_points(study_);
+    std::vector<Point> points = points_to_begin(study_);
+    check_decks(study_, points);
     job_ = prepare_job(study_, folder_);
-    const facade::FolderLock lock(folder_);
+    const facade::FolderLock lock(folder_, kElsewhere);
     add(points);
     if (request_.retry_failed) forget_failures();
     const Pilot pilot = measure(request_, folder_, tasks_, job_.keep_files, stop_);
     plan_ = plan_of(request_, study_, folder_, count_points(study_), count_known(tasks_, folder_),
                     pilot);
     if (!plan_.over_budget.empty() && !request_.over_budget)
-      throw InputError(
+      throw OverBudget(
           fmt::format("the study takes more than it may: {}; make it smaller, raise the budget, or "
                       "give --over-budget",
                       plan_.over_budget));
@@ -330,7 +339,11 @@ void require_started(const fs::path& folder) {
 }  // namespace
 
 Study open_study(const fs::path& file) {
-  Study study = read_study(file);
+  return open_study_text(results::read_text_file(file), file);
+}
+
+Study open_study_text(const std::string& text, const fs::path& file) {
+  Study study = parse_study(text, file);
   if (std::any_of(study.variables.begin(), study.variables.end(),
                   [](const Variable& v) { return v.lot(); })) {
     facade::DeckRequest request;
@@ -344,10 +357,10 @@ Study open_study(const fs::path& file) {
 Plan make_plan(const CampaignRequest& request, const std::stop_token& stop) {
   const Study& study = request.study;
   const fs::path folder = study.folder();
-  const std::vector<Point> points =
-      study.kind == Kind::WorstCase ? first_round(study) : make_points(study);
+  const std::vector<Point> points = points_to_begin(study);
+  check_decks(study, points);
   const Job job = prepare_job(study, folder);
-  const facade::FolderLock lock(folder);
+  const facade::FolderLock lock(folder, kElsewhere);
   const std::vector<Task> tasks = make_tasks(job, points, 1);
   const Pilot pilot = measure(request, folder, tasks, job.keep_files, stop);
   return plan_of(request, study, folder, count_points(study), count_known(tasks, folder), pilot);
@@ -373,6 +386,19 @@ std::string plan_text(const CampaignRequest& request, const Plan& plan) {
   out += plan.over_budget.empty() ? "budget:    within it\n"
                                   : fmt::format("budget:    exceeded: {}\n", plan.over_budget);
   return out;
+}
+
+std::string progress_text(const StudyProgress& p) {
+  return fmt::format("run {} of {}, {} failed, {} at work, {} left{}{}", p.done, p.total, p.failed,
+                     p.workers, p.remaining >= 0.0 ? duration_text(p.remaining) : "unknown time",
+                     p.note.empty() ? "" : "; ", p.note);
+}
+
+std::string outcome_text(const CampaignOutcome& outcome) {
+  return fmt::format(
+      "{} runs: {} done, {} of them failed; {} computed now in {}, {} known before{}{}",
+      outcome.runs, outcome.done, outcome.failed, outcome.computed, duration_text(outcome.seconds),
+      outcome.known, outcome.note.empty() ? "" : "; ", outcome.note);
 }
 
 CampaignOutcome run_campaign(const CampaignRequest& request, const StudySink& progress,
@@ -408,7 +434,7 @@ Status study_status(const Study& study) {
       out.diagnoses.push_back(fmt::format("run {}: {}", results.tasks[i].number, record->message));
   }
   try {
-    const facade::FolderLock lock(folder);
+    const facade::FolderLock lock(folder, kElsewhere);
   } catch (const InputError&) {
     out.at_work = true;
   }

@@ -1,12 +1,21 @@
 #pragma once
 
+#include "base/errors.hpp"
 #include "studies/engine.hpp"
 
 /// A whole study: points, engines, records, rounds.
 namespace adore::studies {
 
-/// read_study(), its lots with an element for each of the first deck. @throws InputError
+/// parse_study() of a file, its lots with an element for each of the first deck. @throws InputError
 [[nodiscard]] Study open_study(const std::filesystem::path& file);
+/// The same for a text that is not saved; `file` names it, and its decks are beside that.
+[[nodiscard]] Study open_study_text(const std::string& text, const std::filesystem::path& file);
+
+/// The plan exceeds the budget of the study, or the disk.
+class OverBudget : public InputError {
+ public:
+  using InputError::InputError;
+};
 
 struct CampaignRequest {
   Study study;                    ///< of open_study()
@@ -46,6 +55,11 @@ struct Plan {
 /// this process and says what the study takes. @throws InputError, Interrupted
 [[nodiscard]] Plan make_plan(const CampaignRequest& request, const std::stop_token& stop);
 [[nodiscard]] std::string plan_text(const CampaignRequest& request, const Plan& plan);
+
+/// "run 3 of 18, 0 failed, 2 at work, 0.4 s left"
+[[nodiscard]] std::string progress_text(const StudyProgress& progress);
+/// "18 runs: 18 done, 0 of them failed; 15 computed now in 0.4 s, 3 known before"
+[[nodiscard]] std::string outcome_text(const CampaignOutcome& outcome);
 
 /// Runs what has no record yet. Interrupted studies come back `complete` false.
 /// @throws InputError (over budget, wrong pilot, engine), WriteError (disk full)

@@ -17,6 +17,7 @@ struct StudyProgress {
   int workers = 0;                         ///< at work now
   double elapsed = 0.0, remaining = -1.0;  ///< [s]; negative: not known yet
   std::string note;                        ///< what the engine waits for; may be empty
+  std::string last_failure;                ///< diagnosis of the run that failed last
 };
 using StudySink = std::function<void(const StudyProgress&)>;
 

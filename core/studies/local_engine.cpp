@@ -70,11 +70,11 @@ class Worker {
   }
   ~Worker() {
     if (in_ >= 0) close(in_);
-    if (out_ >= 0) close(out_);
     if (pid_ > 0) {
       kill(pid_, SIGTERM);
       (void)wait();
     }
+    if (out_ >= 0) close(out_);  // last: it may be saying that a run is done
   }
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;

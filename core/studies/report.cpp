@@ -1,5 +1,6 @@
 #include "studies/report.hpp"
 
+#include "base/atomic_file.hpp"
 #include "facade/prepare.hpp"
 #include "studies/cage_whirl.hpp"
 #include "studies/charts.hpp"
@@ -481,6 +482,15 @@ class Reporter {
 
 Report make_report(const Study& study, const Results& results, const StudyTable& table) {
   return Reporter(study, results, table).make();
+}
+
+Report write_report(const Study& study) {
+  const Results results = read_results(study);
+  const StudyTable table = write_tables(study, results);
+  Report report = make_report(study, results, table);
+  write_file_atomically(study.folder() / "REPORT.txt", report.text);
+  write_file_atomically(study.folder() / "CHARTS.json", report.charts);
+  return report;
 }
 
 }  // namespace adore::studies

@@ -20,4 +20,8 @@ struct Report {
 [[nodiscard]] Report make_report(const Study& study, const Results& results,
                                  const StudyTable& table);
 
+/// Tables, REPORT.txt and CHARTS.json of the runs that are finished, in the study's folder.
+/// @throws InputError when it was never started; WriteError
+Report write_report(const Study& study);
+
 }  // namespace adore::studies

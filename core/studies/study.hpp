@@ -117,7 +117,6 @@ struct Study {
 
 /// @throws InputError naming file, key, value and what is valid; all mistakes of the first level
 /// that has any.
-[[nodiscard]] Study read_study(const std::filesystem::path& file);
 [[nodiscard]] Study parse_study(const std::string& text, const std::filesystem::path& file);
 
 /// A complete example with remarks, "sweep" ... @throws InputError naming the kinds.

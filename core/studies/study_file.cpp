@@ -1,15 +1,15 @@
 #include "base/errors.hpp"
-#include "base/json_text.hpp"
 #include "base/resources.hpp"
 #include "base/spelling.hpp"
 #include "deck/schema.hpp"
 #include "results/channels.hpp"
-#include "results/growing_file.hpp"
 #include "results/key_results.hpp"
 #include "setup/run_control.hpp"
 #include "studies/cage_whirl.hpp"
 #include "studies/study.hpp"
+#include "studies/study_check.hpp"
 #include "studies/study_json.hpp"
+#include "studies/study_text.hpp"
 
 #include <fmt/format.h>
 
@@ -392,13 +392,13 @@ std::filesystem::path Study::folder() const {
   return out.replace_extension(".study");
 }
 
-Study parse_study(const std::string& text, const std::filesystem::path& file) {
+namespace {
+
+Study checked_study(const Json& json, const std::filesystem::path& file) {
   const std::string name = file.string();
-  const Json json = parse_json<Json>(text, name);
-  const std::string shown = name.ends_with(".json") ? name : name + ".json";
   Study out;
   out.file = file;
-  JsonObject object(json, name);
+  JsonObject object(json, name + ":");
   (void)object.whole("adore_study", 1, 1, "1, the format of study files");
   const std::string kind = object.text("kind", "one of " + kinds());
   const auto* const found = std::find(kKindNames.begin(), kKindNames.end(), kind);
@@ -498,8 +498,28 @@ Study parse_study(const std::string& text, const std::filesystem::path& file) {
   return out;
 }
 
-Study read_study(const std::filesystem::path& file) {
-  return parse_study(results::read_text_file(file), file);
+/// "a.toml: variables[2].normal = ..." gets the line of its key, or of what holds it.
+std::string with_line(const std::string& sentence, const std::string& file,
+                      const std::map<std::string, int>& lines) {
+  for (std::string key = key_of_sentence(sentence, file); !key.empty();) {
+    if (const auto found = lines.find(key); found != lines.end())
+      return fmt::format("{}, line {}{}", file, found->second, sentence.substr(file.size()));
+    const std::size_t end = key.find_last_of(".[");
+    key = end == std::string::npos ? std::string() : key.substr(0, end);
+  }
+  return sentence;
+}
+
+}  // namespace
+
+Study parse_study(const std::string& text, const std::filesystem::path& file) {
+  const StudyText read = read_study_text(text, file);
+  try {
+    return checked_study(read.json, file);
+  } catch (const InputError& error) {
+    if (read.lines.empty()) throw;
+    throw InputError(with_line(error.what(), file.string(), read.lines));
+  }
 }
 
 std::string example_study(const std::string& kind) {

@@ -24,8 +24,8 @@ std::string shown(const nlohmann::ordered_json& value) {
 JsonObject::JsonObject(const nlohmann::ordered_json& json, std::string where)
     : json_(json), where_(std::move(where)) {
   if (!json.is_object())
-    throw InputError(
-        fmt::format("{} = {}: give an object {{\"key\": value, ...}}", where_, shown(json)));
+    throw InputError(fmt::format("{}{} {}: give an object {{\"key\": value, ...}}", where_,
+                                 where_.ends_with(':') ? "" : " =", shown(json)));
 }
 
 bool JsonObject::has(std::string_view key) const {
@@ -34,7 +34,7 @@ bool JsonObject::has(std::string_view key) const {
 }
 
 std::string JsonObject::at(std::string_view key) const {
-  return fmt::format("{}{}{}", where_, where_.ends_with(".json") ? ": " : ".", key);
+  return fmt::format("{}{}{}", where_, where_.ends_with(':') ? " " : ".", key);
 }
 
 void JsonObject::refuse(std::string_view key, std::string_view valid) const {

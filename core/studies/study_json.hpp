@@ -12,7 +12,8 @@ namespace adore::studies {
 
 class JsonObject {
  public:
-  /// @param where "clearance.json: variables[2]", for messages; @throws InputError for no object
+  /// @param where "clearance.json: variables[2]", for messages; the file itself with its colon,
+  /// "clearance.json:". @throws InputError for no object
   JsonObject(const nlohmann::ordered_json& json, std::string where);
 
   [[nodiscard]] bool has(std::string_view key) const;

@@ -41,8 +41,9 @@ Rule dependency_rule() {
   return rule;
 }
 /// What apps see of the core: values, files, pages and drawings, and the facade that runs decks.
-const std::set<std::string> kAppsMaySee = {"base",    "deck",        "results", "listing",
-                                           "drawing", "calculators", "facade",  "command_line"};
+const std::set<std::string> kAppsMaySee = {"base",    "deck",    "results",
+                                           "listing", "drawing", "calculators",
+                                           "facade",  "studies", "command_line"};
 
 std::vector<fs::path> sources(const fs::path& folder) {
   std::vector<fs::path> out;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 /// Under a steady load mode 1, which leaves out the inertia that contacts vibrate with, has the
@@ -21,6 +22,11 @@ struct Means {
 };
 
 using Sets = std::vector<std::pair<std::string, std::string>>;
+
+struct Perturbed {
+  double share;  ///< of the asked axial load
+  Sets start;    ///< of the cage
+};
 
 Means means_of(const std::string& type, const Sets& own, int turns, int mode, double share) {
   deck::Deck deck = deck::new_deck(type);
@@ -68,12 +74,16 @@ Means check(const std::string& type, const Sets& own, int turns, const Means& fr
   return held;
 }
 
-/// Cage heat: no further from the mean of five runs of mode 0 under loads that differ by up to 2e-4
-/// than three times their standard deviation; where they agree to six digits, a thousandth.
-void check_with_spread(const std::string& type, const Sets& own, int turns) {
-  std::vector<Means> free;
-  for (const double share : {1.0, 1.0001, 0.9999, 1.0002, 0.9998})
-    free.push_back(means_of(type, own, turns, 0, share));
+/// Cage heat: no further from the mean of five runs of mode 0, the deck's own and four perturbed
+/// ones, than three times their standard deviation; where they agree to six digits, a thousandth.
+void check_with_spread(const std::string& type, const Sets& own, int turns,
+                       const std::array<Perturbed, 4>& others) {
+  std::vector<Means> free{means_of(type, own, turns, 0, 1.0)};
+  for (const Perturbed& one : others) {
+    Sets sets = own;
+    sets.insert(sets.end(), one.start.begin(), one.start.end());
+    free.push_back(means_of(type, sets, turns, 0, one.share));
+  }
   const Means held = check(type, own, turns, free.front());
   double mean = 0.0, square = 0.0;
   for (const Means& one : free) mean += one.cage / 5.0;
@@ -82,23 +92,29 @@ void check_with_spread(const std::string& type, const Sets& own, int turns) {
   CHECK(std::abs(held.cage - mean) < std::max(3.0 * std::sqrt(square), 1e-3 * mean));
 }
 
+const std::array<Perturbed, 4> kLoads{{{1.0001, {}}, {0.9999, {}}, {1.0002, {}}, {0.9998, {}}}};
+const std::array<Perturbed, 4> kCages{
+    {{1.0, {{"cageGcPos[2]", "2e-5"}}},
+     {1.0, {{"cageGcPos[3]", "-3e-5"}}},
+     {1.0, {{"avRatio", "1.02"}}},
+     {1.0, {{"cageGcPos[2]", "-4e-5"}, {"cageGcPos[3]", "4e-5"}}}}};
+
 }  // namespace
 
 TEST_CASE("mode 1 of the ball example has the heat and the cage speed of mode 0 over three turns",
           "[physics][facade][constrained][slow]") {
-  check_with_spread("ball", {}, 3);
+  check_with_spread("ball", {}, 3, kLoads);
 }
 
 TEST_CASE("mode 1 of a preloaded cylindrical bearing has the heat and the cage speed of mode 0",
           "[physics][facade][constrained][slow]") {
   // With play rollers skew in the unloaded zone, and no two runs have the same heat (decision 321).
-  check_with_spread("cylindrical", {{"freeIntCls", "-1e-5"}}, 2);
+  check_with_spread("cylindrical", {{"freeIntCls", "-1e-5"}}, 2, kLoads);
 }
 
-TEST_CASE("mode 1 of the tapered example has the heat and the cage speed of mode 0 over a turn",
+TEST_CASE("mode 1 of the tapered example has the heat and the cage speed of mode 0 over two turns",
           "[physics][facade][constrained][slow]") {
-  // Cage heat: 9.12, 9.25, 9.21, 9.22, 9.23 mJ in mode 0, 8.99 in mode 1; after two and three turns
-  // 8 % less and 2 % more: outside of this narrow spread, 0.7 % of all heat.
-  const Means free = means_of("tapered", {}, 1, 0, 1.0), held = check("tapered", {}, 1, free);
-  CHECK(held.cage == Approx(free.cage).epsilon(0.1));
+  // Over the first turn loads that differ by 1e-4 leave the cage its one way to settle, and spread
+  // by 0.5 %; cages that start elsewhere spread by 6 %, 18.7 to 22.2 mJ over two turns.
+  check_with_spread("tapered", {}, 2, kCages);
 }

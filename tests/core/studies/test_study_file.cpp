@@ -1,6 +1,8 @@
 #include "base/errors.hpp"
 #include "studies/points.hpp"
 #include "studies/study.hpp"
+#include "studies/study_check.hpp"
+#include "studies/study_text.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -145,4 +147,48 @@ TEST_CASE("lots scatter by the law that is asked for, correlated as asked", "[un
   CHECK(high <= 26.0);
   CHECK(least >= 0.51);
   CHECK(largest <= 0.53);
+}
+
+TEST_CASE("a study in TOML is the same study, with its remarks, as in JSON", "[unit][studies]") {
+  for (const char* kind :
+       {"sweep", "tolerance", "cage-map", "sensitivity", "worst-case", "what-if"}) {
+    INFO(kind);
+    const auto json = read_study_text(example_study(kind), "a.json").json;
+    CHECK(read_study_text(write_study_text(json, false), "a.json").json == json);
+    const StudyText toml = read_study_text(write_study_text(json, true), "a.toml");
+    CHECK_FALSE(toml.loose_comments);
+    auto plain = toml.json, wanted = json;
+    for (auto* one : {&plain, &wanted})
+      for (auto item = one->begin(); item != one->end();)
+        item = item.key().starts_with("//") ? one->erase(item) : std::next(item);
+    CHECK(plain == wanted);
+    CHECK(
+        write_study_text(toml.json, true) ==
+        write_study_text(read_study_text(write_study_text(toml.json, true), "a.toml").json, true));
+    CHECK(count_points(parse_study(write_study_text(json, true), "a.toml")) ==
+          count_points(parse_study(example_study(kind), "a.json")));
+  }
+  CHECK(read_study_text("a = 1 # behind a value\n", "a.toml").loose_comments);
+}
+
+TEST_CASE("a mistake in a study in TOML names its line", "[unit][studies]") {
+  const std::string text =
+      "adore_study = 1\nkind = \"sweep\"\ndeck = \"DATA.txt\"\n"
+      "quantities = [\"largest_contact_load_N\"]\n\n"
+      "[[variables]]\nname = \"appLoadX\"\ngrid = [500, 1500, 3]\n";
+  CHECK(count_points(parse_study(text, "a.toml")) == 3);
+  CHECK_THROWS_WITH(parse_study(replaced(text, "1500, 3", "1500, 1"), "a.toml"),
+                    Contains("a.toml, line 8: variables[1].grid = [500,1500,1]: give [first"));
+  CHECK_THROWS_WITH(parse_study(replaced(text, "grid", "grd"), "a.toml"),
+                    Contains("a.toml, line 7: variables[1].name: give exactly one of grid"));
+  CHECK_THROWS_WITH(parse_study(replaced(text, "kind =", "kind"), "a.toml"),
+                    Contains("a.toml, line 2: this is not valid TOML"));
+}
+
+TEST_CASE("the key that a sentence is about is found in it", "[unit][studies]") {
+  CHECK(key_of_sentence("b/a.json: variables[2].grid = [1]: give", "b/a.json") ==
+        "variables[2].grid");
+  CHECK(key_of_sentence("a.toml, line 4: kind is missing: give", "a.toml") == "kind");
+  CHECK(key_of_sentence("a.json: a what-if study compares cases; leave", "a.json").empty());
+  CHECK(key_of_sentence("there is no deck DATA.txt", "a.json").empty());
 }

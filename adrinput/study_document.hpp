@@ -1,0 +1,83 @@
+#pragma once
+
+#include "adrinput/study_fields.hpp"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+/// A study file while it is edited: its text, its values, what is wrong with it. No Qt.
+namespace adore::adrinput {
+
+class StudyDocument {
+ public:
+  std::function<void()> changed;  ///< called after every change
+
+  /// @throws InputError when the file cannot be read; a file with mistakes is opened.
+  void open(const std::filesystem::path& file);
+  /// The explained example of a kind for a deck, not yet on the disk.
+  void start_new(const std::filesystem::path& file, const std::string& kind,
+                 const std::filesystem::path& deck);
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  [[nodiscard]] const std::string& text() const { return state_; }
+  /// Nothing while the text is no JSON or TOML: the form has nothing to show.
+  [[nodiscard]] const std::optional<StudyJson>& values() const { return values_; }
+  /// A TOML file whose comments a change in the form would lose (studies/study_text.hpp).
+  [[nodiscard]] bool loose_comments() const { return loose_comments_; }
+  [[nodiscard]] std::optional<studies::Kind> kind() const;
+
+  void set_text(const std::string& text);
+  [[nodiscard]] std::string field(const StudyField& field) const;
+  void set_field(const StudyField& field, const std::string& typed);
+  [[nodiscard]] std::size_t rows(std::string_view table) const;
+  [[nodiscard]] std::vector<std::string> cells(std::string_view table, std::size_t row) const;
+  /// A row behind the last is a new one.
+  void set_cell(std::string_view table, std::size_t row, std::size_t column,
+                const std::string& typed);
+  void remove_row(std::string_view table, std::size_t row);
+
+  [[nodiscard]] bool can_undo() const { return !undo_.empty(); }
+  [[nodiscard]] bool can_redo() const { return !redo_.empty(); }
+  void undo();
+  void redo();
+
+  [[nodiscard]] bool modified() const { return !stored_ || state_ != *stored_; }
+  /// Another program changed the file since it was read or saved here.
+  [[nodiscard]] bool changed_on_disk() const;
+  /// @throws InputError when it cannot be written
+  void save(const std::filesystem::path& file);
+
+  /// What `adore study plan` would say, in the same words but for the folder; empty: nothing.
+  struct Finding {
+    std::string problem;  ///< empty: the study can start
+    std::string key;      ///< "variables[2].normal": what it is about; may be empty
+    long runs = 0;        ///< when there is no problem
+  };
+  [[nodiscard]] Finding check() const;
+
+  /// Keeps what is not saved beside the file until it is saved or given up.
+  void store_unsaved() const;
+  void forget_unsaved() const;
+  /// What an earlier program left there; nothing when it is what the file holds.
+  [[nodiscard]] std::optional<std::string> unsaved_text() const;
+  [[nodiscard]] std::filesystem::path unsaved_path() const;
+
+ private:
+  /// Changes in one place, one after the other, are one step back.
+  void change(std::string text, const std::string& place);
+  void write_values(StudyJson values, const std::string& place);
+  void read_values();
+
+  std::filesystem::path path_;
+  std::string state_;
+  std::optional<std::string> stored_;  ///< what the file holds; nothing: there is none yet
+  std::optional<StudyJson> values_;
+  bool loose_comments_ = false;
+  std::vector<std::string> undo_, redo_;
+  std::string last_place_;
+};
+
+}  // namespace adore::adrinput

@@ -1,0 +1,426 @@
+#include "adrinput/study_fields.hpp"
+
+#include <algorithm>
+#include <regex>
+
+namespace adore::adrinput {
+namespace {
+
+using studies::Kind;
+
+constexpr StudyKinds kSampled = only(Kind::Sweep) | only(Kind::Tolerance) | only(Kind::WorstCase);
+constexpr StudyKinds kGrids = only(Kind::Sweep) | only(Kind::Tolerance) | only(Kind::CageMap);
+constexpr StudyKinds kVaried = kAllKinds & ~only(Kind::WhatIf);
+constexpr StudyKinds kWithLaw = kVaried & ~only(Kind::Sensitivity);
+
+std::string trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\n\r");
+  if (first == std::string_view::npos) return {};
+  return std::string(text.substr(first, text.find_last_not_of(" \t\n\r") - first + 1));
+}
+
+std::vector<std::string> split(const std::string& text, const char* separators) {
+  std::vector<std::string> out;
+  std::string part;
+  const auto end = [&] {
+    if (const std::string one = trimmed(part); !one.empty()) out.push_back(one);
+    part.clear();
+  };
+  for (const char c : text) {
+    if (std::string_view(separators).find(c) != std::string_view::npos)
+      end();
+    else
+      part += c;
+  }
+  end();
+  return out;
+}
+
+/// A number as JSON writes it stays one, whole numbers too; everything else is a text.
+StudyJson number_or_text(const std::string& text) {
+  static const std::regex number(R"([+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?)");
+  if (!std::regex_match(text, number)) return text;
+  static const std::regex whole(R"(-?\d{1,18})");
+  if (std::regex_match(text, whole)) return std::stoll(text);
+  return std::strtod(text.c_str(), nullptr);
+}
+
+StudyJson settings(const std::string& text) {
+  // A comma ends a setting only where another one begins.
+  static const std::regex next(R"([;,\n]\s*(?=[A-Za-z_][^=;,\n]*=))");
+  StudyJson out = StudyJson::object();
+  for (std::sregex_token_iterator part(text.begin(), text.end(), next, -1), end; part != end;
+       ++part) {
+    const std::string one = trimmed(part->str());
+    if (one.empty()) continue;
+    const auto sign = one.find('=');
+    const std::string value = sign == std::string::npos ? "" : trimmed(one.substr(sign + 1));
+    out[trimmed(one.substr(0, sign))] = number_or_text(value);
+  }
+  return out;
+}
+
+StudyJson numbers(const std::string& text) {
+  StudyJson out = StudyJson::array();
+  for (const std::string& part : split(text, ",; \t\n[]")) out.push_back(number_or_text(part));
+  return out;
+}
+
+void put(StudyJson& row, const char* key, const StudyJson& value) {
+  if (value.is_null())
+    row.erase(key);
+  else
+    row[key] = value;
+}
+
+const StudyJson& member(const StudyJson& row, const char* key) {
+  static const StudyJson none;
+  if (!row.is_object()) return none;
+  const auto found = row.find(key);
+  return found == row.end() ? none : *found;
+}
+
+constexpr const char* kLaws[] = {"grid", "list", "uniform", "normal"};
+
+std::vector<std::string> variable_cells(const StudyJson& row) {
+  std::vector<std::string> out(8);
+  const bool option = row.is_object() && row.contains("option");
+  out[0] = shown_value(member(row, option ? "option" : "name"));
+  out[1] = option ? "run option" : "deck";
+  for (const char* law : kLaws)
+    if (!member(row, law).is_null() && out[2].empty()) {
+      out[2] = law;
+      out[3] = shown_value(member(row, law));
+    }
+  out[4] = shown_value(member(row, "within"));
+  out[5] = shown_value(member(row, "common"));
+  out[6] = shown_value(member(row, "also"));
+  out[7] = shown_value(member(row, "step"));
+  return out;
+}
+
+StudyJson variable_row(const std::vector<std::string>& cells, StudyJson row) {
+  const bool option = cells[1] == "run option";
+  row.erase(option ? "name" : "option");
+  put(row, option ? "option" : "name", typed_value(StudyCell::Text, cells[0]));
+  const std::string wanted = !cells[2].empty() ? cells[2] : !cells[3].empty() ? "list" : "";
+  for (const char* law : kLaws)
+    if (law != wanted) row.erase(law);
+  if (!wanted.empty()) row[wanted] = numbers(cells[3]);
+  put(row, "within", typed_value(StudyCell::Numbers, cells[4]));
+  put(row, "common", typed_value(StudyCell::Number, cells[5]));
+  put(row, "also", typed_value(StudyCell::Texts, cells[6]));
+  put(row, "step", typed_value(StudyCell::Number, cells[7]));
+  return row;
+}
+
+std::vector<std::string> quantity_cells(const StudyJson& row) {
+  std::vector<std::string> out(6);
+  if (!row.is_object()) {
+    out[0] = shown_value(row);
+    return out;
+  }
+  out[0] = shown_value(member(row, row.contains("result") ? "result" : "channel"));
+  const char* keys[] = {"statistic", "percent", "window", "at", "name"};
+  for (std::size_t k = 0; k < 5; ++k) out[k + 1] = shown_value(member(row, keys[k]));
+  return out;
+}
+
+/// A key result is its name alone, unless the file wrote it as an object.
+StudyJson quantity_row(const std::vector<std::string>& cells, const StudyJson& old) {
+  const bool alone = std::all_of(cells.begin() + 1, cells.end(),
+                                 [](const std::string& cell) { return cell.empty(); });
+  const bool object = old.is_object() && (old.contains("result") || old.size() > 5);
+  if (alone && !object) return cells[0];
+  StudyJson row = old.is_object() ? old : StudyJson::object();
+  put(row, alone && row.contains("result") ? "result" : "channel",
+      typed_value(StudyCell::Text, cells[0]));
+  if (!alone) row.erase("result");
+  put(row, "statistic", typed_value(StudyCell::Text, cells[1]));
+  put(row, "percent", typed_value(StudyCell::Number, cells[2]));
+  put(row, "window", typed_value(StudyCell::Numbers, cells[3]));
+  put(row, "at", typed_value(StudyCell::Numbers, cells[4]));
+  put(row, "name", typed_value(StudyCell::Text, cells[5]));
+  return row;
+}
+
+}  // namespace
+
+const std::vector<StudyField>& study_fields() {
+  static const std::vector<StudyField> fields{
+      {"kind",
+       "Study",
+       "Kind",
+       "What is studied",
+       StudyCell::Choice,
+       kAllKinds,
+       {"sweep", "tolerance", "cage-map", "sensitivity", "worst-case", "what-if"}},
+      {"deck",
+       "Study",
+       "Base deck",
+       "The deck, from the folder of the study file; several that are compared: A.txt; B.txt",
+       StudyCell::Texts,
+       kAllKinds,
+       {}},
+      {"set",
+       "Study",
+       "Set for all runs",
+       "Deck variables of every run, in the deck's units: mode = -1, appLoadX = 500. mode -1 is "
+       "the quasi-static solution.",
+       StudyCell::Settings,
+       kAllKinds,
+       {}},
+      {"options",
+       "Study",
+       "Run options",
+       "Run options of every run: hertzConstants = frozen",
+       StudyCell::Settings,
+       kAllKinds,
+       {}},
+      {"until",
+       "Study",
+       "Run length",
+       "The end of each run over time: 5rev, 0.02s or 1000",
+       StudyCell::Text,
+       kAllKinds,
+       {}},
+      {"integrator",
+       "Study",
+       "Integrator",
+       "In place of the deck's, as adore run --integrator",
+       StudyCell::Text,
+       kAllKinds,
+       {}},
+      {"tolerance",
+       "Study",
+       "Tolerance",
+       "Local error limit in place of the deck's",
+       StudyCell::Number,
+       kAllKinds,
+       {}},
+      {"keep_files",
+       "Study",
+       "Keep files",
+       "The files of every run stay, for AdrPlot and AGORE, and take their room on the disk",
+       StudyCell::Truth,
+       kAllKinds,
+       {}},
+      {"sampling.method",
+       "Samples",
+       "Method",
+       "latin: one sample in each of n equal strata of every variable; sobol; random",
+       StudyCell::Choice,
+       kSampled,
+       {"", "latin", "sobol", "random"}},
+      {"sampling.runs",
+       "Samples",
+       "Samples",
+       "How many samples the uniform and normal variables take",
+       StudyCell::Number,
+       kSampled,
+       {}},
+      {"sampling.seed",
+       "Samples",
+       "Seed",
+       "The same seed makes the same samples every time",
+       StudyCell::Number,
+       kSampled,
+       {}},
+      {"bearing_seeds",
+       "Samples",
+       "Seeds of bearings",
+       "Run option seed, each with each point: 1, 2, 3",
+       StudyCell::Numbers,
+       kGrids,
+       {}},
+      {"percentiles",
+       "Samples",
+       "Percentiles",
+       "Between 0 and 100, rising: 5, 50, 95",
+       StudyCell::Numbers,
+       kSampled,
+       {}},
+      {"objective.quantity",
+       "Worst case",
+       "Quantity",
+       "One of the quantities of interest",
+       StudyCell::Text,
+       only(Kind::WorstCase),
+       {}},
+      {"objective.seek",
+       "Worst case",
+       "Seek",
+       "The largest or the smallest value",
+       StudyCell::Choice,
+       only(Kind::WorstCase),
+       {"", "largest", "smallest"}},
+      {"objective.rounds",
+       "Worst case",
+       "Rounds",
+       "At most, behind the first",
+       StudyCell::Number,
+       only(Kind::WorstCase),
+       {}},
+      {"budget.runs",
+       "Budget",
+       "Runs",
+       "The study does not start when it has more",
+       StudyCell::Number,
+       kAllKinds,
+       {}},
+      {"budget.hours",
+       "Budget",
+       "Hours",
+       "The study does not start when the plan takes longer",
+       StudyCell::Number,
+       kAllKinds,
+       {}},
+      {"budget.disk_megabytes",
+       "Budget",
+       "Disk [MB]",
+       "The study does not start when the plan takes more",
+       StudyCell::Number,
+       kAllKinds,
+       {}}};
+  return fields;
+}
+
+const StudyField* find_study_field(std::string_view key) {
+  const auto& all = study_fields();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const auto& field) { return field.key == key; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+const std::vector<StudyTableSpec>& study_tables() {
+  static const std::vector<StudyTableSpec> tables{
+      {"variables",
+       "Variables",
+       "What differs from run to run",
+       kVaried,
+       {{"Name",
+         "A variable of the deck as --set takes it; reDiaVar# is one for each element",
+         kAllKinds,
+         {},
+         Proposals::Variables},
+        {"Of", "A variable of the deck, or a run option", kAllKinds, {"deck", "run option"}},
+        {"Law",
+         "grid and list: each value meets each of the others; uniform and normal: sampled",
+         kWithLaw,
+         {"grid", "list", "uniform", "normal"}},
+        {"Numbers",
+         "grid: first, last, count. list: values. uniform: low, high. normal: mean, deviation",
+         kWithLaw},
+        {"Within", "Where a normal law is cut: low, high", kSampled},
+        {"Common", "Lots (#): correlation of any two elements of one lot, 0 to 1", kSampled},
+        {"Also", "Deck variables that take the same value: A; B", kWithLaw},
+        {"Step", "Difference to both sides, in the deck's units; a thousandth unless given",
+         only(Kind::Sensitivity)}}},
+      {"correlation",
+       "Correlation",
+       "Of two variables with uniform or normal, not of elements of one lot",
+       kSampled & ~only(Kind::WorstCase),
+       {{"First", "Name of a variable of the study"},
+        {"Second", "Name of a variable of the study"},
+        {"Value", "From -1 to 1"}}},
+      {"cases",
+       "Cases",
+       "Named changes, one at a time, each against the deck as it is",
+       only(Kind::WhatIf),
+       {{"Name", "What the case is called in the report"},
+        {"Set", "Deck variables: gravityVecZ = 0"},
+        {"Run options", "hertzConstants = frozen"}}},
+      {"quantities",
+       "Quantities of interest",
+       "Key results by name, or a statistic of a channel of RESULTS.h5",
+       kAllKinds,
+       {{"Key result or channel",
+         "largest_contact_load_N, or contact.load with a statistic",
+         kAllKinds,
+         {},
+         Proposals::Results},
+        {"Statistic",
+         "Of a channel",
+         kAllKinds,
+         {"", "mean", "rms", "deviation", "least", "largest", "largest_size", "span", "last",
+          "percentile"}},
+        {"Percent", "Of the statistic percentile, 0 to 100"},
+        {"Window", "Shares of the run's time: 0.5, 1"},
+        {"At", "Element, race ... counted from 1; all of them together unless given"},
+        {"Heading", "Name of the column"}}}};
+  return tables;
+}
+
+std::string shown_value(const StudyJson& value) {
+  if (value.is_null()) return {};
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
+  std::string out;
+  if (value.is_array()) {
+    const bool texts = !value.empty() && value.front().is_string();
+    for (const StudyJson& item : value)
+      out += (out.empty() ? "" : texts ? "; " : ", ") + shown_value(item);
+    return out;
+  }
+  if (value.is_object()) {
+    for (const auto& [key, item] : value.items())
+      if (!key.starts_with("//"))
+        out += (out.empty() ? "" : ", ") + key + " = " + shown_value(item);
+    return out;
+  }
+  return value.dump();
+}
+
+StudyJson typed_value(StudyCell cell, const std::string& text) {
+  const std::string plain = trimmed(text);
+  if (plain.empty()) return {};
+  switch (cell) {
+    case StudyCell::Number:
+      return number_or_text(plain);
+    case StudyCell::Numbers:
+      return numbers(plain);
+    case StudyCell::Texts: {
+      StudyJson out = StudyJson::array();
+      for (const std::string& part : split(plain, ";")) out.push_back(part);
+      return out;
+    }
+    case StudyCell::Settings:
+      return settings(plain);
+    case StudyCell::Truth:
+      return plain == "true";
+    case StudyCell::Text:
+    case StudyCell::Choice:
+      break;
+  }
+  return plain;
+}
+
+std::vector<std::string> row_cells(std::string_view table, const StudyJson& row) {
+  if (table == "variables") return variable_cells(row);
+  if (table == "quantities") return quantity_cells(row);
+  if (table == "cases")
+    return {shown_value(member(row, "name")), shown_value(member(row, "set")),
+            shown_value(member(row, "options"))};
+  std::vector<std::string> out(3);
+  for (std::size_t k = 0; k < 3 && row.is_array() && k < row.size(); ++k)
+    out[k] = shown_value(row[k]);
+  return out;
+}
+
+StudyJson typed_row(std::string_view table, const std::vector<std::string>& cells,
+                    const StudyJson& old) {
+  StudyJson row = old.is_object() ? old : StudyJson::object();
+  if (table == "variables") return variable_row(cells, std::move(row));
+  if (table == "quantities") return quantity_row(cells, old);
+  if (table == "cases") {
+    put(row, "name", typed_value(StudyCell::Text, cells[0]));
+    put(row, "set", typed_value(StudyCell::Settings, cells[1]));
+    put(row, "options", typed_value(StudyCell::Settings, cells[2]));
+    return row;
+  }
+  StudyJson list = StudyJson::array({cells[0], cells[1]});
+  list.push_back(cells[2].empty() ? StudyJson(nullptr) : number_or_text(trimmed(cells[2])));
+  return list;
+}
+
+}  // namespace adore::adrinput

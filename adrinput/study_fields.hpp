@@ -1,0 +1,72 @@
+#pragma once
+
+#include "studies/study.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// What the form of a study shows: fields and tables over the keys of the file, and how a value is
+/// typed. Nothing here judges a value: text that is no number goes to the checker as it is. No Qt.
+namespace adore::adrinput {
+
+using StudyJson = nlohmann::ordered_json;
+
+enum class StudyCell : unsigned char {
+  Text,
+  Number,
+  Numbers,   ///< "0.5, 1, 2"
+  Texts,     ///< "A.txt; B.txt"
+  Settings,  ///< "mode = -1, kReGeoImp = 2"
+  Choice,    ///< a text of a list
+  Truth
+};
+
+/// A set of studies::Kind; a field is shown for these, and for others while the file has its key.
+using StudyKinds = unsigned;
+[[nodiscard]] constexpr StudyKinds only(studies::Kind kind) {
+  return 1U << static_cast<unsigned>(kind);
+}
+inline constexpr StudyKinds kAllKinds = (1U << studies::kKinds) - 1;
+
+struct StudyField {
+  std::string_view key;  ///< "until", "sampling.runs"
+  std::string_view group, label, help;
+  StudyCell cell = StudyCell::Text;
+  StudyKinds kinds = kAllKinds;
+  std::vector<std::string_view> choices = {};
+};
+/// In the order of the form.
+[[nodiscard]] const std::vector<StudyField>& study_fields();
+[[nodiscard]] const StudyField* find_study_field(std::string_view key);
+
+/// What a cell proposes while it is typed.
+enum class Proposals : unsigned char { None, Variables, Results };
+
+struct StudyColumn {
+  std::string_view label, help;
+  StudyKinds kinds = kAllKinds;
+  std::vector<std::string_view> choices = {};
+  Proposals proposals = Proposals::None;
+};
+struct StudyTableSpec {
+  std::string_view key, title, help;
+  StudyKinds kinds = kAllKinds;
+  std::vector<StudyColumn> columns;
+};
+[[nodiscard]] const std::vector<StudyTableSpec>& study_tables();
+
+/// As a field shows it; empty for what is not there.
+[[nodiscard]] std::string shown_value(const StudyJson& value);
+/// What was typed, as a value of the file; null for nothing.
+[[nodiscard]] StudyJson typed_value(StudyCell cell, const std::string& text);
+
+/// A row of a table (a JSON value of its list) as cells, one for each column.
+[[nodiscard]] std::vector<std::string> row_cells(std::string_view table, const StudyJson& row);
+/// Back. Keys of `old` that the table does not show stay.
+[[nodiscard]] StudyJson typed_row(std::string_view table, const std::vector<std::string>& cells,
+                                  const StudyJson& old);
+
+}  // namespace adore::adrinput

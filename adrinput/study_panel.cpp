@@ -1,0 +1,277 @@
+#include "adrinput/study_panel.hpp"
+
+#include "desktop/dialogs.hpp"
+#include "desktop/launch.hpp"
+#include "desktop/listing_view.hpp"
+#include "desktop/theme.hpp"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTimer>
+#include <fmt/format.h>
+
+#include <exception>
+
+namespace adore::adrinput {
+namespace {
+
+constexpr int kBarSteps = 1000;
+constexpr int kCheckPause = 150;  // [ms] without a change
+
+QString from(const std::string& text) { return QString::fromStdString(text); }
+
+}  // namespace
+
+StudyPanel::StudyPanel(StudyDocument& document, QWidget* parent)
+    : QWidget(parent), launch(&desktop::start_program), document_(document) {
+  program = (QCoreApplication::applicationDirPath() + "/adore").toStdString();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(8, 8, 8, 8);
+  state_ = new QLabel(this);
+  state_->setObjectName("study-state");
+  state_->setWordWrap(true);
+  state_->setTextFormat(Qt::PlainText);
+  state_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  layout->addWidget(state_);
+  const auto button = [&](const QString& text, const char* name, const QString& help) {
+    auto* push = new QPushButton(text, this);
+    push->setObjectName(name);
+    push->setToolTip(help);
+    push->setAutoDefault(true);
+    return push;
+  };
+  auto* grid = new QGridLayout;
+  plan_ = button(tr("&Plan"), "study-plan",
+                 tr("Save, make up to three of the runs, and say how many there are, how long they "
+                    "take and how much disk (F5)"));
+  start_ = button(tr("&Run"), "study-run",
+                  tr("Save and make all runs that have no result yet (F7); what an earlier start "
+                     "finished is not made again"));
+  cancel_ = button(tr("&Cancel"), "study-cancel",
+                   tr("End the runs under way; finished ones are recorded, Run goes on with the "
+                      "others"));
+  results_ = button(tr("&Results"), "study-results", tr("Open the pictures in AdrPlot"));
+  retry_ = button(tr("Retry &failed"), "study-retry", tr("Make those again that failed"));
+  over_budget_ = button(tr("Start all the same"), "study-over-budget",
+                        tr("Although the plan exceeds the study's budget"));
+  connect(plan_, &QPushButton::clicked, this, &StudyPanel::planWanted);
+  connect(start_, &QPushButton::clicked, this, &StudyPanel::runWanted);
+  connect(cancel_, &QPushButton::clicked, this, &StudyPanel::cancel);
+  connect(results_, &QPushButton::clicked, this, &StudyPanel::openResults);
+  connect(retry_, &QPushButton::clicked, this, &StudyPanel::retryWanted);
+  connect(over_budget_, &QPushButton::clicked, this, &StudyPanel::overBudgetWanted);
+  grid->addWidget(plan_, 0, 0);
+  grid->addWidget(start_, 0, 1);
+  grid->addWidget(cancel_, 0, 2);
+  grid->addWidget(results_, 1, 0);
+  grid->addWidget(retry_, 1, 1);
+  grid->addWidget(over_budget_, 1, 2);
+  layout->addLayout(grid);
+  auto* row = new QHBoxLayout;
+  auto* engine_label = new QLabel(tr("&Engine"), this);
+  engine_ = new QComboBox(this);
+  engine_->setObjectName("study-engine");
+  engine_->setAccessibleName(tr("Engine"));
+  engine_->addItems({"local", "slurm"});
+  engine_->setToolTip(tr("Who computes: processes here, or a cluster under Slurm"));
+  engine_label->setBuddy(engine_);
+  auto* workers_label = new QLabel(tr("at a &time"), this);
+  workers_ = new QSpinBox(this);
+  workers_->setObjectName("study-workers");
+  workers_->setAccessibleName(tr("Runs at a time"));
+  workers_->setRange(0, 1024);
+  workers_->setSpecialValueText(tr("auto"));
+  workers_->setToolTip(tr("Runs at a time; auto: as many as cores and memory allow"));
+  workers_label->setBuddy(workers_);
+  row->addWidget(engine_label);
+  row->addWidget(engine_);
+  row->addWidget(workers_label);
+  row->addWidget(workers_);
+  row->addStretch(1);
+  layout->addLayout(row);
+  bar_ = new QProgressBar(this);
+  bar_->setObjectName("study-bar");
+  bar_->setRange(0, kBarSteps);
+  layout->addWidget(bar_);
+  note_ = new QLabel(this);
+  note_->setObjectName("study-note");
+  note_->setWordWrap(true);
+  note_->setTextFormat(Qt::PlainText);
+  layout->addWidget(note_);
+  view_ = desktop::make_listing_view(this);
+  view_->setObjectName("study-text");
+  view_->setAccessibleName(tr("Plan or report"));
+  layout->addWidget(view_, 1);
+  pause_ = new QTimer(this);
+  pause_->setSingleShot(true);
+  pause_->setInterval(kCheckPause);
+  connect(pause_, &QTimer::timeout, this, &StudyPanel::checkNow);
+  run_.progressed = [this](const studies::StudyProgress& progress) { show(progress); };
+  run_.ended = [this](const StudyEnd& end) { show(end); };
+  enableButtons();
+}
+
+QString StudyPanel::text() const { return view_->toPlainText(); }
+QString StudyPanel::note() const { return note_->text(); }
+
+void StudyPanel::changed() { pause_->start(); }
+
+void StudyPanel::checkNow() {
+  pause_->stop();
+  finding_ = document_.check();
+  const desktop::Theme& theme = desktop::current_theme();
+  QPalette colours = state_->palette();
+  colours.setColor(QPalette::WindowText, finding_.problem.empty() ? theme.text : theme.red);
+  state_->setPalette(colours);
+  state_->setText(
+      finding_.problem.empty()
+          ? tr("%1%2 runs. The study has no mistake that shows before it starts.")
+                .arg(document_.kind() == studies::Kind::WorstCase ? tr("At most ") : QString())
+                .arg(finding_.runs)
+          : from(finding_.problem));
+  enableButtons();
+  emit checked();
+}
+
+void StudyPanel::enableButtons() {
+  const bool fit = finding_.problem.empty() && !busy();
+  plan_->setEnabled(fit);
+  start_->setEnabled(fit);
+  start_->setText(started_ && !complete_ ? tr("&Resume") : tr("&Run"));
+  cancel_->setEnabled(busy());
+  retry_->setEnabled(fit && failed_ > 0);
+  over_budget_->setVisible(false);
+  engine_->setEnabled(!busy());
+  workers_->setEnabled(!busy() && engine_->currentText() == "local");
+  std::error_code error;
+  std::filesystem::path folder = document_.path();
+  results_->setEnabled(
+      std::filesystem::exists(folder.replace_extension(".study") / "CHARTS.json", error));
+}
+
+StudyRun::Request StudyPanel::request() const {
+  StudyRun::Request out;
+  out.file = document_.path();
+  out.program = program;
+  out.engine = engine_->currentText().toStdString();
+  out.workers = workers_->value();
+  return out;
+}
+
+void StudyPanel::startPlan() {
+  if (busy()) return;
+  planning_ = true;
+  view_->clear();
+  bar_->setRange(0, 0);
+  note_->setText(tr("Making up to three of the runs to measure what they cost …"));
+  run_.plan(request());
+  enableButtons();
+}
+
+void StudyPanel::startRun(bool retry_failed, bool over_budget) {
+  if (busy()) return;
+  planning_ = false;
+  view_->clear();
+  bar_->setRange(0, 0);  // until the pilot runs are made
+  note_->setText(tr("Starting: up to three runs come first, to measure what one costs …"));
+  StudyRun::Request asked = request();
+  asked.retry_failed = retry_failed;
+  asked.over_budget = over_budget;
+  run_.run(asked);
+  enableButtons();
+}
+
+void StudyPanel::cancel() {
+  run_.stop();
+  cancel_->setEnabled(false);
+}
+
+void StudyPanel::show(const studies::StudyProgress& progress) {
+  bar_->setRange(0, kBarSteps);
+  bar_->setValue(progress.total > 0 ? static_cast<int>(kBarSteps * progress.done / progress.total)
+                                    : 0);
+  QString text = from(studies::progress_text(progress));
+  if (!progress.last_failure.empty())
+    text += tr("\nLast failure: %1").arg(from(progress.last_failure));
+  note_->setText(text);
+}
+
+void StudyPanel::show(const StudyEnd& end) {
+  bar_->setRange(0, kBarSteps);
+  bar_->setValue(0);
+  view_->setPlainText(from(end.text));
+  bool over_budget = end.over_budget;
+  if (!end.reason.empty()) {
+    note_->setText(from(end.reason));
+  } else if (end.interrupted) {
+    note_->setText(tr("Cancelled; runs that were finished are recorded."));
+  } else if (end.plan) {
+    over_budget = !end.plan->over_budget.empty();
+    note_->setText(over_budget ? tr("The plan exceeds what the study may take.")
+                               : tr("The pilot runs are recorded: Run does not make them again."));
+  } else if (end.outcome) {
+    note_->setText(from(studies::outcome_text(*end.outcome)) +
+                   (end.outcome->complete ? QString()
+                                          : tr("\nCancelled; finished runs are recorded. Resume "
+                                               "makes the others.")));
+    if (end.outcome->runs > 0)
+      bar_->setValue(static_cast<int>(kBarSteps * end.outcome->done / end.outcome->runs));
+  }
+  if (end.outcome) {
+    failed_ = end.outcome->failed;
+    complete_ = end.outcome->complete;
+  }
+  started_ = started_ || !planning_;
+  enableButtons();
+  over_budget_->setVisible(over_budget);
+  emit finished();
+}
+
+void StudyPanel::showStatus() {
+  started_ = complete_ = false;
+  failed_ = 0;
+  bar_->setValue(0);
+  view_->clear();
+  note_->setText(tr("Plan measures what the study takes; Run makes it. Results go into %1.")
+                     .arg(from(std::filesystem::path(document_.path())
+                                   .replace_extension(".study")
+                                   .filename()
+                                   .string())));
+  try {
+    const studies::Status status =
+        studies::study_status(studies::open_study_text(document_.text(), document_.path()));
+    started_ = true;
+    complete_ = status.done == status.runs;
+    failed_ = status.failed;
+    bar_->setValue(status.runs > 0 ? static_cast<int>(kBarSteps * status.done / status.runs) : 0);
+    note_->setText(from(fmt::format("{} of {} runs done, {} of them failed; {}", status.done,
+                                    status.runs, status.failed,
+                                    status.at_work ? "another program is at work on it"
+                                    : complete_    ? "complete"
+                                                   : "Resume goes on with the others")));
+    std::string failures;
+    for (const std::string& text : status.diagnoses) failures += text + "\n";
+    view_->setPlainText(from(failures));
+  } catch (const std::exception&) {
+    // Never started, or with mistakes that the check says.
+  }
+  enableButtons();
+}
+
+void StudyPanel::openResults() {
+  std::filesystem::path folder = document_.path();
+  try {
+    launch("adrplot", {from(folder.replace_extension(".study").string())});
+  } catch (const std::exception& error) {
+    desktop::show_message(this, QString::fromUtf8(error.what()), true);
+  }
+}
+
+}  // namespace adore::adrinput

@@ -1,0 +1,81 @@
+#pragma once
+
+#include "adrinput/study_document.hpp"
+#include "adrinput/study_run.hpp"
+
+#include <QStringList>
+#include <QWidget>
+
+#include <functional>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPlainTextEdit;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QTimer;
+
+namespace adore::adrinput {
+
+/// Beside the form: what is wrong with the study, or how many runs it has; the plan; the run with
+/// its progress; the report.
+class StudyPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit StudyPanel(StudyDocument& document, QWidget* parent = nullptr);
+
+  /// Starts AdrPlot; desktop::start_program unless a test looks on.
+  std::function<void(const QString& program, const QStringList& arguments)> launch;
+  /// `adore`, whose processes compute the runs.
+  std::filesystem::path program;
+
+  /// The document changed: checks follow after a short pause.
+  void changed();
+  void checkNow();
+  [[nodiscard]] const StudyDocument::Finding& finding() const { return finding_; }
+  [[nodiscard]] bool busy() const { return run_.busy(); }
+  [[nodiscard]] QString text() const;
+  [[nodiscard]] QString note() const;
+  /// Of a saved study without mistakes.
+  void startPlan();
+  void startRun(bool retry_failed = false, bool over_budget = false);
+  /// How far it is, if it was ever started.
+  void showStatus();
+
+ public slots:
+  void cancel();
+  void openResults();
+
+ signals:
+  /// The buttons were pressed: the window saves first.
+  void planWanted();
+  void runWanted();
+  void retryWanted();
+  void overBudgetWanted();
+  void checked();
+  void goToProblem();
+  void finished();
+
+ private:
+  void show(const studies::StudyProgress& progress);
+  void show(const StudyEnd& end);
+  void enableButtons();
+  [[nodiscard]] StudyRun::Request request() const;
+
+  StudyDocument& document_;
+  StudyDocument::Finding finding_;
+  QLabel *state_, *note_;
+  QPushButton *plan_, *start_, *cancel_, *results_, *retry_, *over_budget_;
+  QComboBox* engine_;
+  QSpinBox* workers_;
+  QProgressBar* bar_;
+  QPlainTextEdit* view_;
+  QTimer* pause_;
+  long failed_ = 0;
+  bool planning_ = false, started_ = false, complete_ = false;
+  StudyRun run_;  ///< last: ends before the widgets that it reports to
+};
+
+}  // namespace adore::adrinput

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "studies/points.hpp"
+
+#include <vector>
+
+/// What can be said against a study before anything is computed.
+namespace adore::studies {
+
+/// make_points(), of a worst-case search its first round.
+[[nodiscard]] std::vector<Point> points_to_begin(const Study& study);
+
+/// Reads each deck as it is, and puts the sets of its first, middle and last run into it, as far as
+/// names, values and ranges of variables go; run options alike. Milliseconds.
+/// Without points the decks alone.
+/// @throws InputError for a deck that is not there or not valid, and when a run that is tried first
+/// is the same for all of them: refused.
+void check_decks(const Study& study, const std::vector<Point>& points);
+
+/// "clearance.json: variables[2].normal = ...", "clearance.toml, line 9: variables[2].normal = ..."
+/// -> "variables[2].normal": which key a sentence of
+/// parse_study() is about; empty when it is about none.
+[[nodiscard]] std::string key_of_sentence(const std::string& sentence, const std::string& file);
+
+}  // namespace adore::studies

@@ -1,0 +1,121 @@
+#include "studies/study_toml.hpp"
+
+#include "base/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+// The library is header-only; nobody else includes it.
+#define TOML_EXCEPTIONS 0
+#define TOML_ENABLE_FORMATTERS 1
+#include <toml++/toml.h>
+
+namespace adore::studies {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+class Reader {
+ public:
+  explicit Reader(StudyText& out) : out_(out) {}
+
+  Json value(const toml::node& node, const std::string& where) {
+    if (!where.empty()) out_.lines.emplace(where, static_cast<int>(node.source().begin.line));
+    if (const toml::table* table = node.as_table()) return object(*table, where);
+    if (const toml::array* array = node.as_array()) {
+      Json list = Json::array();
+      for (const toml::node& item : *array)
+        list.push_back(value(item, fmt::format("{}[{}]", where, list.size() + 1)));
+      return list;
+    }
+    if (const auto* text = node.as_string()) return text->get();
+    if (const auto* whole = node.as_integer()) return whole->get();
+    if (const auto* number = node.as_floating_point()) return number->get();
+    if (const auto* truth = node.as_boolean()) return truth->get();
+    std::ostringstream date;  // no key takes one: the checker says what it takes
+    date << toml::node_view<const toml::node>(node);
+    return date.str();
+  }
+
+  /// The library keeps keys by name; a study's have the order of the file.
+  Json object(const toml::table& table, const std::string& where) {
+    std::vector<std::pair<const toml::key*, const toml::node*>> rows;
+    for (auto&& [key, node] : table) rows.emplace_back(&key, &node);
+    std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) {
+      const auto &x = a.first->source().begin, &y = b.first->source().begin;
+      return std::pair(x.line, x.column) < std::pair(y.line, y.column);
+    });
+    Json out = Json::object();
+    for (const auto& [key, node] : rows) {
+      const std::string name(key->str());
+      const std::string at = where.empty() ? name : where + "." + name;
+      out_.lines.emplace(at, static_cast<int>(key->source().begin.line));
+      out[name] = value(*node, at);
+    }
+    return out;
+  }
+
+ private:
+  StudyText& out_;
+};
+
+/// Lines of comments become the remark of the key of the first level that follows them.
+void keep_comments(const std::string& text, StudyText& out) {
+  std::map<int, std::string> keys;
+  for (const auto& [name, line] : out.lines)
+    if (name.find_first_of(".[") == std::string::npos) keys.emplace(line, name);
+  std::map<std::string, Json> remarks;
+  std::vector<std::string> waiting;
+  std::istringstream lines(text);
+  int number = 0, kept = 0, all = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    if (const auto key = keys.find(number); key != keys.end() && !waiting.empty()) {
+      kept += static_cast<int>(waiting.size());
+      remarks[key->second] = waiting.size() == 1 ? Json(waiting.front()) : Json(waiting);
+      waiting.clear();
+    }
+    const std::size_t hash = line.find('#');
+    if (hash == std::string::npos) continue;
+    const bool alone = line.find_first_not_of(" \t") == hash;
+    // A # inside a text is no comment: names of lots have one.
+    if (!alone && std::count(line.begin(), line.begin() + static_cast<long>(hash), '"') % 2 == 1 &&
+        std::count(line.begin() + static_cast<long>(hash), line.end(), '#') == 1)
+      continue;
+    ++all;
+    if (!alone) continue;
+    std::string words = line.substr(hash + 1);
+    if (words.starts_with(' ')) words.erase(0, 1);
+    if (words.ends_with('\r')) words.pop_back();
+    waiting.push_back(std::move(words));
+  }
+  out.loose_comments = kept < all;
+  Json with = Json::object();
+  for (const auto& [key, value] : out.json.items()) {
+    if (const auto remark = remarks.find(key); remark != remarks.end())
+      with["// " + key] = remark->second;
+    with[key] = value;
+  }
+  out.json = std::move(with);
+}
+
+}  // namespace
+
+StudyText parse_toml(const std::string& text, const std::string& name) {
+  const toml::parse_result result = toml::parse(text, name);
+  if (!result) {
+    const auto& error = result.error();
+    throw InputError(fmt::format("{}, line {}: this is not valid TOML: {}", name,
+                                 error.source().begin.line, error.description()));
+  }
+  StudyText out;
+  Reader reader(out);
+  out.json = reader.object(result.table(), "");
+  keep_comments(text, out);
+  return out;
+}
+
+}  // namespace adore::studies
