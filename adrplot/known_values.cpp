@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfiniteLife = 9.9e30;
+constexpr double kNoSpin = 1e-9;  ///< spin over roll below which it is the rounding of angles
 
 bool zero(const std::vector<double>& values) {
   return !values.empty() &&
@@ -73,6 +74,13 @@ KnownValues KnownColumns::values(const std::string& id) const {
     for (const std::string_view channel : {"contact.angle", "contact.spin_to_roll", "contact.slip"})
       if (is(std::string(channel) + ".") && has("contact.load" + behind(id, channel)))
         drop(stored("contact.load" + behind(id, channel)), is_zero);
+    // A roller that keeps straight between its races turns about its axis only.
+    if (is("contact.spin_to_roll.") &&
+        std::any_of(out.values.begin(), out.values.end(),
+                    [](double v) { return std::isfinite(v); }) &&
+        std::all_of(out.values.begin(), out.values.end(),
+                    [](double v) { return !(std::abs(v) > kNoSpin); }))
+      nothing("There is no spin in this contact: what is stored is rounding.");
   } else if (is("cage.land1_") || is("cage.land2_")) {
     const std::string land = id.substr(0, std::string("cage.land1").size());
     if (always_zero(land + "_force") && always_zero(land + "_gap") && always_zero(land + "_angle"))

@@ -103,9 +103,18 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
   chart.equal_axes = true;
   // The unit circle is where a land without a second support touches; it means nothing against the
   // axial coordinate.
-  if (over_clearance && pair.across != 0 && pair.up != 0) chart.guide_radius = 1.0;
-  chart.x_title = across.title + suffix;
   const KnownColumns columns(file);
+  const auto no_land = [&columns](const char* force) {
+    return columns.has(force) && !columns.values(force).why_none.empty();
+  };
+  if (over_clearance && no_land("cage.land1_force") && no_land("cage.land2_force"))
+    add_note(
+        chart,
+        "This cage has no guide land: its pockets hold it, and the clearance to the races that "
+        "its orbit is divided by limits nothing.");
+  else if (over_clearance && pair.across != 0 && pair.up != 0)
+    chart.guide_radius = 1.0;
+  chart.x_title = across.title + suffix;
   ChartPanel panel{up.title + suffix, columns.unit(up.curves.front().column), {}, false};
   panel.curves.push_back({"mass centre", columns.values(up.curves.front().column).values,
                           columns.values(across.curves.front().column).values});

@@ -149,9 +149,13 @@ void cage_view(const Scene& s) {
   s.sketch.frame(cage, s.cage_angle(), 0.66 * g.cage_inner_radius, t.green);
   draw_land_arrow(s);
   draw_contact_marks(s);
-  std::vector<KeyEntry> key{{t.green, "cage frame"},
-                            {t.red, "contacts; dashed: guide clearance"},
-                            {t.curves[0], "orbit of the mass centre"}};
+  std::vector<KeyEntry> key{
+      {t.green, "cage frame"},
+      {t.red, s.animation.guide_clearance > 0.0 ? "contacts; dashed: guide clearance"
+                                                : "contacts; no guide land"},
+      {t.curves[0], s.animation.guide_clearance > 0.0
+                        ? "orbit of the mass centre"
+                        : "orbit of the mass centre about its middle"}};
   const QString scale = enlargement > 0.0
                             ? QString::fromStdString(
                                   fmt::format("orbit × {}", desktop::pretty_number(enlargement, 3)))

@@ -185,10 +185,12 @@ void MotionPicture::paintSetting(QPainter& painter, const QRectF& area,
   painter.setFont(desktop::ui_font(13));
   painter.setPen(t.muted);
   const std::string run = animation_.file.run_id.empty() ? "(no run name)" : animation_.file.run_id;
+  const QString origin = QString::fromStdString(run + speed_text(animation_) + "   ·   " +
+                                                animation_.file.path.filename().string() +
+                                                "   ·   " + animation_.source);
   painter.drawText(QPointF(area.left() + kMargin, area.top() + 50),
-                   QString::fromStdString(run + speed_text(animation_) + "   ·   " +
-                                          animation_.file.path.filename().string() + "   ·   " +
-                                          animation_.source));
+                   QFontMetricsF(painter.font())
+                       .elidedText(origin, Qt::ElideRight, area.width() - 2.0 * kMargin));
   const std::vector<QRectF> tiles = pictureAreas(area, 1 + options.beside.size());
   for (std::size_t i = 0; i < tiles.size() && tiles.size() > 1; ++i) {
     painter.setPen(QPen(t.grid, 1.0));
