@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <sstream>
 
 namespace adore::results {
@@ -47,17 +48,31 @@ void append_state(std::string& out, const FinalState& state) {
   out += state.deck;
 }
 
+void check_title(const std::filesystem::path& path, std::string_view kind, std::string_view title) {
+  if (title.find(fmt::format(" {}: ", kind)) == std::string_view::npos ||
+      title.find("Adore") == std::string_view::npos)
+    throw InputError(
+        fmt::format("{}: this is no {} file of this program; give the {} of the run to start from",
+                    path.string(), kind, kind));
+}
+
+/// A file of another kind may be large: its first line tells before the rest is read.
+std::string text_of(const std::filesystem::path& path, std::string_view kind) {
+  constexpr std::size_t kTitle = 512;
+  std::string title(kTitle, '\0');
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(title.data(), kTitle);
+  title.resize(static_cast<std::size_t>(stream.gcount()));
+  if (!title.empty()) check_title(path, kind, title.substr(0, title.find('\n')));
+  return read_text_file(path);
+}
+
 /// Reads "keyword value" lines in their fixed order and says where it goes wrong.
 class Reader {
  public:
   Reader(const std::filesystem::path& path, std::string_view kind)
-      : path_(path), stream_(read_text_file(path)), lines_(stream_) {
-    const std::string title(line());
-    if (title.find(fmt::format(" {}: ", kind)) == std::string::npos ||
-        title.find("Adore") == std::string::npos)
-      throw InputError(fmt::format(
-          "{}: this is no {} file of this program; give the {} of the run to start from",
-          path.string(), kind, kind));
+      : path_(path), stream_(text_of(path, kind)), lines_(stream_) {
+    check_title(path, kind, line());
     line();
     format_ = integer("format");
     if (format_ < 1 || format_ > kFormat)
