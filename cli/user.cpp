@@ -44,15 +44,14 @@ std::string example_of(int hook, const std::string& ending) {
     constexpr std::string_view kBodies[] = {"roller ends and flanges", "elements and cage pockets",
                                             "guide lands and races"};
     const std::string text(resources::get("user/force" + ending));
-    return replaced(replaced(text, "@N@", fmt::format("{}", hook)), "@BODIES@",
-                    kBodies[static_cast<std::size_t>(hook - 2)]);
+    constexpr std::string_view kNames[] = {"flange", "pocket", "land"};
+    const auto k = static_cast<std::size_t>(hook - 2);
+    const std::string number = fmt::format("{}", hook);
+    return replaced(
+        replaced(replaced(replaced(text, "adrxN", "adrx" + number), "ADRXN", "ADRX" + number),
+                 "THE_BODIES", kBodies[k]),
+        "the_kind", kNames[k]);
   }
-  if (hook == 5 || hook == 6)
-    throw InputError(
-        fmt::format("adrx{}: this version does not call it yet; the nearest are records 5G (errors "
-                    "of races and "
-                    "elements) and adrx8",
-                    hook));
   return std::string(resources::get(fmt::format("user/adrx{}{}", hook, ending)));
 }
 
@@ -88,16 +87,21 @@ void new_routine(const UserOptions& options) {
                       "#include \"adore_user.h\"\n\nextern \"C\" int32_t adore_user_abi(void);\n"
                       "extern \"C\" const char* adore_user_version(void);\n" +
                           fmt::format("extern \"C\" int32_t {}(adore_{}* a);\n", name,
-                                      hook >= 2 && hook <= 4 ? "force" : name));
+                                      hook >= 2 && hook <= 4   ? "force"
+                                      : hook == 5 || hook == 6 ? "surface"
+                                                               : name));
     files = {{name + "." + options.lang, text},
              {"adore_user.h", std::string(resources::get("user/adore_user.h"))}};
   } else if (options.lang == "fortran") {
     files = {{name + ".f90", example_of(hook, ".f90")},
              {"adore_user.f90", std::string(resources::get("user/adore_user.f90"))}};
+  } else if (options.lang == "python") {
+    files = {{name + ".py", example_of(hook, ".py")}};
   } else {
-    throw InputError(fmt::format("--lang {}: give c, cpp or fortran", options.lang));
+    throw InputError(fmt::format("--lang {}: give c, cpp, fortran or python", options.lang));
   }
-  files.emplace_back("Makefile", makefile(name, options.lang));
+  const bool python = options.lang == "python";
+  if (!python) files.emplace_back("Makefile", makefile(name, options.lang));
   const fs::path folder(options.out);
   for (const auto& [file, text] : files)
     if (std::error_code error; fs::exists(folder / file, error))
@@ -112,6 +116,9 @@ void new_routine(const UserOptions& options) {
     (void)write_text(path, path, text);
     tell(fmt::format("wrote {}\n", path));
   }
+  if (python)
+    return tell(fmt::format("run it with\n  python3 {} DATA.txt OUT\n",
+                            (folder / (name + ".py")).string()));
   tell(fmt::format("build it with make, run it with\n  adore run DATA.txt --user {}\n",
                    (folder / fmt::format("lib{}.so", name)).string()));
 }
@@ -128,7 +135,7 @@ void add_user(CLI::App& app, int& exit_code) {
   command_line::one_of(make->add_option("--lang", options->lang, "language of the example")
                            ->capture_default_str()
                            ->type_name("LANG"),
-                       {"c", "cpp", "fortran"});
+                       {"c", "cpp", "fortran", "python"});
   make->add_option("--out", options->out, "folder of the files (this one unless given)")
       ->type_name("DIR");
   make->callback([=, &exit_code] {

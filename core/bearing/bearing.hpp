@@ -175,6 +175,7 @@ enum class SpinRule : unsigned char { MinimumHeat, RaceControl, Prescribed };  /
 /// One bearing with its operating conditions, ready for statics and dynamics.
 struct Bearing {
   std::string run_id;
+  std::string user_version;  ///< of routines of the user: "+my laws 1"; empty: none
   Type type = Type::Ball;
   std::variant<BallGeometry, RollerGeometry> elements;  ///< balls of Type::Ball, else rollers
   Envelope envelope;

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 /// Geometric imperfections of rolling elements and races: what differs from the ideal bearing. SI,
@@ -20,10 +23,24 @@ struct Harmonic {
   }
 };
 
+/// Σ c_n cos nψ + s_n sin nψ, n from 0, as pairs (c_n, s_n); empty: 0.
+struct TurnSeries {
+  std::vector<double> pairs;
+  double least = 0.0, largest = 0.0;  ///< over the turn
+};
+
+/// What a routine of the user (ADRX6) says of a race.
+struct GivenRace {
+  TurnSeries radius;            ///< [m]
+  TurnSeries taper;             ///< as RaceErrors::taper [rad]
+  TurnSeries curvature_factor;  ///< added to f [-]
+};
+
 /// Errors of one race over the azimuth ψ of its own frame: from its z axis, positive about x (N79).
 /// What they do to the surface: contact/race_errors.hpp.
 struct RaceErrors {
   enum class Roundness : unsigned char { None, Elliptical, Sinusoidal } roundness = Roundness::None;
+  std::shared_ptr<const GivenRace> given;  ///< in the place of all that follows
   std::array<double, 3>
       variation{};  ///< v1, v2, v3: [m, m, rad] elliptical; [m, waves per turn, rad] sinusoidal
   Harmonic land_offset;       ///< moves the land towards +x [m]
@@ -32,11 +49,27 @@ struct RaceErrors {
 
   /// All amplitudes are zero.
   [[nodiscard]] bool ideal() const noexcept {
+    if (given)
+      return given->radius.pairs.empty() && given->taper.pairs.empty() &&
+             given->curvature_factor.pairs.empty();
     const bool round =
         roundness == Roundness::None ||
         (variation[0] == 0.0 && (roundness == Roundness::Sinusoidal || variation[1] == 0.0));
     return round && land_offset.amplitude == 0.0 && taper.amplitude == 0.0 &&
            curvature_factor.amplitude == 0.0;
+  }
+  /// The least and the largest that is added to f over the turn.
+  [[nodiscard]] std::array<double, 2> curvature_range() const noexcept {
+    if (given) return {given->curvature_factor.least, given->curvature_factor.largest};
+    const Harmonic& w = curvature_factor;
+    if (w.waves == 0.0) return {w.at(0.0), w.at(0.0)};
+    return {-std::abs(w.amplitude), std::abs(w.amplitude)};
+  }
+  /// No change of f is larger than this.
+  [[nodiscard]] double curvature_amplitude() const noexcept {
+    if (!given) return std::abs(curvature_factor.amplitude);
+    return std::max(std::abs(given->curvature_factor.least),
+                    std::abs(given->curvature_factor.largest));
   }
 };
 

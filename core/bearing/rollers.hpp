@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -36,9 +37,46 @@ struct Flange {
   double height = 0.0;  ///< along the perpendicular to the raceway
 };
 
+/// What the radius of a roller has more along its axis (routine ADRX5): at most 0, cubics between
+/// places whose slopes are those of the parabola through each place and its neighbours; constant
+/// beyond the ends.
+struct RollerForm {
+  std::vector<double> place, more;  ///< s from mid length, growing; [m]
+  struct At {
+    double more = 0.0, slope = 0.0;
+  };
+  [[nodiscard]] At at(double s) const noexcept {
+    const std::size_t n = place.size();
+    if (s <= place.front()) return {more.front(), 0.0};
+    if (s >= place.back()) return {more.back(), 0.0};
+    std::size_t k = 0;
+    for (std::size_t high = n - 1; high - k > 1;) {
+      const std::size_t middle = (k + high) / 2;
+      (place[middle] <= s ? k : high) = middle;
+    }
+    const double h = place[k + 1] - place[k], u = (s - place[k]) / h;
+    const double rise = more[k + 1] - more[k], m0 = h * slope_at(k), m1 = h * slope_at(k + 1);
+    // Hermite: m0 u(1-u)² + rise u²(3-2u) - m1 u²(1-u)
+    return {more[k] + u * (m0 * (1 - u) * (1 - u) + u * (rise * (3 - 2 * u) - m1 * (1 - u))),
+            (m0 * (1 - u) * (1 - 3 * u) + u * (6 * rise * (1 - u) - m1 * (2 - 3 * u))) / h};
+  }
+
+ private:
+  [[nodiscard]] double slope_at(std::size_t k) const noexcept {
+    const auto chord = [this](std::size_t i) {
+      return (more[i + 1] - more[i]) / (place[i + 1] - place[i]);
+    };
+    if (k == 0) return chord(0);
+    if (k + 1 == place.size()) return chord(k - 1);
+    const double before = place[k] - place[k - 1], after = place[k + 1] - place[k];
+    return (after * chord(k - 1) + before * chord(k)) / (before + after);
+  }
+};
+
 /// What one roller has more than the nominal one.
 struct RollerDeviation {
   double diameter = 0.0, crown_radius = 0.0, length = 0.0, central_length = 0.0, land_offset = 0.0;
+  std::shared_ptr<const RollerForm> form;  ///< null: none
 };
 
 /// What fits, temperatures and speeds make of one raceway.

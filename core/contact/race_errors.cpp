@@ -16,11 +16,22 @@ RaceWave race_wave(const Harmonic& wave) {
   return race_wave(wave.amplitude, wave.waves, wave.phase);
 }
 
+RaceSum race_sum(const bearing::TurnSeries& series) {
+  return {series.pairs.data(), static_cast<int>(series.pairs.size() / 2)};
+}
+
 }  // namespace
 
 RaceForm race_form(const RaceErrors& errors, double nominal_radius) {
   RaceForm form;
   form.nominal_radius = nominal_radius;
+  if (errors.given) {
+    form.is_summed = true;
+    form.radius_sum = race_sum(errors.given->radius);
+    form.taper_sum = race_sum(errors.given->taper);
+    form.curvature_sum = race_sum(errors.given->curvature_factor);
+    return form;
+  }
   const auto& v = errors.variation;
   if (errors.roundness == RaceErrors::Roundness::Elliptical) {
     const double along = nominal_radius + v[0], across = nominal_radius + v[1];
@@ -36,6 +47,7 @@ RaceForm race_form(const RaceErrors& errors, double nominal_radius) {
 }
 
 void check_whole_waves(const RaceErrors& errors) {
+  if (errors.given) return;
   const double radius =
       errors.roundness == RaceErrors::Roundness::Sinusoidal ? errors.variation[1] : 0.0;
   for (const double waves :
@@ -75,7 +87,7 @@ RaceSurface race_with_error(const RaceSurface& ideal, const LocalRaceError& erro
 WavyRace make_wavy_race(const RaceErrors& errors, const RaceSurface& ideal, double nominal_radius,
                         double crown_radius) {
   check_whole_waves(errors);
-  WavyRace out{race_form(errors, nominal_radius), ideal, 2.0 * crown_radius, {}};
+  WavyRace out{race_form(errors, nominal_radius), ideal, 2.0 * crown_radius, {}, errors.given};
   if (ideal.shape == RaceSurface::Shape::Groove) out.normal = nominal_groove_normal(ideal);
   return out;
 }

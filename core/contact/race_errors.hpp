@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 
 /// Geometric imperfections of a race over the azimuth ψ of the race's own frame (bearing azimuth
 /// minus race rotation, from its z axis) [choice]: for rollers and for ball grooves. SI, rad.
@@ -66,6 +67,7 @@ struct WavyRace {
   RaceSurface ideal;
   double curvature_diameter = 0.0;  ///< 2 R_c [m]
   std::array<double, 2> normal{0.0, 1.0};
+  std::shared_ptr<const bearing::GivenRace> given;  ///< whose numbers the form reads
 
   struct Here {
     RaceSurface surface;

@@ -26,6 +26,28 @@ struct WithSlope {
   T value, slope;  ///< and its derivative over ψ
 };
 
+/// Σ c_n cos nψ + s_n sin nψ, n from 0: pairs (c_n, s_n) of a bearing::TurnSeries that lives
+/// longer.
+struct RaceSum {
+  const double* pairs = nullptr;
+  int count = 0;
+};
+/// From the cosine and sine of ψ, by turning on; n rounding errors.
+template <class T>
+[[gnu::always_inline]] inline WithSlope<T> sum_at(const RaceSum& sum, const T& cosine,
+                                                  const T& sine) {
+  T c = 1.0, s = 0.0, value = sum.pairs[0], slope = 0.0;
+  for (int n = 1; n < sum.count; ++n) {
+    const double along = sum.pairs[2 * n], across = sum.pairs[2 * n + 1];
+    const T next = c * cosine - s * sine;
+    s = c * sine + s * cosine;
+    c = next;
+    value = value + along * c + across * s;
+    slope = slope + static_cast<double>(n) * (across * c - along * s);
+  }
+  return {value, slope};
+}
+
 /// (sin²t/b² + cos²t/a²)^(-1/2) from the cosine and sine of t.
 template <class T>
 [[gnu::always_inline]] inline WithSlope<T> oval_radius(double along, double across, const T& cosine,
@@ -47,6 +69,9 @@ struct AzimuthAngle {
   [[nodiscard]] WithSlope<double> oval(const RaceOval& o) const {
     const double t = psi - o.phase;
     return oval_radius(o.along, o.across, std::cos(t), std::sin(t));
+  }
+  [[nodiscard]] WithSlope<double> sum(const RaceSum& s) const {
+    return sum_at(s, std::cos(psi), std::sin(psi));
   }
 };
 
@@ -75,14 +100,20 @@ struct AzimuthDirection {
     return oval_radius(o.along, o.across, cosine * o.cos_phase + sine * o.sin_phase,
                        sine * o.cos_phase - cosine * o.sin_phase);
   }
+  [[nodiscard, gnu::always_inline]] WithSlope<T> sum(const RaceSum& s) const {
+    return sum_at(s, cosine, sine);
+  }
 };
 
-/// Errors of one race, ready for evaluation. Its radius follows the oval, or the wave.
+/// Errors of one race, ready for evaluation. Its radius follows the oval, or the wave; of a race
+/// that is summed, radius, taper and curvature factor follow their sums.
 struct RaceForm {
   double nominal_radius = 0.0;  ///< R [m]
   bool is_oval = false;
   RaceOval oval;
   RaceWave radius, land_offset, taper, curvature_factor;
+  bool is_summed = false;
+  RaceSum radius_sum, taper_sum, curvature_sum;
 };
 
 /// Values at one azimuth, with their derivatives over it.
@@ -108,6 +139,18 @@ template <class Azimuth>
     value = at.value;
     slope = at.slope;
   };
+  if (form.is_summed) {
+    const auto add_up = [&](const RaceSum& sum, T& value, T& slope) {
+      if (sum.count == 0) return;
+      const WithSlope<T> at = azimuth.sum(sum);
+      value = at.value;
+      slope = at.slope;
+    };
+    add_up(form.radius_sum, e.radius, e.radius_slope);
+    add_up(form.taper_sum, e.taper, e.taper_slope);
+    add_up(form.curvature_sum, e.curvature_factor, e.curvature_factor_slope);
+    return e;
+  }
   if (form.is_oval) {
     const WithSlope<T> outline = azimuth.oval(form.oval);
     e.radius = outline.value - form.nominal_radius;

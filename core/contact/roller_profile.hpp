@@ -1,8 +1,11 @@
 #pragma once
 
+#include "bearing/rollers.hpp"
+
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <vector>
 
 /// Shape of a roller: radius over its axis, ends, and its slices.
@@ -17,6 +20,7 @@
 /// Arc: one circle of radius R_c whose normal at s = 0 makes the angle ν with the radius [choice]:
 ///   ρ = D/2 - R_c cos ν + √(R_c² - (s + R_c sin ν)²); written as the drop from the cone, [derived]
 ///   d = k s² (1 + tan ν (k s + 2 sin ν)/w)/w, w = cos ν + √(1 - (k s + sin ν)²).
+/// Either may have a form of the user's more (bearing::RollerForm), which is taken off d.
 /// Both forms are free of cancellation for any R_c, infinity included (R_c - √(R_c² - e²) loses 2
 /// µm at 1e10 m).
 namespace adore::contact {
@@ -34,10 +38,11 @@ struct RollerProfile {
   double land_offset = 0.0;               ///< o, crowned only, towards +s [m]
   std::array<double, 2> corner_radius{};  ///< ends 1, 2 [m]
   std::array<double, 2> end_radius{};     ///< R_e of ends 1, 2 [m]; 0 or > kFlatEndRadius: flat
+  std::shared_ptr<const bearing::RollerForm> form;  ///< null: none
 };
 
-/// Drop d(s) below the straight cone [m].
-[[nodiscard]] inline double roller_drop(const RollerProfile& p, double s) noexcept {
+/// d(s) of crown or arc alone [m].
+[[nodiscard]] inline double crown_drop(const RollerProfile& p, double s) noexcept {
   const double k = 1.0 / p.crown_radius;
   if (p.kind == RollerProfile::Kind::Crowned) {
     const double e = std::abs(s - p.land_offset) - 0.5 * p.central_length;
@@ -50,13 +55,20 @@ struct RollerProfile {
   return k * s * s * (1.0 + sine / cosine * (turned + sine) / w) / w;
 }
 
+/// Drop d(s) below the straight cone [m].
+[[nodiscard]] inline double roller_drop(const RollerProfile& p, double s) noexcept {
+  const double drop = crown_drop(p, s);
+  return p.form ? drop - p.form->at(s).more : drop;
+}
+
 /// ρ(s) [m].
 [[nodiscard]] inline double roller_radius(const RollerProfile& p, double s) noexcept {
   return 0.5 * p.diameter - s * std::tan(p.half_angle) - roller_drop(p, s);
 }
 
-/// dρ/ds [-]. Crowned: -tan ν - sign(s - o) k e/√(1 - k²e²); arc: -t/√(1 - t²), t = k s + sin ν.
-[[nodiscard]] inline double roller_slope(const RollerProfile& p, double s) noexcept {
+/// dρ/ds of crown or arc alone [-]. Crowned: -tan ν - sign(s - o) k e/√(1 - k²e²); arc: -t/√(1 -
+/// t²), t = k s + sin ν.
+[[nodiscard]] inline double crown_slope(const RollerProfile& p, double s) noexcept {
   const double k = 1.0 / p.crown_radius;
   if (p.kind == RollerProfile::Kind::Crowned) {
     const double from_land = s - p.land_offset;
@@ -67,6 +79,12 @@ struct RollerProfile {
   }
   const double turned = k * s + std::sin(p.half_angle);
   return -turned / std::sqrt(1.0 - turned * turned);
+}
+
+/// dρ/ds [-].
+[[nodiscard]] inline double roller_slope(const RollerProfile& p, double s) noexcept {
+  const double slope = crown_slope(p, s);
+  return p.form ? slope + p.form->at(s).slope : slope;
 }
 
 [[nodiscard]] inline bool flat_end(const RollerProfile& p, int end) noexcept {

@@ -24,6 +24,7 @@ namespace adore::contact {
   p.land_offset = more.land_offset;
   p.corner_radius = rollers.corner_radius;
   p.end_radius = rollers.end_radius;
+  p.form = more.form;
   if (rollers.shape == bearing::RollerShape::Logarithmic) {
     p.crown_radius = std::numeric_limits<double>::infinity();
     p.central_length = p.length;

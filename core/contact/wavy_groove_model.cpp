@@ -23,7 +23,7 @@ std::array<double, 3> ratios(const HertzConstants& here, const HertzConstants& n
 GrooveRatios<double> ratios_of_ball(const bearing::BallGeometry& balls, double growth, int race,
                                     const bearing::RaceErrors& errors, double angle) {
   GrooveRatios<double> out;
-  const double amplitude = std::abs(errors.curvature_factor.amplitude);
+  const double amplitude = errors.curvature_amplitude();
   if (amplitude == 0.0) return out;
   constexpr std::size_t kPoints = 24;
   const auto constants = [&](double change) {
@@ -59,7 +59,7 @@ WavyGroove make_wavy_groove(const bearing::BallGeometry& balls, int race,
   out.curvature_diameter = balls.diameter;
   out.normal_x = sign * std::sin(balls.contact_angle);
   out.normal_r = sign * std::cos(balls.contact_angle);
-  const double amplitude = std::abs(errors.curvature_factor.amplitude);
+  const double amplitude = errors.curvature_amplitude();
   if (amplitude == 0.0) return out;
   out.varying = true;
   out.per_factor = 1.0 / amplitude;

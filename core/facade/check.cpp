@@ -96,6 +96,14 @@ CheckReport check(const DeckRequest& request) {
       return out;
     }
   }
+  if (read.ok() && (request.routines || !request.user.empty())) {
+    try {  // what routines say, and what they make of the model, only the model itself tells
+      out.issues = prepare(request).input.warnings;
+    } catch (const InputError& error) {
+      out.issues = error.issues();
+    }
+    return out;
+  }
   if (read.ok())
     for (Issue& issue : check_model(read.deck)) out.issues.push_back(std::move(issue));
   try {

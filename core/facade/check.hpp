@@ -24,7 +24,8 @@ struct CheckReport {
   [[nodiscard]] bool ok() const;  ///< no error among them
 };
 
-/// What a deck asks for that cannot run yet is a note here and an error of run().
+/// What a deck asks for that cannot run yet is a note here and an error of run(). With routines of
+/// the user the model is prepared as a run does, equilibrium included.
 /// @throws InputError when the deck cannot be read, SolverError as check_model()
 [[nodiscard]] CheckReport check(const DeckRequest& request);
 

@@ -2,6 +2,7 @@
 
 #include "base/interrupted.hpp"
 #include "base/json_text.hpp"
+#include "base/version.hpp"
 #include "deck/defaults.hpp"
 #include "deck/unit_text.hpp"
 #include "dynamics/race_contacts.hpp"
@@ -126,9 +127,11 @@ Prepared prepare_model(LoadedDeck input) {
   out.options = setup::build_run_options(out.input.option_values);
   out.input.deck.reads = std::make_shared<deck::ReadLog>();
   out.user = open_session(out.input, out.options);
-  setup::UserHooks hooks = user_hooks(out.user);
+  setup::UserHooks hooks = user_hooks(out.user, out.options);
   const setup::UserHooks* const user = out.user ? &hooks : nullptr;
   out.as_built = setup::build_bearing(deck, out.options.seed, user);
+  out.as_built.user_version =
+      program_version(out.user.get()).substr(std::string_view(kProgramVersion).size());
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
   if (out.as_built.lubrication) out.as_built.lubrication->direct_strips = out.options.direct_strips;
   for (Issue& issue : setup::check_buildable(deck, user))

@@ -1,6 +1,7 @@
 #include "facade/user_session.hpp"
 
 #include "base/version.hpp"
+#include "setup/race_motions.hpp"
 
 #include <fmt/format.h>
 
@@ -30,18 +31,15 @@ std::shared_ptr<user::Session> open_session(const LoadedDeck& input,
                              : user::load_plug_in(input.user);
   auto session = std::make_shared<user::Session>(std::move(plug_in), input.deck.user_lines,
                                                  user::SessionOptions{options.user_sample});
-  for (const int hook : {5, 6})
-    if (session->active(hook))
-      throw InputError(
-          fmt::format("{} activates user routine {}, which this version does not call yet; leave "
-                      "it out, or let it leave call.active at 0",
-                      session->source(), user::hook_name(hook)));
   return session;
 }
 
-setup::UserHooks user_hooks(const std::shared_ptr<user::Session>& session) {
+setup::UserHooks user_hooks(const std::shared_ptr<user::Session>& session,
+                            const setup::RunOptions& options) {
   setup::UserHooks out;
   if (!session) return out;
+  out.slices = options.rollers.slices;
+  out.points = options.rollers.contact == statics::RollerContact::Point;
   out.source = session->source();
   for (std::size_t k = 0; k < out.active.size(); ++k)
     out.active[k] = session->active(static_cast<int>(k));
@@ -50,6 +48,10 @@ setup::UserHooks user_hooks(const std::shared_ptr<user::Session>& session) {
     return of->material(part, fallback);
   };
   out.imperfections = [of](bearing::UserTables& tables) { of->imperfections(tables); };
+  out.surface = [of](const bearing::Bearing& bearing, bearing::UserSurface& places) {
+    of->surface(bearing, places);
+  };
+  out.document = [of](int hook, const std::string& line) { of->document(hook, line); };
   return out;
 }
 
@@ -57,6 +59,7 @@ void start_session(Prepared& prepared, setup::UserHooks& hooks) {
   user::Session& session = *prepared.user;
   session.start(prepared.bearing, own_traction(prepared.input.deck));
   hooks.drives = session.drives();
+  hooks.moves_frame = session.moves_frame();
   hooks.suppressed = session.suppressed();
   const long long mode = prepared.input.deck.integer("mode");
   if (mode > 0 && (hooks.drives[0] || hooks.drives[1]))
@@ -107,11 +110,25 @@ std::vector<std::string> idle_routines(const Prepared& prepared) {
       out.push_back(fmt::format("user routine {} of {} is active and does nothing here: {}",
                                 user::hook_name(hook), session.source(), why));
   };
+  const deck::Deck& deck = prepared.input.deck;
+  const auto asks = [&](const char* variable, long long code) {
+    return deck.has(variable) && deck.integer(variable) == code;
+  };
+  if (!asks("kRaceGeoImp1", 3) && !asks("kRaceGeoImp2", 3))
+    idle(6, "the deck asks for no race of the user (kRaceGeoImp1, kRaceGeoImp2 = 3)");
   if (!prepared.control.dynamic) {
     for (const int hook : {1, 2, 3, 4, 7, 9})
       idle(hook, "it acts in motion, and mode = -1 ends with the equilibrium");
     return out;
   }
+  bool free = false;
+  for (const int race : {1, 2})
+    for (const int axis : {1, 2, 3})
+      free = free || setup::translation_free(deck, axis, race) ||
+             setup::rotation_free(deck, axis, race);
+  if (!session.drives()[0] && !session.drives()[1] && !session.moves_frame() &&
+      !session.suppressed().any() && !free)
+    idle(1, "no race is free (kDCR = 1), and it drives none, nor moves the frame");
   const bearing::RollerGeometry* const rollers = prepared.bearing.rollers();
   if (rollers == nullptr || (!rollers->has_flange(0) && !rollers->has_flange(1)))
     idle(2, "the bearing has no flanges");

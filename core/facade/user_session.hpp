@@ -15,7 +15,8 @@ namespace adore::facade {
 [[nodiscard]] std::shared_ptr<user::Session> open_session(const LoadedDeck& input,
                                                           const setup::RunOptions& options);
 /// What setup may ask; the session lives as long.
-[[nodiscard]] setup::UserHooks user_hooks(const std::shared_ptr<user::Session>& session);
+[[nodiscard]] setup::UserHooks user_hooks(const std::shared_ptr<user::Session>& session,
+                                          const setup::RunOptions& options);
 /// Documentation calls of the routines of the motion; their laws go into prepared.options.
 /// @throws InputError
 void start_session(Prepared& prepared, setup::UserHooks& hooks);

@@ -88,6 +88,20 @@ void print_wave(Report& report, const std::string& label, const bearing::Harmoni
 
 void print_race(Report& report, const bearing::Bearing& b, std::size_t race) {
   const RaceErrors& e = b.imperfections.race[race];
+  if (e.given) {
+    const bearing::GivenRace& given = *e.given;
+    const auto range = [&](const char* what, const bearing::TurnSeries& of, const UnitPair& unit) {
+      if (of.pairs.empty()) return;
+      report.item(
+          fmt::format("User routine ADRX6, {} of the {} race: least", what, kRaceName[race]),
+          of.least, unit);
+      report.item("    largest", of.largest, unit);
+    };
+    range("radius", given.radius, unit::kLength);
+    range("taper", given.taper, unit::kAngle);
+    range("curvature factor", given.curvature_factor, unit::kPure);
+    return;
+  }
   if (e.roundness == RaceErrors::Roundness::Elliptical) {
     const std::string name = fmt::format("Ellipse of the {} race, ", kRaceName[race]);
     report.item(name + "half major axis minus radius", e.variation[0], unit::kLength);

@@ -375,7 +375,7 @@ std::string H5Writer::Impl::empty_file(const bearing::Bearing& bearing) {
   create_groups();
   {
     const Handle root(H5Gopen2(file, "/", H5P_DEFAULT));
-    write_attribute(root, "program", kProgramVersion);
+    write_attribute(root, "program", std::string(kProgramVersion) + bearing.user_version);
     write_attribute(root, "format", static_cast<double>(kFormat));
     write_attribute(root, "run_id", bearing.run_id);
     write_attribute(root, "conventions", kConventions);

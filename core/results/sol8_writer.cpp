@@ -84,7 +84,7 @@ void scale(Sol8Frame& frame, double length, double force) {
 
 std::string header_text(const bearing::Bearing& bearing, UnitSystem units) {
   Sol8File file;
-  file.version = kFileVersion;
+  file.version = std::string(kFileVersion) + bearing.user_version;
   file.run_id = bearing.run_id;
   file.bearing_type = static_cast<int>(bearing.type);
   file.elements = bearing.element_count();
@@ -182,9 +182,11 @@ Sol8Frame make_sol8_frame(const scene::Snapshot& snapshot) {
 
 std::string format_sol8_header(const Sol8File& file) {
   std::string out = "  ";
-  ff::append_text(out, file.version, 10);
+  const FileVersion version = file_version(file.version);
+  ff::append_text(out, version.program, 10);
   out.append(5, ' ');
   ff::append_text(out, file.run_id, 36);
+  append_user_version(out, version);
   out += "\n  ";
   ff::append_integer(out, file.bearing_type, 3);
   ff::append_integer(out, file.elements, 3);

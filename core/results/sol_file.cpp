@@ -108,6 +108,20 @@ Sol8Geometry make_geometry(const std::vector<double>& geometry) {
 
 }  // namespace
 
+FileVersion file_version(std::string_view version) {
+  constexpr std::size_t kShortest = 10;  // columns of a version field
+  const std::size_t user = version.size() > kShortest ? version.find('+') : std::string_view::npos;
+  if (user == std::string_view::npos) return {version, {}};
+  return {version.substr(0, user), version.substr(user)};
+}
+
+void append_user_version(std::string& line, const FileVersion& version) {
+  if (version.user.empty()) return;
+  const std::size_t start = line.rfind('\n') == std::string::npos ? 0 : line.rfind('\n') + 1;
+  line.append(static_cast<std::size_t>(kUserVersionColumn) - 1 - (line.size() - start), ' ');
+  line += version.user;
+}
+
 std::size_t SolFile::place(std::size_t column) const {
   if (columns.empty()) return column;
   const auto found = std::lower_bound(columns.begin(), columns.end(), column);

@@ -13,6 +13,17 @@ namespace adore::results {
 
 enum class SolKind : unsigned char { Element, Cage, Race, Power, Animation };
 
+/// The version fields of SOL1 to SOL8 have room for the program's own version alone (N60): that of
+/// routines of the user follows the run code, from this column of line 1 on, where readers of the
+/// format look for nothing.
+inline constexpr int kUserVersionColumn = 58;
+struct FileVersion {
+  std::string_view program, user;  ///< "Adore0.1.0", "+my laws 1"
+};
+[[nodiscard]] FileVersion file_version(std::string_view version);
+/// Fills the first line of a file up to there; nothing where there is no user's version.
+void append_user_version(std::string& line, const FileVersion& version);
+
 /// Header of SOL1-SOL7 (outputs.md 5.1).
 struct SolHeader {
   std::string version, run_id, title;

@@ -74,6 +74,11 @@ void SolParser::read_identity(std::string_view first) {
   const bool twelve = !ff::trimmed(ff::columns(first, 13, 14)).empty();
   header_.version = ff::trimmed(ff::columns(first, 3, twelve ? 14 : 12));
   header_.run_id = ff::trimmed(ff::columns(first, twelve ? 20 : 18, 55));
+  constexpr int kMostColumns = 400;
+  if (const std::string_view user =
+          ff::trimmed(ff::columns(first, kUserVersionColumn, kMostColumns));
+      user.starts_with('+'))
+    header_.version += user;
 }
 
 void SolParser::read_units(const std::array<int, 10>& lengths) {

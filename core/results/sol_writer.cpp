@@ -37,9 +37,11 @@ std::string title_of(const SolHeader& header) {
 
 std::string format_sol_header(const SolHeader& header) {
   std::string out = "  ";
-  ff::append_text(out, header.version, 12);
+  const FileVersion version = file_version(header.version);
+  ff::append_text(out, version.program, 12);
   out.append(5, ' ');
   ff::append_text(out, header.run_id, 36);
+  append_user_version(out, version);
   out += "\n  ";
   out += header.title;
   out += "$\n  ";
@@ -82,7 +84,7 @@ SolHeader make_sol_header(const bearing::Bearing& bearing, int index, UnitSystem
         : shape.cages > 0 ? std::string("cage, ")
                           : std::string()));
   SolHeader header;
-  header.version = kFileVersion;
+  header.version = std::string(kFileVersion) + bearing.user_version;
   header.run_id = bearing.run_id;
   header.elements = shape.elements;
   header.segments = shape.cages;

@@ -76,7 +76,8 @@ struct ScenePlan {
   bearing::RaceMotions race_motions;  ///< how races move beside their constant spin; each entry
                                       ///< switches on its effect
   SuppressedMotions suppressed;
-  int unknowns = 0;  ///< controlled state components
+  bool user_frame = false;  ///< routine ADRX1 accelerates the base frame
+  int unknowns = 0;         ///< controlled state components
   int quadratures = 0;
   // Estimates, filled once the static solution is known.
   double fastest_frequency = 0.0;  ///< [Hz]

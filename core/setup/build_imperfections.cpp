@@ -4,6 +4,7 @@
 #include "contact/roller_pocket_play.hpp"
 #include "setup/check_rollers.hpp"
 #include "setup/deck_text.hpp"
+#include "setup/user_surfaces.hpp"
 
 #include <fmt/format.h>
 
@@ -69,10 +70,10 @@ void check_positive(const Deck& deck, double value, const char* what, std::size_
       "give smaller deviations")});
 }
 
-/// The largest and smallest that a wave adds over the turn.
-std::array<double, 2> extremes(const Harmonic& wave) {
-  if (wave.waves == 0.0) return {wave.at(0.0), wave.at(0.0)};
-  return {-std::abs(wave.amplitude), std::abs(wave.amplitude)};
+/// What the factor of a groove comes from.
+std::string curvature_variable(const bearing::Bearing& b, std::size_t race) {
+  return fmt::format("{}{}", b.imperfections.race[race].given ? "kRaceGeoImp" : "cFacVar1",
+                     race + 1);
 }
 
 /// Each ball must fit in its grooves wherever it stands: groove radius between half its diameter
@@ -97,12 +98,12 @@ void check_grooves(const Deck& deck, const bearing::Bearing& b) {
     largest = std::max(largest, D + growth);
   }
   for (std::size_t j = 0; j < 2; ++j) {
-    const auto [low, high] = extremes(b.imperfections.race[j].curvature_factor);
+    const auto [low, high] = b.imperfections.race[j].curvature_range();
     const double f = b.balls().groove_factor[j];
     // A groove that is open by itself (f >= 1) has its own limit: groove_geometry.
     if ((f + low) * D > 0.5 * largest && (f >= 1.0 || (f + high) * D < smallest)) continue;
     throw InputError({deck.issue(
-        Severity::Error, fmt::format("cFacVar1{}", j + 1),
+        Severity::Error, curvature_variable(b, j),
         fmt::format("the groove factor raceCurFac{} = {:.6g} becomes {:.6g} to {:.6g} around the "
                     "race, where the balls do not fit",
                     j + 1, f, f + low, f + high),
@@ -114,10 +115,10 @@ void check_grooves(const Deck& deck, const bearing::Bearing& b) {
 void check_barrel_grooves(const Deck& deck, const bearing::Bearing& b) {
   for (std::size_t j = 0; j < 2; ++j) {
     const double f = b.rollers()->groove_factor[j];
-    const auto [low, high] = extremes(b.imperfections.race[j].curvature_factor);
+    const auto [low, high] = b.imperfections.race[j].curvature_range();
     if (f + low > 0.5) continue;
     throw InputError({deck.issue(
-        Severity::Error, fmt::format("cFacVar1{}", j + 1),
+        Severity::Error, curvature_variable(b, j),
         fmt::format("the groove factor raceCurFac{} = {:.6g} becomes {:.6g} to {:.6g} around the "
                     "race, where the rollers do not fit",
                     j + 1, f, f + low, f + high),
@@ -284,8 +285,13 @@ void build_imperfections(const Deck& deck, std::uint64_t seed, bearing::Bearing&
   element_errors(deck, seed, bearing);
   pocket_errors(deck, seed, bearing);
   if (has_routine(user, 8)) user_errors(deck, *user, bearing);
+  if (has_routine(user, 5)) {
+    user_elements(*user, bearing);
+    if (bearing.rollers() != nullptr) check_roller_deviations(deck, *bearing.rollers());
+  }
   for (std::size_t race = 0; race < 2; ++race) {
     const long long code = deck.integer(fmt::format("kRaceGeoImp{}", race + 1));
+    if (code == 3 && has_routine(user, 6)) user_race(*user, race, bearing);
     if (code != 1 && code != 2) continue;
     bearing.imperfections.race_given[race] = true;
     bearing.imperfections.race[race] = race_errors(deck, race, code == 1);

@@ -60,8 +60,6 @@ constexpr Request kRequests[] = {
     {"kCagePocImp", 4, 8, "0, 1, 2 or 3", true},
     {"kReIP", 3, 8, "0, 1 or 2", true},
 };
-/// Those that this version does not call.
-constexpr int kNotCalled[] = {5, 6};
 
 class Checker {
  public:
@@ -108,17 +106,13 @@ void check_requests(const Deck& deck, const UserHooks* user, Checker& check) {
     if ((request.motion_only && !dynamic) || has_routine(user, request.routine)) continue;
     const std::string asks = fmt::format("asks for user routine ADRX{}", request.routine);
     const std::string otherwise = fmt::format("set {} to {}", variable, request.otherwise);
-    if (std::find(std::begin(kNotCalled), std::end(kNotCalled), request.routine) !=
-        std::end(kNotCalled))
-      check.error(variable.c_str(), asks + ", which this version does not call yet", otherwise);
-    else
-      check.error(variable.c_str(),
-                  user == nullptr ? asks + ", and no plug-in was given"
-                                  : fmt::format("{}, which {} does not have, or does not activate",
-                                                asks, user->source),
-                  fmt::format("give one that has it with --user PLUG-IN (`adore user new adrx{}` "
-                              "writes an example), or {}",
-                              request.routine, otherwise));
+    check.error(variable.c_str(),
+                user == nullptr ? asks + ", and no plug-in was given"
+                                : fmt::format("{}, which {} does not have, or does not activate",
+                                              asks, user->source),
+                fmt::format("give one that has it with --user PLUG-IN (`adore user new adrx{}` "
+                            "writes an example), or {}",
+                            request.routine, otherwise));
   }
 }
 

@@ -290,6 +290,7 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   else if (cage)
     plan.bodies.push_back({"cage", "6 degrees of freedom and total rotation", 14});
   plan_race_motions(deck, bearing, plan, user != nullptr ? user->drives : std::array<bool, 2>{});
+  plan.user_frame = user != nullptr && user->moves_frame;
   if (user != nullptr)
     for (std::size_t k = 0; k < user->active.size(); ++k)
       if (user->active[k])

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "bearing/bearing.hpp"
 #include "bearing/material.hpp"
 #include "bearing/user_tables.hpp"
 #include "scene/plan.hpp"
@@ -19,8 +20,15 @@ struct UserHooks {
   std::function<bearing::Material(bearing::Part, const bearing::Material&)> material;
   /// ADRX8. @throws InputError
   std::function<void(bearing::UserTables&)> imperfections;
+  /// ADRX5 and ADRX6, of the bearing as it is built so far. @throws InputError
+  std::function<void(const bearing::Bearing&, bearing::UserSurface&)> surface;
+  /// A line for the front part of PRINT.txt on what ADRX5 or ADRX6 gave.
+  std::function<void(int hook, const std::string& line)> document;
+  int slices = 0;       ///< of rollers
+  bool points = false;  ///< barrels touch at points, not in slices
   // What ADRX1 has said of itself, known when the scene is planned.
   std::array<bool, 2> drives{};         ///< races whose accelerations it gives
+  bool moves_frame = false;             ///< it accelerates the base frame
   scene::SuppressedMotions suppressed;  ///< kDOF = 6
 };
 

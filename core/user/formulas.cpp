@@ -218,6 +218,11 @@ Call motion(Section& section) {
     race.spin = section.formula(*given, "start_spin", path);
     race.driven = given->contains("acceleration") || given->contains("angular_acceleration");
   }
+  using Three = std::array<std::optional<Formula>, 3>;
+  auto frame =
+      std::make_shared<Three>(vector_of(section, section.json, "frame_acceleration", "", -1));
+  section.used.insert("frame_acceleration");
+  const bool moves_frame = section.json.contains("frame_acceleration");
   auto kinks = std::make_shared<std::vector<Formula>>();
   if (const Json* list = section.find("kinks"))
     for (const Json& one : *list) kinks->emplace_back(one, names, section.where + ", kinks");
@@ -245,6 +250,7 @@ Call motion(Section& section) {
     };
     *t = call.time;
     if (call.mode == ADORE_START) {
+      a.moves_frame = moves_frame ? 1 : 0;
       for (std::size_t j = 0; j < 2; ++j) {
         const Race& race = (*races)[j];
         a.drives[j] = race.driven ? 1 : 0;
@@ -276,6 +282,7 @@ Call motion(Section& section) {
       fill(race.acceleration, a.acceleration + 3 * j);
       fill(race.turn, a.angular_acceleration + 3 * j);
     }
+    fill(*frame, a.frame_acceleration);
     return 0;
   };
 }
@@ -306,6 +313,48 @@ Call force(Section& section) {
     return 0;
   };
 }
+
+/// ADRX5, and each race of ADRX6.
+struct SurfaceLaw {
+  std::optional<Formula> radius, curvature_factor;
+};
+Call surface(Section& section, bool races) {
+  double *x = section.known("x"), *psi = section.known("psi"), *i = section.known("i"),
+         *n = section.known("n"), *D = section.known("D"), *dm = section.known("dm");
+  const Preamble preamble(section);
+  auto laws = std::make_shared<std::array<SurfaceLaw, 2>>();
+  if (races) {
+    for (std::size_t j = 0; j < 2; ++j)
+      if (const Json* given = section.find(kRaceKeys[j])) {
+        const std::string path = std::string(kRaceKeys[j]) + ", ";
+        check_keys(*given, {"radius", "curvature_factor"}, section.where + ", " + kRaceKeys[j]);
+        (*laws)[j] = {section.formula(*given, "radius", path),
+                      section.formula(*given, "curvature_factor", path)};
+      }
+  } else {
+    (*laws)[0].radius = section.formula(section.json, "radius", "");
+    section.used.insert("radius");
+  }
+  section.check_keys();
+  return [=, keep = section.names](adore_call& call) {
+    if (preamble(call) || call.mode != ADORE_COMPUTE) return 0;
+    auto& a = reinterpret_cast<adore_surface&>(call);
+    const SurfaceLaw& law = (*laws)[races ? static_cast<std::size_t>(a.race) : 0];
+    *i = a.element;
+    *n = call.bearing->elements;
+    *D = call.bearing->element_diameter;
+    *dm = call.bearing->pitch_diameter;
+    for (std::int64_t k = 0; k < a.n; ++k) {
+      *x = a.axial[k];
+      *psi = a.azimuth[k];
+      if (law.radius) a.radius[k] = (*law.radius)();
+      if (law.curvature_factor) a.curvature_factor[k] = (*law.curvature_factor)();
+    }
+    return 0;
+  };
+}
+Call elements(Section& section) { return surface(section, false); }
+Call races(Section& section) { return surface(section, true); }
 
 Call traction(Section& section) {
   std::array<double*, 9> in{};
@@ -492,9 +541,10 @@ PlugIn load_formulas(const fs::path& file) {
   out.source = file.string();
   out.pure = true;
   const std::map<std::string, std::pair<int, Call (*)(Section&)>> makers{
-      {"adrx0", {0, material}},      {"adrx1", {1, motion}},  {"adrx2", {2, force}},
-      {"adrx3", {3, force}},         {"adrx4", {4, force}},   {"adrx7", {7, traction}},
-      {"adrx8", {8, imperfections}}, {"adrx9", {9, heat_map}}};
+      {"adrx0", {0, material}}, {"adrx1", {1, motion}},   {"adrx2", {2, force}},
+      {"adrx3", {3, force}},    {"adrx4", {4, force}},    {"adrx5", {5, elements}},
+      {"adrx6", {6, races}},    {"adrx7", {7, traction}}, {"adrx8", {8, imperfections}},
+      {"adrx9", {9, heat_map}}};
   bool any = false;
   for (const auto& [key, value] : json.items()) {
     if (key == "version") {

@@ -43,6 +43,7 @@ struct Session::Impl {
   adore_bearing bearing{};
   std::vector<std::string> documentation;
   std::string written, failure, refusal;
+  std::array<bool, 2> surface_started{};  ///< ADRX5, ADRX6
   bool refused = false;
   std::uint64_t step = 0;
 
@@ -156,12 +157,24 @@ struct Session::Impl {
     written += host.block().write.take();
   }
 
+  void describe(const bearing::Bearing& from);
   bool evaluate_motion(double t, const std::array<scene::UserMotion::Race, 2>& races,
                        scene::UserMotion::Actions& out) noexcept;
   static void ask_traction(void* self, const tribology::TractionPoints& in);
   void start_traction(std::size_t kind);
   void start_motion();
 };
+
+void Session::Impl::describe(const bearing::Bearing& from) {
+  bearing.elements = from.element_count();
+  bearing.rollers = from.rollers() != nullptr ? 1 : 0;
+  bearing.element_diameter = from.element_diameter();
+  bearing.pitch_diameter = from.pitch_diameter();
+  bearing.element_mass = from.element_inertia.mass;
+  for (std::size_t j = 0; j < 2; ++j) bearing.race_speed[j] = from.speed[j];
+  for (auto& routine : routines)
+    if (routine) routine->bearing = &bearing;
+}
 
 bool Session::Impl::evaluate_motion(double t, const std::array<scene::UserMotion::Race, 2>& races,
                                     scene::UserMotion::Actions& out) noexcept {
@@ -248,11 +261,6 @@ void Session::Impl::start_motion() {
           plug_in.source, j == 0 ? "outer" : "inner", j));
   }
   promise.moves_frame = a.moves_frame != 0;
-  if (promise.moves_frame)
-    throw InputError(fmt::format(
-        "user routine ADRX1 of {} moves the base frame, which this version does not do yet; "
-        "record 9.5 (kRotFrame) turns it, gravityVec is a constant acceleration",
-        plug_in.source));
   promise.longest_step = std::max(a.longest_step, 0.0);
   promise.kinks.assign(a.kinks, a.kinks + std::clamp(a.kink_count, 0, 8));
   suppressed = {a.suppress_element_axial != 0, a.suppress_element_tilt != 0,
@@ -370,18 +378,35 @@ void Session::imperfections(bearing::UserTables& t) {
   t.frame = get(a.frame);
 }
 
+void Session::surface(const bearing::Bearing& bearing, bearing::UserSurface& places) {
+  Impl& s = *impl_;
+  const int hook = places.race < 0 ? 5 : 6;
+  if (!std::exchange(s.surface_started[static_cast<std::size_t>(hook - 5)], true)) {
+    s.describe(bearing);
+    adore_surface a{};
+    s.ask_or_refuse(hook, a, ADORE_START);
+    s.document(hook);
+  }
+  adore_surface a{};
+  a.race = places.race;
+  a.element = places.element;
+  a.n = static_cast<std::int64_t>(places.axial.size());
+  a.axial = places.axial.data();
+  a.azimuth = places.azimuth.data();
+  a.radius = places.radius.data();
+  a.curvature_factor = places.curvature_factor.data();
+  s.ask_or_refuse(hook, a, ADORE_COMPUTE);
+}
+
+void Session::document(int hook, const std::string& line) {
+  impl_->documentation.push_back(fmt::format("{}: {}", hook_name(hook), line));
+}
+
 void Session::start(const bearing::Bearing& bearing, const std::array<bool, 5>& traction) {
   Impl& s = *impl_;
-  s.bearing.elements = bearing.element_count();
-  s.bearing.rollers = bearing.rollers() != nullptr ? 1 : 0;
-  s.bearing.element_diameter = bearing.element_diameter();
-  s.bearing.pitch_diameter = bearing.pitch_diameter();
-  s.bearing.element_mass = bearing.element_inertia.mass;
-  for (std::size_t j = 0; j < 2; ++j) s.bearing.race_speed[j] = bearing.speed[j];
-  for (auto& routine : s.routines)
-    if (routine) routine->bearing = &s.bearing;
+  s.describe(bearing);
   for (int k = 1; k < static_cast<int>(kHooks); ++k) {
-    if (!s.active(k) || k == 8) continue;
+    if (!s.active(k) || k == 5 || k == 6 || k == 8) continue;
     if (k == 1) {
       s.start_motion();
     } else if (k == 7) {
@@ -398,6 +423,8 @@ void Session::start(const bearing::Bearing& bearing, const std::array<bool, 5>& 
 const scene::SuppressedMotions& Session::suppressed() const noexcept { return impl_->suppressed; }
 
 const std::array<bool, 2>& Session::drives() const noexcept { return impl_->promise.drives; }
+
+bool Session::moves_frame() const noexcept { return impl_->promise.moves_frame; }
 
 std::shared_ptr<scene::UserLaws> Session::laws(std::shared_ptr<Session> self) {
   Impl& s = *impl_;

@@ -47,6 +47,11 @@ class Session {
   [[nodiscard]] bearing::Material material(bearing::Part part, const bearing::Material& fallback);
   /// ADRX8. @throws InputError
   void imperfections(bearing::UserTables& tables);
+  /// ADRX5 of an element, ADRX6 of a race; mode ADORE_START comes before the first.
+  /// @throws InputError
+  void surface(const bearing::Bearing& bearing, bearing::UserSurface& places);
+  /// A line behind those of the routine's own documentation.
+  void document(int hook, const std::string& line);
 
   /// Mode ADORE_START of the routines of the motion. @param traction kinds that the deck asks for
   /// @throws InputError
@@ -55,6 +60,8 @@ class Session {
   [[nodiscard]] const scene::SuppressedMotions& suppressed() const noexcept;
   /// Races whose accelerations ADRX1 gives.
   [[nodiscard]] const std::array<bool, 2>& drives() const noexcept;
+  /// ADRX1 accelerates the base frame.
+  [[nodiscard]] bool moves_frame() const noexcept;
   /// What the solver calls; as long as the session.
   [[nodiscard]] std::shared_ptr<scene::UserLaws> laws(std::shared_ptr<Session> self);
 

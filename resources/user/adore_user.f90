@@ -16,6 +16,10 @@ module adore_user
     real(c_double) :: time
     type(c_ptr) :: user, host, services, bearing
   end type
+  type, bind(c) :: adore_bearing
+    integer(c_int32_t) :: elements, rollers
+    real(c_double) :: element_diameter, pitch_diameter, element_mass, race_speed(2), time_scale
+  end type
   type, bind(c) :: adore_adrx0
     type(adore_call) :: call
     integer(c_int32_t) :: part, unused
@@ -35,6 +39,12 @@ module adore_user
     type(adore_call) :: call
     integer(c_int64_t) :: n
     type(c_ptr) :: element, surface, gap, gap_rate, built_in, force
+  end type
+  type, bind(c) :: adore_surface
+    type(adore_call) :: call
+    integer(c_int32_t) :: race, element
+    integer(c_int64_t) :: n
+    type(c_ptr) :: axial, azimuth, radius, curvature_factor
   end type
   type, bind(c) :: adore_adrx7
     type(adore_call) :: call

@@ -1,4 +1,4 @@
-/* ADRX@N@ for Adore: normal force between @BODIES@ over the gap (negative: overlap), all contacts
+/* ADRXN for Adore: normal force between THE_BODIES over the gap (negative: overlap), all contacts
  * of the kind in one call. Here the program's own law with damping of the approach; record 12.1
  * holds the damping time [s]. */
 #include "adore_user.h"
@@ -8,7 +8,7 @@ static double damping;
 int32_t adore_user_abi(void) { return ADORE_USER_ABI; }
 const char* adore_user_version(void) { return "force 1"; }
 
-int32_t adrx @N @(adore_force* a) {
+int32_t adrxN(adore_force* a) {
   int64_t i;
   if (a->call.mode == ADORE_READ) {
     a->call.active = 1;

@@ -1,17 +1,17 @@
-! ADRX@N@ for Adore: normal force between @BODIES@; the program's own law with damping of the approach, whose time
+! ADRXN for Adore: normal force between THE_BODIES; the program's own law with damping of the approach, whose time
 ! stands in record 12.1 [s].
 module force_law
   use adore_user
   implicit none
   real(c_double), save :: damping(1)
 contains
-  integer(c_int32_t) function adrx@N@(a) bind(c)
+  integer(c_int32_t) function adrxN(a) bind(c)
     type(adore_force), intent(inout) :: a
     real(c_double), pointer :: gap(:), rate(:), built_in(:), force(:)
-    adrx@N@ = 0
+    adrxN = 0
     if (a%call%mode == ADORE_READ) then
       a%call%active = 1
-      if (adore_numbers(a%call, damping) /= 1) adrx@N@ = 2
+      if (adore_numbers(a%call, damping) /= 1) adrxN = 2
     end if
     if (a%call%mode /= ADORE_COMPUTE) return
     call c_f_pointer(a%gap, gap, [a%n])

@@ -4,6 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 
 using namespace adore;
 using namespace adore::test;
@@ -83,6 +86,28 @@ TEST_CASE(
     CHECK(run.code == 2);
     CHECK(contains(run.out, set.substr(0, set.find('='))));
   }
+}
+
+TEST_CASE("adore user new writes an example of every routine in every language", "[cli]") {
+  const Folder folder;
+  for (const std::string lang : {"c", "cpp", "fortran", "python"})
+    for (int hook = 0; hook < 10; ++hook) {
+      const std::string name = "adrx" + std::to_string(hook);
+      const fs::path out = folder / (name + "-" + lang);
+      const Result made =
+          run_adore("user new " + name + " --lang " + lang + " --out " + out.string());
+      INFO(made.out);
+      CHECK(made.code == 0);
+      const std::string ending = lang == "fortran" ? "f90" : lang == "python" ? "py" : lang;
+      std::ifstream in(out / (name + "." + ending));
+      const std::string text{std::istreambuf_iterator<char>(in), {}};
+      CHECK(contains(text, "ADRX" + std::to_string(hook)));
+      if (lang != "python") CHECK(contains(text, name + "("));
+      CHECK_FALSE(contains(text, "THE_BODIES"));
+      CHECK(fs::exists(out / "Makefile") == (lang != "python"));
+      CHECK(run_adore("user new " + name + " --lang " + lang + " --out " + out.string()).code == 2);
+    }
+  CHECK(run_adore("user new adrx7 --lang pascal --out " + (folder / "p").string()).code == 2);
 }
 
 TEST_CASE("what an integrator cannot do is refused before a file is touched", "[cli]") {

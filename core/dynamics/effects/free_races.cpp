@@ -1,6 +1,7 @@
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/free_body.hpp"
 #include "dynamics/effects/races.hpp"
+#include "dynamics/element_masses.hpp"
 #include "dynamics/excitations.hpp"
 #include "scene/ledger_terms.hpp"
 #include "scene/user_laws.hpp"
@@ -19,6 +20,9 @@
 /// axis are held turns about the axis that it has at the start. The contact kernel sees ω as spin
 /// about the race's axis and the rest across it. Limit: the groove stays one of revolution about
 /// the race's axis.
+/// Routine ADRX1 of the user may accelerate the base frame by A(t), without turning it: each body
+/// feels -m A at its mass centre, whose power is booked as work; races that are prescribed move as
+/// prescribed, relative to the frame.
 /// Routine ADRX1 of the user adds to loads, and gives the accelerations of the held directions of
 /// races that it drives, in the place of those laws; it is asked once an evaluation.
 namespace adore::dynamics {
@@ -30,7 +34,16 @@ constexpr LedgerTerm kWork{
     "work of the loads on free races",
     {"work of the loads on the outer race", "work of the loads on the inner race"},
     "of applied and holding forces since the start"};
-constexpr const LedgerTerm* kTerms[] = {&kWork};
+constexpr LedgerTerm kFrameWork{LedgerKind::Work,
+                                "frame_work",
+                                "work of the base frame that user routine ADRX1 accelerates",
+                                {"work of the accelerated base frame"},
+                                "of -m A on every body since the start"};
+constexpr const LedgerTerm* kTerms[] = {&kWork, &kFrameWork};
+constexpr LedgerTerm kFrameImpulse{
+    LedgerKind::Work, "", "", {"impulse of the accelerated base frame"}, ""};
+constexpr LedgerTerm kFrameAngularImpulse{
+    LedgerKind::Work, "", "", {"angular impulse of the accelerated base frame"}, ""};
 constexpr LedgerTerm kImpulse{LedgerKind::Work, "", "", {"impulse of the loads on free races"}, ""};
 constexpr LedgerTerm kAngularImpulse{
     LedgerKind::Work, "", "", {"angular impulse of the loads on free races"}, ""};
@@ -87,6 +100,52 @@ class RaceLoad final : public EffectBlock {
   Loaded& loaded_;
 };
 
+/// The base frame that ADRX1 accelerates.
+struct AcceleratedFrame {
+  Vec3 acceleration = Vec3::Zero();  ///< A, now [m/s²]
+  ElementMasses masses;
+  // Now, of -m A on all bodies: power [W], about the base origin [N, N m].
+  double power = 0.0;
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+  int impulse = -1, angular_impulse = -1;  ///< in the state
+};
+
+class FrameForces final : public EffectBlock {
+ public:
+  explicit FrameForces(AcceleratedFrame& frame) : frame_(frame) {}
+  void apply(Evaluation& e) noexcept override {
+    frame_.power = 0.0;
+    frame_.force.setZero();
+    frame_.moment.setZero();
+    const auto book = [this](const Vec3& force, const Vec3& centre, const Vec3& velocity) {
+      frame_.power += force.dot(velocity);
+      frame_.force += force;
+      frame_.moment += centre.cross(force);
+    };
+    for (std::size_t i = 0; i < e.elements.n; ++i) {
+      const ElementMass& body = frame_.masses[i];
+      const Vec3 force = -body.mass * frame_.acceleration;
+      Vec3 centre = e.element_centre(i), velocity = e.element_velocity(i);
+      e.add_force(i, e.to_cylindrical(i, force));
+      if (body.off_centre) {
+        const Vec3 arm = e.attitude[i] * body.arm;
+        e.add_moment(i, e.to_cylindrical(i, Vec3(arm.cross(force))));
+        centre += arm;
+        velocity += e.element_omega(i).cross(arm);
+      }
+      book(force, centre, velocity);
+    }
+    e.for_integrated([&](BodyState& body) {
+      const Vec3 force = -body.mass * frame_.acceleration, centre = body.centre_of_mass();
+      body.add_force(force, centre);
+      book(force, centre, body.velocity_at(centre));
+    });
+  }
+
+ private:
+  AcceleratedFrame& frame_;
+};
+
 class HeldDirections final : public EffectBlock {
  public:
   explicit HeldDirections(Loaded& loaded) : loaded_(loaded) {}
@@ -118,9 +177,9 @@ class LoadAccount final : public EffectBlock {
 /// Asks ADRX1 once all races have their motion, before loads act.
 class AskUser final : public EffectBlock {
  public:
-  AskUser(scene::UserMotion& routine, std::vector<Loaded>& loaded,
+  AskUser(scene::UserMotion& routine, std::vector<Loaded>& loaded, Vec3& frame,
           const std::array<Vec3, 2>& free_centre)
-      : routine_(routine), loaded_(loaded), free_centre_(free_centre) {}
+      : routine_(routine), loaded_(loaded), frame_(frame), free_centre_(free_centre) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
     std::array<scene::UserMotion::Race, 2> races;
@@ -129,6 +188,7 @@ class AskUser final : public EffectBlock {
                   e.race[j].angle};
     scene::UserMotion::Actions actions;
     e.valid = routine_.evaluate(e.t, races, actions) && e.valid;
+    frame_ = actions.frame;
     const scene::UserMotion::Promise& promise = routine_.promise();
     for (Loaded& one : loaded_) {
       const auto j = static_cast<std::size_t>(one.race);
@@ -142,6 +202,7 @@ class AskUser final : public EffectBlock {
  private:
   scene::UserMotion& routine_;
   std::vector<Loaded>& loaded_;
+  Vec3& frame_;
   std::array<Vec3, 2> free_centre_;
 };
 
@@ -154,7 +215,19 @@ class FreeRaces final : public SceneEffect {
     loaded_.reserve(free.size());  // blocks and border know them by address
     if (routine_ != nullptr)
       scene.block<AskUser>(Phase::Force, "user routine ADRX1", {}, *routine_, loaded_,
-                           races.free_centres());
+                           frame_.acceleration, races.free_centres());
+    if (routine_ != nullptr && routine_->promise().moves_frame) {
+      frame_.masses = ElementMasses(scene.bearing);
+      scene.block<FrameForces>(Phase::Force, "user routine ADRX1", {}, frame_);
+      scene.energy("frame.work", kFrameWork, &frame_.power);
+      if (scene.plan.has(Effect::MomentumLedger)) {
+        using Momentum = SceneBuilder::Momentum;
+        scene.momentum(frame_.impulse, "frame.impulse", Momentum::Linear, kFrameImpulse,
+                       frame_.force.data());
+        scene.momentum(frame_.angular_impulse, "frame.angular_impulse", Momentum::Angular,
+                       kFrameAngularImpulse, frame_.moment.data());
+      }
+    }
     for (std::size_t j = 0; j < free.size(); ++j) {
       if (!free[j]) continue;
       Loaded& one = loaded_.emplace_back();
@@ -255,13 +328,14 @@ class FreeRaces final : public SceneEffect {
   scene::UserMotion* routine_ = nullptr;  ///< ADRX1; null: none
   std::vector<Loaded> loaded_;
   std::vector<RaceBody> start_;
+  AcceleratedFrame frame_;
 };
 
 }  // namespace
 
 std::unique_ptr<SceneEffect> make_free_races(const ScenePlan& plan) {
   const auto& free = plan.race_motions.free;
-  if (!free[0] && !free[1]) return nullptr;
+  if (!free[0] && !free[1] && !plan.user_frame) return nullptr;
   return std::make_unique<FreeRaces>();
 }
 std::span<const LedgerTerm* const> free_race_terms() { return kTerms; }

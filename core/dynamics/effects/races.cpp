@@ -166,6 +166,7 @@ void Races::set_up_balls(const SceneBuilder& scene) {
         contact::race_curvature(scene.bearing.balls(), static_cast<int>(j), scene.fixed_angle[j]),
         model.effective_modulus);
     const bearing::RaceErrors& errors = scene.bearing.imperfections.race[j];
+    given_[j] = errors.given;
     if (!errors.ideal())
       model.wavy = std::make_shared<const contact::WavyGroove>(contact::make_wavy_groove(
           scene.bearing.balls(), static_cast<int>(j), errors, scene.fixed_angle[j]));

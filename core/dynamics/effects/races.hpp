@@ -43,6 +43,8 @@ class Races final : public SceneEffect {
   void set_up_balls(const SceneBuilder& scene);
   void declare_contact(SceneBuilder& scene, std::size_t j);
 
+  /// Whose numbers wavy grooves read; null: no routine ADRX6.
+  std::array<std::shared_ptr<const bearing::GivenRace>, 2> given_;
   std::array<RaceContactModel, 2> contacts_;               ///< of balls
   std::optional<std::array<RollerRaceModel, 2>> rollers_;  ///< else
   std::array<Vec3, 2> free_centre_;  ///< free positions of the race centres [m]

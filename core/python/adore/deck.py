@@ -394,9 +394,9 @@ class Deck(DeckVariables):
 
     # What can be done with it.
 
-    def check(self) -> List[_core.Issue]:
-        """Every error, warning and note; empty when there is nothing to say."""
-        return _core.check(*self._request())
+    def check(self, *, user: User = None) -> List[_core.Issue]:
+        """Every error, warning and note; empty when there is nothing to say. ``user`` as in :meth:`run`."""
+        return _core.check(*self._request(), routines_of(user))
 
     def plan(self, *, user: User = None, **options: Any) -> Plan:
         """What a run would simulate, why, and at what cost. ``user`` as in :meth:`run`."""

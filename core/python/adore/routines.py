@@ -28,6 +28,7 @@ __all__ = ["Routines", "routines_of"]
 
 _Function = TypeVar("_Function", bound=Callable[..., Any])
 _BODIES = {"flange": 2, "pocket": 3, "land": 4}
+_HOOKS = {"material": 0, "motion": 1, **_BODIES, "elements": 5, "races": 6, "traction": 7, "imperfections": 8, "results": 9}
 
 
 class Routines:
@@ -94,6 +95,34 @@ class Routines:
         """ADRX0, materials of code 2: ``law(part)`` gives a dictionary of what differs from the values in ``part``: ``density``,
         ``elastic_modulus``, ``poisson_ratio`` ...; ``part.part`` is "element", "outer_race", "inner_race", ..."""
         return self._decorator(0, "material")(law)
+
+    def elements(self, law: _Function) -> _Function:
+        """ADRX5, the radius of rolling elements: ``law(places)`` gives what the radius is larger at each place [m].
+        ``places`` has ``element`` (from 0), ``axial`` (from mid length) [m] and ``azimuth`` [rad], an entry for each place,
+        ``elements``, ``element_diameter`` and ``pitch_diameter``. It may vary along rollers, and around none."""
+        return self._decorator(5, "elements")(law)
+
+    def races(self, law: _Function) -> _Function:
+        """ADRX6, surfaces of races that the deck asks for (kRaceGeoImp1, kRaceGeoImp2 = 3): ``law(places)`` gives what the
+        radius is larger at each place [m], or a dictionary of ``radius`` and, of grooves, ``curvature_factor``, added to the
+        groove factor. ``places`` as of :meth:`elements`, with ``race``, "outer_race" or "inner_race", for ``element``."""
+        return self._decorator(6, "races")(law)
+
+    def imperfections(self, law: _Function) -> _Function:
+        """ADRX8, imperfections of elements (kReGeoImp = 3) and pockets (kCagePocImp = 4) and inertia (kReIP = 3):
+        ``law(bearing)`` gives a dictionary of arrays over the elements: ``diameter``, ``crown_radius``, ``length``,
+        ``central_length``, ``land_offset``, ``pocket_clearance1``, ``pocket_clearance2``, ``pocket_thickness``,
+        ``pocket_axial`` [m], ``pocket_angular``, ``pocket_tilt`` (n x 3) [rad], and of ``mass``, ``moments``,
+        ``geometric_centre`` and ``frame`` of every element. ``bearing`` has ``n``, ``elements_wanted``,
+        ``pockets_wanted``, ``inertia_wanted``, and ``mass``, ``moments`` ... as they are."""
+        return self._decorator(8, "imperfections")(law)
+
+    def read(self, routine: str, count: int) -> None:
+        """So many numbers of records 12.x belong to a routine, "motion", "pocket" ...; its function finds them as
+        ``numbers``. Routines read in the order of their numbers ADRX0 to ADRX9, and no line may be left."""
+        if routine not in _HOOKS:
+            raise InputError(f'numbers of "{routine}": give one of {", ".join(_HOOKS)}')
+        self._core.set_numbers(_HOOKS[routine], count)
 
     def results(self, law: _Function) -> _Function:
         """ADRX9, after every counted step: ``law(step)`` gives the text that goes to SOL9, or None; it is called first with

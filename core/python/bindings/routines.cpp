@@ -63,7 +63,7 @@ py::dict answer_of(const py::object& function, const py::dict& values) {
   return answer.is_none() ? py::dict() : answer.cast<py::dict>();
 }
 
-void material(const py::object& function, adore_adrx0& a) {
+void material(const py::object& function, adore_adrx0& a, py::dict& given) {
   constexpr std::array kParts{"element", "outer_race", "inner_race", "housing", "shaft", "cage"};
   constexpr std::array kNames{
       "density",          "elastic_modulus",     "poisson_ratio",        "thermal_expansion",
@@ -73,15 +73,13 @@ void material(const py::object& function, adore_adrx0& a) {
       &a.density,          &a.elastic_modulus,     &a.poisson_ratio,        &a.thermal_expansion,
       &a.conductivity,     &a.specific_heat,       &a.elastic_strain_limit, &a.hardness,
       &a.wear_coefficient, &a.fatigue_limit_stress};
-  py::dict given;
   given["part"] = kParts[static_cast<std::size_t>(a.part)];
   for (std::size_t k = 0; k < kNames.size(); ++k) given[kNames[k]] = *values[k];
   const py::dict answer = answer_of(function, given);
   for (std::size_t k = 0; k < kNames.size(); ++k) take(answer, kNames[k], values[k], 1);
 }
 
-void motion(const py::object& function, adore_adrx1& a) {
-  py::dict given;
+void motion(const py::object& function, adore_adrx1& a, py::dict& given) {
   given["start"] = a.call.mode == ADORE_START;
   given["time"] = a.call.time;
   if (a.call.mode == ADORE_START) {
@@ -120,9 +118,8 @@ void motion(const py::object& function, adore_adrx1& a) {
   take(answer, "frame_acceleration", a.frame_acceleration, 3);
 }
 
-void force(const py::object& function, adore_force& a) {
+void force(const py::object& function, adore_force& a, py::dict& given) {
   const auto n = static_cast<py::ssize_t>(a.n);
-  py::dict given;
   given["time"] = a.call.time;
   given["element"] = py::array_t<std::int32_t>({n}, a.element);
   given["surface"] = py::array_t<std::int32_t>({n}, a.surface);
@@ -132,7 +129,56 @@ void force(const py::object& function, adore_force& a) {
   take(ask(function, given), a.force, static_cast<std::size_t>(a.n), "force");
 }
 
-void traction(const py::object& function, adore_adrx7& a) {
+void surface(const py::object& function, adore_surface& a, py::dict& given) {
+  const auto n = static_cast<py::ssize_t>(a.n);
+  given["axial"] = copied(a.axial, {n});
+  given["azimuth"] = copied(a.azimuth, {n});
+  if (a.race < 0)
+    given["element"] = a.element;
+  else
+    given["race"] = a.race == 0 ? "outer_race" : "inner_race";
+  given["elements"] = a.call.bearing->elements;
+  given["element_diameter"] = a.call.bearing->element_diameter;
+  given["pitch_diameter"] = a.call.bearing->pitch_diameter;
+  const py::object answer = ask(function, given);
+  const auto count = static_cast<std::size_t>(a.n);
+  if (answer.is_none()) return;
+  if (!py::isinstance<py::dict>(answer)) return take(answer, a.radius, count, "radius");
+  const py::dict values = answer;
+  take(values, "radius", a.radius, count);
+  take(values, "curvature_factor", a.curvature_factor, count);
+}
+
+void imperfections(const py::object& function, adore_adrx8& a, py::dict& given) {
+  given["n"] = a.n;
+  given["elements_wanted"] = a.elements_wanted != 0;
+  given["pockets_wanted"] = a.pockets_wanted != 0;
+  given["inertia_wanted"] = a.inertia_wanted != 0;
+  given["mass"] = a.mass;
+  given["moments"] = copied(a.moments, {3});
+  given["geometric_centre"] = copied(a.geometric_centre, {3});
+  given["frame"] = copied(a.frame, {3});
+  const py::dict answer = answer_of(function, given);
+  const auto n = static_cast<std::size_t>(a.n);
+  const std::pair<const char*, double*> of_each[] = {{"diameter", a.diameter},
+                                                     {"crown_radius", a.crown_radius},
+                                                     {"length", a.length},
+                                                     {"central_length", a.central_length},
+                                                     {"land_offset", a.land_offset},
+                                                     {"pocket_clearance1", a.pocket_clearance1},
+                                                     {"pocket_clearance2", a.pocket_clearance2},
+                                                     {"pocket_thickness", a.pocket_thickness},
+                                                     {"pocket_axial", a.pocket_axial},
+                                                     {"pocket_angular", a.pocket_angular}};
+  for (const auto& [name, to] : of_each) take(answer, name, to, n);
+  take(answer, "pocket_tilt", a.pocket_tilt, 3 * n);
+  take(answer, "mass", &a.mass, 1);
+  take(answer, "moments", a.moments, 3);
+  take(answer, "geometric_centre", a.geometric_centre, 3);
+  take(answer, "frame", a.frame, 3);
+}
+
+void traction(const py::object& function, adore_adrx7& a, py::dict& given) {
   const auto n = static_cast<py::ssize_t>(a.n), points = static_cast<py::ssize_t>(a.points);
   const auto rows = [&](const double* values) {
     py::array_t<double> out({points, n});
@@ -140,7 +186,6 @@ void traction(const py::object& function, adore_adrx7& a) {
       std::copy_n(values + k * a.stride, n, out.mutable_data(k, 0));
     return out;
   };
-  py::dict given;
   given["time"] = a.call.time;
   given["kind"] = kKinds[static_cast<std::size_t>(a.kind)];
   given["race"] = a.race;
@@ -160,9 +205,8 @@ void traction(const py::object& function, adore_adrx7& a) {
     std::copy_n(kappa.data() + k * n, n, a.kappa + k * a.stride);
 }
 
-void results(const py::object& function, adore_adrx9& a) {
+void results(const py::object& function, adore_adrx9& a, py::dict& given) {
   const auto n = static_cast<py::ssize_t>(a.n), sources = static_cast<py::ssize_t>(a.sources);
-  py::dict given;
   given["start"] = a.call.mode == ADORE_START;
   if (a.call.mode == ADORE_STEP) {
     given["time"] = a.call.time;
@@ -212,6 +256,10 @@ void Routines::set_traction(const std::string& kind, py::object function, std::v
   state_->traction[static_cast<std::size_t>(at - kKinds.begin())] = std::move(law);
 }
 
+void Routines::set_numbers(int hook, int count) {
+  state_->numbers[hook].assign(static_cast<std::size_t>(std::max(count, 0)), 0.0);
+}
+
 std::pair<long, double> Routines::direct_cost() const {
   return {state_->direct_calls, state_->direct_seconds};
 }
@@ -230,27 +278,69 @@ std::shared_ptr<const user::PlugIn> Routines::plug_in() const {
     s.direct_seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
+  const auto read = [](State& s, adore_call& call) {
+    call.active = 1;
+    const auto wanted = s.numbers.find(call.hook);
+    if (wanted == s.numbers.end()) return 0;
+    const auto count = static_cast<std::int32_t>(wanted->second.size());
+    const std::int32_t found = call.services->read_numbers(call.host, wanted->second.data(), count);
+    if (found != count)
+      throw std::runtime_error("wants " + std::to_string(count) + " numbers of records 12.x, and " +
+                               std::to_string(found) + " are there");
+    return 0;
+  };
+  const auto given_of = [](const State& s, const adore_call& call) {
+    py::dict given;
+    if (const auto numbers = s.numbers.find(call.hook); numbers != s.numbers.end())
+      given["numbers"] =
+          copied(numbers->second.data(), {static_cast<py::ssize_t>(numbers->second.size())});
+    return given;
+  };
   const auto one = [&](int hook, auto work, std::initializer_list<int> modes) {
     const auto found = state->functions.find(hook);
     if (found == state->functions.end()) return;
-    out->hooks[static_cast<std::size_t>(hook)] = [state, in_python, work, function = &found->second,
-                                                  list =
-                                                      std::vector<int>(modes)](adore_call& call) {
-      if (call.mode == ADORE_READ) call.active = 1;
-      if (std::find(list.begin(), list.end(), call.mode) == list.end()) return 0;
-      in_python(*state, [&] { work(*function, call); });
-      return 0;
-    };
+    out->hooks[static_cast<std::size_t>(hook)] =
+        [state, in_python, read, given_of, work, function = &found->second,
+         list = std::vector<int>(modes)](adore_call& call) {
+          if (call.mode == ADORE_READ) return read(*state, call);
+          if (std::find(list.begin(), list.end(), call.mode) == list.end()) return 0;
+          in_python(*state, [&] {
+            py::dict given = given_of(*state, call);
+            work(*function, call, given);
+          });
+          return 0;
+        };
   };
-  one(0, [](const py::object& f, adore_call& c) { material(f, reinterpret_cast<adore_adrx0&>(c)); },
+  using Object = const py::object&;
+  one(0,
+      [](Object f, adore_call& c, py::dict& g) {
+        material(f, reinterpret_cast<adore_adrx0&>(c), g);
+      },
       {ADORE_COMPUTE});
-  one(1, [](const py::object& f, adore_call& c) { motion(f, reinterpret_cast<adore_adrx1&>(c)); },
+  one(1,
+      [](Object f, adore_call& c, py::dict& g) { motion(f, reinterpret_cast<adore_adrx1&>(c), g); },
       {ADORE_START, ADORE_COMPUTE});
   for (const int hook : {2, 3, 4})
     one(hook,
-        [](const py::object& f, adore_call& c) { force(f, reinterpret_cast<adore_force&>(c)); },
+        [](Object f, adore_call& c, py::dict& g) {
+          force(f, reinterpret_cast<adore_force&>(c), g);
+        },
         {ADORE_COMPUTE});
-  one(9, [](const py::object& f, adore_call& c) { results(f, reinterpret_cast<adore_adrx9&>(c)); },
+  for (const int hook : {5, 6})
+    one(hook,
+        [](Object f, adore_call& c, py::dict& g) {
+          surface(f, reinterpret_cast<adore_surface&>(c), g);
+        },
+        {ADORE_COMPUTE});
+  one(8,
+      [](Object f, adore_call& c, py::dict& g) {
+        imperfections(f, reinterpret_cast<adore_adrx8&>(c), g);
+      },
+      {ADORE_COMPUTE});
+  one(9,
+      [](Object f, adore_call& c, py::dict& g) {
+        results(f, reinterpret_cast<adore_adrx9&>(c), g);
+      },
       {ADORE_START, ADORE_STEP});
   bool any = false, direct = false;
   for (const Traction& law : state->traction) {
@@ -259,8 +349,8 @@ std::shared_ptr<const user::PlugIn> Routines::plug_in() const {
   }
   out->pure = !direct && state->functions.empty();
   if (!any) return out;
-  out->hooks[7] = [state, in_python](adore_call& call) {
-    if (call.mode == ADORE_READ) call.active = 1;
+  out->hooks[7] = [state, in_python, read, given_of](adore_call& call) {
+    if (call.mode == ADORE_READ) return read(*state, call);
     if (call.mode != ADORE_START && call.mode != ADORE_COMPUTE) return 0;
     auto& a = reinterpret_cast<adore_adrx7&>(call);
     const Traction& law = state->traction[static_cast<std::size_t>(a.kind)];
@@ -279,7 +369,10 @@ std::shared_ptr<const user::PlugIn> Routines::plug_in() const {
           a.kappa[i] = (*law.table)(a.slip[i]);
       return 0;
     }
-    in_python(*state, [&] { traction(law.function, a); });
+    in_python(*state, [&] {
+      py::dict given = given_of(*state, call);
+      traction(law.function, a, given);
+    });
     return 0;
   };
   return out;
@@ -297,6 +390,8 @@ void bind_routines(py::module_& module) {
       .def(py::init<std::string>(), py::arg("version"))
       .def("set", &Routines::set, py::arg("hook"), py::arg("function"),
            "A function that gets a dictionary of what the routine knows.")
+      .def("set_numbers", &Routines::set_numbers, py::arg("hook"), py::arg("count"),
+           "How many numbers of records 12.x belong to a routine.")
       .def("set_traction", &Routines::set_traction, py::arg("kind"), py::arg("function"),
            py::arg("slip"), py::arg("kappa"), py::arg("slip_scale"), py::arg("points"),
            "A law of traction: a table, or a function when the table is empty.")

@@ -22,6 +22,8 @@ class Routines {
   /// With a table, Python is not called while the run computes.
   void set_traction(const std::string& kind, py::object function, std::vector<double> slip,
                     std::vector<double> kappa, double slip_scale, bool points);
+  /// So many numbers of records 12.x belong to a routine: its function finds them as "numbers".
+  void set_numbers(int hook, int count);
   [[nodiscard]] std::pair<long, double> direct_cost() const;
   [[nodiscard]] std::shared_ptr<const user::PlugIn> plug_in() const;
 
@@ -38,7 +40,8 @@ class Routines {
     State& operator=(const State&) = delete;
     ~State();
     std::string version;
-    std::map<int, py::object> functions;  ///< by hook
+    std::map<int, py::object> functions;         ///< by hook
+    std::map<int, std::vector<double>> numbers;  ///< of records 12.x, by hook
     std::array<Traction, 5> traction;
     long direct_calls = 0;
     double direct_seconds = 0.0;

@@ -233,12 +233,13 @@ void bind_run(py::module_& module) {
 void bind_work(py::module_& module) {
   module.def(
       "check",
-      [](const std::string& text, const std::string& name, const Options& options) {
-        const facade::DeckRequest request = deck_request(text, name, options, py::none());
+      [](const std::string& text, const std::string& name, const Options& options,
+         const py::object& user) {
+        const facade::DeckRequest request = deck_request(text, name, options, user);
         return interruptible([&](const std::stop_token&) { return facade::check(request).issues; });
       },
-      py::arg("text"), py::arg("name"), py::arg("options"),
-      "Everything that is to be said of a deck's text.");
+      py::arg("text"), py::arg("name"), py::arg("options"), py::arg("user") = py::none(),
+      "Everything that is to be said of a deck's text, and of it with routines of the user.");
   module.def(
       "options_beside",
       [](const std::string& deck) { return facade::options_beside(facade::deck_path(deck)); },

@@ -202,6 +202,37 @@ TEST_CASE("a housing that ADRX1 shakes moves as A sin wt", "[user][physics]") {
   CHECK(std::abs(ran.outcome.energy_residual) < 1e-3 * ran.outcome.energy_scale);
 }
 
+TEST_CASE("a base frame that ADRX1 accelerates is a field of gravity the other way",
+          "[user][physics]") {
+  const std::string until = "2e-4s";
+  for (const char* type : {"ball", "cylindrical"}) {
+    CAPTURE(type);
+    const Ran weights = ran_with(request_of(
+        "gravity",
+        deck_of(type, {{"gravityVecX", "0"}, {"gravityVecY", "300"}, {"gravityVecZ", "-1000"}}, ""),
+        until));
+    const Sets none{{"gravityVecX", "0"}, {"gravityVecY", "0"}, {"gravityVecZ", "0"}};
+    auto request = request_of("frame", deck_of(type, none, ""), until);
+    request.user =
+        json_file("frame", R"~({"adrx1": {"frame_acceleration": ["0", "-300", "1000"]}})~");
+    const Ran moved = ran_with(request);
+    REQUIRE(moved.outcome.status == facade::RunStatus::Done);
+    const Ran still = ran_with(request_of("still", deck_of(type, none, ""), until));
+    // Accumulated in other components of the state, the same motion to rounding.
+    double worst = 0.0, acts = 0.0;
+    for (const auto& [name, value] : weights.last) {
+      if (name.find("position") == std::string::npos) continue;
+      worst = std::max(worst, std::abs(value - moved.last.at(name)));
+      acts = std::max(acts, std::abs(value - still.last.at(name)));
+    }
+    CHECK(acts > 1e-8);
+    CHECK(worst < 1e-6 * acts);
+    CHECK(
+        std::abs(moved.outcome.energy_residual) <
+        std::max(1e-6 * moved.outcome.energy_scale, 3.0 * std::abs(still.outcome.energy_residual)));
+  }
+}
+
 TEST_CASE("the heat map of ADRX9 adds up to the heat of the ledger", "[user][physics]") {
   auto request = request_of("heat", deck_with({}, ""), "2e-4s");
   double worst = 0.0, before = 0.0, at = 0.0, sum = 0.0;
@@ -249,6 +280,7 @@ TEST_CASE("decks that ask for a routine are refused without a plug-in, and told 
                                                 {"kCRTrac", "-1", "ADRX7"},
                                                 {"kDOF", "6", "ADRX1"},
                                                 {"kReMat", "2", "ADRX0"},
+                                                {"kRaceGeoImp1", "3", "ADRX6"},
                                                 {"kReGeoImp", "3", "ADRX8"}}) {
     facade::DeckRequest request;
     request.text = deck_with({{variable, code}}, "");
@@ -385,4 +417,144 @@ TEST_CASE("force laws that have nothing to act on, or cannot act, are named", "[
   CHECK_THROWS_WITH(
       says(4, "ball", {{"kCageGsImp", "2"}, {"nGL", "1"}, {"cageGsRadVar1[1]", "1e-6"}}),
       Catch::Contains("ADRX4") && Catch::Contains("arc"));
+}
+
+TEST_CASE("races that ADRX6 gives are those that decks give", "[user][physics]") {
+  struct Case {
+    const char *name, *type, *until;
+    Sets deck;
+    const char* routine;
+  };
+  const Case kCases[] = {
+      {"waves of the inner race of balls",
+       "ball",
+       "2e-4s",
+       {{"kRaceGeoImp2", "2"},
+        {"rndVar12", "1e-6"},
+        {"rndVar22", "9"},
+        {"rndVar32", "0.3"},
+        {"cFacVar12", "0.002"},
+        {"cFacVar22", "2"},
+        {"cFacVar32", "0.1"}},
+       R"~("inner_race": {"radius": "1e-6*sin(9*psi+0.3*pi/180)",
+                          "curvature_factor": "0.002*sin(2*psi+0.1*pi/180)"})~"},
+      {"taper of the outer race of rollers",
+       "cylindrical",
+       "1e-4s",
+       {{"kRaceGeoImp1", "2"},
+        {"rndVar11", "1e-6"},
+        {"rndVar21", "3"},
+        {"rndVar31", "0"},
+        {"rlTaper11", "1e-5"},
+        {"rlTaper21", "2"},
+        {"rlTaper31", "0"}},
+       R"~("outer_race": {"radius": "1e-6*sin(3*psi)+x*tan(1e-5*sin(2*psi))"})~"},
+  };
+  for (const Case& c : kCases) {
+    CAPTURE(c.name);
+    const auto folder = [&](const char* which) { return std::string("adrx6-") + which; };
+    const Ran of_deck = ran_with(request_of(folder("deck"), deck_of(c.type, c.deck, ""), c.until));
+    REQUIRE(of_deck.outcome.status == facade::RunStatus::Done);
+    const Sets ask{{c.deck.front().first, "3"}};
+    auto request = request_of(folder("user"), deck_of(c.type, ask, ""), c.until);
+    request.user = json_file("adrx6", std::string(R"~({"adrx6": {)~") + c.routine + "}}");
+    const Ran of_user = ran_with(request);
+    REQUIRE(of_user.outcome.status == facade::RunStatus::Done);
+    // Balls: constants of the groove are polynomials over the range of its factor, which the
+    // routine tells at 1024 places (6.5e-7 measured). Rollers: the taper comes from differences
+    // (1.3e-9).
+    CHECK(difference(of_deck, of_user) < (std::string(c.type) == "ball" ? 2e-6 : 1e-8));
+    const Ran round = ran_with(request_of(folder("round"), deck_of(c.type, {}, ""), c.until));
+    CHECK(difference(of_deck, round) > 1e-6);
+    CHECK(std::abs(of_user.outcome.energy_residual) < 1e-3 * of_user.outcome.energy_scale);
+    CHECK_THAT(text_of(of_user.folder / "PRINT.txt"),
+               Catch::Contains("ADRX6: ") && Catch::Contains("waves per turn"));
+
+    // The equilibrium has them, too.
+    const auto forces = [&](Sets sets, bool user) {
+      sets.emplace_back("mode", "-1");
+      facade::DeckRequest still;
+      still.text = deck_of(c.type, sets, "");
+      if (user) still.user = request.user;
+      const facade::Prepared prepared = facade::prepare(still);
+      std::vector<double> out;
+      if (prepared.rollers)
+        for (const auto& roller : prepared.rollers->rollers) out.push_back(roller.race[0].load);
+      else
+        for (const auto& ball : prepared.statics.balls) out.push_back(ball.Q[0]);
+      return out;
+    };
+    const std::vector<double> a = forces(c.deck, false), b = forces(ask, true),
+                              ideal = forces({}, false);
+    REQUIRE(a.size() == b.size());
+    double worst = 0.0, size = 0.0, acts = 0.0;
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      worst = std::max(worst, std::abs(a[k] - b[k]));
+      acts = std::max(acts, std::abs(a[k] - ideal[k]));
+      size = std::max(size, std::abs(a[k]));
+    }
+    CHECK(worst < 1e-9 * size);
+    CHECK(acts > 1e-3 * size);
+  }
+}
+
+TEST_CASE("a crown that ADRX5 gives is the crown of the deck", "[user][physics]") {
+  // Record 5B.1: a straight land of 8 mm, then circles of 2 m. The crown that the routine gives
+  // takes nothing off the mass, so both have that of record 6.1.
+  const std::string until = "1e-4s";
+  const Sets mass{{"kReIP", "2"},
+                  {"bReMass", "9e-3"},
+                  {"bReMIx", "1.4e-7"},
+                  {"bReMIy", "1.8e-7"},
+                  {"bReMIz", "1.8e-7"}};
+  const Ran crowned = ran_with(request_of("adrx5-deck", deck_of("cylindrical", mass, ""), until));
+  Sets straight = mass;
+  straight.emplace_back("bReCrn", "1e10");
+  auto request = request_of("adrx5-user", deck_of("cylindrical", straight, ""), until);
+  request.user = json_file("adrx5", R"~({"adrx5": {"constants": {"R": "2"},
+      "radius": "abs(x) > 0.004 ? -((abs(x)-0.004)^2/(R+sqrt(R^2-(abs(x)-0.004)^2))) : 0"}})~");
+  const Ran of_user = ran_with(request);
+  REQUIRE(of_user.outcome.status == facade::RunStatus::Done);
+  CHECK(difference(crowned, of_user) < 1e-8);  // 1.3e-9 measured
+  const Ran plain =
+      ran_with(request_of("adrx5-plain", deck_of("cylindrical", straight, ""), until));
+  CHECK(difference(crowned, plain) > 1e-6);
+
+  // Nothing more changes not a byte; larger balls are those of the deck's list.
+  auto nothing = request_of("adrx5-zero", deck_of("cylindrical", mass, ""), until);
+  nothing.user = json_file("adrx5-zero", R"~({"adrx5": {"radius": "0*x"}})~");
+  CHECK(difference(crowned, ran_with(nothing)) == 0.0);
+  Sets listed{{"kReGeoImp", "2"}};
+  for (int k = 0; k < 16; ++k)
+    listed.emplace_back(fmt::format("reDiaVar{}", k + 1), fmt::format("{}", k == 0 ? 1e-6 : 0.0));
+  const Ran in_deck = ran_with(request_of("adrx5-listed", deck_with(listed, ""), until));
+  auto balls = request_of("adrx5-balls", deck_with({}, ""), until);
+  balls.user = json_file("adrx5-balls", R"~({"adrx5": {"radius": "i == 0 ? 5e-7 : 0"}})~");
+  CHECK(difference(in_deck, ran_with(balls)) == 0.0);
+}
+
+TEST_CASE("surfaces that cannot be simulated are refused with their reason", "[user][unit]") {
+  const auto says = [](const std::string& type, const Sets& sets, const std::string& json) {
+    facade::DeckRequest request;
+    request.text = deck_of(type, sets, "");
+    request.user = json_file("surface", json);
+    std::string out;
+    for (const Issue& issue : facade::prepare(request).input.warnings) out += issue.text() + "\n";
+    return out;
+  };
+  CHECK_THROWS_WITH(says("cylindrical", {}, R"~({"adrx5": {"radius": "1e-6*sin(psi)"}})~"),
+                    Catch::Contains("ADRX5") && Catch::Contains("out of round"));
+  CHECK_THROWS_WITH(says("ball", {}, R"~({"adrx5": {"radius": "1e-3*x"}})~"),
+                    Catch::Contains("balls stay round"));
+  CHECK_THROWS_WITH(says("ball", {{"kRaceGeoImp1", "3"}},
+                         R"~({"adrx6": {"outer_race": {"radius": "1e-6*(psi > 3 ? 1 : 0)"}}})~"),
+                    Catch::Contains("ADRX6") && Catch::Contains("jumps"));
+  CHECK_THROWS_WITH(says("ball", {{"kRaceGeoImp1", "3"}},
+                         R"~({"adrx6": {"outer_race": {"curvature_factor": "-0.1*sin(psi)^2"}}})~"),
+                    Catch::Contains("kRaceGeoImp1") && Catch::Contains("do not fit"));
+  CHECK_THROWS_WITH(says("cylindrical", {{"kRaceGeoImp2", "3"}},
+                         R"~({"adrx6": {"inner_race": {"radius": "x^2"}}})~"),
+                    Catch::Contains("taper"));
+  CHECK_THAT(says("ball", {}, R"~({"adrx6": {"inner_race": {"radius": "0"}}})~"),
+             Catch::Contains("ADRX6") && Catch::Contains("kRaceGeoImp1"));
 }

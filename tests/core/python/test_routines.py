@@ -120,6 +120,57 @@ class Others(unittest.TestCase):
             self.assertAlmostEqual(total, sources, delta=1e-9 * abs(total))
 
 
+class Surfaces(unittest.TestCase):
+    def waves(self):
+        """Waves of the inner race, whose amplitude, number and phase stand in record 12.1."""
+        routines = adore.Routines("waves 1")
+        routines.read("races", 3)
+
+        @routines.races
+        def law(places):
+            amplitude, number, phase = places.numbers
+            return {"radius": amplitude * np.sin(number * places.azimuth + phase) if places.race == "inner_race" else 0.0}
+
+        return routines
+
+    def with_lines(self, deck, *lines):
+        return adore.Deck.from_text(deck.source() + "".join(f"{line}\n" for line in lines))
+
+    def test_waves_by_a_routine_that_reads_record_12_are_those_of_the_deck(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            of_deck = adore.new("ball").copy(kRaceGeoImp2=2, rndVar12=1e-6, rndVar22=9, rndVar32=0.3)
+            asks = self.with_lines(adore.new("ball").copy(kRaceGeoImp2=3), "1e-6 9 0.3")
+        routines = self.waves()
+        self.assertFalse([issue for issue in asks.check(user=routines) if issue.severity == "error"])
+        a = of_deck.run(until="0.05rev", progress=False)
+        b = asks.run(until="0.05rev", progress=False, user=routines)
+        for channel in ("contact.load", "element.orbital_velocity"):
+            np.testing.assert_allclose(b[channel], a[channel], rtol=1e-6, atol=1e-9 * np.abs(a[channel]).max())
+
+    def test_check_names_what_routines_make_of_a_deck(self):
+        issues = adore.new("ball").check(user=self.waves())
+        self.assertIn("wants 3 numbers", " ".join(issue.text for issue in issues))
+        routines = adore.Routines()
+        routines.elements(lambda places: 1e-6 * np.sin(places.azimuth))
+        self.assertIn("out of round", " ".join(issue.text for issue in adore.new("cylindrical").check(user=routines)))
+        routines = adore.Routines()
+        routines.force("flange")(lambda contacts: contacts.built_in)
+        self.assertIn("no flanges", " ".join(issue.text for issue in adore.new("ball").check(user=routines)))
+
+    def test_larger_elements_by_adrx5_and_by_adrx8_are_the_same(self):
+        larger = np.where(np.arange(16) % 2 == 1, 1e-6, 0.0)
+        by_radius, by_table = adore.Routines(), adore.Routines()
+        by_radius.elements(lambda places: 0.5 * larger[places.element])
+        by_table.imperfections(lambda bearing: {"diameter": larger[: bearing.n]})
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            listed = adore.new("ball").copy(kReGeoImp=3)
+        a = adore.new("ball").run(until="0.02rev", progress=False, user=by_radius)
+        b = listed.run(until="0.02rev", progress=False, user=by_table)
+        np.testing.assert_array_equal(a["contact.load"], b["contact.load"])
+
+
 class Wrong(unittest.TestCase):
     def check(self, law, text):
         routines = adore.Routines()

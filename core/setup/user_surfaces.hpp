@@ -1,0 +1,20 @@
+#pragma once
+
+#include "bearing/bearing.hpp"
+#include "setup/user_hooks.hpp"
+
+/// Surfaces that routines of the user give, ADRX5 of elements and ADRX6 of races, asked once while
+/// the bearing is built: what they answer becomes the deviations that decks give in records 5G.
+///
+/// ADRX6: radius and groove factor over the turn become series of up to 255 waves through 512
+/// places around; as many between them tell the error. Over the axis a straight raceway may be
+/// turned by a taper, a groove has its factor: more is refused.
+/// ADRX5: the radius of a roller over its axis, at the middles of its slices and between; of a ball
+/// one radius. Elements out of round are refused: motion does not turn their shape with them.
+namespace adore::setup {
+
+/// @throws InputError
+void user_elements(const UserHooks& user, bearing::Bearing& bearing);
+void user_race(const UserHooks& user, std::size_t race, bearing::Bearing& bearing);
+
+}  // namespace adore::setup

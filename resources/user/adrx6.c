@@ -1,0 +1,21 @@
+/* ADRX6 for Adore: surfaces of races (kRaceGeoImp1, kRaceGeoImp2 = 3). Here waves of the inner
+ * race's radius; record 12.1 holds their amplitude [m], number and phase [rad]. */
+#include "adore_user.h"
+
+#include <math.h>
+
+static double wave[3];
+
+int32_t adore_user_abi(void) { return ADORE_USER_ABI; }
+const char* adore_user_version(void) { return "waves 1"; }
+
+int32_t adrx6(adore_surface* a) {
+  int64_t k;
+  if (a->call.mode == ADORE_READ) {
+    a->call.active = 1;
+    if (a->call.services->read_numbers(a->call.host, wave, 3) != 3) return 2;
+  }
+  if (a->call.mode == ADORE_COMPUTE && a->race == 1)
+    for (k = 0; k < a->n; ++k) a->radius[k] = wave[0] * sin(wave[1] * a->azimuth[k] + wave[2]);
+  return 0;
+}
