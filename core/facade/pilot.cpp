@@ -1,6 +1,7 @@
 #include "facade/pilot.hpp"
 
 #include "base/errors.hpp"
+#include "facade/start_state.hpp"
 #include "facade/system_ode.hpp"
 #include "integrators/stepper.hpp"
 #include "scene/cost_ledger.hpp"
@@ -20,7 +21,7 @@ Pilot run_pilot(const Prepared& prepared, dynamics::System& system, const StepLi
   control.maximum = limits.maximum;
   control.highest_order = limits.highest_order;
   control.tolerance = prepared.control.tolerance;
-  std::vector<double> y = system.initial_state();
+  std::vector<double> y = start_state(prepared, system).y;
   std::vector<double> times{0.0};
   const double begin = scene::processor_seconds();
   double seconds = 0.0;

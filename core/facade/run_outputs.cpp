@@ -14,6 +14,7 @@
 #include "facade/output_folder.hpp"
 #include "facade/restart_progress.hpp"
 #include "facade/run_files.hpp"
+#include "facade/start_state.hpp"
 #include "facade/user_session.hpp"
 #include "listing/print_fits.hpp"
 #include "listing/static_summary.hpp"
@@ -322,6 +323,9 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     out.complete = results::read_run_mark(s.path("RUN.json")).status == "done";
   }
   if (start == setup::StartState::Statics) {
+    StartState from = start_state(s.prepared, system);
+    out.y = std::move(from.y);
+    if (!from.remark.empty()) s.remark(std::move(from.remark));
     system.set_start(out.time, out.y);
     check_cage_start(s.prepared, system.snapshot(out.time, out.y));
   }

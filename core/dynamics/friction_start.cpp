@@ -1,0 +1,228 @@
+#include "dynamics/friction_start.hpp"
+
+#include "base/errors.hpp"
+#include "base/rotation.hpp"
+#include "dynamics/elements.hpp"
+#include "dynamics/state_access.hpp"
+
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace adore::dynamics {
+namespace {
+
+constexpr std::size_t kX = 0, kR = 1, kTilt = 2, kSkew = 3, kSpin = 4;
+using Vec = Eigen::Matrix<double, 5, 1>;
+using Mat = Eigen::Matrix<double, 5, 5>;
+
+constexpr double kLargestSkew = 0.01;  ///< [rad]
+constexpr double kStays = 1e-9;        ///< [rad]
+constexpr int kMostSteps = 80;
+constexpr double kBalanced = 1e-7;   ///< of the first residual
+constexpr double kRounding = 1e-12;  ///< residuals that a balanced roller keeps are 1e-16 to 1e-13
+/// Differences and longest step of (x, r, φ, ψ, ω_s) in units of half the diameter, 1 and 1/T.
+const Vec kDifference = (Vec() << 1e-8, 1e-8, 1e-7, 1e-7, 1e-7).finished();
+const Vec kLongestStep = (Vec() << 1e-3, 1e-3, 3e-4, 3e-4, 1e-4).finished();
+/// Pseudo time of the first step, in T.
+constexpr double kFirstTime = 1e3;
+
+/// Where the rollers stand in the state.
+class Rollers {
+ public:
+  explicit Rollers(const StateLayout& layout) {
+    for (std::size_t q = 0; q < kQuantities.size(); ++q)
+      slices_[static_cast<Quantity>(q)] =
+          find(layout, "element." + std::string(kQuantities[q].name));
+    for (std::size_t i = 0; i < slices_.elements(); ++i)
+      attitude_.push_back(find(layout, fmt::format("element{}.quaternion", i + 1)));
+  }
+  [[nodiscard]] std::size_t count() const noexcept { return attitude_.size(); }
+
+  [[nodiscard]] Vec read(const std::vector<double>& y, std::size_t i) const {
+    const Mat3 axes = rotation_matrix(quaternion_at(y.data(), attitude_[i]));
+    const double theta = at(y, Quantity::Theta, i);
+    const Vec3 a(axes(0, 0), -std::sin(theta) * axes(1, 0) + std::cos(theta) * axes(2, 0),
+                 -std::cos(theta) * axes(1, 0) - std::sin(theta) * axes(2, 0));
+    Vec3 omega(at(y, Quantity::OmegaX, i), at(y, Quantity::OmegaR, i),
+               at(y, Quantity::OmegaTheta, i));
+    omega[0] -= at(y, Quantity::ThetaDot, i);
+    Vec u;
+    u << at(y, Quantity::X, i), at(y, Quantity::R, i), std::atan2(a[1], a[0]), -std::asin(a[2]),
+        omega.dot(a);
+    return u;
+  }
+  void write(std::vector<double>& y, std::size_t i, const Vec& u) const {
+    const double c = std::cos(u[kSkew]);
+    const Vec3 a(std::cos(u[kTilt]) * c, std::sin(u[kTilt]) * c, -std::sin(u[kSkew]));
+    component(y, slices_[Quantity::X], i) = u[kX];
+    component(y, slices_[Quantity::R], i) = u[kR];
+    component(y, slices_[Quantity::OmegaX], i) = at(y, Quantity::ThetaDot, i) + u[kSpin] * a[0];
+    component(y, slices_[Quantity::OmegaR], i) = u[kSpin] * a[1];
+    component(y, slices_[Quantity::OmegaTheta], i) = u[kSpin] * a[2];
+    store_at(y.data(), attitude_[i],
+             multiply(multiply(quaternion_about(Vec3::UnitX(), at(y, Quantity::Theta, i)),
+                               quaternion_about(Vec3::UnitY(), -u[kTilt])),
+                      quaternion_about(Vec3::UnitZ(), u[kSkew])));
+  }
+  /// In the order of u: tilt is a turn about -y (e_θ), skew one about z (e_r), spin one about a.
+  [[nodiscard]] Vec rates(const std::vector<double>& dydt, std::size_t i, const Vec& u,
+                          const Scales& scales) const {
+    const double T = scales.time, L = scales.length, c = std::cos(u[kTilt]), s = std::sin(u[kTilt]);
+    const Vec3 w(at(dydt, Quantity::OmegaX, i), at(dydt, Quantity::OmegaR, i),
+                 at(dydt, Quantity::OmegaTheta, i));
+    Vec F;
+    // An element in modes 1 and 2 moves to its balance by a rate of its place.
+    F << (T * at(dydt, Quantity::XDot, i) + at(dydt, Quantity::X, i)) * T / L,
+        (T * at(dydt, Quantity::RDot, i) + at(dydt, Quantity::R, i)) * T / L, T * T * w[2],
+        T * T * (c * w[1] - s * w[0]), T * T * (c * w[0] + s * w[1]);
+    return F;
+  }
+
+ private:
+  static Slice find(const StateLayout& layout, const std::string& name) {
+    for (const StateLayout::Group& group : layout.groups())
+      if (group.name == name) return group.slice;
+    throw InternalError("the state has no " + name);
+  }
+  [[nodiscard]] double at(const std::vector<double>& y, Quantity q, std::size_t i) const {
+    return y[static_cast<std::size_t>(slices_.at(q, i))];
+  }
+  ElementSlices slices_;
+  std::vector<Slice> attitude_;
+};
+
+struct Roller {
+  Vec first, u, F;
+  Mat J;
+  double size_at_first = 0.0, size = 0.0;
+  bool done = false;
+};
+
+/// Whether skew leaves the balance by itself: the others follow it at once.
+bool runs_away(const Roller& of) {
+  static constexpr std::array kOthers{kX, kR, kTilt, kSpin};
+  Eigen::Matrix4d among;
+  Eigen::Vector4d by_skew, on_skew;
+  for (int a = 0; a < 4; ++a) {
+    const auto row = static_cast<Eigen::Index>(kOthers[static_cast<std::size_t>(a)]);
+    by_skew[a] = of.J(row, kSkew);
+    on_skew[a] = of.J(kSkew, row);
+    for (int b = 0; b < 4; ++b)
+      among(a, b) = of.J(row, static_cast<Eigen::Index>(kOthers[static_cast<std::size_t>(b)]));
+  }
+  const double moved = std::abs(of.u[kSkew] - of.first[kSkew]);
+  return moved > kStays &&
+         of.J(kSkew, kSkew) - on_skew.dot(among.partialPivLu().solve(by_skew)) > 0;
+}
+
+class Balance {
+ public:
+  Balance(System& system, std::vector<double>& y)
+      : system_(system), rollers_(system.layout()), y_(y), dydt_(y.size()), all_(rollers_.count()) {
+    const Scales& s = system.scales();
+    unit_ << s.length, s.length, 1.0, 1.0, 1.0 / s.time;
+  }
+  FrictionStart find();
+
+ private:
+  [[nodiscard]] bool evaluate() {
+    return system_.rhs(0.0, y_.data(), dydt_.data()) == RhsStatus::Ok;
+  }
+  [[nodiscard]] bool measure(bool first);
+  [[nodiscard]] bool differences();
+  void step(Roller& of) const;
+
+  System& system_;
+  Rollers rollers_;
+  std::vector<double>&y_, dydt_;
+  std::vector<Roller> all_;
+  Vec unit_;  ///< of u
+};
+
+bool Balance::differences() {
+  for (std::size_t k = 0; k < 5; ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    const double step = kDifference[column] * unit_[column];
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      Vec u = all_[i].u;
+      u[column] += step;
+      rollers_.write(y_, i, u);
+    }
+    if (!evaluate()) return false;
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      Roller& of = all_[i];
+      Vec u = of.u;
+      u[column] += step;
+      of.J.col(column) =
+          (rollers_.rates(dydt_, i, u, system_.scales()) - of.F) / kDifference[column];
+    }
+  }
+  for (std::size_t i = 0; i < all_.size(); ++i) rollers_.write(y_, i, all_[i].u);
+  return true;
+}
+
+/// Residuals of the present places; true when all are balanced.
+bool Balance::measure(bool first) {
+  bool all_done = true;
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    Roller& of = all_[i];
+    of.F = rollers_.rates(dydt_, i, of.u, system_.scales());
+    of.size = of.F.norm();
+    if (first) of.size_at_first = of.size;
+    of.done = of.size <= std::max(kBalanced * of.size_at_first, kRounding);
+    all_done = all_done && of.done;
+  }
+  return all_done;
+}
+
+/// One linearly implicit step of du/dτ = F.
+void Balance::step(Roller& of) const {
+  if (of.done) return;
+  Mat M = of.J;
+  M.diagonal().array() -= of.size / of.size_at_first / kFirstTime;
+  Vec d = M.partialPivLu().solve(-of.F);
+  const double over = (d.array().abs() / kLongestStep.array()).maxCoeff();
+  if (!std::isfinite(over)) return;
+  if (over > 1.0) d /= over;
+  of.u += d.cwiseProduct(unit_);
+}
+
+FrictionStart Balance::find() {
+  const std::vector<double> before = y_;
+  for (std::size_t i = 0; i < all_.size(); ++i) all_[i].first = all_[i].u = rollers_.read(y_, i);
+  bool known = false;  // differences at the last places
+  for (int k = 0; k < kMostSteps; ++k) {
+    known = false;
+    if (!evaluate()) break;
+    const bool all_done = measure(k == 0);
+    known = differences();
+    if (all_done || !known) break;
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+      step(all_[i]);
+      rollers_.write(y_, i, all_[i].u);
+    }
+  }
+  FrictionStart out;
+  out.rollers = all_.size();
+  y_ = before;
+  for (std::size_t i = 0; i < all_.size(); ++i) {
+    const Roller& of = all_[i];
+    if (!known || !of.done || std::abs(of.u[kSkew]) > kLargestSkew || runs_away(of)) continue;
+    rollers_.write(y_, i, of.u);
+    ++out.balanced;
+    out.largest_skew = std::max(out.largest_skew, std::abs(of.u[kSkew]));
+  }
+  return out;
+}
+
+}  // namespace
+
+FrictionStart balance_friction(System& system, std::vector<double>& y) {
+  return Balance(system, y).find();
+}
+
+}  // namespace adore::dynamics

@@ -1,0 +1,34 @@
+#include "facade/start_state.hpp"
+
+#include "dynamics/element_masses.hpp"
+#include "dynamics/friction_start.hpp"
+
+#include <fmt/format.h>
+
+namespace adore::facade {
+
+constexpr double kAligned = 1e-8;  ///< [rad]
+
+StartState start_state(const Prepared& prepared, dynamics::System& system) {
+  StartState out;
+  out.y = system.initial_state();
+  if (prepared.roller_scene == nullptr || prepared.plan.suppressed.of_elements() ||
+      dynamics::ElementMasses(prepared.bearing).off_centre())
+    return out;
+  const dynamics::FrictionStart found = dynamics::balance_friction(system, out.y);
+  const std::size_t left = found.rollers - found.balanced;
+  if (left == 0 && found.largest_skew < kAligned)
+    out.remark = "the rollers start in balance of friction, without skew";
+  else if (left == 0)
+    out.remark =
+        fmt::format("the rollers start in balance of friction, skewed by up to {:.3g} mrad",
+                    1e3 * found.largest_skew);
+  else
+    out.remark = fmt::format(
+        "{} of {} rollers start without skew, because no balance of friction was found for them: "
+        "the first turns hold their way to it, averages over later turns do not",
+        left, found.rollers);
+  return out;
+}
+
+}  // namespace adore::facade

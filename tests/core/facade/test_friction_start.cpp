@@ -1,0 +1,138 @@
+#include "base/rotation.hpp"
+#include "deck/templates.hpp"
+#include "facade/start_state.hpp"
+#include "facade/system_ode.hpp"
+#include "integrators/stepper.hpp"
+
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+/// Rollers start where friction leaves them.
+using namespace adore;
+
+namespace {
+
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+facade::Prepared prepared(const char* type, const Sets& sets) {
+  facade::LoadedDeck input;
+  input.path = facade::kStandardInput;
+  input.deck = deck::new_deck(type);
+  input.deck.set_all(sets);
+  return facade::prepare(std::move(input));
+}
+
+dynamics::Slice slice(const dynamics::System& system, const std::string& name) {
+  for (const auto& group : system.layout().groups())
+    if (group.name == name) return group.slice;
+  FAIL("no " << name);
+  return {};
+}
+
+/// Of every roller: its axis against the plane through the bearing axis, positive about e_r [rad].
+std::vector<double> skews(const dynamics::System& system, const std::vector<double>& y) {
+  std::vector<double> out;
+  const dynamics::Slice theta = slice(system, "element.theta");
+  for (int i = 0; i < theta.count; ++i) {
+    const auto at =
+        static_cast<std::size_t>(slice(system, fmt::format("element{}.quaternion", i + 1)).first);
+    const Vec3 axis =
+        rotation_matrix(normalise({y[at], y[at + 1], y[at + 2], y[at + 3]})) * Vec3::UnitX();
+    const double angle = y[static_cast<std::size_t>(theta.first + i)];
+    const Vec3 e_theta(0.0, -std::cos(angle), -std::sin(angle));
+    out.push_back(-std::asin(axis.dot(e_theta)));
+  }
+  return out;
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double v : values) sum += v;
+  return sum / static_cast<double>(values.size());
+}
+
+std::vector<double> moved(dynamics::System& system, std::vector<double> y, double seconds) {
+  facade::SystemOde ode(system);
+  integrators::StepControl control;
+  control.initial = control.maximum = 0.5 * system.scales().time;
+  control.minimum = 1e-12;
+  control.tolerance = 1e-6;
+  const auto stepper = integrators::make_stepper("rkf5");
+  system.set_start(0.0, y);
+  (void)system.between_steps(0.0, y);
+  stepper->start(ode, 0.0, y, control);
+  while (stepper->time() < seconds) stepper->step(seconds);
+  const auto state = stepper->state();
+  return {state.begin(), state.end()};
+}
+
+}  // namespace
+
+TEST_CASE("tapered rollers start in the skew that their rib's friction would bring them to",
+          "[physics][facade][rollers]") {
+  const facade::Prepared ready = prepared("tapered", {});
+  dynamics::System system = facade::make_system(ready);
+  const facade::StartState start = facade::start_state(ready, system);
+  CHECK(start.remark.find("skewed by up to 1.7") != std::string::npos);
+  const double turn = 2.0 * std::numbers::pi / ready.bearing.speed[1];
+
+  const double at_start = mean(skews(system, start.y));
+  const double later = mean(skews(system, moved(system, start.y, 0.03 * turn)));
+  const double unbalanced = mean(skews(system, moved(system, system.initial_state(), 0.03 * turn)));
+  INFO("mean skew " << at_start << ", after 0.03 turns " << later << ", from none " << unbalanced);
+  CHECK(later == Approx(at_start).epsilon(0.01));
+  // On the way: there after 0.18 turns.
+  CHECK(unbalanced > 0.3 * at_start);
+  CHECK(unbalanced < 0.9 * at_start);
+}
+
+TEST_CASE(
+    "a bearing that turns the other way starts with the opposite skew, one without friction "
+    "with none",
+    "[physics][facade][rollers]") {
+  const auto skew_of = [](const char* type, const Sets& sets) {
+    const facade::Prepared ready = prepared(type, sets);
+    dynamics::System system = facade::make_system(ready);
+    return skews(system, facade::start_state(ready, system).y);
+  };
+  const std::vector<double> forth = skew_of("tapered", {}),
+                            back = skew_of("tapered", {{"rpm2", "-3000"}});
+  for (std::size_t i = 0; i < forth.size(); ++i) {
+    CHECK(forth[i] > 1e-3);
+    // Under gravity and a load along z, the mirror image of roller i stands at -θ.
+    CHECK(back[(forth.size() - i) % forth.size()] == Approx(-forth[i]).epsilon(1e-5));
+  }
+  for (const double skew : skew_of("cylindrical", {})) CHECK(std::abs(skew) < 1e-12);
+}
+
+TEST_CASE("balance of friction is the same in modes 0 and 1, and stays out where elements are held",
+          "[physics][facade][rollers][constrained]") {
+  const auto start_of = [](const Sets& sets) {
+    const facade::Prepared ready = prepared("spherical-tapered", sets);
+    dynamics::System system = facade::make_system(ready);
+    facade::StartState start = facade::start_state(ready, system);
+    return std::pair{skews(system, start.y), start.remark};
+  };
+  const auto [free, remark] = start_of({});
+  const auto [held, held_remark] = start_of({{"mode", "1"}});
+  CHECK(mean(free) > 1e-3);
+  for (std::size_t i = 0; i < free.size(); ++i) CHECK(held[i] == Approx(free[i]).epsilon(1e-5));
+  const auto [suppressed, none] = start_of({{"kDOF", "4"}});
+  CHECK(none.empty());
+  for (const double skew : suppressed) CHECK(std::abs(skew) < 1e-14);
+}
+
+TEST_CASE("rollers without a balance of friction start as they are, and a remark says so",
+          "[physics][facade][rollers]") {
+  const facade::Prepared ready = prepared("spherical", {});
+  dynamics::System system = facade::make_system(ready);
+  const facade::StartState start = facade::start_state(ready, system);
+  CHECK((start.y == system.initial_state()));
+  CHECK(start.remark.find("15 of 15 rollers start without skew") != std::string::npos);
+}
