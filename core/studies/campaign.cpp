@@ -55,6 +55,26 @@ std::vector<Task> pilots_of(const std::vector<Task>& tasks) {
   return out;
 }
 
+/// Records of these runs; as many at a time as the study will have, so that none waits for another
+/// and each costs what the runs of the study cost.
+std::vector<Record> made(const CampaignRequest& request, const fs::path& folder,
+                         const std::vector<Task>& tasks, int workers, const std::stop_token& stop) {
+  EngineWork work;
+  work.folder = fs::absolute(folder);
+  work.program = request.program;
+  work.workers = workers;
+  work.tasks = missing(tasks, folder);
+  if (!work.tasks.empty())
+    run_local(
+        work, [](const Record&) {}, [](int, const std::string&) {}, stop);
+  if (stop.stop_requested()) throw Interrupted("interrupted in the pilot run");
+  std::vector<Record> out;
+  for (const Task& task : tasks)
+    if (std::optional<Record> record = read_record(folder, task.key))
+      out.push_back(std::move(*record));
+  return out;
+}
+
 /// Runs the pilots, each in a process of its own. @throws InputError when none of them is worth
 /// anything.
 Pilot measure(const CampaignRequest& request, const fs::path& folder,
@@ -62,31 +82,30 @@ Pilot measure(const CampaignRequest& request, const fs::path& folder,
   Pilot out;
   std::vector<Record> records;
   std::string refused;
-  for (const Task& task : pilots_of(tasks)) {
-    std::optional<Record> record = read_record(folder, task.key);
-    if (!record) {
-      EngineWork work;
-      work.folder = fs::absolute(folder);
-      work.program = request.program;
-      work.workers = 1;
-      work.tasks = {task};
-      run_local(
-          work, [&](const Record& r) { record = r; }, [](int, const std::string&) {}, stop);
-      if (stop.stop_requested()) throw Interrupted("interrupted in the pilot run");
+  const std::vector<Task> pilots = pilots_of(tasks);
+  // A cluster's own cores are not here.
+  const int cores = request.engine == "slurm" ? 1
+                    : request.workers > 0     ? request.workers
+                                              : usable_cores();
+  const auto at_a_time = static_cast<std::size_t>(std::max(1, cores));
+  for (std::size_t from = 0; from < pilots.size() && out.wall <= kEnoughPilot; from += at_a_time) {
+    const auto end = pilots.begin() + static_cast<long>(std::min(from + at_a_time, pilots.size()));
+    const std::vector<Task> some(pilots.begin() + static_cast<long>(from), end);
+    for (const Record& record : made(request, folder, some, cores, stop)) {
+      if (record.exit_code == 2) {
+        const auto task = std::find_if(some.begin(), some.end(),
+                                       [&](const Task& one) { return one.key == record.key; });
+        refused = fmt::format("run {}: {}", task->number, record.message);
+        continue;
+      }
+      if (!record.message.empty() && record.exit_code == 0)
+        throw InputError(fmt::format(
+            "quantities that the runs do not have: {}; leave them out, or change the deck so that "
+            "it gives them",
+            record.message));
+      records.push_back(record);
+      out.wall += record.wall;
     }
-    if (!record) continue;
-    if (record->exit_code == 2) {
-      refused = fmt::format("run {}: {}", task.number, record->message);
-      continue;
-    }
-    if (!record->message.empty() && record->exit_code == 0)
-      throw InputError(fmt::format(
-          "quantities that the runs do not have: {}; leave them out, or change the deck so that "
-          "it gives them",
-          record->message));
-    records.push_back(*record);
-    out.wall += record->wall;
-    if (out.wall > kEnoughPilot) break;
   }
   if (records.empty())
     throw InputError(

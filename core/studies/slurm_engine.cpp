@@ -31,6 +31,7 @@ using Json = nlohmann::ordered_json;
 constexpr int kTryAgain = 75;            ///< of a worker that could not write
 constexpr int kCrashes = 2;              ///< of one run, before it gets a record of that
 constexpr int kKills = 20;               ///< of one run from outside, before it is left without
+constexpr int kLimits = 4;               ///< times that a run met its time or memory limit
 constexpr int kFruitless = 5;            ///< submissions in a row that gave no record
 constexpr double kPieceSeconds = 120.0;  ///< of computing in an element: its start costs about one
 constexpr double kOfTime = 4.0;          ///< time limit over what the pilot says
@@ -53,6 +54,14 @@ bool from_outside(const SlurmEnd& end) {
   return false;
 }
 
+/// The kernel says so to Slurm where control groups watch memory. Where Slurm watches it itself
+/// (OverMemoryKill) the job fails by SIGKILL, and only what it left as its last words tells.
+bool out_of_memory(const SlurmEnd& end, const std::string& said) {
+  if (end.state == "OUT_OF_MEMORY") return true;
+  return end.state == "FAILED" && (said.find("Exceeded job memory limit") != std::string::npos ||
+                                   said.find("exceeded memory limit") != std::string::npos);
+}
+
 class SlurmEngine {
  public:
   SlurmEngine(const EngineWork& work, const TaskDone& done, const EngineNews& news,
@@ -73,9 +82,9 @@ class SlurmEngine {
       watch();
       if (stop_.stop_requested()) break;
       fruitless_ = left_.size() < before ? 0 : fruitless_ + 1;
-      killed_ = 0;
+      killed_ = limited_ = 0;
       if (!left_.empty()) find_reasons();
-      if (killed_ > 0) fruitless_ = 0;  // bounded by kKills
+      if (killed_ > 0 || limited_ > 0) fruitless_ = 0;  // bounded by kKills and kLimits
       forget_job();
       if (fruitless_ >= kFruitless)
         throw InputError(fmt::format(
@@ -217,6 +226,7 @@ class SlurmEngine {
     const std::map<long, SlurmEnd> ends = slurm_ends(job_);
     std::map<std::string, const Task*> open;
     for (const Task* task : left_) open[task->key] = task;
+    bool time_was_short = false, memory_was_short = false;
     for (const auto& [element, end] : ends) {
       // The first run of the piece without a record was under way.
       const Task* culprit = nullptr;
@@ -237,11 +247,14 @@ class SlurmEngine {
                              ? "a worker could not write its record"
                              : text.substr(at + 5, text.find('\n', at) - at - 5));
       }
-      if (end.state == "TIMEOUT" || end.state == "DEADLINE") {
-        more_time_ = std::min(64.0, 2.0 * more_time_);
-        minutes_ = std::min(1440, 2 * minutes_);
-      } else if (end.state == "OUT_OF_MEMORY") {
-        more_memory_ = std::min(64.0, 2.0 * more_memory_);
+      const bool late = end.state == "TIMEOUT" || end.state == "DEADLINE";
+      if (late || out_of_memory(end, said(element))) {
+        (late ? time_was_short : memory_was_short) = true;
+        ++limited_;
+        if (++limits_[culprit->key] < kLimits) continue;
+        record_limit(*culprit, late);
+        left_.erase(culprit);
+        open.erase(culprit->key);
       } else if (end.state == "CANCELLED") {
         forget_job();
         throw InputError(
@@ -259,6 +272,26 @@ class SlurmEngine {
         open.erase(culprit->key);
       }
     }
+    // Once, however many pieces of the job met it.
+    if (time_was_short) {
+      more_time_ = std::min(64.0, 2.0 * more_time_);
+      minutes_ = std::min(1440, 2 * minutes_);
+    }
+    if (memory_was_short) more_memory_ = std::min(64.0, 2.0 * more_memory_);
+  }
+
+  void record_limit(const Task& task, bool late) {
+    Record record;
+    record.key = task.key;
+    record.exit_code = 3;
+    record.values.assign(read_job(work_.folder).quantities.size(),
+                         std::numeric_limits<double>::quiet_NaN());
+    record.message = fmt::format(
+        "Slurm ended it at its {} limit, {} times, though the limit was doubled each time; it "
+        "takes far more than the pilot runs: look at it alone, then --retry-failed",
+        late ? "time" : "memory", kLimits);
+    write_record(work_.folder, record);
+    done_(record);
   }
 
   void record_crash(const Task& task, const SlurmEnd& end, const std::string& text) {
@@ -301,7 +334,8 @@ class SlurmEngine {
   long piece_ = 1;
   int cores_ = 1, minutes_ = kLeastMinutes, fruitless_ = 0;
   double more_time_ = 1.0, more_memory_ = 1.0, megabytes_ = 0.0;
-  std::map<std::string, int> deaths_, kills_;
+  std::map<std::string, int> deaths_, kills_, limits_;
+  long limited_ = 0;                ///< pieces of the last job that met a limit
   long killed_ = 0, given_up_ = 0;  ///< pieces of the last job, and runs left for it
 };
 
