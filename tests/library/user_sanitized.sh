@@ -31,9 +31,11 @@ run_it() {  # deck, plug-in, arguments
 
 wrong=0
 while IFS='|' read -r hook deck lines arguments; do
-  build "$hook" "$work/$hook"
-  make_it "$work/$hook"
-  { cat "$top/resources/decks/$deck.txt"; [ -z "$lines" ] || echo "$lines"; } >"$work/deck.txt"
+  if [ ! -e "$work/$hook" ]; then
+    build "$hook" "$work/$hook"
+    make_it "$work/$hook"
+  fi
+  { cat "$top/resources/decks/$deck.txt"; [ -z "$lines" ] || echo "${lines//;/$'\n'}"; } >"$work/deck.txt"
   # shellcheck disable=SC2086
   if run_it "$work/deck.txt" "$work/$hook/lib$hook.so" $arguments && ! grep -qE "Sanitizer|runtime error" "$work/log"; then
     echo "$hook on $deck: clean"
@@ -44,11 +46,11 @@ while IFS='|' read -r hook deck lines arguments; do
   fi
 done <<'EOF'
 adrx0|ball||--set kReMat=2
-adrx1|ball|0 1e-5 10000 10100 0 0|
+adrx1|ball|0 1e-5 10000 10100;0 0|
 adrx2|tapered|1e-9|
 adrx3|ball|1e-9|--set avRatio=1.2
 adrx3|cylindrical|1e-9|--set avRatio=1.2
-adrx4|cylindrical|1e-9|--set cageGsCls[1]=1e-4 --set cageGsCls[2]=1e-4 --set cageGcPos[3]=4.9999e-5
+adrx4|cylindrical|1e-9|--set cageGsCls[1]=1e-8
 adrx5|cylindrical|0.008 2.0|--set bReCrn=1e10
 adrx6|ball|1e-6 9 0.3|--set kRaceGeoImp2=3
 adrx7|ball|-0.04 0.05 3 0.04|--set kTrac=-1

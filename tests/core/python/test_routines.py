@@ -140,7 +140,7 @@ class Surfaces(unittest.TestCase):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             of_deck = adore.new("ball").copy(kRaceGeoImp2=2, rndVar12=1e-6, rndVar22=9, rndVar32=0.3)
-            asks = self.with_lines(adore.new("ball").copy(kRaceGeoImp2=3), "1e-6 9 0.3")
+            asks = self.with_lines(adore.new("ball").copy(kRaceGeoImp2=3), f"1e-6 9 {np.radians(0.3):.17g}")
         routines = self.waves()
         self.assertFalse([issue for issue in asks.check(user=routines) if issue.severity == "error"])
         a = of_deck.run(until="0.05rev", progress=False)
