@@ -232,7 +232,8 @@ void add_study(CLI::App& app, int& exit_code) {
   CLI::App* make = study->add_subcommand("new", "write a complete, explained study file");
   command_line::one_of(make->add_option("kind", options->kind, "what is studied")->required(),
                        {"sweep", "tolerance", "cage-map", "sensitivity", "worst-case", "what-if"});
-  make->add_option("--out", options->out, "file to write, NAME.json or NAME.toml; - for standard output")
+  make->add_option("--out", options->out,
+                   "file to write, NAME.json or NAME.toml; - for standard output")
       ->type_name("FILE");
   make->callback([=, &exit_code] { exit_code = new_study(*options); });
 

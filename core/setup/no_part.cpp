@@ -86,8 +86,7 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
     return "without oil before the contacts (strParam = 0) there is no film";
   if (record.starts_with("10") && !scene.motion)
     return "a quasi-static solution knows the friction of elements and races, but none of the cage";
-  if (name == "iTherm")
-    return "only visco-elastic traction (kTrac 12) has this correction";
+  if (name == "iTherm") return "only visco-elastic traction (kTrac 12) has this correction";
   if (record == "5F" && scene.balls) return "a ball bearing has no roller flanges";
   if (name.starts_with("flngCls")) return "this race has no flanges at both ends of the rollers";
   if (record == "5F") return "there is no such flange";

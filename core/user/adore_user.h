@@ -19,10 +19,10 @@
  *     ADORE_START    (0)  once: documentation (services->print goes to the front part of
  * PRINT.txt), constants, initial conditions. ADRX0 and ADRX8 get it before the bearing is built;
  *     ADORE_COMPUTE  (1)  the routine's own work. Of ADRX1 to ADRX4 and ADRX7 at every evaluation
- * of the right-hand side: it must be a pure function of its arguments (steps are tried, rejected and
- * repeated), must not keep anything from call to call, and does no input or output; ADORE_PRINT (2)
- * whenever a step is printed: services->print goes to that page; ADORE_STEP     (3)  at the end of
- * each counted step: services->write goes to SOL9 (ADRX9). It returns 0; 1 when the state is
+ * of the right-hand side: it must be a pure function of its arguments (steps are tried, rejected
+ * and repeated), must not keep anything from call to call, and does no input or output; ADORE_PRINT
+ * (2) whenever a step is printed: services->print goes to that page; ADORE_STEP     (3)  at the end
+ * of each counted step: services->write goes to SOL9 (ADRX9). It returns 0; 1 when the state is
  * outside of what it knows (the step is tried again, smaller); any other number ends the run (say
  * why with services->fail). Input arrays are read only. Outputs hold neutral values when a call
  * begins (what is built in, or zero); those left alone change nothing. Not-a-number and infinity

@@ -1,5 +1,6 @@
-/* Preloaded into the workers of a study (LD_PRELOAD): the first one that finds the file named by ADORE_TROUBLE takes it away and does
-   what it says before it computes: "hang" waits for ever, "memory N" takes N megabytes and waits. All other processes do nothing. */
+/* Preloaded into the workers of a study (LD_PRELOAD): the first one that finds the file named by
+   ADORE_TROUBLE takes it away and does what it says before it computes: "hang" waits for ever,
+   "memory N" takes N megabytes and waits. All other processes do nothing. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -137,8 +137,9 @@ TEST_CASE("a routine that restates the built-in traction gives the same motion",
   const Ran in_c = ran_with(request);
   REQUIRE(in_c.outcome.status == facade::RunStatus::Done);
   CHECK(in_c.outcome.evaluations == built_in.outcome.evaluations);
-  // Two functions exp differ in the last bit, and so do sums that a compiler contracts in one kernel
-  // and not in the other; the motion of a lightly loaded cage makes 8e-10 of that in this run.
+  // Two functions exp differ in the last bit, and so do sums that a compiler contracts in one
+  // kernel and not in the other; the motion of a lightly loaded cage makes 8e-10 of that in this
+  // run.
   CHECK(difference(built_in, in_c) < 5e-9);
 
   auto formula = request_of("adrx7-formula", deck_with({{"kTrac", "-1"}}, own_curve()), until);
