@@ -4,6 +4,7 @@
 #include "integrators/stepper.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -82,11 +83,11 @@ Told run(const Hard& hard, std::string_view method, double tolerance, const Sets
   }
 }
 
-/// The radial load, a millionth larger.
-Sets beside(const Hard& hard) {
+/// The radial load, a little larger or smaller.
+Sets beside(const Hard& hard, double share) {
   const bool given = std::any_of(hard.sets.begin(), hard.sets.end(),
                                  [](const auto& set) { return set.first == "appLoadZ"; });
-  return {{"appLoadZ", given ? "3000.003" : "500.0005"}};
+  return {{"appLoadZ", fmt::format("{:.12g}", (1.0 + share) * (given ? 3000.0 : 500.0))}};
 }
 
 }  // namespace
@@ -94,12 +95,18 @@ Sets beside(const Hard& hard) {
 TEST_CASE("no integrator is wrong without saying so", "[physics][facade][slow]") {
   const auto number = GENERATE(range(std::size_t{0}, kHard.size()));
   const Hard& hard = kHard[number];
-  // Two runs whose loads differ by a millionth: how far two right runs may differ.
+  // Runs whose loads hardly differ: how far right runs may differ. One of them alone may lie close
+  // by chance (361.34 and 361.49 N where others have 362.6 and 367.4).
   const Told reference = run(hard, "rkf7", 1e-8, {});
-  const Told other = run(hard, "rkf7", 1e-8, beside(hard));
   INFO(hard.name << ": " << reference.against);
   REQUIRE(reference.means);
-  REQUIRE(other.means);
+  Means spreads{};
+  for (const double share : {1e-6, -1e-5, 2e-8}) {
+    const Told other = run(hard, "rkf7", 1e-8, beside(hard, share));
+    REQUIRE(other.means);
+    for (std::size_t k = 0; k < kMeans.size(); ++k)
+      spreads[k] = std::max(spreads[k], std::abs((*other.means)[k] - (*reference.means)[k]));
+  }
   int told = 0;
   for (const std::string_view method : integrators::stepper_names())
     for (const bool free : {false, true}) {
@@ -112,11 +119,10 @@ TEST_CASE("no integrator is wrong without saying so", "[physics][facade][slow]")
       ++told;
       for (std::size_t k = 0; k < kMeans.size(); ++k) {
         const double is = (*reference.means)[k], size = std::abs(is);
-        const double spread = std::abs((*other.means)[k] - is);
         INFO(hard.name << ", " << method << (free ? ", free steps at 1e-4" : "") << ": "
                        << kMeans[k] << " is " << (*one.means)[k] << " for " << is << ", spread "
-                       << spread);
-        CHECK(std::abs((*one.means)[k] - is) <= std::max(0.03 * size, 5.0 * spread));
+                       << spreads[k]);
+        CHECK(std::abs((*one.means)[k] - is) <= std::max(0.03 * size, 5.0 * spreads[k]));
       }
     }
   INFO(hard.name << ": " << told << " runs said nothing against themselves");
