@@ -192,10 +192,8 @@ template <class Law, class S>
   }
 }
 
-/// The contacts of one vector of balls: what forces are made of once traction is known. Of a law of
-/// the user alone: evaluate() below says the same in one piece, and the compiler fuses its
-/// multiplications otherwise when it is cut in two, by which the built-in motion would change
-/// (decision 365).
+/// The contacts of one vector of balls: what forces are made of once traction is known, of built-in
+/// laws at once, of a law of the user in a second pass.
 template <class Race, class Balls>
 class Contacts {
  public:
@@ -346,115 +344,16 @@ inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes
 
 template <class Law, class Race, class Balls>
 void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
-  using S = typename Balls::Scalar;
   const Balls balls(in, at);
-  const V s = get(at.sin_theta), c = get(at.cos_theta);
-  const Vec k = to_azimuth(in.axis, s, c);
-  const Vec centre = to_azimuth(in.centre, s, c);
-  const V r = get(at.r);
-  const Vec d{get(at.x) - centre.x, r - centre.y, -centre.z};  // ball centre from P_j
-  const auto place = contact::groove_place(d, k, in.centre_radius);
-  const Race groove(in, balls, k, place, s, c);
-  const auto& touch = groove.touch();
-  V approach = touch.approach;
-  if (at.used < static_cast<int>(V::size())) {
-    const V lane([](auto i) { return static_cast<double>(i); });
-    stdx::where(lane >= static_cast<double>(at.used), approach) = -1.0;
-  }
-  if (stdx::none_of(approach > 0.0)) {
-    put(at.load, 0.0);
-    put(at.heat, 0.0);
-    if (at.load_slip != nullptr) put(at.load_slip, 0.0);
+  Contacts<Race, Balls> contacts(in, at, balls);
+  if (contacts.open()) {
+    Contacts<Race, Balls>::put_open(at);
     return;
   }
-  approach = stdx::max(approach, V(0.0));
-  const V root_approach = stdx::sqrt(approach);
-  V K = balls.K(), major = balls.major(), minor = balls.minor(), leaning = 0.0;
-  if (in.follow != nullptr) {
-    const auto at_angle =
-        contact::polynomial_with_slope(balls.follow(&contact::AngleLaw::K).c, touch.n_e);
-    K = at_angle.value;
-    leaning =
-        contact::leaning_force(at_angle.slope, approach, root_approach, touch.n_k, touch.length);
-    if (in.traction) {
-      major = contact::polynomial(balls.follow(&contact::AngleLaw::major).c, touch.n_e);
-      minor = contact::polynomial(balls.follow(&contact::AngleLaw::minor).c, touch.n_e);
-    }
-  }
-  if constexpr (Race::kWavy) groove.scale(K, leaning, major, minor);
-  const V load = contact::point_load(K, approach, root_approach);
-  const V R = place.distance;
-  const Vec& e = place.e;
-  const Vec t = cross(k, e);
-
-  contact::MeridianForce<V> meridian{-load * touch.n_k, -load * touch.n_e};
-  V force_t = 0.0, heat = 0.0, load_slip = 0.0;
-  V moment_k = 0.0, moment_e = 0.0, moment_t = 0.0;
-  if (in.traction) {
-    const V theta_dot = get(at.theta_dot);
-    const S radius = balls.radius();
-    const RacePairMotion<V, S> pair{to_azimuth(in.velocity, s, c),
-                                    in.tilts ? to_azimuth(in.tilt, s, c) : Vec{},
-                                    in.speed,
-                                    in.tilts,
-                                    {get(at.x_dot), get(at.r_dot), r * theta_dot},
-                                    {get(at.omega_x), get(at.omega_r), get(at.omega_theta)},
-                                    theta_dot,
-                                    radius};
-    tribology::EllipseContact<V, S> ellipse;
-    ellipse.load = load;
-    ellipse.a = major * root_approach;
-    ellipse.b = minor * root_approach;
-    ellipse.surface =
-        tribology::ellipse_surface(in.place, balls.rho(), radius, ellipse.a, approach);
-    ellipse.motion = ellipse_motion(pair, d, k, t, place, touch);
-    const tribology::EllipseSums<V> traction = traction_of<Law, S>(in, ellipse);
-    meridian = contact::meridian_force(load, traction.F_c, touch.n_k, touch.n_e);
-    force_t = traction.F_t;
-    moment_k = traction.M_n * touch.n_k - traction.M_c * touch.n_e;
-    moment_e = traction.M_n * touch.n_e + traction.M_c * touch.n_k;
-    moment_t = traction.M_t;
-    const Vec moment{moment_k * k.x + moment_e * e.x + moment_t * t.x,
-                     moment_k * k.y + moment_e * e.y + moment_t * t.y,
-                     moment_k * k.z + moment_e * e.z + moment_t * t.z};
-    heat = traction.heat;
-    load_slip = traction.load_slip;
-    add(at.M_x, moment.x);
-    add(at.M_r, moment.y);
-    add(at.M_theta, moment.z);
-  }
-  if (in.follow != nullptr) {
-    meridian.along -= leaning * touch.n_e;
-    meridian.outward += leaning * touch.n_k;
-  }
-  if constexpr (Race::kWavy) force_t += groove.push(load, leaning, approach);
-  const V force_k = meridian.along, force_e = meridian.outward;
-  const Vec force{force_k * k.x + force_e * e.x + force_t * t.x,
-                  force_k * k.y + force_e * e.y + force_t * t.y,
-                  force_k * k.z + force_e * e.z + force_t * t.z};
-  add(at.F_x, force.x);
-  add(at.F_r, force.y);
-  add(at.F_theta, force.z);
-  put(at.load, load);
-  put(at.heat, heat);
-  if (at.load_slip != nullptr) put(at.load_slip, load_slip);
-
-  // On the race about P_j: -(d × F + M), d = ξ k + R e.
-  const V about_k = R * force_t + moment_k;
-  const V about_e = moment_e - place.axial * force_t;
-  const V about_t = place.axial * force_e - R * force_k + moment_t;
-  const Vec about{about_k * k.x + about_e * e.x + about_t * t.x,
-                  about_k * k.y + about_e * e.y + about_t * t.y,
-                  about_k * k.z + about_e * e.z + about_t * t.z};
-  totals.force_x -= force.x;
-  totals.force_y += s * force.y + c * force.z;
-  totals.force_z -= c * force.y - s * force.z;
-  totals.moment_x -= about.x;
-  totals.moment_y += s * about.y + c * about.z;
-  totals.moment_z -= c * about.y - s * about.z;
-  totals.elastic_energy += contact::point_energy(load, approach);
-  totals.heat += heat;
-  totals.load_slip += load_slip;
+  contacts.press(in, at, balls);
+  tribology::EllipseSums<V> traction;
+  if (in.traction) traction = traction_of<Law, typename Balls::Scalar>(in, contacts.ellipse());
+  contacts.add_to(in, at, traction, totals);
 }
 
 /// What is done with the arrays of a vector.
