@@ -148,7 +148,19 @@ struct ScalarLanes<stdx::simd<double, Abi>> {
   [[gnu::always_inline]] static V from(const double* values) {
     return V(values, stdx::element_aligned);
   }
+  [[gnu::always_inline]] static void put(const V& x, double* values) {
+    x.copy_to(values, stdx::element_aligned);
+  }
   [[gnu::always_inline]] static V floor(V x) { return stdx::floor(x); }
+  [[gnu::always_inline]] static V gather(const double* table, V place) {
+#if defined(__AVX512F__)
+    return V(_mm512_i32gather_pd(_mm512_cvttpd_epi32(static_cast<__m512d>(place)), table, 8));
+#else
+    // AVX2's own gather is no faster than four loads, and GCC 12 takes what it starts from for a
+    // value that is used.
+    return V([&](auto lane) { return table[static_cast<int>(static_cast<double>(place[lane]))]; });
+#endif
+  }
 };
 
 template <class Abi>

@@ -80,10 +80,13 @@ std::vector<AccuracySetting> models_of(const Prepared& prepared) {
     }
     option("hertzConstants", prepared.options.system.moving_angle ? "frozen" : "moving");
   }
-  if (const auto& oil = prepared.bearing.lubrication;
-      oil && tribology::lubricant_of(*oil).model == tribology::LubricantModel::ViscoElastic) {
-    option("filmStress", prepared.options.direct_strips ? "surface" : "direct");
-    out.back().dear = true;
+  if (const auto& oil = prepared.bearing.lubrication) {
+    const tribology::LubricantModel model = tribology::lubricant_of(*oil).model;
+    const bool strips = model == tribology::LubricantModel::ViscoElastic;
+    if (strips || model == tribology::LubricantModel::ShearThinning) {
+      option("filmStress", prepared.options.direct_strips ? "surface" : "direct");
+      out.back().dear = strips;
+    }
   }
   const auto mode = prepared.input.deck.integer("mode");
   for (const int other : {0, 1, 2})

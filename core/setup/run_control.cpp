@@ -256,9 +256,11 @@ const std::vector<Option>& options() {
            return true;
          }},
         {{"filmStress", "surface",
-          "stress of visco-elastic films (kTrac 8, 12): surface (splines made at set-up, their "
-          "error by the run's tolerance), or direct (integrated along every strip at every "
-          "evaluation, thousands of times dearer)"},
+          "stress of films of kTrac 8 and 11 to 20: surface (splines made at set-up, their error "
+          "by the run's tolerance), or direct (every strip integrated at every evaluation, of "
+          "kTrac "
+          "8 and 12, thousands of times dearer; every point solved of the others, some four "
+          "times)"},
          [](RunOptions& o, std::string_view v) {
            if (v != "surface" && v != "direct") return false;
            o.direct_strips = v == "direct";

@@ -103,6 +103,21 @@ class EllipseSum {
         slip_scale_(slip_scale) {}
 
   [[gnu::always_inline]] EllipseSums<T> run() {
+    if constexpr (takes_several()) {
+      if (nodes_.minor % 2 == 0) {
+        Pairs waiting;
+        for_rows([&](const T& xi, const T& chord, const T& half_width, const T& load)
+                     __attribute__((always_inline)) {
+                       const Row r = row(xi, half_width, load);
+                       for (int j = 0; 2 * j < nodes_.minor; ++j) {
+                         waiting.pair[waiting.count++] = {r, pressure(chord, j), j};
+                         if (waiting.count == kPairs) add_pairs(waiting);
+                       }
+                     });
+        if (waiting.count > 0) add_pairs(waiting);
+        return sum_;
+      }
+    }
     for_rows([this](const T& xi, const T& chord, const T& half_width, const T& load)
                  __attribute__((always_inline)) { add_row(xi, chord, half_width, load); });
     return sum_;
@@ -267,28 +282,7 @@ class EllipseSum {
         speed += slip * nodes_.weight_v[j];
       }
     };
-    if constexpr (requires(const Here& here, T* at) {
-                    here.template several<kBlock>(at, at, at);
-                  }) {
-      for (int first = 0; first < nodes_.minor; first += kBlock) {
-        T slip[kBlock], inverse[kBlock], p[kBlock], kappa[kBlock];
-        for (int k = 0; k < kBlock; ++k) {
-          const int j = first + k < nodes_.minor ? first + k : nodes_.minor - 1;
-          const T u_c = cross_slip(r, j);
-          slip[k] = ScalarMath<T>::root_and_inverse(u_c * u_c + r.fixed, inverse[k]);
-          p[k] = pressure(chord, j);
-        }
-        law_.law.template several<kBlock>(slip, p, kappa);
-        for (int k = 0; k < kBlock && first + k < nodes_.minor; ++k) {
-          const int j = first + k;
-          const T g = ScalarMath<T>::over(kappa[k], slip[k], inverse[k]);
-          g0 += g * nodes_.weight_v[j];
-          g1 += g * nodes_.weight_v1[j];
-          g2 += g * nodes_.weight_v2[j];
-          speed += slip[k] * nodes_.weight_v[j];
-        }
-      }
-    } else if constexpr (is_of_strip<Law>()) {
+    if constexpr (is_of_strip<Law>()) {
       const auto strip = law_.law.strip(peak_pressure_ * chord);
       along_row(RoundedLaw<decltype(strip)>{strip, law_.floor});
     } else {
@@ -305,8 +299,48 @@ class EllipseSum {
     return {g_ahead + g_behind, g_ahead - g_behind, slip_ahead + slip_behind};
   }
 
-  static constexpr int kBlock = 4;  ///< points of a row that laws take at once
   using Here = decltype(std::declval<const Law&>().at(std::declval<const ContactPoint<T>&>()));
+  /// Does the law take several points at once?
+  static constexpr bool takes_several() {
+    return requires(const Here& here, T* at) { here.template several<2 * kPairs, 2>(at, at, at); };
+  }
+
+  /// Points j and minor - 1 - j of a row: those of one pressure.
+  struct Pair {
+    Row row;
+    T pressure;
+    int j = 0;
+  };
+  static constexpr int kPairs = 2;  ///< that laws take at once, of one row or of two
+  struct Pairs {
+    Pair pair[kPairs];
+    int count = 0;
+  };
+  [[gnu::noinline]] void add_pairs(Pairs& pairs) {
+    if (pairs.count < kPairs) pairs.pair[1] = pairs.pair[0];
+    T slip[2 * kPairs], inverse[2 * kPairs], kappa[2 * kPairs], p[kPairs];
+    for (int k = 0; k < kPairs; ++k) {
+      const Pair& at = pairs.pair[k];
+      p[k] = at.pressure;
+      for (int side = 0; side < 2; ++side) {
+        const T u_c = cross_slip(at.row, side == 0 ? at.j : nodes_.minor - 1 - at.j);
+        slip[2 * k + side] =
+            ScalarMath<T>::root_and_inverse(u_c * u_c + at.row.fixed, inverse[2 * k + side]);
+      }
+    }
+    law_.law.template several<2 * kPairs, 2>(slip, p, kappa);
+    for (int k = 0; k < pairs.count; ++k) {
+      const Pair& at = pairs.pair[k];
+      const int j = at.j, i = nodes_.minor - 1 - j;
+      const T g = ScalarMath<T>::over(kappa[2 * k], slip[2 * k], inverse[2 * k]),
+              h = ScalarMath<T>::over(kappa[2 * k + 1], slip[2 * k + 1], inverse[2 * k + 1]);
+      add_moments(at.row, g * nodes_.weight_v[j] + h * nodes_.weight_v[i],
+                  g * nodes_.weight_v1[j] + h * nodes_.weight_v1[i],
+                  g * nodes_.weight_v2[j] + h * nodes_.weight_v2[i],
+                  slip[2 * k] * nodes_.weight_v[j] + slip[2 * k + 1] * nodes_.weight_v[i]);
+    }
+    pairs.count = 0;
+  }
 
   const EllipseNodes& nodes_;
   const EllipseContact<T, S>& e_;

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "tribology/pressure_fits.hpp"
+#include "tribology/thinning_surface.hpp"
 #include "tribology/visco_elastic_surface.hpp"
 
 #include <fmt/format.h>
@@ -103,8 +104,14 @@ TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,
       return {metal, film, heated_film(oil, s.wall_temperature)};
     case LubricantModel::NewtonianGeneral:
       return {metal, film, measured_film(oil, s.wall_temperature)};
-    case LubricantModel::ShearThinning:
-      return {metal, film, thinning_film(oil, s.wall_temperature)};
+    case LubricantModel::ShearThinning: {
+      ThinningFilm fluid = thinning_film(oil, s.wall_temperature);
+      if (lubrication.direct_strips) return {metal, film, fluid};
+      const ThinningSurface surface =
+          thinning_surface(fluid.half_power, thinning_error_of(lubrication.tolerance));
+      surface.give(fluid);
+      return {metal, film, fluid, surface.table};
+    }
     case LubricantModel::ViscoElastic:
       break;
   }
@@ -124,6 +131,17 @@ TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,
 
 std::string strips_of(const Lubricant& oil, const bearing::Lubrication& lubrication,
                       const FilmSurface& s) {
+  if (oil.model == LubricantModel::ShearThinning) {
+    if (lubrication.direct_strips) return "stress of every point solved";
+    const ThinningSurface at =
+        thinning_surface(0.5 * (oil.carreau_n - 1.0), thinning_error_of(lubrication.tolerance));
+    return fmt::format(
+        "stress from a surface of {} x {} values (rate of shear and heating, all that a film can "
+        "meet): {:.2g} % at most, {:.2g} % root mean square on {} hold-out points, {:.2g} % wanted "
+        "at most for this tolerance{}",
+        at.size[0], at.size[1], 100.0 * at.error[0], 100.0 * at.error[1], at.held_out,
+        100.0 * at.wanted, at.error[0] > at.wanted ? ", which the finest does not reach" : "");
+  }
   if (oil.model != LubricantModel::ViscoElastic) return {};
   if (lubrication.direct_strips) return "stress integrated along each strip";
   constexpr double kLeastRaceSpeed = 0.1;
@@ -133,10 +151,13 @@ std::string strips_of(const Lubricant& oil, const bearing::Lubrication& lubricat
   return fmt::format(
       "stress along each strip from a surface of {} x {} x {} values (pressure to {:g} GPa, slip, "
       "transit at {:.3g} to {:.3g} m/s; beyond it integrated): {:.2g} % root mean square, {:.2g} % "
-      "at most on {} hold-out points, {:.2g} % wanted for this tolerance{}",
+      "at most on {} hold-out points, {:.2g} % and {:.2g} % wanted for this tolerance{}",
       at.size[1], at.size[2], at.size[0], 1e-9 * kSurfacePressure[1], at.speed[0], at.speed[1],
       100.0 * at.error[1], 100.0 * at.error[0], at.held_out, 100.0 * at.wanted,
-      at.error[1] > at.wanted ? ", which the finest does not reach" : "");
+      100.0 * kLargestOverMean * at.wanted,
+      at.error[1] > at.wanted || at.error[0] > kLargestOverMean * at.wanted
+          ? ", which the finest does not reach"
+          : "");
 }
 
 }  // namespace adore::tribology

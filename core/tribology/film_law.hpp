@@ -42,7 +42,8 @@ inline constexpr double kThinnestFilm = 1e-9;
 [[nodiscard]] TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& lubricant,
                                    const bearing::Lubrication& lubrication,
                                    const FilmSurface& surface);
-/// How a visco-elastic film has its stress, with the error of its surface; empty of other films.
+/// How a visco-elastic or shear-thinning film has its stress, with the error of its surface; empty
+/// of other films.
 [[nodiscard]] std::string strips_of(const Lubricant& lubricant,
                                     const bearing::Lubrication& lubrication,
                                     const FilmSurface& surface);

@@ -8,6 +8,22 @@
 namespace adore::tribology {
 namespace {
 
+/// Σ c_k T_k(x) in powers of x.
+void to_powers(const std::vector<double>& chebyshev, double* power) {
+  std::vector<double> last(chebyshev.size(), 0.0), now(chebyshev.size(), 0.0);
+  std::fill_n(power, chebyshev.size(), 0.0);
+  now[0] = 1.0;  // T_0; T_k+1 = 2 x T_k - T_k-1
+  for (std::size_t k = 0; k < chebyshev.size(); ++k) {
+    std::vector<double> next(chebyshev.size(), 0.0);
+    for (std::size_t i = 0; i < chebyshev.size(); ++i) {
+      power[i] += chebyshev[k] * now[i];
+      next[i] = (i > 0 ? (k > 0 ? 2.0 : 1.0) * now[i - 1] : 0.0) - last[i];
+    }
+    last = now;
+    now = next;
+  }
+}
+
 double error_of(const PressureFit& fit, const std::function<double(double)>& value, double end) {
   constexpr int kGrid = 211;  // beside all points of the fits
   double largest = 0.0;
@@ -35,7 +51,7 @@ MeasuredFit fit_over_pressure(const std::function<double(double)>& value, double
     out.fit = {};
     out.fit.terms = static_cast<int>(c.size());
     out.fit.scale = 2.0 / end;
-    std::copy(c.begin(), c.end(), out.fit.c);
+    to_powers(c, out.fit.c);
     out.error = error_of(out.fit, value, end);
     if (out.error <= wanted) break;
   }

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "tribology/rounded_law.hpp"
+#include "tribology/spline_axes.hpp"
 #include "tribology/viscoelastic_strip.hpp"
 
 #include <algorithm>
@@ -61,46 +62,10 @@ double corner_rate(const ViscoElasticStrip& s) {
   return ceiling_of(s) * small / strip_coefficient(s, small, kCells, true);
 }
 
-/// Coefficients of the spline through values at from, from + step ..., its third derivative
-/// continuous at the second place from each end (quadratic ends: c = 3 c' - 3 c'' + c''').
-void to_spline(std::vector<double>& v, std::size_t first, std::size_t stride, std::size_t n) {
-  // (c[k-1] + 4 c[k] + c[k+1])/6 = v[k]. With such ends the equations of the first and last value
-  // become v[0] = (6 c1 - 2 ... )/6; the ends are found from their neighbours instead: unknown
-  // second differences d[k] = c[k-1] - 2 c[k] + c[k+1], c[k] = v[k] - d[k]/6, d[0] = 2 d[1] - d[2].
-  std::vector<double> value(n), d(n, 0.0), upper(n, 0.0), right(n, 0.0);
-  for (std::size_t k = 0; k < n; ++k) value[k] = v[first + (k + 1) * stride];
-  // d[k-1] + 4 d[k] + d[k+1] = 6 (v[k-1] - 2 v[k] + v[k+1]), 0 < k < n - 1.
-  for (std::size_t k = 1; k + 1 < n; ++k) {
-    double below = 1.0, middle = 4.0, above = 1.0;
-    if (k == 1) middle = 6.0, above = 0.0, below = 0.0;
-    if (k + 2 == n) middle = 6.0, below = 0.0, above = 0.0;
-    const double b = 6.0 * (value[k - 1] - 2.0 * value[k] + value[k + 1]);
-    const double pivot = middle - below * upper[k - 1];
-    upper[k] = above / pivot;
-    right[k] = (b - below * right[k - 1]) / pivot;
-  }
-  for (std::size_t k = n - 2; k >= 1; --k)
-    d[k] = right[k] - upper[k] * (k + 2 < n ? d[k + 1] : 0.0);
-  d[0] = 2.0 * d[1] - d[2];
-  d[n - 1] = 2.0 * d[n - 2] - d[n - 3];
-  std::vector<double> c(n + 2, 0.0);
-  for (std::size_t k = 0; k < n; ++k) c[k + 1] = value[k] - d[k] / 6.0;
-  c[0] = d[0] + 2.0 * c[1] - c[2];
-  c[n + 1] = d[n - 1] + 2.0 * c[n] - c[n - 1];
-  for (std::size_t k = 0; k < n + 2; ++k) v[first + k * stride] = c[k];
-}
-
 struct Sizes {  // values, of the spline one more at each end; transits for 6.5 of ln c
   std::size_t transits, pressures, slips, corner_transits, corner_pressures;
 };
 constexpr Sizes kLevels[] = {{5, 20, 26, 16, 120}, {8, 32, 40, 24, 180}, {11, 44, 56, 32, 240}};
-
-SplineAxis axis(double from, double to, std::size_t values) {
-  return {static_cast<int>(values) + 2, from, static_cast<double>(values - 1) / (to - from)};
-}
-double place(const SplineAxis& a, std::size_t k, double beyond = 0.0) {
-  return a.from + (static_cast<double>(k) + beyond) / a.inverse_step;
-}
 
 class Builder {
  public:
@@ -112,11 +77,11 @@ class Builder {
     ViscoElasticSurface out;
     ViscoElasticFilm& f = out.film;
     const double low = std::sqrt(kSurfacePressure[0]), high = std::sqrt(kSurfacePressure[1]);
-    f.root_pressure = axis(low, high, n.pressures);
-    f.corner_root_pressure = axis(low, high, n.corner_pressures);
-    f.log_rate = axis(kLeastSlip, kLargestSlip, n.slips);
-    f.log_transit = axis(from_, to_, n.transits);
-    f.corner_log_transit = axis(from_, to_, n.corner_transits);
+    f.root_pressure = spline_axis(low, high, n.pressures);
+    f.corner_root_pressure = spline_axis(low, high, n.corner_pressures);
+    f.log_rate = spline_axis(kLeastSlip, kLargestSlip, n.slips);
+    f.log_transit = spline_axis(from_, to_, n.transits);
+    f.corner_log_transit = spline_axis(from_, to_, n.corner_transits);
     f.stress = liquid_.stress, f.stress_p = liquid_.stress_p;
     f.pressure[0] = kSurfacePressure[0], f.pressure[1] = kSurfacePressure[1];
     f.range_transit[0] = from_, f.range_transit[1] = to_;
@@ -129,19 +94,21 @@ class Builder {
     std::vector<double>& v = *table;
     for (std::size_t i = 0; i < n.corner_transits; ++i)
       for (std::size_t j = 0; j < n.corner_pressures; ++j)
-        v[saturation + (i + 1) * corners + j + 1] = std::log(
-            corner_of(at(place(f.corner_log_transit, i), place(f.corner_root_pressure, j))));
+        v[saturation + (i + 1) * corners + j + 1] = std::log(corner_of(
+            at(spline_place(f.corner_log_transit, i), spline_place(f.corner_root_pressure, j))));
     for (std::size_t i = 0; i < n.corner_transits; ++i)
       to_spline(v, saturation + (i + 1) * corners, 1, n.corner_pressures);
     for (std::size_t j = 0; j < corners; ++j)
       to_spline(v, saturation + j, corners, n.corner_transits);
     for (std::size_t i = 0; i < n.transits; ++i)
       for (std::size_t j = 0; j < n.pressures; ++j) {
-        const ViscoElasticStrip s = at(place(f.log_transit, i), place(f.root_pressure, j));
+        const ViscoElasticStrip s =
+            at(spline_place(f.log_transit, i), spline_place(f.root_pressure, j));
         const double corner = corner_of(s);
         for (std::size_t k = 0; k < n.slips; ++k)
           v[(i + 1) * sheet + (j + 1) * slips + k + 1] =
-              log_kappa(s, std::exp(place(f.log_rate, k)) * corner) - std::log(ceiling_of(s));
+              log_kappa(s, std::exp(spline_place(f.log_rate, k)) * corner) -
+              std::log(ceiling_of(s));
       }
     for (std::size_t i = 0; i < n.transits; ++i)
       for (std::size_t j = 0; j < n.pressures; ++j)
@@ -168,8 +135,9 @@ class Builder {
     for (std::size_t i = 0; i + 1 < n.transits; ++i)
       for (std::size_t j = 0; j + 1 < n.pressures; ++j)
         for (std::size_t k = 0; k + 1 < n.slips; ++k) {
-          const ViscoElasticStrip s = at(place(film.log_transit, i, weyl(0.8191725133961645)),
-                                         place(film.root_pressure, j, weyl(0.6710436067037893)));
+          const ViscoElasticStrip s =
+              at(spline_place(film.log_transit, i, weyl(0.8191725133961645)),
+                 spline_place(film.root_pressure, j, weyl(0.6710436067037893)));
           // A contact with that transit over its pressure, film 1 m, so that slip is γ.
           ContactPoint<double> contact;
           contact.peak_pressure = s.peak_pressure;
@@ -178,7 +146,7 @@ class Builder {
           const auto here = film.at(contact, 1.0);
           const auto row = here.row(s.peak_pressure);
           const double rate =
-              std::exp(place(film.log_rate, k, weyl(0.5497004779019703)) + row.log_corner);
+              std::exp(spline_place(film.log_rate, k, weyl(0.5497004779019703)) + row.log_corner);
           const double miss = std::log(row(rate)) - log_kappa(s, rate);
           largest = std::max(largest, std::abs(miss));
           squares += miss * miss;
@@ -239,7 +207,7 @@ std::shared_ptr<const ViscoElasticSurface> surface_of(const ViscoElasticLiquid& 
     out = builder.make(n);
     out.size = {n.transits, n.pressures, n.slips};
     out.error = builder.error(out.film, n);
-    if (out.error[1] <= wanted) break;
+    if (out.error[1] <= wanted && out.error[0] <= kLargestOverMean * wanted) break;
   }
   out.held_out = builder.held_out();
   out.evaluations = builder.evaluations();

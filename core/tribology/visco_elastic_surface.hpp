@@ -9,8 +9,10 @@
 
 /// The surface of laws/visco_elastic_film.hpp, made at set-up from the integral along the strip
 /// (viscoelastic_strip.hpp). It is refined, from coarse to fine in three sizes, until the root of
-/// the mean square of its errors on a hold-out grid is below what is wanted. A process keeps the
-/// surfaces that it made: both races, the equilibrium, the plan and the run share them.
+/// the mean square of its errors on a hold-out grid is below what is wanted, and the largest of
+/// them (where films turn from liquid to solid, within a factor of three of γ_r) below ten times
+/// that. A process keeps the surfaces that it made: both races, the equilibrium, the plan and the
+/// run share them.
 namespace adore::tribology {
 
 /// Peak pressures of strips that the surface covers [Pa]. Below, the elastic part of the slope goes
@@ -32,6 +34,8 @@ struct ViscoElasticSurface {
 /// Wanted relative error of κ of a run with a tolerance of 1e-6 [choice]: a tenth of what the
 /// constants are known to at best.
 inline constexpr double kSurfaceError = 5e-3;
+/// Largest error that is wanted, over the wanted root of the mean square [choice].
+inline constexpr double kLargestOverMean = 10.0;
 /// 5 √tolerance, at least 1e-3 (what the integral itself is known to) and at most 1e-2 [choice].
 [[nodiscard]] double surface_error_of(double tolerance);
 

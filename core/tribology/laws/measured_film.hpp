@@ -27,26 +27,29 @@ struct MeasuredFilm {
 
     [[gnu::always_inline]] T operator()(const T& slip, const T& pressure) const {
       T kappa[1];
-      several<1>(&slip, &pressure, kappa);
+      several<1, 1>(&slip, &pressure, kappa);
       return kappa[0];
     }
-    /// Of N points at once (film_law_of.hpp).
-    template <int N>
+    /// Of N points at once, Share of them at each pressure (film_law_of.hpp).
+    template <int N, int Share>
     [[gnu::always_inline]] void several(const T* slip, const T* pressure, T* kappa) const {
       using M = ScalarMath<T>;
-      T log_viscosity[N], log_heating[N];
-      film->log_viscosity.template at<N>(pressure, log_viscosity);
-      film->log_heating.template at<N>(pressure, log_heating);
+      T viscosity[N / Share], heating[N / Share];
+      fits_at<N / Share>(film->log_viscosity, film->log_heating, pressure, viscosity, heating);
+      for (int k = 0; k < N / Share; ++k) {
+        viscosity[k] =
+            M::exp(viscosity[k]) * inverse_thickness / M::max(pressure[k], T(1.0));  // over p h
+        heating[k] = M::exp(heating[k]);
+      }
       for (int i = 0; i < N; ++i) {
-        const T S = slip[i] * M::exp(log_heating[i]);
+        const T S = slip[i] * heating[i / Share];
         const T S2 = S * S;
         T inverse;
         const T root = M::root_and_inverse(1.0 + S2, inverse);
         const T thinning =
             M::pick(S < 1e-3, 1.0 - S2 * (2.0 / 3.0 - S2 * (8.0 / 15.0)),
                     ScalarLog<T>::log(S + root) * inverse * M::inverse_sqrt(M::max(S2, T(1e-30))));
-        const T stress = M::exp(log_viscosity[i]) * slip[i] * inverse_thickness * thinning;
-        kappa[i] = film->limit.of(stress / M::max(pressure[i], T(1.0)));
+        kappa[i] = film->limit.of(viscosity[i / Share] * slip[i] * thinning);
       }
     }
   };

@@ -4,9 +4,10 @@
 
 namespace adore::tribology {
 
-/// A property of a lubricant at one temperature over pressure, Σ c_k T_k(x), x = 2 p/end - 1;
-/// beyond `end`, the pressure where the lubricant is a glass or the last one that a run can meet,
-/// its value there. Made by pressure_fits.hpp, which measures its error.
+/// A property of a lubricant at one temperature over pressure, Σ c_k x^k, x = 2 p/end - 1; beyond
+/// `end`, the pressure where the lubricant is a glass or the last one that a run can meet, its
+/// value there. Made by pressure_fits.hpp, which measures its error. Powers, of a Chebyshev sum
+/// whose terms fall: rounding of 24 of them stays below 1e-10, at a third of the operations.
 struct PressureFit {
   static constexpr int kMost = 24;
   int terms = 1;
@@ -14,27 +15,34 @@ struct PressureFit {
   double c[kMost] = {};
 
   template <class T>
-  [[gnu::always_inline]] T at(const T& pressure) const {
-    T out[1];
-    at<1>(&pressure, out);
-    return out[0];
+  [[gnu::always_inline]] T place(const T& pressure) const {
+    return ScalarMath<T>::min(pressure * scale, T(2.0)) - 1.0;
   }
-  /// Of N points at once: their chains of dependent sums overlap.
-  template <int N, class T>
-  [[gnu::always_inline]] void at(const T* pressure, T* out) const {
-    T x[N], last[N], now[N];
-    for (int i = 0; i < N; ++i) {
-      x[i] = ScalarMath<T>::min(pressure[i] * scale, T(2.0)) - 1.0;
-      last[i] = now[i] = 0.0;
-    }
-    for (int k = terms - 1; k > 0; --k)  // Clenshaw
-      for (int i = 0; i < N; ++i) {
-        const T next = 2.0 * x[i] * now[i] - last[i] + c[k];
-        last[i] = now[i];
-        now[i] = next;
-      }
-    for (int i = 0; i < N; ++i) out[i] = x[i] * now[i] - last[i] + c[0];
+  template <class T>
+  [[gnu::always_inline]] T at(const T& pressure) const {
+    const T x = place(pressure);
+    T sum = c[terms - 1];
+    for (int k = terms - 2; k >= 0; --k) sum = sum * x + c[k];
+    return sum;
   }
 };
+
+/// Two fits at N pressures at once: their chains of dependent sums overlap.
+template <int N, class T>
+[[gnu::always_inline]] inline void fits_at(const PressureFit& first, const PressureFit& second,
+                                           const T* pressure, T* of_first, T* of_second) {
+  T x[N], y[N];
+  for (int i = 0; i < N; ++i) {
+    x[i] = first.place(pressure[i]);
+    y[i] = second.place(pressure[i]);
+    of_first[i] = of_second[i] = 0.0;
+  }
+  const int terms = first.terms > second.terms ? first.terms : second.terms;
+  for (int k = terms - 1; k >= 0; --k)  // terms that one lacks are 0
+    for (int i = 0; i < N; ++i) {
+      of_first[i] = of_first[i] * x[i] + first.c[k];
+      of_second[i] = of_second[i] * y[i] + second.c[k];
+    }
+}
 
 }  // namespace adore::tribology

@@ -5,6 +5,7 @@
 #include "tribology/laws/contact_point.hpp"
 #include "tribology/laws/limited.hpp"
 #include "tribology/laws/pressure_fit.hpp"
+#include "tribology/laws/spline_axis.hpp"
 
 namespace adore::tribology {
 
@@ -18,6 +19,11 @@ namespace adore::tribology {
 /// and every lane ends alike; powers of ratios near 1 by (1 + e)^k = (1 + (1+k) e/2)/(1 + (1-k)
 /// e/2). Two steps leave 7e-4 of the stress at n = 0.35 in the worst of r0 1e-4 to 1e8, D0 1e-6 to
 /// 1e7, and below 1e-5 nearly everywhere (measured in the tests).
+///
+/// ln(τ/(G r0)) is a function of ln r0 and ½ ln D0 alone, the same for all lubricants with that n:
+/// where `surface` is set it is read from a cubic spline over both, made at set-up
+/// (thinning_surface.hpp, which measures its error). Below the least of each it is that of no
+/// thinning or no heating; points above the largest are solved as without a surface.
 struct ThinningFilm {
   PressureFit log_viscosity;  ///< ln μ1 [Pa s]
   PressureFit log_heating;    ///< ln √(β μ1/(8 K)) [s/m]
@@ -25,36 +31,88 @@ struct ThinningFilm {
   double half_power = 0.0;    ///< (n - 1)/2
   LimitedTraction limit;
   double start_slip = 0.0;
+  const double* surface = nullptr;  ///< [ln r0][½ ln D0]; null: every point is solved
+  SplineAxis log_rate{}, log_heat{};
+  double most_rate = 0.0, most_heat = 0.0;  ///< that the surface covers
 
   static constexpr bool kOfStrip = false;
 
   template <class T>
   struct Here {
     const ThinningFilm* film;
-    T inverse_thickness;
+    T log_scale;  ///< -ln(h G)
 
     [[gnu::always_inline]] T operator()(const T& slip, const T& pressure) const {
       T kappa[1];
-      several<1>(&slip, &pressure, kappa);
+      several<1, 1>(&slip, &pressure, kappa);
       return kappa[0];
     }
-    /// Of N points at once (film_law_of.hpp).
-    template <int N>
+    /// ln(τ/(G r0)) of the surface.
+    [[gnu::always_inline]] T read(const T& rate, const T& heat) const {
+      using Lanes = ScalarLanes<T>;
+      const auto along = film->log_rate.at(rate), across = film->log_heat.at(heat);
+      const int lines = film->log_heat.knots;
+      const T place = along.cell * static_cast<double>(lines) + across.cell;
+      T sum = 0.0;
+      for (int i = 0; i < 4; ++i) {
+        const double* line = film->surface + i * lines;
+        const T first = across.weight[0] * Lanes::gather(line, place) +
+                        across.weight[1] * Lanes::gather(line + 1, place);
+        const T second = across.weight[2] * Lanes::gather(line + 2, place) +
+                         across.weight[3] * Lanes::gather(line + 3, place);
+        sum += along.weight[i] * (first + second);
+      }
+      return sum;
+    }
+    /// Of N points at once, Share of them at each pressure (film_law_of.hpp).
+    template <int N, int Share>
     [[gnu::always_inline]] void several(const T* slip, const T* pressure, T* kappa) const {
+      using M = ScalarMath<T>;
+      T viscosity[N / Share], heating[N / Share], over_pressure[N / Share];
+      fits_at<N / Share>(film->log_viscosity, film->log_heating, pressure, viscosity, heating);
+      for (int k = 0; k < N / Share; ++k)
+        over_pressure[k] = film->modulus / M::max(pressure[k], T(1.0));
+      T rate[N], heat[N];  // ln r0, ½ ln D0
+      for (int i = 0; i < N; ++i) {
+        const T log_slip = ScalarLog<T>::log(M::max(slip[i], T(1e-30)));
+        rate[i] = viscosity[i / Share] + log_scale + log_slip;
+        heat[i] = heating[i / Share] + log_slip;
+      }
+      T stress[N];  // over G
+      const bool on_surface = film->surface != nullptr;
+      bool beyond = !on_surface;
+      if (on_surface) {
+        for (int i = 0; i < N; ++i) {
+          stress[i] = M::exp(rate[i] + read(rate[i], heat[i]));
+          beyond = beyond || M::any(rate[i] > film->most_rate) || M::any(heat[i] > film->most_heat);
+        }
+      }
+      if (beyond) {
+        T solved[N];
+        solve<N>(rate, heat, solved);
+        for (int i = 0; i < N; ++i)
+          stress[i] = on_surface ? M::pick(rate[i] > film->most_rate, solved[i],
+                                           M::pick(heat[i] > film->most_heat, solved[i], stress[i]))
+                                 : solved[i];
+      }
+      for (int i = 0; i < N; ++i) kappa[i] = film->limit.of(stress[i] * over_pressure[i / Share]);
+    }
+
+   private:
+    /// τ/G of ln r0 and ½ ln D0 by the equation.
+    template <int N>
+    [[gnu::always_inline]] void solve(const T* rate, const T* heat, T* stress) const {
       using M = ScalarMath<T>;
       using Log = ScalarLog<T>;
       const auto inverse_of = [](const T& x) {  // of what is positive
         const T root = M::inverse_sqrt(x);
         return root * root;
       };
-      const double half = film->half_power, over_modulus = 1.0 / film->modulus;
-      T log_viscosity[N], log_heating[N];
-      film->log_viscosity.template at<N>(pressure, log_viscosity);
-      film->log_heating.template at<N>(pressure, log_heating);
+      const double half = film->half_power;
       T r0[N], D0[N], w[N], product[N];  // w: r/r0, product: w E
       for (int i = 0; i < N; ++i) {
-        r0[i] = M::exp(log_viscosity[i]) * slip[i] * inverse_thickness * over_modulus;
-        const T S0 = slip[i] * M::exp(log_heating[i]);
+        r0[i] = M::exp(rate[i]);
+        const T S0 = M::exp(heat[i]);
         D0[i] = S0 * S0;
         w[i] = product[i] = 1.0;
       }
@@ -87,13 +145,12 @@ struct ThinningFilm {
           }
           w[i] = w[i] * ratio;
         }
-      for (int i = 0; i < N; ++i)
-        kappa[i] = film->limit.of(film->modulus * r0[i] * product[i] / M::max(pressure[i], T(1.0)));
+      for (int i = 0; i < N; ++i) stress[i] = r0[i] * product[i];
     }
   };
   template <class T>
   [[gnu::always_inline]] Here<T> at(const ContactPoint<T>&, const T& thickness) const {
-    return {this, 1.0 / thickness};
+    return {this, -ScalarLog<T>::log(thickness * modulus)};
   }
   [[nodiscard]] double start() const { return start_slip; }
 };

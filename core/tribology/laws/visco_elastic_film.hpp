@@ -4,32 +4,9 @@
 #include "base/scalar_log.hpp"
 #include "base/scalar_math.hpp"
 #include "tribology/laws/contact_point.hpp"
+#include "tribology/laws/spline_axis.hpp"
 
 namespace adore::tribology {
-
-/// Uniform cubic B-splines over one variable: `knots` coefficients whose middles stand at from,
-/// from + step ... less one at each end. Four of them are not 0 at a place; outside the edge holds.
-struct SplineAxis {
-  int knots = 4;
-  double from = 0.0, inverse_step = 1.0;
-
-  template <class T>
-  struct Place {
-    T cell;       ///< first of the four coefficients, a whole number
-    T weight[4];  ///< sum to 1
-  };
-  template <class T>
-  [[gnu::always_inline]] Place<T> at(const T& x) const {
-    using M = ScalarMath<T>;
-    const T last = static_cast<double>(knots - 3);  // cells
-    const T s = M::min(M::max((x - from) * inverse_step, T(0.0)), last);
-    const T cell = ScalarLanes<T>::floor(M::min(s, last - 1e-9)), f = s - cell, g = 1.0 - f;
-    const T f2 = f * f, g2 = g * g;
-    const T outer = g2 * g * (1.0 / 6.0), far = f2 * f * (1.0 / 6.0);
-    const T near = 2.0 / 3.0 - f2 * (1.0 - 0.5 * f);
-    return {cell, {outer, near, 1.0 - outer - near - far, far}};
-  }
-};
 
 /// Constants of a visco-elastic liquid at the temperature of the walls (viscoelastic_strip.hpp).
 struct ViscoElasticLiquid {
@@ -109,7 +86,7 @@ struct ViscoElasticFilm {
     T outside;                                    ///< 1: the strip is integrated
     T log_transit;                                ///< of b/u
     const double* sheet[ScalarLanes<T>::kCount];  ///< first of the 16 lines over slip
-    double weight[ScalarLanes<T>::kCount][16];
+    double weight[16][ScalarLanes<T>::kCount];
 
     /// At the temperature of the walls.
     [[gnu::always_inline]] T cool(const T& slip) const {
@@ -122,16 +99,17 @@ struct ViscoElasticFilm {
         const T w = log_slip - log_corner;
         const auto cell = film->log_rate.at(w);
         const int slips = film->log_rate.knots, size = film->root_pressure.knots * slips;
-        double value[Lanes::kCount];
+        double value[Lanes::kCount], first[Lanes::kCount], across[4][Lanes::kCount];
+        Lanes::put(cell.cell, first);
+        for (int i = 0; i < 4; ++i) Lanes::put(cell.weight[i], across[i]);
         for (int l = 0; l < Lanes::kCount; ++l) {
-          const double* lines = sheet[l] + static_cast<int>(Lanes::get(cell.cell, l));
+          const double* lines = sheet[l] + static_cast<int>(first[l]);
           Four sum{};
           for (int i = 0; i < 4; ++i)
             for (int j = 0; j < 4; ++j)
-              add(weight[l][4 * i + j], lines + i * size + j * slips, sum);
-          value[l] =
-              Lanes::get(cell.weight[0], l) * sum[0] + Lanes::get(cell.weight[1], l) * sum[1] +
-              Lanes::get(cell.weight[2], l) * sum[2] + Lanes::get(cell.weight[3], l) * sum[3];
+              add(weight[4 * i + j][l], lines + i * size + j * slips, sum);
+          value[l] = across[0][l] * sum[0] + across[1][l] * sum[1] + across[2][l] * sum[2] +
+                     across[3][l] * sum[3];
         }
         kappa = ceiling * M::exp(Lanes::from(value) + M::min(w - film->log_rate.from, T(0.0)));
       }
@@ -210,25 +188,25 @@ struct ViscoElasticFilm {
     const auto corner_pressure = film->corner_root_pressure.at(root);
     const int slips = film->log_rate.knots, size = film->root_pressure.knots * slips,
               corners = film->corner_root_pressure.knots;
-    double log_corner[Lanes::kCount];
-    for (int l = 0; l < Lanes::kCount; ++l) {
-      out.sheet[l] = film->saturation + static_cast<int>(Lanes::get(transit.cell, l)) * size +
-                     static_cast<int>(Lanes::get(pressure.cell, l)) * slips;
-      const double* lines = film->corner +
-                            static_cast<int>(Lanes::get(corner_transit.cell, l)) * corners +
-                            static_cast<int>(Lanes::get(corner_pressure.cell, l));
-      Four sum{};
-      for (int i = 0; i < 4; ++i) {
-        add(Lanes::get(corner_transit.weight[i], l), lines + i * corners, sum);
-        for (int j = 0; j < 4; ++j)
-          out.weight[l][4 * i + j] =
-              Lanes::get(transit.weight[i], l) * Lanes::get(pressure.weight[j], l);
-      }
-      log_corner[l] = 0.0;
+    const T sheets =
+        transit.cell * static_cast<double>(size) + pressure.cell * static_cast<double>(slips);
+    double first[Lanes::kCount];
+    Lanes::put(sheets, first);
+    for (int l = 0; l < Lanes::kCount; ++l)
+      out.sheet[l] = film->saturation + static_cast<int>(first[l]);
+    for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
-        log_corner[l] += Lanes::get(corner_pressure.weight[j], l) * sum[j];
+        Lanes::put(transit.weight[i] * pressure.weight[j], out.weight[4 * i + j]);
+    const T place_of_corner =
+        corner_transit.cell * static_cast<double>(corners) + corner_pressure.cell;
+    out.log_corner = place.log_thickness;
+    for (int i = 0; i < 4; ++i) {
+      T sum = 0.0;
+      for (int j = 0; j < 4; ++j)
+        sum += corner_pressure.weight[j] *
+               Lanes::gather(film->corner + i * corners + j, place_of_corner);
+      out.log_corner += corner_transit.weight[i] * sum;
     }
-    out.log_corner = Lanes::from(log_corner) + place.log_thickness;
     return out;
   }
 

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "base/scalar_lanes.hpp"
+#include "base/scalar_math.hpp"
+
+namespace adore::tribology {
+
+/// Uniform cubic B-splines over one variable: `knots` coefficients whose middles stand at from,
+/// from + step ... less one at each end. Four of them are not 0 at a place; outside the edge holds.
+struct SplineAxis {
+  int knots = 4;
+  double from = 0.0, inverse_step = 1.0;
+
+  template <class T>
+  struct Place {
+    T cell;       ///< first of the four coefficients, a whole number
+    T weight[4];  ///< sum to 1
+  };
+  template <class T>
+  [[gnu::always_inline]] Place<T> at(const T& x) const {
+    using M = ScalarMath<T>;
+    const T last = static_cast<double>(knots - 3);  // cells
+    const T steps = (x - from) * inverse_step;
+    const T s = M::min(M::pick(steps > 0.0, steps, T(0.0)), last);  // what is no number: the first
+    const T cell = ScalarLanes<T>::floor(M::min(s, last - 1e-9)), f = s - cell, g = 1.0 - f;
+    const T f2 = f * f, g2 = g * g;
+    const T outer = g2 * g * (1.0 / 6.0), far = f2 * f * (1.0 / 6.0);
+    const T near = 2.0 / 3.0 - f2 * (1.0 - 0.5 * f);
+    return {cell, {outer, near, 1.0 - outer - near - far, far}};
+  }
+};
+
+}  // namespace adore::tribology

@@ -1,0 +1,39 @@
+#include "tribology/spline_axes.hpp"
+
+namespace adore::tribology {
+
+SplineAxis spline_axis(double from, double to, std::size_t values) {
+  return {static_cast<int>(values) + 2, from, static_cast<double>(values - 1) / (to - from)};
+}
+double spline_place(const SplineAxis& axis, std::size_t k, double beyond) {
+  return axis.from + (static_cast<double>(k) + beyond) / axis.inverse_step;
+}
+
+void to_spline(std::vector<double>& v, std::size_t first, std::size_t stride, std::size_t n) {
+  // (c[k-1] + 4 c[k] + c[k+1])/6 = v[k]. With such ends the equations of the first and last value
+  // become v[0] = (6 c1 - 2 ... )/6; the ends are found from their neighbours instead: unknown
+  // second differences d[k] = c[k-1] - 2 c[k] + c[k+1], c[k] = v[k] - d[k]/6, d[0] = 2 d[1] - d[2].
+  std::vector<double> value(n), d(n, 0.0), upper(n, 0.0), right(n, 0.0);
+  for (std::size_t k = 0; k < n; ++k) value[k] = v[first + (k + 1) * stride];
+  // d[k-1] + 4 d[k] + d[k+1] = 6 (v[k-1] - 2 v[k] + v[k+1]), 0 < k < n - 1.
+  for (std::size_t k = 1; k + 1 < n; ++k) {
+    double below = 1.0, middle = 4.0, above = 1.0;
+    if (k == 1) middle = 6.0, above = 0.0, below = 0.0;
+    if (k + 2 == n) middle = 6.0, below = 0.0, above = 0.0;
+    const double b = 6.0 * (value[k - 1] - 2.0 * value[k] + value[k + 1]);
+    const double pivot = middle - below * upper[k - 1];
+    upper[k] = above / pivot;
+    right[k] = (b - below * right[k - 1]) / pivot;
+  }
+  for (std::size_t k = n - 2; k >= 1; --k)
+    d[k] = right[k] - upper[k] * (k + 2 < n ? d[k + 1] : 0.0);
+  d[0] = 2.0 * d[1] - d[2];
+  d[n - 1] = 2.0 * d[n - 2] - d[n - 3];
+  std::vector<double> c(n + 2, 0.0);
+  for (std::size_t k = 0; k < n; ++k) c[k + 1] = value[k] - d[k] / 6.0;
+  c[0] = d[0] + 2.0 * c[1] - c[2];
+  c[n + 1] = d[n - 1] + 2.0 * c[n] - c[n - 1];
+  for (std::size_t k = 0; k < n + 2; ++k) v[first + k * stride] = c[k];
+}
+
+}  // namespace adore::tribology

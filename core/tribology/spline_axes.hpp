@@ -1,0 +1,22 @@
+#pragma once
+
+#include "tribology/laws/spline_axis.hpp"
+
+#include <cstddef>
+#include <vector>
+
+/// Making of the splines that laws of traction read (laws/spline_axis.hpp).
+namespace adore::tribology {
+
+/// Axis of a spline through `values` values from `from` to `to`, both ends among them; its
+/// coefficients are one more at each end.
+[[nodiscard]] SplineAxis spline_axis(double from, double to, std::size_t values);
+/// Where value k stands, or `beyond` steps after it.
+[[nodiscard]] double spline_place(const SplineAxis& axis, std::size_t k, double beyond = 0.0);
+
+/// Values v[first + (k + 1) stride], k = 0 ... n - 1, become the coefficients v[first + k stride],
+/// k = 0 ... n + 1, of the spline through them, its third derivative continuous at the second place
+/// from each end (quadratic ends: c = 3 c' - 3 c'' + c''').
+void to_spline(std::vector<double>& v, std::size_t first, std::size_t stride, std::size_t n);
+
+}  // namespace adore::tribology
