@@ -106,6 +106,28 @@ BulkTemperatures bulk_of(const NetworkRings& rings, const NetworkTemperatures& T
   return out;
 }
 
+/// Heat of the inner race that a solid shaft cannot take (Ladder::turned_back) [W].
+/// @param room [K]; 0: not known
+double not_into_shaft(Ladder ladder, double room) {
+  const auto too_cold = [&](double turned_back) {
+    ladder.turned_back = turned_back;
+    const NetworkTemperatures& T = solve_ladder(ladder).temperature;
+    double coldest = ladder.base_temperature;
+    if (room > 0.0) coldest = std::min(coldest, room);
+    if (ladder.capacity_flow > 0.0) coldest = std::min(coldest, T.coolant_in);
+    return T.shaft < coldest - 1e-9 * std::abs(coldest);
+  };
+  if (!too_cold(0.0)) return 0.0;
+  ladder.turned_back = 0.0;
+  double low = 0.0, high = solve_ladder(ladder).flows.race[1];
+  constexpr int kHalvings = 60;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (too_cold(middle) ? low : high) = middle;
+  }
+  return high;
+}
+
 /// Of what meets the coolant.
 struct Surfaces {
   double element = 0.0, cage = 0.0;  ///< [m²]
@@ -198,6 +220,9 @@ BearingHeat solve_bearing_heat(const Bearing& b, const HeatSources& sources, dou
             coolant.name, ladder.capacity_flow, out.element_convection, out.cage_convection));
       out.coolant = std::move(coolant);
     }
+    ladder.turned_back = 0.0;
+    if (!(b.envelope.shaft_bore > 0.0))
+      ladder.turned_back = not_into_shaft(ladder, b.room_temperature);
     const LadderResult result = solve_ladder(ladder);
     out.temperature = result.temperature;
     out.flows = result.flows;
@@ -218,6 +243,13 @@ BearingHeat solve_bearing_heat(const Bearing& b, const HeatSources& sources, dou
     out.notes.emplace_back(
         "the shaft is solid (shftID = 0): the thermal network gives it a bore of 1 % of the "
         "bearing's");
+  if (ladder.turned_back > 0.0)
+    out.notes.push_back(fmt::format(
+        "nothing cools the solid shaft: with {:.4g} W into it its axis would be colder than "
+        "everything around it; it takes {:.4g} W, its axis is at {:.4g} K, and the rest leaves by "
+        "{}",
+        out.flows.race[1] + ladder.turned_back, out.flows.race[1], out.temperature.shaft,
+        flows ? "the coolant" : "the outer race"));
   if (out.coolant && out.coolant->outside(T_mean))
     out.notes.push_back(fmt::format(
         "the coolant's properties are known from {:g} to {:g} K; its mean temperature is {:.4g} K, "

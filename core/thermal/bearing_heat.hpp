@@ -16,7 +16,10 @@
 ///   [choice],
 /// all around: N π D² of balls, N (π D L + π D²/2) of rollers; the cage with both its cylinders.
 /// Shaft and housing are as wide as their races [choice]. A solid shaft gets a bore of 1 % (N76).
-/// Properties that depend on temperature are iterated to 1e-6 K.
+/// Nothing cools the axis of a solid shaft: it takes no more heat than leaves it as warm as the
+/// coldest that is known, of base temperature, room and coolant inlet; the rest goes by the
+/// coolant, or without one by the outer race. Properties that depend on temperature are iterated to
+/// 1e-6 K.
 namespace adore::thermal {
 
 struct Coolant {

@@ -29,13 +29,17 @@ LadderResult solve_ladder(const Ladder& ladder) {
   LadderResult out;
   HeatFlows& flow = out.flows = ladder.flows;
   NetworkTemperatures& T = out.temperature;  // over that of the coolant inlet, first
+  flow.race[1] -= ladder.turned_back;
   if (ladder.capacity_flow > 0.0) {
+    flow.element += ladder.turned_back;
+    flow.coolant += ladder.turned_back;
     T.coolant_out = flow.coolant / ladder.capacity_flow;
     T.coolant_mean = 0.5 * T.coolant_out;
     T.element = T.coolant_mean + flow.element / ladder.element_film;
     T.cage = T.coolant_mean + flow.cage / ladder.cage_film;
   } else {
     for (double& race : flow.race) race += 0.5 * flow.coolant;
+    flow.race[0] += ladder.turned_back;
     flow.element = flow.cage = flow.coolant = 0.0;
   }
   T.outer_raceway = T.inner_raceway = T.element;

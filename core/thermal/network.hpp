@@ -73,6 +73,9 @@ struct Ladder {
   double element_film = 0.0, cage_film = 0.0;  ///< h A [W/K]; > 0 with coolant
   BaseNode base = BaseNode::OuterInterface;
   double base_temperature = 0.0;  ///< [K]
+  /// Of the inner race's heat, what cannot leave by the shaft: it goes by elements to the coolant,
+  /// or, where none flows, by the outer race [W].
+  double turned_back = 0.0;
 };
 struct LadderResult {
   NetworkTemperatures temperature;

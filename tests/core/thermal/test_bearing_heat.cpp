@@ -88,6 +88,47 @@ TEST_CASE("the network gives away what is made in it, whatever cools and whateve
     }
 }
 
+TEST_CASE("no part of a network with a solid shaft is colder than everything around it",
+          "[physics][thermal]") {
+  int mended = 0;
+  for (const int coolant : {0, 1, 2, 3, 5, 13, 14})
+    for (const int base : {0, 1, 2, 3, 4, 5})
+      for (const double heat_share : {0.01, 1.0, 20.0}) {
+        if (coolant == 0 && (base == 2 || base == 3)) continue;
+        INFO("kCoolant " << coolant << ", kBaseTemp " << base << ", heat x " << heat_share);
+        Bearing b = example();
+        b.envelope.shaft_bore = 0.0;
+        b.thermal->coolant = coolant;
+        b.thermal->base = base;
+        b.thermal->base_temperature = coolant == 3 ? 95.0 : coolant == 5 ? 80.0 : 320.0;
+        b.thermal->density = 900.0;
+        b.thermal->viscosity = 0.01;
+        b.thermal->specific_heat = 2000.0;
+        b.thermal->conductivity = 0.14;
+        if (coolant == 13) b.thermal->flow = 1e-2;
+        HeatSources sources = kHeat;
+        for (double* q : {&sources.race[0], &sources.race[1], &sources.land[0],
+                          &sources.element_cage, &sources.churning})
+          *q *= heat_share;
+        const BearingHeat heat = thermal::solve_bearing_heat(b, sources, 400.0);
+        const thermal::NetworkTemperatures& T = heat.temperature;
+        const double base_and_room = std::min(b.thermal->base_temperature, b.room_temperature),
+                     coldest = heat.coolant ? std::min(base_and_room, T.coolant_in) : base_and_room;
+        for (const double node : {T.element, T.cage, T.inner_raceway, T.inner_interface, T.shaft})
+          CHECK(node >= coldest - 1e-6);
+        CHECK(std::abs(heat.imbalance()) < 1e-10 * sources.total());
+        CHECK(heat.flows.race[1] >= 0.0);
+        bool said = false;
+        for (const std::string& note : heat.notes)
+          said = said || note.find("nothing cools the solid shaft") != std::string::npos;
+        const thermal::HeatFlows shares = thermal::share_out(sources, {});
+        const double asked = shares.race[1] + (heat.coolant ? 0.0 : 0.5 * shares.coolant);
+        CHECK(said == (heat.flows.race[1] < asked * (1.0 - 1e-12)));
+        if (said) ++mended;
+      }
+  CHECK(mended > 5);
+}
+
 TEST_CASE("cryogenic coolants keep their own temperature and say where they are extrapolated",
           "[physics][thermal]") {
   Bearing b = example();
