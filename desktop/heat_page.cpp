@@ -110,8 +110,9 @@ std::optional<ChartPage> heat_page(const StaticTables& all) {
           {0.5 * (a->x + b->x) + kHalf, 0.5 * (a->y + b->y) + kHalf, 1.0, 0.0, shown(*heat, all)});
   }
   double y = -0.8;
-  for (const char* made : {"made at the outer race", "made at the inner race",
-                           "made in the pockets", "made by churning"})
+  for (const char* made :
+       {"made at the outer race", "made at the inner race", "made in the pockets",
+        "made by churning", "mean of the outer race", "mean of the inner race"})
     if (const StaticColumn* heat = value(made); heat != nullptr && heat->values.front() != 0.0) {
       page.labels.push_back({0.0, y, 1.0, 0.0, fmt::format("{}: {}", made, shown(*heat, all))});
       y -= 0.5;

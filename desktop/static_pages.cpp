@@ -331,9 +331,10 @@ std::vector<ChartPage> static_pages(const StaticTables& all) {
   if (auto page = slice_page(all)) pages.push_back(std::move(*page));
   if (auto page = heat_page(all)) pages.push_back(std::move(*page));
   for (ChartPage& page : stiffness_pages(all)) pages.push_back(std::move(page));
+  const char* const of = all.find("elements") != nullptr ? "quasi-static" : "last thermal step";
   for (ChartPage& page : pages)
-    page.subtitle = fmt::format("{}   ·   {} bearing, quasi-static",
-                                all.run_id.empty() ? "(no run name)" : all.run_id, all.bearing);
+    page.subtitle = fmt::format("{}   ·   {} bearing, {}",
+                                all.run_id.empty() ? "(no run name)" : all.run_id, all.bearing, of);
   return pages;
 }
 

@@ -17,6 +17,8 @@
 #include "facade/start_state.hpp"
 #include "facade/user_session.hpp"
 #include "listing/print_fits.hpp"
+#include "listing/print_heat.hpp"
+#include "listing/solution_tables.hpp"
 #include "listing/static_summary.hpp"
 #include "results/averages.hpp"
 #include "results/channels.hpp"
@@ -109,7 +111,8 @@ struct RunOutputs::Impl {
   long continued_at = 0;            ///< step at which this process took the run over
   std::vector<int> cage_positions;  ///< first components of the mass centres of cage or segments
   const ThermalRun* thermal = nullptr;
-  double turned_before = 0.0;  ///< rotation of the shaft beyond speed times time [rad]
+  nlohmann::ordered_json network;  ///< of the last thermal step
+  double turned_before = 0.0;      ///< rotation of the shaft beyond speed times time [rad]
 
   Impl(const Prepared& p, fs::path f, std::string r, bool o)
       : prepared(p),
@@ -260,6 +263,11 @@ void RunOutputs::thermal_step(const ThermalRun::Step& step, double time) {
   s.recorder.set_bearing(s.prepared.bearing);
   s.life.follow_bearing();
   s.files.print->thermal_step(step.heat, step.number, time, step.geometry);
+  const bearing::Bearing& bearing = s.prepared.bearing;
+  s.network = results::to_json({bearing.run_id,
+                                listing::type_name(bearing.type),
+                                s.units,
+                                {listing::network_table(step.heat)}});
 }
 
 void RunOutputs::remark(std::string text) { impl_->remark(std::move(text)); }
@@ -515,6 +523,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
         results::key_result("run_life_hours", run_life.damage.life_hours(run_life.slopes)));
   run.summary = s.key_results;
   run.life["run"] = listing::run_life_json(run_life);
+  run.thermal_network = s.network;
   s.close(run, run_life);
 }
 

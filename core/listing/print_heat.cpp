@@ -221,6 +221,8 @@ StaticTable network_table(const thermal::BearingHeat& heat) {
   for (const auto& [name, T] : nodes(heat)) out.add(name, unit::kTemperature, {T});
   for (const Flow& flow : flows(heat))
     out.add(fmt::format("{} to {}", flow.from, flow.to), unit::kPower, {flow.heat});
+  out.add("mean of the outer race", unit::kTemperature, {heat.bulk.race[0]});
+  out.add("mean of the inner race", unit::kTemperature, {heat.bulk.race[1]});
   const thermal::HeatSources& q = heat.sources;
   out.add("made at the outer race", unit::kPower, {q.race[0] + q.flange[0] + q.land[0]});
   out.add("made at the inner race", unit::kPower, {q.race[1] + q.flange[1] + q.land[1]});

@@ -66,8 +66,6 @@ StaticTables static_tables(const statics::StaticSolution& solution, const Bearin
   return out;
 }
 
-namespace {
-
 const char* type_name(bearing::Type type) {
   switch (type) {
     case bearing::Type::Ball:
@@ -83,6 +81,8 @@ const char* type_name(bearing::Type type) {
   }
   return "";
 }
+
+namespace {
 
 /// The roller with the largest contact load; nullptr without rollers.
 const statics::StaticRoller* heaviest(const statics::RollerSolution& solution) {

@@ -10,6 +10,9 @@
 /// The tables of a quasi-static solution.
 namespace adore::listing {
 
+/// "ball", "cylindrical roller", ...
+[[nodiscard]] const char* type_name(bearing::Type type);
+
 /// Tables of a ball bearing: "elements" with azimuth, and per race load, contact angle, pressure
 /// and the angles between which the contact ellipse lies, and, where the deck gives a shoulder, the
 /// angle at which the groove ends.

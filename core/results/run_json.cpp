@@ -161,6 +161,7 @@ Json run_json(const RunSummary& run) {
   out["conservation"] = conservation;
   out["summary"] = object_of(run.summary);
   if (!run.quasi_static.is_null()) out["quasi_static"] = run.quasi_static;
+  if (!run.thermal_network.is_null()) out["thermal_network"] = run.thermal_network;
   if (!run.life.is_null()) out["life"] = run.life;
   Json defaults = Json::array();
   for (const deck::DefaultUsed& used : run.defaults_used) {

@@ -55,6 +55,8 @@ struct RunSummary {
   nlohmann::ordered_json life;          ///< fatigue life; null: none computed
   std::vector<std::string> files;       ///< names without folders
   nlohmann::ordered_json quasi_static;  ///< results/static_tables.hpp; null when there is none
+  /// The same of a motion's last thermal step: its network alone.
+  nlohmann::ordered_json thermal_network;
   // Measured.
   std::vector<scene::CostLedger::Row> cost;
   double seconds = 0.0;    ///< of this process

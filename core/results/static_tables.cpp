@@ -83,11 +83,12 @@ StaticTables read_static_tables(const std::filesystem::path& run_json) {
   };
   const Json json = parse_json<Json>(read_text_file(run_json), run_json.string());
   try {
-    if (!json.is_object() || !json.contains("quasi_static"))
+    if (!json.is_object() || !(json.contains("quasi_static") || json.contains("thermal_network")))
       throw refuse(
-          "holds no quasi-static solution; plots of this kind come from the RUN.json of a run with "
-          "mode -1");
-    const Json& section = json.at("quasi_static");
+          "holds no quasi-static solution and no thermal network; plots of this kind come from the "
+          "RUN.json of a run with mode -1, or of a motion with kTherm = 1 after a thermal step");
+    const Json& section =
+        json.at(json.contains("quasi_static") ? "quasi_static" : "thermal_network");
     StaticTables out;
     out.run_id = json.value("run", "");
     out.bearing = section.at("bearing").get<std::string>();

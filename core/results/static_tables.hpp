@@ -40,7 +40,7 @@ struct StaticTables {
 [[nodiscard]] nlohmann::ordered_json to_json(const StaticTables& tables);
 
 /// What `to_json` wrote into a RUN.json. @throws InputError when the file is none, or is of a run
-/// without a quasi-static solution.
+/// without a quasi-static solution and without a thermal network.
 [[nodiscard]] StaticTables read_static_tables(const std::filesystem::path& run_json);
 
 }  // namespace adore::results

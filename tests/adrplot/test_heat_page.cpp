@@ -28,6 +28,7 @@ results::StaticTables network(results::UnitSystem units) {
   table.add("inner raceway to shaft", unit::kPower, {40.0});
   table.add("made at the outer race", unit::kPower, {60.0});
   table.add("made in the pockets", unit::kPower, {0.0});
+  table.add("mean of the outer race", unit::kTemperature, {329.0});
   results::StaticTables out{"heat", "ball", units, {}};
   out.tables.push_back(std::move(table));
   return out;

@@ -1,6 +1,7 @@
 #include "core/facade/deck_runs.hpp"
 #include "deck/templates.hpp"
 #include "results/sol_file.hpp"
+#include "results/static_tables.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -91,6 +92,109 @@ TEST_CASE("a run with kTherm warms by steps, keeps its ledger and shows nine val
   CHECK(last[kInlet] == Approx(320.0).epsilon(1e-6));
   CHECK(last[kHeat] > 0.0);
   CHECK(std::abs(ran.outcome.energy_residual) < 1e-3 * ran.outcome.energy_scale);
+}
+
+TEST_CASE("the network of a motion's last thermal step is in RUN.json, with the figures of SOL7",
+          "[physics][thermal]") {
+  const fs::path where = folder("network");
+  deck::Deck deck = moving("ball");
+  deck.set("maxStps", "150");
+  REQUIRE(run_deck(deck, where).outcome.status == facade::RunStatus::Done);
+  const results::StaticTables all = results::read_static_tables(where / "RUN.json");
+  const results::StaticTable* network = all.find("thermal network");
+  REQUIRE(network != nullptr);
+  const auto& last = results::read_sol(where / "SOL7").steps.back().values;
+  // Values 14 to 17, and those of the thermal step: coolant inlet and exit.
+  for (const auto& [value, column] : {std::pair{14, "rolling elements"},
+                                      {15, "mean of the outer race"},
+                                      {16, "mean of the inner race"},
+                                      {17, "cage"},
+                                      {18, "coolant inlet"},
+                                      {19, "coolant exit"}}) {
+    INFO(value << " " << column);
+    REQUIRE(network->find(column) != nullptr);
+    CHECK(last[static_cast<std::size_t>(value - 1)] ==
+          Approx(network->find(column)->values.front()).epsilon(1e-6));
+  }
+  // Balance: what is made is what leaves.
+  double made = 0.0, left = 0.0;
+  for (const results::StaticColumn& column : network->columns) {
+    if (column.name.rfind("made ", 0) == 0) made += column.values.front();
+    if (column.name.find(" to ") != std::string::npos) left += column.values.front();
+  }
+  CHECK(made > 0.0);
+  CHECK(left == Approx(made).epsilon(1e-9));
+}
+
+TEST_CASE("each variable of thermal steps acts", "[physics][thermal]") {
+  struct Seen {
+    int steps = 0, changes = 0;
+    double first_change = 0.0, work = 0.0;
+  };
+  int count = 0;
+  const auto seen = [&](std::initializer_list<std::pair<const char*, const char*>> sets) {
+    deck::Deck deck = moving("ball");
+    deck.set("maxStps", "200");
+    for (const auto& [name, value] : sets) deck.set(name, value);
+    const Ran ran = run_deck(deck, folder("acts" + std::to_string(++count)));
+    REQUIRE(ran.outcome.status != facade::RunStatus::Failed);
+    Seen out;
+    const std::string change = "Geometry and material change with this step.";
+    for (std::size_t at = ran.print.find("Its end"); at != std::string::npos;
+         at = ran.print.find("Its end", at + 1)) {
+      ++out.steps;
+      const std::size_t next = ran.print.find("Its end", at + 1);
+      const std::size_t found = ran.print.find(change, at);
+      if (found == std::string::npos || found > next) continue;
+      if (out.changes++ == 0) out.first_change = std::stod(ran.print.substr(at + 7));
+    }
+    const std::string label = "changes of geometry and material by thermal steps";
+    const std::size_t at = ran.print.rfind(label);
+    REQUIRE(at != std::string::npos);
+    out.work = std::stod(ran.print.substr(at + label.size()));
+    return out;
+  };
+  const Seen plain = seen({}), never = seen({{"kGeoMod", "0"}}), second = seen({{"kGeoMod", "2"}}),
+             laws = seen({{"kMatPropMod", "1"}}), longer = seen({{"aveTime", "4.0e-4"}}),
+             later = seen({{"skipTime", "1.0e-3"}});
+  REQUIRE(plain.steps > 8);
+  CHECK(plain.changes == plain.steps);
+  CHECK(never.steps > 8);
+  CHECK(never.changes == 0);
+  CHECK(never.work == 0.0);
+  CHECK(second.changes == second.steps / 2);
+  CHECK(laws.changes == laws.steps);
+  CHECK(std::abs(laws.work / plain.work - 1.0) > 1e-3);
+  CHECK(2 * longer.steps <= plain.steps + 2);
+  CHECK(longer.steps > 2);
+  CHECK(later.changes > 0);
+  CHECK(later.changes < later.steps);
+  CHECK(later.first_change >= 1.0e-3 * (1.0 - 1e-9));
+  CHECK(plain.first_change < 3e-4);
+}
+
+TEST_CASE("thermal steps of every kind go on where a run was cut", "[physics][thermal]") {
+  int count = 0;
+  for (const auto& [name, value] : {std::pair{"kGeoMod", "2"},
+                                    {"kMatPropMod", "1"},
+                                    {"skipTime", "1.0e-3"},
+                                    {"aveTime", "4.0e-4"}}) {
+    INFO(name << " = " << value);
+    deck::Deck whole = moving("ball");
+    whole.set("maxStps", "200");
+    whole.set(name, value);
+    deck::Deck part = whole;
+    part.set("maxStps", "90");
+    const fs::path one = folder("every" + std::to_string(++count)),
+                   two = folder("every_cut" + std::to_string(count));
+    const Ran unbroken = run_deck(whole, one);
+    REQUIRE(unbroken.outcome.status != facade::RunStatus::Failed);
+    REQUIRE(run_deck(part, two).outcome.status != facade::RunStatus::Failed);
+    const Ran joined = run_deck(whole, two, true);
+    INFO(joined.outcome.message);
+    REQUIRE(joined.outcome.status == unbroken.outcome.status);
+    CHECK(read_bytes(one / "FINAL") == read_bytes(two / "FINAL"));
+  }
 }
 
 TEST_CASE("a continued run goes on with its temperatures", "[physics][thermal]") {
