@@ -58,6 +58,15 @@ EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic, 
         fmt::format(", {:.2g} of the {:.3g} J of elastic energy in the quasi-static solution{}",
                     out.over_elastic, elastic, limit(shares.by_elastic(), kElasticLimit));
   out.text += ". ";
+  constexpr double kNothingElse = 0.5;  // of what moved, error of the steps
+  if (none && shares.by_elastic() != Trust::None && out.over_moved > kNothingElse) {
+    out.text +=
+        "The results of this run cannot be trusted. Next to nothing moves in it but the error of "
+        "its steps: contacts neither roll nor slide, and a lubricant that is not sheared is a "
+        "solid. Shorter steps do not help. Solve a bearing that stands or creeps in equilibrium "
+        "(mode = -1), or with the hypothetical law of traction (kTrac = 0)";
+    return out;
+  }
   out.text += out.trust == Trust::None
                   ? "The results of this run cannot be trusted. Lower the tolerance (tol on record "
                     "2.1, or --tol) or the longest step (stpMax), lower stpMin when steps were "

@@ -40,6 +40,21 @@ TEST_CASE("The energy residual is judged against what moved and against the elas
   CHECK(judge_energy(run_of(1.1e-4), much).text.find("elastic") != std::string::npos);
 }
 
+TEST_CASE("Where nothing moves but the error of the steps, no shorter step is asked for",
+          "[unit][results]") {
+  using adore::scene::LedgerKind;
+  static const adore::scene::LedgerTerm work{LedgerKind::Work, "work", "", {"races", ""}, ""};
+  adore::scene::EnergyLedger at_rest;
+  at_rest.add(work, 1e-6);
+  const EnergyJudgement stands = judge_energy(at_rest, 1e-2);
+  CHECK(stands.trust == Trust::None);
+  CHECK_THAT(stands.text, Catch::Contains("have no account") && Catch::Contains("mode = -1") &&
+                              Catch::Contains("kTrac = 0") && !Catch::Contains("--tol"));
+  // One that shakes, and one that moves.
+  CHECK_THAT(judge_energy(at_rest, 1e-6).text, Catch::Contains("--tol"));
+  CHECK_THAT(judge_energy(run_of(0.3), 1e6).text, Catch::Contains("--tol"));
+}
+
 TEST_CASE("A residual that comes and goes is warned of", "[unit][results]") {
   const double much = 1e6;
   CHECK(judge_energy(run_of(1e-6), much, 1.1e-4).trust == Trust::Warned);
