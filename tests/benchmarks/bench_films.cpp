@@ -18,7 +18,7 @@ constexpr std::size_t kBalls = 16;
 
 test::ThrustScene scene_of(int code) {
   test::ThrustScene scene = test::thrust_scene("dyn3_40_30k_exp_curved", kBalls,
-                                               tribology::make_split_ellipse_rule(15, 4), 1.0);
+                                               tribology::make_split_ellipse_rule(15, 2), 1.0);
   if (code == 0) return scene;
   bearing::Lubrication lubrication;
   lubrication.code = code;
@@ -77,7 +77,7 @@ void films(benchmark::State& state, int code, InstructionSet set) {
 
 const int registered = [] {
   for (const InstructionSet set : {InstructionSet::Avx512, InstructionSet::Avx2})
-    for (const int code : {0, 3, 6, 10, 11, 8}) {
+    for (const int code : {0, 3, 6, 10, 11, 13, 15, 18, 20, 8, 12}) {
       const std::string name =
           std::string("kTrac_") + std::to_string(code) + "/" + dynamics::instruction_set_name(set);
       benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {

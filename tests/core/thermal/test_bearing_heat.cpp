@@ -93,7 +93,7 @@ TEST_CASE("no part of a network with a solid shaft is colder than everything aro
   int mended = 0;
   for (const int coolant : {0, 1, 2, 3, 5, 13, 14})
     for (const int base : {0, 1, 2, 3, 4, 5})
-      for (const double heat_share : {0.01, 1.0, 20.0}) {
+      for (const double heat_share : {0.01, 1.0, 5.0}) {
         if (coolant == 0 && (base == 2 || base == 3)) continue;
         INFO("kCoolant " << coolant << ", kBaseTemp " << base << ", heat x " << heat_share);
         Bearing b = example();
