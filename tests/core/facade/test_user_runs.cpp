@@ -234,6 +234,46 @@ TEST_CASE("a base frame that ADRX1 accelerates is a field of gravity the other w
   }
 }
 
+TEST_CASE("a base frame that ADRX1 accelerates is record 9.5 on an orbit without end",
+          "[user][physics]") {
+  // a = R w^2 towards the axis of the orbit. What is left of the turning is Coriolis: 2 w v on a
+  // body whose v = a t makes it a w t^2, which is w t of a t.
+  const double a = 1000.0, angle = 0.5;
+  const std::string until = "2e-4s";
+  const Sets still{{"gravityVecX", "0"}, {"gravityVecY", "0"}, {"gravityVecZ", "0"}};
+  auto request = request_of("uniform", deck_of("ball", still, ""), until);
+  request.user = json_file(
+      "uniform",
+      fmt::format(R"~({{"adrx1": {{"frame_acceleration": ["0", "{:.17g}", "{:.17g}"]}}}})~",
+                  a * std::sin(angle), -a * std::cos(angle)));
+  const Ran uniform = ran_with(request);
+  const Ran at_rest = ran_with(request_of("at-rest", deck_of("ball", still, ""), until));
+  const auto between = [](const Ran& one, const Ran& other) {
+    double out = 0.0;
+    for (const auto& [name, value] : one.last)
+      if (name.find("velocity") != std::string::npos && name.find("angular") == std::string::npos)
+        out = std::max(out, std::abs(value - other.last.at(name)));
+    return out;
+  };
+  const double acts = between(uniform, at_rest);
+  CHECK(acts == Approx(a * 2e-4).epsilon(0.5));
+  for (const double R : {1e4, 1e8, 1e12}) {
+    const double w = std::sqrt(a / R);
+    Sets sets = still;
+    sets.insert(sets.end(),
+                {{"kRotFrame", "1"},
+                 {"brgOrbitRad", fmt::format("{:.17g}", R)},
+                 {"brgAngPos", fmt::format("{:.17g}", angle * 180.0 / std::numbers::pi)},
+                 {"brgAngVel", fmt::format("{:.17g}", w * 30.0 / std::numbers::pi)},
+                 {"brgLoadFrac1", "0"},
+                 {"brgLoadFrac2", "0"}});
+    const Ran turning = ran_with(request_of("orbit", deck_of("ball", sets, ""), until));
+    REQUIRE(turning.outcome.status == facade::RunStatus::Done);
+    CAPTURE(R);
+    CHECK(between(uniform, turning) / acts == Approx(w * 2e-4).epsilon(0.01).margin(1e-9));
+  }
+}
+
 TEST_CASE("the heat map of ADRX9 adds up to the heat of the ledger", "[user][physics]") {
   auto request = request_of("heat", deck_with({}, ""), "2e-4s");
   double worst = 0.0, before = 0.0, at = 0.0, sum = 0.0;
