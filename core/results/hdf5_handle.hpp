@@ -88,8 +88,8 @@ class Handle {
   hid_t id_ = H5I_INVALID_HID;
 };
 
-/// Text of `width` bytes, padded with zeros. Declared ASCII where it is: programs that read ASCII alone
-/// (Octave) take such texts and leave those of UTF-8.
+/// Text of `width` bytes, padded with zeros. Declared ASCII where it is: programs that read ASCII
+/// alone (Octave) take such texts and leave those of UTF-8.
 inline Handle text_type(std::size_t width, std::string_view text) {
   const bool ascii = std::all_of(text.begin(), text.end(),
                                  [](char c) { return static_cast<unsigned char>(c) < 0x80; });
