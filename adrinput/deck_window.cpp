@@ -48,8 +48,8 @@ QString text_in(const std::string& bytes) {
 }
 
 constexpr int kDrawingWidth = 300;  // of the drawing beside the form
-constexpr int kListWidth = 130;     // of the records, at least
-constexpr int kFormWidth = 400;     // of a record's page, which scrolls where it needs more
+constexpr int kListWidth = 140;     // of the records, at least
+constexpr int kFormWidth = 390;     // of a record's page, which scrolls where it needs more
 constexpr int kCheckPause = 200;    // ms without a change before the model is built
 
 /// A panel that may be lower than it needs to be.
