@@ -162,6 +162,7 @@ void AgoreWindow::makeMenus() {
          "whose data sets are accepted is %1.")
           .arg(kLowestVersion),
       {{tr("Space, Shift+Space"), tr("play forward (again: pause), backward")},
+       {tr("P"), tr("pauses")},
        {tr("Right, Left"), tr("one frame on, back; held down: on and on")},
        {tr("Home, End"), tr("first and last frame")},
        {tr("Up, Down"), tr("next and previous element or pocket, and the segment that holds it")},

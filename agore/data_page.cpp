@@ -62,7 +62,9 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       page.title += animation.segment_remark(segment);
       break;
     case View::Cage:
-      page.title = "Cage speeds over race speed" + animation.segment_remark(segment);
+      page.title = animation.segments > 1
+                       ? "Cage over race speed" + animation.segment_remark(segment)
+                       : "Cage speeds over race speed";
       add(page, "Whirl", "", cage_whirl(animation, segment), exact, true);
       add(page, "Rotation", "", cage_speed(animation, segment), exact, true);
       break;

@@ -78,7 +78,7 @@ TEST_CASE("a disk that is full is said; the old deck and what was typed stay",
   CHECK(window.document().modified());
   CHECK(window.document().deck().real("brgBore") == 0.041);
   window.save();
-  CHECK(take_message(window).isEmpty());
+  CHECK(take_message(window).toStdString() == "");
   CHECK(bytes_of(path) != old);
   // Undo goes on over the save.
   window.undo();

@@ -8,6 +8,7 @@
 #include <QMainWindow>
 #include <QMenu>
 #include <QMessageBox>
+#include <QRegularExpression>
 #include <QStringList>
 #include <QTest>
 #include <QTreeWidget>
@@ -62,7 +63,9 @@ inline QStringList keys_without_help(const QMainWindow& window, const QString& h
       QString spoken = name;
       spoken.replace("PgUp", "Page Up").replace("PgDown", "Page Down");
       const bool digit = spoken.size() == 1 && spoken[0].isDigit();
-      if (digit ? !help.contains("1 to 9") : !help.contains(spoken)) out << name;
+      const QRegularExpression alone("(^|[^A-Za-z+])" + QRegularExpression::escape(spoken) +
+                                     "($|[^A-Za-z])");
+      if (digit ? !help.contains("1 to 9") : !help.contains(alone)) out << name;
     }
   return out;
 }
