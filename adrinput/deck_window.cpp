@@ -48,8 +48,9 @@ QString text_in(const std::string& bytes) {
 }
 
 constexpr int kDrawingWidth = 300;  // of the drawing beside the form
-constexpr int kListWidth = 130;     // of the records, at least
-constexpr int kFormWidth = 400;     // of a record's page, which scrolls where it needs more
+constexpr int kListWidth = 140;     // of the records, at least
+constexpr int kNarrow = 1100;       // a window whose form needs the room of list and drawing
+constexpr int kFormWidth = 390;     // of a record's page, which scrolls where it needs more
 constexpr int kCheckPause = 200;    // ms without a change before the model is built
 
 /// A panel that may be lower than it needs to be.
@@ -170,7 +171,7 @@ void DeckWindow::makeCentre() {
   splitter->addWidget(list_);
   splitter->addWidget(right);
   splitter->setStretchFactor(1, 1);
-  splitter->setSizes({200, 1032});
+  splitter->setSizes({width() < kNarrow ? kListWidth : 200, 1032});
   splitter->setChildrenCollapsible(false);
   setCentralWidget(splitter);
   connect(list_, &RecordList::recordChosen, this, [this](const QString& record) {
@@ -199,7 +200,8 @@ void DeckWindow::makeDrawing() {
   drawing_dock_->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
   drawing_dock_->setWidget(drawing_);
   addDockWidget(Qt::RightDockWidgetArea, drawing_dock_);
-  resizeDocks({drawing_dock_}, {kDrawingWidth}, Qt::Horizontal);
+  resizeDocks({drawing_dock_}, {width() < kNarrow ? kDrawingWidth * 2 / 3 : kDrawingWidth},
+              Qt::Horizontal);
   charts_ = new SolutionCharts(this);
   charts_dock_ = new QDockWidget(tr("Solution"), this);
   charts_dock_->setObjectName("solution-dock");

@@ -286,6 +286,7 @@ bool DeckWindow::writeTo(const std::filesystem::path& path) {
     box->setObjectName("message");
     box->setTextFormat(Qt::PlainText);
     box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setEscapeButton(QMessageBox::Ok);  // of two buttons Qt would know none for Esc
     QPushButton* park = box->addButton(tr("Park as a draft …"), QMessageBox::ActionRole);
     park->setObjectName("park-draft");
     connect(box, &QMessageBox::buttonClicked, this, [this, park](QAbstractButton* button) {

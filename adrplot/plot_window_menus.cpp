@@ -96,6 +96,7 @@ void PlotWindow::makeMenus() {
       *this, "AdrPlot", tr("AdrPlot draws what a run of Adore stored."),
       {{tr("Page Up, Page Down"), tr("one page back, on")},
        {tr("Ctrl+G"), tr("a page by its number")},
+       {tr("F5"), tr("reads the file again")},
        {tr("wheel"), tr("zooms along the abscissa; with Ctrl along a panel's own axis")},
        {tr("drag"), tr("moves; with Shift zooms into a box")},
        {tr("double click, Home"), tr("shows everything")},

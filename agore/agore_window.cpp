@@ -162,6 +162,7 @@ void AgoreWindow::makeMenus() {
          "whose data sets are accepted is %1.")
           .arg(kLowestVersion),
       {{tr("Space, Shift+Space"), tr("play forward (again: pause), backward")},
+       {tr("P"), tr("pauses")},
        {tr("Right, Left"), tr("one frame on, back; held down: on and on")},
        {tr("Home, End"), tr("first and last frame")},
        {tr("Up, Down"), tr("next and previous element or pocket, and the segment that holds it")},
@@ -172,7 +173,7 @@ void AgoreWindow::makeMenus() {
        {tr("V"), tr("four views side by side, and one again")},
        {tr("L, T"), tr("race loads and ways of all elements")},
        {tr("C"), tr("the next colouring of the elements")},
-       {tr("+, -, 0"), tr("zooms the first picture, shows all of it")},
+       {tr("+ or =, -, 0"), tr("zooms the first picture, shows all of it")},
        {tr("Ctrl and an arrow"), tr("moves the first picture, or turns the 3D view")},
        {tr("click or drag in the time bar or a curve"), tr("goes to that moment")},
        {tr("wheel, drag, double click on a picture"), tr("zooms, moves, shows all")},

@@ -35,7 +35,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
     case View::Bearing:
     case View::Section:
     case View::Solid:
-      if (options.view != View::Bearing && animation.contacts) {
+      if ((options.view != View::Bearing || !animation.has_cage) && animation.contacts) {
         page.title = fmt::format("Contact loads of element {}", options.element);
         for (const auto& [race, name] :
              {std::pair<std::size_t, const char*>{0, "outer race"}, {1, "inner race"}}) {
@@ -62,7 +62,9 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       page.title += animation.segment_remark(segment);
       break;
     case View::Cage:
-      page.title = "Cage speeds over race speed" + animation.segment_remark(segment);
+      page.title = animation.segments > 1
+                       ? "Cage over race speed" + animation.segment_remark(segment)
+                       : "Cage speeds over race speed";
       add(page, "Whirl", "", cage_whirl(animation, segment), exact, true);
       add(page, "Rotation", "", cage_speed(animation, segment), exact, true);
       break;

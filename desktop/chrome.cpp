@@ -55,6 +55,7 @@ QMenu* add_help_menu(QMainWindow& window, const QString& name, const QString& ab
     for (const HelpLine& line : lines)
       text += "<tr><td><b>" + line.hand.toHtmlEscaped() + "</b></td><td>" +
               line.effect.toHtmlEscaped() + "</td></tr>";
+    text += "<tr><td><b>F1</b></td><td>" + QObject::tr("shows this") + "</td></tr>";
     auto* box =
         new QMessageBox(QMessageBox::NoIcon, name, text + "</table>", QMessageBox::Ok, &window);
     box->setObjectName("message");

@@ -49,6 +49,22 @@ bool drawn_as_bars(const QPainter& painter, const QPolygonF& line, const QRectF&
                         [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
 }
 
+namespace {
+
+/// Stroking takes hundreds of bytes for each point: an orbit of a million in one go took 260 MB.
+void draw_in_pieces(QPainter& painter, const QPolygonF& line, const QPen& pen) {
+  constexpr qsizetype kPiece = 4000;
+  if (line.size() <= kPiece || pen.style() != Qt::SolidLine) {
+    painter.drawPolyline(line);
+    return;
+  }
+  for (qsizetype first = 0; first + 1 < line.size(); first += kPiece)
+    painter.drawPolyline(line.constData() + first,
+                         static_cast<int>(std::min(kPiece + 1, line.size() - first)));
+}
+
+}  // namespace
+
 void draw_line(QPainter& painter, const QPolygonF& line, const QRectF& area, const QPen& pen) {
   painter.save();
   painter.setClipRect(area, Qt::IntersectClip);
@@ -69,7 +85,7 @@ void draw_line(QPainter& painter, const QPolygonF& line, const QRectF& area, con
   } else {
     painter.setPen(pen);
     painter.setBrush(Qt::NoBrush);
-    painter.drawPolyline(line);
+    draw_in_pieces(painter, line, pen);
   }
   painter.restore();
 }

@@ -26,8 +26,8 @@ Theme make_light() {
   t.green = QColor("#1a8f4c");
   t.blue = QColor("#1351b4");
   t.light_blue = QColor("#3f8ae0");
-  t.curves = {QColor("#0072b2"), QColor("#d55e00"), QColor("#009e73"), QColor("#a84f8a"),
-              QColor("#b38600"), QColor("#3b9fd8"), QColor("#6b4fa0"), QColor("#5b6675")};
+  t.curves = {QColor("#0072b2"), QColor("#d55e00"), QColor("#009e73"), QColor("#8a2a6b"),
+              QColor("#5a3a00"), QColor("#4aa8e0"), QColor("#1b1f5b"), QColor("#8a94a0")};
   return t;
 }
 
@@ -49,8 +49,8 @@ Theme make_dark() {
   t.green = QColor("#3ecf7c");
   t.blue = QColor("#5f97ff");
   t.light_blue = QColor("#8fc4ff");
-  t.curves = {QColor("#56b4e9"), QColor("#ff8a3d"), QColor("#2fc799"), QColor("#e08cc2"),
-              QColor("#e6c345"), QColor("#8fb7ff"), QColor("#b79cf0"), QColor("#98a5b5")};
+  t.curves = {QColor("#56b4e9"), QColor("#ff8a3d"), QColor("#1fae7a"), QColor("#e9b8dc"),
+              QColor("#f3e36b"), QColor("#5b74d8"), QColor("#b06a9a"), QColor("#98a5b5")};
   return t;
 }
 

@@ -6,8 +6,8 @@
 #include <array>
 
 /// Colours and fonts of every window and picture. Light on paper, dark on screen; both with the
-/// same eight curve colours, chosen to be told apart with the common colour-vision deficiencies
-/// (after Okabe and Ito).
+/// same order of eight curve colours, told apart with the common colour-vision deficiencies (the
+/// first after Okabe and Ito, the others by lightness; tests/desktop/test_palette.cpp).
 namespace adore::desktop {
 
 enum class ThemeKind : unsigned char { Light, Dark };

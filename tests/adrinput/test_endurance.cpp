@@ -1,0 +1,107 @@
+#include "adrinput/deck_window.hpp"
+#include "adrinput/driver.hpp"
+#include "base/errors.hpp"
+#include "deck/templates.hpp"
+#include "support/qt_app.hpp"
+
+#include <QTemporaryDir>
+#include <catch2/catch.hpp>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <sys/resource.h>
+
+using namespace adore;
+using namespace adore::adrinput;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// No file of this process grows beyond so many bytes: as on a disk that is full.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int);
+};
+
+}  // namespace
+
+TEST_CASE("units switched to and fro a hundred times change no value", "[unit][adrinput][daily]") {
+  for (const char* type : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"}) {
+    INFO(type);
+    Document document;
+    document.start_new(type);
+    const deck::Deck before = document.deck();
+    for (int round = 0; round < 100; ++round)
+      for (const char* unit : {"2", "1"}) {
+        document.edit(cell("kUnit"), unit);
+        document.end_step();
+        document.convert_values();
+      }
+    CHECK(document.deck() == before);
+  }
+}
+
+TEST_CASE("a disk that is full is said; the old deck and what was typed stay",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  const fs::path path = folder.filePath("DATA.txt").toStdString();
+  DeckWindow window;
+  window.show();
+  window.newDeck("ball");
+  window.document().save(path);
+  const std::string old = bytes_of(path);
+  REQUIRE(window.openFile(path));
+  window.document().edit(cell("brgBore"), "0.041");
+  window.document().end_step();
+  {
+    const FullDisk full(200);
+    window.save();
+  }
+  CHECK(take_message(window).contains("not saved"));
+  CHECK(bytes_of(path) == old);
+  CHECK(window.document().modified());
+  CHECK(window.document().deck().real("brgBore") == 0.041);
+  window.save();
+  CHECK(take_message(window).toStdString() == "");
+  CHECK(bytes_of(path) != old);
+  // Undo goes on over the save.
+  window.undo();
+  CHECK(window.document().deck().real("brgBore") != 0.041);
+  CHECK(window.document().modified());
+  int left = 0;
+  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder.path().toStdString()))
+    ++left;
+  CHECK(left <= 2);  // the deck, and what is kept for the case of a crash
+}
+
+TEST_CASE("names as long as the system takes them are saved and opened", "[gui][adrinput][daily]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  fs::path path = folder.path().toStdString();
+  while (path.string().size() < 3000) path /= std::string(200, 'x');
+  fs::create_directories(path);
+  path /= std::string(180, 'd') + ".txt";
+  DeckWindow window;
+  window.show();
+  window.newDeck("tapered");
+  window.document().save(path);
+  CHECK(window.openFile(path));
+  CHECK(window.width() <= 1400);  // the name does not widen it
+  CHECK(window.minimumSizeHint().width() <= 700);
+}

@@ -1,0 +1,24 @@
+#include "adrplot/plot_window.hpp"
+#include "support/qt_app.hpp"
+#include "support/reachable.hpp"
+#include "support/synthetic_results.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace adore;
+using namespace adore::adrplot;
+
+TEST_CASE(
+    "plot_window: everything has a name for those who cannot see it, and the help has the "
+    "keys, the wheel and the drag",
+    "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  window.addFile(test::synthetic_sol(results::SolKind::Cage));
+  window.show();
+  CHECK(test::nameless_widgets(window) == QStringList());
+  const QString help = test::help_text(window, "Keys and Mouse");
+  for (const char* word : {"wheel", "drag", "Home", "Alt+Left", "Ctrl+click", "legend"})
+    CHECK(help.contains(word));
+  CHECK(test::keys_without_help(window, help) == QStringList());
+}

@@ -1,0 +1,25 @@
+#include "agore/agore_window.hpp"
+#include "support/qt_app.hpp"
+#include "support/reachable.hpp"
+#include "support/synthetic_results.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace adore;
+using namespace adore::agore;
+
+TEST_CASE(
+    "agore_window: everything has a name for those who cannot see it, and the help has the "
+    "keys, the wheel and the drag",
+    "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  window.setAnimation(prepare(test::synthetic_sol8()));
+  window.show();
+  CHECK(test::nameless_widgets(window) == QStringList());
+  const QString help = test::help_text(window, "Keys and Mouse");
+  for (const char* word :
+       {"wheel", "drag", "Space", "Home", "Up, Down", "Ctrl+7", "[, ]", "+ or =, -, 0"})
+    CHECK(help.contains(word));
+  CHECK(test::keys_without_help(window, help) == QStringList());
+}

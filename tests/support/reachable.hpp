@@ -1,0 +1,73 @@
+#pragma once
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMainWindow>
+#include <QMenu>
+#include <QMessageBox>
+#include <QRegularExpression>
+#include <QStringList>
+#include <QTest>
+#include <QTreeWidget>
+
+/// What somebody without a mouse, or without eyes, finds in a window.
+namespace adore::test {
+
+/// Widgets that can be used but have neither a text nor an accessible name nor a label of theirs.
+inline QStringList nameless_widgets(const QMainWindow& window) {
+  QStringList out;
+  const auto labels = window.findChildren<QLabel*>();
+  for (const QWidget* widget : window.findChildren<QWidget*>()) {
+    const bool used = qobject_cast<const QComboBox*>(widget) != nullptr ||
+                      qobject_cast<const QLineEdit*>(widget) != nullptr ||
+                      qobject_cast<const QAbstractItemView*>(widget) != nullptr ||
+                      qobject_cast<const QAbstractButton*>(widget) != nullptr ||
+                      widget->inherits("QGraphicsView") ||
+                      widget->inherits("adore::agore::PictureWidget");
+    if (!used || !widget->isVisible() || !widget->accessibleName().isEmpty()) continue;
+    if (widget->objectName().startsWith("qt_")) continue;  // parts of a tool bar
+    const auto* button = qobject_cast<const QAbstractButton*>(widget);
+    if (button != nullptr && !button->text().isEmpty()) continue;
+    bool labelled = false;
+    for (const QLabel* label : labels) labelled = labelled || label->buddy() == widget;
+    if (!labelled)
+      out << QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName());
+  }
+  return out;
+}
+
+/// The text of the box that an entry of the menu Help shows.
+inline QString help_text(QMainWindow& window, const QString& entry) {
+  for (QAction* action : window.findChildren<QAction*>()) {
+    if (QString(action->text()).remove('&') != entry) continue;
+    action->trigger();
+    auto* box = window.findChild<QMessageBox*>("message");
+    if (box == nullptr) return {};
+    const QString text = box->text() + box->informativeText();
+    delete box;
+    return text;
+  }
+  return {};
+}
+
+/// Keys without Ctrl or Alt, which nobody would guess, that the help does not name.
+inline QStringList keys_without_help(const QMainWindow& window, const QString& help) {
+  QStringList out;
+  for (const QAction* action : window.findChildren<QAction*>())
+    for (const QKeySequence& key : action->shortcuts()) {
+      const QString name = key.toString(QKeySequence::PortableText);
+      if (name.contains("Ctrl") || name.contains("Alt")) continue;
+      QString spoken = name;
+      spoken.replace("PgUp", "Page Up").replace("PgDown", "Page Down");
+      const bool digit = spoken.size() == 1 && spoken[0].isDigit();
+      const QRegularExpression alone("(^|[^A-Za-z+])" + QRegularExpression::escape(spoken) +
+                                     "($|[^A-Za-z])");
+      if (digit ? !help.contains("1 to 9") : !help.contains(alone)) out << name;
+    }
+  return out;
+}
+
+}  // namespace adore::test
