@@ -104,10 +104,7 @@ std::string_view dimension_names(const Channel& channel) {
 }
 
 void write_attribute(hid_t object, const std::string& name, std::string_view text) {
-  const Handle type(H5Tcopy(H5T_C_S1));
-  H5Tset_size(type, std::max<std::size_t>(text.size(), 1));
-  H5Tset_strpad(type, H5T_STR_NULLPAD);
-  H5Tset_cset(type, H5T_CSET_UTF8);
+  const Handle type = text_type(text.size(), text);
   const Handle space(H5Screate(H5S_SCALAR));
   const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT));
   const std::string padded = text.empty() ? std::string(1, '\0') : std::string(text);
