@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/version.hpp"
+#include "listing/cell_text.hpp"
 
 #include <fmt/format.h>
 
@@ -135,8 +136,7 @@ void Report::table(std::string_view name_title, const std::vector<Column>& colum
       const double value = columns[k].unit == nullptr
                                ? row.values[k]
                                : from_si(row.values[k], *columns[k].unit, units_);
-      line += std::isnan(value) ? fmt::format("{:>{}}", "-", kCell)
-                                : fmt::format("{:>{}.5g}", value + 0.0, kCell);
+      append_cell(line, value, kCell);
     }
     put(line);
   }

@@ -70,18 +70,17 @@ void put_pair(char* at, std::uint32_t pair) {
 
 constexpr int kWidest = 32;
 
-/// The field of nearly all numbers of a run, written once into its place: normal, up to nine
-/// digits that 64 bits decide, an exponent of two digits, and columns enough.
+/// The field of nearly all numbers of a run, written once into its place: 0, or normal with up to
+/// nine digits that 64 bits decide, an exponent of two digits, and columns enough.
 bool append_usual(std::string& out, double value, int width, int digits, Scale scale) {
   const int count = scale == Scale::One ? digits + 1 : digits;
   const double size = std::abs(value);
   DecimalDigits found;
   // sign, "0." or "d.", digits, "E+00"
   const int length = (value < 0.0 ? 1 : 0) + 2 + digits + 4;
-  if (count < 1 || count > 9 || length > width || width > kWidest || !std::isnormal(size) ||
-      !decimal_digits(size, count, found))
-    return false;
-  const int exponent = found.exponent + (scale == Scale::One ? 0 : 1);
+  if (count < 1 || count > 9 || length > width || width > kWidest) return false;
+  if (size != 0.0 && (!std::isnormal(size) || !decimal_digits(size, count, found))) return false;
+  const int exponent = found.exponent + (scale == Scale::Zero && size != 0.0 ? 1 : 0);
   if (exponent < -99 || exponent > 99) return false;
 
   std::array<char, kWidest> field;

@@ -13,9 +13,9 @@ namespace {
 
 /// A constant kCurved keeps the choice of the surface out of the loop.
 template <bool kCurved>
-[[gnu::always_inline]] inline void slips(const EdgeContact& c, int n, const double* s,
-                                         double* across, double* rolling,
-                                         double* squares) noexcept {
+[[gnu::always_inline]] inline void slips(EdgeContact c, int n, const double* __restrict s,
+                                         double* __restrict across, double* __restrict rolling,
+                                         double* __restrict squares) noexcept {
   const double swing = c.W_n * c.b, offset = c.h0 - c.rho, rho2 = c.rho * c.rho;
   for (int i = 0; i < n; ++i) {
     const double xi = s[i] * c.a;

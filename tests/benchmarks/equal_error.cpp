@@ -122,7 +122,7 @@ int main(int count, char** words) {
     }
     std::fflush(stdout);
   };
-  for (const double longest : {2.5e-6, 3.5e-6, 4.5e-6})
+  for (const double longest : {3.5e-6, 5e-6, 7e-6, 10e-6, 13e-6})
     for (const double tolerance : {1e-4, 1e-5, 1e-6}) row("rk4", tolerance, longest, false);
   for (const double tolerance : {1e-4, 1e-5, 1e-6, 1e-7, 1e-8})
     row("cvode-bdf", tolerance, none, true);

@@ -19,12 +19,14 @@ import tempfile
 BALL = [("as it is", ""), ("radial", "appLoadX=300 appLoadZ=3000"), ("light", "appLoadX=200 appLoadZ=50"),
         ("heavy", "appLoadX=6000 appLoadZ=3000"), ("fast", "rpm2=20000"), ("slow", "rpm2=2000")]
 ROLLERS = [("as it is", ""), ("heavy", "appLoadZ=15000"), ("light", "appLoadZ=1000"), ("fast", "rpm2=9000"), ("slow", "rpm2=1500")]
+TAPERED = [("as it is", ""), ("heavy", "appLoadX=8000 appLoadZ=15000"), ("light", "appLoadX=500 appLoadZ=1000"), ("fast", "rpm2=6000"),
+           ("slow", "rpm2=1500")]
 THRUST = [("as it is", ""), ("light", "appLoadX=300"), ("heavy", "appLoadX=8000"), ("fast", "rpm2=20000"), ("slow", "rpm2=2000"),
           ("radial", "appLoadX=1000 appLoadZ=400")]
 BALL_18 = [("as it is", ""), ("radial", "appLoadX=600 appLoadZ=5000"), ("light", "appLoadX=400 appLoadZ=100"),
            ("heavy", "appLoadX=10000 appLoadZ=4000"), ("fast", "rpm2=20000"), ("slow", "rpm2=2400")]
-DECKS = {"ball-18": (BALL_18, 50), "ball": (BALL, 50), "ball-thrust": (THRUST, 50), "cylindrical": (ROLLERS, 50), "tapered": (ROLLERS, 10),
-         "spherical-tapered": (ROLLERS, 10), "spherical": (ROLLERS, 10)}
+DECKS = {"ball-18": (BALL_18, 50), "ball": (BALL, 50), "ball-thrust": (THRUST, 50), "cylindrical": (ROLLERS, 50), "tapered": (TAPERED, 10),
+         "spherical-tapered": (TAPERED, 10), "spherical": (ROLLERS, 10)}
 AS_STABLE = ["--set", "stpMax=10"]  # shortened to what contact vibrations allow
 CANDIDATES = [("as it stands", [])] + [(f"{m}, {t}", ["--integrator", m, "--tol", t] + AS_STABLE)
                                        for m, t in (("rk4", "1e-4"), ("rk4", "1e-5"), ("rk4", "1e-6"), ("rkf6", "1e-5"))]
@@ -34,14 +36,19 @@ def run(program, deck, sets, turns, more, out):
     words = [program, "run", deck, "--out", out, "--overwrite", "--quiet", "--until", f"{turns}rev", "--set", "maxStps=100000000"]
     for one in sets.split():
         words += ["--set", one]
+    report = os.path.join(out, "RUN.json")
+    if os.path.exists(report):
+        os.remove(report)  # a run that does not start leaves none
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     done = subprocess.run(words + more, capture_output=True, text=True)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
-    if done.returncode not in (0, 3):
+    if done.returncode not in (0, 3) or not os.path.exists(report):
         return {"said": (done.stderr.strip().splitlines() or [""])[-1]}
-    with open(os.path.join(out, "RUN.json"), encoding="utf-8") as file:
+    with open(report, encoding="utf-8") as file:
         report = json.load(file)
+    if report["status"] == "failed":  # before its end: its means are of another span
+        return {"said": done.stderr.strip().splitlines()[-1]}
     said = "exit 3" if done.returncode == 3 else "warned" if "no account" in done.stderr else ""
     return {"summary": report["summary"], "seconds": seconds, "evaluations": report["counters"]["evaluations"], "said": said}
 

@@ -1,13 +1,14 @@
 #!/usr/bin/python3
 """Runs the hard scenes of rolling bearings with every integrator: nothing may hang, crash or be silently wrong.
 
-    hard_scenes.py PROGRAM [--full] [--turns T] [--jobs N] [--only NAME] [--report FILE] [--keep FOLDER]
+    hard_scenes.py PROGRAM [--full] [--turns T] [--jobs N] [--only NAME] [--report FILE] [--keep FOLDER] [--minutes M]
 
 PROGRAM is `adore`. Each scene below starts from an example deck; why it is hard and what is known of it stand beside it.
 Without --full each scene runs with the deck's own integrator, an explicit and an implicit one and with two slightly other
 loads, whose spread tells how far two right runs may differ (a few minutes); with it, with all 21 integrators and five
 such loads, ten times as long (an hour or two). With --keep every scene leaves its results in FOLDER, and one that stands there
-is not run again: a long matrix goes on where it was ended.
+is not run again: a long matrix goes on where it was ended. With --minutes no further scene is begun after so long; the table
+then says how many are left (exit code 4), and the same command goes on.
 
 A run is
 - solved: exit 0, every figure finite;
@@ -231,8 +232,12 @@ def main():
     parser.add_argument("--only", help="one scene")
     parser.add_argument("--report")
     parser.add_argument("--keep", help="folder of results by scene; a scene that is there is not run again")
+    parser.add_argument("--minutes", type=float, default=math.inf, help="no further scene is begun after so long (with --keep)")
     options = parser.parse_args()
+    if options.minutes != math.inf and not options.keep:
+        parser.error("--minutes needs --keep FOLDER: the scenes that are done must stand somewhere")
     program = os.path.abspath(options.program)
+    end = time.monotonic() + 60.0 * options.minutes
     methods = [OWN] + EXPLICIT + IMPLICIT if options.full else QUICK
     chosen = [s for s in SCENES if options.only in (None, s["name"])]
     if not chosen:
@@ -247,6 +252,8 @@ def main():
             with open(kept, encoding="utf-8") as file:
                 return json.load(file)
         begin = time.monotonic()
+        if begin >= end:
+            return None
         found = play(program, one, methods, turns, options.full)
         print(f"{one['name']}: {''.join(SIGN[r['outcome']] for r in found.values())} {time.monotonic() - begin:.0f} s",
               file=sys.stderr, flush=True)
@@ -258,10 +265,13 @@ def main():
 
     with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
         results = list(pool.map(play_or_read, chosen))
-    scenes = list(zip(chosen, results))
+    scenes = [(one, found) for one, found in zip(chosen, results) if found is not None]
+    left = len(chosen) - len(scenes)
     good = sum(passes(r) for _, r in scenes)
     text = f"{good} of {len(scenes)} scenes pass.\n\n+ solved, w off and warned of, r refused, u gave up with a diagnosis, s not done in time, F failed\n\n"
     text += table(scenes, methods) + "\n"
+    if left:
+        text += f"\n{left} of {len(chosen)} scenes are left: the same command goes on with them.\n"
     said = []
     for one, found in scenes:
         for method, r in found.items():
@@ -269,13 +279,15 @@ def main():
                 said.append(f"- {one['name']}, {method}: {r['outcome']}: {r['text'][:300]}")
     print(text)
     print("\n".join(said))
-    if options.only:
+    if options.only and scenes:
         for method, r in results[0].items():
             print(method, r["outcome"], r.get("values", {}), " ".join(r["command"]))
     if options.report:
         with open(options.report, "w", encoding="utf-8") as file:
             file.write(text)
-    return 0 if good == len(scenes) else 1
+    if good < len(scenes):
+        return 1
+    return 4 if left else 0
 
 
 if __name__ == "__main__":

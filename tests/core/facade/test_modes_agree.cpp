@@ -38,6 +38,9 @@ Means means_of(const std::string& type, const Sets& own, int turns, int mode, do
             {"kPltFreq", "1000"},
             {"kAGraf", "0"},
             {"kLifeFreq", "0"},
+            {"intMet", "5"},  // whatever the examples run with: the comparison is of models
+            {"stpMax", "0.5"},
+            {"tol", "1e-6"},
             {"appLoadZ", fmt::format("{}", share * deck.real("appLoadZ"))}})
     sets.emplace_back(name, value);
   deck.set_all(sets);
