@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 namespace adore::desktop {
 
@@ -49,6 +51,53 @@ bool drawn_as_bars(const QPainter& painter, const QPolygonF& line, const QRectF&
                         [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
 }
 
+QList<QLineF> distinct_parts(const QPolygonF& line, double scale) {
+  constexpr double kPerPixel = 4.0, kFar = 32767.0;
+  constexpr int kSlotBits = 18, kLooks = 8;
+  // What was drawn, by its hash; of more than there is room for the latest.
+  std::vector<std::uint64_t> drawn(std::size_t{1} << kSlotBits, 0);
+  const auto is_new = [&drawn](std::uint64_t part) {
+    const std::size_t first = (part * 0x9e3779b97f4a7c15ULL) >> (64 - kSlotBits);
+    for (std::size_t i = 0; i < kLooks; ++i) {
+      std::uint64_t& slot = drawn[(first + i) & (drawn.size() - 1)];
+      if (slot == part) return false;
+      if (slot != 0) continue;
+      slot = part;
+      return true;
+    }
+    drawn[first] = part;
+    return true;
+  };
+  QList<QLineF> out;
+  if (line.isEmpty()) return out;
+  struct Place {
+    std::uint64_t key = 0;
+    bool near = false;
+  };
+  const auto place = [&](const QPointF& p) -> Place {
+    const double x = std::round(kPerPixel * scale * p.x()),
+                 y = std::round(kPerPixel * scale * p.y());
+    if (!(std::abs(x) < kFar && std::abs(y) < kFar)) return {};
+    return {static_cast<std::uint64_t>(x + kFar) << 16 | static_cast<std::uint64_t>(y + kFar),
+            true};
+  };
+  QPointF from = line.front();
+  Place at = place(from);
+  for (qsizetype i = 1; i < line.size(); ++i) {
+    const Place next = place(line[i]);
+    if (at.near && next.near) {
+      if (at.key == next.key) continue;
+      const std::uint64_t part = std::max(at.key, next.key) << 32 | std::min(at.key, next.key);
+      if (is_new(part)) out.append({from, line[i]});
+    } else {
+      out.append({from, line[i]});
+    }
+    from = line[i];
+    at = next;
+  }
+  return out;
+}
+
 namespace {
 
 /// Stroking takes hundreds of bytes for each point: an orbit of a million in one go took 260 MB.
@@ -56,6 +105,10 @@ void draw_in_pieces(QPainter& painter, const QPolygonF& line, const QPen& pen) {
   constexpr qsizetype kPiece = 4000;
   if (line.size() <= kPiece || pen.style() != Qt::SolidLine) {
     painter.drawPolyline(line);
+    return;
+  }
+  if (painter.paintEngine() != nullptr && painter.paintEngine()->type() == QPaintEngine::Raster) {
+    painter.drawLines(distinct_parts(line, painter.deviceTransform().m11()));
     return;
   }
   for (qsizetype first = 0; first + 1 < line.size(); first += kPiece)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QLineF>
+#include <QList>
 #include <QPolygonF>
 #include <QRectF>
 
@@ -25,6 +27,10 @@ std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double ri
 /// Is it quicker as bars: on a screen, solid, x rising, several points for each column?
 bool drawn_as_bars(const QPainter& painter, const QPolygonF& line, const QRectF& area,
                    const QPen& pen);
+
+/// Straight parts of a long way, such as an orbit of many turns, without those that lie on another
+/// one to a quarter of a pixel; `scale` pixels to a unit.
+[[nodiscard]] QList<QLineF> distinct_parts(const QPolygonF& line, double scale);
 
 /// Draws a line inside `area`, as bars where that is quicker.
 void draw_line(QPainter& painter, const QPolygonF& line, const QRectF& area, const QPen& pen);
