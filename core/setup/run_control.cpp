@@ -259,8 +259,8 @@ const std::vector<Option>& options() {
           "stress of films of kTrac 8 and 11 to 20: surface (splines made at set-up, their error "
           "by the run's tolerance), or direct (every strip integrated at every evaluation, of "
           "kTrac "
-          "8 and 12, thousands of times dearer; every point solved of the others, some four "
-          "times)"},
+          "8 and 12, thousands of times dearer; every point solved of the others, two to "
+          "three times)"},
          [](RunOptions& o, std::string_view v) {
            if (v != "surface" && v != "direct") return false;
            o.direct_strips = v == "direct";
