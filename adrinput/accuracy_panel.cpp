@@ -1,5 +1,6 @@
 #include "adrinput/accuracy_panel.hpp"
 
+#include "desktop/flow_layout.hpp"
 #include "desktop/listing_view.hpp"
 
 #include <QBoxLayout>
@@ -8,7 +9,6 @@
 #include <QPlainTextEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QThread>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
       }) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 6, 8, 6);
-  auto* row = new QHBoxLayout;
+  auto* row = new desktop::FlowLayout;
   const auto button = [&](const QString& text, const char* name, const QString& help, auto act) {
     auto* push = new QPushButton(text, this);
     push->setObjectName(name);
@@ -68,13 +68,13 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
                    &AccuracyPanel::cancel);
   target_ = number(tr("asked"), "accuracy-target", 1.0, 0.01, 50.0, " %");
   budget_ = number(tr("at most"), "accuracy-budget", 120.0, 1.0, 100000.0, " s");
-  row->addStretch(1);
+  row->addStretch();
   layout->addLayout(row);
-  row = new QHBoxLayout;  // two short rows: one long one would widen the whole window
+  row = new desktop::FlowLayout;  // two short rows: one long one would widen the whole window
   bar_ = new QProgressBar(this);
   bar_->setObjectName("study-progress");
   bar_->setRange(0, kBarSteps);
-  row->addWidget(bar_, 1);
+  row->addWidget(bar_);
   apply_ = button(tr("Put into the deck"), "apply-accuracy",
                   tr("Write the recommended settings into this deck"), &AccuracyPanel::applyWanted);
   note_ = new QLabel(tr("What accuracy costs: this deck's own run with every integrator, tolerance "
@@ -92,11 +92,6 @@ AccuracyPanel::AccuracyPanel(QWidget* parent)
   enableButtons();
 }
 
-AccuracyPanel::~AccuracyPanel() {
-  cancel();
-  if (thread_ != nullptr) thread_->wait();
-}
-
 QString AccuracyPanel::text() const { return view_->toPlainText(); }
 
 void AccuracyPanel::enableButtons() {
@@ -105,13 +100,12 @@ void AccuracyPanel::enableButtons() {
   apply_->setEnabled(!busy() && !sets_.empty());
 }
 
-void AccuracyPanel::cancel() { stop_.request_stop(); }
+void AccuracyPanel::cancel() { background_.stop(); }
 
 void AccuracyPanel::start(const deck::Deck& deck, const RunOptionValues& options) {
   if (busy()) return;
   studied_ = deck;
   sets_.clear();
-  stop_ = {};
   view_->clear();
   view_->show();
   bar_->setValue(0);
@@ -130,23 +124,17 @@ void AccuracyPanel::start(const deck::Deck& deck, const RunOptionValues& options
   const auto row_done = [this](const facade::AccuracyRow& row,
                                const facade::AccuracyStudy& so_far) {
     const double used = so_far.seconds;
-    QMetaObject::invokeMethod(
-        this, [this, line = row_text(row), used] { showRow(line, used); }, Qt::QueuedConnection);
+    background_.report([this, line = row_text(row), used] { showRow(line, used); });
   };
-  thread_ = QThread::create(
-      [function = study, request = std::move(request), row_done, token = stop_.get_token(), end] {
+  background_.start(
+      [function = study, request = std::move(request), row_done, end](std::stop_token token) {
         try {
-          end->study = function(request, row_done, token);
+          end->study = function(request, row_done, std::move(token));
         } catch (const std::exception& error) {
           end->failure = error.what();
         }
-      });
-  thread_->setParent(this);
-  connect(thread_, &QThread::finished, this, [this, end] {
-    std::exchange(thread_, nullptr)->deleteLater();
-    show(end->study, QString::fromStdString(end->failure));
-  });
-  thread_->start();
+      },
+      [this, end] { show(end->study, QString::fromStdString(end->failure)); });
   enableButtons();
 }
 

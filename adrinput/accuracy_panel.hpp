@@ -1,5 +1,6 @@
 #pragma once
 
+#include "adrinput/background.hpp"
 #include "adrinput/evaluation.hpp"
 #include "deck/deck.hpp"
 #include "facade/accuracy.hpp"
@@ -19,7 +20,6 @@ class QLabel;
 class QPlainTextEdit;
 class QProgressBar;
 class QPushButton;
-class QThread;
 
 namespace adore::adrinput {
 
@@ -30,7 +30,6 @@ class AccuracyPanel : public QWidget {
  public:
   using Sets = std::vector<std::pair<std::string, std::string>>;
   explicit AccuracyPanel(QWidget* parent = nullptr);
-  ~AccuracyPanel() override;
 
   /// The study; facade::study_accuracy unless a test looks on.
   std::function<facade::AccuracyStudy(const facade::AccuracyRequest&, const facade::AccuracySink&,
@@ -41,7 +40,7 @@ class AccuracyPanel : public QWidget {
   void start(const deck::Deck& deck, const RunOptionValues& options);
   /// The deck is this one now: a study of an older one says so.
   void setDeck(const deck::Deck& deck);
-  [[nodiscard]] bool busy() const { return thread_ != nullptr; }
+  [[nodiscard]] bool busy() const { return background_.busy(); }
   [[nodiscard]] QString text() const;
   /// What is recommended; empty before, or when nothing is.
   [[nodiscard]] const Sets& recommended() const { return sets_; }
@@ -66,8 +65,7 @@ class AccuracyPanel : public QWidget {
   QProgressBar* bar_;
   QLabel* note_;
   QPlainTextEdit* view_;
-  QThread* thread_ = nullptr;
-  std::stop_source stop_;
+  Background background_;
   deck::Deck studied_;
   Sets sets_;
   QString headline_;

@@ -14,6 +14,7 @@
 #include "adrinput/time_scale.hpp"
 #include "deck/lookup.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/flow_layout.hpp"
 #include "desktop/menu_keys.hpp"
 #include "desktop/theme.hpp"
 #include "desktop/window_place.hpp"
@@ -47,8 +48,20 @@ QString text_in(const std::string& bytes) {
 }
 
 constexpr int kDrawingWidth = 300;  // of the drawing beside the form
-constexpr int kListWidth = 150;     // of the records, at least
+constexpr int kListWidth = 130;     // of the records, at least
+constexpr int kFormWidth = 400;     // of a record's page, which scrolls where it needs more
 constexpr int kCheckPause = 200;    // ms without a change before the model is built
+
+/// A panel that may be lower than it needs to be.
+QScrollArea* scrolled(QWidget* panel) {
+  auto* area = new QScrollArea(panel->parentWidget());
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setFocusPolicy(Qt::NoFocus);
+  area->setWidget(panel);
+  return area;
+}
 
 }  // namespace
 
@@ -133,8 +146,8 @@ void DeckWindow::makeCentre() {
   tabs_->addTab(problems_, tr("Problems"));
   tabs_->addTab(plan_, tr("Plan"));
   tabs_->addTab(statics_, tr("Quasi-static"));
-  tabs_->addTab(run_, tr("Run"));
-  tabs_->addTab(accuracy_, tr("Accuracy"));
+  tabs_->addTab(scrolled(run_), tr("Run"));
+  tabs_->addTab(scrolled(accuracy_), tr("Accuracy"));
   tabs_->addTab(original_, tr("File as opened"));
 
   auto* form = new QWidget(this);
@@ -148,7 +161,9 @@ void DeckWindow::makeCentre() {
   auto* right = new QSplitter(Qt::Vertical, this);
   right->addWidget(form);
   right->addWidget(tabs_);
-  right->setStretchFactor(0, 1);
+  right->setMinimumWidth(kFormWidth);
+  right->setStretchFactor(0, 3);
+  right->setStretchFactor(1, 1);
   right->setSizes({620, 190});
   right->setChildrenCollapsible(false);
   auto* splitter = new QSplitter(this);
@@ -208,8 +223,8 @@ void DeckWindow::makeDrawing() {
 
 QWidget* DeckWindow::makeButtons() {
   auto* bar = new QWidget(this);
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(12, 8, 12, 8);
+  auto* row = new desktop::FlowLayout(bar);
+  row->setContentsMargins(12, 6, 12, 6);
   const auto button = [&](const QString& text, const QString& name, const QString& help,
                           auto slot) {
     auto* push = new QPushButton(text, bar);
@@ -223,7 +238,7 @@ QWidget* DeckWindow::makeButtons() {
                         &DeckWindow::goBack));
   row->addWidget(
       button(tr("&Next Rec"), "next", tr("The next record (Page Down)"), &DeckWindow::nextRecord));
-  row->addStretch(1);
+  row->addStretch();
   row->addWidget(button(tr("Run &quasi-static now"), "run-statics",
                         tr("Equilibrium, contacts, stiffness and life of this deck (F6)"),
                         &DeckWindow::runQuasiStatic));
@@ -435,6 +450,11 @@ bool DeckWindow::readyToCompute() {
   return false;
 }
 
+void DeckWindow::showPanel(const QWidget* panel) {
+  for (int i = 0; i < tabs_->count(); ++i)
+    if (tabs_->widget(i)->isAncestorOf(panel)) tabs_->setCurrentIndex(i);
+}
+
 void DeckWindow::showPlan() {
   tabs_->setCurrentWidget(plan_);
   if (!readyToCompute()) return;
@@ -458,7 +478,7 @@ void DeckWindow::showCharts() {
 }
 
 void DeckWindow::studyAccuracy() {
-  tabs_->setCurrentWidget(accuracy_);
+  showPanel(accuracy_);
   if (accuracy_->busy() || !readyToCompute()) return;
   accuracy_->start(document_.deck(), document_.options());
 }
@@ -473,7 +493,7 @@ void DeckWindow::applyAccuracy() {
 }
 
 void DeckWindow::runDeck() {
-  tabs_->setCurrentWidget(run_);
+  showPanel(run_);
   if (run_->busy() || !readyToCompute()) return;
   withSavedDeck([this] { run_->start(document_.path(), document_.deck(), document_.options()); });
 }
@@ -485,21 +505,21 @@ void DeckWindow::withSavedDeck(std::function<void()> then) {
 }
 
 void DeckWindow::runInNewFolder() {
-  tabs_->setCurrentWidget(run_);
+  showPanel(run_);
   if (run_->busy() || !readyToCompute()) return;
   withSavedDeck(
       [this] { run_->startInNewFolder(document_.path(), document_.deck(), document_.options()); });
 }
 
 void DeckWindow::continueRun() {
-  tabs_->setCurrentWidget(run_);
+  showPanel(run_);
   if (run_->busy() || !readyToCompute()) return;
   withSavedDeck(
       [this] { run_->continueRun(document_.path(), document_.deck(), document_.options()); });
 }
 
 void DeckWindow::askForSweep() {
-  tabs_->setCurrentWidget(run_);
+  showPanel(run_);
   if (run_->busy() || !readyToCompute()) return;
   auto* dialog = new QInputDialog(this);
   dialog->setObjectName("sweep");

@@ -139,6 +139,7 @@ class DeckWindow : public QMainWindow {
   void orderTabs();
   void refresh();
   void refreshProblems();
+  void showPanel(const QWidget* panel);
   void goToProblem(int row);
   void stepProblem(int by);
   void saveTo(const std::filesystem::path& path, std::function<void()> then = nullptr);

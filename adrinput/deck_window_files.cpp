@@ -5,6 +5,7 @@
 #include "adrinput/options_page.hpp"
 #include "adrinput/record_list.hpp"
 #include "adrinput/record_page.hpp"
+#include "adrinput/replace_question.hpp"
 #include "adrinput/run_panel.hpp"
 #include "adrinput/study_menu.hpp"
 #include "base/version.hpp"
@@ -266,18 +267,9 @@ void DeckWindow::saveTo(const std::filesystem::path& path, std::function<void()>
     if (writeTo(path) && then) then();
     return;
   }
-  auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput",
-                              tr("Another program changed %1 since it was opened here. Saving "
-                                 "replaces what it wrote.")
-                                  .arg(QString::fromStdString(path.string())),
-                              QMessageBox::Save | QMessageBox::Cancel, this);
-  box->setObjectName("changed");
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->setDefaultButton(QMessageBox::Cancel);
-  connect(box, &QMessageBox::buttonClicked, this, [this, box, path, then](QAbstractButton* button) {
-    if (box->standardButton(button) == QMessageBox::Save && writeTo(path) && then) then();
+  ask_to_replace(this, path, [this, path, then = std::move(then)] {
+    if (writeTo(path) && then) then();
   });
-  box->open();
 }
 
 bool DeckWindow::writeTo(const std::filesystem::path& path) {

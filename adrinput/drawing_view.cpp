@@ -67,7 +67,7 @@ QPainterPath path_of(const drawing::Shape& shape, const QTransform& place, bool 
 }  // namespace
 
 DrawingView::DrawingView(QWidget* parent) : QWidget(parent) {
-  setMinimumSize(200, 200);
+  setMinimumSize(140, 140);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setAccessibleName(tr("Drawing of the bearing"));
 }

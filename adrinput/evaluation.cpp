@@ -10,7 +10,6 @@
 
 #include <QLabel>
 #include <QPlainTextEdit>
-#include <QThread>
 #include <QVBoxLayout>
 #include <fmt/format.h>
 
@@ -94,10 +93,6 @@ EvaluationPanel::EvaluationPanel(Function function, const QString& invitation, Q
   layout->setAlignment(note_, Qt::AlignTop);
 }
 
-EvaluationPanel::~EvaluationPanel() {
-  if (thread_ != nullptr) thread_->wait();
-}
-
 QString EvaluationPanel::text() const { return view_->toPlainText(); }
 
 QString EvaluationPanel::headline() const { return headline_; }
@@ -132,22 +127,19 @@ void EvaluationPanel::start(const deck::Deck& deck, const std::filesystem::path&
     bool failed = false;
   };
   auto outcome = std::make_shared<Outcome>();
-  thread_ = QThread::create([function = function_, deck, path, options, outcome] {
-    try {
-      outcome->result = function(deck, path, options);
-    } catch (const std::exception& error) {
-      outcome->result.text = error.what();
-      outcome->failed = true;
-    }
-  });
-  thread_->setParent(this);
-  connect(thread_, &QThread::finished, this, [this, outcome] {
-    thread_->deleteLater();
-    thread_ = nullptr;
-    show(outcome->result, outcome->failed);
-    emit finished();
-  });
-  thread_->start();
+  background_.start(
+      [function = function_, deck, path, options, outcome](const std::stop_token&) {
+        try {
+          outcome->result = function(deck, path, options);
+        } catch (const std::exception& error) {
+          outcome->result.text = error.what();
+          outcome->failed = true;
+        }
+      },
+      [this, outcome] {
+        show(outcome->result, outcome->failed);
+        emit finished();
+      });
 }
 
 void EvaluationPanel::setDeck(const deck::Deck& deck, const RunOptionValues& options) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "adrinput/background.hpp"
 #include "deck/deck.hpp"
 #include "results/static_tables.hpp"
 
@@ -12,7 +13,6 @@
 
 class QLabel;
 class QPlainTextEdit;
-class QThread;
 
 namespace adore::adrinput {
 
@@ -39,14 +39,13 @@ class EvaluationPanel : public QWidget {
   using Function = Evaluation (*)(const deck::Deck&, const std::filesystem::path&,
                                   const RunOptionValues&);
   EvaluationPanel(Function function, const QString& invitation, QWidget* parent = nullptr);
-  ~EvaluationPanel() override;
 
   void start(const deck::Deck& deck, const std::filesystem::path& path,
              const RunOptionValues& options);
   /// The deck is this one now.
   void setDeck(const deck::Deck& deck, const RunOptionValues& options);
   [[nodiscard]] QString headline() const;
-  [[nodiscard]] bool busy() const { return thread_ != nullptr; }
+  [[nodiscard]] bool busy() const { return background_.busy(); }
   [[nodiscard]] QString text() const;
   /// Tables of what was computed last; nullptr when there are none.
   [[nodiscard]] const results::StaticTables* tables() const {
@@ -64,7 +63,7 @@ class EvaluationPanel : public QWidget {
   Function function_;
   QLabel* note_;
   QPlainTextEdit* view_;
-  QThread* thread_ = nullptr;
+  Background background_;
   deck::Deck evaluated_;
   RunOptionValues evaluated_options_;
   QString headline_;

@@ -2,6 +2,7 @@
 
 #include "base/duration.hpp"
 #include "desktop/dialogs.hpp"
+#include "desktop/flow_layout.hpp"
 #include "desktop/launch.hpp"
 #include "desktop/listing_view.hpp"
 #include "desktop/one_window.hpp"
@@ -83,10 +84,10 @@ QSettings settings() { return QSettings("Adore", "adrinput"); }
 RunPanel::RunPanel(QWidget* parent) : QWidget(parent), launch(&desktop::start_program) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 6, 8, 6);
-  auto* first = new QHBoxLayout;
-  auto* second = new QHBoxLayout;
-  const auto button = [&](QHBoxLayout* row, const QString& text, const char* name,
-                          const QString& help, auto slot) {
+  auto* first = new desktop::FlowLayout;
+  auto* second = new desktop::FlowLayout;
+  const auto button = [&](QLayout* row, const QString& text, const char* name, const QString& help,
+                          auto slot) {
     auto* push = new QPushButton(text, this);
     push->setObjectName(name);
     push->setToolTip(help);
@@ -113,14 +114,14 @@ RunPanel::RunPanel(QWidget* parent) : QWidget(parent), launch(&desktop::start_pr
   bar_ = new QProgressBar(this);
   bar_->setObjectName("progress");
   bar_->setRange(0, kBarSteps);
-  first->addWidget(bar_, 1);
+  first->addWidget(bar_);
   plots_ = button(second, tr("P&lots"), "open-plots", tr("Open the plot files in AdrPlot"),
                   &RunPanel::openPlots);
   animation_ = button(second, tr("&Animation"), "open-animation", tr("Open SOL8 in AGORE"),
                       &RunPanel::openAnimation);
   listing_ = button(second, "PRINT.t&xt", "listing", tr("Show the listing in a window"),
                     &RunPanel::showListing);
-  second->addStretch(1);
+  second->addStretch();
   second->addWidget(new QLabel(tr("When done, open"), this));
   const auto box = [&](const QString& text, const char* name) {
     auto* check = new QCheckBox(text, this);

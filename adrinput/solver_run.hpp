@@ -1,5 +1,6 @@
 #pragma once
 
+#include "adrinput/background.hpp"
 #include "facade/run.hpp"
 #include "facade/sweep.hpp"
 
@@ -7,10 +8,7 @@
 
 #include <functional>
 #include <optional>
-#include <stop_token>
 #include <string>
-
-class QThread;
 
 namespace adore::adrinput {
 
@@ -25,24 +23,22 @@ struct RunEnd {
 
 /// One run of the solver in the background, the same as `adore run` makes. Its reports arrive in
 /// the thread of this object.
+/// Its end stops a run that is under way and waits for it; its files are valid.
 class SolverRun : public QObject {
   Q_OBJECT
  public:
   explicit SolverRun(QObject* parent = nullptr) : QObject(parent) {}
-  /// Stops a run that is under way and waits for it; its files are valid.
-  ~SolverRun() override;
 
   std::function<void(const facade::Progress&)> progressed;
   std::function<void(const RunEnd&)> ended;
 
   void start(facade::RunRequest request);
   /// Asks the run to end after the present step; `ended` follows.
-  void stop();
-  [[nodiscard]] bool busy() const { return thread_ != nullptr; }
+  void stop() { background_.stop(); }
+  [[nodiscard]] bool busy() const { return background_.busy(); }
 
  private:
-  QThread* thread_ = nullptr;
-  std::stop_source stop_;
+  Background background_;
 };
 
 }  // namespace adore::adrinput

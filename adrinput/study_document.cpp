@@ -5,6 +5,7 @@
 #include "results/growing_file.hpp"
 #include "studies/campaign.hpp"
 #include "studies/study_check.hpp"
+#include "studies/study_splice.hpp"
 #include "studies/study_text.hpp"
 
 #include <algorithm>
@@ -76,8 +77,9 @@ std::optional<studies::Kind> StudyDocument::kind() const {
   return {};
 }
 
-void StudyDocument::change(std::string text, const std::string& place) {
+void StudyDocument::change(std::string text, const std::string& place, bool comments_went) {
   if (text == state_) return;
+  comments_went_ = comments_went;
   if (place.empty() || place != last_place_) undo_.push_back(state_);
   last_place_ = place;
   redo_.clear();
@@ -89,7 +91,9 @@ void StudyDocument::change(std::string text, const std::string& place) {
 void StudyDocument::set_text(const std::string& text) { change(text, "text"); }
 
 void StudyDocument::write_values(StudyJson values, const std::string& place) {
-  change(studies::write_study_text(values, studies::is_toml(path_)), place);
+  studies::EditedText edited = studies::edited_study_text(state_, values, path_);
+  const bool lost = edited.rewritten && loose_comments_;
+  change(std::move(edited.text), place, lost);
 }
 
 std::string StudyDocument::field(const StudyField& field) const {
@@ -175,6 +179,7 @@ void StudyDocument::remove_row(std::string_view table, std::size_t row) {
 }
 
 void StudyDocument::undo() {
+  comments_went_ = false;
   if (undo_.empty()) return;
   redo_.push_back(std::exchange(state_, undo_.back()));
   undo_.pop_back();
@@ -184,6 +189,7 @@ void StudyDocument::undo() {
 }
 
 void StudyDocument::redo() {
+  comments_went_ = false;
   if (redo_.empty()) return;
   undo_.push_back(std::exchange(state_, redo_.back()));
   redo_.pop_back();

@@ -25,8 +25,9 @@ class StudyDocument {
   [[nodiscard]] const std::string& text() const { return state_; }
   /// Nothing while the text is no JSON or TOML: the form has nothing to show.
   [[nodiscard]] const std::optional<StudyJson>& values() const { return values_; }
-  /// A TOML file whose comments a change in the form would lose (studies/study_text.hpp).
-  [[nodiscard]] bool loose_comments() const { return loose_comments_; }
+  /// The last change wrote a TOML file anew (studies/study_splice.hpp), and comments behind values
+  /// or inside lists went.
+  [[nodiscard]] bool comments_went() const { return comments_went_; }
   [[nodiscard]] std::optional<studies::Kind> kind() const;
 
   void set_text(const std::string& text);
@@ -67,7 +68,7 @@ class StudyDocument {
 
  private:
   /// Changes in one place, one after the other, are one step back.
-  void change(std::string text, const std::string& place);
+  void change(std::string text, const std::string& place, bool comments_went = false);
   void write_values(StudyJson values, const std::string& place);
   void read_values();
 
@@ -75,7 +76,7 @@ class StudyDocument {
   std::string state_;
   std::optional<std::string> stored_;  ///< what the file holds; nothing: there is none yet
   std::optional<StudyJson> values_;
-  bool loose_comments_ = false;
+  bool loose_comments_ = false, comments_went_ = false;
   std::vector<std::string> undo_, redo_;
   std::string last_place_;
 };

@@ -1,16 +1,12 @@
 #include "adrinput/study_run.hpp"
 
-#include "base/errors.hpp"
 #include "base/interrupted.hpp"
 #include "studies/report.hpp"
-
-#include <QThread>
 
 #include <csignal>
 #include <exception>
 #include <memory>
 #include <pthread.h>
-#include <utility>
 
 namespace adore::adrinput {
 namespace {
@@ -49,37 +45,25 @@ void compute(const StudyRun::Request& request, bool plan_only, const studies::St
 
 }  // namespace
 
-StudyRun::~StudyRun() {
-  stop();
-  if (thread_ != nullptr) thread_->wait();
-}
-
 void StudyRun::start(const Request& request, bool plan_only) {
-  demand(!busy(), "one study at a time");
-  stop_ = {};
   auto end = std::make_shared<StudyEnd>();
   const auto report = [this](const studies::StudyProgress& progress) {
-    QMetaObject::invokeMethod(
-        this,
-        [this, progress] {
-          if (progressed) progressed(progress);
-        },
-        Qt::QueuedConnection);
+    background_.report([this, progress] {
+      if (progressed) progressed(progress);
+    });
   };
-  thread_ = QThread::create([request, plan_only, report, token = stop_.get_token(), end] {
-    // A worker that dies while it is spoken to is found by its end; the signal would end us.
-    sigset_t pipes;
-    sigemptyset(&pipes);
-    sigaddset(&pipes, SIGPIPE);
-    pthread_sigmask(SIG_BLOCK, &pipes, nullptr);
-    compute(request, plan_only, report, token, *end);
-  });
-  thread_->setParent(this);
-  connect(thread_, &QThread::finished, this, [this, end] {
-    std::exchange(thread_, nullptr)->deleteLater();
-    if (ended) ended(*end);
-  });
-  thread_->start();
+  background_.start(
+      [request, plan_only, report, end](const std::stop_token& token) {
+        // A worker that dies while it is spoken to is found by its end; the signal would end us.
+        sigset_t pipes;
+        sigemptyset(&pipes);
+        sigaddset(&pipes, SIGPIPE);
+        pthread_sigmask(SIG_BLOCK, &pipes, nullptr);
+        compute(request, plan_only, report, token, *end);
+      },
+      [this, end] {
+        if (ended) ended(*end);
+      });
 }
 
 }  // namespace adore::adrinput

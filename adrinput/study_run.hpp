@@ -1,5 +1,6 @@
 #pragma once
 
+#include "adrinput/background.hpp"
 #include "studies/campaign.hpp"
 
 #include <QObject>
@@ -7,10 +8,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
-#include <stop_token>
 #include <string>
-
-class QThread;
 
 namespace adore::adrinput {
 
@@ -25,13 +23,12 @@ struct StudyEnd {
 };
 
 /// `adore study plan` and `run` in the background: the same functions, the same folder, so that
-/// either goes on with what the other began. Reports arrive in the thread of this object.
+/// either goes on with what the other began. Reports arrive in the thread of this object, whose end
+/// stops what is under way and waits for it; finished runs are recorded.
 class StudyRun : public QObject {
   Q_OBJECT
  public:
   explicit StudyRun(QObject* parent = nullptr) : QObject(parent) {}
-  /// Stops what is under way and waits for it; finished runs are recorded.
-  ~StudyRun() override;
 
   std::function<void(const studies::StudyProgress&)> progressed;
   std::function<void(const StudyEnd&)> ended;
@@ -44,14 +41,13 @@ class StudyRun : public QObject {
   };
   void plan(const Request& request) { start(request, true); }
   void run(const Request& request) { start(request, false); }
-  void stop() { stop_.request_stop(); }
-  [[nodiscard]] bool busy() const { return thread_ != nullptr; }
+  void stop() { background_.stop(); }
+  [[nodiscard]] bool busy() const { return background_.busy(); }
 
  private:
   void start(const Request& request, bool plan_only);
 
-  QThread* thread_ = nullptr;
-  std::stop_source stop_;
+  Background background_;
 };
 
 }  // namespace adore::adrinput

@@ -1,6 +1,7 @@
 #include "adrinput/study_window.hpp"
 
 #include "adrinput/notice_bar.hpp"
+#include "adrinput/replace_question.hpp"
 #include "adrinput/study_form.hpp"
 #include "adrinput/study_panel.hpp"
 #include "desktop/chrome.hpp"
@@ -105,6 +106,10 @@ StudyWindow::StudyWindow(QWidget* parent) : QMainWindow(parent) {
   });
   document_.changed = [this] {
     sync();
+    if (document_.comments_went())
+      statusBar()->showMessage(
+          tr("Comments behind values and inside lists went with this change of a list of tables; "
+             "Undo brings them back, and changes on the page File keep them."));
     panel_->changed();
     if (!store_->isActive()) store_->start();
   };
@@ -206,10 +211,6 @@ bool StudyWindow::openFile(const fs::path& path) {
   panel_->showStatus();
   showText(!document_.values());
   offerUnsaved();
-  if (document_.loose_comments())
-    statusBar()->showMessage(
-        tr("Comments behind values and inside lists go when the form changes "
-           "this file; changes on the page File keep them."));
   return true;
 }
 
@@ -281,18 +282,9 @@ void StudyWindow::saveTo(const fs::path& path, std::function<void()> then) {
     if (writeTo(path) && then) then();
     return;
   }
-  auto* box = new QMessageBox(QMessageBox::Warning, "AdrInput",
-                              tr("Another program changed %1 since it was opened here. Saving "
-                                 "replaces what it wrote.")
-                                  .arg(from(path.string())),
-                              QMessageBox::Save | QMessageBox::Cancel, this);
-  box->setObjectName("changed");
-  box->setAttribute(Qt::WA_DeleteOnClose);
-  box->setDefaultButton(QMessageBox::Cancel);
-  connect(box, &QMessageBox::buttonClicked, this, [this, box, path, then](QAbstractButton* button) {
-    if (box->standardButton(button) == QMessageBox::Save && writeTo(path) && then) then();
+  ask_to_replace(this, path, [this, path, then = std::move(then)] {
+    if (writeTo(path) && then) then();
   });
-  box->open();
 }
 
 void StudyWindow::save() { saveTo(document_.path(), nullptr); }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "adrinput/background.hpp"
 #include "adrinput/evaluation.hpp"
 #include "facade/run_scales.hpp"
 
@@ -8,8 +9,6 @@
 #include <functional>
 #include <optional>
 
-class QThread;
-
 namespace adore::adrinput {
 
 /// Finds in the background what a deck's dimensionless time is in seconds and turns.
@@ -17,7 +16,6 @@ class TimeScale : public QObject {
   Q_OBJECT
  public:
   explicit TimeScale(QObject* parent = nullptr) : QObject(parent) {}
-  ~TimeScale() override;
 
   /// Called in the thread of this object with the deck that was asked about; without scales when
   /// it has none.
@@ -25,10 +23,10 @@ class TimeScale : public QObject {
 
   /// Does nothing while an earlier question is open.
   void ask(const deck::Deck& deck, const RunOptionValues& options);
-  [[nodiscard]] bool busy() const { return thread_ != nullptr; }
+  [[nodiscard]] bool busy() const { return background_.busy(); }
 
  private:
-  QThread* thread_ = nullptr;
+  Background background_;
 };
 
 }  // namespace adore::adrinput

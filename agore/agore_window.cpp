@@ -18,11 +18,13 @@
 #include <QMimeData>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <tuple>
 #include <utility>
 
 namespace adore::agore {
@@ -42,9 +44,9 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
   row->addWidget(canvas_, 1);
+  makeMenus();
   row->addWidget(makeButtons());
   setCentralWidget(centre);
-  makeMenus();
   timer_.setInterval(kTick);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &AgoreWindow::advance);
@@ -77,29 +79,28 @@ AgoreWindow::AgoreWindow(QWidget* parent) : QMainWindow(parent) {
 
 AgoreWindow::~AgoreWindow() = default;
 
+/// Each button stands for an action of the menus, whose key a hand may hold down.
 QWidget* AgoreWindow::makeButtons() {
   auto* column = new QWidget(this);
-  column->setFixedWidth(136);
   auto* layout = new QVBoxLayout(column);
-  layout->setContentsMargins(12, 16, 12, 16);
-  layout->setSpacing(8);
-  const auto button = [&](const QString& text, const QString& name, const QKeySequence& key,
-                          auto slot) {
+  layout->setContentsMargins(12, 10, 12, 10);
+  layout->setSpacing(6);
+  const auto button = [&](const QString& text, const QString& name) {
+    auto* action = findChild<QAction*>(name + "Action");
     auto* b = new QPushButton(text, column);
     b->setObjectName(name);
-    b->setShortcut(key);
     b->setFocusPolicy(Qt::NoFocus);
-    b->setMinimumHeight(32);
-    b->setToolTip(key.toString(QKeySequence::NativeText));
-    connect(b, &QPushButton::clicked, this, slot);
+    b->setMinimumHeight(28);
+    b->setToolTip(action->shortcut().toString(QKeySequence::NativeText));
+    connect(b, &QPushButton::clicked, action, &QAction::trigger);
     layout->addWidget(b);
   };
-  button(tr(">Play"), "play", Qt::Key_Space, [this] { playing() ? pause() : playForward(); });
-  button(tr("<Play"), "playBack", Qt::SHIFT | Qt::Key_Space, [this] { playBackward(); });
-  button(tr(">Frame"), "frame", Qt::Key_Right, [this] { frameForward(); });
-  button(tr("<Frame"), "frameBack", Qt::Key_Left, [this] { frameBackward(); });
-  button(tr("Pause"), "pause", Qt::Key_P, [this] { pause(); });
-  layout->addSpacing(10);
+  button(tr(">Play"), "play");
+  button(tr("<Play"), "playBack");
+  button(tr(">Frame"), "frame");
+  button(tr("<Frame"), "frameBack");
+  button(tr("Pause"), "pause");
+  layout->addSpacing(6);
   layout->addWidget(new QLabel(tr("Frames/second"), column));
   speed_ = new QComboBox(column);
   speed_->setObjectName("speed");
@@ -110,21 +111,36 @@ QWidget* AgoreWindow::makeButtons() {
   speed_->setCurrentText("25");
   layout->addWidget(speed_);
   layout->addWidget(new QLabel(tr("Slow motion"), column));
-  auto* slow = new QComboBox(column);
-  slow->setObjectName("slow");
-  slow->setAccessibleName(tr("Slow motion against real time"));
-  slow->setFocusPolicy(Qt::NoFocus);
-  slow->addItem(tr("by frames"), 0.0);
+  slow_motion_ = new QComboBox(column);
+  slow_motion_->setObjectName("slow");
+  slow_motion_->setAccessibleName(tr("Slow motion against real time"));
+  slow_motion_->setFocusPolicy(Qt::NoFocus);
+  slow_motion_->addItem(tr("by frames"), 0.0);
   for (const int part : {10, 100, 1000, 5000, 20000})
-    slow->addItem(QString("1/%1").arg(part), 1.0 / part);
-  connect(slow, &QComboBox::currentIndexChanged, this,
-          [this, slow] { setSlowMotion(slow->currentData().toDouble()); });
-  layout->addWidget(slow);
+    slow_motion_->addItem(QString("1/%1").arg(part), 1.0 / part);
+  connect(slow_motion_, &QComboBox::currentIndexChanged, this,
+          [this] { setSlowMotion(slow_motion_->currentData().toDouble()); });
+  layout->addWidget(slow_motion_);
   layout->addStretch(1);
-  button(tr("Print"), "print", QKeySequence::Print, [this] { print(); });
-  button(tr("Save"), "save", QKeySequence::Save, [this] { savePicture(); });
-  button(tr("Quit"), "quit", Qt::CTRL | Qt::Key_Q, [this] { close(); });
-  return column;
+  button(tr("Print"), "print");
+  button(tr("Save"), "save");
+  button(tr("Quit"), "quit");
+  auto* scroll = new QScrollArea(this);  // on low screens
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(column);
+  scroll->setFixedWidth(136);
+  return scroll;
+}
+
+/// An action that the button of the same name stands for.
+QAction* AgoreWindow::add(QMenu* menu, const QString& text, const QString& name,
+                          const QKeySequence& key, std::function<void()> act) {
+  auto* action = menu->addAction(text, key, this, [act = std::move(act)] { act(); });
+  action->setObjectName(name + "Action");
+  return action;
 }
 
 void AgoreWindow::makeMenus() {
@@ -133,42 +149,104 @@ void AgoreWindow::makeMenus() {
   desktop::add_recent_menu(*file, kApp,
                            [this](const QString& name) { openFile(name.toStdString()); });
   file->addSeparator();
-  file->addAction(tr("&Save Picture..."), this, &AgoreWindow::savePicture);
+  add(file, tr("&Save Picture..."), "save", QKeySequence::Save, [this] { savePicture(); });
   file->addAction(tr("Save &Film..."), Qt::CTRL | Qt::Key_E, this, &AgoreWindow::saveFilm);
-  file->addAction(tr("&Print..."), this, &AgoreWindow::print);
+  add(file, tr("&Print..."), "print", QKeySequence::Print, [this] { print(); });
   file->addSeparator();
-  file->addAction(tr("&Quit"), this, &AgoreWindow::close);
+  add(file, tr("&Quit"), "quit", Qt::CTRL | Qt::Key_Q, [this] { close(); });
   makeViewMenu(menuBar()->addMenu(tr("&View")));
-  auto* motion = menuBar()->addMenu(tr("&Motion"));
-  motion->addAction(tr("&First Frame"), Qt::Key_Home, this, [this] { setFrame(0); });
-  motion->addAction(tr("&Last Frame"), Qt::Key_End, this, [this] {
-    if (frameCount() > 0) setFrame(frameCount() - 1);
-  });
-  motion->addAction(tr("&Next Element"), Qt::Key_Up, this,
-                    [this] { setView(options_.view, options_.element + 1); });
-  motion->addAction(tr("&Previous Element"), Qt::Key_Down, this,
-                    [this] { setView(options_.view, std::max(1, options_.element - 1)); });
-  auto* loop = motion->addAction(tr("&Repeat"));
-  loop->setShortcut(Qt::Key_R);
-  loop->setCheckable(true);
-  connect(loop, &QAction::toggled, this, &AgoreWindow::setLoop);
+  makeMotionMenu(menuBar()->addMenu(tr("&Motion")));
   desktop::add_help_menu(
       *this, "AGORE",
       tr("AGORE shows the motion of a bearing from SOL8 or RESULTS.h5.\nThe lowest program version "
          "whose data sets are accepted is %1.")
           .arg(kLowestVersion),
       {{tr("Space, Shift+Space"), tr("play forward (again: pause), backward")},
-       {tr("Right, Left"), tr("one frame on, back")},
+       {tr("Right, Left"), tr("one frame on, back; held down: on and on")},
        {tr("Home, End"), tr("first and last frame")},
-       {tr("Up, Down"), tr("next and previous element or pocket")},
+       {tr("Up, Down"), tr("next and previous element or pocket, and the segment that holds it")},
+       {tr("[, ]"), tr("plays slower, faster")},
+       {tr("S"), tr("the next slow motion of the list")},
        {tr("R"), tr("repeats for ever")},
-       {tr("1 to 9"), tr("the views of the menu")},
+       {tr("1 to 9, Ctrl+7"), tr("the views of the menu")},
        {tr("V"), tr("four views side by side, and one again")},
        {tr("L, T"), tr("race loads and ways of all elements")},
+       {tr("C"), tr("the next colouring of the elements")},
+       {tr("+, -, 0"), tr("zooms the first picture, shows all of it")},
+       {tr("Ctrl and an arrow"), tr("moves the first picture, or turns the 3D view")},
        {tr("click or drag in the time bar or a curve"), tr("goes to that moment")},
        {tr("wheel, drag, double click on a picture"), tr("zooms, moves, shows all")},
        {tr("drag, Shift+drag in the 3D view"), tr("turns it, moves it")},
        {tr("Ctrl+E"), tr("saves a film")}});
+}
+
+void AgoreWindow::makeMotionMenu(QMenu* menu) {
+  add(menu, tr("&Play, or Pause"), "play", Qt::Key_Space, [this] {
+    playing() ? pause() : playForward();
+  })->setAutoRepeat(false);
+  add(menu, tr("Play &Backward"), "playBack", Qt::SHIFT | Qt::Key_Space, [this] {
+    playBackward();
+  })->setAutoRepeat(false);
+  add(menu, tr("P&ause"), "pause", Qt::Key_P, [this] { pause(); });
+  add(menu, tr("One Frame &On"), "frame", Qt::Key_Right, [this] { frameForward(); });
+  add(menu, tr("One Frame Bac&k"), "frameBack", Qt::Key_Left, [this] { frameBackward(); });
+  menu->addAction(tr("&First Frame"), Qt::Key_Home, this, [this] { setFrame(0); });
+  menu->addAction(tr("&Last Frame"), Qt::Key_End, this, [this] {
+    if (frameCount() > 0) setFrame(frameCount() - 1);
+  });
+  menu->addSeparator();
+  menu->addAction(tr("&Next Element"), Qt::Key_Up, this,
+                  [this] { setView(options_.view, options_.element + 1); });
+  menu->addAction(tr("Pre&vious Element"), Qt::Key_Down, this,
+                  [this] { setView(options_.view, std::max(1, options_.element - 1)); });
+  menu->addSeparator();
+  const auto step = [](QComboBox* box, int by) {
+    box->setCurrentIndex(std::clamp(box->currentIndex() + by, 0, box->count() - 1));
+  };
+  menu->addAction(tr("&Slower"), Qt::Key_BracketLeft, this, [this, step] { step(speed_, -1); });
+  menu->addAction(tr("Fas&ter"), Qt::Key_BracketRight, this, [this, step] { step(speed_, 1); });
+  menu->addAction(tr("Slow &Motion"), Qt::Key_S, this, [this] {
+    slow_motion_->setCurrentIndex((slow_motion_->currentIndex() + 1) % slow_motion_->count());
+  });
+  auto* loop = menu->addAction(tr("&Repeat"));
+  loop->setShortcut(Qt::Key_R);
+  loop->setCheckable(true);
+  connect(loop, &QAction::toggled, this, &AgoreWindow::setLoop);
+}
+
+/// What the wheel and the pointer do, by keys, for the first picture.
+void AgoreWindow::addZoomKeys(QMenu* menu) {
+  static constexpr double kZoom = 1.25, kMostZoom = 200.0, kWay = 0.1, kTurn = 10.0;
+  const auto zoom = [this](double factor) {
+    const double next = std::clamp(options_.zoom * factor, 1.0, kMostZoom);
+    options_.pan = next == 1.0 ? QPointF(0.0, 0.0) : options_.pan * (next / options_.zoom);
+    options_.zoom = next;
+    showFrame();
+  };
+  auto* in = menu->addAction(tr("Zoom &In"), this, [zoom] { zoom(kZoom); });
+  in->setShortcuts({Qt::Key_Plus, Qt::Key_Equal});
+  menu->addAction(tr("&Zoom Out"), Qt::Key_Minus, this, [zoom] { zoom(1.0 / kZoom); });
+  menu->addAction(tr("Show All of &It"), Qt::Key_0, this, [this] {
+    options_.zoom = 1.0;
+    options_.pan = {0.0, 0.0};
+    options_.yaw = ViewOptions{}.yaw;
+    options_.elevation = ViewOptions{}.elevation;
+    showFrame();
+  });
+  auto* moves = menu->addMenu(tr("&Move or Turn"));
+  for (const auto& [key, name, x, y] : {std::tuple{Qt::Key_Left, "&Left", -1, 0},
+                                        {Qt::Key_Right, "&Right", 1, 0},
+                                        {Qt::Key_Up, "&Up", 0, -1},
+                                        {Qt::Key_Down, "&Down", 0, 1}})
+    moves->addAction(tr(name), Qt::CTRL | key, this, [this, x = x, y = y] {
+      if (options_.view == View::Solid) {
+        options_.yaw = std::remainder(options_.yaw - kTurn * x, 360.0);
+        options_.elevation = std::clamp(options_.elevation + kTurn * y, -89.0, 89.0);
+      } else {
+        options_.pan += QPointF(kWay * x, kWay * y);
+      }
+      showFrame();
+    });
 }
 
 void AgoreWindow::makeViewMenu(QMenu* menu) {
@@ -183,9 +261,10 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
   race->addAction(tr("&Inner"), Qt::Key_6, this, [this] { setView(View::InnerRace); });
   auto* flange = menu->addMenu(tr("&Flange Interaction (rollers only)"));
   flange->setObjectName("flange");
-  for (const auto& [race_index, name] :
-       {std::pair<std::size_t, const char*>{0, "&Outer Race..."}, {1, "&Inner Race..."}})
-    flange->addAction(tr(name), this, [this, race_index = race_index] {
+  for (const auto& [race_index, name, key] :
+       {std::tuple<std::size_t, const char*, QKeySequence>{0, "&Outer Race...", Qt::Key_7},
+        {1, "&Inner Race...", Qt::CTRL | Qt::Key_7}})
+    flange->addAction(tr(name), key, this, [this, race_index = race_index] {
       if (picture_ && !has_flange(picture_->animation(), race_index, 0) &&
           !has_flange(picture_->animation(), race_index, 1) &&
           why_not(View::Flange, picture_->animation()).empty())
@@ -197,6 +276,8 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
                   [this] { askForElement(View::Section); });
   menu->addAction(tr("&3D View..."), Qt::Key_9, this, [this] { askForElement(View::Solid); });
   makeBesideMenu(menu->addMenu(tr("Bes&ide")));
+  menu->addSeparator();
+  addZoomKeys(menu);
   menu->addSeparator();
   auto* colours = menu->addMenu(tr("C&olour Elements by"));
   auto* colour_group = new QActionGroup(this);
@@ -210,6 +291,11 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
     action->setChecked(by == ColourBy::None);
     colour_group->addAction(action);
   }
+  colours->addSeparator();
+  colours->addAction(tr("The Ne&xt of These"), Qt::Key_C, this, [colour_group] {
+    const auto all = colour_group->actions();
+    all[(all.indexOf(colour_group->checkedAction()) + 1) % all.size()]->trigger();
+  });
   auto* contacts = menu->addAction(tr("Race Loads on &All Elements"));
   contacts->setCheckable(true);
   contacts->setShortcut(Qt::Key_L);

@@ -7,9 +7,11 @@
 #include <QPointF>
 #include <QTimer>
 
+#include <functional>
 #include <memory>
 #include <optional>
 
+class QAction;
 class QComboBox;
 class QMenu;
 
@@ -99,7 +101,11 @@ class AgoreWindow : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  QAction* add(QMenu* menu, const QString& text, const QString& name, const QKeySequence& key,
+               std::function<void()> act);
   void makeMenus();
+  void makeMotionMenu(QMenu* menu);
+  void addZoomKeys(QMenu* menu);
   void makeViewMenu(QMenu* menu);
   void makeBesideMenu(QMenu* menu);
   QWidget* makeButtons();
@@ -113,7 +119,7 @@ class AgoreWindow : public QMainWindow {
 
   std::unique_ptr<MotionPicture> picture_;
   PictureWidget* canvas_;
-  QComboBox* speed_ = nullptr;
+  QComboBox *speed_ = nullptr, *slow_motion_ = nullptr;
   QTimer timer_;
   QElapsedTimer clock_;
   double pending_ = 0.0;  ///< frames due but not yet shown

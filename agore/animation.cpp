@@ -120,29 +120,29 @@ void find_parts(Animation& animation) {
   if (!animation.motion || animation.motion->segment_frames().empty()) return;
   const int parts = static_cast<int>(animation.motion->segment_frames().front().size());
   animation.segments = parts;
-  // The first pocket of the first segment need not be that of element 1: a pocket stays at one
-  // place of its own segment.
+  // The first pocket of the first segment need not be that of element 1. A segment's z axis goes
+  // through its angular middle, so its own pockets are those nearest to it.
   const int per = std::max(1, n / parts);
   const double pitch_radius = 0.5 * animation.file.geometry.pitch_diameter;
   constexpr std::size_t kLooks = 40;
   const std::size_t every = std::max<std::size_t>(1, animation.frames() / kLooks);
   double best = std::numeric_limits<double>::infinity();
   for (int first = 0; first < n; ++first) {
-    double spread = 0.0;
+    double off = 0.0;
     std::vector<int> part;
     for (int k = 0; k < n; ++k) {
       part.push_back(std::min((k - first + n) % n / per, parts - 1));
-      double sine = 0.0, cosine = 0.0, looks = 0.0;
+      double cosine = 0.0, looks = 0.0;
       for (std::size_t i = 0; i < animation.frames(); i += every) {
         const auto& element = animation.frame(i).elements[static_cast<std::size_t>(k)];
         const double angle = element.theta + element.pocket_vector[1] / pitch_radius -
                              animation.part(i, part.back()).angles[0];
-        sine += std::sin(angle), cosine += std::cos(angle), ++looks;
+        cosine += std::cos(angle), ++looks;
       }
-      spread += 1.0 - std::hypot(sine, cosine) / looks;
+      off += 1.0 - cosine / looks;
     }
-    if (spread < best * (1.0 - 1e-9) - 1e-15) {
-      best = spread;
+    if (off < best) {
+      best = off;
       animation.pocket_part = part;
     }
   }
@@ -278,6 +278,20 @@ const results::Sol8Body& Animation::cage_of(std::size_t i, std::size_t element) 
 
 double Animation::part_angle(std::size_t i, int segment) const {
   return segments > 1 ? part(i, segment).angles[0] : cage_angle.at(i);
+}
+
+LandTouch Animation::land_touch(std::size_t i, int segment, std::size_t which) const {
+  if (segments <= 1) return {frame(i).land_force.at(which), frame(i).land_angle.at(which)};
+  const results::MotionChannel* force = motion->channel("land.force");
+  if (force == nullptr) return {};
+  const std::size_t lands = force->width / static_cast<std::size_t>(segments);
+  if (which >= lands) return {};
+  const std::size_t place = static_cast<std::size_t>(segment) * lands + which;
+  return {force->at(i, place), value("land.angle", i, place)};
+}
+
+std::string Animation::segment_remark(int segment) const {
+  return segments > 1 ? fmt::format(", segment {} of {}", segment + 1, segments) : std::string();
 }
 
 double Animation::value(const std::string& channel, std::size_t i, std::size_t place) const {

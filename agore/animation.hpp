@@ -29,6 +29,12 @@ void check_version(const std::string& version, const std::string& file);
 
 enum class Guide : unsigned char { None, Outer, Inner };
 
+/// Contact of one guide land with its race.
+struct LandTouch {
+  double force = 0.0;  ///< in the file's unit
+  double angle = 0.0;  ///< azimuth of the least gap, from the segment's z axis [rad]
+};
+
 /// Contact of one rolling element with the two races (outer, inner).
 struct ContactFrame {
   std::array<double, 2> load{};  ///< in `load_unit`
@@ -69,6 +75,9 @@ struct Animation {
   [[nodiscard]] const results::Sol8Body& part(std::size_t frame, int segment) const;
   /// Continuous for a cage in one piece [rad].
   [[nodiscard]] double part_angle(std::size_t frame, int segment) const;
+  [[nodiscard]] LandTouch land_touch(std::size_t i, int segment, std::size_t which) const;
+  /// ", segment 2 of 3", or nothing for a cage in one piece.
+  [[nodiscard]] std::string segment_remark(int segment) const;
   /// Value of a channel of RESULTS.h5 at a frame; NaN where there is none.
   [[nodiscard]] double value(const std::string& channel, std::size_t frame,
                              std::size_t place) const;
@@ -82,12 +91,14 @@ struct History {
   std::string unit;
   std::string unknown;  ///< why the values cannot be known; empty: they are
 };
-[[nodiscard]] History land_force(const Animation& animation, std::size_t land);
+/// `segment`: of the cage, from 0; the only one of a cage in one piece.
+[[nodiscard]] History land_force(const Animation& animation, std::size_t land, int segment = 0);
 [[nodiscard]] History pocket_force(const Animation& animation, std::size_t element);
 /// Speed of the mass centre of the cage about the bearing axis, and of the cage about its own, over
-/// that of the faster race.
-[[nodiscard]] History cage_whirl(const Animation& animation);
-[[nodiscard]] History cage_speed(const Animation& animation);
+/// that of the faster race. Of a segment: its reference point on the cage axis, and its own
+/// turning.
+[[nodiscard]] History cage_whirl(const Animation& animation, int segment = 0);
+[[nodiscard]] History cage_speed(const Animation& animation, int segment = 0);
 /// Orbit speed of an element, and the size of its angular velocity, over that of the shaft.
 [[nodiscard]] History element_orbit(const Animation& animation, std::size_t element);
 [[nodiscard]] History element_spin(const Animation& animation, std::size_t element);

@@ -21,17 +21,27 @@ QString exaggeration_remark(double factor) {
   return factor == 1.0 ? QString("clearances to scale") : QString("clearances × %1").arg(factor);
 }
 
-/// Arrow from the cage centre to where the busier land touches the race.
-void draw_land_arrow(const Scene& s) {
-  const int land = s.busier_land();
-  if (!s.animation.has_cage || !(s.frame.land_force.at(static_cast<std::size_t>(land)) > 0.0))
-    return;
-  const double angle = s.cage_angle() + s.frame.land_angle.at(static_cast<std::size_t>(land));
+/// Arrows from the centre of the cage, or of each segment, to where its busier land touches the
+/// race.
+void draw_land_arrows(const Scene& s) {
   const double reach = s.animation.guide == Guide::Outer ? s.geometry().cage_outer_radius
                                                          : s.geometry().cage_inner_radius;
-  const QPointF cage = s.place(s.frame.cage);
-  s.sketch.arrow(s.sketch.at(cage.x(), cage.y()), s.sketch.around(cage, reach, angle),
-                 s.sketch.theme().red, 3.2);
+  for (int part = 0; part < s.animation.segments; ++part) {
+    const LandTouch first = s.animation.land_touch(s.index, part, 0),
+                    second = s.animation.land_touch(s.index, part, 1);
+    const LandTouch& busier = second.force > first.force ? second : first;
+    if (!(busier.force > 0.0)) continue;
+    const QPointF cage = s.place(s.animation.part(s.index, part));
+    s.sketch.arrow(
+        s.sketch.at(cage.x(), cage.y()),
+        s.sketch.around(cage, reach, s.animation.part_angle(s.index, part) + busier.angle),
+        s.sketch.theme().red, 3.2);
+  }
+}
+
+QString frame_name(const Scene& s) {
+  return s.animation.segments > 1 ? QString("frame of segment %1").arg(s.segment() + 1)
+                                  : QString("cage frame");
 }
 
 void draw_trails(const Scene& s) {
@@ -114,13 +124,13 @@ void bearing_view(const Scene& s) {
   s.sketch.frame({0, 0}, s.animation.race_angle[0][s.index], 0.78 * bore, t.light_blue);
   s.sketch.frame({0, 0}, s.animation.race_angle[1][s.index], 0.62 * bore, t.blue);
   if (s.animation.has_cage) s.sketch.frame({0, 0}, s.cage_angle(), 0.46 * bore, t.green);
-  draw_land_arrow(s);
+  draw_land_arrows(s);
   if (s.options.trails) draw_trails(s);
   if (s.options.contacts) draw_all_loads(s);
   draw_contact_marks(s);
   std::vector<KeyEntry> key{{t.light_blue, "outer race frame"}, {t.blue, "inner race frame"}};
   if (s.animation.has_cage) {
-    key.push_back({t.green, s.animation.segments > 1 ? "frame of segment 1" : "cage frame"});
+    key.push_back({t.green, frame_name(s)});
     key.push_back({t.red, "contacts of the cage"});
   }
   if (s.options.contacts && s.animation.contacts) {
@@ -138,24 +148,26 @@ void bearing_view(const Scene& s) {
 void cage_view(const Scene& s) {
   const auto& g = s.geometry();
   const auto& t = s.sketch.theme();
-  const QPointF cage = s.place(s.frame.cage);
+  const QPointF cage = s.place(s.cage());
   if (s.animation.segments == 1) s.sketch.cage_rail(cage, s.animation);
   draw_cage(s);
   std::vector<QPointF> orbit;
-  for (const auto& frame : s.animation.file.frames)
-    orbit.emplace_back(frame.cage.position[1], frame.cage.position[2]);
+  for (std::size_t i = 0; i < s.animation.frames(); ++i) {
+    const auto& p = s.animation.part(i, s.segment()).position;
+    orbit.emplace_back(p[1], p[2]);
+  }
   const double enlargement =
       draw_orbit(s, 0.42 * g.cage_inner_radius, s.animation.guide_clearance, orbit);
   s.sketch.frame(cage, s.cage_angle(), 0.66 * g.cage_inner_radius, t.green);
-  draw_land_arrow(s);
+  draw_land_arrows(s);
   draw_contact_marks(s);
+  const QString way = s.animation.segments > 1 ? QString("orbit of the segment's origin")
+                                               : QString("orbit of the mass centre");
   std::vector<KeyEntry> key{
-      {t.green, "cage frame"},
+      {t.green, frame_name(s)},
       {t.red, s.animation.guide_clearance > 0.0 ? "contacts; dashed: guide clearance"
                                                 : "contacts; no guide land"},
-      {t.curves[0], s.animation.guide_clearance > 0.0
-                        ? "orbit of the mass centre"
-                        : "orbit of the mass centre about its middle"}};
+      {t.curves[0], s.animation.guide_clearance > 0.0 ? way : way + " about its middle"}};
   const QString scale = enlargement > 0.0
                             ? QString::fromStdString(
                                   fmt::format("orbit × {}", desktop::pretty_number(enlargement, 3)))

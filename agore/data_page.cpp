@@ -30,6 +30,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
   page.x_unit = "s";
   const auto k = static_cast<std::size_t>(options.element - 1);
   const bool exact = animation.motion != nullptr;
+  const int segment = animation.pocket_part.at(k);
   switch (options.view) {
     case View::Bearing:
     case View::Section:
@@ -48,8 +49,8 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       page.title = "Guide land force";
       for (std::size_t land = 0; land < 2; ++land)
         if (animation.land[land])
-          add(page, "Force", "land " + std::to_string(land + 1), land_force(animation, land),
-              exact);
+          add(page, "Force", "land " + std::to_string(land + 1),
+              land_force(animation, land, segment), exact);
       if (page.panels.empty()) {
         page.x = animation.time;
         page.panels.push_back({"Force", animation.file.units[2], {}, false});
@@ -58,11 +59,12 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       } else if (page.panels.front().curves.size() == 1) {
         page.title += ", " + page.panels.front().curves.front().name;
       }
+      page.title += animation.segment_remark(segment);
       break;
     case View::Cage:
-      page.title = "Cage speeds over race speed";
-      add(page, "Whirl", "", cage_whirl(animation), exact, true);
-      add(page, "Rotation", "", cage_speed(animation), exact, true);
+      page.title = "Cage speeds over race speed" + animation.segment_remark(segment);
+      add(page, "Whirl", "", cage_whirl(animation, segment), exact, true);
+      add(page, "Rotation", "", cage_speed(animation, segment), exact, true);
       break;
     case View::Pocket:
       page.title = fmt::format("Force in pocket {}", options.element);

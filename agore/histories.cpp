@@ -167,9 +167,12 @@ History by_differences(const Animation& animation, const std::vector<double>& an
 
 }  // namespace
 
-History land_force(const Animation& animation, std::size_t land) {
-  if (animation.motion && animation.motion->has("land.force"))
-    return of_motion(animation, "land.force", land);
+History land_force(const Animation& animation, std::size_t land, int segment) {
+  if (animation.motion && animation.motion->has("land.force")) {
+    const auto parts = static_cast<std::size_t>(std::max(animation.segments, 1));
+    const std::size_t lands = animation.motion->channel("land.force")->width / parts;
+    return of_motion(animation, "land.force", static_cast<std::size_t>(segment) * lands + land);
+  }
   if (auto stored = one_column(animation, cage_index(animation),
                                land == 0 ? "cage.land1_force" : "cage.land2_force"))
     return *stored;
@@ -196,9 +199,9 @@ History pocket_force(const Animation& animation, std::size_t element) {
                    [element](const auto& f) { return f.elements.at(element).pocket_force; });
 }
 
-History cage_whirl(const Animation& animation) {
+History cage_whirl(const Animation& animation, int segment) {
   if (animation.motion && animation.motion->has("cage.whirl_ratio"))
-    return of_motion(animation, "cage.whirl_ratio", 0);
+    return of_motion(animation, "cage.whirl_ratio", static_cast<std::size_t>(segment));
   if (auto stored = one_column(animation, cage_index(animation), "cage.whirl_ratio"))
     return *stored;
   std::vector<double> angle;
@@ -218,9 +221,9 @@ History cage_whirl(const Animation& animation) {
   return out;
 }
 
-History cage_speed(const Animation& animation) {
+History cage_speed(const Animation& animation, int segment) {
   if (animation.motion && animation.motion->has("cage.speed_ratio"))
-    return of_motion(animation, "cage.speed_ratio", 0);
+    return of_motion(animation, "cage.speed_ratio", static_cast<std::size_t>(segment));
   if (auto stored = one_column(animation, cage_index(animation), "cage.speed_ratio"))
     return *stored;
   return by_differences(animation, animation.cage_angle, 0.6);

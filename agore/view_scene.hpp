@@ -33,13 +33,15 @@ struct Scene {
   [[nodiscard]] double pocket_radius() const {
     return geometry().element_radius + 0.5 * factor * geometry().pocket_clearance_1;
   }
-  [[nodiscard]] double cage_angle() const { return animation.cage_angle[index]; }
+  /// Of the cage: the one that holds the chosen element's pocket.
+  [[nodiscard]] int segment() const {
+    return animation.pocket_part.at(static_cast<std::size_t>(options.element - 1));
+  }
+  [[nodiscard]] const results::Sol8Body& cage() const { return animation.part(index, segment()); }
+  [[nodiscard]] double cage_angle() const { return animation.part_angle(index, segment()); }
   /// Azimuth of the centre of an element's pocket.
   [[nodiscard]] double pocket_azimuth(std::size_t k) const {
     return animation.part_angle(index, animation.pocket_part[k]) + animation.pocket_angle[k];
-  }
-  [[nodiscard]] int busier_land() const {
-    return frame.land_force[1] > frame.land_force[0] ? 1 : 0;
   }
 };
 

@@ -17,15 +17,18 @@ namespace {
 
 /// The commands that draw the run's files, one a line.
 std::string picture_lines(const facade::RunOutcome& outcome) {
-  std::string plots, animation, table;
+  std::string plots, animation, motion, table;
   for (const std::filesystem::path& file : outcome.files) {
     const FileSort sort = sort_of_file(file);
     const std::string name = " " + quoted(file.string());
     if (sort == FileSort::Plot) plots += name;
     if (sort == FileSort::Animation) animation = name;
+    if (sort == FileSort::ResultsH5) motion = name;
     if (sort == FileSort::RunJson) table = name;
   }
   if (!outcome.results.empty()) plots = table;  // the tables of a quasi-static run
+  // Without SOL8 the same from there.
+  if (animation.empty() && outcome.results.empty()) animation = motion;
   if (plots.empty() && animation.empty()) return {};
   const std::string out = quoted((outcome.folder / "pictures").string());
   if (!has_pictures())

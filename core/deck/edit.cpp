@@ -324,6 +324,9 @@ void Deck::set(std::string_view name, std::string_view value) {
     elements.at(*place.element) = parse_value(spec, name, value);
   } else {
     const std::vector<std::string_view> parts = split_at_commas(value);
+    if (elements.empty())
+      fail(name, value, "this deck has none of them",
+           fmt::format("their number is {}; raise that first", spec.length));
     if (parts.size() != elements.size())
       fail(
           name, value, fmt::format("it has {} elements", elements.size()),

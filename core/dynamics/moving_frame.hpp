@@ -13,7 +13,8 @@ struct MovingFrame {
   double orbit_angle = 0.0;  ///< φ0, azimuth of the base origin seen from the fixed axis, constant
                              ///< in the base frame [rad]
 
-  /// -m Ω × (Ω × (R_o e_r(φ0) + ρ)) [N]; its potential is -½ m Ω² |R_o e_r + ρ|² across X.
+  /// -m Ω × (Ω × (R_o e_r(φ0) + ρ)) [N]; its potential is -½ m Ω² ρ·(2 R_o e_r + ρ)
+  /// across X, zero in the base origin.
   [[nodiscard]] Vec3 transport_force(double mass, const Vec3& position) const noexcept {
     const Vec3 from_axis = orbit_radius * radial_direction(orbit_angle) + position;
     return mass * speed * speed * Vec3(0.0, from_axis[1], from_axis[2]);

@@ -107,9 +107,12 @@ RaceContactState race_contact_state(const RaceContactModel& model, const Element
   return state;
 }
 
-RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const ElementViews& balls,
-                                        std::size_t index, const RaceMotion& race, bool converged) {
-  const RaceContactState state = race_contact_state(model, balls, index, race);
+namespace {
+
+/// @param traction of a state -> its integrals and the largest slip
+template <class Traction>
+RaceContactSnapshot detail_of(const RaceContactModel& model, const RaceContactState& state,
+                              const Traction& traction_of) {
   RaceContactSnapshot snapshot;
   if (!(state.approach > 0.0)) return snapshot;
   const tribology::EllipseGeometry& ellipse = state.ellipse;
@@ -124,9 +127,7 @@ RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const Ele
   snapshot.edge = edges.shoulder_depth;
   snapshot.centre_chord = edges.centre_chord;
   // Slip is kinematics and is reported also when traction is off; heat is then zero.
-  const tribology::EllipseTraction traction =
-      converged ? tribology::ellipse_traction_converged(model.law, ellipse, state.motion)
-                : tribology::ellipse_traction(model.law, ellipse, state.motion, model.rule);
+  const tribology::EllipseTraction traction = traction_of(state);
   if (model.traction && model.law.has_film()) {
     const tribology::FilmHere<double> film = model.law.film(
         {ellipse.Q, snapshot.max_pressure, ellipse.a, ellipse.b, state.motion.entrainment,
@@ -139,6 +140,31 @@ RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const Ele
   snapshot.heat = model.traction ? traction.heat : 0.0;
   snapshot.load_slip = model.traction ? traction.load_slip : 0.0;
   return snapshot;
+}
+
+}  // namespace
+
+RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const ElementViews& balls,
+                                        std::size_t index, const RaceMotion& race, bool converged) {
+  return detail_of(
+      model, race_contact_state(model, balls, index, race), [&](const RaceContactState& at) {
+        return converged
+                   ? tribology::ellipse_traction_converged(model.law, at.ellipse, at.motion)
+                   : tribology::ellipse_traction(model.law, at.ellipse, at.motion, model.rule);
+      });
+}
+
+RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const ElementViews& balls,
+                                        std::size_t index, const RaceMotion& race,
+                                        const ContactSums& known) {
+  return detail_of(
+      model, race_contact_state(model, balls, index, race), [&](const RaceContactState& at) {
+        tribology::EllipseTraction out;
+        out.heat = known.heat;
+        out.load_slip = known.load_slip;
+        out.max_slip = tribology::largest_slip(model.law, at.ellipse, at.motion, model.rule);
+        return out;
+      });
 }
 
 RuleError measure_rule_error(const RaceContactModel& model, const ElementViews& balls,

@@ -119,6 +119,15 @@ RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const Ele
                                         std::size_t index, const RaceMotion& race,
                                         bool converged = false);
 
+/// What evaluate_race_contacts found at one contact.
+struct ContactSums {
+  double heat = 0.0, load_slip = 0.0;
+};
+/// The same where the integrals of the state are known: they are not taken again.
+RaceContactSnapshot race_contact_detail(const RaceContactModel& model, const ElementViews& balls,
+                                        std::size_t index, const RaceMotion& race,
+                                        const ContactSums& known);
+
 /// Geometry and kinematics of one contact in its own axes; what race_contact_detail integrates.
 struct RaceContactState {
   double approach = 0.0;               ///< δ [m], negative when open

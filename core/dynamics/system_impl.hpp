@@ -49,7 +49,11 @@ struct System::Impl final : BetweenSteps {
   /// Forces and moments on the elements before a block that meets the border.
   ElementActions before;
   Evaluation e;
-  std::vector<double> rates;     ///< dydt of evaluations for reports
+  std::vector<double> rates;  ///< dydt of evaluations for reports
+  /// State that check_state() has evaluated and nothing since: a report of it need not again.
+  std::vector<double> checked;
+  double checked_time = 0.0;
+  bool is_checked = false;
   double stored_at_start = 0.0;  ///< [J], less the flow until then
   Momenta momenta_at_start;      ///< less the flow until then
   EnergyLedger account;          ///< memory of energy_account()

@@ -87,6 +87,7 @@ System::EnergyAccount System::energy_account() noexcept {
 void System::set_start(double t, std::span<const double> y) {
   Impl& s = *impl_;
   for (const auto& effect : s.parts.effects) effect->resume(y);
+  s.is_checked = false;
   s.evaluate(t, y);
   const EnergyLedger energy = s.energy_ledger();
   s.stored_at_start = energy.sum(LedgerKind::Stored) - energy.flow();
@@ -110,6 +111,7 @@ void System::take_over(System& before, double t, std::span<double> y) {
   const double energy = old.stored_energy();
   const Momenta momenta = old.momenta();
   for (const auto& effect : s.parts.effects) effect->resume(y);
+  s.is_checked = false;
   s.evaluate(t, y);
   steps->book(y, s.stored_energy() - energy, momenta, s.momenta());
   s.stored_at_start = old.stored_at_start;

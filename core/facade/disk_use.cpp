@@ -4,6 +4,7 @@
 #include "listing/print_file.hpp"
 #include "results/averages.hpp"
 #include "results/channels.hpp"
+#include "results/results_h5.hpp"
 #include "results/sol_writer.hpp"
 
 #include <fmt/format.h>
@@ -92,12 +93,14 @@ DiskUse disk_use(const Prepared& prepared, const scene::ScenePlan& plan) {
     out.files.emplace_back(control.sol_files[7], animated * static_cast<double>(text.size()));
   }
   if (prepared.options.results_h5) {
-    // A step that both intervals select is stored once; whole blocks of 64.
+    // A step that both intervals select is stored once; whole blocks.
     double both = control.animate ? 2.0 : 0.0;  // first and last
     if (control.plot_every > 0 && control.animate_every > 0)
       both = selected(out.steps, std::lcm(control.plot_every, control.animate_every));
     const double all = out.stored + animated - std::min(both, animated);
-    out.files.emplace_back("RESULTS.h5", 64.0 * std::ceil(all / 64.0) * h5_step_bytes(record));
+    const double step = h5_step_bytes(record);
+    const double block = results::H5Writer::block_of(step);
+    out.files.emplace_back("RESULTS.h5", block * std::ceil(all / block) * step);
   }
   return out;
 }

@@ -1,6 +1,5 @@
 #include "facade/run.hpp"
 
-#include "base/version.hpp"
 #include "base/write_error.hpp"
 #include "deck/unit_text.hpp"
 #include "dynamics/race_contacts.hpp"
@@ -8,10 +7,12 @@
 #include "facade/key_results.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/run_outputs.hpp"
+#include "facade/solver_stamp.hpp"
 #include "facade/system_ode.hpp"
 #include "facade/thermal_run.hpp"
 #include "facade/unused_request.hpp"
 #include "facade/user_session.hpp"
+#include "results/growing_file.hpp"
 #include "results/restart.hpp"
 
 #include <fmt/format.h>
@@ -637,9 +638,10 @@ double parse_until(const std::string& text, double shaft_speed, double time_scal
 }
 
 std::string request_digest(const RunRequest& request, const LoadedDeck& deck) {
-  std::string text = fmt::format("{}\n{}\n", kProgramVersion, deck::write_deck(deck.deck));
+  std::string text = fmt::format("{}\n{}\n", solver_stamp(), deck::write_deck(deck.deck));
   for (const auto& [name, value] : deck.option_values) text += fmt::format("{}={}\n", name, value);
-  if (!deck.user.empty()) text += fmt::format("user={}\n", deck.user.string());
+  if (!deck.user.empty())
+    text += fmt::format("user={}\n{}\n", deck.user.string(), results::read_text_file(deck.user));
   text += fmt::format("{}\n{}\n", request.until, request.integrator);
   if (request.tolerance) text += fmt::format("{}\n", *request.tolerance);
   std::uint64_t sum = 0xcbf29ce484222325U;  // Fowler, Noll and Vo's FNV-1a

@@ -89,6 +89,8 @@ std::optional<std::string> RunFiles::open(bool continued, std::uintmax_t print_b
   for (std::size_t k = 0; k < control_.monitored.size() && k < 6; ++k)
     elements_.push_back(open(k + 1, control_.monitored[k]));
   power_ = open(7, 0);
+  for (results::SolWriter& file : elements_) file.collect();
+  power_->collect();
   if (prepared_.options.results_h5) {
     written.push_back(path("RESULTS.h5"));
     all = continued ? results::H5Writer::continue_after(path("RESULTS.h5"), prepared_.bearing,
@@ -115,6 +117,7 @@ std::optional<std::string> RunFiles::open(bool continued, std::uintmax_t print_b
   animation_ = continued ? results::Sol8Writer::continue_after(sol_path(8), prepared_.bearing,
                                                                units_, steps.animated)
                          : results::Sol8Writer::create(sol_path(8), prepared_.bearing, units_);
+  animation_->collect();
   return {};
 }
 
@@ -140,9 +143,24 @@ void RunFiles::store(const Wanted& where, const scene::Snapshot& at,
     all->write(record);
     steps.saved = at.step;
   }
+  constexpr std::chrono::milliseconds kLongest{100};
+  if (std::chrono::steady_clock::now() - flushed_ >= kLongest) flush_classic();
+}
+
+void RunFiles::flush_classic() {
+  for (results::SolWriter& file : elements_) file.flush();
+  if (power_) power_->flush();
+  if (animation_) animation_->flush();
+  flushed_ = std::chrono::steady_clock::now();
+}
+
+void RunFiles::flush() {
+  flush_classic();
+  if (all) all->flush();
 }
 
 void RunFiles::close() {
+  flush_classic();
   if (all) all->close();
 }
 

@@ -9,6 +9,7 @@
 #include "results/results_h5.hpp"
 #include "results/sol_writer.hpp"
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -46,11 +47,14 @@ class RunFiles {
   [[nodiscard]] Wanted book(long step, bool always);
   /// Stores an instant in SOL1-SOL8 and RESULTS.h5.
   void store(const Wanted& where, const scene::Snapshot& at, const results::StepRecord& record);
+  /// Steps are handed to the system many at a time, at the latest with the first one after a tenth
+  /// of a second; this hands on what waits. @throws WriteError
+  void flush();
   /// The run is over: RESULTS.h5 gets the bytes with which the library leaves it. RUN.json may say
   /// so after this only, since nobody goes on with a run that is "done".
   /// @throws WriteError
   void close();
-  /// Where MASTER finds their ends.
+  /// Where MASTER finds their ends. @pre flush()
   [[nodiscard]] std::vector<results::MasterFile> ends() const;
 
   FileSteps steps;
@@ -63,6 +67,7 @@ class RunFiles {
   [[nodiscard]] std::filesystem::path sol_path(std::size_t number) const;
   [[nodiscard]] bool writes_animation() const;
   [[nodiscard]] bool writes_sol9() const;
+  void flush_classic();  ///< SOL1 to SOL8
 
   const Prepared& prepared_;
   const setup::RunControl& control_;
@@ -72,6 +77,7 @@ class RunFiles {
   std::vector<results::SolWriter> elements_;  ///< SOL1..SOL6
   std::optional<results::SolWriter> power_;   ///< SOL7
   std::optional<results::Sol8Writer> animation_;
+  std::chrono::steady_clock::time_point flushed_ = std::chrono::steady_clock::now();
 };
 
 /// Does an interval of steps meet this one? Never when it is 0.

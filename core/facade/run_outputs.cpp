@@ -194,7 +194,7 @@ Snapshot RunOutputs::Impl::snapshot(dynamics::System& system, const RunPoint& po
 
 void RunOutputs::Impl::write_restart(const dynamics::System& system, const Snapshot& at,
                                      std::span<const double> y, const Resume& resume) {
-  if (files.all) files.all->flush();
+  files.flush();
   results::MasterState master;
   master.last = final_state(system, at, y);
   if (thermal != nullptr) thermal->save(master.averages);

@@ -14,13 +14,16 @@ std::string state_key(const Channel& channel, std::size_t at) {
   return fmt::format("branch {}[{}]", channel.id, at);
 }
 
-/// Sets the indices of `source` to the k-th value of a channel (layout of StepRecord).
-void point_at(ChannelSource& source, const Channel& channel, const Shape& shape, std::size_t k) {
-  const auto components = static_cast<std::size_t>(channel.components);
-  source.component = k % components;
-  const std::size_t at = k / components;
-  const auto split = [at](int inner) {
-    return std::pair(at / static_cast<std::size_t>(inner), at % static_cast<std::size_t>(inner));
+/// From one value of a channel to the next (layout of StepRecord). Counts up: a stored step has
+/// thousands of values, and divisions would cost more than most of them.
+void advance(ChannelSource& source, const Channel& channel, const Shape& shape) {
+  if (++source.component < static_cast<std::size_t>(channel.components)) return;
+  source.component = 0;
+  // True where the inner index starts again.
+  const auto wraps = [](std::size_t& inner, int count) {
+    if (++inner < static_cast<std::size_t>(count)) return false;
+    inner = 0;
+    return true;
   };
   switch (channel.per) {
     case Per::Run:
@@ -28,27 +31,25 @@ void point_at(ChannelSource& source, const Channel& channel, const Shape& shape,
       break;
     case Per::Element:
     case Per::Pair:
-      source.element = at;
+      ++source.element;
       break;
     case Per::Contact:
-      std::tie(source.element, source.race) = split(2);
+      if (wraps(source.race, 2)) ++source.element;
       break;
     case Per::Flange:
-      std::tie(source.element, source.side) = split(4);
-      source.race = source.side / 2;
-      source.side %= 2;
+      if (wraps(source.side, 2) && wraps(source.race, 2)) ++source.element;
       break;
     case Per::Pocket:
-      std::tie(source.element, source.surface) = split(shape.pocket_surfaces);
+      if (wraps(source.surface, shape.pocket_surfaces)) ++source.element;
       break;
     case Per::Cage:
-      source.cage = at;
+      ++source.cage;
       break;
     case Per::Land:
-      std::tie(source.cage, source.land) = split(shape.lands);
+      if (wraps(source.land, shape.lands)) ++source.cage;
       break;
     case Per::Race:
-      source.race = at;
+      ++source.race;
       break;
   }
 }
@@ -152,17 +153,17 @@ const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot, const
   record_.time = snapshot.time;
   record_.step_size = snapshot.step_size;
   record_.shaft_rotation = snapshot.shaft_rotation;
-  ChannelSource source;
-  source.snapshot = &snapshot;
-  source.band = band;
-  source.bearing = &bearing_;
-  source.unit_length = unit_length_;
+  ChannelSource first;
+  first.snapshot = &snapshot;
+  first.band = band;
+  first.bearing = &bearing_;
+  first.unit_length = unit_length_;
   for (std::size_t c = 0; c < record_.values.size(); ++c) {
     const Channel& channel = table_.all()[c];
     std::vector<double>& values = record_.values[c];
+    ChannelSource source = first;
     source.term = channel.term;
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      point_at(source, channel, shape, k);
+    for (std::size_t k = 0; k < values.size(); ++k, advance(source, channel, shape)) {
       const double value = channel.value(source);
       values[k] = channel.continuous && has_previous_ ? nearest_branch(value, values[k]) : value;
     }

@@ -6,7 +6,9 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <system_error>
 
@@ -52,6 +54,60 @@ void write_digits(double value, int count, char* out, int& exponent) {
   if (letter > 2) std::copy(scientific.begin() + 2, scientific.begin() + letter, out);
 }
 
+/// "00" to "99".
+constexpr auto kPairs = [] {
+  std::array<char, 200> out{};
+  for (int k = 0; k < 100; ++k) {
+    out[static_cast<std::size_t>(2 * k)] = static_cast<char>('0' + k / 10);
+    out[static_cast<std::size_t>(2 * k + 1)] = static_cast<char>('0' + k % 10);
+  }
+  return out;
+}();
+
+void put_pair(char* at, std::uint32_t pair) {
+  std::memcpy(at, kPairs.data() + std::size_t{2} * pair, 2);
+}
+
+constexpr int kWidest = 32;
+
+/// The field of nearly all numbers of a run, written once into its place: normal, up to nine
+/// digits that 64 bits decide, an exponent of two digits, and columns enough.
+bool append_usual(std::string& out, double value, int width, int digits, Scale scale) {
+  const int count = scale == Scale::One ? digits + 1 : digits;
+  const double size = std::abs(value);
+  DecimalDigits found;
+  // sign, "0." or "d.", digits, "E+00"
+  const int length = (value < 0.0 ? 1 : 0) + 2 + digits + 4;
+  if (count < 1 || count > 9 || length > width || width > kWidest || !std::isnormal(size) ||
+      !decimal_digits(size, count, found))
+    return false;
+  const int exponent = found.exponent + (scale == Scale::One ? 0 : 1);
+  if (exponent < -99 || exponent > 99) return false;
+
+  std::array<char, kWidest> field;
+  std::memset(field.data(), ' ', field.size());
+  char* at = field.data() + width - length;
+  if (value < 0.0) *at++ = '-';
+  // From the last digit to the first.
+  char* const point = at + 1;
+  char* place = point + 1 + digits;
+  std::uint32_t rest = found.digits;
+  int left = digits;
+  for (; left >= 2; left -= 2, rest /= 100) put_pair(place -= 2, rest % 100);
+  if (left > 0) {
+    *--place = static_cast<char>('0' + rest % 10);
+    rest /= 10;
+  }
+  *at = static_cast<char>('0' + rest);  // 0 when all digits stand behind the point
+  *point = '.';
+  at = point + 1 + digits;
+  *at++ = 'E';
+  *at++ = exponent < 0 ? '-' : '+';
+  put_pair(at, static_cast<std::uint32_t>(std::abs(exponent)));
+  out.append(field.data(), static_cast<std::size_t>(width));
+  return true;
+}
+
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
@@ -72,6 +128,7 @@ void append_integer(std::string& out, long long value, int width) {
 }
 
 void append_real(std::string& out, double value, int width, int digits, Scale scale) {
+  if (append_usual(out, value, width, digits, scale)) return;
   if (!std::isfinite(value)) {
     append_right(out, special_word(value, width), width);
     return;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cerrno>
+#include <exception>
 #include <fcntl.h>
 #include <fstream>
 #include <iterator>
@@ -59,17 +60,27 @@ GrowingFile::GrowingFile(fs::path path, int descriptor, std::uintmax_t bytes)
 GrowingFile::GrowingFile(GrowingFile&& other) noexcept
     : path_(std::move(other.path_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
-      bytes_(other.bytes_) {}
+      bytes_(other.bytes_),
+      collects_(other.collects_),
+      waiting_(std::exchange(other.waiting_, {})) {}
 
 GrowingFile& GrowingFile::operator=(GrowingFile&& other) noexcept {
   std::swap(path_, other.path_);
   std::swap(descriptor_, other.descriptor_);
   std::swap(bytes_, other.bytes_);
+  std::swap(collects_, other.collects_);
+  std::swap(waiting_, other.waiting_);
   return *this;
 }
 
 GrowingFile::~GrowingFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  if (descriptor_ < 0) return;
+  try {
+    flush();
+  } catch (const std::exception&) {
+    // Nobody can be told from here; flush() reports.
+  }
+  ::close(descriptor_);
 }
 
 GrowingFile GrowingFile::create(const fs::path& path) {
@@ -105,7 +116,26 @@ GrowingFile GrowingFile::append_after(const fs::path& path, std::uintmax_t bytes
 }
 
 void GrowingFile::append(std::string_view piece) {
-  std::string_view rest = piece;
+  constexpr std::size_t kMost = std::size_t{1} << 16U;
+  if (!collects_) {
+    write(piece);
+    return;
+  }
+  waiting_ += piece;
+  if (waiting_.size() >= kMost) flush();
+}
+
+void GrowingFile::flush() {
+  if (waiting_.empty()) return;
+  std::string pieces;
+  pieces.swap(waiting_);  // tried once
+  write(pieces);
+  pieces.clear();
+  waiting_.swap(pieces);  // and their room kept
+}
+
+void GrowingFile::write(std::string_view pieces) {
+  std::string_view rest = pieces;
   while (!rest.empty()) {
     const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
     if (written < 0 && errno == EINTR) continue;
@@ -119,7 +149,7 @@ void GrowingFile::append(std::string_view piece) {
     }
     rest.remove_prefix(static_cast<std::size_t>(written));
   }
-  bytes_ += piece.size();
+  bytes_ += pieces.size();
 }
 
 std::string read_text_file(const fs::path& path, std::uintmax_t limit) {

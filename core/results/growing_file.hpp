@@ -6,7 +6,8 @@
 #include <string_view>
 
 /// A file that grows piece by piece and never holds a part of one: what is appended is handed to
-/// the system at once, and a piece that could not be written whole is cut off again.
+/// the system at once, or many pieces together when they are collected, and pieces that could not
+/// be written whole are cut off again.
 namespace adore::results {
 
 class GrowingFile {
@@ -26,14 +27,23 @@ class GrowingFile {
   /// Appends one piece. @throws InputError (disk full ...); the file then ends with the piece
   /// before.
   void append(std::string_view piece);
+  /// From now on pieces wait in memory until flush(), or until there are 64 kB of them. What waits
+  /// at the end of this object is written without a word of errors: call flush() before.
+  void collect() noexcept { collects_ = true; }
+  /// Hands the pieces that wait to the system. @throws as append()
+  void flush();
+  /// Of the pieces that the system has.
   [[nodiscard]] std::uintmax_t bytes() const noexcept { return bytes_; }
   [[nodiscard]] const std::filesystem::path& path() const noexcept { return path_; }
 
  private:
   GrowingFile(std::filesystem::path path, int descriptor, std::uintmax_t bytes);
+  void write(std::string_view pieces);
   std::filesystem::path path_;
   int descriptor_ = -1;
   std::uintmax_t bytes_ = 0;
+  bool collects_ = false;
+  std::string waiting_;
 };
 
 /// The whole of a small text file. @throws InputError when it cannot be read or is larger than

@@ -142,24 +142,14 @@ bool receive_all(int socket, void* data, std::size_t count) {
   return true;
 }
 
-/// Answers until the parent closes its end.
-void serve(int socket, const std::filesystem::path& path, const Limits& limits) {
+/// Does what it shall, or says in a sentence why it cannot.
+void answer_with(int socket, const std::function<void()>& act) {
   const Quiet quiet;
   const auto refuse = [&](std::string_view why) {
     return send_answer(socket, Kind::Refused, why.data(), std::min(why.size(), kLongestSentence));
   };
   try {
-    File file(path);
-    const std::vector<std::uint8_t> content = Json::to_cbor(to_json(file.content()));
-    if (!send_answer(socket, Kind::Content, content.data(), content.size())) return;
-    Request request;
-    while (receive_all(socket, &request, sizeof request)) {
-      std::string id(request.name, '\0');
-      if (!receive_all(socket, id.data(), id.size())) return;
-      limit_time(limits);
-      const std::vector<double> values = file.read(id, request.first, request.count, request.every);
-      if (!send_answer(socket, Kind::Values, values.data(), values.size() * sizeof(double))) return;
-    }
+    act();
   } catch (const InputError& error) {
     refuse(error.what());
   } catch (const std::bad_alloc&) {
@@ -169,9 +159,33 @@ void serve(int socket, const std::filesystem::path& path, const Limits& limits) 
   }
 }
 
+/// Answers until the parent closes its end.
+void serve(int socket, const std::filesystem::path& path, const Limits& limits) {
+  File file(path);
+  const std::vector<std::uint8_t> content = Json::to_cbor(to_json(file.content()));
+  if (!send_answer(socket, Kind::Content, content.data(), content.size())) return;
+  Request request;
+  while (receive_all(socket, &request, sizeof request)) {
+    std::string id(request.name, '\0');
+    if (!receive_all(socket, id.data(), id.size())) return;
+    limit_time(limits);
+    const std::vector<double> values = file.read(id, request.first, request.count, request.every);
+    if (!send_answer(socket, Kind::Values, values.data(), values.size() * sizeof(double))) return;
+  }
+}
+
 }  // namespace
 
 Process::Process(std::filesystem::path path, Limits limits)
+    : Process(path, limits, [&](int socket) { serve(socket, path, limits); }) {
+  try {
+    content_ = from_json(Json::from_cbor(answer(kLargestContent)));
+  } catch (const nlohmann::json::exception&) {
+    fail("the file is damaged");
+  }
+}
+
+Process::Process(std::filesystem::path path, Limits limits, const std::function<void(int)>& serving)
     : path_(std::move(path)), limits_(limits) {
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
@@ -183,7 +197,7 @@ Process::Process(std::filesystem::path path, Limits limits)
   if (child_ == 0) {
     std::construct_at(&library_mutex());  // locked by a thread that is not here
     settle_in(ends[1], limits_);
-    serve(ends[1], path_, limits_);
+    answer_with(ends[1], [&] { serving(ends[1]); });
     if (__gcov_dump != nullptr) __gcov_dump();
     ::_exit(0);
   }
@@ -192,14 +206,16 @@ Process::Process(std::filesystem::path path, Limits limits)
   socket_ = ends[0];
   if (child_ < 0)
     fail_outside(fmt::format("no process can be started to read it ({})", std::strerror(reason)));
-  try {
-    content_ = from_json(Json::from_cbor(answer(kLargestContent)));
-  } catch (const nlohmann::json::exception&) {
-    fail("the file is damaged");
-  } catch (...) {
-    end();
-    throw;
-  }
+}
+
+std::string read_apart(const std::filesystem::path& path,
+                       const std::function<std::string()>& reader, std::size_t most,
+                       Limits limits) {
+  Process process(path, limits, [&](int socket) {
+    const std::string bytes = reader();
+    send_answer(socket, Kind::Content, bytes.data(), bytes.size());
+  });
+  return process.answer(most);
 }
 
 Process::~Process() { end(); }

@@ -3,12 +3,13 @@
 #include "results/h5_file.hpp"
 
 #include <chrono>
+#include <functional>
 #include <sys/types.h>
 
-/// A process of its own that reads one RESULTS.h5 for us. What a crafted file does to the HDF5
-/// library (crash, endless loop, gigabytes of memory) happens there, within limits, and reaches the
-/// caller as one sentence. The child holds no open file but this one, writes nothing, and ends with
-/// its Process or when its parent dies.
+/// A process of its own that reads one RESULTS.h5, or another HDF5 file, for us. What a crafted
+/// file does to the HDF5 library (crash, endless loop, gigabytes of memory) happens there, within
+/// limits, and reaches the caller as one sentence. The child holds no open file but this one,
+/// writes nothing, and ends with its Process or when its parent dies.
 namespace adore::results::h5 {
 
 struct Limits {
@@ -32,6 +33,11 @@ class Process {
                                          std::size_t first, std::size_t count, std::size_t every);
 
  private:
+  friend std::string read_apart(const std::filesystem::path& path,
+                                const std::function<std::string()>& reader, std::size_t most,
+                                Limits limits);
+  /// A process that answers at its end of the socket. @throws ReaderKilled
+  Process(std::filesystem::path path, Limits limits, const std::function<void(int)>& serving);
   [[nodiscard]] std::string answer(std::size_t most);
   void receive(char* bytes, std::size_t count);
   [[noreturn]] void fail(std::string_view why);
@@ -46,5 +52,11 @@ class Process {
   int socket_ = -1;
   Content content_;
 };
+
+/// What `reader` makes of another kind of HDF5 file, in such a process: at most `most` bytes.
+/// @throws InputError naming the file, as Process()
+[[nodiscard]] std::string read_apart(const std::filesystem::path& path,
+                                     const std::function<std::string()>& reader, std::size_t most,
+                                     Limits limits = {});
 
 }  // namespace adore::results::h5

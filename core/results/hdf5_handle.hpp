@@ -2,8 +2,11 @@
 
 #include <hdf5.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <mutex>
 #include <string>
+#include <string_view>
 #include <utility>
 
 /// A little RAII over the HDF5 C interface; only the RESULTS.h5 sources include it.
@@ -84,6 +87,18 @@ class Handle {
  private:
   hid_t id_ = H5I_INVALID_HID;
 };
+
+/// Text of `width` bytes, padded with zeros. Declared ASCII where it is: programs that read ASCII
+/// alone (Octave) take such texts and leave those of UTF-8.
+inline Handle text_type(std::size_t width, std::string_view text) {
+  const bool ascii = std::all_of(text.begin(), text.end(),
+                                 [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+  Handle type(H5Tcopy(H5T_C_S1));
+  H5Tset_size(type, std::max<std::size_t>(width, 1));
+  H5Tset_strpad(type, H5T_STR_NULLPAD);
+  H5Tset_cset(type, ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8);
+  return type;
+}
 
 /// What the library's error stack says, its deepest entry.
 inline std::string last_error() {

@@ -13,10 +13,16 @@ constexpr double kOnAxis = 1e-12;  // [m], far below any clearance or deflection
 
 }  // namespace
 
-Direction theta_phi(const Vec3& v) {
-  if (!(v.squaredNorm() > 0.0)) return {};
-  const auto [theta, phi] = tilt_of_axis(Vec3(v.x(), v.y(), -v.z()).normalized());
-  return {theta, phi};
+Direction theta_phi(const Vec3& v) { return {theta_of(v), phi_of(v)}; }
+
+double theta_of(const Vec3& v) {
+  if (!(v.squaredNorm() > 0.0)) return 0.0;
+  return tilt_of_axis(Vec3(v.x(), v.y(), -v.z()).normalized())[0];
+}
+
+double phi_of(const Vec3& v) {
+  if (!(v.squaredNorm() > 0.0)) return 0.0;
+  return tilt_of_axis(Vec3(v.x(), v.y(), -v.z()).normalized())[1];
 }
 
 OrbitMotion orbit_motion(const Vec3& position, const Vec3& velocity, const Vec3& acceleration) {

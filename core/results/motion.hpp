@@ -18,6 +18,9 @@ struct Direction {
   double theta = 0.0, phi = 0.0;
 };
 [[nodiscard]] Direction theta_phi(const Vec3& v);
+/// One of them alone.
+[[nodiscard]] double theta_of(const Vec3& v);
+[[nodiscard]] double phi_of(const Vec3& v);
 
 /// Motion of a mass centre in the plane across the bearing axis, base frame, angle from +Z as
 /// azimuths: y = -r sin θ, z = r cos θ. On the axis itself (r below 1 pm) θ is taken from the

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <system_error>
@@ -103,10 +104,7 @@ std::string_view dimension_names(const Channel& channel) {
 }
 
 void write_attribute(hid_t object, const std::string& name, std::string_view text) {
-  const Handle type(H5Tcopy(H5T_C_S1));
-  H5Tset_size(type, std::max<std::size_t>(text.size(), 1));
-  H5Tset_strpad(type, H5T_STR_NULLPAD);
-  H5Tset_cset(type, H5T_CSET_UTF8);
+  const Handle type = text_type(text.size(), text);
   const Handle space(H5Screate(H5S_SCALAR));
   const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT));
   const std::string padded = text.empty() ? std::string(1, '\0') : std::string(text);
@@ -214,13 +212,22 @@ struct H5Writer::Impl {
   ChannelTable table;
   std::filesystem::path path;
   Shape shape;
-  std::size_t block = kBlock;
+  std::size_t rows = kBlock;   ///< of a chunk
+  std::size_t block = kBlock;  ///< of a write
+  std::chrono::steady_clock::time_point flushed = std::chrono::steady_clock::now();
   std::size_t written = 0, waiting = 0;  ///< rows
   Handle file;
   std::vector<Series> series;
   bool broken = false;
 
   [[nodiscard]] std::span<const Channel> channels() const { return table.all(); }
+  void set_block(int most) {
+    double bytes = sizeof(double) * kSeries.size();
+    for (const Channel& channel : channels())
+      bytes += static_cast<double>(sizeof(double) * channel_size(channel, shape));
+    rows = static_cast<std::size_t>(block_of(bytes));
+    block = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(most, 1)), 1, rows);
+  }
   Series plan(int channel) const {
     Series made;
     made.channel = channel;
@@ -246,7 +253,7 @@ struct H5Writer::Impl {
   }
 
   void create_dataset(Series made, const std::string& name) {
-    std::vector<hsize_t> size{0}, most{H5S_UNLIMITED}, chunk{kBlock};
+    std::vector<hsize_t> size{0}, most{H5S_UNLIMITED}, chunk{rows};
     for (hsize_t dim : made.dims) {
       size.push_back(dim);
       most.push_back(dim);
@@ -280,10 +287,10 @@ struct H5Writer::Impl {
     series.push_back(std::move(made));
   }
 
-  static Handle dataset_access(const Series& made) {
+  [[nodiscard]] Handle dataset_access(const Series& made) const {
     Handle access(H5Pcreate(H5P_DATASET_ACCESS));
     // One chunk of each dataset is open at a time; the default cache would be 1 MiB each.
-    H5Pset_chunk_cache(access, 7, kBlock * made.width * sizeof(double), 1.0);
+    H5Pset_chunk_cache(access, 7, rows * made.width * sizeof(double), 1.0);
     return access;
   }
 
@@ -323,16 +330,20 @@ struct H5Writer::Impl {
       }
       bool ok = (!is_last || H5Fflush(file, H5F_SCOPE_LOCAL) >= 0) &&
                 H5Dset_extent(one.dataset, size.data()) >= 0;
-      if (ok) {
+      if (ok && waiting == rows && written % rows == 0) {  // a whole chunk goes as it is
+        start.resize(one.dims.size() + 1);
+        ok = H5Dwrite_chunk(one.dataset, H5P_DEFAULT, 0, start.data(),
+                            one.waiting.size() * sizeof(double), one.waiting.data()) >= 0;
+      } else if (ok) {
         const Handle target(H5Dget_space(one.dataset));
         const Handle source(
             H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr));
         ok = H5Sselect_hyperslab(target, H5S_SELECT_SET, start.data(), nullptr, count.data(),
                                  nullptr) >= 0 &&
              H5Dwrite(one.dataset, H5T_NATIVE_DOUBLE, source, target, H5P_DEFAULT,
-                      one.waiting.data()) >= 0 &&
-             (!is_last || H5Dflush(one.dataset) >= 0);
+                      one.waiting.data()) >= 0;
       }
+      ok = ok && (!is_last || H5Dflush(one.dataset) >= 0);
       const int error = write_error(file);
       if (!ok || error != 0) {
         broken = true;  // /step, written last, tells of the steps that all of them hold
@@ -345,8 +356,14 @@ struct H5Writer::Impl {
     }
     written += waiting;
     waiting = 0;
+    flushed = std::chrono::steady_clock::now();
   }
 };
+
+int H5Writer::block_of(double step_bytes) noexcept {
+  constexpr double kBytes = 4.0 * 1024 * 1024;
+  return std::clamp(static_cast<int>(kBytes / std::max(step_bytes, 1.0)), kLeastBlock, kBlock);
+}
 
 H5Writer::H5Writer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 H5Writer::H5Writer(H5Writer&&) noexcept = default;
@@ -419,7 +436,7 @@ H5Writer H5Writer::create(const std::filesystem::path& path, const bearing::Bear
   auto impl = std::make_unique<Impl>(table);
   impl->path = path;
   impl->shape = shape_of(bearing);
-  impl->block = static_cast<std::size_t>(std::clamp(block, 1, kBlock));
+  impl->set_block(block);
   std::error_code ignored;
   if (std::filesystem::is_symlink(path, ignored)) std::filesystem::remove(path, ignored);
   impl->open_empty(path, bearing);
@@ -470,14 +487,14 @@ H5Writer H5Writer::continue_after(const std::filesystem::path& path,
   auto impl = std::make_unique<Impl>(table);
   impl->path = path;
   impl->shape = shape_of(bearing);
-  impl->block = static_cast<std::size_t>(std::clamp(block, 1, kBlock));
+  impl->set_block(block);
   // A new file, and the steps that stay: the bytes are those of a run that was never interrupted,
   // and damage of the old file is found before it is given up.
   const std::filesystem::path next = unfinished(path);
   try {
     impl->open_empty(next, bearing);
     while (impl->written < rows) {
-      impl->waiting = std::min<std::size_t>(rows - impl->written, kBlock);
+      impl->waiting = std::min(rows - impl->written, impl->rows);
       std::size_t name = kSeries.size();
       for (Series& one : impl->series) {
         const std::string_view id = one.channel < 0
@@ -515,7 +532,10 @@ void H5Writer::write(const StepRecord& record) {
     }
   }
   ++impl_->waiting;
-  if (impl_->waiting + impl_->written % impl_->block >= impl_->block) flush();
+  constexpr std::chrono::seconds kLongest{1};
+  if (impl_->waiting + impl_->written % impl_->block >= impl_->block ||
+      std::chrono::steady_clock::now() - impl_->flushed >= kLongest)
+    flush();
 }
 
 void H5Writer::flush() {

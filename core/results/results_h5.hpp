@@ -24,11 +24,14 @@ namespace adore::results {
 
 class H5Writer {
  public:
-  /// Steps that are collected before they go to the file as one block.
-  static constexpr int kBlock = 64;
+  /// Steps that are collected before they go to the file as one block, which is also the chunk of
+  /// its datasets: as many as 4 MB hold, 64 to 256.
+  static constexpr int kLeastBlock = 64, kBlock = 256;
+  [[nodiscard]] static int block_of(double step_bytes) noexcept;
 
-  /// A new file, replacing what was there; `table` is that of the records. `block` as kBlock;
-  /// smaller blocks lose less when the process is killed.
+  /// A new file, replacing what was there; `table` is that of the records. `block` at most;
+  /// smaller blocks lose less when the process is killed. A block that has waited for a second
+  /// goes to the file with the next step although it is not full.
   /// @throws InputError when it cannot be written.
   static H5Writer create(const std::filesystem::path& path, const bearing::Bearing& bearing,
                          const ChannelTable& table, int block = kBlock);

@@ -108,13 +108,12 @@ std::optional<std::string> sol8_refusal(int elements, int cage_segments) {
   if (elements > kMostElements)
     return fmt::format(
         "SOL8 is not written: its three-digit counts hold at most {} rolling elements, this "
-        "bearing has {}; AGORE has nothing to draw, RESULTS.h5 holds the motion",
+        "bearing has {}; RESULTS.h5 holds the motion, and AGORE draws it from there",
         kMostElements, elements);
   if (cage_segments > 1)
     return fmt::format(
-        "SOL8 is not written, and AGORE has nothing to draw: it has room for one cage, this "
-        "bearing "
-        "has {} segments; RESULTS.h5 holds their motion",
+        "SOL8 is not written: it has room for one cage, this bearing has {} segments; RESULTS.h5 "
+        "holds their motion, and AGORE draws it from there",
         cage_segments);
   return std::nullopt;
 }

@@ -46,6 +46,9 @@ class SolWriter {
   static void check(const std::filesystem::path& path, const SolHeader& header);
 
   void write(const StepRecord& record);
+  /// As GrowingFile's.
+  void collect() noexcept { file_.collect(); }
+  void flush() { file_.flush(); }
   [[nodiscard]] const GrowingFile& file() const noexcept { return file_; }
 
  private:
@@ -85,6 +88,9 @@ class Sol8Writer {
                     UnitSystem units);
 
   void write(const scene::Snapshot& snapshot);
+  /// As GrowingFile's.
+  void collect() noexcept { file_.collect(); }
+  void flush() { file_.flush(); }
   [[nodiscard]] const GrowingFile& file() const noexcept { return file_; }
 
  private:

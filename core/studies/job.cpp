@@ -7,6 +7,7 @@
 #include "base/write_error.hpp"
 #include "facade/passing_folder.hpp"
 #include "facade/run_ending.hpp"
+#include "facade/solver_stamp.hpp"
 #include "results/growing_file.hpp"
 #include "results/reader_killed.hpp"
 #include "scene/cost_ledger.hpp"
@@ -228,7 +229,7 @@ Job read_job(const fs::path& folder) {
 
 std::vector<Task> make_tasks(const Job& job, const std::vector<Point>& points, long first_number) {
   Hash common;
-  common.add(kProgramVersion);
+  common.add(facade::solver_stamp());
   common.add(job.until);
   common.add(job.integrator);
   common.add(job.tolerance ? fmt::format("{}", *job.tolerance) : "");

@@ -55,7 +55,7 @@ struct Record {
 [[nodiscard]] Job read_job(const std::filesystem::path& folder);
 
 /// Numbers and keys of the points. A key is the content hash of the deck with its sets as it is
-/// written, options, end, method, tolerance, quantities and program version.
+/// written, options, end, method, tolerance, quantities and solver.
 [[nodiscard]] std::vector<Task> make_tasks(const Job& job, const std::vector<Point>& points,
                                            long first_number);
 

@@ -1,6 +1,7 @@
 #include "base/atomic_file.hpp"
 #include "base/version.hpp"
 #include "base/write_error.hpp"
+#include "facade/solver_stamp.hpp"
 #include "results/hdf5_handle.hpp"
 #include "studies/study_table.hpp"
 
@@ -31,10 +32,8 @@ class Writer {
   }
 
   void attribute(hid_t object, const char* name, const std::string& text) const {
-    const Handle type(H5Tcopy(H5T_C_S1)), space(H5Screate(H5S_SCALAR));
-    H5Tset_size(type, std::max<std::size_t>(text.size(), 1));
-    H5Tset_cset(type, H5T_CSET_UTF8);
-    H5Tset_strpad(type, H5T_STR_NULLPAD);
+    const Handle type = results::h5::text_type(text.size(), text);
+    const Handle space(H5Screate(H5S_SCALAR));
     const Handle attribute(
         checked(H5Acreate2(object, name, type, space, H5P_DEFAULT, H5P_DEFAULT)));
     std::string padded = text;
@@ -64,10 +63,7 @@ class Writer {
     std::string all(width * values.size(), '\0');
     for (std::size_t i = 0; i < values.size(); ++i)
       std::copy(values[i].begin(), values[i].end(), all.begin() + static_cast<long>(i * width));
-    const Handle type(H5Tcopy(H5T_C_S1));
-    H5Tset_size(type, width);
-    H5Tset_cset(type, H5T_CSET_UTF8);
-    H5Tset_strpad(type, H5T_STR_NULLPAD);
+    const Handle type = results::h5::text_type(width, all);
     const Handle set = dataset(name, type, values.size());
     if (!values.empty()) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, all.data()));
   }
@@ -111,6 +107,7 @@ void write_table_h5(const StudyTable& table, const std::string& kind,
   const results::h5::Quiet quiet;
   const Writer file(path);
   file.attribute("program", std::string(kProgramVersion));
+  file.attribute("solver", std::string(facade::solver_stamp()));
   file.attribute("study", kind);
   file.attribute("conventions",
                  "one row per run in every dataset; variables in the deck's units, quantities in "

@@ -3,12 +3,13 @@
 #include "base/errors.hpp"
 #include "deck/schema.hpp"
 #include "results/growing_file.hpp"
-#include "results/hdf5_handle.hpp"
+#include "results/h5_process.hpp"
 #include "setup/run_control.hpp"
 #include "studies/charts.hpp"
 #include "studies/statistics.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
@@ -25,11 +26,15 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kLargestFile = std::size_t{4} << 30;
 
+std::string no_table_text(const std::string& why) {
+  return fmt::format(
+      "this is no table of `adore study`: {}; give the RUNS.csv or STUDY.h5 that it wrote, or its "
+      "folder",
+      why);
+}
+
 [[noreturn]] void no_table(const fs::path& file, const std::string& why) {
-  throw InputError(
-      fmt::format("{} is no table of `adore study`: {}; give the RUNS.csv or STUDY.h5 "
-                  "that it wrote, or its folder",
-                  file.string(), why));
+  throw InputError(fmt::format("{}: {}", file.string(), no_table_text(why)));
 }
 
 /// Fields of one line, quotes taken away.
@@ -137,14 +142,14 @@ hsize_t rows_of(hid_t set) {
 class H5Table {
  public:
   explicit H5Table(const fs::path& file)
-      : path_(file), file_(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {
-    if (!file_.valid()) no_table(path_, "it is no HDF5 file");
+      : file_(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)) {
+    if (!file_.valid()) no_table("it is no HDF5 file");
   }
   StudyTable read() const {
     StudyTable out;
     out.run = whole("run");
     out.exit = whole("exit");
-    if (out.exit.size() != out.run.size()) no_table(path_, "run and exit differ in length");
+    if (out.exit.size() != out.run.size()) no_table("run and exit differ in length");
     out.variables = group("variables", out.rows());
     out.quantities = group("quantities", out.rows());
     out.message = texts("message", out.rows());
@@ -161,11 +166,11 @@ class H5Table {
   }
   [[nodiscard]] std::vector<long> whole(const std::string& name) const {
     const Handle set = open(name);
-    if (!set.valid()) no_table(path_, "it has no " + name);
+    if (!set.valid()) no_table("it has no " + name);
     std::vector<long> out(rows_of(set));
     if (!out.empty() &&
         H5Dread(set, H5T_NATIVE_LONG, H5S_ALL, H5S_ALL, H5P_DEFAULT, out.data()) < 0)
-      no_table(path_, name + " cannot be read");
+      no_table(name + " cannot be read");
     return out;
   }
   [[nodiscard]] std::vector<std::string> texts(const std::string& name, std::size_t rows) const {
@@ -198,11 +203,11 @@ class H5Table {
         &names);
     for (const std::string& column : names) {
       const Handle set(H5Dopen2(in, column.c_str(), H5P_DEFAULT));
-      if (!set.valid() || rows_of(set) != rows) no_table(path_, column + " has another length");
+      if (!set.valid() || rows_of(set) != rows) no_table(column + " has another length");
       TableColumn next{column, unit_of(set), std::vector<double>(rows)};
       if (rows > 0 &&
           H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, next.values.data()) < 0)
-        no_table(path_, column + " cannot be read");
+        no_table(column + " cannot be read");
       out.push_back(std::move(next));
     }
     return out;
@@ -220,9 +225,67 @@ class H5Table {
     return out.c_str();
   }
 
-  fs::path path_;
+  /// The process that asked knows the file's name.
+  [[noreturn]] static void no_table(const std::string& why) {
+    throw InputError(no_table_text(why));
+  }
+
   Handle file_;
 };
+
+using Json = nlohmann::json;
+
+Json columns_json(const std::vector<TableColumn>& columns) {
+  Json out = Json::array();
+  for (const TableColumn& column : columns)
+    out.push_back({column.name, column.unit, column.values});
+  return out;
+}
+
+std::vector<TableColumn> columns_of(const Json& json) {
+  std::vector<TableColumn> out;
+  for (const Json& column : json)
+    out.push_back({column.at(0).get<std::string>(), column.at(1).get<std::string>(),
+                   column.at(2).get<std::vector<double>>()});
+  return out;
+}
+
+/// In a process of its own: what a damaged file does to the HDF5 library stays there.
+StudyTable read_h5(const fs::path& file) {
+  results::h5::Limits limits;
+  limits.memory = std::size_t{2} << 30;
+  constexpr std::size_t kLargestTable = std::size_t{1} << 30;
+  const std::string bytes = results::h5::read_apart(
+      file,
+      [&file] {
+        const StudyTable table = H5Table(file).read();
+        const std::vector<std::uint8_t> cbor =
+            Json::to_cbor({table.run, table.exit, table.deck, table.label, table.message,
+                           columns_json(table.variables), columns_json(table.quantities)});
+        return std::string(cbor.begin(), cbor.end());
+      },
+      kLargestTable, limits);
+  StudyTable out;
+  try {
+    const Json json = Json::from_cbor(bytes);
+    json.at(0).get_to(out.run);
+    json.at(1).get_to(out.exit);
+    json.at(2).get_to(out.deck);
+    json.at(3).get_to(out.label);
+    json.at(4).get_to(out.message);
+    out.variables = columns_of(json.at(5));
+    out.quantities = columns_of(json.at(6));
+  } catch (const Json::exception&) {
+    no_table(file, "it is damaged");
+  }
+  const auto fits = [&](std::size_t length) { return length == out.rows() || length == 0; };
+  bool whole = out.exit.size() == out.rows() && out.message.size() == out.rows() &&
+               fits(out.deck.size()) && fits(out.label.size());
+  for (const auto* group : {&out.variables, &out.quantities})
+    for (const TableColumn& column : *group) whole = whole && column.values.size() == out.rows();
+  if (!whole) no_table(file, "it is damaged");
+  return out;
+}
 
 std::string file_name(std::string text) {
   for (char& c : text)
@@ -263,8 +326,7 @@ bool is_study_table(const fs::path& file) {
 
 StudyTable read_study_table(const fs::path& file) {
   if (file.extension() != ".h5") return read_csv(file);
-  const results::h5::Quiet quiet;
-  return H5Table(file).read();
+  return read_h5(file);
 }
 
 std::string charts_of_table(const StudyTable& table) {

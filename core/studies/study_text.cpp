@@ -125,6 +125,12 @@ StudyText read_study_text(const std::string& text, const std::filesystem::path& 
   return out;
 }
 
+std::string toml_text(const Json& value) { return Writer(true).value(value); }
+
+std::string toml_line(const std::string& key, const Json& value) {
+  return toml_key(key) + " = " + toml_text(value) + "\n";
+}
+
 std::string write_study_text(const Json& json, bool toml) { return Writer(toml).file(json); }
 
 }  // namespace adore::studies

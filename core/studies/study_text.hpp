@@ -27,4 +27,8 @@ struct StudyText {
 /// line for each. Reading it gives `json` again.
 [[nodiscard]] std::string write_study_text(const nlohmann::ordered_json& json, bool toml);
 
+/// A value as write_study_text() writes it in TOML, and a key with it on a line of its own.
+[[nodiscard]] std::string toml_text(const nlohmann::ordered_json& value);
+[[nodiscard]] std::string toml_line(const std::string& key, const nlohmann::ordered_json& value);
+
 }  // namespace adore::studies

@@ -102,18 +102,82 @@ void keep_comments(const std::string& text, StudyText& out) {
   out.json = std::move(with);
 }
 
-}  // namespace
-
-StudyText parse_toml(const std::string& text, const std::string& name) {
-  const toml::parse_result result = toml::parse(text, name);
+toml::table parse(const std::string& text, const std::string& name) {
+  toml::parse_result result = toml::parse(text, name);
   if (!result) {
     const auto& error = result.error();
     throw InputError(fmt::format("{}, line {}: this is not valid TOML: {}", name,
                                  error.source().begin.line, error.description()));
   }
+  return std::move(result).table();
+}
+
+class Places {
+ public:
+  explicit Places(const std::string& text) : text_(text) {
+    for (std::size_t i = 0; i < text.size(); ++i)
+      if (text[i] == '\n') lines_.push_back(i + 1);
+  }
+
+  TomlPlace of(const toml::node& node) const {
+    TomlPlace out;
+    out.begin = byte(node.source().begin);
+    out.end = byte(node.source().end);
+    if (const toml::table* table = node.as_table()) {
+      out.value = Json::object();
+      out.simple = table->is_inline();
+      out.lines = !out.simple && out.begin < text_.size() && text_[out.begin] == '[';
+      out.keys_begin = std::min(text_.find('\n', out.begin), text_.size() - 1) + 1;
+      for (auto&& [key, child] : *table) {
+        TomlPlace place = of(child);
+        place.key_begin = byte(key.source().begin);
+        out.value[std::string(key.str())] = place.value;
+        out.keys.emplace(std::string(key.str()), std::move(place));
+      }
+    } else if (const toml::array* array = node.as_array()) {
+      out.value = Json::array();
+      for (const toml::node& item : *array) {
+        out.items.push_back(of(item));
+        out.value.push_back(out.items.back().value);
+        const toml::table* row = item.as_table();
+        out.simple = out.simple && (row == nullptr || row->is_inline());
+      }
+    } else {
+      StudyText nowhere;
+      out.value = Reader(nowhere).value(node, "");
+    }
+    return out;
+  }
+
+ private:
+  /// Columns count letters, not bytes.
+  std::size_t byte(const toml::source_position& at) const {
+    if (at.line == 0 || at.line > lines_.size()) return text_.size();
+    std::size_t out = lines_[at.line - 1];
+    for (auto letters = at.column; letters > 1 && out < text_.size(); --letters)
+      for (++out; out < text_.size() && (static_cast<unsigned char>(text_[out]) & 0xc0) == 0x80;)
+        ++out;
+    return out;
+  }
+  const std::string& text_;
+  std::vector<std::size_t> lines_{0};
+};
+
+}  // namespace
+
+TomlPlace toml_places(const std::string& text, const std::string& name) {
+  TomlPlace root = Places(text).of(parse(text, name));
+  root.lines = true;
+  root.simple = false;
+  root.keys_begin = 0;
+  return root;
+}
+
+StudyText parse_toml(const std::string& text, const std::string& name) {
+  const toml::table table = parse(text, name);
   StudyText out;
   Reader reader(out);
-  out.json = reader.object(result.table(), "");
+  out.json = reader.object(table, "");
   keep_comments(text, out);
   return out;
 }

@@ -2,8 +2,26 @@
 
 #include "studies/study_text.hpp"
 
+#include <map>
+#include <vector>
+
 /// The one place that knows the TOML library.
 namespace adore::studies {
+
+/// A value of a TOML text, and where it stands there [bytes].
+struct TomlPlace {
+  nlohmann::json value;
+  std::size_t key_begin = 0;       ///< of the key in front of it
+  std::size_t begin = 0, end = 0;  ///< of its text
+  bool simple = true;  ///< begin to end is all of it; not so under [headers] and behind dotted keys
+  bool lines = false;  ///< a table whose keys stand on lines of their own
+  std::size_t keys_begin = 0;             ///< of such a table: where its first key may stand
+  std::map<std::string, TomlPlace> keys;  ///< of a table
+  std::vector<TomlPlace> items;           ///< of a list
+};
+
+/// @throws InputError as parse_toml()
+[[nodiscard]] TomlPlace toml_places(const std::string& text, const std::string& name);
 
 /// @throws InputError "a.toml, line 3: ..." for text that is no TOML.
 [[nodiscard]] StudyText parse_toml(const std::string& text, const std::string& name);

@@ -1,10 +1,12 @@
 #include "tribology/ellipse_traction.hpp"
 
 #include "base/errors.hpp"
+#include "tribology/edge_slips.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -49,32 +51,34 @@ void add_minor_nodes(EllipseRule& rule, int minor) {
   }
 }
 
-/// Largest slip at the edge points of the major nodes and at the two ends.
+/// Most edge points of a rule: those of split rules of the largest size.
+constexpr std::size_t kMostEdgePoints = kEllipsePieces * kLargestRule + 2;
+
+/// Largest slip at the edge points of the major nodes and at the two ends. Squares first; roots are
+/// taken of those only that rounding may make the largest.
 template <class Sum>
 double largest_edge_slip(const Sum& sum, const EllipseRule& rule, const EllipseGeometry& g,
-                         const EllipseKinematics& m) {
-  double fastest = 0.0, surely_less = -1.0;  // [m/s, m²/s²]
-  const auto note = [&](double s, double chord) {
-    const double mean = m.u_c + m.W_t * g.height(s * g.a);
-    const double fastest_c = std::abs(mean) + std::abs(m.W_n * g.b * chord);
-    const double rolling = sum.rolling_slip(s * g.a);
-    if (fastest_c * fastest_c + rolling * rolling < surely_less) return;
-    fastest = std::max(fastest, std::hypot(fastest_c, rolling));
-    surely_less = (1.0 - 1e-12) * fastest * fastest;
-  };
-  note(-1.0, 0.0);
-  note(1.0, 0.0);
+                         const EllipseKinematics& m) noexcept {
+  std::array<double, kMostEdgePoints> s, across, rolling, squares;
+  std::size_t n = 0;
+  s[n++] = -1.0;
+  s[n++] = 1.0;
   if (rule.split) {
     const EllipseBreaks<double> at = sum.breaks();
     const double ends[kEllipsePieces + 1] = {-1.0, at.s1, at.s2, at.s3, at.s4, 1.0};
     for (int piece = 0; piece < kEllipsePieces; ++piece)
-      for (const double node : rule.s) {
-        const double s = ends[piece] + (ends[piece + 1] - ends[piece]) * node;
-        note(s, std::sqrt(std::max(1.0 - s * s, 0.0)));
-      }
+      for (const double node : rule.s)
+        s[n++] = ends[piece] + (ends[piece + 1] - ends[piece]) * node;
   } else {
-    for (std::size_t i = 0; i < rule.s.size(); ++i) note(rule.s[i], rule.chord[i]);
+    for (const double node : rule.s) s[n++] = node;
   }
+  edge_slips({m.u_c, m.u_t, m.W_c, m.W_t, m.W_n, g.a, g.b, g.rho, g.h0}, static_cast<int>(n),
+             s.data(), across.data(), rolling.data(), squares.data());
+  const double surely_less =
+      (1.0 - 1e-12) * *std::max_element(squares.data(), squares.data() + n);  // [m²/s²]
+  double fastest = 0.0;                                                       // [m/s]
+  for (std::size_t i = 0; i < n; ++i)
+    if (!(squares[i] < surely_less)) fastest = std::max(fastest, std::hypot(across[i], rolling[i]));
   return fastest;
 }
 
@@ -166,6 +170,16 @@ EllipseTraction ellipse_traction(const TractionLaw& law, const EllipseGeometry& 
         s.F_c, s.F_t,  s.M_c,       s.M_t,
         s.M_n, s.heat, s.load_slip, largest_edge_slip(sum, rule, geometry, motion)};
   });
+}
+
+double largest_slip(const TractionLaw& law, const EllipseGeometry& geometry,
+                    const EllipseKinematics& motion, const EllipseRule& rule) noexcept {
+  const EllipseContact<double> contact{
+      geometry.Q, geometry.a, geometry.b, {geometry.h0 - geometry.rho, geometry.rho}, motion};
+  const EllipseNodes nodes = rule.nodes();
+  const ExponentialLaw none;  // slip is kinematics: only the scale of a law places the pieces
+  return largest_edge_slip(EllipseSum(nodes, contact, none, law.slip_floor(), law.slip_scale()),
+                           rule, geometry, motion);
 }
 
 }  // namespace adore::tribology

@@ -129,6 +129,11 @@ struct EllipseRule {
                                                const EllipseKinematics& motion,
                                                const EllipseRule& rule) noexcept;
 
+/// max_slip of ellipse_traction without the integrals [m/s].
+[[nodiscard]] double largest_slip(const TractionLaw& law, const EllipseGeometry& geometry,
+                                  const EllipseKinematics& motion,
+                                  const EllipseRule& rule) noexcept;
+
 /// The converged answer: integrals split at slip reversals and at the kink of the law; relative
 /// accuracy ~1e-10. Slip is not rounded: κ(0) ≠ 0 means no force at exactly zero slip.
 [[nodiscard]] EllipseTraction ellipse_traction_converged(const TractionLaw& law,

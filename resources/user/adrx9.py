@@ -1,4 +1,4 @@
-"""ADRX9 for Adore: what you like, into SOL9. Here a map of the heat: time, name, place and power of every source."""
+"""ADRX9 for Adore: what you like, into SOL9. Here a map of the heat: time, contact, place, half axes and power of every source."""
 
 import sys
 
@@ -10,10 +10,12 @@ routines = adore.Routines("heat map 1")
 @routines.results
 def heat(step):
     if step.start:
-        return "#       time          x          y          z         heat  source\n"
+        return "#       time kind element race          x          y          z          a          b         heat\n"
     return "".join(
-        f"{step.time:12.6e} {x:10.3e} {y:10.3e} {z:10.3e} {power:12.5e}  {name}\n"
-        for (x, y, z), power, name in zip(step.source_place, step.source_heat, step.source_name)
+        f"{step.time:12.6e} {kind:4d} {element + 1:7d} {race + 1:4d} {x:10.3e} {y:10.3e} {z:10.3e} {a:10.3e} {b:10.3e} {power:12.5e}\n"
+        for kind, element, race, (x, y, z), (a, b), power in zip(
+            step.source_kind, step.source_element, step.source_race, step.source_place, step.source_size, step.source_heat
+        )
     )
 
 

@@ -22,6 +22,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <random>
 
 using namespace adore;
 using namespace adore::adrplot;
@@ -141,6 +143,46 @@ TEST_CASE("a click on a point of a study shows its run", "[gui][adrplot][studies
     ++shown;
   }
   CHECK(shown > 4);
+}
+
+TEST_CASE("a damaged STUDY.h5 is read or refused in a sentence, and nothing of it harms the reader",
+          "[adrplot][studies][h5]") {
+  std::ifstream stream(study_folder() / "STUDY.h5", std::ios::binary);
+  const std::string good{std::istreambuf_iterator<char>(stream), {}};
+  REQUIRE(good.size() > 2000);
+  const QTemporaryDir folder;
+  const fs::path file = fs::path(folder.path().toStdString()) / "STUDY.h5";
+  std::mt19937 random(17);
+  int read = 0, refused = 0;
+  constexpr int kFiles = 400;
+  for (int i = 0; i < kFiles; ++i) {
+    std::string bytes = good;
+    for (unsigned change = 0; change <= random() % 3; ++change) {
+      const std::size_t at = random() % bytes.size();
+      switch (random() % 3) {
+        case 0:
+          bytes[at] = static_cast<char>(random());
+          break;
+        case 1:
+          for (std::size_t k = at; k < std::min(at + 8, bytes.size()); ++k) bytes[k] = '\xff';
+          break;
+        default:
+          bytes.resize(at + 1);
+      }
+    }
+    std::ofstream(file, std::ios::binary) << bytes;
+    try {
+      const studies::StudyTable table = studies::read_study_table(file);
+      for (const studies::TableColumn& column : table.quantities)
+        REQUIRE(column.values.size() == table.rows());
+      ++read;
+    } catch (const InputError& error) {
+      REQUIRE_THAT(error.what(), Catch::StartsWith(file.string() + ": "));
+      ++refused;
+    }
+  }
+  CHECK(read > 20);
+  CHECK(refused > 20);
 }
 
 TEST_CASE("a study's tables in another place still open", "[gui][adrplot][studies]") {

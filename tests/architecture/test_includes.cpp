@@ -190,7 +190,7 @@ TEST_CASE("every reading and every output rule that the code cites stands in the
   CHECK(seen > 50);
 }
 
-TEST_CASE("every decision stands in the index, and the index names no others",
+TEST_CASE("every decision has a number of its own and stands in the index, which names no others",
           "[unit][architecture]") {
   const fs::path folder = adore::test::source_dir() / "resources/docs/decisions";
   const std::string index = text_of(folder / "README.md");
@@ -198,11 +198,14 @@ TEST_CASE("every decision stands in the index, and the index names no others",
   static const std::regex link(R"(\]\((\d{3}-[^)]*\.md)\))");
   for (std::sregex_iterator m(index.begin(), index.end(), link), end; m != end; ++m)
     CHECK(listed.insert((*m)[1]).second);
+  std::set<std::string> numbers;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
     if (name == "README.md") continue;
     INFO(name);
     CHECK(listed.erase(name) == 1);
+    CHECK(numbers.insert(name.substr(0, 3)).second);
+    CHECK(text_of(entry.path()).rfind("# " + name.substr(0, 3) + ' ', 0) == 0);
   }
   CHECK(listed.empty());
 }

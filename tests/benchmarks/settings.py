@@ -18,12 +18,13 @@ import tempfile
 
 BALL = [("as it is", ""), ("radial", "appLoadX=300 appLoadZ=3000"), ("light", "appLoadX=200 appLoadZ=50"),
         ("heavy", "appLoadX=6000 appLoadZ=3000"), ("fast", "rpm2=20000"), ("slow", "rpm2=2000")]
-ROLLERS = [("as it is", ""), ("heavy", "appLoadZ=15000"), ("light", "appLoadZ=1000")]
-THRUST = [("as it is", ""), ("light", "appLoadX=300"), ("heavy", "appLoadX=8000"), ("fast", "rpm2=20000")]
+ROLLERS = [("as it is", ""), ("heavy", "appLoadZ=15000"), ("light", "appLoadZ=1000"), ("fast", "rpm2=9000"), ("slow", "rpm2=1500")]
+THRUST = [("as it is", ""), ("light", "appLoadX=300"), ("heavy", "appLoadX=8000"), ("fast", "rpm2=20000"), ("slow", "rpm2=2000"),
+          ("radial", "appLoadX=1000 appLoadZ=400")]
 BALL_18 = [("as it is", ""), ("radial", "appLoadX=600 appLoadZ=5000"), ("light", "appLoadX=400 appLoadZ=100"),
            ("heavy", "appLoadX=10000 appLoadZ=4000"), ("fast", "rpm2=20000"), ("slow", "rpm2=2400")]
-DECKS = {"ball-18": (BALL_18, 50), "ball": (BALL, 50), "ball-thrust": (THRUST, 50), "cylindrical": (ROLLERS, 2), "tapered": (ROLLERS, 1),
-         "spherical": (ROLLERS, 1), "spherical-tapered": (ROLLERS, 1)}
+DECKS = {"ball-18": (BALL_18, 50), "ball": (BALL, 50), "ball-thrust": (THRUST, 50), "cylindrical": (ROLLERS, 50), "tapered": (ROLLERS, 10),
+         "spherical-tapered": (ROLLERS, 10), "spherical": (ROLLERS, 10)}
 AS_STABLE = ["--set", "stpMax=10"]  # shortened to what contact vibrations allow
 CANDIDATES = [("as it stands", [])] + [(f"{m}, {t}", ["--integrator", m, "--tol", t] + AS_STABLE)
                                        for m, t in (("rk4", "1e-4"), ("rk4", "1e-5"), ("rk4", "1e-6"), ("rkf6", "1e-5"))]

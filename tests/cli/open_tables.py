@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""RUNS.csv opens in pandas, STUDY.h5 in h5py (and so in MATLAB, whose h5read sees the same layout): the same numbers, units and words.
+"""RUNS.csv opens in pandas, STUDY.h5 in h5py: the same numbers, units and words. Where Octave is installed, both open there too.
 
     open_tables.py ADORE
 
@@ -7,6 +7,7 @@ Exit 0: so it is. 1: not. 77: pandas or h5py is not installed (packages python3-
 """
 import json
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -55,6 +56,17 @@ def compare(folder, rows, varied, quantities):
     return frame
 
 
+def compare_in_octave(folder, quantity):
+    """MATLAB's dialect, and its order of dimensions. Octave reads no text that is declared as UTF-8."""
+    read = (f'h = load("{folder}/STUDY.h5"); c = dlmread("{folder}/RUNS.csv", ",", 1, 0);'
+            f'printf("%.17g %.17g %d\\n", h.quantities.{quantity}(1), c(1, 5), rows(h.message) > 0)')
+    said = subprocess.run(["octave-cli", "--norc", "--eval", read], capture_output=True, text=True, check=False)
+    assert said.returncode == 0 and "warning" not in said.stderr, said.stderr
+    of_h5, of_csv, words = said.stdout.split()
+    with h5py.File(folder / "STUDY.h5") as table:
+        assert float(of_h5) == float(of_csv) == table["quantities"][quantity][0] and words == "1", said.stdout
+
+
 def main():
     adore = str(pathlib.Path(sys.argv[1]).resolve())
     with tempfile.TemporaryDirectory(prefix="adore-tables-") as passing:
@@ -67,6 +79,8 @@ def main():
             "kind": "sweep", "set": {"mode": -1}, "quantities": list(load),
             "variables": [{"name": "appLoadX", "list": [500, 1000]}, {"name": "freeConAng", "list": [15, 25, 400]}]}),
             6, {"appLoadX": "N", "freeConAng": "deg"}, load)
+        if shutil.which("octave-cli"):
+            compare_in_octave(folder / "sweep.study", "largest_contact_load_N")
         assert sum(frame["exit"] != 0) == 2 and frame["message"].notna().sum() == 2, frame
         compare(study(adore, folder, "what-if", {
             "kind": "what-if", "set": {"mode": -1}, "quantities": list(load),

@@ -1,29 +1,38 @@
 #!/usr/bin/env bash
-# The examples of `adore user new` in C and in Fortran give the same trajectory, built by their own makefiles.
+# The examples of `adore user new` in C, C++, Fortran and Python give the same trajectory; the compiled ones are built by their
+# own makefiles.
 #
-#   tests/library/user_languages.sh ADORE
+#   [PYTHON=python3] tests/library/user_languages.sh ADORE
 #
-# ADRX1 (a race that spins up, a housing that shakes) and ADRX7 (traction of races), 0.1 ms of the ball deck each: FINAL of
-# both languages must have the same numbers to 1e-6 of their size. Ends with 77 where there is no gfortran.
+# ADRX1 (a race that spins up, a housing that shakes), ADRX7 (traction of races) and ADRX9 (a map of the heat), some 0.1 ms of the
+# ball deck each: FINAL, and SOL9 of ADRX9, must have the same numbers in all languages to 1e-6 of their size. Python takes part
+# where PYTHON imports the module, but for ADRX7, whose numbers stand in the program there (tests/core/python/test_routines.py).
+# Ends with 77 where there is no gfortran.
 set -euo pipefail
 [ $# -eq 1 ] || { sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0" >&2; exit 2; }
 command -v gfortran >/dev/null || { echo "skipped: there is no gfortran on this machine"; exit 77; }
-program=$(realpath -e "$1") top=$(cd "$(dirname "$0")/../.." && pwd)
+program=$(realpath -e "$1") top=$(cd "$(dirname "$0")/../.." && pwd) python=${PYTHON:-python3}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
+languages="c cpp fortran"
+if "$python" -c 'import adore' &>/dev/null; then languages+=" python"; else echo "without Python: $python has no module adore"; fi
 
-run_with() {  # hook, language, arguments
-  local hook=$1 lang=$2
-  shift 2
-  "$program" user new "$hook" --lang "$lang" --out "$work/$hook-$lang" &>"$work/log" || { cat "$work/log"; exit 1; }
-  make -s -C "$work/$hook-$lang" &>"$work/log" || { cat "$work/log"; exit 1; }
-  "$program" run "$work/$hook.txt" "$@" --set maxStps=1000000 --until 1e-4s --set kAGraf=0 --opt resultsH5=0 --quiet \
-    --user "$work/$hook-$lang/lib$hook.so" --out "$work/$hook-$lang/out" &>"$work/log" || { cat "$work/log"; exit 1; }
+quietly() { "$@" &>"$work/log" || { cat "$work/log"; exit 1; }; }
+
+run_in() {  # hook, language
+  local folder=$work/$1-$2
+  quietly "$program" user new "$1" --lang "$2" --out "$folder"
+  if [ "$2" = python ]; then
+    quietly "$python" "$folder/$1.py" "$work/$1.txt" "$folder/out"
+  else
+    quietly make -s -C "$folder"
+    quietly "$program" run "$work/$1.txt" --quiet --user "$folder/lib$1.so" --out "$folder/out"
+  fi
 }
 
-# Numbers of FINAL by line and column.
-compare() {  # hook
-  awk -v hook="$1" '
+# Numbers of a file of C and of another language by line and column.
+compare() {  # hook, language, file
+  awk -v what="$1 $3, c and $2" '
     function number(word) {return word ~ /^[-+]?[0-9]*\.?[0-9]+([eEdD][-+]?[0-9]+)?$/}
     NR == FNR {for (k = 1; k <= NF; ++k) first[FNR, k] = $k; lines = FNR; next}
     {for (k = 1; k <= NF; ++k)
@@ -33,15 +42,20 @@ compare() {  # hook
          if (off > 0) ++differ
          if (size > 1e-9 && off / size > worst) {worst = off / size; at = FNR}
        }}
-    END {printf "%s: %d numbers, %d differ, at most by %.2g of their size (line %d)\n", hook, numbers, differ, worst, at
-         exit !(FNR == lines && numbers > 100 && worst < 1e-6)}' "$work/$1-c/out/FINAL" "$work/$1-fortran/out/FINAL"
+    END {printf "%s: %d numbers, %d differ, at most by %.2g of their size (line %d)\n", what, numbers, differ, worst, at
+         exit !(FNR == lines && numbers > 100 && worst < 1e-6)}' "$work/$1-c/out/$3" "$work/$1-$2/out/$3"
 }
 
-{ cat "$top/resources/decks/ball.txt"; echo "2e-5 6e-5 10000 10300"; echo "2e-6 2000"; } >"$work/adrx1.txt"
-{ cat "$top/resources/decks/ball.txt"; echo "-0.04 0.05 3 0.04"; } >"$work/adrx7.txt"
-for lang in c fortran; do
-  run_with adrx1 "$lang"
-  run_with adrx7 "$lang" --set kTrac=-1
+# Ends after 13 time scales; SOL8 is not stored.
+sed -e "s/3600\.0/13.0/" -e "/Rec 1'/s/250, 1, 5,/250, 1, 0,/" "$top/resources/decks/ball.txt" >"$work/adrx9.txt"
+{ cat "$work/adrx9.txt"; echo "2e-5 6e-5 10000 10300"; echo "2e-6 2000"; } >"$work/adrx1.txt"
+{ sed "s/'Rec 10.0', 0, 1,/'Rec 10.0', -1, 1,/" "$work/adrx9.txt"; echo "-0.04 0.05 3 0.04"; } >"$work/adrx7.txt"
+for hook in adrx1 adrx7 adrx9; do
+  for language in $languages; do
+    [ "$hook $language" = "adrx7 python" ] && continue
+    run_in "$hook" "$language"
+    [ "$language" = c ] && continue
+    compare "$hook" "$language" FINAL
+    if [ "$hook" = adrx9 ]; then compare "$hook" "$language" SOL9; fi
+  done
 done
-compare adrx1
-compare adrx7

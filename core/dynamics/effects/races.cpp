@@ -205,6 +205,7 @@ void Races::declare_contact(SceneBuilder& scene, std::size_t j) {
   const bool wear = scene.plan.has(Effect::WearIntegrals);
   const bool held =
       scene.plan.has(Effect::LightLoadBalance) || scene.plan.has(Effect::ElementBalance);
+  sums_known_ = contacts_[j].traction && wear && !held;
   if (rollers_)
     scene.block<RollerRaceBlock>(Phase::Force, cost, race, (*rollers_)[j],
                                  static_cast<std::size_t>(scene.bearing.element_count()),
@@ -290,6 +291,17 @@ std::string Races::why_invalid(const Evaluation& e) const {
   return {};
 }
 
+/// Without a second integral where the right-hand side has just taken it.
+RaceContactSnapshot Races::detail(const Evaluation& e, std::size_t j, std::size_t i) const {
+  if (rollers_) return roller_race_detail((*rollers_)[j], e, i);
+  const RaceContactModel& model = contacts_[j].of(i);
+  const RaceMotion motion = e.race[j].motion();
+  if (sums_known_)
+    return race_contact_detail(model, e.elements, i, motion,
+                               ContactSums{e.heat[j][i], e.load_slip[j][i]});
+  return race_contact_detail(model, e.elements, i, motion);
+}
+
 void Races::report(const Evaluation& e, Snapshot& snapshot) const {
   snapshot.shaft_rotation = e.race[1].angle - e.race[0].angle;
   for (std::size_t j = 0; j < 2; ++j) {
@@ -308,8 +320,7 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
     if (!in_contact_) continue;
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       RaceContactSnapshot& contact = snapshot.elements[i].race[j];
-      contact = rollers_ ? roller_race_detail((*rollers_)[j], e, i)
-                         : race_contact_detail(contacts_[j].of(i), e.elements, i, body.motion());
+      contact = detail(e, j, i);
       if (contact.film > 0.0) {
         constexpr double kNoFilm = 1e-9;  // Λ of a film that has collapsed
         if (roughness_[j] > 0.0)

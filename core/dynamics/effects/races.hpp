@@ -42,6 +42,7 @@ class Races final : public SceneEffect {
   void place(const SceneBuilder& scene, const std::array<double, 2>& centre_x);
   void set_up_balls(const SceneBuilder& scene);
   void declare_contact(SceneBuilder& scene, std::size_t j);
+  [[nodiscard]] RaceContactSnapshot detail(const Evaluation& e, std::size_t j, std::size_t i) const;
 
   /// Whose numbers wavy grooves read; null: no routine ADRX6.
   std::array<std::shared_ptr<const bearing::GivenRace>, 2> given_;
@@ -53,6 +54,7 @@ class Races final : public SceneEffect {
   std::array<double, 2> temperature_{}, roughness_{};
   std::array<bearing::Material, 3> material_;  ///< of races and elements
   bool in_contact_ = false;
+  bool sums_known_ = false;               ///< of each contact, by the right-hand side
   std::optional<NormalContacts> normal_;  ///< with race contact of balls
   std::array<RaceAccount, 2> account_;
   std::array<int, 2> load_slip_{-1, -1}, load_slip_element1_{-1, -1};  ///< in the state

@@ -71,10 +71,11 @@ class TurningFrame final : public SceneEffect {
     if (masses_[i].off_centre) out += e.attitude[i] * masses_[i].arm;
     return out;
   }
+  /// Zero in the base origin: on a wide orbit the energy of its radius would drown the rest.
   [[nodiscard]] double potential(double mass, const Vec3& centre) const noexcept {
-    const Vec3 from_axis = frame_.orbit_radius * radial_direction(frame_.orbit_angle) + centre;
+    const Vec3 twice = 2.0 * frame_.orbit_radius * radial_direction(frame_.orbit_angle) + centre;
     return -0.5 * mass * frame_.speed * frame_.speed *
-           (from_axis[1] * from_axis[1] + from_axis[2] * from_axis[2]);
+           (centre[1] * twice[1] + centre[2] * twice[2]);
   }
 
   /// M above, base axes, of a tensor I in the axes of `to_base`.

@@ -126,8 +126,9 @@ class Routines:
 
     def results(self, law: _Function) -> _Function:
         """ADRX9, after every counted step: ``law(step)`` gives the text that goes to SOL9, or None; it is called first with
-        ``step.start`` true. ``step`` has ``time``, ``step``, ``x``, ``r``, ``theta``, ``load``, ``contact_angle`` of the elements and
-        ``source_heat``, ``source_place``, ``source_name`` of every place where heat arises."""
+        ``step.start`` true. ``step`` has ``time``, ``step``, ``x``, ``r``, ``theta``, ``load``, ``contact_angle`` of the elements and,
+        of every place where heat arises, ``source_kind``, ``source_element`` and ``source_race`` (from 0; -1: none),
+        ``source_place``, ``source_size``, ``source_heat``, ``source_name``."""
         return self._decorator(9, "results")(law)
 
     def _decorator(self, hook: int, name: str) -> Callable[[_Function], _Function]:

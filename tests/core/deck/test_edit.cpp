@@ -107,6 +107,8 @@ TEST_CASE("set refuses what it cannot do and says what would be possible", "[uni
   CHECK_THAT(failure(deck, "pitchDia[1]", "0.06"), Catch::Contains("single value"));
   CHECK_THAT(failure(deck, "iCageGuide[3]", "1"), Catch::Contains("2 elements"));
   CHECK_THAT(failure(deck, "iCageGuide", "1"), Catch::Contains("give 2 values"));
+  CHECK_THAT(failure(new_deck("spherical"), "iCageGuide", "1"),
+             Catch::Contains("this deck has none of them; their number is nGL"));
   CHECK_THAT(failure(deck, "cageGsCls", "1"), Catch::Contains("cageGsCls[1]"));
   CHECK_THAT(failure(deck, "cageGsCls[3]", "1"), Catch::Contains("no instance 3"));
   CHECK_THAT(failure(deck, "cageGsCls[0]", "1"), Catch::Contains("counting from 1"));

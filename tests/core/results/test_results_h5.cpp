@@ -288,7 +288,7 @@ TEST_CASE("a full disk stops the writers with a sentence and keeps what was stor
     H5Writer h5 = H5Writer::create(folder / "RESULTS.h5", bearing, channel_table(), 1);
     SolWriter sol = SolWriter::create(folder / "SOL1", make_sol_header(bearing, 1, UnitSystem::SI),
                                       UnitSystem::SI);
-    const rlim_t limit = 900000;
+    const rlim_t limit = 2'000'000;  // room for one chunk of 256 steps
     const struct rlimit most { limit, limit };
     if (::setrlimit(RLIMIT_FSIZE, &most) != 0) return 1;
     ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());

@@ -2,6 +2,7 @@
 #include "studies/points.hpp"
 #include "studies/study.hpp"
 #include "studies/study_check.hpp"
+#include "studies/study_splice.hpp"
 #include "studies/study_text.hpp"
 
 #include <catch2/catch.hpp>
@@ -169,6 +170,82 @@ TEST_CASE("a study in TOML is the same study, with its remarks, as in JSON", "[u
           count_points(parse_study(example_study(kind), "a.json")));
   }
   CHECK(read_study_text("a = 1 # behind a value\n", "a.toml").loose_comments);
+}
+
+TEST_CASE("values of a study in TOML change where they stand, and every comment stays",
+          "[unit][studies]") {
+  const std::string text =
+      "# of the spring\n"
+      "kind = \"sweep\"   # what it is\n"
+      "deck = \"Große/DATA.txt\" # umlaut before\n"
+      "variables = [  # two of them\n"
+      "  {name = \"appLoadX\", grid = [500, 1500, 3]}, # thrust\n"
+      "  # the speed\n"
+      "  {name = \"raceVel[2]\", list = [1000, 2000]} # rpm\n"
+      "]\n"
+      "quantities = [\"L10_hours\"]  # one\n"
+      "\n"
+      "[budget]  # no more\n"
+      "runs = 50 # small\n";
+  const std::filesystem::path file = "a.toml";
+  const auto values = read_study_text(text, file).json;
+  const auto edited = [&](auto&& change) {
+    auto next = values;
+    change(next);
+    const EditedText out = edited_study_text(text, next, file);
+    CHECK_FALSE(out.rewritten);
+    return out.text;
+  };
+  CHECK(edited([](auto&) {}) == text);
+  CHECK(edited([](auto& v) { v["deck"] = "b.txt"; }) ==
+        replaced(text, "\"Große/DATA.txt\"", "\"b.txt\""));
+  CHECK(edited([](auto& v) { v["budget"]["runs"] = 7; }) ==
+        replaced(text, "runs = 50", "runs = 7"));
+  CHECK(edited([](auto& v) { v["variables"][0]["grid"][1] = 2500; }) ==
+        replaced(text, "1500", "2500"));
+  // Another sort of range: the row alone is new.
+  CHECK(edited([](auto& v) {
+          v["variables"][1] = {{"name", "raceVel[2]"}, {"grid", {1, 2, 3}}};
+        }) == replaced(text, "list = [1000, 2000]", "grid = [1, 2, 3]"));
+  CHECK(edited([](auto& v) { v["quantities"].push_back("cage_force_N"); }) ==
+        replaced(text, "\"L10_hours\"", "\"L10_hours\", \"cage_force_N\""));
+  // Rows and keys come with a line, and go with it and what stood behind them.
+  CHECK(edited([](auto& v) {
+          v["variables"].push_back({{"name", "mode"}, {"list", {0, 1}}});
+        }) ==
+        replaced(text, "2000]} # rpm\n", "2000]}, # rpm\n  {name = \"mode\", list = [0, 1]}\n"));
+  CHECK(edited([](auto& v) { v["variables"].erase(0); }) ==
+        replaced(text, "  {name = \"appLoadX\", grid = [500, 1500, 3]}, # thrust\n", ""));
+  CHECK(edited([](auto& v) { v["variables"].erase(1); }) ==
+        replaced(text, "  {name = \"raceVel[2]\", list = [1000, 2000]} # rpm\n", ""));
+  CHECK(edited([](auto& v) { v.erase("deck"); }) ==
+        replaced(text, "deck = \"Große/DATA.txt\" # umlaut before\n", ""));
+  CHECK(edited([](auto& v) { v["seed"] = 3; }) == replaced(text, "# one\n", "# one\nseed = 3\n"));
+  CHECK(edited([](auto& v) { v["budget"]["hours"] = 2; }) == text + "hours = 2\n");
+}
+
+TEST_CASE("a study in TOML says what it reads as after any change", "[unit][studies]") {
+  const std::string text =
+      "kind = \"sweep\"\ndeck = \"a.txt\"\nbudget.runs = 5 # dotted\n"
+      "[[variables]] # first\nname = \"appLoadX\" # thrust\ngrid = [500, 1500, 3]\n"
+      "[[variables]]\nname = \"mode\"\nlist = [0, 1]\n";
+  const std::filesystem::path file = "a.toml";
+  const auto values = read_study_text(text, file).json;
+  const auto check = [&](bool rewritten, auto&& change) {
+    auto next = values;
+    change(next);
+    const EditedText out = edited_study_text(text, next, file);
+    CHECK(out.rewritten == rewritten);
+    CHECK(nlohmann::json(read_study_text(out.text, file).json) == nlohmann::json(next));
+  };
+  check(false, [](auto& v) { v["variables"][0]["grid"][0] = 1; });
+  check(false, [](auto& v) { v["variables"][1]["name"] = "kDOF"; });
+  check(false, [](auto& v) { v["budget"]["runs"] = 6; });
+  check(true, [](auto& v) { v["variables"].erase(0); });
+  check(true, [](auto& v) { v.erase("budget"); });
+  check(false, [](auto& v) { v.erase("deck"); });
+  // JSON has no comments to lose.
+  CHECK(edited_study_text("{}", values, "a.json").rewritten);
 }
 
 TEST_CASE("a mistake in a study in TOML names its line", "[unit][studies]") {

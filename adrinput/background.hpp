@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QObject>
+
+#include <functional>
+#include <stop_token>
+
+class QThread;
+
+namespace adore::adrinput {
+
+/// One piece of work in a thread of its own. What it reports and its end arrive in the thread of
+/// this object.
+class Background : public QObject {
+  Q_OBJECT
+ public:
+  explicit Background(QObject* parent = nullptr) : QObject(parent) {}
+  /// Stops what is under way and waits for it.
+  ~Background() override;
+
+  /// `work` in the other thread, then `ended` here.
+  void start(std::function<void(std::stop_token)> work, std::function<void()> ended);
+  /// From the other thread: does it here, if this still lives then.
+  void report(std::function<void()> act);
+  /// Asks the work to end; `ended` follows.
+  void stop() { stop_.request_stop(); }
+  [[nodiscard]] bool busy() const { return thread_ != nullptr; }
+
+ private:
+  QThread* thread_ = nullptr;
+  std::stop_source stop_;
+};
+
+}  // namespace adore::adrinput

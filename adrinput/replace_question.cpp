@@ -1,0 +1,28 @@
+#include "adrinput/replace_question.hpp"
+
+#include <QAbstractButton>
+#include <QMessageBox>
+
+#include <utility>
+
+namespace adore::adrinput {
+
+void ask_to_replace(QWidget* parent, const std::filesystem::path& file,
+                    std::function<void()> replace) {
+  auto* box = new QMessageBox(
+      QMessageBox::Warning, "AdrInput",
+      QObject::tr("Another program changed %1 since it was opened here. Saving replaces what it "
+                  "wrote.")
+          .arg(QString::fromStdString(file.string())),
+      QMessageBox::Save | QMessageBox::Cancel, parent);
+  box->setObjectName("changed");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setDefaultButton(QMessageBox::Cancel);
+  QObject::connect(box, &QMessageBox::buttonClicked, parent,
+                   [box, replace = std::move(replace)](QAbstractButton* button) {
+                     if (box->standardButton(button) == QMessageBox::Save) replace();
+                   });
+  box->open();
+}
+
+}  // namespace adore::adrinput

@@ -1,0 +1,12 @@
+# Script of adore_solver_stamp: one hash over the files of LIST, by their names below ROOT, and the words of COMPILER.
+file(STRINGS ${LIST} files)
+list(SORT files)
+set(all "${COMPILER}\n")
+foreach(file ${files})
+  file(SHA256 ${file} hash)
+  file(RELATIVE_PATH name ${ROOT} ${file})
+  string(APPEND all "${name} ${hash}\n")
+endforeach()
+string(SHA256 stamp "${all}")
+file(WRITE ${OUTPUT}.tmp "#include \"facade/solver_stamp.hpp\"\n\nstd::string_view adore::facade::solver_stamp() { return \"${stamp}\"; }\n")
+file(COPY_FILE ${OUTPUT}.tmp ${OUTPUT} ONLY_IF_DIFFERENT)
