@@ -78,6 +78,13 @@ class System {
   /// outside its pocket ...).
   void check_state(double t, const double* y) const;
 
+  /// Energy by which a single step can be judged, of the evaluation that was made last.
+  struct EnergyAccount {
+    double balance = 0.0;  ///< stored less what came in: exact motion keeps it [J]
+    double elastic = 0.0;  ///< of all contacts [J]
+    double size = 0.0;     ///< Σ of the sizes of all items: what rounding goes by [J]
+  };
+  [[nodiscard]] EnergyAccount energy_account() noexcept;
   [[nodiscard]] Snapshot snapshot(double t, std::span<const double> y);
   /// Turn of the inner race less that of the outer one, about their axes [rad].
   [[nodiscard]] double shaft_rotation(double t, std::span<const double> y) noexcept;

@@ -56,6 +56,7 @@ struct System::Impl final : BetweenSteps {
   bool is_checked = false;
   double stored_at_start = 0.0;  ///< [J], less the flow until then
   Momenta momenta_at_start;      ///< less the flow until then
+  EnergyLedger account;          ///< memory of energy_account()
 
   /// All blocks in order; false when the state is outside the model's validity.
   bool evaluate_blocks(double t, const double* y, double* dydt) noexcept;

@@ -4,6 +4,7 @@
 #include "dynamics/system_impl.hpp"
 #include "scene/ledger_terms.hpp"
 
+#include <cmath>
 #include <utility>
 
 /// Conservation ledgers of a System: what bodies and effects store now, and the integrals that are
@@ -48,6 +49,38 @@ MomentumLedger System::Impl::momentum_ledger() const {
   out.angular.add(terms::kMomentumNow, now.angular);
   for (const MomentumItem& item : momentum_items)
     (item.angular ? out.angular : out.linear).add(*item.term, vector_at(e.y, {item.first, 3}));
+  return out;
+}
+
+System::EnergyAccount System::energy_account() noexcept {
+  Impl& s = *impl_;
+  EnergyLedger& stored = s.account;
+  stored.clear();
+  stored.add(terms::kKinetic, 0.0);
+  stored.add(terms::kElastic, s.e.elastic);
+  for (const auto& effect : s.parts.effects) effect->store(s.e, stored);
+  EnergyAccount out;
+  out.elastic = s.e.elastic;
+  const auto count = [&](double amount, double sign) {
+    out.balance += sign * amount;
+    out.size += std::abs(amount);
+  };
+  for (const EnergyLedger::Item& item : stored.items())
+    if (item.term->kind == LedgerKind::Stored) count(item.value, 1.0);
+  for (const Impl::EnergyItem& item : s.energy_items) switch (item.term->kind) {
+      case LedgerKind::Work:
+      case LedgerKind::Switch:
+        count(s.e.y[item.index], -1.0);
+        break;
+      case LedgerKind::Heat:
+      case LedgerKind::Taken:
+        count(s.e.y[item.index], 1.0);
+        break;
+      case LedgerKind::Start:
+      case LedgerKind::Stored:
+      case LedgerKind::Note:
+        break;
+    }
   return out;
 }
 

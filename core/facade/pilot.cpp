@@ -1,6 +1,7 @@
 #include "facade/pilot.hpp"
 
 #include "base/errors.hpp"
+#include "facade/key_results.hpp"
 #include "facade/start_state.hpp"
 #include "facade/system_ode.hpp"
 #include "integrators/stepper.hpp"
@@ -26,7 +27,7 @@ Pilot run_pilot(const Prepared& prepared, dynamics::System& system, const StepLi
   const double begin = scene::processor_seconds();
   double seconds = 0.0;
   try {
-    SystemOde ode(system);
+    SystemOde ode(system, static_elastic(prepared));
     const auto stepper = integrators::make_stepper(prepared.control.integrator);
     system.set_start(0.0, y);
     (void)system.between_steps(0.0, y);

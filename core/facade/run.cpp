@@ -4,6 +4,7 @@
 #include "deck/unit_text.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "facade/judge_steps.hpp"
+#include "facade/key_results.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/run_outputs.hpp"
 #include "facade/solver_stamp.hpp"
@@ -311,6 +312,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   const setup::StartState how =
       request.go_on ? setup::StartState::Continue : prepared.control.start;
   const fs::path master = folder / prepared.control.master_file;
+  const double elastic = static_elastic(prepared);  // as the first run had it, before thermal steps
   std::optional<ThermalRun> thermal;
   if (prepared.bearing.thermal) thermal.emplace(prepared);
   const bool thermal_goes_on =
@@ -318,7 +320,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   std::optional<dynamics::System> at_present(make_system(prepared));
   state_in(prepared.plan, *at_present);
   dynamics::System& system = *at_present;  // thermal steps put another one into its place
-  SystemOde ode(system);
+  SystemOde ode(system, elastic);
   const auto stepper = make_checked_stepper(
       prepared.control, ode,
       prepared.plan.light_load_ratio > 0.0 || prepared.plan.has(scene::Effect::ElementBalance),

@@ -6,6 +6,18 @@
 #include <stdexcept>
 
 namespace adore::integrators {
+namespace {
+
+/// A contact that closes inside a step costs energy as h² to h³.
+constexpr double kLossOrder = 3.0;
+/// The step after one that lost this share of what it may is not longer.
+constexpr double kNearlyTooMuch = 0.3;
+/// What is lost at much the same rate in so many shorter trials is not lost by the length of the
+/// step; after so many steps in a row that end like this the next ones are not watched.
+constexpr int kStubborn = 3;
+constexpr int kUnwatched = 50;
+
+}  // namespace
 
 void ExplicitStepper::attach(OdeSystem& system, double t0, std::span<const double> y0,
                              const StepControl& control) {
@@ -17,6 +29,7 @@ void ExplicitStepper::attach(OdeSystem& system, double t0, std::span<const doubl
   width_ = padded(size_);
   t_ = t0;
   t_rounding_ = 0.0;
+  patience_ = 0;
   for (auto* v : {&y_, &f_, &y_new_, &f_new_, &error_, &weights_}) v->assign(width_, 0.0);
   std::copy(y0.begin(), y0.end(), y_.begin());
   error_weights(system, control.tolerance, weights_);
@@ -32,13 +45,17 @@ void ExplicitStepper::start(OdeSystem& system, double t0, std::span<const double
   system.project(t_, y_.data());
   const Outcome outcome = evaluate_(t_, y_.data(), f_.data());
   if (outcome != Outcome::Ok) give_up(outcome, 0.0);
+  kept_ = system.kept().value;
   h_next_ = first_step(evaluate_, t_, y_.data(), f_.data(), weights_.data(), control_,
                        y_new_.data(), f_new_.data());
   prepare();
 }
 
 Memory ExplicitStepper::memory() const {
-  Memory out{{"next step", h_next_}, {"time lost by rounding", t_rounding_}};
+  Memory out{{"next step", h_next_},
+             {"time lost by rounding", t_rounding_},
+             {"kept", kept_},
+             {"steps watched in vain", patience_}};
   // Not computed anew: a method whose last stage is the derivative rounds it in its own way.
   for (int i = 0; i < size_; ++i) out["rate[" + std::to_string(i) + "]"] = f_[i];
   save(out);
@@ -61,6 +78,9 @@ void ExplicitStepper::resume(OdeSystem& system, double t0, std::span<const doubl
     again.initial = h_next_;
     return start(system, t0, y0, again);
   }
+  kept_ = memory.at("kept");
+  patience_ = static_cast<int>(
+      std::clamp(memory.at("steps watched in vain"), -1.0 * kUnwatched, 1.0 * kStubborn));
   prepare();
   restore(memory);
 }
@@ -80,12 +100,24 @@ ExplicitStepper::Trial ExplicitStepper::try_step(double h, double t_new, bool ac
   } else {
     trial.outcome = evaluate_(t_new, y_new_.data(), f_new_.data());
   }
+  if (trial.outcome == Outcome::Ok) trial.lost = lost(kept_new_);
   return trial;
+}
+
+double ExplicitStepper::lost(double& kept) noexcept {
+  const OdeSystem::Kept now = evaluate_.system().kept();
+  kept = now.value;
+  const double change = std::abs(now.value - kept_);
+  if (!(now.scale > 0.0) || change <= now.rounding) return 0.0;
+  return change / (control_.tolerance * now.scale);
 }
 
 StepInfo ExplicitStepper::step(double t_stop) {
   if (!(t_stop > t_)) throw std::invalid_argument("the stop time must lie after the present time");
   double planned = std::min(h_next_, longest_step(evaluate_.system(), t_, control_));
+  double lost_before = 0.0, h_before = 0.0;  // of the last trial that lost too much
+  double h_leaking = 0.0;                    // of the first one
+  int stubborn = 0;                          // shorter trials that lost at the same rate
   for (int failures = 0;;) {
     const double left = t_stop - t_;
     const bool last = reaches(t_, planned, t_stop);
@@ -100,18 +132,33 @@ StepInfo ExplicitStepper::step(double t_stop) {
 
     const Trial trial = try_step(h, t_new, smallest);
     const bool good = trial.outcome == Outcome::Ok;
-    if (good && (trial.error <= 1.0 || smallest)) {
+    bool leaks = false;
+    if (good && trial.error <= 1.0 && trial.lost > 1.0 && !smallest && patience_ >= 0) {
+      const double shorter = h_before > 0.0 ? h / h_before : 1.0;
+      if (h_before > 0.0)
+        stubborn += trial.lost > lost_before * shorter * std::sqrt(shorter);
+      else
+        h_leaking = h;
+      leaks = stubborn < kStubborn;
+      lost_before = trial.lost;
+      h_before = h;
+    }
+    if (good && !leaks && (trial.error <= 1.0 || smallest)) {
       const bool at_minimum = trial.error > 1.0;
       t_rounding_ = last ? 0.0 : (t_new - t_) - lossless;
       t_ = t_new;
       y_.swap(y_new_);
       f_.swap(f_new_);
+      kept_ = kept_new_;
       ++counters_.steps;
       counters_.at_minimum += at_minimum;
       const double factor = growth(trial.error);
       accepted(h);
-      double next = h * (failures > 0 ? std::min(factor, 1.0) : factor);
+      const bool holds = failures > 0 || (trial.lost > kNearlyTooMuch && patience_ >= 0);
+      double next = h * (holds ? std::min(factor, 1.0) : factor);
       if (h < planned) next = std::max(next, planned);  // only the stop time made it short
+      if (stubborn == kStubborn) next = std::max(next, h_leaking);
+      be_patient(stubborn == kStubborn);
       h_next_ = std::clamp(next, control_.minimum, control_.maximum);
       return {t_, h, h_next_, trial.error, at_minimum};
     }
@@ -120,13 +167,23 @@ StepInfo ExplicitStepper::step(double t_stop) {
     rejected(++failures);
     if (trial.outcome == Outcome::Fail || (!good && smallest)) give_up(trial.outcome, h);
     const double factor =
-        good ? std::clamp(0.9 * std::pow(trial.error, -1.0 / (order_ + 1)), 0.1, 0.9) : 0.25;
+        leaks  ? std::clamp(0.9 * std::pow(trial.lost, -1.0 / kLossOrder), 0.2, 0.8)
+        : good ? std::clamp(0.9 * std::pow(trial.error, -1.0 / (order_ + 1)), 0.1, 0.9)
+               : 0.25;
     planned = std::max(h * factor, control_.minimum);
     if (planned < 4.0 * std::numeric_limits<double>::epsilon() * std::abs(t_) ||
         planned < std::numeric_limits<double>::min()) {
       give_up(trial.outcome, h);
     }
   }
+}
+
+void ExplicitStepper::be_patient(bool in_vain) noexcept {
+  if (patience_ < 0)
+    ++patience_;
+  else
+    patience_ = in_vain ? patience_ + 1 : 0;
+  if (patience_ == kStubborn) patience_ = -kUnwatched;
 }
 
 void ExplicitStepper::give_up(Outcome outcome, double h) const {

@@ -13,6 +13,11 @@ namespace adore::integrators {
 /// A trial is accepted in this order: error test on the method's result, projection, derivative at
 /// the projected state. The last derivative therefore always belongs to the projected state, and a
 /// projection costs nothing.
+///
+/// A trial that passes this test but loses more of OdeSystem::kept() than tol allows is repeated
+/// with a shorter step, as long as shorter steps lose less: a blow that begins inside a step moves
+/// each component by less than its own tolerance and still costs energy. A step that nothing else
+/// made shorter than the tolerance asks loses next to nothing, so smooth runs keep their steps.
 class ExplicitStepper : public Stepper {
  public:
   ExplicitStepper(std::string name, int order) : name_(std::move(name)), order_(order) {}
@@ -39,6 +44,7 @@ class ExplicitStepper : public Stepper {
   struct Trial {
     Outcome outcome = Outcome::Ok;
     double error = 0.0;  ///< norm / tolerance
+    double lost = 0.0;   ///< of what the solution keeps, over what a step may lose
   };
   /// Sizes work arrays for width() values per vector; t_, y_, f_ are set.
   virtual void prepare() = 0;
@@ -72,12 +78,20 @@ class ExplicitStepper : public Stepper {
   [[nodiscard]] Trial try_step(double h, double t_new, bool accept_any_error);
   [[noreturn]] void give_up(Outcome outcome, double h) const;
 
+  /// What a step from kept_ to where the system was evaluated last lost.
+  [[nodiscard]] double lost(double& kept) noexcept;
+  /// Counts steps that were shortened in vain.
+  void be_patient(bool in_vain) noexcept;
+
   std::string name_;
   int order_ = 0;
   int size_ = 0;
   int width_ = 0;
   double t_rounding_ = 0.0;  ///< what the sum of steps lost by rounding
   double h_next_ = 0.0;
+  double kept_ = 0.0;      ///< OdeSystem::kept() at (t_, y_)
+  double kept_new_ = 0.0;  ///< at the end of the trial
+  int patience_ = 0;       ///< steps in a row watched in vain; below 0: steps left unwatched
 };
 
 }  // namespace adore::integrators

@@ -72,6 +72,13 @@ class OdeSystem {
   /// (but never goes below StepControl::minimum), so it must also stop short of the next event,
   /// e.g. a pulse that begins later. Infinity when nothing is prescribed.
   [[nodiscard]] virtual double step_guard(double t) const noexcept;
+  /// What the exact solution keeps, at the point of the last rhs() of the whole.
+  struct Kept {
+    double value = 0.0;
+    double scale = 0.0;     ///< one step may change it by tol * scale; 0: nothing is watched
+    double rounding = 0.0;  ///< changes below this mean nothing
+  };
+  [[nodiscard]] virtual Kept kept() noexcept { return {}; }
   /// Name of a component for diagnoses, e.g. "element[3].r [m]".
   [[nodiscard]] virtual std::string component_name(int index) const;
 };

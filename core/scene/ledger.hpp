@@ -75,6 +75,8 @@ class Ledger {
       }
     add(term, value);
   }
+  /// Without items; keeps its memory.
+  void clear() noexcept { items_.clear(); }
   [[nodiscard]] const std::vector<Item>& items() const noexcept { return items_; }
   /// Of all items of a kind, in their order.
   [[nodiscard]] Value sum(LedgerKind kind) const { return signed_sum(zero(), kind, 1.0); }

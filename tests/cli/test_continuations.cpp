@@ -101,6 +101,19 @@ TEST_CASE("constant steps and balls held in balance join to the same bytes from 
                                "appLoadZ=2000 --set qFac=0.1");
 }
 
+TEST_CASE("steps that are judged by their energy join to the same bytes from every checkpoint",
+          "[cli][slow]") {
+  // Rollers that hammer a free race (tests/core/facade/test_hammering.cpp).
+  const Folder folder;
+  REQUIRE(run_adore("new cylindrical --out " + (folder / "DATA.txt").string()).code == 0);
+  check_every_stop(
+      folder,
+      "--set maxStps=9 --set nStps=15 --set kPltFreq=1 --set kAGraf=2 --set kLifeFreq=0 --set "
+      "kDCR=1 --set kFD11=0 --set kFD21=0 --set kFD31=0 --set kRotFrame=1 --set brgOrbitRad=0.1 "
+      "--set brgAngVel=500 --set brgLoadFrac2=1 --set nCseg=0 --set kFS3=1 --set appDispZ=1e-5 "
+      "--set kNumPltElem=1 --set kPltElemInd=1");
+}
+
 // A run is "done" when the last byte of its results is written: nobody goes on with it.
 TEST_CASE("a run killed at any of its last calls that change a file is completed to the same bytes",
           "[cli][slow]") {
