@@ -134,7 +134,7 @@ TEST_CASE("each variable of thermal steps acts", "[physics][thermal]") {
   int count = 0;
   const auto seen = [&](std::initializer_list<std::pair<const char*, const char*>> sets) {
     deck::Deck deck = moving("ball");
-    deck.set("maxStps", "200");
+    deck.set("maxStps", "500");
     for (const auto& [name, value] : sets) deck.set(name, value);
     const Ran ran = run_deck(deck, folder("acts" + std::to_string(++count)));
     REQUIRE(ran.outcome.status != facade::RunStatus::Failed);
@@ -181,10 +181,10 @@ TEST_CASE("thermal steps of every kind go on where a run was cut", "[physics][th
                                     {"aveTime", "4.0e-4"}}) {
     INFO(name << " = " << value);
     deck::Deck whole = moving("ball");
-    whole.set("maxStps", "200");
+    whole.set("maxStps", "300");
     whole.set(name, value);
     deck::Deck part = whole;
-    part.set("maxStps", "90");
+    part.set("maxStps", "170");
     const fs::path one = folder("every" + std::to_string(++count)),
                    two = folder("every_cut" + std::to_string(count));
     const Ran unbroken = run_deck(whole, one);
