@@ -27,7 +27,7 @@ constexpr Place kPlaces[] = {
     {"housing outside", 0.0, 6.0, -1.0}, {"outer race at the housing", 0.0, 5.0, -1.0},
     {"outer raceway", 0.0, 4.0, -1.0},   {"rolling elements", 0.0, 3.0, -1.0},
     {"inner raceway", 0.0, 2.0, -1.0},   {"inner race at the shaft", 0.0, 1.0, -1.0},
-    {"shaft inside", 0.0, 0.0, -1.0},    {"cage", 2.0, 4.2, -1.0},
+    {"shaft inside", 0.0, 0.0, -1.0},    {"cage", 2.6, 4.2, -1.0},
     {"coolant inlet", 4.0, 4.2, 1.0},    {"coolant mean", 4.0, 3.0, 1.0},
     {"coolant exit", 4.0, 1.8, 1.0}};
 
