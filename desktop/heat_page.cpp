@@ -28,8 +28,8 @@ constexpr Place kPlaces[] = {
     {"outer raceway", 0.0, 4.0, -1.0},   {"rolling elements", 0.0, 3.0, -1.0},
     {"inner raceway", 0.0, 2.0, -1.0},   {"inner race at the shaft", 0.0, 1.0, -1.0},
     {"shaft inside", 0.0, 0.0, -1.0},    {"cage", 2.6, 4.2, -1.0},
-    {"coolant inlet", 4.0, 4.2, 1.0},    {"coolant mean", 4.0, 3.0, 1.0},
-    {"coolant exit", 4.0, 1.8, 1.0}};
+    {"coolant inlet", 5.2, 4.2, 1.0},    {"coolant mean", 5.2, 3.0, 1.0},
+    {"coolant exit", 5.2, 1.8, 1.0}};
 
 struct Link {
   const char *from, *to;
@@ -106,8 +106,8 @@ std::optional<ChartPage> heat_page(const StaticTables& all) {
     const StaticColumn* heat = value(link.heat);
     line(heat != nullptr ? flows : links, {{a->x, a->y}, {b->x, b->y}});
     if (heat != nullptr)
-      page.labels.push_back(
-          {0.5 * (a->x + b->x) + kHalf, 0.5 * (a->y + b->y) + kHalf, 1.0, 0.0, shown(*heat, all)});
+      page.labels.push_back({0.5 * (a->x + b->x) + kHalf, 0.5 * (a->y + b->y) + 2.0 * kHalf, 1.0,
+                             0.0, shown(*heat, all)});
   }
   double y = -0.8;
   for (const char* made :
