@@ -252,8 +252,17 @@ TEST_CASE("no text is cut off at the sizes people have", "[gui][adrinput][slow][
       window.newDeck(type);
       for (const std::string& record : window.document().pages()) {
         window.showRecord(record);
-        // Twice: what a thread found meanwhile (seconds beside fTime) is laid out in the second.
-        for (int i = 0; i < 2; ++i) QCoreApplication::processEvents();
+        QCoreApplication::processEvents();
+        // What a thread finds meanwhile (seconds beside fTime) is laid out anew a moment later.
+        const auto cut = [](const QLabel* label) {
+          return label->isVisible() && label->height() < label->heightForWidth(label->width());
+        };
+        (void)QTest::qWaitFor(
+            [&] {
+              const auto labels = window.page()->findChildren<QLabel*>();
+              return std::none_of(labels.begin(), labels.end(), cut);
+            },
+            2000);
         INFO(type << ", record " << record << ", " << size.width());
         CHECK(window.page()->width() <= window.pageArea().viewport()->width());
         for (const QLabel* label : window.page()->findChildren<QLabel*>()) {

@@ -116,8 +116,8 @@ Deck lively(const std::string& type, bool motion) {
       {"raceTemp1", "308"},          {"raceTemp2", "323"}, {"reTemp", "333"},
       {"cageTemp", "328"},           {"raceFit1", "5e-6"}, {"raceFit2", "1e-5"},
       {"bPocCls2", "1e-4"},          {"rpm1", "-500"},     {"shftID", "0.01"}};
-  if (motion)  // long and wild enough for the cage to meet elements and lands
-    for (const auto& set : {std::pair{"maxStps", "60"},
+  if (motion)  // long and wild enough for the cage to meet elements and, at small slips, lands
+    for (const auto& set : {std::pair{"maxStps", "90"},
                             {"nStps", "1"},
                             {"kPrtOpt", "1"},
                             {"kPrtFreq", "30"},
@@ -126,9 +126,9 @@ Deck lively(const std::string& type, bool motion) {
                             {"kLifeFreq", "20"},
                             {"kNumPltElem", "2"},
                             {"kPltElemInd", "1,5"},
-                            {"avRatio", "2.5"},
-                            {"wvRatio", "40"},
-                            {"cageGcPos", "0,0,-7e-5"},
+                            {"avRatio", "0.05"},
+                            {"wvRatio", "400"},
+                            {"cageGcPos", "0,0,-7.8e-5"},
                             {"cageGsCls[1]", "2e-4"},
                             {"cageGsCls[2]", "2e-4"}})
       sets.emplace_back(set.first, set.second);
