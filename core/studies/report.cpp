@@ -33,7 +33,10 @@ std::vector<double> sorted_values(const std::vector<double>& values) {
   return {once.begin(), once.end()};
 }
 
-std::string number(double value) { return std::isnan(value) ? "-" : fmt::format("{:.5g}", value); }
+/// "-" of what there is none.
+std::string number(double value, int digits = 5) {
+  return std::isnan(value) ? "-" : fmt::format("{:.{}g}", value, digits);
+}
 
 class Reporter {
  public:
@@ -384,15 +387,13 @@ class Reporter {
             known = found->second;
         const double value = std::isnan(known) ? by.value : known;
         const double relative = value * bases[v].value / base;
-        text_ += fmt::format(
-            "{:<34} {:<14} {:>13.6g} {:>11.2g} {:>13} {:>10} {:>11}\n", label(quantity),
-            study_.variables[v].name, by.value, by.doubt,
-            std::isnan(known) ? "-" : fmt::format("{:.6g}", known),
-            std::isnan(known) ? "-"
-                              : fmt::format("{:.1e}", std::abs(known - by.value) /
-                                                          std::max({std::abs(known),
-                                                                    std::abs(by.value), 1e-300})),
-            std::isfinite(relative) ? fmt::format("{:.4g}", relative) : "-");
+        text_ += fmt::format("{:<34} {:<14} {:>13} {:>11} {:>13} {:>10} {:>11}\n", label(quantity),
+                             study_.variables[v].name, number(by.value, 6), number(by.doubt, 2),
+                             number(known, 6),
+                             number(std::abs(known - by.value) /
+                                        std::max({std::abs(known), std::abs(by.value), 1e-300}),
+                                    2),
+                             number(std::isfinite(relative) ? relative : kNone, 4));
         // A variable whose value is 0 has no percent: per step instead.
         const double scale =
             bases[v].value != 0.0 ? bases[v].value / base : 100.0 * bases[v].step / base;

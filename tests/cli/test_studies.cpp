@@ -89,6 +89,17 @@ TEST_CASE("an influence is told where some runs of a study failed, and quiet is 
   CHECK_FALSE(contains(report, "nan"));
 }
 
+TEST_CASE("a report of derivatives without runs has no numbers", "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  write(folder / "a.json", R"({"adore_study": 1, "kind": "sensitivity", "deck": "DATA.txt",
+    "set": {"maxStps": 20}, "variables": [{"name": "appLoadX"}], "quantities": ["stiffness_x_N_per_m"]})");
+  run_adore("study run " + (folder / "a.json").string() + " --quiet");  // motions have no stiffness
+  const Result told = run_adore("study report " + (folder / "a.json").string());
+  CHECK(contains(told.out, "appLoadX"));
+  CHECK_FALSE(contains(told.out, "nan"));
+}
+
 TEST_CASE("the table has the values that single runs have", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
