@@ -17,9 +17,10 @@ endif()
 add_library(adore_portable_math INTERFACE)
 if(ADORE_PORTABLE_MATH)
   set(functions sin cos sincos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh exp exp2 expm1 log log2 log10
-                log1p pow cbrt hypot erf tgamma lgamma lgamma_r)
+                log1p pow powf cbrt hypot erf tgamma lgamma lgamma_r)  # powf: HDF5, where it is linked in
   set(helpers __sin __cos __tan __expo2 __rem_pio2 __rem_pio2_large __math_divzero __math_invalid __math_oflow
-              __math_uflow __math_xflow exp_data log_data log2_data pow_data)
+              __math_uflow __math_xflow __math_invalidf __math_oflowf __math_uflowf __math_xflowf exp_data exp2f_data
+              log_data log2_data pow_data powf_data)
   execute_process(COMMAND ${CMAKE_AR} t ${ADORE_MUSL_LIBC} OUTPUT_VARIABLE members COMMAND_ERROR_IS_FATAL ANY)
   string(REPLACE "\n" ";" members "${members}")
   set(wanted)
