@@ -78,9 +78,11 @@ void ExplicitStepper::resume(OdeSystem& system, double t0, std::span<const doubl
     again.initial = h_next_;
     return start(system, t0, y0, again);
   }
-  kept_ = memory.at("kept");
-  patience_ = static_cast<int>(
-      std::clamp(memory.at("steps watched in vain"), -1.0 * kUnwatched, 1.0 * kStubborn));
+  // Runs of before steps were judged by what they lose have no such memory: the account opens here.
+  const auto kept = memory.find("kept"), patience = memory.find("steps watched in vain");
+  kept_ = kept != memory.end() ? kept->second : system.kept().value;
+  if (patience != memory.end())
+    patience_ = static_cast<int>(std::clamp(patience->second, -1.0 * kUnwatched, 1.0 * kStubborn));
   prepare();
   restore(memory);
 }

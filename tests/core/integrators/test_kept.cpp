@@ -125,3 +125,20 @@ TEST_CASE("a run that is watched goes on to the same bits", "[unit][integrators]
     CHECK(whole->counters().rejected > 0);
   }
 }
+
+TEST_CASE("a run of before there was such an account opens it where it goes on",
+          "[unit][integrators]") {
+  Problem problem = bouncing_mass();
+  Watched unwatched(problem, 0.0, energy), watched(problem, 0.05, energy);
+  const auto before = make_stepper("rkf5"), after = make_stepper("rkf5");
+  before->start(unwatched, 0.0, kStart, kControl);
+  while (before->time() < 1.0) before->step(kEnd);  // falling still
+  Memory memory = before->memory();
+  CHECK(memory.erase("kept") == 1);
+  CHECK(memory.erase("steps watched in vain") == 1);
+  const std::vector<double> y(before->state().begin(), before->state().end());
+  after->resume(watched, before->time(), y, kControl, memory);
+  run_to(*after, kEnd);
+  const double lost = std::abs(energy(0.0, after->state().data()) - 1.0);
+  CHECK(lost < 0.1 * fall("rkf5", 0.0).lost);
+}
