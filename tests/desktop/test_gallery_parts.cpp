@@ -82,6 +82,10 @@ TEST_CASE("chart_scene: an axis title too long for its panel stands above it, wh
         return words;
     return static_cast<const QGraphicsSimpleTextItem*>(nullptr);
   };
+  QStringList all;
+  for (const QGraphicsItem* item : scene.items())
+    if (const auto* words = dynamic_cast<const QGraphicsSimpleTextItem*>(item)) all << words->text();
+  INFO(all.join(" / ").toStdString());
   REQUIRE(shown("Contact temperature rise [K]") != nullptr);
   CHECK(shown("Contact temperature rise [K]")->rotation() == 0.0);
   CHECK(shown("Race contact temperature [K]") != nullptr);
