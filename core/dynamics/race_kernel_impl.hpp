@@ -168,28 +168,37 @@ inline V get(const double* from) { return V(from, stdx::element_aligned); }
 inline void put(double* to, V value) { value.copy_to(to, stdx::element_aligned); }
 inline void add(double* to, V value) { put(to, get(to) + value); }
 
-/// Of a law with a film: a call, so that a kernel has one copy of each.
-template <class Law, class S>
-[[gnu::noinline]] void add_film_traction(const RaceKernelInput& in,
-                                         const tribology::EllipseContact<V, S>& ellipse,
-                                         tribology::EllipseSums<V>& sums) {
-  sums = tribology::EllipseSum<V, Law, S>(in.nodes, ellipse, *static_cast<const Law*>(in.law),
-                                          in.slip_floor, in.slip_scale)
-             .run();
-}
-
-template <class Law, class S>
-[[gnu::always_inline]] inline tribology::EllipseSums<V> traction_of(
-    const RaceKernelInput& in, const tribology::EllipseContact<V, S>& ellipse) {
-  if constexpr (tribology::kHasFilm<Law>) {
-    tribology::EllipseSums<V> sums;
-    add_film_traction<Law, S>(in, ellipse, sums);
-    return sums;
-  } else {
+/// Traction of one vector, by a law whose integral is part of the contact's code.
+template <class Law>
+struct Inlined {
+  template <class S>
+  [[gnu::always_inline]] tribology::EllipseSums<V> operator()(
+      const RaceKernelInput& in, const tribology::EllipseContact<V, S>& ellipse) const {
     return tribology::EllipseSum<V, Law, S>(in.nodes, ellipse, *static_cast<const Law*>(in.law),
                                             in.slip_floor, in.slip_scale)
         .run();
   }
+};
+
+/// By a law with a film, whose integral is long: a call, so that a kernel has one copy of each, and
+/// one of the contact for all of them.
+struct Called {
+  using Sum = void(const RaceKernelInput&, const tribology::EllipseContact<V, V>&,
+                   tribology::EllipseSums<V>&);
+  Sum* sum;
+  template <class S>
+  [[gnu::always_inline]] tribology::EllipseSums<V> operator()(
+      const RaceKernelInput& in, const tribology::EllipseContact<V, S>& e) const {
+    tribology::EllipseSums<V> sums;
+    sum(in, {e.load, e.a, e.b, {e.surface.offset, e.surface.rho}, e.motion}, sums);
+    return sums;
+  }
+};
+template <class Law>
+[[gnu::noinline]] void sum_film(const RaceKernelInput& in,
+                                const tribology::EllipseContact<V, V>& ellipse,
+                                tribology::EllipseSums<V>& sums) {
+  sums = Inlined<Law>()(in, ellipse);
 }
 
 /// The contacts of one vector of balls: what forces are made of once traction is known, of built-in
@@ -342,8 +351,8 @@ inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes
   totals.load_slip += load_slip;
 }
 
-template <class Law, class Race, class Balls>
-void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
+template <class Race, class Balls, class Law>
+void evaluate(const RaceKernelInput& in, const Lanes& at, const Law& law, Totals& totals) {
   const Balls balls(in, at);
   Contacts<Race, Balls> contacts(in, at, balls);
   if (contacts.open()) {
@@ -352,7 +361,7 @@ void evaluate(const RaceKernelInput& in, const Lanes& at, Totals& totals) {
   }
   contacts.press(in, at, balls);
   tribology::EllipseSums<V> traction;
-  if (in.traction) traction = traction_of<Law, typename Balls::Scalar>(in, contacts.ellipse());
+  if (in.traction) traction = law(in, contacts.ellipse());
   contacts.add_to(in, at, traction, totals);
 }
 
@@ -428,10 +437,10 @@ inline RaceKernelSums sums_of(const Totals& totals) {
       stdx::reduce(totals.load_slip)};
 }
 
-template <class Law, class Race, class Balls>
-RaceKernelSums evaluate_all(const RaceKernelInput& in) {
+template <class Race, class Balls, class Law>
+RaceKernelSums evaluate_all(const RaceKernelInput& in, const Law& law) {
   Totals totals;
-  for_vectors<Use::Both>(in, [&](const Lanes& at) { evaluate<Law, Race, Balls>(in, at, totals); });
+  for_vectors<Use::Both>(in, [&](const Lanes& at) { evaluate<Race, Balls>(in, at, law, totals); });
   return sums_of(totals);
 }
 
@@ -476,8 +485,10 @@ template <class Law, class Race, class Balls>
 RaceKernelSums evaluate_by(const RaceKernelInput& in) {
   if constexpr (std::is_same_v<Law, tribology::UserLaw>)
     return evaluate_asking<Race, Balls>(in);
+  else if constexpr (tribology::kHasFilm<Law>)
+    return evaluate_all<Race, Balls>(in, Called{sum_film<Law>});
   else
-    return evaluate_all<Law, Race, Balls>(in);
+    return evaluate_all<Race, Balls>(in, Inlined<Law>());
 }
 
 template <class Race, class Balls, class... Laws>
