@@ -1,10 +1,9 @@
-#include <unistd.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <unistd.h>
 
 /// Every process of tests has a folder of its own for passing files (TMPDIR), removed at its end:
 /// the same test may run twice at a time, of two checkouts or users.
