@@ -10,6 +10,7 @@
 #include "desktop/one_window.hpp"
 #include "desktop/window_place.hpp"
 
+#include <QProgressDialog>
 #include <QTimer>
 #include <fmt/core.h>
 
@@ -58,6 +59,18 @@ int render(int& argc, char** argv, Request& request) {
   return 0;
 }
 
+/// A file that another program hands over waits while a film of the last one is written.
+void show_file(agore::AgoreWindow& window, const QString& name) {
+  constexpr int kLater = 300;  // ms
+  if (window.findChild<QProgressDialog*>() != nullptr) {
+    QTimer::singleShot(kLater, &window, [&window, name] { show_file(window, name); });
+    return;
+  }
+  window.openFile(name.toStdString());
+  window.raise();
+  window.activateWindow();
+}
+
 int show(int& argc, char** argv, const Request& request) {
   const auto app = desktop::make_application(argc, argv, "agore", desktop::Display::Window);
   if (!desktop::ask_for_disclaimer("AGORE")) return 0;
@@ -74,11 +87,7 @@ int show(int& argc, char** argv, const Request& request) {
   std::optional<desktop::OneWindow> one;
   if (!request.file.empty())
     one.emplace("agore", desktop::folder_of(request.file), nullptr,
-                [&window](const QStringList& names) {
-                  window.openFile(names.front().toStdString());
-                  window.raise();
-                  window.activateWindow();
-                });
+                [&window](const QStringList& names) { show_file(window, names.front()); });
   return QApplication::exec();
 }
 

@@ -84,7 +84,8 @@ TEST_CASE("chart_scene: an axis title too long for its panel stands above it, wh
   };
   QStringList all;
   for (const QGraphicsItem* item : scene.items())
-    if (const auto* words = dynamic_cast<const QGraphicsSimpleTextItem*>(item)) all << words->text();
+    if (const auto* words = dynamic_cast<const QGraphicsSimpleTextItem*>(item))
+      all << words->text();
   INFO(all.join(" / ").toStdString());
   REQUIRE(shown("Contact temperature rise [K]") != nullptr);
   CHECK(shown("Contact temperature rise [K]")->rotation() == 0.0);
