@@ -1,5 +1,6 @@
 #include "base/errors.hpp"
 #include "studies/cage_whirl.hpp"
+#include "studies/charts.hpp"
 #include "studies/engine.hpp"
 #include "studies/job.hpp"
 #include "studies/quantities.hpp"
@@ -79,6 +80,29 @@ TEST_CASE("statistics weigh time, and leave missing values out", "[unit][studies
   CHECK(rank_correlation({1, 2, 3, 4}, {1, 8, 27, 64}) == Approx(1.0));
   CHECK(rank_correlation({1, 2, 3, 4}, {4, 3, kNone, 1}) == Approx(-1.0));
   CHECK(std::isnan(rank_correlation({1, 1, 1}, {1, 2, 3})));
+}
+
+TEST_CASE("axes of all runs keep room for what is looked at", "[unit][studies]") {
+  const auto columns = [](const std::string& name, std::size_t count) {
+    std::vector<TableColumn> out;
+    for (std::size_t k = 0; k < count; ++k)
+      out.push_back(
+          {name + std::to_string(k), "", {0.0, std::nan(""), 1.0 + static_cast<double>(k)}});
+    return out;
+  };
+  std::vector<TableColumn> variables = columns("v", 30), quantities = columns("q", 3);
+  variables.front().values = {2.0, 2.0, std::nan("")};  // says nothing
+  auto axes = axes_of(variables, quantities);
+  REQUIRE(axes.size() == 12);
+  CHECK(axes.front()->name == "v1");
+  CHECK(axes[9]->name == "q0");
+  CHECK(axes.back()->name == "q2");
+  quantities = columns("q", 20);
+  axes = axes_of(variables, quantities);
+  CHECK(axes.size() == 12);
+  CHECK(axes[5]->name == "v6");
+  CHECK(axes.back()->name == "q5");
+  CHECK(axes_of(columns("v", 2), quantities).size() == 12);
 }
 
 TEST_CASE("the search finds a summit inside and a corner", "[unit][studies]") {
