@@ -12,6 +12,7 @@
 #include <QPainter>
 #include <QPixmap>
 #include <QStackedWidget>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -27,11 +28,55 @@ QString text_of(std::string_view text) {
   return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
+/// Draws a sign and all lines of a text: the style's own drawing writes dots for the last line of
+/// some texts although there is room.
+class WrappedText : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+  [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem& given,
+                               const QModelIndex& index) const override {
+    QStyleOptionViewItem option = given;
+    initStyleOption(&option, index);
+    const auto* list = qobject_cast<const QListView*>(option.widget);
+    const int width =
+        list != nullptr ? list->viewport()->width() - 2 * list->spacing() : option.rect.width();
+    const QRect words = option.fontMetrics.boundingRect(
+        text_place(QRect(0, 0, width, kTall), option), Qt::TextWordWrap, option.text);
+    return {width, std::max(words.height(), kSign) + 2 * kMargin};
+  }
+  void paint(QPainter* painter, const QStyleOptionViewItem& given,
+             const QModelIndex& index) const override {
+    QStyleOptionViewItem option = given;
+    initStyleOption(&option, index);
+    const QStyle* style = option.widget->style();
+    style->drawPrimitive(QStyle::PE_PanelItemViewItem, &option, painter, option.widget);
+    const bool chosen = option.state.testFlag(QStyle::State_Selected);
+    const QRect place = option.rect.adjusted(kMargin, kMargin, -kMargin, -kMargin);
+    if (!option.icon.isNull())
+      option.icon.paint(painter, QRect(place.left(), place.center().y() - kSign / 2, kSign, kSign),
+                        Qt::AlignCenter, chosen ? QIcon::Selected : QIcon::Normal);
+    painter->save();
+    painter->setFont(option.font);
+    painter->setPen(option.palette.color(chosen ? QPalette::HighlightedText : QPalette::Text));
+    painter->drawText(text_place(option.rect, option),
+                      Qt::TextWordWrap | Qt::AlignLeft | Qt::AlignVCenter, option.text);
+    painter->restore();
+  }
+
+ private:
+  static constexpr int kMargin = 5, kSign = 16, kTall = 10'000;
+  static QRect text_place(const QRect& row, const QStyleOptionViewItem& option) {
+    const int left = option.icon.isNull() ? kMargin : 3 * kMargin + kSign;
+    return row.adjusted(left, 0, -kMargin, 0);
+  }
+};
+
 QListWidget* make_list(const QString& name, QWidget* parent) {
   auto* list = new QListWidget(parent);
   list->setObjectName(name);
   list->setWordWrap(true);
-  list->setTextElideMode(Qt::ElideNone);  // a wrapped title must not lose its second line
+  list->setItemDelegate(new WrappedText(list));
   list->setFrameShape(QFrame::NoFrame);
   list->setResizeMode(QListView::Adjust);
   list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

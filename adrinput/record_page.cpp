@@ -396,6 +396,11 @@ bool RecordPage::eventFilter(QObject* object, QEvent* event) {
       return true;
     }
   }
+  if (event->type() == QEvent::KeyPress && field->property("typing").toBool() &&
+      static_cast<QKeyEvent*>(event)->key() == Qt::Key_Tab) {
+    // A count may make the table that comes next: it has to be there before Tab looks for it.
+    if (auto* line = qobject_cast<QLineEdit*>(field)) emit line->editingFinished();
+  }
   if (event->type() == QEvent::FocusIn) {
     emit focusMoved(field);
     announce(field);

@@ -64,7 +64,7 @@ PlotWindow::PlotWindow(QWidget* parent) : QMainWindow(parent) {
   });
 
   connect(tree_, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
-    if (!item) return;
+    if (!item || item->data(0, kPageRole).toInt() < 1) return;
     current_ = item->data(0, kFileRole).toInt();
     page_ = item->data(0, kPageRole).toInt();
     showCurrent();

@@ -85,7 +85,10 @@ void PlotWindow::fillTree() {
                "/" + name;
       auto* root = new QTreeWidgetItem(tree_, {name + " — " + QString::fromStdString(doc.subject)});
       root->setToolTip(0, QString::fromStdString(doc.path.string()));
-      root->setFlags(Qt::ItemIsEnabled);
+      // The name of a file shows its first page.
+      root->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+      root->setData(0, kPageRole, doc.pages.empty() ? 0 : 1);
+      root->setData(0, kFileRole, d);
       for (std::size_t p = 0; p < doc.pages.size(); ++p) {
         auto* item = new QTreeWidgetItem(
             root, {QString("%1  %2").arg(p + 1).arg(QString::fromStdString(doc.pages[p].title))});

@@ -29,40 +29,41 @@ void PlotWindow::makeButtons() {
   bar->setObjectName("buttons");
   bar->setMovable(false);
   bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  const auto button = [&](const QString& text, const QList<QKeySequence>& keys, auto slot,
-                          const QString& help) {
+  // The key of what stands in a menu too belongs to the menu, which shows it.
+  const auto button = [&](const QString& text, const QKeySequence& key, auto slot,
+                          const QString& help, bool in_menu = false) {
     auto* action = bar->addAction(text);
-    action->setShortcuts(keys);
-    action->setToolTip(help + " (" + keys.front().toString(QKeySequence::NativeText) + ")");
+    if (!in_menu) action->setShortcut(key);
+    action->setToolTip(help + " (" + key.toString(QKeySequence::NativeText) + ")");
     connect(action, &QAction::triggered, this, slot);
   };
-  button(tr("Open Plot File"), {QKeySequence::Open}, &PlotWindow::askForFile,
-         tr("Choose a file SOL1 to SOL7"));
-  button(tr("Prev Plot"), {Qt::Key_PageUp}, &PlotWindow::previousPage, tr("One page back"));
-  button(tr("Next Plot"), {Qt::Key_PageDown}, &PlotWindow::nextPage, tr("One page on"));
-  button(tr("Plot Number"), {Qt::CTRL | Qt::Key_G}, &PlotWindow::askForPage,
+  button(tr("Open Plot File"), QKeySequence::Open, &PlotWindow::askForFile,
+         tr("Choose a file SOL1 to SOL7"), true);
+  button(tr("Prev Plot"), Qt::Key_PageUp, &PlotWindow::previousPage, tr("One page back"));
+  button(tr("Next Plot"), Qt::Key_PageDown, &PlotWindow::nextPage, tr("One page on"));
+  button(tr("Plot Number"), Qt::CTRL | Qt::Key_G, &PlotWindow::askForPage,
          tr("Go to a page by its number"));
-  button(tr("Print"), {QKeySequence::Print}, &PlotWindow::print, tr("Print this page"));
-  button(tr("Save JPG"), {QKeySequence::Save}, &PlotWindow::savePicture,
+  button(tr("Print"), QKeySequence::Print, &PlotWindow::print, tr("Print this page"), true);
+  button(tr("Save JPG"), QKeySequence::Save, &PlotWindow::savePicture,
          tr("Save this page as JPEG or PNG"));
-  button(tr("Reload"), {Qt::Key_F5}, &PlotWindow::reload,
-         tr("Read the file again, for a run that goes on"));
-  button(tr("Dark/Light"), {Qt::CTRL | Qt::Key_D}, &PlotWindow::switchTheme,
-         tr("Change the colours"));
-  button(tr("Quit"), {Qt::CTRL | Qt::Key_Q}, &PlotWindow::close, tr("End AdrPlot"));
+  button(tr("Reload"), Qt::Key_F5, &PlotWindow::reload,
+         tr("Read the file again, for a run that goes on"), true);
+  button(tr("Dark/Light"), Qt::CTRL | Qt::Key_D, &PlotWindow::switchTheme, tr("Change the colours"),
+         true);
+  button(tr("Quit"), Qt::CTRL | Qt::Key_Q, &PlotWindow::close, tr("End AdrPlot"), true);
   bar->addSeparator();
   makeChoices(bar);
 }
 
 void PlotWindow::makeMenus() {
   auto* file = menuBar()->addMenu(tr("&File"));
-  file->addAction(tr("&Open..."), this, &PlotWindow::askForFile);
+  file->addAction(tr("&Open..."), QKeySequence::Open, this, &PlotWindow::askForFile);
   file->addAction(tr("Open &Folder..."), Qt::CTRL | Qt::SHIFT | Qt::Key_O, this,
                   &PlotWindow::askForFolder);
   desktop::add_recent_menu(*file, kApp, [this](const QString& name) { askForRange(name); });
   file->addAction(tr("&Close File"), QKeySequence::Close, this, &PlotWindow::closeFile);
   file->addSeparator();
-  file->addAction(tr("&Reload"), this, &PlotWindow::reload);
+  file->addAction(tr("&Reload"), Qt::Key_F5, this, &PlotWindow::reload);
   follow_ = file->addAction(tr("&Follow a Running Solver"));
   follow_->setCheckable(true);
   connect(follow_, &QAction::toggled, this, &PlotWindow::follow);
@@ -71,9 +72,9 @@ void PlotWindow::makeMenus() {
   file->addAction(tr("Export &All Pages..."), Qt::CTRL | Qt::SHIFT | Qt::Key_E, this,
                   &PlotWindow::exportAll);
   file->addAction(tr("Cop&y Picture"), QKeySequence::Copy, this, &PlotWindow::copyPicture);
-  file->addAction(tr("&Print..."), this, &PlotWindow::print);
+  file->addAction(tr("&Print..."), QKeySequence::Print, this, &PlotWindow::print);
   file->addSeparator();
-  file->addAction(tr("&Quit"), this, &PlotWindow::close);
+  file->addAction(tr("&Quit"), Qt::CTRL | Qt::Key_Q, this, &PlotWindow::close);
 
   auto* view = menuBar()->addMenu(tr("&View"));
   view->addAction(tr("Zoom &Back"), Qt::ALT | Qt::Key_Left, view_, &desktop::ChartView::zoomBack);
@@ -90,7 +91,7 @@ void PlotWindow::makeMenus() {
     connect(action, &QAction::toggled, this,
             [this, log_x, log_y] { setLogAxes(log_x->isChecked(), log_y->isChecked()); });
   }
-  view->addAction(tr("&Dark/Light"), this, &PlotWindow::switchTheme);
+  view->addAction(tr("&Dark/Light"), Qt::CTRL | Qt::Key_D, this, &PlotWindow::switchTheme);
   makeChartMenu(menuBar()->addMenu(tr("&Chart")));
   desktop::add_help_menu(
       *this, "AdrPlot", tr("AdrPlot draws what a run of Adore stored."),

@@ -548,7 +548,10 @@ void AgoreWindow::saveFilm() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->selectFile("bearing.gif");
-  connect(dialog, &QFileDialog::fileSelected, this, &AgoreWindow::writeFilm);
+  connect(dialog, &QFileDialog::fileSelected, this, [this, dialog](const QString& name) {
+    dialog->hide();  // writing takes its time
+    writeFilm(name);
+  });
   dialog->open();
 }
 

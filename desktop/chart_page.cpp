@@ -9,6 +9,12 @@
 namespace adore::desktop {
 namespace {
 
+/// A larger step of an angle [deg] is a wrap.
+constexpr double kWrap = 180.0;
+/// An angle that flips at nearly every step has no line to show; joining everything is honest and
+/// quick.
+constexpr std::size_t kMostPieces = 400;
+
 /// First, lowest, highest and last point of each column, in their order.
 Polyline thinned(const Polyline& line, double low, double high, int columns) {
   if (line.x.size() <= static_cast<std::size_t>(4 * columns) || !(high > low)) return line;
@@ -37,21 +43,51 @@ Polyline thinned(const Polyline& line, double low, double high, int columns) {
 
 }  // namespace
 
+namespace {
+
+/// Does a piece of the curve begin with the i-th value?
+bool begins_piece(const std::vector<double>& y, std::size_t i, bool wraps) {
+  return is_drawable(y[i]) &&
+         (i == 0 || !is_drawable(y[i - 1]) || (wraps && std::abs(y[i] - y[i - 1]) > kWrap));
+}
+
+}  // namespace
+
 CurveBlocks blocks_of(const std::vector<double>& y, bool wraps) {
   CurveBlocks out;
   out.blocks.resize(y.size() / CurveBlocks::kLength);
   for (std::size_t b = 0; b < out.blocks.size(); ++b) {
     CurveBlocks::Block& block = out.blocks[b];
     const std::size_t begin = b * CurveBlocks::kLength, end = begin + CurveBlocks::kLength;
-    block = {begin, begin, true};
+    block = {begin, begin, true, false, 0};
     for (std::size_t i = begin; i < end; ++i) {
       block.whole = block.whole && is_drawable(y[i]);
       if (y[i] < y[block.lowest]) block.lowest = i;
       if (y[i] > y[block.highest]) block.highest = i;
+      block.begun += begins_piece(y, i, wraps) ? 1 : 0;
     }
+    block.smooth = block.whole;
     if (!wraps || !block.whole) continue;
     const double before = begin > 0 && is_drawable(y[begin - 1]) ? y[begin - 1] : y[begin];
-    block.whole = std::max(y[block.highest], before) - std::min(y[block.lowest], before) <= 180.0;
+    block.smooth = std::max(y[block.highest], before) - std::min(y[block.lowest], before) <= kWrap;
+  }
+  return out;
+}
+
+std::size_t pieces_between(const std::vector<double>& y, std::size_t first, std::size_t last,
+                           bool wraps, const CurveBlocks& blocks) {
+  std::size_t out = 0;
+  for (std::size_t i = first; i < last;) {
+    const std::size_t b = i / CurveBlocks::kLength;
+    if (i > first && i % CurveBlocks::kLength == 0 && i + CurveBlocks::kLength <= last &&
+        b < blocks.blocks.size()) {
+      out += static_cast<std::size_t>(blocks.blocks[b].begun);
+      i += CurveBlocks::kLength;
+      continue;
+    }
+    // The first one seen begins a piece, wherever its own began.
+    out += begins_piece(y, i, wraps) || (i == first && is_drawable(y[i])) ? 1 : 0;
+    ++i;
   }
   return out;
 }
@@ -78,7 +114,8 @@ Polyline reduced(const std::vector<double>& x, const std::vector<double>& y, std
   /// Is the block that begins at `i` one of those, in a group that begins at `from`?
   const auto fits = [&](std::size_t i, std::size_t from) {
     const std::size_t b = i / CurveBlocks::kLength, end = i + CurveBlocks::kLength;
-    return end <= last && b < blocks.blocks.size() && blocks.blocks[b].whole &&
+    return end <= last && b < blocks.blocks.size() &&
+           (wraps ? blocks.blocks[b].smooth : blocks.blocks[b].whole) &&
            !(x[end - 1] - x[from] > width);
   };
   for (std::size_t i = first; i < last;) {
@@ -112,6 +149,7 @@ std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::v
     auto [first, last] = places_between(x, low, high);
     first -= first > 0 ? 1 : 0;
     last = std::min(last + 1, x.size());
+    wraps = wraps && pieces_between(y, first, last, wraps, *blocks) <= kMostPieces;
     const Polyline few =
         reduced(x, y, first, last, (high - low) / std::max(columns, 1), wraps, *blocks);
     return drawable_pieces(few.x, few.y, low, high, columns, wraps);
@@ -129,15 +167,12 @@ std::vector<Polyline> drawable_pieces(const std::vector<double>& x, const std::v
       open = false;
       continue;
     }
-    if (!open || (wraps && std::abs(y[i] - last) > 180.0)) pieces.emplace_back();
+    if (!open || (wraps && std::abs(y[i] - last) > kWrap)) pieces.emplace_back();
     pieces.back().x.push_back(x[i]);
     pieces.back().y.push_back(y[i]);
     last = y[i];
     open = true;
   }
-  // An angle that flips at nearly every step has no line to show; joining everything is honest and
-  // quick.
-  constexpr std::size_t kMostPieces = 400;
   if (wraps && pieces.size() > kMostPieces) return drawable_pieces(x, y, low, high, columns, false);
   for (auto& piece : pieces) piece = thinned(piece, low, high, columns);
   return pieces;

@@ -98,11 +98,18 @@ struct CurveBlocks {
   static constexpr std::size_t kLength = 32;
   struct Block {
     std::size_t lowest = 0, highest = 0;
-    bool whole = false;  ///< neither a gap in it nor a wrap, nor one to the value before
+    bool whole = false;   ///< no gap in it
+    bool smooth = false;  ///< nor a wrap, nor one to the value before
+    int begun = 0;        ///< pieces between gaps and wraps that begin in it
   };
   std::vector<Block> blocks;  ///< of whole lengths; values behind the last have none
 };
 [[nodiscard]] CurveBlocks blocks_of(const std::vector<double>& y, bool wraps);
+
+/// Pieces of a curve from place `first` to before `last` between its gaps and, where it `wraps`,
+/// its wraps; whole blocks are not looked into.
+[[nodiscard]] std::size_t pieces_between(const std::vector<double>& y, std::size_t first,
+                                         std::size_t last, bool wraps, const CurveBlocks& blocks);
 
 /// Places of the values with low <= x <= high, [first, second). `x` rises.
 [[nodiscard]] std::pair<std::size_t, std::size_t> places_between(const std::vector<double>& x,

@@ -308,7 +308,22 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
                            : chosen  ? tight_axis(low, high, panel.unit, parts)
                                      : value_axis(low, high, panel.unit, parts);
   const QString x_title = bottom ? with_unit_and_base(text_of(page_.x_title), x_axis_) : QString();
-  addChart(area, x_axis_, y_axis, x_title, with_unit(text_of(panel.title), y_axis), bottom, m);
+  const qreal legend = addLegend(panel, area, m);
+  // A title too long for the side of its panel, even without its unit, stands above it.
+  QString y_title = with_unit(text_of(panel.title), y_axis);
+  qreal head = area.left();
+  const QFontMetricsF title_metrics(ui_font(m.text_font));
+  const bool names_above = index == 0 && !page_.marks.empty();
+  if (!names_above &&
+      title_metrics.horizontalAdvance(text_of(panel.title)) > area.height() + m.gap &&
+      area.left() + title_metrics.horizontalAdvance(y_title) + 8.0 < legend) {
+    auto* title = addSimpleText(y_title, ui_font(m.text_font));
+    title->setBrush(theme_->text);
+    title->setPos(area.left(), area.top() - title_metrics.height() - 3.0);
+    head += title_metrics.horizontalAdvance(y_title) + 16.0;
+    y_title.clear();
+  }
+  addChart(area, x_axis_, y_axis, x_title, y_title, bottom, m);
   int colour = -1;
   for (const auto& curve : panel.curves) {
     colour = panel.one_colour ? 0 : colour + 1;
@@ -335,14 +350,13 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
   }
   if (!any)
     addMessage(area, panel.message.empty() ? "no values in the file" : text_of(panel.message), m);
-  const qreal legend = addLegend(panel, area, m);
   if (!y_axis.offset_text.empty()) {
     auto* base =
         addSimpleText("difference from " + text_of(y_axis.offset_text), ui_font(m.tick_font));
     base->setBrush(theme_->accent);
     // Beside the legend, or below it where that needs the width.
-    const bool beside = area.left() + base->boundingRect().width() + 8.0 < legend;
-    base->setPos(area.left() + (beside ? 0.0 : 4.0),
+    const bool beside = head + base->boundingRect().width() + 8.0 < legend;
+    base->setPos(beside ? head : area.left() + 4.0,
                  area.top() + (beside ? -base->boundingRect().height() - 3.0 : 2.0));
     if (!beside) {  // readable above a curve that passes there
       QColor paper = theme_->surface;

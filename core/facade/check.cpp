@@ -12,6 +12,7 @@
 #include "thermal/operating.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace adore::facade {
@@ -34,6 +35,21 @@ void check_rest(const deck::Deck& deck, const bearing::Bearing& operating) {
     (void)statics::make_roller_model(operating, {});
   else
     (void)statics::make_ball_model(operating, {});
+}
+
+/// Who asks for motion and gives no step sees one point in every chart: that has to be said.
+std::optional<Issue> nothing_moves(const deck::Deck& deck) {
+  if (deck.integer("mode") < 0 || deck.integer("maxStps") > 0) return std::nullopt;
+  Issue out;
+  out.severity = Severity::Note;
+  out.file = deck.file;
+  out.record = "1";
+  out.variable = "maxStps";
+  out.value = "0";
+  out.message = "no step is made, so that nothing moves unless `--until` says how far";
+  out.remedy =
+      "give the number of steps, such as 2000, and kPltFreq = 1 and kAGraf = 1 to see them";
+  return out;
 }
 
 }  // namespace
@@ -64,6 +80,7 @@ ModelCheck examine_model(const deck::Deck& deck) {
       issues.push_back(std::move(issue));
     check_rest(model, operating);
     if (runs) {
+      if (std::optional<Issue> note = nothing_moves(model)) issues.push_back(std::move(*note));
       out.unused = setup::values_without_part(model);
       if (std::optional<Issue> note = setup::note_of(out.unused, model, issues))
         issues.push_back(std::move(*note));

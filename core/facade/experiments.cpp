@@ -4,6 +4,7 @@
 #include "base/json_text.hpp"
 #include "base/resources.hpp"
 #include "facade/prepare.hpp"
+#include "facade/run_down.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -112,6 +113,23 @@ constexpr Quantity kQuantities[] = {
 
 constexpr std::string_view kExponent = "torque_exponent", kLife = "reference_life";
 
+struct RunDownQuantity {
+  std::string_view name, label;
+  double (*of)(const RunDown&);  ///< SI
+};
+constexpr RunDownQuantity kRunDown[] = {
+    {"run_down_exponent", "exponent n of -dw/dt = K w^n",
+     [](const RunDown& r) { return r.exponent; }},
+    {"run_down_time", "run-down time", [](const RunDown& r) { return r.time; }},
+    {"run_down_residual", "energy without account",
+     [](const RunDown& r) { return r.energy_residual; }},
+};
+const RunDownQuantity* run_down_quantity(std::string_view name) {
+  for (const RunDownQuantity& one : kRunDown)
+    if (one.name == name) return &one;
+  return nullptr;
+}
+
 struct Unit {
   std::string_view name;
   double per_si;
@@ -126,6 +144,7 @@ constexpr Unit kUnits[] = {{"deg", 180.0 / std::numbers::pi},
                            {"N.m", 1.0},
                            {"N.mm", 1e3},
                            {"Mrev", 1.0},
+                           {"s", 1.0},
                            {"-", 1.0}};
 
 double per_si(std::string_view unit) {
@@ -147,25 +166,48 @@ DeckRequest request_of(const std::string& deck, const Json& sets) {
   return out;
 }
 
-/// n of T = K ωⁿ by least squares in logarithms.
-double torque_exponent(const std::string& deck, Json sets, const Json& speeds) {
-  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+constexpr double kRpm = std::numbers::pi / 30.0;
+
+/// Friction of the equilibria of a deck at several speeds of its inner race [rpm].
+std::vector<TorqueAtSpeed> torques_of(const std::string& deck, Json sets, const Json& speeds) {
+  std::vector<TorqueAtSpeed> out;
   for (const Json& speed : speeds) {
     sets["rpm2"] = speed;
-    const double u = std::log(speed.get<double>());
-    const double v = std::log(friction(prepare(request_of(deck, sets))).torque());
-    n += 1.0;
-    x += u;
-    y += v;
-    xx += u * u;
-    xy += u * v;
+    const Prepared prepared = prepare(request_of(deck, sets));
+    const statics::FrictionEstimate& f = friction(prepared);
+    out.push_back({speed.get<double>() * kRpm,
+                   (f.of_race(0).rolling + f.of_race(1).rolling) / f.speed, f.torque()});
   }
-  return (n * xy - x * y) / (n * xx - x * x);
+  return out;
+}
+
+/// n of T = K ωⁿ by least squares in logarithms.
+double torque_exponent(const std::string& deck, const Json& sets, const Json& speeds) {
+  std::vector<double> speed, torque;
+  for (const TorqueAtSpeed& at : torques_of(deck, sets, speeds)) {
+    speed.push_back(at.speed);
+    torque.push_back(at.total);
+  }
+  return power_of(speed, torque);
+}
+
+/// In time: the deck "run_down" with the inertia and the sets beside it, and the friction of
+/// equilibria of the run's own deck.
+RunDown run_down_of(const std::string& deck, const Json& sets, const Json& run) {
+  const Json& motion = run.at("run_down");
+  DeckRequest moving = request_of(motion.at("deck"), sets);
+  moving.in_memory = true;
+  moving.deck = motion.at("deck").get<std::string>() + ".txt";
+  const Json more = motion.value("set", Json::object());
+  for (const auto& [name, value] : more.items()) moving.sets.emplace_back(name, deck_number(value));
+  return run_down(moving, torques_of(deck, sets, run.at("speeds")),
+                  motion.at("inertia").get<double>());
 }
 
 std::string label_of(std::string_view name) {
   if (name == kExponent) return "exponent n of T = K w^n";
   if (name == kLife) return "L10r of ISO 16281";
+  if (const RunDownQuantity* in_time = run_down_quantity(name)) return std::string(in_time->label);
   for (const Quantity& one : kQuantities)
     if (one.name == name) return std::string(one.label);
   throw InternalError(fmt::format("experiments.json: no quantity \"{}\"", name));
@@ -195,11 +237,15 @@ ExperimentRow row_of(const Json& run, const Json& row) {
 
 void add_run(const Json& run, Experiment& out) {
   const std::string deck = run.at("deck");
-  if (std::find(out.decks.begin(), out.decks.end(), deck) == out.decks.end())
-    out.decks.push_back(deck);
+  const auto name_deck = [&out](const std::string& name) {
+    if (std::find(out.decks.begin(), out.decks.end(), name) == out.decks.end())
+      out.decks.push_back(name);
+  };
+  name_deck(deck);
+  if (run.contains("run_down")) name_deck(run.at("run_down").at("deck"));
   const Json sets = run.value("set", Json::object());
   std::optional<Prepared> prepared;
-  std::string failed;
+  std::optional<RunDown> down;
   const auto once = [&]() -> const Prepared& {
     if (!prepared) prepared = prepare(request_of(deck, sets));
     return *prepared;
@@ -208,8 +254,14 @@ void add_run(const Json& run, Experiment& out) {
     ExperimentRow line = row_of(run, row);
     try {
       const std::string name = row.at("of");
-      const double value = name == kExponent ? torque_exponent(deck, sets, run.at("speeds"))
-                                             : value_of(name, once(), row);
+      double value = 0.0;
+      if (const RunDownQuantity* in_time = run_down_quantity(name)) {
+        if (!down) down = run_down_of(deck, sets, run);
+        value = in_time->of(*down);
+      } else {
+        value = name == kExponent ? torque_exponent(deck, sets, run.at("speeds"))
+                                  : value_of(name, once(), row);
+      }
       line.ours = value * per_si(line.unit);
     } catch (const InputError& error) {
       line.failed = error.what();

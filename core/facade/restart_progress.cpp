@@ -31,7 +31,8 @@ constexpr std::pair<const char*, long integrators::Counters::*> kCounters[] = {
     {"counter of at_minimum", &integrators::Counters::at_minimum},
     {"counter of restarts", &integrators::Counters::restarts},
     {"counter of jacobians", &integrators::Counters::jacobians},
-    {"counter of nonlinear_iterations", &integrators::Counters::nonlinear_iterations}};
+    {"counter of nonlinear_iterations", &integrators::Counters::nonlinear_iterations},
+    {"counter of repeated_for_energy", &integrators::Counters::repeated_for_energy}};
 constexpr const char* kStored = "ledger stored at start";
 constexpr const char* kResidual = "ledger residual";
 

@@ -287,6 +287,7 @@ void add_counters(integrators::Counters& sum, const integrators::Counters& c) {
   sum.restarts += c.restarts;
   sum.jacobians += c.jacobians;
   sum.nonlinear_iterations += c.nonlinear_iterations;
+  sum.repeated_for_energy += c.repeated_for_energy;
 }
 
 /// How to go on after a file could not be written.

@@ -497,6 +497,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   const integrators::Counters& c = end.resume.counters;
   run.counters = {{"steps", c.steps},
                   {"rejected", c.rejected},
+                  {"repeated_for_energy", c.repeated_for_energy},
                   {"evaluations", c.evaluations},
                   {"at_minimum", c.at_minimum},
                   {"restarts", c.restarts},

@@ -166,6 +166,7 @@ StepInfo ExplicitStepper::step(double t_stop) {
     }
 
     ++counters_.rejected;
+    counters_.repeated_for_energy += leaks;
     rejected(++failures);
     if (trial.outcome == Outcome::Fail || (!good && smallest)) give_up(trial.outcome, h);
     const double factor =

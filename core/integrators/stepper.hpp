@@ -104,6 +104,8 @@ struct StepInfo {
 struct Counters {
   long steps = 0, rejected = 0, evaluations = 0, at_minimum = 0, restarts = 0, jacobians = 0,
        nonlinear_iterations = 0;
+  /// Of the rejected ones, those within the tolerance that lost too much of OdeSystem::kept().
+  long repeated_for_energy = 0;
 };
 
 /// What a method knows beyond time and state, by name.

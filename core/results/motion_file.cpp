@@ -15,8 +15,16 @@
 namespace adore::results {
 namespace {
 
-/// Of (e10.3) in SOL8 and of its times (e16.6), with some room.
-constexpr double kDigits = 2e-3, kTimeDigits = 1e-6;
+/// Of times in SOL8 (e16.7), with some room.
+constexpr double kTimeDigits = 1e-6;
+
+/// Is `stored` what SOL8 makes of `exact`? It keeps three digits behind 0. (e10.3), so that half of
+/// the last one is 0.2 to 0.5 % of the value.
+bool same_digits(double stored, double exact) {
+  constexpr double kHalf = 0.51e-3;  // with some room for the last bit
+  return std::abs(stored - exact) <=
+         kHalf * std::pow(10.0, std::floor(std::log10(std::abs(exact))) + 1.0);
+}
 
 /// The channel's unit pair; nullptr for those that only some runs have (items of the ledger).
 const UnitPair* unit_of(std::string_view id) {
@@ -107,7 +115,7 @@ std::optional<MotionFile> MotionFile::beside(const Sol8File& file, std::string& 
       bool same = std::abs(frame.time - time) <= kTimeDigits * std::abs(time) + 1e-300;
       for (std::size_t k = 0; same && k < std::min(n, frame.elements.size()); ++k) {
         const double exact = from_si(radii[k], unit::kLength, units);
-        same = std::abs(frame.elements[k].r - exact) <= kDigits * std::abs(exact);
+        same = same_digits(frame.elements[k].r, exact);
       }
       if (!same) {
         why_not = "RESULTS.h5 beside the file holds other numbers, so it is of another run";

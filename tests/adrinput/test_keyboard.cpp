@@ -5,6 +5,8 @@
 #include "support/qt_app.hpp"
 
 #include <QAction>
+#include <QApplication>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
 #include <QTabBar>
@@ -125,4 +127,24 @@ TEST_CASE("every action is in a menu with a key of its own, and every button tak
   convert->setFocus();
   QTest::keyClick(convert, Qt::Key_Space);
   CHECK(window.document().deck().real("pitchDia") == Approx(2.3622).epsilon(1e-4));
+}
+
+TEST_CASE("Tab behind a count goes into the table that the count makes", "[gui][adrinput]") {
+  test::use_qt();
+  DeckWindow window;
+  window.resize(1280, 800);
+  window.show();
+  window.activateWindow();
+  REQUIRE(QTest::qWaitForWindowActive(&window));
+  window.document().edit(cell("kNumPltElem"), "0");
+  window.document().end_step();
+  window.showRecord("3.4");
+  auto* count = qobject_cast<QLineEdit*>(window.page()->fieldOf(cell("kNumPltElem").variable));
+  REQUIRE(count != nullptr);
+  count->setFocus();
+  count->selectAll();
+  QTest::keyClicks(count, "2");
+  QTest::keyClick(count, Qt::Key_Tab);
+  CHECK(QApplication::focusWidget() == window.page()->fieldOf(cell("kPltElemInd").variable));
+  CHECK(window.document().deck().integer("kNumPltElem") == 2);
 }

@@ -9,6 +9,7 @@
 #include <QDialog>
 #include <QMenu>
 #include <QTest>
+#include <QTreeWidget>
 #include <QWheelEvent>
 #include <catch2/catch.hpp>
 
@@ -28,7 +29,7 @@ void act(PlotWindow& window, std::mt19937& random) {
   const QPoint place(any(view.viewport()->width()), any(view.viewport()->height()));
   const Qt::KeyboardModifiers keys[] = {Qt::NoModifier, Qt::ShiftModifier, Qt::ControlModifier,
                                         Qt::ShiftModifier | Qt::ControlModifier};
-  switch (any(16)) {
+  switch (any(17)) {
     case 0:
     case 1:
       window.showPage(1 + any(std::max(1, window.pageCount())));
@@ -94,6 +95,13 @@ void act(PlotWindow& window, std::mt19937& random) {
     case 15:
       window.resize(500 + any(900), 380 + any(500));
       break;
+    case 16: {
+      auto* tree = window.findChild<QTreeWidget*>("pages")->viewport();
+      const QPoint in_tree(any(tree->width()), any(tree->height()));
+      any(2) == 0 ? QTest::mouseClick(tree, Qt::LeftButton, {}, in_tree)
+                  : QTest::mouseDClick(tree, Qt::LeftButton, {}, in_tree);
+      break;
+    }
     default:
       break;
   }
@@ -122,4 +130,24 @@ TEST_CASE("plot_window: a random walk over everything that a hand can do leaves 
     REQUIRE(scene.viewLow() <= scene.viewHigh());
     if (i % 50 == 0) REQUIRE_FALSE(window.grab().isNull());
   }
+}
+
+TEST_CASE("plot_window: a click on a file's name in the tree shows its first page", "[gui]") {
+  test::use_qt();
+  PlotWindow window;
+  window.resize(1000, 700);
+  window.show();
+  window.addFile(test::synthetic_sol(results::SolKind::Cage));
+  window.addFile(test::synthetic_sol(results::SolKind::Power));
+  window.showPage(2);
+  auto* tree = window.findChild<QTreeWidget*>("pages");
+  for (const int file : {0, 1, 0}) {
+    QTest::mouseClick(tree->viewport(), Qt::LeftButton, {},
+                      tree->visualItemRect(tree->topLevelItem(file)).center());
+    CHECK(window.currentPage() == 1);
+    CHECK(window.windowTitle().contains("page 1 of"));
+    CHECK(window.pageCount() == tree->topLevelItem(file)->childCount());
+  }
+  QTest::keyClick(tree, Qt::Key_Down);  // the root is where the keys go on from
+  CHECK(window.currentPage() == 1);
 }

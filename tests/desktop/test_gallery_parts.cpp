@@ -59,3 +59,36 @@ TEST_CASE("text_faults: words over each other and beyond the edge are named", "[
   first->setVisible(false);
   CHECK(desktop::text_faults(scene).size() == 1);
 }
+
+TEST_CASE("chart_scene: an axis title too long for its panel stands above it, whole", "[gui]") {
+  test::use_qt();
+  desktop::ChartScene scene;
+  scene.setPageSize(QSizeF(700, 450));
+  desktop::ChartPage page;
+  page.title = "A page";
+  page.note = "A remark of this page, which takes room.";
+  page.x_title = "Bearing rotation";
+  for (int i = 0; i < 50; ++i) page.x.push_back(i);
+  for (const char* title : {"Contact temperature rise", "Race contact temperature", "Load"})
+    page.panels.push_back({title, "K", {{"outer race", page.x, {}}, {"inner race", page.x, {}}}});
+  page.panels.push_back({"A difference from a large value", "K", {{"", {}, {}}}});
+  for (int i = 0; i < 50; ++i) page.panels.back().curves[0].y.push_back(1000.0 + 1e-4 * i);
+  scene.setPage(page);
+  CHECK(desktop::text_faults(scene).empty());
+  const auto shown = [&](const QString& text) {
+    for (const QGraphicsItem* item : scene.items())
+      if (const auto* words = dynamic_cast<const QGraphicsSimpleTextItem*>(item);
+          words != nullptr && words->text() == text)
+        return words;
+    return static_cast<const QGraphicsSimpleTextItem*>(nullptr);
+  };
+  QStringList all;
+  for (const QGraphicsItem* item : scene.items())
+    if (const auto* words = dynamic_cast<const QGraphicsSimpleTextItem*>(item)) all << words->text();
+  INFO(all.join(" / ").toStdString());
+  REQUIRE(shown("Contact temperature rise [K]") != nullptr);
+  CHECK(shown("Contact temperature rise [K]")->rotation() == 0.0);
+  CHECK(shown("Race contact temperature [K]") != nullptr);
+  REQUIRE(shown("Load [K]") != nullptr);
+  CHECK(shown("Load [K]")->rotation() == -90.0);
+}

@@ -100,6 +100,45 @@ TEST_CASE("chart_page: angles that wrap are broken where they wrap, also in bloc
     for (std::size_t i = 1; i < piece.y.size(); ++i) CHECK(piece.y[i] >= piece.y[i - 1]);
 }
 
+TEST_CASE("chart_page: pieces of a long curve are counted as they are drawn", "[unit][desktop]") {
+  std::vector<double> x, y;
+  for (std::size_t i = 0; i < 20'000; ++i) {
+    x.push_back(static_cast<double>(i));
+    y.push_back(std::remainder(0.7 * static_cast<double>(i), 360.0));
+    if (i % 1'777 < 40) y.back() = std::numeric_limits<double>::quiet_NaN();
+  }
+  for (const bool wraps : {false, true}) {
+    const CurveBlocks blocks = blocks_of(y, wraps);
+    for (const auto& [from, to] :
+         {std::pair<std::size_t, std::size_t>{0, 20'000}, {31, 33}, {1'780, 9'999}, {64, 128}}) {
+      INFO(from << " to " << to << ", wraps " << wraps);
+      CHECK(
+          pieces_between(y, from, to, wraps, blocks) ==
+          drawable_pieces({x.begin() + static_cast<long>(from), x.begin() + static_cast<long>(to)},
+                          {y.begin() + static_cast<long>(from), y.begin() + static_cast<long>(to)},
+                          0.0, 20'000.0, 300, wraps)
+              .size());
+    }
+  }
+}
+
+TEST_CASE("chart_page: an angle of very many wraps is joined, a few points to a column",
+          "[unit][desktop]") {
+  std::vector<double> x, y;
+  for (std::size_t i = 0; i < 1'000'000; ++i) {
+    x.push_back(static_cast<double>(i));
+    y.push_back(std::remainder(3.0 * static_cast<double>(i), 360.0));
+  }
+  y[500'007] = 200.0;  // the only value beyond half a turn
+  const CurveBlocks blocks = blocks_of(y, true);
+  constexpr int kColumns = 1'000;
+  const auto pieces = drawable_pieces(x, y, 0.0, 1e6, kColumns, true, &blocks);
+  REQUIRE(pieces.size() == 1);
+  CHECK(pieces[0].x.size() <= 8 * kColumns);
+  CHECK(extreme(pieces, true) == 200.0);
+  CHECK(extreme(pieces, false) < -179.0);
+}
+
 TEST_CASE("chart_scene: the axis of a long curve reaches its only peak", "[gui]") {
   adore::test::use_qt();
   const Curve curve = long_curve();

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Runs decks that cover all pairs of option values: five bearing types, three modes, every switch of the motion.
 
-    option_pairs.py PROGRAM [--decks N] [--seed S] [--turns T] [--report FILE] [--only ROW]
+    option_pairs.py PROGRAM [--decks N] [--seed S] [--turns T] [--report FILE] [--only ROW] [--rows A:B]
 
 PROGRAM is `adore`. The factors are below, one list of levels each; a level is a name and the values that it sets. Rows are
 chosen greedily until every pair of levels that the records allow stands in one, then at random up to N. Each row starts
@@ -271,22 +271,19 @@ def sentence(text):
     return re.sub(r"-?\d+(\.\d+)?(e[-+]?\d+)?", "#", first)[:180]
 
 
-def run_row(program, base, row, number, turns, keep):
-    folder = os.path.join(base, f"row{number}")
-    command = [program, "run", os.path.join(base, row["type"], "DATA.txt"), "--out", folder, "--until",
-               f"{60 * turns / RPM[row['type']]}s", "--json",
-               "--quiet"]
-    for name, value in settings(row).items():
-        command += ["--set", f"{name}={value}"]
+def run_deck(command, folder, keep, limit=LONGEST_RUN):
+    """Outcome and, but for "ran", its sentence, of `command` (adore run ... --out folder --json --quiet)."""
     try:
-        done = subprocess.run(command, capture_output=True, text=True, timeout=LONGEST_RUN, check=False)
+        done = subprocess.run(command, capture_output=True, text=True, timeout=limit, check=False)
     except subprocess.TimeoutExpired:
-        return "FAILED", "no end", command
+        return "FAILED", "no end"
     try:
         if done.returncode == 2:
-            return "refused", sentence(done.stderr), command
+            return "refused", done.stderr
         if done.returncode != 0:
-            return "FAILED", f"exit {done.returncode}: {sentence(done.stderr)}", command
+            return "FAILED", f"exit {done.returncode}: {sentence(done.stderr)}"
+        if "nan" in done.stdout.lower() or re.search(r"\binf\b", done.stdout.lower()):
+            return "FAILED", "a number that is none"
         summary = json.loads(done.stdout)
         energy = summary["energy"]
         share = abs(energy["residual_J"]) / energy["moved_J"] if energy["moved_J"] > 0 else 0.0
@@ -294,11 +291,33 @@ def run_row(program, base, row, number, turns, keep):
             ledger = json.load(file)["conservation"]["energy"]
         of_elastic = abs(ledger["residual over elastic energy of the quasi-static solution"])
         if not (share < LARGEST_RESIDUAL or of_elastic < LARGEST_OF_ELASTIC):
-            return "FAILED", f"energy residual {share:.1e} of the energy moved", command
-        return "ran", "", command
+            return "FAILED", f"energy residual {share:.1e} of the energy moved"
+        return "ran", ""
     finally:
         if not keep:
             shutil.rmtree(folder, ignore_errors=True)
+
+
+def run_command(program, base, kind, rpm, folder, turns, values):
+    command = [program, "run", os.path.join(base, kind, "DATA.txt"), "--out", folder, "--until",
+               f"{60 * turns / rpm}s", "--json", "--quiet"]
+    for name, value in values.items():
+        command += ["--set", f"{name}={value}"]
+    return command
+
+
+def example_decks(program, base):
+    for kind in TYPES:
+        os.mkdir(os.path.join(base, kind))
+        subprocess.run([program, "new", kind, "--out", os.path.join(base, kind, "DATA.txt")], check=True,
+                       capture_output=True)
+
+
+def run_row(program, base, row, number, turns, keep, limit=LONGEST_RUN):
+    folder = os.path.join(base, f"row{number}")
+    command = run_command(program, base, row["type"], RPM[row["type"]], folder, turns, settings(row))
+    outcome, why = run_deck(command, folder, keep, limit)
+    return outcome, sentence(why) if outcome == "refused" else why, command
 
 
 def main():
@@ -310,25 +329,26 @@ def main():
     parser.add_argument("--report")
     parser.add_argument("--only", type=int, help="run this row, keep its folder and print its command")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    parser.add_argument("--rows", help="FIRST:LAST, these rows only")
+    parser.add_argument("--longest", type=float, default=LONGEST_RUN, help="of a row [s]; more where the machine has other work")
     args = parser.parse_args()
     program = os.path.abspath(args.program)
     rows, pairs_alone = rows_of_pairs(args.seed, args.decks)
     base = tempfile.mkdtemp(prefix="option_pairs_")
-    for kind in TYPES:
-        os.mkdir(os.path.join(base, kind))
-        subprocess.run([program, "new", kind, "--out", os.path.join(base, kind, "DATA.txt")], check=True,
-                       capture_output=True)
+    example_decks(program, base)
     if args.only is not None:
-        outcome, why, command = run_row(program, base, rows[args.only], args.only, args.turns, True)
+        outcome, why, command = run_row(program, base, rows[args.only], args.only, args.turns, True, args.longest)
         print(json.dumps(rows[args.only], indent=1), " ".join(command), outcome, why, sep="\n")
         return 0
+    first, last = (int(k) for k in args.rows.split(":")) if args.rows else (0, len(rows) - 1)
     outcomes = collections.Counter()
     reasons = collections.Counter()
     failures = []
     by_type = collections.Counter()
     with concurrent.futures.ThreadPoolExecutor(args.jobs) as pool:
-        jobs = [pool.submit(run_row, program, base, row, k, args.turns, False) for k, row in enumerate(rows)]
-        for k, job in enumerate(jobs):
+        jobs = [pool.submit(run_row, program, base, row, k, args.turns, False, args.longest)
+                for k, row in enumerate(rows) if first <= k <= last]
+        for k, job in enumerate(jobs, first):
             outcome, why, _ = job.result()
             outcomes[outcome] += 1
             by_type[rows[k]["type"], outcome] += 1
@@ -339,7 +359,7 @@ def main():
             if sys.stderr.isatty():
                 print(f"\r{k + 1}/{len(rows)} {dict(outcomes)}", end="", file=sys.stderr)
     shutil.rmtree(base, ignore_errors=True)
-    lines = [f"{len(rows)} decks (seed {args.seed}; the first {pairs_alone} cover all pairs), {args.turns:g} turns each.", "",
+    lines = [f"{sum(outcomes.values())} of {len(rows)} decks (seed {args.seed}; the first {pairs_alone} cover all pairs), {args.turns:g} turns each.", "",
              "| type | ran | refused | failed |", "|---|---:|---:|---:|"]
     for kind in TYPES:
         lines.append(f"| {kind} | {by_type[kind, 'ran']} | {by_type[kind, 'refused']} | {by_type[kind, 'FAILED']} |")
@@ -355,7 +375,7 @@ def main():
     if args.report:
         with open(args.report, "w", encoding="utf-8") as file:
             file.write(text)
-    return 1 if failures or outcomes["ran"] < 0.9 * len(rows) else 0
+    return 1 if failures or outcomes["ran"] < 0.9 * sum(outcomes.values()) else 0
 
 
 if __name__ == "__main__":

@@ -39,6 +39,16 @@ TEST_CASE("a motion that cannot be run has its geometry checked all the same", "
   CHECK(find(facade::check_model(cylindrical), Severity::Error, "crown radius") != nullptr);
 }
 
+TEST_CASE("a motion without a step is remarked", "[unit][check]") {
+  deck::Deck deck = deck::new_deck("ball");
+  CHECK(find(facade::check_model(deck), Severity::Note, "maxStps") == nullptr);
+  deck.set("maxStps", "0");
+  CHECK(find(facade::check_model(deck), Severity::Note, "maxStps = 0: no step is made") != nullptr);
+  deck.set("mode", "-1");
+  deck.complete();
+  CHECK(find(facade::check_model(deck), Severity::Note, "no step is made") == nullptr);
+}
+
 TEST_CASE("impossible shapes are refused by record and variable, with a limit that works",
           "[unit][check]") {
   struct Bad {

@@ -52,6 +52,23 @@ TEST_CASE("the large bearing is predicted with the parameters of the small one, 
   CHECK_THROWS_AS(facade::run_experiments("NASA-1"), InputError);
 }
 
+TEST_CASE("the disc of SPIN-DOWN runs down in time with the exponent of its equilibria",
+          "[validation][experiments]") {
+  const Experiment one = facade::run_experiments("SPIN-DOWN").front();
+  std::vector<double> still, in_time;
+  for (const ExperimentRow& row : one.rows) {
+    CAPTURE(row.condition, row.what, row.failed);
+    REQUIRE(row.ours);
+    if (row.what == "exponent n of T = K w^n") still.push_back(*row.ours);
+    if (row.what == "exponent n of -dw/dt = K w^n") in_time.push_back(*row.ours);
+    if (row.what == "energy without account") CHECK(*row.ours < 1e-6);  // 5e-8 at most
+  }
+  REQUIRE(still.size() == 4);
+  REQUIRE(in_time.size() == 4);
+  // The inertia of balls and disc, and slip that is not that of free rolling: 0.0044 at most.
+  for (std::size_t k = 0; k < 4; ++k) CHECK(std::abs(in_time[k] - still[k]) < 0.01);
+}
+
 TEST_CASE("a deviation counts from the nearer end of a range", "[unit][experiments]") {
   ExperimentRow row;
   row.ours = 0.7;

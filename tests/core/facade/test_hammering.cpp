@@ -39,6 +39,12 @@ TEST_CASE("rollers that hammer a free race keep their energy books", "[validatio
   CHECK(run.outcome.status == facade::RunStatus::Done);
   CHECK(share < 1e-4);
   // There were blows, and they made steps shorter.
-  CHECK(run.report.at("counters").at("rejected").get<long>() > 20);
+  const auto& counters = run.report.at("counters");
+  CHECK(counters.at("rejected").get<long>() > 20);
+  const long for_energy = counters.at("repeated_for_energy").get<long>();
+  CHECK(for_energy > 5);
+  CHECK(for_energy <= counters.at("rejected").get<long>());
+  const std::string print = testing::read_bytes(folder / "run" / "PRINT.txt");
+  CHECK(print.find("Counter: repeated_for_energy") != std::string::npos);
   CHECK(run.outcome.energy_scale > 1e-5);
 }

@@ -69,6 +69,9 @@ TEST_CASE("a step loses no more of what the solution keeps than the tolerance al
               << " evaluations, watched " << with.lost << " in " << with.counters.evaluations);
     CHECK(with.lost <= static_cast<double>(with.counters.steps) * kControl.tolerance * 0.05);
     CHECK(with.counters.evaluations < 8 * without.counters.evaluations);
+    CHECK(without.counters.repeated_for_energy == 0);
+    CHECK(with.counters.repeated_for_energy > 0);
+    CHECK(with.counters.repeated_for_energy <= with.counters.rejected);
   }
 }
 

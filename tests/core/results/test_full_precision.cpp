@@ -188,3 +188,27 @@ TEST_CASE("the motion beside SOL8 is that of RESULTS.h5, with all digits and eve
     CHECK(few.series("contact.load", 5).size() == 41);
   }
 }
+
+TEST_CASE("a SOL8 finds its RESULTS.h5 whatever the radius of the orbit", "[unit][h5][sol8]") {
+  // Three digits behind 0. leave up to half a percent of a radius such as 0.0100499.
+  for (const double radius : {0.0100499, 0.0102499, 0.01925, 0.0192499, 0.0249501, 0.0999501}) {
+    INFO(radius);
+    TemporaryFolder folder;
+    const bearing::Bearing bearing = make_bearing();
+    ChannelRecorder recorder(bearing, UnitSystem::SI, channel_table());
+    Sol8Writer animation = Sol8Writer::create(folder / "SOL8", bearing, UnitSystem::SI);
+    H5Writer h5 = H5Writer::create(folder / "RESULTS.h5", bearing, channel_table());
+    scene::Snapshot snapshot = make_snapshot(bearing, 0);
+    for (auto& ball : snapshot.elements) ball.r = radius;
+    h5.write(recorder.record(snapshot));
+    h5.close();
+    animation.write(snapshot);
+    std::string why_not;
+    const Sol8File file = read_sol8(folder / "SOL8");
+    CHECK(MotionFile::beside(file, why_not).has_value());
+    CHECK(why_not.empty());
+    Sol8File other = file;
+    other.frames[0].elements[0].r *= 1.012;
+    CHECK_FALSE(MotionFile::beside(other, why_not).has_value());
+  }
+}
