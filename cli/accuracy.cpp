@@ -149,10 +149,10 @@ int run(const Options& options) {
   }
   fmt::print("{}\n{}\n{}\n", facade::accuracy_table(study), (folder / "ACCURACY.csv").string(),
              json.string());
+  if (options.apply) apply(options, study);
   const std::filesystem::path picture = folder / "ACCURACY.png";
   if (run_picture_program({"accuracy-chart", json.string(), picture.string()}))
     fmt::print("{}\n", picture.string());
-  if (options.apply) apply(options, study);
   return 0;
 }
 

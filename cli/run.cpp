@@ -132,7 +132,10 @@ void choose_settings(facade::RunRequest& request, const std::string& accuracy,
       found.finals[static_cast<std::size_t>(found.recommended)].setting;
   request.integrator = best.method;
   request.tolerance = best.tolerance;
-  request.sets.insert(request.sets.end(), best.sets.begin(), best.sets.end());
+  // The longest stable step as a number: the deck then seems to ask for it, and no warning says
+  // that it asked for more.
+  for (auto& [name, value] : facade::recommended_sets(found))
+    if (name == "stpMax") request.sets.emplace_back(std::move(name), std::move(value));
 }
 
 int run(const RunOptions& options, bool tolerance_given) {

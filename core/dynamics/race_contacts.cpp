@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "contact/make_angle_law.hpp"
 #include "contact/wavy_groove_model.hpp"
+#include "dynamics/hertz_limit.hpp"
 #include "dynamics/race_kernel.hpp"
 #include "dynamics/user_points.hpp"
 
@@ -169,8 +170,38 @@ double load_limit(const RaceContactModel& model) noexcept {
     for (const RaceContactModel& one : model.own->model) least = std::min(least, load_limit(one));
     return least;
   }
-  const double radius = model.groove.ball_radius, wide = radius / model.hertz.a_hat;
-  return std::min(contact::hertz_load(model.hertz.K, radius), wide * wide * wide);
+  const double radius = model.groove.ball_radius;
+  const auto limit = [radius](double K, double wide) {  // wide: of a ball, at the limit, a/√δ
+    const double root = radius / wide;
+    return K * std::min(radius * std::sqrt(radius), root * root * root);
+  };
+  double least = limit(model.hertz.K, model.hertz.a_hat * std::cbrt(model.hertz.K));
+  if (model.angle.follows) {
+    constexpr int kAngles = 64;  // of polynomials that are nearly straight
+    const double side = model.race == bearing::kOuter ? 1.0 : -1.0;
+    for (int k = 0; k <= kAngles; ++k) {
+      const double u = side * k / kAngles;
+      least = std::min(least, limit(contact::polynomial(model.angle.K, u),
+                                    contact::polynomial(model.angle.major, u)));
+    }
+    least *= 0.999;  // between the angles
+  }
+  if (model.wavy) {
+    double of_waves = 1.0;
+    for (int k = -8; k <= 8; ++k) {
+      const double w = k / 8.0;
+      const double wide = contact::polynomial(model.wavy->ratios.major, w);
+      of_waves = std::min(of_waves, contact::polynomial(model.wavy->ratios.stiffness, w) /
+                                        std::max(1.0, wide * wide * wide));
+    }
+    least *= 0.999 * of_waves;
+  }
+  return least;
+}
+
+bool within_hertz(const RaceContactModel& model, const RaceContactState& state) noexcept {
+  const double radius = model.groove.ball_radius;
+  return state.approach < radius && state.ellipse.a < radius;
 }
 
 RaceSums evaluate_race_contacts(const RaceContactModel& model, const ElementViews& balls,

@@ -78,12 +78,16 @@ Vec5 moved(const RaceScales& scales, const Vec5& q, const Vec5& direction, doubl
   return next;
 }
 
-bool out_of_reach(const RaceScales& scales, const Vec5& q) {
+double largest_move(const RaceScales& scales, const Vec5& q) {
   double largest = 0.0;
   for (Eigen::Index k = 0; k < 5; ++k) {
     largest = std::max(largest, std::abs(q(k)) * lever_of(scales, k));
   }
-  return !(largest < scales.reach);
+  return largest;
+}
+
+bool out_of_reach(const RaceScales& scales, const Vec5& q) {
+  return !(largest_move(scales, q) < scales.reach);
 }
 
 bool starts_out_of_reach(const RaceScales& scales, const RaceTask& task, const Vec5& q) {

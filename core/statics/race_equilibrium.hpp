@@ -91,6 +91,8 @@ struct RaceStep {
 /// q + t direction, the direction being in scaled coordinates.
 [[nodiscard]] Vec5 moved(const RaceScales& scales, const Vec5& q, const Vec5& direction, double t);
 
+/// Largest component of a displacement, tilts at their lever [m].
+[[nodiscard]] double largest_move(const RaceScales& scales, const Vec5& q);
 [[nodiscard]] bool out_of_reach(const RaceScales& scales, const Vec5& q);
 /// The same of a first guess: what is given counts as within reach.
 [[nodiscard]] bool starts_out_of_reach(const RaceScales& scales, const RaceTask& task,
@@ -207,6 +209,11 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
   constexpr int kIterations = 200;  // a race that nothing holds walks out of reach in fewer
   double previous_size = -1.0;
   int uphill = 0;
+  // A search that in so many steps neither nears the load nor moves the race by one longest step
+  // has come to its end.
+  constexpr int kPatience = 20;
+  double mark_size = 0.0;
+  Vec5 mark_q = Vec5(state.q);
   for (int n = 0; n <= kIterations; ++n) {
     const Vec5 r = scaled_residual(scales, task, state.load);
     const double force = std::max(force_scale(scales, task, state.largest_contact), 1e-300);
@@ -240,6 +247,15 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
     if (n == kIterations || uphill > uphill_limit || !step.direction.allFinite()) {
       return result;
     }
+    if (n % kPatience == 0) {
+      const Vec5 way = Vec5(state.q) - mark_q;
+      if (n > 0 && r.norm() > 0.99 * mark_size &&
+          !(largest_move(scales, way) > scales.longest_step)) {
+        return result;
+      }
+      mark_size = r.norm();
+      mark_q = state.q;
+    }
     previous_size = r.norm();
     const double size = step.direction.cwiseAbs().maxCoeff();
     if (size > scales.longest_step) {
@@ -271,13 +287,14 @@ RaceSolve solve_race(const Set& set, const RaceTask& task, State& state, double 
 /// Newton; where it fails (it wanders between unstable equilibria and open contacts), downhill from
 /// the same start to a stable equilibrium, and Newton again. A race without load that only idle
 /// elements hold off has forces far below their loads: there downhill all the way.
-template <class Set, class State>
-RaceSolve solve_race_surely(const Set& set, const RaceTask& task, State& state,
-                            double target = 1e-12) {
+/// @param hopeless of the state at which Newton gave up: there is no equilibrium to look for
+template <class Set, class State, class Hopeless>
+RaceSolve solve_race_surely(const Set& set, const RaceTask& task, State& state, double target,
+                            const Hopeless& hopeless) {
   const State start = state;
   constexpr int kUphill = 12;  // enough for an unstable equilibrium that is near
   RaceSolve result = solve_race(set, task, state, target, false, kUphill);
-  if (result.converged || result.ran_away) {
+  if (result.converged || result.ran_away || hopeless(state)) {
     return result;
   }
   State down = start;
@@ -303,6 +320,12 @@ RaceSolve solve_race_surely(const Set& set, const RaceTask& task, State& state,
   }
   state = start;
   return solve_race(set, task, state, target);
+}
+
+template <class Set, class State>
+RaceSolve solve_race_surely(const Set& set, const RaceTask& task, State& state,
+                            double target = 1e-12) {
+  return solve_race_surely(set, task, state, target, [](const State&) { return false; });
 }
 
 /// Looks for stable equilibria on both sides of an unstable one: a step along the mode, downhill

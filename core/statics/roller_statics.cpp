@@ -149,6 +149,11 @@ std::string missing_thrust(const RollerModel& m, const RaceTask& task, const Vec
          "that holds it";
 }
 
+/// Newton ended with the race well out of the row for want of thrust: no other search finds more.
+bool slides_out(const RollerModel& m, const RaceTask& task, const Vec5& q) {
+  return q(0) < -0.25 * m.rollers.length && !missing_thrust(m, task, q).empty();
+}
+
 /// Cylinders that friction holds stand where the rule puts them, not where the search left them:
 /// moves those that no flange loads back and says whether there were any.
 bool centre_gripped(const RollerModel& m, RollerRace& state) {
@@ -245,13 +250,14 @@ RollerSolution solve_roller_statics(const bearing::Bearing& bearing, const Rolle
                      : options.warm_start ? given
                                           : first_guess(model, task, given);
   RollerRace state = rollers_at(model, options.start, start);
-  RaceSolve solve = solve_race_surely(model, task, state);
+  const auto hopeless = [&](const RollerRace& at) { return slides_out(model, task, at.q); };
+  RaceSolve solve = solve_race_surely(model, task, state, 1e-12, hopeless);
   const Vec5 cold = first_guess(model, task, given_only(task, given));
   RollerSolution out;
   const bool guessed = cold != start || options.start;
   if (guessed && (!solve.converged || unstable_at(model, task, state))) {
     RollerRace from_cold = rollers_at(model, nullptr, cold);
-    const RaceSolve second = solve_race_surely(model, task, from_cold);
+    const RaceSolve second = solve_race_surely(model, task, from_cold, 1e-12, hopeless);
     if (!solve.converged || (second.converged && !unstable_at(model, task, from_cold))) {
       out.notes.push_back(solve.converged
                               ? "the equilibrium found from the first guess of the displacement is "

@@ -5,6 +5,7 @@
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/balls.hpp"
 #include "dynamics/effects/rigid_elements.hpp"
+#include "dynamics/hertz_limit.hpp"
 #include "dynamics/rigid_body.hpp"
 #include "dynamics/user_points.hpp"
 #include "scene/user_laws.hpp"
@@ -87,7 +88,13 @@ void RaceBlock::apply(Evaluation& e) noexcept {
   sums_.heat = sums.heat;
   sums_.load_slip = sums.load_slip;
   sums_.load_slip_element1 = e.load_slip[j][0];
-  for (const double Q : e.load[j]) e.valid = e.valid && !(Q > load_limit_);
+  bool doubtful = false;
+  for (const double Q : e.load[j]) doubtful = doubtful || Q > load_limit_;
+  if (!doubtful) return;
+  for (std::size_t i = 0; i < e.load[j].size(); ++i)
+    e.valid = e.valid && (!(e.load[j][i] > load_limit_) ||
+                          within_hertz(model_.of(i), race_contact_state(model_.of(i), e.elements, i,
+                                                                        race.motion())));
 }
 
 /// Prescribed races at their static place with their spin: what other prescribed motions add to.
@@ -272,15 +279,23 @@ double Races::stiffness(double force) const {
 std::string Races::why_invalid(const Evaluation& e) const {
   for (std::size_t j = 0; j < 2; ++j)
     for (std::size_t i = 0; i < e.elements.n; ++i) {
-      const double radius = rollers_ ? 0.0 : contacts_[j].of(i).groove.ball_radius;
-      const double of_radius = rollers_ ? (*rollers_)[j].load_limit
-                                        : contact::hertz_load(contacts_[j].of(i).hertz.K, radius);
-      if (e.load[j][i] > of_radius)
+      double radius = 0.0;  // of a ball
+      bool sunk = false, long_ellipse = false;
+      if (rollers_) {
+        sunk = e.load[j][i] > (*rollers_)[j].load_limit;
+      } else {
+        const RaceContactModel& model = contacts_[j].of(i);
+        const RaceContactState state = race_contact_state(model, e.elements, i, e.race[j].motion());
+        radius = model.groove.ball_radius;
+        sunk = state.approach >= radius;
+        long_ellipse = state.ellipse.a >= radius;
+      }
+      if (sunk)
         return fmt::format(
             "element {} is pressed into the {} race by more than its own radius; use a "
             "smaller largest step",
             i + 1, j == 0 ? "outer" : "inner");
-      if (!rollers_ && e.load[j][i] > load_limit(contacts_[j]))
+      if (long_ellipse)
         return fmt::format(
             "a contact of {:.6g} N between element {} and the {} race makes an ellipse whose half "
             "length reaches the radius of the element ({:.4g} m), because the groove fits it so "

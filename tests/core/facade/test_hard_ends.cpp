@@ -1,5 +1,6 @@
 #include "core/facade/deck_runs.hpp"
 #include "deck/templates.hpp"
+#include "facade/measured_run.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -55,6 +56,23 @@ TEST_CASE(
             }(),
             folder / "1000")
             .outcome.status == facade::RunStatus::Done);
+}
+
+TEST_CASE(
+    "A ball that the races squeeze beyond Hertz's theory ends the run with its contact, whose "
+    "limit is that of its own angle",
+    "[physics][facade]") {
+  // One ball between races that stay where it needs them at the start. With constants of the mean
+  // angle its limit lay higher, and past its own radius the surface of the contact is none.
+  facade::RunRequest request;
+  request.text = deck::write_deck(deck::new_deck("ball"));
+  request.sets = {{"nRe", "1"}, {"nCseg", "0"}, {"kNumPltElem", "2"}, {"kPltElemInd", "1,3"}};
+  request.until = "2rev";
+  const facade::MeasuredRun ran = facade::measured_run(request, 60.0, {});
+  CHECK(ran.outcome.status == facade::RunStatus::Failed);
+  CHECK_THAT(ran.outcome.message,
+             Catch::Contains("between element 1 and the inner race makes an ellipse whose half "
+                             "length reaches the radius of the element"));
 }
 
 TEST_CASE("A run whose steps all miss the tolerance at stpMin ends with that",

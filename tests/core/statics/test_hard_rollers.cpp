@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 
 using namespace adore;
 using namespace adore::statics;
@@ -121,6 +122,31 @@ TEST_CASE("reversed thrust on cones has no equilibrium, and that is said",
   CHECK_THROWS_WITH(solve_roller_statics(load(cone, -3000, 0, 0)),
                     Catch::Contains("no roller or flange holds the inner race"));
   CHECK_THROWS_AS(solve_roller_statics(load(cone, -3000, 0, 5000)), SolverError);
+}
+
+TEST_CASE("a row of barrels that slides out of its grooves is given up soon",
+          "[physics][statics][rollers][hard]") {
+  const auto seconds = [](const Bearing& bearing) {
+    const std::clock_t begin = std::clock();
+    bool found = true;
+    try {
+      (void)solve_roller_statics(bearing);
+    } catch (const SolverError& error) {
+      found = false;
+      CHECK_THAT(error.what(), Catch::Contains("carries thrust towards +x only"));
+    }
+    return std::pair{found, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC};
+  };
+  Bearing bearing = unloaded(roller_bearings::spherical_tapered(3000.0));
+  hold(hold(bearing, 3, 0.0), 4, 0.0);
+  const auto [solved_one, solving] = seconds(load(bearing, 2000, 0, 5000));
+  CHECK(solved_one);
+  for (const double thrust : {0.0, -1000.0, 200.0}) {
+    const auto [found, refusing] = seconds(load(bearing, thrust, 0, 5000));
+    CHECK_FALSE(found);
+    CAPTURE(solving, refusing);
+    CHECK(refusing < 1000.0 * solving);  // 320 times; searches to their last step: some thousand
+  }
 }
 
 TEST_CASE("cones that turn so fast that they throw the inner race off say what thrust is missing",
