@@ -28,7 +28,9 @@ bool PlotWindow::watchReading(double part) {
     reading_ = std::make_unique<QProgressDialog>(tr("Reading ..."), tr("Stop"), 0, 1000, this);
     reading_->setObjectName("reading");
     reading_->setWindowModality(Qt::WindowModal);
-    reading_->setMinimumDuration(400);
+    // A run that is followed is read again and again: its box would flicker.
+    constexpr int kPatience = 400, kPatienceWhileFollowing = 3000;  // ms
+    reading_->setMinimumDuration(growth_->isActive() ? kPatienceWhileFollowing : kPatience);
     reading_->setAutoClose(false);
     reading_->setAutoReset(false);
   }
@@ -153,6 +155,11 @@ void PlotWindow::openSeveral(const QStringList& paths) {
 }
 
 void PlotWindow::showFiles(const QStringList& paths) {
+  if (reading_) {                // it comes while another file is read: that one goes first
+    constexpr int kLater = 300;  // ms
+    QTimer::singleShot(kLater, this, [this, paths] { showFiles(paths); });
+    return;
+  }
   for (const QString& name : paths) {
     const std::filesystem::path path = name.toStdString();
     std::error_code ignored;
@@ -180,6 +187,8 @@ void PlotWindow::reload() {
         doc->path, doc->range, kMostValues, [this](double part) { return watchReading(part); });
     page_ = std::min(page_, pageCount());
     fillTree();
+  } catch (const results::ReadStopped&) {
+    follow(false);  // as was asked for
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);
   }

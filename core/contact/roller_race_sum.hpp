@@ -56,6 +56,25 @@ struct RollerRaceSums {
   T turning = 0.0;  ///< ∂U/∂ψ of a race with errors [J/rad]
 };
 
+/// A slice that presses, as it is kept until its traction is known.
+template <class T>
+struct KeptSlice {
+  T Q;
+  Triple<T> n, arm, slip;
+  T square;  ///< of the slip
+};
+/// Adds force, moment and heat of a kept slice. @param over_slip κ(s)/s
+template <class T>
+[[gnu::always_inline]] inline void add_kept(RollerRaceSums<T>& sum, const KeptSlice<T>& c,
+                                            const T& over_slip) {
+  const T per_slip = c.Q * over_slip;
+  Triple<T> f{-c.Q * c.n.x, -c.Q * c.n.y, -c.Q * c.n.z};
+  f = f + per_slip * c.slip;
+  sum.heat += per_slip * c.square;
+  sum.force = sum.force + f;
+  sum.moment = sum.moment + cross(c.arm, f);
+}
+
 /// How vectors are read from memory and summed over lanes: for double, and in roller_race_simd.hpp
 /// for vectors.
 template <class T>
@@ -68,7 +87,8 @@ struct SliceLanes<double> {
 };
 
 /// @param traction callable (u², pressure) -> κ(s)/s on T, or nullptr: none; or with on(SlicePlace)
-/// -> callable u² -> κ(s)/s
+/// -> callable u² -> κ(s)/s; or with keep(KeptSlice, SlicePlace): forces, moments and heat come
+/// later, by add_kept
 /// @param slope RaceSlope of a race with errors at the azimuth of C, or nullptr
 template <class T, class Traction, class Slope = std::nullptr_t>
 [[nodiscard, gnu::always_inline]] inline RollerRaceSums<T> roller_race_sums(
@@ -78,6 +98,9 @@ template <class T, class Traction, class Slope = std::nullptr_t>
   using Lanes = SliceLanes<T>;
   constexpr bool kTraction = !std::is_null_pointer_v<Traction>;
   constexpr bool kWavy = !std::is_null_pointer_v<Slope>;
+  constexpr bool kKeeps = requires(const KeptSlice<T>& slice, const SlicePlace<T>& at) {
+    traction.keep(slice, at);
+  };
   constexpr double kOverPi = 0.31830988618379067154;
   const RaceSurface& surface = slices.race;
   RollerRaceSums<T> sum;
@@ -112,23 +135,30 @@ template <class T, class Traction, class Slope = std::nullptr_t>
       const T per_length = Q / M::max(width, T(1e-30));
       const T pressure =
           M::root(per_length * ((1.0 / radius - d.at.A_hoop) * (slices.E_star * kOverPi)));
-      T per_slip;
-      if constexpr (requires(const SlicePlace<T>& at) { traction.on(at); }) {
+      const auto place = [&]() __attribute__((always_inline)) {
         // Half the race's surface and half the roller's, which both have the orbit's motion too.
         const T speed = 0.5 * dot(slip, d.w) + dot(cross(at.spin, arm), d.w);
         const T half_width = (2.0 * kOverPi) * per_length / M::max(pressure, T(1.0));
-        const SlicePlace<T> place{
-            per_length, pressure, half_width, 1.0 / radius - d.at.A_hoop, speed, M::root(square)};
-        per_slip = Q * traction.on(place)(square);
+        return SlicePlace<T>{per_length, pressure,       half_width, 1.0 / radius - d.at.A_hoop,
+                             speed,      M::root(square)};
+      };
+      if constexpr (kKeeps) {
+        traction.keep(KeptSlice<T>{Q, n, arm, slip, square}, place());
       } else {
-        per_slip = Q * traction(square, pressure);
+        T per_slip;
+        if constexpr (requires(const SlicePlace<T>& at) { traction.on(at); })
+          per_slip = Q * traction.on(place())(square);
+        else
+          per_slip = Q * traction(square, pressure);
+        f = f + per_slip * slip;
+        sum.heat += per_slip * square;
       }
-      f = f + per_slip * slip;
-      sum.heat += per_slip * square;
       sum.load_slip += Q * M::root(square);
     }
-    sum.force = sum.force + f;
-    sum.moment = sum.moment + cross(arm, f);
+    if constexpr (!kKeeps) {
+      sum.force = sum.force + f;
+      sum.moment = sum.moment + cross(arm, f);
+    }
     sum.load += Q;
     sum.energy += (9.0 / 19.0) * Q * delta;
     if constexpr (kWavy)

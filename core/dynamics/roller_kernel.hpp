@@ -15,6 +15,15 @@ struct RollerKernelAction {
   double turning;  ///< with slopes: ∂U/∂ψ [J/rad]
 };
 
+/// Where the slices of all rollers that press wait for a law of the user: one behind the other,
+/// whole vectors of them, asked for in one call. Sized at set-up (SliceScratch in user_points.hpp).
+struct UserSlices {
+  double* contact[7];              ///< ContactPoint in the order of TractionPoints
+  double *slip, *inverse, *kappa;  ///< s, rounded, and 1/s
+  double* kept[11];                ///< contact::KeptSlice
+  int* vectors_of;                 ///< of each roller
+};
+
 struct RollerKernelInput {
   const contact::RaceSlices* slices;  ///< of each roller, or of all
   bool alike;                         ///< one for all
@@ -26,7 +35,8 @@ struct RollerKernelInput {
   // Law of traction: one of tribology::TractionLawList.
   std::size_t law_index;
   const void* law;
-  double slip_floor;  ///< ε² of the rounded slip sqrt(u² + ε²) [m²/s²], > 0
+  double slip_floor;       ///< ε² of the rounded slip sqrt(u² + ε²) [m²/s²], > 0
+  const UserSlices* user;  ///< of a law of the user; else null
 };
 
 /// Material damping of the same contacts (contact/roller_race_damping.hpp).

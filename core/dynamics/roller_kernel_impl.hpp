@@ -4,10 +4,12 @@
 #include "contact/roller_race_damping.hpp"
 #include "contact/roller_race_simd.hpp"
 #include "dynamics/roller_kernel.hpp"
+#include "dynamics/roller_kernel_user.hpp"
 #include "dynamics/slice_law.hpp"
 #include "tribology/traction_laws.hpp"
 
 #include <cstddef>
+#include <type_traits>
 
 /// All slices of all rollers against one race, a slice a lane. Included by one translation unit per
 /// instruction set; contact/roller_race.hpp states the contact.
@@ -17,16 +19,21 @@ namespace {
 using V = SimdReal;
 using Lanes = contact::SliceLanes<V>;
 
-inline void put(const contact::RollerRaceSums<V>& sums, RollerKernelAction& out) {
+/// What waits for traction.
+inline void put_traction(const contact::RollerRaceSums<V>& sums, RollerKernelAction& out) {
   out.force[0] = Lanes::sum(sums.force.x);
   out.force[1] = Lanes::sum(sums.force.y);
   out.force[2] = Lanes::sum(sums.force.z);
   out.moment[0] = Lanes::sum(sums.moment.x);
   out.moment[1] = Lanes::sum(sums.moment.y);
   out.moment[2] = Lanes::sum(sums.moment.z);
+  out.heat = Lanes::sum(sums.heat);
+}
+
+inline void put(const contact::RollerRaceSums<V>& sums, RollerKernelAction& out) {
+  put_traction(sums, out);
   out.load = Lanes::sum(sums.load);
   out.energy = Lanes::sum(sums.energy);
-  out.heat = Lanes::sum(sums.heat);
   out.load_slip = Lanes::sum(sums.load_slip);
 }
 
@@ -54,10 +61,46 @@ void evaluate_rollers(const RollerKernelInput& in, const Traction& traction) {
   }
 }
 
+/// Of a law of the user: both passes (roller_kernel_user.hpp).
+inline void evaluate_rollers_asking(const RollerKernelInput& in) {
+  const auto& law = *static_cast<const tribology::UserLaw*>(in.law);
+  const UserSlices& user = *in.user;
+  std::size_t column = 0;
+  for (std::size_t i = 0; i < in.n; ++i) {
+    user.vectors_of[i] = 0;
+    in.out[i] = {};
+    if (in.rollers[i].open) continue;
+    const std::size_t before = column;
+    const CollectedSlices collect{user, in.slip_floor, column};
+    if (in.slopes != nullptr) {
+      const auto sums =
+          contact::roller_race_sums<V>(in.slices[i], in.rollers[i], collect, in.slopes[i]);
+      put(sums, in.out[i]);
+      in.out[i].turning = Lanes::sum(sums.turning);
+    } else {
+      put(contact::roller_race_sums<V>(in.slices[in.alike ? 0 : i], in.rollers[i], collect),
+          in.out[i]);
+    }
+    user.vectors_of[i] = static_cast<int>((column - before) / V::size());
+  }
+  ask_user(law, user, column);
+  column = 0;
+  for (std::size_t i = 0; i < in.n; ++i) {
+    if (user.vectors_of[i] == 0) continue;
+    contact::RollerRaceSums<V> sums;
+    for (int k = user.vectors_of[i]; k > 0; --k, column += V::size())
+      add_answered(user, column, sums);
+    put_traction(sums, in.out[i]);
+  }
+}
+
 template <class Law>
 void evaluate_with_law(const RollerKernelInput& in) {
-  with_slice_law<V>(*static_cast<const Law*>(in.law), in.slip_floor,
-                    [&](const auto& traction) { evaluate_rollers(in, traction); });
+  if constexpr (std::is_same_v<Law, tribology::UserLaw>)
+    evaluate_rollers_asking(in);
+  else
+    with_slice_law<V>(*static_cast<const Law*>(in.law), in.slip_floor,
+                      [&](const auto& traction) { evaluate_rollers(in, traction); });
 }
 
 template <class... Laws>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dynamics/race_kernel.hpp"
+#include "dynamics/roller_kernel.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -39,6 +40,28 @@ class UserScratch {
   std::vector<std::vector<double>> memory_;
   std::vector<int> rows_;
   UserPoints view_{};
+};
+
+/// The memory of UserSlices.
+class SliceScratch {
+ public:
+  /// @param slices the most that one roller has
+  SliceScratch(std::size_t rollers, std::size_t slices) {
+    constexpr std::size_t kWidest = 8;  // lanes of any vector unit
+    const std::size_t all = rollers * ((slices + kWidest - 1) / kWidest * kWidest);
+    const auto take = [&](double*& to) { to = memory_.emplace_back(all, 0.0).data(); };
+    for (double*& values : view_.contact) take(values);
+    for (double*& values : view_.kept) take(values);
+    for (double** values : {&view_.slip, &view_.inverse, &view_.kappa}) take(*values);
+    vectors_.assign(rollers, 0);
+    view_.vectors_of = vectors_.data();
+  }
+  [[nodiscard]] const UserSlices* view() const noexcept { return &view_; }
+
+ private:
+  std::vector<std::vector<double>> memory_;
+  std::vector<int> vectors_;
+  UserSlices view_{};
 };
 
 }  // namespace adore::dynamics

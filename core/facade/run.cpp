@@ -538,7 +538,16 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   summary.status = out.status;
   summary.point = end;
   summary.resume = resume(out.status == RunStatus::Failed);
-  output([&] { outputs.store_end(system, summary); });
+  try {
+    output([&] { outputs.store_end(system, summary); });
+  } catch (const SolverError& failure) {
+    // A routine of the user refuses a state that it took before: the last checkpoint stands.
+    if (out.status != RunStatus::Failed) {
+      out.status = summary.status = RunStatus::Failed;
+      out.message = deck::message_in_units(failure.what(), prepared.input.deck.units());
+      if (prepared.user) out.message = user_message(*prepared.user, out.message);
+    }
+  }
   const results::EnergyJudgement judgement = outputs.judge_energy();
   if (judgement.trust == results::Trust::None && out.status != RunStatus::Failed) {
     if (out.status == RunStatus::Done) out.status = RunStatus::Untrusted;
@@ -585,6 +594,10 @@ RunOutcome run_dynamic(const RunRequest& request, Prepared& prepared, const fs::
   } catch (const WriteError& error) {
     throw InputError(
         fmt::format("{}; {}", error.what(), way_on(folder / prepared.control.master_file)));
+  } catch (const SolverError& error) {  // before the first step
+    if (!prepared.user) throw;
+    const std::string& failure = prepared.user->failure();
+    throw SolverError(failure.empty() ? user_message(*prepared.user, error.what()) : failure);
   }
 }
 

@@ -510,9 +510,13 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   run.elastic = static_elastic(s.prepared);
   if (s.last.momentum) run.momentum = results::momentum_items(*s.last.momentum);
   run.max_quaternion_error = s.last.max_quaternion_error;
-  // A routine of the user that failed leaves nothing to evaluate.
-  if (!s.prepared.user || s.prepared.user->failure().empty())
-    run.quadrature_error = system.quadrature_error(s.last.time, s.last_y);
+  // A routine of the user that failed leaves nothing to evaluate; one may refuse now what it took.
+  try {
+    if (!s.prepared.user || s.prepared.user->failure().empty())
+      run.quadrature_error = system.quadrature_error(s.last.time, s.last_y);
+  } catch (const SolverError&) {
+    if (!s.prepared.user) throw;
+  }
   run.cost = system.cost().rows();
   run.seconds = end.loop_seconds;
   run.measured_from = s.continued_at;

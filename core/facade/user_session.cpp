@@ -83,9 +83,10 @@ void start_session(Prepared& prepared, setup::UserHooks& hooks) {
     if (std::any_of(lands.begin(), lands.end(),
                     [](const bearing::GuideLand& land) { return !land.ideal(); }))
       throw InputError({prepared.input.deck.issue(
-          Severity::Error, "kCageGsImp",
-          fmt::format("or kRaceGsImp gives guide lands shape errors: they press along an arc that "
-                      "has no gap, which user routine ADRX4 of {} is asked for",
+          Severity::Error,
+          prepared.input.deck.integer("kCageGsImp") != 0 ? "kCageGsImp" : "kRaceGsImp",
+          fmt::format("gives guide lands shape errors: they press along an arc that has no one "
+                      "gap, which user routine ADRX4 of {} is asked for",
                       session.source()),
           "set kCageGsImp and kRaceGsImp to 0, or leave the routine out")});
   }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace adore::studies {
 namespace {
@@ -77,6 +79,28 @@ Chart parallel_chart(const std::string& name, const std::vector<const TableColum
     out["axes"].push_back(heading(*column));
     out["columns"].push_back(numbers(column->values));
   }
+  return out;
+}
+
+std::vector<const TableColumn*> axes_of(const std::vector<TableColumn>& variables,
+                                        const std::vector<TableColumn>& quantities) {
+  constexpr std::size_t kMost = 12;
+  const auto varying = [](const std::vector<TableColumn>& of) {
+    std::vector<const TableColumn*> out;
+    for (const TableColumn& column : of) {
+      double least = std::numeric_limits<double>::infinity(), most = -least;
+      for (const double value : column.values) {  // comparisons leave NaN out
+        if (value < least) least = value;
+        if (value > most) most = value;
+      }
+      if (least < most) out.push_back(&column);
+    }
+    return out;
+  };
+  std::vector<const TableColumn*> out = varying(variables), last = varying(quantities);
+  last.resize(std::min(last.size(), std::max(kMost / 2, kMost - std::min(kMost, out.size()))));
+  out.resize(std::min(out.size(), kMost - last.size()));
+  out.insert(out.end(), last.begin(), last.end());
   return out;
 }
 

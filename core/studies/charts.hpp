@@ -30,6 +30,10 @@ struct ChartLine {
 [[nodiscard]] Chart parallel_chart(const std::string& name,
                                    const std::vector<const TableColumn*>& columns, long heavy,
                                    const std::vector<long>& runs);
+/// Columns that vary, for parallel_chart: as many variables as leave room for quantities in twelve
+/// axes that can be read, then those. What is looked at is never crowded out by what scatters.
+[[nodiscard]] std::vector<const TableColumn*> axes_of(const std::vector<TableColumn>& variables,
+                                                      const std::vector<TableColumn>& quantities);
 struct Bar {
   std::string name;
   double value = 0.0, doubt = 0.0;

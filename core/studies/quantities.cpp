@@ -208,6 +208,7 @@ Answers answer(const std::vector<Quantity>& quantities, const results::KeyResult
     out.missing += fmt::format("{}{}: {}", out.missing.empty() ? "" : "; ", quantity.name, why);
     return kNone;
   };
+  bool lacks_result = false;
   for (const Quantity& quantity : quantities) {
     double value = kNone;
     try {
@@ -222,6 +223,7 @@ Answers answer(const std::vector<Quantity>& quantities, const results::KeyResult
             [&](const results::KeyResult& result) { return result.of.id == quantity.name; });
         value = found == summary.end() ? miss(quantity, "the run has no such key result")
                                        : found->value;
+        lacks_result = lacks_result || found == summary.end();
       }
     } catch (const results::ReaderKilled&) {
       throw;
@@ -229,6 +231,11 @@ Answers answer(const std::vector<Quantity>& quantities, const results::KeyResult
       value = miss(quantity, error.what());
     }
     out.values.push_back(value);
+  }
+  if (lacks_result && !summary.empty()) {
+    out.missing += "; it has ";
+    for (const results::KeyResult& result : summary)
+      out.missing += fmt::format("{}{}", &result == &summary.front() ? "" : ", ", result.of.id);
   }
   return out;
 }

@@ -262,15 +262,9 @@ class Reporter {
     for (const TableColumn& quantity : table_.quantities) {
       std::vector<Bar> bars;
       for (const Variable* variable : randoms_) {
-        std::vector<double> values = table_.find(variable->targets.front())->values;
-        std::string name = variable->name;
-        if (variable->lot()) {  // the mean of the lot
-          for (std::size_t k = 1; k < variable->targets.size(); ++k) {
-            const auto& more = table_.find(variable->targets[k])->values;
-            for (std::size_t i = 0; i < values.size(); ++i) values[i] += more[i];
-          }
-          name += " (mean of the lot)";
-        }
+        const TableColumn shown = shown_of(*variable);
+        const std::vector<double>& values = shown.values;
+        const std::string& name = shown.name;
         double sum = 0.0;
         int known = 0;  // a point whose runs all failed says nothing
         for (const auto& rows : groups) {
@@ -295,13 +289,30 @@ class Reporter {
     text_ += "\n";
   }
 
+  /// Its column; of a lot the mean of its elements.
+  [[nodiscard]] TableColumn shown_of(const Variable& variable) const {
+    TableColumn out = column_of(variable);
+    if (!variable.lot()) return out;
+    const auto n = static_cast<double>(variable.targets.size());
+    for (std::size_t k = 1; k < variable.targets.size(); ++k) {
+      const std::vector<double>& more = table_.find(variable.targets[k])->values;
+      for (std::size_t i = 0; i < out.values.size(); ++i) out.values[i] += more[i];
+    }
+    for (double& value : out.values) value /= n;
+    out.name = variable.name + " (mean of the lot)";
+    return out;
+  }
+  /// A lot has one axis.
+  [[nodiscard]] std::vector<TableColumn> shown_variables() const {
+    std::vector<TableColumn> out;
+    for (const Variable& variable : study_.variables) out.push_back(shown_of(variable));
+    if (const TableColumn* seeds = table_.find("seed")) out.push_back(*seeds);
+    return out;
+  }
+
   void parallel(long heavy) {
-    std::vector<const TableColumn*> columns;
-    constexpr std::size_t kMost = 12;
-    for (const auto* group : {&table_.variables, &table_.quantities})
-      for (const TableColumn& column : *group)
-        if (sorted_values(column.values).size() > 1 && columns.size() < kMost)
-          columns.push_back(&column);
+    const std::vector<TableColumn> variables = shown_variables();
+    const std::vector<const TableColumn*> columns = axes_of(variables, table_.quantities);
     if (columns.size() > 2 && table_.rows() > 2)
       charts_.push_back(parallel_chart("parallel", columns, heavy, table_.run));
   }
@@ -439,10 +450,11 @@ class Reporter {
       }
     text_ += "\n";
     // The objective last: lines are coloured by it.
-    std::vector<const TableColumn*> columns;
-    for (const TableColumn& column : table_.variables) columns.push_back(&column);
+    const std::vector<TableColumn> variables = shown_variables();
+    std::vector<TableColumn> others;
     for (const TableColumn& column : table_.quantities)
-      if (&column != &objective) columns.push_back(&column);
+      if (&column != &objective) others.push_back(column);
+    std::vector<const TableColumn*> columns = axes_of(variables, others);
     columns.push_back(&objective);
     charts_.push_back(parallel_chart("parallel", columns, best, table_.run));
   }

@@ -293,13 +293,6 @@ std::string file_name(std::string text) {
   return text;
 }
 
-bool varies(const TableColumn& column) {
-  std::set<double> seen;
-  for (const double value : column.values)
-    if (!std::isnan(value)) seen.insert(value);
-  return seen.size() > 1;
-}
-
 std::string shown(const TableColumn& column, std::size_t row) {
   const std::string unit = column.unit.empty() || column.unit == "-" ? "" : " " + column.unit;
   const double value = column.values.at(row);
@@ -331,11 +324,8 @@ StudyTable read_study_table(const fs::path& file) {
 
 std::string charts_of_table(const StudyTable& table) {
   Chart charts = Chart::array();
-  constexpr std::size_t kMostColumns = 12, kMostValues = 200;
-  std::vector<const TableColumn*> columns;
-  for (const auto* group : {&table.variables, &table.quantities})
-    for (const TableColumn& column : *group)
-      if (varies(column) && columns.size() < kMostColumns) columns.push_back(&column);
+  constexpr std::size_t kMostValues = 200;
+  const std::vector<const TableColumn*> columns = axes_of(table.variables, table.quantities);
   if (columns.size() > 1 && table.rows() > 1)
     charts.push_back(parallel_chart("parallel", columns, -1, table.run));
   for (const TableColumn& x : table.variables) {

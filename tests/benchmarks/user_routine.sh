@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # What a C routine ADRX7 costs that restates the built-in traction of races: whole runs, user time.
 #
-#   tests/benchmarks/user_routine.sh ADORE [PAIRS [UNTIL]]
+#   tests/benchmarks/user_routine.sh ADORE [PAIRS [UNTIL [ball | cylindrical]]]
 #
-# Writes and builds the example of `adore user new adrx7` with the flags of its makefile, then runs the ball deck PAIRS
+# Writes and builds the example of `adore user new adrx7` with the flags of its makefile, then runs the example deck PAIRS
 # times (7) until UNTIL (2e-2s) with the built-in law and with the routine in turn. Prints both times, the smallest of
 # each, their ratio and the same with plain -O2. Ends with 1 where the ratio is above 1.3 (above 3 with -O2). Needs gcc.
 set -euo pipefail
 [ $# -ge 1 ] || { sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0" >&2; exit 2; }
-program=$(realpath -e "$1") pairs=${2:-7} until=${3:-2e-2s} top=$(cd "$(dirname "$0")/../.." && pwd)
+program=$(realpath -e "$1") pairs=${2:-7} until=${3:-2e-2s} type=${4:-ball} top=$(cd "$(dirname "$0")/../.." && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -21,7 +21,7 @@ make -s -C "$work/plain" CFLAGS="-O2 -fPIC" >/dev/null
 awk 'BEGIN {A = -0.04; M = 0.02; low = 1; high = 3
             for (i = 0; i < 200; ++i) {x = (low + high) / 2; if ((1 - x) * exp(x) > A / M) low = x; else high = x}
             printf "%.17g %.17g %.17g %.17g\n", A, x / 0.5 * M * exp(x), x / 0.5, 0.04}' >"$work/lines"
-cat "$top/resources/decks/ball.txt" "$work/lines" >"$work/asks.txt"
+cat "$top/resources/decks/$type.txt" "$work/lines" >"$work/asks.txt"
 
 one() {  # name, deck, arguments: user time of one run
   local name=$1 deck=$2
@@ -33,7 +33,7 @@ one() {  # name, deck, arguments: user time of one run
   sed -n 's/.*"evaluations": \([0-9]*\).*/\1/p' "$work/out/RUN.json" | head -1 >"$work/evaluations"
 }
 for ((k = 0; k < pairs; ++k)); do
-  one built-in "$top/resources/decks/ball.txt"
+  one built-in "$top/resources/decks/$type.txt"
   one fast "$work/asks.txt" --set kTrac=-1 --user "$work/fast/libadrx7.so"
   one plain "$work/asks.txt" --set kTrac=-1 --user "$work/plain/libadrx7.so"
 done

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <map>
+#include <sstream>
 
 using namespace adore;
 using namespace adore::test;
@@ -89,6 +91,49 @@ TEST_CASE("an influence is told where some runs of a study failed, and quiet is 
   CHECK_FALSE(contains(report, "nan"));
 }
 
+TEST_CASE("derivatives of a motion are of what motions have, and what they lack is named",
+          "[cli]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const std::string file = (folder / "a.toml").string();
+  const std::string text = R"(adore_study = 1
+kind = "sensitivity"
+deck = "DATA.txt"
+until = "0.1rev"
+tolerance = 1e-9
+variables = [{name = "appLoadX", step = 15}]
+quantities = ["life_lp_hours", {channel = "contact.load", statistic = "rms", at = [1, 1], name = "load"}, )";
+  write(file, text + "\"stiffness_x_N_per_m\"]");
+  const Result lacks = run_adore("study run " + file + " --quiet");
+  CHECK(lacks.code == 2);
+  CHECK(contains(lacks.out, "stiffness_x_N_per_m: the run has no such key result; it has"));
+  CHECK(contains(lacks.out, "mean_largest_load_N"));
+  write(file, text + "\"mean_largest_load_N\"]");
+  REQUIRE(run_adore("study run " + file + " --quiet").code == 0);
+  const auto value_of = [&](const std::string& report, const std::string& quantity) {
+    const std::size_t at = report.find("\n" + quantity);
+    REQUIRE(at != std::string::npos);
+    std::istringstream words(report.substr(report.find("appLoadX", at) + 8));
+    double value = 0.0, doubt = 0.0;
+    words >> value >> doubt;
+    return std::pair(value, doubt);
+  };
+  const std::string report = read(folder / "a.study" / "REPORT.txt");
+  // The life is that of the equilibrium it starts from, which is 8e-5 from the quasi-static one.
+  write(folder / "s.json", R"({"adore_study": 1, "kind": "sensitivity", "deck": "DATA.txt",
+    "set": {"mode": -1}, "variables": [{"name": "appLoadX", "step": 15}],
+    "quantities": ["life_lp_hours"]})");
+  REQUIRE(run_adore("study run " + (folder / "s.json").string() + " --quiet").code == 0);
+  const auto life = value_of(report, "life_lp_hours");
+  CHECK(life.first ==
+        Approx(value_of(read(folder / "s.study" / "REPORT.txt"), "life_lp_hours").first)
+            .epsilon(5e-4));
+  // 14 balls share 1,500 N of thrust at some 25 degrees: each gets about 1/(14 sin 25) = 0.17.
+  const auto load = value_of(report, "load [N]");
+  CHECK(load.first == Approx(0.17).epsilon(0.3));
+  CHECK(load.second < 0.01 * load.first);
+}
+
 TEST_CASE("a report of derivatives without runs has no numbers", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);
@@ -116,6 +161,48 @@ TEST_CASE("the table has the values that single runs have", "[cli]") {
       line, fmt::format("1750,{},{},{}", one["summary"]["largest_contact_load_N"].get<double>(),
                         one["summary"]["stiffness_x_N_per_m"].get<double>(),
                         one["summary"]["life_lp_hours"].get<double>())));
+}
+
+TEST_CASE("studies of every kind give the same tables from TOML and from JSON", "[cli][slow]") {
+  // The examples of `adore study new`, shorter.
+  const std::pair<const char*, const char*> shorter[] = {
+      {"30rev", "0.2rev"},
+      {"5rev", "0.1rev"},
+      {"500, 3000, 6", "500, 3000, 2"},
+      {"4000, 8000, 12000, 16000, 20000", "4000, 8000"},
+      {"0.0002, 0.0003, 0.0004, 0.0005, 0.0006", "0.0003, 0.0005"}};
+  for (const char* kind :
+       {"sweep", "tolerance", "cage-map", "sensitivity", "worst-case", "what-if"}) {
+    INFO(kind);
+    const Folder folder;
+    new_ball_deck(folder);
+    std::map<std::string, std::string> table, numbers, report;
+    for (const std::string format : {"json", "toml"}) {
+      const fs::path file = folder / (format + "." + format);
+      REQUIRE(run_adore(fmt::format("study new {} --out {}", kind, file.string())).code == 0);
+      std::string text = read(file);
+      for (const auto& [from, to] : shorter)
+        for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from))
+          text.replace(at, std::string(from).size(), to);
+      for (const std::string runs : {"\"runs\": 100", "\"runs\": 32", "runs = 100", "runs = 32"})
+        if (const std::size_t at = text.find(runs); at != std::string::npos)
+          text.replace(at, runs.size(), runs.substr(0, runs.find_last_of(' ')) + " 4");
+      write(file, text);
+      const Result run = run_adore("study run " + file.string() + " --quiet");
+      INFO(run.out);
+      REQUIRE(run.code == 0);
+      const fs::path results = folder / (format + ".study");
+      table[format] = read(results / "RUNS.csv");
+      numbers[format] = read(results / "STUDY.h5");
+      report[format] = read(results / "REPORT.txt");
+      report[format].erase(0, report[format].find(','));  // the file's name
+    }
+    CHECK(lines_of(table["json"]) > 4);
+    CHECK(table["toml"] == table["json"]);
+    CHECK(numbers["toml"] == numbers["json"]);
+    if (std::string(kind) != "what-if")  // which says what runs took
+      CHECK(report["toml"] == report["json"]);
+  }
 }
 
 TEST_CASE("failed runs keep their diagnosis in the table, and the others go on", "[cli]") {

@@ -127,12 +127,17 @@ class LandBlock final : public EffectBlock {
  public:
   LandBlock(const std::vector<LandModel>& lands, double half_angle,
             const tribology::TractionLaw& law, double& heat)
-      : lands_(lands), half_angle_(half_angle), law_(law), heat_(heat) {}
+      : lands_(lands), half_angle_(half_angle), law_(law), heat_(heat), race_(one_race(lands)) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
     law_.visit_rounded([&](const auto& friction_per_slip) {
       if constexpr (Traction) heat_ = 0.0;
-      for (BodyState& cage : e.segments) apply_with(friction_per_slip, e, cage);
+      in_passes(
+          asked_, friction_per_slip,
+          [&](const auto& law) {
+            for (BodyState& cage : e.segments) apply_with(law, e, cage);
+          },
+          race_);
     });
   }
 
@@ -143,7 +148,9 @@ class LandBlock final : public EffectBlock {
   const std::vector<LandModel>& lands_;
   double half_angle_;  ///< of the arc of a segment [rad]
   tribology::TractionLaw law_;
+  GatheredTraction asked_;
   double& heat_;
+  int race_;
 };
 
 template <bool Traction, bool Arcs>
@@ -172,15 +179,18 @@ void LandBlock<Traction, Arcs>::apply_with([[maybe_unused]] const Friction& fric
         direction = slice.eccentricity / std::max(size, std::numeric_limits<double>::min());
       }
       const double N = contact::land_load_per_length(land.law, size) * land.slice_length;
-      cage.add_force(-N * direction, acts_at);
-      race.add_force(N * direction, acts_at);
-      e.elastic += contact::land_energy_per_length(land.law, size) * land.slice_length;
+      if constexpr (!kOnlyNotes<Friction>) {
+        cage.add_force(-N * direction, acts_at);
+        race.add_force(N * direction, acts_at);
+        e.elastic += contact::land_energy_per_length(land.law, size) * land.slice_length;
+      }
       if constexpr (Traction) {
         const Vec3 point = slice.centre + (land.side * land.cage_radius) * direction;
         Vec3 slip = race.velocity_at(point) - cage.velocity_at(point);
         slip -= slip.dot(direction) * direction;
         const double square = slip.squaredNorm();
-        const Vec3 friction = (N * friction_per_slip(square)) * slip;
+        const Vec3 friction = friction_over_slip(friction_per_slip, N, square) * slip;
+        if constexpr (kOnlyNotes<Friction>) continue;
         cage.add_force(friction, point);
         race.add_force(-friction, point);
         heat_ += friction.dot(slip);
@@ -209,13 +219,14 @@ class UserLandBlock final : public EffectBlock {
         traction_(traction),
         law_(law),
         forces_(forces),
-        heat_(heat) {}
+        heat_(heat),
+        race_(one_race(lands)) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
-    forces_.clear();
-    for (std::size_t i = 0; i < e.segments.size(); ++i)
-      for (std::size_t k = 0; k < lands_.size(); ++k)
-        for (const double x : lands_[k].slice_x) collect(e, i, k, x);
+    law_.visit_rounded([&](const auto& friction) {
+      in_passes(
+          asked_, friction, [&](const auto& law) { collect_all(law, e); }, race_);
+    });
     const bool valid = forces_.ask(
         e.t, [&](const UserLandTouch& touch, double more, double difference, double rate) {
           BodyState& cage = e.segments[touch.segment];
@@ -232,7 +243,16 @@ class UserLandBlock final : public EffectBlock {
   }
 
  private:
-  void collect(const Evaluation& e, std::size_t i, std::size_t k, double x) noexcept {
+  template <class Friction>
+  void collect_all(const Friction& friction, const Evaluation& e) noexcept {
+    forces_.clear();
+    for (std::size_t i = 0; i < e.segments.size(); ++i)
+      for (std::size_t k = 0; k < lands_.size(); ++k)
+        for (const double x : lands_[k].slice_x) collect(friction, e, i, k, x);
+  }
+  template <class Friction>
+  void collect(const Friction& friction, const Evaluation& e, std::size_t i, std::size_t k,
+               double x) noexcept {
     const LandModel& land = lands_[k];
     const BodyState& cage = e.segments[i];
     const RaceBody& race = e.race[static_cast<std::size_t>(land.race)];
@@ -254,8 +274,7 @@ class UserLandBlock final : public EffectBlock {
       Vec3 slip = race.velocity_at(touch.point) - cage.velocity_at(touch.point);
       slip -= slip.dot(at.direction) * at.direction;
       const double square = slip.squaredNorm();
-      touch.friction =
-          law_.visit_rounded([&](const auto& friction) { return N * friction(square); }) * slip;
+      touch.friction = friction_over_slip(friction, N, square) * slip;
       touch.slip = std::sqrt(square);
       touch.heat = touch.friction.dot(slip);
     }
@@ -268,8 +287,10 @@ class UserLandBlock final : public EffectBlock {
   double half_angle_;
   bool traction_;
   tribology::TractionLaw law_;
+  GatheredTraction asked_;
   UserLandForces& forces_;
   double& heat_;
+  int race_;
 };
 
 class LandContact final : public SceneEffect {

@@ -3,6 +3,7 @@
 #include "contact/conformal.hpp"
 #include "contact/uneven_land.hpp"
 #include "dynamics/effect.hpp"
+#include "dynamics/effects/gathered_traction.hpp"
 #include "scene/snapshot.hpp"
 #include "tribology/traction_law.hpp"
 
@@ -23,6 +24,17 @@ struct LandModel {
   std::optional<contact::UnevenLand> uneven;  ///< shape errors of the cage or of the race
 };
 
+/// The race that guides all lands; -1: both.
+[[nodiscard]] inline int one_race(const std::vector<LandModel>& lands) noexcept {
+  int race = -1;
+  for (const LandModel& land : lands) {
+    if (land.slice_x.empty()) continue;
+    if (race >= 0 && race != land.race) return -1;
+    race = land.race;
+  }
+  return race;
+}
+
 struct SliceAt {
   Vec3 centre;        ///< slice centre, base frame [m]
   Vec3 eccentricity;  ///< across the race axis [m]
@@ -42,7 +54,7 @@ class UnevenLandBlock final : public EffectBlock {
   /// @param middle azimuth of each segment in the cage [rad]
   UnevenLandBlock(const std::vector<LandModel>& lands, const std::vector<double>& middle,
                   const tribology::TractionLaw& law, double& heat)
-      : lands_(lands), middle_(middle), law_(law), heat_(heat) {}
+      : lands_(lands), middle_(middle), law_(law), heat_(heat), race_(one_race(lands)) {}
   void apply(Evaluation& e) noexcept override;
 
  private:
@@ -53,7 +65,9 @@ class UnevenLandBlock final : public EffectBlock {
   const std::vector<LandModel>& lands_;
   const std::vector<double>& middle_;
   tribology::TractionLaw law_;
+  GatheredTraction asked_;
   double& heat_;
+  int race_;
 };
 extern template class UnevenLandBlock<false>;
 extern template class UnevenLandBlock<true>;

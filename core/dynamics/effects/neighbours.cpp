@@ -4,6 +4,7 @@
 #include "bearing/element_inertia.hpp"
 #include "contact/conformal.hpp"
 #include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/gathered_traction.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "tribology/traction_law.hpp"
 
@@ -67,7 +68,9 @@ class PairBlock final : public EffectBlock {
   PairBlock(const std::vector<PairOfBalls>& pairs, const tribology::TractionLaw& law, double& heat)
       : pairs_(pairs), law_(law), heat_(heat) {}
   void apply(Evaluation& e) noexcept override {
-    law_.visit_rounded([&](const auto& friction) { apply_with(friction, e); });
+    law_.visit_rounded([&](const auto& friction) {
+      in_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
+    });
   }
 
  private:
@@ -76,6 +79,7 @@ class PairBlock final : public EffectBlock {
 
   const std::vector<PairOfBalls>& pairs_;
   tribology::TractionLaw law_;
+  GatheredTraction asked_;
   double& heat_;
 };
 
@@ -91,12 +95,13 @@ void PairBlock<Traction>::apply_with([[maybe_unused]] const Friction& friction_p
     e.valid = e.valid && overlap < 0.5 * pair.reach;
     const double N = contact::load(pair.law, overlap);
     Vec3 on_first = -N * c.n;
-    e.elastic += contact::energy(pair.law, overlap);
+    if constexpr (!kOnlyNotes<Friction>) e.elastic += contact::energy(pair.law, overlap);
     if constexpr (Traction) {
       const Vec3 arm = (pair.share * c.distance) * c.n;
       const Vec3 other_arm = arm - c.distance * c.n;
       const Vec3 slip = slip_of(e, pair, c);
-      const Vec3 friction = (N * friction_per_slip(slip.squaredNorm())) * slip;
+      const Vec3 friction = friction_over_slip(friction_per_slip, N, slip.squaredNorm()) * slip;
+      if constexpr (kOnlyNotes<Friction>) continue;
       on_first += friction;
       heat_ += friction.dot(slip);
       e.add_moment(pair.i, e.to_cylindrical(pair.i, arm.cross(friction)));
@@ -160,8 +165,9 @@ class Neighbours final : public SceneEffect, public ElementSupport {
       if (!(overlap > 0.0)) return;
       const Eigen::Vector2d n = e.to_cylindrical(i, c.n).head<2>();
       friction_->visit_rounded([&](const auto& per_slip) {
-        damping += 2.0 * contact::load(pair.law, overlap) *
-                   per_slip(slip_of(e, pair, c).squaredNorm()) *
+        damping += 2.0 *
+                   friction_over_slip(per_slip, contact::load(pair.law, overlap),
+                                      slip_of(e, pair, c).squaredNorm()) *
                    (Eigen::Matrix2d::Identity() - n * n.transpose());
       });
     });

@@ -140,10 +140,14 @@ template <bool Traction, bool Shaped>
 class PocketBlock final : public EffectBlock {
  public:
   PocketBlock(PocketSet& set, const tribology::TractionLaw& law, double& heat)
-      : set_(set), law_(law), heat_(heat) {}
+      : set_(set), law_(law), heat_(heat) {
+    if (law.is_of_user()) asked_.reserve(set.size() * kMostWalls);
+  }
   void apply(Evaluation& e) noexcept override {
     if constexpr (Traction) {
-      law_.visit_rounded([&](const auto& friction) { apply_with(friction, e); });
+      law_.visit_rounded([&](const auto& friction) {
+        in_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
+      });
     } else {
       apply_with(nullptr, e);
     }
@@ -158,6 +162,7 @@ class PocketBlock final : public EffectBlock {
 
   PocketSet& set_;
   tribology::TractionLaw law_;
+  GatheredTraction asked_;
   double& heat_;
 };
 
@@ -170,6 +175,7 @@ inline void PocketBlock<Traction, Shaped>::touch(const Friction& friction, Evalu
   const std::size_t ball = set_.element(i);
   const PocketAction action =
       pocket_action(law, friction, e, ball, cage, set_.ball_radius(i), m, overlap);
+  if constexpr (kOnlyNotes<Friction>) return;
   if constexpr (Traction) {
     e.add_moment(ball, e.to_cylindrical(ball, action.arm.cross(action.friction)));
     heat_ += action.heat;
@@ -218,13 +224,12 @@ class UserPocketBlock final : public EffectBlock {
                   UserPocketForces& forces, double& heat)
       : set_(set), friction_(friction), forces_(forces), heat_(heat) {}
   void apply(Evaluation& e) noexcept override {
-    forces_.clear();
-    for (std::size_t i = 0; i < set_.size(); ++i) {
-      if (!set_.is_inside(i) || (!set_.shaped() && set_.surely_open(i))) continue;
-      const contact::WallPoints walls = set_.walls(i);
-      for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k)
-        if (walls.surface[k].gap < 0.0) collect(e, i, k, walls.surface[k]);
-    }
+    if (friction_)
+      friction_->visit_rounded([&](const auto& friction) {
+        in_passes(asked_, friction, [&](const auto& law) { collect_all(law, e); });
+      });
+    else
+      collect_all(nullptr, e);
     const bool valid = forces_.ask(
         e.t, [&](const UserPocketTouch& touch, double more, double difference, double rate) {
           const std::size_t ball = set_.element(touch.pocket);
@@ -243,20 +248,24 @@ class UserPocketBlock final : public EffectBlock {
   }
 
  private:
-  void collect(const Evaluation& e, std::size_t i, std::size_t k,
+  template <class Friction>
+  void collect_all(const Friction& friction, const Evaluation& e) noexcept {
+    forces_.clear();
+    for (std::size_t i = 0; i < set_.size(); ++i) {
+      if (!set_.is_inside(i) || (!set_.shaped() && set_.surely_open(i))) continue;
+      const contact::WallPoints walls = set_.walls(i);
+      for (std::size_t k = 0; k < static_cast<std::size_t>(walls.count); ++k)
+        if (walls.surface[k].gap < 0.0) collect(friction, e, i, k, walls.surface[k]);
+    }
+  }
+  template <class Friction>
+  void collect(const Friction& friction, const Evaluation& e, std::size_t i, std::size_t k,
                const contact::WallPoint& wall) noexcept {
     const BodyState& cage = set_.body(e, i);
     const Vec3 m = set_.to_base(i, wall.m, cage.to_base);
     const std::size_t ball = set_.element(i);
-    UserPocketTouch touch{i, {}};
-    const auto with = [&](const auto& friction) {
-      touch.action =
-          pocket_action(set_.law(i), friction, e, ball, cage, set_.ball_radius(i), m, -wall.gap);
-    };
-    if (friction_)
-      friction_->visit_rounded(with);
-    else
-      with(nullptr);
+    const UserPocketTouch touch{
+        i, pocket_action(set_.law(i), friction, e, ball, cage, set_.ball_radius(i), m, -wall.gap)};
     if (!(touch.action.N > 0.0)) return;
     const Vec3 apart = cage.velocity_at(touch.action.point) - e.element_velocity(ball) -
                        e.element_omega(ball).cross(touch.action.arm);
@@ -265,6 +274,7 @@ class UserPocketBlock final : public EffectBlock {
 
   PocketSet& set_;
   const std::optional<tribology::TractionLaw>& friction_;
+  GatheredTraction asked_;
   UserPocketForces& forces_;
   double& heat_;
 };
@@ -305,7 +315,7 @@ void PocketContact::declare(SceneBuilder& scene) {
     if (routine == nullptr) return add_block(scene, *set, std::move(partners));
     Partners same{std::vector<BodyId>(partners)};
     add_block(scene, *set, std::move(partners));
-    forces.emplace(*routine, set->size() * kMostSurfaces);
+    forces.emplace(*routine, set->size() * kMostWalls);
     scene.block<UserPocketBlock>(Phase::Force, "user routine ADRX3", std::move(same), *set,
                                  friction_, *forces, heat_);
   };

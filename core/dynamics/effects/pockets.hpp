@@ -4,6 +4,7 @@
 #include "contact/cage_pieces.hpp"
 #include "contact/conformal.hpp"
 #include "dynamics/effect.hpp"
+#include "dynamics/effects/gathered_traction.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/effects/user_forces.hpp"
 #include "tribology/traction_law.hpp"
@@ -127,6 +128,9 @@ class PocketSet {
   std::vector<std::size_t> element_;
 };
 
+/// Contacts that a ball can have with its pocket.
+inline constexpr std::size_t kMostWalls = std::tuple_size_v<decltype(contact::WallPoints::surface)>;
+
 /// One contact of a ball with its pocket wall, base axes.
 struct PocketAction {
   double N = 0.0;                 ///< normal force [N]
@@ -156,7 +160,7 @@ template <class Friction>
     slip -= slip.dot(a.m) * a.m;
     const double square = slip.squaredNorm();
     a.slip = std::sqrt(square);
-    a.friction_per_slip = a.N * friction(square);
+    a.friction_per_slip = friction_over_slip(friction, a.N, square);
     a.friction = a.friction_per_slip * slip;
     a.heat = a.friction.dot(slip);
     a.on_ball += a.friction;
@@ -201,8 +205,6 @@ class PocketContact final : public SceneEffect, public ElementSupport {
   std::optional<tribology::TractionLaw> friction_;
   std::array<std::optional<UserPocketForces>, 2> forces_;  ///< ADRX3 of both sets
   double heat_ = 0.0;                                      ///< now [W]
-  static constexpr std::size_t kMostSurfaces =
-      std::tuple_size_v<decltype(contact::WallPoints::surface)>;
 };
 
 }  // namespace adore::dynamics

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "contact/roller_race.hpp"
 #include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/gathered_traction.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/effects/user_forces.hpp"
 #include "dynamics/roller_start.hpp"
@@ -86,7 +87,7 @@ FlangeAction act(const statics::FlangePair& pair, const SeenRoller& roller, cons
   const double square = u.squaredNorm();
   out.slip = std::sqrt(square);
   if constexpr (!std::is_null_pointer_v<Friction>) {
-    const double per_slip = out.load * friction(square);
+    const double per_slip = friction_over_slip(friction, out.load, square);
     out.force += per_slip * u;
     out.heat = per_slip * square;
   }
@@ -108,7 +109,11 @@ class FlangeBlock final : public EffectBlock {
         account_(account) {}
   void apply(Evaluation& e) noexcept override {
     if (friction_ != nullptr)
-      friction_->visit_rounded([&](const auto& friction) { apply_with(friction, e); });
+      friction_->visit_rounded([&](const auto& friction) {
+        in_passes(
+            asked_, friction, [&](const auto& law) { apply_with(law, e); },
+            static_cast<int>(race_));
+      });
     else
       apply_with(nullptr, e);
   }
@@ -124,7 +129,7 @@ class FlangeBlock final : public EffectBlock {
       for (const statics::FlangePair& pair : pairs) {
         if (static_cast<std::size_t>(pair.race) != race_ || pair.surely_open(roller.p)) continue;
         const FlangeAction a = act(pair, roller, e, i, race, friction);
-        if (!(a.load > 0.0)) continue;
+        if (kOnlyNotes<Friction> || !(a.load > 0.0)) continue;
         e.add_force(i, e.to_cylindrical(i, a.force));
         e.add_moment(i, e.to_cylindrical(i, (a.point - e.element_centre(i)).cross(a.force)));
         race.add_force(-a.force, a.point);
@@ -139,6 +144,7 @@ class FlangeBlock final : public EffectBlock {
   std::size_t race_;
   double mass_offset_;
   const tribology::TractionLaw* friction_;
+  GatheredTraction asked_;
   FlangeAccount& account_;
 };
 
@@ -163,14 +169,15 @@ class UserFlangeBlock final : public EffectBlock {
         forces_(forces),
         account_(account) {}
   void apply(Evaluation& e) noexcept override {
-    forces_.clear();
     RaceBody& race = e.race[race_];
-    for (std::size_t i = 0; i < e.elements.n; ++i) {
-      const SeenRoller roller = seen(e, i, race, mass_offset_);
-      for (const statics::FlangePair& pair : pairs_[pairs_.size() == 1 ? 0 : i])
-        if (static_cast<std::size_t>(pair.race) == race_ && !pair.surely_open(roller.p))
-          collect(pair, roller, e, i, race);
-    }
+    if (friction_ != nullptr)
+      friction_->visit_rounded([&](const auto& friction) {
+        in_passes(
+            asked_, friction, [&](const auto& law) { collect_all(law, e); },
+            static_cast<int>(race_));
+      });
+    else
+      collect_all(nullptr, e);
     const bool valid = forces_.ask(
         e.t, [&](const UserFlangeTouch& touch, double more, double difference, double rate) {
           const FlangeAction& a = touch.action;
@@ -186,13 +193,21 @@ class UserFlangeBlock final : public EffectBlock {
   }
 
  private:
-  void collect(const statics::FlangePair& pair, const SeenRoller& roller, const Evaluation& e,
-               std::size_t i, const RaceBody& race) noexcept {
-    const FlangeAction a = friction_ != nullptr
-                               ? friction_->visit_rounded([&](const auto& friction) {
-                                   return act(pair, roller, e, i, race, friction);
-                                 })
-                               : act(pair, roller, e, i, race, nullptr);
+  template <class Friction>
+  void collect_all(const Friction& friction, const Evaluation& e) noexcept {
+    forces_.clear();
+    const RaceBody& race = e.race[race_];
+    for (std::size_t i = 0; i < e.elements.n; ++i) {
+      const SeenRoller roller = seen(e, i, race, mass_offset_);
+      for (const statics::FlangePair& pair : pairs_[pairs_.size() == 1 ? 0 : i])
+        if (static_cast<std::size_t>(pair.race) == race_ && !pair.surely_open(roller.p))
+          collect(friction, pair, roller, e, i, race);
+    }
+  }
+  template <class Friction>
+  void collect(const Friction& friction, const statics::FlangePair& pair, const SeenRoller& roller,
+               const Evaluation& e, std::size_t i, const RaceBody& race) noexcept {
+    const FlangeAction a = act(pair, roller, e, i, race, friction);
     if (!(a.load > 0.0)) return;
     const Vec3 apart = e.element_velocity(i) +
                        e.element_omega(i).cross(a.point - e.element_centre(i)) -
@@ -206,6 +221,7 @@ class UserFlangeBlock final : public EffectBlock {
   std::size_t race_;
   double mass_offset_;
   const tribology::TractionLaw* friction_;
+  GatheredTraction asked_;
   UserFlangeForces& forces_;
   FlangeAccount& account_;
 };

@@ -3,6 +3,7 @@
 #include "contact/roller_pair.hpp"
 #include "contact/roller_shape.hpp"
 #include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/gathered_traction.hpp"
 #include "dynamics/effects/neighbours.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/roller_start.hpp"
@@ -90,17 +91,21 @@ class RingBlock final : public EffectBlock {
   void apply(Evaluation& e) noexcept override {
     if constexpr (Traction) heat_ = 0.0;
     law_.visit_rounded([&](const auto& friction) {
-      for (const NeighbourPair& pair : model_.pairs) {
-        const SlicedRoller &one = model_.roller(pair.i), &other = model_.roller(pair.other);
-        const Axis at = axis_of(e, model_, pair.i), there = axis_of(e, model_, pair.other);
-        if (gap_bound(one, at, other, there) > 0.0) continue;
-        press(friction, e, pair.i, one, at, pair.other, other, there);
-        press(friction, e, pair.other, other, there, pair.i, one, at);
-      }
+      in_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
     });
   }
 
  private:
+  template <class Friction>
+  void apply_with(const Friction& friction, Evaluation& e) noexcept {
+    for (const NeighbourPair& pair : model_.pairs) {
+      const SlicedRoller &one = model_.roller(pair.i), &other = model_.roller(pair.other);
+      const Axis at = axis_of(e, model_, pair.i), there = axis_of(e, model_, pair.other);
+      if (gap_bound(one, at, other, there) > 0.0) continue;
+      press(friction, e, pair.i, one, at, pair.other, other, there);
+      press(friction, e, pair.other, other, there, pair.i, one, at);
+    }
+  }
   template <class Friction>
   void press(const Friction& friction_per_slip, Evaluation& e, std::size_t i,
              const SlicedRoller& one, const Axis& at, std::size_t j, const SlicedRoller& other,
@@ -114,7 +119,7 @@ class RingBlock final : public EffectBlock {
           if (!(load > 0.0)) return;
           e.valid = e.valid && c.overlap < 0.5 * model_.diameter;
           const double N = c.fraction * load;
-          e.elastic += c.fraction * energy;
+          if constexpr (!kOnlyNotes<Friction>) e.elastic += c.fraction * energy;
           const Vec3 f = -N * c.m - (N * c.other_slope + energy * c.fraction_slope) * there.a;
           force += f;
           moment_i += (p - centre_i).cross(f);
@@ -125,7 +130,8 @@ class RingBlock final : public EffectBlock {
                         e.element_velocity(i) - e.element_omega(i).cross(X - centre_i);
             slip -= slip.dot(c.m) * c.m;
             const double square = slip.squaredNorm();
-            const double per_slip = N * friction_per_slip(square);
+            const double per_slip = friction_over_slip(friction_per_slip, N, square);
+            if constexpr (kOnlyNotes<Friction>) return;
             const Vec3 pull = per_slip * slip;
             heat_ += per_slip * square;
             force += pull;
@@ -133,6 +139,7 @@ class RingBlock final : public EffectBlock {
             moment_j -= (X - centre_j).cross(pull);
           }
         });
+    if constexpr (kOnlyNotes<Friction>) return;
     e.add_force(i, e.to_cylindrical(i, force));
     e.add_force(j, e.to_cylindrical(j, -force));
     e.add_moment(i, e.to_cylindrical(i, moment_i));
@@ -141,6 +148,7 @@ class RingBlock final : public EffectBlock {
 
   const RingModel& model_;
   tribology::TractionLaw law_;
+  GatheredTraction asked_;
   double& heat_;
 };
 

@@ -273,10 +273,14 @@ template <bool Traction>
 class RollerPocketBlock final : public EffectBlock {
  public:
   RollerPocketBlock(const RollerPocketSet& set, const tribology::TractionLaw& law, double& heat)
-      : set_(set), law_(law), heat_(heat) {}
+      : set_(set), law_(law), heat_(heat) {
+    if (law.is_of_user()) asked_.reserve(set.most_contacts());
+  }
   void apply(Evaluation& e) noexcept override {
     if constexpr (Traction)
-      law_.visit_rounded([&](const auto& friction) { apply_with(friction, e); });
+      law_.visit_rounded([&](const auto& friction) {
+        in_passes(asked_, friction, [&](const auto& law) { apply_with(law, e); });
+      });
     else
       apply_with(nullptr, e);
   }
@@ -296,7 +300,8 @@ class RollerPocketBlock final : public EffectBlock {
                         [&](const contact::PocketSlice& slice, double load, double energy) {
                           if (!(load > 0.0)) return;
                           push(friction, e, i, at, slice.m, slice.point, load, energy);
-                          if (!slice.aside.isZero(0.0)) lean(e, i, at, slice, load);
+                          if (!kOnlyNotes<Friction> && !slice.aside.isZero(0.0))
+                            lean(e, i, at, slice, load);
                         });
       }
       set_.for_ends(i, at, [&](const contact::EndTouch& touch, double load, double energy) {
@@ -315,6 +320,7 @@ class RollerPocketBlock final : public EffectBlock {
 
   const RollerPocketSet& set_;
   tribology::TractionLaw law_;
+  GatheredTraction asked_;
   double& heat_;
 };
 
@@ -333,7 +339,8 @@ void RollerPocketBlock<Traction>::push(const Friction& friction, Evaluation& e, 
     Vec3 slip =
         cage.velocity_at(X) - e.element_velocity(roller) - e.element_omega(roller).cross(arm);
     slip -= slip.dot(m) * m;
-    const double square = slip.squaredNorm(), per_slip = load * friction(square);
+    const double square = slip.squaredNorm(), per_slip = friction_over_slip(friction, load, square);
+    if constexpr (kOnlyNotes<Friction>) return;
     f += per_slip * slip;
     heat_ += per_slip * square;
     cage.load_slip += load * std::sqrt(square);
@@ -378,9 +385,10 @@ class UserRollerPocketBlock final : public EffectBlock {
     if (friction != nullptr) friction_ = *friction;
   }
   void apply(Evaluation& e) noexcept override {
-    forces_.clear();
     if (friction_)
-      friction_->visit_rounded([&](const auto& friction) { collect_all(friction, e); });
+      friction_->visit_rounded([&](const auto& friction) {
+        in_passes(asked_, friction, [&](const auto& law) { collect_all(law, e); });
+      });
     else
       collect_all(nullptr, e);
     const bool valid =
@@ -405,6 +413,7 @@ class UserRollerPocketBlock final : public EffectBlock {
   }
   template <class Friction>
   void collect_all(const Friction& friction, const Evaluation& e) noexcept {
+    forces_.clear();
     for (std::size_t i = 0; i < set_.size(); ++i) {
       const RollerPocketSet::Place at = set_.locate(e, i);
       if (!set_.is_inside(i, at.q)) continue;
@@ -450,7 +459,8 @@ class UserRollerPocketBlock final : public EffectBlock {
     if (!aside.isZero(0.0)) rate -= apart(t.middle).dot(t.aside);
     if constexpr (!std::is_null_pointer_v<Friction>) {
       const Vec3 slip = u - u.dot(t.normal) * t.normal;
-      const double square = slip.squaredNorm(), per_slip = load * friction(square);
+      const double square = slip.squaredNorm(),
+                   per_slip = friction_over_slip(friction, load, square);
       t.friction = per_slip * slip;
       t.slip = std::sqrt(square);
       t.heat = per_slip * square;
@@ -460,6 +470,7 @@ class UserRollerPocketBlock final : public EffectBlock {
 
   const RollerPocketSet& set_;
   std::optional<tribology::TractionLaw> friction_;
+  GatheredTraction asked_;
   UserTouches& forces_;
   double& heat_;
 };

@@ -133,7 +133,10 @@ double line_stiffness(const RollerRaceModel& model, double load) noexcept {
 }
 
 RollersOnRace::RollersOnRace(const RollerRaceModel& model, std::size_t rollers)
-    : model_(model), has_film_(model.law.has_film()), poses_(rollers), turns_(rollers) {
+    : model_(model),
+      reads_spin_(model.law.has_film() || model.law.is_of_user()),
+      poses_(rollers),
+      turns_(rollers) {
   for (const contact::RollerRaceSlices& slices : model.slices)
     views_.push_back(contact::view_of(slices));
   if (!model.wavy) return;
@@ -158,7 +161,7 @@ void RollersOnRace::place(const Evaluation& e) noexcept {
     const RollerPlace roller = place_of(e, i, model_.mass_offset);
     contact::RollerInMeridian in =
         contact::roller_in_meridian(pose_, motion, roller.centre, roller.axis, roller.motion);
-    if (has_film_) in.roller.spin = spin_of(e, i, roller, pose_, in.turn);
+    if (reads_spin_) in.roller.spin = spin_of(e, i, roller, pose_, in.turn);
     poses_[i] = in.roller;
     turns_[i] = in.turn;
   }
@@ -190,7 +193,11 @@ RollerRaceBlock::RollerRaceBlock(const RollerRaceModel& model, std::size_t rolle
       sums_(sums),
       kernel_(kernel_of(chosen_instruction_set())),
       rollers_(model, rollers),
-      actions_(rollers) {}
+      actions_(rollers) {
+  std::size_t slices = 0;
+  for (const contact::RollerRaceSlices& one : model.slices) slices = std::max(slices, one.count);
+  if (model.law.is_of_user()) user_.emplace(rollers, slices);
+}
 
 /// Growing ψ is -y of the meridian frame.
 void RollerRaceBlock::lean() noexcept {
@@ -203,7 +210,7 @@ void RollerRaceBlock::apply(Evaluation& e) noexcept {
   rollers_.place(e);
   kernel_({rollers_.views(), rollers_.alike(), rollers_.count(), rollers_.poses().data(),
            rollers_.slopes(), actions_.data(), model_.traction, model_.law.index(),
-           model_.law.address(), model_.law.slip_floor()});
+           model_.law.address(), model_.law.slip_floor(), user_ ? user_->view() : nullptr});
   if (rollers_.slopes() != nullptr) lean();
   sums_.heat = sums_.load_slip = 0.0;
   for (std::size_t i = 0; i < actions_.size(); ++i) {

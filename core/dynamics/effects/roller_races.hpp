@@ -5,6 +5,7 @@
 #include "dynamics/effect.hpp"
 #include "dynamics/effects/race_account.hpp"
 #include "dynamics/roller_kernel.hpp"
+#include "dynamics/user_points.hpp"
 #include "tribology/traction_law.hpp"
 
 #include <array>
@@ -75,7 +76,7 @@ class RollersOnRace {
   void form_race(const RaceBody& race) noexcept;
 
   const RollerRaceModel& model_;
-  bool has_film_;
+  bool reads_spin_;  ///< a film does, and a routine of the user may
   contact::RacePose pose_;
   std::vector<contact::RaceSlices> views_;
   std::vector<contact::RollerPose> poses_;
@@ -99,6 +100,7 @@ class RollerRaceBlock final : public EffectBlock {
   RollerKernel kernel_;
   RollersOnRace rollers_;
   std::vector<RollerKernelAction> actions_;
+  std::optional<SliceScratch> user_;  ///< of a law of the user
 };
 
 /// Material damping of the same contacts (contact_damping.cpp); after RollerRaceBlock.

@@ -56,9 +56,11 @@ void UnevenLandBlock<Traction>::apply_to([[maybe_unused]] const Friction& fricti
     double turning = 0.0;
     land.uneven->visit(slice.place, [&](const contact::UnevenPiece& piece) {
       const Vec3 f = race.to_base * Vec3(0.0, piece.force[0], piece.force[1]);
-      force += f;
-      turning += piece.turning;
-      e.elastic += piece.energy;
+      if constexpr (!kOnlyNotes<Friction>) {
+        force += f;
+        turning += piece.turning;
+        e.elastic += piece.energy;
+      }
       if constexpr (Traction) {
         // The race pushes the cage inwards where it guides outside, outwards where inside.
         const Vec3 normal = f / piece.load;
@@ -66,13 +68,15 @@ void UnevenLandBlock<Traction>::apply_to([[maybe_unused]] const Friction& fricti
         Vec3 slip = race.velocity_at(point) - segment.velocity_at(point);
         slip -= slip.dot(normal) * normal;
         const double square = slip.squaredNorm();
-        const Vec3 friction = (piece.load * friction_per_slip(square)) * slip;
+        const Vec3 friction = friction_over_slip(friction_per_slip, piece.load, square) * slip;
+        if constexpr (kOnlyNotes<Friction>) return;
         segment.add_force(friction, point);
         race.add_force(-friction, point);
         heat_ += friction.dot(slip);
         segment.load_slip += piece.load * std::sqrt(square);
       }
     });
+    if constexpr (kOnlyNotes<Friction>) continue;
     segment.add_force(force, slice.at.centre);
     race.add_force(-force, slice.at.centre);
     segment.moment += turning * g;
@@ -83,9 +87,14 @@ void UnevenLandBlock<Traction>::apply_to([[maybe_unused]] const Friction& fricti
 template <bool Traction>
 void UnevenLandBlock<Traction>::apply(Evaluation& e) noexcept {
   law_.visit_rounded([&](const auto& friction_per_slip) {
-    for (std::size_t k = 0; k < e.segments.size(); ++k)
-      for (const LandModel& land : lands_)
-        if (land.uneven) apply_to(friction_per_slip, e, land, e.segments[k], middle_[k]);
+    in_passes(
+        asked_, friction_per_slip,
+        [&](const auto& law) {
+          for (std::size_t k = 0; k < e.segments.size(); ++k)
+            for (const LandModel& land : lands_)
+              if (land.uneven) apply_to(law, e, land, e.segments[k], middle_[k]);
+        },
+        race_);
   });
 }
 

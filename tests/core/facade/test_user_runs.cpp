@@ -1,148 +1,15 @@
-#include "deck/templates.hpp"
-#include "facade/prepare.hpp"
-#include "facade/run.hpp"
-#include "results/restart.hpp"
-#include "support/paths.hpp"
-#include "tribology/traction_curve.hpp"
-#include "user/plug_in.hpp"
+#include "core/facade/user_runs.hpp"
 
-#include <catch2/catch.hpp>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <map>
-#include <memory>
 #include <numbers>
 #include <sstream>
 
 /// Whole runs with routines of the user: examples of `adore user new`, formulas, callbacks.
 using namespace adore;
-namespace fs = std::filesystem;
-
-namespace {
-
-using Sets = std::vector<std::pair<std::string, std::string>>;
-
-fs::path fresh_folder(const std::string& name) {
-  const fs::path out = fs::temp_directory_path() / ("adore-user-runs-" + name);
-  fs::remove_all(out);
-  fs::create_directories(out);
-  return out;
-}
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-struct Ran {
-  facade::RunOutcome outcome;
-  fs::path folder;
-  std::map<std::string, double> last;  ///< the last state by name
-};
-
-/// A deck of a type with changes and lines of records 12.x.
-std::string deck_of(const std::string& type, const Sets& sets, const std::string& lines) {
-  deck::Deck deck = deck::new_deck(type);
-  Sets all{{"nStps", "1"}, {"maxStps", "100000"}, {"kAGraf", "0"}, {"kPrtFreq", "0"}};
-  all.insert(all.end(), sets.begin(), sets.end());
-  deck.set_all(all);
-  return deck::write_deck(deck) + lines;
-}
-
-std::string deck_with(const Sets& sets, const std::string& lines) {
-  return deck_of("ball", sets, lines);
-}
-
-facade::RunRequest request_of(const std::string& name, const std::string& deck,
-                              const std::string& until) {
-  facade::RunRequest request;
-  request.out = fresh_folder(name);
-  request.text = deck;
-  request.until = until;
-  request.options = {{"resultsH5", "0"}};
-  return request;
-}
-
-Ran ran_with(const facade::RunRequest& request) {
-  Ran out;
-  out.outcome = facade::run(request);
-  out.folder = *request.out;
-  if (fs::exists(out.folder / "FINAL")) {
-    const results::FinalState state = results::read_final(out.folder / "FINAL");
-    for (std::size_t k = 0; k < state.components.size(); ++k)
-      out.last[state.components[k]] = state.state[k];
-  }
-  return out;
-}
-
-std::string library(const std::string& name) {
-  return (fs::path(USER_EXAMPLES) / ("lib" + name + ".so")).string();
-}
-
-fs::path json_file(const std::string& name, const std::string& text) {
-  const fs::path out = fs::temp_directory_path() / ("adore-user-runs-" + name + ".json");
-  std::ofstream(out) << text;
-  return out;
-}
-
-/// Record 10.1C of the ball deck as the coefficients of its curve.
-std::string own_curve() {
-  const bearing::TractionCurve c = tribology::traction_curve(1, {0.0, 0.06, 0.04, 0.5});
-  return fmt::format("{:.17g} {:.17g} {:.17g} {:.17g}\n", c.A, c.B, c.C, c.D);
-}
-
-/// The largest difference of any state, over the largest size of its kind.
-double difference(const Ran& a, const Ran& b) {
-  std::map<std::string, double> size, worst;
-  for (const auto& [name, value] : a.last) {
-    const std::string kind = name.substr(0, name.find('['));
-    REQUIRE(b.last.count(name) == 1);
-    size[kind] = std::max(size[kind], std::abs(value));
-    worst[kind] = std::max(worst[kind], std::abs(value - b.last.at(name)));
-  }
-  double out = 0.0;
-  for (const auto& [kind, value] : worst)
-    if (size[kind] > 1e-12) out = std::max(out, value / size[kind]);
-  return out;
-}
-
-/// A place has a last bit of 7e-18 m; a contact that vibrates with some 1e5 1/s makes velocities of
-/// 1e-12 m/s of it (beside 1e-3 m/s here) and 1e-9 rad/s of spin, and 1e-4 s makes 1e-16 m of
-/// those.
-void check_same_to_rounding(const Ran& a, const Ran& b) {
-  double place = 0.0, velocity = 0.0, spin = 0.0;
-  for (const auto& [name, value] : a.last) {
-    const double off = std::abs(value - b.last.at(name));
-    if (name.find("[m]") != std::string::npos) place = std::max(place, off);
-    if (name.find("[m/s]") != std::string::npos) velocity = std::max(velocity, off);
-    if (name.find("[rad/s]") != std::string::npos) spin = std::max(spin, off);
-  }
-  CHECK(place < 1e-15);
-  CHECK(velocity < 1e-11);
-  CHECK(spin < 1e-8);
-}
-
-/// A plug-in of one force law: F of a contact k.
-using Force = std::function<double(const adore_force&, std::int64_t k)>;
-std::shared_ptr<user::PlugIn> force_law(int hook, const Force& law) {
-  auto out = std::make_shared<user::PlugIn>();
-  out->source = "the test";
-  out->hooks[static_cast<std::size_t>(hook)] = [law](adore_call& call) {
-    call.active = 1;
-    if (call.mode != ADORE_COMPUTE) return 0;
-    auto& a = reinterpret_cast<adore_force&>(call);
-    for (std::int64_t k = 0; k < a.n; ++k) a.force[k] = law(a, k);
-    return 0;
-  };
-  return out;
-}
-
-}  // namespace
+using namespace adore::user_runs;
 
 TEST_CASE("a routine that restates the built-in traction gives the same motion",
           "[user][physics]") {
@@ -366,6 +233,53 @@ TEST_CASE("a routine that answers not-a-number ends the run with its name, and f
   CHECK_THAT(text_of(ran.folder / "RUN.json"), Catch::Contains("\"failed\""));
 }
 
+TEST_CASE("a routine that fails before the first step is named", "[user][unit]") {
+  for (long after : {3L, 5L, 9L}) {
+    auto bad = std::make_shared<user::PlugIn>();
+    bad->source = "the test";
+    long calls = 0;
+    bad->hooks[7] = [&calls, after](adore_call& call) {
+      call.active = 1;
+      if (call.mode != ADORE_COMPUTE) return 0;
+      auto& a = reinterpret_cast<adore_adrx7&>(call);
+      const double kappa = ++calls < after ? 0.05 : std::nan("");
+      for (std::int64_t k = 0; k < a.points * a.stride; ++k) a.kappa[k] = kappa;
+      return 0;
+    };
+    auto request = request_of("early", deck_with({{"kTrac", "-1"}}, ""), "2e-6s");
+    request.routines = bad;
+    std::string message;
+    try {
+      message = ran_with(request).outcome.message;
+    } catch (const SolverError& error) {
+      message = error.what();
+    }
+    CHECK_THAT(message,
+               Catch::Contains("user routine ADRX7 of the test") && Catch::Contains("nan"));
+  }
+}
+
+TEST_CASE("a routine that refuses every state from some call on ends the run with its name",
+          "[user][unit]") {
+  auto bad = std::make_shared<user::PlugIn>();
+  bad->source = "the test";
+  long calls = 0;
+  bad->hooks[7] = [&calls](adore_call& call) {
+    call.active = 1;
+    if (call.mode != ADORE_COMPUTE) return 0;
+    auto& a = reinterpret_cast<adore_adrx7&>(call);
+    for (std::int64_t k = 0; k < a.points * a.stride; ++k) a.kappa[k] = 0.05;
+    return ++calls < 455 ? 0 : 1;
+  };
+  auto request = request_of("refuses", deck_with({{"kTrac", "-1"}}, ""), "2e-4s");
+  request.routines = bad;
+  const Ran ran = ran_with(request);
+  CHECK(ran.outcome.status == facade::RunStatus::Failed);
+  CHECK_THAT(ran.outcome.message, Catch::Contains("user routine ADRX7 of the test"));
+  CHECK_FALSE(ran.last.empty());  // FINAL
+  CHECK_THAT(text_of(ran.folder / "RUN.json"), Catch::Contains("\"failed\""));
+}
+
 TEST_CASE("materials, imperfections and pockets of the user take their place", "[user][physics]") {
   facade::DeckRequest request;
   request.text = deck_with({{"kReMat", "2"}, {"kReGeoImp", "3"}}, "");
@@ -472,7 +386,22 @@ TEST_CASE("force laws that have nothing to act on, or cannot act, are named", "[
                     Catch::Contains("ADRX2") && Catch::Contains("balance"));
   CHECK_THROWS_WITH(
       says(4, "ball", {{"kCageGsImp", "2"}, {"nGL", "1"}, {"cageGsRadVar1[1]", "1e-6"}}),
-      Catch::Contains("ADRX4") && Catch::Contains("arc"));
+      Catch::Contains("ADRX4") && Catch::Contains("arc") && Catch::Contains("kCageGsImp = 2"));
+  CHECK_THROWS_WITH(says(4, "ball", {{"kRaceGsImp", "1"}, {"raceGsRadVar1[1]", "1e-6"}}),
+                    Catch::Contains("kRaceGsImp = 1") && Catch::Contains("arc"));
+  CHECK_THROWS_WITH(says(2, "tapered", {{"qFac", "0.5"}}),
+                    Catch::Contains("ADRX2") && Catch::Contains("set qFac to 0"));
+  const std::pair<const char*, const char*> holds[] = {
+      {"mode", "1"}, {"mode", "2"}, {"kVarLoad", "1"}, {"kVarSpeed", "1"}};
+  for (const auto& [variable, code] : holds) {
+    facade::DeckRequest request;
+    request.text = deck_of("ball", {{variable, code}}, "");
+    request.user = json_file("drives", R"~({"adrx1": {"inner_race": {
+        "angular_acceleration": "1"}}})~");
+    CHECK_THROWS_WITH(facade::prepare(request),
+                      Catch::Contains(fmt::format("{} = {}", variable, code)) &&
+                          Catch::Contains("ADRX1") && Catch::Contains("drives"));
+  }
 }
 
 TEST_CASE("races that ADRX6 gives are those that decks give", "[user][physics]") {
@@ -611,6 +540,17 @@ TEST_CASE("surfaces that cannot be simulated are refused with their reason", "[u
   CHECK_THROWS_WITH(says("cylindrical", {{"kRaceGeoImp2", "3"}},
                          R"~({"adrx6": {"inner_race": {"radius": "x^2"}}})~"),
                     Catch::Contains("taper"));
+  CHECK_THROWS_WITH(
+      says("ball", {{"kRaceGeoImp1", "3"}}, R"~({"adrx6": {"outer_race": {"radius": "1e-3*x"}}})~"),
+      Catch::Contains("ADRX6") && Catch::Contains("across a groove"));
+  {
+    facade::DeckRequest request;
+    request.text = deck_of("spherical", {{"mode", "-1"}}, "");
+    request.options = {{"rollerContact", "point"}};
+    request.user = json_file("barrel", R"~({"adrx5": {"radius": "1e-4*x"}})~");
+    CHECK_THROWS_WITH(facade::prepare(request),
+                      Catch::Contains("ADRX5") && Catch::Contains("touches at points"));
+  }
   CHECK_THAT(says("ball", {}, R"~({"adrx6": {"inner_race": {"radius": "0"}}})~"),
              Catch::Contains("ADRX6") && Catch::Contains("kRaceGeoImp1"));
 }

@@ -1,0 +1,109 @@
+#pragma once
+
+#include "tribology/laws/user_law.hpp"
+#include "tribology/rounded_law.hpp"
+
+#include <cstddef>
+#include <type_traits>
+#include <vector>
+
+/// ADRX7 of contacts that are found one after another: pockets, lands, flanges, elements among each
+/// other. A block goes through its contacts twice. The first pass notes slip and load wherever
+/// friction is wanted, and acts on nothing; the routine is asked for all of them in one call; the
+/// second pass takes the answers in the same order and acts. Both passes are the same code on the
+/// same state, so that they meet the same contacts, and the second does the arithmetic of a
+/// built-in law. A built-in law has its one pass, and nothing of this.
+/// Of these contacts a routine is told slip and load; pressure, widths, entrainment and curvature
+/// are 0. Decision 431.
+namespace adore::dynamics {
+
+class GatheredTraction {
+ public:
+  /// First pass: κ is not known yet.
+  struct Noting {
+    GatheredTraction* to;
+    double load = 0.0;
+    double operator()(double slip, double) const {
+      to->slip_.push_back(slip);
+      to->load_.push_back(load);
+      return 0.0;
+    }
+    [[nodiscard]] Noting under(double newtons) const { return {to, newtons}; }
+  };
+  /// Second pass.
+  struct Answering {
+    GatheredTraction* from;
+    double operator()(double, double) const { return from->kappa_[from->next_++]; }
+    [[nodiscard]] Answering under(double) const { return *this; }
+  };
+
+  /// Room for so many contacts; more are no mistake.
+  void reserve(std::size_t contacts) {
+    for (auto* values : {&slip_, &load_, &kappa_, &none_}) values->reserve(contacts);
+  }
+  void clear() noexcept {
+    slip_.clear();
+    load_.clear();
+    next_ = 0;
+  }
+  /// @param race of the contacts, -1: not one
+  void ask(const tribology::UserTraction& of, int kind, int race) {
+    const std::size_t n = slip_.size();
+    kappa_.assign(n, 0.0);
+    if (n == 0) return;
+    if (none_.size() < n) none_.resize(n, 0.0);
+    const double* none = none_.data();
+    const auto count = static_cast<long>(n);
+    of.ask(of.routine,
+           {kind, race, count, 1, count, slip_.data(), of.wants_pressure ? none : nullptr,
+            load_.data(), none, none, none, none, none, slip_.data(), kappa_.data()});
+  }
+
+ private:
+  std::vector<double> slip_, load_, kappa_, none_;
+  std::size_t next_ = 0;
+};
+
+template <class Friction>
+inline constexpr bool kIsOfUser =
+    std::is_same_v<Friction, tribology::RoundedLaw<tribology::UserLaw::Here<double>>>;
+
+/// Is this the first pass?
+template <class Friction>
+inline constexpr bool kOnlyNotes =
+    std::is_same_v<std::remove_cvref_t<Friction>, tribology::RoundedLaw<GatheredTraction::Noting>>;
+
+/// N κ(s)/s, the friction force over the slip, from u² [N s/m].
+/// @param friction tribology::RoundedLaw
+template <class Friction>
+[[nodiscard, gnu::always_inline]] inline double friction_over_slip(const Friction& friction,
+                                                                   double N, double square) {
+  if constexpr (requires { friction.law.under(N); }) {
+    return N * Friction{friction.law.under(N), friction.floor}(square);
+  } else if constexpr (kIsOfUser<Friction>) {  // one contact by itself, for reports
+    Friction here = friction;
+    here.law.contact.load = N;
+    return N * here(square);
+  } else {
+    return N * friction(square);
+  }
+}
+
+/// pass(friction) with the law as it is, or twice with what a routine of the user answers.
+/// @param friction of TractionLaw::visit_rounded; @param race -1: that of the law
+template <class Friction, class Pass>
+[[gnu::always_inline]] inline void in_passes(GatheredTraction& asked, const Friction& friction,
+                                             const Pass& pass, int race = -1) {
+  if constexpr (kIsOfUser<Friction>) {
+    using Asked = GatheredTraction;
+    const tribology::UserLaw::Here<double>& law = friction.law;
+    asked.clear();
+    pass(tribology::RoundedLaw<Asked::Noting>{{&asked}, friction.floor});
+    asked.ask(*law.of, law.kind, race < 0 ? law.race : race);
+    pass(tribology::RoundedLaw<Asked::Answering>{{&asked}, friction.floor});
+  } else {
+    pass(friction);
+  }
+}
+
+}  // namespace adore::dynamics
