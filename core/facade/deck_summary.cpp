@@ -32,7 +32,11 @@ results::RunSummary summary_of_deck(const Prepared& prepared, const scene::Scene
   for (const setup::OptionInfo& info : setup::run_option_list()) {
     const auto given = prepared.input.option_values.find(info.name);
     const bool set = given != prepared.input.option_values.end();
-    out.options.emplace_back(info.name, set ? given->second : info.default_value);
+    // What the deck chooses where nobody does.
+    const std::string otherwise = info.name == "ellipseMinor"
+                                      ? fmt::format("{}", prepared.options.system.ellipse_minor)
+                                      : info.default_value;
+    out.options.emplace_back(info.name, set ? given->second : otherwise);
   }
   out.defaults_used = deck::defaults_used(prepared.input.deck);
   out.no_part = prepared.no_part;

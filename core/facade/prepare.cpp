@@ -21,6 +21,7 @@
 #include "setup/no_part.hpp"
 #include "setup/scene_plan.hpp"
 #include "thermal/operating.hpp"
+#include "tribology/lubricant.hpp"
 #include "tribology/traction_curve.hpp"
 
 #include <fmt/format.h>
@@ -120,6 +121,19 @@ void say_in_deck_units(Prepared& out) {
   if (out.life.iso) to_deck_units(out.life.iso->notes, units);
 }
 
+/// Nodes along the minor axis of balls in a film whose traction follows the pressure point by
+/// point, unless the options ask for others: two see one pressure of a row, and heat is up to a
+/// tenth off (decision 414). Films of whole strips (kTrac 8, 12) and the laws of record 10.1 need
+/// two.
+void choose_nodes(Prepared& prepared) {
+  const auto& oil = prepared.as_built.lubrication;
+  constexpr const char* kOption = "ellipseMinor";
+  if (!oil || prepared.as_built.rollers() || prepared.input.option_values.contains(kOption) ||
+      tribology::lubricant_of(*oil).model == tribology::LubricantModel::ViscoElastic)
+    return;
+  prepared.options.system.ellipse_minor = 4;
+}
+
 Prepared prepare_model(LoadedDeck input) {
   Prepared out;
   out.input = std::move(input);
@@ -134,6 +148,7 @@ Prepared prepare_model(LoadedDeck input) {
       program_version(out.user.get()).substr(std::string_view(kProgramVersion).size());
   out.as_built.mounting.centrifugal_growth = out.options.centrifugal_growth;
   if (out.as_built.lubrication) out.as_built.lubrication->direct_strips = out.options.direct_strips;
+  choose_nodes(out);
   for (Issue& issue : setup::check_buildable(deck, user))
     out.input.warnings.push_back(std::move(issue));
   if (out.as_built.thermal && deck.integer("mode") < 0) {

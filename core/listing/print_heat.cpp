@@ -31,8 +31,9 @@ std::vector<Cause> causes(const statics::FrictionEstimate& f) {
     if (flange > 0.0) out.push_back({"flanges, " + at, flange});
   }
   if (!f.medium.empty()) {
-    out.push_back({"drag of elements in the medium", f.element_drag});
-    out.push_back({"drag of the cage in the medium", f.cage_drag});
+    const std::string in_medium = " in the medium";
+    out.push_back({"drag of elements" + in_medium, f.element_drag});
+    out.push_back({"drag of the cage" + in_medium, f.cage_drag});
   }
   return out;
 }

@@ -224,7 +224,8 @@ const std::vector<Option>& options() {
            return parse_count(v, o.system.ellipse_major, 10, 100);
          }},
         {{"ellipseMinor", fmt::format("{}", defaults.system.ellipse_minor),
-          "quadrature nodes along its minor axis, 1 to 64"},
+          "quadrature nodes along its minor axis, 1 to 64; 4 unless given where a film's traction "
+          "follows the pressure (kTrac 1 to 7, 10, 11, 13 to 20)"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.system.ellipse_minor, 1, 64);
          }},

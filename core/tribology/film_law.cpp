@@ -14,7 +14,6 @@ namespace adore::tribology {
 namespace {
 
 constexpr double kLeastBeta = 1e-9;       // 1/K: no heating to speak of
-constexpr double kStartPressure = 1e9;    // Pa, where `start` of a law is taken
 constexpr double kLargestPressure = 6e9;  // Pa, beyond any bearing
 constexpr double kFitError = 1e-4;        // of ln μ and ln of the heating
 
@@ -27,7 +26,6 @@ double log_constant(const FilmRegression& f, double viscosity, double alpha, dou
 /// Fits that both films with measured viscosity take.
 struct MeasuredFits {
   PressureFit log_viscosity, log_heating;
-  double start = 0.0;  ///< slip at which κ bends: heating sets in, or the limit is reached
 };
 MeasuredFits measured_fits(const Lubricant& oil, double T) {
   const auto log_viscosity = [&](double p) { return std::log(oil.pressed_viscosity(p, T)); };
@@ -38,14 +36,8 @@ MeasuredFits measured_fits(const Lubricant& oil, double T) {
   };
   const double end =
       pressure_of_viscosity(log_viscosity, kLogGlassViscosity - 0.6, kLargestPressure);
-  MeasuredFits out{fit_over_pressure(log_viscosity, end, kFitError).fit,
-                   fit_over_pressure(log_heating, end, kFitError).fit};
-  constexpr double kFilm = 3e-7;  // m, a usual one
-  const double limit =
-      oil.limiting_ratio * kStartPressure * kFilm / std::exp(out.log_viscosity.at(kStartPressure));
-  out.start =
-      std::max(std::min(limit, std::exp(-out.log_heating.at(kStartPressure))), kRegularisationSlip);
-  return out;
+  return {fit_over_pressure(log_viscosity, end, kFitError).fit,
+          fit_over_pressure(log_heating, end, kFitError).fit};
 }
 
 }  // namespace
@@ -81,19 +73,14 @@ HeatedFilm heated_film(const Lubricant& oil, double T) {
 
 MeasuredFilm measured_film(const Lubricant& oil, double T) {
   const MeasuredFits fits = measured_fits(oil, T);
-  return {fits.log_viscosity, fits.log_heating, LimitedTraction::at(oil.limiting_ratio),
-          fits.start};
+  return {fits.log_viscosity, fits.log_heating, LimitedTraction::at(oil.limiting_ratio)};
 }
 
 ThinningFilm thinning_film(const Lubricant& oil, double T) {
   demand(oil.carreau_a == 2.0, "shear thinning with a = 2");
   const MeasuredFits fits = measured_fits(oil, T);
-  return {fits.log_viscosity,
-          fits.log_heating,
-          oil.carreau_G * T / oil.carreau_TR,
-          0.5 * (oil.carreau_n - 1.0),
-          LimitedTraction::at(oil.limiting_ratio),
-          fits.start};
+  return {fits.log_viscosity, fits.log_heating, oil.carreau_G * T / oil.carreau_TR,
+          0.5 * (oil.carreau_n - 1.0), LimitedTraction::at(oil.limiting_ratio)};
 }
 
 TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,
@@ -120,7 +107,6 @@ TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,
   ViscoElasticSurface surface;
   if (lubrication.direct_strips) {
     surface.film = visco_elastic_direct(oil, T);
-    surface.film.start_slip = visco_elastic_start(surface.film, s.width_over_pressure, speed);
   } else {
     surface = visco_elastic_surface(oil, T, s.width_over_pressure, speed,
                                     surface_error_of(lubrication.tolerance));

@@ -60,7 +60,7 @@ double TractionLaw::coefficient(double slip, double pressure) const {
 
 double TractionLaw::slip_scale() const noexcept {
   const double start = visit([](const auto& law) { return law.start(); });
-  return rounded() && !has_film() ? 0.0 : start;
+  return rounded() ? 0.0 : start;
 }
 
 double TractionLaw::kink() const noexcept {

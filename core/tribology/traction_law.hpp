@@ -62,7 +62,7 @@ class TractionLaw {
   /// Is slip rounded?
   [[nodiscard]] bool rounded() const noexcept { return floor_ > kNoRounding; }
   /// Slip over which the law starts [m/s]: u0 of two slopes, 1/C of the exponential; 0 when κ(0) ≠
-  /// 0 or C = 0.
+  /// 0 or C = 0, and with a film.
   [[nodiscard]] double slip_scale() const noexcept;
   [[nodiscard]] double kink() const noexcept;
   [[nodiscard]] bool has_film() const noexcept;

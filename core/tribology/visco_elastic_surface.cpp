@@ -252,16 +252,7 @@ ViscoElasticSurface visco_elastic_surface(const Lubricant& oil, double temperatu
   out.wanted = wanted;
   out.speed[0] = kLeastSpeed * race_speed;
   out.speed[1] = kLargestSpeed * race_speed;
-  out.film.start_slip = visco_elastic_start(out.film, width_over_pressure, race_speed);
   return out;
-}
-
-double visco_elastic_start(const ViscoElasticFilm& film, double width_over_pressure,
-                           double race_speed) {
-  constexpr double kFilm = 3e-7, kPressure = 1e9;
-  const double transit = width_over_pressure * kPressure / (0.5 * race_speed);
-  const ViscoElasticStrip strip = strip_of(film.liquid, kPressure, transit);
-  return std::max(kFilm * corner_rate(strip), kRegularisationSlip);
 }
 
 void heat_film(ViscoElasticFilm& film, const Lubricant& oil, double temperature,

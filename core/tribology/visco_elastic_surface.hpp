@@ -49,9 +49,6 @@ inline constexpr double kLargestOverMean = 10.0;
 
 /// The film without a surface: every strip is integrated.
 [[nodiscard]] ViscoElasticFilm visco_elastic_direct(const Lubricant& lubricant, double temperature);
-/// Slip at which κ bends in a usual contact: 1 GPa, half the race's speed, a film of 0.3 µm [m/s].
-[[nodiscard]] double visco_elastic_start(const ViscoElasticFilm& film, double width_over_pressure,
-                                         double race_speed);
 
 /// A body under the film.
 struct FilmWall {

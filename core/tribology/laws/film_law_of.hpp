@@ -18,7 +18,6 @@
 ///   static constexpr bool kOfStrip;   true: the functor wants the peak pressure of the strip along
 ///       rolling in which the point lies, gives the mean over the strip at that slip, and has
 ///       row(peak) -> T operator()(const T& slip), the same with the strip's part done once
-///   double start() const;
 /// where its points are dear, wanted(share) of the functor: 0 for those that are not read;
 /// and, where it is a long chain of dependent sums, several<N, Share>(slip, pressure, kappa) for N
 /// points at once, whose chains overlap, Share consecutive ones at each of the N/Share pressures.
@@ -124,7 +123,8 @@ struct FilmLawOf {
     return out;
   }
   [[nodiscard]] double kink() const { return metal.kink(); }
-  [[nodiscard]] double start() const { return fluid.start(); }
+  /// Steep, and the steeper the larger the pressure: pieces end where spin has them (decision 414).
+  [[nodiscard]] double start() const { return 0.0; }
   [[nodiscard]] double at_rest() const { return metal.at_rest(); }
 };
 

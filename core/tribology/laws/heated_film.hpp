@@ -58,7 +58,6 @@ struct HeatedFilm {
     return {viscosity / (heating * thickness), heating, half_alpha, limit};
   }
   /// Slip at which heating sets in (S = 1) at 1 GPa.
-  [[nodiscard]] double start() const { return 1.0 / (heating * std::exp(1e9 * half_alpha)); }
 };
 
 }  // namespace adore::tribology

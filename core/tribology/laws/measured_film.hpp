@@ -16,7 +16,6 @@ struct MeasuredFilm {
   PressureFit log_viscosity;  ///< ln μ1 [Pa s]
   PressureFit log_heating;    ///< ln √(β μ1/(8 K)) [s/m]
   LimitedTraction limit;
-  double start_slip = 0.0;
 
   static constexpr bool kOfStrip = false;
 
@@ -57,7 +56,6 @@ struct MeasuredFilm {
   [[gnu::always_inline]] Here<T> at(const ContactPoint<T>&, const T& thickness) const {
     return {this, 1.0 / thickness};
   }
-  [[nodiscard]] double start() const { return start_slip; }
 };
 
 }  // namespace adore::tribology

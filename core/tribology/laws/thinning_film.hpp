@@ -30,7 +30,6 @@ struct ThinningFilm {
   double modulus = 0.0;       ///< G [Pa]
   double half_power = 0.0;    ///< (n - 1)/2
   LimitedTraction limit;
-  double start_slip = 0.0;
   const double* surface = nullptr;  ///< [ln r0][½ ln D0]; null: every point is solved
   SplineAxis log_rate{}, log_heat{};
   double most_rate = 0.0, most_heat = 0.0;  ///< that the surface covers
@@ -152,7 +151,6 @@ struct ThinningFilm {
   [[gnu::always_inline]] Here<T> at(const ContactPoint<T>&, const T& thickness) const {
     return {this, -ScalarLog<T>::log(thickness * modulus)};
   }
-  [[nodiscard]] double start() const { return start_slip; }
 };
 
 }  // namespace adore::tribology

@@ -41,7 +41,6 @@ struct ViscoElasticFilm {
   const double* corner = nullptr;       ///< ln γ_r: [transit][pressure], axes of its own
   double stress = 0.0, stress_p = 0.0;  ///< κ_s = stress_p + 4/π stress/p
   SplineAxis root_pressure, log_rate, log_transit, corner_root_pressure, corner_log_transit;
-  double start_slip = 0.0;
   double pressure[2] = {};       ///< that the surface covers [Pa]
   double range_transit[2] = {};  ///< ln c that it covers
   bool direct = false;           ///< integrate every strip
@@ -236,7 +235,6 @@ struct ViscoElasticFilm {
     out.place.wanted = 1.0;
     return out;
   }
-  [[nodiscard]] double start() const { return start_slip; }
 };
 
 }  // namespace adore::tribology

@@ -175,3 +175,42 @@ TEST_CASE("film law: over an ellipse it is odd in the slip and its power is its 
   CHECK(a.F_t == Approx(exact.F_t).epsilon(1e-3));
   CHECK(a.heat == Approx(exact.heat).epsilon(1e-3));
 }
+
+TEST_CASE("film law: the rule of a run sees the heat of contacts that roll and spin",
+          "[physics][film_law]") {
+  // Against 150 x 24 nodes, over pressures, spins and places where the rolling slip reverses. Twice
+  // the root mean square that each rule has in its worst lubricant (measured: 4.4, 1.8 and 17 %).
+  for (const int code : {1, 2, 3, 4, 5, 6, 7, 10, 11, 13, 15, 18, 20}) {
+    const TractionLaw law = law_of(dry_curve(), code, 0.0);
+    double of_four = 0.0, of_fine = 0.0, of_two = 0.0;
+    int n = 0;
+    for (const double p : {1e9, 2e9, 3e9})
+      for (const double spin : {300.0, 1000.0, 3000.0})
+        for (const double place : {0.2, 0.45, 0.7}) {
+          EllipseGeometry g;
+          g.b = 1.2e-4 * p / 1.91e9;
+          g.a = kEllipse * g.b;
+          g.Q = 2.0 / 3.0 * 3.14159265358979 * g.a * g.b * p;
+          g.rho = 0.0066;
+          g.h0 = 0.0063;
+          EllipseKinematics m;
+          m.W_c = 5000.0;
+          m.W_n = spin;
+          m.u_t = m.W_c * g.height(place * g.a);
+          m.entrainment = 25.0;
+          m.curvature = 1.0 / kRadius;
+          const auto heat = [&](int major, int minor) {
+            return ellipse_traction(law, g, m, make_split_ellipse_rule(major, minor)).heat;
+          };
+          const double truth = heat(150, 24);
+          of_four += std::pow(heat(15, 4) / truth - 1.0, 2);
+          of_fine += std::pow(heat(30, 8) / truth - 1.0, 2);
+          of_two += std::pow(heat(15, 2) / truth - 1.0, 2);
+          ++n;
+        }
+    CAPTURE(code, std::sqrt(of_four / n), std::sqrt(of_fine / n), std::sqrt(of_two / n));
+    CHECK(std::sqrt(of_four / n) < 0.06);
+    CHECK(std::sqrt(of_fine / n) < 0.02);
+    CHECK(of_four < of_two);
+  }
+}
