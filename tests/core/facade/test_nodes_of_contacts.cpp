@@ -47,17 +47,6 @@ Told run_with(deck::Deck deck, const Options& options) {
 
 }  // namespace
 
-TEST_CASE("Nodes that cannot see the slip of a contact are warned of with their share of the heat",
-          "[facade]") {
-  for (const Options& few : {Options{{"ellipseMajor", "1"}, {"ellipseMinor", "1"}},
-                             Options{{"ellipseMajor", "2"}, {"ellipseMinor", "1"}}}) {
-    const Told told = run_with(deck::new_deck("ball"), few);
-    CAPTURE(told.off);
-    CHECK(told.warned == (std::abs(told.off) > 0.05));
-    CHECK(told.print.find("of the heat of the races") != std::string::npos);
-  }
-}
-
 TEST_CASE("The nodes of the examples keep the heat of the races, oiled or not", "[facade]") {
   for (const deck::TemplateInfo& example : deck::templates()) {
     deck::Deck deck = deck::new_deck(example.name);
@@ -69,15 +58,20 @@ TEST_CASE("The nodes of the examples keep the heat of the races, oiled or not", 
   }
 }
 
-TEST_CASE("Two nodes across a film that follows the pressure are told of", "[facade]") {
+TEST_CASE("Nodes that cannot see a film follow the pressure are warned of", "[facade]") {
   deck::Deck deck = deck::new_deck("ball");
   deck.set("kTrac", "1");
   deck.complete();
+  deck.set("strParam", "10.0");
   const Told usual = run_with(deck, {});
-  CHECK(std::abs(usual.off) < 0.03);
+  CHECK(std::abs(usual.off) < 0.01);
   CHECK_FALSE(usual.warned);
-  const Told two = run_with(deck, {{"ellipseMinor", "2"}});
-  CAPTURE(two.off);
-  CHECK(std::abs(two.off) > 2.0 * std::abs(usual.off));
-  CHECK(two.warned == (std::abs(two.off) > 0.05));
+  CHECK(usual.print.find("of the heat of the races") != std::string::npos);
+  // One node across is 54 % off, two 7 %.
+  for (const char* few : {"1", "2"}) {
+    const Told told = run_with(deck, {{"ellipseMinor", few}});
+    CAPTURE(few, told.off);
+    CHECK(std::abs(told.off) > 0.05);
+    CHECK(told.warned);
+  }
 }
