@@ -2,6 +2,7 @@
 
 #include "dynamics/evaluation.hpp"
 #include "dynamics/force_pass.hpp"
+#include "dynamics/prescribed_races.hpp"
 #include "dynamics/system.hpp"
 
 #include <functional>
@@ -126,6 +127,13 @@ class SceneEffect {
   virtual void start(std::span<double> y) const { (void)y; }
   /// Takes over from a start state what it keeps beside y.
   virtual void resume(std::span<const double> y) { (void)y; }
+  /// Adds what it makes of the races at time t (prescribed_races.hpp).
+  virtual void prescribe(double t, PrescribedRaces& races) const { (void)t, (void)races; }
+  /// Goes on from a run in which races were prescribed as `before`; now they are as `now`.
+  virtual void go_on(const PrescribedRaces& before, const PrescribedRaces& now,
+                     std::span<double> y) {
+    (void)before, (void)now, (void)y;
+  }
   /// Largest dQ/dδ of its contacts at a load of 1e-3 `force` [N/m]; 0: it has none.
   [[nodiscard]] virtual double stiffness(double force) const { return (void)force, 0.0; }
 

@@ -185,6 +185,20 @@ double System::shaft_rotation(double t, std::span<const double> y) noexcept {
   return s.e.race[1].angle - s.e.race[0].angle;
 }
 
+PrescribedRaces System::prescribed_races(double t, std::span<const double> y) noexcept {
+  PrescribedRaces out;
+  for (const auto& effect : impl_->parts.effects) effect->prescribe(t, out);
+  (void)shaft_rotation(t, y);
+  for (std::size_t j = 0; j < 2; ++j) out[j].angle = impl_->e.race[j].angle;
+  return out;
+}
+
+void System::go_on(const PrescribedRaces& before, double t, std::span<double> y) {
+  const PrescribedRaces now = prescribed_races(t, y);
+  for (const auto& effect : impl_->parts.effects) effect->go_on(before, now, y);
+  impl_->is_checked = false;
+}
+
 /// Rates follow a quaternion in proportion: a method that knows those of the end of its step need
 /// not ask for them again for less.
 constexpr double kUnitLength = 1e-10;

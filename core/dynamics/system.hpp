@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
+#include "dynamics/prescribed_races.hpp"
 #include "dynamics/scene.hpp"
 #include "dynamics/state_layout.hpp"
 #include "scene/quadrature_error.hpp"
@@ -41,6 +42,11 @@ class System {
   /// Fixes the reference of the ledgers and takes over what effects keep beside the state (call
   /// once with the start state).
   void set_start(double t, std::span<const double> y);
+  /// What the deck makes of the races at t, and how far they have turned.
+  [[nodiscard]] PrescribedRaces prescribed_races(double t, std::span<const double> y) noexcept;
+  /// Goes on at t from the state of a run whose deck made `before` of its races
+  /// (prescribed_races.hpp); before set_start().
+  void go_on(const PrescribedRaces& before, double t, std::span<double> y);
   /// Goes on with the state of a system of the same layout whose bearing had other temperatures:
   /// scales and ledgers go on, and the jumps of stored energy and momentum are booked in y (effect
   /// "thermal steps").

@@ -1,4 +1,5 @@
 #include "base/errors.hpp"
+#include "dynamics/effects/races.hpp"
 #include "dynamics/effects/thermal_steps.hpp"
 #include "dynamics/state_access.hpp"
 #include "dynamics/system_impl.hpp"
@@ -104,6 +105,9 @@ void System::take_over(System& before, double t, std::span<double> y) {
   for (const auto& effect : s.parts.effects)
     if (const auto* found = dynamic_cast<const ThermalSteps*>(effect.get())) steps = found;
   demand(steps != nullptr, "a system takes another one over without thermal steps");
+  const PrescribedRaces races = before.prescribed_races(t, y), now = prescribed_races(t, y);
+  for (const auto& effect : s.parts.effects)  // free races stay where they are
+    if (auto* turns = dynamic_cast<Races*>(effect.get())) turns->go_on(races, now, y);
   s.parts.cost = std::move(old.parts.cost);  // of the same blocks
   s.scales = old.scales;
   s.apply_scales();

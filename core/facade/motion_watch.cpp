@@ -22,6 +22,15 @@ std::string quantity(double si, const results::UnitPair& unit, results::UnitSyst
                      results::unit_name(unit, units));
 }
 
+/// Of a roller at the wall of its pocket [m]: guide faces (record 7.3) may be shorter than the
+/// roller; of several pairs the longest is taken to carry it.
+double touching_length(const bearing::RollerGeometry& rollers, const bearing::Cage& cage) {
+  double longest = 0.0;
+  for (const bearing::RollerPocketFace& face : cage.pocket_faces)
+    longest = std::max(longest, face.length);
+  return cage.pocket_faces.empty() ? rollers.length : std::min(rollers.length, longest);
+}
+
 }  // namespace
 
 MotionWatch::MotionWatch(const bearing::Bearing& bearing) : bearing_(bearing) {
@@ -79,7 +88,9 @@ double MotionWatch::pocket_pressure(const scene::PocketContactSnapshot& contact)
     const bool round = cage.pocket == bearing::PocketShape::Cylindrical;
     const double curvature = round ? 2.0 / D - 2.0 / (D + cage.pocket_clearance_1) : 2.0 / D;
     if (!(curvature > 0.0)) return 0.0;
-    return contact::line_pressure(contact.force / rollers->length, curvature, E_star).peak;
+    return contact::line_pressure(contact.force / touching_length(*rollers, cage), curvature,
+                                  E_star)
+        .peak;
   }
   const double Q = std::min(contact.force, pocket_cap_ > 0.0 ? pocket_cap_ : contact.force);
   const double area = pocket_patch_ * std::cbrt(Q * Q);

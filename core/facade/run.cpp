@@ -94,8 +94,19 @@ long last_step(const RunRequest& request, const Span& span, const StartPoint& st
   return span.max_steps > kMost - from ? kMost : from + span.max_steps;
 }
 
-/// A continued run must have its end before it. @return true when it has reached it already
-bool at_its_end(const Span& span, long last_step, const StartPoint& start,
+/// How much later than from the speeds alone a run that goes on has turned as far as it is asked:
+/// its speeds were others before [s].
+double delay_of_turns(const RunRequest& request, const StartPoint& start, double turned,
+                      double turns_per_second) {
+  if (!start.continued || !request.until.ends_with("rev")) return 0.0;
+  const double delay = start.time - turned / turns_per_second;
+  return std::abs(delay) > 1e-12 * start.time ? delay : 0.0;
+}
+
+/// A continued run must have its end before it.
+/// @param turned of the shaft until now
+/// @return true when it has reached it already
+bool at_its_end(const Span& span, long last_step, const StartPoint& start, double turned,
                 double turns_per_second) {
   const auto refuse = [&](const std::string& end, const std::string& now) {
     throw InputError(fmt::format(
@@ -105,9 +116,9 @@ bool at_its_end(const Span& span, long last_step, const StartPoint& start,
   };
   if (span.end < start.time * (1.0 - 1e-12)) {
     const auto text = [&](double time) {
-      return turns_per_second != 0.0
-                 ? fmt::format("{:.6g} s ({:.6g} turns)", time, turns_per_second * time)
-                 : fmt::format("{:.6g} s", time);
+      return turns_per_second != 0.0 ? fmt::format("{:.6g} s ({:.6g} turns)", time,
+                                                   turned + turns_per_second * (time - start.time))
+                                     : fmt::format("{:.6g} s", time);
     };
     refuse(text(span.end), text(start.time));
   }
@@ -339,11 +350,15 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   if (thermal) outputs.show_thermal(*thermal);
   StartPoint start = outputs.find_start(system, how);
   const double scale = system.scales().time;
-  const Span span = run_span(request, prepared, scale);
+  Span span = run_span(request, prepared, scale);
   const long last = last_step(request, span, start);
   const double turns_per_second =
       (prepared.bearing.speed[1] - prepared.bearing.speed[0]) / (2.0 * std::numbers::pi);
-  if (start.continued && at_its_end(span, last, start, turns_per_second) && start.complete) {
+  const double turned =
+      (system.shaft_rotation(start.time, start.y) + start.turned_before) / (2.0 * std::numbers::pi);
+  span.end += delay_of_turns(request, start, turned, turns_per_second);
+  if (start.continued && at_its_end(span, last, start, turned, turns_per_second) &&
+      start.complete) {
     RunOutcome nothing;
     nothing.message = fmt::format(
         "nothing left to do: the run is complete, at step {} and t = {:.6g} s; go on with a later "
@@ -351,7 +366,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
         start.step, start.time);
     nothing.steps = start.step;
     nothing.time = start.time;
-    nothing.revolutions = turns_per_second * start.time;
+    nothing.revolutions = turned;
     return nothing;
   }
   if (!start.continued || !request.go_on) start.segment = start.step;

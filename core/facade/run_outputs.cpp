@@ -8,6 +8,7 @@
 #include "facade/continued_deck.hpp"
 #include "facade/deck_summary.hpp"
 #include "facade/equilibrium.hpp"
+#include "facade/kept_races.hpp"
 #include "facade/key_results.hpp"
 #include "facade/life_observer.hpp"
 #include "facade/motion_watch.hpp"
@@ -82,6 +83,22 @@ void take_state(const results::FinalState& from, const dynamics::System& system,
   }
 }
 
+/// What a run that starts anew from FINAL, where races are prescribed as `now`, takes from before:
+/// a free race only with its state, and turns of less than one.
+dynamics::PrescribedRaces of_new_run(dynamics::PrescribedRaces races,
+                                     const results::FinalState& from,
+                                     const dynamics::PrescribedRaces& now) {
+  constexpr std::array kStates{"outer race.position", "inner race.position"};
+  for (std::size_t j = 0; j < 2; ++j) {
+    const double angle = std::remainder(races[j].angle, 2.0 * std::numbers::pi);
+    const auto is_state = [&](const std::string& name) { return name.starts_with(kStates[j]); };
+    if (std::none_of(from.components.begin(), from.components.end(), is_state)) races[j] = now[j];
+    races[j].angle = angle;
+    races[j].turned_before = 0.0;
+  }
+  return races;
+}
+
 }  // namespace
 
 /// The open files of one run and what they need to go on.
@@ -141,10 +158,10 @@ struct RunOutputs::Impl {
   void judge_quadrature(const scene::QuadratureError& error);
   void make_room();
   void print_front(const std::optional<scene::Scales>& scales);
-  [[nodiscard]] results::FinalState final_state(const dynamics::System& system, const Snapshot& at,
+  [[nodiscard]] results::FinalState final_state(dynamics::System& system, const Snapshot& at,
                                                 std::span<const double> y) const;
   [[nodiscard]] listing::StaticSummary static_summary(bool dynamic) const;
-  void write_restart(const dynamics::System& system, const Snapshot& at, std::span<const double> y,
+  void write_restart(dynamics::System& system, const Snapshot& at, std::span<const double> y,
                      const Resume& resume);
   [[nodiscard]] Snapshot snapshot(dynamics::System& system, const RunPoint& point) const;
   [[nodiscard]] results::MeanLoad mean_load() const {
@@ -181,8 +198,7 @@ void RunOutputs::Impl::make_room() {
                        away.string()));
 }
 
-results::FinalState RunOutputs::Impl::final_state(const dynamics::System& system,
-                                                  const Snapshot& at,
+results::FinalState RunOutputs::Impl::final_state(dynamics::System& system, const Snapshot& at,
                                                   std::span<const double> y) const {
   results::FinalState out;
   out.version = program_version(prepared.user.get());
@@ -194,6 +210,7 @@ results::FinalState RunOutputs::Impl::final_state(const dynamics::System& system
   out.scales = system.scales();
   out.components = component_names(system);
   out.state.assign(y.begin(), y.end());
+  keep_races(system.prescribed_races(at.time, y), out.extras);
   deck::Deck deck = prepared.input.deck;
   deck.user_lines.clear();  // of user routines: any text
   out.deck = deck::write_deck(deck);
@@ -210,7 +227,7 @@ Snapshot RunOutputs::Impl::snapshot(dynamics::System& system, const RunPoint& po
   return out;
 }
 
-void RunOutputs::Impl::write_restart(const dynamics::System& system, const Snapshot& at,
+void RunOutputs::Impl::write_restart(dynamics::System& system, const Snapshot& at,
                                      std::span<const double> y, const Resume& resume) {
   files.flush();
   results::MasterState master;
@@ -315,6 +332,10 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     results::check_bodies(from, component_names(system), file);
     compare(from, file);
     take_state(from, system, out.y);
+    if (const auto races = kept_races(from.extras))
+      system.go_on(of_new_run(*races, from, system.prescribed_races(out.time, out.y)), out.time,
+                   out.y);
+    out.turned_before = s.turned_before = 0.0 - system.shaft_rotation(out.time, out.y);
   } else if (start == setup::StartState::Continue) {
     const results::MasterState master = results::read_master(s.path(s.control.master_file));
     results::check_run_id(s.path(s.control.master_file), master.last.run_id,
@@ -327,7 +348,8 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     out.step = master.last.step;
     out.step_size = master.last.step_size;
     out.continued = true;
-    // Speeds may have changed: the shaft goes on from where it was.
+    if (const auto races = kept_races(master.last.extras)) system.go_on(*races, out.time, out.y);
+    // The shaft goes on from where it was.
     system.set_start(out.time, out.y);
     const double turned = master.last.shaft_rotation;
     const double beyond = turned - system.shaft_rotation(out.time, out.y);

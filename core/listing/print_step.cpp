@@ -64,6 +64,17 @@ void slices_of_first(Report& report, const scene::Snapshot& snapshot) {
                rows);
 }
 
+/// Races, and what of it their flanges have.
+void race_wear(Report& report, const scene::Snapshot& snapshot, const StepRecord& record,
+               std::string_view outer, std::string_view inner) {
+  for (const std::size_t j : {0U, 1U}) {
+    report.item(j == 0 ? outer : inner, record["race.wear_rate"][j], unit::kVolumeFlow);
+    const auto& flanges = snapshot.elements.front().flange[j];
+    if (flanges[0].present || flanges[1].present)
+      report.item("    of it: flanges", record["race.flange_wear_rate"][j], unit::kVolumeFlow);
+  }
+}
+
 /// Roller ends at the flanges (page 1b); nothing without a flange.
 void flanges(Report& report, const scene::Snapshot& snapshot, int interval) {
   for (std::size_t race = 0; race < 2; ++race)
@@ -325,8 +336,7 @@ void bodies(Report& report, const scene::Snapshot& snapshot, const StepRecord& r
   }
   report.heading("Wear rates, averaged since time zero, and life");
   report.item("Rolling element 1", record["power.element1_wear_rate"][0], unit::kVolumeFlow);
-  report.item("Outer race", record["race.wear_rate"][0], unit::kVolumeFlow);
-  report.item("Inner race", record["race.wear_rate"][1], unit::kVolumeFlow);
+  race_wear(report, snapshot, record, "Outer race", "Inner race");
   if (!snapshot.cages.empty())
     report.item("Cage", record["power.cage_wear_rate"][0], unit::kVolumeFlow);
   fatigue_life(report, snapshot, life_step);
@@ -417,8 +427,8 @@ void summary(Report& report, const scene::Snapshot& snapshot, const StepRecord& 
               unit::kPure);
   report.item("Average wear rate, rolling element 1", record["power.element1_wear_rate"][0],
               unit::kVolumeFlow);
-  report.item("Average wear rate, outer race", record["race.wear_rate"][0], unit::kVolumeFlow);
-  report.item("Average wear rate, inner race", record["race.wear_rate"][1], unit::kVolumeFlow);
+  race_wear(report, snapshot, record, "Average wear rate, outer race",
+            "Average wear rate, inner race");
   if (!snapshot.cages.empty())
     report.item("Average wear rate, cage", record["power.cage_wear_rate"][0], unit::kVolumeFlow);
   fatigue_life(report, snapshot, life_step);

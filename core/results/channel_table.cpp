@@ -39,9 +39,8 @@ double land_value(const Source& s, std::size_t land, Get get) {
   const auto& lands = s.cage_body().lands;
   return land < lands.size() ? get(lands[land]) : 0.0;
 }
-double race_hardness_wear(const Source& s) {
-  return average_wear_rate(s.bearing->race_material[s.race], s.snapshot->power.qv_race[s.race],
-                           s.snapshot->time);
+double race_wear(const Source& s, double load_slip) {
+  return average_wear_rate(s.bearing->race_material[s.race], load_slip, s.snapshot->time);
 }
 
 constexpr auto kTable = std::to_array<Channel>({
@@ -274,7 +273,11 @@ constexpr auto kTable = std::to_array<Channel>({
     {"race.orientation", "orientation quaternion", &unit::kPure, "N", Per::Race, 4, false,
      [](const Source& s) { return s.race_body().orientation[s.component]; }, "body to base frame"},
     {"race.wear_rate", "average wear rate", &unit::kVolumeFlow, "-", Per::Race, 1, false,
-     [](const Source& s) { return race_hardness_wear(s); }, "of the race, averaged since time zero"},
+     [](const Source& s) { return race_wear(s, s.snapshot->power.qv_race[s.race] + s.snapshot->power.qv_flange[s.race]); },
+     "of the race with its flanges, averaged since time zero"},
+    {"race.flange_wear_rate", "average wear rate of the flanges", &unit::kVolumeFlow, "-", Per::Race, 1, false,
+     [](const Source& s) { return race_wear(s, s.snapshot->power.qv_flange[s.race]); },
+     "part of the race's that its flanges have; 0 without"},
     {"race.temperature", "bulk temperature", &unit::kTemperature, "-", Per::Race, 1, false,
      [](const Source& s) { return s.bearing->race_temperature[s.race]; }, "of the race"},
     // The whole bearing.
@@ -286,10 +289,12 @@ constexpr auto kTable = std::to_array<Channel>({
      [](const Source& s) { return plotted_life(s.snapshot->power.life_hours); }, "at the loads of the last life prediction (kLifeFreq); infinite as 9.9999999E+30; 0 where no life model is active"},
     {"power.element1_wear_rate", "average wear rate, rolling element 1", &unit::kVolumeFlow, "-", Per::Run, 1, false,
      [](const Source& s) {
-       return average_wear_rate(s.bearing->element_material, s.snapshot->power.qv_element1[0] + s.snapshot->power.qv_element1[1],
+       const scene::PowerSnapshot& p = s.snapshot->power;
+       return average_wear_rate(s.bearing->element_material,
+                                p.qv_element1[0] + p.qv_element1[1] + p.qv_element1_flange[0] + p.qv_element1_flange[1],
                                 s.snapshot->time);
      },
-     "from both race contacts, averaged since time zero"},
+     "from both races and their flanges, averaged since time zero"},
     {"power.cage_wear_rate", "average wear rate, cage", &unit::kVolumeFlow, "-", Per::Run, 1, false,
      [](const Source& s) {
        return s.bearing->cage ? average_wear_rate(s.bearing->cage->material, s.snapshot->power.qv_cage, s.snapshot->time) : 0.0;

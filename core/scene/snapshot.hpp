@@ -123,9 +123,9 @@ struct PowerSnapshot {
   double churning_fraction = 0.0;  ///< of it, drag and churning
   double life_hours = 0.0;         ///< at the loads now; infinity is a valid life; 0: no life model
   // Time integrals since t = 0 of load x slip [J]: what Archard wear needs (element 1 per race, all
-  // of a race, cage).
+  // of a race, cage). Raceways and flanges of a race apart.
   double qv_element1[2] = {0.0, 0.0}, qv_race[2] = {0.0, 0.0}, qv_cage = 0.0;
-  double qv_flange[2] = {0.0, 0.0};  ///< of all flanges of a race, roller ends alike
+  double qv_element1_flange[2] = {0.0, 0.0}, qv_flange[2] = {0.0, 0.0};
 };
 
 /// What the last thermal step found (core/thermal/network.hpp); flows are averages over it.

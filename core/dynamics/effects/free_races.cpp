@@ -206,6 +206,36 @@ class AskUser final : public EffectBlock {
   std::array<Vec3, 2> free_centre_;
 };
 
+/// Held directions take the difference of what was and what is prescribed there.
+void shift_held(const Loaded& one, const RaceBody& start, const PrescribedRace& before,
+                const PrescribedRace& now, std::span<double> y) {
+  constexpr double kRounding = 1e-12;
+  const auto part = [&](const Vec3& was, const Vec3& is, const Vec3& free, double scale) {
+    Vec3 out = (is - was).cwiseProduct(Vec3::Ones() - free);
+    for (int k = 0; k < 3; ++k)
+      if (std::abs(out[k]) <= kRounding * scale) out[k] = 0.0;
+    return out;
+  };
+  const Vec3 along = part(before.position, now.position, one.free_along, 1.0);
+  const Vec3 velocity = part(before.velocity, now.velocity, one.free_along,
+                             before.velocity.norm() + now.velocity.norm());
+  const double speed = part(Vec3(before.speed, 0.0, 0.0), Vec3(now.speed, 0.0, 0.0), one.free_about,
+                            std::abs(before.speed) + std::abs(now.speed))[0];
+  const Quat turn = multiply(now.attitude, {before.attitude[0], -before.attitude[1],
+                                            -before.attitude[2], -before.attitude[3]});
+  const Vec3 tilt = part(Vec3::Zero(), {0.0, turn[2], turn[3]}, one.free_about, 1.0);
+  if (along.isZero(0.0) && velocity.isZero(0.0) && speed == 0.0 && tilt.isZero(0.0)) return;
+  RaceBody race = start;
+  one.body.read(y.data(), race);
+  const Quat tilted{std::sqrt(1.0 - tilt.squaredNorm()), 0.0, tilt[1], tilt[2]};
+  race.position += along;
+  race.velocity += velocity;
+  race.omega = rotation_matrix(tilted) * race.omega + speed * start.axis();
+  race.set_attitude(multiply(tilted, race.attitude));
+  one.body.start(y, race.centre_of_mass(), race.velocity_at(race.centre_of_mass()), race.attitude,
+                 race.to_base.transpose() * race.omega);
+}
+
 class FreeRaces final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override {
@@ -290,6 +320,16 @@ class FreeRaces final : public SceneEffect {
       const Vec3 centre = race.centre_of_mass();
       loaded_[k].body.start(y, centre, race.velocity_at(centre), race.attitude,
                             race.to_base.transpose() * race.omega);
+    }
+  }
+
+  void go_on(const PrescribedRaces& before, const PrescribedRaces& now,
+             std::span<double> y) override {
+    for (Loaded& one : loaded_) {
+      const auto j = static_cast<std::size_t>(one.race);
+      if (routine_ == nullptr || !routine_->promise().drives[j])
+        shift_held(one, start_[static_cast<std::size_t>(&one - loaded_.data())], before[j], now[j],
+                   y);
     }
   }
 

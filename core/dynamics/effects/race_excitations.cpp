@@ -78,6 +78,15 @@ class RaceExcitations final : public SceneEffect {
     if (laws_->turns()) scene.block<RaceTurns>(Phase::Races, kCost, {}, *laws_);
   }
   [[nodiscard]] bool moves_races() const noexcept override { return true; }
+  void prescribe(double t, PrescribedRaces& races) const override {
+    for (int j = 0; j < 2; ++j) {
+      PrescribedRace& race = races[static_cast<std::size_t>(j)];
+      const PrescribedMotion place = laws_->place(j, t);
+      race.position += place.position;
+      race.velocity += place.velocity;
+      race.speed += laws_->turn(j, t).speed;
+    }
+  }
 
   /// A part of the shortest period; never beyond the next kink of a ramp.
   [[nodiscard]] double longest_step(double t) const override {

@@ -100,18 +100,20 @@ void RaceBlock::apply(Evaluation& e) noexcept {
 /// Prescribed races at their static place with their spin: what other prescribed motions add to.
 class RaceSpin final : public EffectBlock {
  public:
-  explicit RaceSpin(const std::array<RaceBody, 2>& at_rest) : at_rest_(at_rest) {}
+  RaceSpin(const std::array<RaceBody, 2>& at_rest, const std::array<double, 2>& turned_before)
+      : at_rest_(at_rest), turned_before_(turned_before) {}
   void apply(Evaluation& e) noexcept override {
     for (std::size_t j = 0; j < 2; ++j) {
       RaceBody& race = e.race[j];
       if (race.moves == Moves::Integrated) continue;
       race = at_rest_[j];
-      race.angle = race.turn_beyond = race.speed * e.t;
+      race.angle = race.turn_beyond = race.speed * e.t + turned_before_[j];
     }
   }
 
  private:
   const std::array<RaceBody, 2>& at_rest_;
+  const std::array<double, 2>& turned_before_;
 };
 
 class RacePower final : public EffectBlock {
@@ -230,7 +232,7 @@ void Races::declare(SceneBuilder& scene) {
     set_up_balls(scene);
   }
   scene.e.race = at_rest_;
-  scene.block<RaceSpin>(Phase::Races, kMotionCost, {}, at_rest_);
+  scene.block<RaceSpin>(Phase::Races, kMotionCost, {}, at_rest_, turned_before_);
   temperature_ = scene.bearing.race_temperature;
   roughness_ = rollers_ ? scene.bearing.rollers()->roughness : scene.bearing.balls().roughness;
   material_ = {scene.bearing.race_material[0], scene.bearing.race_material[1],
@@ -265,6 +267,26 @@ void Races::declare(SceneBuilder& scene) {
     normal_.emplace(contacts_,
                     balls != nullptr ? balls->slices() : scene.find<RigidElements>()->slices(),
                     ElementMasses(scene.bearing));
+  }
+}
+
+void Races::prescribe(double, PrescribedRaces& races) const {
+  for (std::size_t j = 0; j < 2; ++j) {
+    races[j].position += at_rest_[j].position;
+    races[j].attitude = at_rest_[j].attitude;
+    races[j].speed += at_rest_[j].speed;
+    races[j].turned_before = turned_before_[j];
+  }
+}
+
+void Races::go_on(const PrescribedRaces& before, const PrescribedRaces& now, std::span<double>) {
+  for (std::size_t j = 0; j < 2; ++j) {
+    // Not what rounding leaves: runs under one speed join to the same bytes.
+    const double made = now[j].angle - now[j].turned_before;
+    const double beyond = before[j].angle - made;
+    const bool same =
+        std::abs(beyond - before[j].turned_before) <= 1e-12 * std::abs(before[j].angle);
+    turned_before_[j] = same ? before[j].turned_before : beyond;
   }
 }
 

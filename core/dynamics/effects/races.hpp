@@ -15,6 +15,9 @@ namespace adore::dynamics {
 class Races final : public SceneEffect {
  public:
   void declare(SceneBuilder& scene) override;
+  void prescribe(double t, PrescribedRaces& races) const override;
+  void go_on(const PrescribedRaces& before, const PrescribedRaces& now,
+             std::span<double> y) override;
   [[nodiscard]] double stiffness(double force) const override;
   [[nodiscard]] std::string why_invalid(const Evaluation& e) const override;
   void report(const Evaluation& e, Snapshot& snapshot) const override;
@@ -50,7 +53,9 @@ class Races final : public SceneEffect {
   std::optional<std::array<RollerRaceModel, 2>> rollers_;  ///< else
   std::array<Vec3, 2> free_centre_;  ///< free positions of the race centres [m]
   std::array<RaceBody, 2> at_rest_;  ///< at t = 0: they stand still but for their spin
-  std::string stated_;               ///< of the outer race's films
+  /// Turn of prescribed races beyond speed times time: of earlier speeds [rad].
+  std::array<double, 2> turned_before_{};
+  std::string stated_;  ///< of the outer race's films
   std::array<double, 2> temperature_{}, roughness_{};
   std::array<bearing::Material, 3> material_;  ///< of races and elements
   bool in_contact_ = false;

@@ -96,6 +96,7 @@ FlangeAction act(const statics::FlangePair& pair, const SeenRoller& roller, cons
 
 struct FlangeAccount {
   double heat = 0.0, load_slip = 0.0;  ///< now [W]
+  double load_slip_element1 = 0.0;
 };
 
 class FlangeBlock final : public EffectBlock {
@@ -136,6 +137,7 @@ class FlangeBlock final : public EffectBlock {
         e.elastic += -0.4 * a.load * a.contact.gap;
         account_.heat += a.heat;
         account_.load_slip += a.load * a.slip;
+        if (i == 0) account_.load_slip_element1 += a.load * a.slip;
       }
     }
   }
@@ -188,6 +190,7 @@ class UserFlangeBlock final : public EffectBlock {
           race.add_force(-force, a.point);
           account_.heat += more * a.heat - difference * rate;
           account_.load_slip += difference * a.slip;
+          if (i == 0) account_.load_slip_element1 += difference * a.slip;
         });
     if (!valid) e.valid = false;
   }
@@ -260,13 +263,18 @@ class RollerFlanges final : public SceneEffect {
       if (traction || routine != nullptr)
         scene.energy(name + ".heat", kHeat, &account_[j].heat, static_cast<int>(j));
       if (!traction) continue;
-      if (scene.plan.has(Effect::WearIntegrals))
-        scene.integral(load_slip_[j], name + ".load_slip", "J", &account_[j].load_slip);
+      if (!scene.plan.has(Effect::WearIntegrals)) continue;
+      scene.integral(load_slip_[j], name + ".load_slip", "J", &account_[j].load_slip);
+      scene.integral(load_slip_element1_[j], name + ".load_slip_element1", "J",
+                     &account_[j].load_slip_element1);
     }
   }
 
   void report(const Evaluation& e, Snapshot& snapshot) const override {
-    for (std::size_t j = 0; j < 2; ++j) snapshot.power.qv_flange[j] = integral_at(e, load_slip_[j]);
+    for (std::size_t j = 0; j < 2; ++j) {
+      snapshot.power.qv_flange[j] = integral_at(e, load_slip_[j]);
+      snapshot.power.qv_element1_flange[j] = integral_at(e, load_slip_element1_[j]);
+    }
     for (std::size_t i = 0; i < e.elements.n; ++i)
       for (const statics::FlangePair& pair : pairs_[pairs_.size() == 1 ? 0 : i]) {
         const auto j = static_cast<std::size_t>(pair.race);
@@ -299,8 +307,8 @@ class RollerFlanges final : public SceneEffect {
   tribology::TractionLaw friction_;
   bool has_friction_ = false;
   std::array<FlangeAccount, 2> account_;
-  std::array<std::optional<UserFlangeForces>, 2> forces_;  ///< ADRX2 by race
-  std::array<int, 2> load_slip_{-1, -1};                   ///< in the state
+  std::array<std::optional<UserFlangeForces>, 2> forces_;              ///< ADRX2 by race
+  std::array<int, 2> load_slip_{-1, -1}, load_slip_element1_{-1, -1};  ///< in the state
 };
 
 }  // namespace

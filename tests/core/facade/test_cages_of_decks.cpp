@@ -1,5 +1,6 @@
 #include "core/facade/deck_runs.hpp"
 #include "deck/templates.hpp"
+#include "facade/motion_watch.hpp"
 #include "facade/prepare.hpp"
 #include "facade/run.hpp"
 #include "results/h5_file.hpp"
@@ -11,6 +12,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 /// Decks with segmented cages, without cage, and with unbalanced elements.
 using namespace adore;
@@ -207,6 +210,37 @@ TEST_CASE("a cage whose strain limit is passed is said to yield", "[validation][
   };
   CHECK_THAT(warnings("1e-5"), Catch::Contains("the cage (given in the deck) yields"));
   CHECK_THAT(warnings("0.5"), !Catch::Contains("yields, the worst"));
+}
+
+TEST_CASE("a roller presses on its pocket with the length of the guide faces", "[unit][cage]") {
+  facade::DeckRequest request;
+  request.text = deck::write_deck(deck_of("cylindrical", {}));
+  bearing::Bearing bearing = facade::prepare(request).bearing;
+  bearing.cage->material.elastic_strain_limit = 1e-9;
+  scene::Snapshot at;
+  at.elements.resize(static_cast<std::size_t>(bearing.element_count()));
+  at.elements[2].pocket.resize(1);
+  at.elements[2].pocket[0].force = 40.0;
+  const auto pressure = [&](std::vector<double> lengths) {  // [MPa]
+    bearing.cage->pocket_faces.clear();
+    for (const double length : lengths)
+      bearing.cage->pocket_faces.push_back({{}, {}, 1e-3, length});
+    facade::MotionWatch watch(bearing);
+    watch.look(at);
+    for (const std::string& text : watch.warnings(results::UnitSystem::SI))
+      if (const auto place = text.find("at a pressure of "); place != std::string::npos)
+        return std::stod(text.substr(place + 17));
+    return 0.0;
+  };
+  const double L = bearing.rollers()->length, whole = pressure({});
+  // p = sqrt(q E*/(pi R)), q the force over the length.
+  const double E_star = bearing::contact_modulus(bearing.element_material, bearing.cage->material);
+  CHECK(whole == Approx(1e-6 * std::sqrt(40.0 / L * E_star * 2.0 / bearing.element_diameter() /
+                                         std::numbers::pi))
+                     .epsilon(1e-3));
+  CHECK(pressure({L / 4.0}) == Approx(2.0 * whole).epsilon(1e-3));
+  CHECK(pressure({L / 9.0, L / 4.0}) == Approx(2.0 * whole).epsilon(1e-3));
+  CHECK(pressure({2.0 * L}) == Approx(whole).epsilon(1e-3));
 }
 
 TEST_CASE("a cage in the middle that elements overlap is refused for the clearance",
