@@ -99,7 +99,7 @@ KnownValues KnownColumns::values(const std::string& id) const {
     if (infinite && std::none_of(out.values.begin(), out.values.end(),
                                  [](double v) { return std::isfinite(v); }))
       nothing("The life is infinite at every step.");
-  } else if (id.ends_with("wear_rate")) {
+  } else if (id.find("wear_rate") != std::string::npos) {  // also "race.wear_rate.inner"
     for (std::size_t i = 0; i < out.values.size() && !(file_.steps[i].time > 0.0); ++i)
       out.values[i] = kNone;
   }

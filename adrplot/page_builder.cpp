@@ -75,10 +75,29 @@ void add_panels(ChartPage& chart, const SolFile& file, const PageSpec& page) {
   }
 }
 
+/// Components of one force, moment or acceleration: what is below a ten-millionth of the largest is
+/// the rounding of sums and fills no axis.
+void limit_detail(ChartPage& chart) {
+  constexpr double kDetail = 1e-7;
+  for (ChartPanel& panel : chart.panels) {
+    if (panel.unit != "N" && panel.unit != "N.m" && panel.unit != "m/s^2" && panel.unit != "lbf" &&
+        panel.unit != "lbf.in" && panel.unit != "in/s^2")
+      continue;
+    double largest = 0.0;
+    for (const ChartPanel& other : chart.panels)
+      if (other.unit == panel.unit)
+        for (const ChartCurve& curve : other.curves)
+          for (const double v : curve.y)
+            if (std::isfinite(v)) largest = std::max(largest, std::abs(v));
+    panel.least_span = std::max(panel.least_span, kDetail * largest);
+  }
+}
+
 void add_history(ChartPage& chart, const SolFile& file, const PageSpec& page, Abscissa abscissa,
                  const PageContext& context) {
   set_abscissa(chart, file, abscissa);
   add_panels(chart, file, page);
+  limit_detail(chart);
   for (std::size_t p = 0; p < page.panels.size(); ++p)
     for (std::size_t c = 0; c < page.panels[p].curves.size(); ++c) {
       const auto band = context.bands.find(page.panels[p].curves[c].column);

@@ -8,6 +8,20 @@
 #include <cmath>
 
 namespace adore::adrplot {
+namespace {
+
+/// Where the first view ends: a little beyond the last amplitude above 1 % of the largest, ten
+/// lines of the spectra at least.
+double last_visible(const Waterfall& fall, double largest) {
+  constexpr double kVisible = 0.01;
+  std::size_t last = std::min<std::size_t>(10, fall.frequency.size() - 1);
+  for (const auto& piece : fall.amplitude)
+    for (std::size_t k = last; k < piece.size(); ++k)
+      if (piece[k] > kVisible * largest) last = k;
+  return std::min(fall.frequency.back(), 1.15 * fall.frequency[last]);
+}
+
+}  // namespace
 
 void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
                   const SpectrumOptions& options) {
@@ -41,15 +55,17 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   }
   panel.one_colour = true;
   page.x = fall.frequency;
+  page.title += ": waterfall";
+  page.view_low = 0.0;
+  page.view_high = last_visible(fall, largest);
   page.x_title = "Frequency";
   page.x_unit = "Hz";
-  page.note +=
-      fmt::format("{}{} spectra of {}{}{}, centred at {} to {}; lines stand {} apart.",
-                  page.note.empty() ? "" : " ", fall.time.size(), source.title,
-                  source.curves.front().name.empty() ? "" : ", ", source.curves.front().name,
-                  desktop::pretty_quantity(fall.time.front(), "s", 3),
-                  desktop::pretty_quantity(fall.time.back(), "s", 3),
-                  desktop::pretty_quantity(kDistance * largest, source.unit, 3));
+  page.note += fmt::format(
+      "{}{} spectra of {}{}{}, {} to {}; {} from line to line.", page.note.empty() ? "" : " ",
+      fall.time.size(), source.title, source.curves.front().name.empty() ? "" : ", ",
+      source.curves.front().name, desktop::pretty_quantity(fall.time.front(), "s", 3),
+      desktop::pretty_quantity(fall.time.back(), "s", 3),
+      desktop::pretty_quantity(kDistance * largest, source.unit, 3));
   page.panels.push_back(std::move(panel));
 }
 

@@ -11,6 +11,7 @@
 #include <QComboBox>
 #include <QDropEvent>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QImage>
 #include <QLabel>
@@ -18,6 +19,7 @@
 #include <QMimeData>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QScrollArea>
 #include <QVBoxLayout>
 
@@ -547,7 +549,16 @@ void AgoreWindow::saveFilm() {
   dialog->setObjectName("film");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
+  // What is chosen below is what the name says: "film" and GIF make film.gif, no folder.
+  const auto name_as = [dialog](const QString& filter) {
+    const QString suffix = QRegularExpression("\\*\\.(\\w+)").match(filter).captured(1);
+    const QString base = QFileInfo(dialog->selectedFiles().value(0, "bearing")).completeBaseName();
+    dialog->setDefaultSuffix(suffix);
+    dialog->selectFile(suffix.isEmpty() ? base : base + "." + suffix);
+  };
   dialog->selectFile("bearing.gif");
+  name_as(dialog->selectedNameFilter());
+  connect(dialog, &QFileDialog::filterSelected, this, name_as);
   connect(dialog, &QFileDialog::fileSelected, this, [this, dialog](const QString& name) {
     dialog->hide();  // writing takes its time
     writeFilm(name);

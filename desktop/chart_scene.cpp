@@ -365,7 +365,7 @@ void ChartScene::addPanel(std::size_t index, const QRectF& area, bool bottom, co
       addRect(base->sceneBoundingRect(), Qt::NoPen, paper);
     }
   }
-  addMarks(area, index == 0, legend, m);
+  if (any) addMarks(area, index == 0, legend, m);  // lines across a message hide its words
   areas_.push_back(area);
   y_axes_.push_back(y_axis);
 }

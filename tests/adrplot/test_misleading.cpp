@@ -1,7 +1,11 @@
 #include "adrplot/plot_document.hpp"
+#include "desktop/chart_scene.hpp"
 #include "results/channels.hpp"
+#include "support/qt_app.hpp"
 #include "support/synthetic_results.hpp"
 
+#include <QGraphicsLineItem>
+#include <QPen>
 #include <catch2/catch.hpp>
 
 #include <string>
@@ -49,6 +53,39 @@ TEST_CASE("pages: rounding of spin over roll is not drawn as a signal", "[unit][
   look(true);
   set(file, "contact.spin_to_roll.", 2e-4);
   look(false);
+}
+
+TEST_CASE("pages: rounding of a force fills no axis beside its large components",
+          "[unit][adrplot]") {
+  results::SolFile file = test::synthetic_sol(SolKind::Race);
+  set(file, "race.applied_force_x", 1e-7);
+  set(file, "race.applied_force_y", 3.0);
+  set(file, "race.applied_force_z", 5000.0);
+  const desktop::ChartPage page = page_with(file, "forces");
+  REQUIRE(page.panels.size() == 3);
+  for (const auto& panel : page.panels) CHECK(panel.least_span == Approx(5e-4));
+}
+
+TEST_CASE("pages: lines of frequencies do not cross the words of an empty chart", "[gui]") {
+  test::use_qt();
+  results::SolFile file = test::synthetic_sol(SolKind::Race);
+  set(file, "race.", 2e-6);
+  desktop::ChartPage page = page_with(file, "spectrum");
+  REQUIRE_FALSE(page.marks.empty());
+  REQUIRE(page.panels.front().message.find("Nothing vibrates") == 0);
+  const auto dashed = [](const desktop::ChartPage& shown) {
+    desktop::ChartScene scene;
+    scene.setPageSize({900, 600});
+    scene.setPage(shown);
+    int lines = 0;
+    for (const QGraphicsItem* item : scene.items())
+      if (const auto* line = qgraphicsitem_cast<const QGraphicsLineItem*>(item))
+        lines += line->pen().style() == Qt::DashLine ? 1 : 0;
+    return lines;
+  };
+  CHECK(dashed(page) == 0);
+  page.panels.front().curves.front().y.assign(page.x.size(), 1.0);
+  CHECK(dashed(page) > 0);
 }
 
 TEST_CASE("pages: the orbit of a cage without guide lands has no circle of clearance",

@@ -159,6 +159,14 @@ TEST_CASE("plot_window: any history has a spectrum and a waterfall", "[gui]") {
   REQUIRE(scene.page().panels.size() == 1);
   CHECK(scene.page().panels[0].curves.size() > 10);
   CHECK(scene.page().note.find("Contact load") != std::string::npos);
+  CHECK(scene.page().title.find(": waterfall") != std::string::npos);
+  // The first view ends where nothing can be seen any more, and hides nothing that can.
+  const double end = scene.page().view_high;
+  CHECK(end < 0.8 * scene.page().x.back());
+  const auto& first = scene.page().panels[0].curves[0].y;
+  const double largest = *std::max_element(first.begin(), first.end());
+  for (std::size_t k = 0; k < first.size(); ++k)
+    if (scene.page().x[k] > end) CHECK(first[k] < 0.02 * largest);
   window.setDomain(Domain::History);
   CHECK(scene.page().x_unit == "rev");
 }

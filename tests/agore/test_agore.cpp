@@ -12,6 +12,7 @@
 #include <QComboBox>
 #include <QDropEvent>
 #include <QFile>
+#include <QFileDialog>
 #include <QInputDialog>
 #include <QMenu>
 #include <QMenuBar>
@@ -357,6 +358,25 @@ TEST_CASE("agore_window: play, frame and pause move through the frames", "[gui]"
   click(window, "play");
   CHECK(QTest::qWaitFor([&] { return !window.playing(); }, 20000));
   CHECK(window.currentFrame() == 119);
+}
+
+TEST_CASE("agore_window: the format chosen for a film is what its name says", "[gui]") {
+  test::use_qt();
+  AgoreWindow window;
+  window.show();
+  window.setAnimation(prepare(test::synthetic_sol8(short_run(20))));
+  menu_action(window, "Save Film...")->trigger();
+  auto* dialog = window.findChild<QFileDialog*>("film");
+  REQUIRE(dialog != nullptr);
+  CHECK(dialog->defaultSuffix() == "gif");
+  for (const QString& filter : dialog->nameFilters()) {
+    emit dialog->filterSelected(filter);
+    const QString name = dialog->selectedFiles().value(0);
+    INFO(filter.toStdString() << ": " << name.toStdString());
+    for (const char* suffix : {"gif", "avi", "mp4"})
+      CHECK(name.endsWith(QString("bearing.") + suffix) == filter.contains(QString("*.") + suffix));
+  }
+  dialog->close();
 }
 
 TEST_CASE("agore_window: the time bar fills and can be clicked", "[gui]") {
