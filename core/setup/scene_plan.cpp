@@ -40,6 +40,14 @@ std::string film_reason(const bearing::Lubrication& lubrication) {
       lubrication.hot_walls ? "; iTherm = 1: walls have the flash of each strip" : "");
 }
 
+/// Resistance to rolling comes with the oil in the inlets.
+std::string rolling_reason(const deck::Deck& deck, const bearing::Bearing& bearing) {
+  const std::string code =
+      fmt::format("kTrac = {}", deck.has("kTrac") ? deck.integer("kTrac") : 0LL);
+  return bearing.lubrication ? code + ", oil in the inlets; flanges have traction alone"
+                             : code + ", no oil in the inlets";
+}
+
 /// Does a ball need no orientation to move: equal moments, mass centre in its middle?
 bool moves_as_sphere(const bearing::Bearing& bearing) {
   if (bearing.first_inertia) return false;
@@ -67,6 +75,7 @@ bool can_be_left_out(const scene::ScenePlan& plan, Effect effect) {
     case Effect::ElementOrientation:
       return !plan.rollers && !plan.rigid_balls;
     case Effect::RaceTraction:
+    case Effect::RollingResistance:
     case Effect::FlangeTraction:
     case Effect::PocketTraction:
     case Effect::ElementTraction:
@@ -149,6 +158,8 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
          can_push(bearing.race_traction) || bearing.lubrication || own_law("kTrac"),
          bearing.lubrication ? film_reason(*bearing.lubrication)
                              : law_reason("kTrac", "kTracType", bearing.race_traction));
+  effect(Effect::RollingResistance, element + " / race rolling resistance",
+         bearing.lubrication.has_value(), rolling_reason(deck, bearing));
   if (bearing.flange_traction) {
     effect(Effect::FlangeContact, "roller / flange contact", true, flange_reason(deck));
     effect(Effect::FlangeTraction, "roller / flange traction",
