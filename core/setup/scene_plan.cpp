@@ -40,14 +40,6 @@ std::string film_reason(const bearing::Lubrication& lubrication) {
       lubrication.hot_walls ? "; iTherm = 1: walls have the flash of each strip" : "");
 }
 
-/// Resistance to rolling comes with the oil in the inlets.
-std::string rolling_reason(const deck::Deck& deck, const bearing::Bearing& bearing) {
-  const std::string code =
-      fmt::format("kTrac = {}", deck.has("kTrac") ? deck.integer("kTrac") : 0LL);
-  return bearing.lubrication ? code + ", oil in the inlets; flanges have traction alone"
-                             : code + ", no oil in the inlets";
-}
-
 /// Does a ball need no orientation to move: equal moments, mass centre in its middle?
 bool moves_as_sphere(const bearing::Bearing& bearing) {
   if (bearing.first_inertia) return false;
@@ -158,8 +150,10 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
          can_push(bearing.race_traction) || bearing.lubrication || own_law("kTrac"),
          bearing.lubrication ? film_reason(*bearing.lubrication)
                              : law_reason("kTrac", "kTracType", bearing.race_traction));
-  effect(Effect::RollingResistance, element + " / race rolling resistance",
-         bearing.lubrication.has_value(), rolling_reason(deck, bearing));
+  if (bearing.lubrication)
+    effect(Effect::RollingResistance, element + " / race rolling resistance", true,
+           fmt::format("kTrac = {}, oil in the inlets; flanges have traction alone",
+                       bearing.lubrication->code));
   if (bearing.flange_traction) {
     effect(Effect::FlangeContact, "roller / flange contact", true, flange_reason(deck));
     effect(Effect::FlangeTraction, "roller / flange traction",
