@@ -96,6 +96,10 @@ TEST_CASE("rolling resistance is odd in the entrainment and nothing without spee
     CHECK(starved < 0.8 * before);
     CHECK(law_of(line, 0.0).force(contact_of(load, 10.0)) < 1e-3 * before);
     // Slip heats the inlet as it thins the film.
+    // An oil that is nearly a solid: 0.11 of the load, and no more.
+    RollingResistance frozen = law;
+    frozen.log_speed += 60.0;
+    CHECK(frozen.force(contact_of(load, 10.0)) == Approx(0.11 * load).epsilon(1e-3));
     ContactPoint<double> sliding = contact_of(load, 10.0);
     sliding.slip = 10.0;
     CHECK(law.force(sliding) < 0.9 * before);
@@ -114,7 +118,8 @@ TEST_CASE("rolling resistance of lines is Reynolds' at light loads and elastic a
     return law.force(at) / law.film.at(at).factor;
   };
   const double light = 1e-8 * law.modulus * R;
-  CHECK(over_factor(light) == Approx(2.0796 * std::sqrt(viscosity * u * light)).epsilon(2e-3));
+  // The bound of 0.11 of the load takes 0.3 % here.
+  CHECK(over_factor(light) == Approx(2.0796 * std::sqrt(viscosity * u * light)).epsilon(4e-3));
   const double heavy = 1e-4 * law.modulus * R;
   CHECK(over_factor(heavy) ==
         Approx(4.318 * R / alpha *
