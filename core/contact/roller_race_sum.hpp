@@ -36,6 +36,10 @@ struct SlicePlace {
   T entrainment;      ///< mean speed of both surfaces along rolling, in the frame that orbits with
                       ///< the roller; signed [m/s]
   T slip;             ///< [m/s]
+  // For what acts on the slice beside its traction.
+  T width, radius;    ///< on the land; of the roller [m]
+  Triple<T> along;    ///< unit vector of rolling
+  Triple<T> of_axis;  ///< the point of the roller axis in the slice, from C [m]
 };
 
 /// Middle C of the roller along and from the race axis, its axis, and the motion of the race
@@ -139,8 +143,9 @@ template <class T, class Traction, class Slope = std::nullptr_t>
         // Half the race's surface and half the roller's, which both have the orbit's motion too.
         const T speed = 0.5 * dot(slip, d.w) + dot(cross(at.spin, arm), d.w);
         const T half_width = (2.0 * kOverPi) * per_length / M::max(pressure, T(1.0));
-        return SlicePlace<T>{per_length, pressure,       half_width, 1.0 / radius - d.at.A_hoop,
-                             speed,      M::root(square)};
+        return SlicePlace<T>{per_length, pressure,        half_width, 1.0 / radius - d.at.A_hoop,
+                             speed,      M::root(square), width,      radius,
+                             d.w,        s * at.axes.a};
       };
       if constexpr (kKeeps) {
         traction.keep(KeptSlice<T>{Q, n, arm, slip, square}, place());

@@ -21,6 +21,8 @@ constexpr CatalogueLine kCatalogue[] = {
     {"contact damping", "run option contactDamping",
      "material damping of elements on their races (Hunt and Crossley)", make_contact_damping,
      contact_damping_terms},
+    {"rolling resistance", "kTrac", "inlet pressure moment of the oil at both races",
+     make_rolling_resistance, rolling_resistance_terms},
     {"race excitations", "kVarLoad, kVarSpeed",
      "rotating load, vibration, speed ramp and variation", make_race_excitations, nullptr},
     {"cage pockets", "nCseg, kCPTracType", "contact and traction of balls and cage",

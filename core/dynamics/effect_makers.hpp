@@ -15,6 +15,8 @@ MadeEffect make_races(const ScenePlan& plan);
 LedgerTerms race_terms();
 MadeEffect make_contact_damping(const ScenePlan& plan);
 LedgerTerms contact_damping_terms();
+MadeEffect make_rolling_resistance(const ScenePlan& plan);
+LedgerTerms rolling_resistance_terms();
 MadeEffect make_race_excitations(const ScenePlan& plan);
 MadeEffect make_pocket_contact(const ScenePlan& plan);
 LedgerTerms pocket_terms();

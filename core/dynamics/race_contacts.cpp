@@ -49,6 +49,15 @@ RaceKernel kernel_of(InstructionSet set) noexcept {
   return race_kernel_baseline;
 }
 
+RaceKernel rolling_kernel_of(InstructionSet set) noexcept {
+#if defined(__x86_64__)
+  if (set == InstructionSet::Avx512 && instruction_set_available(set)) return race_rolling_avx512;
+  if (set == InstructionSet::Avx2 && instruction_set_available(set)) return race_rolling_avx2;
+#endif
+  (void)set;
+  return race_rolling_baseline;
+}
+
 /// Q^(1/3) = K^(1/3) √δ: times a_hat and b_hat the half axes over √δ.
 double root_of(const contact::HertzConstants& hertz) { return std::cbrt(hertz.K); }
 
@@ -72,8 +81,10 @@ BallConstants constants_of(const RaceContactModel& model) {
           model.wavy ? &model.wavy->ratios : nullptr};
 }
 
+/// @param rolling of a rolling kernel
 RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const ElementViews& balls,
-                       const RaceMotion& race, const ElementForces& out) noexcept {
+                       const RaceMotion& race, const ElementForces& out,
+                       const tribology::RollingResistance* rolling = nullptr) noexcept {
   RaceKernelInput in;
   const auto j = static_cast<std::size_t>(model.race);
   const contact::GrooveGeometry& groove = model.groove;
@@ -87,7 +98,8 @@ RaceSums evaluate_with(RaceKernel kernel, const RaceContactModel& model, const E
   in.ball_radius = groove.ball_radius;
   in.rho = radius_of_surface(model);
   in.place = tribology::place_of(model.surface);
-  in.traction = model.traction;
+  in.traction = model.traction || rolling != nullptr;  // which read the ellipse
+  in.rolling = rolling;
   in.law_index = model.law.index();
   in.law = model.law.address();
   in.slip_floor = model.law.slip_floor();
@@ -214,6 +226,21 @@ RaceSums evaluate_race_contacts(InstructionSet set, const RaceContactModel& mode
                                 const ElementViews& balls, const RaceMotion& race,
                                 const ElementForces& out) noexcept {
   return evaluate_with(kernel_of(set), model, balls, race, out);
+}
+
+RaceSums evaluate_race_rolling(const RaceContactModel& model,
+                               const tribology::RollingResistance& rolling,
+                               const ElementViews& balls, const RaceMotion& race,
+                               const ElementForces& out) noexcept {
+  static const RaceKernel kernel = rolling_kernel_of(chosen_instruction_set());
+  return evaluate_with(kernel, model, balls, race, out, &rolling);
+}
+
+RaceSums evaluate_race_rolling(InstructionSet set, const RaceContactModel& model,
+                               const tribology::RollingResistance& rolling,
+                               const ElementViews& balls, const RaceMotion& race,
+                               const ElementForces& out) noexcept {
+  return evaluate_with(rolling_kernel_of(set), model, balls, race, out, &rolling);
 }
 
 bool instruction_set_available(InstructionSet set) noexcept {

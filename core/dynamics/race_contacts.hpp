@@ -8,6 +8,7 @@
 #include "dynamics/race_kernel.hpp"
 #include "dynamics/scene.hpp"
 #include "tribology/ellipse_traction.hpp"
+#include "tribology/laws/rolling_resistance.hpp"
 #include "tribology/traction_law.hpp"
 
 #include <array>
@@ -168,6 +169,18 @@ enum class InstructionSet : unsigned char { Baseline, Avx2, Avx512 };
 RaceSums evaluate_race_contacts(InstructionSet set, const RaceContactModel& model,
                                 const ElementViews& balls, const RaceMotion& race,
                                 const ElementForces& out) noexcept;
+
+/// Rolling resistance of the oil in the inlets of one race (effects/rolling_resistance.cpp), added
+/// to forces and moments; load, heat and load_slip of `out` are scratch here. heat of the sums is
+/// its power, the rest of them forces on the race.
+RaceSums evaluate_race_rolling(const RaceContactModel& model,
+                               const tribology::RollingResistance& rolling,
+                               const ElementViews& balls, const RaceMotion& race,
+                               const ElementForces& out) noexcept;
+RaceSums evaluate_race_rolling(InstructionSet set, const RaceContactModel& model,
+                               const tribology::RollingResistance& rolling,
+                               const ElementViews& balls, const RaceMotion& race,
+                               const ElementForces& out) noexcept;
 
 /// Name of the instruction set that evaluate_race_contacts uses here: "avx512", "avx2", "baseline".
 const char* race_contact_instruction_set() noexcept;

@@ -2,6 +2,7 @@
 
 #include "contact/angle_law.hpp"
 #include "tribology/ellipse_sum.hpp"
+#include "tribology/laws/rolling_resistance.hpp"
 
 #include <cstddef>
 
@@ -55,7 +56,8 @@ struct RaceKernelInput {
   double slip_floor;  ///< ε² of the rounded slip sqrt(u² + ε²) [m²/s²], > 0
   double slip_scale;  ///< of the law, for the break points of a split rule [m/s]
   tribology::EllipseNodes nodes;
-  struct UserPoints* points;  ///< of a law of the user; else null
+  struct UserPoints* points;                    ///< of a law of the user; else null
+  const tribology::RollingResistance* rolling;  ///< read by rolling kernels alone
   // Race pose and motion, base frame.
   double centre[3], axis[3], velocity[3], speed;
   bool tilts;
@@ -79,9 +81,14 @@ struct RaceKernelSums {
 using RaceKernel = RaceKernelSums (*)(const RaceKernelInput&) noexcept;
 
 RaceKernelSums race_kernel_baseline(const RaceKernelInput& in) noexcept;
+/// Rolling resistance alone (race_rolling_impl.hpp): `load` and `heat` are not written, heat of the
+/// sums is its own.
+RaceKernelSums race_rolling_baseline(const RaceKernelInput& in) noexcept;
 #if defined(__x86_64__)
 RaceKernelSums race_kernel_avx2(const RaceKernelInput& in) noexcept;
+RaceKernelSums race_rolling_avx2(const RaceKernelInput& in) noexcept;
 RaceKernelSums race_kernel_avx512(const RaceKernelInput& in) noexcept;
+RaceKernelSums race_rolling_avx512(const RaceKernelInput& in) noexcept;
 #endif
 
 }  // namespace adore::dynamics

@@ -1,9 +1,13 @@
 #include "dynamics/race_kernel_impl.hpp"
+#include "dynamics/race_rolling_impl.hpp"
 
 namespace adore::dynamics {
 
 RaceKernelSums race_kernel_baseline(const RaceKernelInput& in) noexcept {
   return evaluate_race(in);
+}
+RaceKernelSums race_rolling_baseline(const RaceKernelInput& in) noexcept {
+  return roll_on_race(in);
 }
 
 }  // namespace adore::dynamics

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/simd_math.hpp"
+#include "base/simd_inverse_roots.hpp"
 #include "contact/ball_groove.hpp"
 #include "contact/wavy_groove.hpp"
 #include "dynamics/ball_race_motion.hpp"
@@ -229,6 +229,11 @@ class Contacts {
   [[gnu::always_inline]] void add_to(const RaceKernelInput& in, const Lanes& at,
                                      const tribology::EllipseSums<V>& traction,
                                      Totals& totals) const;
+  /// Adds rolling resistance F along t: 2 F R'/r - F on the ball at its centre, with 1/R' the
+  /// curvature of both bodies, and F r about c; the opposite on the race (rolling_resistance.hpp).
+  template <class Law>
+  [[gnu::always_inline]] void roll(const Lanes& at, const Balls& balls, const Law& law,
+                                   Totals& totals) const;
   /// Of an open vector.
   [[gnu::always_inline]] static void put_open(const Lanes& at) {
     put(at.load, 0.0);
@@ -237,6 +242,23 @@ class Contacts {
   }
 
  private:
+  /// Components on (k, e, t) in the azimuth frame.
+  [[gnu::always_inline]] Vec in_azimuth(V along_k, V along_e, V along_t) const {
+    const Vec &e = place_.e, &k = k_;
+    const Vec t = cross(k, e);
+    return {along_k * k.x + along_e * e.x + along_t * t.x,
+            along_k * k.y + along_e * e.y + along_t * t.y,
+            along_k * k.z + along_e * e.z + along_t * t.z};
+  }
+  /// Adds to the race what is opposite to a force on the ball and a moment `about` P_j.
+  [[gnu::always_inline]] void react(const Vec& force, const Vec& about, Totals& totals) const {
+    totals.force_x -= force.x;
+    totals.force_y += s_ * force.y + c_ * force.z;
+    totals.force_z -= c_ * force.y - s_ * force.z;
+    totals.moment_x -= about.x;
+    totals.moment_y += s_ * about.y + c_ * about.z;
+    totals.moment_z -= c_ * about.y - s_ * about.z;
+  }
   /// Ball centre from P_j.
   [[gnu::always_inline]] static Vec from_centre(const RaceKernelInput& in, const Lanes& at, V s,
                                                 V c, V r) {
@@ -296,9 +318,7 @@ inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes
                                           const tribology::EllipseSums<V>& traction,
                                           Totals& totals) const {
   const auto& touch = groove_.touch();
-  const V R = place_.distance, s = s_, c = c_;
-  const Vec &e = place_.e, &k = k_;
-  const Vec t = cross(k, e);
+  const V R = place_.distance;
   contact::MeridianForce<V> meridian{-load_ * touch.n_k, -load_ * touch.n_e};
   V force_t = 0.0, heat = 0.0, load_slip = 0.0;
   V moment_k = 0.0, moment_e = 0.0, moment_t = 0.0;
@@ -308,9 +328,7 @@ inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes
     moment_k = traction.M_n * touch.n_k - traction.M_c * touch.n_e;
     moment_e = traction.M_n * touch.n_e + traction.M_c * touch.n_k;
     moment_t = traction.M_t;
-    const Vec moment{moment_k * k.x + moment_e * e.x + moment_t * t.x,
-                     moment_k * k.y + moment_e * e.y + moment_t * t.y,
-                     moment_k * k.z + moment_e * e.z + moment_t * t.z};
+    const Vec moment = in_azimuth(moment_k, moment_e, moment_t);
     heat = traction.heat;
     load_slip = traction.load_slip;
     add(at.M_x, moment.x);
@@ -323,9 +341,7 @@ inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes
   }
   if constexpr (Race::kWavy) force_t += groove_.push(load_, leaning_, approach_);
   const V force_k = meridian.along, force_e = meridian.outward;
-  const Vec force{force_k * k.x + force_e * e.x + force_t * t.x,
-                  force_k * k.y + force_e * e.y + force_t * t.y,
-                  force_k * k.z + force_e * e.z + force_t * t.z};
+  const Vec force = in_azimuth(force_k, force_e, force_t);
   add(at.F_x, force.x);
   add(at.F_r, force.y);
   add(at.F_theta, force.z);
@@ -337,15 +353,7 @@ inline void Contacts<Race, Balls>::add_to(const RaceKernelInput& in, const Lanes
   const V about_k = R * force_t + moment_k;
   const V about_e = moment_e - place_.axial * force_t;
   const V about_t = place_.axial * force_e - R * force_k + moment_t;
-  const Vec about{about_k * k.x + about_e * e.x + about_t * t.x,
-                  about_k * k.y + about_e * e.y + about_t * t.y,
-                  about_k * k.z + about_e * e.z + about_t * t.z};
-  totals.force_x -= force.x;
-  totals.force_y += s * force.y + c * force.z;
-  totals.force_z -= c * force.y - s * force.z;
-  totals.moment_x -= about.x;
-  totals.moment_y += s * about.y + c * about.z;
-  totals.moment_z -= c * about.y - s * about.z;
+  react(force, in_azimuth(about_k, about_e, about_t), totals);
   totals.elastic_energy += contact::point_energy(load_, approach_);
   totals.heat += heat;
   totals.load_slip += load_slip;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/roller_race_sum.hpp"
+#include "tribology/laws/rolling_resistance.hpp"
 
 #include <cstddef>
 
@@ -39,32 +40,47 @@ struct RollerKernelInput {
   const UserSlices* user;  ///< of a law of the user; else null
 };
 
-/// Material damping of the same contacts (contact/roller_race_damping.hpp).
-struct RollerDampingAction {
+/// What else acts at the same contacts.
+struct RollerRaceAddition {
   double force[3], moment[3];  ///< on one roller, in its meridian frame, about its middle
   double heat;                 ///< [W]
 };
 
+/// Material damping (contact/roller_race_damping.hpp).
 struct RollerDampingInput {
   const contact::RaceSlices* slices;  ///< as in RollerKernelInput
   bool alike;
   std::size_t n;
   const contact::RollerPose* rollers;  ///< open: no load
   const contact::RaceSlope* slopes;
-  RollerDampingAction* out;
+  RollerRaceAddition* out;
   double damping;  ///< d [s/m]
+};
+
+/// Rolling resistance of the oil (dynamics/roller_rolling.hpp).
+struct RollerRollingInput {
+  const contact::RaceSlices* slices;  ///< as in RollerKernelInput
+  bool alike;
+  std::size_t n;
+  const contact::RollerPose* rollers;
+  RollerRaceAddition* out;
+  const tribology::RollingResistance* law;
 };
 
 using RollerKernel = void (*)(const RollerKernelInput&) noexcept;
 using RollerDampingKernel = void (*)(const RollerDampingInput&) noexcept;
+using RollerRollingKernel = void (*)(const RollerRollingInput&) noexcept;
 
 void roller_kernel_baseline(const RollerKernelInput& in) noexcept;
 void roller_damping_baseline(const RollerDampingInput& in) noexcept;
+void roller_rolling_baseline(const RollerRollingInput& in) noexcept;
 #if defined(__x86_64__)
 void roller_kernel_avx2(const RollerKernelInput& in) noexcept;
 void roller_damping_avx2(const RollerDampingInput& in) noexcept;
+void roller_rolling_avx2(const RollerRollingInput& in) noexcept;
 void roller_kernel_avx512(const RollerKernelInput& in) noexcept;
 void roller_damping_avx512(const RollerDampingInput& in) noexcept;
+void roller_rolling_avx512(const RollerRollingInput& in) noexcept;
 #endif
 
 }  // namespace adore::dynamics

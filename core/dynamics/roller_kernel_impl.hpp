@@ -1,10 +1,11 @@
 #pragma once
 
-#include "base/simd_math.hpp"
+#include "base/simd_inverse_roots.hpp"
 #include "contact/roller_race_damping.hpp"
 #include "contact/roller_race_simd.hpp"
 #include "dynamics/roller_kernel.hpp"
 #include "dynamics/roller_kernel_user.hpp"
+#include "dynamics/roller_rolling.hpp"
 #include "dynamics/slice_law.hpp"
 #include "tribology/traction_laws.hpp"
 
@@ -120,7 +121,7 @@ inline void evaluate_rollers(const RollerKernelInput& in) {
 inline void damp_rollers(const RollerDampingInput& in) {
   for (std::size_t i = 0; i < in.n; ++i) {
     const contact::RollerPose& at = in.rollers[i];
-    RollerDampingAction& out = in.out[i];
+    RollerRaceAddition& out = in.out[i];
     out = {};
     if (at.open) continue;
     const contact::RaceSlices& slices = in.slices[in.alike ? 0 : i];
@@ -130,6 +131,25 @@ inline void damp_rollers(const RollerDampingInput& in) {
     out.force[0] = Lanes::sum(sums.force.x);
     // Growing ψ is -y of the meridian frame, and what presses more pushes back.
     out.force[1] = Lanes::sum(sums.force.y) + Lanes::sum(sums.turning) / at.r;
+    out.force[2] = Lanes::sum(sums.force.z);
+    out.moment[0] = Lanes::sum(sums.moment.x);
+    out.moment[1] = Lanes::sum(sums.moment.y);
+    out.moment[2] = Lanes::sum(sums.moment.z);
+    out.heat = Lanes::sum(sums.heat);
+  }
+}
+
+inline void roll_rollers(const RollerRollingInput& in) {
+  for (std::size_t i = 0; i < in.n; ++i) {
+    const contact::RollerPose& at = in.rollers[i];
+    RollerRaceAddition& out = in.out[i];
+    out = {};
+    if (at.open) continue;
+    contact::RollerRaceSums<V> sums;
+    const RollingOnSlices<V> rolling{*in.law, at, sums};
+    (void)contact::roller_race_sums<V>(in.slices[in.alike ? 0 : i], at, rolling);
+    out.force[0] = Lanes::sum(sums.force.x);
+    out.force[1] = Lanes::sum(sums.force.y);
     out.force[2] = Lanes::sum(sums.force.z);
     out.moment[0] = Lanes::sum(sums.moment.x);
     out.moment[1] = Lanes::sum(sums.moment.y);

@@ -33,9 +33,11 @@ results::RunSummary summary_of_deck(const Prepared& prepared, const scene::Scene
     const auto given = prepared.input.option_values.find(info.name);
     const bool set = given != prepared.input.option_values.end();
     // What the deck chooses where nobody does.
-    const std::string otherwise = info.name == "ellipseMinor"
-                                      ? fmt::format("{}", prepared.options.system.ellipse_minor)
-                                      : info.default_value;
+    std::string otherwise = info.default_value;
+    if (info.name == "ellipseMajor")
+      otherwise = fmt::format("{}", prepared.options.system.ellipse_major);
+    if (info.name == "ellipseMinor")
+      otherwise = fmt::format("{}", prepared.options.system.ellipse_minor);
     out.options.emplace_back(info.name, set ? given->second : otherwise);
   }
   out.defaults_used = deck::defaults_used(prepared.input.deck);

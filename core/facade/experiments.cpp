@@ -121,6 +121,8 @@ constexpr RunDownQuantity kRunDown[] = {
     {"run_down_exponent", "exponent n of -dw/dt = K w^n",
      [](const RunDown& r) { return r.exponent; }},
     {"run_down_time", "run-down time", [](const RunDown& r) { return r.time; }},
+    {"run_down_rolling", "of its heat by rolling resistance",
+     [](const RunDown& r) { return r.rolling; }},
     {"run_down_residual", "energy without account",
      [](const RunDown& r) { return r.energy_residual; }},
 };
@@ -175,8 +177,7 @@ std::vector<TorqueAtSpeed> torques_of(const std::string& deck, Json sets, const 
     sets["rpm2"] = speed;
     const Prepared prepared = prepare(request_of(deck, sets));
     const statics::FrictionEstimate& f = friction(prepared);
-    out.push_back({speed.get<double>() * kRpm,
-                   (f.of_race(0).rolling + f.of_race(1).rolling) / f.speed, f.torque()});
+    out.push_back({speed.get<double>() * kRpm, f.torque()});
   }
   return out;
 }

@@ -5,13 +5,10 @@
 #include "facade/run.hpp"
 #include "results/h5_reader.hpp"
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstddef>
-#include <fstream>
 #include <numbers>
 #include <utility>
 
@@ -20,28 +17,18 @@ namespace {
 
 constexpr double kRpm = std::numbers::pi / 30.0;
 
-/// The moment of the oil over the speed of the disc, as a formula of ADRX1.
-std::string rolling_formula(const std::vector<TorqueAtSpeed>& at) {
-  Eigen::MatrixX3d A(at.size(), 3);
-  Eigen::VectorXd b(at.size());
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    const auto row = static_cast<Eigen::Index>(k);
-    const double x = std::log(at[k].speed);
-    A.row(row) << 1.0, x, x * x;
-    b[row] = std::log(at[k].rolling);
-  }
-  const Eigen::Vector3d c = A.colPivHouseholderQr().solve(b);
-  return fmt::format(
-      "spin2 > 1e-3 ? -exp({:.12g} + ({:.12g})*ln(spin2) + ({:.12g})*ln(spin2)^2) : 0", c[0], c[1],
-      c[2]);
-}
-
 /// Seconds from the last speed to the first: J ∫ dω/T by the trapezoidal rule.
 double time_down(const std::vector<TorqueAtSpeed>& at, double inertia) {
   double sum = 0.0;
   for (std::size_t k = 1; k < at.size(); ++k)
     sum += 0.5 * (at[k].speed - at[k - 1].speed) * (1.0 / at[k].total + 1.0 / at[k - 1].total);
   return inertia * sum;
+}
+
+/// Of both races at the last stored step.
+double at_the_end(const results::H5Reader& file, const char* channel) {
+  const std::vector<double> values = file.read(channel);
+  return values.at(values.size() - 2) + values.back();
 }
 
 /// n of -dω/dt ~ ωⁿ from speeds that fall over the steps of a run.
@@ -87,14 +74,10 @@ double power_of(const std::vector<double>& x, const std::vector<double>& y) {
 RunDown run_down(const DeckRequest& moving, const std::vector<TorqueAtSpeed>& at, double inertia) {
   const PassingFolder folder;
   const std::filesystem::path routine = folder.path() / "rolling.json";
-  const nlohmann::json formulas{{"version", "rolling of the oil"},
-                                {"adrx1", {{"inner_race", {{"moment", rolling_formula(at)}}}}}};
-  std::ofstream(routine) << formulas.dump(1);
   RunRequest request;
   static_cast<DeckRequest&>(request) = moving;
   request.sets.emplace_back("rpm2", fmt::format("{:#.12g}", at.back().speed / kRpm));
   request.sets.emplace_back("raceMIx2", fmt::format("{:#.12g}", inertia));
-  request.user = routine;
   request.out = folder.path() / "run";
   request.until = fmt::format("{:.12g}s", time_down(at, inertia));
   const RunOutcome outcome = run(request);
@@ -108,6 +91,8 @@ RunDown run_down(const DeckRequest& moving, const std::vector<TorqueAtSpeed>& at
   out.time = outcome.time;
   out.end_speed = speed.back();
   out.energy_residual = std::abs(outcome.energy_residual) / outcome.energy_scale;
+  const double rolling = at_the_end(file, "energy.rolling_heat");
+  out.rolling = rolling / (rolling + at_the_end(file, "energy.heat"));
   out.steps = outcome.steps;
   return out;
 }

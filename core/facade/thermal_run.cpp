@@ -63,7 +63,8 @@ thermal::HeatSources ThermalRun::sources(const scene::EnergyLedger& energy) cons
     }
   const double width = guided[0] + guided[1];
   for (std::size_t j = 0; j < 2; ++j) {
-    out.race[j] = energy.value("heat", static_cast<int>(j));
+    const auto race = static_cast<int>(j);
+    out.race[j] = energy.value("heat", race) + energy.value("rolling_heat", race);
     out.land[j] = width > 0.0 ? lands * guided[j] / width : 0.0;
     out.flange[j] = 0.5 * energy.value("flange_heat");
     if (energy.find("flange_heat", 1) != nullptr)

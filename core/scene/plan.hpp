@@ -10,9 +10,10 @@
 namespace adore::scene {
 
 enum class Effect : unsigned char {
-  RaceContact,    ///< element / race normal force
-  RaceTraction,   ///< traction over the contact ellipse
-  FlangeContact,  ///< roller end / race flange
+  RaceContact,        ///< element / race normal force
+  RaceTraction,       ///< traction over the contact ellipse
+  RollingResistance,  ///< of the oil in the inlets of the same contacts (kTrac > 0)
+  FlangeContact,      ///< roller end / race flange
   FlangeTraction,
   PocketContact,  ///< element / cage pocket
   PocketTraction,

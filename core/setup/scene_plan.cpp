@@ -67,6 +67,7 @@ bool can_be_left_out(const scene::ScenePlan& plan, Effect effect) {
     case Effect::ElementOrientation:
       return !plan.rollers && !plan.rigid_balls;
     case Effect::RaceTraction:
+    case Effect::RollingResistance:
     case Effect::FlangeTraction:
     case Effect::PocketTraction:
     case Effect::ElementTraction:
@@ -149,6 +150,10 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
          can_push(bearing.race_traction) || bearing.lubrication || own_law("kTrac"),
          bearing.lubrication ? film_reason(*bearing.lubrication)
                              : law_reason("kTrac", "kTracType", bearing.race_traction));
+  if (bearing.lubrication)
+    effect(Effect::RollingResistance, element + " / race rolling resistance", true,
+           fmt::format("kTrac = {}, oil in the inlets; flanges have traction alone",
+                       bearing.lubrication->code));
   if (bearing.flange_traction) {
     effect(Effect::FlangeContact, "roller / flange contact", true, flange_reason(deck));
     effect(Effect::FlangeTraction, "roller / flange traction",

@@ -73,15 +73,6 @@ double free_heat(const tribology::TractionLaw& law, const EllipseGeometry& g, El
   return tribology::ellipse_traction(law, g, m, rule).heat;
 }
 
-/// Of the oil in the inlet of a point, on each surface; see the header.
-double point_rolling_force(double scale, double k, double U, double G, double W) {
-  const double rigid = 1.213 * std::pow(k, 0.358) * std::pow(U, 0.636) * std::pow(W, 0.364);
-  const double elastic =
-      2.86 * std::pow(k, 0.348) * std::pow(U, 0.66) * std::pow(G, 0.022) * std::pow(W, 0.47);
-  const double moes = W * std::pow(2.0 * U, -0.75);
-  return scale * (rigid + (elastic - rigid) / (1.0 + 6.6 / moes));
-}
-
 /// What a lubricant's law needs that all contacts of a race share.
 class Oil {
  public:
@@ -94,9 +85,17 @@ class Oil {
     }
     for (std::size_t j = 0; j < 2; ++j) {
       temperature_[j] = 0.5 * (bearing.race_temperature[j] + bearing.element_temperature);
-      inlet_[j] = tribology::inlet_oil(*oil_, temperature_[j], bearing.lubrication->meniscus);
       modulus_[j] =
           2.0 * bearing::contact_modulus(bearing.element_material, bearing.race_material[j]);
+      tribology::FilmSurface surface;
+      surface.radius = 0.5 * bearing.element_diameter();  // contacts say theirs
+      surface.modulus = modulus_[j];
+      surface.wall_temperature = temperature_[j];
+      for (const bool line : {false, true}) {
+        surface.line = line;
+        rolling_[j][line ? 1 : 0] =
+            tribology::rolling_resistance(*oil_, *bearing.lubrication, surface);
+      }
     }
   }
   [[nodiscard]] bool given() const { return oil_.has_value(); }
@@ -141,23 +140,19 @@ class Oil {
       }
     });
   }
-  /// Power of the oil in the inlet; `contact` without its modulus, of lines per length.
-  [[nodiscard]] double rolling(std::size_t j, tribology::FilmContact contact, double length) const {
+  /// Power of the oil in the inlet; of lines over their length.
+  [[nodiscard]] double rolling(std::size_t j, const tribology::FilmContact& contact,
+                               double length) const {
     if (!oil_ || !(contact.load > 0.0) || contact.speed == 0.0) return 0.0;
-    contact.modulus = modulus_[j];
-    const tribology::InletOil& inlet = inlet_[j];
-    const tribology::ContactFilm film = tribology::contact_film(inlet, contact);
-    const double u = std::abs(contact.speed), R = contact.radius, E = contact.modulus;
-    const double U = inlet.viscosity * u / (E * R), G = inlet.alpha * E;
-    double force = 0.0;
-    if (contact.line) {
-      const double W = std::max(contact.load / (E * R), 1e-9);
-      force = 4.318 * R * length / inlet.alpha * std::pow(G * U, 0.658) * std::pow(W, 0.0126);
-    } else {
-      const double W = std::max(contact.load / (E * R * R), 1e-9);
-      force = point_rolling_force(E * R * R, contact.k, U, G, W);
-    }
-    return 2.0 * force * film.thermal * film.starvation * u;
+    tribology::ContactPoint<double> point;
+    point.load = contact.load;
+    point.peak_pressure = contact.peak_pressure;
+    point.half_major = contact.k * contact.half_width;
+    point.half_minor = contact.half_width;
+    point.entrainment = contact.speed;
+    point.curvature = 1.0 / contact.radius;
+    const double force = rolling_[j][contact.line ? 1 : 0].force(point);
+    return 2.0 * force * contact.speed * (contact.line ? length : 1.0);
   }
   [[nodiscard]] const std::string& name() const { return oil_->name; }
   /// Is its shear held to kLimitingRatio of the pressure here, other than in motion?
@@ -167,7 +162,7 @@ class Oil {
   const Bearing& bearing_;
   std::optional<tribology::Lubricant> oil_;
   bool held_ = false;
-  std::array<tribology::InletOil, 2> inlet_;
+  std::array<std::array<tribology::RollingResistance, 2>, 2> rolling_;  ///< of points, of lines
   std::array<double, 2> temperature_{}, modulus_{};
   mutable std::array<std::optional<tribology::TractionLaw>, 2> kept_;
 };

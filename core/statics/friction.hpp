@@ -17,16 +17,11 @@
 /// acts with the deck's traction law; u is the creep for which the contact carries no force along
 /// the rolling direction, ∫ τ_t dA = 0, as a freely rolling element does. Heat = ∫ τ u dA. Its part
 /// `spin` is that of W_n alone (curvature left out), the rest `sliding`.
-/// Oil in the inlet resists rolling; on each surface, with the film's inlet heating φT:
-///   point  F_i + (F_e - F_i)/(1 + 6.6/M),  M = W (2U)^-3/4   (Biboulet & Houpert 2010, recalled)
-///          F_e = 2.86 E' R² k^0.348 U^0.66 G^0.022 W^0.47    elastic (Houpert 1987, recalled)
-///          F_i = 1.213 E' R² k^0.358 U^0.636 W^0.364         rigid, light loads (the same)
-///   line   4.318 (R L/α) (G U)^0.658 W^0.0126           (Goksem & Hargreaves 1978, recalled)
-/// and takes 2 F ū (own check of the line: ∫(h - h0)/2 dp of a Grubin inlet, within 5 %; of the
-/// point: the line's force over the whole major axis is 1.1 times F_e for k = 10).
+/// Oil in the inlet resists rolling and takes 2 F u (tribology/laws/rolling_resistance.hpp: the law
+/// of motion, too).
 /// No film carries more shear than 0.11 of its pressure here, also of the fluids whose law in
 /// motion has no limit: kTrac 1 has a coefficient far above 1 at 2.5 GPa (decision 330).
-/// Starvation thins it as it thins the film (factor φS). Flanges: load times the curve of
+/// Flanges: load times the curve of
 /// record 10.2 at the slip of the end. Lands and pockets: without the motion of the cage their
 /// loads are not known, and nothing is booked; the drag of the medium (kChrn) on elements and cage
 /// is, at the epicyclic speeds. Elastic hysteresis is left out. Decision 301.

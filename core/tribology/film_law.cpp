@@ -61,6 +61,16 @@ FilmOfContact film_of_contact(const Lubricant& oil, const bearing::Lubrication& 
   return out;
 }
 
+RollingResistance rolling_resistance(const Lubricant& oil, const bearing::Lubrication& lubrication,
+                                     const FilmSurface& s) {
+  RollingResistance out;
+  out.film = film_of_contact(oil, lubrication, s);
+  out.log_speed = std::log(oil.base_viscosity(s.wall_temperature) / s.modulus);
+  out.log_material = std::log(std::max(oil.base_alpha(s.wall_temperature) * s.modulus, 1e-30));
+  out.modulus = s.modulus;
+  return out;
+}
+
 HeatedFilm heated_film(const Lubricant& oil, double T) {
   HeatedFilm out;
   out.viscosity = oil.pressed_viscosity(0.0, T);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bearing/bearing.hpp"
+#include "tribology/laws/rolling_resistance.hpp"
 #include "tribology/lubricant.hpp"
 #include "tribology/traction_law.hpp"
 #include "tribology/visco_elastic_surface.hpp"
@@ -32,6 +33,11 @@ inline constexpr double kThinnestFilm = 1e-9;
 [[nodiscard]] FilmOfContact film_of_contact(const Lubricant& lubricant,
                                             const bearing::Lubrication& lubrication,
                                             const FilmSurface& surface);
+
+/// Of the oil in the inlets of contacts with one race.
+[[nodiscard]] RollingResistance rolling_resistance(const Lubricant& lubricant,
+                                                   const bearing::Lubrication& lubrication,
+                                                   const FilmSurface& surface);
 
 // The films of the four models at the walls' temperature.
 [[nodiscard]] HeatedFilm heated_film(const Lubricant& lubricant, double temperature);

@@ -42,7 +42,7 @@ FilmHere<double> TractionLaw::film(const ContactPoint<double>& contact) const {
     if constexpr (kHasFilm<std::decay_t<decltype(law)>>)
       return law.film.at(contact);
     else
-      return {0.0, 0.0, 0.0};
+      return {0.0, 0.0, 0.0, 1.0};
   });
 }
 

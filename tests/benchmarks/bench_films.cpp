@@ -1,6 +1,7 @@
 // Cost of the films of lubricants beside the hypothetical law, in one run: 16 balls (whole vectors)
-// on both races with the run's own rule. Counters: ns per contact, and `ratio` to the hypothetical
-// law of the same instruction set, measured just before.
+// on both races with the nodes that a run takes for that lubricant (facade/prepare.cpp), and with
+// 15 x 2. Then the rolling resistance of the same contacts. Counters: ns per contact, and `ratio`
+// to the hypothetical law of the same instruction set, measured just before.
 #include "../core/dynamics/thrust_scene.hpp"
 #include "tribology/film_law.hpp"
 
@@ -16,42 +17,67 @@ using dynamics::InstructionSet;
 
 constexpr std::size_t kBalls = 16;
 
-test::ThrustScene scene_of(int code) {
-  test::ThrustScene scene = test::thrust_scene("dyn3_40_30k_exp_curved", kBalls,
-                                               tribology::make_split_ellipse_rule(15, 2), 1.0);
-  if (code == 0) return scene;
+/// Nodes along and across the contact of a run.
+struct Nodes {
+  int major, minor;
+};
+Nodes nodes_of(int code) {
+  if (code == 0) return {15, 2};
+  return tribology::lubricant(code).model == tribology::LubricantModel::ViscoElastic ? Nodes{20, 2}
+                                                                                     : Nodes{15, 4};
+}
+
+bearing::Lubrication lubrication_of(int code) {
   bearing::Lubrication lubrication;
   lubrication.code = code;
   lubrication.critical_film = 1e-9;
   lubrication.meniscus = 10.0;
+  return lubrication;
+}
+
+tribology::FilmSurface contact_surface() {
   tribology::FilmSurface surface;
   surface.radius = 0.005;
   surface.modulus = 2.26e11;
   surface.wall_temperature = 360.0;
   surface.race_speed = 60.0;
   surface.width_over_pressure = 1e-13;
+  return surface;
+}
+
+test::ThrustScene scene_of(int code, Nodes nodes) {
+  test::ThrustScene scene =
+      test::thrust_scene("dyn3_40_30k_exp_curved", kBalls,
+                         tribology::make_split_ellipse_rule(nodes.major, nodes.minor), 1.0);
+  if (code == 0) return scene;
   for (auto& model : scene.model)
     model.law = tribology::film_law(bearing::TractionCurve{}, tribology::lubricant(code),
-                                    lubrication, surface);
+                                    lubrication_of(code), contact_surface());
   return scene;
 }
 
-void evaluate(test::ThrustScene& scene, InstructionSet set, test::Outputs& out) {
+/// @param rolling null: contacts and traction
+void evaluate(test::ThrustScene& scene, InstructionSet set, test::Outputs& out,
+              const tribology::RollingResistance* rolling = nullptr) {
   const dynamics::ElementForces forces = out.forces();
   const dynamics::ElementViews balls = scene.arrays();
   for (std::size_t j = 0; j < 2; ++j)
     benchmark::DoNotOptimize(
-        dynamics::evaluate_race_contacts(set, scene.model[j], balls, scene.race[j], forces));
+        rolling == nullptr
+            ? dynamics::evaluate_race_contacts(set, scene.model[j], balls, scene.race[j], forces)
+            : dynamics::evaluate_race_rolling(set, scene.model[j], *rolling, balls, scene.race[j],
+                                              forces));
 }
 
 /// Seconds per evaluation of both races, the least of some runs.
-double seconds(test::ThrustScene& scene, InstructionSet set) {
+double seconds(test::ThrustScene& scene, InstructionSet set,
+               const tribology::RollingResistance* rolling = nullptr) {
   test::Outputs out(scene.n);
   double least = 1.0;
   for (int run = 0; run < 120; ++run) {
     constexpr int kRepeats = 50;  // short: some runs meet nobody else on the machine
     const auto begin = std::chrono::steady_clock::now();
-    for (int i = 0; i < kRepeats; ++i) evaluate(scene, set, out);
+    for (int i = 0; i < kRepeats; ++i) evaluate(scene, set, out, rolling);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     least = std::min(least, took.count() / kRepeats);
   }
@@ -63,7 +89,8 @@ void films(benchmark::State& state, int code, InstructionSet set) {
     state.SkipWithError("this machine lacks the instruction set");
     return;
   }
-  test::ThrustScene dry = scene_of(0), scene = scene_of(code);
+  test::ThrustScene dry = scene_of(0, nodes_of(0)), scene = scene_of(code, nodes_of(code)),
+                    few = scene_of(code, {15, 2});
   const double hypothetical = seconds(dry, set), own = seconds(scene, set);
   test::Outputs out(scene.n);
   for (auto _ : state) {
@@ -72,11 +99,32 @@ void films(benchmark::State& state, int code, InstructionSet set) {
   }
   constexpr double kContacts = 2.0 * kBalls;
   state.counters["ns_per_contact"] = 1e9 * own / kContacts;
+  state.counters["ns_15x2"] = 1e9 * seconds(few, set) / kContacts;
   state.counters["ratio"] = own / hypothetical;
 }
 
+void rolling(benchmark::State& state, InstructionSet set) {
+  if (!dynamics::instruction_set_available(set)) {
+    state.SkipWithError("this machine lacks the instruction set");
+    return;
+  }
+  test::ThrustScene scene = scene_of(1, {15, 2});
+  const tribology::RollingResistance law =
+      tribology::rolling_resistance(tribology::lubricant(1), lubrication_of(1), contact_surface());
+  test::Outputs out(scene.n);
+  for (auto _ : state) {
+    evaluate(scene, set, out, &law);
+    benchmark::ClobberMemory();
+  }
+  state.counters["ns_per_contact"] = 1e9 * seconds(scene, set, &law) / (2.0 * kBalls);
+}
+
 const int registered = [] {
-  for (const InstructionSet set : {InstructionSet::Avx512, InstructionSet::Avx2})
+  for (const InstructionSet set : {InstructionSet::Avx512, InstructionSet::Avx2}) {
+    benchmark::RegisterBenchmark(
+        (std::string("rolling_resistance/") + dynamics::instruction_set_name(set)).c_str(),
+        [=](benchmark::State& state) { rolling(state, set); })
+        ->Unit(benchmark::kMicrosecond);
     for (const int code : {0, 1, 2, 3, 4, 5, 6, 7, 10, 11, 13, 14, 15, 16, 17, 18, 19, 20, 8, 12}) {
       const std::string name =
           std::string("kTrac_") + std::to_string(code) + "/" + dynamics::instruction_set_name(set);
@@ -84,6 +132,7 @@ const int registered = [] {
         films(state, code, set);
       })->Unit(benchmark::kMicrosecond);
     }
+  }
   return 0;
 }();
 

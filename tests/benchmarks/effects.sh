@@ -32,6 +32,7 @@ light balls in balance|ball|--set appLoadX=200 --set appLoadZ=2000 --set qFac=0.
 contact angle that moves|ball||--opt hertzConstants=frozen|-
 contact damping|ball|--opt contactDamping=0.2||BallDamping
 contact damping of rollers|cylindrical|--opt contactDamping=0.2||RollerRaceDamping
+oil: film and rolling resistance|ball|--set kTrac=3 --set reRaceFilm=1e-8 --set strParam=10||BallRolling
 suppressed motions|ball|--set kDOF=2||Hold
 balls of unequal diameter|ball|--set kReGeoImp=2 --set reDiaVar1=1e-6||DifferentBalls|OwnBallMotion
 flanges|cylindrical||--set kFlngInd11=0 --set kFlngInd12=0 --set kFlngInd21=0 --set kFlngInd22=0|FlangeBlock

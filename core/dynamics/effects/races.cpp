@@ -186,6 +186,10 @@ void Races::set_up_balls(const SceneBuilder& scene) {
     model.traction = scene.plan.has(Effect::RaceTraction);
     model.surface = scene.options.surface;
     model.rule = rule;
+    if (scene.plan.has(Effect::RollingResistance))
+      rolling_[j] = tribology::rolling_resistance(
+          tribology::lubricant_of(*scene.bearing.lubrication), *scene.bearing.lubrication,
+          film_surface(scene.bearing, model, scene.fixed_angle[j]));
     const tribology::UserTraction* routine =
         scene.options.user ? scene.options.user->traction_of(tribology::TractionKind::ElementRace)
                            : nullptr;
@@ -242,8 +246,8 @@ void Races::declare(SceneBuilder& scene) {
   const bool traction = plan.has(Effect::RaceTraction), wear = plan.has(Effect::WearIntegrals);
   // Without friction a body of revolution that only spins about its axis exerts no power.
   const auto& errors = scene.bearing.imperfections.race;
-  const bool work = traction || has_uneven_lands(scene) || !errors[0].ideal() ||
-                    !errors[1].ideal() || plan.has(Effect::LandTraction) ||
+  const bool work = traction || plan.has(Effect::RollingResistance) || has_uneven_lands(scene) ||
+                    !errors[0].ideal() || !errors[1].ideal() || plan.has(Effect::LandTraction) ||
                     plan.has(Effect::FlangeTraction) || plan.has(Effect::ElementDrag) ||
                     plan.has(Effect::CageDrag) || plan.has(Effect::LandFilm) || scene.races_move();
   const std::array<std::string, 2> names{"outer race", "inner race"};

@@ -36,6 +36,10 @@ class Races final : public SceneEffect {
   [[nodiscard]] const std::array<RollerRaceModel, 2>* roller_contacts() const noexcept {
     return rollers_ ? &*rollers_ : nullptr;
   }
+  /// Of the oil on balls, where the scene has it.
+  [[nodiscard]] const std::array<tribology::RollingResistance, 2>& rolling() const noexcept {
+    return rolling_;
+  }
   /// Places of the race centres in the unloaded bearing [m].
   [[nodiscard]] const std::array<Vec3, 2>& free_centres() const noexcept { return free_centre_; }
   /// Both at t = 0: static place, misalignment and spin.
@@ -50,6 +54,7 @@ class Races final : public SceneEffect {
   /// Whose numbers wavy grooves read; null: no routine ADRX6.
   std::array<std::shared_ptr<const bearing::GivenRace>, 2> given_;
   std::array<RaceContactModel, 2> contacts_;               ///< of balls
+  std::array<tribology::RollingResistance, 2> rolling_;    ///< likewise
   std::optional<std::array<RollerRaceModel, 2>> rollers_;  ///< else
   std::array<Vec3, 2> free_centre_;  ///< free positions of the race centres [m]
   std::array<RaceBody, 2> at_rest_;  ///< at t = 0: they stand still but for their spin

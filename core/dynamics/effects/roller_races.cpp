@@ -34,6 +34,15 @@ RollerDampingKernel damping_kernel_of(InstructionSet set) noexcept {
   return roller_damping_baseline;
 }
 
+RollerRollingKernel rolling_kernel_of(InstructionSet set) noexcept {
+#if defined(__x86_64__)
+  if (set == InstructionSet::Avx512) return roller_rolling_avx512;
+  if (set == InstructionSet::Avx2) return roller_rolling_avx2;
+#endif
+  (void)set;
+  return roller_rolling_baseline;
+}
+
 contact::RacePose pose_of(const RaceBody& race) { return {race.position, race.to_base}; }
 contact::RigidMotion motion_of(const RaceBody& race) {
   return {race.position, race.velocity, race.omega};
@@ -109,6 +118,10 @@ std::array<RollerRaceModel, 2> roller_race_models(const SceneBuilder& scene) {
     const double radius = 0.5 * scene.bearing.element_diameter();
     of.load_limit = contact::slice_load(model.law[j], model.slicing.effective_length, radius).load;
     of.traction = scene.plan.has(Effect::RaceTraction);
+    if (scene.plan.has(Effect::RollingResistance))
+      of.rolling = tribology::rolling_resistance(
+          tribology::lubricant_of(*scene.bearing.lubrication), *scene.bearing.lubrication,
+          film_surface(scene.bearing, j, model.E_star[j]));
     const tribology::UserTraction* routine =
         scene.options.user ? scene.options.user->traction_of(tribology::TractionKind::ElementRace)
                            : nullptr;
@@ -244,6 +257,26 @@ void RollerRaceDamping::apply(Evaluation& e) noexcept {
   heat_ = 0.0;
   for (std::size_t i = 0; i < actions_.size(); ++i) {
     if (!(e.load[static_cast<std::size_t>(model_.race)][i] > 0.0)) continue;
+    rollers_.act(e, i, actions_[i].force, actions_[i].moment);
+    heat_ += actions_[i].heat;
+  }
+}
+
+RollerRaceRolling::RollerRaceRolling(const RollerRaceModel& model, std::size_t rollers,
+                                     double& heat)
+    : model_(model),
+      heat_(heat),
+      kernel_(rolling_kernel_of(chosen_instruction_set())),
+      rollers_(model, rollers),
+      actions_(rollers) {}
+
+void RollerRaceRolling::apply(Evaluation& e) noexcept {
+  rollers_.place(e);
+  kernel_({rollers_.views(), rollers_.alike(), rollers_.count(), rollers_.poses().data(),
+           actions_.data(), &model_.rolling});
+  heat_ = 0.0;
+  for (std::size_t i = 0; i < actions_.size(); ++i) {
+    if (rollers_.poses()[i].open) continue;
     rollers_.act(e, i, actions_[i].force, actions_[i].moment);
     heat_ += actions_[i].heat;
   }

@@ -6,6 +6,7 @@
 #include "dynamics/effects/race_account.hpp"
 #include "dynamics/roller_kernel.hpp"
 #include "dynamics/user_points.hpp"
+#include "tribology/laws/rolling_resistance.hpp"
 #include "tribology/traction_law.hpp"
 
 #include <array>
@@ -35,7 +36,8 @@ struct RollerRaceModel {
   double load_limit = 0.0;                        ///< [N]
   bool traction = true;
   tribology::TractionLaw law;
-  std::string stated;  ///< SceneEffect::stated of its films
+  std::string stated;                    ///< SceneEffect::stated of its films
+  tribology::RollingResistance rolling;  ///< of the oil, where the scene has it
 
   [[nodiscard]] const contact::RollerRaceSlices& of(std::size_t roller) const {
     return slices[slices.size() == 1 ? 0 : roller];
@@ -117,7 +119,22 @@ class RollerRaceDamping final : public EffectBlock {
   double& heat_;
   RollerDampingKernel kernel_;
   RollersOnRace rollers_;
-  std::vector<RollerDampingAction> actions_;
+  std::vector<RollerRaceAddition> actions_;
+};
+
+/// Rolling resistance of the same contacts (rolling_resistance.cpp).
+class RollerRaceRolling final : public EffectBlock {
+ public:
+  /// @param heat on all rollers now [W]
+  RollerRaceRolling(const RollerRaceModel& model, std::size_t rollers, double& heat);
+  void apply(Evaluation& e) noexcept override;
+
+ private:
+  const RollerRaceModel& model_;
+  double& heat_;
+  RollerRollingKernel kernel_;
+  RollersOnRace rollers_;
+  std::vector<RollerRaceAddition> actions_;
 };
 
 }  // namespace adore::dynamics

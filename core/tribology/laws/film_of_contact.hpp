@@ -15,6 +15,7 @@ struct FilmHere {
   T thickness;  ///< in the middle [m]
   T thinnest;   ///< [m]
   T share;      ///< w of the film in the traction, the rest is metal: 0 to 1
+  T factor;     ///< φT φS, in both thicknesses
 };
 
 /// Constants of the films of one race at the temperature of its inlets, which stays for the run.
@@ -71,7 +72,7 @@ struct FilmOfContact {
     const T thinnest = factor * shape_least * M::exp(log_least);
     const T s =
         M::min(M::max((thinnest - 0.95 * critical) / (0.1 * critical + 1e-15), T(0.0)), T(1.0));
-    return {factor * isothermal, thinnest, s * s * (3.0 - 2.0 * s)};
+    return {factor * isothermal, thinnest, s * s * (3.0 - 2.0 * s), factor};
   }
 
  private:

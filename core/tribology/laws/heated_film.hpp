@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/inverse_roots.hpp"
 #include "base/scalar_log.hpp"
 #include "base/scalar_math.hpp"
 #include "tribology/laws/contact_point.hpp"
@@ -38,7 +39,8 @@ struct HeatedFilm {
       T root_viscosity[N / Share], scale[N / Share];
       for (int k = 0; k < N / Share; ++k) {
         root_viscosity[k] = M::exp(half_alpha * pressure[k]);
-        scale[k] = stress_scale * root_viscosity[k] / M::max(pressure[k], T(1.0));
+        scale[k] =
+            stress_scale * root_viscosity[k] * InverseRoots<T>::first(M::max(pressure[k], T(1.0)));
       }
       for (int i = 0; i < N; ++i) {
         const T S = heating * slip[i] * root_viscosity[i / Share];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/inverse_roots.hpp"
 #include "base/scalar_math.hpp"
 
 namespace adore::tribology {
@@ -18,7 +19,7 @@ struct LimitedTraction {
     // What is far beyond the limit is cut: its fourth power would leave the range of a root.
     kappa = M::min(kappa, T(1e3));
     const T over = kappa * kappa * inverse2;
-    return kappa * M::root(M::inverse_sqrt(1.0 + over * over));
+    return kappa * InverseRoots<T>::fourth(1.0 + over * over);
   }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/inverse_roots.hpp"
 #include "base/scalar_log.hpp"
 #include "base/scalar_math.hpp"
 #include "tribology/laws/contact_point.hpp"
@@ -36,8 +37,8 @@ struct MeasuredFilm {
       T viscosity[N / Share], heating[N / Share];
       fits_at<N / Share>(film->log_viscosity, film->log_heating, pressure, viscosity, heating);
       for (int k = 0; k < N / Share; ++k) {
-        viscosity[k] =
-            M::exp(viscosity[k]) * inverse_thickness / M::max(pressure[k], T(1.0));  // over p h
+        viscosity[k] = M::exp(viscosity[k]) * inverse_thickness *
+                       InverseRoots<T>::first(M::max(pressure[k], T(1.0)));  // over p h
         heating[k] = M::exp(heating[k]);
       }
       for (int i = 0; i < N; ++i) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/inverse_roots.hpp"
 #include "base/scalar_log.hpp"
 #include "base/scalar_math.hpp"
 #include "tribology/laws/contact_point.hpp"
@@ -70,7 +71,7 @@ struct ThinningFilm {
       T viscosity[N / Share], heating[N / Share], over_pressure[N / Share];
       fits_at<N / Share>(film->log_viscosity, film->log_heating, pressure, viscosity, heating);
       for (int k = 0; k < N / Share; ++k)
-        over_pressure[k] = film->modulus / M::max(pressure[k], T(1.0));
+        over_pressure[k] = film->modulus * InverseRoots<T>::first(M::max(pressure[k], T(1.0)));
       T rate[N], heat[N];  // ln r0, ½ ln D0
       for (int i = 0; i < N; ++i) {
         const T log_slip = ScalarLog<T>::log(M::max(slip[i], T(1e-30)));

@@ -178,11 +178,13 @@ TEST_CASE("film law: over an ellipse it is odd in the slip and its power is its 
 
 TEST_CASE("film law: the rule of a run sees the heat of contacts that roll and spin",
           "[physics][film_law]") {
-  // Against 150 x 24 nodes, over pressures, spins and places where the rolling slip reverses. Twice
-  // the root mean square that each rule has in its worst lubricant (measured: 4.4, 1.8 and 17 %).
-  for (const int code : {1, 2, 3, 4, 5, 6, 7, 10, 11, 13, 15, 18, 20}) {
+  // Against 150 x 24 nodes, over pressures, spins and places where the rolling slip reverses. The
+  // bounds are about 1.5 times the root mean square that each rule has in its worst lubricant
+  // (measured: 3.4 % for kTrac 10 and 1.8 % for the rest, 0.5 %, 0.6 % for whole strips).
+  for (const int code : {1, 2, 3, 4, 5, 6, 7, 8, 10, 11, 12, 13, 15, 18, 20}) {
     const TractionLaw law = law_of(dry_curve(), code, 0.0);
-    double of_four = 0.0, of_fine = 0.0, of_two = 0.0;
+    const bool strips = lubricant(code).model == LubricantModel::ViscoElastic;
+    double of_run = 0.0, of_fine = 0.0, of_two = 0.0;
     int n = 0;
     for (const double p : {1e9, 2e9, 3e9})
       for (const double spin : {300.0, 1000.0, 3000.0})
@@ -203,14 +205,14 @@ TEST_CASE("film law: the rule of a run sees the heat of contacts that roll and s
             return ellipse_traction(law, g, m, make_split_ellipse_rule(major, minor)).heat;
           };
           const double truth = heat(150, 24);
-          of_four += std::pow(heat(15, 4) / truth - 1.0, 2);
+          of_run += std::pow((strips ? heat(20, 2) : heat(15, 4)) / truth - 1.0, 2);
           of_fine += std::pow(heat(30, 8) / truth - 1.0, 2);
           of_two += std::pow(heat(15, 2) / truth - 1.0, 2);
           ++n;
         }
-    CAPTURE(code, std::sqrt(of_four / n), std::sqrt(of_fine / n), std::sqrt(of_two / n));
-    CHECK(std::sqrt(of_four / n) < 0.06);
-    CHECK(std::sqrt(of_fine / n) < 0.02);
-    CHECK(of_four < of_two);
+    CAPTURE(code, std::sqrt(of_run / n), std::sqrt(of_fine / n), std::sqrt(of_two / n));
+    CHECK(std::sqrt(of_run / n) < (strips ? 0.01 : code == 10 ? 0.05 : 0.027));
+    CHECK(std::sqrt(of_fine / n) < 0.01);
+    CHECK(of_run < of_two);
   }
 }

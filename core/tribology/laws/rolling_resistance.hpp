@@ -1,0 +1,92 @@
+#pragma once
+
+#include "base/inverse_roots.hpp"
+#include "base/scalar_log.hpp"
+#include "base/scalar_math.hpp"
+#include "tribology/laws/film_of_contact.hpp"
+#include "tribology/laws/limited.hpp"
+
+/// Rolling resistance of the oil in the inlet of a contact, for numbers and for vectors of numbers:
+/// of equilibria (statics/friction.hpp) and of motion (dynamics/effects/rolling_resistance.cpp).
+/// SI.
+///
+/// Pressure rises where the oil enters, and its gradient shears both surfaces backwards alike:
+///   F = ∫ h/2 dp/dx dx  on each, against the entrainment u,
+/// while the pressure on the convergent surfaces pushes body k along u by 2 F R/R_k through its
+/// centre of curvature; together they are in balance, 1/R = 1/R_1 + 1/R_2. They take 2 F u.
+///   point  F = F_i + (F_e - F_i)/(1 + 6.6/M),  M = W (2U)^-3/4   (Biboulet & Houpert 2010,
+///          recalled; decision 331)
+///          F_e = 2.86 E' R² k^0.348 U^0.66 G^0.022 W^0.47    elastic (Houpert 1987, recalled)
+///          F_i = 1.213 E' R² k^0.358 U^0.636 W^0.364         rigid, light loads (the same)
+///   line, per length   F = (F_e^-4 + F_i^-4)^-1/4   [choice]
+///          F_e = 4.318 R/α (G U)^0.658 W^0.0126   elastic (Goksem & Hargreaves 1978, recalled)
+///          F_i = 2.0796 E' R (U W)^1/2            rigid: h0 = 4.9 μ0 u R/w, F = 4.6 μ0 u √(R/h0)
+///                                                 of Reynolds' exit [derived, test]
+///   U = μ0 u/(E' R), G = α E', W as in film_thickness.hpp (at least 1e-9)
+/// times φT φS of the contact's film (heated and starved inlets). Checked: the elastic line against
+/// ∫(h - h0)/2 dp of a Grubin inlet, within 5 %; the line's force over the whole major axis is 1.1
+/// times F_e of a point of k = 10.
+/// No oil shears more than 0.11 of the load (decision 330), as a smooth minimum (limited.hpp): it
+/// counts where an oil is nearly a solid, 200 K below its range.
+/// F has the sign of u and is odd in it, smooth at u = 0; it vanishes with load and film. Limits:
+/// no asperities, no elastic hysteresis; entrainment along the rolling direction only; inlets at
+/// the mean bulk temperature of both bodies.
+namespace adore::tribology {
+
+/// Of the contacts with one race; set by film_law.hpp.
+struct RollingResistance {
+  FilmOfContact film;         ///< says whether contacts are lines, too
+  double log_speed = 0.0;     ///< ln(μ0/E') [s]
+  double log_material = 0.0;  ///< ln G
+  double modulus = 0.0;       ///< E' [Pa]
+
+  /// F with the sign of the entrainment [N]; of lines per length [N/m].
+  template <class T>
+  [[gnu::always_inline]] T force(const ContactPoint<T>& c) const {
+    using M = ScalarMath<T>;
+    using Log = ScalarLog<T>;
+    const T curve = M::pick(c.curvature > 0.0, c.curvature, T(film.curvature));
+    const T u2 = c.entrainment * c.entrainment + film.least_speed2;
+    const T log_U = log_speed + 0.5 * Log::log(u2) + Log::log(curve);
+    const T area = film.line ? curve : curve * curve;
+    const T W = M::max(c.load * film.inverse_modulus * area, T(kLeastLoadGroup));
+    const T log_W = Log::log(W);
+    const T size = film.line ? of_line(log_U, log_W) : of_point(c, log_U, log_W);
+    const T load = M::max(c.load, T(1e-30));
+    const T ratio =
+        LimitedTraction::at(kMostOfLoad).of(size * modulus / area * film.at(c).factor / load);
+    return M::pick(c.load > 0.0, ratio * load * c.entrainment * M::inverse_sqrt(u2), T(0.0));
+  }
+
+ private:
+  static constexpr double kMostOfLoad = 0.11;
+  static constexpr double kLog2 = 0.69314718055994530942;
+
+  template <class T>
+  [[gnu::always_inline]] static T exp_of(double factor, const T& x) {
+    return factor * ScalarMath<T>::exp(x);
+  }
+  /// Over E' R².
+  template <class T>
+  [[gnu::always_inline]] T of_point(const ContactPoint<T>& c, const T& log_U,
+                                    const T& log_W) const {
+    using M = ScalarMath<T>;
+    const T k = M::max(c.half_major / M::max(c.half_minor, T(1e-30)), T(1e-3));
+    const T log_k = ScalarLog<T>::log(k);
+    const T rigid = exp_of(1.213, 0.358 * log_k + 0.636 * log_U + 0.364 * log_W);
+    const T elastic =
+        exp_of(2.86, 0.348 * log_k + 0.66 * log_U + 0.022 * log_material + 0.47 * log_W);
+    const T inverse_moes = M::exp(0.75 * (log_U + kLog2) - log_W);
+    return rigid + (elastic - rigid) / (1.0 + 6.6 * inverse_moes);
+  }
+  /// Over E' R.
+  template <class T>
+  [[gnu::always_inline]] T of_line(const T& log_U, const T& log_W) const {
+    const T elastic = exp_of(4.318, 0.658 * log_U - 0.342 * log_material + 0.0126 * log_W);
+    const T rigid = exp_of(2.0796, 0.5 * (log_U + log_W));
+    const T ratio = elastic / rigid, ratio2 = ratio * ratio;
+    return elastic * InverseRoots<T>::fourth(1.0 + ratio2 * ratio2);
+  }
+};
+
+}  // namespace adore::tribology
