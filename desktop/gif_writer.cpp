@@ -6,8 +6,11 @@
 #include <QImage>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace adore::desktop {
 namespace {
@@ -91,6 +94,107 @@ QByteArray compressed(const QImage& image) {
   return out.blocks();
 }
 
+/// The 256 colours nearest to those of a picture: its colours in 32^3 cells, parted where they
+/// spread most (median cut). A fixed palette paints grey metal teal, which is a colour of scales.
+class Palette {
+ public:
+  explicit Palette(const QImage& image) : cell_(kCells), index_(kCells, 0) {
+    for (int y = 0; y < image.height(); ++y) {
+      const auto* line = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+      for (int x = 0; x < image.width(); ++x) {
+        Cell& cell = cell_[cell_of(line[x])];
+        ++cell.count;
+        cell.sum[0] += qRed(line[x]), cell.sum[1] += qGreen(line[x]), cell.sum[2] += qBlue(line[x]);
+      }
+    }
+    Box all;
+    for (int i = 0; i < kCells; ++i)
+      if (cell_[static_cast<std::size_t>(i)].count > 0) all.cells.push_back(i);
+    std::vector<Box> boxes{measured(std::move(all))};
+    while (boxes.size() < 256) {
+      const auto widest =
+          std::max_element(boxes.begin(), boxes.end(),
+                           [](const Box& a, const Box& b) { return a.spread < b.spread; });
+      if (!(widest->spread > 0.0)) break;
+      boxes.push_back(parted(*widest));
+    }
+    for (const Box& box : boxes) {
+      std::array<double, 3> sum{};
+      double count = 0.0;
+      for (const int i : box.cells) {
+        const Cell& cell = cell_[static_cast<std::size_t>(i)];
+        for (std::size_t c = 0; c < 3; ++c) sum[c] += cell.sum[c];
+        count += cell.count;
+        index_[static_cast<std::size_t>(i)] = static_cast<uchar>(colours_.size());
+      }
+      colours_.push_back(qRgb(static_cast<int>(std::lround(sum[0] / count)),
+                              static_cast<int>(std::lround(sum[1] / count)),
+                              static_cast<int>(std::lround(sum[2] / count))));
+    }
+  }
+  [[nodiscard]] QImage applied(const QImage& image) const {
+    QImage out(image.size(), QImage::Format_Indexed8);
+    out.setColorTable(colours_);
+    for (int y = 0; y < image.height(); ++y) {
+      const auto* line = reinterpret_cast<const QRgb*>(image.constScanLine(y));
+      uchar* to = out.scanLine(y);
+      for (int x = 0; x < image.width(); ++x) to[x] = index_[cell_of(line[x])];
+    }
+    return out;
+  }
+
+ private:
+  static constexpr int kCells = 32 * 32 * 32;
+  struct Cell {
+    double count = 0.0;
+    std::array<double, 3> sum{};
+  };
+  struct Box {
+    std::vector<int> cells;
+    double spread = 0.0;
+    int axis = 0;
+  };
+  static std::size_t cell_of(QRgb c) {
+    return static_cast<std::size_t>((qRed(c) >> 3) << 10 | (qGreen(c) >> 3) << 5 | qBlue(c) >> 3);
+  }
+  static int along(int cell, int axis) { return (cell >> (10 - 5 * axis)) & 31; }
+
+  /// With its longest axis; the spread is that of its cells, many pixels count a little more.
+  [[nodiscard]] Box measured(Box box) const {
+    box.spread = 0.0;
+    double count = 0.0;
+    for (const int i : box.cells) count += cell_[static_cast<std::size_t>(i)].count;
+    for (int axis = 0; axis < 3; ++axis) {
+      int low = 31, high = 0;
+      for (const int i : box.cells) {
+        low = std::min(low, along(i, axis));
+        high = std::max(high, along(i, axis));
+      }
+      const double spread = (high - low) * std::pow(count, 0.25);
+      if (spread > box.spread) box.spread = spread, box.axis = axis;
+    }
+    return box;
+  }
+  /// The upper half of a box, which keeps the lower one.
+  Box parted(Box& box) const {
+    const int axis = box.axis;
+    std::stable_sort(box.cells.begin(), box.cells.end(),
+                     [axis](int a, int b) { return along(a, axis) < along(b, axis); });
+    const int first = along(box.cells.front(), axis), last = along(box.cells.back(), axis);
+    const auto half = std::find_if(box.cells.begin(), box.cells.end(),
+                                   [&](int i) { return 2 * along(i, axis) > first + last; });
+    Box upper;
+    upper.cells.assign(half, box.cells.end());
+    box.cells.erase(half, box.cells.end());
+    box = measured(std::move(box));
+    return measured(std::move(upper));
+  }
+
+  std::vector<Cell> cell_;
+  std::vector<uchar> index_;
+  QList<QRgb> colours_;
+};
+
 }  // namespace
 
 GifWriter::GifWriter(const std::filesystem::path& path, QSize size, int frames_per_second)
@@ -126,8 +230,8 @@ void GifWriter::add(const QImage& picture) {
   const QImage scaled = picture.size() == size_ ? picture
                                                 : picture.scaled(size_, Qt::IgnoreAspectRatio,
                                                                  Qt::SmoothTransformation);
-  const QImage image = scaled.convertToFormat(QImage::Format_RGB32)
-                           .convertToFormat(QImage::Format_Indexed8, Qt::ThresholdDither);
+  const QImage whole = scaled.convertToFormat(QImage::Format_RGB32);
+  const QImage image = Palette(whole).applied(whole);
   QByteArray out("\x21\xf9\x04\x04", 4);
   append_word(out, pause_);
   out.append('\0').append('\0');

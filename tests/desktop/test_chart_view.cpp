@@ -295,10 +295,34 @@ TEST_CASE("gif_writer: pictures come back with their colours and pauses", "[gui]
     const QColor got = image.pixelColor(50, 50);
     CHECK(std::abs(got.red() - colour.red()) + std::abs(got.green() - colour.green()) +
               std::abs(got.blue() - colour.blue()) <
-          120);
+          12);
     CHECK(reader.nextImageDelay() == 50);
   }
   CHECK(reader.read().isNull());
+}
+
+TEST_CASE("gif_writer: shaded metal stays grey beside the colours of a scale", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  QImage image(256, 200, QImage::Format_RGB32);
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 256; ++x)
+      image.setPixelColor(x, y,
+                          y < 100 ? QColor(x * 9 / 10, x * 9 / 10 + y / 20, x * 9 / 10 + y / 10)
+                                  : QColor::fromHsv(x * 300 / 256, 100 + y / 2, 60 + y / 2));
+  GifWriter writer(folder.filePath("film.gif").toStdString(), image.size(), 20);
+  writer.add(image);
+  writer.finish();
+  const QImage got = QImageReader(folder.filePath("film.gif")).read();
+  REQUIRE(got.size() == image.size());
+  int worst = 0;
+  for (int y = 0; y < 200; ++y)
+    for (int x = 0; x < 256; ++x) {
+      const QColor a = image.pixelColor(x, y), b = got.pixelColor(x, y);
+      worst = std::max({worst, std::abs(a.red() - b.red()), std::abs(a.green() - b.green()),
+                        std::abs(a.blue() - b.blue())});
+    }
+  CHECK(worst < 24);  // a fixed cube of colours, dithered, is up to 51 off
 }
 
 TEST_CASE("mp4_writer: without ffmpeg the reason is a sentence", "[gui]") {
