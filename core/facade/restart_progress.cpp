@@ -24,6 +24,9 @@ constexpr const char* kPrinted = "last step in PRINT";
 constexpr const char* kSaved = "last step in RESULTS";
 constexpr const char* kLived = "last step of the life models";
 constexpr const char* kHeld = "counter of changes of held elements";
+constexpr std::pair<const char*, double Resume::*> kErrors[] = {
+    {"error estimates of the steps, sum", &Resume::error_sum},
+    {"error estimates of the steps, largest", &Resume::error_largest}};
 constexpr std::pair<const char*, long integrators::Counters::*> kCounters[] = {
     {"counter of steps", &integrators::Counters::steps},
     {"counter of rejected", &integrators::Counters::rejected},
@@ -73,6 +76,7 @@ void save_progress(std::map<std::string, double>& state, const scene::Snapshot& 
   whole(kLived, steps.lived);
   for (const auto& [name, counter] : kCounters) whole(name, resume.counters.*counter);
   whole(kHeld, resume.held_changes);
+  for (const auto& [name, error] : kErrors) state[name] = resume.*error;
   if (resume.memory.empty()) return;
   const std::string stem(kStepper);
   state[stem + "is " + control.integrator] = 1.0;
@@ -148,6 +152,15 @@ FileSteps restore_progress(const results::MasterState& master, const setup::RunC
   for (const auto& [name, counter] : kCounters)
     out.resume.counters.*counter = whole(name, 0, 0, kMost);
   out.resume.held_changes = whole(kHeld, 0, 0, kMost);
+  for (const auto& [name, error] : kErrors) {
+    const double value = number(name, 0.0);
+    if (!(value >= 0.0) || !std::isfinite(value))
+      throw InputError(
+          fmt::format("{}: \"{}\" is {}, which is no number of 0 or more; the file is damaged, "
+                      "restore it or start again with --overwrite",
+                      file.string(), name, value));
+    out.resume.*error = value;
+  }
   const std::string stem(kStepper), memory = stem + "memory ";
   if (number(stem + "is " + control.integrator, 0.0) != 1.0 ||
       number(stem + "tolerance", 0.0) != control.tolerance ||

@@ -425,8 +425,9 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
   // Of the run before this process, and of the stepper before its last start.
   integrators::Counters counters = start.resume.counters;
   long held_changes = start.resume.held_changes;
+  double error_sum = start.resume.error_sum, error_largest = start.resume.error_largest;
   const auto resume = [&](bool failed) {
-    Resume so_far{0, {}, counters, held_changes};
+    Resume so_far{0, {}, counters, held_changes, error_sum, error_largest};
     add_counters(so_far.counters, stepper->counters());
     if (failed) return so_far;  // what the stepper remembers may be meaningless
     so_far.substeps = substeps;
@@ -508,7 +509,10 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
           out.status = RunStatus::Interrupted;
           break;
         }
-        h = stepper->step(span.end).h;
+        const integrators::StepInfo made = stepper->step(span.end);
+        h = made.h;
+        error_sum += made.error;
+        error_largest = std::max(error_largest, made.error);
         ++substeps;
         if (substeps == prepared.control.substeps) break;
         outputs.follow_loads(system);

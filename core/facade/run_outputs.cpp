@@ -549,6 +549,10 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
                   {"restarts", c.restarts},
                   {"jacobians", c.jacobians},
                   {"nonlinear_iterations", c.nonlinear_iterations}};
+  if (end.resume.error_sum > 0.0) {
+    run.error_sum = s.control.tolerance * end.resume.error_sum;
+    run.error_largest = s.control.tolerance * end.resume.error_largest;
+  }
   if (s.plan.has(scene::Effect::LightLoadBalance))
     run.counters.emplace_back("changes of held elements", end.resume.held_changes);
   run.energy = s.last.energy;

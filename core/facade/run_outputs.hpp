@@ -23,6 +23,8 @@ struct Resume {
   integrators::Memory memory;
   integrators::Counters counters;  ///< of the whole run so far, however often it was continued
   long held_changes = 0;           ///< steps after which elements were held or released (qFac)
+  /// Error estimates of the steps (StepInfo::error, in tolerances), added up, and the largest.
+  double error_sum = 0.0, error_largest = 0.0;
 };
 
 /// One instant of the run.

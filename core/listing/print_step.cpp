@@ -480,6 +480,13 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
   }
   for (const auto& [name, value] : run.counters)
     report.item(fmt::format("Counter: {}", name), value);
+  if (run.error_sum) {
+    report.item("Error estimates of the steps, of the scales: sum", *run.error_sum, unit::kPure);
+    report.item("Error estimates of the steps, of the scales: largest", *run.error_largest,
+                unit::kPure);
+  } else if (!run.integrator.empty()) {
+    report.item("Error estimates of the steps", "not computed: this method forms none here");
+  }
 
   if (!run.stability.empty()) report.text("Stability: " + run.stability);
   if (run.load) {

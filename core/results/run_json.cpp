@@ -131,6 +131,9 @@ Json run_json(const RunSummary& run) {
   out["time [s]"] = run.time;
   out["revolutions"] = run.revolutions;
   out["counters"] = object_of(run.counters);
+  if (run.error_sum)
+    out["error estimates of the steps"] = {{"sum", *run.error_sum},
+                                           {"largest", *run.error_largest}};
   if (run.load) {
     Json load = Json::object();
     load["span of the mean [s]"] = run.load->time;

@@ -46,6 +46,9 @@ struct RunSummary {
   long steps = 0;
   double time = 0.0, revolutions = 0.0;
   Counters counters;
+  /// Of the steps, times the tolerance: over the scales of the state. Without: the method forms
+  /// none.
+  std::optional<double> error_sum, error_largest;
   std::optional<scene::EnergyLedger> energy;             ///< at the end
   std::optional<MeanLoad> load;                          ///< of the elements, against the asked one
   std::optional<double> elastic;                         ///< of the quasi-static solution [J]
