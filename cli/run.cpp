@@ -11,6 +11,7 @@
 #include "cli/streams.hpp"
 #include "cli/text_io.hpp"
 #include "command_line/tree.hpp"
+#include "facade/chosen_settings.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/reproducible.hpp"
 #include "facade/sweep.hpp"
@@ -110,32 +111,35 @@ int report(const facade::RunOutcome& outcome, const RunOptions& options, bool to
   return exit_code(outcome);
 }
 
-/// Integrator, tolerance and longest step of the request become those that a short study finds.
-void choose_settings(facade::RunRequest& request, const std::string& accuracy,
-                     std::stop_token stop) {
-  facade::AccuracyRequest study;
-  static_cast<facade::DeckRequest&>(study) = request;
-  study.target = parse_percentage("--accuracy", accuracy);
-  study.methods = {"rk4", "rkf5", "rkf6", "rkf7", "pece2"};
-  study.turns = 5.0;
-  study.budget = 20.0;
-  const facade::AccuracyStudy found = facade::study_accuracy(study, {}, std::move(stop));
-  if (!found.complete) throw Interrupted("interrupted");
-  tell(fmt::format("{}\n", facade::recommendation(found)));
-  if (found.recommended < 0)
-    throw SolverError(
-        fmt::format("--accuracy {}: no settings that were tried keep to it; `adore accuracy` tries "
-                    "more of them "
-                    "over more turns",
-                    accuracy));
-  const facade::AccuracySetting& best =
-      found.finals[static_cast<std::size_t>(found.recommended)].setting;
-  request.integrator = best.method;
-  request.tolerance = best.tolerance;
-  // The longest stable step as a number: the deck then seems to ask for it, and no warning says
-  // that it asked for more.
-  for (auto& [name, value] : facade::recommended_sets(found))
-    if (name == "stpMax") request.sets.emplace_back(std::move(name), std::move(value));
+/// The options as if what a short study finds had been given.
+RunOptions with(RunOptions options, const facade::ChosenSettings& chosen) {
+  options.integrator = chosen.integrator;
+  options.tolerance = chosen.tolerance;
+  for (const auto& [name, value] : chosen.sets) {
+    std::erase_if(options.sets,
+                  [&](const std::string& set) { return set.starts_with(name + "="); });
+    options.sets.push_back(fmt::format("{}={}", name, value));
+  }
+  for (const auto& [name, value] : chosen.options)
+    options.options.push_back(fmt::format("{}={}", name, value));
+  return options;
+}
+
+int run_to_accuracy(const RunOptions& options, facade::RunRequest& request,
+                    const facade::ProgressSink& sink, InterruptWatch& watch) {
+  const facade::ChosenSettings chosen = facade::choose_settings(
+      request, parse_percentage("--accuracy", options.accuracy), watch.token());
+  const facade::RunOutcome outcome =
+      run_asking(request, [&] { return facade::run_chosen(request, chosen, sink, watch.token()); });
+  print_warnings(outcome.warnings);
+  const RunOptions as_given = with(options, chosen);
+  const int code = report(outcome, as_given, true);
+  if (options.verify && code == 0 && outcome.steps > 0) {
+    facade::RunRequest again = request;
+    facade::add_choice(again, chosen);
+    tell(facade::verification_text(facade::verify(again, outcome, watch.token()), outcome));
+  }
+  return code;
 }
 
 int run(const RunOptions& options, bool tolerance_given) {
@@ -179,7 +183,7 @@ int run(const RunOptions& options, bool tolerance_given) {
     tell(
         "adore: note: --threads plays no part: one run takes one core; a sweep "
         "(--set variable=first:last:count) takes more\n");
-  if (!options.accuracy.empty()) choose_settings(request, options.accuracy, watch.token());
+  if (!options.accuracy.empty()) return run_to_accuracy(options, request, sink, watch);
   const facade::RunOutcome outcome =
       run_asking(request, [&] { return facade::run(request, sink, watch.token()); });
   print_warnings(outcome.warnings);
@@ -219,8 +223,8 @@ void add_run(CLI::App& app, int& exit_code) {
   command
       ->add_option(
           "--accuracy", options->accuracy,
-          "choose integrator, tolerance and longest step by a short study, so that speeds, "
-          "loads, heat and life keep within this, e.g. 1%")
+          "choose integrator, tolerance, longest step and the nodes or slices of contacts by a "
+          "short study, so that speeds, loads, heat and life keep within this, e.g. 1%")
       ->type_name("PERCENT")
       ->excludes(tolerance);
   command->add_flag("--verify", options->verify,

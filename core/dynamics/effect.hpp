@@ -146,8 +146,10 @@ class SceneEffect {
   virtual void report(const Evaluation& e, Snapshot& snapshot) const { (void)e, (void)snapshot; }
   /// What stands in for an integral that is too dear, with its error; empty: nothing.
   [[nodiscard]] virtual std::string stated() const { return {}; }
-  /// System::quadrature_error of its contacts.
-  [[nodiscard]] virtual double quadrature_error(const Evaluation& e) const { return (void)e, 0.0; }
+  /// Adds its contacts to System::quadrature_error.
+  virtual void add_quadrature_error(const Evaluation& e, scene::QuadratureError& error) const {
+    (void)e, (void)error;
+  }
 
   /// A block of it gives races a motion beside their spin (then they do work without friction).
   [[nodiscard]] virtual bool moves_races() const noexcept { return false; }

@@ -256,13 +256,12 @@ std::string System::stated() const {
   return out;
 }
 
-double System::quadrature_error(double t, std::span<const double> y) {
+scene::QuadratureError System::quadrature_error(double t, std::span<const double> y) {
   Impl& s = *impl_;
   s.evaluate(t, y);
-  double largest = 0.0;
-  for (const auto& effect : s.parts.effects)
-    largest = std::max(largest, effect->quadrature_error(s.e));
-  return largest;
+  scene::QuadratureError error;
+  for (const auto& effect : s.parts.effects) effect->add_quadrature_error(s.e, error);
+  return error;
 }
 
 }  // namespace adore::dynamics

@@ -4,6 +4,7 @@
 #include "dynamics/prescribed_races.hpp"
 #include "dynamics/scene.hpp"
 #include "dynamics/state_layout.hpp"
+#include "scene/quadrature_error.hpp"
 #include "statics/ball_statics.hpp"
 
 #include <functional>
@@ -12,8 +13,7 @@
 #include <string>
 #include <vector>
 
-/// The equations of motion of one ball bearing, assembled from the effects of its scene plan (mode
-/// 0).
+/// The equations of motion of one bearing, assembled from the effects of its scene plan.
 namespace adore::dynamics {
 
 class SceneEffect;   // effect.hpp
@@ -94,11 +94,7 @@ class System {
   [[nodiscard]] Snapshot snapshot(double t, std::span<const double> y);
   /// Turn of the inner race less that of the outer one, about their axes [rad].
   [[nodiscard]] double shaft_rotation(double t, std::span<const double> y) noexcept;
-  /// Largest difference of the traction force by the run's ellipse rule to that by one of twice as
-  /// many nodes along both axes (where the rule converges, its error is that or a little more) over
-  /// all loaded contacts of this state, relative to each contact's κ-weighted load κ̄ Q, κ̄ = ∫
-  /// κ p u dA / ∫ p u dA (dimensionless). 0 without traction.
-  [[nodiscard]] double quadrature_error(double t, std::span<const double> y);
+  [[nodiscard]] scene::QuadratureError quadrature_error(double t, std::span<const double> y);
   /// What stands in for integrals that are too dear, with its error; empty: nothing.
   [[nodiscard]] std::string stated() const;
   /// Normal loads of all elements at a race, of the evaluation that was made last [N].

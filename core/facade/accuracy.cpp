@@ -319,7 +319,7 @@ class Study {
 
   /// What other resolutions of the model would change against the deck's own run.
   void model_round() {
-    if (models_.empty()) return;
+    if (models_.empty() || !request_.models) return;
     const AccuracySetting own = own_setting(settings_);
     const Trial base = try_setting(subject_, own, study_.short_turns, kUnlimited, stop_);
     study_.seconds += base.row.seconds;

@@ -33,6 +33,7 @@ struct AccuracyRequest : DeckRequest {
   double turns = 50.0;    ///< of the shaft, inner against outer race, in the second round at most
   double budget = 120.0;  ///< processor time of the whole study [s]
   double target = 0.01;   ///< error that the recommendation keeps to
+  bool models = true;     ///< what other resolutions of the model change is studied, too
 };
 
 /// One way to run the deck.

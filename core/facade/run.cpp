@@ -3,6 +3,7 @@
 #include "base/write_error.hpp"
 #include "deck/unit_text.hpp"
 #include "dynamics/race_contacts.hpp"
+#include "facade/chosen_settings.hpp"
 #include "facade/judge_steps.hpp"
 #include "facade/key_results.hpp"
 #include "facade/output_folder.hpp"
@@ -184,9 +185,9 @@ RunOutcome run_quasi_static(const RunRequest& request, const Prepared& prepared,
   return out;
 }
 
-void warn(Prepared& prepared, const std::string& text) {
+void warn(Prepared& prepared, const std::string& text, Severity severity = Severity::Warning) {
   Issue issue;
-  issue.severity = Severity::Warning;
+  issue.severity = severity;
   issue.file = prepared.input.path.string();
   issue.message = text;
   prepared.input.warnings.push_back(std::move(issue));
@@ -678,7 +679,11 @@ std::string request_digest(const RunRequest& request, const LoadedDeck& deck) {
   return fmt::format("{:016x}", sum);
 }
 
-RunOutcome run(const RunRequest& request, const ProgressSink& progress, std::stop_token stop) {
+namespace {
+
+/// @param remark on how the request came about; empty: none
+RunOutcome run_with(const RunRequest& request, const std::string& remark,
+                    const ProgressSink& progress, std::stop_token stop) {
   const auto begin = Clock::now();
   dynamics::check_instruction_set_request();
   LoadedDeck input = load_deck(request);
@@ -691,6 +696,7 @@ RunOutcome run(const RunRequest& request, const ProgressSink& progress, std::sto
   }
   Prepared prepared = prepare(std::move(input));
   apply_overrides(request, prepared);
+  if (!remark.empty()) warn(prepared, remark, Severity::Note);
   const fs::path folder = output_folder(request, prepared.input.path);
   const FolderLock lock(folder);
   RunOutcome out = prepared.control.dynamic ? run_dynamic(request, prepared, folder, progress, stop)
@@ -703,6 +709,18 @@ RunOutcome run(const RunRequest& request, const ProgressSink& progress, std::sto
   for (Issue& issue : remarks) out.warnings.push_back(std::move(issue));
   out.seconds = seconds_since(begin);
   return out;
+}
+
+}  // namespace
+
+RunOutcome run(const RunRequest& request, const ProgressSink& progress, std::stop_token stop) {
+  return run_with(request, {}, progress, std::move(stop));
+}
+
+RunOutcome run_chosen(RunRequest request, const ChosenSettings& chosen,
+                      const ProgressSink& progress, std::stop_token stop) {
+  add_choice(request, chosen);
+  return run_with(request, chosen.text, progress, std::move(stop));
 }
 
 }  // namespace adore::facade

@@ -155,6 +155,7 @@ struct RunOutputs::Impl {
     issue.message = std::move(text);
     remarks.push_back(std::move(issue));
   }
+  void judge_quadrature(const scene::QuadratureError& error);
   void make_room();
   void print_front(const std::optional<scene::Scales>& scales);
   [[nodiscard]] results::FinalState final_state(dynamics::System& system, const Snapshot& at,
@@ -171,6 +172,20 @@ struct RunOutputs::Impl {
   }
   void close(results::RunSummary& run, const std::optional<listing::RunLife>& run_life = {});
 };
+
+/// Warns when the nodes of the contact integrals leave more than 5 % of the races' heat: of the
+/// heat of the last state or, where that has all but ended, of the run's mean.
+void RunOutputs::Impl::judge_quadrature(const scene::QuadratureError& error) {
+  constexpr double kTolerated = 0.05;
+  const double heat = std::max(error.heat_of_finer, averages.averages().power_loss);
+  const double off = heat > 0.0 ? (error.heat_of_rule - error.heat_of_finer) / heat : 0.0;
+  if (std::abs(off) <= kTolerated) return;
+  remark(fmt::format("the heat of the races is {:.2g} % off by the nodes of the contact integrals "
+                     "(against twice as many, in the last state); more of them by the run options "
+                     "ellipseMajor and ellipseMinor",
+                     100.0 * off),
+         Severity::Warning);
+}
 
 void RunOutputs::Impl::make_room() {
   Outputs all_outputs = files.outputs();
@@ -507,6 +522,15 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
                     missed, end.resume.counters.steps, share, s.control.tolerance),
         Severity::Warning);
   }
+  std::optional<scene::QuadratureError> quadrature;
+  // A routine of the user that failed leaves nothing to evaluate; one may refuse now what it took.
+  try {
+    if (!s.prepared.user || s.prepared.user->failure().empty())
+      quadrature = system.quadrature_error(s.last.time, s.last_y);
+  } catch (const SolverError&) {
+    if (!s.prepared.user) throw;
+  }
+  if (quadrature) s.judge_quadrature(*quadrature);
   results::RunSummary run = s.summary();
   run.status = status_word(end.status);
   run.message = end.message;
@@ -532,13 +556,7 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   run.elastic = static_elastic(s.prepared);
   if (s.last.momentum) run.momentum = results::momentum_items(*s.last.momentum);
   run.max_quaternion_error = s.last.max_quaternion_error;
-  // A routine of the user that failed leaves nothing to evaluate; one may refuse now what it took.
-  try {
-    if (!s.prepared.user || s.prepared.user->failure().empty())
-      run.quadrature_error = system.quadrature_error(s.last.time, s.last_y);
-  } catch (const SolverError&) {
-    if (!s.prepared.user) throw;
-  }
+  run.quadrature_error = quadrature;
   run.cost = system.cost().rows();
   run.seconds = end.loop_seconds;
   run.measured_from = s.continued_at;

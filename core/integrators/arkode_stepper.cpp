@@ -88,7 +88,8 @@ class ArkodeStepper final : public SundialsStepper {
             "ARKStepSetLinearSolver");
       check(ARKStepSetJacFn(m, jacobian), "ARKStepSetJacFn");
       // A constant step cannot be cut when Newton's iteration is slow.
-      if (constant_step()) check(ARKStepSetMaxNonlinIters(m, 20), "ARKStepSetMaxNonlinIters");
+      check(ARKStepSetMaxNonlinIters(m, constant_step() ? 20 : kMostIterations),
+            "ARKStepSetMaxNonlinIters");
     }
     check(ARKStepSetPostprocessStepFn(m, project_vector), "ARKStepSetPostprocessStepFn");
     if (!constant_step()) {
@@ -139,6 +140,10 @@ class ArkodeStepper final : public SundialsStepper {
 
   bool local_error(N_Vector error) override {
     return !constant_step() && ARKStepGetEstLocalErrors(memory_.get(), error) == 0;
+  }
+
+  void iterate_to(double share) override {
+    if (method_ != ArkodeMethod::Explicit) ARKStepSetNonlinConvCoef(memory_.get(), share);
   }
 
   [[nodiscard]] bool projects() const override { return true; }

@@ -45,6 +45,7 @@ class CvodeStepper final : public SundialsStepper {
       // Scaling the correction for a stale γ suits the stiff part; quadratures need the correction
       // itself.
       check(CVodeSetLinearSolutionScaling(m, SUNFALSE), "CVodeSetLinearSolutionScaling");
+      check(CVodeSetMaxNonlinIters(m, kMostIterations), "CVodeSetMaxNonlinIters");
     } else {
       nonlinear_solver_.reset(SUNNonlinSol_FixedPoint(vector_.get(), 0, context_.get()));
       check(CVodeSetNonlinearSolver(m, nonlinear_solver_.get()), "CVodeSetNonlinearSolver");
@@ -92,6 +93,10 @@ class CvodeStepper final : public SundialsStepper {
 
   bool local_error(N_Vector error) override {
     return CVodeGetEstLocalErrors(memory_.get(), error) == 0;
+  }
+
+  void iterate_to(double share) override {
+    if (method_ == CvodeMethod::Bdf) CVodeSetNonlinConvCoef(memory_.get(), share);
   }
 
   [[nodiscard]] bool newton_moves_quadratures() const override {

@@ -14,6 +14,9 @@ namespace {
 constexpr double kDriftLimit = 10.0;
 // The tolerance of a minimum step is widened by ten at a time, to this at most.
 constexpr double kWidest = 1e20;
+// Newton's error over that of the step, and over the tolerance at least; what is forgotten of an
+// error in each step; and, over the scales, what rounding may leave.
+constexpr double kNewtonShare = 0.1, kLeastShare = 1e-4, kForget = 0.5, kRounding = 1e-12;
 
 double maximum_norm(N_Vector values, N_Vector weights) {
   return weighted_maximum(N_VGetArrayPointer(values), N_VGetArrayPointer(weights),
@@ -69,6 +72,8 @@ void SundialsStepper::start(OdeSystem& system, double t0, std::span<const double
   std::copy(state_.begin(), state_.end(), N_VGetArrayPointer(vector_.get()));
   first_ = estimate_first_step();
   create();
+  expected_ = 0.0;
+  follow_error(0.0);
 }
 
 double SundialsStepper::estimate_first_step() {
@@ -113,6 +118,7 @@ StepInfo SundialsStepper::step(double t_stop) {
   if (local_error(error_.get())) {
     info.error = weighted_maximum(N_VGetArrayPointer(error_.get()), weights_.data(), n);
   }
+  follow_error(info.error);
   gather_statistics();
   std::copy(y, y + n, state_.begin());
   if (at_minimum) {  // the widened tolerance ends with this step
@@ -187,6 +193,15 @@ void SundialsStepper::follow_projection() {
   if (!derivative_known_)
     return;  // the model refuses the projected point: keep the package's own state
   begin_afresh(std::min(estimate_first_step(), next_step()));
+}
+
+// What Newton's iteration leaves is an error that no estimate sees for sure: it is held below a
+// tenth of the estimate of the steps so far, above rounding. A step without an estimate (ARKODE at
+// a constant step) counts as one without an error.
+void SundialsStepper::follow_error(double error) {
+  expected_ = std::max(error, kForget * expected_);
+  const double least = std::max(kLeastShare, kRounding / control_.tolerance);
+  iterate_to(std::clamp(kNewtonShare * expected_, std::min(least, kNewtonShare), kNewtonShare));
 }
 
 void SundialsStepper::gather_statistics() {

@@ -542,9 +542,14 @@ void print_ledgers(Report& report, const RunSummary& run, const scene::ScenePlan
   if (run.max_quaternion_error)
     report.item("largest departure of a quaternion's length from 1", *run.max_quaternion_error,
                 unit::kPure);
-  if (run.quadrature_error)
-    report.item("error of the contact integrals, of the traction force", *run.quadrature_error,
-                unit::kPure);
+  if (run.quadrature_error) {
+    report.item("error of the contact integrals, of the traction force",
+                run.quadrature_error->force, unit::kPure);
+    if (run.quadrature_error->heat_of_finer > 0.0)
+      report.item("error of the contact integrals, of the heat of the races",
+                  run.quadrature_error->heat_of_rule / run.quadrature_error->heat_of_finer - 1.0,
+                  unit::kPure);
+  }
 
   if (!run.cost.empty()) {
     report.heading(

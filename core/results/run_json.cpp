@@ -157,7 +157,11 @@ Json run_json(const RunSummary& run) {
   if (!run.momentum.empty()) conservation["momentum"] = object_of(run.momentum);
   if (run.max_quaternion_error)
     conservation["largest quaternion error"] = *run.max_quaternion_error;
-  if (run.quadrature_error) conservation["contact quadrature error"] = *run.quadrature_error;
+  if (run.quadrature_error) {
+    conservation["contact quadrature error"] = run.quadrature_error->force;
+    conservation["race heat by the run's rule, W"] = run.quadrature_error->heat_of_rule;
+    conservation["race heat by twice the nodes, W"] = run.quadrature_error->heat_of_finer;
+  }
   out["conservation"] = conservation;
   out["summary"] = object_of(run.summary);
   if (!run.quasi_static.is_null()) out["quasi_static"] = run.quasi_static;

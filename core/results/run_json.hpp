@@ -5,6 +5,7 @@
 #include "results/key_results.hpp"
 #include "results/mean_load.hpp"
 #include "scene/cost_ledger.hpp"
+#include "scene/quadrature_error.hpp"
 #include "scene/scales.hpp"
 #include "scene/snapshot.hpp"
 
@@ -50,7 +51,7 @@ struct RunSummary {
   std::optional<double> elastic;                         ///< of the quasi-static solution [J]
   std::vector<std::pair<std::string, double>> momentum;  ///< residuals, by name with unit
   std::optional<double> max_quaternion_error;
-  std::optional<double> quadrature_error;  ///< System::quadrature_error at the end
+  std::optional<scene::QuadratureError> quadrature_error;  ///< at the end
   KeyResults summary;
   nlohmann::ordered_json life;          ///< fatigue life; null: none computed
   std::vector<std::string> files;       ///< names without folders

@@ -6,8 +6,9 @@
 #include <optional>
 
 /// The examples of `adore new` in motion against the PRINT.txt of tests/reference/examples: the
-/// pages of their steps, number by number. Fifteen counted steps (0.01 to 0.04 turns): later the
-/// trajectories part, because rollers and cage meet in impacts that amplify any difference.
+/// pages of their steps, number by number. Thirty-eight counted steps of four (0.02 to 0.1 turns):
+/// later the trajectories part, because rollers and cage meet in impacts that amplify any
+/// difference.
 ///
 /// Tolerance: 1e-3 of a number, or 5e-4 of the largest in its column of a table: velocities and
 /// loads of hardly loaded elements are what is left of vibrations. Sums in another order
@@ -100,7 +101,7 @@ TEST_CASE("the examples of all types run in time as their reference listings say
     const Folder folder;
     REQUIRE(run_adore("new " + type + " --out " + (folder / "DATA.txt").string()).code == 0);
     const Result run = run_shell("cd " + folder.path().string() +
-                                 " && ADORE run DATA.txt --set maxStps=15 --quiet 2>&1");
+                                 " && ADORE run DATA.txt --set maxStps=38 --quiet 2>&1");
     INFO(type << "\n" << run.out);
     REQUIRE(run.code == 0);
     const fs::path reference = references / type / "PRINT.txt";

@@ -135,6 +135,25 @@ TEST_CASE("adore accuracy studies a deck's own run and puts what it finds into t
   if (!best["own"].get<bool>()) CHECK(after != before);
 }
 
+TEST_CASE("adore run --accuracy says what it chose, and goes on with it", "[cli][slow]") {
+  const Folder folder;
+  new_ball_deck(folder);
+  const Result run =
+      run_adore("run " + folder.path().string() + " --until 0.02rev --accuracy 30% --out " +
+                (folder / "out").string());
+  INFO(run.out);
+  REQUIRE(run.code == 0);
+  CHECK(contains(run.out, "settings for an error of 30 %"));
+  CHECK(contains(run.out, "ellipse nodes"));
+  const std::size_t at = run.out.find("go on:");
+  REQUIRE(at != std::string::npos);
+  const std::string way_on = run.out.substr(at, run.out.find('\n', at) - at);
+  CHECK(contains(way_on, "--integrator "));
+  CHECK(contains(way_on, "--opt ellipseMajor="));
+  const json report = json::parse(read(folder / "out" / "RUN.json"));
+  CHECK(contains(report["notes"].dump(), "settings for an error of 30 %"));
+}
+
 TEST_CASE("adore run --verify says how far its results go with the tolerance", "[cli]") {
   const Folder folder;
   new_ball_deck(folder);

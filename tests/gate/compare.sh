@@ -33,7 +33,7 @@ export ADORE_ISA=baseline
 plan() {
   local deck stepper
   for deck in "$top"/resources/decks/*.txt; do
-    if grep -q "^'Rec 2.1'" "$deck"; then echo "deck-$(basename "$deck" .txt)|$deck|--set maxStps=60|"
+    if grep -q "^'Rec 2.1'" "$deck"; then echo "deck-$(basename "$deck" .txt)|$deck|--set maxStps=60 --set nStps=10|"
     else echo "deck-$(basename "$deck" .txt)|$deck||"; fi
   done
   # 1 (rkf1) is refused: it is stable for no contact (decision 150).

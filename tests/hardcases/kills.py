@@ -31,22 +31,22 @@ OFTEN = ["--opt", "checkpointSeconds=0.01", "--quiet"]
 LIGHT = ["--set", "appLoadX=200", "--set", "appLoadZ=2000", "--set", "qFac=0.1"]
 # name, example deck, what is run; the last three belong to methods that cannot hand out their past
 DECKS = [
-    ("ball, rkf4", "ball", ["--integrator", "rkf4", "--set", "maxStps=60"]),
+    ("ball, rkf4", "ball", ["--integrator", "rkf4", "--set", "maxStps=60", "--set", "nStps=10"]),
     ("ball, rkf7, stored seldom", "ball",
-     ["--integrator", "rkf7", "--set", "maxStps=60", "--set", "kPltFreq=100000", "--set", "kPrtFreq=100000", "--set",
+     ["--integrator", "rkf7", "--set", "maxStps=60", "--set", "nStps=10", "--set", "kPltFreq=100000", "--set", "kPrtFreq=100000", "--set",
       "kAGraf=0", "--set", "kLifeFreq=0"]),
     ("ball, rkf5, 200 steps counted as one", "ball",
      ["--integrator", "rkf5", "--set", "maxStps=4", "--set", "nStps=200", "--set", "kPltFreq=1"]),
     ("ball-thrust, rkf5, every step stored", "ball-thrust",
      ["--integrator", "rkf5", "--set", "maxStps=300", "--set", "nStps=1", "--set", "kPltFreq=1", "--set", "kAGraf=1"]),
-    ("ball-english, pece4", "ball-english", ["--integrator", "pece4", "--set", "maxStps=60"]),
-    ("ball-18, rkf5", "ball-18", ["--integrator", "rkf5", "--set", "maxStps=40"]),
+    ("ball-english, pece4", "ball-english", ["--integrator", "pece4", "--set", "maxStps=60", "--set", "nStps=10"]),
+    ("ball-18, rkf5", "ball-18", ["--integrator", "rkf5", "--set", "maxStps=40", "--set", "nStps=20"]),
     ("ball, pece8, constant step", "ball",
      ["--integrator", "pece8", "--set", "stpMin=0.05", "--set", "stpMax=0.05", "--set", "stpInit=0.05", "--set",
-      "maxStps=60"]),
-    ("ball, balls held in balance, rkf4", "ball", LIGHT + ["--integrator", "rkf4", "--set", "maxStps=60"]),
-    ("ball, cvode-bdf", "ball", ["--integrator", "cvode-bdf", "--set", "maxStps=30"]),
-    ("ball, arkode-erk", "ball", ["--integrator", "arkode-erk", "--set", "maxStps=30"]),
+      "maxStps=60", "--set", "nStps=10"]),
+    ("ball, balls held in balance, rkf4", "ball", LIGHT + ["--integrator", "rkf4", "--set", "maxStps=60", "--set", "nStps=10"]),
+    ("ball, cvode-bdf", "ball", ["--integrator", "cvode-bdf", "--set", "maxStps=30", "--set", "nStps=10"]),
+    ("ball, arkode-erk", "ball", ["--integrator", "arkode-erk", "--set", "maxStps=30", "--set", "nStps=10"]),
 ]
 SAME = ["SOL1", "SOL2", "SOL3", "SOL4", "SOL7", "SOL8", "FINAL", "RESULTS.h5"]
 CLOSE = 1e-6  # [m] cage centre of methods that lose their past, after these short runs

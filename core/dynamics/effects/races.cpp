@@ -373,9 +373,8 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
   }
 }
 
-double Races::quadrature_error(const Evaluation& e) const {
-  double largest = 0.0;
-  if (!in_contact_ || rollers_) return largest;  // slices have no rule
+void Races::add_quadrature_error(const Evaluation& e, scene::QuadratureError& error) const {
+  if (!in_contact_ || rollers_) return;  // slices have no rule
   for (std::size_t j = 0; j < 2; ++j) {
     if (!contacts_[j].traction) continue;
     const tribology::EllipseRule& rule = contacts_[j].rule;
@@ -391,11 +390,12 @@ double Races::quadrature_error(const Evaluation& e) const {
           tribology::ellipse_traction(model.law, contact.ellipse, contact.motion, twice);
       if (!(exact.heat > 0.0)) continue;
       const double friction = exact.heat * contact.ellipse.Q / exact.load_slip;
-      largest =
-          std::max(largest, std::hypot(fixed.F_c - exact.F_c, fixed.F_t - exact.F_t) / friction);
+      error.force = std::max(error.force,
+                             std::hypot(fixed.F_c - exact.F_c, fixed.F_t - exact.F_t) / friction);
+      error.heat_of_rule += fixed.heat;
+      error.heat_of_finer += exact.heat;
     }
   }
-  return largest;
 }
 
 std::unique_ptr<SceneEffect> make_races(const ScenePlan&) { return std::make_unique<Races>(); }

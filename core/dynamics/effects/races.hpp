@@ -22,7 +22,7 @@ class Races final : public SceneEffect {
   [[nodiscard]] std::string why_invalid(const Evaluation& e) const override;
   void report(const Evaluation& e, Snapshot& snapshot) const override;
   [[nodiscard]] std::string stated() const override { return stated_; }
-  [[nodiscard]] double quadrature_error(const Evaluation& e) const override;
+  void add_quadrature_error(const Evaluation& e, scene::QuadratureError& error) const override;
   [[nodiscard]] bool has_stiff_part() const noexcept override { return normal_.has_value(); }
   bool stiff_part(const Evaluation& e, const double* y, double* dydt, int size) noexcept override {
     return normal_->evaluate(e.race, y, dydt, size);

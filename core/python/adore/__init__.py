@@ -9,7 +9,7 @@
 >>> run["contact.load"].shape[1:]                    # behind the steps: elements, races [N]
 (12, 2)
 
-Decks: :func:`new`, :func:`read`, :class:`Deck`. Runs: :meth:`Deck.run`, :func:`open_run`. Files: :func:`read_table`.
+Decks: :func:`new`, :func:`catalogue`, :func:`read`, :class:`Deck`. Runs: :meth:`Deck.run`, :func:`open_run`. Files: :func:`read_table`.
 Calculators: :mod:`adore.calc`. Errors: :mod:`adore.errors`. Code is never loaded because of what a deck or a file says.
 """
 
@@ -19,7 +19,7 @@ from typing import Dict, Tuple
 
 from . import _core, calc, errors, pictures, routines, schema, units
 from ._core import Issue, Progress
-from .deck import Deck, Record, check, examples, new, read
+from .deck import Deck, Record, catalogue, check, examples, new, read
 from .errors import (
     AdoreError,
     DeckWarning,
@@ -64,6 +64,7 @@ __all__ = [
     "UnitError",
     "UntrustedResult",
     "calc",
+    "catalogue",
     "check",
     "describe",
     "errors",

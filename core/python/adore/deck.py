@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
     from .run import Plan, Run, Statics
 
-__all__ = ["Deck", "Record", "check", "examples", "new", "read"]
+__all__ = ["Deck", "Record", "catalogue", "check", "examples", "new", "read"]
 
 PathLike = Union[str, "os.PathLike[str]"]
 #: A number, a text, or an array of them.
@@ -43,14 +43,17 @@ def _split(name: str) -> Tuple[str, List[int]]:
 
 
 def _text(value: Any, whole: bool) -> str:
-    """A value as a deck says it. @param whole: of an integer variable"""
+    """A value as a deck says it; None as the word, which the deck refuses. @param whole: of an integer variable"""
     if isinstance(value, str):
         return "'" + value.replace("'", "''") + "'"
     if isinstance(value, (bool, np.bool_)):
         return str(int(value))
     if isinstance(value, (int, np.integer)):
         return str(int(value))
-    number = float(value)
+    try:
+        number = float(None if isinstance(value, (bytes, bytearray)) else value)
+    except (TypeError, ValueError):
+        return str(value)  # the deck refuses it, naming the variable
     return str(int(number)) if whole and number.is_integer() else repr(number)
 
 
@@ -361,6 +364,13 @@ class Deck(DeckVariables):
     def __setitem__(self, name: str, value: Value) -> None:
         self.update({name: value})
 
+    def __iter__(self) -> Iterator[str]:
+        """The names of its variables, as a dictionary has it."""
+        return iter(self.variables())
+
+    def __len__(self) -> int:
+        return len(self.variables())
+
     def __contains__(self, name: object) -> bool:
         return isinstance(name, str) and self._core.record_of(name) is not None
 
@@ -374,6 +384,16 @@ class Deck(DeckVariables):
         return self._core == other._core if isinstance(other, Deck) else NotImplemented
 
     __hash__ = None  # type: ignore[assignment]
+
+    def __copy__(self) -> Deck:
+        return self.copy()
+
+    def __deepcopy__(self, memo: object) -> Deck:
+        return self.copy()
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        """As its text, so that other processes can have it (``multiprocessing``, ``concurrent.futures``)."""
+        return _from_parts, (self.source(), self._core.name, self._path, self._options)
 
     def differences(self, other: Deck) -> List[str]:
         """What differs from another deck, a sentence each ("here" is this deck)."""
@@ -481,6 +501,10 @@ class Deck(DeckVariables):
         return f"<b>{html.escape(self._core.name)}</b><pre>{html.escape(self.story())}</pre>{records}"
 
 
+def _from_parts(source: str, name: str, path: Optional[Path], options: Mapping[str, str]) -> Deck:
+    return Deck(_core.Deck.from_text(source, name), path, options)
+
+
 def _umask() -> int:
     mask = os.umask(0)
     os.umask(mask)
@@ -496,6 +520,12 @@ def new(name: str) -> Deck:
     """A complete example deck: "ball", "cylindrical", "spherical", "tapered", "spherical-tapered" or another name of
     :func:`adore.examples`."""
     return Deck(_core.Deck.example(name))
+
+
+def catalogue(designation: str) -> Deck:
+    """A bearing by its designation ("6205", "7208 B", "NU209", "30208", "22210") or outside ("deep-groove 25x52x15" in
+    mm): standard boundary dimensions; the inside is an estimate, and the deck's remarks say so."""
+    return Deck(_core.Deck.catalogue(designation))
 
 
 def read(path: PathLike = ".") -> Deck:

@@ -1,6 +1,7 @@
 #include "deck/deck.hpp"
 
 #include "bindings.hpp"
+#include "deck/catalogue.hpp"
 #include "deck/defaults.hpp"
 #include "deck/difference.hpp"
 #include "deck/keep_text.hpp"
@@ -125,6 +126,13 @@ void bind_deck(py::module_& module) {
             return from_text(std::string(deck::template_text(name)), name);
           },
           py::arg("name"), "One of the example decks.")
+      .def_static(
+          "catalogue",
+          [](const std::string& designation) {
+            const deck::CatalogueBearing bearing = deck::find_bearing(designation);
+            return from_text(deck::catalogue_deck(bearing), bearing.designation);
+          },
+          py::arg("designation"), "A bearing by its designation; its inside is an estimate.")
       .def(
           "copy", [](const DeckObject& self) { return self; }, "A deck of its own.")
       .def_property(

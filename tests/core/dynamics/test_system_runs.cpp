@@ -192,14 +192,17 @@ TEST_CASE("the run's ellipse rule is measured against one of twice as many nodes
   fine.ellipse_major = 48, fine.ellipse_minor = 24;
   System rough = make_system(b, full_plan(), coarse), normal = make_system(b, full_plan()),
          exact = make_system(b, full_plan(), fine);
-  const auto error = [](System& s) { return s.quadrature_error(0.0, s.initial_state()); };
+  const auto error = [](System& s) { return s.quadrature_error(0.0, s.initial_state()).force; };
   CHECK(error(exact) > 0.0);
   CHECK(error(exact) < 1e-3);
   CHECK(error(normal) < 3e-2);
   CHECK(error(exact) < error(normal));
   CHECK(error(normal) < error(rough));
   System none = make_system(b, plan_with({Effect::RaceContact}));
-  CHECK(none.quadrature_error(0.0, none.initial_state()) == 0.0);
+  CHECK(none.quadrature_error(0.0, none.initial_state()).force == 0.0);
+  const scene::QuadratureError sum = normal.quadrature_error(0.0, normal.initial_state());
+  CHECK(sum.heat_of_finer > 0.0);
+  CHECK(sum.heat_of_rule == Approx(sum.heat_of_finer).epsilon(0.03));
 }
 
 TEST_CASE("the 218 bearing at 15000 rpm runs at the contact angles of the classic solution",

@@ -33,7 +33,7 @@ deck::Deck oiled(const char* type, const char* code, const Sets& sets) {
     if (name == "mode") set(name, value);
   set("kTrac", code);
   for (const auto& [name, value] :
-       Sets{{"reRaceFilm", "1.0e-8"}, {"strParam", "10.0"}, {"maxStps", "8"}})
+       Sets{{"reRaceFilm", "1.0e-8"}, {"strParam", "10.0"}, {"maxStps", "8"}, {"nStps", "10"}})
     set(name, value);
   for (const auto& [name, value] : sets) set(name, value);
   return deck;

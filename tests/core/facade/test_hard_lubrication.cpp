@@ -56,6 +56,7 @@ TEST_CASE("held balls run in oil: modes 1 and 2 and qFac make the heat of mode 0
   const testing::TemporaryFolder folder;
   const auto heat = [&](const char* name, Sets sets) {
     sets.emplace_back("maxStps", "300");
+    sets.emplace_back("nStps", "10");
     sets.emplace_back("kPltFreq", "50");
     const Ran ran = run_deck(in_oil("ball", sets), folder / name);
     check_ledger(ran);
@@ -78,6 +79,7 @@ TEST_CASE("a film that collapses while the bearing stops is no end of the run",
                                            {"startTime2", "0.0005"},
                                            {"endTime2", "0.0055"},
                                            {"maxStps", "1000"},
+                                           {"nStps", "10"},
                                            {"kPltFreq", "50"}}),
                            folder / "stop");
   check_ledger(ran);

@@ -87,6 +87,7 @@ deck::Deck deck_of(int code, const Scene& scene, bool motion) {
                                         {"reRaceFilm", "1.0e-8"},
                                         {"strParam", "10.0"},
                                         {"maxStps", "15"},
+                                        {"nStps", "10"},
                                         {"kPltFreq", "5"}})
     set(name, value);
   for (const auto& [name, value] : scene.sets) set(name, value);

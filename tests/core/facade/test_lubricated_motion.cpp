@@ -114,7 +114,7 @@ TEST_CASE("every lubricant moves every type of bearing", "[validation][film][slo
       INFO(name);
       // So short a run moves about a millijoule: at the deck's 1e-6 thinning oils leave 1.6e-4 of
       // it without account, here 2e-6.
-      const Sets short_run{{"maxStps", "12"}, {"tol", "1e-7"}};
+      const Sets short_run{{"maxStps", "12"}, {"nStps", "10"}, {"tol", "1e-7"}};
       CHECK(fault_of(oiled(std::to_string(code).c_str(), short_run, type), folder / name) == "");
     }
 }
@@ -140,6 +140,7 @@ TEST_CASE("hard states of lubricated bearings run without a number that is none"
       for (const Case& one : cases) {
         Sets sets = one.sets;
         sets.emplace_back("maxStps", "8");
+        sets.emplace_back("nStps", "10");
         sets.emplace_back("tol", "1e-7");  // such runs move next to nothing
         const std::string name = std::string(type) + " " + code + " " + one.name;
         INFO(name);

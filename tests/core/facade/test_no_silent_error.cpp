@@ -30,9 +30,11 @@ struct Hard {
   double loose = 0.03;
 };
 
-const std::array<Hard, 5> kHard{{
+const std::array<Hard, 6> kHard{{
     {"as it is", "1rev", {}},
     {"radial", "1rev", {{"appLoadX", "300"}, {"appLoadZ", "3000"}}},
+    // Newton's error of implicit methods had the heat of the cage 3 % off (decision 415).
+    {"vanishing load", "2rev", {{"appLoadX", "0.001"}}},
     {"near-conformal",
      "0.2rev",
      {{"raceCurFac1", "0.503"}, {"raceCurFac2", "0.503"}, {"appLoadX", "300"}},

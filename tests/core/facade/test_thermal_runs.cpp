@@ -48,6 +48,7 @@ deck::Deck warm(const std::string& name, const char* mode) {
 deck::Deck moving(const std::string& name) {
   deck::Deck deck = warm(name, "0");
   deck.set("maxStps", "400");
+  deck.set("nStps", "10");
   deck.set("kPltFreq", "20");
   deck.set("kPrtFreq", "100");
   return deck;
@@ -253,6 +254,7 @@ TEST_CASE("the medium drags in decks of all types and modes, and its heat is in 
                                           {"qFac", share},
                                           {"kChrn", "14"},
                                           {"maxStps", "60"},
+                                          {"nStps", "10"},
                                           {"kPltFreq", "20"}})
       deck.set(variable, value);
     deck.complete();
@@ -283,8 +285,11 @@ TEST_CASE("films of the cage act from decks: lands and pockets of any type, with
     INFO(one.name << ", kGsHydro " << one.lands << ", " << one.variable << " = " << one.value);
     const auto ran = [&](const char* lands, const char* pockets) {
       deck::Deck deck = deck::new_deck(one.name);
-      for (const auto& [variable, value] :
-           {std::pair{"mode", "0"}, {"kGsHydro", lands}, {"kPocHydro", pockets}, {"maxStps", "60"}})
+      for (const auto& [variable, value] : {std::pair{"mode", "0"},
+                                            {"kGsHydro", lands},
+                                            {"kPocHydro", pockets},
+                                            {"maxStps", "60"},
+                                            {"nStps", "10"}})
         deck.set(variable, value);
       deck.set(one.variable, one.value);
       deck.complete();

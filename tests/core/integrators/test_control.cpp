@@ -446,6 +446,25 @@ TEST_CASE("Implicit methods take long steps over a stiff decay", "[physics][inte
   }
 }
 
+TEST_CASE("Newton's error stays below that of the step where a cap makes that small",
+          "[physics][integrators]") {
+  // Ten orbits in steps whose own error is far below the tolerance: no tolerance decides any more.
+  for (const char* name : {"arkode-dirk", "arkode-imex"})
+    for (const double tolerance : {1e-4, 1e-6}) {
+      Problem problem = kepler();
+      const auto stepper = make_stepper(name);
+      stepper->start(problem, 0.0, kepler_exact(0.0), {.maximum = 0.02, .tolerance = tolerance});
+      run_to(*stepper, 62.8);
+      const std::vector<double> exact = kepler_exact(62.8);
+      double error = 0.0;
+      for (std::size_t i = 0; i < exact.size(); ++i)
+        error = std::max(error, std::abs(stepper->state()[i] - exact[i]));
+      INFO(name << " at " << tolerance << ": " << error << " off, "
+                << stepper->counters().evaluations << " evaluations");
+      CHECK(error < 1e-6);
+    }
+}
+
 TEST_CASE("A stepper starts again from any state as if it were new", "[unit][integrators]") {
   Problem first = kepler();
   Problem second = bouncing_mass();

@@ -284,7 +284,7 @@ TEST_CASE("the last page holds plan, ledgers and cost", "[unit][print]") {
   run.counters = {{"rejected", 3}};
   run.energy = make_snapshot(make_bearing(), 100).energy;
   run.max_quaternion_error = 2e-16;
-  run.quadrature_error = 1e-4;
+  run.quadrature_error = {1e-4, 10.1, 10.0};
   run.cost = {{"race contacts", 1000, 0.6}, {"stepper", 500, 0.39}};
   run.seconds = 1.0;
   run.notes = {"a note that is long " + std::string(200, 'x') + " and goes on after it"};

@@ -1,6 +1,8 @@
 """Decks as objects: variables, units, completion, text that stays."""
 
+import copy
 import json
+import pickle
 import tempfile
 import unittest
 import warnings
@@ -83,6 +85,38 @@ class Values(unittest.TestCase):
         with self.assertRaises(adore.InputError):
             self.deck.rpm2 = float("nan")
         self.assertEqual(self.deck, before)
+
+    def test_values_of_no_use_are_refused_by_name(self):
+        for value in (None, object(), {}, b"12"):
+            before = self.deck.copy()
+            with self.assertRaisesRegex(adore.InputError, "^rpm2 = "):
+                self.deck.rpm2 = value
+            self.assertEqual(self.deck, before)
+
+    def test_it_is_iterated_like_a_dictionary(self):
+        self.assertEqual(list(self.deck), self.deck.variables())
+        self.assertEqual(len(self.deck), len(set(self.deck)))
+        self.assertEqual({name: self.deck[name] for name in self.deck}["nRe"], 12)
+
+    def test_copies_and_pickles_are_decks_of_their_own(self):
+        for deck in [adore.new(name) for name in adore.examples()] + [self.deck.in_units("English")]:
+            deck.options["contactDamping"] = "0.1"
+            for again in (copy.copy(deck), copy.deepcopy(deck), pickle.loads(pickle.dumps(deck))):
+                self.assertEqual(again, deck)
+                self.assertEqual(again.source(), deck.source())
+                self.assertEqual(again.options, deck.options)
+                again.rpm2 = 321.0
+                again.options["contactDamping"] = "0.2"
+                self.assertNotEqual(again, deck)
+                self.assertEqual(deck.options["contactDamping"], "0.1")
+
+    def test_a_bearing_of_the_catalogue_is_a_deck(self):
+        deck = adore.catalogue("7208 B")
+        self.assertEqual((deck.get("brgBore", "mm"), deck.get("brgOD", "mm")), (40.0, 80.0))
+        self.assertIn("ESTIMATE", deck.source())
+        self.assertGreater(deck.statics().summary["largest_contact_load_N"], 0.0)
+        with self.assertRaisesRegex(adore.InputError, "is not in the catalogue"):
+            adore.catalogue("99999")
 
     def test_a_mistyped_name_is_an_error_with_the_near_ones(self):
         with self.assertRaisesRegex(AttributeError, "pitchDia"):

@@ -1,0 +1,244 @@
+#include "facade/chosen_settings.hpp"
+
+#include "base/errors.hpp"
+#include "base/interrupted.hpp"
+#include "facade/prepare.hpp"
+#include "facade/verify.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace adore::facade {
+namespace {
+
+constexpr double kForSteps = 0.75;  ///< of the target
+constexpr double kStudyTurns = 5.0, kStudySeconds = 20.0;
+constexpr double kMostTurns = 1.0, kLeastTurns = 0.02, kSeconds = 10.0;  ///< of all resolutions
+constexpr double kNoiseMargin = 1.5;
+
+/// From the cheapest on; the last one is what the others are compared with. Across the contact two
+/// nodes do, four where a film follows the pressure (decisions 390, 414).
+using Nodes = std::array<std::pair<int, int>, 8>;
+constexpr Nodes kNodes{{{10, 1}, {15, 1}, {10, 2}, {15, 2}, {20, 2}, {30, 2}, {40, 2}, {60, 4}}};
+constexpr Nodes kFilmNodes{
+    {{10, 2}, {15, 2}, {20, 2}, {15, 4}, {20, 4}, {30, 4}, {40, 4}, {60, 8}}};
+constexpr std::array<int, 8> kSlices{7, 11, 15, 21, 31, 45, 61, 121};
+
+void set_again(RunRequest& run, const std::string& name, const std::string& value) {
+  std::erase_if(run.sets, [&](const auto& set) { return set.first == name; });
+  run.sets.emplace_back(name, value);
+}
+
+ResolutionRow nodes_row(int major, int minor) {
+  ResolutionRow row;
+  row.options = {{"ellipseMajor", std::to_string(major)}, {"ellipseMinor", std::to_string(minor)}};
+  row.name = fmt::format("ellipse nodes {} x {}", major, minor);
+  return row;
+}
+
+ResolutionRow slices_row(int slices) {
+  ResolutionRow row;
+  row.options = {{"rollerSlices", std::to_string(slices)}};
+  row.name = fmt::format("roller slices {}", slices);
+  return row;
+}
+
+/// Number of nodes or slices, which is what a resolution costs.
+double size_of(const ResolutionRow& row) {
+  double out = 1.0;
+  for (const auto& [name, value] : row.options) out *= std::stod(value);
+  return out;
+}
+
+/// Empty where the request has chosen.
+std::vector<ResolutionRow> resolutions(const Prepared& prepared) {
+  const auto& given = prepared.input.option_values;
+  std::vector<ResolutionRow> out;
+  if (prepared.rollers) {
+    if (given.contains("rollerSlices") || given.contains("rollerContact")) return out;
+    for (const int slices : kSlices) out.push_back(slices_row(slices));
+    const int usual = prepared.options.rollers.slices;
+    for (ResolutionRow& row : out) row.usual = row.name == slices_row(usual).name;
+    return out;
+  }
+  if (given.contains("ellipseMajor") || given.contains("ellipseMinor")) return out;
+  const auto& usual = prepared.options.system;
+  for (const auto& [major, minor] : usual.ellipse_minor > 2 ? kFilmNodes : kNodes)
+    out.push_back(nodes_row(major, minor));
+  for (ResolutionRow& row : out)
+    row.usual = row.name == nodes_row(usual.ellipse_major, usual.ellipse_minor).name;
+  return out;
+}
+
+AccuracyErrors beyond(const AccuracyErrors& errors, const AccuracyErrors& noise) {
+  const auto one = [](double error, double of_noise) {
+    return error > kNoiseMargin * std::max(of_noise, 0.0) ? error : std::min(error, 0.0);
+  };
+  return {one(errors.speed, noise.speed), one(errors.load, noise.load),
+          one(errors.heat, noise.heat), one(errors.life, noise.life)};
+}
+
+class Choice {
+ public:
+  Choice(const DeckRequest& request, double target, std::stop_token stop)
+      : request_(request), target_(target), stop_(std::move(stop)) {}
+
+  ChosenSettings make() {
+    choose_steps();
+    const Prepared prepared = prepare(request_);
+    rows_ = resolutions(prepared);
+    if (rows_.empty()) {
+      out_.text += ". Nodes or slices of the contacts are as the options give them";
+    } else {
+      choose_resolution(prepared);
+    }
+    return std::move(out_);
+  }
+
+ private:
+  void choose_steps() {
+    AccuracyRequest asked;
+    static_cast<DeckRequest&>(asked) = request_;
+    asked.target = kForSteps * target_;
+    asked.methods = {"rk4", "rkf5", "rkf6", "rkf7", "pece2"};
+    asked.turns = kStudyTurns;
+    asked.budget = kStudySeconds;
+    asked.models = false;
+    const AccuracyStudy study = study_accuracy(asked, {}, stop_);
+    if (!study.complete) throw Interrupted("interrupted");
+    if (study.recommended < 0)
+      throw SolverError(fmt::format("{} `adore accuracy` tries more settings over more turns",
+                                    recommendation(study)));
+    const AccuracyRow& best = study.finals[static_cast<std::size_t>(study.recommended)];
+    out_.integrator = best.setting.method;
+    out_.tolerance = best.setting.tolerance;
+    out_.steps = best.errors;
+    // The longest stable step as a number: the deck then seems to ask for it, and no warning says
+    // that it asked for more.
+    for (auto& [name, value] : recommended_sets(study))
+      if (name == "stpMax") out_.sets.emplace_back(std::move(name), std::move(value));
+    turn_ = study.turn;
+    seconds_per_turn_ = best.seconds / best.turns;
+    const std::string longest =
+        out_.sets.empty() ? "" : fmt::format(", stpMax {}", out_.sets.front().second);
+    out_.text = fmt::format(
+        "settings for an error of {:.3g} %: {}, tol {:g}{} (errors over {:.3g} turns: {})",
+        100.0 * target_, out_.integrator, out_.tolerance, longest, best.turns,
+        errors_text(best.errors));
+  }
+
+  [[nodiscard]] RunRequest run_of(const ResolutionRow& row) const {
+    RunRequest run;
+    static_cast<DeckRequest&>(run) = request_;
+    add_choice(run, out_);
+    run.until = fmt::format("{:.17g}s", out_.turns * turn_);
+    run.options.insert(run.options.end(), row.options.begin(), row.options.end());
+    return run;
+  }
+
+  /// Key results; none, with the row's failure, where the run gave none.
+  std::optional<results::KeyResults> results_of(const RunRequest& run, ResolutionRow& row) {
+    try {
+      const MeasuredRun one = measured_run(run, std::numeric_limits<double>::infinity(), stop_);
+      row.seconds = one.seconds;
+      if (one.outcome.status == RunStatus::Done) return one.outcome.summary;
+      row.failure = one.outcome.message;
+    } catch (const InputError& error) {
+      row.failure = error.what();
+    } catch (const SolverError& error) {
+      row.failure = error.what();
+    }
+    return {};
+  }
+
+  void choose_resolution(const Prepared& prepared) {
+    const auto usual = std::find_if(rows_.begin(), rows_.end(),
+                                    [](const ResolutionRow& row) { return row.usual; });
+    // A quarter of a run's cost is not that of its contacts.
+    double sizes = 0.0;
+    const double one = usual != rows_.end() ? size_of(*usual) : size_of(rows_[rows_.size() / 2]);
+    for (const ResolutionRow& row : rows_) sizes += 0.25 + 0.75 * size_of(row) / one;
+    sizes += 0.25 + 0.75 * size_of(rows_.back()) / one;
+    out_.turns = std::clamp(kSeconds / (seconds_per_turn_ * sizes), kLeastTurns, kMostTurns);
+    ResolutionRow finest = rows_.back();
+    rows_.pop_back();
+    out_.finest = finest.name;
+    const RunRequest reference = run_of(finest);
+    const auto is = results_of(reference, finest);
+    RunRequest beside = reference;
+    for (const char* load : {"appLoadX", "appLoadY", "appLoadZ"})
+      if (const double value = prepared.input.deck.real(load); value != 0.0)
+        set_again(beside, load, fmt::format("{:.17g}", 1.000001 * value));
+    const auto other = is ? results_of(beside, finest) : std::nullopt;
+    if (!is || !other) {
+      out_.text += fmt::format(". Nodes and slices stay as they are: with {} {}", finest.name,
+                               finest.failure);
+      return;
+    }
+    out_.noise = compare_results(*other, *is);
+    const double limit = target_ - std::min(out_.steps.largest(), kForSteps * target_);
+    int before = -1;  // the row before this one keeps to the limit
+    for (ResolutionRow& row : rows_) {
+      const auto results = results_of(run_of(row), row);
+      if (results) {
+        const AccuracyErrors errors = compare_results(*results, *is);
+        row.told = beyond(errors, out_.noise);
+        row.hidden = errors.speed > row.told.speed || errors.load > row.told.load ||
+                     errors.heat > row.told.heat || errors.life > row.told.life;
+      }
+      out_.rows.push_back(row);
+      const int here = static_cast<int>(out_.rows.size()) - 1;
+      const bool keeps = results && row.told.largest() <= limit;
+      if (keeps && before >= 0) {
+        out_.resolution = before;
+        break;
+      }
+      before = keeps ? here : -1;
+    }
+    if (out_.resolution < 0) out_.resolution = before;
+    const std::string against =
+        fmt::format("against {} over {:.3g} turns", out_.finest, out_.turns);
+    if (out_.resolution < 0) {
+      out_.options = finest.options;
+      out_.text += fmt::format(". {}: nothing coarser keeps within {:.2g} % of it", out_.finest,
+                               100.0 * limit);
+      return;
+    }
+    const ResolutionRow& chosen = out_.rows[static_cast<std::size_t>(out_.resolution)];
+    out_.options = chosen.options;
+    out_.text += fmt::format("; {} ({}: {}{}{})", chosen.name, against, errors_text(chosen.told),
+                             chosen.usual ? ", as without a choice" : "", noise_text(chosen));
+  }
+
+  /// What hides behind errors of 0.
+  [[nodiscard]] static std::string noise_text(const ResolutionRow& row) {
+    return row.hidden ? "; 0 %: no more than loads changed by a millionth bring about" : "";
+  }
+
+  const DeckRequest& request_;
+  double target_;
+  std::stop_token stop_;
+  double turn_ = 0.0, seconds_per_turn_ = 0.0;
+  std::vector<ResolutionRow> rows_;
+  ChosenSettings out_;
+};
+
+}  // namespace
+
+void add_choice(RunRequest& request, const ChosenSettings& chosen) {
+  request.integrator = chosen.integrator;
+  request.tolerance = chosen.tolerance;
+  for (const auto& [name, value] : chosen.sets) set_again(request, name, value);
+  request.options.insert(request.options.end(), chosen.options.begin(), chosen.options.end());
+}
+
+ChosenSettings choose_settings(const DeckRequest& request, double target, std::stop_token stop) {
+  return Choice(request, target, std::move(stop)).make();
+}
+
+}  // namespace adore::facade

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "facade/accuracy.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+/// The cheapest settings that keep a run within an error: integrator, tolerance and longest step by
+/// a short accuracy study, then the nodes of the contact ellipses or the slices of the rollers.
+namespace adore::facade {
+
+/// A resolution of the contacts against the finest one.
+struct ResolutionRow {
+  std::vector<std::pair<std::string, std::string>> options;
+  std::string name;     ///< "ellipse nodes 15 x 2", "roller slices 31"
+  AccuracyErrors told;  ///< errors that stand out of `noise`; others are 0
+  bool hidden = false;  ///< some error is within the noise
+  double seconds = 0.0;
+  bool usual = false;   ///< what the run would have without a choice
+  std::string failure;  ///< empty, or why there is no result
+};
+
+struct ChosenSettings {
+  std::string integrator;
+  double tolerance = 0.0;
+  std::vector<std::pair<std::string, std::string>> sets, options;
+  std::string text;  ///< what was chosen and what error was measured, a sentence or two
+
+  // How.
+  AccuracyErrors steps;  ///< of integrator and steps (study.finals)
+  double turns = 0.0;    ///< span of the runs behind `rows`
+  AccuracyErrors noise;  ///< of runs under loads that differ by a millionth, over that span
+  std::string finest;    ///< what the rows are compared with
+  std::vector<ResolutionRow> rows;  ///< from the cheapest on, as far as was needed
+  int resolution = -1;              ///< the chosen row; negative: the deck's own stays
+};
+
+/// Three quarters of `target` go to the steps, what they leave to the resolution: of runs over the
+/// same short span (a turn of the shaft, less where a turn costs seconds) with the chosen steps,
+/// the one with the fewest nodes or slices whose key results, and those of the next finer one, keep
+/// within it of the finest (60 x 4 nodes, 60 x 8 with films, 121 slices). What does not stand out
+/// of 1.5 times the noise counts as no error. Resolutions that the request gives stay. Limits: over
+/// a longer span irregular motions (the whirl of a cage) part from each other by any change.
+/// @throws SolverError when no steps keep to the target; InputError and Interrupted as
+/// study_accuracy()
+[[nodiscard]] ChosenSettings choose_settings(const DeckRequest& request, double target,
+                                             std::stop_token stop);
+
+/// Adds what was chosen to the request, in the place of what it says of the same variables.
+void add_choice(RunRequest& request, const ChosenSettings& chosen);
+
+/// run() with settings chosen for the request, which PRINT.txt and RUN.json tell in a note.
+[[nodiscard]] RunOutcome run_chosen(RunRequest request, const ChosenSettings& chosen,
+                                    const ProgressSink& progress = {}, std::stop_token stop = {});
+
+}  // namespace adore::facade

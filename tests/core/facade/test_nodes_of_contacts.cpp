@@ -1,0 +1,77 @@
+#include "core/facade/deck_runs.hpp"
+#include "deck/templates.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+/// What the nodes of the contact integrals leave of the heat is measured at the end of each run,
+/// and said where it matters.
+using namespace adore;
+using testing::TemporaryFolder;
+
+namespace {
+
+using Options = std::map<std::string, std::string>;
+
+struct Told {
+  double off = 0.0;  ///< of the heat of the races, by RUN.json
+  bool warned = false;
+  std::string print;
+};
+
+Told run_with(deck::Deck deck, const Options& options) {
+  const TemporaryFolder folder;
+  facade::RunRequest request;
+  request.text = deck::write_deck(deck);
+  request.options.assign(options.begin(), options.end());
+  request.out = folder / "run";
+  request.until = "0.01rev";
+  const facade::RunOutcome outcome = facade::run(request);
+  REQUIRE(outcome.status == facade::RunStatus::Done);
+  const nlohmann::json report =
+      nlohmann::json::parse(testing::read_bytes(folder / "run/RUN.json")).at("conservation");
+  Told told;
+  told.off = report.at("race heat by the run's rule, W").get<double>() /
+                 report.at("race heat by twice the nodes, W").get<double>() -
+             1.0;
+  told.warned = std::any_of(outcome.warnings.begin(), outcome.warnings.end(), [](const Issue& w) {
+    return w.severity == Severity::Warning &&
+           w.message.find("by the nodes of the contact integrals") != std::string::npos;
+  });
+  told.print = testing::read_bytes(folder / "run/PRINT.txt");
+  return told;
+}
+
+}  // namespace
+
+TEST_CASE("The nodes of the examples keep the heat of the races, oiled or not", "[facade]") {
+  for (const deck::TemplateInfo& example : deck::templates()) {
+    deck::Deck deck = deck::new_deck(example.name);
+    if (deck.integer("mode") < 0 || deck.integer("kBrg") != 1) continue;
+    CAPTURE(example.name);
+    const Told told = run_with(deck, {});
+    CHECK(std::abs(told.off) < 0.03);
+    CHECK_FALSE(told.warned);
+  }
+}
+
+TEST_CASE("Nodes that cannot see a film follow the pressure are warned of", "[facade]") {
+  deck::Deck deck = deck::new_deck("ball");
+  deck.set("kTrac", "1");
+  deck.complete();
+  deck.set("strParam", "10.0");
+  const Told usual = run_with(deck, {});
+  CHECK(std::abs(usual.off) < 0.01);
+  CHECK_FALSE(usual.warned);
+  CHECK(usual.print.find("of the heat of the races") != std::string::npos);
+  // One node across is 54 % off, two 7 %.
+  for (const char* few : {"1", "2"}) {
+    const Told told = run_with(deck, {{"ellipseMinor", few}});
+    CAPTURE(few, told.off);
+    CHECK(std::abs(told.off) > 0.05);
+    CHECK(told.warned);
+  }
+}
