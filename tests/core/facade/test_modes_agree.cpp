@@ -224,6 +224,8 @@ TEST_CASE("mode 1 of a spherical bearing without skew has the heat and the cage 
 TEST_CASE("mode 1 of the cylindrical example has the heat of mode 0 from states of its own motion",
           "[physics][facade][constrained][slow]") {
   // A tilted cage wakes the skew at the first blow. Single windows differ by up to 6 %.
+  // Over 60 windows all heat has -2.1 +- 0.5 %, in the flanges: at the edge of what is asked
+  // (decision 267).
   check_from_same_states("cylindrical", {{"cageAngPos[2]", "0.02"}, {"cageAngPos[3]", "0.02"}}, 30,
                          3);
 }
