@@ -3,7 +3,6 @@
 #include "life/statistics.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 
 namespace adore::facade {
@@ -82,14 +81,7 @@ KeyResults static_results(const Prepared& prepared) {
           key_result("stiffness_about_z_Nm_per_rad", stiffness(4))};
 }
 
-KeyResults dynamic_results(const Snapshot& last, const results::Averages& averages,
-                           const results::MeanLoad& carried) {
-  double load = 0.0, slip = 0.0;
-  for (const scene::ElementSnapshot& element : last.elements)
-    for (const scene::RaceContactSnapshot& contact : element.race) {
-      load = std::max(load, contact.load);
-      slip = std::max(slip, contact.max_slip);
-    }
+std::array<double, 2> mean_race_heat(const Snapshot& last, const results::Averages& averages) {
   // The ledger counts from where the averages do, the start of the run.
   std::array<double, 2> heat{};
   for (int j = 0; j < 2; ++j) {
@@ -98,6 +90,18 @@ KeyResults dynamic_results(const Snapshot& last, const results::Averages& averag
     heat[static_cast<std::size_t>(j)] =
         averages.time > 0.0 ? item->value / averages.time : item->rate;
   }
+  return heat;
+}
+
+KeyResults dynamic_results(const Snapshot& last, const results::Averages& averages,
+                           const results::MeanLoad& carried) {
+  double load = 0.0, slip = 0.0;
+  for (const scene::ElementSnapshot& element : last.elements)
+    for (const scene::RaceContactSnapshot& contact : element.race) {
+      load = std::max(load, contact.load);
+      slip = std::max(slip, contact.max_slip);
+    }
+  const std::array<double, 2> heat = mean_race_heat(last, averages);
   return {key_result("time_s", last.time),
           key_result("revolutions", last.shaft_rotation / (2.0 * std::numbers::pi)),
           key_result("largest_contact_load_N", load),

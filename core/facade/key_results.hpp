@@ -6,6 +6,8 @@
 #include "results/mean_load.hpp"
 #include "scene/snapshot.hpp"
 
+#include <array>
+
 /// Fills in the key results of a run.
 namespace adore::facade {
 
@@ -13,6 +15,10 @@ using results::KeyResults;
 
 /// Of a quasi-static solution: displacements, loads, largest contact, stiffness.
 [[nodiscard]] KeyResults static_results(const Prepared& prepared);
+
+/// Of the contacts with the outer and the inner race, mean over a run [W].
+[[nodiscard]] std::array<double, 2> mean_race_heat(const scene::Snapshot& last,
+                                                   const results::Averages& averages);
 
 /// Of a dynamic run: the last stored instant, and means over the run.
 [[nodiscard]] KeyResults dynamic_results(const scene::Snapshot& last,

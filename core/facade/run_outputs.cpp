@@ -177,7 +177,8 @@ struct RunOutputs::Impl {
 /// heat of the last state or, where that has all but ended, of the run's mean.
 void RunOutputs::Impl::judge_quadrature(const scene::QuadratureError& error) {
   constexpr double kTolerated = 0.05;
-  const double heat = std::max(error.heat_of_finer, averages.averages().power_loss);
+  const std::array<double, 2> mean = mean_race_heat(last, averages.averages());
+  const double heat = std::max(error.heat_of_finer, mean[0] + mean[1]);
   const double off = heat > 0.0 ? (error.heat_of_rule - error.heat_of_finer) / heat : 0.0;
   if (std::abs(off) <= kTolerated) return;
   remark(fmt::format("the heat of the races is {:.2g} % off by the nodes of the contact integrals "
