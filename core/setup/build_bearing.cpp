@@ -377,7 +377,7 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed, const UserHooks* use
                                    out.envelope.race_width[1], out.race_material[1].density)};
   for (const std::size_t j : {0UL, 1UL})
     if (deck.has(j == 0 ? "raceMass1" : "raceMass2"))
-      out.race_inertia[j] = given_inertia(deck, "race", j == 0 ? "1" : "2");
+      out.race_inertia[j] = given_race_inertia(deck, j == 0 ? 1 : 2);
   const bool dynamic = deck.integer("mode") >= 0;
   if (dynamic || deck.has("reRaceTC1"))
     out.race_traction = curve(deck, "kTracType", "reRaceTC", true);

@@ -127,6 +127,8 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
       record == "8.4" || record == "8.5")
     return of_material(name, scene);
   if (name.starts_with("raceCenLen")) return "a raceway without crown (raceCrn = 0) is straight";
+  if (record.starts_with("6.2") || (name.starts_with("kRaceIP") && scene.motion))
+    return "record 2.2 (kDCR, kFD, kMD) frees no direction of this race in which it would act";
   if (name == "qFac" && scene.motion) return "modes 1 and 2 hold every element in force balance";
   if (scene.motion) return {};
   // Quasi-static.
@@ -157,6 +159,7 @@ bool asks_for_an_effect(const deck::NoPart& value) {
   if (value.record.starts_with("7") && value.variable.starts_with("bPoc") &&
       value.variable.find("Var") != std::string::npos)
     return value.value != "0.0";  // a deviation of the pockets
+  if (value.variable.starts_with("raceMass")) return true;
   if (!value.switched_on || value.variable.ends_with("TracType") || value.variable == "kAngVel")
     return false;
   return value.record != "2.2" &&

@@ -107,6 +107,23 @@ bearing::Inertia given_inertia(const Deck& deck, std::string_view prefix, std::s
   return out;
 }
 
+bearing::Inertia given_race_inertia(const Deck& deck, int race) {
+  const bool by_user = deck.integer("kDOF") == 6;  // ADRX1 may free anything
+  const bool turns = by_user || rotation_free(deck, 1, race) || rotation_free(deck, 2, race) ||
+                     rotation_free(deck, 3, race);
+  const bool moves = turns || translation_free(deck, 1, race) || translation_free(deck, 2, race) ||
+                     translation_free(deck, 3, race);
+  const auto read = [&](bool acts, std::initializer_list<const char*> stems) {
+    const deck::ReportOnly quiet(deck, !acts);
+    for (const char* stem : stems) (void)deck.si(fmt::format("race{}{}", stem, race));
+  };
+  read(moves || deck.integer("kRotFrame") == 1, {"Mass"});
+  read(moves, {"GeoCenX", "GeoCenY", "GeoCenZ"});
+  read(turns, {"MIx", "MIy", "MIz", "FrameX", "FrameY", "FrameZ"});
+  const deck::ReportOnly quiet(deck);
+  return given_inertia(deck, "race", race == 1 ? "1" : "2");
+}
+
 /// What is left out of record 6.1.
 std::vector<Issue> check_element_inertia(const Deck& deck) {
   std::vector<Issue> out;

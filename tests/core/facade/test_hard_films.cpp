@@ -158,9 +158,9 @@ TEST_CASE("without coolant temperatures of all types run away, and the end says 
     }
 }
 
-// The pressed oil is a solid: its traction over slip is what limits the steps, and at the deck's
-// tolerance of 1e-6 their errors reach 0.051 of the 2e-5 J that moved. The sentence names the
-// tolerance, and at 1e-7 2.5e-4 are left.
+// The pressed oil is a solid: its traction over slip is what limits the steps. At a tolerance of
+// 1e-4 0.013 of the 0.04 J that moved have no account, at 1e-5 3.6e-3, at the deck's 1e-6 2.1e-4,
+// at 1e-7 6e-6. The sentence names the tolerance.
 TEST_CASE(
     "cylindrical rollers between cold races that turn against each other: the remedy of the "
     "sentence is one",
@@ -168,7 +168,10 @@ TEST_CASE(
   const testing::TemporaryFolder folder;
   Sets sets = cold_against();
   sets.emplace_back("maxStps", "40");
-  const testing::Ran loose = testing::run_deck(oiled("cylindrical", "11", sets), folder / "loose");
+  Sets coarse = sets;
+  coarse.emplace_back("tol", "1.0e-4");
+  const testing::Ran loose =
+      testing::run_deck(oiled("cylindrical", "11", coarse), folder / "loose");
   CHECK(loose.outcome.status == facade::RunStatus::Untrusted);
   CHECK_THAT(loose.outcome.message,
              Catch::Contains("have no account") && Catch::Contains("Lower the tolerance"));
@@ -178,5 +181,5 @@ TEST_CASE(
   CHECK(std::abs(tight.report.at("conservation")
                      .at("energy")
                      .at("residual over energy moved")
-                     .get<double>()) < 1e-3);
+                     .get<double>()) < 1e-4);
 }
