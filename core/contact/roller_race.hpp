@@ -16,9 +16,11 @@
 /// slice, for motion. One source for numbers (T = double) and for a slice a lane (T = vector). SI.
 ///
 /// Slice k: X_k, n_k, δ_k of contact/slice_circle.hpp; Q_k = K_l L_e^(-1/9) w_k δ_k^(10/9), w_k the
-/// part of the slice on the land of the race; slip u_k = v_race(X_k) - v_roller(X_k) without its
-/// part along n_k.
-///   on the roller:  F = Σ f_k,  M_C = Σ (X_k - C) × f_k,  f_k = -Q_k n_k + Q_k g(u_k²) u_k
+/// part of the slice on the land of the race; slip u_k = v_race(Y_k) - v_roller(Y_k) without its
+/// part along n_k, at the middle of the overlap, Y_k = X_k - δ_k n_k/2: two bodies of one stiffness
+/// meet half way between their profiles, whichever of them is crowned, as the ball's surface of
+/// 2fD/(2f+1) does [harris2006; choice of the half for unlike materials, too].
+///   on the roller:  F = Σ f_k,  M_C = Σ (Y_k - C) × f_k,  f_k = -Q_k n_k + Q_k g(u_k²) u_k
 ///   on the race:    -F,  and -(C - c) × F - M_C about its reference point c
 ///   U = Σ 9/19 Q_k δ_k,  heat = Σ Q_k g u_k² >= 0,  load-slip = Σ Q_k |u_k|
 /// g is the rounded law κ(s)/s (tribology/rounded_law.hpp). Without traction (F, M_C) is minus the

@@ -129,7 +129,9 @@ template <class T, class Traction, class Slope = std::nullptr_t>
     const T delta = M::max(d.at.depth, T(0.0));
     const T Q = slice_secant(slices.law, width, delta) * delta;
     const Triple<T>& n = d.at.n;
-    const Triple<T> arm = s * at.axes.a + radius * d.u;
+    Triple<T> arm = s * at.axes.a + radius * d.u;
+    // To the middle of the overlap, where both surfaces slip; -Q n has the same moment from there.
+    if constexpr (kTraction) arm = arm + (-0.5 * delta) * n;
     Triple<T> f{-Q * n.x, -Q * n.y, -Q * n.z};
     if constexpr (kTraction) {
       const Triple<T> u = at.velocity + cross(at.omega, arm);

@@ -215,19 +215,21 @@ void check_segments(Checker& c) {
   }
 }
 
-/// A cage at rest among elements that orbit.
+/// A cage that starts at rest among elements that orbit, or far from their speed.
 void check_cage_start(Checker& c, long long segments) {
+  constexpr double kFastestStart = 1.5;  // of the epicyclic speed
   const auto mode = c.integer("mode");
   const auto outer = c.raw("rpm1"), inner = c.raw("rpm2");
   if (!mode || *mode < 0 || !outer || !inner || (*outer == 0.0 && *inner == 0.0)) return;
   for (int k = 1; k <= segments; ++k) {
     const auto ratio = c.raw("avRatio", k);
-    if (!ratio || *ratio != 0.0) continue;
+    if (!ratio || (*ratio > 0.0 && *ratio <= kFastestStart)) continue;
+    const std::string_view how = *ratio == 0.0  ? "at rest among elements that orbit"
+                                 : *ratio < 0.0 ? "against the way in which the elements orbit"
+                                                : "far ahead of the elements that orbit";
     return c.warning("avRatio",
-                     segments > 1 ? "lets the segment start at rest among elements that orbit, "
-                                    "which strike it hard"
-                                  : "lets the cage start at rest among elements that orbit, which "
-                                    "strike it hard",
+                     fmt::format("lets the {} start {}, which strike it hard",
+                                 segments > 1 ? "segment" : "cage", how),
                      "1 starts it with them", k);
   }
 }

@@ -37,6 +37,16 @@ void check_run_mode(Checker& c) {
             "set it to 0");
 }
 
+/// Elements are held up to qFac of the largest load: with 1 and more, all of them, always.
+void check_light_loads(Checker& c) {
+  const auto ratio = c.raw("qFac");
+  if (c.is("mode", 0) && ratio && *ratio >= 1.0)
+    c.warning("qFac",
+              "holds every element up to the largest load that is applied, so that nearly all of "
+              "them stand in force balance at all times, as with mode = 1",
+              "give a small part of 1, such as 0.01, or set mode to 1");
+}
+
 void check_steps(Checker& c) {
   const auto smallest = c.raw("stpMin");
   const auto largest = c.raw("stpMax");
@@ -247,6 +257,7 @@ void check_types(Checker& c) {
 void check_control(Checker& checker) {
   check_run_mode(checker);
   check_steps(checker);
+  check_light_loads(checker);
   check_race_constraints(checker);
   check_file_names(checker);
   check_monitored_bodies(checker);

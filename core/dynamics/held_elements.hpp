@@ -29,7 +29,9 @@
 /// taken as Newton's step from B (B² + f²)⁻¹, f = kSoft m θ̇²: an element without contact keeps
 /// finite rates, and (f/B)⁴ is far below rounding under load. An
 /// element nears its balance no faster than by free fall from rest through
-/// HeldContacts::free_path(). Without `axial` (kDOF 1 to 4, and barrels) only r is in balance. A
+/// HeldContacts::free_path(). Without `axial` (kDOF 1 to 4, all rollers but tapered ones) only r is
+/// in balance. Nothing balances a cylindrical roller along its axis: between its flanges it flies,
+/// and strikes them with its momentum, which is most of their heat where races carry nothing. A
 /// barrel turns about the centre of its groove: x and tilt are one motion, whose inertia is that of
 /// x (m R² against the 80 times smaller moment of inertia of the NU22208's); left without it,
 /// friction would be as much stiffer. Tilt, skew and spin of rollers stay dynamic: held or not,

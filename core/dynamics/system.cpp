@@ -105,7 +105,8 @@ std::string System::Impl::what_is_invalid(const double* y) const {
   if (user != nullptr && user->failed()) return "a user routine failed";
   for (const auto& effect : parts.effects)
     if (std::string why = effect->why_invalid(e); !why.empty()) return why;
-  return "an acceleration is not finite; use a smaller tolerance or largest step";
+  return "an acceleration is not finite; at the start a number of the deck is far too large, later "
+         "a smaller tolerance or largest step may help";
 }
 
 void System::Impl::throw_invalid(double t, const double* y) const {

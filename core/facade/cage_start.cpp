@@ -11,6 +11,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 namespace adore::facade {
 namespace {
@@ -40,7 +41,35 @@ double lean_that_does_not_fit(const bearing::Bearing& bearing) {
   return fits ? 0.0 : lean;
 }
 
+/// Whether record 9.6 moves and turns the cage, or one of its segments.
+std::pair<bool, bool> displaced(const bearing::Cage& cage, std::size_t segments) {
+  bool moved = false, turned = false;
+  for (std::size_t k = 0; k < segments; ++k) {
+    moved = moved || !cage.start_of(k).start_offset.isZero(0.0);
+    turned = turned || !cage.start_of(k).start_angles.isZero(0.0);
+  }
+  return {moved, turned};
+}
+
 }  // namespace
+
+void refuse_start(const Prepared& prepared, const SolverError& error) {
+  const auto& cage = prepared.bearing.cage;
+  const std::string why = error.what();
+  if (!cage || why.find("outside its cage pocket") == std::string::npos) throw;
+  const auto segments =
+      static_cast<std::size_t>(std::max(1LL, prepared.input.deck.integer("nCseg")));
+  const auto [moved, turned] = displaced(*cage, segments);
+  if (!moved && !turned) throw;
+  Issue issue;
+  issue.file = prepared.input.path.string();
+  issue.record = segments > 1 ? "9.6.k" : "9.6";
+  issue.variable = turned ? "cageAngPos" : "cageGcPos";
+  issue.message = "puts the cage where its elements are not: " + why;
+  issue.remedy =
+      "start it within its clearances: smaller offsets and angles, or 0 for the centred cage";
+  throw InputError(std::vector<Issue>{issue});
+}
 
 void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
   if (start.cages.empty() || !prepared.bearing.cage) return;
@@ -87,11 +116,7 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
   }
   if (where.empty()) return;
 
-  bool moved = false, turned = false;
-  for (std::size_t k = 0; k < start.cages.size(); ++k) {
-    moved = moved || !cage.start_of(k).start_offset.isZero(0.0);
-    turned = turned || !cage.start_of(k).start_angles.isZero(0.0);
-  }
+  const auto [moved, turned] = displaced(cage, start.cages.size());
   const auto triple = [&](const char* variable) {
     return fmt::format("{} {:g}, {:g}, {:g}", variable, deck.real(variable, 1, 1),
                        deck.real(variable, 1, 2), deck.real(variable, 1, 3));
@@ -116,8 +141,10 @@ void check_cage_start(const Prepared& prepared, const scene::Snapshot& start) {
     issue.message = segments ? found + ", where cageGcPos and cageAngPos of its segments put it"
                              : fmt::format("{}, where {} and {} put it", found, triple("cageGcPos"),
                                            triple("cageAngPos"));
-    issue.remedy =
-        "start it within its clearances: smaller offsets and angles, or 0 for the centred cage";
+    issue.remedy = fmt::format(
+        "start it within its clearances: smaller offsets and angles, or 0 for the centred cage, or "
+        "more clearance ({})",
+        wall_of_worst != nullptr ? "bPocCls1" : "cageGsCls");
   } else if (const double lean = lean_that_does_not_fit(prepared.bearing);
              lean != 0.0 && wall_of_worst != nullptr) {
     constexpr double kDegree = 180.0 / std::numbers::pi;

@@ -13,4 +13,9 @@ namespace adore::facade {
 /// @throws InputError with the largest overlaps
 void check_cage_start(const Prepared& prepared, const scene::Snapshot& start);
 
+/// Of a start state that has no forces: refused by record 9.6 when that put the cage so far away
+/// that elements are outside their pockets.
+/// @throws InputError, or `error` when the cage is not the reason
+[[noreturn]] void refuse_start(const Prepared& prepared, const SolverError& error);
+
 }  // namespace adore::facade

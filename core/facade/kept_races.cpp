@@ -1,7 +1,12 @@
 #include "facade/kept_races.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <utility>
 
 namespace adore::facade {
 namespace {
@@ -43,6 +48,44 @@ std::optional<dynamics::PrescribedRaces> kept_races(const std::map<std::string, 
       value = found->second;
   });
   if (!all) return std::nullopt;
+  return out;
+}
+
+std::vector<std::string> jumps_of_races(const dynamics::PrescribedRaces& before,
+                                        const dynamics::PrescribedRaces& now,
+                                        const scene::ScenePlan& plan, results::UnitSystem units) {
+  // Below them it is rounding.
+  constexpr double kPlace = 1e-12, kShare = 1e-9;  // [m], of a speed
+  constexpr std::array kRace{"outer", "inner"};
+  const bearing::RaceMotions& laws = plan.race_motions;
+  std::vector<std::string> out;
+  for (std::size_t j = 0; j < 2; ++j) {
+    if (j == 1 && plan.has(scene::Effect::RaceBalance)) continue;
+    const auto& free = laws.free[j];
+    Vec3 way = now[j].position - before[j].position;
+    for (int k = 0; k < 3; ++k)
+      if (free && !free->translation_held[static_cast<std::size_t>(k)]) way[k] = 0.0;
+    const bool turns = !free || free->rotation_held[0];
+    const bool spins = turns && laws.variation[j] &&
+                       std::abs(now[j].speed - before[j].speed) > kShare * std::abs(now[j].speed);
+    const bool law = laws.vibration[j] || laws.turning_load;
+    std::string what;
+    if (way.norm() > kPlace)
+      what = fmt::format("{:.4g} {} away from where it was",
+                         results::from_si(way.norm(), results::unit::kLength, units),
+                         results::unit_name(results::unit::kLength, units));
+    if (spins)
+      what += fmt::format("{}at {:.6g} rpm where it turned at {:.6g}", what.empty() ? "" : " and ",
+                          now[j].speed * 30.0 / std::numbers::pi,
+                          before[j].speed * 30.0 / std::numbers::pi);
+    if (what.empty()) continue;
+    out.push_back(fmt::format(
+        "the {} race goes on {}, at once, as its deck has it now{}", kRace[j], what,
+        law || spins ? ": a law of the time (records 9.3 and 9.4) goes by the time since the start "
+                       "of the files, so that another frequency is another phase; the first turns "
+                       "hold the blow"
+                     : "; the first turns hold the blow"));
+  }
   return out;
 }
 

@@ -99,12 +99,13 @@ double MotionWatch::pocket_pressure(const scene::PocketContactSnapshot& contact)
 
 void MotionWatch::look_at_cage(const scene::Snapshot& at) {
   const bearing::Cage& cage = *bearing_.cage;
+  constexpr double kTouch = 1e-12;  // ends that touch, but for rounding [m]
   bool overlap = false;
   if (at.cages.size() > 1)
     for (std::size_t k = 0; k < at.cages.size(); ++k) {
       const double depth = -at.cages[k].to_next;
-      overlap = overlap || depth > 0.0;
-      if (depth > overlap_.value)
+      overlap = overlap || depth > kTouch;
+      if (depth > std::max(overlap_.value, kTouch))
         overlap_ = {depth, at.time, 0, overlap_.steps,
                     fmt::format("{} and {}", k + 1, (k + 1) % at.cages.size() + 1)};
     }

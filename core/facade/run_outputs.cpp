@@ -165,7 +165,7 @@ struct RunOutputs::Impl {
                      const Resume& resume);
   [[nodiscard]] Snapshot snapshot(dynamics::System& system, const RunPoint& point) const;
   [[nodiscard]] results::MeanLoad mean_load() const {
-    return results::mean_load(averages.averages(), prepared.bearing);
+    return results::mean_load(averages.averages(), prepared.bearing, plan);
   }
   [[nodiscard]] results::RunSummary summary() const {
     return summary_of_deck(prepared, plan, request, remarks);
@@ -333,9 +333,12 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     results::check_bodies(from, component_names(system), file);
     compare(from, file);
     take_state(from, system, out.y);
-    if (const auto races = kept_races(from.extras))
-      system.go_on(of_new_run(*races, from, system.prescribed_races(out.time, out.y)), out.time,
-                   out.y);
+    if (const auto races = kept_races(from.extras)) {
+      const dynamics::PrescribedRaces now = system.prescribed_races(out.time, out.y);
+      for (std::string& jump : jumps_of_races(*races, now, s.plan, s.units))
+        s.remark(std::move(jump), Severity::Warning);
+      system.go_on(of_new_run(*races, from, now), out.time, out.y);
+    }
     out.turned_before = s.turned_before = 0.0 - system.shaft_rotation(out.time, out.y);
   } else if (start == setup::StartState::Continue) {
     const results::MasterState master = results::read_master(s.path(s.control.master_file));
@@ -349,7 +352,12 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     out.step = master.last.step;
     out.step_size = master.last.step_size;
     out.continued = true;
-    if (const auto races = kept_races(master.last.extras)) system.go_on(*races, out.time, out.y);
+    if (const auto races = kept_races(master.last.extras)) {
+      for (std::string& jump :
+           jumps_of_races(*races, system.prescribed_races(out.time, out.y), s.plan, s.units))
+        s.remark(std::move(jump), Severity::Warning);
+      system.go_on(*races, out.time, out.y);
+    }
     // The shaft goes on from where it was.
     system.set_start(out.time, out.y);
     const double turned = master.last.shaft_rotation;
@@ -368,13 +376,15 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     if (const results::MasterFile* sol9 = master.file("SOL9")) s.sol9_bytes = sol9->bytes;
     out.complete = results::read_run_mark(s.path("RUN.json")).status == "done";
   }
-  if (start == setup::StartState::Statics) {
-    StartState from = start_state(s.prepared, system);
-    out.y = std::move(from.y);
-    if (!from.remark.empty()) s.remark(std::move(from.remark));
-    system.set_start(out.time, out.y);
-    check_cage_start(s.prepared, system.snapshot(out.time, out.y));
-  }
+  if (start == setup::StartState::Statics) try {
+      StartState from = start_state(s.prepared, system);
+      out.y = std::move(from.y);
+      if (!from.remark.empty()) s.remark(std::move(from.remark));
+      system.set_start(out.time, out.y);
+      check_cage_start(s.prepared, system.snapshot(out.time, out.y));
+    } catch (const SolverError& error) {
+      refuse_start(s.prepared, error);
+    }
   if (out.continued) {
     check_names(s.files.outputs());
     s.files.check();

@@ -32,13 +32,20 @@ double MeanLoad::departure() const {
   return size > 0.0 ? difference / size : 0.0;
 }
 
-MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing) {
+MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing,
+                   const scene::ScenePlan& plan) {
   MeanLoad out;
   out.time = averages.time;
   out.mean = averages.load;
   for (std::size_t k = 0; k < 3; ++k) {
     out.given[k] = !bearing.constraints.displacement_given[k];
+    const auto& turning = plan.race_motions.turning_load;
+    if (k > 0 && turning && (turning->fraction[0] != 0.0 || turning->fraction[1] != 0.0))
+      out.given[k] = false;
     if (out.given[k]) out.asked[static_cast<Eigen::Index>(k)] = bearing.constraints.load[k];
+    out.moves[k] = plan.has(scene::Effect::RaceBalance);
+    for (const auto& free : plan.race_motions.free)
+      out.moves[k] = out.moves[k] || (free && !free->translation_held[k]);
   }
   return out;
 }
@@ -57,12 +64,23 @@ std::string load_warning(const MeanLoad& load, UnitSystem units) {
     if (ratio != 0.0) instead[k] = load.asked[k] / ratio;
   }
   std::string out = fmt::format(
-      "the elements carried {} on the mean of {:.3g} s where the deck asks for {} ({:.1f} % off): "
-      "a "
-      "dynamic run holds the inner race where the quasi-static solution put it, and moving "
-      "elements "
-      "push back differently there. ",
+      "the elements carried {} on the mean of {:.3g} s where the deck asks for {} ({:.1f} % off): ",
       named(load, load.mean, units), load.time, named(load, load.asked, units), 100.0 * departure);
+  std::size_t furthest = 0;
+  const auto off = [&](std::size_t k) {
+    const auto i = static_cast<Eigen::Index>(k);
+    return load.given[k] ? std::abs(load.mean[i] - load.asked[i]) : 0.0;
+  };
+  for (std::size_t k = 1; k < 3; ++k)
+    if (off(k) > off(furthest)) furthest = k;
+  if (load.moves[furthest])
+    return out + fmt::format(
+                     "a race moves under its load along {}, and over so short a time the rest "
+                     "accelerates it; a longer run comes nearer",
+                     "xyz"[furthest]);
+  out +=
+      "a dynamic run holds the inner race where the quasi-static solution put it, and moving "
+      "elements push back differently there. ";
   out += scalable
              ? fmt::format(
                    "A first guess for the load that brings about the one you want: {}; "

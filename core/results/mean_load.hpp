@@ -3,6 +3,7 @@
 #include "bearing/bearing.hpp"
 #include "results/averages.hpp"
 #include "results/quantities.hpp"
+#include "scene/plan.hpp"
 
 #include <array>
 #include <string>
@@ -10,7 +11,8 @@
 /// The load that the elements carried on the mean, against the load that the deck asks for. A
 /// dynamic run holds its races where the quasi-static solution put them: what they carry there
 /// follows from the motion (other contact angles, gyroscopic moments, a finite number of orbiting
-/// elements).
+/// elements). A race that moves under its load (kFD = 0, mode 2) carries it in the mean of a long
+/// time. A radial load that turns (record 9.3A) has no one value to compare with.
 namespace adore::results {
 
 /// Above this departure the run says so.
@@ -18,13 +20,15 @@ inline constexpr double kLoadWarning = 0.05;
 
 struct MeanLoad {
   double time = 0.0;            ///< span of the mean [s]
-  std::array<bool, 3> given{};  ///< directions whose load is given: the others are displaced
+  std::array<bool, 3> given{};  ///< directions whose load is given and stays: others are displaced
+  std::array<bool, 3> moves{};  ///< a race moves under its load there
   scene::Vec3 asked = scene::Vec3::Zero(), mean = scene::Vec3::Zero();  ///< x, y, z [N]
   /// |mean - asked| / |asked| over the directions with a given load; 0 when none is asked.
   [[nodiscard]] double departure() const;
 };
 
-[[nodiscard]] MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing);
+[[nodiscard]] MeanLoad mean_load(const Averages& averages, const bearing::Bearing& bearing,
+                                 const scene::ScenePlan& plan = {});
 
 /// A sentence when the departure is above kLoadWarning, with the remedy; empty when not.
 [[nodiscard]] std::string load_warning(const MeanLoad& load, UnitSystem units);

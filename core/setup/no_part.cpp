@@ -104,6 +104,9 @@ std::string reason(const deck::NoPart& value, const Scene& scene) {
   if (name == "bPocThknsVar" && scene.motion && scene.cage)
     return "guide faces have their own width, whatever the wall";
   if (name == "bPocClsVar2") return "a pocket of this shape has no clearance II";
+  if (starts_with_one_of(name,
+                         {"rotLoadRpm", "raceVibFreq", "raceSpeedFreq", "startTime", "endTime"}))
+    return "the law of the time that this belongs to has an amplitude of 0 for this race";
   if (name == "cageAngCut" && !scene.segments) return "a cage of one piece has no cut";
   if (scene.motion && is_one_of(name, {"cageGsRadVar3", "raceGsRadVar3"}))
     return "an ellipse has two half axes and no third value, or no race guides this land";

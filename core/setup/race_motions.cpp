@@ -239,20 +239,37 @@ bearing::RaceMotions build_race_motions(const Deck& deck) {
     if (!free.rotation_held[1]) free.moment[1] = sign * deck.si("appMomY");
     if (!free.rotation_held[2]) free.moment[2] = sign * deck.si("appMomZ");
   }
-  if (deck.integer("kVarLoad") == 1)
-    out.turning_load = bearing::TurningLoad{{deck.si("rotLoadFrac1"), deck.si("rotLoadFrac2")},
-                                            {deck.si("rotLoadRpm1"), deck.si("rotLoadRpm2")}};
+  // What belongs to a law of amplitude 0 is not read, and said to play no part.
+  if (deck.integer("kVarLoad") == 1) {
+    out.turning_load.emplace();
+    for (int race = 1; race <= 2; ++race) {
+      const auto j = static_cast<std::size_t>(race - 1);
+      const double fraction = deck.si(fmt::format("rotLoadFrac{}", race));
+      out.turning_load->fraction[j] = fraction;
+      if (fraction != 0.0) out.turning_load->speed[j] = deck.si(fmt::format("rotLoadRpm{}", race));
+    }
+  }
   for (int race = 1; race <= 2; ++race) {
     const auto j = static_cast<std::size_t>(race - 1);
     const auto of_race = [&](const char* stem) { return deck.si(fmt::format("{}{}", stem, race)); };
-    if (deck.integer("kVarLoad") == 2)
-      out.vibration[j] = bearing::Vibration{
-          {of_race("raceVibAmp1"), of_race("raceVibAmp2"), of_race("raceVibAmp3")},
-          of_race("raceVibFreq")};
-    if (deck.integer("kVarSpeed") == 1)
-      out.ramp[j] = bearing::Ramp{of_race("raceAngAcc"), of_race("startTime"), of_race("endTime")};
-    if (deck.integer("kVarSpeed") == 2)
-      out.variation[j] = bearing::SpeedVariation{of_race("raceSpeedAmp"), of_race("raceSpeedFreq")};
+    if (deck.integer("kVarLoad") == 2) {
+      bearing::Vibration& law = out.vibration[j].emplace();
+      law.amplitude = {of_race("raceVibAmp1"), of_race("raceVibAmp2"), of_race("raceVibAmp3")};
+      if (!law.amplitude.isZero(0.0)) law.frequency = of_race("raceVibFreq");
+    }
+    if (deck.integer("kVarSpeed") == 1) {
+      bearing::Ramp& law = out.ramp[j].emplace();
+      law.acceleration = of_race("raceAngAcc");
+      if (law.acceleration != 0.0) {
+        law.begin = of_race("startTime");
+        law.end = of_race("endTime");
+      }
+    }
+    if (deck.integer("kVarSpeed") == 2) {
+      bearing::SpeedVariation& law = out.variation[j].emplace();
+      law.amplitude = of_race("raceSpeedAmp");
+      if (law.amplitude != 0.0) law.frequency = of_race("raceSpeedFreq");
+    }
   }
   if (deck.integer("kRotFrame") == 1)
     out.frame = bearing::FrameMotion{deck.si("brgAngVel"),

@@ -263,7 +263,10 @@ scene::ScenePlan make_scene_plan(const deck::Deck& deck, const bearing::Bearing&
   effect(Effect::LightLoadBalance, "light-load balance", control.light_load_ratio > 0.0,
          code > 0 ? mode : fmt::format("qFac = {:g}", control.light_load_ratio));
   if (!plan.has(Effect::LightLoadBalance)) plan.light_load_ratio = 0.0;
-  effect(Effect::ElementBalance, fmt::format("force balance of all {}s", element), code > 0, mode);
+  // held_elements.hpp: nothing balances other rollers along their axes.
+  const bool alone = bearing.rollers() != nullptr && bearing.type != bearing::Type::Tapered;
+  effect(Effect::ElementBalance, fmt::format("force balance of all {}s", element), code > 0,
+         mode + (code > 0 && alone ? ": in r; along x they move freely" : ""));
   effect(Effect::RaceBalance, "force balance of the inner race", code == 2, mode);
 
   if (!left_out.empty()) {

@@ -103,7 +103,7 @@ void LightLoadBalance::declare(SceneBuilder& scene) {
   else
     element_ = scene.find<Balls>()->slices();
   if (scene.rollers != nullptr) {
-    axial_ = axial_ && scene.bearing.rollers()->shape != bearing::RollerShape::Arc;
+    axial_ = axial_ && scene.bearing.type == bearing::Type::Tapered;
     contacts = std::make_unique<HeldRollers>(
         statics::make_roller_model(scene.bearing, scene.rollers->options),
         scene.bearing.imperfections, masses_);

@@ -330,7 +330,8 @@ RaceContactSnapshot roller_race_detail(const RollerRaceModel& model, const Evalu
         contact::line_pressure(sums.load / on_land, curvature, slices.E_star);
     out.slice_pressure.back() = line.peak;
     const contact::Triple<double> n = d.at.n;
-    const contact::Triple<double> arm = slices.s[k] * at.axes.a + slices.radius[k] * d.u;
+    const contact::Triple<double> arm =
+        slices.s[k] * at.axes.a + slices.radius[k] * d.u + (-0.5 * delta) * n;
     const contact::Triple<double> u = at.velocity + contact::cross(at.omega, arm);
     const contact::Triple<double> slip = u - contact::dot(u, n) * n;
     out.max_slip = std::max(out.max_slip, std::sqrt(contact::dot(slip, slip)));

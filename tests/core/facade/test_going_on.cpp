@@ -180,3 +180,36 @@ TEST_CASE("flanges wear their race and the ends of the rollers", "[physics][wear
         Approx((first[0] + first[1]) / (ways[1] + ribs[1])).epsilon(0.01));
   CHECK_THAT(ran.print, Catch::Contains("of it: flanges"));
 }
+
+TEST_CASE("a run that goes on says where another frequency puts its race elsewhere at once",
+          "[validation][continuation]") {
+  const testing::TemporaryFolder folder;
+  const fs::path run = folder / "run";
+  const Sets law{
+      {"kVarLoad", "2"}, {"raceVibAmp31", "0"}, {"raceVibAmp32", "2e-6"}, {"raceVibFreq2", "500"}};
+  const auto warned = [](const testing::Ran& ran) {
+    std::string out;
+    for (const Issue& issue : ran.outcome.warnings) out += issue.message + "\n";
+    return out;
+  };
+  testing::run_deck(ball(with(law, {{"maxStps", "50"}})), run);
+  const auto same = testing::run_deck(ball(with(law, {{"maxStps", "60"}})), run, true);
+  CHECK_THAT(warned(same), !Catch::Contains("goes on"));
+  Sets other = law;
+  other.back().second = "700";
+  const auto on = testing::run_deck(ball(with(other, {{"maxStps", "70"}})), run, true);
+  CHECK_THAT(warned(on), Catch::Contains("the inner race goes on") &&
+                             Catch::Contains("away from where it was") &&
+                             Catch::Contains("another frequency is another phase"));
+}
+
+TEST_CASE("a cage that starts beyond its elements is refused by the record that puts it there",
+          "[unit][cage]") {
+  const testing::TemporaryFolder folder;
+  for (const char* place : {"cageGcPos[1]", "cageGcPos[2]"}) {
+    INFO(place);
+    CHECK_THROWS_WITH(testing::run_deck(ball({{place, "1"}}), folder / "run"),
+                      Catch::Contains("cageGcPos"));
+    CHECK_THROWS_AS(testing::run_deck(ball({{place, "1"}}), folder / "run"), InputError);
+  }
+}

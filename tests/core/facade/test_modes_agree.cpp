@@ -181,7 +181,8 @@ void check_from_same_states(const std::string& type, const Sets& own, int window
     CHECK(std::abs(one.share) < 0.01);
     CHECK(one.error < 0.005);  // so that the line before means something
   }
-  CHECK(std::abs(total.share) < 0.02);
+  CHECK(std::abs(total.share) < 0.01);
+  CHECK(total.error < 0.005);
   CHECK(std::abs(cage.share) < std::max(3.0 * cage.error, 0.01));
 }
 
@@ -224,8 +225,8 @@ TEST_CASE("mode 1 of a spherical bearing without skew has the heat and the cage 
 TEST_CASE("mode 1 of the cylindrical example has the heat of mode 0 from states of its own motion",
           "[physics][facade][constrained][slow]") {
   // A tilted cage wakes the skew at the first blow. Single windows differ by up to 6 %.
-  // Over 60 windows all heat has -2.1 +- 0.5 %, in the flanges: at the edge of what is asked
-  // (decision 267).
+  // All heat over three revolutions: +0.04 +- 0.11 %; -2.1 +- 0.5 % while mode 1 left out the
+  // momentum with which rollers without load strike their flanges (decision 268).
   check_from_same_states("cylindrical", {{"cageAngPos[2]", "0.02"}, {"cageAngPos[3]", "0.02"}}, 30,
                          3);
 }

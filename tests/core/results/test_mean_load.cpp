@@ -53,3 +53,26 @@ TEST_CASE("A load other than the asked one is told with its remedy, displaced di
   bearing.constraints.displacement_given[0] = true;
   CHECK(mean_load(averages.averages(), bearing).departure() == 0.0);
 }
+
+TEST_CASE("A load that turns is not compared, and of a free race it is not said that it is held",
+          "[unit][results]") {
+  bearing::Bearing bearing;
+  bearing.constraints.load = {1200.0, 0.0, 100.0, 0.0, 0.0};
+  RunAverages averages;
+  averages.add(at(0.0, 960.0));
+  averages.add(at(1.0, 960.0));
+  scene::ScenePlan plan;
+  plan.race_motions.free[1].emplace();
+  const std::string text =
+      load_warning(mean_load(averages.averages(), bearing, plan), UnitSystem::SI);
+  INFO(text);
+  CHECK(text.find("a race moves under its load along x") != std::string::npos);
+  CHECK(text.find("holds the inner race") == std::string::npos);
+  plan.race_motions.turning_load = bearing::TurningLoad{{0.0, 1.0}, {0.0, 100.0}};
+  const MeanLoad turning = mean_load(averages.averages(), bearing, plan);
+  CHECK(turning.given[0]);
+  CHECK_FALSE(turning.given[1]);
+  CHECK_FALSE(turning.given[2]);
+  plan.race_motions.turning_load->fraction[1] = 0.0;
+  CHECK(mean_load(averages.averages(), bearing, plan).given[2]);
+}

@@ -233,3 +233,55 @@ TEST_CASE("roller in motion: the rollers of a solved bearing are in balance",
   CHECK(carried[2] == Approx(-5000.0).epsilon(1e-8));
   CHECK(std::abs(carried[1]) < 1e-4);
 }
+
+TEST_CASE("roller in motion: a crown slips by half its drop, on the roller or on the raceway",
+          "[physics][rollers]") {
+  // Two bodies of one stiffness meet half way between their profiles: a drop d of the profile of
+  // one leaves the surface in the contact d/2 beside that of the middle, and with W the turning of
+  // roller and race against each other a slice there slips by W d/2. Crowns of d/2 on both meet in
+  // a plane.
+  constexpr double kCrown = 3.0, kDeep = 2e-5, kLinear = 0.05;  // [m], [m], κ/s [s/m]
+  for (std::size_t j = 0; j < 2; ++j) {
+    double heat[3] = {}, expected = 0.0;
+    for (const int crowned : {0, 1, 2}) {  // the roller, the raceway, both by half
+      bearing::Bearing b = roller_bearings::cylindrical(0.0, 0.0);
+      bearing::RollerGeometry& g = *b.rollers();
+      g.central_length = 0.0;
+      g.race_central_length = {0.0, 0.0};
+      g.crown_radius = crowned == 0 ? kCrown : crowned == 2 ? 2.0 * kCrown : 1e10;
+      if (crowned != 0) g.race_crown_radius.fill(crowned == 1 ? kCrown : 2.0 * kCrown);
+      const RollerModel m = make_roller_model(b, {});
+      const RollerBody& body = m.body(0);
+      const double sigma = j == 0 ? 1.0 : -1.0;
+      Scene s;
+      s.slices = contact::roller_race_slices(body.race[j], body.slices, m.slicing.width, m.law[j],
+                                             m.E_star[j]);
+      const double race_radius = body.race[j].radius, r = race_radius - sigma * 0.5 * g.diameter;
+      s.centre = {0.0, 0.0, r + sigma * kDeep};
+      s.axis = Vec3::UnitX();
+      s.race = {Vec3::Zero(), Vec3::Zero(), 200.0 * Vec3::UnitX()};
+      // The middle rolls: no slip half way into the overlap.
+      const double spin = -900.0;
+      const Vec3 touch(0.0, 0.0, race_radius + sigma * 0.5 * kDeep);
+      s.roller = {touch, s.race.at(touch), spin * Vec3::UnitX()};
+      const RollerRaceAction a =
+          roller_race_action<double>(s.slices, s.pose, s.race, s.centre, s.axis, s.roller,
+                                     [](double, double) { return kLinear; });
+      heat[crowned] = a.heat;
+      if (crowned != 0) continue;
+      for (std::size_t k = 0; k < s.slices.count; ++k) {
+        const double at = s.slices.s[k],
+                     drop = at * at / (kCrown + std::sqrt(kCrown * kCrown - at * at));
+        const double depth = std::max(kDeep - drop, 0.0), slip = (spin - 200.0) * 0.5 * drop;
+        expected +=
+            contact::slice_load(m.law[j], m.slicing.width, depth).load * kLinear * slip * slip;
+      }
+    }
+    INFO("race " << j << ": heat " << heat[0] << " " << heat[1] << " " << heat[2] << " W, expected "
+                 << expected);
+    REQUIRE(expected > 1e-4);
+    CHECK(heat[0] == Approx(expected).epsilon(1e-3));
+    CHECK(heat[1] == Approx(expected).epsilon(2e-3));
+    CHECK(heat[2] < 1e-4 * expected);
+  }
+}
