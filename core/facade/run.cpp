@@ -515,7 +515,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
         error_largest = std::max(error_largest, made.error);
         ++substeps;
         if (substeps == prepared.control.substeps) break;
-        outputs.follow_loads(system);
+        outputs.follow_loads(system, stepper->time());
         if (outputs.checkpoint_due()) checkpoint();
         meter.update(stepper->time(), step, start.step);
       }
@@ -525,7 +525,7 @@ RunOutcome simulate(const RunRequest& request, Prepared& prepared, const fs::pat
       const RunPoint point{step, stepper->time(), h, stepper->state()};
       system.check_state(point.time, point.y.data());
       step_watch.look(*stepper);
-      outputs.follow_loads(system);
+      outputs.follow_loads(system, point.time);
       if (may_hold) update_held();
       if (thermal && thermal->due(stepper->time())) output(thermal_step);
       const RunPoint now{step, stepper->time(), h, stepper->state()};

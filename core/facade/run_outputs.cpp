@@ -480,8 +480,10 @@ void RunOutputs::follow(const RunPoint& point) {
   s.averages.add_cage_position(mean);
 }
 
-void RunOutputs::follow_loads(const dynamics::System& system) {
-  impl_->loads.look(system.contact_loads(0), system.contact_loads(1));
+void RunOutputs::follow_loads(const dynamics::System& system, double time) {
+  const std::span<const double> outer = system.contact_loads(0), inner = system.contact_loads(1);
+  impl_->loads.look(outer, inner);
+  impl_->averages.add_loads(time, outer, inner);
 }
 
 bool RunOutputs::checkpoint_due() const {

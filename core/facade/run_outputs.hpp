@@ -86,8 +86,9 @@ class RunOutputs {
   void call_user(dynamics::System& system, const RunPoint& point);
   /// Follows what averages need between stored points; after every counted step.
   void follow(const RunPoint& point);
-  /// Follows what is shown of the loads between stored points; after every integration step.
-  void follow_loads(const dynamics::System& system);
+  /// Follows what is shown of the loads between stored points, and their means; after every
+  /// integration step, which ended at that time [s].
+  void follow_loads(const dynamics::System& system, double time);
   /// Has the checkpoint interval of computing time passed?
   [[nodiscard]] bool checkpoint_due() const;
   /// FINAL and MASTER of this point, from where the run can be continued. Points stored later are

@@ -8,6 +8,12 @@
 namespace adore::results {
 namespace {
 
+double largest_of(std::span<const double> loads) {
+  double load = 0.0;
+  for (const double one : loads) load = std::max(load, one);
+  return load;
+}
+
 double largest_contact_load(const scene::Snapshot& snapshot) {
   double load = 0.0;
   for (const scene::ElementSnapshot& element : snapshot.elements)
@@ -34,14 +40,12 @@ void RunAverages::add(const scene::Snapshot& snapshot) {
   const double before = now_.time;
   now_ = totals(snapshot);
   const scene::Vec3& force = snapshot.races[1].applied_force;
-  const double largest = largest_contact_load(snapshot);
-  if (started_) {
+  if (started_)
     impulse_ += 0.5 * (now_.time - before) * (force_ + force);
-    largest_impulse_ += 0.5 * (now_.time - before) * (largest_ + largest);
-  }
+  else
+    largest_time_ = now_.time;
   force_ = force;
-  largest_ = largest;
-  peak_ = std::max(peak_, largest);
+  add_largest(now_.time, largest_contact_load(snapshot));
   residual_ = std::max(residual_, std::abs(snapshot.energy.residual()));
   loss_ = snapshot.power.total_loss;
   if (!started_) start_ = now_;
@@ -52,6 +56,20 @@ void RunAverages::add(const scene::Snapshot& snapshot) {
   for (const scene::CageSnapshot& cage : snapshot.cages)
     mean += cage.mass_centre / static_cast<double>(snapshot.cages.size());
   add_cage_position(mean);
+}
+
+void RunAverages::add_loads(double time, std::span<const double> outer,
+                            std::span<const double> inner) {
+  if (started_) add_largest(time, std::max(largest_of(outer), largest_of(inner)));
+}
+
+/// A run that goes on from before its last look passes the time up to there twice: it counts once.
+void RunAverages::add_largest(double time, double largest) {
+  const double passed = std::max(time - largest_time_, 0.0);
+  largest_impulse_ += 0.5 * passed * (largest_ + largest);
+  largest_time_ += passed;
+  largest_ = largest;
+  peak_ = std::max(peak_, largest);
 }
 
 void RunAverages::add_cage_position(const scene::Vec3& position) {
@@ -71,7 +89,8 @@ Averages RunAverages::averages() const {
     out.whirl_ratio = (whirl_now_ - whirl_start_) / turned;
   }
   out.power_loss = out.time > 0.0 ? (now_.heat - start_.heat) / out.time : loss_;
-  out.largest_load = out.time > 0.0 ? largest_impulse_ / out.time : largest_;
+  const double looked = largest_time_ - start_.time;
+  out.largest_load = looked > 0.0 ? largest_impulse_ / looked : largest_;
   out.peak_load = peak_;
   out.largest_residual = residual_;
   out.load = out.time > 0.0 ? scene::Vec3(impulse_ / out.time) : force_;
@@ -100,6 +119,7 @@ void RunAverages::visit(Self& self, Visit visit) {
   visit("average impulse x", self.impulse_[0]);
   visit("average impulse y", self.impulse_[1]);
   visit("average impulse z", self.impulse_[2]);
+  visit("average largest time", self.largest_time_);
   visit("average largest load", self.largest_);
   visit("average largest impulse", self.largest_impulse_);
   visit("average peak load", self.peak_);
@@ -121,6 +141,8 @@ void RunAverages::restore(const std::map<std::string, double>& state) {
   visit(*this, [&](const char* key, double& value) {
     if (const auto found = state.find(key); found != state.end()) value = found->second;
   });
+  // Of runs that looked at loads in snapshots alone.
+  if (state.count("average largest time") == 0) largest_time_ = now_.time;
 }
 
 }  // namespace adore::results

@@ -3,6 +3,7 @@
 #include "scene/snapshot.hpp"
 
 #include <map>
+#include <span>
 #include <string>
 
 /// Time averages over a whole run (printed section 4, N54): each speed over that of the inner race
@@ -16,7 +17,7 @@ struct Averages {
   double whirl_ratio = 0.0;    ///< speed of the cage's mass centre about the bearing axis
   double power_loss = 0.0;     ///< [W]
   double largest_load = 0.0;   ///< mean over time of the largest contact load at each instant [N]
-  double peak_load = 0.0;      ///< the largest contact load at all instants [N]
+  double peak_load = 0.0;      ///< the largest contact load at all looks [N]
   double largest_residual = 0.0;           ///< of energy, in size, at all instants [J]
   scene::Vec3 load = scene::Vec3::Zero();  ///< what held the inner race against the elements
                                            ///< [N], base frame
@@ -25,15 +26,19 @@ struct Averages {
 /// Accumulates them. All but the whirl come from angles and heats that the run itself integrates,
 /// so they are exact whatever the interval between the snapshots; the whirl angle needs two or more
 /// positions per turn of the whirl. A ratio is 0 while the races have not turned against each
-/// other; before the first span ends the loss and the loads are those of the first snapshot. Loads
-/// are trapezoidal means over the snapshots, and their peak is that of the snapshots: sampled, not
-/// integrated by the run.
+/// other; before the first span ends the loss and the loads are those of the first snapshot. The
+/// largest contact load is a trapezoidal mean over all looks at it (snapshots, and add_loads()
+/// after each integration step), and its peak is that of the looks: sampled by steps, not
+/// integrated by the run. What held the inner race is such a mean over the snapshots.
 class RunAverages {
  public:
   void add(const scene::Snapshot& snapshot);
   /// Only the cage's mass centre, that of all segments together, for steps that make no snapshot
   /// [m].
   void add_cage_position(const scene::Vec3& position);
+  /// Only the contact loads, for steps that make no snapshot: of all elements at the outer and at
+  /// the inner race [N].
+  void add_loads(double time, std::span<const double> outer, std::span<const double> inner);
   [[nodiscard]] Averages averages() const;
 
   /// For MASTER, and back. restore() leaves the object as new when the map holds no averages.
@@ -46,6 +51,7 @@ class RunAverages {
            heat = 0.0;  ///< [s, rad, rad, rad, J]
   };
   static Totals totals(const scene::Snapshot& snapshot);
+  void add_largest(double time, double largest);
   template <class Self, class Visit>
   static void visit(Self& self, Visit visit);
 
@@ -56,7 +62,8 @@ class RunAverages {
   double loss_ = 0.0;                        ///< of the last snapshot [W]
   scene::Vec3 force_ = scene::Vec3::Zero();  ///< on the inner race, last snapshot [N]
   scene::Vec3 impulse_ = scene::Vec3::Zero();  ///< its time integral [N s]
-  double largest_ = 0.0;                       ///< contact load at the last snapshot [N]
+  double largest_time_ = 0.0;                  ///< of the last look [s]
+  double largest_ = 0.0;                       ///< contact load then [N]
   double largest_impulse_ = 0.0;               ///< its time integral [N s]
   double peak_ = 0.0;                          ///< [N]
   double residual_ = 0.0;                      ///< [J]

@@ -63,7 +63,7 @@ std::size_t channel_index(std::string_view id) {
     return made;
   }();
   const auto found = index.find(id);
-  demand(found != index.end(), fmt::format("there is no channel '{}'", id));
+  if (found == index.end()) throw InternalError(fmt::format("there is no channel '{}'", id));
   return found->second;
 }
 

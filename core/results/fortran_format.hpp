@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,11 @@ void append_integer(std::string& out, long long value, int width);
 /// Appends Ew.d or 1pEw.d, correctly rounded. Not-a-number and infinities are written as words
 /// ("NaN", "Infinity" or "Inf"), everything that does not fit as stars. -0 is written as 0.
 void append_real(std::string& out, double value, int width, int digits, Scale scale);
+
+/// Appends a field for each value, as append_real() does, `per_line` to a line; `between` ends a
+/// line and begins the next one.
+void append_reals(std::string& out, std::span<const double> values, int width, int digits,
+                  Scale scale, int per_line, std::string_view between);
 
 /// Appends aw: the text from the left, blanks after it, cut at `width` columns.
 void append_text(std::string& out, std::string_view text, int width);

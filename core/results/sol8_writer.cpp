@@ -21,10 +21,8 @@ constexpr int kValuesPerLine = 13;
 constexpr int kMostElements = 88;  // 11 n + 22 must fit three columns
 
 void append_block(std::string& out, const std::vector<double>& values) {
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    if (k % kValuesPerLine == 0) out += k == 0 ? "  " : "\n  ";
-    ff::append_real(out, values[k], 10, 3, ff::Scale::Zero);
-  }
+  if (!values.empty()) out += "  ";
+  ff::append_reals(out, values, 10, 3, ff::Scale::Zero, kValuesPerLine, "\n  ");
   out += '\n';
 }
 
@@ -59,8 +57,14 @@ std::vector<double> in_order(const Sol8Frame& frame) {
 
 std::array<double, 3> to_array(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
+/// Of an attitude; that of a body which is not integrated is as it was at the start.
+std::array<double, 3> angles_of(const scene::Quat& orientation) {
+  if (orientation == scene::Quat{1.0, 0.0, 0.0, 0.0}) return {};
+  return to_array(angles_from_quaternion(orientation));
+}
+
 Sol8Body body_of(const scene::BodySnapshot& body) {
-  return {to_array(body.position), to_array(angles_from_quaternion(body.orientation))};
+  return {to_array(body.position), angles_of(body.orientation)};
 }
 
 void scale(Sol8Geometry& g, double length) {
@@ -154,7 +158,7 @@ Sol8Frame make_sol8_frame(const scene::Snapshot& snapshot) {
     element.x = ball.x;
     element.r = ball.r;
     element.theta = wrapped(ball.theta);
-    element.angles = to_array(angles_from_quaternion(ball.orientation));
+    element.angles = angles_of(ball.orientation);
     element.pocket_vector = to_array(ball.pocket_to_centre);
     // A pocket with several guide surfaces shows the one that carries most, or else the nearest.
     const auto contact =

@@ -66,10 +66,8 @@ void append_sol_step(std::string& out, const SolStep& step) {
   ff::append_integer(out, step.step, 16);
   for (double value : {step.revolutions, step.element_revolutions, step.step_size, step.time})
     ff::append_real(out, value, 16, 7, ff::Scale::One);
-  for (std::size_t k = 0; k < step.values.size(); ++k) {
-    if (k % kValuesPerLine == 0) out += "\n  ";
-    ff::append_real(out, step.values[k], 16, 7, ff::Scale::One);
-  }
+  if (!step.values.empty()) out += "\n  ";
+  ff::append_reals(out, step.values, 16, 7, ff::Scale::One, kValuesPerLine, "\n  ");
   out += '\n';
 }
 

@@ -1,4 +1,5 @@
 #include "results/decimal_digits.hpp"
+#include "results/fortran_format.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -6,8 +7,11 @@
 #include <bit>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <random>
+#include <span>
 #include <string>
+#include <vector>
 
 using adore::results::decimal_digits;
 using adore::results::DecimalDigits;
@@ -68,4 +72,38 @@ TEST_CASE("a tie is left to who carries all bits", "[unit][results]") {
   REQUIRE(decimal_digits(9.9999996, 7, out));
   CHECK(out.digits == 1000000);
   CHECK(out.exponent == 1);
+}
+
+TEST_CASE("fields written together are those written one by one", "[unit][results]") {
+  namespace ff = adore::results::fortran;
+  std::mt19937_64 random(11);
+  std::vector<double> values{0.0,
+                             -0.0,
+                             1e100,
+                             -1e-100,
+                             std::numeric_limits<double>::infinity(),
+                             -std::numeric_limits<double>::infinity(),
+                             std::nan(""),
+                             9.9999995};
+  for (int i = 0; i < 3000; ++i) values.push_back(std::bit_cast<double>(random()));
+  for (int i = 0; i < 3000; ++i)
+    values.push_back(static_cast<double>(random() % 20001U) / 2.0 - 5000.0);
+  struct Shape {
+    int width, digits, per_line;
+    ff::Scale scale;
+  };
+  for (const Shape& shape : {Shape{16, 7, 8, ff::Scale::One}, Shape{10, 3, 13, ff::Scale::Zero},
+                             Shape{14, 5, 7, ff::Scale::One}, Shape{8, 3, 5, ff::Scale::Zero}}) {
+    for (const std::size_t count :
+         {std::size_t{0}, std::size_t{1}, std::size_t{8}, std::size_t{9}, values.size()}) {
+      std::string one_by_one = "x", together = "x";
+      for (std::size_t k = 0; k < count; ++k) {
+        if (k > 0 && k % static_cast<std::size_t>(shape.per_line) == 0) one_by_one += "\n  ";
+        ff::append_real(one_by_one, values[k], shape.width, shape.digits, shape.scale);
+      }
+      ff::append_reals(together, std::span(values).first(count), shape.width, shape.digits,
+                       shape.scale, shape.per_line, "\n  ");
+      CHECK(together == one_by_one);
+    }
+  }
 }

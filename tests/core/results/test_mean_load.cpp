@@ -2,6 +2,9 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
+#include <cmath>
+
 using namespace adore;
 using namespace adore::results;
 
@@ -30,6 +33,45 @@ TEST_CASE("The mean load is the time mean of what holds the inner race", "[unit]
   again.add(at(5.0, 100.0));
   averages.add(at(5.0, 100.0));
   CHECK(again.averages().load == averages.averages().load);
+}
+
+TEST_CASE("The mean of the largest load is that of all steps, whichever of them are stored",
+          "[unit][results]") {
+  const auto largest = [](double t) { return 1000.0 + 500.0 * std::sin(40.0 * t); };
+  const auto stored = [&](double t) {
+    scene::Snapshot out = at(t, 0.0);
+    out.elements.resize(2);
+    out.elements[1].race[1].load = largest(t);
+    return out;
+  };
+  const auto run = [&](int every, int steps, RunAverages averages) {
+    for (int k = 0; k <= steps; ++k) {
+      const double t = k / 1000.0;
+      const std::array outer{10.0, 20.0}, inner{30.0, largest(t)};
+      averages.add_loads(t, outer, inner);
+      if (k % every == 0) averages.add(stored(t));
+    }
+    return averages;
+  };
+  const Averages all = run(1, 1000, {}).averages(), few = run(500, 1000, {}).averages();
+  CHECK(all.largest_load == Approx(1000.0 + 500.0 * (1.0 - std::cos(40.0)) / 40.0).epsilon(1e-3));
+  CHECK(all.peak_load == Approx(1500.0).epsilon(1e-3));
+  CHECK(few.largest_load == all.largest_load);
+  CHECK(few.peak_load == all.peak_load);
+
+  // A run that goes on from before its last look counts the time between once.
+  std::map<std::string, double> kept;
+  run(500, 700, {}).save(kept);
+  RunAverages again;
+  again.restore(kept);
+  const Averages twice = run(500, 1000, again).averages();
+  CHECK(twice.largest_load == Approx(all.largest_load));
+
+  // What ran before loads were looked at between stored steps went to the stored one.
+  kept.erase("average largest time");
+  again.restore(kept);
+  CHECK(run(500, 1000, again).averages().time == Approx(1.0));
+  CHECK(std::isfinite(again.averages().largest_load));
 }
 
 TEST_CASE("A load other than the asked one is told with its remedy, displaced directions aside",
