@@ -9,6 +9,7 @@
 #include "adrinput/typed.hpp"
 #include "adrinput/unit_choice.hpp"
 #include "adrinput/unit_view.hpp"
+#include "base/plain_file.hpp"
 #include "deck/quantity.hpp"
 #include "deck/templates.hpp"
 #include "desktop/dialogs.hpp"
@@ -223,6 +224,7 @@ void DeckWindow::compareWithSaved() {
 
 void DeckWindow::compareWithFile(const std::filesystem::path& path, const QString& name) {
   try {
+    refuse_pipe(path);
     compareWith(deck::read_deck(path).deck, name);
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);

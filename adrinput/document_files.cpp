@@ -1,6 +1,7 @@
 #include "adrinput/document.hpp"
 #include "adrinput/typed.hpp"
 #include "base/atomic_file.hpp"
+#include "base/plain_file.hpp"
 #include "deck/keep_text.hpp"
 #include "deck/lookup.hpp"
 #include "facade/check.hpp"
@@ -101,6 +102,7 @@ void take_errors(std::vector<Issue>& reasons, const std::vector<Issue>& issues) 
 }  // namespace
 
 void Document::open(const fs::path& path) {
+  refuse_pipe(path);
   if (holds_draft(path)) {
     const std::string bytes = bytes_of(path);
     (void)restore(std::string_view(bytes).substr(kDraftHead.size()));

@@ -5,6 +5,7 @@
 #include "adrinput/drawing_panel.hpp"
 #include "adrinput/record_page.hpp"
 #include "adrinput/study_window.hpp"
+#include "base/plain_file.hpp"
 #include "desktop/image_export.hpp"
 #include "desktop/theme.hpp"
 #include "facade/prepare.hpp"
@@ -45,6 +46,7 @@ void scroll_through(QScrollBar& bar, int overlap, const Show& show) {
 
 std::vector<fs::path> render_pages(const fs::path& deck, const RenderOptions& options) {
   const fs::path file = facade::deck_path(deck);
+  refuse_pipe(file);
   (void)deck::read_deck(file);  // throws for what is no text, before a window asks
   desktop::make_folder(options.folder);
   desktop::apply_theme(options.dark ? desktop::ThemeKind::Dark : desktop::ThemeKind::Light);

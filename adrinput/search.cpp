@@ -85,7 +85,7 @@ std::vector<std::string> codes_of(const deck::VariableSpec& option) {
   for (const char* more : {"1", "2", "3", "0", "-1"})
     if (std::find(out.begin(), out.end(), more) == out.end() &&
         deck::is_valid_code(option, std::stoll(more)) &&
-        deck::in_range(option.range, std::stod(more)))
+        deck::in_range(option.range, static_cast<double>(std::stoll(more))))
       out.emplace_back(more);
   return out;
 }

@@ -1,5 +1,7 @@
 #include "adrinput/study_fields.hpp"
 
+#include "deck/number.hpp"
+
 #include <algorithm>
 #include <regex>
 
@@ -42,7 +44,9 @@ StudyJson number_or_text(const std::string& text) {
   if (!std::regex_match(text, number)) return text;
   static const std::regex whole(R"(-?\d{1,18})");
   if (std::regex_match(text, whole)) return std::stoll(text);
-  return std::strtod(text.c_str(), nullptr);
+  double value = 0.0;
+  (void)deck::parse_real(text, value);  // it looks like one; too large ones are refused later
+  return value;
 }
 
 StudyJson settings(const std::string& text) {

@@ -4,6 +4,7 @@
 #include "adrplot/run_beside.hpp"
 #include "adrplot/study_document.hpp"
 #include "base/errors.hpp"
+#include "base/plain_file.hpp"
 #include "desktop/static_pages.hpp"
 #include "results/channels.hpp"
 #include "results/full_precision.hpp"
@@ -143,6 +144,7 @@ PlotDocument make_document(results::SolFile file) {
 
 PlotDocument open_document(const std::filesystem::path& path, const results::SolRange& range,
                            std::size_t most_values, const results::ReadWatch& watch) {
+  refuse_pipe(path);
   if (is_study(path)) return open_study(path);
   if (is_accuracy(path)) return document_of(path, "accuracy study", accuracy_pages(path));
   if (path.extension() == ".json")

@@ -27,6 +27,7 @@ bool PlotWindow::watchReading(double part) {
   if (!reading_) {
     reading_ = std::make_unique<QProgressDialog>(tr("Reading ..."), tr("Stop"), 0, 1000, this);
     reading_->setObjectName("reading");
+    reading_->setWindowTitle("AdrPlot");
     reading_->setWindowModality(Qt::WindowModal);
     // A run that is followed is read again and again: its box would flicker.
     constexpr int kPatience = 400, kPatienceWhileFollowing = 3000;  // ms

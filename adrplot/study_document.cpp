@@ -1,6 +1,7 @@
 #include "adrplot/study_document.hpp"
 
 #include "base/errors.hpp"
+#include "base/plain_file.hpp"
 #include "desktop/study_chart.hpp"
 #include "studies/study_table_read.hpp"
 
@@ -25,7 +26,7 @@ std::string stem_of(const fs::path& folder) {
 bool is_study(const fs::path& path) {
   std::error_code error;
   if (fs::is_directory(path, error))
-    return fs::exists(path / "CHARTS.json", error) || fs::exists(path / "tasks.jsonl", error);
+    return is_plain_file(path / "CHARTS.json") || is_plain_file(path / "tasks.jsonl");
   return path.filename() == "CHARTS.json" || studies::is_study_table(path);
 }
 
@@ -36,7 +37,7 @@ PlotDocument open_study(const fs::path& path) {
   if (folder.filename().empty() && folder.has_parent_path() && is_folder)
     folder = folder.parent_path();  // "clearance.study/"
   const fs::path charts_file = folder / "CHARTS.json";
-  const bool reported = fs::exists(charts_file, error);
+  const bool reported = is_plain_file(charts_file);
   std::vector<desktop::StudyChart> charts;
   auto table = std::make_shared<std::optional<studies::StudyTable>>();
   if (reported) {
@@ -68,12 +69,12 @@ PlotDocument open_study(const fs::path& path) {
     page.title = page.study->title();
     return page;
   };
-  const bool whole = fs::exists(folder / "tasks.jsonl", error);
+  const bool whole = is_plain_file(folder / "tasks.jsonl");
   out.about_run = [folder, table, path, whole](long run) {
     if (whole) return studies::run_text(folder, run);
     if (!*table) {
       const fs::path csv = folder / "RUNS.csv";
-      *table = studies::read_study_table(fs::exists(csv) ? csv : path);
+      *table = studies::read_study_table(is_plain_file(csv) ? csv : path);
     }
     return studies::run_text(**table, run);
   };

@@ -259,8 +259,16 @@ Animation prepare(results::MotionFile motion) {
 }
 
 Animation open_motion(const std::filesystem::path& path, long most_frames) {
-  if (path.extension() != ".h5")
-    return prepare(results::read_sol8(path, {1, most_frames, 1}), most_frames);
+  if (path.extension() != ".h5") {
+    // The whole run all the same, as from RESULTS.h5.
+    const long stored = results::stored_steps(path), most = std::max(most_frames, 1L);
+    const long every = std::max(1L, stored / most + (stored % most > 0 ? 1 : 0));
+    results::SolRange range;
+    range.every = every;
+    Animation out = prepare(results::read_sol8(path, range), most_frames);
+    if (every > 1 && !out.motion) out.source += fmt::format("; every {}. of {}", every, stored);
+    return out;
+  }
   return prepare(results::MotionFile::open(
       path, results::UnitSystem::SI,
       static_cast<std::size_t>(

@@ -1,4 +1,5 @@
 #include "agore/animation.hpp"
+#include "base/plain_file.hpp"
 #include "results/channels.hpp"
 
 #include <fmt/format.h>
@@ -60,8 +61,7 @@ std::optional<Stored> stored_beside(const Animation& animation, int index,
   for (int number = 1; number <= 6; ++number) {
     const std::filesystem::path path =
         animation.file.path.parent_path() / fmt::format("SOL{}", number);
-    std::error_code ignored;
-    if (!std::filesystem::exists(path, ignored)) continue;
+    if (!is_plain_file(path)) continue;
     try {
       results::SolRange range{1, 1, 1};
       const results::SolFile head = results::read_sol(path, range);

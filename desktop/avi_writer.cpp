@@ -45,7 +45,7 @@ AviWriter::AviWriter(const std::filesystem::path& path, QSize size, int frames_p
          "a film needs a size and a frame rate");
   check_replaceable(path_);
   if (!file_.open(QIODevice::WriteOnly))
-    throw InputError("cannot write " + path_.string() + ": " + file_.errorString().toStdString() +
+    throw InputError("cannot write " + path_.string() + ": " + write_fault(file_) +
                      "; choose a folder that exists and is yours");
   write(header());
 }
@@ -80,7 +80,7 @@ QByteArray AviWriter::header() const {
 
 void AviWriter::write(const QByteArray& bytes) {
   if (file_.write(bytes) != bytes.size())
-    throw InputError("cannot write " + path_.string() + ": " + file_.errorString().toStdString() +
+    throw InputError("cannot write " + path_.string() + ": " + write_fault(file_) +
                      "; free some space or choose another disk");
 }
 
@@ -117,7 +117,7 @@ void AviWriter::finish() {
   file_.seek(0);
   write(header());
   if (!file_.commit())
-    throw InputError("cannot write " + path_.string() + ": " + file_.errorString().toStdString());
+    throw InputError("cannot write " + path_.string() + ": " + write_fault(file_));
 }
 
 }  // namespace adore::desktop

@@ -8,6 +8,7 @@
 #include <QLocale>
 #include <fmt/core.h>
 
+#include <clocale>
 #include <cstdlib>
 
 // Outside every namespace, as Qt's resource macro asks.
@@ -61,6 +62,9 @@ std::unique_ptr<QApplication> make_application(int& argc, char** argv, const std
                      " has no display to open a window on; start it in a desktop session, or use "
                      "--render DIR to write pictures");
   auto app = std::make_unique<QApplication>(argc, argv);
+  // Qt takes the user's locale for the whole process; C functions in libraries and in users'
+  // routines would then read 7.5 as 7 and write 7,5.
+  std::setlocale(LC_NUMERIC, "C");
   set_up(QString::fromStdString(name));
   return app;
 }

@@ -575,14 +575,15 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const QRectF& area, const M
   if (panel.curves.size() < 2 || panel.one_colour) return area.right();
   const QFont font = ui_font(m.text_font);
   const QFontMetricsF metrics(font);
-  constexpr qreal kLine = 24.0, kGap = 16.0;
-  // What has no room shares it: long names are shortened alike.
+  // What has no room shares it: first the lines get short, then long names are shortened alike.
   const auto count = static_cast<qreal>(panel.curves.size());
-  qreal wanted = 0.0;
-  for (const auto& curve : panel.curves)
-    wanted += metrics.horizontalAdvance(text_of(curve.name)) + kLine + kGap;
+  qreal names = 0.0;
+  for (const auto& curve : panel.curves) names += metrics.horizontalAdvance(text_of(curve.name));
   const qreal room = area.right() - 8.0;  // also over the labels of the axis
-  const qreal most = wanted <= room ? room : std::max(0.0, room / count - kLine - kGap);
+  const bool narrow = names + count * (24.0 + 16.0) > room;
+  const qreal line = narrow ? 14.0 : 24.0, gap = narrow ? 8.0 : 16.0;
+  const qreal most =
+      names + count * (line + gap) <= room ? room : std::max(0.0, room / count - line - gap);
   const auto index = static_cast<std::size_t>(&panel - page_.panels.data());
   qreal x = area.right();
   for (std::size_t i = panel.curves.size(); i-- > 0;) {
@@ -596,11 +597,11 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const QRectF& area, const M
     const qreal middle = area.top() - 0.5 * metrics.height() - 3;
     QPen pen(curve.hidden ? theme_->frame : theme_->curves[i % theme_->curves.size()], 2.4);
     if (curve.dashed) pen.setDashPattern({2.0, 1.5});
-    addLine(QLineF(x - kLine, middle, x - 6, middle), pen);
-    legend_.push_back({QRectF(x - kLine, area.top() - metrics.height() - 3,
-                              metrics.horizontalAdvance(name) + kLine, metrics.height()),
+    addLine(QLineF(x - line, middle, x - 6, middle), pen);
+    legend_.push_back({QRectF(x - line, area.top() - metrics.height() - 3,
+                              metrics.horizontalAdvance(name) + line, metrics.height()),
                        index, i});
-    x -= kLine + kGap;
+    x -= line + gap;
   }
   return x;
 }

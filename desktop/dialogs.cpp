@@ -17,11 +17,42 @@
 
 namespace adore::desktop {
 
+namespace {
+
+constexpr const char* kTexts = "texts";  ///< of a box of show_message()
+
+/// Messages one under the other, the last ones counted.
+QString shown(const QStringList& texts) {
+  constexpr qsizetype kMost = 8;
+  QString out = texts.mid(0, kMost).join("\n\n");
+  if (texts.size() > kMost)
+    out += "\n\n" + QObject::tr("And %1 more messages.").arg(texts.size() - kMost);
+  return out;
+}
+
+/// The box that stands over a window already: keys would not reach the upper one of two.
+bool join_message(QWidget* parent, const QString& text, bool error) {
+  for (auto* box : parent->findChildren<QMessageBox*>("message", Qt::FindDirectChildrenOnly)) {
+    QStringList texts = box->property(kTexts).toStringList();
+    if (texts.isEmpty() || !box->isVisible()) continue;
+    if (!texts.contains(text)) texts << text;
+    box->setProperty(kTexts, texts);
+    box->setText(shown(texts));
+    if (error) box->setIcon(QMessageBox::Warning);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 void show_message(QWidget* parent, const QString& text, bool error) {
+  if (join_message(parent, text, error)) return;
   auto* box =
       new QMessageBox(error ? QMessageBox::Warning : QMessageBox::Information,
                       parent->windowTitle().section(" — ", -1), text, QMessageBox::Ok, parent);
   box->setObjectName("message");
+  box->setProperty(kTexts, QStringList{text});
   box->setTextFormat(Qt::PlainText);
   box->setAttribute(Qt::WA_DeleteOnClose);
   box->open();

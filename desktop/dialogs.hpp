@@ -14,7 +14,8 @@ class QWidget;
 /// function given.
 namespace adore::desktop {
 
-/// A message closed with OK. The box is a child of `parent` named "message".
+/// A message closed with OK. The box is a child of `parent` named "message"; where one stands
+/// already, the text joins it.
 void show_message(QWidget* parent, const QString& text, bool error = false);
 
 /// A whole number between `low` and `high`; the dialog is a child of `parent` named "number".

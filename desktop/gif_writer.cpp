@@ -203,7 +203,7 @@ GifWriter::GifWriter(const std::filesystem::path& path, QSize size, int frames_p
       size_(size),
       pause_(std::max(2, static_cast<int>(std::lround(100.0 / std::max(1, frames_per_second))))) {
   if (!file_.open(QIODevice::WriteOnly))
-    throw InputError("cannot write " + path.string() + ": " + file_.errorString().toStdString() +
+    throw InputError("cannot write " + path.string() + ": " + write_fault(file_) +
                      "; choose a folder that exists and is yours");
   QByteArray head("GIF89a");
   append_word(head, size.width());
@@ -223,7 +223,7 @@ GifWriter::GifWriter(const std::filesystem::path& path, QSize size, int frames_p
 
 void GifWriter::write(const QByteArray& bytes) {
   if (file_.write(bytes) != bytes.size())
-    throw InputError("cannot write " + path_.string() + ": " + file_.errorString().toStdString());
+    throw InputError("cannot write " + path_.string() + ": " + write_fault(file_));
 }
 
 void GifWriter::add(const QImage& picture) {
@@ -258,7 +258,7 @@ void GifWriter::finish() {
   if (frames_ == 0) throw InputError("a film without pictures is not written: " + path_.string());
   write(QByteArray(1, '\x3b'));
   if (!file_.commit())
-    throw InputError("cannot write " + path_.string() + ": " + file_.errorString().toStdString());
+    throw InputError("cannot write " + path_.string() + ": " + write_fault(file_));
 }
 
 }  // namespace adore::desktop

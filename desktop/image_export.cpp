@@ -46,17 +46,21 @@ void save_image(const QImage& image, const std::filesystem::path& path, Replace 
                      "; give a name that ends in .png, .jpg or .jpeg");
   QSaveFile file(name);
   if (!file.open(QIODevice::WriteOnly))
-    throw InputError("cannot write " + path.string() + ": " + file.errorString().toStdString() +
+    throw InputError("cannot write " + path.string() + ": " + write_fault(file) +
                      "; choose a folder that exists and is yours");
   QImageWriter writer(&file, suffix);
   if (suffix != "png") writer.setQuality(93);
   writer.setText("Software", QString::fromLatin1(kProgramVersion.data(),
                                                  static_cast<qsizetype>(kProgramVersion.size())));
   if (!writer.write(image) || !file.commit())
-    throw InputError(
-        "cannot write " + path.string() + ": " +
-        (file.error() != QFileDevice::NoError ? file.errorString() : writer.errorString())
-            .toStdString());
+    throw InputError("cannot write " + path.string() + ": " +
+                     (file.error() != QFileDevice::NoError ? write_fault(file)
+                                                           : writer.errorString().toStdString()));
+}
+
+std::string write_fault(const QFileDevice& file) {
+  const QString text = file.errorString();
+  return text == QLatin1String("Unknown error") ? "the disk may be full" : text.toStdString();
 }
 
 void make_folder(const std::filesystem::path& folder) {

@@ -4,7 +4,9 @@
 #include <QString>
 
 #include <filesystem>
+#include <string>
 
+class QFileDevice;
 class QPrinter;
 
 /// Pictures on disk and on paper.
@@ -23,6 +25,9 @@ void save_image(const QImage& image, const std::filesystem::path& path,
 /// Throws unless there is no such file, or one that save_image() or AviWriter made: neither another
 /// program's picture nor a symbolic link. @throws InputError naming it
 void check_replaceable(const std::filesystem::path& path);
+
+/// Why a file could not be written, as a clause. Qt has no words for a disk that is full.
+[[nodiscard]] std::string write_fault(const QFileDevice& file);
 
 /// Makes a folder and its parents. @throws InputError when that fails.
 void make_folder(const std::filesystem::path& folder);

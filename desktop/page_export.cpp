@@ -34,7 +34,7 @@ std::string with_unit(const std::string& name, const std::string& unit) {
 void write_bytes(const std::filesystem::path& path, const QByteArray& bytes) {
   QSaveFile file(QString::fromStdString(path.string()));
   if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-    throw InputError("cannot write " + path.string() + ": " + file.errorString().toStdString() +
+    throw InputError("cannot write " + path.string() + ": " + write_fault(file) +
                      "; choose a folder that exists and is yours");
 }
 
@@ -93,7 +93,7 @@ void save_pdf(ChartScene& scene, const std::filesystem::path& path, std::size_t 
               const std::function<void(std::size_t)>& show) {
   QSaveFile file(QString::fromStdString(path.string()));
   if (!file.open(QIODevice::WriteOnly))
-    throw InputError("cannot write " + path.string() + ": " + file.errorString().toStdString() +
+    throw InputError("cannot write " + path.string() + ": " + write_fault(file) +
                      "; choose a folder that exists and is yours");
   {
     QPdfWriter pdf(&file);
@@ -109,8 +109,7 @@ void save_pdf(ChartScene& scene, const std::filesystem::path& path, std::size_t 
       paint_vector(scene, painter, QRectF(0, 0, pdf.width(), pdf.height()), size);
     }
   }
-  if (!file.commit())
-    throw InputError("cannot write " + path.string() + ": " + file.errorString().toStdString());
+  if (!file.commit()) throw InputError("cannot write " + path.string() + ": " + write_fault(file));
 }
 
 void save_page(ChartScene& scene, const std::filesystem::path& path, QSizeF size) {

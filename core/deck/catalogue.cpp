@@ -5,6 +5,7 @@
 #include "base/resources.hpp"
 #include "deck/keep_text.hpp"
 #include "deck/lookup.hpp"
+#include "deck/number.hpp"
 #include "deck/templates.hpp"
 #include "deck/unit_change.hpp"
 
@@ -129,13 +130,8 @@ std::optional<std::vector<double>> sizes_in(std::string_view text) {
     const std::size_t end = std::min(rest.find_first_of("Xx", from), rest.size());
     std::string number = rest.substr(from, end - from);
     std::replace(number.begin(), number.end(), ',', '.');
-    std::size_t used = 0;
-    try {
-      out.push_back(std::stod(number, &used));
-    } catch (const std::exception&) {
-      return std::nullopt;
-    }
-    if (used != number.size() || !std::isfinite(out.back())) return std::nullopt;
+    number.erase(0, number.find_first_not_of(' '));
+    if (parse_real(number, out.emplace_back())) return std::nullopt;
     from = end + 1;
   }
   return out;
@@ -322,9 +318,15 @@ InnerGeometry barrels(const Envelope& e, double angle) {
           "angle from the distance of the rows; play: middle of CN (ISO 5753-1)"};
 }
 
+double real(const std::string& text) {
+  double value = 0.0;
+  demand(!parse_real(text, value), "what was proposed is a number");
+  return value;
+}
+
 double number(const InnerGeometry& inner, std::string_view name) {
   for (const auto& [variable, value] : inner.sets)
-    if (variable == name) return std::stod(value);
+    if (variable == name) return real(value);
   return 0.0;
 }
 
@@ -487,8 +489,8 @@ InnerGeometry propose_inner(const Deck& deck) {
   for (auto& [name, value] : out.sets) {
     const VariableRef ref = find_present(deck, name);
     if (ref.spec().type == VarType::Real)
-      value = fmt::format("{}", convert_value(std::stod(value), ref.spec().unit, UnitSystem::SI,
-                                              UnitSystem::English));
+      value = fmt::format(
+          "{}", convert_value(real(value), ref.spec().unit, UnitSystem::SI, UnitSystem::English));
   }
   return out;
 }

@@ -51,7 +51,7 @@ ResolutionRow slices_row(int slices) {
 /// Number of nodes or slices, which is what a resolution costs.
 double size_of(const ResolutionRow& row) {
   double out = 1.0;
-  for (const auto& [name, value] : row.options) out *= std::stod(value);
+  for (const auto& [name, value] : row.options) out *= static_cast<double>(std::stoll(value));
   return out;
 }
 

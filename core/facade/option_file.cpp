@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
+#include "base/plain_file.hpp"
 #include "setup/option_choices.hpp"
 #include "setup/run_control.hpp"
 
@@ -86,6 +87,12 @@ OptionFile OptionFile::beside(const fs::path& deck_file) {
   const fs::path path = path_beside(deck_file);
   std::error_code error;
   if (!fs::exists(path, error)) return {};
+  if (!is_plain_file(path)) {
+    OptionFile out;
+    out.exists_ = true;
+    out.problem_ = "is no file";
+    return out;
+  }
   std::ifstream file(path, std::ios::binary);
   OptionFile out = from_text({std::istreambuf_iterator<char>(file), {}});
   if (!file) out.problem_ = "cannot be read";

@@ -1,5 +1,6 @@
 #include "results/growing_file.hpp"
 
+#include "base/plain_file.hpp"
 #include "base/write_error.hpp"
 
 #include <fmt/format.h>
@@ -161,6 +162,7 @@ std::string read_text_file(const fs::path& path, std::uintmax_t limit) {
   if (fs::is_directory(status))
     throw InputError(
         fmt::format("{}: this is a folder; give the name of a file in it", path.string()));
+  refuse_pipe(path);
   if (const std::uintmax_t size = fs::file_size(path, error); !error && size > limit)
     throw InputError(fmt::format(
         "{}: {} bytes are too many for this kind of file (at most {}); give another file",

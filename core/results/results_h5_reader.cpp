@@ -1,4 +1,5 @@
 #include "base/errors.hpp"
+#include "base/plain_file.hpp"
 #include "results/h5_layout.hpp"
 #include "results/h5_process.hpp"
 #include "results/results_h5.hpp"
@@ -24,8 +25,8 @@ std::size_t H5Reader::ChannelInfo::size() const {
 }
 
 H5Reader::H5Reader(const std::filesystem::path& path) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored))
+  refuse_pipe(path);
+  if (!is_plain_file(path))
     throw InputError(
         fmt::format("{}: there is no such file; give the RESULTS.h5 of a run", path.string()));
   impl_ = std::make_unique<Impl>(path);

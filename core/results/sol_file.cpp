@@ -1,6 +1,7 @@
 #include "results/sol_file.hpp"
 
 #include "base/errors.hpp"
+#include "base/plain_file.hpp"
 #include "results/read_watch.hpp"
 #include "results/sol_parser.hpp"
 
@@ -18,6 +19,7 @@ std::ifstream open_file(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path, error))
     throw InputError(
         fmt::format("{}: this is a folder; give the name of a SOL file in it", path.string()));
+  refuse_pipe(path);
   std::ifstream stream(path, std::ios::binary);
   if (!stream)
     throw InputError(fmt::format("{}: the file cannot be opened; check its name and permissions",

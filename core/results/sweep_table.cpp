@@ -1,14 +1,15 @@
 #include "results/sweep_table.hpp"
 
 #include "base/errors.hpp"
+#include "results/growing_file.hpp"
 #include "results/key_results.hpp"
 
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <limits>
+#include <sstream>
 #include <string_view>
 
 namespace adore::results {
@@ -35,8 +36,7 @@ double number(std::string_view text) {
 }  // namespace
 
 SweepTable read_sweep(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(fmt::format("{}: cannot be read", path.string()));
+  std::istringstream file(read_text_file(path));
   std::string line;
   std::getline(file, line);
   const std::vector<std::string_view> names = fields(line);

@@ -1,6 +1,7 @@
 #include "studies/study_table_read.hpp"
 
 #include "base/errors.hpp"
+#include "base/plain_file.hpp"
 #include "deck/schema.hpp"
 #include "results/growing_file.hpp"
 #include "results/h5_process.hpp"
@@ -13,8 +14,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <limits>
 #include <set>
@@ -56,10 +57,9 @@ std::vector<std::string> fields_of(const std::string& line) {
 }
 
 double number_of(const std::string& text) {
-  if (text.empty()) return kNone;
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  return end == text.c_str() + text.size() ? value : kNone;
+  double value = kNone;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc() && end == text.data() + text.size() ? value : kNone;
 }
 
 bool is_varied(const std::string& name) {
@@ -310,7 +310,7 @@ Task task_of(const fs::path& folder, long run) {
 
 bool is_study_table(const fs::path& file) {
   if (file.extension() == ".h5") return file.filename() != "RESULTS.h5";
-  if (file.extension() != ".csv") return false;
+  if (file.extension() != ".csv" || !is_plain_file(file)) return false;
   std::ifstream in(file);
   std::string start(9, '\0');
   in.read(start.data(), static_cast<std::streamsize>(start.size()));

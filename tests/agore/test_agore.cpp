@@ -442,8 +442,9 @@ TEST_CASE("agore_window: views by menu, with numbers asked and remembered", "[gu
   CHECK(window.options().exaggeration == 10.0);
 }
 
-TEST_CASE("agore_window: files are opened, cut at the steps asked for, and refused with a reason",
-          "[gui]") {
+TEST_CASE(
+    "agore_window: files are opened, thinned to the steps asked for, and refused with a reason",
+    "[gui]") {
   test::use_qt();
   QTemporaryDir folder;
   const std::filesystem::path base = folder.path().toStdString();
@@ -452,8 +453,11 @@ TEST_CASE("agore_window: files are opened, cut at the steps asked for, and refus
   test::write_text(base / "cut", text.substr(0, text.size() - 300));
   test::write_text(base / "other", "nothing of ours\n");
   AgoreWindow window;
-  CHECK(window.openFile(base / "SOL8", 15));
-  CHECK(window.frameCount() == 15);
+  CHECK(window.openFile(base / "SOL8", 15));  // the whole run, and it says what is left out
+  CHECK(window.frameCount() == 14);
+  const Animation thinned = open_motion(base / "SOL8", 15);
+  CHECK(thinned.frame(13).step == open_motion(base / "SOL8").frame(39).step);
+  CHECK(thinned.source.find("every 3. of 40") != std::string::npos);
   CHECK(window.openFile(base / "SOL8"));
   CHECK(window.frameCount() == 40);
   CHECK_FALSE(window.openFile(base / "other"));

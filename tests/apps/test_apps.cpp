@@ -13,6 +13,7 @@
 
 #include <cstdlib>
 #include <set>
+#include <sys/stat.h>
 
 /// The programs themselves, started headless on the files of one real run.
 namespace {
@@ -106,6 +107,48 @@ TEST_CASE("the programs refuse what is no file of theirs with exit code 2", "[gu
     CHECK(ended.code == 2);
     CHECK(ended.output.contains("DATA.txt"));
   }
+}
+
+TEST_CASE("a pipe in the place of a file is refused at once, or passed over beside one",
+          "[gui][apps]") {
+  adore::test::use_qt();
+  QTemporaryDir folder;
+  const auto pipe = [&](const char* name) {
+    REQUIRE(::mkfifo(folder.filePath(name).toLocal8Bit().constData(), 0600) == 0);
+  };
+  for (const char* name : {"SOL1", "SOL8", "RUN.json", "SWEEP.csv", "RUNS.csv", "ACCURACY.json",
+                           "STUDY.h5", "DATA.txt", "ADORE.json"})
+    pipe(name);
+  for (const auto& [program, name] : {std::pair{"adrplot", "SOL1"},
+                                      {"adrplot", "RUN.json"},
+                                      {"adrplot", "SWEEP.csv"},
+                                      {"adrplot", "RUNS.csv"},
+                                      {"adrplot", "ACCURACY.json"},
+                                      {"adrplot", "STUDY.h5"},
+                                      {"agore", "SOL8"},
+                                      {"adrinput", "DATA.txt"}}) {
+    const Ended ended =
+        start(program, {"--render", folder.filePath("pictures"), folder.filePath(name)});
+    INFO(program << " " << name << ": " << ended.output.toStdString());
+    CHECK(ended.code == 2);
+    CHECK(ended.output.contains("pipe"));
+  }
+  // Beside the file that is asked for: SOL1 and RUN.json are no files of this run.
+  for (const char* name : {"SOL2", "SOL8"}) {
+    QFile::remove(folder.filePath(name));
+    REQUIRE(QFile::copy(run_folder() + "/" + name, folder.filePath(name)));
+  }
+  CHECK(start("adrplot", {"--render", folder.filePath("pictures"), folder.filePath("SOL2")}).code ==
+        0);
+  CHECK(start("agore", {"--render", folder.filePath("pictures"), "--view", "element",
+                        folder.filePath("SOL8")})
+            .code == 0);
+  REQUIRE(QFile::remove(folder.filePath("DATA.txt")));
+  REQUIRE(QFile::copy(run_folder() + "/DATA.txt", folder.filePath("DATA.txt")));
+  const Ended beside =
+      start("adrinput", {"--render", folder.filePath("forms"), folder.filePath("DATA.txt")});
+  INFO(beside.output.toStdString());
+  CHECK(beside.code == 0);  // its page of options says what is wrong with ADORE.json
 }
 
 TEST_CASE("adrinput --render draws its pages for a real deck", "[gui][apps]") {

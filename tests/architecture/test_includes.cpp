@@ -126,6 +126,16 @@ TEST_CASE("effects are seen by the dynamics alone", "[unit][architecture]") {
   }
 }
 
+TEST_CASE("numbers are read by functions that know no locale", "[unit][architecture]") {
+  // Qt and other programs that call us set the user's locale: in a German one stod("7.5") is 7.
+  static const std::regex reader(R"(\b(stod|stof|stold|strtod|strtof|atof|sscanf)\s*\()");
+  for (const std::string folder : {"core", "cli", "desktop", "adrplot", "agore", "adrinput"})
+    for (const fs::path& file : sources(adore::test::source_dir() / folder)) {
+      INFO(file.string());
+      CHECK_FALSE(std::regex_search(text_of(file), reader));
+    }
+}
+
 TEST_CASE("the command line uses Qt in its picture commands only", "[unit][architecture]") {
   for (const fs::path& file : sources(adore::test::source_dir() / "cli"))
     for (const Include& include : includes(file)) {

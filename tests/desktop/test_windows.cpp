@@ -1,3 +1,4 @@
+#include "desktop/dialogs.hpp"
 #include "desktop/menu_keys.hpp"
 #include "desktop/one_window.hpp"
 #include "desktop/theme.hpp"
@@ -9,6 +10,7 @@
 #include <QLineEdit>
 #include <QMainWindow>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QPalette>
 #include <QTemporaryDir>
 #include <QTest>
@@ -54,6 +56,27 @@ TEST_CASE("keys of the menu go before the editing keys of a field", "[gui][deskt
   };
   CHECK_FALSE(taken_by_field(Qt::Key_U, Qt::ControlModifier));
   CHECK(taken_by_field(Qt::Key_C, Qt::ControlModifier));  // copying stays with the field
+}
+
+TEST_CASE("messages that come together stand in one box, which one key closes", "[gui][desktop]") {
+  test::use_qt();
+  QMainWindow window;
+  window.show();
+  for (int i = 1; i <= 45; ++i)
+    desktop::show_message(&window, QString("file %1 is damaged").arg(i), i == 2);
+  desktop::show_message(&window, "file 3 is damaged", true);
+  const auto boxes = window.findChildren<QMessageBox*>("message");
+  REQUIRE(boxes.size() == 1);
+  CHECK(boxes.front()->icon() == QMessageBox::Warning);
+  CHECK(boxes.front()->text().contains("file 1 is damaged"));
+  CHECK(boxes.front()->text().contains("file 8 is damaged"));
+  CHECK_FALSE(boxes.front()->text().contains("file 9 is damaged"));
+  CHECK(boxes.front()->text().contains("37 more"));
+  QTest::keyClick(boxes.front(), Qt::Key_Escape);
+  QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  CHECK(window.findChildren<QMessageBox*>("message").isEmpty());
+  desktop::show_message(&window, "another");
+  CHECK(window.findChild<QMessageBox*>("message")->text() == "another");
 }
 
 TEST_CASE("files go to the window that shows their folder, and to no other", "[gui][desktop]") {
