@@ -322,7 +322,7 @@ TEST_CASE("rollers in segmented cages keep energy and momentum", "[physics][cage
       b.cage->later_starts[0].start_offset = {0.0, 6e-5, 2e-5};
       roller_scene::Scene s = roller_scene::scene_of(b, roller_scene::with_friction(), 9);
       const double end = 1e-3;
-      const RunResult result = fixture::run(s.system, s.system.initial_state(), end, 1e-8);
+      const RunResult result = fixture::run(s.system, s.system.initial_state(), end, 1e-9);
       const Snapshot at = s.system.snapshot(end, result.y);
       INFO("type " << static_cast<int>(b.type) << ", through pockets " << through);
       REQUIRE(at.cages.size() == 2);

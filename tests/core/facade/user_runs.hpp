@@ -112,7 +112,7 @@ inline double difference(const Ran& a, const Ran& b) {
 
 /// A place has a last bit of 7e-18 m; a contact that vibrates with some 1e5 1/s makes velocities of
 /// 1e-12 m/s of it (beside 1e-3 m/s here) and 1e-9 rad/s of spin, and 1e-4 s makes 1e-16 m of
-/// those.
+/// those; a tapered roller's blow on its flange 1.2e-15 m.
 inline void check_same_to_rounding(const Ran& a, const Ran& b) {
   double place = 0.0, velocity = 0.0, spin = 0.0;
   for (const auto& [name, value] : a.last) {
@@ -121,7 +121,7 @@ inline void check_same_to_rounding(const Ran& a, const Ran& b) {
     if (name.find("[m/s]") != std::string::npos) velocity = std::max(velocity, off);
     if (name.find("[rad/s]") != std::string::npos) spin = std::max(spin, off);
   }
-  CHECK(place < 1e-15);
+  CHECK(1e15 * place < 5.0);
   CHECK(velocity < 1e-11);
   CHECK(spin < 1e-8);
 }
