@@ -31,7 +31,7 @@ bool is_number(const Deck& deck, std::string_view name) {
 
 /// Names without which there is no rolling element to draw, by type.
 std::vector<std::string> needed(Type type) {
-  std::vector<std::string> names = {"nRe", "bReDia"};
+  std::vector<std::string> names = {"nRe", "bReDia", "rmsAspHt1", "rmsAspHt2"};
   const auto add = [&](std::initializer_list<const char*> more) {
     names.insert(names.end(), more.begin(), more.end());
   };
@@ -55,6 +55,34 @@ std::vector<std::string> needed(Type type) {
   throw InputError({deck.issue(Severity::Error, name, std::move(message), std::move(remedy))});
 }
 
+/// Refuses a value that a roller cannot do without, as a deck cut short or half typed leaves it.
+void demand_number(const Deck& deck, const std::string& name) {
+  if (!is_number(deck, name)) refuse(deck, name, "has no value yet", "give it to see a drawing");
+}
+
+/// What build_rollers() reads beside needed(): crowns of raceways, and the flanges that
+/// the deck has.
+void demand_rollers(const Deck& deck, Type type) {
+  if (type == Type::Cylindrical || type == Type::Tapered)
+    for (const char* race : {"1", "2"}) {
+      demand_number(deck, std::string("raceCrn") + race);
+      if (deck.si(std::string("raceCrn") + race) > 0.0)
+        demand_number(deck, std::string("raceCenLen") + race);
+    }
+  for (const char* race : {"1", "2"}) {
+    int sides = 0;
+    for (const char* side : {"1", "2"}) {
+      const std::string code = std::string(side) + race;
+      demand_number(deck, "kFlngInd" + code);
+      if (deck.integer("kFlngInd" + code) != 1) continue;
+      ++sides;
+      demand_number(deck, "flngAng" + code);
+      demand_number(deck, "flngHt" + code);
+    }
+    if (sides == 2) demand_number(deck, std::string("flngCls") + race);
+  }
+}
+
 void check_pitch(const Deck& deck, const OutlineModel& m) {
   if (!(m.pitch > m.diameter) || m.pitch > 1000.0 * m.diameter)
     refuse(deck, "pitchDia", "leaves the elements no circle to run on",
@@ -62,6 +90,7 @@ void check_pitch(const Deck& deck, const OutlineModel& m) {
 }
 
 void read_rollers(const Deck& deck, OutlineModel& m) {
+  demand_rollers(deck, m.type);
   m.rollers = setup::build_rollers(deck);
   m.pitch = m.rollers->pitch_diameter;
   m.length = m.rollers->length;
@@ -156,8 +185,7 @@ OutlineModel outline_model(const Deck& deck) {
   if (code < 1 || code > 5)
     refuse(deck, "kBrg", "is no bearing type", "choose 1 to 5 to see a drawing");
   m.type = static_cast<Type>(code);
-  for (const std::string& name : needed(m.type))
-    if (!is_number(deck, name)) refuse(deck, name, "has no value yet", "give it to see a drawing");
+  for (const std::string& name : needed(m.type)) demand_number(deck, name);
   m.count = static_cast<int>(std::clamp(deck.integer("nRe"), 0LL, 100000LL));
   m.diameter = deck.si("bReDia");
   if (!(m.diameter > 0.0) || !std::isfinite(m.diameter))

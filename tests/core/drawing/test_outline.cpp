@@ -1,4 +1,5 @@
 #include "bearing/bearing.hpp"
+#include "deck/deck.hpp"
 #include "deck/templates.hpp"
 #include "drawing/outline_model.hpp"
 #include "setup/build_bearing.hpp"
@@ -419,4 +420,28 @@ TEST_CASE("every variable of the schema belongs to a view or to the default", "[
       }
     }
   }
+}
+
+TEST_CASE("a deck that ends anywhere is drawn, or refused by the value that is missing",
+          "[unit][drawing]") {
+  int drawn = 0, refused = 0;
+  for (const char* type : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"}) {
+    const std::string text = deck::write_deck(deck::new_deck(type));
+    // Behind each value: a comma or the end of a line.
+    for (std::size_t at = text.find_first_of(",\n"); at != std::string::npos;
+         at = text.find_first_of(",\n", at + 1)) {
+      const deck::ReadResult cut = deck::read_deck_text(text.substr(0, at), "DATA.txt");
+      INFO(type << " cut after "
+                << text.substr(at < 60 ? 0 : at - 60, std::min<std::size_t>(at, 60)));
+      try {
+        (void)outline_model(cut.deck);
+        ++drawn;
+      } catch (const InputError& error) {
+        ++refused;
+        CHECK(std::string(error.what()).size() > 20);
+      }
+    }
+  }
+  CHECK(drawn > 100);
+  CHECK(refused > 100);
 }
