@@ -306,7 +306,7 @@ TEST_CASE("random bearings: steps that are halved come to one motion",
   int followed = 0, stray = 0;
   std::string strays;
   for (const char* type : {"ball", "cylindrical", "spherical", "tapered", "spherical-tapered"})
-    over_random_decks(type, 14, [](const RandomDeck& deck, const Followed& plain, Dice&) {
+    over_random_decks(type, 14, [&](const RandomDeck& deck, const Followed& plain, Dice&) {
       const auto same = [](int i) { return i; };
       const auto difference = [&](const Followed& one, const Followed& other) {
         return compare(one, other, Mat3::Identity(), 0.0, 1e5, same);
