@@ -20,7 +20,7 @@ RecordSpec run_mode() {
               {{"-n", "as -1"},
                {"-1", "quasi-static solution only"},
                {"0", "full six-degree-of-freedom dynamics"},
-               {"1", "dynamics with rolling elements held in axial and radial force balance"},
+               {"1", "elements in radial balance, balls and tapered rollers axially too"},
                {"2", "as 1 and the races are held in force balance too"}},
               "Kind of simulation. 0 integrates the motion of every body; 1 and 2 replace fast "
               "contact vibration by "
