@@ -382,8 +382,8 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
       if (!from.remark.empty()) s.remark(std::move(from.remark));
       system.set_start(out.time, out.y);
       check_cage_start(s.prepared, system.snapshot(out.time, out.y));
-    } catch (const SolverError& error) {
-      refuse_start(s.prepared, error);
+    } catch (const SolverError& refused) {
+      refuse_start(s.prepared, refused);
     }
   if (out.continued) {
     check_names(s.files.outputs());
