@@ -50,7 +50,8 @@ struct System::Impl final : BetweenSteps {
   ElementActions before;
   Evaluation e;
   std::vector<double> rates;  ///< dydt of evaluations for reports
-  /// State that check_state() has evaluated and nothing since: a report of it need not again.
+  /// State that was evaluated and nothing since, as check_state() and energy_account() leave it: a
+  /// check or report of it need not again.
   std::vector<double> checked;
   double checked_time = 0.0;
   bool is_checked = false;
@@ -58,6 +59,11 @@ struct System::Impl final : BetweenSteps {
   Momenta momenta_at_start;      ///< less the flow until then
   EnergyLedger account;          ///< memory of energy_account()
 
+  /// Keeps the state evaluated last, which is valid, and its rates. A stepper that knows the rates
+  /// of the end of its step has them of the state before quaternions were set to unit length
+  /// (1e-10, System::project()).
+  void remember() noexcept;
+  [[nodiscard]] bool knows(double t, std::span<const double> y) const noexcept;
   /// All blocks in order; false when the state is outside the model's validity.
   bool evaluate_blocks(double t, const double* y, double* dydt) noexcept;
   bool evaluate_measured(double t, const double* y, double* dydt) noexcept;

@@ -55,6 +55,7 @@ MomentumLedger System::Impl::momentum_ledger() const {
 
 System::EnergyAccount System::energy_account() noexcept {
   Impl& s = *impl_;
+  s.remember();  // the end of a step, which is checked and reported next
   EnergyLedger& stored = s.account;
   stored.clear();
   stored.add(terms::kKinetic, 0.0);

@@ -53,6 +53,7 @@ System::Impl::Impl(const bearing::Bearing& bearing_, const ScenePlan& plan,
   set_up_border();
   set_up_integrals();
   rates.assign(static_cast<std::size_t>(parts.layout.size()), 0.0);
+  checked = rates;
 
   scales.length = 0.5 * bearing.element_diameter();
   scales.force = force_scale(bearing, statics);

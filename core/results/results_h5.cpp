@@ -17,6 +17,7 @@
 #include <chrono>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <system_error>
 
 namespace adore::results {
@@ -252,7 +253,8 @@ struct H5Writer::Impl {
       use(plan(-1), dataset_path(name->name));
   }
 
-  void create_dataset(Series made, const std::string& name) {
+  /// @param creation list of properties, of which the chunk is set here: one list serves all
+  void create_dataset(Series made, const std::string& name, const Handle& creation) {
     std::vector<hsize_t> size{0}, most{H5S_UNLIMITED}, chunk{rows};
     for (hsize_t dim : made.dims) {
       size.push_back(dim);
@@ -261,12 +263,9 @@ struct H5Writer::Impl {
     }
     const int rank = static_cast<int>(size.size());
     const Handle space(H5Screate_simple(rank, size.data(), most.data()));
-    const Handle creation(H5Pcreate(H5P_DATASET_CREATE)), links(H5Pcreate(H5P_LINK_CREATE));
     H5Pset_chunk(creation, rank, chunk.data());
-    H5Pset_obj_track_times(creation, false);  // the same run gives the same bytes
-    const Handle access = dataset_access(made);
-    made.dataset =
-        Handle(H5Dcreate2(file, name.c_str(), H5T_IEEE_F64LE, space, links, creation, access));
+    made.dataset = Handle(
+        H5Dcreate2(file, name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT));
     if (!made.dataset.valid()) fail(path, "a dataset cannot be created");
     if (made.channel >= 0) {
       const Channel& channel = channels()[static_cast<std::size_t>(made.channel)];
@@ -399,7 +398,11 @@ std::string H5Writer::Impl::empty_file(const bearing::Bearing& bearing) {
     const Handle geometry(H5Gopen2(file, "geometry", H5P_DEFAULT));
     for (const auto& [name, value] : geometry_of(bearing)) write_attribute(geometry, name, value);
   }
-  for_each([&](Series made, const std::string& name) { create_dataset(std::move(made), name); });
+  const Handle datasets(H5Pcreate(H5P_DATASET_CREATE));
+  H5Pset_obj_track_times(datasets, false);  // the same run gives the same bytes
+  for_each([&](Series made, const std::string& name) {
+    create_dataset(std::move(made), name, datasets);
+  });
   series.clear();
   H5Fflush(file, H5F_SCOPE_GLOBAL);
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);
@@ -422,8 +425,12 @@ void H5Writer::Impl::open_empty(const std::filesystem::path& name,
   H5Pset_cache(access, 0, 7, 64U << 10U, 1.0);
   file = Handle(H5Fopen(name.c_str(), H5F_ACC_RDWR, access));
   if (!file.valid()) fail(path, "the file cannot be created");
+  std::map<std::size_t, Handle> access_by_width;
   for_each([&](Series made, const std::string& dataset) {
-    made.dataset = Handle(H5Dopen2(file, dataset.c_str(), dataset_access(made)));
+    auto found = access_by_width.find(made.width);
+    if (found == access_by_width.end())
+      found = access_by_width.emplace(made.width, dataset_access(made)).first;
+    made.dataset = Handle(H5Dopen2(file, dataset.c_str(), found->second));
     if (!made.dataset.valid()) fail(path, "a dataset cannot be created");
     series.push_back(std::move(made));
   });

@@ -410,6 +410,31 @@ TEST_CASE("the cage starts on the locus of element centres with its ratios of sp
   CHECK((angles_from_quaternion(s.cages[0].orientation) - b.cage->start_angles).norm() < 1e-14);
 }
 
+TEST_CASE("a state judged by its energy is checked and reported as it was evaluated",
+          "[unit][dynamics]") {
+  const bearing::Bearing b = angular_contact();
+  System system = make_system(b, full_plan()), fresh = make_system(b, full_plan());
+  std::vector<double> y = system.initial_state(), d(y.size());
+  y[first_of(system, "element.r") + 1] += 1e-6;
+  const Snapshot expected = fresh.snapshot(1e-5, y);
+  REQUIRE(system.rhs(1e-5, y.data(), d.data()) == RhsStatus::Ok);
+  (void)system.energy_account();
+  std::fill(d.begin(), d.end(), std::nan(""));  // what a method does with its rates is its own
+  CHECK_NOTHROW(system.check_state(1e-5, y.data()));
+  const Snapshot s = system.snapshot(1e-5, y);
+  for (std::size_t i = 0; i < s.elements.size(); ++i) {
+    CHECK(s.elements[i].ar == expected.elements[i].ar);
+    CHECK(s.elements[i].race[0].load == expected.elements[i].race[0].load);
+  }
+  // Another state or time is evaluated anew, the one before it is no longer known.
+  std::vector<double> other = y;
+  other[first_of(system, "element.r") + 1] += 1e-6;
+  CHECK(system.snapshot(1e-5, other).elements[1].race[0].load > 1.001 * s.elements[1].race[0].load);
+  CHECK(system.snapshot(1e-5, y).elements[1].race[0].load == s.elements[1].race[0].load);
+  other[first_of(system, "element.r") + 2] = -0.01;
+  CHECK_THROWS_AS(system.check_state(1e-5, other.data()), SolverError);
+}
+
 TEST_CASE("a trial state outside the model asks for a smaller step, an accepted one says why",
           "[unit][dynamics]") {
   const bearing::Bearing b = angular_contact();
