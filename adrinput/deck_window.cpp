@@ -12,6 +12,7 @@
 #include "adrinput/run_panel.hpp"
 #include "adrinput/solution_charts.hpp"
 #include "adrinput/time_scale.hpp"
+#include "base/excerpt.hpp"
 #include "deck/lookup.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/flow_layout.hpp"
@@ -351,7 +352,7 @@ void DeckWindow::refreshProblems() {
       text += (issue.record == kOptionsPage ? QString(", %1") : tr(", record %1"))
                   .arg(QString::fromStdString(issue.record));
     if (!issue.variable.empty()) text += ", " + QString::fromStdString(issue.variable);
-    if (!issue.value.empty()) text += " = " + QString::fromStdString(issue.value);
+    if (!issue.value.empty()) text += " = " + QString::fromStdString(excerpt(issue.value));
     text += ": " + QString::fromStdString(issue.message);
     if (!issue.remedy.empty()) text += "; " + QString::fromStdString(issue.remedy);
     auto* item = new QListWidgetItem(

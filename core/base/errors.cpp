@@ -1,5 +1,7 @@
 #include "base/errors.hpp"
 
+#include "base/excerpt.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +19,8 @@ std::string Issue::text() const {
   std::string place;
   if (!record.empty()) place = "record " + record;
   if (!variable.empty()) place += (place.empty() ? "" : ", ") + variable;
-  if (!value.empty()) place += (place.empty() ? "" : variable.empty() ? ": " : " = ") + value;
+  if (!value.empty())
+    place += (place.empty() ? "" : variable.empty() ? ": " : " = ") + excerpt(value);
   if (!place.empty()) out += place + ": ";
   out += message;
   if (!remedy.empty()) out += "; " + remedy;

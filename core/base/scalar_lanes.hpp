@@ -20,6 +20,16 @@ struct ScalarLanes<double> {
   [[gnu::always_inline]] static double gather(const double* table, double place) {
     return table[static_cast<int>(place)];
   }
+  /// Σ along[i] across[j] table[place + i line + j] over i, j = 0 ... 3, `place` as above.
+  [[gnu::always_inline]] static double patch(const double* table, int line, double place,
+                                             const double* along, const double* across) {
+    const double* first = table + static_cast<int>(place);
+    double sum = 0.0;
+    for (int j = 0; j < 4; ++j)
+      sum += across[j] * (along[0] * first[j] + along[1] * first[line + j] +
+                          along[2] * first[2 * line + j] + along[3] * first[3 * line + j]);
+    return sum;
+  }
 };
 
 }  // namespace adore

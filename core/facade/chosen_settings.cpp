@@ -22,11 +22,13 @@ constexpr double kMostTurns = 1.0, kLeastTurns = 0.02, kSeconds = 10.0;  ///< of
 constexpr double kNoiseMargin = 1.5;
 
 /// From the cheapest on; the last one is what the others are compared with. Across the contact two
-/// nodes do, four where a film follows the pressure (decisions 390, 414).
+/// nodes do, four where a film follows the pressure (decisions 390, 414, 328).
 using Nodes = std::array<std::pair<int, int>, 8>;
 constexpr Nodes kNodes{{{10, 1}, {15, 1}, {10, 2}, {15, 2}, {20, 2}, {30, 2}, {40, 2}, {60, 4}}};
 constexpr Nodes kFilmNodes{
-    {{10, 2}, {15, 2}, {20, 2}, {15, 4}, {20, 4}, {30, 4}, {40, 4}, {60, 8}}};
+    {{10, 2}, {15, 2}, {12, 4}, {15, 4}, {20, 4}, {30, 4}, {40, 4}, {60, 8}}};
+constexpr Nodes kStripNodes{
+    {{10, 1}, {10, 2}, {15, 2}, {16, 2}, {20, 2}, {30, 2}, {40, 2}, {60, 4}}};
 constexpr std::array<int, 8> kSlices{7, 11, 15, 21, 31, 45, 61, 121};
 
 void set_again(RunRequest& run, const std::string& name, const std::string& value) {
@@ -68,7 +70,10 @@ std::vector<ResolutionRow> resolutions(const Prepared& prepared) {
   }
   if (given.contains("ellipseMajor") || given.contains("ellipseMinor")) return out;
   const auto& usual = prepared.options.system;
-  for (const auto& [major, minor] : usual.ellipse_minor > 2 ? kFilmNodes : kNodes)
+  const bool strips = usual.ellipse_major == tribology::kStripNodes.major;
+  for (const auto& [major, minor] : usual.ellipse_minor > 2 ? kFilmNodes
+                                    : strips                ? kStripNodes
+                                                            : kNodes)
     out.push_back(nodes_row(major, minor));
   for (ResolutionRow& row : out)
     row.usual = row.name == nodes_row(usual.ellipse_major, usual.ellipse_minor).name;

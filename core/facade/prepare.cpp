@@ -121,20 +121,28 @@ void say_in_deck_units(Prepared& out) {
   if (out.life.iso) to_deck_units(out.life.iso->notes, units);
 }
 
-/// Nodes of balls in oil, unless the options ask for others. Films whose traction follows the
-/// pressure point by point: four along the minor axis, because two see one pressure of a row and
-/// heat is up to a tenth off (decision 414). Films of whole strips (kTrac 8, 12): two, and 20
-/// strips instead of 15, with which heat is 2 % off (decision 326). The laws of record 10.1 need 15
-/// x 2.
+/// Nodes of balls in oil, unless the options ask for others: those made for films that follow the
+/// pressure point by point, or for films of whole strips (kTrac 8, 12; decision 328). Where one
+/// number is given the other one is that of pieces that are alike: 15 x 4, because two across see
+/// one pressure of a row and heat is up to a tenth off (decision 414), or 20 strips (decision 326).
+/// The laws of record 10.1 need 15 x 2.
 void choose_nodes(Prepared& prepared) {
   const auto& oil = prepared.as_built.lubrication;
   if (!oil || prepared.as_built.rollers()) return;
   const bool strips =
       tribology::lubricant_of(*oil).model == tribology::LubricantModel::ViscoElastic;
-  const char* option = strips ? "ellipseMajor" : "ellipseMinor";
-  if (prepared.input.option_values.contains(option)) return;
+  const bool major = prepared.input.option_values.contains("ellipseMajor"),
+             minor = prepared.input.option_values.contains("ellipseMinor");
   scene::SystemOptions& system = prepared.options.system;
-  (strips ? system.ellipse_major : system.ellipse_minor) = strips ? 20 : 4;
+  if (!major && !minor) {
+    const tribology::EllipseSize own = strips ? tribology::kStripNodes : tribology::kFilmNodes;
+    system.ellipse_major = own.major;
+    system.ellipse_minor = own.minor;
+  } else if (!major) {
+    system.ellipse_major = strips ? 20 : 15;
+  } else if (!minor) {
+    system.ellipse_minor = strips ? 2 : 4;
+  }
 }
 
 Prepared prepare_model(LoadedDeck input) {

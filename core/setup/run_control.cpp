@@ -219,7 +219,9 @@ const std::vector<Option>& options() {
     std::vector<Option> all{
         {{"ellipseMajor", fmt::format("{}", defaults.system.ellipse_major),
           "quadrature nodes along the contact ellipse's major axis, 10 to 100, rounded up to "
-          "a multiple of 5; 20 unless given where films are of whole strips (kTrac 8 and 12)"},
+          "a multiple of 5; in oil 12 (with 4 across) or, of whole strips (kTrac 8 and 12), 16 "
+          "(with 2) unless "
+          "given: nodes that are made for films"},
          [](RunOptions& o, std::string_view v) {
            return parse_count(v, o.system.ellipse_major, 10, 100);
          }},

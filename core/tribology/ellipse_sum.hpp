@@ -68,7 +68,10 @@ template <class T, class S>
 /// Nodes and weights of an EllipseRule (ellipse_traction.hpp).
 struct EllipseNodes {
   bool split = false;
-  int major = 0, minor = 0;  ///< major: of one piece when split
+  int major = 0, minor = 0;
+  int of_piece[kEllipsePieces] = {};  ///< split: how many of `major` nodes each piece has
+  double sweep = 0.0;                 ///< split: slip at the ends of the pieces over W_n b; 0: that
+                                      ///< of the law
   const double *s = nullptr, *chord = nullptr, *weight_s = nullptr;
   const double *v = nullptr, *weight_v = nullptr, *weight_v1 = nullptr, *weight_v2 = nullptr;
   const double* chord_v = nullptr;  ///< √(1 - v²)
@@ -104,6 +107,17 @@ class EllipseSum {
 
   [[gnu::always_inline]] EllipseSums<T> run() {
     if constexpr (takes_several()) {
+      if (nodes_.minor == 4) {
+        RowsOfFour waiting;
+        for_rows([&](const T& xi, const T& chord, const T& half_width, const T& load)
+                     __attribute__((always_inline)) {
+                       waiting.row[waiting.count] = row(xi, half_width, load);
+                       waiting.chord[waiting.count] = chord;
+                       if (++waiting.count == 2) add_fours(waiting);
+                     });
+        if (waiting.count > 0) add_fours(waiting);
+        return sum_;
+      }
       if (nodes_.minor % 2 == 0) {
         Pairs waiting;
         for_rows([&](const T& xi, const T& chord, const T& half_width, const T& load)
@@ -201,14 +215,16 @@ class EllipseSum {
   [[gnu::always_inline]] T rolling_slip(const T& xi) const {
     return e_.motion.u_t + e_.motion.W_n * xi - e_.motion.W_c * e_.surface.height(xi);
   }
-  /// Slip at the ends of the pieces over W_n b. Films bend over a wider range than the kink of a
-  /// rounded law: of 0.2 to 12 the value with the least errors in heat (decision 326).
+  /// Slip at the ends of the pieces over W_n b, unless the rule says it. Films bend over a wider
+  /// range than the kink of a rounded law: of 0.2 to 12 the value with the least errors in heat of
+  /// pieces that are alike (decision 326).
   static constexpr double kSweep = kHasFilm<Law> ? 1.5 : 0.5;
   /// Ends of the pieces of the split rule, s = ξ/a.
   [[gnu::always_inline]] EllipseBreaks<T> breaks() const {
     using M = ScalarMath<T>;
     const EllipseMotion<T>& m = e_.motion;
-    const T law2 = slip_scale_ * slip_scale_, sweep = kSweep * m.W_n * e_.b;
+    const double own = nodes_.sweep > 0.0 ? nodes_.sweep : kSweep;
+    const T law2 = slip_scale_ * slip_scale_, sweep = own * m.W_n * e_.b;
     const T sweep2 = sweep * sweep;
     const T width = M::sqrt(M::sqrt(law2 * law2 + sweep2 * sweep2));
     const T at_end = m.u_t - m.W_c * e_.surface.height(e_.a);
@@ -249,11 +265,13 @@ class EllipseSum {
     using M = ScalarMath<T>;
     const EllipseBreaks<T> at = breaks();
     const T ends[kEllipsePieces + 1] = {T(-1.0), at.s1, at.s2, at.s3, at.s4, T(1.0)};
-    for (int piece = 0; piece < kEllipsePieces; ++piece) {
+    int first = 0, end = 0;
+    for (int piece = 0; piece < kEllipsePieces; ++piece, first = end) {
+      end = first + nodes_.of_piece[piece];
       const T length = ends[piece + 1] - ends[piece];
       if (!M::any(length > 0.0)) continue;
       const T load = 0.75 * length * e_.load;
-      for (int i = 0; i < nodes_.major; ++i) {
+      for (int i = first; i < end; ++i) {
         const T s = ends[piece] + length * nodes_.s[i];
         const T outside = M::max(1.0 - s * s, T(0.0));
         const T chord = M::root(outside);
@@ -305,7 +323,45 @@ class EllipseSum {
   using Here = decltype(std::declval<const Law&>().at(std::declval<const ContactPoint<T>&>()));
   /// Does the law take several points at once?
   static constexpr bool takes_several() {
-    return requires(const Here& here, T* at) { here.template several<2 * kPairs, 2>(at, at, at); };
+    return requires(const Here& here, T* at) {
+      here.template several<2 * kPairs, kPairs>(at, at, at);
+    };
+  }
+
+  /// Two rows of four points, which is what runs have: points 0 and 3, 1 and 2 of a row have one
+  /// pressure.
+  struct RowsOfFour {
+    Row row[2];
+    T chord[2];
+    int count = 0;
+  };
+  [[gnu::noinline]] void add_fours(RowsOfFour& rows) {
+    if (rows.count == 1) {
+      rows.row[1] = rows.row[0];
+      rows.chord[1] = rows.chord[0];
+    }
+    constexpr int kNodes[4] = {0, 1, 3, 2};  // of both rows at one, then at the next
+    T slip[8], inverse[8], kappa[8], p[4];
+    for (int i = 0; i < 8; ++i) {
+      const int j = kNodes[i / 2], r = i % 2;
+      const T u_c = cross_slip(rows.row[r], j);
+      slip[i] = ScalarMath<T>::root_and_inverse(u_c * u_c + rows.row[r].fixed, inverse[i]);
+      if (i < 4) p[i] = pressure(rows.chord[r], j);
+    }
+    law_.law.template several<8, 4>(slip, p, kappa);
+    for (int r = 0; r < rows.count; ++r) {
+      T g0 = 0.0, g1 = 0.0, g2 = 0.0, speed = 0.0;
+      for (int i = r; i < 8; i += 2) {
+        const int j = kNodes[i / 2];
+        const T g = ScalarMath<T>::over(kappa[i], slip[i], inverse[i]);
+        g0 += g * nodes_.weight_v[j];
+        g1 += g * nodes_.weight_v1[j];
+        g2 += g * nodes_.weight_v2[j];
+        speed += slip[i] * nodes_.weight_v[j];
+      }
+      add_moments(rows.row[r], g0, g1, g2, speed);
+    }
+    rows.count = 0;
   }
 
   /// Points j and minor - 1 - j of a row: those of one pressure.
@@ -327,20 +383,20 @@ class EllipseSum {
       p[k] = at.pressure;
       for (int side = 0; side < 2; ++side) {
         const T u_c = cross_slip(at.row, side == 0 ? at.j : nodes_.minor - 1 - at.j);
-        slip[2 * k + side] =
-            ScalarMath<T>::root_and_inverse(u_c * u_c + at.row.fixed, inverse[2 * k + side]);
+        const int i = k + side * kPairs;
+        slip[i] = ScalarMath<T>::root_and_inverse(u_c * u_c + at.row.fixed, inverse[i]);
       }
     }
-    law_.law.template several<2 * kPairs, 2>(slip, p, kappa);
+    law_.law.template several<2 * kPairs, kPairs>(slip, p, kappa);
     for (int k = 0; k < pairs.count; ++k) {
       const Pair& at = pairs.pair[k];
-      const int j = at.j, i = nodes_.minor - 1 - j;
-      const T g = ScalarMath<T>::over(kappa[2 * k], slip[2 * k], inverse[2 * k]),
-              h = ScalarMath<T>::over(kappa[2 * k + 1], slip[2 * k + 1], inverse[2 * k + 1]);
+      const int j = at.j, i = nodes_.minor - 1 - j, l = k + kPairs;
+      const T g = ScalarMath<T>::over(kappa[k], slip[k], inverse[k]),
+              h = ScalarMath<T>::over(kappa[l], slip[l], inverse[l]);
       add_moments(at.row, g * nodes_.weight_v[j] + h * nodes_.weight_v[i],
                   g * nodes_.weight_v1[j] + h * nodes_.weight_v1[i],
                   g * nodes_.weight_v2[j] + h * nodes_.weight_v2[i],
-                  slip[2 * k] * nodes_.weight_v[j] + slip[2 * k + 1] * nodes_.weight_v[i]);
+                  slip[k] * nodes_.weight_v[j] + slip[l] * nodes_.weight_v[i]);
     }
     pairs.count = 0;
   }

@@ -38,17 +38,82 @@ void check_size(int major, int minor) {
   }
 }
 
+void add_minor_node(EllipseRule& rule, double v, double weight, double chord) {
+  ++rule.minor;
+  rule.v.push_back(v);
+  rule.weight_v.push_back(weight);
+  rule.weight_v1.push_back(weight * v);
+  rule.weight_v2.push_back(rule.weight_v1.back() * v);
+  rule.chord_v.push_back(chord);
+}
+
 /// Gauss-Chebyshev of the second kind over v.
 void add_minor_nodes(EllipseRule& rule, int minor) {
-  rule.minor = minor;
   for (int j = minor; j >= 1; --j) {
     const double angle = std::numbers::pi * j / (minor + 1.0);
-    rule.v.push_back(2 * j == minor + 1 ? 0.0 : std::cos(angle));
-    rule.weight_v.push_back(2.0 * std::sin(angle) * std::sin(angle) / (minor + 1.0));
-    rule.weight_v1.push_back(rule.weight_v.back() * rule.v.back());
-    rule.weight_v2.push_back(rule.weight_v1.back() * rule.v.back());
-    rule.chord_v.push_back(std::sin(angle));
+    add_minor_node(rule, 2 * j == minor + 1 ? 0.0 : std::cos(angle),
+                   2.0 * std::sin(angle) * std::sin(angle) / (minor + 1.0), std::sin(angle));
   }
+}
+
+/// Of one piece of a split rule, on 0..1.
+struct PieceNodes {
+  std::vector<double> s, weight;
+};
+
+PieceNodes legendre_nodes(int k) {
+  PieceNodes out;
+  for (int i = 0; i < k; ++i) {
+    double x = -std::cos(std::numbers::pi * (i + 0.75) / (k + 0.5));
+    double slope = 0.0;
+    for (int iteration = 0; iteration < 50; ++iteration) {
+      const auto [previous, value] = legendre(k, x);
+      slope = k * (previous - x * value) / (1.0 - x * x);
+      const double step = value / slope;
+      x -= step;
+      if (std::abs(step) < 1e-16) break;
+    }
+    out.s.push_back(0.5 * (1.0 + x));
+    out.weight.push_back(1.0 / ((1.0 - x * x) * slope * slope));
+  }
+  return out;
+}
+
+/// Two nodes with weights that are exact for t and t²: a load that ends at t = 0.
+PieceNodes edge_nodes(double a, double b) {
+  return {{a, b}, {(1.0 / 3.0 - 0.5 * b) / (a * (a - b)), (1.0 / 3.0 - 0.5 * a) / (b * (b - a))}};
+}
+
+/// Four nodes that lie the same on both sides, exact for every cubic.
+PieceNodes four_nodes(double outer, double inner) {
+  const double outer2 = (0.5 - outer) * (0.5 - outer), inner2 = (0.5 - inner) * (0.5 - inner);
+  const double of_outer = (1.0 / 24.0 - 0.5 * inner2) / (outer2 - inner2),
+               of_inner = 0.5 - of_outer;
+  return {{outer, inner, 1.0 - inner, 1.0 - outer}, {of_outer, of_inner, of_inner, of_outer}};
+}
+
+void add_piece(EllipseRule& rule, std::size_t piece, const PieceNodes& nodes) {
+  rule.of_piece[piece] = static_cast<int>(nodes.s.size());
+  rule.major += rule.of_piece[piece];
+  rule.s.insert(rule.s.end(), nodes.s.begin(), nodes.s.end());
+  rule.weight_s.insert(rule.weight_s.end(), nodes.weight.begin(), nodes.weight.end());
+}
+
+/// @param edge nodes from the edge of the ellipse inwards; mirrored at the other one
+EllipseRule film_pieces(const PieceNodes& edge, const PieceNodes& band, const PieceNodes& middle) {
+  PieceNodes mirrored;
+  for (std::size_t i = edge.s.size(); i-- > 0;) {
+    mirrored.s.push_back(1.0 - edge.s[i]);
+    mirrored.weight.push_back(edge.weight[i]);
+  }
+  EllipseRule rule;
+  rule.split = true;
+  add_piece(rule, 0, edge);
+  add_piece(rule, 1, band);
+  add_piece(rule, 2, middle);
+  add_piece(rule, 3, band);
+  add_piece(rule, 4, mirrored);
+  return rule;
 }
 
 /// Most edge points of a rule: those of split rules of the largest size.
@@ -66,9 +131,10 @@ double largest_edge_slip(const Sum& sum, const EllipseRule& rule, const EllipseG
   if (rule.split) {
     const EllipseBreaks<double> at = sum.breaks();
     const double ends[kEllipsePieces + 1] = {-1.0, at.s1, at.s2, at.s3, at.s4, 1.0};
-    for (int piece = 0; piece < kEllipsePieces; ++piece)
-      for (const double node : rule.s)
-        s[n++] = ends[piece] + (ends[piece + 1] - ends[piece]) * node;
+    auto node = rule.s.begin();
+    for (std::size_t piece = 0; piece < kEllipsePieces; ++piece)
+      for (int i = 0; i < rule.of_piece[piece]; ++i)
+        s[n++] = ends[piece] + (ends[piece + 1] - ends[piece]) * *node++;
   } else {
     for (const double node : rule.s) s[n++] = node;
   }
@@ -117,36 +183,50 @@ EllipseRule make_split_ellipse_rule(int major, int minor) {
   rule.split = true;
   // Two nodes integrate the parabola 1 - s² exactly, so the pieces always carry the whole load.
   const int k = std::max(2, (major + kEllipsePieces - 1) / kEllipsePieces);
-  rule.major = kEllipsePieces * k;
-  for (int i = 0; i < k; ++i) {  // Gauss-Legendre on 0..1
-    double x = -std::cos(std::numbers::pi * (i + 0.75) / (k + 0.5));
-    double slope = 0.0;
-    for (int iteration = 0; iteration < 50; ++iteration) {
-      const auto [previous, value] = legendre(k, x);
-      slope = k * (previous - x * value) / (1.0 - x * x);
-      const double step = value / slope;
-      x -= step;
-      if (std::abs(step) < 1e-16) break;
-    }
-    rule.s.push_back(0.5 * (1.0 + x));
-    rule.weight_s.push_back(1.0 / ((1.0 - x * x) * slope * slope));
-  }
+  const PieceNodes nodes = legendre_nodes(k);
+  for (std::size_t piece = 0; piece < kEllipsePieces; ++piece) add_piece(rule, piece, nodes);
   add_minor_nodes(rule, minor);
   return rule;
 }
 
+EllipseRule make_film_rule() {
+  // Where the load ends with the ellipse, where u_t reverses, in between.
+  EllipseRule rule =
+      film_pieces(edge_nodes(0.3437, 0.807), legendre_nodes(2), four_nodes(0.084, 0.346));
+  rule.sweep = 0.955;
+  add_minor_nodes(rule, 4);
+  return rule;
+}
+
+EllipseRule make_strip_rule() {
+  EllipseRule rule = film_pieces(legendre_nodes(4), legendre_nodes(2), legendre_nodes(4));
+  rule.sweep = 2.0 / 3.0;
+  add_minor_nodes(rule, 2);
+  return rule;
+}
+
+EllipseRule make_run_rule(EllipseSize size) {
+  if (size == kFilmNodes) return make_film_rule();
+  if (size == kStripNodes) return make_strip_rule();
+  return make_split_ellipse_rule(size.major, size.minor);
+}
+
 EllipseNodes EllipseRule::nodes() const noexcept {
-  return {split,
-          static_cast<int>(s.size()),
-          static_cast<int>(v.size()),
-          s.data(),
-          chord.data(),
-          weight_s.data(),
-          v.data(),
-          weight_v.data(),
-          weight_v1.data(),
-          weight_v2.data(),
-          chord_v.data()};
+  EllipseNodes out;
+  out.split = split;
+  out.major = static_cast<int>(s.size());
+  out.minor = static_cast<int>(v.size());
+  std::copy(of_piece.begin(), of_piece.end(), out.of_piece);
+  out.sweep = sweep;
+  out.s = s.data();
+  out.chord = chord.data();
+  out.weight_s = weight_s.data();
+  out.v = v.data();
+  out.weight_v = weight_v.data();
+  out.weight_v1 = weight_v1.data();
+  out.weight_v2 = weight_v2.data();
+  out.chord_v = chord_v.data();
+  return out;
 }
 
 void set_contact_surface(EllipseGeometry& geometry, ContactSurface surface, double ball_radius,

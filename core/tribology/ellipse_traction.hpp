@@ -4,6 +4,7 @@
 #include "tribology/ellipse_sum.hpp"
 #include "tribology/traction_law.hpp"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -97,15 +98,17 @@ struct EllipseTraction {
 ///  with a steep
 ///    start changes from sticking to sliding (Heathcote's bands), which `major` fixed nodes see
 ///    only to ~1/major². w⁴ = slip_scale(law)⁴ + (W_n b/2)⁴; u_t is taken as a parabola in s for
-///    this purpose only.
+///    this purpose only. Films: pieces with nodes of their own (make_film_rule).
 /// Both are continuous in the motion, sum to the load and keep the power balance of traction
 /// exactly.
 struct EllipseRule {
   int major = 0, minor = 0;
   bool split = false;
-  std::vector<double>
-      s;  ///< product: ξ/a of each major node, ascending; split: nodes of one piece in 0..1
-  std::vector<double> weight_s;  ///< sums to 1
+  std::array<int, kEllipsePieces> of_piece{};  ///< split: nodes in each, together `major`
+  double sweep = 0.0;     ///< split: |u_t| at the ends of the pieces over W_n b; 0: that of the law
+  std::vector<double> s;  ///< product: ξ/a of each major node, ascending; split: nodes of the first
+                          ///< piece in 0..1, then those of the second ...
+  std::vector<double> weight_s;  ///< of the load: sums to 1; split: of ds within the piece
   std::vector<double> v;         ///< η/(b sqrt(1-s²)) of each minor node, ascending
   std::vector<double> weight_v;  ///< sums to 1
   // Derived, so that the hot path need not repeat them.
@@ -121,6 +124,23 @@ struct EllipseRule {
 
 /// Split rule with ceil(major/5) nodes in each piece, at least 2. @throws InputError as above.
 [[nodiscard]] EllipseRule make_split_ellipse_rule(int major, int minor);
+
+/// Split rules for the films of a run (decision 328): pieces with nodes as they need them, tuned
+/// over pressures, spins, speeds and films of all lubricants, and judged on contacts that the
+/// tuning has not seen. Traction that follows the pressure point by point: 2, 2, 4, 2 and 2 nodes
+/// in the five pieces times four across; films of whole strips: 4, 2, 4, 2 and 4 times two. All
+/// integrate the load exactly.
+[[nodiscard]] EllipseRule make_film_rule();
+[[nodiscard]] EllipseRule make_strip_rule();
+
+/// Nodes along and across of these two, and the rule that a run means by its numbers: one of them,
+/// or the split rule.
+struct EllipseSize {
+  int major = 0, minor = 0;
+  friend bool operator==(const EllipseSize&, const EllipseSize&) = default;
+};
+inline constexpr EllipseSize kFilmNodes{12, 4}, kStripNodes{16, 2};
+[[nodiscard]] EllipseRule make_run_rule(EllipseSize size);
 
 /// The fixed rule of a run, as its kernels have it (ellipse_sum.hpp). max_slip is taken at the edge
 /// points of the major nodes and at the two ends.

@@ -1,7 +1,9 @@
 // Cost of the films of lubricants beside the hypothetical law, in one run: 16 balls (whole vectors)
 // on both races with the nodes that a run takes for that lubricant (facade/prepare.cpp), and with
-// 15 x 2. Then the rolling resistance of the same contacts. Counters: ns per contact, and `ratio`
-// to the hypothetical law of the same instruction set, measured just before.
+// pieces that have equal nodes: 15 x 4, 20 x 2 of whole strips (`_equal`). Then the rolling
+// resistance of the same contacts. Counters: ns per contact, `ratio` to the hypothetical law of the
+// same instruction set, measured just before, and the heat of both races beside that of 100 x 40
+// nodes, in percent.
 #include "../core/dynamics/thrust_scene.hpp"
 #include "tribology/film_law.hpp"
 
@@ -18,13 +20,17 @@ using dynamics::InstructionSet;
 constexpr std::size_t kBalls = 16;
 
 /// Nodes along and across the contact of a run.
-struct Nodes {
-  int major, minor;
-};
+using Nodes = tribology::EllipseSize;
+bool strips(int code) {
+  return tribology::lubricant(code).model == tribology::LubricantModel::ViscoElastic;
+}
 Nodes nodes_of(int code) {
   if (code == 0) return {15, 2};
-  return tribology::lubricant(code).model == tribology::LubricantModel::ViscoElastic ? Nodes{20, 2}
-                                                                                     : Nodes{15, 4};
+  return strips(code) ? tribology::kStripNodes : tribology::kFilmNodes;
+}
+Nodes equal_nodes_of(int code) {
+  if (code == 0) return {15, 2};
+  return strips(code) ? Nodes{20, 2} : Nodes{15, 4};
 }
 
 bearing::Lubrication lubrication_of(int code) {
@@ -47,8 +53,7 @@ tribology::FilmSurface contact_surface() {
 
 test::ThrustScene scene_of(int code, Nodes nodes) {
   test::ThrustScene scene =
-      test::thrust_scene("dyn3_40_30k_exp_curved", kBalls,
-                         tribology::make_split_ellipse_rule(nodes.major, nodes.minor), 1.0);
+      test::thrust_scene("dyn3_40_30k_exp_curved", kBalls, tribology::make_run_rule(nodes), 1.0);
   if (code == 0) return scene;
   for (auto& model : scene.model)
     model.law = tribology::film_law(bearing::TractionCurve{}, tribology::lubricant(code),
@@ -84,13 +89,23 @@ double seconds(test::ThrustScene& scene, InstructionSet set,
   return least;
 }
 
+double heat(test::ThrustScene& scene) {
+  test::Outputs out(scene.n);
+  double sum = 0.0;
+  for (std::size_t j = 0; j < 2; ++j)
+    sum += dynamics::evaluate_race_contacts(scene.model[j], scene.arrays(), scene.race[j],
+                                            out.forces())
+               .heat;
+  return sum;
+}
+
 void films(benchmark::State& state, int code, InstructionSet set) {
   if (!dynamics::instruction_set_available(set)) {
     state.SkipWithError("this machine lacks the instruction set");
     return;
   }
   test::ThrustScene dry = scene_of(0, nodes_of(0)), scene = scene_of(code, nodes_of(code)),
-                    few = scene_of(code, {15, 2});
+                    equal = scene_of(code, equal_nodes_of(code)), fine = scene_of(code, {100, 40});
   const double hypothetical = seconds(dry, set), own = seconds(scene, set);
   test::Outputs out(scene.n);
   for (auto _ : state) {
@@ -99,8 +114,11 @@ void films(benchmark::State& state, int code, InstructionSet set) {
   }
   constexpr double kContacts = 2.0 * kBalls;
   state.counters["ns_per_contact"] = 1e9 * own / kContacts;
-  state.counters["ns_15x2"] = 1e9 * seconds(few, set) / kContacts;
+  state.counters["ns_equal"] = 1e9 * seconds(equal, set) / kContacts;
   state.counters["ratio"] = own / hypothetical;
+  const double truth = heat(fine);
+  state.counters["heat_off"] = 100.0 * (heat(scene) / truth - 1.0);
+  state.counters["heat_off_equal"] = 100.0 * (heat(equal) / truth - 1.0);
 }
 
 void rolling(benchmark::State& state, InstructionSet set) {

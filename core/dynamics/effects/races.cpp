@@ -163,8 +163,10 @@ void Races::place(const SceneBuilder& scene, const std::array<double, 2>& centre
 
 void Races::set_up_balls(const SceneBuilder& scene) {
   const contact::GrooveGeometry groove = contact::groove_geometry(scene.bearing.balls());
+  const tribology::EllipseSize nodes{scene.options.ellipse_major, scene.options.ellipse_minor};
   const tribology::EllipseRule rule =
-      tribology::make_split_ellipse_rule(scene.options.ellipse_major, scene.options.ellipse_minor);
+      scene.bearing.lubrication ? tribology::make_run_rule(nodes)
+                                : tribology::make_split_ellipse_rule(nodes.major, nodes.minor);
   for (std::size_t j = 0; j < 2; ++j) {
     RaceContactModel& model = contacts_[j];
     model.race = static_cast<bearing::Race>(j);
@@ -195,10 +197,8 @@ void Races::set_up_balls(const SceneBuilder& scene) {
                            : nullptr;
     if (routine != nullptr) {
       model.law = {*routine, tribology::TractionKind::ElementRace, static_cast<int>(j)};
-      const std::size_t pieces = rule.split ? tribology::kEllipsePieces : 1;
-      model.points =
-          std::make_shared<UserScratch>(static_cast<std::size_t>(scene.bearing.element_count()),
-                                        pieces * rule.s.size() * rule.v.size());
+      model.points = std::make_shared<UserScratch>(
+          static_cast<std::size_t>(scene.bearing.element_count()), rule.s.size() * rule.v.size());
     } else {
       model.law = race_law(scene.bearing, model, scene.fixed_angle[j]);
       if (j == 0 && scene.bearing.lubrication)

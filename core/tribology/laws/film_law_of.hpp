@@ -19,8 +19,8 @@
 ///       rolling in which the point lies, gives the mean over the strip at that slip, and has
 ///       row(peak) -> T operator()(const T& slip), the same with the strip's part done once
 /// where its points are dear, wanted(share) of the functor: 0 for those that are not read;
-/// and, where it is a long chain of dependent sums, several<N, Share>(slip, pressure, kappa) for N
-/// points at once, whose chains overlap, Share consecutive ones at each of the N/Share pressures.
+/// and, where it is a long chain of dependent sums, several<N, P>(slip, pressure, kappa) for N
+/// points at once, whose chains overlap, point i at pressure i % P.
 /// Slip is rounded over kRegularisationSlip by all of them (decision 275).
 namespace adore::tribology {
 
@@ -33,12 +33,12 @@ struct StripMean {
   T peak;
   [[gnu::always_inline]] T operator()(const T& slip) const {
     // sin(jπ/7) and 4/7 sin²(jπ/7), j = 1, 2, 3.
-    if constexpr (requires(T * at) { law.template several<3, 1>(at, at, at); }) {
+    if constexpr (requires(T * at) { law.template several<3, 3>(at, at, at); }) {
       const T slips[3] = {slip, slip, slip};
       const T pressures[3] = {0.43388373911756 * peak, 0.78183148246803 * peak,
                               0.97492791218182 * peak};
       T kappa[3];
-      law.template several<3, 1>(slips, pressures, kappa);
+      law.template several<3, 3>(slips, pressures, kappa);
       return 0.10757434232608 * kappa[0] + 0.34929169541609 * kappa[1] +
              0.54313396225783 * kappa[2];
     } else {
@@ -80,15 +80,15 @@ struct FilmLawOf {
     }
 
     /// N points at once, where the film can.
-    template <int N, int Share>
+    template <int N, int P>
     [[gnu::always_inline]] void several(const T* slip, const T* pressure,
                                         T* kappa) const requires requires {
-      fluid.template several<N, Share>(slip, pressure, kappa);
+      fluid.template several<N, P>(slip, pressure, kappa);
     }
     {
       using M = ScalarMath<T>;
       const bool any_film = M::any(film.share > 0.0), any_metal = M::any(film.share < 1.0);
-      if (any_film) fluid.template several<N, Share>(slip, pressure, kappa);
+      if (any_film) fluid.template several<N, P>(slip, pressure, kappa);
       if (!any_metal) return;
       for (int i = 0; i < N; ++i) {
         const T of_metal = metal(slip[i], T(0.0));

@@ -32,25 +32,25 @@ struct HeatedFilm {
       several<1, 1>(&slip, &pressure, kappa);
       return kappa[0];
     }
-    /// Of N points at once, Share of them at each pressure (film_law_of.hpp).
-    template <int N, int Share>
+    /// Of N points at once at P pressures (film_law_of.hpp).
+    template <int N, int P>
     [[gnu::always_inline]] void several(const T* slip, const T* pressure, T* kappa) const {
       using M = ScalarMath<T>;
-      T root_viscosity[N / Share], scale[N / Share];
-      for (int k = 0; k < N / Share; ++k) {
+      T root_viscosity[P], scale[P];
+      for (int k = 0; k < P; ++k) {
         root_viscosity[k] = M::exp(half_alpha * pressure[k]);
         scale[k] =
             stress_scale * root_viscosity[k] * InverseRoots<T>::first(M::max(pressure[k], T(1.0)));
       }
       for (int i = 0; i < N; ++i) {
-        const T S = heating * slip[i] * root_viscosity[i / Share];
+        const T S = heating * slip[i] * root_viscosity[i % P];
         const T S2 = S * S;
         T inverse;
         const T root = M::root_and_inverse(1.0 + S2, inverse);
         // asinh(S) from its series below 1e-3, which the logarithm would round away.
         const T series = S * (1.0 - S2 * (1.0 / 6.0 - S2 * 0.075));
         const T asinh = M::pick(S < 1e-3, series, ScalarLog<T>::log(S + root));
-        kappa[i] = limit.of(scale[i / Share] * asinh * inverse);
+        kappa[i] = limit.of(scale[i % P] * asinh * inverse);
       }
     }
   };

@@ -30,26 +30,26 @@ struct MeasuredFilm {
       several<1, 1>(&slip, &pressure, kappa);
       return kappa[0];
     }
-    /// Of N points at once, Share of them at each pressure (film_law_of.hpp).
-    template <int N, int Share>
+    /// Of N points at once at P pressures (film_law_of.hpp).
+    template <int N, int P>
     [[gnu::always_inline]] void several(const T* slip, const T* pressure, T* kappa) const {
       using M = ScalarMath<T>;
-      T viscosity[N / Share], heating[N / Share];
-      fits_at<N / Share>(film->log_viscosity, film->log_heating, pressure, viscosity, heating);
-      for (int k = 0; k < N / Share; ++k) {
+      T viscosity[P], heating[P];
+      fits_at<P>(film->log_viscosity, film->log_heating, pressure, viscosity, heating);
+      for (int k = 0; k < P; ++k) {
         viscosity[k] = M::exp(viscosity[k]) * inverse_thickness *
                        InverseRoots<T>::first(M::max(pressure[k], T(1.0)));  // over p h
         heating[k] = M::exp(heating[k]);
       }
       for (int i = 0; i < N; ++i) {
-        const T S = slip[i] * heating[i / Share];
+        const T S = slip[i] * heating[i % P];
         const T S2 = S * S;
         T inverse;
         const T root = M::root_and_inverse(1.0 + S2, inverse);
         const T thinning =
             M::pick(S < 1e-3, 1.0 - S2 * (2.0 / 3.0 - S2 * (8.0 / 15.0)),
                     ScalarLog<T>::log(S + root) * inverse * M::inverse_sqrt(M::max(S2, T(1e-30))));
-        kappa[i] = film->limit.of(viscosity[i / Share] * slip[i] * thinning);
+        kappa[i] = film->limit.of(viscosity[i % P] * slip[i] * thinning);
       }
     }
   };

@@ -53,30 +53,21 @@ struct ThinningFilm {
       const auto along = film->log_rate.at(rate), across = film->log_heat.at(heat);
       const int lines = film->log_heat.knots;
       const T place = along.cell * static_cast<double>(lines) + across.cell;
-      T sum = 0.0;
-      for (int i = 0; i < 4; ++i) {
-        const double* line = film->surface + i * lines;
-        const T first = across.weight[0] * Lanes::gather(line, place) +
-                        across.weight[1] * Lanes::gather(line + 1, place);
-        const T second = across.weight[2] * Lanes::gather(line + 2, place) +
-                         across.weight[3] * Lanes::gather(line + 3, place);
-        sum += along.weight[i] * (first + second);
-      }
-      return sum;
+      return Lanes::patch(film->surface, lines, place, along.weight, across.weight);
     }
-    /// Of N points at once, Share of them at each pressure (film_law_of.hpp).
-    template <int N, int Share>
+    /// Of N points at once at P pressures (film_law_of.hpp).
+    template <int N, int P>
     [[gnu::always_inline]] void several(const T* slip, const T* pressure, T* kappa) const {
       using M = ScalarMath<T>;
-      T viscosity[N / Share], heating[N / Share], over_pressure[N / Share];
-      fits_at<N / Share>(film->log_viscosity, film->log_heating, pressure, viscosity, heating);
-      for (int k = 0; k < N / Share; ++k)
+      T viscosity[P], heating[P], over_pressure[P];
+      fits_at<P>(film->log_viscosity, film->log_heating, pressure, viscosity, heating);
+      for (int k = 0; k < P; ++k)
         over_pressure[k] = film->modulus * InverseRoots<T>::first(M::max(pressure[k], T(1.0)));
       T rate[N], heat[N];  // ln r0, ½ ln D0
       for (int i = 0; i < N; ++i) {
         const T log_slip = ScalarLog<T>::log(M::max(slip[i], T(1e-30)));
-        rate[i] = viscosity[i / Share] + log_scale + log_slip;
-        heat[i] = heating[i / Share] + log_slip;
+        rate[i] = viscosity[i % P] + log_scale + log_slip;
+        heat[i] = heating[i % P] + log_slip;
       }
       T stress[N];  // over G
       const bool on_surface = film->surface != nullptr;
@@ -95,7 +86,7 @@ struct ThinningFilm {
                                            M::pick(heat[i] > film->most_heat, solved[i], stress[i]))
                                  : solved[i];
       }
-      for (int i = 0; i < N; ++i) kappa[i] = film->limit.of(stress[i] * over_pressure[i / Share]);
+      for (int i = 0; i < N; ++i) kappa[i] = film->limit.of(stress[i] * over_pressure[i % P]);
     }
 
    private:

@@ -64,8 +64,10 @@ TEST_CASE("Nodes that cannot see a film follow the pressure are warned of", "[fa
   deck.complete();
   deck.set("strParam", "10.0");
   const Told usual = run_with(deck, {});
-  CHECK(std::abs(usual.off) < 0.01);
+  CAPTURE(usual.off);
+  CHECK(std::abs(usual.off) < 0.02);  // decision 328
   CHECK_FALSE(usual.warned);
+  CHECK(std::abs(run_with(deck, {{"ellipseMinor", "4"}}).off) < 0.01);  // 15 x 4
   CHECK(usual.print.find("of the heat of the races") != std::string::npos);
   // One node across is 54 % off, two 7 %.
   for (const char* few : {"1", "2"}) {
