@@ -6,11 +6,24 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <exception>
 
 namespace adore::adrinput {
 namespace {
 
 constexpr int kDrawPause = 60;  // ms without a change before the picture is drawn again
+
+/// The drawing of a half-typed or damaged deck, or the reason why there is none: it is called by a
+/// timer, whose event loop an exception would end with every window.
+drawing::Drawing draw_or_reason(drawing::View view, const deck::Deck& deck) {
+  try {
+    return drawing::draw(view, deck);
+  } catch (const std::exception& error) {
+    drawing::Drawing none;
+    none.reason = error.what();
+    return none;
+  }
+}
 
 }  // namespace
 
@@ -79,7 +92,7 @@ void DrawingPanel::drawNow() {
   fillViews();
   label();
   const drawing::View now = view();
-  drawing::Drawing drawing = drawing::draw(now, deck_);
+  drawing::Drawing drawing = draw_or_reason(now, deck_);
   if (drawing.reason.empty()) {
     good_[now] = drawing;
     picture_->setDrawing(std::move(drawing));
