@@ -110,7 +110,7 @@ SCENES = [
     scene("English units", "ball-english", "another system of units, the same bearing", {}),
     scene("thrust bearing", "ball-thrust", "steep contact angle", {}),
     scene("misaligned rollers", "cylindrical",
-          "edge loads and skew of both signs; with tol above 1e-8 the heat of races depends on the method, and nothing warns",
+          "edge loads and skew of both signs; irregular after a turn and a half, sooner the larger the errors of steps are",
           {"appMis22": 1e-3, "tol": 1e-8}),
     scene("rollers at speed", "cylindrical", "rollers leave the inner race", {"rpm2": 30000.0, "appLoadZ": 500.0}),
     scene("rollers under a heavy load", "cylindrical", "a few rollers carry it all", {"appLoadZ": 60000.0}),
