@@ -170,8 +170,7 @@ Prepared prepare_model(LoadedDeck input) {
     out.as_built = out.thermal->as_built;
     out.bearing = out.thermal->operating;
     for (const std::string& note : out.thermal->heat.notes)
-      out.input.warnings.push_back(
-          remark(Severity::Note, out.input.path.string(), "thermal analysis: " + note));
+      add_remark(out, Severity::Note, "thermal analysis: " + note);
   } else {
     out.bearing = thermal::operating_bearing(out.as_built);
   }
@@ -188,8 +187,7 @@ Prepared prepare_model(LoadedDeck input) {
     out.input.warnings.push_back(std::move(*note));
   if (out.user && out.control.dynamic) start_session(out, hooks);
   if (out.user)
-    for (const std::string& text : idle_routines(out))
-      out.input.warnings.push_back(remark(Severity::Note, out.input.path.string(), text));
+    for (const std::string& text : idle_routines(out)) add_remark(out, Severity::Note, text);
   out.plan = out.control.dynamic
                  ? setup::make_scene_plan(deck, out.bearing, out.control, out.options, user)
                  : static_plan(out);
@@ -199,15 +197,14 @@ Prepared prepare_model(LoadedDeck input) {
     if (!row.operating || row.operating->warnings.empty()) continue;
     constexpr double kRpm = 30.0 / std::numbers::pi;
     for (const std::string& text : row.operating->warnings)
-      out.input.warnings.push_back(
-          remark(Severity::Warning, out.input.path.string(),
+      add_remark(out, Severity::Warning,
                  fmt::format("stiffness over speed, from {:g} and {:g} rpm on: {}",
-                             kRpm * row.speed[0], kRpm * row.speed[1], text)));
+                             kRpm * row.speed[0], kRpm * row.speed[1], text));
     break;
   }
   const auto judge = [&](const life::RaceStrength& strength) {
     for (const std::string& text : life::strength_warnings(out.bearing, strength))
-      out.input.warnings.push_back(remark(Severity::Warning, out.input.path.string(), text));
+      add_remark(out, Severity::Warning, text);
   };
   if (out.bearing.rollers()) {
     out.solve_seconds = timed(
@@ -238,7 +235,7 @@ Prepared prepare_model(LoadedDeck input) {
   judge(life::contact_strength(out.bearing, out.statics));
   for (const std::string& text : listing::ball_warnings(
            out.bearing, out.statics, available_friction(deck, out.bearing), deck.units()))
-    out.input.warnings.push_back(remark(Severity::Warning, out.input.path.string(), text));
+    add_remark(out, Severity::Warning, text);
   if (out.control.dynamic) {
     out.fixed_angle = mean_contact_angles(out.statics, out.bearing.balls().contact_angle);
     statics::StaticsOptions as_in_motion;
@@ -254,6 +251,10 @@ Prepared prepare_model(LoadedDeck input) {
 }
 
 }  // namespace
+
+void add_remark(Prepared& prepared, Severity severity, const std::string& text) {
+  prepared.input.warnings.push_back(remark(severity, prepared.input.path.string(), text));
+}
 
 std::map<std::string, std::string> options_beside(const fs::path& deck_file) {
   const fs::path path = deck_file.parent_path() / "ADORE.json";

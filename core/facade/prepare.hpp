@@ -64,6 +64,9 @@ struct Prepared {
 [[nodiscard]] std::vector<Issue> operating_warnings(const bearing::Bearing& bearing,
                                                     const std::string& file);
 
+/// Adds a remark on the deck to those that the run tells.
+void add_remark(Prepared& prepared, Severity severity, const std::string& text);
+
 /// What the equilibrium says of itself (unstable, dual contact, edges, elements without load):
 /// notes on the deck.
 [[nodiscard]] std::vector<Issue> solution_notes(const Prepared& prepared);

@@ -80,7 +80,4 @@ std::filesystem::path output_folder(const RunRequest& request, const std::filesy
 /// Says what is run, in a few digits: deck with its sets, options, end, method and program version.
 [[nodiscard]] std::string request_digest(const RunRequest& request, const LoadedDeck& deck);
 
-/// Seconds for "5rev", "0.02s" or a dimensionless number. @throws InputError
-double parse_until(const std::string& text, double shaft_speed, double time_scale);
-
 }  // namespace adore::facade

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "facade/run.hpp"
+#include "facade/run_outputs.hpp"
+
+#include <string>
+
+/// From where to where a run goes.
+namespace adore::facade {
+
+/// Steps and end time of a run in seconds.
+struct RunSpan {
+  double end = 0.0;    ///< [s]
+  long max_steps = 0;  ///< counted steps
+};
+
+/// The end that the request or the deck asks for. @throws InputError
+[[nodiscard]] RunSpan run_span(const RunRequest& request, const Prepared& prepared,
+                               double time_scale);
+
+/// Number of the last counted step of a run that goes on or begins at `start`.
+[[nodiscard]] long last_step(const RunRequest& request, const RunSpan& span,
+                             const StartPoint& start);
+
+/// How much later than from the speeds alone a run that goes on has turned as far as it is asked:
+/// its speeds were others before [s].
+[[nodiscard]] double delay_of_turns(const RunRequest& request, const StartPoint& start,
+                                    double turned, double turns_per_second);
+
+/// A continued run must have its end before it.
+/// @param turned of the shaft until now
+/// @return true when it has reached it already
+/// @throws InputError
+[[nodiscard]] bool at_its_end(const RunSpan& span, long last_step, const StartPoint& start,
+                              double turned, double turns_per_second);
+
+}  // namespace adore::facade

@@ -1,0 +1,263 @@
+#include "facade/time_run.hpp"
+
+#include "deck/unit_text.hpp"
+#include "facade/user_session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+
+namespace adore::facade {
+namespace {
+
+void add_counters(integrators::Counters& sum, const integrators::Counters& c) {
+  sum.steps += c.steps;
+  sum.rejected += c.rejected;
+  sum.evaluations += c.evaluations;
+  sum.at_minimum += c.at_minimum;
+  sum.restarts += c.restarts;
+  sum.jacobians += c.jacobians;
+  sum.nonlinear_iterations += c.nonlinear_iterations;
+  sum.repeated_for_energy += c.repeated_for_energy;
+}
+
+}  // namespace
+
+TimeRun::TimeRun(const RunParts& parts, const StartPoint& start, const RunSpan& span, long last,
+                 const integrators::StepControl& control, std::stop_token stop)
+    : parts_(parts),
+      start_(start),
+      span_(span),
+      last_(last),
+      control_(control),
+      stop_(std::move(stop)),
+      watch_(parts.prepared.control, parts.system->scales().time),
+      step_(start.step),
+      substeps_(start.resume.substeps),
+      h_(start.step_size),
+      counters_(start.resume.counters),
+      held_changes_(start.resume.held_changes),
+      error_sum_(start.resume.error_sum),
+      error_largest_(start.resume.error_largest),
+      stepper_cost_(parts.system->cost().add_entry("stepper")),
+      output_cost_(parts.system->cost().add_entry("output")) {}
+
+template <class Action>
+void TimeRun::output(Action&& action) {
+  const double at = scene::processor_seconds();
+  action();
+  const double spent = scene::processor_seconds() - at;
+  system().cost().add(output_cost_, spent);
+  output_seconds_ += spent;
+}
+
+Resume TimeRun::resume(bool failed) const {
+  Resume so_far{0, {}, counters_, held_changes_, error_sum_, error_largest_};
+  add_counters(so_far.counters, parts_.stepper.counters());
+  if (failed) return so_far;  // what the stepper remembers may be meaningless
+  so_far.substeps = substeps_;
+  so_far.memory = parts_.stepper.memory();
+  return so_far;
+}
+
+void TimeRun::checkpoint() {
+  output([&] { parts_.outputs.checkpoint(system(), point(), resume(false)); });
+}
+
+void TimeRun::start_anew(std::span<const double> y) {
+  add_counters(counters_, parts_.stepper.counters());
+  ++counters_.restarts;
+  integrators::StepControl again = control_;
+  again.initial = h_;
+  parts_.stepper.start(parts_.ode, parts_.stepper.time(), y, again);
+}
+
+void TimeRun::update_held() {
+  std::vector<double> y(parts_.stepper.state().begin(), parts_.stepper.state().end());
+  if (!system().between_steps(parts_.stepper.time(), y)) return;
+  ++held_changes_;
+  start_anew(y);
+}
+
+void TimeRun::thermal_step() {
+  const double t = parts_.stepper.time();
+  std::vector<double> y(parts_.stepper.state().begin(), parts_.stepper.state().end());
+  ThermalRun& thermal = *parts_.thermal;
+  const bool settled = thermal.settled();
+  const ThermalRun::Step done = thermal.close(system().snapshot(t, y));
+  if (thermal.settled() && !settled)
+    parts_.outputs.remark(fmt::format(
+        "thermal analysis: temperatures settled at thermal step {}, t = {:.6g} s", done.number, t));
+  try {
+    move_to(parts_.prepared, thermal.operating());
+    dynamics::System next = make_system(parts_.prepared);
+    next.take_over(system(), t, y);
+    parts_.system.emplace(std::move(next));
+  } catch (const InputError& error) {
+    throw SolverError(
+        fmt::format("at t = {:.9g} s, thermal step {} leaves no bearing that could work: {}", t,
+                    done.number, error.what()));
+  } catch (const SolverError& error) {
+    throw SolverError(
+        fmt::format("at t = {:.9g} s, after thermal step {}: {}", t, done.number, error.what()));
+  }
+  parts_.outputs.thermal_step(done, t);
+  start_anew(y);
+}
+
+void TimeRun::begin(bool remembers) {
+  if (!start_.continued && system().between_steps(start_.time, start_.y)) ++held_changes_;
+  try {
+    if (remembers)
+      parts_.stepper.resume(parts_.ode, start_.time, start_.y, control_, start_.resume.memory);
+    else
+      parts_.stepper.start(parts_.ode, start_.time, start_.y, control_);
+  } catch (const std::out_of_range&) {
+    throw InputError(
+        fmt::format("{}: what {} remembers is incomplete; the file is damaged, restore it or "
+                    "start again with --overwrite",
+                    parts_.master.string(), parts_.prepared.control.integrator));
+  }
+  if (start_.continued) return;
+  output([&] { parts_.outputs.store(system(), {0, start_.time, 0.0, start_.y}, true); });
+  checkpoint();
+}
+
+bool TimeRun::counted_step() {
+  const long whole = parts_.prepared.control.substeps;
+  while (substeps_ < whole && parts_.stepper.time() < span_.end) {
+    if (stop_.stop_requested()) return false;
+    const integrators::StepInfo made = parts_.stepper.step(span_.end);
+    h_ = made.h;
+    error_sum_ += made.error;
+    error_largest_ = std::max(error_largest_, made.error);
+    ++substeps_;
+    if (substeps_ == whole) break;
+    parts_.outputs.follow_loads(system(), parts_.stepper.time());
+    if (parts_.outputs.checkpoint_due()) checkpoint();
+    parts_.meter.update(parts_.stepper.time(), step_, start_.step);
+  }
+  substeps_ = 0;
+  ++step_;
+  return true;
+}
+
+void TimeRun::after_counted_step() {
+  RunOutputs& outputs = parts_.outputs;
+  const double t = parts_.stepper.time();
+  system().check_state(t, parts_.stepper.state().data());
+  watch_.look(parts_.stepper);
+  outputs.follow_loads(system(), t);
+  if (parts_.prepared.plan.has(scene::Effect::LightLoadBalance)) update_held();
+  if (parts_.thermal != nullptr && parts_.thermal->due(t)) output([&] { thermal_step(); });
+  const RunPoint now = point();
+  if (outputs.wants(step_)) output([&] { outputs.store(system(), now, false); });
+  outputs.follow(now);
+  if (parts_.prepared.user) output([&] { outputs.call_user(system(), now); });
+  if (outputs.checkpoint_due()) checkpoint();
+  parts_.meter.update(t, step_, start_.step);
+}
+
+void TimeRun::steps() {
+  while (parts_.stepper.time() < span_.end && step_ < last_) {
+    if (!counted_step()) {
+      status_ = RunStatus::Interrupted;
+      return;
+    }
+    after_counted_step();
+  }
+}
+
+void TimeRun::fail(const std::string& why) {
+  status_ = RunStatus::Failed;
+  message_ = why;
+  if (parts_.prepared.user) message_ = user_message(*parts_.prepared.user, message_);
+}
+
+void TimeRun::close(RunEnd& end) {
+  const deck::UnitSystem units = parts_.prepared.input.deck.units();
+  end.status = status_;
+  end.point = point();
+  end.resume = resume(status_ == RunStatus::Failed);
+  try {
+    output([&] { parts_.outputs.store_end(system(), end); });
+  } catch (const SolverError& failure) {
+    // A routine of the user refuses a state that it took before: the last checkpoint stands.
+    if (status_ != RunStatus::Failed) fail(deck::message_in_units(failure.what(), units));
+  }
+  const results::EnergyJudgement judgement = parts_.outputs.judge_energy();
+  if (judgement.trust == results::Trust::None && status_ != RunStatus::Failed) {
+    if (status_ == RunStatus::Done) status_ = RunStatus::Untrusted;
+    message_ = judgement.text;
+  } else if (judgement.trust == results::Trust::Warned) {
+    add_remark(parts_.prepared, Severity::Warning, judgement.text);
+  }
+  if (const std::string text = parts_.outputs.load_warning(); !text.empty())
+    add_remark(parts_.prepared, Severity::Warning, text);
+}
+
+double TimeRun::count_loop() {
+  const double loop = scene::processor_seconds() - loop_begin_;
+  double rhs = 0.0;
+  for (const auto& row : system().cost().rows())
+    if (row.name != "stepper" && row.name != "output") rhs += row.seconds;
+  system().cost().add(stepper_cost_, std::max(0.0, loop - rhs - output_seconds_));
+  return loop;
+}
+
+void TimeRun::tell(RunOutcome& out, const RunEnd& end) const {
+  out.status = status_;
+  out.message = message_;
+  out.files = parts_.outputs.files();
+  out.summary = parts_.outputs.summary();
+  out.steps = step_;
+  out.taken = end.resume.counters.steps;
+  out.evaluations = end.resume.counters.evaluations;
+  out.longest_step = control_.maximum;
+  out.time = end.point.time;
+  out.warnings = parts_.outputs.remarks();
+  out.energy_residual = parts_.outputs.energy_residual();
+  out.energy_scale = parts_.outputs.energy_scale();
+}
+
+RunOutcome TimeRun::run(bool remembers) {
+  const integrators::Stepper& stepper = parts_.stepper;
+  const deck::UnitSystem units = parts_.prepared.input.deck.units();
+  loop_begin_ = scene::processor_seconds();
+  try {
+    begin(remembers);
+    steps();
+  } catch (const integrators::StepFailure& failure) {
+    std::string why = failure.what();
+    const double least = std::max(parts_.prepared.control.step_minimum * system().scales().time,
+                                  1e-3 * std::abs(h_));
+    if (const std::string beyond = invalid_beyond(system(), stepper.time(), stepper.state(), least);
+        !beyond.empty())
+      why += " What is not valid there: " + deck::message_in_units(beyond, units);
+    fail(why);
+  } catch (const SolverError& failure) {
+    fail(deck::message_in_units(failure.what(), units));
+  }
+  if (status_ != RunStatus::Failed)
+    parts_.meter.finish(stepper.time(), step_, start_.step, status_ == RunStatus::Done);
+
+  RunEnd end;
+  close(end);
+  end.status = status_;
+  end.message = message_;
+  end.loop_seconds = count_loop();
+  if (parts_.thermal != nullptr && parts_.thermal->steps() == 0)
+    parts_.outputs.remark(
+        "thermal analysis: the run ended before its first thermal step (aveTime); temperatures "
+        "stayed those of record 9.1.3");
+  parts_.outputs.finish(system(), end);
+  RunOutcome out;
+  tell(out, end);
+  return out;
+}
+
+}  // namespace adore::facade

@@ -1,0 +1,93 @@
+#pragma once
+
+#include "facade/progress_meter.hpp"
+#include "facade/step_watch.hpp"
+#include "facade/system_ode.hpp"
+#include "facade/thermal_run.hpp"
+
+#include <optional>
+#include <stop_token>
+
+/// The steps of a run in time, and what is done between them.
+namespace adore::facade {
+
+/// What a run in time consists of; all of it outlives the TimeRun.
+struct RunParts {
+  Prepared& prepared;
+  std::optional<dynamics::System>&
+      system;  ///< present; thermal steps put another one into its place
+  SystemOde& ode;
+  integrators::Stepper& stepper;
+  RunOutputs& outputs;
+  ThermalRun* thermal;  ///< null: no thermal analysis
+  ProgressMeter& meter;
+  const std::filesystem::path& master;
+};
+
+class TimeRun {
+ public:
+  /// @param last counted step that the run may make
+  TimeRun(const RunParts& parts, const StartPoint& start, const RunSpan& span, long last,
+          const integrators::StepControl& control, std::stop_token stop);
+
+  /// From the start point to the end, an interruption or a diagnosed failure, with the last point
+  /// stored and the energy judged; then the ledgers.
+  /// @param remembers the stepper goes on with what it remembers at the start point
+  /// @throws InputError when that is incomplete
+  RunOutcome run(bool remembers);
+
+ private:
+  [[nodiscard]] dynamics::System& system() noexcept { return *parts_.system; }
+  [[nodiscard]] RunPoint point() const {
+    return {step_, parts_.stepper.time(), h_, parts_.stepper.state()};
+  }
+  /// What a later run needs to go on from here.
+  [[nodiscard]] Resume resume(bool failed) const;
+  /// Does something whose time is the output's.
+  template <class Action>
+  void output(Action&& action);
+
+  void begin(bool remembers);
+  void steps();
+  /// nStps steps, fewer at the end of the run. @return false: somebody stopped the run
+  [[nodiscard]] bool counted_step();
+  void after_counted_step();
+  void checkpoint();
+  /// Light-load balance: after a finished step elements may be held or released; the stepper then
+  /// starts anew from the changed state with its last step size.
+  void update_held();
+  /// Thermal analysis: the window is full; the state goes on in the new geometry, and the stepper
+  /// starts anew.
+  void thermal_step();
+  void start_anew(std::span<const double> y);
+  void fail(const std::string& why);
+  /// The last point, and what is wrong with the run as a whole.
+  void close(RunEnd& end);
+  /// Seconds of the loop, of which what is neither right-hand side nor output is the stepper's.
+  [[nodiscard]] double count_loop();
+  void tell(RunOutcome& out, const RunEnd& end) const;
+
+  RunParts parts_;
+  StartPoint start_;
+  RunSpan span_;
+  long last_;
+  integrators::StepControl control_;
+  std::stop_token stop_;
+  StepWatch watch_;
+  RunStatus status_ = RunStatus::Done;
+  std::string message_;
+
+  long step_;
+  long substeps_;  ///< done of the counted step under way
+  double h_;       ///< last step [s]
+  /// Of the run before this process, and of the stepper before its last start.
+  integrators::Counters counters_;
+  long held_changes_;
+  double error_sum_, error_largest_;
+
+  int stepper_cost_, output_cost_;  ///< entries of the ledger
+  double loop_begin_ = 0.0;         ///< [s] of the processor, as all of the ledger
+  double output_seconds_ = 0.0;
+};
+
+}  // namespace adore::facade
