@@ -13,9 +13,9 @@ void EmbeddedRungeKutta::prepare() {
   error_before_ = 1.0;
 }
 
-ExplicitStepper::Trial EmbeddedRungeKutta::attempt(double h) {
+ExplicitStepper::Trial EmbeddedRungeKutta::attempt(double h, double t_new) {
   const Outcome outcome =
-      stages_.run(evaluate_, t_, h, y_.data(), f_.data(), y_new_.data(), error_.data());
+      stages_.run(evaluate_, t_, h, t_new, y_.data(), f_.data(), y_new_.data(), error_.data());
   if (outcome != Outcome::Ok) return {outcome, 0.0};
   return {Outcome::Ok, weighted_maximum(error_.data(), weights_.data(), width())};
 }

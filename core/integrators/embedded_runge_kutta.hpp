@@ -14,7 +14,7 @@ class EmbeddedRungeKutta final : public ExplicitStepper {
 
  private:
   void prepare() override;
-  Trial attempt(double h) override;
+  Trial attempt(double h, double t_new) override;
   [[nodiscard]] const double* end_derivative() const override;
   void accepted(double h) override { (void)h; }
   void save(Memory& memory) const override;

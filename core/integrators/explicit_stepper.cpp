@@ -88,7 +88,7 @@ void ExplicitStepper::resume(OdeSystem& system, double t0, std::span<const doubl
 }
 
 ExplicitStepper::Trial ExplicitStepper::try_step(double h, double t_new, bool accept_any_error) {
-  Trial trial = attempt(h);
+  Trial trial = attempt(h, t_new);
   if (trial.outcome != Outcome::Ok) return trial;
   if (!all_finite(y_new_.data(), size_)) {
     evaluate_.blame(worst_index(y_new_.data(), weights_.data(), size_));

@@ -48,9 +48,9 @@ class ExplicitStepper : public Stepper {
   };
   /// Sizes work arrays for width() values per vector; t_, y_, f_ are set.
   virtual void prepare() = 0;
-  /// Tries a step of h from (t_, y_, f_): fills y_new_ and error_.
-  virtual Trial attempt(double h) = 0;
-  /// Derivative at (t_ + h, y_new_) when the trial has it already, else null.
+  /// Tries a step of h from (t_, y_, f_), which ends at t_new: fills y_new_ and error_.
+  virtual Trial attempt(double h, double t_new) = 0;
+  /// Derivative at (t_new, y_new_) when the trial has it already, else null.
   [[nodiscard]] virtual const double* end_derivative() const { return nullptr; }
   /// The trial became the state (t_, y_, f_).
   virtual void accepted(double h) = 0;

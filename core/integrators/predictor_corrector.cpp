@@ -77,7 +77,7 @@ void PredictorCorrector::forget_past() {
   std::copy(f_.begin(), f_.end(), history_[0]);
 }
 
-ExplicitStepper::Trial PredictorCorrector::attempt(double h) {
+ExplicitStepper::Trial PredictorCorrector::attempt(double h, double /*t_new*/) {
   return starting() ? attempt_start(h) : attempt_adams(h);
 }
 
@@ -106,8 +106,8 @@ Outcome PredictorCorrector::substeps(double h, int count, double& error) {
   std::copy(f_.begin(), f_.end(), f_sub_.begin());
   const double part = h / count;
   for (int i = 0; i < count; ++i) {
-    const Outcome outcome = stages_.run(evaluate_, t_ + i * part, part, y_sub_.data(),
-                                        f_sub_.data(), y_new_.data(), error_.data());
+    const Outcome outcome = stages_.run(evaluate_, t_ + i * part, part, t_ + (i + 1) * part,
+                                        y_sub_.data(), f_sub_.data(), y_new_.data(), error_.data());
     if (outcome != Outcome::Ok) return outcome;
     error += weighted_maximum(error_.data(), weights_.data(), width());
     if (i + 1 == count) break;

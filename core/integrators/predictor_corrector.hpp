@@ -40,7 +40,7 @@ class PredictorCorrector final : public ExplicitStepper {
 
  private:
   void prepare() override;
-  Trial attempt(double h) override;
+  Trial attempt(double h, double t_new) override;
   void accepted(double h) override;
   void save(Memory& memory) const override;
   void restore(const Memory& memory) override;

@@ -57,13 +57,14 @@ void Stages::resize(const Tableau& tableau, int width) {
                                   [](double w) { return w == 0.0; });
 }
 
-Outcome Stages::run(Evaluator& evaluate, double t, double h, const double* y, const double* f,
-                    double* y_new, double* error) {
+Outcome Stages::run(Evaluator& evaluate, double t, double h, double t_end, const double* y,
+                    const double* f, double* y_new, double* error) {
   k_[0] = f;
   for (int s = 1; s < tableau_->stages; ++s) {
     combine(y_new, y, h, tableau_->a[s].data(), k_.data(), s, width_);
     double* k = memory_.data() + static_cast<std::size_t>(s - 1) * width_;
-    const Outcome outcome = evaluate(t + tableau_->c[s] * h, y_new, k);
+    const bool at_end = tableau_->last_stage_is_end && s + 1 == tableau_->stages;
+    const Outcome outcome = evaluate(at_end ? t_end : t + tableau_->c[s] * h, y_new, k);
     if (outcome != Outcome::Ok) return outcome;
   }
   if (!tableau_->last_stage_is_end) {

@@ -53,7 +53,9 @@ class Stages {
   void resize(const Tableau& tableau, int width);
   /// Evaluates all stages from (t, y, f = derivative there), then `y_new` and the local error
   /// estimate `error` = h Σ (b - b_high)_i k_i. All arrays have the width given to resize().
-  [[nodiscard]] Outcome run(Evaluator& evaluate, double t, double h, const double* y,
+  /// @param t_end time that the step ends at: t + h, but for the caller's rounding. The stage that
+  /// is the derivative there has it to the bit.
+  [[nodiscard]] Outcome run(Evaluator& evaluate, double t, double h, double t_end, const double* y,
                             const double* f, double* y_new, double* error);
   /// Derivative at the end of the step when the tableau has it, else null.
   [[nodiscard]] const double* end_derivative() const noexcept;
