@@ -2,6 +2,7 @@
 #include "contact/ball_pocket.hpp"
 #include "contact/tapered_geometry.hpp"
 #include "setup/build_bearing.hpp"
+#include "setup/check_rollers.hpp"
 #include "setup/deck_text.hpp"
 #include "setup/race_motions.hpp"
 #include "setup/read_cage.hpp"
@@ -370,6 +371,8 @@ std::vector<Issue> check_buildable(const Deck& deck, const UserHooks* user) {
   if (dynamic && segments == 1 && deck.integer("kPocHydro") == 1) check_pocket_films(deck, check);
   for (Issue& issue : check_race_motions(deck)) check.add(std::move(issue));
   for (Issue& issue : check_element_inertia(deck)) check.add(std::move(issue));
+  if (rollers)
+    for (Issue& issue : check_flanges(deck)) check.add(std::move(issue));
   check_requests(deck, user, check);
   check_waves(deck, check);
   check_law_ranges(deck, check);

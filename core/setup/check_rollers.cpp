@@ -102,6 +102,8 @@ class ShapeCheck {
 
 /// The variable of the deviation without which the roller would be one; the diameter's if no single
 /// one is to blame.
+constexpr double kWidePlay = 0.1;  ///< of the roller length: wider flanges guide nothing
+
 std::string culprit(const Deck& deck, const RollerGeometry& rollers, std::size_t k) {
   constexpr std::pair<double RollerDeviation::*, const char*> kParts[] = {
       {&RollerDeviation::crown_radius, "reCrnVar"},
@@ -144,6 +146,49 @@ void check_roller_deviations(const Deck& deck, const RollerGeometry& rollers) {
         fmt::format("the deviations of rolling element {} leave no possible roller", k + 1),
         "give smaller deviations")});
   }
+}
+
+std::vector<Issue> check_flanges(const Deck& deck) {
+  std::vector<Issue> out;
+  if (!deck.has("kFlngInd11")) return out;
+  const auto warn = [&](const std::string& name, std::string message, const char* remedy) {
+    out.push_back(deck.issue(Severity::Warning, name, std::move(message), remedy));
+  };
+  const deck::ReportOnly quiet(deck);
+  for (int race = 1; race <= 2; ++race) {
+    bool both = true;
+    for (int side = 1; side <= 2; ++side) {
+      const std::string code = fmt::format("{}{}", side, race);
+      const bool there = deck.integer("kFlngInd" + code) == 1;
+      both = both && there;
+      if (!there) continue;
+      const std::string corner = fmt::format("bReCorRad{}", side);
+      const double height = deck.si("flngHt" + code);
+      if (height <= 0.0)
+        warn("flngHt" + code, "is no height: no end of a roller meets this flange",
+             "give its height, or no flange");
+      else if (deck.has(corner) && height <= deck.si(corner))
+        warn("flngHt" + code,
+             fmt::format("ends within the rounding {} of the roller: its end never meets the face "
+                         "of the flange, but its corner the lip",
+                         corner),
+             "give a height above the corner, or no flange");
+    }
+    const std::string name = fmt::format("flngCls{}", race);
+    if (!both) continue;
+    const double play = deck.si(name);
+    if (play < 0.0)
+      warn(name,
+           "is negative: the flanges of this race press on both ends of every roller, at all times",
+           "give a play, or 0");
+    else if (play > kWidePlay * deck.si("bReLen"))
+      warn(name,
+           fmt::format("is more than {:g} of the length of the rollers: they move far off their "
+                       "raceways before a flange holds them",
+                       kWidePlay),
+           "give the free travel between the flanges, a small part of a millimetre");
+  }
+  return out;
 }
 
 }  // namespace adore::setup

@@ -182,6 +182,17 @@ std::vector<Issue> check_race_motions(const Deck& deck) {
         add(Severity::Warning, share,
             "has no effect, because kFS2 and kFS3 give the place of the inner race, not its load",
             "set it to 0, or kFS2 or kFS3 to 0");
+  if (deck.integer("kVarLoad") == 1)
+    for (int race = 1; race <= 2; ++race) {
+      const std::string share = fmt::format("rotLoadFrac{}", race);
+      if (!given_and_not_zero(deck, share) || std::abs(deck.real(share)) <= 1.0) continue;
+      add(Severity::Warning, share,
+          fmt::format("is more than 1: the {} moves on a circle larger than the whole radial "
+                      "deflection, or its load turns with more than the load applied; contacts "
+                      "may carry many times the load of the equilibrium",
+                      kRaces[static_cast<std::size_t>(race - 1)]),
+          "give a fraction between -1 and 1");
+    }
   if (deck.integer("mode") > 0 && deck.integer("kDOF") == 5)
     add(Severity::Error, "kDOF",
         fmt::format("suppresses all motions of the elements, and mode = {} asks for their balance",
