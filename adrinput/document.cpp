@@ -316,10 +316,8 @@ void Document::find_problems() {
     if (!said) add_problem(std::move(issue));
   }
   find_option_problems();
-  if (has_error(problems_)) {
-    model_issues_.clear();
-    refusals_.clear();
-  }
+  // Refusals stay: an error elsewhere does not make a record run that was refused.
+  if (has_error(problems_)) model_issues_.clear();
   for (const Issue& issue : model_issues_) add_problem(issue);
   const std::vector<Problem> live = problems_;
   for (const Issue& from_file : file_issues_) {
@@ -344,7 +342,8 @@ void Document::check_model() {
   facade::ModelCheck found;
   model_issues_.clear();
   find_problems();
-  if (!has_error(problems_)) try {
+  const bool examined = !has_error(problems_);
+  if (examined) try {
       found = facade::examine_model(state_.deck);
     } catch (const std::exception& error) {
       Issue issue;
@@ -352,7 +351,7 @@ void Document::check_model() {
       found.issues.push_back(std::move(issue));
     }
   model_issues_ = std::move(found.issues);
-  refusals_ = std::move(found.refusals);
+  if (examined) refusals_ = std::move(found.refusals);
   unused_.clear();
   for (const deck::NoPart& value : found.unused) {
     Issue named;

@@ -57,7 +57,8 @@ QString headline_of(const facade::RunOutcome& outcome) {
           : fmt::format("Quasi-static solution computed in {}.", duration_text(outcome.seconds));
   switch (outcome.status) {
     case facade::RunStatus::Done:
-      return from("Done: " + done);
+      // A message says that there was nothing left to do.
+      return from("Done: " + (outcome.message.empty() ? done : outcome.message + "."));
     case facade::RunStatus::Interrupted:
       return from("Cancelled; the files are valid up to the last stored step. " + done);
     case facade::RunStatus::Untrusted:
@@ -229,7 +230,8 @@ void RunPanel::launchRequest(facade::RunRequest request) {
   view_->hide();
   view_->clear();
   bar_->setValue(0);
-  headline_ = tr("Finding the equilibrium that the run starts from …");
+  headline_ = request.go_on ? tr("Reading the state that the run goes on from …")
+                            : tr("Finding the equilibrium that the run starts from …");
   showNote();
   run_.start(std::move(request));
   enableButtons();

@@ -166,6 +166,27 @@ TEST_CASE("problems name the value that is wrong, also what only the model shows
   CHECK(at(cell("pitchDia")));
 }
 
+TEST_CASE("a record that a run refuses gets no green tick back through an error elsewhere",
+          "[unit][adrinput]") {
+  Document document;
+  document.edit(cell("kDOF"), "6");  // needs a routine of the user
+  document.check_model();
+  REQUIRE_FALSE(document.has_errors());
+  REQUIRE(document.is_refused());
+  const std::string record = cell("kDOF").record;
+  CHECK(document.state_of(record) == RecordState::Doubtful);
+  document.edit(cell("pitchDia"), "0.001");
+  document.check_model();
+  REQUIRE(document.has_errors());
+  CHECK(document.state_of(record) == RecordState::Doubtful);
+  document.undo();
+  CHECK(document.state_of(record) == RecordState::Doubtful);
+  document.edit(cell("kDOF"), "1");
+  document.check_model();
+  CHECK_FALSE(document.is_refused());
+  CHECK(document.state_of(record) == RecordState::Complete);
+}
+
 TEST_CASE("new records ask to be filled in until somebody has looked at them", "[unit][adrinput]") {
   Document document;
   document.edit(cell("kChrn"), "1");

@@ -172,6 +172,33 @@ TEST_CASE("a quasi-static run leads to its tables; a deck that cannot run says w
   CHECK_FALSE(window.findChild<QPushButton*>("open-plots")->isEnabled());
 }
 
+TEST_CASE("a run that is complete and continued says that nothing is left to do",
+          "[gui][adrinput]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  DeckWindow window;
+  Launches launches;
+  watch_launches(window, launches);
+  window.show();
+  shorten(window.document(), "3");
+  window.document().save(folder.filePath("DATA.txt").toStdString());
+  run_to_end(window);
+  REQUIRE(note(window).startsWith("Done: 3 steps"));
+  RunPanel& panel = window.runPanel();
+  const auto go_on = [&] {
+    QSignalSpy spy(&panel, &RunPanel::finished);
+    panel.continueRun(window.document().path(), window.document().deck(), {});
+    CHECK(note(window).startsWith("Reading the state"));
+    REQUIRE(spy.wait(120000));
+  };
+  go_on();
+  CHECK(note(window).startsWith("Done: nothing left to do: the run is complete, at step 3"));
+  shorten(window.document(), "5");
+  window.document().save(folder.filePath("DATA.txt").toStdString());
+  go_on();
+  CHECK(note(window).startsWith("Done: 5 steps"));
+}
+
 TEST_CASE("results that the window did not compute are replaced after a question only",
           "[gui][adrinput]") {
   test::use_qt();
