@@ -102,8 +102,6 @@ class ShapeCheck {
 
 /// The variable of the deviation without which the roller would be one; the diameter's if no single
 /// one is to blame.
-constexpr double kWidePlay = 0.1;  ///< of the roller length: wider flanges guide nothing
-
 std::string culprit(const Deck& deck, const RollerGeometry& rollers, std::size_t k) {
   constexpr std::pair<double RollerDeviation::*, const char*> kParts[] = {
       {&RollerDeviation::crown_radius, "reCrnVar"},
@@ -149,6 +147,7 @@ void check_roller_deviations(const Deck& deck, const RollerGeometry& rollers) {
 }
 
 std::vector<Issue> check_flanges(const Deck& deck) {
+  constexpr double kWidePlay = 0.1;  // of the roller length: wider flanges guide nothing
   std::vector<Issue> out;
   if (!deck.has("kFlngInd11")) return out;
   const auto warn = [&](const std::string& name, std::string message, const char* remedy) {
