@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/symmetric_eigen.hpp"
+#include "contact/groove_spring.hpp"
 #include "contact/hertz.hpp"
 #include "contact/wavy_groove.hpp"
 #include "dynamics/stiff_inverse.hpp"
@@ -36,39 +37,23 @@ GrooveContact ConstrainedBall::contact_with(int race, const RacePose& pose,
   if (Vec3 per_turn; wavy_[j] != nullptr) return wavy_contact(race, pose, at, per_turn);
   const Triple<double> k{pose.axis[0], pose.axis[1], pose.axis[2]};
   const Triple<double> d{at[0] - pose.centre[0], at[1] - pose.centre[1], -pose.centre[2]};
-  const auto place = adore::contact::groove_place(d, k, groove_.centre_radius[j]);
-  const auto touch = adore::contact::groove_touch(place.axial, place.lift, groove_.offset[j]);
+  const auto s = adore::contact::groove_spring(d, k, groove_.centre_radius[j], groove_.offset[j],
+                                               K_[j], law_[j].follows ? &law_[j] : nullptr);
   const auto vector = [](const Triple<double>& v) { return Vec3(v.x, v.y, v.z); };
 
   GrooveContact c;
-  c.approach = touch.approach;
-  c.normal = touch.n_k * pose.axis + touch.n_e * vector(place.e);
-  const Vec3 t = vector(cross(k, place.e)), side = t.cross(c.normal);
-  const double around = place.lift / place.distance;
-  c.bending = (side * side.transpose() + around * t * t.transpose()) / touch.length;
+  c.approach = s.touch.approach;
+  c.normal = vector(s.normal);
+  const Vec3 side = vector(s.side), around = vector(s.around);
+  c.bending =
+      (side * side.transpose() + s.place.lift / s.place.distance * around * around.transpose()) /
+      s.touch.length;
   if (!(c.approach > 0.0)) return c;
-  const adore::contact::AngleStiffness hertz =
-      law_[j].follows ? adore::contact::angle_stiffness(law_[j], touch.n_e)
-                      : adore::contact::AngleStiffness{K_[j]};
-  const double root = std::sqrt(c.approach), l = touch.length;
-  c.load = adore::contact::point_load(hertz.K, c.approach, root);
+  c.load = s.load;
   c.energy = adore::contact::point_energy(c.load, c.approach);
-  c.angle = adore::contact::contact_angle(race, touch.n_k, touch.n_e);
-  const adore::contact::PointStiffness s =
-      adore::contact::point_stiffness(hertz.K, c.approach, c.load, l, around);
-  c.stiffness = s.normal * c.normal * c.normal.transpose() + s.across * side * side.transpose() +
-                s.around * t * t.transpose();
-  c.force = -c.load * c.normal;
-  if (!law_[j].follows) return c;
-  const double lean = adore::contact::leaning_force(hertz.slope, c.approach, root, touch.n_k, l);
-  const double rest = c.approach * root;  // δ^1.5
-  const double coupling = hertz.slope * touch.n_k * rest / l * (1.0 - 0.4 * c.approach / l);
-  const double across = 0.4 * (hertz.bend * touch.n_k * touch.n_k - hertz.slope * touch.n_e) *
-                        rest * c.approach / (l * l);
-  c.force += lean * side;
-  c.stiffness += coupling * (c.normal * side.transpose() + side * c.normal.transpose()) +
-                 across * side * side.transpose() -
-                 lean * touch.n_k / place.distance * t * t.transpose();
+  c.angle = adore::contact::contact_angle(race, s.touch.n_k, s.touch.n_e);
+  c.force = vector(s.force);
+  c.stiffness << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
   return c;
 }
 

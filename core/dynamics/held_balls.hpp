@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dynamics/ball_springs.hpp"
 #include "dynamics/element_masses.hpp"
 #include "dynamics/held_contacts.hpp"
 #include "dynamics/race_contacts.hpp"
@@ -26,6 +27,12 @@ class HeldBalls final : public HeldContacts {
  private:
   static constexpr double kFreePath = 0.02;  ///< over (groove - ball radius)
 
+  /// Of one race, for balls that are all alike and a race of revolution.
+  void round_springs(const Evaluation& e, std::size_t j, std::span<const std::size_t> held,
+                     std::span<HeldSprings> out) noexcept;
+  /// For all others.
+  void own_springs(const Evaluation& e, std::size_t j, std::span<const std::size_t> held,
+                   std::span<HeldSprings> out) const noexcept;
   [[nodiscard]] RacePose pose(const Evaluation& e, std::size_t j) const noexcept;
   [[nodiscard]] const ConstrainedBall& ball(std::size_t i) const noexcept {
     return balls_[i < balls_.size() ? i : balls_.size() - 1];
@@ -34,6 +41,8 @@ class HeldBalls final : public HeldContacts {
   const std::array<RaceContactModel, 2>& contacts_;
   std::vector<ConstrainedBall> balls_;  ///< one for all, or each its own
   double offset_ = 0.0;                 ///< least groove radius - ball radius [m]
+  BallSpringsKernel kernel_;
+  std::vector<BallSpring> found_;
 };
 
 }  // namespace adore::dynamics

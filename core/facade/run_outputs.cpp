@@ -11,6 +11,7 @@
 #include "facade/kept_races.hpp"
 #include "facade/key_results.hpp"
 #include "facade/life_observer.hpp"
+#include "facade/missed_tolerance.hpp"
 #include "facade/motion_watch.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/restart_progress.hpp"
@@ -525,16 +526,9 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   for (std::string& text : s.watch.warnings(s.units)) s.remark(std::move(text), Severity::Warning);
   s.files.written.push_back(s.path(s.control.final_file));
   s.files.written.push_back(s.path(s.control.master_file));
-  if (const long missed = end.resume.counters.at_minimum; missed > 0) {
-    const double share = 100.0 * static_cast<double>(missed) /
-                         static_cast<double>(std::max(1L, end.resume.counters.steps));
-    s.remark(
-        fmt::format("{} of {} steps ({:.2g} %) missed the tolerance of {:g}: the smallest step "
-                    "that record 2.1 allows is too long for it; make stpMin smaller, or tol "
-                    "larger",
-                    missed, end.resume.counters.steps, share, s.control.tolerance),
-        Severity::Warning);
-  }
+  if (std::string missed = judge_missed(s.control, end.resume.counters, end.resume.error_sum).text;
+      !missed.empty() && missed != end.message)
+    s.remark(std::move(missed), Severity::Warning);
   std::optional<scene::QuadratureError> quadrature;
   // A routine of the user that failed leaves nothing to evaluate; one may refuse now what it took.
   try {

@@ -19,6 +19,8 @@ constexpr double kPointsPerDecade = 80.0;
 constexpr double kLowestPhase = 1e-4;
 /// A step is lengthened to this many times what the deck asks at most.
 constexpr double kLengthening = 8.0;
+/// Of methods that choose their order, where the deck's least step is too long.
+constexpr double kLeastOfLongest = 0.1;
 const double kLimit = std::log(kGrowthPerTurn);
 const double kStride = std::pow(10.0, 1.0 / kPointsPerDecade);
 
@@ -212,7 +214,9 @@ StepLimits stable_steps(const StepRequest& request) {
   }
   out.action = longest * highest < kLeastPhase ? StepAction::Refused : StepAction::OrderHeld;
   out.maximum = std::max(longest, kLowestPhase / highest);
-  out.minimum = std::min(request.minimum, out.maximum);
+  // They cannot hold a constant step: below the deck's least step there must be room for shorter
+  // ones.
+  out.minimum = request.minimum < out.maximum ? request.minimum : kLeastOfLongest * out.maximum;
   set_growth(out, request, free, Judge(request, curves, std::max(out.highest_order, 1)));
   return out;
 }

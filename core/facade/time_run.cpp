@@ -1,6 +1,7 @@
 #include "facade/time_run.hpp"
 
 #include "deck/unit_text.hpp"
+#include "facade/missed_tolerance.hpp"
 #include "facade/user_session.hpp"
 
 #include <fmt/format.h>
@@ -122,6 +123,7 @@ void TimeRun::begin(bool remembers) {
                     "start again with --overwrite",
                     parts_.master.string(), parts_.prepared.control.integrator));
   }
+  started_ = true;
   if (start_.continued) return;
   output([&] { parts_.outputs.store(system(), {0, start_.time, 0.0, start_.y}, true); });
   checkpoint();
@@ -196,6 +198,12 @@ void TimeRun::close(RunEnd& end) {
   } else if (judgement.trust == results::Trust::Warned) {
     add_remark(parts_.prepared, Severity::Warning, judgement.text);
   }
+  if (MissedTolerance missed =
+          judge_missed(parts_.prepared.control, end.resume.counters, end.resume.error_sum);
+      !missed.trusted && status_ == RunStatus::Done) {
+    status_ = RunStatus::Untrusted;
+    message_ = std::move(missed.text);
+  }
   if (const std::string text = parts_.outputs.load_warning(); !text.empty())
     add_remark(parts_.prepared, Severity::Warning, text);
 }
@@ -235,7 +243,8 @@ RunOutcome TimeRun::run(bool remembers) {
     std::string why = failure.what();
     const double least = std::max(parts_.prepared.control.step_minimum * system().scales().time,
                                   1e-3 * std::abs(h_));
-    if (const std::string beyond = invalid_beyond(system(), stepper.time(), stepper.state(), least);
+    const RunPoint here = point();
+    if (const std::string beyond = invalid_beyond(system(), here.time, here.y, least);
         !beyond.empty())
       why += " What is not valid there: " + deck::message_in_units(beyond, units);
     fail(why);

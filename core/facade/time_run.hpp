@@ -39,7 +39,11 @@ class TimeRun {
  private:
   [[nodiscard]] dynamics::System& system() noexcept { return *parts_.system; }
   [[nodiscard]] RunPoint point() const {
-    return {step_, parts_.stepper.time(), h_, parts_.stepper.state()};
+    return {step_, started_ ? parts_.stepper.time() : start_.time, h_, state()};
+  }
+  /// A stepper that refused to start has none.
+  [[nodiscard]] std::span<const double> state() const {
+    return started_ ? parts_.stepper.state() : std::span<const double>(start_.y);
   }
   /// What a later run needs to go on from here.
   [[nodiscard]] Resume resume(bool failed) const;
@@ -74,6 +78,7 @@ class TimeRun {
   integrators::StepControl control_;
   std::stop_token stop_;
   StepWatch watch_;
+  bool started_ = false;  ///< the stepper took the start state
   RunStatus status_ = RunStatus::Done;
   std::string message_;
 

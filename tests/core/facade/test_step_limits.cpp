@@ -175,3 +175,19 @@ TEST_CASE("What was done to the steps is said in a sentence with frequency and f
   idle.bands.clear();
   CHECK(stable_steps(idle).action == StepAction::Kept);
 }
+
+TEST_CASE("A method that cannot hold a constant step is never given one", "[unit][facade]") {
+  // A least step that is longer than what lets no vibration grow left the two equal.
+  for (const std::string_view name : integrators::stepper_names()) {
+    const std::string method(name);
+    if (integrators::make_stepper(method)->holds_constant_step()) continue;
+    for (const double shortest : {1e-3, 0.1, 0.5, 0.9, 3.0, 20.0})
+      for (const double longest : {21.0, 100.0, 1000.0}) {
+        const StepLimits limits = stable_steps(request_of(method, shortest, longest));
+        CAPTURE(method, shortest, longest);
+        if (limits.action == StepAction::Refused) continue;
+        CHECK(limits.minimum < limits.maximum);
+        CHECK(limits.growth <= kGrowthPerTurn * (1.0 + 1e-9));
+      }
+  }
+}
