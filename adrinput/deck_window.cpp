@@ -11,6 +11,7 @@
 #include "adrinput/record_page.hpp"
 #include "adrinput/run_panel.hpp"
 #include "adrinput/solution_charts.hpp"
+#include "adrinput/start_check.hpp"
 #include "adrinput/time_scale.hpp"
 #include "base/excerpt.hpp"
 #include "deck/lookup.hpp"
@@ -79,6 +80,12 @@ DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
     document_.set_scales(of, scales);
     check_->stop();  // nothing of the deck changed
   };
+  start_check_ = new StartCheck(this);
+  start_check_->found = [this](const Document::Candidate& of, std::vector<Issue> refusals) {
+    document_.set_rehearsal(of, std::move(refusals));
+    check_->stop();
+    askForStart();  // of the deck as it is by now
+  };
   makeCentre();
   makeDrawing();
   makeFileMenu();
@@ -96,6 +103,7 @@ DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
 
 DeckWindow::~DeckWindow() {
   scale_->found = nullptr;
+  start_check_->found = nullptr;
   document_.changed = nullptr;
   delete compare_;
   delete centralWidget();  // its fields speak to the document when they lose the focus
@@ -132,6 +140,7 @@ void DeckWindow::makeCentre() {
   connect(run_, &RunPanel::newFolderWanted, this, &DeckWindow::runInNewFolder);
   connect(run_, &RunPanel::continueWanted, this, &DeckWindow::continueRun);
   connect(run_, &RunPanel::sweepWanted, this, &DeckWindow::askForSweep);
+  connect(run_, &RunPanel::finished, this, [this] { document_.forget_rehearsal(); });
   accuracy_ = new AccuracyPanel(this);
   connect(accuracy_, &AccuracyPanel::wanted, this, &DeckWindow::studyAccuracy);
   connect(accuracy_, &AccuracyPanel::applyWanted, this, &DeckWindow::applyAccuracy);
@@ -178,6 +187,12 @@ void DeckWindow::makeCentre() {
   connect(list_, &RecordList::recordChosen, this, [this](const QString& record) {
     showRecord(record.toStdString());
     list_->focusRecords();  // so that the arrow keys go on through the records
+  });
+  connect(list_, &RecordList::stateChosen, this, [this] {
+    tabs_->setCurrentWidget(problems_);
+    if (document_.problems().empty()) return;
+    problems_->setCurrentRow(0);
+    goToProblem(0);
   });
   connect(list_, &RecordList::variableChosen, this, [this](const QString& record, int variable) {
     Cell cell;
@@ -344,8 +359,9 @@ void DeckWindow::refreshProblems() {
   for (const Problem& problem : document_.problems()) {
     const Issue& issue = problem.issue;
     const bool error = issue.severity == Severity::Error;
-    errors += error ? 1 : 0;
+    errors += error || problem.refused ? 1 : 0;
     QString text = error                                 ? tr("Error")
+                   : problem.refused                     ? tr("Refused")
                    : issue.severity == Severity::Warning ? tr("Warning")
                                                          : tr("Note");
     if (!issue.record.empty())
@@ -355,18 +371,21 @@ void DeckWindow::refreshProblems() {
     if (!issue.value.empty()) text += " = " + QString::fromStdString(excerpt(issue.value));
     text += ": " + QString::fromStdString(issue.message);
     if (!issue.remedy.empty()) text += "; " + QString::fromStdString(issue.remedy);
-    auto* item = new QListWidgetItem(
-        state_icon(error                                 ? RecordState::Wrong
-                   : issue.severity == Severity::Warning ? RecordState::Doubtful
-                                                         : RecordState::Untouched),
-        text, problems_);
+    auto* item =
+        new QListWidgetItem(state_icon(error ? RecordState::Wrong
+                                       : problem.refused || issue.severity == Severity::Warning
+                                           ? RecordState::Doubtful
+                                           : RecordState::Untouched),
+                            text, problems_);
     item->setForeground(error ? theme.red : theme.text);
   }
-  if (problems_->count() == 0 && document_.is_refused()) {
-    // Said by the notes; never "complete".
-  } else if (problems_->count() == 0) {
-    auto* item = new QListWidgetItem(state_icon(RecordState::Complete),
-                                     tr("The deck is complete and has no problem."), problems_);
+  if (problems_->count() == 0) {
+    const bool ready = document_.deck_state() == DeckState::Ready;
+    auto* item = new QListWidgetItem(
+        state_icon(ready ? RecordState::Complete : RecordState::Untouched),
+        ready ? tr("The deck is complete and has no problem.")
+              : tr("The deck has no error; whether a run begins is being found out …"),
+        problems_);
     item->setFlags(Qt::ItemIsEnabled);
   }
   problems_->setCurrentRow(std::min(selected, problems_->count() - 1));
@@ -403,7 +422,12 @@ void DeckWindow::checkNow() {
   check_->stop();
   document_.check_model();
   check_->stop();  // what was just found is no change
+  askForStart();
   askForScales();
+}
+
+void DeckWindow::askForStart() {
+  if (document_.wants_rehearsal()) start_check_->ask(document_.candidate());
 }
 
 void DeckWindow::askForScales() {

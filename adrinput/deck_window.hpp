@@ -30,6 +30,7 @@ class RecordList;
 class RecordPage;
 class RunPanel;
 class SolutionCharts;
+class StartCheck;
 class TimeScale;
 
 /// AdrInput's window: the records on the left, the form of one of them, and below it what is wrong,
@@ -127,6 +128,8 @@ class DeckWindow : public QMainWindow {
   void showCharts();
   /// Has what stands beside the times of a run found out, where they are shown.
   void askForScales();
+  /// Has found out whether a run would begin, where nobody knows.
+  void askForStart();
   void goToOptionOf(const Cell& cell);
   /// True when the deck can be computed; else a message says why not.
   bool readyToCompute();
@@ -172,6 +175,7 @@ class DeckWindow : public QMainWindow {
   QAction *undo_ = nullptr, *redo_ = nullptr;
   QTimer* check_ = nullptr;
   TimeScale* scale_ = nullptr;
+  StartCheck* start_check_ = nullptr;
   NoticeBar *session_notice_ = nullptr, *file_notice_ = nullptr, *units_notice_ = nullptr,
             *search_notice_ = nullptr;
   FileWatch* watch_ = nullptr;

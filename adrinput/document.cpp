@@ -41,6 +41,8 @@ void Document::start(State state) {
   draft_.clear();
   foreign_ = false;
   refusals_.clear();
+  start_refusals_.clear();
+  rehearsed_.reset();
   unused_.clear();
   numbers_in_.reset();
   model_issues_.clear();
@@ -275,8 +277,9 @@ std::string Document::redo() {
   return travel(redo_, undo_);
 }
 
-void Document::add_problem(Issue issue) {
+void Document::add_problem(Issue issue, bool refused) {
   Problem problem;
+  problem.refused = refused;
   problem.cell = cell_of(issue);
   const bool option = issue.record == kOptionsPage;
   if (problem.cell && !option && value_at(state_.deck, *problem.cell) == nullptr)
@@ -316,9 +319,14 @@ void Document::find_problems() {
     if (!said) add_problem(std::move(issue));
   }
   find_option_problems();
-  // Refusals stay: an error elsewhere does not make a record run that was refused.
+  // Refusals keep their marks: an error elsewhere does not make a record run that was refused.
   if (has_error(problems_)) model_issues_.clear();
-  for (const Issue& issue : model_issues_) add_problem(issue);
+  for (const Issue& issue : model_issues_) {
+    const std::string text = issue.text();
+    add_problem(issue, std::any_of(refusals_.begin(), refusals_.end(),
+                                   [&](const Issue& refusal) { return refusal.text() == text; }));
+  }
+  if (!has_error(problems_)) add_refusals();
   const std::vector<Problem> live = problems_;
   for (const Issue& from_file : file_issues_) {
     const std::optional<Cell> cell = cell_of(from_file);
@@ -333,9 +341,46 @@ void Document::find_problems() {
                         : "in the file: " + issue.message;
     add_problem(std::move(issue));
   }
-  std::stable_sort(problems_.begin(), problems_.end(), [](const Problem& a, const Problem& b) {
-    return a.issue.severity > b.issue.severity;
-  });
+  const auto weight = [](const Problem& problem) {
+    if (problem.issue.severity == Severity::Error) return 3;
+    if (problem.refused) return 2;
+    return problem.issue.severity == Severity::Warning ? 1 : 0;
+  };
+  std::stable_sort(problems_.begin(), problems_.end(),
+                   [&](const Problem& a, const Problem& b) { return weight(a) > weight(b); });
+}
+
+/// What a run ends with before its first step; the model says some of it already.
+void Document::add_refusals() {
+  if (!refusals_.empty()) return;
+  for (Issue issue : start_refusals_) {
+    issue.severity = Severity::Note;
+    issue.message = "`adore run` will refuse this deck: " + issue.message;
+    add_problem(std::move(issue), true);
+  }
+}
+
+bool Document::wants_rehearsal() const {
+  return !typing_ && !has_error(problems_) && !(rehearsed_ && *rehearsed_ == candidate());
+}
+
+void Document::forget_rehearsal() {
+  rehearsed_.reset();
+  notify();
+}
+
+void Document::set_rehearsal(const Candidate& of, std::vector<Issue> refusals) {
+  rehearsed_ = of;
+  start_refusals_ = std::move(refusals);
+  find_problems();
+  notify();
+}
+
+DeckState Document::deck_state() const {
+  if (has_error(problems_)) return DeckState::Wrong;
+  if (!refusals_.empty()) return DeckState::Refused;
+  if (!rehearsed_ || !(*rehearsed_ == candidate())) return DeckState::Unchecked;
+  return start_refusals_.empty() ? DeckState::Ready : DeckState::Refused;
 }
 
 void Document::check_model() {
@@ -369,8 +414,9 @@ RecordState Document::state_of(std::string_view record) const {
   RecordState state = RecordState::Complete;
   for (const deck::RecordData& data : state_.deck.records)
     if (data.id == record && !data.defaulted.empty()) state = RecordState::Untouched;
-  for (const Issue& refusal : refusals_)
-    if (refusal.record == record) state = RecordState::Doubtful;
+  for (const std::vector<Issue>* refusals : {&refusals_, &start_refusals_})
+    for (const Issue& refusal : *refusals)
+      if (refusal.record == record) state = RecordState::Doubtful;
   for (const Problem& problem : problems_) {
     if (problem.page != record) continue;
     if (problem.issue.severity == Severity::Error) return RecordState::Wrong;

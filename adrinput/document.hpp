@@ -22,6 +22,15 @@ struct Problem {
   Issue issue;
   std::string page;          ///< record id; empty when it concerns no record
   std::optional<Cell> cell;  ///< empty when it concerns a whole record
+  bool refused = false;      ///< no error of the deck, but a reason why no run of it begins
+};
+
+/// Of the deck as a whole.
+enum class DeckState : unsigned char {
+  Wrong,      ///< has errors
+  Refused,    ///< `adore run` ends before its first step
+  Unchecked,  ///< nobody has found out yet
+  Ready       ///< a run begins
 };
 
 enum class RecordState : unsigned char {
@@ -132,10 +141,25 @@ class Document {
   [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }
   [[nodiscard]] RecordState state_of(std::string_view record) const;
   [[nodiscard]] bool has_errors() const;
-  /// Does `adore run` refuse the deck as it stands, errors apart?
-  [[nodiscard]] bool is_refused() const { return !refusals_.empty(); }
+  [[nodiscard]] DeckState deck_state() const;
   /// Builds the model of a deck without errors and adds what shows only there; some milliseconds.
   void check_model();
+  /// A deck with its options and its place, of which a run may begin or not.
+  struct Candidate {
+    deck::Deck deck;
+    std::map<std::string, std::string> options;
+    std::filesystem::path path;
+    [[nodiscard]] bool operator==(const Candidate& other) const {
+      return deck == other.deck && options == other.options && path == other.path;
+    }
+  };
+  [[nodiscard]] Candidate candidate() const { return {state_.deck, options(), path_}; }
+  /// Is it still open whether a run of this deck begins (facade/rehearsal.hpp)?
+  [[nodiscard]] bool wants_rehearsal() const;
+  /// What was found out about a deck, which may be another one by now.
+  void set_rehearsal(const Candidate& of, std::vector<Issue> refusals);
+  /// The files beside the deck are others now, which decide about runs that go on from them.
+  void forget_rehearsal();
 
  private:
   struct State {
@@ -158,7 +182,8 @@ class Document {
   void remember(const deck::RecordData& record);
   void keep_unread_values(const std::vector<Issue>& issues);
   void find_problems();
-  void add_problem(Issue issue);
+  void add_problem(Issue issue, bool refused = false);
+  void add_refusals();
   void notify();
   std::string travel(std::vector<Step>& from, std::vector<Step>& to);
 
@@ -174,7 +199,9 @@ class Document {
   bool foreign_ = false;        ///< the file holds what another program wrote
   bool broken_ = false;         ///< the file has errors: reading it was a guess
   std::vector<Issue> file_issues_, model_issues_;
-  std::vector<Issue> refusals_;         ///< of the model issues those that no run accepts
+  std::vector<Issue> refusals_;        ///< of the model issues those that no run accepts
+  std::vector<Issue> start_refusals_;  ///< what a run of `rehearsed_` would end with
+  std::optional<Candidate> rehearsed_;
   std::map<Cell, std::string> unused_;  ///< values without a part, and why
   std::vector<Problem> problems_;
   std::vector<Step> undo_, redo_;

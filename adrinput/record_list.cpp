@@ -13,6 +13,7 @@
 #include <QPixmap>
 #include <QStackedWidget>
 #include <QStyledItemDelegate>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -148,7 +149,8 @@ RecordList::RecordList(Document& document, QWidget* parent)
       query_(new QLineEdit(this)),
       stack_(new QStackedWidget(this)),
       records_(make_list("records", this)),
-      found_(make_list("found", this)) {
+      found_(make_list("found", this)),
+      state_(new QToolButton(this)) {
   query_->setObjectName("search");
   query_->setPlaceholderText(tr("Find a variable (Ctrl+F)"));
   query_->setAccessibleName(tr("Find a variable"));
@@ -162,7 +164,13 @@ RecordList::RecordList(Document& document, QWidget* parent)
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 8, 0, 0);
   layout->addWidget(query_);
+  layout->addWidget(state_);
   layout->addWidget(stack_, 1);
+  state_->setObjectName("deck-state");
+  state_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  state_->setAutoRaise(true);
+  state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  connect(state_, &QToolButton::clicked, this, &RecordList::stateChosen);
   connect(query_, &QLineEdit::textChanged, this, &RecordList::search);
   connect(records_, &QListWidget::currentItemChanged, this, [this](QListWidgetItem* item) {
     if (item != nullptr) emit recordChosen(item->data(kRecordRole).toString());
@@ -172,7 +180,40 @@ RecordList::RecordList(Document& document, QWidget* parent)
   sync();
 }
 
+/// Would a run begin? No record says that of itself.
+void RecordList::syncState() {
+  const auto errors = static_cast<int>(
+      std::count_if(document_.problems().begin(), document_.problems().end(),
+                    [](const Problem& p) { return p.issue.severity == Severity::Error; }));
+  RecordState sign = RecordState::Complete;
+  QString text = tr("Ready to run"), more = tr("A run of this deck begins.");
+  switch (document_.deck_state()) {
+    case DeckState::Wrong:
+      sign = RecordState::Wrong;
+      text = errors == 1 ? tr("1 error") : tr("%1 errors").arg(errors);
+      more = tr("The deck has errors: the first one (F8)");
+      break;
+    case DeckState::Refused:
+      sign = RecordState::Doubtful;
+      text = tr("Run refused");
+      more = tr("`adore run` ends before its first step: the reason");
+      break;
+    case DeckState::Unchecked:
+      sign = RecordState::Untouched;
+      text = tr("Checking …");
+      more = tr("Finding out whether a run of this deck begins");
+      break;
+    case DeckState::Ready:
+      break;
+  }
+  state_->setIcon(state_icon(sign));
+  state_->setText(text);
+  state_->setToolTip(more);
+  state_->setAccessibleName(tr("State of the deck: %1").arg(text));
+}
+
 void RecordList::sync() {
+  syncState();
   const QSignalBlocker quiet(records_);
   const std::vector<std::string> pages = document_.pages();
   while (records_->count() > static_cast<int>(pages.size()))

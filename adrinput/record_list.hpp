@@ -7,6 +7,7 @@
 class QLineEdit;
 class QListWidget;
 class QStackedWidget;
+class QToolButton;
 
 namespace adore::adrinput {
 
@@ -25,6 +26,8 @@ class RecordList : public QWidget {
   void recordChosen(const QString& record);
   /// Of a record that the deck may not have.
   void variableChosen(const QString& record, int variable);
+  /// The user wants to see why the deck is in its state.
+  void stateChosen();
 
  protected:
   bool eventFilter(QObject* object, QEvent* event) override;
@@ -32,12 +35,14 @@ class RecordList : public QWidget {
  private:
   void search(const QString& query);
   void chooseFound(int row);
+  void syncState();
 
   Document& document_;
   QLineEdit* query_;
   QStackedWidget* stack_;
   QListWidget* records_;
   QListWidget* found_;
+  QToolButton* state_;  ///< of the deck as a whole
 };
 
 /// Sign and colour of a state: a check mark, a ring, a triangle or a cross.

@@ -12,6 +12,7 @@
 #include "results/growing_file.hpp"
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <fmt/format.h>
@@ -28,6 +29,16 @@ namespace {
 /// Lists lay out their items in a later event than the one that shows them.
 void settle() {
   for (int i = 0; i < 3; ++i) QApplication::processEvents();
+}
+
+/// Pictures show what the checks say, not that they go on.
+void wait_for_checks(DeckWindow& window) {
+  constexpr qint64 kLongest = 30'000;  // [ms]
+  QElapsedTimer waited;
+  waited.start();
+  window.checkNow();
+  while (window.document().deck_state() == DeckState::Unchecked && waited.elapsed() < kLongest)
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents, 100);
 }
 
 constexpr int kOverlap = 90;  // pixels of a form in two pictures, so that no field is cut in both
@@ -54,6 +65,7 @@ std::vector<fs::path> render_pages(const fs::path& deck, const RenderOptions& op
   window.resize(options.width, options.height);
   window.show();
   window.openFile(file);
+  wait_for_checks(window);
   std::vector<fs::path> written;
   int number = 0;
   for (const std::string& record : window.document().pages()) {

@@ -347,9 +347,7 @@ QStringList RunPanel::plotFiles() const {
 
 void RunPanel::view(const QString& program, const QStringList& files) {
   try {
-    QStringList names = files;
-    names.removeAll("--follow");
-    if (desktop::hand_over(program, names)) return;  // the project has its window already
+    if (desktop::hand_over(program, files)) return;  // the project has its window already
     launch(program, files);
   } catch (const std::exception& error) {
     desktop::show_message(this, QString::fromUtf8(error.what()), true);

@@ -48,7 +48,11 @@ int show(int& argc, char** argv, const std::vector<std::filesystem::path>& files
   std::optional<desktop::OneWindow> one;
   if (!files.empty())
     one.emplace("adrplot", desktop::folder_of(files.front()), nullptr,
-                [&window](const QStringList& names) { window.showFiles(names); });
+                [&window](QStringList names) {
+                  const bool grows = names.removeAll("--follow") > 0;
+                  window.showFiles(names);
+                  if (grows) window.follow(true);
+                });
   if (files.empty()) QTimer::singleShot(0, &window, &adrplot::PlotWindow::askForFile);
   return QApplication::exec();
 }

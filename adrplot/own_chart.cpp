@@ -1,10 +1,13 @@
 #include "adrplot/own_chart.hpp"
 
+#include "adrplot/spectrum_page.hpp"
+#include "adrplot/waterfall_page.hpp"
 #include "base/errors.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
@@ -22,36 +25,9 @@ std::string run_of(const PlotDocument& file) {
   return (folder.empty() ? "" : folder + "/") + file.path.filename().string();
 }
 
-}  // namespace
-
-std::vector<double> read_off(const std::vector<double>& x, const std::vector<double>& y,
-                             const std::vector<double>& where) {
-  std::vector<double> out;
-  out.reserve(where.size());
-  std::size_t at = 0;
-  const std::size_t n = std::min(x.size(), y.size());
-  for (const double place : where) {
-    if (n == 0 || place < x[0] || place > x[n - 1]) {
-      out.push_back(std::numeric_limits<double>::quiet_NaN());
-      continue;
-    }
-    while (at + 1 < n && x[at + 1] <= place) ++at;
-    if (x[at] == place || at + 1 == n) {
-      out.push_back(y[at]);
-      continue;
-    }
-    out.push_back(y[at] + (place - x[at]) / (x[at + 1] - x[at]) * (y[at + 1] - y[at]));
-  }
-  return out;
-}
-
-desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine how,
-                                  const PageOptions& options) {
-  if (picks.empty()) throw InputError("choose at least one curve for the chart");
-  if (how == Combine::Difference && picks.size() < 2)
-    throw InputError("a difference needs two curves at least");
-  desktop::ChartPage page;
-  page.title = how == Combine::Difference ? "Differences" : "Chosen curves";
+/// What is chosen, each curve over its own abscissa; title and unit of that go into the page.
+std::vector<Taken> take(const std::vector<CurvePick>& picks, const PageOptions& options,
+                        desktop::ChartPage& page) {
   std::vector<Taken> taken;
   std::set<std::string> runs;
   for (const CurvePick& pick : picks) {
@@ -82,40 +58,147 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
     runs.insert(run_of(*pick.file));
     taken.push_back(std::move(one));
   }
-  for (const Taken& one : taken) page.x.insert(page.x.end(), one.x.begin(), one.x.end());
-  std::sort(page.x.begin(), page.x.end());
-  page.x.erase(std::unique(page.x.begin(), page.x.end()), page.x.end());
-  for (const Taken& one : taken) {
+  for (const std::string& run : runs)
+    page.subtitle += (page.subtitle.empty() ? "" : "   ·   ") + run;
+  return taken;
+}
+
+std::vector<double> all_places(const std::vector<Taken>& curves) {
+  std::vector<double> x;
+  for (const Taken& one : curves) x.insert(x.end(), one.x.begin(), one.x.end());
+  std::sort(x.begin(), x.end());
+  x.erase(std::unique(x.begin(), x.end()), x.end());
+  return x;
+}
+
+/// Every curve but the first one less that, over the places of both.
+std::vector<Taken> differences(const std::vector<Taken>& taken) {
+  const Taken& first = taken.front();
+  std::vector<Taken> out;
+  for (std::size_t i = 1; i < taken.size(); ++i) {
+    Taken one = taken[i];
+    if (one.unit != first.unit)
+      throw InputError(fmt::format("{} is in {}, {} in {}: there is no difference of them",
+                                   one.name, one.unit.empty() ? "no unit" : one.unit, first.name,
+                                   first.unit.empty() ? "no unit" : first.unit));
+    one.x = all_places({first, taken[i]});
+    one.y = read_off(taken[i].x, taken[i].y, one.x);
+    const std::vector<double> less = read_off(first.x, first.y, one.x);
+    for (std::size_t k = 0; k < one.y.size(); ++k) one.y[k] -= less[k];
+    one.title = "Difference";
+    one.wraps = false;
+    out.push_back(std::move(one));
+  }
+  return out;
+}
+
+/// A curve from its first value to its last: a run that ended earlier has none behind.
+void trim(Taken& one) {
+  const auto known = [](double v) { return std::isfinite(v); };
+  const auto first = std::find_if(one.y.begin(), one.y.end(), known) - one.y.begin();
+  const auto last = one.y.rend() - std::find_if(one.y.rbegin(), one.y.rend(), known);
+  if (last <= first) return;  // no value at all
+  one.x = {one.x.begin() + first, one.x.begin() + last};
+  one.y = {one.y.begin() + first, one.y.begin() + last};
+}
+
+/// Each curve over time becomes its spectrum.
+void to_frequency(std::vector<Taken>& curves, desktop::ChartPage& page,
+                  const SpectrumOptions& options) {
+  for (Taken& one : curves) {
+    trim(one);
+    desktop::ChartPage alone;
+    alone.x = one.x;
+    alone.panels = {{one.title, one.unit, {{one.name, one.y, {}}}, one.wraps}};
+    to_spectra(alone, one.x, options);
+    const bool has = !alone.panels.empty() && !alone.panels[0].curves[0].y.empty();
+    const std::string said = !alone.note.empty()           ? alone.note
+                             : has || alone.panels.empty() ? std::string()
+                                                           : alone.panels[0].message;
+    if (!said.empty()) add_note(page, curves.size() > 1 ? one.name + ": " + said : said);
+    one.wraps = false;
+    one.x = has ? alone.x : std::vector<double>();
+    one.y = has ? alone.panels[0].curves[0].y : std::vector<double>();
+    if (has) one.unit = alone.panels[0].unit;
+  }
+  std::erase_if(curves, [](const Taken& one) { return one.x.empty(); });
+  page.title += ": amplitude spectrum";
+  page.x_title = "Frequency";
+  page.x_unit = "Hz";
+}
+
+/// Curves of one unit share a panel.
+void add_panels(desktop::ChartPage& page, const std::vector<Taken>& curves, bool one_title) {
+  for (const Taken& one : curves) {
     std::vector<double> y = read_off(one.x, one.y, page.x);
-    std::string title = one.title;
-    std::string name = one.name;
-    if (how == Combine::Difference) {
-      if (&one == &taken.front()) continue;
-      if (one.unit != taken.front().unit)
-        throw InputError(fmt::format("{} is in {}, {} in {}: there is no difference of them",
-                                     one.name, one.unit.empty() ? "no unit" : one.unit,
-                                     taken.front().name,
-                                     taken.front().unit.empty() ? "no unit" : taken.front().unit));
-      const std::vector<double> first = read_off(taken.front().x, taken.front().y, page.x);
-      for (std::size_t i = 0; i < y.size(); ++i) y[i] -= first[i];
-      title = "Difference";
-    }
     const auto same = std::find_if(page.panels.begin(), page.panels.end(), [&](const auto& panel) {
-      return panel.unit == one.unit &&
-             (how == Combine::Difference || panel.title == title || !one.unit.empty());
+      return panel.unit == one.unit && (one_title || panel.title == one.title || !one.unit.empty());
     });
     if (same == page.panels.end()) {
-      page.panels.push_back(
-          {title, one.unit, {{name, std::move(y), {}}}, one.wraps && how == Combine::Overlay});
+      page.panels.push_back({one.title, one.unit, {{one.name, std::move(y), {}}}, one.wraps});
     } else {
-      if (same->title != title) same->title = "Values";
-      same->curves.push_back({name, std::move(y), {}});
+      if (same->title != one.title) same->title = "Values";
+      same->curves.push_back({one.name, std::move(y), {}});
     }
   }
-  std::string files;
-  for (const std::string& run : runs) files += (files.empty() ? "" : "   ·   ") + run;
-  page.subtitle = files;
-  if (how == Combine::Difference) page.note = "Less " + taken.front().name + ".";
+}
+
+}  // namespace
+
+std::vector<double> read_off(const std::vector<double>& x, const std::vector<double>& y,
+                             const std::vector<double>& where) {
+  std::vector<double> out;
+  out.reserve(where.size());
+  std::size_t at = 0;
+  const std::size_t n = std::min(x.size(), y.size());
+  for (const double place : where) {
+    if (n == 0 || place < x[0] || place > x[n - 1]) {
+      out.push_back(std::numeric_limits<double>::quiet_NaN());
+      continue;
+    }
+    while (at + 1 < n && x[at + 1] <= place) ++at;
+    if (x[at] == place || at + 1 == n) {
+      out.push_back(y[at]);
+      continue;
+    }
+    out.push_back(y[at] + (place - x[at]) / (x[at + 1] - x[at]) * (y[at + 1] - y[at]));
+  }
+  return out;
+}
+
+desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine how,
+                                  const PageOptions& options) {
+  if (picks.empty()) throw InputError("choose at least one curve for the chart");
+  const bool less = how == Combine::Difference;
+  if (less && picks.size() < 2) throw InputError("a difference needs two curves at least");
+  PageOptions history = options;
+  history.domain = Domain::History;
+  if (options.domain != Domain::History) history.abscissa = Abscissa::Time;
+  desktop::ChartPage page;
+  page.title = less ? "Differences" : "Chosen curves";
+  std::vector<Taken> curves = take(picks, history, page);
+  page.x = all_places(curves);
+  if (less) {
+    page.note = "Less " + curves.front().name + ".";
+    curves = differences(curves);
+  }
+  if (options.domain == Domain::Waterfall) {
+    Taken& one = curves.front();
+    trim(one);
+    page.x = one.x;
+    page.panels = {{one.title, one.unit, {{one.name, one.y, {}}}, one.wraps}};
+    to_waterfall(page, one.x, {}, options.spectrum);
+    return page;
+  }
+  if (options.domain == Domain::Spectrum) {
+    to_frequency(curves, page, options.spectrum);
+    page.x = all_places(curves);
+  }
+  add_panels(page, curves, less);
+  if (options.domain == Domain::Spectrum) {
+    page.marks = picks.front().file->build(picks.front().page, options).marks;
+    first_view_of_spectra(page, options.spectrum.scale);
+  }
   return page;
 }
 

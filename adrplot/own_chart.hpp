@@ -20,6 +20,8 @@ enum class Combine : unsigned char { Overlay, Difference };
 /// One page: curves of one unit share a panel. The abscissa has every value of every curve; between
 /// its own values a curve is a straight line, outside of them it is not drawn.
 /// Difference: every curve less the first one, which must have the same unit.
+/// With the domain of spectra each curve's own is drawn, or that of its difference; of waterfalls
+/// the first curve's.
 /// @throws InputError without curves, with different abscissae or, for differences, units
 [[nodiscard]] desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine how,
                                                 const PageOptions& options);

@@ -1,6 +1,7 @@
 #include "adrplot/page_builder.hpp"
 
 #include "adrplot/known_values.hpp"
+#include "adrplot/spectrum_page.hpp"
 #include "adrplot/waterfall_page.hpp"
 #include "base/errors.hpp"
 #include "desktop/axis_scale.hpp"
@@ -37,11 +38,6 @@ std::vector<double> times(const SolFile& file) {
   std::vector<double> numbers;
   for (const auto& step : file.steps) numbers.push_back(step.time);
   return numbers;
-}
-
-void add_note(ChartPage& chart, const std::string& text) {
-  if (text.empty() || chart.note.find(text) != std::string::npos) return;
-  chart.note += (chart.note.empty() ? "" : " ") + text;
 }
 
 bool any_value(const std::vector<double>& values) {
@@ -140,21 +136,6 @@ void add_orbit(ChartPage& chart, const SolFile& file, const PageSpec& page, Orbi
   chart.panels.push_back(std::move(panel));
 }
 
-/// Frequency above which no coordinate exceeds 1 % of its largest amplitude: the first view ends a
-/// little beyond it.
-double interesting_frequency(const std::vector<double>& frequency,
-                             const std::vector<ChartPanel>& panels) {
-  constexpr double kVisible = 0.01;
-  std::size_t last = 0;
-  for (const auto& panel : panels)
-    for (std::size_t k = 0; k < frequency.size(); ++k)
-      if (panel.curves.front().y[k] > kVisible) last = std::max(last, k);
-  return std::min(
-      frequency.back(),
-      1.15 *
-          frequency[std::max<std::size_t>(last, std::min<std::size_t>(10, frequency.size() - 1))]);
-}
-
 /// Frequencies of the run that lie on the page; the shaft's from the file alone.
 void add_marks(ChartPage& chart, const SolFile& file, const PageContext& context) {
   chart.marks = context.frequencies;
@@ -163,63 +144,6 @@ void add_marks(ChartPage& chart, const SolFile& file, const PageContext& context
   const std::vector<double> turns = accumulated_turns(file);
   const double shaft = span > 0.0 ? (turns.back() - turns.front()) / span : 0.0;
   if (shaft > 0.0) chart.marks.push_back({shaft, "shaft"});
-}
-
-/// Every curve of the page becomes its spectrum.
-void to_spectra(ChartPage& chart, const std::vector<double>& t, const SpectrumOptions& options) {
-  std::vector<double> frequency;
-  bool any = false;
-  for (ChartPanel& panel : chart.panels) {
-    for (ChartCurve& curve : panel.curves) {
-      const bool empty = !any_value(curve.y);
-      const Samples samples = equal_samples(t, curve.y);
-      curve.low.clear(), curve.high.clear();
-      curve.y.clear();
-      if (!empty) add_note(chart, samples.note);
-      if (samples.values.empty()) {
-        if (panel.message.empty()) panel.message = samples.note;
-        continue;
-      }
-      Spectrum spectrum = amplitude_spectrum(samples.values, samples.step, options.window);
-      if (std::all_of(spectrum.amplitude.begin(), spectrum.amplitude.end(),
-                      [](double a) { return a == 0.0; })) {
-        panel.message = "Nothing vibrates here: the value does not change.";
-        frequency = std::move(spectrum.frequency);
-        any = true;
-        continue;
-      }
-      scale_spectrum(spectrum, options.scale);
-      frequency = std::move(spectrum.frequency);
-      curve.y = std::move(spectrum.amplitude);
-      any = true;
-    }
-    panel.wraps = false;
-    if (options.scale != SpectrumScale::Units)
-      panel.unit = options.scale == SpectrumScale::Decibel ? "dB" : "";
-  }
-  if (chart.title.find("pectrum") == std::string::npos) chart.title += ": amplitude spectrum";
-  chart.x = std::move(frequency);
-  chart.x_title = "Frequency";
-  chart.x_unit = "Hz";
-  if (!any) chart.panels.clear();
-}
-
-void first_view(ChartPage& chart, SpectrumScale scale) {
-  if (chart.panels.empty() || scale == SpectrumScale::Decibel) return;
-  std::vector<ChartPanel> relative;
-  for (const ChartPanel& panel : chart.panels)
-    for (const ChartCurve& curve : panel.curves) {
-      if (curve.y.empty()) continue;
-      ChartPanel one{"", "", {curve}, false};
-      const double largest = *std::max_element(curve.y.begin(), curve.y.end());
-      for (double& a : one.curves.front().y) a = largest > 0.0 ? a / largest : 0.0;
-      relative.push_back(std::move(one));
-    }
-  double shown = interesting_frequency(chart.x, relative);
-  for (const auto& mark : chart.marks)
-    if (mark.label == "shaft") shown = std::max(shown, 1.5 * mark.x);
-  chart.view_low = 0.0;
-  chart.view_high = std::min(shown, chart.x.back());
 }
 
 /// The file's own spectrum page: y and z carry the whirl, so they come first; x is the third panel.
@@ -234,7 +158,7 @@ void add_spectrum(ChartPage& chart, const SolFile& file, const PageSpec& page,
   add_panels(chart, file, page);
   add_marks(chart, file, context);
   to_spectra(chart, times(file), options);
-  first_view(chart, options.scale);
+  first_view_of_spectra(chart, options.scale);
 }
 
 }  // namespace
@@ -266,8 +190,10 @@ ChartPage build_page(const SolFile& file, const std::vector<PageSpec>& pages, in
       if (options.domain == Domain::Spectrum) {
         add_spectrum(chart, file, page, options.spectrum, context);
       } else if (options.domain == Domain::Waterfall) {
+        const std::vector<double> turns = accumulated_turns(file);
         add_panels(chart, file, page);
-        to_waterfall(chart, times(file), options.spectrum);
+        if (keeps_speed(times(file), turns)) add_marks(chart, file, context);
+        to_waterfall(chart, times(file), turns, options.spectrum);
       } else {
         add_history(chart, file, page, options.abscissa, context);
       }

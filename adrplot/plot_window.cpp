@@ -134,7 +134,7 @@ void PlotWindow::showCurrent() {
     const PageKind kind = doc->pages[static_cast<std::size_t>(page_ - 1)].kind;
     orbit_action_->setVisible(kind == PageKind::Orbit);
     abscissa_->setEnabled(kind == PageKind::History && options_.domain == Domain::History);
-    domain_->setEnabled(kind == PageKind::History && doc->on_disk);
+    domain_->setEnabled(kind == PageKind::History);
     note_->setText(doc->note.empty()
                        ? QString()
                        : tr("This file is incomplete: %1.").arg(QString::fromStdString(doc->note)));

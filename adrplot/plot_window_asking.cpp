@@ -77,9 +77,7 @@ void PlotWindow::addChart(const std::vector<CurvePick>& picks, Combine how) {
   const auto build = [files, of, picks, how](int, const PageOptions& options) {
     std::vector<CurvePick> own = picks;
     for (std::size_t i = 0; i < own.size(); ++i) own[i].file = &(*files)[of[i]];
-    PageOptions history = options;
-    history.domain = Domain::History;
-    return combine_curves(own, how, history);
+    return combine_curves(own, how, options);
   };
   try {
     (void)build(1, options_);

@@ -14,6 +14,14 @@
 
 /// Pages of the window as files, on paper and in the clipboard.
 namespace adore::adrplot {
+namespace {
+
+/// The file's own name with its folder, where pictures of it are looked for.
+QString besideFile(const PlotDocument& doc) {
+  return QFileInfo(QString::fromStdString(doc.path.string())).absoluteFilePath();
+}
+
+}  // namespace
 
 bool PlotWindow::exportTo(const QString& path, bool all_pages) {
   Document* doc = document();
@@ -70,7 +78,7 @@ void PlotWindow::askForExport(bool all_pages) {
   connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString& filter) {
     dialog->setDefaultSuffix(filter.section("*.", 1).section(')', 0, 0));
   });
-  const QString name = QString::fromStdString(doc->path.filename().string());
+  const QString name = besideFile(*doc);
   dialog->selectFile(all_pages ? name : QString("%1-page-%2").arg(name).arg(page_));
   connect(dialog, &QFileDialog::fileSelected, this,
           [this, all_pages](const QString& path) { exportTo(path, all_pages); });
@@ -97,9 +105,7 @@ void PlotWindow::print() {
 void PlotWindow::savePicture() {
   Document* doc = document();
   if (!doc) return askForFile();
-  const QString fallback = QString("%1-page-%2.jpg")
-                               .arg(QString::fromStdString(doc->path.filename().string()))
-                               .arg(page_);
+  const QString fallback = QString("%1-page-%2.jpg").arg(besideFile(*doc)).arg(page_);
   desktop::save_picture(this, kApp, fallback,
                         [this] { return view_->chartScene().image(view_->viewport()->size()); });
 }

@@ -21,10 +21,38 @@ double last_visible(const Waterfall& fall, double largest) {
   return std::min(fall.frequency.back(), 1.15 * fall.frequency[last]);
 }
 
+constexpr double kSteady = 0.01;
+
+/// Turns per second in the middle of a piece; 0: not known.
+double speed_at(const std::vector<double>& times, const std::vector<double>& turns, double time) {
+  if (turns.size() != times.size() || turns.size() < 2) return 0.0;
+  const auto after = std::upper_bound(times.begin() + 1, times.end() - 1, time);
+  const auto at = static_cast<std::size_t>(after - times.begin());
+  const double step = times[at] - times[at - 1];
+  return step > 0.0 ? (turns[at] - turns[at - 1]) / step : 0.0;
+}
+
 }  // namespace
 
+bool keeps_speed(const std::vector<double>& times, const std::vector<double>& turns) {
+  if (turns.size() != times.size() || turns.size() < 2) return false;
+  const double span = times.back() - times.front();
+  const double mean = span > 0.0 ? (turns.back() - turns.front()) / span : 0.0;
+  if (!(mean > 0.0)) return false;
+  // By parts of the run: single steps hold few digits.
+  constexpr std::size_t kParts = 20;
+  for (std::size_t part = 0; part < kParts; ++part) {
+    const std::size_t from = part * (times.size() - 1) / kParts,
+                      to = (part + 1) * (times.size() - 1) / kParts;
+    if (to == from || !(times[to] > times[from])) continue;
+    const double speed = (turns[to] - turns[from]) / (times[to] - times[from]);
+    if (std::abs(speed - mean) > kSteady * mean) return false;
+  }
+  return true;
+}
+
 void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
-                  const SpectrumOptions& options) {
+                  const std::vector<double>& turns, const SpectrumOptions& options) {
   constexpr double kDistance = 0.2;
   const desktop::ChartPanel* found = nullptr;
   for (const auto& panel : page.panels)
@@ -47,8 +75,11 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   for (const auto& piece : fall.amplitude)
     largest = std::max(largest, *std::max_element(piece.begin(), piece.end()));
   desktop::ChartPanel panel{"Spectra, earliest at the bottom", source.unit, {}, false};
+  const bool steady = turns.empty() || keeps_speed(times, turns);
   for (std::size_t i = 0; i < fall.time.size(); ++i) {
     desktop::ChartCurve curve{desktop::pretty_quantity(fall.time[i], "s", 3), {}, {}};
+    if (!steady)
+      curve.name += fmt::format(", {:.4g} rpm", 60.0 * speed_at(times, turns, fall.time[i]));
     for (const double a : fall.amplitude[i])
       curve.y.push_back(a + kDistance * largest * static_cast<double>(i));
     panel.curves.push_back(std::move(curve));
@@ -64,7 +95,11 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
       "{}{} spectra of {}{}{}, {} to {}; {} from line to line.", page.note.empty() ? "" : " ",
       fall.time.size(), source.title, source.curves.front().name.empty() ? "" : ", ",
       source.curves.front().name, desktop::pretty_quantity(fall.time.front(), "s", 3),
-      desktop::pretty_quantity(fall.time.back(), "s", 3),
+      desktop::pretty_quantity(fall.time.back(), "s", 3) +
+          (steady ? std::string()
+                  : fmt::format(" ({:.4g} to {:.4g} rpm)",
+                                60.0 * speed_at(times, turns, fall.time.front()),
+                                60.0 * speed_at(times, turns, fall.time.back()))),
       desktop::pretty_quantity(kDistance * largest, source.unit, 3));
   page.panels.push_back(std::move(panel));
 }

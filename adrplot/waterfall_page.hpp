@@ -7,8 +7,14 @@ namespace adore::adrplot {
 
 /// Turns the first curve of the first panel with values into a waterfall: the spectra of pieces of
 /// the run, one above the other, the earliest at the bottom. The distance between two lines is a
-/// fifth of the largest amplitude, which the axis title says.
+/// fifth of the largest amplitude, which the axis title says. Each line is named after the middle
+/// of its piece and, where the shaft changes its speed, the speed there.
+/// @param turns of the shaft at the times, growing; empty: not known
 void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
-                  const SpectrumOptions& options);
+                  const std::vector<double>& turns, const SpectrumOptions& options);
+
+/// Does the shaft keep its speed within 1 % over the whole run? Then the frequencies of its
+/// elements are the same in all of it.
+[[nodiscard]] bool keeps_speed(const std::vector<double>& times, const std::vector<double>& turns);
 
 }  // namespace adore::adrplot

@@ -4,6 +4,7 @@
 #include "desktop/chrome.hpp"
 #include "desktop/dialogs.hpp"
 #include "desktop/mp4_writer.hpp"
+#include "desktop/one_window.hpp"
 #include "desktop/window_place.hpp"
 
 #include <QAction>
@@ -522,30 +523,42 @@ void AgoreWindow::pause() {
   if (was) showFrame();  // the finer picture
 }
 
-QImage AgoreWindow::image() {
+ViewOptions AgoreWindow::stillOptions() const {
   ViewOptions still = options_;
   still.moving = false;
-  return picture_->image(canvas_->size(), frame_, still);
+  return still;
+}
+
+/// A name in the folder of what is shown, where pictures of it are looked for.
+QString AgoreWindow::besideFile(const QString& name) const {
+  return desktop::folder_of(picture_->animation().file.path) + "/" + name;
 }
 
 void AgoreWindow::print() {
   if (!picture_) return askForFile();
   pause();
-  desktop::print_picture(this, [this] { return image(); });
+  desktop::print_page(this, [this](QPainter& painter, const QRectF& paper) {
+    picture_->paintOnPaper(painter, paper, canvas_->size(), frame_, stillOptions());
+  });
 }
 
 void AgoreWindow::savePicture() {
   if (!picture_) return askForFile();
   pause();
-  desktop::save_picture(this, kApp, "bearing.jpg", [this] { return image(); });
+  desktop::save_picture(
+      this, kApp, besideFile("bearing.jpg"),
+      [this] { return picture_->image(canvas_->size(), frame_, stillOptions()); },
+      [this] { return picture_->svg(canvas_->size(), frame_, stillOptions()); });
 }
 
 void AgoreWindow::saveFilm() {
   if (!picture_) return askForFile();
   pause();
+  const QString missing = tr(", needs the program ffmpeg, which is not here");
   auto* dialog = new QFileDialog(this, tr("Save film"), "bearing.gif",
-                                 tr("GIF (*.gif);;AVI (*.avi)%1;;Numbered pictures, folder (*)")
-                                     .arg(desktop::ffmpeg_found() ? ";;MP4 (*.mp4)" : ""));
+                                 tr("GIF (*.gif);;AVI (*.avi);;MP4%1 (*.mp4);;Numbered pictures, "
+                                    "folder (*)")
+                                     .arg(desktop::ffmpeg_found() ? QString() : missing));
   dialog->setObjectName("film");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
@@ -556,7 +569,7 @@ void AgoreWindow::saveFilm() {
     dialog->setDefaultSuffix(suffix);
     dialog->selectFile(suffix.isEmpty() ? base : base + "." + suffix);
   };
-  dialog->selectFile("bearing.gif");
+  dialog->selectFile(besideFile("bearing.gif"));
   name_as(dialog->selectedNameFilter());
   connect(dialog, &QFileDialog::filterSelected, this, name_as);
   connect(dialog, &QFileDialog::fileSelected, this, [this, dialog](const QString& name) {
@@ -584,8 +597,10 @@ bool AgoreWindow::writeFilm(const QString& path) {
     progress.setValue(static_cast<int>(done));
   };
   render.stop = [&progress] { return progress.wasCanceled(); };
+  render.slow = slow_;  // a film plays as the window does
   try {
-    const int rate = std::clamp(speed_->currentData().toInt(), 1, 50);
+    constexpr int kSlowRate = 25;
+    const int rate = slow_ > 0.0 ? kSlowRate : std::clamp(speed_->currentData().toInt(), 1, 50);
     render_movie(*picture_, 1, rate, path.toStdString(), render);
     return true;
   } catch (const std::exception& error) {

@@ -114,7 +114,8 @@ class AgoreWindow : public QMainWindow {
   void advance();
   void refresh();
   void showFrame();
-  QImage image();
+  [[nodiscard]] QString besideFile(const QString& name) const;
+  [[nodiscard]] ViewOptions stillOptions() const;  ///< of a picture that is not passing by
   [[nodiscard]] bool shows(View view) const;
 
   std::unique_ptr<MotionPicture> picture_;

@@ -34,8 +34,10 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
   switch (options.view) {
     case View::Bearing:
     case View::Section:
-    case View::Solid:
-      if ((options.view != View::Bearing || !animation.has_cage) && animation.contacts) {
+    case View::Solid: {
+      // Where no land has a force to show, the loads are.
+      const bool guided = animation.has_cage && (animation.land[0] || animation.land[1]);
+      if ((options.view != View::Bearing || !guided) && animation.contacts) {
         page.title = fmt::format("Contact loads of element {}", options.element);
         for (const auto& [race, name] :
              {std::pair<std::size_t, const char*>{0, "outer race"}, {1, "inner race"}}) {
@@ -61,6 +63,7 @@ desktop::ChartPage data_page(const Animation& animation, const ViewOptions& opti
       }
       page.title += animation.segment_remark(segment);
       break;
+    }
     case View::Cage:
       page.title = animation.segments > 1
                        ? "Cage over race speed" + animation.segment_remark(segment)

@@ -137,6 +137,12 @@ int main(int argc, char** argv) {
                              ->capture_default_str(),
                          1)
       ->needs(folder);
+  command_line::at_least(
+      cli.add_option("--slow", request.options.slow,
+                     "simulated seconds per second of the film, such as 0.001, with the frames at "
+                     "their own times (a picture for each frame unless given)"),
+      1e-12)
+      ->needs(folder);
   cli.add_option("--size", request.size, "picture size in pixels, WIDTHxHEIGHT")
       ->capture_default_str()
       ->type_name("SIZE")

@@ -1,6 +1,7 @@
 #include "agore/motion_picture.hpp"
 
 #include "desktop/axis_scale.hpp"
+#include "desktop/svg_writer.hpp"
 
 #include <QFontMetricsF>
 #include <QPaintDevice>
@@ -264,6 +265,22 @@ QImage MotionPicture::image(QSize size, std::size_t frame, const ViewOptions& op
   QPainter painter(&image);
   paint(painter, QRectF(QPointF(0, 0), QSizeF(size)), frame, options);
   return image;
+}
+
+QByteArray MotionPicture::svg(QSize size, std::size_t frame, const ViewOptions& options) {
+  return desktop::svg_of(size, [&](QPainter& painter) {
+    paint(painter, QRectF(QPointF(0, 0), QSizeF(size)), frame, options);
+  });
+}
+
+void MotionPicture::paintOnPaper(QPainter& painter, const QRectF& paper, QSizeF size,
+                                 std::size_t frame, const ViewOptions& options) {
+  const double scale = std::min(paper.width() / size.width(), paper.height() / size.height());
+  painter.save();
+  painter.translate(paper.topLeft());
+  painter.scale(scale, scale);
+  paint(painter, QRectF(QPointF(0, 0), size), frame, options);
+  painter.restore();
 }
 
 }  // namespace adore::agore

@@ -23,6 +23,11 @@ class MotionPicture {
   [[nodiscard]] std::size_t frames() const { return animation_.frames(); }
   void paint(QPainter& painter, const QRectF& area, std::size_t frame, const ViewOptions& options);
   [[nodiscard]] QImage image(QSize size, std::size_t frame, const ViewOptions& options);
+  /// The same as lines, surfaces and text; bodies of the 3D view stay pixels.
+  [[nodiscard]] QByteArray svg(QSize size, std::size_t frame, const ViewOptions& options);
+  /// A picture of that size, as large as it fits on the paper, as lines, surfaces and text.
+  void paintOnPaper(QPainter& painter, const QRectF& paper, QSizeF size, std::size_t frame,
+                    const ViewOptions& options);
   /// Part of the simulated time shown so far, 0 to 1.
   [[nodiscard]] double progress(std::size_t frame) const;
   /// The time bar inside `area`, so that a window can be clicked there.

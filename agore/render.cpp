@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 namespace adore::agore {
 
@@ -34,11 +35,60 @@ void require_interval(int every) {
         every));
 }
 
-/// Tells how many of the pictures are drawn.
-void tell(const RenderOptions& options, int frame, int every, std::size_t frames) {
-  if (!options.progress) return;
-  const auto total = (static_cast<long>(frames) + every - 1) / every;
-  options.progress(frame / every + 1, total);
+/// Frames that a film shows, one after the other: every `every`-th one or, in slow motion, at equal
+/// steps of the simulated time the last one that is not after it.
+std::vector<std::size_t> film_frames(const MotionPicture& picture, int every, int frames_per_second,
+                                     double slow) {
+  std::vector<std::size_t> out;
+  if (slow <= 0.0) {
+    for (std::size_t frame = 0; frame < picture.frames(); frame += static_cast<std::size_t>(every))
+      out.push_back(frame);
+    return out;
+  }
+  constexpr double kMost = 1e6;  // pictures: eleven hours of 25 a second
+  const std::vector<double>& time = picture.animation().time;
+  const double step = slow / frames_per_second, span = time.back() - time.front();
+  if (!(span / step < kMost))
+    throw InputError(fmt::format(
+        "{:g} s take more than {:g} pictures in a slow motion of {:g}; show them faster", span,
+        kMost, slow));
+  const auto pictures = static_cast<std::size_t>(std::ceil(span / step * (1.0 - 1e-12)));
+  for (std::size_t i = 0; i < pictures; ++i) {
+    // A frame that rounding puts behind its own time is meant.
+    const double now = time.front() + static_cast<double>(i) * step + 1e-9 * step;
+    const auto after = std::upper_bound(time.begin(), time.end(), now);
+    out.push_back(static_cast<std::size_t>(after - time.begin()) - 1);
+  }
+  out.push_back(picture.frames() - 1);
+  return out;
+}
+
+/// Draws the frames of a film and tells how many are done. @return false: somebody stopped it
+template <class Draw>
+bool draw_all(const std::vector<std::size_t>& frames, const RenderOptions& options, Draw&& draw) {
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (options.stop && options.stop()) return false;
+    draw(frames[i], i);
+    if (options.progress)
+      options.progress(static_cast<long>(i + 1), static_cast<long>(frames.size()));
+  }
+  return true;
+}
+
+/// Numbered pictures: by the frames of the file, or by those of the film where it is slow motion.
+std::vector<fs::path> render_pictures(MotionPicture& picture,
+                                      const std::vector<std::size_t>& frames,
+                                      const fs::path& folder, const RenderOptions& options) {
+  desktop::make_folder(folder);
+  std::vector<fs::path> written;
+  const std::string stem = picture.animation().file.path.filename().string();
+  draw_all(frames, options, [&](std::size_t frame, std::size_t number) {
+    written.push_back(folder / (options.slow > 0.0
+                                    ? fmt::format("{}-picture-{:05}.png", stem, number + 1)
+                                    : fmt::format("{}-frame-{:05}.png", stem, frame + 1)));
+    render_frame(picture, static_cast<int>(frame + 1), written.back(), options);
+  });
+  return written;
 }
 
 }  // namespace
@@ -46,16 +96,7 @@ void tell(const RenderOptions& options, int frame, int every, std::size_t frames
 std::vector<fs::path> render_frames(MotionPicture& picture, int every, const fs::path& folder,
                                     const RenderOptions& options) {
   require_interval(every);
-  desktop::make_folder(folder);
-  std::vector<fs::path> written;
-  const std::string stem = picture.animation().file.path.filename().string();
-  for (int frame = 1; frame <= static_cast<int>(picture.frames()); frame += every) {
-    const fs::path path = folder / fmt::format("{}-frame-{:05}.png", stem, frame);
-    render_frame(picture, frame, path, options);
-    written.push_back(path);
-    tell(options, frame - 1, every, picture.frames());
-  }
-  return written;
+  return render_pictures(picture, film_frames(picture, every, 1, 0.0), folder, options);
 }
 
 void render_movie(MotionPicture& picture, int every, int frames_per_second, const fs::path& film,
@@ -67,8 +108,10 @@ void render_movie(MotionPicture& picture, int every, int frames_per_second, cons
   std::string suffix = film.extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::vector<std::size_t> frames =
+      film_frames(picture, every, frames_per_second, options.slow);
   if (suffix.empty()) {
-    render_frames(picture, every, film, options);
+    render_pictures(picture, frames, film, options);
     return;
   }
   if (suffix != ".avi" && suffix != ".gif" && suffix != ".mp4")
@@ -79,13 +122,10 @@ void render_movie(MotionPicture& picture, int every, int frames_per_second, cons
   if (!options.replace) desktop::check_replaceable(film);
   const QSize size(options.width, options.height);
   const auto draw = [&](auto& writer) {
-    for (std::size_t frame = 0; frame < picture.frames();
-         frame += static_cast<std::size_t>(every)) {
-      if (options.stop && options.stop()) return;  // no film
-      writer.add(picture.image(size, frame, options.view));
-      tell(options, static_cast<int>(frame), every, picture.frames());
-    }
-    writer.finish();
+    if (draw_all(frames, options, [&](std::size_t frame, std::size_t) {
+          writer.add(picture.image(size, frame, options.view));
+        }))
+      writer.finish();  // stopped: no film
   };
   if (suffix == ".avi") {
     desktop::AviWriter writer(film, size, frames_per_second);

@@ -16,6 +16,9 @@ struct RenderOptions {
   std::function<void(long done, long total)> progress;  ///< called after each picture; may be empty
   std::function<bool()> stop = {};  ///< asked before each picture of a film; may be empty
   bool replace = false;             ///< whatever has the film's name: somebody was asked
+  /// Simulated seconds per second of a film, which then shows the frames at their own times,
+  /// however unequal they lie; 0: a picture for each frame.
+  double slow = 0.0;
 };
 
 /// One picture; `frame` counts the file's frames from 1. PNG or JPEG by suffix.

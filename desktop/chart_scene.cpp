@@ -591,7 +591,7 @@ qreal ChartScene::addLegend(const ChartPanel& panel, const QRectF& area, const M
     const QString name = metrics.elidedText(text_of(curve.name), Qt::ElideMiddle, most);
     x -= metrics.horizontalAdvance(name);
     auto* label = addSimpleText(name, font);
-    label->setBrush(curve.hidden ? theme_->frame : theme_->text);
+    label->setBrush(curve.hidden ? theme_->muted : theme_->text);
     label->setToolTip(text_of(curve.name));
     label->setPos(x, area.top() - metrics.height() - 3);
     const qreal middle = area.top() - 0.5 * metrics.height() - 3;

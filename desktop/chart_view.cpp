@@ -18,6 +18,15 @@ QString quantity(double value, const std::string& unit) {
   return QString::fromStdString(pretty_quantity(value, unit, 5));
 }
 
+/// The same for a page that is read again.
+std::string name_of(const ChartPage& page) {
+  std::string name = page.title + '\n' + page.subtitle;
+  for (const ChartPanel& panel : page.panels) name += '\n' + panel.title + " [" + panel.unit + ']';
+  return name;
+}
+
+std::string abscissa_of(const ChartPage& page) { return page.x_title + " [" + page.x_unit + ']'; }
+
 }  // namespace
 
 ChartView::ChartView(QWidget* parent)
@@ -35,38 +44,74 @@ ChartView::ChartView(QWidget* parent)
 }
 
 void ChartView::showPage(ChartPage page) {
-  const bool same = page.x_unit == scene_->page().x_unit && page.x_title == scene_->page().x_title;
+  constexpr std::size_t kMostPages = 1000;
+  const ChartPage& old = scene_->page();
+  const bool same = page.x_unit == old.x_unit && page.x_title == old.x_title;
   if (!same) cursors_ = {kNone, kNone};
+  ranges_ = now().ranges;
+  if (hidden_.size() > kMostPages) hidden_.clear();
+  auto& hidden = hidden_[name_of(old)];
+  hidden.clear();
+  for (std::size_t p = 0; p < old.panels.size(); ++p)
+    for (std::size_t c = 0; c < old.panels[p].curves.size(); ++c)
+      if (old.panels[p].curves[c].hidden) hidden.emplace(p, c);
+  for (const auto& [p, c] : hidden_[name_of(page)])
+    if (p < page.panels.size() && c < page.panels[p].curves.size())
+      page.panels[p].curves[c].hidden = true;
   scene_->setPage(std::move(page), true);
+  const auto own = ranges_.find(name_of(scene_->page()));
+  if (own != ranges_.end()) scene_->setZoom({scene_->viewLow(), scene_->viewHigh(), own->second});
   emit cursorsChanged();
   viewport()->update();
 }
 
+ChartView::View ChartView::now() const {
+  const ChartZoom zoom = scene_->zoom();
+  View out{abscissa_of(scene_->page()), zoom.low, zoom.high, ranges_};
+  const std::string page = name_of(scene_->page());
+  if (std::any_of(zoom.panels.begin(), zoom.panels.end(),
+                  [](const auto& range) { return range.has_value(); }))
+    out.ranges[page] = zoom.panels;
+  else
+    out.ranges.erase(page);
+  return out;
+}
+
+void ChartView::apply(const View& view) {
+  ranges_ = view.ranges;
+  const bool same = view.abscissa == abscissa_of(scene_->page());
+  const auto own = ranges_.find(name_of(scene_->page()));
+  scene_->setZoom({same ? view.low : scene_->viewLow(), same ? view.high : scene_->viewHigh(),
+                   own == ranges_.end() ? Ranges{} : own->second});
+}
+
 void ChartView::remember() {
-  const ChartZoom now = scene_->zoom();
-  if (!back_.empty() && back_.back() == now) return;
-  back_.push_back(now);
+  View view = now();
+  if (!back_.empty() && back_.back() == view) return;
+  back_.push_back(std::move(view));
   if (back_.size() > kMostViews) back_.erase(back_.begin());
   forward_.clear();
 }
 
-void ChartView::zoomBack() {
-  if (back_.empty()) return;
-  forward_.push_back(scene_->zoom());
-  const ChartZoom zoom = back_.back();
-  back_.pop_back();
-  scene_->setZoom(zoom);
-  viewport()->update();
+/// Views that would change nothing here are passed over.
+void ChartView::travel(std::vector<View>& from, std::vector<View>& to) {
+  const View left = now();
+  const ChartZoom seen = scene_->zoom();
+  while (!from.empty()) {
+    const View view = std::move(from.back());
+    from.pop_back();
+    apply(view);
+    if (scene_->zoom() == seen) continue;
+    to.push_back(left);
+    viewport()->update();
+    return;
+  }
+  apply(left);
 }
 
-void ChartView::zoomForward() {
-  if (forward_.empty()) return;
-  back_.push_back(scene_->zoom());
-  const ChartZoom zoom = forward_.back();
-  forward_.pop_back();
-  scene_->setZoom(zoom);
-  viewport()->update();
-}
+void ChartView::zoomBack() { travel(back_, forward_); }
+
+void ChartView::zoomForward() { travel(forward_, back_); }
 
 void ChartView::zoomAll() {
   if (!scene_->zoomed()) return;
@@ -228,7 +273,7 @@ void ChartView::zoomBox(const QRectF& box) {
 }
 
 void ChartView::mouseReleaseEvent(QMouseEvent* event) {
-  if (dragging_ && !back_.empty() && back_.back() == scene_->zoom()) back_.pop_back();
+  if (dragging_ && !back_.empty() && back_.back() == now()) back_.pop_back();
   dragging_ = false;
   if (!boxing_) return;
   boxing_ = false;

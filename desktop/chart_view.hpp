@@ -6,6 +6,11 @@
 
 #include <array>
 #include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 class QRubberBand;
@@ -15,7 +20,7 @@ namespace adore::desktop {
 /// A ChartScene in a window.
 /// - The wheel zooms along the abscissa, with Ctrl along a panel's own axis; dragging moves; with
 ///   Shift a box is zoomed into. A double click shows everything again; earlier views come back by
-///   zoomBack(), also after other pages.
+///   zoomBack(), also after other pages: of those what they have in common, the abscissa.
 /// - A click on a name in a legend hides its curve, or shows it again.
 /// - Ctrl and a click sets cursor A, with Shift cursor B: what lies between them is told.
 class ChartView : public QGraphicsView {
@@ -23,7 +28,8 @@ class ChartView : public QGraphicsView {
  public:
   explicit ChartView(QWidget* parent = nullptr);
   [[nodiscard]] ChartScene& chartScene() { return *scene_; }
-  /// Keeps zoom and cursors where the new page has the same abscissa.
+  /// Keeps zoom and cursors where the new page has the same abscissa. A page that was shown before,
+  /// or is read again, gets the ranges of its own axes back, and its curves stay hidden.
   void showPage(ChartPage page);
 
   /// Abscissa of cursor 0 (A) or 1 (B); NaN takes it away.
@@ -57,6 +63,18 @@ class ChartView : public QGraphicsView {
   void leaveEvent(QEvent* event) override;
 
  private:
+  using Ranges = std::vector<std::optional<std::pair<double, double>>>;  ///< of a page's panels
+  /// What was seen: the part of an abscissa, and the ranges chosen on all pages.
+  struct View {
+    std::string abscissa;
+    double low = 0.0, high = 0.0;
+    std::map<std::string, Ranges> ranges;
+    bool operator==(const View&) const = default;
+  };
+  [[nodiscard]] View now() const;
+  /// Shows as much of a view as the present page has.
+  void apply(const View& view);
+  void travel(std::vector<View>& from, std::vector<View>& to);
   void remember();
   void zoomBox(const QRectF& box);
   bool toggleLegend(QPointF position);
@@ -69,7 +87,10 @@ class ChartView : public QGraphicsView {
   double pointer_ = -1.0;  ///< scene x of the pointer's line; negative = none
   std::array<double, 2> cursors_{std::numeric_limits<double>::quiet_NaN(),
                                  std::numeric_limits<double>::quiet_NaN()};
-  std::vector<ChartZoom> back_, forward_;
+  std::vector<View> back_, forward_;
+  // By page:
+  std::map<std::string, Ranges> ranges_;
+  std::map<std::string, std::set<std::pair<std::size_t, std::size_t>>> hidden_;  ///< panel, curve
 };
 
 }  // namespace adore::desktop

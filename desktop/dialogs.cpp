@@ -108,23 +108,28 @@ void ask_files(QWidget* parent, const QString& app, const QString& title, const 
 }
 
 void save_picture(QWidget* parent, const QString& app, const QString& fallback,
-                  std::function<QImage()> picture) {
+                  std::function<QImage()> picture, std::function<QByteArray()> svg) {
   auto* dialog = new QFileDialog(parent, QObject::tr("Save picture"), QString(),
-                                 QObject::tr("Pictures (*.jpg *.jpeg *.png)"));
+                                 svg ? QObject::tr("Pictures (*.jpg *.jpeg *.png *.svg)")
+                                     : QObject::tr("Pictures (*.jpg *.jpeg *.png)"));
   dialog->setObjectName("save");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setAcceptMode(QFileDialog::AcceptSave);
   dialog->setDefaultSuffix("jpg");
   dialog->selectFile(proposed_image_name(app, fallback));
-  QObject::connect(dialog, &QFileDialog::fileSelected, parent,
-                   [parent, app, picture = std::move(picture)](const QString& name) {
-                     try {
-                       save_image(picture(), name.toStdString(), Replace::Anything);
-                       remember_image_name(app, name);
-                     } catch (const std::exception& error) {
-                       show_message(parent, error.what(), true);
-                     }
-                   });
+  QObject::connect(
+      dialog, &QFileDialog::fileSelected, parent,
+      [parent, app, picture = std::move(picture), svg = std::move(svg)](const QString& name) {
+        try {
+          if (svg && name.endsWith(".svg", Qt::CaseInsensitive))
+            save_bytes(svg(), name.toStdString());
+          else
+            save_image(picture(), name.toStdString(), Replace::Anything);
+          remember_image_name(app, name);
+        } catch (const std::exception& error) {
+          show_message(parent, error.what(), true);
+        }
+      });
   dialog->open();
 }
 
@@ -139,18 +144,6 @@ void print_page(QWidget* parent, std::function<void(QPainter&, const QRectF&)> d
                      QPainter painter(printer.get());
                      draw(painter, QRectF(painter.viewport()));
                    });
-  dialog->open();
-}
-
-void print_picture(QWidget* parent, std::function<QImage()> picture) {
-  auto printer = std::make_shared<QPrinter>(QPrinter::HighResolution);
-  printer->setPageOrientation(QPageLayout::Landscape);
-  auto* dialog = new QPrintDialog(printer.get(), parent);
-  dialog->setObjectName("print");
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  QObject::connect(
-      dialog, qOverload<QPrinter*>(&QPrintDialog::accepted), parent,
-      [printer, picture = std::move(picture)](QPrinter*) { print_image(picture(), *printer); });
   dialog->open();
 }
 

@@ -32,13 +32,11 @@ void ask_files(QWidget* parent, const QString& app, const QString& title, const 
                std::function<void(QStringList)> answer);
 
 /// Where to save a picture: the remembered name with a running number, free to edit; then saves it
-/// and reports failure by message.
+/// and reports failure by message. With `svg`, a document (desktop/svg_writer.hpp), also as that.
 void save_picture(QWidget* parent, const QString& app, const QString& fallback,
-                  std::function<QImage()> picture);
+                  std::function<QImage()> picture, std::function<QByteArray()> svg = {});
 
-/// Printer selection, then one page.
-void print_picture(QWidget* parent, std::function<QImage()> picture);
-/// The same for what is drawn as lines and text: `draw` gets the paper in the printer's dots.
+/// Printer selection, then one page of lines and text: `draw` gets the paper in the printer's dots.
 void print_page(QWidget* parent, std::function<void(QPainter&, const QRectF&)> draw);
 
 }  // namespace adore::desktop

@@ -6,8 +6,6 @@
 #include <QBuffer>
 #include <QFileInfo>
 #include <QImageWriter>
-#include <QPainter>
-#include <QPrinter>
 #include <QRegularExpression>
 #include <QSaveFile>
 #include <QSettings>
@@ -58,6 +56,13 @@ void save_image(const QImage& image, const std::filesystem::path& path, Replace 
                                                            : writer.errorString().toStdString()));
 }
 
+void save_bytes(const QByteArray& bytes, const std::filesystem::path& path) {
+  QSaveFile file(QString::fromStdString(path.string()));
+  if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+    throw InputError("cannot write " + path.string() + ": " + write_fault(file) +
+                     "; choose a folder that exists and is yours");
+}
+
 std::string write_fault(const QFileDevice& file) {
   const QString text = file.errorString();
   return text == QLatin1String("Unknown error") ? "the disk may be full" : text.toStdString();
@@ -92,14 +97,6 @@ QString proposed_image_name(const QString& app, const QString& fallback) {
 
 void remember_image_name(const QString& app, const QString& saved) {
   QSettings("Adore", app).setValue("picture/last", saved);
-}
-
-void print_image(const QImage& image, QPrinter& printer) {
-  QPainter painter(&printer);
-  const QRect page = painter.viewport();
-  const QSize size = image.size().scaled(page.size(), Qt::KeepAspectRatio);
-  painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  painter.drawImage(QRect(page.topLeft(), size), image);
 }
 
 }  // namespace adore::desktop

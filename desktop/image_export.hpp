@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QByteArray>
 #include <QImage>
 #include <QString>
 
@@ -7,7 +8,6 @@
 #include <string>
 
 class QFileDevice;
-class QPrinter;
 
 /// Pictures on disk and on paper.
 namespace adore::desktop {
@@ -21,6 +21,9 @@ enum class Replace : unsigned char { OwnPictures, Anything };
 /// is there that may not be replaced.
 void save_image(const QImage& image, const std::filesystem::path& path,
                 Replace replace = Replace::OwnPictures);
+
+/// Writes a document whole or not at all. @throws InputError when that is impossible
+void save_bytes(const QByteArray& bytes, const std::filesystem::path& path);
 
 /// Throws unless there is no such file, or one that save_image() or AviWriter made: neither another
 /// program's picture nor a symbolic link. @throws InputError naming it
@@ -40,8 +43,5 @@ QString next_image_name(const QString& previous);
 /// time.
 QString proposed_image_name(const QString& app, const QString& fallback);
 void remember_image_name(const QString& app, const QString& saved);
-
-/// Prints a picture on one page, as large as it fits.
-void print_image(const QImage& image, QPrinter& printer);
 
 }  // namespace adore::desktop

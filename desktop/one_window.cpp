@@ -6,6 +6,8 @@
 #include <QtNetwork/QLocalServer>
 #include <QtNetwork/QLocalSocket>
 
+#include <algorithm>
+
 namespace adore::desktop {
 namespace {
 
@@ -49,9 +51,11 @@ QString folder_of(const std::filesystem::path& file) {
 }
 
 bool hand_over(const QString& program, const QStringList& files) {
-  if (files.isEmpty()) return false;
+  const auto file = std::find_if(files.begin(), files.end(),
+                                 [](const QString& name) { return !name.startsWith("--"); });
+  if (file == files.end()) return false;
   QLocalSocket socket;
-  socket.connectToServer(server_name(program, QFileInfo(files.front()).absolutePath()));
+  socket.connectToServer(server_name(program, QFileInfo(*file).absolutePath()));
   if (!socket.waitForConnected(kPatience)) return false;
   socket.write(files.join('\n').toUtf8());
   const bool written = socket.waitForBytesWritten(kPatience);

@@ -18,7 +18,8 @@ namespace adore::desktop {
 class OneWindow : public QObject {
  public:
   /// @param program "adrplot" or "agore"
-  /// @param show gets the files that are wanted; the window should come to the front
+  /// @param show gets the files that are wanted, and options that begin with "--"; the window
+  /// should come to the front
   OneWindow(const QString& program, const QString& folder, QObject* parent,
             std::function<void(const QStringList&)> show);
   /// Is this the window of its folder?
@@ -31,7 +32,8 @@ class OneWindow : public QObject {
 /// The folder of a file as an absolute path.
 QString folder_of(const std::filesystem::path& file);
 
-/// Gives files of one folder to the window that shows the folder. False when there is none.
+/// Gives files of one folder to the window that shows the folder, and options ("--follow") with
+/// them. False when there is none.
 bool hand_over(const QString& program, const QStringList& files);
 
 }  // namespace adore::desktop

@@ -31,13 +31,6 @@ std::string with_unit(const std::string& name, const std::string& unit) {
   return field(unit.empty() ? name : name + " [" + unit + "]");
 }
 
-void write_bytes(const std::filesystem::path& path, const QByteArray& bytes) {
-  QSaveFile file(QString::fromStdString(path.string()));
-  if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-    throw InputError("cannot write " + path.string() + ": " + write_fault(file) +
-                     "; choose a folder that exists and is yours");
-}
-
 }  // namespace
 
 std::string page_csv(const ChartPage& page) {
@@ -114,12 +107,14 @@ void save_pdf(ChartScene& scene, const std::filesystem::path& path, std::size_t 
 
 void save_page(ChartScene& scene, const std::filesystem::path& path, QSizeF size) {
   const QString suffix = QFileInfo(QString::fromStdString(path.string())).suffix().toLower();
-  if (suffix == "csv") return write_bytes(path, QByteArray::fromStdString(page_csv(scene.page())));
+  if (suffix == "csv") return save_bytes(QByteArray::fromStdString(page_csv(scene.page())), path);
   if (suffix == "pdf") return save_pdf(scene, path, 1, size, [](std::size_t) {});
   if (suffix == "svg")
-    return write_bytes(path, svg_of(size, [&](QPainter& painter) {
-                         paint_vector(scene, painter, QRectF(QPointF(0, 0), size), size);
-                       }));
+    return save_bytes(svg_of(size,
+                             [&](QPainter& painter) {
+                               paint_vector(scene, painter, QRectF(QPointF(0, 0), size), size);
+                             }),
+                      path);
   if (suffix != "png" && suffix != "jpg" && suffix != "jpeg")
     throw InputError("a page cannot be saved as " + path.string() +
                      "; give a name that ends in .png, .jpg, .svg, .pdf or .csv");

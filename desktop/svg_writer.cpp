@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace adore::desktop {
 namespace {
@@ -35,21 +36,15 @@ class SvgEngine final : public QPaintEngine {
     if (now.state() & DirtyTransform) transform_ = now.transform();
     if (now.state() & DirtyFont) font_ = now.font();
     if (now.state() & DirtyOpacity) opacity_ = now.opacity();
+    if (now.state() & DirtyClipEnabled) clips_ = now.isClipEnabled();
+    if (now.state() & (DirtyClipPath | DirtyClipRegion)) take_clip(now);
   }
   void drawPath(const QPainterPath& path) override {
     const QPainterPath mapped = transform_.map(path);
     if (mapped.isEmpty()) return;
-    QString d;
-    for (int i = 0; i < mapped.elementCount(); ++i) {
-      const QPainterPath::Element e = mapped.elementAt(i);
-      const char* letter = e.type == QPainterPath::MoveToElement    ? "M"
-                           : e.type == QPainterPath::LineToElement  ? "L"
-                           : e.type == QPainterPath::CurveToElement ? "C"
-                                                                    : " ";
-      d += letter + number(e.x) + ',' + number(e.y);
-    }
-    body += QString("<path d=\"%1\" %2%3%4/>\n")
-                .arg(d, fill(), stroke(),
+    const QString inside = clip(), filled = fill();  // what they define stands before
+    body += QString("<path d=\"%1\" %2%3%4%5/>\n")
+                .arg(outline(mapped), inside, filled, stroke(),
                      mapped.fillRule() == Qt::OddEvenFill ? " fill-rule=\"evenodd\"" : "");
   }
   void drawPolygon(const QPointF* points, int count, PolygonDrawMode mode) override {
@@ -67,6 +62,8 @@ class SvgEngine final : public QPaintEngine {
     const QFont font = item.font();
     const double size = font.pixelSize() > 0 ? font.pixelSize() : font.pointSizeF() * 96.0 / 72.0;
     const QTransform t = QTransform::fromTranslate(at.x(), at.y()) * transform_;
+    const QString inside = clip();  // around the text, whose transformation would move it
+    if (!inside.isEmpty()) body += "<g " + inside + ">";
     body +=
         QString(
             "<text transform=\"matrix(%1 %2 %3 %4 %5 %6)\" font-family=\"%7\" "
@@ -76,6 +73,7 @@ class SvgEngine final : public QPaintEngine {
                  number(t.dy()), font.family().toHtmlEscaped(), number(size))
             .arg(font.bold() ? QString(" font-weight=\"bold\"") : QString(), pen_.color().name(),
                  number(pen_.color().alphaF() * opacity_), item.text().toHtmlEscaped());
+    if (!inside.isEmpty()) body += "</g>\n";
   }
   void drawPixmap(const QRectF& target, const QPixmap& pixmap, const QRectF& source) override {
     drawImage(target, pixmap.toImage(), source, Qt::AutoColor);
@@ -86,19 +84,98 @@ class SvgEngine final : public QPaintEngine {
     QBuffer buffer(&bytes);
     image.copy(source.toRect()).save(&buffer, "PNG");
     const QRectF place = transform_.mapRect(target);
+    const QString inside = clip();
     body += QString(
-                "<image x=\"%1\" y=\"%2\" width=\"%3\" height=\"%4\" "
-                "href=\"data:image/png;base64,%5\"/>\n")
+                "<image x=\"%1\" y=\"%2\" width=\"%3\" height=\"%4\" %6"
+                "preserveAspectRatio=\"none\" href=\"data:image/png;base64,%5\"/>\n")
                 .arg(number(place.x()), number(place.y()), number(place.width()),
-                     number(place.height()), QString::fromLatin1(bytes.toBase64()));
+                     number(place.height()), QString::fromLatin1(bytes.toBase64()), inside);
   }
   QString body;
 
  private:
-  [[nodiscard]] QString fill() const {
+  [[nodiscard]] static QString outline(const QPainterPath& path) {
+    QString d;
+    for (int i = 0; i < path.elementCount(); ++i) {
+      const QPainterPath::Element e = path.elementAt(i);
+      const char* letter = e.type == QPainterPath::MoveToElement    ? "M"
+                           : e.type == QPainterPath::LineToElement  ? "L"
+                           : e.type == QPainterPath::CurveToElement ? "C"
+                                                                    : " ";
+      d += letter + number(e.x) + ',' + number(e.y);
+    }
+    return d;
+  }
+  /// The clip in numbers of the page, whatever the painter's transformation becomes later.
+  void take_clip(const QPaintEngineState& now) {
+    QPainterPath added;
+    if (now.state() & DirtyClipPath)
+      added = now.clipPath();
+    else
+      added.addRegion(now.clipRegion());
+    added = transform_.map(added);
+    named_clip_.clear();
+    switch (now.clipOperation()) {
+      case Qt::NoClip:
+        clip_.reset();
+        break;
+      case Qt::ReplaceClip:
+        clip_ = added;
+        break;
+      case Qt::IntersectClip:
+        clip_ = clip_ ? clip_->intersected(added) : added;
+        break;
+    }
+  }
+  [[nodiscard]] QString clip() {
+    if (!clip_ || !clips_) return {};
+    if (named_clip_.isEmpty()) {
+      named_clip_ = QString("c%1").arg(++names_);
+      body += QString("<clipPath id=\"%1\"><path d=\"%2\"/></clipPath>\n")
+                  .arg(named_clip_, outline(*clip_));
+    }
+    return QString("clip-path=\"url(#%1)\" ").arg(named_clip_);
+  }
+  /// Defines the brush's gradient. @return empty for kinds that SVG does not have
+  QString define(const QGradient& gradient) {
+    if (gradient.coordinateMode() != QGradient::LogicalMode) return {};
+    const QTransform t = brush_.transform() * transform_;
+    const QString name = QString("g%1").arg(++names_);
+    QString kind, place;
+    if (gradient.type() == QGradient::LinearGradient) {
+      const auto& line = static_cast<const QLinearGradient&>(gradient);
+      kind = "linearGradient";
+      place = QString("x1=\"%1\" y1=\"%2\" x2=\"%3\" y2=\"%4\"")
+                  .arg(number(line.start().x()), number(line.start().y()),
+                       number(line.finalStop().x()), number(line.finalStop().y()));
+    } else if (gradient.type() == QGradient::RadialGradient) {
+      const auto& shine = static_cast<const QRadialGradient&>(gradient);
+      kind = "radialGradient";
+      place =
+          QString("cx=\"%1\" cy=\"%2\" r=\"%3\" fx=\"%4\" fy=\"%5\"")
+              .arg(number(shine.center().x()), number(shine.center().y()), number(shine.radius()),
+                   number(shine.focalPoint().x()), number(shine.focalPoint().y()));
+    } else {
+      return {};
+    }
+    body += QString(
+                "<%1 id=\"%2\" gradientUnits=\"userSpaceOnUse\" %3 "
+                "gradientTransform=\"matrix(%4 %5 %6 %7 %8 %9)\">")
+                .arg(kind, name, place, number(t.m11()), number(t.m12()), number(t.m21()),
+                     number(t.m22()), number(t.dx()))
+                .arg(number(t.dy()));
+    for (const QGradientStop& stop : gradient.stops())
+      body += QString("<stop offset=\"%1\" stop-color=\"%2\" stop-opacity=\"%3\"/>")
+                  .arg(number(stop.first), stop.second.name(), number(stop.second.alphaF()));
+    body += QString("</%1>\n").arg(kind);
+    return name;
+  }
+  [[nodiscard]] QString fill() {
     if (brush_.style() == Qt::NoBrush) return "fill=\"none\" ";
     QColor colour = brush_.color();
     if (const QGradient* gradient = brush_.gradient()) {
+      if (const QString name = define(*gradient); !name.isEmpty())
+        return QString("fill=\"url(#%1)\" fill-opacity=\"%2\" ").arg(name, number(opacity_));
       const auto stops = gradient->stops();
       if (!stops.isEmpty()) colour = stops[stops.size() / 2].second;
     }
@@ -126,6 +203,10 @@ class SvgEngine final : public QPaintEngine {
   QFont font_;
   QTransform transform_;
   double opacity_ = 1.0;
+  std::optional<QPainterPath> clip_;  ///< in numbers of the page
+  bool clips_ = true;                 ///< is it switched on?
+  QString named_clip_;                ///< its name in the document; empty: none yet
+  int names_ = 0;
 };
 
 class SvgDevice final : public QPaintDevice {

@@ -1,6 +1,7 @@
 #include "facade/progress_meter.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace adore::facade {
 namespace {
@@ -15,20 +16,37 @@ double seconds_since(Clock::time_point begin) {
 
 double ProgressMeter::elapsed() const { return seconds_since(begin_); }
 
-void ProgressMeter::send(double time, long step, long first_step, bool done) {
+/// A run that began as the continuation of another one (kIcOpt = 1) does not know when that was:
+/// its own part counts from here.
+ProgressMeter::ProgressMeter(const ProgressSink& sink, const StartPoint& start, bool completes,
+                             const RunSpan& span, std::function<double()> turns)
+    : sink_(sink),
+      span_(span),
+      start_(start.time),
+      origin_(completes && start.segment == 0 ? 0.0 : start.time),
+      first_step_(completes ? start.segment : start.step),
+      done_before_(fraction(start.time, start.step)),
+      turns_(std::move(turns)) {}
+
+double ProgressMeter::fraction(double time, long step) const {
+  const double by_time = span_.end > origin_ ? (time - origin_) / (span_.end - origin_) : 1.0;
+  const double by_steps =
+      static_cast<double>(step - first_step_) / static_cast<double>(std::max(1L, span_.max_steps));
+  return std::clamp(std::max(by_time, by_steps), 0.0, 0.9999);
+}
+
+void ProgressMeter::send(double time, long step, bool done) {
   const double elapsed = this->elapsed();
   sent_ = elapsed;
   Progress p;
-  const double by_time = span_.end > start_ ? (time - start_) / (span_.end - start_) : 1.0;
-  const double by_steps =
-      static_cast<double>(step - first_step) / static_cast<double>(std::max(1L, span_.max_steps));
-  p.fraction = done ? 1.0 : std::clamp(std::max(by_time, by_steps), 0.0, 0.9999);
+  p.fraction = done ? 1.0 : fraction(time, step);
   p.revolutions = turns_();
   p.time = time;
   p.end_time = span_.end;
   p.step = step;
   p.elapsed = elapsed;
-  p.remaining = p.fraction > 0.0 ? elapsed * (1.0 - p.fraction) / p.fraction : 0.0;
+  const double here = p.fraction - done_before_;
+  p.remaining = here > 0.0 ? elapsed * (1.0 - p.fraction) / here : 0.0;
   p.speed_up = elapsed > 0.0 ? (time - start_) / elapsed : 0.0;
   sink_(p);
 }

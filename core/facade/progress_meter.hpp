@@ -10,26 +10,31 @@ namespace adore::facade {
 
 class ProgressMeter {
  public:
-  /// @param start time that the run begins at [s]; @param turns of the shaft, now
-  ProgressMeter(const ProgressSink& sink, double start, const RunSpan& span,
-                std::function<double()> turns)
-      : sink_(sink), start_(start), span_(span), turns_(std::move(turns)) {}
+  /// @param start where this process takes the run over; @param completes a run that began before:
+  /// its part counts as done; @param turns of the shaft, now
+  ProgressMeter(const ProgressSink& sink, const StartPoint& start, bool completes,
+                const RunSpan& span, std::function<double()> turns);
 
-  void update(double time, long step, long first_step) {
-    if (sink_ && elapsed() - sent_ >= 0.05) send(time, step, first_step, false);
+  void update(double time, long step) {
+    if (sink_ && elapsed() - sent_ >= 0.05) send(time, step, false);
   }
   /// The last report; `done`: the run came to its end.
-  void finish(double time, long step, long first_step, bool done) {
-    if (sink_) send(time, step, first_step, done);
+  void finish(double time, long step, bool done) {
+    if (sink_) send(time, step, done);
   }
 
  private:
   [[nodiscard]] double elapsed() const;
-  void send(double time, long step, long first_step, bool done);
+  void send(double time, long step, bool done);
+  /// How much of the whole run is done then.
+  [[nodiscard]] double fraction(double time, long step) const;
 
   const ProgressSink& sink_;
-  double start_;
   RunSpan span_;
+  double start_;        ///< of this process [s]
+  double origin_;       ///< of the run [s]
+  long first_step_;     ///< of the run
+  double done_before_;  ///< fraction at start_
   std::function<double()> turns_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   double sent_ = -1.0;

@@ -27,7 +27,8 @@ struct RunRequest : DeckRequest {
 
 /// What a live display needs, sent at most about 20 times a second and once at the end.
 struct Progress {
-  double fraction = 0.0;     ///< of the simulated span, 0..1; 1 only when the run is done
+  double fraction = 0.0;     ///< of the simulated span, 0..1; 1 only when the run is done. Of a run
+                             ///< that is completed (go_on): what was done before counts
   double revolutions = 0.0;  ///< shaft turns, inner relative to outer
   double time = 0.0;         ///< simulated [s]
   double end_time = 0.0;     ///< [s]

@@ -141,7 +141,7 @@ bool TimeRun::counted_step() {
     if (substeps_ == whole) break;
     parts_.outputs.follow_loads(system(), parts_.stepper.time());
     if (parts_.outputs.checkpoint_due()) checkpoint();
-    parts_.meter.update(parts_.stepper.time(), step_, start_.step);
+    parts_.meter.update(parts_.stepper.time(), step_);
   }
   substeps_ = 0;
   ++step_;
@@ -161,7 +161,7 @@ void TimeRun::after_counted_step() {
   outputs.follow(now);
   if (parts_.prepared.user) output([&] { outputs.call_user(system(), now); });
   if (outputs.checkpoint_due()) checkpoint();
-  parts_.meter.update(t, step_, start_.step);
+  parts_.meter.update(t, step_);
 }
 
 void TimeRun::steps() {
@@ -252,7 +252,7 @@ RunOutcome TimeRun::run(bool remembers) {
     fail(deck::message_in_units(failure.what(), units));
   }
   if (status_ != RunStatus::Failed)
-    parts_.meter.finish(stepper.time(), step_, start_.step, status_ == RunStatus::Done);
+    parts_.meter.finish(stepper.time(), step_, status_ == RunStatus::Done);
 
   RunEnd end;
   close(end);

@@ -17,9 +17,11 @@
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 #include <catch2/catch.hpp>
 
 #include <fstream>
@@ -364,4 +366,48 @@ TEST_CASE("an accuracy study shows its rows, and its advice goes into the deck",
   CHECK(window.document().deck().real("tol") == 1e-5);
   window.undo();
   CHECK(window.document().deck().integer("intMet") == 5);
+}
+
+TEST_CASE("what only the run itself refuses is told beside the records, and leads to the reason",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  const QTemporaryDir folder;
+  DeckWindow window;
+  window.resize(700, 450);
+  window.show();
+  auto* state = window.findChild<QToolButton*>("deck-state");
+  REQUIRE(state != nullptr);
+  const auto says = [&](const QString& text) {
+    return QTest::qWaitFor([&] { return state->text() == text; }, 60000);
+  };
+  REQUIRE(says("Ready to run"));
+  CHECK(state->fontMetrics().horizontalAdvance(state->text()) < state->width() - 24);
+  // A method that is for balls alone: no record is wrong, and no record is named.
+  window.newDeck("cylindrical");
+  REQUIRE(says("Ready to run"));
+  window.document().edit(cell("intMet"), "33");
+  window.document().end_step();
+  window.checkNow();
+  REQUIRE(says("Run refused"));
+  const auto* problems = window.findChild<QListWidget*>("problems");
+  CHECK(problems->item(0)->text().startsWith("Refused"));
+  CHECK(problems->item(0)->text().contains("arkode-imex"));
+  QTest::mouseClick(state, Qt::LeftButton);
+  CHECK(problems->isVisible());
+  CHECK(problems->currentRow() == 0);
+  window.document().edit(cell("appLoadZ"), "much");
+  window.checkNow();
+  CHECK(state->text() == "1 error");
+  window.undo();
+  window.undo();
+  CHECK(says("Ready to run"));
+  // A run to go on with that is not there, until there is one.
+  window.newDeck("ball");
+  for (const auto& [name, value] :
+       {std::pair{"maxStps", "4"}, std::pair{"kIcOpt", "1"}, std::pair{"kAGraf", "0"}})
+    window.document().edit(cell(name), value);
+  window.document().save(folder.filePath("DATA.txt").toStdString());
+  window.checkNow();
+  REQUIRE(says("Run refused"));
+  CHECK(problems->item(0)->text().contains("kIcOpt"));
 }

@@ -172,7 +172,7 @@ TEST_CASE("a record that a run refuses gets no green tick back through an error 
   document.edit(cell("kDOF"), "6");  // needs a routine of the user
   document.check_model();
   REQUIRE_FALSE(document.has_errors());
-  REQUIRE(document.is_refused());
+  REQUIRE(document.deck_state() == DeckState::Refused);
   const std::string record = cell("kDOF").record;
   CHECK(document.state_of(record) == RecordState::Doubtful);
   document.edit(cell("pitchDia"), "0.001");
@@ -183,8 +183,43 @@ TEST_CASE("a record that a run refuses gets no green tick back through an error 
   CHECK(document.state_of(record) == RecordState::Doubtful);
   document.edit(cell("kDOF"), "1");
   document.check_model();
-  CHECK_FALSE(document.is_refused());
+  CHECK(document.deck_state() == DeckState::Unchecked);
   CHECK(document.state_of(record) == RecordState::Complete);
+}
+
+TEST_CASE("a refusal that names no record marks the deck, and one that does its record too",
+          "[unit][adrinput]") {
+  Document document;
+  document.check_model();
+  REQUIRE(document.wants_rehearsal());
+  CHECK(document.deck_state() == DeckState::Unchecked);
+  document.set_rehearsal(document.candidate(), {});
+  CHECK(document.deck_state() == DeckState::Ready);
+  CHECK_FALSE(document.wants_rehearsal());
+  document.edit(cell("appLoadX"), "1501");
+  CHECK(document.deck_state() == DeckState::Unchecked);
+  Issue nowhere, start;
+  nowhere.message = "the equilibrium is not found";
+  start.message = "puts the cage where its elements are not";
+  start.record = "9.6";
+  document.set_rehearsal(document.candidate(), {nowhere, start});
+  CHECK(document.deck_state() == DeckState::Refused);
+  CHECK(document.state_of("9.6") == RecordState::Doubtful);
+  REQUIRE(document.problems().size() >= 2);
+  for (std::size_t i : {0U, 1U}) {
+    CHECK(document.problems()[i].refused);
+    CHECK(document.problems()[i].issue.severity == Severity::Note);  // it can be saved
+  }
+  CHECK_FALSE(document.has_errors());
+  document.edit(cell("appLoadX"), "1502");
+  CHECK(document.deck_state() == DeckState::Unchecked);
+  CHECK(document.state_of("9.6") == RecordState::Doubtful);  // until somebody knows better
+  document.set_rehearsal(document.candidate(), {});
+  CHECK(document.state_of("9.6") == RecordState::Complete);
+  document.edit(cell("pitchDia"), "0.001");
+  document.check_model();
+  CHECK(document.deck_state() == DeckState::Wrong);
+  CHECK_FALSE(document.wants_rehearsal());
 }
 
 TEST_CASE("new records ask to be filled in until somebody has looked at them", "[unit][adrinput]") {

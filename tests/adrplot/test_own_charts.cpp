@@ -70,6 +70,87 @@ TEST_CASE("own charts: curves of two runs over one abscissa, and their differenc
   CHECK_THROWS_AS(combine_curves({}, Combine::Overlay, {}), InputError);
 }
 
+TEST_CASE("own charts: curves of any file have spectra, differences theirs, and waterfalls",
+          "[unit]") {
+  // 800 Hz of 3 W in one run; in the other one 5 W more of 1200 Hz, and it ends earlier.
+  const auto with_tones = [](double second, int steps, const char* folder) {
+    test::SyntheticRun made;
+    made.steps = steps;
+    results::SolFile file = test::synthetic_sol(SolKind::Power, made);
+    file.path = std::filesystem::path(folder) / "SOL7";
+    const double step = 1.0 / 16000.0;
+    for (std::size_t i = 0; i < file.steps.size(); ++i) {
+      const double t = step * static_cast<double>(i);
+      file.steps[i].time = t;
+      file.steps[i].revolutions = 100.0 * t;
+      file.steps[i].values[0] = 50.0 + 3.0 * std::sin(2.0 * std::numbers::pi * 800.0 * t) +
+                                second * std::sin(2.0 * std::numbers::pi * 1200.0 * t);
+    }
+    return make_document(std::move(file));
+  };
+  const PlotDocument first = with_tones(0.0, 801, "first"), second = with_tones(5.0, 641, "second");
+  const std::vector<CurvePick> picks{{&first, 1, 0, 0}, {&second, 1, 0, 0}};
+  PageOptions options;
+  options.domain = Domain::Spectrum;
+  options.spectrum.scale = SpectrumScale::Units;
+  options.spectrum.window = Window::FlatTop;
+  const auto amplitude = [](const desktop::ChartPage& page, std::size_t curve, double frequency) {
+    double largest = 0.0;
+    for (std::size_t k = 0; k < page.x.size(); ++k)
+      if (std::abs(page.x[k] - frequency) < 60.0)
+        largest = std::max(largest, page.panels.at(0).curves.at(curve).y[k]);
+    return largest;
+  };
+  const auto spectra = combine_curves(picks, Combine::Overlay, options);
+  CHECK(spectra.x_unit == "Hz");
+  REQUIRE(spectra.panels.size() == 1);
+  CHECK(spectra.panels[0].unit == "W");
+  CHECK(amplitude(spectra, 0, 800.0) == Approx(3.0).epsilon(2e-3));
+  CHECK(amplitude(spectra, 0, 1200.0) < 0.01);
+  CHECK(amplitude(spectra, 1, 800.0) == Approx(3.0).epsilon(2e-3));
+  CHECK(amplitude(spectra, 1, 1200.0) == Approx(5.0).epsilon(2e-3));
+  const auto less = combine_curves(picks, Combine::Difference, options);
+  REQUIRE(less.panels.size() == 1);
+  CHECK(amplitude(less, 0, 800.0) < 0.01);
+  CHECK(amplitude(less, 0, 1200.0) == Approx(5.0).epsilon(2e-3));
+  options.domain = Domain::Waterfall;
+  const PlotDocument whole = with_tones(5.0, 6401, "whole");
+  const auto fall = combine_curves({{&whole, 1, 0, 0}, picks[0]}, Combine::Overlay, options);
+  REQUIRE(fall.panels.size() == 1);
+  CHECK(fall.panels[0].curves.size() > 10);
+  CHECK(amplitude(fall, 0, 1200.0) == Approx(5.0).epsilon(5e-3));
+  CHECK(fall.note.find("spectra of") != std::string::npos);
+}
+
+TEST_CASE("waterfall: lines of a shaft that runs up say its speed, and no frequency is marked",
+          "[unit]") {
+  test::SyntheticRun made;
+  made.steps = 2000;
+  for (const bool runs_up : {false, true}) {
+    results::SolFile file = test::synthetic_sol(SolKind::Power, made);
+    for (std::size_t i = 0; i < file.steps.size(); ++i) {
+      const double t = 1e-4 * static_cast<double>(i);
+      file.steps[i].time = t;
+      // 100 Hz, or 50 Hz that grow by 500 Hz a second.
+      file.steps[i].revolutions = runs_up ? 50.0 * t + 250.0 * t * t : 100.0 * t;
+      file.steps[i].values[0] = std::sin(2.0 * std::numbers::pi * 900.0 * t);
+    }
+    PageOptions options;
+    options.domain = Domain::Waterfall;
+    const auto page = make_document(std::move(file)).build(1, options);
+    REQUIRE(page.panels.size() == 1);
+    const std::string& name = page.panels[0].curves.front().name;
+    INFO(name << " | " << page.note);
+    CHECK((name.find("rpm") != std::string::npos) == runs_up);
+    CHECK(page.marks.empty() == runs_up);
+    if (!runs_up) continue;
+    // The middle of the first of 24 pieces that overlap by half stands at t = 8 ms: 54 Hz.
+    const double rpm = std::stod(name.substr(name.find(',') + 1));
+    CHECK(rpm == Approx(60.0 * (50.0 + 500.0 * 0.00795)).epsilon(0.01));
+    CHECK(page.note.find("rpm)") != std::string::npos);
+  }
+}
+
 TEST_CASE("own charts: values between stored ones lie on straight lines, none outside", "[unit]") {
   const std::vector<double> y =
       read_off({1.0, 2.0, 4.0}, {10.0, 20.0, 0.0}, {0.5, 1.0, 1.25, 2.0, 3.0, 4.0, 4.1});

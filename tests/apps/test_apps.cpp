@@ -1,11 +1,9 @@
-#include "desktop/image_export.hpp"
 #include "desktop/launch.hpp"
 #include "support/paths.hpp"
 #include "support/qt_app.hpp"
 
 #include <QDir>
 #include <QImage>
-#include <QPrinter>
 #include <QProcess>
 #include <QProcessEnvironment>
 #include <QTest>
@@ -173,21 +171,4 @@ TEST_CASE("one program starts another that lies beside it, and says when there i
       [&] { return !QDir(pictures.path()).entryList({"*.png"}, QDir::Files).isEmpty(); }, 60000));
   CHECK_THROWS_WITH(adore::desktop::start_program("no-such-viewer", {}),
                     Catch::Contains("no-such-viewer") && Catch::Contains("PATH"));
-}
-
-TEST_CASE("a picture is printed on one page", "[gui][apps]") {
-  adore::test::use_qt();
-  QTemporaryDir folder;
-  QImage image(300, 200, QImage::Format_RGB32);
-  image.fill(Qt::red);
-  QPrinter printer;
-  printer.setOutputFormat(QPrinter::PdfFormat);
-  printer.setOutputFileName(folder.filePath("page.pdf"));
-  adore::desktop::print_image(image, printer);
-  QFile file(folder.filePath("page.pdf"));
-  REQUIRE(file.open(QIODevice::ReadOnly));
-  const QByteArray bytes = file.readAll();
-  CHECK(bytes.startsWith("%PDF"));
-  CHECK(bytes.count("/Type /Page\n") == 1);
-  CHECK(bytes.contains("/Subtype /Image"));
 }

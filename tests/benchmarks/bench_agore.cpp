@@ -1,19 +1,26 @@
 #include "agore/motion_picture.hpp"
+#include "agore/render.hpp"
 #include "desktop/bootstrap.hpp"
+#include "desktop/mp4_writer.hpp"
 #include "tests/support/synthetic_results.hpp"
 
 #include <QApplication>
 #include <QPainter>
+#include <QTemporaryDir>
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <memory>
+#include <sys/resource.h>
 
 /// Frames of AGORE at 1920 x 1080, on one core. Aim: 60 a second with 40 elements (16.7 ms).
 /// The column CPU is the processor time of all threads, since Qt hands large fills to helpers:
 /// what one core needs for a picture, whatever else the machine does.
-/// With ADORE_BENCH_RUN=FOLDER the pictures rest on that run's RESULTS.h5, which sections and the
-/// 3D view need; else on 40 balls made up.
+/// `film` writes some 100 pictures of 1280 x 800 into one; `ffmpeg_ms` is what the helper of MP4
+/// needs for each beside the time that is measured, which is that of all pictures. With
+/// ADORE_BENCH_RUN=FOLDER the pictures rest on that run's RESULTS.h5, which sections and the 3D
+/// view need; else on 40 balls made up.
 using namespace adore;
 using agore::View;
 
@@ -120,6 +127,44 @@ BENCHMARK_CAPTURE(frames, solid, plain(View::Solid))
 BENCHMARK_CAPTURE(frames, four_views, four())
     ->Unit(benchmark::kMillisecond)
     ->MeasureProcessCPUTime();
+
+double seconds_of_helpers() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+void film(benchmark::State& state, const char* name) {
+  agore::MotionPicture& shown = picture();
+  if (std::string_view(name).ends_with("mp4") && !desktop::ffmpeg_found()) {
+    state.SkipWithError("no ffmpeg here");
+    return;
+  }
+  const QTemporaryDir folder;
+  const int every = std::max(1, static_cast<int>(shown.frames()) / 100);
+  agore::RenderOptions options;
+  options.width = 1280;
+  options.height = 800;
+  options.replace = true;
+  long pictures = 0;
+  options.progress = [&](long, long total) { pictures = total; };
+  const double before = seconds_of_helpers();
+  long films = 0;
+  for (auto _ : state) {
+    agore::render_movie(shown, every, 25, folder.filePath(name).toStdString(), options);
+    ++films;
+  }
+  const auto drawn = static_cast<double>(pictures * films);
+  state.counters["pictures"] = static_cast<double>(pictures);
+  state.counters["ffmpeg_ms"] = 1e3 * (seconds_of_helpers() - before) / drawn;
+}
+BENCHMARK_CAPTURE(film, avi, "film.avi")->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(film, gif, "film.gif")->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(film, mp4, "film.mp4")->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK_CAPTURE(film, png, "pictures")->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include "desktop/gif_writer.hpp"
 #include "desktop/mp4_writer.hpp"
 #include "desktop/page_export.hpp"
+#include "desktop/svg_writer.hpp"
 #include "support/qt_app.hpp"
 
 #include <QChart>
@@ -11,6 +12,7 @@
 #include <QImage>
 #include <QImageReader>
 #include <QLineSeries>
+#include <QPainter>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTest>
@@ -268,6 +270,119 @@ TEST_CASE("page_export: SVG and PDF hold lines and text, not pixels", "[gui]") {
   CHECK(scene.sceneRect().size() == QSizeF(900, 600));  // what is seen stays
   CHECK_THROWS_WITH(save_page(scene, base / "page.gif", {500, 400}), Catch::Contains(".svg"));
   CHECK_THROWS_AS(save_page(scene, base / "no" / "page.svg", {500, 400}), InputError);
+}
+
+TEST_CASE("chart_view: ranges and hidden curves are those of their page, after others and a reload",
+          "[gui]") {
+  test::use_qt();
+  ChartView view;
+  view.resize(900, 600);
+  view.show();
+  ChartPage power = lines_page(), moment = lines_page();
+  power.title = "Power", moment.title = "Moment";
+  moment.panels.front().unit = "N.m";
+  auto& scene = view.chartScene();
+  view.showPage(power);
+  const double first = scene.viewLow(), last = scene.viewHigh();
+  const double quarter = first + 0.25 * (last - first), half = first + 0.5 * (last - first);
+  const auto zoom = [&](double low, double high, double bottom, double top) {
+    // As a box does.
+    const QRectF area = scene.plotAreas().front();
+    const auto at = [&](double x, double part) {
+      return view.mapFromScene(QPointF(scene.positionOf(x), area.bottom() - part * area.height()));
+    };
+    QTest::mousePress(view.viewport(), Qt::LeftButton, Qt::ShiftModifier, at(low, bottom));
+    QTest::mouseMove(view.viewport(), at(high, top));
+    QTest::mouseRelease(view.viewport(), Qt::LeftButton, Qt::ShiftModifier, at(high, top));
+  };
+  zoom(quarter, half, 0.2, 0.8);
+  const ChartZoom box = scene.zoom();
+  REQUIRE(box.panels.front().has_value());
+  scene.showCurve(0, 0, false);
+
+  view.showPage(moment);  // keeps the abscissa, not the range of another quantity
+  CHECK(scene.viewLow() == box.low);
+  CHECK_FALSE(scene.zoom().panels.front().has_value());
+  CHECK_FALSE(scene.page().panels[0].curves[0].hidden);
+  view.showPage(power);
+  CHECK(scene.zoom() == box);
+  CHECK(scene.page().panels[0].curves[0].hidden);
+  view.showPage(power);  // read again
+  CHECK(scene.zoom() == box);
+  CHECK(scene.page().panels[0].curves[0].hidden);
+
+  view.showPage(moment);
+  view.zoomBack();
+  CHECK(scene.viewLow() == first);
+  CHECK(scene.viewHigh() == last);
+  CHECK_FALSE(scene.zoom().panels.front().has_value());
+  view.zoomForward();
+  CHECK(scene.viewLow() == box.low);
+  CHECK_FALSE(scene.zoom().panels.front().has_value());
+  view.showPage(power);
+  CHECK(scene.zoom() == box);
+  view.zoomBack();
+  CHECK(scene.viewHigh() == last);
+  CHECK_FALSE(scene.zoom().panels.front().has_value());
+  view.zoomForward();
+  CHECK(scene.zoom() == box);
+}
+
+TEST_CASE("svg_writer: what is drawn inside a clip stays there, and shades are shades", "[gui]") {
+  test::use_qt();
+  const QByteArray svg = svg_of({200, 100}, [](QPainter& p) {
+    p.translate(10, 0);
+    p.save();
+    p.setClipRect(QRectF(0.5, 0, 50, 50));
+    p.setClipRect(QRectF(20, 20, 100, 100), Qt::IntersectClip);
+    p.scale(2.0, 2.0);
+    p.drawLine(QPointF(-100, -100), QPointF(100, 100));
+    p.restore();
+    QLinearGradient shade(0, 0, 40, 0);
+    shade.setColorAt(0, Qt::red);
+    shade.setColorAt(1, Qt::blue);
+    p.setPen(Qt::NoPen);
+    p.setBrush(shade);
+    p.drawRect(QRectF(60, 10, 40, 40));
+  });
+  QXmlStreamReader xml(svg);
+  QString clip, gradient;
+  QStringList paths, clips, fills, stops;
+  while (!xml.atEnd()) {
+    xml.readNext();
+    if (!xml.isStartElement()) continue;
+    const auto attribute = [&](const char* name) {
+      return xml.attributes().value(QLatin1String(name)).toString();
+    };
+    if (xml.name() == QLatin1String("clipPath")) clip = attribute("id");
+    if (xml.name() == QLatin1String("linearGradient")) gradient = attribute("id");
+    if (xml.name() == QLatin1String("stop")) stops << attribute("stop-color");
+    if (xml.name() != QLatin1String("path")) continue;
+    paths << attribute("d");
+    clips << attribute("clip-path");
+    fills << attribute("fill");
+  }
+  INFO(svg.toStdString());
+  REQUIRE_FALSE(xml.hasError());
+  REQUIRE(paths.size() == 3);  // of the clip, of the line, of the shaded square
+  for (const char* corner : {"30,20", "60.5,50"}) CHECK(paths[0].contains(corner));
+  CHECK(clips[1] == "url(#" + clip + ")");
+  CHECK(clips[2].isEmpty());
+  CHECK(fills[2] == "url(#" + gradient + ")");
+  CHECK(stops == QStringList{"#ff0000", "#0000ff"});
+}
+
+TEST_CASE("page_export: a zoomed chart's curves stay in their panels as SVG", "[gui]") {
+  test::use_qt();
+  QTemporaryDir folder;
+  ChartScene scene;
+  scene.setPageSize({900, 600});
+  scene.setPage(lines_page());
+  save_page(scene, folder.filePath("page.svg").toStdString(), {900, 600});
+  QFile svg(folder.filePath("page.svg"));
+  REQUIRE(svg.open(QIODevice::ReadOnly));
+  // Each curve is drawn inside the clip of its panel.
+  CHECK(svg.readAll().count("clip-path=") >= 2);
 }
 
 TEST_CASE("gif_writer: pictures come back with their colours and pauses", "[gui]") {

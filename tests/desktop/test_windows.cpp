@@ -93,6 +93,10 @@ TEST_CASE("files go to the window that shows their folder, and to no other", "[g
     CHECK_FALSE(second.listens());
     CHECK(desktop::hand_over("adrplot", files));
     CHECK(QTest::qWaitFor([&] { return shown == files; }, 5000));
+    const QStringList of_a_run = QStringList{"--follow"} + files;  // which goes on
+    CHECK(desktop::hand_over("adrplot", of_a_run));
+    CHECK(QTest::qWaitFor([&] { return shown == of_a_run; }, 5000));
+    CHECK_FALSE(desktop::hand_over("adrplot", {"--follow"}));
     CHECK_FALSE(desktop::hand_over("adrplot", {other.filePath("SOL1")}));
     CHECK_FALSE(desktop::hand_over("agore", files));
   }
@@ -109,6 +113,15 @@ TEST_CASE("selected text stands out from its background in both themes", "[gui][
           4.5);
     CHECK(contrast(palette.color(QPalette::Window), palette.color(QPalette::WindowText)) > 4.5);
     CHECK(contrast(palette.color(QPalette::Window), desktop::current_theme().muted) > 4.5);
+    // What cannot be used now is paler, and still read; Fusion's buttons are lighter at their top.
+    const QColor idle = palette.color(QPalette::Disabled, QPalette::ButtonText);
+    const QColor button = palette.color(QPalette::Button);
+    for (const QColor& ground : {button, button.lighter(124), palette.color(QPalette::Window),
+                                 palette.color(QPalette::Base)}) {
+      INFO(ground.name().toStdString() << " " << contrast(ground, idle));
+      CHECK(contrast(ground, idle) > 2.5);
+      CHECK(contrast(ground, idle) < 0.8 * contrast(ground, palette.color(QPalette::ButtonText)));
+    }
   }
   desktop::apply_theme(desktop::ThemeKind::Light);
 }

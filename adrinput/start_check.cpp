@@ -1,0 +1,44 @@
+#include "adrinput/start_check.hpp"
+
+#include "facade/rehearsal.hpp"
+
+#include <exception>
+#include <memory>
+#include <utility>
+
+namespace adore::adrinput {
+
+void StartCheck::ask(Document::Candidate candidate) {
+  if (!busy()) return start(std::move(candidate));
+  if (asked_ && *asked_ == candidate) {
+    next_.reset();
+    return;
+  }
+  next_ = std::move(candidate);
+  background_.stop();
+}
+
+void StartCheck::start(Document::Candidate candidate) {
+  asked_ = candidate;
+  auto answer = std::make_shared<std::optional<std::vector<Issue>>>();
+  background_.start(
+      [candidate, answer](const std::stop_token& stop) {
+        try {
+          facade::LoadedDeck input;
+          input.path = candidate.path;
+          input.deck = candidate.deck;
+          input.option_values = candidate.options;
+          input.stop = stop;
+          *answer = facade::refusals_of_run(std::move(input));
+        } catch (const std::exception&) {
+          answer->reset();  // given up
+        }
+      },
+      [this, candidate, answer] {
+        asked_.reset();
+        if (next_) return start(*std::exchange(next_, std::nullopt));
+        if (*answer && found) found(candidate, std::move(**answer));
+      });
+}
+
+}  // namespace adore::adrinput

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "adrinput/background.hpp"
+#include "adrinput/document.hpp"
+
+#include <QObject>
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace adore::adrinput {
+
+/// Finds out in the background whether `adore run` would begin with a deck, and why not.
+class StartCheck : public QObject {
+  Q_OBJECT
+ public:
+  explicit StartCheck(QObject* parent = nullptr) : QObject(parent) {}
+
+  /// Called in the thread of this object with the deck that was asked about last.
+  std::function<void(const Document::Candidate&, std::vector<Issue>)> found;
+
+  /// An earlier question that is open is given up.
+  void ask(Document::Candidate candidate);
+  [[nodiscard]] bool busy() const { return background_.busy(); }
+
+ private:
+  void start(Document::Candidate candidate);
+
+  std::optional<Document::Candidate> asked_;  ///< what is being found out
+  std::optional<Document::Candidate> next_;
+  Background background_;
+};
+
+}  // namespace adore::adrinput

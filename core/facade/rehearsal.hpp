@@ -1,0 +1,17 @@
+#pragma once
+
+#include "facade/deck_request.hpp"
+
+#include <vector>
+
+namespace adore::facade {
+
+/// What `adore run` says against a deck before its first step, whatever finds it: the checks of the
+/// model, the equilibrium, the method and its steps, the start state, and files in the way. Writes
+/// nothing. Takes as long as a run takes until its first step.
+/// @param input a deck without errors. Without a path it has no folder: files are not looked at
+/// @return errors; empty: the run begins
+/// @throws Interrupted when input.stop ended it
+[[nodiscard]] std::vector<Issue> refusals_of_run(LoadedDeck input);
+
+}  // namespace adore::facade

@@ -1,0 +1,146 @@
+#include "core/facade/deck_runs.hpp"
+#include "deck/templates.hpp"
+#include "facade/rehearsal.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <exception>
+#include <tuple>
+
+/// Whether a run begins is known before it is started, and in its own words.
+using namespace adore;
+namespace fs = std::filesystem;
+
+namespace {
+
+using Sets = std::vector<std::pair<std::string, std::string>>;
+
+struct Try {
+  const char* what;
+  Sets sets;
+  std::map<std::string, std::string> options = {};
+};
+
+/// Some that begin and some that a run refuses, each by another place of the program.
+const std::vector<Try>& tries() {
+  static const std::vector<Try> all{
+      {"as it is", {}},
+      {"the equilibrium alone", {{"mode", "-1"}}},
+      {"a method for balls", {{"intMet", "33"}}},
+      {"and with damped contacts", {{"intMet", "33"}}, {{"contactDamping", "0.1"}}},
+      {"and in force balance", {{"intMet", "33"}, {"mode", "1"}}},
+      {"constant steps", {{"intMet", "21"}, {"stpMin", "0.01"}, {"stpMax", "0.01"}}},
+      {"steps that are unstable",
+       {{"intMet", "1"}, {"stpMin", "1000"}, {"stpMax", "1000"}, {"stpInt", "1000"}}},
+      {"a cage far away", {{"cageGcPos[2]", "1"}}},
+      {"a cage inside its elements", {{"cageGcPos[1]", "0.001"}}},
+      {"a run to go on with", {{"kIcOpt", "1"}}},
+      {"a state to start from", {{"kIcOpt", "-1"}}},
+      {"a load that no bearing carries", {{"appLoadX", "1e12"}}},
+      {"no load at all", {{"appLoadX", "0"}, {"appLoadZ", "0"}}},
+      {"a routine that is not there", {{"kDOF", "6"}}},
+      {"an option without sense", {}, {{"ellipseMajor", "-3"}}},
+  };
+  return all;
+}
+
+/// Why a run of a step ends before it; empty: it began.
+std::string end_of_run(const fs::path& file, const Try& one) {
+  facade::RunRequest request;
+  request.deck = file;
+  request.overwrite = true;
+  for (const auto& [name, value] : one.options) request.options.emplace_back(name, value);
+  try {
+    (void)facade::run(request);
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return {};
+}
+
+/// @param path empty: a deck without a name
+std::vector<Issue> rehearsed(const deck::Deck& deck, const fs::path& path, const Try& one) {
+  facade::LoadedDeck input;
+  input.deck = deck;
+  input.path = path;
+  input.option_values = one.options;
+  return facade::refusals_of_run(std::move(input));
+}
+
+void compare(const std::string& type) {
+  int refused = 0;
+  for (const Try& one : tries()) {
+    const testing::TemporaryFolder folder;
+    INFO(type << ": " << one.what);
+    deck::Deck deck = deck::new_deck(type);
+    Sets sets{{"maxStps", "1"}, {"nStps", "1"}, {"kAGraf", "0"}};
+    for (const auto& [name, value] : one.sets)
+      if (deck.has(name.substr(0, name.find('[')))) sets.emplace_back(name, value);
+    deck.set_all(sets);
+    const fs::path file = folder / "DATA.txt";
+    deck::write_deck(deck, file);
+    const auto there = [&] {
+      return std::distance(fs::directory_iterator(file.parent_path()), fs::directory_iterator());
+    };
+    const std::vector<Issue> said = rehearsed(deck, file, one);
+    CHECK(there() == 1);  // wrote nothing
+    const std::string end = end_of_run(file, one);
+    INFO("the run: " << end);
+    CHECK(said.empty() == end.empty());
+    for (const Issue& issue : said) CHECK_THAT(end, Catch::Contains(issue.message));
+    refused += said.empty() ? 0 : 1;
+  }
+  CHECK(refused >= 6);
+}
+
+}  // namespace
+
+TEST_CASE("a rehearsal refuses what the run of a ball bearing refuses, in its words",
+          "[unit][rehearsal]") {
+  compare("ball");
+}
+
+TEST_CASE("a rehearsal refuses what runs of rollers refuse, in their words",
+          "[unit][rehearsal][slow]") {
+  for (const char* type : {"cylindrical", "spherical", "tapered", "spherical-tapered"})
+    compare(type);
+}
+
+TEST_CASE("a deck without a name is rehearsed from its equilibrium", "[unit][rehearsal]") {
+  deck::Deck deck = deck::new_deck("ball");
+  CHECK(rehearsed(deck, {}, {}).empty());
+  deck.set("cageGcPos[2]", "1");
+  const std::vector<Issue> said = rehearsed(deck, {}, {});
+  REQUIRE(said.size() == 1);
+  CHECK(said[0].record == "9.6");
+}
+
+TEST_CASE("a run that is completed shows how much of the whole is done", "[unit][continuation]") {
+  const testing::TemporaryFolder folder;
+  facade::RunRequest request;
+  request.deck = folder / "DATA.txt";
+  const auto fractions = [&](const char* steps, const char* until, bool go_on) {
+    deck::Deck deck = deck::new_deck("ball");
+    const Sets sets{{"maxStps", steps}, {"nStps", "1"}, {"kAGraf", "0"}, {"fTime", "1e9"}};
+    deck.set_all(sets);
+    deck::write_deck(deck, request.deck);
+    request.until = until;
+    request.go_on = go_on;
+    request.overwrite = !go_on;
+    std::vector<facade::Progress> out;
+    (void)facade::run(request, [&](const facade::Progress& p) { out.push_back(p); });
+    REQUIRE_FALSE(out.empty());
+    CHECK(out.back().fraction == 1.0);
+    for (std::size_t i = 1; i < out.size(); ++i) CHECK(out[i].fraction >= out[i - 1].fraction);
+    return out;
+  };
+  for (const auto& [until, first, second] :
+       {std::tuple{false, "600", "800"}, std::tuple{true, "0.3rev", "0.4rev"}}) {
+    INFO("until " << until);
+    const auto whole = fractions(until ? "1000000" : first, until ? first : "", false);
+    CHECK(whole.front().fraction < 0.7);
+    const auto rest = fractions(until ? "1000000" : second, until ? second : "", true);
+    CHECK(rest.front().fraction >= 0.75);
+    CHECK(rest.front().remaining >= 0.0);
+  }
+}
