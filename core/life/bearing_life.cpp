@@ -197,6 +197,7 @@ double LifeCalculator::original_race_life(const BearingContacts& contacts, std::
     // A slice carries Q_c ~ l^(7/9) of its own length: slices multiply to the whole roller's life.
     const double Q_c = capacity(race, index, 2.0 * half, line);
     std::vector<double> lives;
+    lives.reserve(patches.size() / slices);
     for (std::size_t at = k; at < patches.size(); at += slices)
       lives.push_back(original_life(Q_c, patches[at].Q, line));
     tracks.push_back(race_life(lives, race.rotating, e));
@@ -214,6 +215,7 @@ double LifeCalculator::stress_race_life(const BearingContacts& contacts, std::si
   std::vector<double> tracks;
   for (std::size_t k = 0; k < slices; ++k) {
     std::vector<double> lives;
+    lives.reserve(patches.size() / slices);
     for (std::size_t at = k; at < patches.size(); at += slices)
       lives.push_back(law(model, index, line).life(patches[at], track, nu, peaks_));
     tracks.push_back(race_life(lives, race.rotating, e));
@@ -326,8 +328,13 @@ LifeState LifeCalculator::evaluate(const BearingContacts& contacts,
   LifeState out;
   set_shapes(contacts, out);
   std::array<double, 2> original{};
-  for (std::size_t i = 0; i < 2; ++i)
-    original[i] = race_life_of(contacts, i, 0, out.shape[i], out.model[0].line[i]);
+  for (std::size_t i = 0; i < 2; ++i) {
+    bool& line = out.model[0].line[i];
+    line = out.shape[i] != ContactShape::Point;
+    // Of another model only the shape is asked for, which is settled but in between.
+    if (!only || *only == LifeModel::Original || out.shape[i] == ContactShape::Between)
+      original[i] = race_life_of(contacts, i, 0, out.shape[i], line);
+  }
   out.relative_speed = contacts.relative_speed;
   out.factors = factors(contacts, out.model[0].line);
   for (std::size_t m = 0; m < kModels; ++m) {

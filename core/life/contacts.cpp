@@ -183,6 +183,7 @@ BearingContacts life_contacts(const scene::Snapshot& snapshot, const bearing::Be
   if (bearing.rollers() != nullptr) out = life_contacts(solution_of(snapshot, bearing), bearing);
   for (std::size_t i = 0; i < 2 && bearing.rollers() == nullptr; ++i) {
     MeanAngle angle;
+    out.race[i].patches.reserve(snapshot.elements.size());
     for (const scene::ElementSnapshot& element : snapshot.elements) {
       const scene::RaceContactSnapshot& c = element.race[i];
       out.race[i].patches.push_back({c.load, c.half_major, c.half_minor, c.max_pressure});
@@ -201,6 +202,7 @@ BearingContacts life_contacts(const scene::Snapshot& snapshot, const bearing::Be
       out.film_parameter[i] = c.film_parameter;
     }
   }
+  if (out.relative_speed > 0.0) out.element_turns.reserve(snapshot.elements.size());
   if (out.relative_speed > 0.0)
     for (const scene::ElementSnapshot& element : snapshot.elements) {
       const scene::Vec3 orbiting = element.omega - scene::Vec3(element.theta_dot, 0.0, 0.0);

@@ -14,46 +14,6 @@ std::string state_key(const Channel& channel, std::size_t at) {
   return fmt::format("branch {}[{}]", channel.id, at);
 }
 
-/// From one value of a channel to the next (layout of StepRecord). Counts up: a stored step has
-/// thousands of values, and divisions would cost more than most of them.
-void advance(ChannelSource& source, const Channel& channel, const Shape& shape) {
-  if (++source.component < static_cast<std::size_t>(channel.components)) return;
-  source.component = 0;
-  // True where the inner index starts again.
-  const auto wraps = [](std::size_t& inner, int count) {
-    if (++inner < static_cast<std::size_t>(count)) return false;
-    inner = 0;
-    return true;
-  };
-  switch (channel.per) {
-    case Per::Run:
-    case Per::Thermal:
-      break;
-    case Per::Element:
-    case Per::Pair:
-      ++source.element;
-      break;
-    case Per::Contact:
-      if (wraps(source.race, 2)) ++source.element;
-      break;
-    case Per::Flange:
-      if (wraps(source.side, 2) && wraps(source.race, 2)) ++source.element;
-      break;
-    case Per::Pocket:
-      if (wraps(source.surface, shape.pocket_surfaces)) ++source.element;
-      break;
-    case Per::Cage:
-      ++source.cage;
-      break;
-    case Per::Land:
-      if (wraps(source.land, shape.lands)) ++source.cage;
-      break;
-    case Per::Race:
-      ++source.race;
-      break;
-  }
-}
-
 }  // namespace
 
 std::size_t channel_index(std::string_view id) {
@@ -153,20 +113,22 @@ const StepRecord& ChannelRecorder::record(const scene::Snapshot& snapshot, const
   record_.time = snapshot.time;
   record_.step_size = snapshot.step_size;
   record_.shaft_rotation = snapshot.shaft_rotation;
-  ChannelSource first;
-  first.snapshot = &snapshot;
-  first.band = band;
-  first.bearing = &bearing_;
-  first.unit_length = unit_length_;
+  ChannelSource source;
+  source.snapshot = &snapshot;
+  source.band = band;
+  source.bearing = &bearing_;
+  source.unit_length = unit_length_;
   for (std::size_t c = 0; c < record_.values.size(); ++c) {
     const Channel& channel = table_.all()[c];
     std::vector<double>& values = record_.values[c];
-    ChannelSource source = first;
+    if (values.empty()) continue;
     source.term = channel.term;
-    for (std::size_t k = 0; k < values.size(); ++k, advance(source, channel, shape)) {
-      const double value = channel.value(source);
-      values[k] = channel.continuous && has_previous_ ? nearest_branch(value, values[k]) : value;
-    }
+    const bool follows = channel.continuous && has_previous_;
+    if (follows) previous_ = values;
+    channel.get(source, shape, values.data());
+    if (!follows) continue;
+    for (std::size_t k = 0; k < values.size(); ++k)
+      values[k] = nearest_branch(values[k], previous_[k]);
   }
   has_previous_ = true;
   return record_;

@@ -63,17 +63,36 @@ struct ChannelSource {
   [[nodiscard]] const scene::RaceSnapshot& race_body() const { return snapshot->races[race]; }
 };
 
-struct Channel {
+struct Shape;
+
+/// The values of a channel, how often it occurs, and of how many components.
+struct ChannelValues {
+  Per per = Per::Run;
+  int components = 1;  ///< 3 for vectors, 4 for quaternions (w, x, y, z)
+  /// All of one step, SI and radians, in the order of StepRecord: channel_size() of them.
+  void (*get)(ChannelSource, const Shape&, double*) = nullptr;
+};
+
+struct Channel : ChannelValues {
+  constexpr Channel(std::string_view named, std::string_view shown, const UnitPair* in,
+                    std::string_view of_frame, bool is_continuous, ChannelValues values,
+                    std::string_view meaning, const scene::LedgerTerm* item = nullptr)
+      : ChannelValues(values),
+        id(named),
+        label(shown),
+        unit(in),
+        frame(of_frame),
+        continuous(is_continuous),
+        help(meaning),
+        term(item) {}
+
   std::string_view id;  ///< "contact.load"; the group before the point is the folder in RESULTS.h5
   std::string_view label;  ///< "contact load"
-  const UnitPair* unit = nullptr;
+  const UnitPair* unit;
   std::string_view frame;  ///< N base, A azimuth frame of the element, K cage, P pocket, - none
-  Per per = Per::Run;
-  int components = 1;       ///< 3 for vectors, 4 for quaternions (w, x, y, z)
-  bool continuous = false;  ///< an angle kept continuous between records (N101)
-  double (*value)(const ChannelSource&) = nullptr;  ///< SI and radians
+  bool continuous;         ///< an angle kept continuous between records (N101)
   std::string_view help;
-  const scene::LedgerTerm* term = nullptr;  ///< of channels that show an item of the ledger
+  const scene::LedgerTerm* term;  ///< of channels that show an item of the ledger
 };
 
 /// The channels of every run, in a fixed order.
@@ -149,6 +168,7 @@ class ChannelRecorder {
   ChannelTable table_;
   double unit_length_;
   StepRecord record_;
+  std::vector<double> previous_;  ///< of a channel, while it is recorded
   bool has_previous_ = false;
 };
 

@@ -54,52 +54,69 @@ void write_digits(double value, int count, char* out, int& exponent) {
   if (letter > 2) std::copy(scientific.begin() + 2, scientific.begin() + letter, out);
 }
 
-/// "00" to "99".
-constexpr auto kPairs = [] {
-  std::array<char, 200> out{};
-  for (int k = 0; k < 100; ++k) {
-    out[static_cast<std::size_t>(2 * k)] = static_cast<char>('0' + k / 10);
-    out[static_cast<std::size_t>(2 * k + 1)] = static_cast<char>('0' + k % 10);
+/// "E-99" to "E+99".
+constexpr int kMostExponent = 99;
+constexpr auto kExponents = [] {
+  std::array<std::array<char, 4>, 2 * kMostExponent + 1> out{};
+  for (int k = -kMostExponent; k <= kMostExponent; ++k) {
+    const int size = k < 0 ? -k : k;
+    out[static_cast<std::size_t>(k + kMostExponent)] = {'E', k < 0 ? '-' : '+',
+                                                        static_cast<char>('0' + size / 10),
+                                                        static_cast<char>('0' + size % 10)};
   }
   return out;
 }();
 
-void put_pair(char* at, std::uint32_t pair) {
-  std::memcpy(at, kPairs.data() + std::size_t{2} * pair, 2);
+/// Eight digits of a number below 10^8, the first in the lowest byte: halves, pairs and digits are
+/// parted side by side in one word.
+constexpr std::uint64_t eight_digits(std::uint32_t number) {
+  const std::uint32_t high = number / 10000;
+  std::uint64_t word = high | std::uint64_t{number - 10000 * high} << 32U;
+  const std::uint64_t hundreds = ((word * 10486) >> 20U) & 0x7f0000007fU;
+  word = hundreds | (word - 100 * hundreds) << 16U;
+  const std::uint64_t tens = ((word * 103) >> 10U) & 0x000f000f000f000fU;
+  return (tens | (word - 10 * tens) << 8U) + 0x3030303030303030U;
 }
 
-/// The field of nearly all numbers of a run, written into its place among `width` blanks: 0, or
-/// normal with up to nine digits that 64 bits decide, an exponent of two digits, and columns
-/// enough. Of constant `digits` and `scale` it takes a third of the instructions.
-[[gnu::always_inline]] inline bool put_usual(char* field, double value, int width, int digits,
-                                             Scale scale) {
-  const int count = scale == Scale::One ? digits + 1 : digits;
-  const double size = std::abs(value);
-  DecimalDigits found;
-  // sign, "0." or "d.", digits, "E+00"
-  const int length = (value < 0.0 ? 1 : 0) + 2 + digits + 4;
-  if (count < 1 || count > 9 || length > width) return false;
-  if (size != 0.0 && (!std::isnormal(size) || !decimal_digits(size, count, found))) return false;
-  const int exponent = found.exponent + (scale == Scale::Zero && size != 0.0 ? 1 : 0);
-  if (exponent < -99 || exponent > 99) return false;
+/// Four digits of a number below 10^4, likewise.
+constexpr std::uint32_t four_digits(std::uint32_t number) {
+  const std::uint32_t hundreds = number / 100, pairs = hundreds | (number - 100 * hundreds) << 16U,
+                      tens = ((pairs * 103) >> 10U) & 0x000f000fU;
+  return (tens | (pairs - 10 * tens) << 8U) + 0x30303030U;
+}
 
-  char* at = field + (width - length);
-  if (value < 0.0) *at++ = '-';
-  // From the last digit to the first.
-  char* place = at + 2 + digits;
-  std::uint32_t rest = found.digits;
-  int left = digits;
-  for (; left >= 2; left -= 2, rest /= 100) put_pair(place -= 2, rest % 100);
-  if (left > 0) {
-    *--place = static_cast<char>('0' + rest % 10);
-    rest /= 10;
+/// The field of nearly all numbers of a run, of a width that leaves room for all there is: of 0, or
+/// of a number between 1e-75 and 1e75 whose digits 64 bits decide. The compiler knows all but the
+/// value.
+template <int width, int digits, Scale scale>
+[[gnu::always_inline]] inline bool put_usual(char* field, double value) {
+  constexpr int kCount = scale == Scale::One ? digits + 1 : digits;
+  constexpr int kLead = width - (2 + digits + 4);  // before "d.", digits, "E+00": blanks and sign
+  static_assert(kCount <= 8 && kLead >= 1);
+  constexpr std::uint32_t kLowest = 1023 - 250, kSpan = 500;  // of the exponent of 2
+  const auto bits = std::bit_cast<std::uint64_t>(value);
+  DecimalDigits found;
+  if (bits << 1U != 0) {
+    if (static_cast<std::uint32_t>(bits >> 52U & 0x7ffU) - kLowest > kSpan ||
+        !decimal_digits(std::abs(value), kCount, found))
+      return false;
+    if (scale == Scale::Zero) ++found.exponent;
   }
-  at[0] = static_cast<char>('0' + rest);  // 0 when all digits stand behind the point
+  std::memset(field, ' ', kLead);
+  if (value < 0.0) field[kLead - 1] = '-';
+  // Those of the number are the last ones; the first of `digits` + 1 stands before the point.
+  std::uint64_t all = 0;
+  if constexpr (digits < 4)
+    all = four_digits(found.digits) >> (8 * (3 - digits));
+  else
+    all = eight_digits(found.digits) >> (8 * (7 - digits));
+  char* at = field + kLead;
+  at[0] = static_cast<char>(all);
   at[1] = '.';
-  at += 2 + digits;
-  at[0] = 'E';
-  at[1] = exponent < 0 ? '-' : '+';
-  put_pair(at + 2, static_cast<std::uint32_t>(std::abs(exponent)));
+  const std::uint64_t behind = all >> 8U;
+  std::memcpy(at + 2, &behind, digits);
+  std::memcpy(at + 2 + digits,
+              kExponents[static_cast<std::size_t>(found.exponent + kMostExponent)].data(), 4);
   return true;
 }
 
@@ -123,10 +140,6 @@ void append_integer(std::string& out, long long value, int width) {
 }
 
 void append_real(std::string& out, double value, int width, int digits, Scale scale) {
-  const std::size_t before = out.size();
-  out.append(static_cast<std::size_t>(width), ' ');
-  if (put_usual(out.data() + before, value, width, digits, scale)) return;
-  out.resize(before);
   if (!std::isfinite(value)) {
     append_right(out, special_word(value, width), width);
     return;
@@ -165,15 +178,24 @@ void append_real(std::string& out, double value, int width, int digits, Scale sc
   append_right(out, {field.data(), static_cast<std::size_t>(at - field.data())}, width);
 }
 
+namespace {
+
+void put(char* field, double value, int width, int digits, Scale scale) {
+  std::string text;
+  append_real(text, value, width, digits, scale);
+  std::copy(text.begin(), text.end(), field);
+}
+
+}  // namespace
+
 void append_reals(std::string& out, std::span<const double> values, int width, int digits,
                   Scale scale, int per_line, std::string_view between) {
   if (values.empty()) return;
   const std::size_t columns_wide = static_cast<std::size_t>(width), before = out.size(),
                     lines = (values.size() - 1) / static_cast<std::size_t>(per_line);
-  out.resize(before + values.size() * columns_wide + lines * between.size(), ' ');
+  out.resize(before + values.size() * columns_wide + lines * between.size());
   char* at = out.data() + before;
-  std::string unusual;
-  const auto put_all = [&](auto put) {
+  const auto put_all = [&](auto usual) {
     int left = per_line;  // of this line
     for (const double value : values) {
       if (left == 0) {
@@ -181,20 +203,16 @@ void append_reals(std::string& out, std::span<const double> values, int width, i
         left = per_line;
       }
       --left;
-      if (!put(at, value)) {
-        unusual.clear();
-        append_real(unusual, value, width, digits, scale);
-        std::copy(unusual.begin(), unusual.end(), at);
-      }
+      if (!usual(at, value)) put(at, value, width, digits, scale);
       at += width;
     }
   };
-  if (digits == 7 && scale == Scale::One)
-    put_all([&](char* to, double v) { return put_usual(to, v, width, 7, Scale::One); });
-  else if (digits == 3 && scale == Scale::Zero)
-    put_all([&](char* to, double v) { return put_usual(to, v, width, 3, Scale::Zero); });
+  if (width == 16 && digits == 7 && scale == Scale::One)
+    put_all(put_usual<16, 7, Scale::One>);
+  else if (width == 10 && digits == 3 && scale == Scale::Zero)
+    put_all(put_usual<10, 3, Scale::Zero>);
   else
-    put_all([&](char* to, double v) { return put_usual(to, v, width, digits, scale); });
+    put_all([](char*, double) { return false; });
 }
 
 void append_text(std::string& out, std::string_view text, int width) {

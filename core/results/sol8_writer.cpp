@@ -153,6 +153,7 @@ Sol8Frame make_sol8_frame(const scene::Snapshot& snapshot) {
   frame.step = snapshot.step;
   frame.revolutions = snapshot.shaft_rotation / (2.0 * std::numbers::pi);
   frame.time = snapshot.time;
+  frame.elements.reserve(snapshot.elements.size());
   for (const scene::ElementSnapshot& ball : snapshot.elements) {
     Sol8Element element;
     element.x = ball.x;
