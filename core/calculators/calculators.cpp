@@ -183,6 +183,15 @@ nlohmann::json calculate(std::string_view name, const nlohmann::json& input,
     throw InputError(fmt::format("calculator {} does not take these inputs ({}); {}", name,
                                  reason(error.what()), see_description(name)));
   }
+  if (!result && named == table.end()) {
+    std::string members;
+    for (const CalculatorInfo& info : table)
+      if (info.family == family) members += (members.empty() ? "" : ", ") + std::string(info.name);
+    throw InputError(
+        fmt::format("{} is a family of reference cases, and none of its kinds takes these inputs "
+                    "without saying its \"kind\"; its calculators by name: {}",
+                    name, members.empty() ? "none" : members));
+  }
   if (!result)
     throw InputError(fmt::format("calculator {} does not know what to do with these inputs; {}",
                                  name, see_description(name)));

@@ -79,6 +79,19 @@ void check_hardness(Checker& c) {
   }
 }
 
+/// Coefficients 1 to `count` of a curve, each by its own name. @return none is below 0
+bool not_negative(Checker& c, std::string_view stem, int count) {
+  bool good = true;
+  for (int k = 1; k <= count; ++k) {
+    const std::string name = fmt::format("{}{}", stem, k);
+    const auto value = c.raw(name);
+    if (!value || !(*value < 0.0)) continue;
+    c.error(name, "a traction coefficient cannot be negative", "give a value of at least 0");
+    good = false;
+  }
+  return good;
+}
+
 /// The four-condition curve has a solution only when its largest value is really larger than both
 /// ends.
 void check_peak(Checker& c, std::string_view stem) {
@@ -125,8 +138,8 @@ void check_curves(Checker& c) {
        {"kCRTracType", "cageRaceTC"},
        {"kRRTracType", "reReTC"}}};
   for (const auto& [type, stem] : kCurves) {
-    if (c.is(type, 1)) check_peak(c, stem);
-    if (c.is(type, 2)) check_asymptote(c, stem);
+    if (c.is(type, 1) && not_negative(c, stem, 3)) check_peak(c, stem);
+    if (c.is(type, 2) && not_negative(c, stem, 2)) check_asymptote(c, stem);
     const auto rate = c.raw(fmt::format("{}3", stem));
     if (c.is(type, -1) && rate && *rate < 0.0)
       c.error(fmt::format("{}3", stem), "a negative C lets the traction grow without limit",

@@ -18,6 +18,11 @@ struct WrittenUnit {
 };
 
 // Quantities that no variable of the deck has.
+constexpr UnitPair kPower{"W", "in.lbf/s", 1.0, unit::kPoundForce* unit::kInch};
+constexpr UnitPair kEnergy{"J", "in.lbf", 1.0, unit::kPoundForce* unit::kInch};
+constexpr UnitPair kPowerPerKelvin{"W/K", "in.lbf/s/R", 1.0,
+                                   unit::kPoundForce* unit::kInch / unit::kRankine};
+constexpr UnitPair kPerLength{"1/m", "1/in", 1.0, 1.0 / unit::kInch};
 constexpr UnitPair kStiffness{"N/m", "lbf/in", 1.0, unit::kPoundForce / unit::kInch};
 constexpr UnitPair kRotationalStiffness{"N m/rad", "lbf.in/rad", 1.0,
                                         unit::kPoundForce* unit::kInch};
@@ -43,7 +48,27 @@ constexpr WrittenUnit kUnits[] = {{"m", &unit::kLength, 1.0},
                                   {"m/s^2", &unit::kAcceleration, 1.0},
                                   {"N/m", &kStiffness, 1.0},
                                   {"N m/rad", &kRotationalStiffness, 1.0},
-                                  {"N.m/rad", &kRotationalStiffness, 1.0}};
+                                  {"N.m/rad", &kRotationalStiffness, 1.0},
+                                  {"W", &kPower, 1.0},
+                                  {"kW", &kPower, 1e3},
+                                  {"J", &kEnergy, 1.0},
+                                  {"W/K", &kPowerPerKelvin, 1.0},
+                                  {"W/m/K", &unit::kConductivity, 1.0},
+                                  {"W/m^2/K", &unit::kConvection, 1.0},
+                                  {"J/kg/K", &unit::kSpecificHeat, 1.0},
+                                  {"1/m", &kPerLength, 1.0},
+                                  {"1/K", &unit::kPerTemperature, 1.0},
+                                  {"m^3/s", &unit::kVolumeFlow, 1.0},
+                                  {"s/m", &unit::kPerSpeed, 1.0},
+                                  {"Pa s", &unit::kViscosity, 1.0},
+                                  {"N.s/m^2", &unit::kViscosity, 1.0},
+                                  {"m^2/N", &unit::kPerStress, 1.0},
+                                  {"1/Pa", &unit::kPerStress, 1.0},
+                                  {"kg m^2", &unit::kInertia, 1.0},
+                                  {"kg.m^2", &unit::kInertia, 1.0}};
+
+/// Units of two words.
+constexpr std::string_view kPairs[] = {"N m/rad", "N m", "Pa s", "kg m^2"};
 
 bool is_word(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' ||
@@ -72,10 +97,12 @@ const WrittenUnit* unit_at(std::string_view text) {
   while (length < text.size() &&
          (is_word(text[length]) || text[length] == '/' || text[length] == '^'))
     ++length;
-  for (const std::string_view rest : {" m/rad", " m"})
-    if (text.substr(0, length) == "N" && text.substr(length, rest.size()) == rest &&
-        (text.size() == length + rest.size() || !is_word(text[length + rest.size()])))
-      length += rest.size();
+  for (const std::string_view pair : kPairs)
+    if (pair.substr(0, pair.find(' ')) == text.substr(0, length) && text.starts_with(pair) &&
+        (text.size() == pair.size() || text[pair.size()] == '.' || !is_word(text[pair.size()]))) {
+      length = pair.size();
+      break;
+    }
   while (length > 0 && text[length - 1] == '.') --length;
   const auto found = std::find_if(std::begin(kUnits), std::end(kUnits), [&](const WrittenUnit& u) {
     return u.name == text.substr(0, length);

@@ -253,7 +253,9 @@ Prepared prepare_model(LoadedDeck input) {
 }  // namespace
 
 void add_remark(Prepared& prepared, Severity severity, const std::string& text) {
-  prepared.input.warnings.push_back(remark(severity, prepared.input.path.string(), text));
+  prepared.input.warnings.push_back(
+      remark(severity, prepared.input.path.string(),
+             deck::message_in_units(text, prepared.input.deck.units())));
 }
 
 std::map<std::string, std::string> options_beside(const fs::path& deck_file) {

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/version.hpp"
+#include "deck/unit_text.hpp"
 #include "dynamics/effect_catalogue.hpp"
 #include "dynamics/scene_estimate.hpp"
 #include "facade/cage_start.hpp"
@@ -149,11 +150,11 @@ struct RunOutputs::Impl {
   }
 
   [[nodiscard]] fs::path path(const std::string& name) const { return files.path(name); }
-  void remark(std::string text, Severity severity = Severity::Note) {
+  void remark(const std::string& text, Severity severity = Severity::Note) {
     Issue issue;
     issue.severity = severity;
     issue.file = prepared.input.path.string();
-    issue.message = std::move(text);
+    issue.message = deck::message_in_units(text, prepared.input.deck.units());
     remarks.push_back(std::move(issue));
   }
   void judge_quadrature(const scene::QuadratureError& error);
@@ -304,7 +305,9 @@ void RunOutputs::thermal_step(const ThermalRun::Step& step, double time) {
                                 {listing::network_table(step.heat)}});
 }
 
-void RunOutputs::remark(std::string text) { impl_->remark(std::move(text)); }
+void RunOutputs::remark(std::string text) {
+  impl_->remark(text);
+}  // NOLINT(performance-unnecessary-value-param)
 
 StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState start) {
   Impl& s = *impl_;
@@ -336,8 +339,8 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     take_state(from, system, out.y);
     if (const auto races = kept_races(from.extras)) {
       const dynamics::PrescribedRaces now = system.prescribed_races(out.time, out.y);
-      for (std::string& jump : jumps_of_races(*races, now, s.plan, s.units))
-        s.remark(std::move(jump), Severity::Warning);
+      for (const std::string& jump : jumps_of_races(*races, now, s.plan, s.units))
+        s.remark(jump, Severity::Warning);
       system.go_on(of_new_run(*races, from, now), out.time, out.y);
     }
     out.turned_before = s.turned_before = 0.0 - system.shaft_rotation(out.time, out.y);
@@ -354,9 +357,9 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
     out.step_size = master.last.step_size;
     out.continued = true;
     if (const auto races = kept_races(master.last.extras)) {
-      for (std::string& jump :
+      for (const std::string& jump :
            jumps_of_races(*races, system.prescribed_races(out.time, out.y), s.plan, s.units))
-        s.remark(std::move(jump), Severity::Warning);
+        s.remark(jump, Severity::Warning);
       system.go_on(*races, out.time, out.y);
     }
     // The shaft goes on from where it was.
@@ -380,7 +383,7 @@ StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState st
   if (start == setup::StartState::Statics) try {
       StartState from = start_state(s.prepared, system);
       out.y = std::move(from.y);
-      if (!from.remark.empty()) s.remark(std::move(from.remark));
+      if (!from.remark.empty()) s.remark(from.remark);
       system.set_start(out.time, out.y);
       check_cage_start(s.prepared, system.snapshot(out.time, out.y));
     } catch (const SolverError& refused) {
@@ -523,7 +526,7 @@ void RunOutputs::store_end(dynamics::System& system, const RunEnd& end) {
 
 void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   Impl& s = *impl_;
-  for (std::string& text : s.watch.warnings(s.units)) s.remark(std::move(text), Severity::Warning);
+  for (const std::string& text : s.watch.warnings(s.units)) s.remark(text, Severity::Warning);
   s.files.written.push_back(s.path(s.control.final_file));
   s.files.written.push_back(s.path(s.control.master_file));
   if (std::string missed = judge_missed(s.control, end.resume.counters, end.resume.error_sum).text;

@@ -4,6 +4,7 @@
 #include "dynamics/roller_start.hpp"
 #include "statics/kinematics.hpp"
 #include "thermal/steady_state.hpp"
+#include "thermal/too_cold.hpp"
 
 #include <fmt/format.h>
 
@@ -121,6 +122,11 @@ ThermalRun::Step ThermalRun::close(const scene::Snapshot& at) {
   rules.limit = thermal::kHottest;
   out.judged = thermal::judge_sequence(history_, rules);
   settled_ = out.judged.verdict == thermal::StepVerdict::Stable;
+  if (const std::string cold = thermal::too_cold(out.heat); !cold.empty())
+    throw SolverError(fmt::format(
+        "at t = {:.9g} s, thermal step {}: {}. Give more coolant (cFlowRate), a higher baseTemp or "
+        "another place for it (kBaseTemp), or less load or speed",
+        at.time, steps_, cold));
   const std::string hot = thermal::runaway(now_);
   if (!hot.empty() || out.judged.verdict == thermal::StepVerdict::Divergent)
     throw SolverError(fmt::format(

@@ -194,7 +194,7 @@ void TimeRun::close(RunEnd& end) {
   const results::EnergyJudgement judgement = parts_.outputs.judge_energy();
   if (judgement.trust == results::Trust::None && status_ != RunStatus::Failed) {
     if (status_ == RunStatus::Done) status_ = RunStatus::Untrusted;
-    message_ = judgement.text;
+    message_ = deck::message_in_units(judgement.text, units);
   } else if (judgement.trust == results::Trust::Warned) {
     add_remark(parts_.prepared, Severity::Warning, judgement.text);
   }

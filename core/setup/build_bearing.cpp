@@ -360,6 +360,13 @@ Bearing build_bearing(const Deck& deck, std::uint64_t seed, const UserHooks* use
   const auto [groove_bottom_outer, groove_bottom_inner] = raceway_diameters(out);
   const char* const cones =
       deck.has("raceTaper1") ? ", which follows from bReDia, raceTaper1 and raceTaper2" : "";
+  // An interference of the size of the elements puts the races into each other.
+  const double clearance = out.rollers() ? out.rollers()->clearance : out.balls().clearance;
+  if (deck.has("freeIntCls") && clearance <= -2.0 * out.element_diameter())
+    throw InputError(
+        {deck.issue(Severity::Error, "freeIntCls", "puts the outer raceway inside the inner one",
+                    fmt::format("give more than {}, minus twice the diameter of the elements",
+                                length_text(deck, -2.0 * out.element_diameter())))});
   // Without material between groove and bore or outside, the ideal ring would have a negative mass.
   if (out.envelope.outer_diameter <= groove_bottom_outer)
     throw InputError(

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "bearing/material_laws.hpp"
+#include "contact/groove.hpp"
 #include "thermal/convection.hpp"
 #include "thermal/ring.hpp"
 #include "tribology/fluid.hpp"
@@ -47,10 +48,11 @@ Coolant coolant_at(const Bearing& bearing, double T) {
   return out;
 }
 
+/// Radii of raceways or of the bottoms of the grooves, where the rings of the fits end too.
 std::array<double, 2> raceways(const Bearing& b) {
   if (b.rollers()) return {b.rollers()->race_radius(0), b.rollers()->race_radius(1)};
-  const double middle = 0.5 * b.pitch_diameter(), r = 0.5 * b.element_diameter();
-  return {middle + r, middle - r};
+  const contact::GrooveGeometry g = contact::groove_geometry(b.balls());
+  return {g.centre_radius[0] + g.groove_radius[0], g.centre_radius[1] - g.groove_radius[1]};
 }
 
 double conductivity(const Bearing& b, const bearing::Material& material, double T) {

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "statics/ball_statics.hpp"
 #include "thermal/operating.hpp"
+#include "thermal/too_cold.hpp"
 
 #include <fmt/format.h>
 
@@ -148,6 +149,8 @@ SteadyState solve_steady_state(const Bearing& as_built, const statics::RollerOpt
       }
     }
     if (out.change < kTolerance) {
+      if (const std::string cold = too_cold(now.heat); !cold.empty())
+        give_up(cold, pass, last, out.gain);
       out.heat = std::move(now.heat);
       out.friction = std::move(now.friction);
       out.as_built = as_built;

@@ -100,8 +100,7 @@ class Cage final : public SceneEffect {
       mean_x += ball.x / static_cast<double>(scene.statics.balls.size());
     // Pockets sit at the middle of a roller, not at its mass centre.
     if (const bearing::RollerGeometry* rollers = scene.bearing.rollers())
-      off_middle_ = scene.bearing.roller_mass_offset * std::cos(rollers->axis_angle);
-    mean_x -= off_middle_;
+      mean_x -= scene.bearing.roller_mass_offset * std::cos(rollers->axis_angle);
     mass_centre_ = -cage.inertia.geometric_centre;
     for (std::size_t k = 0; k < segments_.size(); ++k) {
       const bearing::PieceStart& one = cage.start_of(k);
@@ -142,13 +141,9 @@ class Cage final : public SceneEffect {
 
   void report(const Evaluation& e, Snapshot& snapshot) const override {
     snapshot.cages.resize(segments_.size());
-    double mean_x = -off_middle_;
-    for (const ElementSnapshot& element : snapshot.elements)
-      mean_x += element.x / static_cast<double>(snapshot.elements.size());
     for (std::size_t k = 0; k < segments_.size(); ++k) {
       CageSnapshot& cage = snapshot.cages[k];
       segments_[k].report(e, cage);
-      cage.position -= Vec3(mean_x, 0.0, 0.0);
       if (segments_.size() == 1) continue;
       cage.mass_centre = e.segments[k].centre_of_mass();
       cage.to_next = between_ends(e.segments[k], e.segments[(k + 1) % segments_.size()]);
@@ -196,10 +191,9 @@ class Cage final : public SceneEffect {
   int impulse_ = -1, angular_impulse_ = -1;  ///< in the state
   std::vector<FreeBody> segments_;  ///< never moved once declared: blocks and border know them
   contact::CagePieces pieces_;
-  Vec3 corners_ = Vec3::Zero();   ///< outer and inner radius, half width [m]
-  std::vector<CageStart> start_;  ///< of each segment
-  double slip_ = 0.0;             ///< Σ N u of all segments now [W]
-  double off_middle_ = 0.0;  ///< axial place of mass centres from the middles of the elements [m]
+  Vec3 corners_ = Vec3::Zero();      ///< outer and inner radius, half width [m]
+  std::vector<CageStart> start_;     ///< of each segment
+  double slip_ = 0.0;                ///< Σ N u of all segments now [W]
   Vec3 mass_centre_ = Vec3::Zero();  ///< from the geometric centre, axes of the cage [m]
   int load_slip_ = -1;               ///< in the state
 };

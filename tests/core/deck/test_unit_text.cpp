@@ -1,6 +1,14 @@
 #include "deck/unit_text.hpp"
+#include "support/paths.hpp"
 
 #include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
 
 using namespace adore::deck;
 
@@ -21,4 +29,41 @@ TEST_CASE("a message speaks in the units of its deck", "[unit][deck]") {
   CHECK(english("(-1.68e+05 N/m), 2 N m/rad") == "(-959 lbf/in), 17.7 lbf.in/rad");
   CHECK(english("") == "");
   CHECK(english("0 m") == "0 in");
+}
+
+TEST_CASE("heat, viscosity and slopes of traction are in the units of the deck too",
+          "[unit][deck]") {
+  const auto english = [](std::string_view text) {
+    return message_in_units(text, UnitSystem::English);
+  };
+  CHECK(english("112.985 W") == "1000.002 in.lbf/s");
+  CHECK(english("the 0.1129848 J that moved") == "the 0.9999997 in.lbf that moved");
+  CHECK(english("0.0254 s/m, 6.895 Pa s. 1 kg m^2") ==
+        "0.000645 s/in, 0.001 lbf.s/in^2. 3417.172 lbm.in^2");
+  CHECK(english("3 W/m^2/K") == "0.00952 lbf.in/s/in^2/R");
+  CHECK(english("3 N mean, 4 Pa seem") == "0.674 lbf mean, 0.00058 lbf/in^2 seem");
+}
+
+TEST_CASE("every SI unit that a message writes behind a number is known in English units",
+          "[unit][deck]") {
+  // What stands behind a placeholder and is made of SI units; s, rad and Hz are the same in both.
+  const std::string base = "(?:m|mm|um|N|kN|K|Pa|kPa|MPa|GPa|W|kW|J|kg|s)(?:\\^[0-9])?";
+  const std::regex written("\\{[^{}\"]*\\} ((?:N m|Pa s|kg m\\^2|1|" + base + ")(?:[/.]" + base +
+                           ")*)(?![A-Za-z0-9_/^])");
+  std::set<std::string> units;
+  for (const char* folder : {"core", "cli", "adrinput"})
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(adore::test::source_dir() / folder)) {
+      if (entry.path().extension() != ".cpp" && entry.path().extension() != ".hpp") continue;
+      std::ifstream file(entry.path());
+      const std::string text{std::istreambuf_iterator<char>(file), {}};
+      for (std::sregex_iterator at(text.begin(), text.end(), written), end; at != end; ++at)
+        units.insert((*at)[1]);
+    }
+  CHECK(units.size() > 10);
+  for (const std::string& unit : units) {
+    if (unit == "s" || unit == "1") continue;
+    INFO(unit);
+    CHECK(message_in_units("2 " + unit, UnitSystem::English) != "2 " + unit);
+  }
 }

@@ -401,7 +401,11 @@ TEST_CASE("the cage starts on the locus of element centres with its ratios of sp
   System system = make_system(b, full_plan());
   const std::vector<double> y = system.initial_state();
   const Snapshot s = system.snapshot(0.0, y);
-  CHECK((s.cages[0].position - b.cage->start_offset).norm() < 1e-16);
+  // Record 9.6 counts from the middle of the elements, what is stored from the base frame.
+  double middle = 0.0;
+  for (const auto& ball : s.elements) middle += ball.x / static_cast<double>(s.elements.size());
+  CHECK(std::abs(middle) > 1e-7);
+  CHECK((s.cages[0].position - Vec3(middle, 0.0, 0.0) - b.cage->start_offset).norm() < 1e-16);
   const double gamma = 0.0127 * std::cos(b.balls().contact_angle) / 0.095;
   const double speed = 0.98 * 0.5 * b.speed[1] * (1.0 - gamma);
   CHECK((s.cages[0].omega - Vec3(speed, 0, 0)).norm() < 1e-10 * speed);

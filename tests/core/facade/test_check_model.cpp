@@ -91,6 +91,42 @@ TEST_CASE("impossible shapes are refused by record and variable, with a limit th
   CHECK(find(facade::check_model(english), Severity::Error, " in long cannot have") != nullptr);
 }
 
+TEST_CASE("a negative traction coefficient is refused by its own name", "[unit][check]") {
+  const std::pair<const char*, const char*> curves[] = {{"kTracType", "reRaceTC"},
+                                                        {"kRFTracType", "reFlngTC"},
+                                                        {"kCPTracType", "reCageTC"},
+                                                        {"kCRTracType", "cageRaceTC"}};
+  for (const auto& [type, stem] : curves)
+    for (const int form : {1, 2})
+      for (int k = 1; k <= (form == 1 ? 3 : 2); ++k) {
+        deck::Deck deck = deck::new_deck("cylindrical");
+        deck.set(type, fmt::format("{}", form));
+        deck.complete();
+        const std::string variable = fmt::format("{}{}", stem, k);
+        deck.set(variable, "-0.01");
+        const auto issues = deck::check_deck(deck);
+        INFO(variable << " of form " << form << "\n" << to_text(issues));
+        const Issue* issue = find(issues, Severity::Error, "cannot be negative");
+        REQUIRE(issue != nullptr);
+        CHECK(issue->variable == variable);
+        CHECK_FALSE(issue->record.empty());
+      }
+}
+
+TEST_CASE("a clearance that puts the races into each other is refused by its record",
+          "[unit][check]") {
+  for (const char* name : {"cylindrical-nu209", "spherical-22210", "deep-groove-6205"}) {
+    deck::Deck deck = deck::new_deck(name);
+    deck.set("freeIntCls", "-7");
+    const auto issues = facade::check_model(deck);
+    INFO(name << "\n" << to_text(issues));
+    const Issue* issue = find(issues, Severity::Error, "give more than");
+    REQUIRE(issue != nullptr);
+    CHECK(issue->variable == "freeIntCls");
+    CHECK_FALSE(issue->record.empty());
+  }
+}
+
 TEST_CASE("imperfections that leave no bearing are refused by record and variable",
           "[unit][check]") {
   const auto refusal = [](const char* name,

@@ -220,3 +220,45 @@ TEST_CASE("a clamped bearing whose heat cannot get away runs away, and the error
       thermal::solve_steady_state(b),
       Catch::Contains("thermal analysis: no steady state") && Catch::Contains("give more coolant"));
 }
+
+TEST_CASE("the rings of the network end at the bottoms of the grooves, where those of the fits do",
+          "[physics][thermal]") {
+  for (const double degrees : {0.0, 15.0, 40.0}) {
+    Bearing b = example();
+    b.balls().contact_angle = degrees * std::acos(-1.0) / 180.0;
+    if (degrees == 0.0) b.balls().clearance = 4e-5;
+    const BearingHeat heat = thermal::solve_bearing_heat(b, kHeat, 400.0);
+    const Bearing operating = thermal::operating_bearing(b);
+    REQUIRE(operating.operating);
+    CHECK(heat.rings.outer.inner == Approx(operating.operating->raceway_radius[0]).epsilon(1e-14));
+    CHECK(heat.rings.inner.outer == Approx(operating.operating->raceway_radius[1]).epsilon(1e-14));
+  }
+}
+
+TEST_CASE(
+    "a steady state has no node below absolute zero, whatever is known and however little "
+    "flows",
+    "[physics][thermal]") {
+  int found = 0, refused = 0;
+  for (const int base : {0, 1, 2, 3, 4, 5})
+    for (const double flow : {1e-9, 1e-8, 1e-7, 1e-6, 1e-5}) {
+      INFO("kBaseTemp " << base << ", cFlowRate " << flow);
+      Bearing b = example();
+      b.thermal->base = base;
+      b.thermal->flow = flow;
+      try {
+        const thermal::SteadyState steady = thermal::solve_steady_state(b);
+        ++found;
+        const thermal::NetworkTemperatures& T = steady.heat.temperature;
+        for (const double node :
+             {T.coolant_in, T.coolant_mean, T.coolant_out, T.element, T.cage, T.outer_raceway,
+              T.outer_interface, T.housing, T.inner_raceway, T.inner_interface, T.shaft})
+          CHECK(node > 0.0);
+      } catch (const SolverError& error) {
+        ++refused;
+        CHECK_THAT(error.what(), Catch::Contains("give more coolant (cFlowRate)"));
+      }
+    }
+  CHECK(found > 0);
+  CHECK(refused > 0);
+}
