@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#ifndef ADORE_CLONES  // core/CMakeLists.txt
+#define ADORE_CLONES
+#endif
+
 namespace adore::statics {
 namespace {
 
@@ -40,6 +44,7 @@ Residual residual_at(const BallModel& m, const BallSite& site, const Point& at,
 }
 
 /// Newton with backtracking; true when the residual force vanishes to rounding.
+ADORE_CLONES
 bool newton(const BallModel& m, const BallSite& site, const SeenRaces<double>& races, Point& at) {
   constexpr int kIterations = 40;
   // Rounding of a position of the size of the pitch radius, through the stiffness, is what can be
@@ -183,6 +188,7 @@ bool solve_ball(const BallModel& m, const RacePose<double>& pose, BallState& bal
   return false;
 }
 
+ADORE_CLONES
 BallShare ball_share(const BallModel& m, const RacePose<RaceDual>& race, BallState& ball) {
   BallShare share;
   if (ball.idle) {

@@ -85,11 +85,13 @@ HertzSeries::Value HertzSeries::evaluate(const std::vector<double>& coefficients
   double b2 = 0.0;
   double d1 = 0.0;  // derivative of b1
   double d2 = 0.0;
+  // One product and one sum wait for the last value, the rest is done before.
+  const double twice = 2.0 * c;
   for (std::size_t k = coefficients.size() - 1; k > 0; --k) {
-    const double d = 2.0 * b1 + 2.0 * c * d1 - d2;
+    const double d = (2.0 * b1 - d2) + twice * d1;
     d2 = d1;
     d1 = d;
-    const double b = coefficients[k] + 2.0 * c * b1 - b2;
+    const double b = (coefficients[k] - b2) + twice * b1;
     b2 = b1;
     b1 = b;
   }
