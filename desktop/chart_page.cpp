@@ -127,10 +127,12 @@ Polyline reduced(const std::vector<double>& x, const std::vector<double>& y, std
     std::size_t lowest = i, highest = i;
     do {
       const CurveBlocks::Block& block = blocks.blocks[i / CurveBlocks::kLength];
-      if (y[block.lowest] < y[lowest]) lowest = block.lowest;
-      if (y[block.highest] > y[highest]) highest = block.highest;
+      const std::size_t low = y[block.lowest] < y[lowest] ? block.lowest : lowest,
+                        high = y[block.highest] > y[highest] ? block.highest : highest;
+      if (wraps && i > from && y[high] - y[low] > kWrap) break;
+      lowest = low, highest = high;
       i += CurveBlocks::kLength;
-    } while (!wraps && fits(i, from));
+    } while (fits(i, from));
     std::array<std::size_t, 4> keep{from, lowest, highest, i - 1};
     std::sort(keep.begin(), keep.end());
     take(keep[0]);

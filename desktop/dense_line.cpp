@@ -42,11 +42,15 @@ bool drawn_as_bars(const QPainter& painter, const QPolygonF& line, const QRectF&
                    const QPen& pen) {
   constexpr double kPointsPerColumn = 0.7;
   const QTransform& placed = painter.deviceTransform();
+  if (line.isEmpty()) return false;
+  // Of its own columns: an angle that wraps has hundreds of short lines.
+  const double width =
+      std::min(line.back().x(), area.right()) - std::max(line.front().x(), area.left());
   return painter.paintEngine() != nullptr &&
          painter.paintEngine()->type() == QPaintEngine::Raster &&
          placed.type() <= QTransform::TxScale && placed.m11() > 0.0 &&
          pen.style() == Qt::SolidLine &&
-         static_cast<double>(line.size()) > kPointsPerColumn * area.width() * placed.m11() &&
+         static_cast<double>(line.size()) > kPointsPerColumn * width * placed.m11() &&
          std::is_sorted(line.begin(), line.end(),
                         [](const QPointF& a, const QPointF& b) { return a.x() < b.x(); });
 }

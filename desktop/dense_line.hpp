@@ -24,7 +24,7 @@ struct ColumnBar {
 /// `left` and `right`: one bar for each column that it touches, in order.
 std::vector<ColumnBar> column_bars(const QPolygonF& line, double left, double right, double scale);
 
-/// Is it quicker as bars: on a screen, solid, x rising, several points for each column?
+/// Is it quicker as bars: on a screen, solid, x rising, several points for each of its columns?
 bool drawn_as_bars(const QPainter& painter, const QPolygonF& line, const QRectF& area,
                    const QPen& pen);
 

@@ -139,6 +139,47 @@ TEST_CASE("chart_page: an angle of very many wraps is joined, a few points to a 
   CHECK(extreme(pieces, false) < -179.0);
 }
 
+TEST_CASE("chart_page: an angle of some hundred wraps has few points, its wraps and its extremes",
+          "[unit][desktop]") {
+  constexpr int kColumns = 1'000;
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    // A turn that is uneven, now forwards, now backwards; and some jumps of less than a wrap.
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> even(-1.0, 1.0);
+    std::vector<double> x, y;
+    double angle = 0.0, speed = 0.3;
+    for (std::size_t i = 0; i < 600'000; ++i) {
+      speed = std::clamp(speed + 0.002 * even(random), -0.4, 0.4);
+      angle += speed;
+      if (i % 91'000 == 90'000) angle += 150.0;
+      x.push_back(static_cast<double>(i));
+      y.push_back(std::remainder(angle, 360.0));
+    }
+    const CurveBlocks blocks = blocks_of(y, true);
+    const auto quick = drawable_pieces(x, y, 0.0, 6e5, kColumns, true, &blocks);
+    const auto exact = drawable_pieces(x, y, 0.0, 6e5, kColumns, true);
+    INFO("seed " << seed << ", " << exact.size() << " pieces");
+    REQUIRE(exact.size() > 10);
+    CHECK(quick.size() == exact.size());
+    CHECK(extreme(quick, true) == extreme(exact, true));
+    CHECK(extreme(quick, false) == extreme(exact, false));
+    std::size_t points = 0;
+    for (const Polyline& piece : quick) {
+      points += piece.x.size();
+      for (std::size_t i = 1; i < piece.y.size(); ++i)
+        CHECK(std::abs(piece.y[i] - piece.y[i - 1]) <= 180.0);
+    }
+    CHECK(points <= 8 * kColumns + 100 * exact.size());
+    const auto a = columns_of(quick, 0.0, 6e5, kColumns), b = columns_of(exact, 0.0, 6e5, kColumns);
+    for (const auto& [column, range] : a) {  // beside it by a column's change at most
+      const auto found = b.find(column);
+      if (found == b.end()) continue;
+      CHECK(range.first >= found->second.first - 0.4 * 600.0);
+      CHECK(range.second <= found->second.second + 0.4 * 600.0);
+    }
+  }
+}
+
 TEST_CASE("chart_scene: the axis of a long curve reaches its only peak", "[gui]") {
   adore::test::use_qt();
   const Curve curve = long_curve();
