@@ -116,9 +116,11 @@ SCENES = [
     scene("tilted races", BALL, "misaligned rings: every ball runs at its own angle", {"appMis12": 3e-3, "appMis22": 2e-3}),
     scene("English units", "ball-english", "another system of units, the same bearing", {}),
     scene("thrust bearing", "ball-thrust", "steep contact angle", {}),
-    scene("misaligned rollers", "cylindrical",
-          "edge loads and skew of both signs; irregular after a turn and a half, sooner the larger the errors of steps are",
-          {"appMis22": 1e-3, "tol": 1e-8}),
+    # Over one turn all methods agree: heat to 0.7 %, without orders 1 and 2 and cvode-bdf to 0.02 %, and a load changed by 1e-8 changes it
+    # by 3e-6. After one and a half skew that pockets push raises the heat of the races, and what sets it off decides when: over two turns
+    # methods at 1e-6 differ by 7 %, over four loads that differ by 1e-8 by 25 % at any tolerance.
+    scene("misaligned rollers", "cylindrical", "edge loads and skew of both signs; irregular after a turn and a half", {"appMis22": 1e-3},
+          longest=1.0),
     scene("rollers at speed", "cylindrical", "rollers leave the inner race", {"rpm2": 30000.0, "appLoadZ": 500.0}),
     scene("rollers under a heavy load", "cylindrical", "a few rollers carry it all", {"appLoadZ": 60000.0}),
     scene("tapered under thrust", "tapered", "ribs carry the ends; skew is the weakest restoring motion", {"appLoadX": 20000.0}),
