@@ -126,6 +126,9 @@ TEST_CASE("a method that cannot do what the deck asks is refused by its variable
     CHECK(said[0].record == "1");
     CHECK(said[0].variable == "intMet");
     CHECK(said[0].value == method);
+    // A method that would be refused in turn is no way out.
+    const std::string& text = said[0].message;
+    CHECK(text.find("arkode-imex", text.find("need no other steps")) == std::string::npos);
   }
 }
 
