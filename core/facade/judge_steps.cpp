@@ -64,9 +64,14 @@ JudgedSteps judge_steps(const Prepared& prepared, double time_scale) {
   out.limits = stable_steps(out.request);
   out.text = step_limits_text(out.request, out.limits, time_scale);
   if (out.limits.action == StepAction::Refused) {
+    // What it splits off is the free motion of undamped balls (ready_run.cpp).
+    const scene::ScenePlan& plan = prepared.plan;
+    const bool splits = !plan.rollers && !(plan.light_load_ratio > 0.0) &&
+                        !plan.has(scene::Effect::ElementBalance) &&
+                        !plan.has(scene::Effect::ContactDamping);
     std::string others;
     for (const std::string& name : methods_that_keep(out.request))
-      others += (others.empty() ? "" : ", ") + name;
+      if (splits || name != "arkode-imex") others += (others.empty() ? "" : ", ") + name;
     out.text += fmt::format(". {} is refused for this deck. {}", out.request.method,
                             others.empty()
                                 ? "Lower stpMax on record 2.1"

@@ -55,8 +55,8 @@ std::unique_ptr<integrators::Stepper> make_checked_stepper(const setup::RunContr
   if (stepper->name() == "arkode-imex" && held)
     throw InputError(
         "arkode-imex splits the motion of freely moving elements, and qFac on record 2.1, or mode "
-        "1 "
-        "or 2, holds elements in force balance; set qFac and mode to 0, or use arkode-dirk (intMet "
+        "1 or 2, holds elements in force balance; set qFac and mode to 0, or use arkode-dirk "
+        "(intMet "
         "32) or arkode-erk (intMet 31)");
   if (stepper->name() == "arkode-imex" && !ode.has_stiff_part())
     throw InputError(
@@ -79,6 +79,27 @@ bool restore_thermal(ThermalRun& thermal, Prepared& prepared, const fs::path& ma
   return true;
 }
 
+/// Does something that may refuse the deck's method: names intMet, where no record is named and the
+/// request has no method in its place.
+template <class Check>
+auto of_method(const RunRequest& request, const deck::Deck& deck, Check&& check) {
+  try {
+    return check();
+  } catch (const InputError& error) {
+    std::vector<Issue> issues = error.issues();
+    for (Issue& issue : issues) {
+      if (!issue.record.empty() || !request.integrator.empty()) continue;
+      const Issue named = deck.issue(Severity::Error, "intMet", issue.message, issue.remedy);
+      if (issue.file.empty()) issue.file = deck.file;
+      issue.line = named.line;
+      issue.record = named.record;
+      issue.variable = named.variable;
+      issue.value = named.value;
+    }
+    throw InputError(std::move(issues));
+  }
+}
+
 }  // namespace
 
 ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const fs::path& folder)
@@ -92,13 +113,16 @@ ReadyRun::ReadyRun(const RunRequest& request, Prepared& prepared, const fs::path
   system.emplace(make_system(prepared));
   state_in(prepared.plan, *system);
   ode.emplace(*system, elastic);
-  stepper = make_checked_stepper(
-      prepared.control, *ode,
-      prepared.plan.light_load_ratio > 0.0 || prepared.plan.has(scene::Effect::ElementBalance),
-      prepared.plan.rollers, prepared.plan.has(scene::Effect::ContactDamping));
+  const deck::Deck& deck = prepared.input.deck;
+  stepper = of_method(request, deck, [&] {
+    return make_checked_stepper(
+        prepared.control, *ode,
+        prepared.plan.light_load_ratio > 0.0 || prepared.plan.has(scene::Effect::ElementBalance),
+        prepared.plan.rollers, prepared.plan.has(scene::Effect::ContactDamping));
+  });
   time_scale = system->scales().time;
   span = run_span(request, prepared, time_scale);
-  limits = settle_steps(prepared, time_scale);
+  limits = of_method(request, deck, [&] { return settle_steps(prepared, time_scale); });
   warn_of_loose_tolerance(prepared);
   if (request.go_on && !fs::exists(master))
     throw InputError(fmt::format(

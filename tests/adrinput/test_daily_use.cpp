@@ -382,7 +382,7 @@ TEST_CASE("what only the run itself refuses is told beside the records, and lead
   };
   REQUIRE(says("Ready to run"));
   CHECK(state->fontMetrics().horizontalAdvance(state->text()) < state->width() - 24);
-  // A method that is for balls alone: no record is wrong, and no record is named.
+  // A method that is for balls alone.
   window.newDeck("cylindrical");
   REQUIRE(says("Ready to run"));
   window.document().edit(cell("intMet"), "33");
@@ -392,6 +392,7 @@ TEST_CASE("what only the run itself refuses is told beside the records, and lead
   const auto* problems = window.findChild<QListWidget*>("problems");
   CHECK(problems->item(0)->text().startsWith("Refused"));
   CHECK(problems->item(0)->text().contains("arkode-imex"));
+  CHECK(window.document().state_of("1") == RecordState::Doubtful);  // of intMet
   QTest::mouseClick(state, Qt::LeftButton);
   CHECK(problems->isVisible());
   CHECK(problems->currentRow() == 0);

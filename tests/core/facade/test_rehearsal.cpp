@@ -115,6 +115,23 @@ TEST_CASE("a deck without a name is rehearsed from its equilibrium", "[unit][reh
   CHECK(said[0].record == "9.6");
 }
 
+TEST_CASE("a method that cannot do what the deck asks is refused by its variable",
+          "[unit][rehearsal]") {
+  deck::Deck deck = deck::new_deck("cylindrical");
+  for (const char* method : {"33", "1"}) {
+    deck.set("intMet", method);
+    const std::vector<Issue> said = rehearsed(deck, {}, {});
+    REQUIRE(said.size() == 1);
+    INFO(said[0].text());
+    CHECK(said[0].record == "1");
+    CHECK(said[0].variable == "intMet");
+    CHECK(said[0].value == method);
+    // A method that would be refused in turn is no way out.
+    const std::string& text = said[0].message;
+    CHECK(text.find("arkode-imex", text.find("need no other steps")) == std::string::npos);
+  }
+}
+
 TEST_CASE("a run that is completed shows how much of the whole is done", "[unit][continuation]") {
   const testing::TemporaryFolder folder;
   facade::RunRequest request;
