@@ -166,7 +166,7 @@ std::optional<EquivalentLoad> iso_equivalent_load(const IsoGeometry& g, double r
     out.X = 0.4;
     out.Y = g.contact_angle > 0.0 ? 0.4 / std::tan(g.contact_angle) : 0.0;
     if (g.contact_angle <= 0.0) out.X = 1.0;  // a cylindrical bearing: axial load is the flanges'
-  } else if (degrees < 20.0) {
+  } else if (degrees < 20.0 - 1e-9) {         // as written in degrees
     IsoGeometry deep = g;
     deep.contact_angle = 0.0;
     const double load = iso_static_factor(iso_gamma(deep)) * Fa / *iso_static_rating(deep);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,23 +13,48 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
+/// As it is made, which is what the standards rate: growths in operation would put a bearing of 15
+/// or 20 degrees below the limit of its table.
+struct Nominal {
+  double diameter, pitch_diameter, contact_angle;  ///< [m, rad]
+  std::array<double, 2> groove_factor;
+};
+Nominal nominal(const bearing::Bearing& bearing) {
+  const bearing::BallGeometry& balls = bearing.balls();
+  if (!bearing.operating || !(bearing.operating->pitch_free > 0.0))
+    return {balls.diameter, balls.pitch_diameter, balls.contact_angle, balls.groove_factor};
+  const bearing::OperatingFits& at = *bearing.operating;
+  Nominal out{balls.diameter - at.element_growth, at.pitch_free, at.free.contact_angle, {}};
+  for (const std::size_t j : {0UL, 1UL}) {  // grooves grow by the strain of their race
+    const double strain = at.raceway[j].thermal / at.raceway_radius[j];
+    out.groove_factor[j] =
+        balls.groove_factor[j] * balls.diameter / (out.diameter * (1.0 + strain));
+  }
+  return out;
+}
+
 /// Tables of the standard hold for grooves up to 0.52 (inner) and 0.53 (outer); wider grooves rate
 /// by their own.
-IsoGeometry iso_geometry(const bearing::BallGeometry& balls, std::vector<std::string>& notes) {
+IsoGeometry iso_geometry_of_balls(const bearing::Bearing& bearing,
+                                  std::vector<std::string>& notes) {
   const LifeConstants& c = constants();
+  const bearing::BallGeometry& balls = bearing.balls();
+  const Nominal made = nominal(bearing);
   IsoGeometry out;
-  out.element_diameter = 1e3 * balls.diameter;
-  out.pitch_diameter = 1e3 * balls.pitch_diameter;
+  out.element_diameter = 1e3 * made.diameter;
+  out.pitch_diameter = 1e3 * made.pitch_diameter;
   out.count = balls.count;
-  const double degrees = balls.contact_angle / kDegree;
-  out.contact_angle = degrees < 15.0 - 1e-9 ? 0.0 : balls.contact_angle;
+  const double degrees = made.contact_angle / kDegree;
+  out.contact_angle = degrees < 15.0 - 1e-9 ? 0.0 : made.contact_angle;
   out.type = degrees > 45.0 + 1e-9 ? IsoType::ThrustBall : IsoType::RadialBall;
   const bool thrust = out.type == IsoType::ThrustBall;
   const double table = thrust ? c.table_conformity_thrust : c.table_conformity_radial;
-  out.conformity_inner =
-      balls.groove_factor[1] <= (thrust ? table : 0.52) ? table : balls.groove_factor[1];
-  out.conformity_outer =
-      balls.groove_factor[0] <= (thrust ? table : 0.53) ? table : balls.groove_factor[0];
+  const auto conformity = [&](std::size_t race, double limit) {
+    return made.groove_factor[race] <= (thrust ? table : limit) + 1e-9 ? table
+                                                                       : made.groove_factor[race];
+  };
+  out.conformity_inner = conformity(1, 0.52);
+  out.conformity_outer = conformity(0, 0.53);
   out.rating_factor =
       c.rating_factor.at(thrust ? "thrust ball" : "radial and angular contact ball");
   if (degrees > 0.0 && out.contact_angle == 0.0)
@@ -40,14 +66,14 @@ IsoGeometry iso_geometry(const bearing::BallGeometry& balls, std::vector<std::st
         "ISO: the load-dependent factors for angles below 20 deg are not held; those of "
         "deep-groove bearings are taken");
   const auto replaced = [&](const char* race, double own, double rated, double limit) {
-    if (own != rated)
+    if (std::abs(own - rated) > 1e-9)
       notes.push_back(fmt::format(
           "ISO: the {} groove of factor {:g} is rated as one of {:g}, for which the standard's "
           "tables are made; they hold for grooves up to {:g}",
           race, own, rated, limit));
   };
-  replaced("outer", balls.groove_factor[0], out.conformity_outer, thrust ? table : 0.53);
-  replaced("inner", balls.groove_factor[1], out.conformity_inner, thrust ? table : 0.52);
+  replaced("outer", made.groove_factor[0], out.conformity_outer, thrust ? table : 0.53);
+  replaced("inner", made.groove_factor[1], out.conformity_inner, thrust ? table : 0.52);
   return out;
 }
 
@@ -92,7 +118,7 @@ IsoReport iso_report(const bearing::Bearing& bearing, const BearingContacts& con
                      const std::array<double, 3>& load, const LifeParameters& parameters) {
   IsoReport out;
   out.geometry =
-      bearing.rollers() ? iso_geometry(bearing) : iso_geometry(bearing.balls(), out.notes);
+      bearing.rollers() ? iso_geometry(bearing) : iso_geometry_of_balls(bearing, out.notes);
   out.C = iso_dynamic_rating(out.geometry);
   out.C0 = iso_static_rating(out.geometry);
   out.axial = std::abs(load[0]);

@@ -326,3 +326,40 @@ TEST_CASE("a contact angle past 90 degrees leaves a life, and capacities pass 90
   // Past 90 degrees the inner race is curved as an outer one is before.
   CHECK(capacity(95.0, true) == Approx(capacity(85.0, false)).epsilon(1e-9));
 }
+
+TEST_CASE("ISO rates the bearing as it is made, whatever grows in operation", "[life]") {
+  for (const double degrees : {10.0, 15.0, 18.0, 20.0, 25.0, 40.0, 45.0}) {
+    deck::Deck deck = deck::new_deck("angular-218");
+    deck.set("freeConAng", fmt::format("{}", degrees));
+    load(deck);
+    const auto iso_of = [&](const char* rpm, const char* ball, const char* race) {
+      deck.set("rpm2", rpm);
+      deck.set("reTemp", ball);
+      deck.set("raceTemp2", race);
+      const bearing::Bearing bearing = thermal::operating_bearing(setup::build_bearing(deck));
+      const auto life = life::ball_bearing_life(bearing, setup::build_life(deck, {}),
+                                                statics::solve_ball_statics(bearing));
+      REQUIRE(life.iso);
+      REQUIRE(life.iso->equivalent);
+      return *life.iso;
+    };
+    const life::IsoReport made = iso_of("100.0", "293.15", "293.15");
+    for (const auto& [rpm, ball, race] :
+         {std::tuple{"8000.0", "293.15", "293.15"}, std::tuple{"3000.0", "340.0", "320.0"},
+          std::tuple{"3000.0", "290.0", "330.0"}}) {
+      const life::IsoReport at_work = iso_of(rpm, ball, race);
+      INFO(degrees << " deg, " << rpm << " rpm, balls " << ball << " K, inner race " << race
+                   << " K");
+      CHECK(at_work.C == Approx(made.C).epsilon(1e-9));
+      CHECK(*at_work.C0 == Approx(*made.C0).epsilon(1e-9));
+      CHECK(at_work.equivalent->X == Approx(made.equivalent->X).epsilon(1e-9));
+      CHECK(at_work.equivalent->Y == Approx(made.equivalent->Y).epsilon(1e-6));
+      CHECK(at_work.equivalent->e == Approx(made.equivalent->e).epsilon(1e-6));
+    }
+    if (degrees == 20.0) {  // the first row of the standard's table
+      CHECK(made.equivalent->X == Approx(0.43));
+      CHECK(made.equivalent->Y == Approx(1.0));
+      CHECK(made.equivalent->e == Approx(0.57));
+    }
+  }
+}
