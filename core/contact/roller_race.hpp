@@ -26,8 +26,8 @@
 /// g is the rounded law κ(s)/s (tribology/rounded_law.hpp). Without traction (F, M_C) is minus the
 /// gradient of U over every displacement and turn of the roller (δ_k is a maximum over its circle,
 /// so the point may be held), and the race gets the opposite; it is the force of statics
-/// (statics/slice_potential.hpp) at the same pose. The edge of a land is left out of the potential
-/// there as here: no force pulls a roller over it.
+/// (statics/slice_potential.hpp) at the same pose. Where a roller reaches over the edge of a land
+/// that is in the gradient, too (contact/land_edge.hpp).
 /// Line pressure of slice k: p = √(Q_k/w_k E* Σρ/π), Σρ = 1/ρ_k - n_r/r.
 /// Limits: the roller axis points towards +x of the race (|angle| < π/2); no spin within the width
 /// of a contact; slices are independent.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/land_edge.hpp"
 #include "contact/roller_race_sum.hpp"
 
 #include <algorithm>
@@ -41,8 +42,9 @@ template <class T, class Slope = std::nullptr_t>
     if (!M::any(depth > 0.0)) continue;
     T width = Lanes::read(slices.width + k);
     if (slices.limited)
-      width = overlap_width(land_coordinate(surface, deepest.X.x), width, surface.land_offset,
-                            surface.land_width);
+      width =
+          overlap_width(land_coordinate(surface, slice_place(surface, at.axes, at.x, s, radius)),
+                        width, surface.land_offset, surface.land_width);
     const Triple<T>& n = deepest.at.n;
     const Triple<T> arm = s * at.axes.a + radius * deepest.u;
     T rate = -dot(at.velocity + cross(at.omega, arm), n), rise = 0.0;

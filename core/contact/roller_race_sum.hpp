@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/scalar_math.hpp"
+#include "contact/land_edge.hpp"
 #include "contact/race_shape.hpp"
 #include "contact/race_slope.hpp"
 #include "contact/slice_circle.hpp"
@@ -108,6 +109,7 @@ template <class T, class Traction, class Slope = std::nullptr_t>
   constexpr double kOverPi = 0.31830988618379067154;
   const RaceSurface& surface = slices.race;
   RollerRaceSums<T> sum;
+  LandEdge<T> edge;
   T tan_chi = 0.0, last = 0.0;
   for (std::size_t k = 0; k < slices.count; k += Lanes::kSize) {
     const T s = Lanes::read(slices.s + k);
@@ -120,14 +122,21 @@ template <class T, class Traction, class Slope = std::nullptr_t>
     last = found;
     if (!M::any(d.at.depth > 0.0)) continue;
     [[maybe_unused]] T widens = 0.0;
-    if (slices.limited) {
-      const T x = land_coordinate(surface, d.X.x);
-      if constexpr (kWavy)
-        widens = width_slope(x, width, surface.land_offset, surface.land_width) * slope.land_offset;
-      width = overlap_width(x, width, surface.land_offset, surface.land_width);
-    }
     const T delta = M::max(d.at.depth, T(0.0));
-    const T Q = slice_secant(slices.law, width, delta) * delta;
+    T Q = 0.0;
+    if (slices.limited) {
+      const T x = land_coordinate(surface, slice_place(surface, at.axes, at.x, s, radius));
+      const T whole = width;
+      width = overlap_width(x, whole, surface.land_offset, surface.land_width);
+      Q = slice_secant(slices.law, width, delta) * delta;
+      if (M::any(width < whole)) {
+        const T shift = width_slope(x, whole, surface.land_offset, surface.land_width);
+        if constexpr (kWavy) widens = shift * slope.land_offset;
+        edge.add(Q, delta, width, -shift, surface.cos_angle, s, radius);
+      }
+    } else {
+      Q = slice_secant(slices.law, width, delta) * delta;
+    }
     const Triple<T>& n = d.at.n;
     Triple<T> arm = s * at.axes.a + radius * d.u;
     // To the middle of the overlap, where both surfaces slip; -Q n has the same moment from there.
@@ -172,6 +181,7 @@ template <class T, class Traction, class Slope = std::nullptr_t>
       sum.turning += Q * (depth_slope(surface, slope, d.X, d.at) +
                           (9.0 / 19.0) * delta * widens / M::max(width, T(1e-30)));
   }
+  if (edge.reached) edge.push(at.axes, surface.sigma(), at.r, sum.force, sum.moment);
   return sum;
 }
 

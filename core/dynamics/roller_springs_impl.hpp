@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/simd_math.hpp"
+#include "contact/land_edge.hpp"
 #include "contact/roller_race_simd.hpp"
 #include "dynamics/roller_springs.hpp"
 
@@ -15,27 +16,12 @@ namespace {
 using V = SimdReal;
 using Lanes = contact::SliceLanes<V>;
 
-/// What depends on the place of contacts at an edge of the land, through their width: ∂U_p over the
-/// land coordinate of the point.
-struct EdgeSums {
-  std::array<V, 4> of[4];
-  EdgeSums() {
-    for (auto& row : of) row.fill(V(0.0));
-  }
-  void add(const statics::SliceSums<V>& slices, const V& load_slope) {
-    const std::array<V, 4> along{V(1.0), V(0.0), slices.X_t.x, slices.X_f.x};
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < 4; ++j) of[i][j] += load_slope * slices.over[i] * along[j];
-  }
-};
-
 inline void sum_springs(const contact::RaceSlices& slices, const statics::SliceTurns& axes,
                         double x, double r, RollerSprings& out) {
   using M = ScalarMath<V>;
   const contact::RaceSurface& surface = slices.race;
   statics::SliceSums<V> sums;
-  EdgeSums edges;
-  bool edge = false;
+  statics::EdgeSums<V> edges;
   V tan_chi = 0.0, last = 0.0;
   for (std::size_t k = 0; k < slices.count; k += Lanes::kSize) {
     const V s = Lanes::read(slices.s + k), radius = Lanes::read(slices.radius + k);
@@ -49,7 +35,8 @@ inline void sum_springs(const contact::RaceSlices& slices, const statics::SliceT
     if (!M::any(d.at.depth > 0.0)) continue;
     V narrows = 0.0;  // change of the width over the land coordinate
     if (slices.limited) {
-      const V at = contact::land_coordinate(surface, d.X.x);
+      const V at =
+          contact::land_coordinate(surface, contact::slice_place(surface, axes, x, s, radius));
       narrows = -contact::width_slope(at, width, surface.land_offset, surface.land_width);
       width = contact::overlap_width(at, width, surface.land_offset, surface.land_width);
     }
@@ -57,10 +44,12 @@ inline void sum_springs(const contact::RaceSlices& slices, const statics::SliceT
     const V secant = contact::slice_secant(slices.law, width, delta);
     sums.add(axes, d, secant * delta, (10.0 / 9.0) * secant);
     if (!M::any(narrows != 0.0)) continue;
-    edge = true;
-    // Slices beyond the land, which do not press, change nothing.
-    const V load_slope = M::pick(width > 0.0, secant * delta / M::max(width, V(1e-30)), V(0.0));
-    edges.add(sums, load_slope * narrows / surface.cos_angle);
+    edges.add(statics::land_place(axes, surface.sigma(), s, radius), sums.over, secant * delta,
+              delta, width, narrows, surface.cos_angle);
+  }
+  if (edges.reached) {
+    for (std::size_t i = 0; i < 4; ++i) sums.gradient[i] += edges.gradient[i];
+    for (std::size_t i = 0; i < 10; ++i) sums.hessian[i] += edges.hessian[i];
   }
   std::size_t k = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -68,8 +57,6 @@ inline void sum_springs(const contact::RaceSlices& slices, const statics::SliceT
     for (std::size_t j = 0; j <= i; ++j) out.hessian[i][j] = Lanes::sum(sums.hessian[k++]);
     for (std::size_t j = 0; j < i; ++j) out.hessian[j][i] = out.hessian[i][j];
   }
-  for (std::size_t i = 0; edge && i < 4; ++i)
-    for (std::size_t j = 0; j < 4; ++j) out.hessian[i][j] += Lanes::sum(edges.of[i][j]);
   out.load = Lanes::sum(sums.load);
   out.stiffness = Lanes::sum(sums.slope);
 }

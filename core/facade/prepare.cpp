@@ -20,6 +20,7 @@
 #include "setup/build_life.hpp"
 #include "setup/no_part.hpp"
 #include "setup/scene_plan.hpp"
+#include "statics/missing_thrust.hpp"
 #include "thermal/operating.hpp"
 #include "tribology/lubricant.hpp"
 #include "tribology/traction_curve.hpp"
@@ -353,7 +354,8 @@ Prepared prepare(const DeckRequest& request, std::stop_token stop) {
 
 Prepared prepare(LoadedDeck input) {
   const std::string file = input.path.string();
-  const deck::UnitSystem units = input.deck.units();
+  const deck::Deck deck = input.deck;  // for what is said of it
+  const deck::UnitSystem units = deck.units();
   (void)setup::build_run_options(input.option_values);  // what is wrong with them is not the deck's
   try {
     Prepared out = prepare_model(std::move(input));
@@ -365,6 +367,11 @@ Prepared prepare(LoadedDeck input) {
       if (issue.file.empty()) issue.file = file;
     to_deck_units(issues, units);
     throw InputError(std::move(issues));
+  } catch (const statics::MissingThrust& error) {  // a fault of the loads, not of the numerics
+    Issue issue =
+        deck.issue(Severity::Error, "appLoadX", deck::message_in_units(error.why(), units),
+                   deck::message_in_units(error.remedy(), units));
+    throw InputError(std::vector<Issue>{std::move(issue)});
   } catch (const SolverError& error) {
     throw SolverError(deck::message_in_units(error.what(), units));
   }

@@ -1,6 +1,7 @@
 #include "statics/roller_statics.hpp"
 
 #include "base/errors.hpp"
+#include "statics/missing_thrust.hpp"
 #include "statics/race_text.hpp"
 #include "statics/roller_report.hpp"
 #include "statics/stiffness_difference.hpp"
@@ -144,9 +145,7 @@ std::string missing_thrust(const RollerModel& m, const RaceTask& task, const Vec
     text += fmt::format(" (with the race at x = {:.4g} m the angle is still {:.4g} degrees)", q(0),
                         row_angle(m, q) * kDegree);
   }
-  return text + (thrown > 0.0 ? ". Lower the speed, give" : ". Give") +
-         " it that thrust, or prescribe x (kFS1 = 1) for the second row or the shaft "
-         "that holds it";
+  return text;
 }
 
 /// Newton ended with the race well out of the row for want of thrust: no other search finds more.
@@ -186,10 +185,13 @@ UnstableMode unstable_at(const RollerModel& m, const RaceTask& task, const Rolle
   const std::string loads = load_text(task);
   const double tilt = std::hypot(state.q(3), state.q(4));
   if (const std::string why = missing_thrust(m, task, state.q); !why.empty()) {
-    throw SolverError(
+    throw MissingThrust(
         fmt::format("bearing equilibrium: no roller or flange holds the inner race under {}; it "
                     "moved to x = {:.4g} m, y = {:.4g} m, z = {:.4g} m{}",
-                    loads, state.q(0), state.q(1), state.q(2), why));
+                    loads, state.q(0), state.q(1), state.q(2), why),
+        std::string(m.moving ? "lower the speed, give" : "give") +
+            " the row that thrust, or prescribe x (kFS1 = 1) for the second row or the shaft that "
+            "holds it");
   }
   const bool barrels = m.rollers.shape == bearing::RollerShape::Arc;
   const bool may_tilt = !task.given[3] || !task.given[4];

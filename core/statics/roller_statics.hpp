@@ -20,9 +20,9 @@
 /// of contact/line_contact.hpp, roller ends against flanges (contact/roller_flange.hpp),
 /// centrifugal force and gyroscopic moment of the speeds of pure rolling at nominal geometry, the
 /// same for all rollers: they do not follow the loads, and unloaded rollers orbit with the others.
-/// No friction, but that straight raceways hold their rollers axially (decision 109). All forces
-/// but the loss of width at the edge of a land derive from a potential, so that line searches on it
-/// converge from anywhere (race_equilibrium.hpp).
+/// No friction, but that straight raceways hold their rollers axially (decision 109). All forces,
+/// those at the edge of a land too (contact/land_edge.hpp), derive from a potential, so that line
+/// searches on it converge from anywhere (race_equilibrium.hpp).
 /// Unloaded rollers have no unique place; the rule (decision 124), which the solution carries in
 /// words: at rest they stand in the middle between both races and carry nothing. At speed they rest
 /// on the outer race, cylinders at their nominal axial place or as near to it as flanges allow,

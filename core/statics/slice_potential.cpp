@@ -2,6 +2,7 @@
 
 #include "base/simd_math.hpp"
 #include "contact/hertz.hpp"
+#include "contact/land_edge.hpp"
 #include "contact/slice_circle.hpp"
 #include "contact/sliced_line.hpp"
 #include "statics/slice_sums.hpp"
@@ -20,8 +21,8 @@ using Lanes = SimdReal;
 double total(double x) { return x; }
 double total(const Lanes& x) { return stdx::reduce(x); }
 
-template <class T>
-void add_to(PairPotential& sum, const SliceSums<T>& of) {
+template <class Sums>
+void add_matrices(PairPotential& sum, const Sums& of) {
   for (int i = 0; i < 4; ++i) {
     sum.gradient(i) += total(of.gradient[static_cast<std::size_t>(i)]);
     for (int j = 0; j <= i; ++j) {
@@ -32,18 +33,13 @@ void add_to(PairPotential& sum, const SliceSums<T>& of) {
       }
     }
   }
-  sum.total += total(of.load);
-  sum.stiffness += total(of.slope);
 }
 
-/// What depends on the place of a contact at the edge of the land, through its width.
-void add_edge(const contact::RaceSurface& race, const SliceSums<Lanes>& slices, std::size_t lane,
-              double load_slope, PairPotential& sum) {
-  const double over_x = load_slope / race.cos_angle;
-  const Vec4 along(1.0, 0.0, slices.X_t.x[lane], slices.X_f.x[lane]);
-  const Vec4 over(slices.over[0][lane], slices.over[1][lane], slices.over[2][lane],
-                  slices.over[3][lane]);
-  sum.hessian += (over_x * over) * along.transpose();
+template <class T>
+void add_to(PairPotential& sum, const SliceSums<T>& of) {
+  add_matrices(sum, of);
+  sum.total += total(of.load);
+  sum.stiffness += total(of.slope);
 }
 
 }  // namespace
@@ -53,6 +49,7 @@ void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
   constexpr std::size_t kLanes = Lanes::size();
   const SliceTurns axes = slice_turns(p(2), p(3));
   SliceSums<Lanes> sums;
+  EdgeSums<double> edges;
   Lanes tan_chi = 0.0;
   Lanes last = 0.0;
   for (std::size_t first = 0; first < set.slices.size(); first += kLanes) {
@@ -74,7 +71,8 @@ void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
     for (std::size_t lane = 0; lane < count; ++lane) {
       const double depth = d.at.depth[lane];
       if (depth > 0.0 || !each.empty()) {
-        const double x = d.X.x[lane];
+        const double x =
+            contact::slice_place(set.race, axes, p(0), slice(lane).s, slice(lane).radius);
         land[lane] =
             contact::land_width(set.race, contact::land_coordinate(set.race, x), set.width);
         q[lane] = contact::slice_load(set.law, land[lane].width, depth);
@@ -86,7 +84,11 @@ void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
                Lanes([&](auto lane) { return q[lane].slope; }));
       for (std::size_t lane = 0; lane < count; ++lane) {
         if (q[lane].load > 0.0 && land[lane].slope != 0.0) {
-          add_edge(set.race, sums, lane, q[lane].load / land[lane].width * land[lane].slope, sum);
+          edges.add(
+              land_place(axes, set.race.sigma(), slice(lane).s, slice(lane).radius),
+              {sums.over[0][lane], sums.over[1][lane], sums.over[2][lane], sums.over[3][lane]},
+              q[lane].load, d.at.depth[lane], land[lane].width, land[lane].slope,
+              set.race.cos_angle);
         }
       }
     }
@@ -100,6 +102,9 @@ void add_slices(const SliceSet& set, const Vec4& p, PairPotential& sum,
     }
   }
   add_to(sum, sums);
+  if (edges.reached) {
+    add_matrices(sum, edges);
+  }
 }
 
 void add_slices_linear(const SliceSet& set, const Vec4& p, PairPotential& sum,

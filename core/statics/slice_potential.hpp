@@ -20,8 +20,8 @@
 ///   ∂δ/∂p = n·X_p,   ∂²δ/∂p∂q = n·X_pq + X_p·N X_q - δ_χp δ_χq/δ_χχ,
 /// X the contact point at fixed χ and N = ∇∇φ the curvature tensor of the race's distance function:
 /// n_r/r across the meridian, 1/l along it on a groove.
-/// The width of a slice on the land depends on x; the forces leave that out of the potential (no
-/// force pulls a roller over an edge), the derivatives have it.
+/// The width of a slice on the land depends on its place along the race, and U with it
+/// (contact/land_edge.hpp; the linear slices, of reference family D, leave that out).
 namespace adore::statics {
 
 using Vec4 = Eigen::Matrix<double, 4, 1>;

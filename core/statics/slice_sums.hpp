@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/scalar_math.hpp"
 #include "contact/slice_circle.hpp"
 
 #include <array>
@@ -37,14 +38,61 @@ struct SliceTurns : contact::SliceAxes {
 /// Lower triangle of a symmetric matrix of 4, row by row.
 [[gnu::always_inline]] constexpr int triangle_entry(int i, int j) { return i * (i + 1) / 2 + j; }
 
+/// Of the place of a slice along the land (contact/land_edge.hpp): derivatives over p.
+template <class T>
+struct LandPlace {
+  std::array<T, 4> over;
+  T tt, tf, ff;  ///< second ones over t and f
+};
+template <class T>
+[[nodiscard, gnu::always_inline]] inline LandPlace<T> land_place(const SliceTurns& axes,
+                                                                 double sigma, const T& s,
+                                                                 const T& radius) {
+  const double c = axes.a.x, f = axes.a.y, t = axes.a.z;
+  const double m = std::sqrt(1.0 - f * f), m3 = m * m * m;
+  const T out = sigma * radius;
+  return {{T(1.0), T(0.0), s * (-t / c) - out * (1.0 / m), s * (-f / c) - out * (t * f / m3)},
+          s * axes.k_tt,
+          s * axes.k_tf - out * (f / m3),
+          s * axes.k_ff - out * (t / m3 * (1.0 + 3.0 * f * f / (m * m)))};
+}
+
+/// What slices at the edges of a land add (contact/land_edge.hpp).
+template <class T>
+struct EdgeSums {
+  std::array<T, 4> gradient;
+  std::array<T, 10> hessian;
+  bool reached = false;
+
+  EdgeSums() {
+    gradient.fill(T(0.0));
+    hessian.fill(T(0.0));
+  }
+  /// @param over ∂δ/∂p of the slice; narrows: w' of its width on the land over the land coordinate
+  void add(const LandPlace<T>& place, const std::array<T, 4>& over, const T& load, const T& depth,
+           const T& width, const T& narrows, double cos_angle) {
+    reached = true;
+    const T per_width = load * narrows * (1.0 / cos_angle) / ScalarMath<T>::max(width, T(1e-30));
+    const T energy = (9.0 / 19.0) * depth * per_width;
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      gradient[i] += energy * place.over[i];
+      for (std::size_t j = 0; j <= i; ++j)
+        hessian[k++] += per_width * (over[i] * place.over[j] + place.over[i] * over[j]);
+    }
+    hessian[triangle_entry(2, 2)] += energy * place.tt;
+    hessian[triangle_entry(3, 2)] += energy * place.tf;
+    hessian[triangle_entry(3, 3)] += energy * place.ff;
+  }
+};
+
 /// What slices add to the potential, but for the edges of lands.
 template <class T>
 struct SliceSums {
   std::array<T, 4> gradient;
   std::array<T, 10> hessian;
   T load = 0.0, slope = 0.0;
-  contact::Triple<T> X_t, X_f;  ///< of the last: how t and f move the point
-  std::array<T, 4> over;        ///< of the last: ∂δ/∂p
+  std::array<T, 4> over;  ///< of the last: ∂δ/∂p
 
   SliceSums() {
     gradient.fill(T(0.0));
@@ -56,8 +104,7 @@ struct SliceSums {
            const T& q_slope) {
     const contact::Triple<T>& n = d.at.n;
     const contact::Triple<T> arm = d.s * axes.a + d.radius * d.u;
-    X_t = cross(axes.turn_t, arm);
-    X_f = cross(axes.turn_f, arm);
+    const contact::Triple<T> X_t = cross(axes.turn_t, arm), X_f = cross(axes.turn_f, arm);
     over = {n.x, n.z, dot(n, X_t), dot(n, X_f)};
     // Motion of the point in the principal directions, and δ_χp.
     const T hoop = d.radius * d.hoop;

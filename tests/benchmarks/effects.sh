@@ -67,6 +67,9 @@ while IFS='|' read -r name deck on off blocks; do
   count "$deck" "$off" || { echo "$name: the run without it failed"; wrong=1; continue; }
   without=$each
   [ "$blocks" = - ] || ! grep -qE "$blocks" "$work/functions" || { echo "$name: runs though it is off: $(grep -E "$blocks" "$work/functions" | head -1)"; wrong=1; }
+  # The limit that was set for it (decision 001).
+  [ "$name" != "contact angle that moves" ] || [ $((10 * (with - without))) -le "$without" ] ||
+    { echo "$name: more than a tenth dearer than frozen constants"; wrong=1; }
   awk -v n="$name" -v a="$with" -v b="$without" 'BEGIN {printf "%-26s %12d %12d %7.1f%%\n", n, a, b, 100 * (a - b) / a}'
 done < <(pairs)
 exit $wrong

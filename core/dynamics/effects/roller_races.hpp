@@ -22,8 +22,7 @@
 /// A race with errors (contact/race_errors.hpp) is taken for each roller as it is at the azimuth ψ
 /// of C in the race, which turns: U = Σ 9/19 Q δ depends on ψ too, and -∂U/∂ψ/r acts on the roller
 /// at C along growing ψ, the opposite on the race. Its power is that of -dU/dt, so that the work of
-/// the drive balances. Left out are the curvature of a wave under one roller and, as on perfect
-/// races, the axial force at the edge of a land.
+/// the drive balances. Left out is the curvature of a wave under one roller.
 /// Limit: a roller presses by less than its radius; whole numbers of waves per turn.
 namespace adore::dynamics {
 

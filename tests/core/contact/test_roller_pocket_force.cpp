@@ -70,3 +70,36 @@ TEST_CASE("a slice that leans on the edge of a face is pushed along the gradient
     CHECK(g.error < 1e-6);
   }
 }
+
+TEST_CASE(
+    "a slice that reaches over the end of a guide face is pushed along the gradient of its "
+    "energy",
+    "[unit][cage][pocket]") {
+  contact::PocketFace face;
+  face.centre = {0.0, kRadius, 0.0};
+  face.half_length = 2e-3;
+  constexpr double kHalf = 2e-4;
+  const Vec3 u = Vec3(1.0, 0.002, 0.001).normalized();
+  const auto touch = [&](const Vec3& at) {
+    return contact::slice_at_face(face, at, u, kRadius, kHalf);
+  };
+  // Of the line law Q = φ δ^(10/9).
+  const auto energy = [&](const Vec3& at) {
+    const PocketSlice c = touch(at);
+    return 9.0 / 19.0 * c.fraction * std::pow(std::max(-c.gap, 0.0), 19.0 / 9.0);
+  };
+  for (const double x : {-2.1e-3, -1.9e-3, 0.0, 2.05e-3}) {
+    const Vec3 p(x, 2e-5, 0.0);
+    const PocketSlice here = touch(p);
+    REQUIRE(here.gap < 0.0);
+    const double load = here.fraction * std::pow(-here.gap, 10.0 / 9.0);
+    Vec3 slope;
+    constexpr double kStep = 1e-9;
+    for (int k = 0; k < 3; ++k)
+      slope[k] =
+          (energy(p + kStep * Vec3::Unit(k)) - energy(p - kStep * Vec3::Unit(k))) / (2.0 * kStep);
+    CAPTURE(x, here.fraction, slope.transpose());
+    CHECK((slope - load * (here.m - here.aside)).norm() < 1e-5 * load);
+    CHECK((here.fraction < 1.0) == (here.aside.x() != 0.0));
+  }
+}

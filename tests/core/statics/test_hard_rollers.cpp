@@ -4,6 +4,7 @@
 #include "core/statics/roller_bearings.hpp"
 #include "core/statics/solution_checks.hpp"
 #include "listing/print_file.hpp"
+#include "statics/missing_thrust.hpp"
 #include "statics/roller_model.hpp"
 #include "statics/roller_statics.hpp"
 
@@ -158,8 +159,9 @@ TEST_CASE("cones that turn so fast that they throw the inner race off say what t
   } catch (const SolverError& error) {
     CHECK_THAT(error.what(), Catch::Contains("its centrifugal force of") &&
                                  Catch::Contains("at least (F_r + Z F_c) tan α = ") &&
-                                 Catch::Contains("Lower the speed") &&
+                                 Catch::Contains("lower the speed") &&
                                  !Catch::Contains("first guess"));
+    CHECK(dynamic_cast<const MissingThrust*>(&error) != nullptr);  // a fault of the loads
   }
   Bearing slower = roller_bearings::tapered(10000.0);
   CHECK(solved(slower).max_load > 0.0);

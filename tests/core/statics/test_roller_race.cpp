@@ -78,9 +78,10 @@ const tribology::TractionLaw kCoulomb =
 
 TEST_CASE("roller in motion: without traction its force is minus the gradient of the energy",
           "[physics][rollers]") {
+  // On its land, and reaching over both of its edges.
   for (const bearing::Bearing& bearing : bearings())
-    for (std::size_t j = 0; j < 2; ++j) {
-      const Scene scene = scene_of(bearing, j);
+    for (const auto& [j, land] : {std::pair{0UL, 0.0}, {1UL, 0.0}, {0UL, 0.0081}, {1UL, 0.0081}}) {
+      const Scene scene = scene_of(bearing, j, land);
       const RollerRaceAction here = action(scene);
       REQUIRE(here.load > 100.0);
       CHECK(here.heat == 0.0);
