@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/simd_inverse_roots.hpp"
+#include "base/simd_tiles.hpp"
 #include "contact/ball_groove.hpp"
 #include "contact/wavy_groove.hpp"
 #include "dynamics/ball_race_motion.hpp"

@@ -87,6 +87,7 @@ std::vector<AccuracySetting> models_of(const Prepared& prepared) {
       option("filmStress", prepared.options.direct_strips ? "surface" : "direct");
       out.back().dear = strips;
     }
+    if (prepared.options.system.single_films) option("filmPrecision", "double");
   }
   const auto mode = prepared.input.deck.integer("mode");
   for (const int other : {0, 1, 2})

@@ -8,6 +8,7 @@
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/roller_start.hpp"
 #include "dynamics/scene_estimate.hpp"
+#include "facade/film_precision.hpp"
 #include "facade/judge_steps.hpp"
 #include "facade/pilot.hpp"
 #include "facade/static_plan.hpp"
@@ -181,6 +182,7 @@ Prepared prepare_model(LoadedDeck input) {
   if (out.control.dynamic)
     for (bearing::Bearing* one : {&out.as_built, &out.bearing})
       if (one->lubrication) one->lubrication->tolerance = out.control.tolerance;
+  choose_film_precision(out);
   const bearing::LifeInputs life_inputs = setup::build_life(deck, out.options.life);
   out.no_part = setup::values_without_part(deck);
   out.input.deck.reads.reset();  // the rest reads the deck for texts

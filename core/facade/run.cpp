@@ -3,6 +3,7 @@
 #include "base/write_error.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "facade/chosen_settings.hpp"
+#include "facade/film_precision.hpp"
 #include "facade/output_folder.hpp"
 #include "facade/progress_meter.hpp"
 #include "facade/run_outputs.hpp"
@@ -45,6 +46,7 @@ void apply_overrides(const RunRequest& request, Prepared& prepared) {
     for (bearing::Bearing* one : {&prepared.as_built, &prepared.bearing})
       if (one->lubrication) one->lubrication->tolerance = *request.tolerance;
   }
+  choose_film_precision(prepared);
 }
 
 RunOutcome run_quasi_static(const RunRequest& request, const Prepared& prepared,

@@ -269,6 +269,16 @@ const std::vector<Option>& options() {
            o.direct_strips = v == "direct";
            return true;
          }},
+        {{"filmPrecision", "single",
+          "points of films between balls and races (kTrac 1 to 7, 9 to 11, 13 to 20): single (by "
+          "floats, a few 1e-6 of the traction, where tol is 1e-7 or more, the method is explicit "
+          "and "
+          "nothing is held in balance), or double"},
+         [](RunOptions& o, std::string_view v) {
+           if (v != "single" && v != "double") return false;
+           o.single_films = v == "single";
+           return true;
+         }},
         {{"landSlices", fmt::format("{}", defaults.system.land_slices),
           "slices along each cage guide land, 1 to 99"},
          [](RunOptions& o, std::string_view v) {

@@ -58,6 +58,7 @@ struct RunOptions {
   bool results_h5 = true;                ///< write RESULTS.h5
   std::uint64_t seed = kDefaultSeed;     ///< of random imperfections (kReGeoImp 1)
   bool direct_strips = false;            ///< visco-elastic films without a surface
+  bool single_films = true;              ///< films by floats where that is enough
   bool centrifugal_growth = true;        ///< speeds widen the rings (bearing::Mounting)
   bearing::LifeChoices life;             ///< fatigue life: what no record holds
   std::vector<std::string> effects_off;  ///< names of the plan's effects that are left out

@@ -23,6 +23,15 @@ double log_constant(const FilmRegression& f, double viscosity, double alpha, dou
          f.speed * std::log(viscosity / modulus);
 }
 
+constexpr double kAnyPressure = 1e30;  // Pa: fits end where an oil is a glass
+
+/// Largest pressure at which S = heating slip e^(½ α* p) and its square are floats, at 1e5 m/s.
+double single_until(const HeatedFilm& film) {
+  constexpr double kLogMost = 41.4, kLogSlip = 11.5;  // of 1e18 and of that slip
+  const double room = kLogMost - kLogSlip - std::log(film.heating);
+  return film.half_alpha > 0.0 ? room / film.half_alpha : kAnyPressure;
+}
+
 /// Fits that both films with measured viscosity take.
 struct MeasuredFits {
   PressureFit log_viscosity, log_heating;
@@ -83,7 +92,11 @@ HeatedFilm heated_film(const Lubricant& oil, double T) {
 
 MeasuredFilm measured_film(const Lubricant& oil, double T) {
   const MeasuredFits fits = measured_fits(oil, T);
-  return {fits.log_viscosity, fits.log_heating, LimitedTraction::at(oil.limiting_ratio)};
+  MeasuredFilm out;
+  out.log_viscosity = fits.log_viscosity;
+  out.log_heating = fits.log_heating;
+  out.limit = LimitedTraction::at(oil.limiting_ratio);
+  return out;
 }
 
 ThinningFilm thinning_film(const Lubricant& oil, double T) {
@@ -97,16 +110,23 @@ TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,
                      const bearing::Lubrication& lubrication, const FilmSurface& s) {
   const FilmOfContact film = film_of_contact(oil, lubrication, s);
   switch (oil.model) {
-    case LubricantModel::NewtonianThermal:
-      return {metal, film, heated_film(oil, s.wall_temperature)};
-    case LubricantModel::NewtonianGeneral:
-      return {metal, film, measured_film(oil, s.wall_temperature)};
+    case LubricantModel::NewtonianThermal: {
+      HeatedFilm fluid = heated_film(oil, s.wall_temperature);
+      if (s.single) fluid.single_until = single_until(fluid);
+      return {metal, film, fluid};
+    }
+    case LubricantModel::NewtonianGeneral: {
+      MeasuredFilm fluid = measured_film(oil, s.wall_temperature);
+      if (s.single) fluid.single_until = kAnyPressure;
+      return {metal, film, fluid};
+    }
     case LubricantModel::ShearThinning: {
       ThinningFilm fluid = thinning_film(oil, s.wall_temperature);
       if (lubrication.direct_strips) return {metal, film, fluid};
       const ThinningSurface surface =
           thinning_surface(fluid.half_power, thinning_error_of(lubrication.tolerance));
       surface.give(fluid);
+      if (s.single) fluid.single_until = kAnyPressure;
       return {metal, film, fluid, surface.table};
     }
     case LubricantModel::ViscoElastic:
@@ -127,18 +147,25 @@ TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& oil,
 
 std::string strips_of(const Lubricant& oil, const bearing::Lubrication& lubrication,
                       const FilmSurface& s) {
+  const std::string floats =
+      s.single ? "points in single precision, a few 1e-6 of the traction (run option filmPrecision)"
+               : "";
   if (oil.model == LubricantModel::ShearThinning) {
     if (lubrication.direct_strips) return "stress of every point solved";
     const ThinningSurface at =
         thinning_surface(0.5 * (oil.carreau_n - 1.0), thinning_error_of(lubrication.tolerance));
-    return fmt::format(
-        "stress from a surface of {} x {} values (rate of shear and heating, all that a film can "
-        "meet): {:.2g} % at most, {:.2g} % root mean square on {} hold-out points, {:.2g} % wanted "
-        "at most for this tolerance{}",
-        at.size[0], at.size[1], 100.0 * at.error[0], 100.0 * at.error[1], at.held_out,
-        100.0 * at.wanted, at.error[0] > at.wanted ? ", which the finest does not reach" : "");
+    return floats + (floats.empty() ? "" : "; ") +
+           fmt::format(
+               "stress from a surface of {} x {} values (rate of shear and heating, all that a "
+               "film can "
+               "meet): {:.2g} % at most, {:.2g} % root mean square on {} hold-out points, {:.2g} % "
+               "wanted "
+               "at most for this tolerance{}",
+               at.size[0], at.size[1], 100.0 * at.error[0], 100.0 * at.error[1], at.held_out,
+               100.0 * at.wanted,
+               at.error[0] > at.wanted ? ", which the finest does not reach" : "");
   }
-  if (oil.model != LubricantModel::ViscoElastic) return {};
+  if (oil.model != LubricantModel::ViscoElastic) return floats;
   if (lubrication.direct_strips) return "stress integrated along each strip";
   constexpr double kLeastRaceSpeed = 0.1;
   const ViscoElasticSurface at = visco_elastic_surface(

@@ -21,6 +21,7 @@ struct FilmSurface {
   double race_speed = 0.0;        ///< scale of the surface speeds [m/s]
   double width_over_pressure = 0.0;  ///< b/p0 of the contacts, read by visco-elastic films [m/Pa]
   std::array<FilmWall, 2> walls{};   ///< race and element, read by films that heat them
+  bool single = false;  ///< points by floats, where the film can (laws/film_law_of.hpp)
 };
 [[nodiscard]] inline FilmWall film_wall(const bearing::Material& m) {
   return {m.conductivity, m.density * m.specific_heat};
@@ -48,8 +49,8 @@ inline constexpr double kThinnestFilm = 1e-9;
 [[nodiscard]] TractionLaw film_law(const bearing::TractionCurve& metal, const Lubricant& lubricant,
                                    const bearing::Lubrication& lubrication,
                                    const FilmSurface& surface);
-/// How a visco-elastic or shear-thinning film has its stress, with the error of its surface; empty
-/// of other films.
+/// How a film has its stress: a visco-elastic or shear-thinning one with the error of its surface,
+/// any one that is evaluated by floats; else empty.
 [[nodiscard]] std::string strips_of(const Lubricant& lubricant,
                                     const bearing::Lubrication& lubrication,
                                     const FilmSurface& surface);

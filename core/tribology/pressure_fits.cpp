@@ -41,6 +41,7 @@ MeasuredFit fit_over_pressure(const std::function<double(double)>& value, double
   MeasuredFit out;
   if (!(end > 0.0)) {
     out.fit.c[0] = value(0.0);
+    out.fit.single[0] = static_cast<float>(out.fit.c[0]);
     return out;
   }
   for (int terms = 4; terms <= PressureFit::kMost; terms += 4) {
@@ -52,6 +53,8 @@ MeasuredFit fit_over_pressure(const std::function<double(double)>& value, double
     out.fit.terms = static_cast<int>(c.size());
     out.fit.scale = 2.0 / end;
     to_powers(c, out.fit.c);
+    for (int k = 0; k < PressureFit::kMost; ++k)
+      out.fit.single[k] = static_cast<float>(out.fit.c[k]);
     out.error = error_of(out.fit, value, end);
     if (out.error <= wanted) break;
   }

@@ -1,7 +1,8 @@
 // Cost of the films of lubricants beside the hypothetical law, in one run: 16 balls (whole vectors)
 // on both races with the nodes that a run takes for that lubricant (facade/prepare.cpp), and with
 // pieces that have equal nodes: 15 x 4, 20 x 2 of whole strips (`_equal`). Then the rolling
-// resistance of the same contacts. Counters: ns per contact, `ratio` to the hypothetical law of the
+// resistance of the same contacts. Films are evaluated by floats where runs do (`ns_double`:
+// without). Counters: ns per contact, `ratio` to the hypothetical law of the
 // same instruction set, measured just before, and the heat of both races beside that of 100 x 40
 // nodes, in percent.
 #include "../core/dynamics/thrust_scene.hpp"
@@ -41,23 +42,24 @@ bearing::Lubrication lubrication_of(int code) {
   return lubrication;
 }
 
-tribology::FilmSurface contact_surface() {
+tribology::FilmSurface contact_surface(bool single = true) {
   tribology::FilmSurface surface;
   surface.radius = 0.005;
   surface.modulus = 2.26e11;
   surface.wall_temperature = 360.0;
   surface.race_speed = 60.0;
   surface.width_over_pressure = 1e-13;
+  surface.single = single;
   return surface;
 }
 
-test::ThrustScene scene_of(int code, Nodes nodes) {
+test::ThrustScene scene_of(int code, Nodes nodes, bool single = true) {
   test::ThrustScene scene =
       test::thrust_scene("dyn3_40_30k_exp_curved", kBalls, tribology::make_run_rule(nodes), 1.0);
   if (code == 0) return scene;
   for (auto& model : scene.model)
     model.law = tribology::film_law(bearing::TractionCurve{}, tribology::lubricant(code),
-                                    lubrication_of(code), contact_surface());
+                                    lubrication_of(code), contact_surface(single));
   return scene;
 }
 
@@ -105,7 +107,9 @@ void films(benchmark::State& state, int code, InstructionSet set) {
     return;
   }
   test::ThrustScene dry = scene_of(0, nodes_of(0)), scene = scene_of(code, nodes_of(code)),
-                    equal = scene_of(code, equal_nodes_of(code)), fine = scene_of(code, {100, 40});
+                    numbers = scene_of(code, nodes_of(code), false),
+                    equal = scene_of(code, equal_nodes_of(code)),
+                    fine = scene_of(code, {100, 40}, false);
   const double hypothetical = seconds(dry, set), own = seconds(scene, set);
   test::Outputs out(scene.n);
   for (auto _ : state) {
@@ -114,6 +118,7 @@ void films(benchmark::State& state, int code, InstructionSet set) {
   }
   constexpr double kContacts = 2.0 * kBalls;
   state.counters["ns_per_contact"] = 1e9 * own / kContacts;
+  state.counters["ns_double"] = 1e9 * seconds(numbers, set) / kContacts;
   state.counters["ns_equal"] = 1e9 * seconds(equal, set) / kContacts;
   state.counters["ratio"] = own / hypothetical;
   const double truth = heat(fine);

@@ -36,7 +36,7 @@ constexpr const LedgerTerm* kTerms[] = {&kWork, &kHeat};
 
 /// What films of one race read. Walls have the mean bulk temperature of race and ball for the run.
 tribology::FilmSurface film_surface(const bearing::Bearing& bearing, const RaceContactModel& model,
-                                    double contact_angle) {
+                                    double contact_angle, bool single) {
   const auto j = static_cast<std::size_t>(model.race);
   tribology::FilmSurface surface;
   surface.radius =
@@ -51,15 +51,16 @@ tribology::FilmSurface film_surface(const bearing::Bearing& bearing, const RaceC
       std::numbers::pi / 1.5 * model.hertz.a_hat * model.hertz.b_hat * model.hertz.b_hat;
   surface.walls = {tribology::film_wall(bearing.race_material[j]),
                    tribology::film_wall(bearing.element_material)};
+  surface.single = single;
   return surface;
 }
 
 /// The deck's curve, or its lubricant's film with the curve where it breaks down.
-tribology::TractionLaw race_law(const bearing::Bearing& bearing, const RaceContactModel& model,
-                                double contact_angle) {
+tribology::TractionLaw race_law(const bearing::Bearing& bearing,
+                                const tribology::FilmSurface& surface) {
   if (!bearing.lubrication) return bearing.race_traction;
   return tribology::film_law(bearing.race_traction, tribology::lubricant_of(*bearing.lubrication),
-                             *bearing.lubrication, film_surface(bearing, model, contact_angle));
+                             *bearing.lubrication, surface);
 }
 
 class RaceBlock final : public EffectBlock {
@@ -188,10 +189,11 @@ void Races::set_up_balls(const SceneBuilder& scene) {
     model.traction = scene.plan.has(Effect::RaceTraction);
     model.surface = scene.options.surface;
     model.rule = rule;
+    const tribology::FilmSurface surface =
+        film_surface(scene.bearing, model, scene.fixed_angle[j], scene.options.single_films);
     if (scene.plan.has(Effect::RollingResistance))
       rolling_[j] = tribology::rolling_resistance(
-          tribology::lubricant_of(*scene.bearing.lubrication), *scene.bearing.lubrication,
-          film_surface(scene.bearing, model, scene.fixed_angle[j]));
+          tribology::lubricant_of(*scene.bearing.lubrication), *scene.bearing.lubrication, surface);
     const tribology::UserTraction* routine =
         scene.options.user ? scene.options.user->traction_of(tribology::TractionKind::ElementRace)
                            : nullptr;
@@ -200,11 +202,10 @@ void Races::set_up_balls(const SceneBuilder& scene) {
       model.points = std::make_shared<UserScratch>(
           static_cast<std::size_t>(scene.bearing.element_count()), rule.s.size() * rule.v.size());
     } else {
-      model.law = race_law(scene.bearing, model, scene.fixed_angle[j]);
+      model.law = race_law(scene.bearing, surface);
       if (j == 0 && scene.bearing.lubrication)
         stated_ = tribology::strips_of(tribology::lubricant_of(*scene.bearing.lubrication),
-                                       *scene.bearing.lubrication,
-                                       film_surface(scene.bearing, model, scene.fixed_angle[j]));
+                                       *scene.bearing.lubrication, surface);
     }
     set_own_balls(model, scene.bearing.balls(), errors, scene.bearing.imperfections.ball_diameter,
                   scene.fixed_angle[j]);

@@ -3,6 +3,7 @@
 #include "base/inverse_roots.hpp"
 #include "base/scalar_log.hpp"
 #include "base/scalar_math.hpp"
+#include "base/single.hpp"
 #include "tribology/laws/contact_point.hpp"
 #include "tribology/laws/limited.hpp"
 
@@ -18,6 +19,7 @@ struct HeatedFilm {
   double half_alpha = 0.0;  ///< α*/2 [1/Pa]
   double heating = 0.0;     ///< √(β* μ*/(8 K)) [s/m]
   LimitedTraction limit;
+  double single_until = -1.0;  ///< film_law_of.hpp
 
   static constexpr bool kOfStrip = false;
 
@@ -27,6 +29,10 @@ struct HeatedFilm {
     double heating, half_alpha;
     LimitedTraction limit;
 
+    [[gnu::always_inline]] auto single() const requires kHasSingle<T> {
+      return Here<typename SingleOf<T>::Type>{SingleOf<T>::both(stress_scale), heating, half_alpha,
+                                              limit};
+    }
     [[gnu::always_inline]] T operator()(const T& slip, const T& pressure) const {
       T kappa[1];
       several<1, 1>(&slip, &pressure, kappa);
@@ -47,9 +53,7 @@ struct HeatedFilm {
         const T S2 = S * S;
         T inverse;
         const T root = M::root_and_inverse(1.0 + S2, inverse);
-        // asinh(S) from its series below 1e-3, which the logarithm would round away.
-        const T series = S * (1.0 - S2 * (1.0 / 6.0 - S2 * 0.075));
-        const T asinh = M::pick(S < 1e-3, series, ScalarLog<T>::log(S + root));
+        const T asinh = ScalarAsinh<T>::of(S, S2, root, inverse);
         kappa[i] = limit.of(scale[i % P] * asinh * inverse);
       }
     }

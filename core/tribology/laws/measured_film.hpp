@@ -3,6 +3,7 @@
 #include "base/inverse_roots.hpp"
 #include "base/scalar_log.hpp"
 #include "base/scalar_math.hpp"
+#include "base/single.hpp"
 #include "tribology/laws/contact_point.hpp"
 #include "tribology/laws/limited.hpp"
 #include "tribology/laws/pressure_fit.hpp"
@@ -17,6 +18,7 @@ struct MeasuredFilm {
   PressureFit log_viscosity;  ///< ln μ1 [Pa s]
   PressureFit log_heating;    ///< ln √(β μ1/(8 K)) [s/m]
   LimitedTraction limit;
+  double single_until = -1.0;  ///< film_law_of.hpp
 
   static constexpr bool kOfStrip = false;
 
@@ -25,6 +27,9 @@ struct MeasuredFilm {
     const MeasuredFilm* film;
     T inverse_thickness;
 
+    [[gnu::always_inline]] auto single() const requires kHasSingle<T> {
+      return Here<typename SingleOf<T>::Type>{film, SingleOf<T>::both(inverse_thickness)};
+    }
     [[gnu::always_inline]] T operator()(const T& slip, const T& pressure) const {
       T kappa[1];
       several<1, 1>(&slip, &pressure, kappa);
@@ -37,19 +42,18 @@ struct MeasuredFilm {
       T viscosity[P], heating[P];
       fits_at<P>(film->log_viscosity, film->log_heating, pressure, viscosity, heating);
       for (int k = 0; k < P; ++k) {
-        viscosity[k] = M::exp(viscosity[k]) * inverse_thickness *
-                       InverseRoots<T>::first(M::max(pressure[k], T(1.0)));  // over p h
         heating[k] = M::exp(heating[k]);
+        viscosity[k] =
+            M::exp(viscosity[k]) * inverse_thickness *
+            InverseRoots<T>::first(M::max(pressure[k], T(1.0)) * heating[k]);  // over p h
       }
       for (int i = 0; i < N; ++i) {
         const T S = slip[i] * heating[i % P];
         const T S2 = S * S;
         T inverse;
         const T root = M::root_and_inverse(1.0 + S2, inverse);
-        const T thinning =
-            M::pick(S < 1e-3, 1.0 - S2 * (2.0 / 3.0 - S2 * (8.0 / 15.0)),
-                    ScalarLog<T>::log(S + root) * inverse * M::inverse_sqrt(M::max(S2, T(1e-30))));
-        kappa[i] = film->limit.of(viscosity[i % P] * slip[i] * thinning);
+        kappa[i] =
+            film->limit.of(viscosity[i % P] * ScalarAsinh<T>::of(S, S2, root, inverse) * inverse);
       }
     }
   };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/scalar_math.hpp"
+#include "base/single.hpp"
 
 namespace adore::tribology {
 
@@ -13,6 +14,15 @@ struct PressureFit {
   int terms = 1;
   double scale = 0.0;  ///< 2/end [1/Pa]; 0: constant
   double c[kMost] = {};
+  float single[kMost] = {};  ///< the same, for films in single precision
+
+  template <class T>
+  [[gnu::always_inline]] auto power(int k) const {
+    if constexpr (IsSingle<T>::value)
+      return single[k];
+    else
+      return c[k];
+  }
 
   template <class T>
   [[gnu::always_inline]] T place(const T& pressure) const {
@@ -40,8 +50,8 @@ template <int N, class T>
   const int terms = first.terms > second.terms ? first.terms : second.terms;
   for (int k = terms - 1; k >= 0; --k)  // terms that one lacks are 0
     for (int i = 0; i < N; ++i) {
-      of_first[i] = of_first[i] * x[i] + first.c[k];
-      of_second[i] = of_second[i] * y[i] + second.c[k];
+      of_first[i] = of_first[i] * x[i] + first.template power<T>(k);
+      of_second[i] = of_second[i] * y[i] + second.template power<T>(k);
     }
 }
 

@@ -17,6 +17,21 @@ struct SplineAxis {
     T weight[4];  ///< sum to 1
   };
   template <class T>
+  struct Cell {
+    T cell;    ///< as above
+    T inside;  ///< place in it, 0 to 1
+  };
+  /// For tables of tiles (base/single.hpp).
+  template <class T>
+  [[gnu::always_inline]] Cell<T> cell(const T& x) const {
+    using M = ScalarMath<T>;
+    const double last = static_cast<double>(knots - 3);
+    const T steps = (x - from) * inverse_step;
+    const T s = M::min(M::pick(steps > 0.0, steps, T(0.0)), T(last));
+    const T whole = ScalarLanes<T>::floor(M::min(s, T(last - 1e-3)));
+    return {whole, s - whole};
+  }
+  template <class T>
   [[gnu::always_inline]] Place<T> at(const T& x) const {
     using M = ScalarMath<T>;
     const T last = static_cast<double>(knots - 3);  // cells

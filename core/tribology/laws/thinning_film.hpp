@@ -3,6 +3,7 @@
 #include "base/inverse_roots.hpp"
 #include "base/scalar_log.hpp"
 #include "base/scalar_math.hpp"
+#include "base/single.hpp"
 #include "tribology/laws/contact_point.hpp"
 #include "tribology/laws/limited.hpp"
 #include "tribology/laws/pressure_fit.hpp"
@@ -34,6 +35,9 @@ struct ThinningFilm {
   const double* surface = nullptr;  ///< [ln r0][½ ln D0]; null: every point is solved
   SplineAxis log_rate{}, log_heat{};
   double most_rate = 0.0, most_heat = 0.0;  ///< that the surface covers
+  /// The surface for single precision: 16 powers of each cell (base/single.hpp).
+  const float* tiles = nullptr;
+  double single_until = -1.0;  ///< film_law_of.hpp
 
   static constexpr bool kOfStrip = false;
 
@@ -42,6 +46,9 @@ struct ThinningFilm {
     const ThinningFilm* film;
     T log_scale;  ///< -ln(h G)
 
+    [[gnu::always_inline]] auto single() const requires kHasSingle<T> {
+      return Here<typename SingleOf<T>::Type>{film, SingleOf<T>::both(log_scale)};
+    }
     [[gnu::always_inline]] T operator()(const T& slip, const T& pressure) const {
       T kappa[1];
       several<1, 1>(&slip, &pressure, kappa);
@@ -54,6 +61,35 @@ struct ThinningFilm {
       const int lines = film->log_heat.knots;
       const T place = along.cell * static_cast<double>(lines) + across.cell;
       return Lanes::patch(film->surface, lines, place, along.weight, across.weight);
+    }
+    /// N points in single precision, from the tiles; false where they do not reach.
+    template <int N, int P>
+    [[gnu::always_inline]] bool several_if(const T* slip, const T* pressure, T* kappa) const {
+      using M = ScalarMath<T>;
+      T viscosity[P], heating[P], over_pressure[P];
+      fits_at<P>(film->log_viscosity, film->log_heating, pressure, viscosity, heating);
+      for (int k = 0; k < P; ++k) {
+        over_pressure[k] = film->modulus * InverseRoots<T>::first(M::max(pressure[k], T(1.0)));
+        viscosity[k] = viscosity[k] + log_scale;
+      }
+      T rate[N], heat[N];  // ln r0, ½ ln D0
+      T most_rate = -1e30, most_heat = -1e30;
+      for (int i = 0; i < N; ++i) {
+        const T log_slip = ScalarLog<T>::log(M::max(slip[i], T(1e-30)));
+        rate[i] = viscosity[i % P] + log_slip;
+        heat[i] = heating[i % P] + log_slip;
+        most_rate = M::max(most_rate, rate[i]);
+        most_heat = M::max(most_heat, heat[i]);
+      }
+      if (M::any(most_rate > film->most_rate) || M::any(most_heat > film->most_heat)) return false;
+      for (int i = 0; i < N; ++i) {
+        const auto along = film->log_rate.cell(rate[i]), across = film->log_heat.cell(heat[i]);
+        const T tile = ScalarTiles<T>::at(
+            film->tiles, along.cell * static_cast<double>(film->log_heat.knots - 3) + across.cell,
+            along.inside, across.inside);
+        kappa[i] = film->limit.of(M::exp(rate[i] + tile) * over_pressure[i % P]);
+      }
+      return true;
     }
     /// Of N points at once at P pressures (film_law_of.hpp).
     template <int N, int P>

@@ -16,8 +16,9 @@ namespace {
 
 constexpr std::size_t kBalls = 11;  // no whole number of vectors
 
-test::ThrustScene oiled(int code, const tribology::EllipseRule& rule, bool direct) {
-  test::ThrustScene scene = test::thrust_scene("dyn3_40_30k_exp_curved", kBalls, rule, 1.0);
+test::ThrustScene oiled(int code, const tribology::EllipseRule& rule, bool direct,
+                        bool single = false, double spread = 1.0) {
+  test::ThrustScene scene = test::thrust_scene("dyn3_40_30k_exp_curved", kBalls, rule, spread);
   bearing::Lubrication lubrication;
   lubrication.code = code;
   lubrication.critical_film = 1e-9;
@@ -29,6 +30,7 @@ test::ThrustScene oiled(int code, const tribology::EllipseRule& rule, bool direc
   surface.wall_temperature = 360.0;
   surface.race_speed = 60.0;
   surface.width_over_pressure = 1e-13;
+  surface.single = single;
   for (auto& model : scene.model)
     model.law = tribology::film_law(bearing::TractionCurve{}, tribology::lubricant(code),
                                     lubrication, surface);
@@ -106,6 +108,51 @@ TEST_CASE("films that thin with shear: read and solved stresses give the same he
                                      by(InstructionSet::Baseline, solved, race));
       CHECK(miss < 1.3e-3);
       CHECK(miss > 0.0);
+    }
+  }
+}
+
+TEST_CASE("films by floats: every instruction set has the heat and forces of double precision",
+          "[physics][film]") {
+  for (const int code : {1, 2, 3, 4, 5, 6, 7, 10, 11, 13, 14, 15, 16, 17, 18, 19, 20})
+    for (const auto& [major, minor] : {std::pair{12, 4}, {15, 2}, {15, 4}}) {
+      const tribology::EllipseRule rule = tribology::make_run_rule({major, minor});
+      const test::ThrustScene numbers = oiled(code, rule, false),
+                              floats = oiled(code, rule, false, true);
+      for (std::size_t race = 0; race < 2; ++race)
+        for (const InstructionSet set :
+             {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512}) {
+          if (!dynamics::instruction_set_available(set)) continue;
+          CAPTURE(code, major, minor, race, set);
+          const double miss = difference(by(set, floats, race), by(set, numbers, race));
+          CHECK(miss < 1e-5);  // 5.5e-6 of kTrac 18, whose viscosity rises the steepest
+          CHECK(miss > 0.0);   // it is another calculation
+        }
+    }
+}
+
+TEST_CASE("films by floats: balls that turn back have the opposite traction and the same heat",
+          "[physics][film]") {
+  for (const int code : {3, 6, 10, 13}) {
+    const tribology::EllipseRule rule = tribology::make_run_rule(tribology::kFilmNodes);
+    for (const InstructionSet set :
+         {InstructionSet::Baseline, InstructionSet::Avx2, InstructionSet::Avx512}) {
+      if (!dynamics::instruction_set_available(set)) continue;
+      CAPTURE(code, set);
+      test::ThrustScene scene = oiled(code, rule, false, true);
+      const test::Outputs forward = by(set, scene, 1);
+      for (const int speed : {4, 5, 6, 7, 8, 9})
+        for (double& value : scene.ball[static_cast<std::size_t>(speed)]) value = -value;
+      scene.race[1].speed = -scene.race[1].speed;
+      const test::Outputs back = by(set, scene, 1);
+      double force = 0.0;
+      for (std::size_t i = 0; i < scene.n; ++i) {
+        // Heat, and traction along rolling; pieces of the rule end where numbers round to.
+        CHECK(back.value[7][i] == Approx(forward.value[7][i]).epsilon(1e-6));
+        CHECK(back.value[2][i] == Approx(-forward.value[2][i]).epsilon(1e-6));
+        force = std::max(force, std::abs(forward.value[2][i]));
+      }
+      CHECK(force > 0.0);
     }
   }
 }

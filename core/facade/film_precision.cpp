@@ -1,0 +1,31 @@
+#include "facade/film_precision.hpp"
+
+#include "tribology/lubricant.hpp"
+
+#include <string_view>
+
+namespace adore::facade {
+namespace {
+
+constexpr double kLeastTolerance = 1e-7;  // that floats do not disturb (decision 460)
+
+/// Does it evaluate the right-hand side for its steps alone?
+bool is_explicit(std::string_view method) {
+  return method.starts_with("rk") || method.starts_with("pece") || method == "arkode-erk";
+}
+
+}  // namespace
+
+void choose_film_precision(Prepared& prepared) {
+  const auto& oil = prepared.as_built.lubrication;
+  if (!oil) return;
+  const setup::RunControl& control = prepared.control;
+  prepared.options.system.single_films =
+      prepared.options.single_films && !prepared.options.direct_strips && control.dynamic &&
+      prepared.input.deck.integer("mode") == 0 && !(control.light_load_ratio > 0.0) &&
+      control.tolerance >= kLeastTolerance && is_explicit(control.integrator) &&
+      !prepared.as_built.rollers() &&
+      tribology::lubricant_of(*oil).model != tribology::LubricantModel::ViscoElastic;
+}
+
+}  // namespace adore::facade
