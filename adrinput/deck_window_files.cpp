@@ -111,7 +111,7 @@ void DeckWindow::makeOtherMenus() {
   view->addAction(tr("Study &accuracy"), QKeySequence(Qt::Key_F9), this,
                   &DeckWindow::studyAccuracy);
   QAction* drawing = drawing_dock_->toggleViewAction();
-  drawing->setText(tr("Dra&wing"));
+  drawing->setText(tr("Drawin&g"));
   drawing->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_G));
   view->addAction(drawing);
   QAction* lubricant = findChild<QDockWidget*>("lubricant-dock")->toggleViewAction();

@@ -60,7 +60,7 @@ void DeckWindow::makeUnitsMenu(QMenu* view) {
   other_units_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_U));
   other_units_->setCheckable(true);
   connect(other_units_, &QAction::toggled, this, [this](bool on) { page_->setOtherUnits(on); });
-  QAction* reopen = view->addAction(tr("&Reopen the last deck at start"));
+  QAction* reopen = view->addAction(tr("R&eopen the last deck at start"));
   reopen->setObjectName("reopen");
   reopen->setCheckable(true);
   reopen->setChecked(QSettings("Adore", "adrinput").value("session/reopen", true).toBool());

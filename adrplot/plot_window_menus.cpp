@@ -63,8 +63,8 @@ void PlotWindow::makeMenus() {
   desktop::add_recent_menu(*file, kApp, [this](const QString& name) { askForRange(name); });
   file->addAction(tr("&Close File"), QKeySequence::Close, this, &PlotWindow::closeFile);
   file->addSeparator();
-  file->addAction(tr("&Reload"), Qt::Key_F5, this, &PlotWindow::reload);
-  follow_ = file->addAction(tr("&Follow a Running Solver"));
+  file->addAction(tr("Re&load"), Qt::Key_F5, this, &PlotWindow::reload);
+  follow_ = file->addAction(tr("Follow a Running &Solver"));
   follow_->setCheckable(true);
   connect(follow_, &QAction::toggled, this, &PlotWindow::follow);
   file->addSeparator();

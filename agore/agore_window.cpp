@@ -227,10 +227,10 @@ void AgoreWindow::addZoomKeys(QMenu* menu) {
     options_.zoom = next;
     showFrame();
   };
-  auto* in = menu->addAction(tr("Zoom &In"), this, [zoom] { zoom(kZoom); });
+  auto* in = menu->addAction(tr("Zoom I&n"), this, [zoom] { zoom(kZoom); });
   in->setShortcuts({Qt::Key_Plus, Qt::Key_Equal});
   menu->addAction(tr("&Zoom Out"), Qt::Key_Minus, this, [zoom] { zoom(1.0 / kZoom); });
-  menu->addAction(tr("Show All of &It"), Qt::Key_0, this, [this] {
+  menu->addAction(tr("Show All of I&t"), Qt::Key_0, this, [this] {
     options_.zoom = 1.0;
     options_.pan = {0.0, 0.0};
     options_.yaw = ViewOptions{}.yaw;
@@ -300,7 +300,7 @@ void AgoreWindow::makeViewMenu(QMenu* menu) {
     const auto all = colour_group->actions();
     all[(all.indexOf(colour_group->checkedAction()) + 1) % all.size()]->trigger();
   });
-  auto* contacts = menu->addAction(tr("Race Loads on &All Elements"));
+  auto* contacts = menu->addAction(tr("Race Loads on All &Elements"));
   contacts->setCheckable(true);
   contacts->setShortcut(Qt::Key_L);
   connect(contacts, &QAction::toggled, this, &AgoreWindow::setContacts);

@@ -1,6 +1,7 @@
 #include "adrinput/deck_window.hpp"
 #include "adrinput/driver.hpp"
 #include "support/qt_app.hpp"
+#include "support/reachable.hpp"
 
 #include <QDockWidget>
 #include <QPushButton>
@@ -11,6 +12,12 @@
 
 using namespace adore;
 using namespace adore::adrinput;
+
+TEST_CASE("adrinput: the letters of its menus choose one entry each", "[gui][adrinput]") {
+  test::use_qt();
+  DeckWindow window;
+  CHECK(test::clashing_letters(window).join("; ").toStdString() == "");
+}
 
 TEST_CASE("adrinput: all of a page can be reached at 700x450", "[gui][adrinput]") {
   test::use_qt();

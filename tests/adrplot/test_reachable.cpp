@@ -17,6 +17,7 @@ TEST_CASE(
   window.addFile(test::synthetic_sol(results::SolKind::Cage));
   window.show();
   CHECK(test::nameless_widgets(window) == QStringList());
+  CHECK(test::clashing_letters(window).join("; ").toStdString() == "");
   const QString help = test::help_text(window, "Keys and Mouse");
   for (const char* word : {"wheel", "drag", "Home", "Alt+Left", "Ctrl+click", "legend"})
     CHECK(help.contains(word));

@@ -17,6 +17,7 @@ TEST_CASE(
   window.setAnimation(prepare(test::synthetic_sol8()));
   window.show();
   CHECK(test::nameless_widgets(window) == QStringList());
+  CHECK(test::clashing_letters(window).join("; ").toStdString() == "");
   const QString help = test::help_text(window, "Keys and Mouse");
   for (const char* word :
        {"wheel", "drag", "Space", "Home", "Up, Down", "Ctrl+7", "[, ]", "+ or =, -, 0"})

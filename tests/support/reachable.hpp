@@ -6,7 +6,9 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMainWindow>
+#include <QMap>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QRegularExpression>
 #include <QStringList>
@@ -35,6 +37,25 @@ inline QStringList nameless_widgets(const QMainWindow& window) {
     for (const QLabel* label : labels) labelled = labelled || label->buddy() == widget;
     if (!labelled)
       out << QString("%1 %2").arg(widget->metaObject()->className(), widget->objectName());
+  }
+  return out;
+}
+
+/// Entries of one menu, or menus of one bar, that the same letter chooses: it would choose none.
+inline QStringList clashing_letters(const QMainWindow& window) {
+  QStringList out;
+  QList<QWidget*> menus{window.menuBar()};
+  for (QMenu* menu : window.findChildren<QMenu*>()) menus << menu;
+  static const QRegularExpression letter("&([^&])");
+  for (const QWidget* menu : menus) {
+    QMap<QString, QString> seen;
+    for (const QAction* action : menu->actions()) {
+      const QRegularExpressionMatch found = letter.match(action->text());
+      if (!found.hasMatch()) continue;
+      const QString key = found.captured(1).toLower();
+      if (seen.contains(key)) out << seen[key] + " / " + action->text();
+      seen[key] = action->text();
+    }
   }
   return out;
 }
