@@ -4,6 +4,7 @@
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
 #include "life/constants.hpp"
+#include "life/spindle_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -167,15 +168,29 @@ std::optional<EquivalentLoad> iso_equivalent_load(const IsoGeometry& g, double r
     out.Y = g.contact_angle > 0.0 ? 0.4 / std::tan(g.contact_angle) : 0.0;
     if (g.contact_angle <= 0.0) out.X = 1.0;  // a cylindrical bearing: axial load is the flanges'
   } else if (degrees < 20.0 - 1e-9) {         // as written in degrees
-    IsoGeometry deep = g;
-    deep.contact_angle = 0.0;
-    const double load = iso_static_factor(iso_gamma(deep)) * Fa / *iso_static_rating(deep);
+    // Below 15 degrees as a deep-groove bearing; from there between the rows of 15 and of 20.
+    const bool spindle = degrees > 15.0 - 1e-9;
+    IsoGeometry rated = g;
+    if (!spindle) rated.contact_angle = 0.0;
+    const double load = iso_static_factor(iso_gamma(rated)) * Fa / *iso_static_rating(rated);
     std::vector<std::pair<double, double>> e, Y;
-    for (const auto& row : c.deep_groove) {
-      e.emplace_back(row.relative_load, row.e);
-      Y.emplace_back(row.relative_load, row.Y);
+    const auto add = [&](double relative_load, double of_e, double of_Y) {
+      e.emplace_back(relative_load, of_e);
+      Y.emplace_back(relative_load, of_Y);
+    };
+    if (spindle)
+      for (const auto& [relative, of_e, of_Y] : spindle_rows().rows) add(relative, of_e, of_Y);
+    else
+      for (const auto& row : c.deep_groove) add(row.relative_load, row.e, row.Y);
+    out = {0.0, spindle ? spindle_rows().X : c.deep_groove_X, interpolate(Y, load),
+           interpolate(e, load)};
+    if (spindle) {
+      const auto& next = c.angular.front();
+      const double part = std::max(degrees - 15.0, 0.0) / (next.degrees - 15.0);
+      out.X += part * (next.X - out.X);
+      out.Y += part * (next.Y - out.Y);
+      out.e += part * (next.e - out.e);
     }
-    out = {0.0, c.deep_groove_X, interpolate(Y, load), interpolate(e, load)};
   } else {
     std::vector<std::pair<double, double>> X, Y, e;
     for (const auto& row : c.angular) {

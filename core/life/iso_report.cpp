@@ -61,10 +61,6 @@ IsoGeometry iso_geometry_of_balls(const bearing::Bearing& bearing,
     notes.push_back(fmt::format(
         "ISO: a free contact angle of {:.3g} deg is taken as a deep-groove bearing, angle 0",
         degrees));
-  else if (degrees < 20.0 - 1e-9 && degrees > 0.0)
-    notes.push_back(
-        "ISO: the load-dependent factors for angles below 20 deg are not held; those of "
-        "deep-groove bearings are taken");
   const auto replaced = [&](const char* race, double own, double rated, double limit) {
     if (std::abs(own - rated) > 1e-9)
       notes.push_back(fmt::format(

@@ -1,6 +1,7 @@
 #include "deck/templates.hpp"
 #include "life/bearing_life.hpp"
 #include "life/capacity.hpp"
+#include "life/iso281.hpp"
 #include "listing/print_life.hpp"
 #include "results/channels.hpp"
 #include "setup/build_bearing.hpp"
@@ -360,6 +361,34 @@ TEST_CASE("ISO rates the bearing as it is made, whatever grows in operation", "[
       CHECK(made.equivalent->X == Approx(0.43));
       CHECK(made.equivalent->Y == Approx(1.0));
       CHECK(made.equivalent->e == Approx(0.57));
+    }
+  }
+}
+
+TEST_CASE("equivalent loads of angular-contact bearings go on from angle to angle", "[life]") {
+  life::IsoGeometry g;
+  g.element_diameter = 12.7;
+  g.pitch_diameter = 60.0;
+  g.count = 12;
+  const auto at = [&](double degrees, double radial, double axial) {
+    g.contact_angle = degrees * std::numbers::pi / 180.0;
+    return life::iso_equivalent_load(g, radial, axial).value();
+  };
+  for (const double axial : {10.0, 300.0, 1000.0, 3000.0, 30000.0}) {
+    INFO(axial << " N of thrust");
+    const life::EquivalentLoad fifteen = at(15.0, 0.1 * axial, axial);
+    CHECK(fifteen.X == Approx(0.44));
+    CHECK(fifteen.e >= 0.38);
+    CHECK(fifteen.e <= 0.56);
+    CHECK(fifteen.Y == Approx((1.0 - 0.44) / fifteen.e).epsilon(0.02));  // P = Fr at Fa = e Fr
+    CHECK(at(17.5, 0.1 * axial, axial).Y == Approx(0.5 * (fifteen.Y + 1.0)).epsilon(0.01));
+    CHECK(at(19.9999, 0.1 * axial, axial).P ==
+          Approx(at(20.0, 0.1 * axial, axial).P).epsilon(1e-4));
+    double before = fifteen.P;
+    for (double degrees = 16.0; degrees <= 45.0; degrees += 1.0) {
+      const double P = at(degrees, 0.1 * axial, axial).P;
+      CHECK(P <= before * (1.0 + 1e-9));  // a steeper angle carries thrust more easily
+      before = P;
     }
   }
 }
