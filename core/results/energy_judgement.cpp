@@ -40,7 +40,9 @@ EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic, 
   if (earlier) {
     residual = largest;
     shares = Shares(residual, moved, elastic);
-    out.trust = std::min(shares.trust(), Trust::Warned);
+    // One that came to nothing again was held back for a while; of one that did not, only the sign
+    // changed.
+    out.trust = out.trust == Trust::Full ? std::min(shares.trust(), Trust::Warned) : shares.trust();
   }
   out.over_moved = shares.over_moved;
   out.over_elastic = shares.over_elastic;

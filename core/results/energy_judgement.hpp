@@ -25,7 +25,8 @@ struct EnergyJudgement {
 /// @param elastic elastic energy of the quasi-static solution [J]; 0 where there is none to measure
 /// by: nothing is loaded, or elements in balance (modes 1 and 2) do not vibrate
 /// @param largest |residual| that the run had at any stored step [J]: one that comes and goes is
-/// warned of (contacts that open and close take energy and give it back within a vibration)
+/// warned of (contacts that open and close take energy and give it back within a vibration). One
+/// above a limit that ends above a warning has not gone: nothing is trusted (decision 482)
 [[nodiscard]] EnergyJudgement judge_energy(const scene::EnergyLedger& energy, double elastic,
                                            double largest = 0.0);
 

@@ -17,6 +17,7 @@ import os
 import random
 import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -56,7 +57,7 @@ def draw(dice):
     if dice.random() < 0.7:
         sets["stpMax"] = float(f"{10.0 ** dice.uniform(-1.0, 3.0):.3g}")
     if dice.random() < 0.4:
-        sets["stpMin"] = float(f"{10.0 ** dice.uniform(-5.0, -0.5):.3g}")
+        sets["stpMin"] = float(f"{10.0 ** dice.uniform(-5.0, 0.7):.3g}")
     if "stpMin" in sets and sets["stpMin"] > sets.get("stpMax", math.inf):
         del sets["stpMin"]
     return {**out, "sets": sets}
@@ -108,7 +109,7 @@ def reference(program, folder, name, turns):
 
 
 def judge(found, truth):
-    if found["exit"] is None or found["exit"] < 0:
+    if found["exit"] in (None, -signal.SIGXCPU, -signal.SIGKILL):
         return "not done", ""
     if found["exit"] in (2, 3):
         return ("refused" if found["exit"] == 2 else "gave up") if found["said"] else "FAILED", "" if found["said"] else "without a word"

@@ -65,6 +65,18 @@ TEST_CASE("A residual that comes and goes is warned of", "[unit][results]") {
   CHECK(judge_energy(run_of(1.1e-4), much, 1e-6).text.find("at some time") == std::string::npos);
 }
 
+TEST_CASE("A residual above its limit that has not come back is not trusted whatever its end",
+          "[unit][results]") {
+  const double much = 1e6;
+  // Over what moved, and over the elastic energy: the end lies within its limit, above a warning.
+  CHECK(judge_energy(run_of(1.1e-4), much, 1.1e-2).trust == Trust::None);
+  CHECK(judge_energy(run_of(-5e-5), 1e-3, 5.1e-4).trust == Trust::None);
+  CHECK_THAT(judge_energy(run_of(-5e-5), 1e-3, 5.1e-4).text,
+             Catch::Contains("at some time of the run") && Catch::Contains("(limit 0.5)"));
+  // Below the warnings at the end: it came back.
+  CHECK(judge_energy(run_of(1.9e-5), 1e-3, 5.1e-4).trust == Trust::Warned);
+}
+
 TEST_CASE("An energy that is no number is never trusted", "[unit][results]") {
   for (const double bad :
        {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300}) {
