@@ -9,7 +9,7 @@ overflow stars as Fortran writes them, lines lost, doubled or swapped, foreign b
 bits flipped. Then AdrPlot, AGORE and AdrInput draw it without a window, and `adore plot`, `animate`, `show`,
 `convert` and `check` read it. Each must end by itself within a minute of processor time with exit code 0, 2 or
 3; another code (1 is a fault of ours), a signal or an end without a word is written down with the seed, and the
-exit code is 1.
+exit code is 1. A termination ends the campaign with what was found so far.
 """
 import argparse
 import collections
@@ -18,6 +18,7 @@ import pathlib
 import random
 import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -108,7 +109,7 @@ def readers(programs, file, out):
     if name in ("SOL8", "RESULTS.h5"):
         view = random.Random(str(file)).choice(["bearing", "cage", "pocket", "element", "race", "section", "3d"])
         yield [agore, file, "--render", out / "motion", "--view", view, *small]
-        yield [adore, "animate", file, "--out", out / "animate", "--size", "640x400"]
+        yield [adore, "animate", file, "--out", out / "animate", "--frame", "1", "--view", view]
         return
     yield [plot, file, "--render", out / "plots", *small]
     yield [adore, "plot", file, "--out", out / "plot"]
@@ -121,6 +122,46 @@ def limit():
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
 
 
+def one_file(given, seed, environment, ends):
+    """Damages a file and has it read. @return faults"""
+    faults = 0
+    rng = random.Random(seed)
+    run = rng.choice(given.runs)
+    names = [n for n in TEXTS + ["RESULTS.h5"] * 3 if (run / n).is_file()]
+    name = rng.choice(names)
+    with tempfile.TemporaryDirectory() as folder:
+        place = pathlib.Path(folder) / "run"
+        place.mkdir()
+        for other in run.iterdir():
+            if other.is_file():
+                shutil.copy(other, place / other.name)
+        data = (place / name).read_bytes()
+        damaged = damage_bytes if name == "RESULTS.h5" else damage_text
+        kind, data = damaged(data, rng)
+        (place / name).write_bytes(data)
+        for command in readers(given.bin, place / name, pathlib.Path(folder)):
+            command = [str(word) for word in command]
+            try:
+                done = subprocess.run(command, env=environment, timeout=1800, stdout=subprocess.PIPE,
+                                      stderr=subprocess.STDOUT, check=False, preexec_fn=limit)
+                code, said = done.returncode, done.stdout
+            except subprocess.TimeoutExpired as late:
+                code, said = "time-out", late.stdout or b""
+            program = pathlib.Path(command[0]).name
+            what = program if program != "adore" else f"adore {command[1]}"
+            ends[(what, code)] += 1
+            silent = code in (2, 3) and not said.strip()
+            if code in (0, 2, 3) and not silent:
+                continue
+            faults += 1
+            print(f"seed {seed}: {run.name}/{name}, {kind}: {what} ended with {code}"
+                  f"{', without a word' if silent else ''}: {said[-300:].decode(errors='replace')}", flush=True)
+            if given.keep:
+                given.keep.mkdir(parents=True, exist_ok=True)
+                shutil.copy(place / name, given.keep / f"{seed}-{name}")
+    return faults
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("bin", type=pathlib.Path)
@@ -130,45 +171,17 @@ def main():
     parser.add_argument("--keep", type=pathlib.Path, help="files that a program failed on are copied there")
     given = parser.parse_args()
     environment = dict(os.environ, QT_QPA_PLATFORM="offscreen")
-    ends, faults = collections.Counter(), 0
-    for seed in range(given.seed, given.seed + given.count):
-        rng = random.Random(seed)
-        run = rng.choice(given.runs)
-        names = [n for n in TEXTS + ["RESULTS.h5"] * 3 if (run / n).is_file()]
-        name = rng.choice(names)
-        with tempfile.TemporaryDirectory() as folder:
-            place = pathlib.Path(folder) / "run"
-            place.mkdir()
-            for other in run.iterdir():
-                if other.is_file():
-                    shutil.copy(other, place / other.name)
-            data = (place / name).read_bytes()
-            damaged = damage_bytes if name == "RESULTS.h5" else damage_text
-            kind, data = damaged(data, rng)
-            (place / name).write_bytes(data)
-            for command in readers(given.bin, place / name, pathlib.Path(folder)):
-                command = [str(word) for word in command]
-                try:
-                    done = subprocess.run(command, env=environment, timeout=1800, stdout=subprocess.PIPE,
-                                          stderr=subprocess.STDOUT, check=False, preexec_fn=limit)
-                    code, said = done.returncode, done.stdout
-                except subprocess.TimeoutExpired as late:
-                    code, said = "time-out", late.stdout or b""
-                program = pathlib.Path(command[0]).name
-                what = program if program != "adore" else f"adore {command[1]}"
-                ends[(what, code)] += 1
-                silent = code in (2, 3) and not said.strip()
-                if code in (0, 2, 3) and not silent:
-                    continue
-                faults += 1
-                print(f"seed {seed}: {run.name}/{name}, {kind}: {what} ended with {code}"
-                      f"{', without a word' if silent else ''}: {said[-300:].decode(errors='replace')}", flush=True)
-                if given.keep:
-                    given.keep.mkdir(parents=True, exist_ok=True)
-                    shutil.copy(place / name, given.keep / f"{seed}-{name}")
+    ends, faults, files = collections.Counter(), 0, 0
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        for seed in range(given.seed, given.seed + given.count):
+            faults += one_file(given, seed, environment, ends)
+            files += 1
+    except KeyboardInterrupt:
+        pass  # what was found so far
     for (what, code), count in sorted(ends.items(), key=str):
         print(f"{what}: exit {code}: {count}")
-    print(f"{given.count} files, {faults} faults")
+    print(f"{files} files, {faults} faults")
     return 1 if faults else 0
 
 
