@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -161,6 +162,61 @@ TEST_CASE("every type goes on where it stopped, as itself only", "[validation][o
     const Ran changed = run_deck(more({{"rpm2", faster}, {"appLoadZ", heavier}}), folder / "parts");
     CHECK_THAT(changed.print, Catch::Contains("under a changed deck") &&
                                   Catch::Contains("rpm2: ") && Catch::Contains("appLoadZ: "));
+  }
+}
+
+TEST_CASE("a row without the thrust that it needs is refused at its load, in every mode",
+          "[validation][rollers]") {
+  for (const char* type : {"tapered", "spherical-tapered"})
+    for (const char* mode : {"-1", "0", "1", "2"}) {
+      const auto with = [&](const char* thrust) {
+        return refusal_of(
+            deck_of(type, {{"mode", mode}, {"appLoadX", thrust}, {"appLoadZ", "2000"}}));
+      };
+      INFO(type << ", mode " << mode << ": " << with("100"));
+      CHECK_THAT(with("100"), Catch::Contains("appLoadX = 100") && Catch::Contains("at least") &&
+                                  Catch::Contains("kFS1"));
+      CHECK(with("1500") == "was accepted");
+    }
+}
+
+TEST_CASE("a free race of every type holds the mean asked load",
+          "[physics][facade][motions][slow]") {
+  constexpr double kMass = 0.5;
+  for (const char* type : kTypes) {
+    const testing::TemporaryFolder folder;
+    Deck deck = deck::new_deck(type);
+    deck.set_all(Sets{{"kDCR", "1"},
+                      {"kFD22", "0"},
+                      {"kFD32", "0"},
+                      {"kRaceIP2", "1"},
+                      {"raceMass2", fmt::format("{}", kMass)},
+                      {"raceMIx2", "4e-4"},
+                      {"raceMIy2", "3e-4"},
+                      {"raceMIz2", "3e-4"}});
+    // Nothing holds the inner race of the cylindrical example along x.
+    if (std::string(type) != "cylindrical") deck.set("kFD12", "0");
+    deck::write_deck(deck, folder / "DATA.txt");
+    facade::RunRequest request;
+    request.deck = folder / "DATA.txt";
+    const double time = 0.5 * 60.0 / deck.real("rpm2");
+    request.until = fmt::format("{}s", time);
+    REQUIRE(facade::run(request).status == facade::RunStatus::Done);
+    // Newton: what the elements carried on the mean is the load less the race's change of momentum
+    // over the time; it starts at rest.
+    const std::string state = testing::read_bytes(folder / "FINAL");
+    double momentum = 0.0, asked = 0.0;
+    for (int k = 1; k <= 3; ++k) {
+      const std::size_t at = state.find(fmt::format(" inner race.velocity[{}]", k));
+      REQUIRE(at != std::string::npos);
+      const std::size_t line = state.rfind('\n', at) + 1;
+      momentum = std::hypot(momentum, kMass * std::stod(state.substr(line, at - line)));
+    }
+    for (const char* load : {"appLoadX", "appLoadY", "appLoadZ"})
+      asked = std::hypot(asked, deck.real(load));
+    INFO(type << ": momentum " << momentum << " N s over " << time << " s, load " << asked << " N");
+    CHECK(momentum > 0.0);
+    CHECK(momentum / time < 0.005 * asked);
   }
 }
 
