@@ -7,7 +7,7 @@
 namespace adore::facade {
 namespace {
 
-constexpr double kLeastTolerance = 1e-7;  // that floats do not disturb (decision 460)
+constexpr double kLeastTolerance = 1e-6;  // that floats do not disturb (decision 460)
 
 /// Does it evaluate the right-hand side for its steps alone?
 bool is_explicit(std::string_view method) {

@@ -45,7 +45,7 @@ TEST_CASE("films by floats: a run has the heat of double precision, and its ledg
   for (const int code : {1, 6, 10, 13}) {
     const bearing::Bearing b = oiled(code);
     const double end = 5e-4;
-    for (const double tolerance : {1e-5, 1e-7}) {
+    for (const double tolerance : {1e-5, 1e-6}) {
       CAPTURE(code, tolerance);
       const Ran numbers = ran(b, false, end, tolerance), floats = ran(b, true, end, tolerance);
       for (const int race : {0, 1}) {
