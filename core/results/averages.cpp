@@ -39,7 +39,7 @@ RunAverages::Totals RunAverages::totals(const scene::Snapshot& snapshot) {
 void RunAverages::add(const scene::Snapshot& snapshot) {
   const double before = now_.time;
   now_ = totals(snapshot);
-  const scene::Vec3& force = snapshot.races[1].applied_force;
+  const scene::Vec3& force = snapshot.races[1].carried_force;
   if (started_)
     impulse_ += 0.5 * (now_.time - before) * (force_ + force);
   else

@@ -19,7 +19,7 @@ struct Averages {
   double largest_load = 0.0;   ///< mean over time of the largest contact load at each instant [N]
   double peak_load = 0.0;      ///< the largest contact load at all looks [N]
   double largest_residual = 0.0;           ///< of energy, in size, at all instants [J]
-  scene::Vec3 load = scene::Vec3::Zero();  ///< what held the inner race against the elements
+  scene::Vec3 load = scene::Vec3::Zero();  ///< of the inner race against its contacts
                                            ///< [N], base frame
 };
 

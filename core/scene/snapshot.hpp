@@ -116,6 +116,8 @@ struct CageSnapshot : BodySnapshot {
 struct RaceSnapshot : BodySnapshot {
   Vec3 applied_force = Vec3::Zero();   ///< what holds or loads this race [N]
   Vec3 applied_moment = Vec3::Zero();  ///< about its centre [N m]
+  /// Against its contacts; `applied_force` where the race is held, but not where it accelerates [N]
+  Vec3 carried_force = Vec3::Zero();
 };
 
 struct PowerSnapshot {

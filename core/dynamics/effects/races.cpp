@@ -355,7 +355,7 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
     race.total_rotation = body.angle;
     race.orientation = body.orientation();
     race.omega = body.omega;
-    race.applied_force = -body.force;
+    race.applied_force = race.carried_force = -body.force;
     race.applied_moment = -body.moment;
     snapshot.power.qv_race[j] = integral_at(e, load_slip_[j]);
     snapshot.power.qv_element1[j] = integral_at(e, load_slip_element1_[j]);

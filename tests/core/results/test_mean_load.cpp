@@ -13,7 +13,7 @@ namespace {
 scene::Snapshot at(double time, double force_x) {
   scene::Snapshot out;
   out.time = time;
-  out.races[1].applied_force = {force_x, 0.0, 100.0};
+  out.races[1].carried_force = {force_x, 0.0, 100.0};
   return out;
 }
 
