@@ -63,6 +63,14 @@ std::vector<Taken> take(const std::vector<CurvePick>& picks, const PageOptions& 
   return taken;
 }
 
+bool of_one_run(const std::vector<CurvePick>& picks) {
+  const auto folder = [](const CurvePick& pick) {
+    return std::filesystem::absolute(pick.file->path).parent_path();
+  };
+  return std::all_of(picks.begin(), picks.end(),
+                     [&](const CurvePick& pick) { return folder(pick) == folder(picks.front()); });
+}
+
 std::vector<double> all_places(const std::vector<Taken>& curves) {
   std::vector<double> x;
   for (const Taken& one : curves) x.insert(x.end(), one.x.begin(), one.x.end());
@@ -177,12 +185,17 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
   desktop::ChartPage page;
   page.title = less ? "Differences" : "Chosen curves";
   std::vector<Taken> curves = take(picks, history, page);
+  // Spectra are of time: sweeps, tables and curves over frequency have none.
+  const Domain domain =
+      page.x_title == "Time" && page.x_unit == "s" ? options.domain : Domain::History;
   page.x = all_places(curves);
   if (less) {
     page.note = "Less " + curves.front().name + ".";
     curves = differences(curves);
   }
-  if (options.domain == Domain::Waterfall) {
+  if (domain != options.domain)
+    add_note(page, "Spectra are of curves over time; these are over another abscissa.");
+  if (domain == Domain::Waterfall) {
     Taken& one = curves.front();
     trim(one);
     page.x = one.x;
@@ -190,13 +203,15 @@ desktop::ChartPage combine_curves(const std::vector<CurvePick>& picks, Combine h
     to_waterfall(page, one.x, {}, options.spectrum);
     return page;
   }
-  if (options.domain == Domain::Spectrum) {
+  if (domain == Domain::Spectrum) {
     to_frequency(curves, page, options.spectrum);
     page.x = all_places(curves);
   }
   add_panels(page, curves, less);
-  if (options.domain == Domain::Spectrum) {
-    page.marks = picks.front().file->build(picks.front().page, options).marks;
+  if (domain == Domain::Spectrum) {
+    // Runs turn at their own speeds: marks of one are wrong over another.
+    if (of_one_run(picks))
+      page.marks = picks.front().file->build(picks.front().page, options).marks;
     first_view_of_spectra(page, options.spectrum.scale);
   }
   return page;

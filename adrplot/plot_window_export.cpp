@@ -79,7 +79,7 @@ void PlotWindow::askForExport(bool all_pages) {
     dialog->setDefaultSuffix(filter.section("*.", 1).section(')', 0, 0));
   });
   const QString name = besideFile(*doc);
-  dialog->selectFile(all_pages ? name : QString("%1-page-%2").arg(name).arg(page_));
+  dialog->selectFile(all_pages ? name : QString("%1-page-%2").arg(name, QString::number(page_)));
   connect(dialog, &QFileDialog::fileSelected, this,
           [this, all_pages](const QString& path) { exportTo(path, all_pages); });
   dialog->open();
@@ -105,7 +105,7 @@ void PlotWindow::print() {
 void PlotWindow::savePicture() {
   Document* doc = document();
   if (!doc) return askForFile();
-  const QString fallback = QString("%1-page-%2.jpg").arg(besideFile(*doc)).arg(page_);
+  const QString fallback = QString("%1-page-%2.jpg").arg(besideFile(*doc), QString::number(page_));
   desktop::save_picture(this, kApp, fallback,
                         [this] { return view_->chartScene().image(view_->viewport()->size()); });
 }

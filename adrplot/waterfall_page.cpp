@@ -23,13 +23,16 @@ double last_visible(const Waterfall& fall, double largest) {
 
 constexpr double kSteady = 0.01;
 
-/// Turns per second in the middle of a piece; 0: not known.
+/// Turns per second around the middle of a piece, over a 24th of the run: files hold seven digits
+/// of a turn, single steps too few. 0: not known.
 double speed_at(const std::vector<double>& times, const std::vector<double>& turns, double time) {
   if (turns.size() != times.size() || turns.size() < 2) return 0.0;
   const auto after = std::upper_bound(times.begin() + 1, times.end() - 1, time);
   const auto at = static_cast<std::size_t>(after - times.begin());
-  const double step = times[at] - times[at - 1];
-  return step > 0.0 ? (turns[at] - turns[at - 1]) / step : 0.0;
+  const std::size_t half = std::max<std::size_t>(1, times.size() / 48);
+  const std::size_t from = at > half ? at - half : 0, to = std::min(at + half, times.size() - 1);
+  const double span = times[to] - times[from];
+  return span > 0.0 ? (turns[to] - turns[from]) / span : 0.0;
 }
 
 }  // namespace
@@ -75,7 +78,8 @@ void to_waterfall(desktop::ChartPage& page, const std::vector<double>& times,
   for (const auto& piece : fall.amplitude)
     largest = std::max(largest, *std::max_element(piece.begin(), piece.end()));
   desktop::ChartPanel panel{"Spectra, earliest at the bottom", source.unit, {}, false};
-  const bool steady = turns.empty() || keeps_speed(times, turns);
+  // Races that do not turn against each other have no speed to tell.
+  const bool steady = turns.empty() || !(turns.back() > turns.front()) || keeps_speed(times, turns);
   for (std::size_t i = 0; i < fall.time.size(); ++i) {
     desktop::ChartCurve curve{desktop::pretty_quantity(fall.time[i], "s", 3), {}, {}};
     if (!steady)

@@ -19,6 +19,7 @@
 #include <QTest>
 #include <QTreeWidget>
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -132,7 +133,9 @@ TEST_CASE("waterfall: lines of a shaft that runs up say its speed, and no freque
       const double t = 1e-4 * static_cast<double>(i);
       file.steps[i].time = t;
       // 100 Hz, or 50 Hz that grow by 500 Hz a second.
-      file.steps[i].revolutions = runs_up ? 50.0 * t + 250.0 * t * t : 100.0 * t;
+      // With the seven digits of a file.
+      const double turns = runs_up ? 50.0 * t + 250.0 * t * t : 100.0 * t;
+      file.steps[i].revolutions = std::stod(fmt::format("{:.6e}", turns));
       file.steps[i].values[0] = std::sin(2.0 * std::numbers::pi * 900.0 * t);
     }
     PageOptions options;

@@ -248,6 +248,8 @@ def play(program, one, methods, turns, full, limit):
             if full:
                 growth = irregular(results[OWN], by_factor, spread)
         judge_means(results, spread, turns >= 10.0)
+        if results[OWN]["outcome"] == "solved" and any(r["outcome"] == "interrupted" for r in others):
+            results[OWN]["outcome"] = "interrupted"  # without a whole spread nothing can be judged
     return {"runs": results, "spread": spread, "growth": growth}
 
 
@@ -291,7 +293,9 @@ def main():
         kept = os.path.join(options.keep, one["name"].replace(" ", "-") + ".json") if options.keep else ""
         if kept and os.path.exists(kept):
             with open(kept, encoding="utf-8") as file:
-                return json.load(file)
+                found = json.load(file)
+            if "runs" in found:  # else of an earlier form of this script: it is run again
+                return found
         begin = time.monotonic()
         if begin >= end:
             return None

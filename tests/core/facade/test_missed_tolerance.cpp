@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 /// Steps at stpMin above the tolerance: when they still make a result.
 using namespace adore;
 using facade::RunStatus;
