@@ -20,6 +20,14 @@ std::vector<std::pair<double, double>> pairs(const Json& rows) {
   return out;
 }
 
+LifeConstants::LoadFactors load_factors(const Json& table) {
+  LifeConstants::LoadFactors out;
+  out.X = table.at("X").get<double>();
+  for (const Json& row : table.at("rows"))
+    out.rows.push_back({row.at(0).get<double>(), row.at(1).get<double>(), row.at(2).get<double>()});
+  return out;
+}
+
 AisoForm aiso(const Json& entry, double divisor) {
   AisoForm out;
   for (const Json& band : entry.at("bands"))
@@ -90,11 +98,8 @@ void read_iso(const Json& json, LifeConstants& c) {
   c.table_conformity_radial = conformity.at("radial ball").get<double>();
   c.table_conformity_thrust = conformity.at("thrust ball").get<double>();
   c.static_factor = pairs(iso.at("f0").at("value"));
-  const Json& deep = iso.at("xye_deep_groove").at("value");
-  c.deep_groove_X = deep.at("X").get<double>();
-  for (const Json& row : deep.at("rows"))
-    c.deep_groove.push_back(
-        {row.at(0).get<double>(), row.at(1).get<double>(), row.at(2).get<double>()});
+  c.deep_groove = load_factors(iso.at("xye_deep_groove").at("value"));
+  c.spindle = load_factors(iso.at("xye_15_degrees").at("value"));
   for (const Json& row : iso.at("xye_angular_contact").at("value").at("rows"))
     c.angular.push_back({row.at(0).get<double>(), row.at(1).get<double>(), row.at(2).get<double>(),
                          row.at(3).get<double>()});

@@ -61,11 +61,14 @@ struct LifeConstants {
   double thrust_roller_constant = 0.0;  ///< f_c of thrust rollers at 90° over λη γ^(2/9) [N, mm]
   std::map<std::string, double> rating_factor;  ///< b_m by bearing type
   double table_conformity_radial = 0.0, table_conformity_thrust = 0.0;
-  double deep_groove_X = 0.0;
-  struct DeepGrooveRow {
-    double relative_load = 0.0, e = 0.0, Y = 0.0;
+  struct RelativeLoadRow {
+    double relative_load = 0.0, e = 0.0, Y = 0.0;  ///< f0 Fa/C0
   };
-  std::vector<DeepGrooveRow> deep_groove;
+  struct LoadFactors {
+    double X = 0.0;
+    std::vector<RelativeLoadRow> rows;
+  };
+  LoadFactors deep_groove, spindle;  ///< contact angles of 0 and of 15 degrees
   struct AngularRow {
     double degrees = 0.0, X = 0.0, Y = 0.0, e = 0.0;
   };

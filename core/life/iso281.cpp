@@ -4,7 +4,6 @@
 #include "contact/groove.hpp"
 #include "contact/hertz.hpp"
 #include "life/constants.hpp"
-#include "life/spindle_rows.hpp"
 
 #include <fmt/format.h>
 
@@ -173,17 +172,13 @@ std::optional<EquivalentLoad> iso_equivalent_load(const IsoGeometry& g, double r
     IsoGeometry rated = g;
     if (!spindle) rated.contact_angle = 0.0;
     const double load = iso_static_factor(iso_gamma(rated)) * Fa / *iso_static_rating(rated);
+    const LifeConstants::LoadFactors& factors = spindle ? c.spindle : c.deep_groove;
     std::vector<std::pair<double, double>> e, Y;
-    const auto add = [&](double relative_load, double of_e, double of_Y) {
-      e.emplace_back(relative_load, of_e);
-      Y.emplace_back(relative_load, of_Y);
-    };
-    if (spindle)
-      for (const auto& [relative, of_e, of_Y] : spindle_rows().rows) add(relative, of_e, of_Y);
-    else
-      for (const auto& row : c.deep_groove) add(row.relative_load, row.e, row.Y);
-    out = {0.0, spindle ? spindle_rows().X : c.deep_groove_X, interpolate(Y, load),
-           interpolate(e, load)};
+    for (const auto& row : factors.rows) {
+      e.emplace_back(row.relative_load, row.e);
+      Y.emplace_back(row.relative_load, row.Y);
+    }
+    out = {0.0, factors.X, interpolate(Y, load), interpolate(e, load)};
     if (spindle) {
       const auto& next = c.angular.front();
       const double part = std::max(degrees - 15.0, 0.0) / (next.degrees - 15.0);
