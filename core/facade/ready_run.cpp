@@ -2,6 +2,7 @@
 
 #include "facade/judge_steps.hpp"
 #include "facade/key_results.hpp"
+#include "facade/missed_tolerance.hpp"
 #include "results/restart.hpp"
 
 #include <fmt/format.h>
@@ -10,20 +11,18 @@ namespace adore::facade {
 namespace fs = std::filesystem;
 namespace {
 
-/// Above it loads of some per cent beside the right ones come with an energy that closes: at 1e-3
-/// up to 5 % of loads, 7 % of heat and 20 % of life (tests/hardcases/silent_errors.py, decision
-/// 481).
-constexpr double kLooseTolerance = 1e-4;
-
+/// Above kMissedLimit loads of some per cent beside the right ones come with an energy that closes:
+/// at 1e-3 up to 5 % of loads, 7 % of heat and 20 % of life (tests/hardcases/silent_errors.py,
+/// decision 481).
 void warn_of_loose_tolerance(Prepared& prepared) {
   const setup::RunControl& control = prepared.control;
-  if (control.tolerance <= kLooseTolerance || control.step_minimum == control.step_maximum) return;
+  if (control.tolerance <= kMissedLimit || control.step_minimum == control.step_maximum) return;
   add_remark(prepared, Severity::Warning,
              fmt::format("the tolerance of {:g} (tol on record 2.1, or --tol) is loose: loads may "
                          "be 5 % and lives 20 % off although the energy of the run closes. Take "
                          "{:g} or less for results to rely on; adore run --verify tells what a "
                          "run's settings leave open",
-                         control.tolerance, kLooseTolerance));
+                         control.tolerance, kMissedLimit));
 }
 
 /// The steps that the run takes. What was changed becomes a remark on the deck and part of its

@@ -305,9 +305,7 @@ void RunOutputs::thermal_step(const ThermalRun::Step& step, double time) {
                                 {listing::network_table(step.heat)}});
 }
 
-void RunOutputs::remark(std::string text) {
-  impl_->remark(text);
-}  // NOLINT(performance-unnecessary-value-param)
+void RunOutputs::remark(const std::string& text) { impl_->remark(text); }
 
 StartPoint RunOutputs::find_start(dynamics::System& system, setup::StartState start) {
   Impl& s = *impl_;
@@ -529,9 +527,10 @@ void RunOutputs::finish(dynamics::System& system, const RunEnd& end) {
   for (const std::string& text : s.watch.warnings(s.units)) s.remark(text, Severity::Warning);
   s.files.written.push_back(s.path(s.control.final_file));
   s.files.written.push_back(s.path(s.control.master_file));
-  if (std::string missed = judge_missed(s.control, end.resume.counters, end.resume.error_sum).text;
+  if (const std::string missed =
+          judge_missed(s.control, end.resume.counters, end.resume.error_sum).text;
       !missed.empty() && missed != end.message)
-    s.remark(std::move(missed), Severity::Warning);
+    s.remark(missed, Severity::Warning);
   std::optional<scene::QuadratureError> quadrature;
   // A routine of the user that failed leaves nothing to evaluate; one may refuse now what it took.
   try {

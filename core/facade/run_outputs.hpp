@@ -75,7 +75,7 @@ class RunOutputs {
   /// A thermal step is done: into PRINT.txt, and its temperatures into all that is stored later.
   void thermal_step(const ThermalRun::Step& step, double time);
   /// Says something in RUN.json and on the last page, and to whoever asks for remarks().
-  void remark(std::string text);
+  void remark(const std::string& text);
   /// Does any file store this step? (print, plot and animation intervals)
   [[nodiscard]] bool wants(long step) const;
   /// Stores a point in the files whose interval it meets; `always` in all of them (first and last

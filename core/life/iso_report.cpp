@@ -61,6 +61,11 @@ IsoGeometry iso_geometry_of_balls(const bearing::Bearing& bearing,
     notes.push_back(fmt::format(
         "ISO: a free contact angle of {:.3g} deg is taken as a deep-groove bearing, angle 0",
         degrees));
+  else if (degrees > 15.0 + 1e-9 && degrees < 20.0 - 1e-9)
+    notes.push_back(
+        fmt::format("ISO: X, Y and e of {:.3g} deg lie between the rows of 15 and 20 deg of the "
+                    "standard, linear in the angle",
+                    degrees));
   const auto replaced = [&](const char* race, double own, double rated, double limit) {
     if (std::abs(own - rated) > 1e-9)
       notes.push_back(fmt::format(

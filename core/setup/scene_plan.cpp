@@ -55,7 +55,8 @@ std::string damping_reason(double alpha, const std::string& element) {
            "decay by themselves; the heights of their peaks in spectra come from the start and "
            "from the integrator";
   return fmt::format(
-      "run option contactDamping = {:g} s/m: {}s on both races; pockets, guide lands, flanges and "
+      "run option contactDamping = {:g} (in s/m): {}s on both races; pockets, guide lands, flanges "
+      "and "
       "neighbours stay elastic",
       alpha, element);
 }
