@@ -120,6 +120,11 @@ TEST_CASE(
   CHECK(entry(facade::prepare(ball({{"contactDamping", "0.2"}})), "ball / race damping")
             .because.find("pockets, guide lands, flanges and neighbours stay elastic") !=
         std::string::npos);
+  // The option is in s/m whatever the units of the deck are.
+  DeckRequest english = ball({{"contactDamping", "0.2"}});
+  english.text = deck::write_deck(deck::new_deck("ball-english"));
+  CHECK(entry(facade::prepare(english), "ball / race damping").because.find("= 0.2 (in s/m)") !=
+        std::string::npos);
   const auto said = [](DeckRequest request) -> std::string {
     try {
       (void)facade::prepare(request);
