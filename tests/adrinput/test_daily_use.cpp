@@ -426,6 +426,11 @@ TEST_CASE("a deck that comes back while another one is asked about gets its answ
           "[gui][adrinput][daily]") {
   test::use_qt();
   Document document;
+  document.edit(cell("kStif"), "1000");  // a table that can be given up at each of its speeds
+  for (const auto& [name, rpm] : {std::pair{"pctDisp", "1"}, std::pair{"rpmRange12", "1000"},
+                                  std::pair{"rpmRange22", "9000"}})
+    document.edit(cell(name), rpm);
+  REQUIRE_FALSE(document.has_errors());
   const Document::Candidate first = document.candidate();
   document.edit(cell("appLoadX"), "1501");
   const Document::Candidate second = document.candidate();
