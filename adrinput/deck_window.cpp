@@ -77,12 +77,15 @@ DeckWindow::DeckWindow(QWidget* parent) : QMainWindow(parent) {
   connect(check_, &QTimer::timeout, this, &DeckWindow::checkNow);
   scale_ = new TimeScale(this);
   scale_->found = [this](const deck::Deck& of, const std::optional<facade::RunScales>& scales) {
+    const bool edited = check_->isActive();
     document_.set_scales(of, scales);
-    check_->stop();  // nothing of the deck changed
+    if (!edited) check_->stop();  // nothing of the deck changed
   };
   start_check_ = new StartCheck(this);
   start_check_->found = [this](const Document::Candidate& of, std::vector<Issue> refusals) {
+    const bool edited = check_->isActive();
     document_.set_rehearsal(of, std::move(refusals));
+    if (edited) return;  // checkNow() comes
     check_->stop();
     askForStart();  // of the deck as it is by now
   };

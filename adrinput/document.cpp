@@ -370,6 +370,7 @@ void Document::forget_rehearsal() {
 }
 
 void Document::set_rehearsal(const Candidate& of, std::vector<Issue> refusals) {
+  if (!(of == candidate())) return;  // of a deck that is no longer here
   rehearsed_ = of;
   start_refusals_ = std::move(refusals);
   find_problems();

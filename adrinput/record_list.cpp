@@ -191,12 +191,12 @@ void RecordList::syncState() {
     case DeckState::Wrong:
       sign = RecordState::Wrong;
       text = errors == 1 ? tr("1 error") : tr("%1 errors").arg(errors);
-      more = tr("The deck has errors: the first one (F8)");
+      more = tr("The deck has errors; click for the first one (or F8)");
       break;
     case DeckState::Refused:
       sign = RecordState::Doubtful;
       text = tr("Run refused");
-      more = tr("`adore run` ends before its first step: the reason");
+      more = tr("`adore run` ends before its first step; click to see why");
       break;
     case DeckState::Unchecked:
       sign = RecordState::Untouched;

@@ -15,6 +15,7 @@
 #include <QElapsedTimer>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QThread>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,8 +38,10 @@ void wait_for_checks(DeckWindow& window) {
   QElapsedTimer waited;
   waited.start();
   window.checkNow();
-  while (window.document().deck_state() == DeckState::Unchecked && waited.elapsed() < kLongest)
-    QApplication::processEvents(QEventLoop::WaitForMoreEvents, 100);
+  while (window.document().deck_state() == DeckState::Unchecked && waited.elapsed() < kLongest) {
+    QApplication::processEvents();
+    QThread::msleep(5);  // processEvents() waits for no event
+  }
 }
 
 constexpr int kOverlap = 90;  // pixels of a form in two pictures, so that no field is cut in both

@@ -10,10 +10,7 @@ namespace adore::adrinput {
 
 void StartCheck::ask(Document::Candidate candidate) {
   if (!busy()) return start(std::move(candidate));
-  if (asked_ && *asked_ == candidate) {
-    next_.reset();
-    return;
-  }
+  if (!next_ && asked_ && *asked_ == candidate) return;  // not given up
   next_ = std::move(candidate);
   background_.stop();
 }

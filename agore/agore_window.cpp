@@ -554,7 +554,7 @@ void AgoreWindow::savePicture() {
 void AgoreWindow::saveFilm() {
   if (!picture_) return askForFile();
   pause();
-  const QString missing = tr(", needs the program ffmpeg, which is not here");
+  const QString missing = tr(" after ffmpeg is installed");
   auto* dialog = new QFileDialog(this, tr("Save film"), "bearing.gif",
                                  tr("GIF (*.gif);;AVI (*.avi);;MP4%1 (*.mp4);;Numbered pictures, "
                                     "folder (*)")

@@ -125,14 +125,16 @@ int main(int argc, char** argv) {
                                             "one frame, counted from 1 (the last unless given)"),
                              1)
           ->needs(folder);
-  command_line::at_least(cli.add_option("--every", request.every, "every K-th frame"), 1)
-      ->needs(folder)
-      ->excludes(frame);
-  cli.add_option("--movie", request.film,
-                 "a film of this name in the folder: .avi, .gif, or .mp4 where ffmpeg is")
-      ->type_name("FILE")
-      ->needs(folder)
-      ->excludes(frame);
+  auto* every =
+      command_line::at_least(cli.add_option("--every", request.every, "every K-th frame"), 1)
+          ->needs(folder)
+          ->excludes(frame);
+  auto* movie = cli.add_option("--movie", request.film,
+                               "a film of this name in the folder: .avi, .gif, or .mp4 where "
+                               "ffmpeg is")
+                    ->type_name("FILE")
+                    ->needs(folder)
+                    ->excludes(frame);
   command_line::at_least(cli.add_option("--fps", request.rate, "pictures per second of the film")
                              ->capture_default_str(),
                          1)
@@ -142,7 +144,8 @@ int main(int argc, char** argv) {
                      "simulated seconds per second of the film, such as 0.001, with the frames at "
                      "their own times (a picture for each frame unless given)"),
       1e-12)
-      ->needs(folder);
+      ->needs(movie)
+      ->excludes(every);
   cli.add_option("--size", request.size, "picture size in pixels, WIDTHxHEIGHT")
       ->capture_default_str()
       ->type_name("SIZE")

@@ -49,9 +49,10 @@ std::vector<std::size_t> film_frames(const MotionPicture& picture, int every, in
   const std::vector<double>& time = picture.animation().time;
   const double step = slow / frames_per_second, span = time.back() - time.front();
   if (!(span / step < kMost))
-    throw InputError(fmt::format(
-        "{:g} s take more than {:g} pictures in a slow motion of {:g}; show them faster", span,
-        kMost, slow));
+    throw InputError(
+        fmt::format("{:g} s take more than {:g} pictures in a slow motion of {:g}; give a larger "
+                    "--slow, or choose a faster slow motion",
+                    span, kMost, slow));
   const auto pictures = static_cast<std::size_t>(std::ceil(span / step * (1.0 - 1e-12)));
   for (std::size_t i = 0; i < pictures; ++i) {
     // A frame that rounding puts behind its own time is meant.

@@ -103,7 +103,7 @@ namespace {
 
 /// The values from `first` to before `last`; of whole blocks only the ends and the extremes of as
 /// many together as are no wider than `width`: of a wider one every peak is seen. Blocks of what
-/// `wraps` stay apart, since a turn over several of them may be as wide as a wrap.
+/// `wraps` are together while their values lie within a wrap.
 Polyline reduced(const std::vector<double>& x, const std::vector<double>& y, std::size_t first,
                  std::size_t last, double width, bool wraps, const CurveBlocks& blocks) {
   Polyline out;

@@ -21,7 +21,10 @@ QString quantity(double value, const std::string& unit) {
 /// The same for a page that is read again.
 std::string name_of(const ChartPage& page) {
   std::string name = page.title + '\n' + page.subtitle;
-  for (const ChartPanel& panel : page.panels) name += '\n' + panel.title + " [" + panel.unit + ']';
+  for (const ChartPanel& panel : page.panels) {
+    name += '\n' + panel.title + " [" + panel.unit + ']';
+    for (const ChartCurve& curve : panel.curves) name += '\n' + curve.name;
+  }
   return name;
 }
 
@@ -93,15 +96,16 @@ void ChartView::remember() {
   forward_.clear();
 }
 
-/// Views that would change nothing here are passed over.
+/// Views that would change nothing here are passed over; they stay where no other one changes
+/// anything, for the page where they do.
 void ChartView::travel(std::vector<View>& from, std::vector<View>& to) {
   const View left = now();
   const ChartZoom seen = scene_->zoom();
-  while (!from.empty()) {
-    const View view = std::move(from.back());
-    from.pop_back();
+  for (std::size_t i = from.size(); i-- > 0;) {
+    const View view = from[i];
     apply(view);
     if (scene_->zoom() == seen) continue;
+    from.resize(i);
     to.push_back(left);
     viewport()->update();
     return;

@@ -6,10 +6,13 @@
 #include "adrinput/evaluation.hpp"
 #include "adrinput/notice_bar.hpp"
 #include "adrinput/record_page.hpp"
+#include "adrinput/run_panel.hpp"
 #include "adrinput/search.hpp"
 #include "adrinput/solution_charts.hpp"
+#include "adrinput/start_check.hpp"
 #include "adrinput/unit_choice.hpp"
 #include "deck/templates.hpp"
+#include "facade/run.hpp"
 #include "support/qt_app.hpp"
 
 #include <QApplication>
@@ -411,4 +414,58 @@ TEST_CASE("what only the run itself refuses is told beside the records, and lead
   window.checkNow();
   REQUIRE(says("Run refused"));
   CHECK(problems->item(0)->text().contains("kIcOpt"));
+  facade::RunRequest first;
+  first.deck = folder.filePath("DATA.txt").toStdString();
+  first.sets = {{"kIcOpt", "0"}};
+  (void)facade::run(first);
+  emit window.runPanel().finished();
+  CHECK(says("Ready to run"));
+}
+
+TEST_CASE("a deck that comes back while another one is asked about gets its answer",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  Document document;
+  document.edit(cell("kStif"), "1000");  // a table that can be given up at each of its speeds
+  for (const auto& [name, rpm] : {std::pair{"pctDisp", "1"}, std::pair{"rpmRange12", "1000"},
+                                  std::pair{"rpmRange22", "9000"}})
+    document.edit(cell(name), rpm);
+  REQUIRE_FALSE(document.has_errors());
+  const Document::Candidate first = document.candidate();
+  document.edit(cell("appLoadX"), "1501");
+  const Document::Candidate second = document.candidate();
+  StartCheck check;
+  std::vector<Document::Candidate> answers;
+  check.found = [&](const Document::Candidate& of, const std::vector<Issue>&) {
+    answers.push_back(of);
+  };
+  check.ask(first);
+  check.ask(second);
+  check.ask(first);  // undone
+  REQUIRE(QTest::qWaitFor([&] { return !check.busy(); }, 60000));
+  REQUIRE(answers.size() == 1);
+  CHECK(answers.front() == first);
+}
+
+TEST_CASE("an answer in the background does not keep an edit from being checked",
+          "[gui][adrinput][daily]") {
+  test::use_qt();
+  DeckWindow window;
+  window.show();
+  auto* state = window.findChild<QToolButton*>("deck-state");
+  auto* check = window.findChild<StartCheck*>();
+  REQUIRE(state != nullptr);
+  REQUIRE(check != nullptr);
+  const auto says = [&](const QString& text) {
+    return QTest::qWaitFor([&] { return state->text() == text; }, 60000);
+  };
+  window.document().edit(cell("kDOF"), "6");  // needs a routine of the user
+  window.document().end_step();
+  window.checkNow();
+  REQUIRE(says("Run refused"));
+  const Document::Candidate refused = window.document().candidate();
+  window.document().edit(cell("kDOF"), "1");
+  window.document().end_step();
+  check->found(refused, {});
+  CHECK(says("Ready to run"));
 }

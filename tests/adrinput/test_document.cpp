@@ -216,6 +216,11 @@ TEST_CASE("a refusal that names no record marks the deck, and one that does its 
   CHECK(document.state_of("9.6") == RecordState::Doubtful);  // until somebody knows better
   document.set_rehearsal(document.candidate(), {});
   CHECK(document.state_of("9.6") == RecordState::Complete);
+  Document other;
+  other.edit(cell("appLoadX"), "1503");
+  document.set_rehearsal(other.candidate(), {nowhere, start});  // of another deck
+  CHECK(document.state_of("9.6") == RecordState::Complete);
+  CHECK(document.deck_state() == DeckState::Ready);
   document.edit(cell("pitchDia"), "0.001");
   document.check_model();
   CHECK(document.deck_state() == DeckState::Wrong);

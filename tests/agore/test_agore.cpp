@@ -580,7 +580,7 @@ TEST_CASE("render: a film in slow motion shows the frames at their own times", "
                                       fmt::format("{}-picture-{:05}.png", stem, number + 1)));
   options.slow = 1e-30;
   CHECK_THROWS_WITH(render_movie(picture, 1, 25, base / "film.gif", options),
-                    Catch::Contains("show them faster"));
+                    Catch::Contains("a larger --slow"));
 }
 
 TEST_CASE("render: numbered pictures end when somebody stops them", "[gui]") {

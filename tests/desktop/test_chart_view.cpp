@@ -326,6 +326,36 @@ TEST_CASE("chart_view: ranges and hidden curves are those of their page, after o
   CHECK_FALSE(scene.zoom().panels.front().has_value());
   view.zoomForward();
   CHECK(scene.zoom() == box);
+
+  ChartPage others = power;  // of other curves
+  others.panels[0].curves[0].name = "level";
+  view.showPage(others);
+  CHECK_FALSE(scene.zoom().panels.front().has_value());
+  CHECK_FALSE(scene.page().panels[0].curves[0].hidden);
+}
+
+TEST_CASE("chart_view: what a page cannot go back to stays for the page that can", "[gui]") {
+  test::use_qt();
+  ChartView view;
+  view.resize(900, 600);
+  view.show();
+  auto& scene = view.chartScene();
+  view.showPage(lines_page());
+  const QPoint middle = view.mapFromScene(scene.plotAreas().front().center());
+  QTest::mousePress(view.viewport(), Qt::LeftButton, Qt::ShiftModifier, middle);
+  QTest::mouseMove(view.viewport(), middle + QPoint(80, 40));
+  QTest::mouseRelease(view.viewport(), Qt::LeftButton, Qt::ShiftModifier, middle + QPoint(80, 40));
+  REQUIRE(scene.zoomed());
+  ChartPage turns = lines_page();
+  turns.title = "Turns", turns.x_unit = "rev";
+  view.showPage(turns);
+  const ChartZoom seen = scene.zoom();
+  view.zoomBack();
+  CHECK(scene.zoom() == seen);
+  view.showPage(lines_page());
+  const ChartZoom before = scene.zoom();
+  view.zoomBack();
+  CHECK_FALSE(scene.zoom() == before);
 }
 
 TEST_CASE("svg_writer: what is drawn inside a clip stays there, and shades are shades", "[gui]") {
