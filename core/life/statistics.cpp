@@ -48,8 +48,7 @@ double race_life(std::span<const double> lives, bool rotating, double slope) {
   // Scaled by the shortest life, so that no power overflows.
   const double exponent = rotating ? 1.0 : slope;
   double sum = 0.0;
-  for (const double life : lives)
-    sum += rotating ? least / life : std::pow(least / life, exponent);
+  for (const double life : lives) sum += rotating ? least / life : std::pow(least / life, exponent);
   return least * std::pow(static_cast<double>(lives.size()) / sum, 1.0 / exponent);
 }
 
