@@ -139,9 +139,7 @@ void elements(Report& report, const scene::Snapshot& snapshot, const StepRecord&
     std::vector<ChannelColumn> films;
     for (int race = 0; race < 2; ++race) {
       films.push_back({race == 0 ? "least outer" : "least inner", "contact.least_film", race});
-      if (lambda)
-        films.push_back(
-            {race == 0 ? "lambda outer" : "lambda inner", "contact.film_parameter", race});
+      if (lambda) films.push_back({"lambda", "contact.film_parameter", race});
     }
     element_table(report, record, interval, films);
     if (!lambda) report.item("Lambda (no roughness given)", "not computed");

@@ -304,6 +304,12 @@ TEST_CASE("the last page holds plan, ledgers and cost", "[unit][print]") {
   CHECK_THAT(text, Contains("and goes on after it"));
 }
 
+TEST_CASE("titles of a printed table stand apart", "[unit][print]") {
+  Report report("run", UnitSystem::SI);
+  CHECK_NOTHROW(report.table("", {{"eleven long", nullptr}}, {{"1", {2.0}}}));
+  CHECK_THROWS_AS(report.table("", {{"twelve  long", nullptr}}, {{"1", {2.0}}}), InternalError);
+}
+
 TEST_CASE("PRINT.txt is continued after MASTER's length of it", "[unit][print]") {
   const bearing::Bearing bearing = make_bearing();
   TemporaryFolder folder;
