@@ -350,6 +350,8 @@ class FreeRaces final : public SceneEffect {
       race.position = displacement;
       race.applied_force = one.force + one.user_force + one.body.holding_force();
       race.applied_moment = one.moment + one.user_moment + one.body.holding_moment();
+      // The sum on the race has its load in it, too; its own weight stays out of what is carried.
+      race.carried_force = one.force + one.user_force - one.body.state(e).force;
     }
   }
 

@@ -218,6 +218,7 @@ TEST_CASE("a free race of every type holds the mean asked load",
       const double change = kMass * std::stod(state.substr(line, at - line));
       momentum = std::hypot(momentum, change);
       const std::string axis(1, "xyz"[k - 1]);
+      if (!report.contains("asked " + axis + " [N]")) continue;  // its place is given
       if (k == 1 && std::string(type) == "cylindrical") continue;
       // The report has it from the contacts, at the steps that are stored.
       const double mean = report.at("mean " + axis + " [N]").get<double>();
