@@ -1,6 +1,7 @@
 #include "contact/roller_flange.hpp"
 
 #include "base/errors.hpp"
+#include "base/root.hpp"
 
 #include <fmt/format.h>
 
@@ -35,31 +36,36 @@ struct PlacedEnd {
     const Vec3 d = X - centre;
     return (d - d.dot(out) * out).norm();
   }
-  /// Signed distance of a point in front of the end from its convex surface, with the outward
-  /// normal; `part` = where.
+  /// Signed distance of a point from the convex surface of the end, whose side goes on as a
+  /// cylinder behind the corner, with the outward normal; `part` = where.
   double distance(const Vec3& X, Vec3& outward, Surface& part) const {
     const Vec3 d = X - centre;
     const double v = d.dot(out);
     const Vec3 across = d - v * out;
-    const double rho = across.norm();
+    const double rho = across.norm(), beside = rho - end.ring_radius - end.corner_radius;
+    const double to_ring = end.ring - end.dome_centre;
+    double before = 0.0;  // from disc or cap
     if (end.flat() && rho <= end.ring_radius) {
       outward = out;
       part = Surface::Disc;
-      return v - end.vertex;
-    }
-    const double to_ring = end.ring - end.dome_centre;
-    if (!end.flat() && rho * to_ring <= end.ring_radius * (v - end.dome_centre)) {
+      before = v - end.vertex;
+    } else if (!end.flat() && rho * to_ring <= end.ring_radius * (v - end.dome_centre)) {
       outward = X - (centre + end.dome_centre * out);
-      const double l = outward.norm();
-      outward /= l;
+      before = outward.norm();
+      outward /= before;
       part = Surface::Cap;
-      return l - end.end_radius;
+      before -= end.end_radius;
+    } else {
+      const double dv = v - end.ring, dr = rho - end.ring_radius;
+      part = Surface::Torus;
+      outward = dv > 0.0 ? Vec3(dv * out + dr / rho * across).normalized() : Vec3(across / rho);
+      return dv > 0.0 ? std::hypot(dv, dr) - end.corner_radius : beside;
     }
-    const double dv = v - end.ring, dr = rho - end.ring_radius;
-    const double l = std::hypot(dv, dr);
+    // Within a sharp corner the side may be nearer.
+    if (before >= 0.0 || beside < before || rho == 0.0) return before;
+    outward = across / rho;
     part = Surface::Torus;
-    outward = l > 0.0 ? Vec3((dv * out + dr / rho * across) / l) : out;
-    return l - end.corner_radius;
+    return beside;
   }
 };
 
@@ -141,21 +147,99 @@ bool torus_on_face(const FlangeFace& face, const PlacedEnd& placed, FlangeContac
   return found;
 }
 
+/// Azimuths that an end covers as seen from the race axis, with a margin for tilt; none without a
+/// lip.
+struct LipArc {
+  double x = 0.0, r = 0.0;  ///< of the lip [m]
+  double from = 0.0, to = 0.0;
+
+  LipArc(const FlangeFace& face, const PlacedEnd& placed)
+      : x(face.root_x + face.reach * face.t_x), r(face.root_r + face.reach * face.t_r) {
+    if (!(r > 0.0)) return;
+    const Vec3 ring_middle = placed.centre + placed.end.ring * placed.out;
+    const double wide = placed.end.ring_radius + placed.end.corner_radius;
+    const double half =
+        std::asin(std::min(1.05 * wide / std::min(r, ring_middle.tail<2>().norm()), 1.0));
+    from = azimuth(ring_middle) - half;
+    to = from + 2.0 * half;
+  }
+  [[nodiscard]] double at(int k, int cells) const { return from + (to - from) * k / cells; }
+};
+
+/// A point of the lip beside the end.
+struct LipPoint {
+  Vec3 X, outward;
+  Surface part = Surface::Disc;
+  double distance = 0.0, slope = 0.0;  ///< from the end's surface, and its slope over ψ
+
+  LipPoint(const LipArc& arc, const PlacedEnd& placed, double psi) {
+    const Vec3 e_r = radial_direction(psi);
+    X = Vec3(arc.x, arc.r * e_r[1], arc.r * e_r[2]);
+    distance = placed.distance(X, outward, part);
+    slope = arc.r * outward.dot(circumferential_direction(psi));
+  }
+};
+
+/// Where the lip crosses a sharp corner between end and side the least distance lies on a crease
+/// between azimuths low and high: its gradient is the mean of both sides' normals that has no slope
+/// along the lip.
+LipPoint crossed_edge(const LipArc& arc, const PlacedEnd& placed, double low, double high) {
+  for (int n = 0; n < 40; ++n) {
+    const double middle = 0.5 * (low + high);
+    (LipPoint(arc, placed, middle).slope < 0.0 ? low : high) = middle;
+  }
+  LipPoint lip(arc, placed, low);
+  const LipPoint other(arc, placed, high);
+  lip.outward = (other.slope * lip.outward - lip.slope * other.outward) / (other.slope - lip.slope);
+  return lip;
+}
+
+/// The least distance between lip and end.
+bool lip_beside_end(const FlangeFace& face, const PlacedEnd& placed, FlangeContact& best) {
+  constexpr int kScan = 16;
+  constexpr double kEndOfSearch = 1e-13;  // [rad]
+  constexpr double kCrease = 1e-6;
+  const LipArc arc(face, placed);
+  if (!(arc.to > arc.from)) return false;
+  best.gap = kInfinity;
+  double before = LipPoint(arc, placed, arc.from).slope;
+  for (int k = 0; k < kScan; ++k) {
+    const double a = arc.at(k, kScan), b = arc.at(k + 1, kScan);
+    const double after = LipPoint(arc, placed, b).slope;
+    if (before < 0.0 && after >= 0.0) {
+      const double psi = root_between(a, before, b, after, kEndOfSearch,
+                                      [&](double at) { return LipPoint(arc, placed, at).slope; });
+      LipPoint lip(arc, placed, psi);
+      if (lip.distance < best.gap) {
+        if (std::abs(lip.slope) > kCrease * arc.r) lip = crossed_edge(arc, placed, a, b);
+        best.gap = lip.distance;
+        best.steepness = lip.outward.norm();
+        best.normal = -lip.outward / best.steepness;
+        best.point = lip.X + lip.distance * best.normal;
+        best.surface = lip.part;
+      }
+    }
+    before = after;
+  }
+  best.height = face.reach;
+  best.mode = Mode::Lip;
+  return std::isfinite(best.gap);
+}
+
 /// Distance along m from the lip circle at race azimuth psi to the end surface; infinite when the
 /// ray misses it. The distance to a convex body is convex along a line, so Newton from outside
 /// rises to the first hit.
 struct LipRay {
   const FlangeFace& face;
   const PlacedEnd& placed;
-  Vec3 X, outward;
+  LipArc arc{face, placed};
+  Vec3 X = Vec3::Zero(), outward = Vec3::Zero();
   Surface part = Surface::Disc;
 
   double operator()(double psi) {
-    const double lip_x = face.root_x + face.reach * face.t_x;
-    const double lip_r = face.root_r + face.reach * face.t_r;
     const Vec3 e_r = radial_direction(psi);
     const Vec3 m(face.m_x, face.m_r * e_r[1], face.m_r * e_r[2]);
-    const Vec3 lip(lip_x, lip_r * e_r[1], lip_r * e_r[2]);
+    const Vec3 lip(arc.x, arc.r * e_r[1], arc.r * e_r[2]);
     const double closing = -m.dot(placed.out);
     if (!(closing > 0.0)) return kInfinity;
     // Start in front of the vertex plane.
@@ -175,17 +259,12 @@ struct LipRay {
   }
 };
 
-bool lip_on_end(const FlangeFace& face, const PlacedEnd& placed, FlangeContact& best) {
+/// The least distance along m.
+bool lip_across_gap(const FlangeFace& face, const PlacedEnd& placed, FlangeContact& best) {
   constexpr int kScan = 48;
-  LipRay ray{face, placed, Vec3::Zero(), Vec3::Zero()};
-  const Vec3 ring_middle = placed.centre + placed.end.ring * placed.out;
-  const double lip_r = face.root_r + face.reach * face.t_r;
-  if (!(lip_r > 0.0)) return false;
-  // Azimuths that the end covers as seen from the race axis, with a margin for tilt.
-  const double wide = placed.end.ring_radius + placed.end.corner_radius;
-  const double half =
-      std::asin(std::min(1.05 * wide / std::min(lip_r, ring_middle.tail<2>().norm()), 1.0));
-  const double from = azimuth(ring_middle) - half, step = 2.0 * half / kScan;
+  LipRay ray{face, placed};
+  const double from = ray.arc.from, step = (ray.arc.to - from) / kScan;
+  if (!(step > 0.0)) return false;
   std::array<double, kScan + 1> lambda{};
   for (int k = 0; k <= kScan; ++k) lambda[static_cast<std::size_t>(k)] = ray(from + step * k);
   const auto lowest = std::min_element(lambda.begin(), lambda.end());
@@ -222,8 +301,11 @@ bool lip_on_end(const FlangeFace& face, const PlacedEnd& placed, FlangeContact& 
   return true;
 }
 
+/// What the gap at a lip is while it is open.
+enum class Open : unsigned char { AlongFaceNormal, Nearest };
+
 /// The whole sphere of a domed end on face or lip.
-FlangeContact sphere_contact(const FlangeFace& face, const PlacedEnd& placed) {
+FlangeContact sphere_contact(const FlangeFace& face, const PlacedEnd& placed, Open open) {
   const RollerEnd& end = placed.end;
   const Vec3 E = placed.centre + end.dome_centre * placed.out;
   const double r = std::hypot(E[1], E[2]);
@@ -238,11 +320,20 @@ FlangeContact sphere_contact(const FlangeFace& face, const PlacedEnd& placed) {
     c.height = tau;
   } else if (beyond < end.end_radius) {
     c.mode = Mode::Lip;
-    c.gap = sigma - std::sqrt((end.end_radius - beyond) * (end.end_radius + beyond));
-    c.point = in_meridian_of(E, face.root_x + face.reach * face.t_x + c.gap * face.m_x,
-                             face.root_r + face.reach * face.t_r + c.gap * face.m_r);
-    c.normal = (E - c.point) / end.end_radius;
     c.height = face.reach;
+    const double length = std::hypot(sigma, beyond);
+    c.gap = length - end.end_radius;
+    if (c.gap > 0.0 && open == Open::AlongFaceNormal) {
+      c.gap = sigma - std::sqrt((end.end_radius - beyond) * (end.end_radius + beyond));
+      c.point = in_meridian_of(E, face.root_x + face.reach * face.t_x + c.gap * face.m_x,
+                               face.root_r + face.reach * face.t_r + c.gap * face.m_r);
+      c.normal = (E - c.point) / end.end_radius;
+    } else {
+      c.normal = in_meridian_of(E, sigma * face.m_x + beyond * face.t_x,
+                                sigma * face.m_r + beyond * face.t_r) /
+                 length;
+      c.point = E - end.end_radius * c.normal;
+    }
   } else {
     c.gap = kInfinity;
     c.sphere_gap = kInfinity;
@@ -250,8 +341,43 @@ FlangeContact sphere_contact(const FlangeFace& face, const PlacedEnd& placed) {
   }
   c.from_axis = placed.from_axis(c.point);
   c.on_cap = c.from_axis <= end.cap_radius && (c.point - E).dot(placed.out) > 0.0;
+  if (c.on_cap && c.mode == Mode::Lip && c.gap < 0.0)  // and the lip is not nearer to the side
+    c.on_cap =
+        placed.from_axis(c.point - c.gap * c.normal) - end.ring_radius - end.corner_radius <= c.gap;
   c.sphere_gap = c.gap;
   return c;
+}
+
+FlangeContact contact_of(const FlangeFace& face, const PlacedEnd& placed, Open open) noexcept {
+  const RollerEnd& end = placed.end;
+  FlangeContact best;
+  if (!end.flat()) {
+    best = sphere_contact(face, placed, open);
+    if (best.on_cap) return best;
+  } else {
+    best.gap = kInfinity;
+  }
+  FlangeContact corner = best;
+  double beyond = kInfinity;
+  const bool on_face = torus_on_face(face, placed, corner, beyond);
+  if (on_face)
+    corner.mode = end.flat() ? Mode::Face : Mode::Corner;
+  else
+    corner.gap = kInfinity;
+  // A minimum beyond the height, should it be the lower one, is met at the lip.
+  if (!on_face || beyond < corner.gap) {
+    FlangeContact lip = best;
+    bool found = lip_beside_end(face, placed, lip);
+    if (open == Open::AlongFaceNormal && !(lip.gap <= 0.0))
+      found = lip_across_gap(face, placed, lip);
+    if (found && lip.gap < corner.gap) corner = lip;
+  }
+  if (!std::isfinite(corner.gap)) {
+    corner.mode = Mode::None;
+    return corner;
+  }
+  corner.from_axis = placed.from_axis(corner.point);
+  return corner;
 }
 
 }  // namespace
@@ -282,31 +408,12 @@ FlangeFace flange_face(const Flange& f) {
 
 FlangeContact flange_contact(const FlangeFace& face, const RollerEnd& end, const Vec3& centre,
                              const Vec3& axis) noexcept {
-  const PlacedEnd placed(end, centre, axis);
-  FlangeContact best;
-  if (!end.flat()) {
-    best = sphere_contact(face, placed);
-    if (best.on_cap) return best;
-  } else {
-    best.gap = kInfinity;
-  }
-  FlangeContact corner = best;
-  double beyond = kInfinity;
-  const bool on_face = torus_on_face(face, placed, corner, beyond);
-  if (on_face)
-    corner.mode = end.flat() ? Mode::Face : Mode::Corner;
-  else
-    corner.gap = kInfinity;
-  // A minimum beyond the height, should it be the lower one, is met at the lip.
-  FlangeContact lip = best;
-  if ((!on_face || beyond < corner.gap) && lip_on_end(face, placed, lip) && lip.gap < corner.gap)
-    corner = lip;
-  if (!std::isfinite(corner.gap)) {
-    corner.mode = Mode::None;
-    return corner;
-  }
-  corner.from_axis = placed.from_axis(corner.point);
-  return corner;
+  return contact_of(face, PlacedEnd(end, centre, axis), Open::AlongFaceNormal);
+}
+
+FlangeContact flange_overlap(const FlangeFace& face, const RollerEnd& end, const Vec3& centre,
+                             const Vec3& axis) noexcept {
+  return contact_of(face, PlacedEnd(end, centre, axis), Open::Nearest);
 }
 
 double dome_centre_radius(const RollerEnd& end, const Vec3& centre, const Vec3& axis) noexcept {
@@ -384,7 +491,7 @@ FlangeLoad flange_load(const RollerEnd& end, const Vec3& axis, const FlangeConta
   if (contact.mode == Mode::None) return out;
   out.curvature = flange_curvature(end, axis, contact);
   out.hertz = hertz_constants(out.curvature.relative, E_star);
-  out.load = hertz_load(out.hertz.K, -contact.gap);
+  out.load = contact.steepness * hertz_load(out.hertz.K, -contact.gap);
   return out;
 }
 

@@ -19,15 +19,20 @@
 ///
 /// Gap = least σ over the points of the roller end with τ <= h [choice]; no lower limit on τ
 /// (undercut). Continuous in the pose; zero exactly where face, corner or lip touch; positive open,
-/// negative overlap.
+/// negative overlap. At a lip that overlaps it is the least signed distance of the lip from the
+/// end instead of one along m, so that under a motion of the roller gap' = n·v(X) everywhere and a
+/// force along n with a potential of the gap is its gradient (along m it would be n/(n·m))
+/// [derived]. Both agree where the gap is 0, and on the face.
 /// Spherical end, centre E, in the meridian plane of E [derived]:
 ///   τ_E <= h: gap = σ_E - R_e, X = E - R_e m, height τ_E                                    (face)
-///   else: gap = σ_E - √(R_e² - (τ_E - h)²), X = x0 + h t + gap m, normal (E - X)/R_e        (lip)
+///   else, open: gap = σ_E - √(R_e² - (τ_E - h)²), X = x0 + h t + gap m, normal (E - X)/R_e  (lip)
+///   else: gap = √(σ_E² + (τ_E - h)²) - R_e, normal from the lip to E                        (lip)
 /// X further from the roller axis than the cap radius: the corner torus touches instead (C1, since
 /// both are tangent).
 /// Corner torus (and flat end) [derived]: on the face min over χ of σ(Y(χ)) - r_c, Y on the ring,
-/// X = Y - r_c m; on the lip the least distance along m from the lip circle to the end surface. The
-/// smaller gap wins.
+/// X = Y - r_c m; on the lip the least distance (open: along m) from the lip circle to the end
+/// surface. The smaller gap wins: where two places of an end touch alike the gap has a kink, and
+/// the force changes from one to the other.
 ///
 /// Skew moves the contact on a dome sideways by (R_e - L/2) φ r_X/r_E: 1 mrad can be a millimetre.
 /// r_E -> 0 (dome centre on the bearing axis) is degenerate: sphere and rib fit along an arc; check
@@ -78,6 +83,8 @@ struct FlangeContact {
   double gap = 0.0;            ///< [m]; infinite for None
   Vec3 point = Vec3::Zero();   ///< X on the roller [m]
   Vec3 normal = Vec3::Zero();  ///< unit, into the roller
+  double steepness = 1.0;      ///< |∇gap| over motions of X; below 1 where a lip crosses a sharp
+                               ///< corner [-]
   double height = 0.0;         ///< τ(X) along the face [m]
   double from_axis = 0.0;      ///< distance of X from the roller axis [m]
   bool on_cap = false;         ///< domed ends: the contact of the whole sphere lies on the cap
@@ -86,8 +93,13 @@ struct FlangeContact {
 
 /// Contact of one end of a roller with centre C and axis a, in the race frame. Hot path: no throw,
 /// no allocation. The dome on its face is closed form; corners cost a scan of 16 points and a
-/// safeguarded Newton iteration, lips a scan and a search.
+/// safeguarded Newton iteration, lips a scan of 16 points and a root, open ones a search.
 [[nodiscard]] FlangeContact flange_contact(const FlangeFace& face, const RollerEnd& end,
+                                           const Vec3& centre, const Vec3& axis) noexcept;
+
+/// The same where they overlap; the gap of an open lip is its least distance from the end, which no
+/// motion of the roller's points by less closes. For forces.
+[[nodiscard]] FlangeContact flange_overlap(const FlangeFace& face, const RollerEnd& end,
                                            const Vec3& centre, const Vec3& axis) noexcept;
 
 /// Distance of the dome centre from the race axis [m]; must be positive and not small beside the

@@ -1,6 +1,7 @@
 #include "contact/uneven_land.hpp"
 
 #include "base/gauss.hpp"
+#include "base/root.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -22,28 +23,6 @@ std::array<double, 2> deviation(const LandProfile& land, double psi) noexcept {
   if (land.kind == LandProfile::Kind::Circle) return {0.0, 0.0};
   const auto [R, slope] = land.at(psi);
   return {R - land.radius, slope};
-}
-
-/// Root of f between a and b, where its values have opposite signs: Illinois' regula falsi.
-template <class F>
-double root_between(double a, double f_a, double b, double f_b, const F& f) noexcept {
-  for (int n = 0; n < 60 && std::abs(b - a) > kEndOfSpot; ++n) {
-    const double c = (f_b * a - f_a * b) / (f_b - f_a);
-    const double f_c = f(c);
-    if (f_c == 0.0) return c;
-    if ((f_c > 0.0) == (f_b > 0.0)) {
-      const double step = std::abs(c - b);
-      b = c, f_b = f_c;
-      f_a *= 0.5;
-      if (step < kEndOfSpot) break;
-    } else {
-      a = b, f_a = f_b;
-      const double step = std::abs(c - b);
-      b = c, f_b = f_c;
-      if (step < kEndOfSpot) break;
-    }
-  }
-  return b;
 }
 
 }  // namespace
@@ -74,12 +53,13 @@ UnevenLand::Overlap UnevenLand::overlap(const Place& at, double s) const noexcep
 
 double UnevenLand::end_of_spot(const Place& at, double out, double m_out, double in,
                                double m_in) const noexcept {
-  return root_between(out, m_out, in, m_in, [&](double s) { return overlap(at, s).m; });
+  return root_between(out, m_out, in, m_in, kEndOfSpot, [&](double s) { return overlap(at, s).m; });
 }
 
 double UnevenLand::extremum(const Place& at, double a, double slope_a, double b,
                             double slope_b) const noexcept {
-  return root_between(a, slope_a, b, slope_b, [&](double s) { return overlap(at, s).by_s; });
+  return root_between(a, slope_a, b, slope_b, kEndOfSpot,
+                      [&](double s) { return overlap(at, s).by_s; });
 }
 
 void UnevenLand::add(const Place& at, double a, double b, Sink& sink) const noexcept {

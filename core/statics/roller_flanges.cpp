@@ -14,7 +14,7 @@ namespace {
 Vec3 axis_of(double t, double f) { return {std::sqrt(1.0 - t * t - f * f), f, t}; }
 
 contact::FlangeContact contact_at(const FlangePair& pair, const Vec4& p) {
-  return contact::flange_contact(pair.face, pair.end, Vec3(p(0), 0.0, p(1)), axis_of(p(2), p(3)));
+  return contact::flange_overlap(pair.face, pair.end, Vec3(p(0), 0.0, p(1)), axis_of(p(2), p(3)));
 }
 
 /// ∂gap/∂p: the contact point moves with the roller, only its motion along the normal counts.
@@ -23,8 +23,8 @@ Vec4 gap_gradient(const contact::FlangeContact& c, const Vec4& p) {
   const Vec3 arm = c.point - Vec3(p(0), 0.0, p(1));
   const Vec3 a_t(-a.z() / a.x(), 0.0, 1.0);
   const Vec3 a_f(-a.y() / a.x(), 1.0, 0.0);
-  return {c.normal.x(), c.normal.z(), c.normal.dot(a.cross(a_t).cross(arm)),
-          c.normal.dot(a.cross(a_f).cross(arm))};
+  const Vec3 g = c.steepness * c.normal;
+  return {g.x(), g.z(), g.dot(a.cross(a_t).cross(arm)), g.dot(a.cross(a_f).cross(arm))};
 }
 
 }  // namespace
@@ -90,8 +90,9 @@ std::vector<FlangePair> flange_pairs(bearing::Type type, const bearing::RollerGe
 
 FlangeTouch flange_touch(const FlangePair& pair, const Vec4& p) {
   FlangeTouch out;
-  out.contact = contact_at(pair, p);
-  out.load = contact::hertz_load(pair.K, -out.contact.gap);
+  out.contact =
+      contact::flange_contact(pair.face, pair.end, Vec3(p(0), 0.0, p(1)), axis_of(p(2), p(3)));
+  out.load = out.contact.steepness * contact::hertz_load(pair.K, -out.contact.gap);
   return out;
 }
 
@@ -108,7 +109,7 @@ void add_flange(const FlangePair& pair, const Vec4& p, bool with_curvature, Pair
   const Vec4 g = gap_gradient(c, p);
   sum.gradient -= load * g;
   sum.hessian += slope * g * g.transpose();
-  sum.total += load;
+  sum.total += c.steepness * load;
   if (!with_curvature) {
     return;
   }

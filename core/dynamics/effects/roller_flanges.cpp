@@ -19,8 +19,9 @@
 /// Roller ends at the flanges of the races (contact/roller_flange.hpp), up to four: faces, ends and
 /// constants of the equilibrium (statics/roller_flanges.hpp).
 ///
-/// Normal: Q = K δ^1.5 on the roller along n at the contact point X, δ = -gap, K of the ideal
-/// roller's first contact, so that the force has the potential 0.4 K δ^2.5. Friction of
+/// Normal: Q = K δ^1.5 on the roller along n at the contact point X (times the gap's steepness,
+/// which is 1 but where a lip crosses a sharp corner), δ = -gap, K of the ideal roller's first
+/// contact, so that the force has the potential 0.4 K δ^2.5. Friction of
 /// record 10.2: slip u = v_race(X) - v_roller(X) without its part along n, Q κ(s)/s u on the
 /// roller, s the rounded slip (tribology/rounded_law.hpp); the opposite of both on the race at the
 /// same point of space. Heat = friction · u. Limits: one contact of an end and a flange; spin in
@@ -40,7 +41,7 @@ struct FlangeAction {
   contact::FlangeContact contact;  ///< in the roller's meridian frame
   Vec3 point = Vec3::Zero();
   Vec3 force = Vec3::Zero();  ///< on the roller [N]
-  double load = 0.0, slip = 0.0, heat = 0.0;
+  double load = 0.0, energy = 0.0, slip = 0.0, heat = 0.0;
 };
 
 /// A roller as its race sees it.
@@ -50,6 +51,7 @@ struct SeenRoller {
   statics::Vec4 p = statics::Vec4::Zero();  ///< statics/slice_potential.hpp
   Vec3 axis = Vec3::UnitX();                ///< meridian frame
 
+  [[nodiscard]] Vec3 centre() const { return {p(0), 0.0, p(1)}; }
   [[nodiscard]] Vec3 to_base(const Vec3& v) const {
     const contact::Triple<double> of_race = turn.back({v[0], v[1], v[2]});
     return pose.direction_back({of_race.x, of_race.y, of_race.z});
@@ -74,10 +76,11 @@ template <class Friction>
 FlangeAction act(const statics::FlangePair& pair, const SeenRoller& roller, const Evaluation& e,
                  std::size_t i, const RaceBody& race, const Friction& friction) {
   FlangeAction out;
-  const Vec3 C(roller.p(0), 0.0, roller.p(1));
-  out.contact = contact::flange_contact(pair.face, pair.end, C, roller.axis);
+  out.contact = contact::flange_overlap(pair.face, pair.end, roller.centre(), roller.axis);
   if (!(out.contact.gap < 0.0)) return out;
-  out.load = contact::hertz_load(pair.K, -out.contact.gap);
+  const double gradient = contact::hertz_load(pair.K, -out.contact.gap);
+  out.load = out.contact.steepness * gradient;
+  out.energy = -0.4 * gradient * out.contact.gap;
   const Vec3 n = roller.to_base(out.contact.normal);
   out.point = race.position + roller.to_base(out.contact.point);
   out.force = out.load * n;
@@ -134,7 +137,7 @@ class FlangeBlock final : public EffectBlock {
         e.add_force(i, e.to_cylindrical(i, a.force));
         e.add_moment(i, e.to_cylindrical(i, (a.point - e.element_centre(i)).cross(a.force)));
         race.add_force(-a.force, a.point);
-        e.elastic += -0.4 * a.load * a.contact.gap;
+        e.elastic += a.energy;
         account_.heat += a.heat;
         account_.load_slip += a.load * a.slip;
         if (i == 0) account_.load_slip_element1 += a.load * a.slip;
@@ -280,10 +283,12 @@ class RollerFlanges final : public SceneEffect {
         const auto j = static_cast<std::size_t>(pair.race);
         const RaceBody& race = e.race[j];
         const SeenRoller roller = seen(e, i, race, mass_offset_);
-        const FlangeAction a = has_friction_ ? friction_.visit_rounded([&](const auto& friction) {
+        FlangeAction a = has_friction_ ? friction_.visit_rounded([&](const auto& friction) {
           return act(pair, roller, e, i, race, friction);
         })
-                                             : act(pair, roller, e, i, race, nullptr);
+                                       : act(pair, roller, e, i, race, nullptr);
+        if (!(a.load > 0.0))
+          a.contact = contact::flange_contact(pair.face, pair.end, roller.centre(), roller.axis);
         snapshot.elements[i].flange[j][static_cast<std::size_t>(pair.side)] = {
             true, a.load, a.contact.gap, a.contact.height, a.slip, a.heat, a.load * a.slip};
       }
