@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "base/json_text.hpp"
 #include "base/resources.hpp"
+#include "facade/motion_friction.hpp"
 #include "facade/prepare.hpp"
 #include "facade/run_down.hpp"
 
@@ -132,6 +133,26 @@ const RunDownQuantity* run_down_quantity(std::string_view name) {
   return nullptr;
 }
 
+struct MotionQuantity {
+  std::string_view name, label;
+  double (*of)(const MotionFriction&);  ///< SI
+};
+constexpr MotionQuantity kMotion[] = {
+    {"motion_torque", "friction torque in motion",
+     [](const MotionFriction& f) { return f.total(); }},
+    {"motion_rolling", "of it rolling", [](const MotionFriction& f) { return f.rolling; }},
+    {"motion_races", "of it sliding at the races", [](const MotionFriction& f) { return f.races; }},
+    {"motion_rib", "of it the rib", [](const MotionFriction& f) { return f.ribs; }},
+    {"motion_cage", "of it the cage", [](const MotionFriction& f) { return f.cage; }},
+    {"motion_residual", "energy without account",
+     [](const MotionFriction& f) { return f.energy_residual; }},
+};
+const MotionQuantity* motion_quantity(std::string_view name) {
+  for (const MotionQuantity& one : kMotion)
+    if (one.name == name) return &one;
+  return nullptr;
+}
+
 struct Unit {
   std::string_view name;
   double per_si;
@@ -205,10 +226,19 @@ RunDown run_down_of(const std::string& deck, const Json& sets, const Json& run) 
                   motion.at("inertia").get<double>());
 }
 
+/// In time: the deck "motion" with the sets of the run and its own.
+MotionFriction motion_of(const Json& sets, const Json& motion) {
+  DeckRequest moving = request_of(motion.at("deck"), sets);
+  moving.in_memory = true;
+  moving.deck = motion.at("deck").get<std::string>() + ".txt";
+  return motion_friction(moving, motion.at("until"));
+}
+
 std::string label_of(std::string_view name) {
   if (name == kExponent) return "exponent n of T = K w^n";
   if (name == kLife) return "L10r of ISO 16281";
   if (const RunDownQuantity* in_time = run_down_quantity(name)) return std::string(in_time->label);
+  if (const MotionQuantity* in_motion = motion_quantity(name)) return std::string(in_motion->label);
   for (const Quantity& one : kQuantities)
     if (one.name == name) return std::string(one.label);
   throw InternalError(fmt::format("experiments.json: no quantity \"{}\"", name));
@@ -243,10 +273,12 @@ void add_run(const Json& run, Experiment& out) {
       out.decks.push_back(name);
   };
   name_deck(deck);
-  if (run.contains("run_down")) name_deck(run.at("run_down").at("deck"));
+  for (const char* in_time : {"run_down", "motion"})
+    if (run.contains(in_time)) name_deck(run.at(in_time).at("deck"));
   const Json sets = run.value("set", Json::object());
   std::optional<Prepared> prepared;
   std::optional<RunDown> down;
+  std::optional<MotionFriction> motion;
   const auto once = [&]() -> const Prepared& {
     if (!prepared) prepared = prepare(request_of(deck, sets));
     return *prepared;
@@ -259,6 +291,9 @@ void add_run(const Json& run, Experiment& out) {
       if (const RunDownQuantity* in_time = run_down_quantity(name)) {
         if (!down) down = run_down_of(deck, sets, run);
         value = in_time->of(*down);
+      } else if (const MotionQuantity* in_motion = motion_quantity(name)) {
+        if (!motion) motion = motion_of(sets, run.at("motion"));
+        value = in_motion->of(*motion);
       } else {
         value = name == kExponent ? torque_exponent(deck, sets, run.at("speeds"))
                                   : value_of(name, once(), row);

@@ -61,12 +61,55 @@ TEST_CASE("the disc of SPIN-DOWN runs down in time with the exponent of its equi
     REQUIRE(row.ours);
     if (row.what == "exponent n of T = K w^n") still.push_back(*row.ours);
     if (row.what == "exponent n of -dw/dt = K w^n") in_time.push_back(*row.ours);
-    if (row.what == "energy without account") CHECK(*row.ours < 1e-6);  // 9.3e-7 at most
+    // The error of the implicit steps at tol = 1e-8, 4e-8 (1.3e-6 at 1e-7; explicit steps, 500
+    // times as many, leave 2e-14).
+    if (row.what == "energy without account") CHECK(*row.ours < 2e-7);
+    // Torque where the film carries; slower, where asperities do, ours falls short by up to 42 %.
+    if (row.what == "friction torque" && row.condition.ends_with("210 rpm"))
+      CHECK(std::abs(*row.deviation()) < 0.15);
   }
-  REQUIRE(still.size() == 4);
-  REQUIRE(in_time.size() == 4);
-  // The inertia of balls and disc, and slip that is not that of free rolling: 0.0044 at most.
-  for (std::size_t k = 0; k < 4; ++k) CHECK(std::abs(in_time[k] - still[k]) < 0.01);
+  REQUIRE(still.size() == 2);
+  REQUIRE(in_time.size() == 2);
+  // The inertia of balls and disc, and slip that is not that of free rolling: 0.0005 where
+  // rolling takes 0.998 of the heat. Balls of 6.35 mm under 0.125 N slip in their thick films at
+  // speed, with 0.07 of the heat: they resist less than the equilibrium says, which rolls freely.
+  CHECK(in_time[0] < still[0]);
+  CHECK(in_time[0] == Approx(0.65).margin(0.06));  // theirs 0.62 to 0.654
+  CHECK(std::abs(in_time[1] - still[1]) < 0.01);
+}
+
+TEST_CASE("the tapered bearing has the measured torque, with rib and cage named apart",
+          "[validation][experiments][slow]") {
+  const Experiment one = facade::run_experiments("TRB-32216").front();
+  int still = 0, in_motion = 0, cages = 0;
+  double whole = 0.0, parts = 0.0;
+  for (const ExperimentRow& row : one.rows) {
+    CAPTURE(row.condition, row.what, row.failed);
+    REQUIRE(row.ours);
+    // -1 to +20 % of equilibria; in motion rollers tilt on the rib, which takes twice as much.
+    if (row.what == "friction torque" && row.theirs) {
+      ++still;
+      CHECK(std::abs(*row.deviation()) < 0.21);
+    }
+    if (row.what == "friction torque in motion") {
+      ++in_motion;
+      CHECK(std::abs(*row.deviation()) < 0.3);
+      CHECK(parts == Approx(whole).epsilon(1e-9));  // of the run before
+      whole = *row.ours;
+      parts = 0.0;
+    }
+    if (row.condition.ends_with("in motion") && row.what.starts_with("of it ")) parts += *row.ours;
+    if (row.what == "of it the cage") {
+      ++cages;
+      CHECK(*row.ours > 0.0);
+      CHECK(*row.ours < 0.01 * whole);  // 3 N mm: it "contributes only slightly", says the source
+    }
+    if (row.what == "energy without account") CHECK(*row.ours < 1e-6);
+  }
+  CHECK(still == 7);
+  CHECK(in_motion == 3);
+  CHECK(cages == 3);
+  CHECK(parts == Approx(whole).epsilon(1e-9));
 }
 
 TEST_CASE("a deviation counts from the nearer end of a range", "[unit][experiments]") {
@@ -91,8 +134,8 @@ TEST_CASE("friction torques grow with speed and load and lie in the range of the
     for (std::size_t n = 0; n < table.lines.size(); ++n) {
       const facade::TorqueLine& line = table.lines[n];
       CAPTURE(line.rpm, line.radial);
-      CHECK(line.rolling > 0.3 * line.catalogue_rolling);  // 0.38 to 1.39, the page says why
-      CHECK(line.rolling < 1.6 * line.catalogue_rolling);
+      CHECK(line.rolling > 0.45 * line.catalogue_rolling);  // 0.50 to 1.61, the page says why
+      CHECK(line.rolling < 1.7 * line.catalogue_rolling);
       if (n % 4 > 0) CHECK(line.rolling > table.lines[n - 1].rolling);
       if (n >= 4) CHECK(line.total() > table.lines[n - 4].total());
     }
