@@ -87,6 +87,14 @@ struct Ring {
     const Vec3 Y = at(chi);
     return face.sigma(Y[0], std::hypot(Y[1], Y[2]));
   }
+  /// A number of the sign of dσ/dχ where the cosine and sine of χ are given.
+  [[nodiscard]] double rising(const std::array<double, 2>& turn) const {
+    const auto [c, s] = turn;
+    const double y = middle[1] + c * e1[1] + s * e2[1], z = middle[2] + c * e1[2] + s * e2[2];
+    const double r = std::sqrt(y * y + z * z);
+    return face.m_x * (c * e2[0] - s * e1[0]) * r +
+           face.m_r * (y * (c * e2[1] - s * e1[1]) + z * (c * e2[2] - s * e1[2]));
+  }
   /// dσ/dχ and d²σ/dχ².
   [[nodiscard]] std::array<double, 2> slopes(double chi) const {
     const double c = std::cos(chi), s = std::sin(chi);
@@ -104,10 +112,14 @@ struct Ring {
       const auto [d1, d2] = slopes(chi);
       (d1 < 0.0 ? low : high) = chi;
       double next = d2 > 0.0 ? chi - d1 / d2 : low - 1.0;
-      if (!(next > low && next < high)) next = 0.5 * (low + high);
-      const bool done = std::abs(next - chi) < 1e-12;
+      if (std::abs(next - chi) < 1e-12) return std::clamp(next, low, high);
+      // Of an aligned roller the minimum is an end of the bracket, which Newton overshoots a
+      // little.
+      constexpr double kBeside = 1e-3;
+      if (next > low - kBeside && next < high + kBeside) next = std::clamp(next, low, high);
+      if (!(next >= low && next <= high)) next = 0.5 * (low + high);
+      if (std::abs(next - chi) < 1e-12) return next;
       chi = next;
-      if (done) break;
     }
     return chi;
   }
@@ -118,10 +130,17 @@ struct Ring {
 bool torus_on_face(const FlangeFace& face, const PlacedEnd& placed, FlangeContact& best,
                    double& beyond) {
   constexpr int kScan = 16;
+  static const auto kTurns = [] {
+    std::array<std::array<double, 2>, kScan> out{};
+    for (int k = 0; k < kScan; ++k) {
+      const double chi = 2.0 * kPi * k / kScan;
+      out[static_cast<std::size_t>(k)] = {std::cos(chi), std::sin(chi)};
+    }
+    return out;
+  }();
   const Ring ring(face, placed);
   std::array<double, kScan + 1> slope{};
-  for (int k = 0; k < kScan; ++k)
-    slope[static_cast<std::size_t>(k)] = ring.slopes(2.0 * kPi * k / kScan)[0];
+  for (std::size_t k = 0; k < kScan; ++k) slope[k] = ring.rising(kTurns[k]);
   slope[kScan] = slope[0];  // the same point, so no minimum falls between two roundings
   beyond = kInfinity;
   bool found = false;

@@ -75,37 +75,61 @@ struct PocketSlice {
 };
 
 namespace detail {
+/// From the middle of a slice to the surface: m, its part along the roller, and the gap.
+struct Reach {
+  Vec3 m;
+  double lean, across, gap;
+};
+[[nodiscard, gnu::always_inline]] inline Reach reach(const Vec3& away, const Vec3& u,
+                                                     double radius) noexcept {
+  Reach out;
+  const double distance = away.norm();
+  out.m = distance > 0.0 ? Vec3(away / distance) : Vec3::Zero();
+  out.lean = out.m.dot(u);
+  out.across = std::sqrt(std::max(1.0 - out.lean * out.lean, 1e-12));
+  out.gap = distance - radius * out.across;
+  return out;
+}
+/// Point of a plane face that is nearest to p.
+struct FacePoint {
+  double along, beside, across;
+  Vec3 at;
+};
+[[nodiscard, gnu::always_inline]] inline FacePoint nearest_on(const PocketFace& face,
+                                                              const Vec3& p) noexcept {
+  FacePoint out;
+  const Vec3 d = p - face.centre;
+  out.along = d.dot(face.along);
+  out.beside = d.dot(face.across);
+  out.across = std::clamp(out.beside, -face.half_width, face.half_width);
+  out.at = face.centre + out.along * face.along + out.across * face.across;
+  return out;
+}
 /// @param line along the wall; turning: c, how m turns around it [1/m]
 inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u, double radius,
                   const Vec3& line, double turning) noexcept {
-  const Vec3 away = w - p;
-  const double distance = away.norm();
-  out.m = distance > 0.0 ? Vec3(away / distance) : Vec3::Zero();
-  const double lean = out.m.dot(u);
-  const double across = std::sqrt(std::max(1.0 - lean * lean, 1e-12));
-  out.gap = distance - radius * across;
-  out.point = p + (radius / across) * (out.m - lean * u);
+  const Reach to = reach(w - p, u, radius);
+  out.m = to.m;
+  out.gap = to.gap;
+  out.point = p + (radius / to.across) * (out.m - to.lean * u);
   out.middle = p;
   const Vec3 t = line.cross(out.m);
-  out.aside = (radius * lean / across * turning * t.dot(u)) * t;
+  out.aside = (radius * to.lean / to.across * turning * t.dot(u)) * t;
 }
 }  // namespace detail
 
 /// @param half_slice half its length [m]
 [[nodiscard]] inline PocketSlice slice_at_face(const PocketFace& face, const Vec3& p, const Vec3& u,
                                                double radius, double half_slice) noexcept {
-  const Vec3 d = p - face.centre;
-  const double along = d.dot(face.along), beside = d.dot(face.across);
-  const double across = std::clamp(beside, -face.half_width, face.half_width);
-  const Vec3 w = face.centre + along * face.along + across * face.across;
+  const detail::FacePoint w = detail::nearest_on(face, p);
   PocketSlice out;
-  const double turning = across == beside ? 0.0 : -1.0 / std::max((w - p).norm(), 1e-12);
-  detail::touch(out, w, p, u, radius, face.along, turning);
+  const double turning = w.across == w.beside ? 0.0 : -1.0 / std::max((w.at - p).norm(), 1e-12);
+  detail::touch(out, w.at, p, u, radius, face.along, turning);
   out.position = (out.point - face.centre).dot(face.along);
   if (std::isfinite(face.half_length)) {
     const double half = half_slice * std::abs(u.dot(face.along));
-    const double high = std::min(along + half, face.half_length);
-    const double low = std::max(along - half, -face.half_length);
+    const double high = std::min(w.along + half, face.half_length);
+    const double low = std::max(w.along - half, -face.half_length);
     out.fraction = std::clamp((high - low) / (2.0 * half), 0.0, 1.0);
     if (out.gap < 0.0 && out.fraction > 0.0 && out.fraction < 1.0) {
       const double way =
@@ -114,6 +138,12 @@ inline void touch(PocketSlice& out, const Vec3& w, const Vec3& p, const Vec3& u,
     }
   }
   return out;
+}
+
+/// Its gap alone.
+[[nodiscard, gnu::always_inline]] inline double gap_at_face(const PocketFace& face, const Vec3& p,
+                                                            const Vec3& u, double radius) noexcept {
+  return detail::reach(detail::nearest_on(face, p).at - p, u, radius).gap;
 }
 
 [[nodiscard]] inline PocketSlice slice_in_round(const RoundPocket& pocket, const Vec3& p,
@@ -196,6 +226,16 @@ struct EndTouch {
   }
   touch.gap = wall - touch.out.dot(q) - reach;
   return touch;
+}
+
+/// Never more than its gap: no point of the end lies beyond the vertex or farther from the axis
+/// than its corner.
+[[nodiscard]] inline double end_gap_bound(const RollerEnd& end, double wall, const Vec3& q,
+                                          const Vec3& u) noexcept {
+  constexpr double kRounding = 1e-15;  // [m]
+  const double sine = std::sqrt(u[1] * u[1] + u[2] * u[2]);
+  return wall - end.sign * q[0] - end.vertex - (end.ring_radius + end.corner_radius) * sine -
+         kRounding;
 }
 
 /// Least gap that any slice can have, from the pose alone: never more than the true one. The roller

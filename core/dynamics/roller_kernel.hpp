@@ -67,20 +67,38 @@ struct RollerRollingInput {
   const tribology::RollingResistance* law;
 };
 
+/// Slices of one roller for a report; rows of whole vectors, which hold 0 before.
+struct RollerSliceRows {
+  double *load, *width;              ///< Q [N]; on the land [m]
+  double *peak, *half_width;         ///< p [Pa], b [m] of the line
+  double *curvature, *slip, *speed;  ///< Σρ [1/m], |u|, entrainment [m/s]
+  double* n[3];                      ///< from the roller into the race, meridian frame
+};
+/// Writes the slices that press. The roller need not touch.
+struct RollerReportInput {
+  const contact::RaceSlices* slices;
+  const contact::RollerPose* roller;
+  RollerSliceRows rows;
+};
+
 using RollerKernel = void (*)(const RollerKernelInput&) noexcept;
 using RollerDampingKernel = void (*)(const RollerDampingInput&) noexcept;
 using RollerRollingKernel = void (*)(const RollerRollingInput&) noexcept;
+using RollerReportKernel = void (*)(const RollerReportInput&) noexcept;
 
 void roller_kernel_baseline(const RollerKernelInput& in) noexcept;
 void roller_damping_baseline(const RollerDampingInput& in) noexcept;
 void roller_rolling_baseline(const RollerRollingInput& in) noexcept;
+void roller_report_baseline(const RollerReportInput& in) noexcept;
 #if defined(__x86_64__)
 void roller_kernel_avx2(const RollerKernelInput& in) noexcept;
 void roller_damping_avx2(const RollerDampingInput& in) noexcept;
 void roller_rolling_avx2(const RollerRollingInput& in) noexcept;
+void roller_report_avx2(const RollerReportInput& in) noexcept;
 void roller_kernel_avx512(const RollerKernelInput& in) noexcept;
 void roller_damping_avx512(const RollerDampingInput& in) noexcept;
 void roller_rolling_avx512(const RollerRollingInput& in) noexcept;
+void roller_report_avx512(const RollerReportInput& in) noexcept;
 #endif
 
 }  // namespace adore::dynamics

@@ -158,5 +158,40 @@ inline void roll_rollers(const RollerRollingInput& in) {
   }
 }
 
+/// Takes the slices of one vector, from `first` on.
+struct ReportedSlices {
+  const RollerSliceRows& rows;
+  std::size_t first;
+
+  [[gnu::always_inline]] void keep(const contact::KeptSlice<V>& slice,
+                                   const contact::SlicePlace<V>& at) const {
+    const auto put = [this](const V& from, double* row) {
+      from.copy_to(row + first, stdx::element_aligned);
+    };
+    put(slice.Q, rows.load);
+    put(at.width, rows.width);
+    put(at.peak_pressure, rows.peak);
+    put(at.half_width, rows.half_width);
+    put(at.curvature, rows.curvature);
+    put(at.slip, rows.slip);
+    put(at.entrainment, rows.speed);
+    put(slice.n.x, rows.n[0]);
+    put(slice.n.y, rows.n[1]);
+    put(slice.n.z, rows.n[2]);
+  }
+};
+
+/// Vector by vector, since sums skip those that do not press.
+inline void report_slices(const RollerReportInput& in) {
+  contact::RaceSlices some = *in.slices;
+  some.count = Lanes::kSize;
+  for (std::size_t k = 0; k < in.slices->count; k += Lanes::kSize) {
+    (void)contact::roller_race_sums<V>(some, *in.roller, ReportedSlices{in.rows, k});
+    some.s += Lanes::kSize;
+    some.radius += Lanes::kSize;
+    some.width += Lanes::kSize;
+  }
+}
+
 }  // namespace
 }  // namespace adore::dynamics

@@ -4,8 +4,6 @@
 #include "tribology/rounded_law.hpp"
 #include "tribology/traction_laws.hpp"
 
-#include <type_traits>
-
 /// Laws of traction as the slices of rollers ask for them (contact/roller_race_sum.hpp). Seen by
 /// the roller kernels.
 namespace adore::dynamics {
@@ -37,28 +35,11 @@ struct FilmOnSlices {
   }
 };
 
-/// A routine of the user, asked for one slice, or one a lane, at a time: for reports.
-struct UserOnSlices {
-  const tribology::UserLaw& law;
-  double floor;  ///< ε² of the rounded slip [m²/s²]
-
-  template <class T>
-  auto on(const contact::SlicePlace<T>& s) const {
-    const auto here =
-        law.at(tribology::ContactPoint<T>{s.load_per_length, s.peak_pressure, T(0.0), s.half_width,
-                                          s.entrainment, s.slip, s.curvature});
-    return [rounded = tribology::RoundedLaw<decltype(here)>{here, floor},
-            pressure = s.peak_pressure](const T& square) { return rounded(square, pressure); };
-  }
-};
-
 /// f(traction) with what roller_race_sums wants of a law on T.
 template <class T, class Law, class F>
 [[gnu::always_inline]] inline decltype(auto) with_slice_law(const Law& law, double floor, F&& f) {
   if constexpr (tribology::kHasFilm<Law>) {
     return f(FilmOnSlices<Law>{law, floor});
-  } else if constexpr (std::is_same_v<Law, tribology::UserLaw>) {
-    return f(UserOnSlices{law, floor});
   } else {
     const auto here = law.at(tribology::ContactPoint<T>{});
     return f(tribology::RoundedLaw<decltype(here)>{here, floor});

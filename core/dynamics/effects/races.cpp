@@ -333,9 +333,8 @@ std::string Races::why_invalid(const Evaluation& e) const {
   return {};
 }
 
-/// Without a second integral where the right-hand side has just taken it.
+/// Of a ball, without a second integral where the right-hand side has just taken it.
 RaceContactSnapshot Races::detail(const Evaluation& e, std::size_t j, std::size_t i) const {
-  if (rollers_) return roller_race_detail((*rollers_)[j], e, i);
   const RaceContactModel& model = contacts_[j].of(i);
   const RaceMotion motion = e.race[j].motion();
   if (sums_known_)
@@ -360,9 +359,11 @@ void Races::report(const Evaluation& e, Snapshot& snapshot) const {
     snapshot.power.qv_race[j] = integral_at(e, load_slip_[j]);
     snapshot.power.qv_element1[j] = integral_at(e, load_slip_element1_[j]);
     if (!in_contact_) continue;
+    std::vector<RaceContactSnapshot> of_rollers;
+    if (rollers_) of_rollers = roller_race_report((*rollers_)[j], e);
     for (std::size_t i = 0; i < e.elements.n; ++i) {
       RaceContactSnapshot& contact = snapshot.elements[i].race[j];
-      contact = detail(e, j, i);
+      contact = rollers_ ? std::move(of_rollers[i]) : detail(e, j, i);
       if (contact.film > 0.0) {
         constexpr double kNoFilm = 1e-9;  // Λ of a film that has collapsed
         if (roughness_[j] > 0.0)

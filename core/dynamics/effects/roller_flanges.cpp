@@ -278,11 +278,13 @@ class RollerFlanges final : public SceneEffect {
       snapshot.power.qv_flange[j] = integral_at(e, load_slip_[j]);
       snapshot.power.qv_element1_flange[j] = integral_at(e, load_slip_element1_[j]);
     }
-    for (std::size_t i = 0; i < e.elements.n; ++i)
+    for (std::size_t i = 0; i < e.elements.n; ++i) {
+      const std::array<SeenRoller, 2> by_race{seen(e, i, e.race[0], mass_offset_),
+                                              seen(e, i, e.race[1], mass_offset_)};
       for (const statics::FlangePair& pair : pairs_[pairs_.size() == 1 ? 0 : i]) {
         const auto j = static_cast<std::size_t>(pair.race);
         const RaceBody& race = e.race[j];
-        const SeenRoller roller = seen(e, i, race, mass_offset_);
+        const SeenRoller& roller = by_race[j];
         FlangeAction a = has_friction_ ? friction_.visit_rounded([&](const auto& friction) {
           return act(pair, roller, e, i, race, friction);
         })
@@ -292,6 +294,7 @@ class RollerFlanges final : public SceneEffect {
         snapshot.elements[i].flange[j][static_cast<std::size_t>(pair.side)] = {
             true, a.load, a.contact.gap, a.contact.height, a.slip, a.heat, a.load * a.slip};
       }
+    }
     for (std::size_t j = 0; j < 2; ++j) {
       if (!forces_[j]) continue;
       forces_[j]->for_differences(

@@ -125,12 +125,30 @@ class RollerPocketSet {
   [[nodiscard]] double slice_width(std::size_t i) const noexcept {
     return roller_of(i).slice_width;
   }
-  /// visit(slice, load [N], energy [J]) of every slice of a surface.
+  /// Never more than the gaps of the slices at a surface; of a round pocket no bound is known.
+  struct SliceBound {
+    double middle, lean;
+    [[nodiscard]] double operator()(const contact::RollerSlice& slice) const noexcept {
+      return middle - slice.s * lean - slice.radius;
+    }
+  };
+  [[nodiscard]] SliceBound slice_bound(std::size_t i, std::size_t k,
+                                       const Place& at) const noexcept {
+    constexpr double kRounding = 1e-15;  // [m]
+    const RollerPocket& pocket = pockets_[i];
+    if (pocket.round) return {-std::numeric_limits<double>::infinity(), 0.0};
+    const contact::PocketFace& face = pocket.faces[k];
+    return {face.normal.dot(face.centre - at.q) - kRounding, face.normal.dot(at.u)};
+  }
+  /// visit(slice, load [N], energy [J]) of every slice of a surface that may be as near as `reach`.
   template <class Visit>
-  void for_slices(std::size_t i, std::size_t k, const Place& at, const Visit& visit) const {
+  void for_slices(std::size_t i, std::size_t k, const Place& at, double reach,
+                  const Visit& visit) const {
     const RollerPocket& pocket = pockets_[i];
     const PocketRoller& roller = roller_of(i);
+    const SliceBound bound = slice_bound(i, k, at);
     for (const contact::RollerSlice& slice : roller.slices) {
+      if (bound(slice) > reach) continue;
       const Vec3 p = at.q + slice.s * at.u;
       if (pocket.round) {
         const contact::PocketSlice c =
@@ -154,6 +172,8 @@ class RollerPocketSet {
   void for_ends(std::size_t i, const Place& at, const Visit& visit) const {
     const PocketRoller& roller = roller_of(i);
     for (std::size_t k = 0; k < 2; ++k) {
+      if (contact::end_gap_bound(roller.end[k], pockets_[i].end_wall[k], at.q, at.u) > 0.0)
+        continue;
       const contact::EndTouch touch =
           contact::end_at_wall(roller.end[k], pockets_[i].end_wall[k], at.q, at.u);
       if (!(touch.gap < 0.0)) continue;
@@ -165,6 +185,12 @@ class RollerPocketSet {
   [[nodiscard]] std::vector<PocketContactSnapshot> report(std::size_t i, const Place& at) const;
 
  private:
+  /// The slice that is nearest to surface k.
+  struct Nearest {
+    double gap = std::numeric_limits<double>::infinity(), position = 0.0;  ///< [m]
+    Vec3 m = Vec3::Zero();
+  };
+  [[nodiscard]] Nearest nearest(std::size_t i, std::size_t k, const Place& at) const;
   [[nodiscard]] const PocketRoller& roller_of(std::size_t i) const noexcept {
     return rollers_[rollers_.size() == 1 ? 0 : pockets_[i].element];
   }
@@ -243,28 +269,57 @@ RollerPocketSet::RollerPocketSet(const SceneBuilder& scene,
   }
 }
 
+RollerPocketSet::Nearest RollerPocketSet::nearest(std::size_t i, std::size_t k,
+                                                  const Place& at) const {
+  Nearest out;
+  const auto take = [&out](const contact::PocketSlice& slice) {
+    out = {slice.gap, slice.position, slice.m};
+  };
+  const RollerPocket& pocket = pockets_[i];
+  if (pocket.round || std::isfinite(pocket.faces[k].half_length)) {
+    for_slices(i, k, at, out.gap, [&](const contact::PocketSlice& slice, double, double) {
+      if (slice.fraction > 0.0 && slice.gap < out.gap) take(slice);
+    });
+    return out;
+  }
+  const contact::PocketFace& face = pocket.faces[k];
+  const std::vector<contact::RollerSlice>& slices = roller_of(i).slices;
+  const auto gap_of = [&](const contact::RollerSlice& slice) {
+    return contact::gap_at_face(face, at.q + slice.s * at.u, at.u, slice.radius);
+  };
+  const SliceBound bound = slice_bound(i, k, at);
+  const double enough = gap_of(*std::min_element(
+      slices.begin(), slices.end(),
+      [&](const auto& one, const auto& other) { return bound(one) < bound(other); }));
+  const contact::RollerSlice* best = nullptr;
+  for (const contact::RollerSlice& slice : slices) {
+    if (bound(slice) > enough) continue;
+    const double gap = gap_of(slice);
+    if (gap >= out.gap) continue;
+    out.gap = gap;
+    best = &slice;
+  }
+  if (best != nullptr)
+    take(contact::slice_at_face(face, at.q + best->s * at.u, at.u, best->radius,
+                                0.5 * roller_of(i).slice_width));
+  return out;
+}
+
 std::vector<PocketContactSnapshot> RollerPocketSet::report(std::size_t i, const Place& at) const {
   std::vector<PocketContactSnapshot> out;
+  out.reserve(surfaces(i));
   for (std::size_t k = 0; k < surfaces(i); ++k) {
-    PocketContactSnapshot one;
-    if (!is_there(i, k)) {
-      out.push_back(one);
-      continue;
-    }
-    one.gap = std::numeric_limits<double>::infinity();
-    Vec3 m = Vec3::Zero();
-    double moment = 0.0, nearest = 0.0;
-    for_slices(i, k, at, [&](const contact::PocketSlice& slice, double load, double) {
+    PocketContactSnapshot& one = out.emplace_back();
+    if (!is_there(i, k)) continue;
+    double moment = 0.0;
+    for_slices(i, k, at, 0.0, [&](const contact::PocketSlice& slice, double load, double) {
       one.force += load;
       moment += load * slice.position;
-      if (!(slice.fraction > 0.0) || slice.gap >= one.gap) return;
-      one.gap = slice.gap;
-      nearest = slice.position;
-      m = slice.m;
     });
-    one.position = one.force > 0.0 ? moment / one.force : nearest;
-    one.theta = contact::round_pocket_angle(m, rotation_sign_);
-    out.push_back(one);
+    const Nearest nearest = this->nearest(i, k, at);
+    one.gap = nearest.gap;
+    one.position = one.force > 0.0 ? moment / one.force : nearest.position;
+    one.theta = contact::round_pocket_angle(nearest.m, rotation_sign_);
   }
   return out;
 }
@@ -296,7 +351,7 @@ class RollerPocketBlock final : public EffectBlock {
       }
       for (std::size_t k = 0; k < set_.surfaces(i); ++k) {
         if (!set_.is_there(i, k) || set_.surely_open(i, k, at)) continue;
-        set_.for_slices(i, k, at,
+        set_.for_slices(i, k, at, 0.0,
                         [&](const contact::PocketSlice& slice, double load, double energy) {
                           if (!(load > 0.0)) return;
                           push(friction, e, i, at, slice.m, slice.point, load, energy);
@@ -419,7 +474,7 @@ class UserRollerPocketBlock final : public EffectBlock {
       if (!set_.is_inside(i, at.q)) continue;
       for (std::size_t k = 0; k < set_.surfaces(i); ++k) {
         if (!set_.is_there(i, k) || set_.surely_open(i, k, at)) continue;
-        set_.for_slices(i, k, at, [&](const contact::PocketSlice& slice, double load, double) {
+        set_.for_slices(i, k, at, 0.0, [&](const contact::PocketSlice& slice, double load, double) {
           if (load > 0.0 && slice.gap < 0.0)
             collect(friction, e, i, at, k, slice.m, slice.point, slice.middle, slice.aside,
                     slice.gap, load);
@@ -523,7 +578,7 @@ struct RollerPocketOil {
     if (!set.is_inside(i, place.q)) return;
     for (std::size_t k = 0; k < set.surfaces(i); ++k) {
       if (!set.is_there(i, k) || set.surely_open(i, k, place, largest)) continue;
-      set.for_slices(i, k, place, [&](const contact::PocketSlice& slice, double, double) {
+      set.for_slices(i, k, place, largest, [&](const contact::PocketSlice& slice, double, double) {
         if (slice.gap < largest && slice.fraction > 0.0) visit(at(set, e, i, place, slice));
       });
     }
@@ -678,7 +733,7 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
     };
     for (std::size_t k = 0; k < set.surfaces(i); ++k) {
       if (!set.is_there(i, k) || set.surely_open(i, k, at)) continue;
-      set.for_slices(i, k, at, [&](const contact::PocketSlice& slice, double load, double) {
+      set.for_slices(i, k, at, 0.0, [&](const contact::PocketSlice& slice, double load, double) {
         if (load > 0.0 && slice.gap < 0.0) add(slice.m, (10.0 / 9.0) * load / -slice.gap);
       });
     }

@@ -4,14 +4,12 @@
 #include "contact/line_contact.hpp"
 #include "dynamics/race_contacts.hpp"
 #include "dynamics/roller_start.hpp"
-#include "dynamics/slice_law.hpp"
 #include "scene/user_laws.hpp"
 #include "statics/roller_model.hpp"
 #include "tribology/film_law.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace adore::dynamics {
 namespace {
@@ -280,92 +278,6 @@ void RollerRaceRolling::apply(Evaluation& e) noexcept {
     rollers_.act(e, i, actions_[i].force, actions_[i].moment);
     heat_ += actions_[i].heat;
   }
-}
-
-RaceContactSnapshot roller_race_detail(const RollerRaceModel& model, const Evaluation& e,
-                                       std::size_t i) {
-  const auto j = static_cast<std::size_t>(model.race);
-  const RaceBody& race = e.race[j];
-  const RollerPlace roller = place_of(e, i, model.mass_offset);
-  contact::RollerInMeridian in = contact::roller_in_meridian(
-      pose_of(race), motion_of(race), roller.centre, roller.axis, roller.motion);
-  in.roller.spin = spin_of(e, i, roller, pose_of(race), in.turn);
-  const contact::RollerRaceSlices& slices = model.of(i);
-  const contact::RollerPose& at = in.roller;
-  contact::RaceSurface surface = slices.race;
-  if (model.wavy)
-    surface = model.wavy
-                  ->at(contact::azimuth_in_turned(in.turn, std::cos(race.turn_beyond),
-                                                  std::sin(race.turn_beyond)))
-                  .surface;
-  RaceContactSnapshot out;
-  double normal_x = 0.0, normal_r = 0.0, least_film = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < slices.count; ++k) {
-    contact::RaceSlices one = contact::view_of(slices);
-    one.race = surface;
-    one.count = 1;
-    one.s += k;
-    one.radius += k;
-    one.width += k;
-    const auto sums = [&] {
-      if (!model.traction) return contact::roller_race_sums<double>(one, at, nullptr);
-      return model.law.visit([&](const auto& law) {
-        return with_slice_law<double>(law, model.law.slip_floor(), [&](const auto& traction) {
-          return contact::roller_race_sums<double>(one, at, traction);
-        });
-      });
-    }();
-    out.slice_load.push_back(sums.load);
-    out.slice_pressure.push_back(0.0);
-    if (!(sums.load > 0.0)) continue;
-    double tan_chi = 0.0;
-    const auto d = contact::deepest_on_slice<double>(surface, at.axes, at.x, at.r, slices.s[k],
-                                                     slices.radius[k], tan_chi);
-    const double curvature = 1.0 / slices.radius[k] - d.at.A_hoop;
-    // U = 9/19 Q δ; Q goes with the width that is on the land.
-    const double delta = (19.0 / 9.0) * sums.energy / sums.load;
-    const double on_land =
-        sums.load * slices.width[k] / contact::slice_load(slices.law, slices.width[k], delta).load;
-    const contact::LinePressure line =
-        contact::line_pressure(sums.load / on_land, curvature, slices.E_star);
-    out.slice_pressure.back() = line.peak;
-    const contact::Triple<double> n = d.at.n;
-    const contact::Triple<double> arm =
-        slices.s[k] * at.axes.a + slices.radius[k] * d.u + (-0.5 * delta) * n;
-    const contact::Triple<double> u = at.velocity + contact::cross(at.omega, arm);
-    const contact::Triple<double> slip = u - contact::dot(u, n) * n;
-    out.max_slip = std::max(out.max_slip, std::sqrt(contact::dot(slip, slip)));
-    out.load += sums.load;
-    out.heat += sums.heat;
-    out.load_slip += sums.load_slip;
-    out.half_major += 0.5 * on_land;
-    if (model.traction && model.law.has_film()) {
-      const double speed =
-          0.5 * contact::dot(slip, d.w) + contact::dot(contact::cross(at.spin, arm), d.w);
-      const tribology::FilmHere<double> film =
-          model.law.film({sums.load / on_land, line.peak, 0.0, line.half_width, speed,
-                          std::sqrt(contact::dot(slip, slip)), curvature});
-      least_film = std::min(least_film, film.thinnest);
-      if (line.peak >= out.max_pressure) {
-        out.film = film.thickness;
-        out.rolling_speed = std::abs(speed);
-      }
-    }
-    normal_x += sums.load * n.x;
-    normal_r += sums.load * n.z;
-    if (line.peak < out.max_pressure) continue;
-    out.max_pressure = line.peak;
-    out.half_minor = line.half_width;
-    out.peak_position = slices.s[k];
-    // Rolling about c = (-n_z, 0, n_x), as for balls.
-    const double rolling = -at.omega.x * n.z + at.omega.z * n.x;
-    out.spin_to_roll = rolling != 0.0 ? contact::dot(at.omega, n) / rolling : 0.0;
-  }
-  if (out.load > 0.0 && model.law.has_film() && model.traction) out.least_film = least_film;
-  if (out.load > 0.0)
-    out.angle = model.race == bearing::kOuter ? std::atan2(normal_x, normal_r)
-                                              : std::atan2(-normal_x, -normal_r);
-  return out;
 }
 
 }  // namespace adore::dynamics

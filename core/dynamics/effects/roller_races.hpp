@@ -49,11 +49,6 @@ struct RollerRaceModel {
 /// Largest dQ/dδ under a load [N/m].
 [[nodiscard]] double line_stiffness(const RollerRaceModel& model, double load) noexcept;
 
-/// Everything a report wants of one contact; not for the hot path. Contact angle of the resultant
-/// as for balls (race_contacts.hpp); spin_to_roll of the slice with the largest pressure.
-[[nodiscard]] RaceContactSnapshot roller_race_detail(const RollerRaceModel& model,
-                                                     const Evaluation& e, std::size_t i);
-
 /// All rollers as the kernels of one race read them.
 class RollersOnRace {
  public:
@@ -68,6 +63,10 @@ class RollersOnRace {
   [[nodiscard]] bool alike() const noexcept { return views_.size() == 1; }
   [[nodiscard]] const contact::RaceSlices* views() const noexcept { return views_.data(); }
   [[nodiscard]] const std::vector<contact::RollerPose>& poses() const noexcept { return poses_; }
+  /// Of roller i.
+  [[nodiscard]] const contact::RaceSlices& view(std::size_t i) const noexcept {
+    return views_[alike() ? 0 : i];
+  }
   /// By roller where the race has errors, else null.
   [[nodiscard]] const contact::RaceSlope* slopes() const noexcept {
     return slopes_.empty() ? nullptr : slopes_.data();
@@ -84,6 +83,12 @@ class RollersOnRace {
   std::vector<contact::MeridianTurn> turns_;
   std::vector<contact::RaceSlope> slopes_;
 };
+
+/// Everything a report wants of the contacts with one race, of the state evaluated last
+/// (roller_race_report.cpp). Contact angle of the resultant as for balls (race_contacts.hpp);
+/// spin_to_roll of the slice with the largest pressure; heat is the right-hand side's.
+[[nodiscard]] std::vector<RaceContactSnapshot> roller_race_report(const RollerRaceModel& model,
+                                                                  const Evaluation& e);
 
 class RollerRaceBlock final : public EffectBlock {
  public:

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <random>
 
 /// The force of a pocket on a slice is the gradient of its gap, also where the roller leans.
 using namespace adore;
@@ -102,4 +103,36 @@ TEST_CASE(
     CHECK((slope - load * (here.m - here.aside)).norm() < 1e-5 * load);
     CHECK((here.fraction < 1.0) == (here.aside.x() != 0.0));
   }
+}
+
+TEST_CASE("what is surely open in a pocket is open, and a slice's gap by itself is its gap",
+          "[unit][cage][pocket]") {
+  std::mt19937_64 numbers(14);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  int near = 0;
+  for (int n = 0; n < 4000; ++n) {
+    contact::RollerProfile profile;
+    profile.length = 0.012;
+    profile.diameter = 2.0 * kRadius;
+    profile.corner_radius = {4e-4, 4e-4};
+    profile.end_radius = {0.0, n % 2 == 0 ? 0.0 : 0.09};
+    const double lean = std::pow(10.0, -5.0 + 4.0 * std::abs(unit(numbers)));
+    const Vec3 u = Vec3(1.0, lean * unit(numbers), lean * unit(numbers)).normalized();
+    const Vec3 q(1e-4 * unit(numbers), 2e-4 * unit(numbers), 2e-4 * unit(numbers));
+    for (int k = 0; k < 2; ++k) {
+      const contact::RollerEnd end = contact::roller_end(profile, k);
+      const double wall = 0.5 * profile.length + 1e-4 * std::abs(unit(numbers));
+      const double gap = contact::end_at_wall(end, wall, q, u).gap;
+      const double bound = contact::end_gap_bound(end, wall, q, u);
+      REQUIRE(bound <= gap);
+      if (gap > 0.0 && bound > 0.0) ++near;
+    }
+    for (const contact::PocketFace& face :
+         contact::window_faces(2.0 * kRadius + 2.5e-4, -1e-3, 2e-3, 1.0, n % 3 == 0 ? 0.03 : 0.0)) {
+      const Vec3 p = q + 5e-3 * unit(numbers) * u;
+      REQUIRE(contact::gap_at_face(face, p, u, kRadius) ==
+              contact::slice_at_face(face, p, u, kRadius, 2e-4).gap);
+    }
+  }
+  CHECK(near > 1000);  // a bound that never says so is of no use
 }

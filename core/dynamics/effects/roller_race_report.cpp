@@ -1,0 +1,106 @@
+#include "dynamics/effects/roller_races.hpp"
+#include "dynamics/race_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace adore::dynamics {
+namespace {
+
+RollerReportKernel kernel_of(InstructionSet set) noexcept {
+#if defined(__x86_64__)
+  if (set == InstructionSet::Avx512) return roller_report_avx512;
+  if (set == InstructionSet::Avx2) return roller_report_avx2;
+#endif
+  (void)set;
+  return roller_report_baseline;
+}
+
+/// Rows of one roller after another.
+class SliceRows {
+ public:
+  /// Zeros for so many slices, whole vectors of them.
+  RollerSliceRows fresh(std::size_t slices) {
+    memory_.assign(10 * slices, 0.0);
+    RollerSliceRows out{};
+    std::size_t next = 0;
+    for (double** row : {&out.load, &out.width, &out.peak, &out.half_width, &out.curvature,
+                         &out.slip, &out.speed, &out.n[0], &out.n[1], &out.n[2]})
+      *row = memory_.data() + slices * next++;
+    return out;
+  }
+
+ private:
+  std::vector<double> memory_;
+};
+
+RaceContactSnapshot contact_of(const RollerRaceModel& model, const contact::RollerPose& at,
+                               const contact::RollerRaceSlices& slices,
+                               const RollerSliceRows& row) {
+  const bool film = model.traction && model.law.has_film();
+  RaceContactSnapshot out;
+  out.slice_load.assign(slices.count, 0.0);
+  out.slice_pressure.assign(slices.count, 0.0);
+  if (at.open) return out;
+  double normal_x = 0.0, normal_r = 0.0, least_film = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < slices.count; ++k) {
+    const double Q = row.load[k];
+    if (!(Q > 0.0)) continue;
+    out.slice_load[k] = Q;
+    out.slice_pressure[k] = row.peak[k];
+    // Slip is kinematics and is told without traction, too.
+    out.max_slip = std::max(out.max_slip, row.slip[k]);
+    out.load += Q;
+    if (model.traction) out.load_slip += Q * row.slip[k];
+    out.half_major += 0.5 * row.width[k];
+    if (film) {
+      const tribology::FilmHere<double> here =
+          model.law.film({Q / row.width[k], row.peak[k], 0.0, row.half_width[k], row.speed[k],
+                          row.slip[k], row.curvature[k]});
+      least_film = std::min(least_film, here.thinnest);
+      if (row.peak[k] >= out.max_pressure) {
+        out.film = here.thickness;
+        out.rolling_speed = std::abs(row.speed[k]);
+      }
+    }
+    normal_x += Q * row.n[0][k];
+    normal_r += Q * row.n[2][k];
+    if (row.peak[k] < out.max_pressure) continue;
+    out.max_pressure = row.peak[k];
+    out.half_minor = row.half_width[k];
+    out.peak_position = slices.s[k];
+    // Rolling about c = (-n_z, 0, n_x), as for balls.
+    const contact::Triple<double> n{row.n[0][k], row.n[1][k], row.n[2][k]};
+    const double rolling = -at.omega.x * n.z + at.omega.z * n.x;
+    out.spin_to_roll = rolling != 0.0 ? contact::dot(at.omega, n) / rolling : 0.0;
+  }
+  if (!(out.load > 0.0)) return out;
+  if (film) out.least_film = least_film;
+  out.angle = model.race == bearing::kOuter ? std::atan2(normal_x, normal_r)
+                                            : std::atan2(-normal_x, -normal_r);
+  return out;
+}
+
+}  // namespace
+
+std::vector<RaceContactSnapshot> roller_race_report(const RollerRaceModel& model,
+                                                    const Evaluation& e) {
+  const RollerReportKernel kernel = kernel_of(chosen_instruction_set());
+  RollersOnRace rollers(model, e.elements.n);
+  rollers.place(e);
+  std::vector<RaceContactSnapshot> out;
+  out.reserve(rollers.count());
+  SliceRows rows;
+  for (std::size_t i = 0; i < rollers.count(); ++i) {
+    const contact::RollerPose& at = rollers.poses()[i];
+    const contact::RaceSlices& slices = rollers.view(i);
+    RollerSliceRows row{};
+    if (!at.open) kernel({&slices, &at, row = rows.fresh(slices.count)});
+    out.push_back(contact_of(model, at, model.of(i), row));
+    out.back().heat = e.heat[static_cast<std::size_t>(model.race)][i];
+  }
+  return out;
+}
+
+}  // namespace adore::dynamics
