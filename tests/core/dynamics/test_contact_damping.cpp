@@ -57,6 +57,18 @@ double power(const Snapshot& s) {
   return s.energy.rate("contact_damping", 0) + s.energy.rate("contact_damping", 1);
 }
 
+/// Still, without a load, and both grooves in one plane: the ball has its clearance to fly in.
+statics::StaticSolution at_rest(bearing::Bearing& b) {
+  b.speed = {0.0, 0.0};
+  b.constraints.load = {};
+  b.constraints.displacement = {};
+  b.constraints.displacement_given = {true, true, true, true, true};
+  const auto groove = contact::groove_geometry(b.balls());
+  statics::StaticSolution solution = statics_of(b, b.balls().contact_angle);
+  solution.displacement[0] = groove.centre_x[0] - groove.centre_x[1];
+  return solution;
+}
+
 SystemOptions damped(double alpha) {
   SystemOptions options;
   options.contact_damping = alpha;
@@ -69,14 +81,8 @@ TEST_CASE("a ball that meets a race comes back as Hunt and Crossley's law has it
           "[physics][dynamics][damping]") {
   bearing::Bearing b = angular_contact(1);
   b.cage.reset();
-  b.speed = {0.0, 0.0};
-  b.constraints.load = {};
-  b.constraints.displacement = {};
-  b.constraints.displacement_given = {true, true, true, true, true};
+  const statics::StaticSolution solution = at_rest(b);
   const auto groove = contact::groove_geometry(b.balls());
-  statics::StaticSolution solution = statics_of(b, b.balls().contact_angle);
-  // Both grooves in one plane: the ball has its clearance to fly in.
-  solution.displacement[0] = groove.centre_x[0] - groove.centre_x[1];
   double before = 1.0;
   for (const double alpha : {0.1, 0.3, 2.0})
     for (const double speed : {0.02, 0.1, 0.5, 2.0}) {
@@ -336,13 +342,7 @@ Impact into_pocket(const bearing::Bearing& b, const statics::StaticSolution& sol
 TEST_CASE("a ball that meets its pocket leaves it as Hunt and Crossley's law has it",
           "[physics][dynamics][cage][damping]") {
   bearing::Bearing b = angular_contact(1);
-  b.speed = {0.0, 0.0};
-  b.constraints.load = {};
-  b.constraints.displacement = {};
-  b.constraints.displacement_given = {true, true, true, true, true};
-  const auto groove = contact::groove_geometry(b.balls());
-  statics::StaticSolution solution = statics_of(b, b.balls().contact_angle);
-  solution.displacement[0] = groove.centre_x[0] - groove.centre_x[1];
+  const statics::StaticSolution solution = at_rest(b);
   for (const double speed : {0.05, 0.5}) {
     const Impact elastic = into_pocket(b, solution, 0.0, speed);
     CHECK(elastic.back == Approx(speed).epsilon(2e-3));
