@@ -23,10 +23,18 @@ constexpr const char* kColours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", 
 QLogValueAxis* add_axis(QChart& chart, const std::string& title, Qt::Alignment side) {
   auto* axis = new QLogValueAxis;
   axis->setTitleText(QString::fromStdString(title));
-  axis->setLabelFormat("%.0e");
-  axis->setMinorTickCount(8);
+  axis->setLabelFormat("%g");
   chart.addAxis(axis, side);
   return axis;
+}
+
+/// Labels at powers of ten, or of two where ten would leave one or none.
+void set_range(QLogValueAxis& axis, double low, double high) {
+  constexpr double kDecades = 100.0;
+  const bool wide = high >= kDecades * low;
+  axis.setBase(wide ? 10.0 : 2.0);
+  axis.setMinorTickCount(wide ? 8 : 0);
+  axis.setRange(low, high);
 }
 
 }  // namespace
@@ -53,8 +61,8 @@ bool save_log_chart(const LogChart& data, const std::filesystem::path& file) {
     }
   }
   if (!(high_x > 0.0 && high_y > 0.0)) return false;
-  across->setRange(low_x / 1.5, high_x * 1.5);
-  up->setRange(low_y / 3.0, high_y * 3.0);
+  set_range(*across, low_x / 1.5, high_x * 1.5);
+  set_range(*up, low_y / 2.0, high_y * 2.0);
   chart.legend()->setAlignment(Qt::AlignRight);
 
   QGraphicsScene scene;

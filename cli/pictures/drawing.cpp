@@ -109,18 +109,23 @@ void draw_accuracy(const std::filesystem::path& table, const std::filesystem::pa
   desktop::LogChart chart;
   chart.title = study.value("title", "What accuracy costs");
   chart.x_title = "computing time [s]";
-  chart.y_title = study.value("error_title", "error");
+  chart.y_title = study.value("error_title", "error") + " [%]";
   const bool finals = !study["finals"].empty();
+  if (const long long best = study.value("recommended", -1LL);
+      finals && best >= 0 && best < static_cast<long long>(study["finals"].size()))
+    chart.title += "; recommended: " +
+                   study["finals"][static_cast<std::size_t>(best)].value("name", "the deck's own");
   for (const auto& row : study[finals ? "finals" : "screening"]) {
     const double seconds = row.value("seconds", 0.0), error = row.value("error", 0.0);
     if (row.contains("failure") || !(seconds > 0.0) || !(error > 0.0)) continue;
-    const std::string name = row.value("curve", "");
+    const std::string name = row.value("own", false) ? row.value("method", "") + " (the deck's own)"
+                                                     : row.value("curve", "");
     auto curve = std::find_if(chart.curves.begin(), chart.curves.end(),
                               [&](const desktop::ChartCurve& c) { return c.name == name; });
     if (curve == chart.curves.end())
       curve = chart.curves.insert(curve, desktop::ChartCurve{name, {}, {}});
     curve->x.push_back(seconds);
-    curve->y.push_back(error);
+    curve->y.push_back(100.0 * error);
   }
   if (!desktop::save_log_chart(chart, picture))
     throw InputError(fmt::format("{} holds no run that came to its end", table.string()));

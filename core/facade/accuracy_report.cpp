@@ -1,6 +1,7 @@
 #include "base/json_text.hpp"
 #include "facade/verify.hpp"
 #include "integrators/stepper.hpp"
+#include "results/energy_judgement.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -144,6 +145,9 @@ std::string recommendation(const AccuracyStudy& study) {
                       best.setting.name, percent(std::max(study.target, 1.5 * noise)),
                       study.long_turns, best.seconds, errors_text(best.errors));
     if (best.setting.own) return out + "; these are the deck's own settings.";
+    if (best.energy_share > results::kMovedWarning)
+      out += fmt::format("; {:.1e} of the energy that moved has no account, which the run warns of",
+                         best.energy_share);
   }
   if (own != nullptr)
     out += own->failure.empty() ? fmt::format("; the deck's own settings take {:.3g} s ({})",

@@ -248,10 +248,11 @@ const std::vector<Option>& options() {
            return true;
          }},
         {{"contactDamping", "0",
-          "material damping of balls and rollers on their races after Hunt and Crossley: alpha in "
-          "s/m, 0 (elastic) to 100; an element that hits a race at a small speed v leaves it at "
-          "(1 - alpha v) v. Dry steel has 0.08 to 0.32. Pockets, guide lands, flanges and "
-          "neighbours stay elastic"},
+          "material damping of contacts after Hunt and Crossley, on races, in pockets, at guide "
+          "lands and flanges: alpha in s/m, 0 (elastic) to 100; an element that hits a race at a "
+          "small speed v leaves it at (1 - alpha v) v. Dry steel has 0.08 to 0.32. Neighbours in "
+          "a bearing without cage, lands with shape errors and contacts whose force is a "
+          "routine's stay elastic"},
          [](RunOptions& o, std::string_view v) {
            double value = 0.0;
            if (!parse(v, value) || !(value >= 0.0 && value <= 100.0)) return false;

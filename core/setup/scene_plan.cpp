@@ -55,9 +55,9 @@ std::string damping_reason(double alpha, const std::string& element) {
            "decay by themselves; the heights of their peaks in spectra come from the start and "
            "from the integrator";
   return fmt::format(
-      "run option contactDamping = {:g} (in s/m): {}s on both races; pockets, guide lands, flanges "
-      "and "
-      "neighbours stay elastic",
+      "run option contactDamping = {:g} (in s/m): {}s on both races, pockets, guide lands without "
+      "shape errors, flanges; neighbours without a cage and contacts whose force is a routine's "
+      "stay elastic",
       alpha, element);
 }
 

@@ -227,16 +227,19 @@ std::vector<std::string> roller_notes(const RollerModel& m,
     }
   }
   if (m.contact == RollerContact::Sliced) {
-    const double shortest = 8.0 * m.slicing.width;
+    // Who asks for fewer has all of them.
+    const double enough = std::min(8, m.slicing.count);
+    const double shortest = enough * m.slicing.width * (1.0 - 1e-9);
     for (std::size_t j = 0; j < 2; ++j) {
       notes.add(
           [j, shortest](const StaticRoller& r) {
             return r.race[j].load > 0.0 && r.race[j].length < shortest && r.race[0].load > 0.0 &&
                    r.race[1].load > 0.0;
           },
-          "fewer than 8 of {} slices touch the {} race; more slices (option rollerSlices) would be "
+          "fewer than {} of {} slices touch the {} race; more slices (option rollerSlices) would "
+          "be "
           "more exact",
-          m.slicing.count, kRace[j]);
+          enough, m.slicing.count, kRace[j]);
     }
   }
   return notes.take();

@@ -30,8 +30,8 @@ ramp of speed|ball|--set kVarSpeed=1 --set raceAngAcc2=1e3 --set endTime2=1||Rac
 free race|ball|--set kDCR=1 --set kFD12=0||RaceKinematics|RaceLoad|HeldDirections
 light balls in balance|ball|--set appLoadX=200 --set appLoadZ=2000 --set qFac=0.1|--set appLoadX=200 --set appLoadZ=2000|HeldRates|HeldMotion
 contact angle that moves|ball||--opt hertzConstants=frozen|-
-contact damping|ball|--opt contactDamping=0.2||BallDamping
-contact damping of rollers|cylindrical|--opt contactDamping=0.2||RollerRaceDamping
+contact damping|ball|--opt contactDamping=0.2||BallDamping|UserPocketBlock|UserLandBlock
+contact damping of rollers|cylindrical|--opt contactDamping=0.2||RollerRaceDamping|UserRollerPocketBlock|UserFlangeBlock|UserLandBlock
 oil: film and rolling resistance|ball|--set kTrac=3 --set reRaceFilm=1e-8 --set strParam=10||BallRolling
 suppressed motions|ball|--set kDOF=2||Hold
 balls of unequal diameter|ball|--set kReGeoImp=2 --set reDiaVar1=1e-6||DifferentBalls|OwnBallMotion

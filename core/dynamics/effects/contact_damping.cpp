@@ -1,10 +1,14 @@
+#include "dynamics/effects/contact_damping.hpp"
+
 #include "dynamics/effect_makers.hpp"
 #include "dynamics/effects/races.hpp"
+#include "dynamics/effects/scene_pieces.hpp"
 
 #include <algorithm>
 #include <array>
 
-/// Material damping of the contacts of elements and races [huntcrossley1975]:
+/// Material damping of elastic contacts [huntcrossley1975]: of elements and races, in pockets, at
+/// guide lands and flanges:
 ///   F = Q (1 + d δ̇),  d = 3/2 α,  never below 0
 /// with the elastic load Q (K δ^1.5 of balls, K_s δ^(10/9) of each slice of a roller), δ̇ the rate
 /// of approach and the user's α [s/m] (run option contactDamping). Heat Q d δ̇² (Q |δ̇| where the
@@ -16,10 +20,13 @@
 /// A vibration δ0 + ε e^(iωt) under a steady load Q decays at rate Q d/(2 m) per contact: 1.5 α in
 /// front of loads, so that a heavily loaded contact is damped as an impact that reaches its load.
 /// α of steel, bronze and ivory is 0.08 to 0.32 s/m [huntcrossley1975].
-/// Limits: one relation for impacts below yield; oil films damp more and otherwise. Traction,
-/// pressures, life and stored loads are of the elastic load. Elements in balance (modes 1, 2 and
-/// qFac) have no rate of approach and are refused with it; pockets, guide lands, flanges and
-/// neighbours stay elastic.
+/// Pockets, lands and flanges have it where a routine of the user could make their forces
+/// (user_forces.hpp): friction and stored forces go with the damped force there, and what damping
+/// takes of them all is one item of the ledger. -d(gap)/dt is δ̇.
+/// Limits: one relation for impacts below yield; oil films damp more and otherwise. On races
+/// traction, pressures, life and stored loads are of the elastic load. Elements in balance (modes
+/// 1, 2 and qFac) have no rate of approach and are refused with it. Elastic stay: neighbours in a
+/// bearing without cage, lands with shape errors, and contacts whose force is the user's.
 namespace adore::dynamics {
 namespace {
 
@@ -28,7 +35,13 @@ constexpr LedgerTerm kHeat{LedgerKind::Heat,
                            "damping of the race contacts",
                            {"damping at the outer race", "damping at the inner race"},
                            "dissipated since the start"};
-constexpr const LedgerTerm* kTerms[] = {&kHeat};
+constexpr LedgerTerm kHeatBeside{LedgerKind::Heat,
+                                 "damping_beside",
+                                 "damping in pockets, at guide lands and flanges",
+                                 {"damping in pockets, at lands and flanges"},
+                                 "dissipated since the start"};
+constexpr const LedgerTerm* kTerms[] = {&kHeat, &kHeatBeside};
+constexpr std::string_view kCostBeside = "damping beside the races";
 
 class BallDamping final : public EffectBlock {
  public:
@@ -59,30 +72,36 @@ class BallDamping final : public EffectBlock {
   double& heat_;
 };
 
-class ContactDamping final : public SceneEffect {
- public:
-  void declare(SceneBuilder& scene) override {
-    const Races& races = *scene.find<Races>();
-    const double d = 1.5 * scene.options.contact_damping;
-    constexpr std::array kNames{"outer race.damping", "inner race.damping"};
-    for (std::size_t j = 0; j < 2; ++j) {
-      const BodyId race{BodyId::Kind::Race, static_cast<int>(j)};
-      constexpr std::string_view kCost = "damping of the race contacts";
-      if (races.roller_contacts() != nullptr)
-        scene.block<RollerRaceDamping>(Phase::Force, kCost, race, (*races.roller_contacts())[j],
-                                       static_cast<std::size_t>(scene.bearing.element_count()), d,
-                                       heat_[j]);
-      else
-        scene.block<BallDamping>(Phase::Force, kCost, race, races.contacts()[j], d, heat_[j]);
-      scene.energy(kNames[j], kHeat, &heat_[j], static_cast<int>(j));
-    }
-  }
-
- private:
-  std::array<double, 2> heat_{};  ///< now [W]
-};
+constexpr std::string_view kCost = "damping of the race contacts";
 
 }  // namespace
+
+void ContactDamping::declare(SceneBuilder& scene) {
+  const Races& races = *scene.find<Races>();
+  const double d = 1.5 * scene.options.contact_damping;
+  constexpr std::array kNames{"outer race.damping", "inner race.damping"};
+  for (std::size_t j = 0; j < 2; ++j) {
+    const BodyId race{BodyId::Kind::Race, static_cast<int>(j)};
+    if (races.roller_contacts() != nullptr)
+      scene.block<RollerRaceDamping>(Phase::Force, kCost, race, (*races.roller_contacts())[j],
+                                     static_cast<std::size_t>(scene.bearing.element_count()), d,
+                                     heat_[j]);
+    else
+      scene.block<BallDamping>(Phase::Force, kCost, race, races.contacts()[j], d, heat_[j]);
+    scene.energy(kNames[j], kHeat, &heat_[j], static_cast<int>(j));
+  }
+  law_.set(d);
+  scene.block<NoHeatYet>(Phase::Force, kCostBeside, {}, heat_beside_races_);
+  scene.energy("contacts beside the races.damping", kHeatBeside, &heat_beside_races_);
+}
+
+OtherForce other_force(const SceneBuilder& scene, scene::UserForce* user, std::string_view cost,
+                       double& heat) {
+  if (user != nullptr) return {user, &heat, true, cost};
+  if (ContactDamping* damping = scene.find<ContactDamping>())
+    return {&damping->law(), &damping->heat_beside_races(), false, kCostBeside};
+  return {};
+}
 
 std::unique_ptr<SceneEffect> make_contact_damping(const ScenePlan& plan) {
   if (!plan.has(Effect::ContactDamping)) return nullptr;

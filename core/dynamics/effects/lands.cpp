@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "contact/guide_land.hpp"
 #include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/contact_damping.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/effects/user_forces.hpp"
 
@@ -209,17 +210,19 @@ struct UserLandTouch {
 };
 using UserLandForces = UserForces<UserLandTouch>;
 
-/// ADRX4 (user_forces.hpp).
+/// ADRX4 or damping (user_forces.hpp).
 class UserLandBlock final : public EffectBlock {
  public:
   UserLandBlock(const std::vector<LandModel>& lands, double half_angle, bool traction,
-                const tribology::TractionLaw& law, UserLandForces& forces, double& heat)
+                const tribology::TractionLaw& law, UserLandForces& forces, double& heat,
+                double& along)
       : lands_(lands),
         half_angle_(half_angle),
         traction_(traction),
         law_(law),
         forces_(forces),
         heat_(heat),
+        along_(along),
         race_(one_race(lands)) {}
   [[nodiscard]] bool acts_on_elements() const noexcept override { return false; }
   void apply(Evaluation& e) noexcept override {
@@ -237,7 +240,8 @@ class UserLandBlock final : public EffectBlock {
           cage.add_force(friction, touch.point);
           race.add_force(-friction, touch.point);
           cage.load_slip += difference * touch.slip;
-          heat_ += more * touch.heat - difference * rate;
+          heat_ += more * touch.heat;
+          along_ -= difference * rate;
         });
     if (!valid) e.valid = false;
   }
@@ -248,7 +252,8 @@ class UserLandBlock final : public EffectBlock {
     forces_.clear();
     for (std::size_t i = 0; i < e.segments.size(); ++i)
       for (std::size_t k = 0; k < lands_.size(); ++k)
-        for (const double x : lands_[k].slice_x) collect(friction, e, i, k, x);
+        if (!lands_[k].uneven)
+          for (const double x : lands_[k].slice_x) collect(friction, e, i, k, x);
   }
   template <class Friction>
   void collect(const Friction& friction, const Evaluation& e, std::size_t i, std::size_t k,
@@ -289,7 +294,7 @@ class UserLandBlock final : public EffectBlock {
   tribology::TractionLaw law_;
   GatheredTraction asked_;
   UserLandForces& forces_;
-  double& heat_;
+  double &heat_, &along_;
   int race_;
 };
 
@@ -310,8 +315,10 @@ class LandContact final : public SceneEffect {
         traction
             ? traction_of(scene, tribology::TractionKind::CageRace, *scene.bearing.land_traction)
             : tribology::TractionLaw();
-    scene::UserForce* const routine = scene.options.user ? scene.options.user->land : nullptr;
-    if (routine != nullptr && !traction)
+    const OtherForce other =
+        other_force(scene, scene.options.user ? scene.options.user->land : nullptr,
+                    "user routine ADRX4", heat_);
+    if (other.of_user && !traction)
       scene.block<NoHeatYet>(Phase::Force, "land contacts", {}, heat_);
     const bool any_uneven = std::any_of(lands_.begin(), lands_.end(), [](const LandModel& land) {
       return land.uneven.has_value();
@@ -332,16 +339,16 @@ class LandContact final : public SceneEffect {
         scene.block<UnevenLandBlock<false>>(Phase::Force, "land contacts", {}, lands_, middle_, law,
                                             heat_);
     }
-    if (routine != nullptr) {
-      demand(!any_uneven, "ADRX4 knows no lands with shape errors");
+    if (other.routine != nullptr) {
+      demand(!other.of_user || !any_uneven, "ADRX4 knows no lands with shape errors");
       std::size_t most = 0;
       for (const LandModel& land : lands_)
         most += land.slice_x.size() * static_cast<std::size_t>(cut.count);
-      forces_.emplace(*routine, most);
-      scene.block<UserLandBlock>(Phase::Force, "user routine ADRX4", {}, lands_, half_angle_,
-                                 traction, law, *forces_, heat_);
+      forces_.emplace(*other.routine, most);
+      scene.block<UserLandBlock>(Phase::Force, other.cost, {}, lands_, half_angle_, traction, law,
+                                 *forces_, heat_, *other.along);
     }
-    if (traction || routine != nullptr) scene.energy("lands.heat", kHeat, &heat_);
+    if (traction || other.of_user) scene.energy("lands.heat", kHeat, &heat_);
   }
 
   void report(const Evaluation& e, Snapshot& snapshot) const override {

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "bearing/element_inertia.hpp"
 #include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/contact_damping.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "statics/kinematics.hpp"
 
@@ -217,12 +218,12 @@ void PocketBlock<Traction, Shaped>::apply_with(const Friction& friction, Evaluat
   }
 }
 
-/// ADRX3 (user_forces.hpp).
+/// ADRX3 or damping (user_forces.hpp).
 class UserPocketBlock final : public EffectBlock {
  public:
   UserPocketBlock(PocketSet& set, const std::optional<tribology::TractionLaw>& friction,
-                  UserPocketForces& forces, double& heat)
-      : set_(set), friction_(friction), forces_(forces), heat_(heat) {}
+                  UserPocketForces& forces, double& heat, double& along)
+      : set_(set), friction_(friction), forces_(forces), heat_(heat), along_(along) {}
   void apply(Evaluation& e) noexcept override {
     if (friction_)
       friction_->visit_rounded([&](const auto& friction) {
@@ -242,7 +243,8 @@ class UserPocketBlock final : public EffectBlock {
             e.add_moment(ball, e.to_cylindrical(ball, touch.action.arm.cross(friction)));
             cage.load_slip += difference * touch.action.slip;
           }
-          heat_ += more * touch.action.heat - difference * rate;
+          heat_ += more * touch.action.heat;
+          along_ -= difference * rate;
         });
     if (!valid) e.valid = false;
   }
@@ -276,7 +278,7 @@ class UserPocketBlock final : public EffectBlock {
   const std::optional<tribology::TractionLaw>& friction_;
   GatheredTraction asked_;
   UserPocketForces& forces_;
-  double& heat_;
+  double &heat_, &along_;
 };
 
 }  // namespace
@@ -301,8 +303,10 @@ void PocketContact::declare(SceneBuilder& scene) {
     friction_.emplace(
         traction_of(scene, tribology::TractionKind::ElementCage, *scene.bearing.pocket_traction));
   }
-  scene::UserForce* const routine = scene.options.user ? scene.options.user->pocket : nullptr;
-  if (friction_ || routine != nullptr)
+  const OtherForce other =
+      other_force(scene, scene.options.user ? scene.options.user->pocket : nullptr,
+                  "user routine ADRX3", heat_);
+  if (friction_ || other.of_user)
     scene.block<NoHeatYet>(Phase::Force, "pocket contacts", {}, heat_);
   const contact::CagePieces pieces = pieces_of(scene);
   const auto add = [&](std::optional<PocketSet>& set,
@@ -312,16 +316,16 @@ void PocketContact::declare(SceneBuilder& scene) {
     std::vector<BodyId> partners(pieces.pockets.size(), BodyId{BodyId::Kind::Segment, -1});
     for (const contact::PlacedPocket& pocket : pockets)
       partners[pocket.element].index = pocket.piece;
-    if (routine == nullptr) return add_block(scene, *set, std::move(partners));
+    if (other.routine == nullptr) return add_block(scene, *set, std::move(partners));
     Partners same{std::vector<BodyId>(partners)};
     add_block(scene, *set, std::move(partners));
-    forces.emplace(*routine, set->size() * kMostWalls);
-    scene.block<UserPocketBlock>(Phase::Force, "user routine ADRX3", std::move(same), *set,
-                                 friction_, *forces, heat_);
+    forces.emplace(*other.routine, set->size() * kMostWalls);
+    scene.block<UserPocketBlock>(Phase::Force, other.cost, std::move(same), *set, friction_,
+                                 *forces, heat_, *other.along);
   };
   add(set_, pieces.pockets, forces_[0]);
   if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves, forces_[1]);
-  if (friction_ || routine != nullptr) scene.energy("pockets.heat", kPocketHeat, &heat_);
+  if (friction_ || other.of_user) scene.energy("pockets.heat", kPocketHeat, &heat_);
   scene.supports(*this);
 }
 

@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "contact/roller_race.hpp"
 #include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/contact_damping.hpp"
 #include "dynamics/effects/gathered_traction.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/effects/user_forces.hpp"
@@ -161,18 +162,19 @@ struct UserFlangeTouch {
 };
 using UserFlangeForces = UserForces<UserFlangeTouch>;
 
-/// ADRX2 (user_forces.hpp), of the flanges of one race.
+/// ADRX2 or damping (user_forces.hpp), of the flanges of one race.
 class UserFlangeBlock final : public EffectBlock {
  public:
   UserFlangeBlock(const std::vector<std::vector<statics::FlangePair>>& pairs, std::size_t race,
                   double mass_offset, const tribology::TractionLaw* friction,
-                  UserFlangeForces& forces, FlangeAccount& account)
+                  UserFlangeForces& forces, FlangeAccount& account, double& along)
       : pairs_(pairs),
         race_(race),
         mass_offset_(mass_offset),
         friction_(friction),
         forces_(forces),
-        account_(account) {}
+        account_(account),
+        along_(along) {}
   void apply(Evaluation& e) noexcept override {
     RaceBody& race = e.race[race_];
     if (friction_ != nullptr)
@@ -191,7 +193,8 @@ class UserFlangeBlock final : public EffectBlock {
           e.add_force(i, e.to_cylindrical(i, force));
           e.add_moment(i, e.to_cylindrical(i, (a.point - e.element_centre(i)).cross(force)));
           race.add_force(-force, a.point);
-          account_.heat += more * a.heat - difference * rate;
+          account_.heat += more * a.heat;
+          along_ -= difference * rate;
           account_.load_slip += difference * a.slip;
           if (i == 0) account_.load_slip_element1 += difference * a.slip;
         });
@@ -230,6 +233,7 @@ class UserFlangeBlock final : public EffectBlock {
   GatheredTraction asked_;
   UserFlangeForces& forces_;
   FlangeAccount& account_;
+  double& along_;
 };
 
 class RollerFlanges final : public SceneEffect {
@@ -248,22 +252,23 @@ class RollerFlanges final : public SceneEffect {
           traction_of(scene, tribology::TractionKind::RollerFlange, *scene.bearing.flange_traction);
     }
     has_friction_ = traction;
-    scene::UserForce* const routine = scene.options.user ? scene.options.user->flange : nullptr;
+    scene::UserForce* const user = scene.options.user ? scene.options.user->flange : nullptr;
     for (std::size_t j = 0; j < 2; ++j) {
       if (!scene.bearing.rollers()->has_flange(static_cast<int>(j))) continue;
       const std::string name = j == 0 ? "outer race flanges" : "inner race flanges";
       scene.block<FlangeBlock>(Phase::Force, name, BodyId{BodyId::Kind::Race, static_cast<int>(j)},
                                pairs_, j, mass_offset_, traction ? &friction_ : nullptr,
                                account_[j]);
-      if (routine != nullptr) {
+      const OtherForce other = other_force(scene, user, "user routine ADRX2", account_[j].heat);
+      if (other.routine != nullptr) {
         constexpr std::size_t kFlanges = 2;  // of a race
-        forces_[j].emplace(*routine,
+        forces_[j].emplace(*other.routine,
                            kFlanges * static_cast<std::size_t>(scene.bearing.element_count()));
         scene.block<UserFlangeBlock>(
-            Phase::Force, "user routine ADRX2", BodyId{BodyId::Kind::Race, static_cast<int>(j)},
-            pairs_, j, mass_offset_, traction ? &friction_ : nullptr, *forces_[j], account_[j]);
+            Phase::Force, other.cost, BodyId{BodyId::Kind::Race, static_cast<int>(j)}, pairs_, j,
+            mass_offset_, traction ? &friction_ : nullptr, *forces_[j], account_[j], *other.along);
       }
-      if (traction || routine != nullptr)
+      if (traction || other.of_user)
         scene.energy(name + ".heat", kHeat, &account_[j].heat, static_cast<int>(j));
       if (!traction) continue;
       if (!scene.plan.has(Effect::WearIntegrals)) continue;

@@ -8,6 +8,7 @@
 #include "contact/roller_pocket_play.hpp"
 #include "contact/roller_shape.hpp"
 #include "dynamics/effect_makers.hpp"
+#include "dynamics/effects/contact_damping.hpp"
 #include "dynamics/effects/pockets.hpp"
 #include "dynamics/effects/scene_pieces.hpp"
 #include "dynamics/roller_start.hpp"
@@ -430,13 +431,13 @@ struct UserTouch {
 };
 using UserTouches = UserForces<UserTouch>;
 
-/// ADRX3 (user_forces.hpp): every slice, and both ends of a pocket, whose surfaces are numbered
-/// behind those of its wall.
+/// ADRX3 or damping (user_forces.hpp): every slice, and both ends of a pocket, whose surfaces are
+/// numbered behind those of its wall.
 class UserRollerPocketBlock final : public EffectBlock {
  public:
   UserRollerPocketBlock(const RollerPocketSet& set, const tribology::TractionLaw* friction,
-                        UserTouches& forces, double& heat)
-      : set_(set), forces_(forces), heat_(heat) {
+                        UserTouches& forces, double& heat, double& along)
+      : set_(set), forces_(forces), heat_(heat), along_(along) {
     if (friction != nullptr) friction_ = *friction;
   }
   void apply(Evaluation& e) noexcept override {
@@ -454,7 +455,8 @@ class UserRollerPocketBlock final : public EffectBlock {
           if (!touch.aside.isZero(0.0))
             add(e, cage, touch.roller, difference * touch.aside, touch.middle);
           cage.load_slip += difference * touch.slip;
-          heat_ += more * touch.heat - difference * rate;
+          heat_ += more * touch.heat;
+          along_ -= difference * rate;
         });
     if (!valid) e.valid = false;
   }
@@ -527,7 +529,7 @@ class UserRollerPocketBlock final : public EffectBlock {
   std::optional<tribology::TractionLaw> friction_;
   GatheredTraction asked_;
   UserTouches& forces_;
-  double& heat_;
+  double &heat_, &along_;
 };
 
 /// Films in the pockets of rollers (kPocHydro), slice by slice: wedge of a line contact, entrained
@@ -617,8 +619,10 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
     demand(!traction || scene.bearing.pocket_traction.has_value(),
            "pocket traction is on without a traction curve");
     constexpr std::string_view kCost = "pocket contacts";
-    scene::UserForce* const routine = scene.options.user ? scene.options.user->pocket : nullptr;
-    if (traction || routine != nullptr) scene.block<NoHeatYet>(Phase::Force, kCost, {}, heat_);
+    const OtherForce other =
+        other_force(scene, scene.options.user ? scene.options.user->pocket : nullptr,
+                    "user routine ADRX3", heat_);
+    if (traction || other.of_user) scene.block<NoHeatYet>(Phase::Force, kCost, {}, heat_);
     std::optional<tribology::TractionLaw> friction;
     if (traction)
       friction =
@@ -638,15 +642,15 @@ class RollerPockets final : public SceneEffect, public ElementSupport {
       else
         scene.block<RollerPocketBlock<false>>(Phase::Force, kCost, Partners(std::move(partners)),
                                               *set, tribology::TractionLaw(), heat_);
-      if (routine == nullptr) return;
-      forces.emplace(*routine, set->most_contacts());
-      scene.block<UserRollerPocketBlock>(Phase::Force, "user routine ADRX3",
-                                         Partners(std::move(same)), *set,
-                                         friction ? &*friction : nullptr, *forces, heat_);
+      if (other.routine == nullptr) return;
+      forces.emplace(*other.routine, set->most_contacts());
+      scene.block<UserRollerPocketBlock>(Phase::Force, other.cost, Partners(std::move(same)), *set,
+                                         friction ? &*friction : nullptr, *forces, heat_,
+                                         *other.along);
     };
     add(set_, pieces.pockets, forces_[0]);
     if (!pieces.last_halves.empty()) add(last_halves_, pieces.last_halves, forces_[1]);
-    if (traction || routine != nullptr) scene.energy("pockets.heat", kPocketHeat, &heat_);
+    if (traction || other.of_user) scene.energy("pockets.heat", kPocketHeat, &heat_);
     if (scene.plan.has(Effect::PocketFilm)) {  // of a cage of one piece
       const bearing::CageFilms& films = *scene.bearing.cage_films;
       oil_.emplace();

@@ -6,17 +6,18 @@
 #include <utility>
 #include <vector>
 
-/// ADRX2 to ADRX4: what a routine of the user makes of the normal forces of one kind of contact.
+/// ADRX2 to ADRX4: what a routine of the user makes of the normal forces of one kind of contact, or
+/// damping in its place (contact_damping.hpp).
 ///
 /// The built-in block acts as without a routine; a block behind it collects its contacts, asks for
 /// all of them in one call and adds the difference, times F/N of the force asked for and the
 /// built-in one, so that friction goes with the force and a law that is restated changes nothing,
 /// not a bit. Along the normal the difference has the power
 ///   (F - N) d(gap)/dt,
-/// without a potential that is known: it is booked with the heat of the kind, where a damping law
-/// heats and an elastic one gives back what it took. d(gap)/dt must therefore be the power of the
-/// built-in normal force over N. Limit: a contact that the built-in law leaves open is not asked
-/// for.
+/// without a potential that is known: it is booked with the heat of the kind (damping: by itself),
+/// where a damping law heats and an elastic one gives back what it took. d(gap)/dt must therefore
+/// be the power of the built-in normal force over N. Limit: a contact that the built-in law leaves
+/// open is not asked for.
 namespace adore::dynamics {
 
 template <class Touch>

@@ -56,6 +56,20 @@ TEST_CASE("effects are left out by the names of the plan, and are not built", "[
         5 * static_cast<int>(whole.plan.oriented_elements.size()) + 6);
 }
 
+TEST_CASE("who asks for few roller slices is not told that few of them touch", "[unit][facade]") {
+  const auto said_of = [](const char* name, const char* slices) {
+    DeckRequest request;
+    request.text = deck::write_deck(deck::new_deck(name));
+    request.options = {{"rollerSlices", slices}};
+    std::string all;
+    for (const Issue& note : facade::solution_notes(facade::prepare(request)))
+      all += note.message + "\n";
+    return all;
+  };
+  CHECK(said_of("tapered", "7").find("slices touch") == std::string::npos);
+  CHECK(said_of("spherical", "31").find("fewer than 8 of 31 slices touch") != std::string::npos);
+}
+
 TEST_CASE("guide lands take their traction with them", "[unit][facade]") {
   const facade::Prepared less = facade::prepare(ball({{"effectsOff", "cage / race guide lands"}}));
   CHECK_FALSE(less.plan.has(Effect::LandContact));
@@ -118,8 +132,7 @@ TEST_CASE(
   CHECK(says.find("do not decay") != std::string::npos);
   CHECK(says.find("spectra") != std::string::npos);
   CHECK(entry(facade::prepare(ball({{"contactDamping", "0.2"}})), "ball / race damping")
-            .because.find("pockets, guide lands, flanges and neighbours stay elastic") !=
-        std::string::npos);
+            .because.find("neighbours without a cage") != std::string::npos);
   // The option is in s/m whatever the units of the deck are.
   DeckRequest english = ball({{"contactDamping", "0.2"}});
   english.text = deck::write_deck(deck::new_deck("ball-english"));
